@@ -1,0 +1,129 @@
+// Lemke's pivots: start, step, and what becomes of a solution or a ray. Included by lemke.hpp.
+#pragma once
+
+#include "lcpush/lcp/lemke.hpp"
+
+namespace lcpush {
+
+template <class S> Status Lemke<S>::start() {
+  const Index cover = dictionary_.column_of(artificial(n_));
+  RatioTest<S> test(dictionary_, levels_, options_.tie_rule, options_.tolerances, candidates_);
+  const Blocking worst = test.most_violated_row(cover);
+  for (Index k = 0; k < levels_; ++k) {
+    const S value = dictionary_.values(worst.row, k);
+    if (value > options_.tolerances.tie) return accept();
+    if (value < -options_.tolerances.tie) {
+      pivot(worst, cover);
+      entering_ = complement(last_.leaving, n_);
+      return status_;
+    }
+  }
+  return accept();
+}
+
+template <class S> void Lemke<S>::pivot(const Blocking& blocking, Index column) {
+  last_ = {dictionary_.nonbasic[column], dictionary_.basic[blocking.row], blocking};
+  dictionary_.exchange(blocking.row, column, scratch_);
+  ++pivots_;
+  ++pivots_of_cover_;
+  fresh_ = false;
+}
+
+template <class S> Status Lemke<S>::step() {
+  if (status_ != Status::running) return status_;
+  if (entering_ < 0) return start();
+  if (pivots_of_cover_ >= limit()) return end(Status::pivot_limit);
+  if (pivots_of_cover_ % 64 == 63 && drifted() && !refactorise())
+    return end(Status::numerical_breakdown, Reason::singular_basis);
+
+  const Index c = dictionary_.column_of(entering_);
+  RatioTest<S> test(dictionary_, levels_, options_.tie_rule, options_.tolerances, candidates_);
+  const Blocking blocking = test.blocking_row(c);
+  if (blocking.row < 0) return conclude_ray(c);
+
+  pivot(blocking, c);
+  if (last_.leaving == artificial(n_)) return accept();
+  entering_ = complement(last_.leaving, n_);
+  return status_;
+}
+
+template <class S> Status Lemke<S>::solve() {
+  Status worst = Status::running;
+  Reason reason = Reason::none;
+  for (;;) {
+    while (status_ == Status::running) (void)step();
+    if (status_ == Status::solved || status_ == Status::bad_input) return status_;
+    // A verified ray says most about a failure: keep it even if later covers end otherwise.
+    if (worst != Status::ray) {
+      worst = status_;
+      reason = reason_;
+    }
+    if (options_.cover != nullptr || cover_ + 1 >= options_.covers) return end(worst, reason);
+    ++cover_;
+    load();
+    cover_cold();
+    status_ = Status::running;
+  }
+}
+
+/// z0 has left (or was never needed): refine the answer on the problem as given and check it.
+template <class S> Status Lemke<S>::accept() {
+  for (Index k = 0; k < levels_; ++k) refine(k);
+  if (passes_check()) return end(Status::solved);
+  return reject(reason_ == Reason::retreat ? Reason::retreat : Reason::residual);
+}
+
+/// The check failed: factor the basis afresh; if its values are not all >= 0 then, cover what is
+/// left and pivot on from here.
+template <class S> Status Lemke<S>::reject(Reason reason) {
+  constexpr Index repairs_allowed = 3;
+  if (repairs_ >= repairs_allowed || !refactorise())
+    return end(Status::numerical_breakdown, reason);
+  ++repairs_;
+  cover_here();
+  entering_ = -1;
+  return start();
+}
+
+/// Nothing blocks the entering variable. Believe it only from a fresh factorisation, and only with
+/// its certificate: v >= 0, u = M v + d v0 >= 0, v_i u_i = 0, all on the problem as given.
+template <class S> Status Lemke<S>::conclude_ray(Index column) {
+  if (!fresh_) {
+    if (!refactorise()) return end(Status::numerical_breakdown, Reason::singular_basis);
+    return status_;
+  }
+  const Index n = n_;
+  ray_.setZero();
+  ray_artificial_ = entering_ == artificial(n) ? S(1) : S(0);
+  const auto record = [&](Index variable, const S& rate) {
+    if (variable == artificial(n))
+      ray_artificial_ = rate;
+    else if (variable >= n)
+      ray_[variable - n] = rate;
+  };
+  record(entering_, S(1));
+  for (Index i = 0; i < n; ++i) record(dictionary_.basic[i], dictionary_.table(i, column));
+
+  const S largest = ray_.cwiseAbs().maxCoeff();
+  if (!(largest > S(0))) return end(Status::numerical_breakdown, Reason::false_ray);
+  ray_ /= largest;
+  ray_artificial_ /= largest;
+  scaled_product(ray_.data(), product_.data());
+  const S tolerance = options_.tolerances.residual;
+  bool certified = ray_artificial_ >= -tolerance;
+  for (Index i = 0; i < n; ++i) {
+    const S u = product_[i] + cover_columns_(i, 0) * ray_artificial_;
+    const S row_tolerance = tolerance * (S(1) + rowsum_[i] * row_scale_[i]);
+    certified = certified && ray_[i] >= -tolerance && u >= -row_tolerance &&
+                (ray_[i] <= tolerance || u <= row_tolerance);
+  }
+  if (!certified) return end(Status::numerical_breakdown, Reason::false_ray);
+  // In the problem's own units, largest entry 1.
+  ray_ = ray_.cwiseProduct(column_scale_).cwiseMax(S(0));
+  const S own_largest = ray_.maxCoeff();
+  ray_ /= own_largest;
+  ray_artificial_ /= own_largest;
+  return end(Status::ray);
+}
+
+} // namespace lcpush

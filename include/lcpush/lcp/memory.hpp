@@ -1,0 +1,32 @@
+// Memory: the caller brings one block of Scalars and one of ints; a solver cuts what it needs off
+// their front. Nothing is ever given back, nothing is ever allocated.
+#pragma once
+
+#include "lcpush/types.hpp"
+
+namespace lcpush {
+
+template <class T> class Block {
+public:
+  Block() = default;
+  explicit Block(Span<T> memory) : rest_(memory) {}
+
+  /// The next `count` elements, or an empty span if fewer are left (see `exhausted`).
+  Span<T> take(Index count) {
+    if (count > rest_.size) {
+      exhausted_ = true;
+      return {};
+    }
+    const Span<T> taken{rest_.data, count};
+    rest_ = {rest_.data + count, rest_.size - count};
+    return taken;
+  }
+
+  bool exhausted() const { return exhausted_; }
+
+private:
+  Span<T> rest_;
+  bool exhausted_ = false;
+};
+
+} // namespace lcpush

@@ -1,0 +1,154 @@
+// The mixed linear complementarity problem
+//
+//     w = M z + q,   0 <= z_i _|_ w_i >= 0   for i <  free_begin
+//                    z_i free, w_i = 0       for i >= free_begin
+//
+// in the two forms that the solvers read: a dense matrix, or the factored form that mechanics
+// assembles. Both only look at memory that the caller owns.
+#pragma once
+
+#include "lcpush/types.hpp"
+
+namespace lcpush {
+
+/// One normal unknown lambda, its generators' unknowns beta_1..beta_g and its slip unknown xi:
+/// variables [lambda, beta_1, .., beta_g, xi], just [lambda] when there is no friction.
+template <class S> struct ConeGroup {
+  Index force;      ///< column of lambda among the wrenches; beta_j stands at force + j
+  Index generators; ///< g, 0 for a frictionless group
+  Index variable;   ///< index of lambda in z; beta_j at variable + j, xi at variable + g + 1
+  S friction;       ///< mu
+  S compliance;     ///< c >= 0, added to the diagonal of lambda's row
+
+  Index size() const { return generators == 0 ? 1 : generators + 2; }
+  Index slip() const { return variable + generators + 1; }
+};
+
+/// Forces that share an actuator: row sum_k coupling_k z_k + inertia s - target = 0, s free.
+/// The same coefficients enter the rows of those forces with the opposite sign (skew).
+template <class S> struct SumGroup {
+  Index first; ///< first entry in the coupling arrays
+  Index count;
+  S target;  ///< tau
+  S inertia; ///< m_a >= 0
+};
+
+/// M without its n^2 numbers: G' A G plus the groups' structure. Free unknowns (one a sum group)
+/// come last. Size of everything: O(forces).
+template <class S> struct FactoredProblem {
+  Matrix6<S> mobility;              ///< A = M^-1 of the object, 6 x 6
+  Span<const Vector6<S>> wrenches;  ///< G, one column a force
+  Span<const ConeGroup<S>> cones;   ///< in the order of their variables
+  Span<const SumGroup<S>> sums;     ///< variable of group a: free_begin + a
+  Span<const int> coupled_variable; ///< per coupling entry: the force's index in z
+  Span<const S> coupling;           ///< per coupling entry: W' J
+};
+
+/// What a solver needs to know. Exactly one of `matrix` and `factored` is set.
+template <class S> struct Problem {
+  Index size = 0;            ///< n
+  Index free_begin = 0;      ///< first free unknown; n if there is none
+  const S* matrix = nullptr; ///< n x n, column-major
+  const FactoredProblem<S>* factored = nullptr;
+  const S* q = nullptr;    ///< n
+  const S* push = nullptr; ///< n or null: q is q + sigma push with an infinitesimal sigma > 0
+};
+
+/// G f for the forces in z: the contact wrench on the object. O(forces).
+template <class S> Vector6<S> contact_wrench(const FactoredProblem<S>& problem, const S* z) {
+  Vector6<S> wrench = Vector6<S>::Zero();
+  for (const ConeGroup<S>& cone : problem.cones)
+    for (Index k = 0; k <= cone.generators; ++k)
+      wrench += problem.wrenches[cone.force + k] * z[cone.variable + k];
+  return wrench;
+}
+
+namespace detail {
+
+template <class S>
+void multiply_factored(const FactoredProblem<S>& problem, Index free_begin, const S* z, S* out) {
+  const Vector6<S> a = problem.mobility.lazyProduct(contact_wrench(problem, z));
+  for (const ConeGroup<S>& cone : problem.cones) {
+    const Index i = cone.variable;
+    for (Index k = 0; k <= cone.generators; ++k)
+      out[i + k] = problem.wrenches[cone.force + k].dot(a);
+    out[i] += cone.compliance * z[i];
+    if (cone.generators == 0) continue;
+    S cone_row = cone.friction * z[i];
+    for (Index k = 1; k <= cone.generators; ++k) {
+      out[i + k] += z[cone.slip()];
+      cone_row -= z[i + k];
+    }
+    out[cone.slip()] = cone_row;
+  }
+  for (Index a_index = 0; a_index < problem.sums.size; ++a_index) {
+    const SumGroup<S>& sum = problem.sums[a_index];
+    const S s = z[free_begin + a_index];
+    S row = sum.inertia * s;
+    for (Index k = sum.first; k < sum.first + sum.count; ++k) {
+      row += problem.coupling[k] * z[problem.coupled_variable[k]];
+      out[problem.coupled_variable[k]] -= problem.coupling[k] * s;
+    }
+    out[free_begin + a_index] = row;
+  }
+}
+
+template <class S>
+void fill_factored(const FactoredProblem<S>& problem, Index free_begin, MatrixMap<S> M) {
+  M.setZero();
+  for (const ConeGroup<S>& acting : problem.cones) {
+    for (Index k = 0; k <= acting.generators; ++k) {
+      const Vector6<S> a = problem.mobility.lazyProduct(problem.wrenches[acting.force + k]);
+      auto column = M.col(acting.variable + k);
+      for (const ConeGroup<S>& felt : problem.cones)
+        for (Index j = 0; j <= felt.generators; ++j)
+          column[felt.variable + j] = problem.wrenches[felt.force + j].dot(a);
+    }
+    const Index i = acting.variable;
+    M(i, i) += acting.compliance;
+    if (acting.generators == 0) continue;
+    M(acting.slip(), i) = acting.friction;
+    for (Index k = 1; k <= acting.generators; ++k) {
+      M(i + k, acting.slip()) = S(1);
+      M(acting.slip(), i + k) = S(-1);
+    }
+  }
+  for (Index a = 0; a < problem.sums.size; ++a) {
+    const SumGroup<S>& sum = problem.sums[a];
+    M(free_begin + a, free_begin + a) = sum.inertia;
+    for (Index k = sum.first; k < sum.first + sum.count; ++k) {
+      M(free_begin + a, problem.coupled_variable[k]) += problem.coupling[k];
+      M(problem.coupled_variable[k], free_begin + a) -= problem.coupling[k];
+    }
+  }
+}
+
+} // namespace detail
+
+/// out = M z. Cost: n times the number of non-zero z (dense), O(n) (factored).
+template <class S> void multiply(const Problem<S>& problem, const S* z, S* out) {
+  if (problem.factored != nullptr) {
+    detail::multiply_factored(*problem.factored, problem.free_begin, z, out);
+    return;
+  }
+  const Index n = problem.size;
+  for (Index i = 0; i < n; ++i) out[i] = S(0);
+  for (Index j = 0; j < n; ++j) {
+    if (z[j] == S(0)) continue;
+    const S* column = problem.matrix + j * n;
+    for (Index i = 0; i < n; ++i) out[i] += column[i] * z[j];
+  }
+}
+
+/// Writes M into an n x n view.
+template <class S> void fill_matrix(const Problem<S>& problem, MatrixMap<S> M) {
+  if (problem.factored != nullptr) {
+    detail::fill_factored(*problem.factored, problem.free_begin, M);
+    return;
+  }
+  const Index n = problem.size;
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) M(i, j) = problem.matrix[j * n + i];
+}
+
+} // namespace lcpush

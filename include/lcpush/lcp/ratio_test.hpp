@@ -1,0 +1,125 @@
+// Which basic variable blocks the entering one first? Degeneracy is the norm in contact problems,
+// so most of this file is about ties.
+#pragma once
+
+#include "lcpush/lcp/dictionary.hpp"
+#include "lcpush/lcp/tolerances.hpp"
+
+namespace lcpush {
+
+/// What decides between rows that block at the same point.
+enum class TieRule {
+  generic,       ///< fixed generic right-hand sides, then the largest pivot (floating point)
+  lexicographic, ///< the rows of the basis inverse (exact arithmetic; never cycles)
+  first_row,     ///< the first tied row: for showing that this can cycle
+};
+
+/// Why the chosen row and no other.
+enum class TieBreak { none, right_hand_side, artificial, tie_column, lexicographic, size, order };
+
+struct Blocking {
+  Index row = -1; ///< -1: nothing blocks
+  Index tied = 0; ///< rows tied at the first right-hand side, itself included
+  TieBreak decided_by = TieBreak::none;
+};
+
+/// The ratio test over right-hand sides that count in order (each infinitely larger than the next).
+template <class S> class RatioTest {
+public:
+  /// `levels`: leading columns of dictionary.values that are data; the rest only breaks ties.
+  /// `candidates` is scratch for n ints.
+  RatioTest(const Dictionary<S>& dictionary, Index levels, TieRule rule,
+            const Tolerances<S>& tolerances, Span<int> candidates)
+      : d_(dictionary), levels_(levels), rule_(rule), tolerances_(tolerances),
+        candidates_(candidates) {}
+
+  /// Rows whose value falls as the variable of `column` grows; the smallest ratio blocks, and the
+  /// artificial variable wins any tie, because then a solution is reached.
+  Blocking blocking_row(Index column) {
+    return select(column, S(-1), d_.row_of(artificial(d_.size())));
+  }
+
+  /// The row that the artificial variable must repair: its pivot makes every value >= 0.
+  Blocking most_violated_row(Index cover_column) { return select(cover_column, S(1), -1); }
+
+private:
+  const Dictionary<S>& d_;
+  Index levels_;
+  TieRule rule_;
+  Tolerances<S> tolerances_;
+  Span<int> candidates_;
+  Index count_ = 0;
+
+  Blocking select(Index column, S direction, Index artificial_row) {
+    const auto rate = [&](Index row) { return direction * d_.table(row, column); };
+    const S largest = d_.table.col(column).cwiseAbs().maxCoeff();
+    count_ = 0;
+    for (Index i = 0; i < d_.size(); ++i)
+      if (rate(i) > tolerances_.pivot * largest) candidates_[count_++] = static_cast<int>(i);
+    Blocking blocking;
+    if (count_ == 0) return blocking;
+    for (Index k = 0; k < levels_ && count_ > 1; ++k) {
+      const Index before = count_;
+      keep_smallest(rate, [&](Index row) { return d_.values(row, k); });
+      if (k == 0) blocking.tied = count_;
+      if (k > 0 && count_ < before) blocking.decided_by = TieBreak::right_hand_side;
+    }
+    if (blocking.tied == 0) blocking.tied = 1;
+    blocking.row = candidates_[0];
+    if (count_ == 1) return blocking;
+    for (Index k = 0; k < count_; ++k) {
+      if (candidates_[k] != artificial_row) continue;
+      blocking.row = artificial_row;
+      blocking.decided_by = TieBreak::artificial;
+      return blocking;
+    }
+    blocking.decided_by = break_tie(rate);
+    blocking.row = candidates_[0];
+    return blocking;
+  }
+
+  /// Reduces the tied candidates to one.
+  template <class Rate> TieBreak break_tie(Rate rate) {
+    if (rule_ == TieRule::first_row) return TieBreak::order;
+    if (rule_ == TieRule::lexicographic) {
+      for (Index i = 0; i < d_.size() && count_ > 1; ++i) keep_lexicographic(rate, i);
+      return TieBreak::lexicographic;
+    }
+    for (Index k = levels_; k < d_.values.cols(); ++k) {
+      keep_smallest(rate, [&](Index row) { return d_.values(row, k); });
+      if (count_ == 1) return TieBreak::tie_column;
+    }
+    Index best = 0;
+    for (Index k = 1; k < count_; ++k)
+      if (rate(candidates_[k]) > rate(candidates_[best])) best = k;
+    candidates_[0] = candidates_[best];
+    return TieBreak::size;
+  }
+
+  /// Column i of the basis inverse: w_i is perturbed by the i-th infinitesimal.
+  template <class Rate> void keep_lexicographic(Rate rate, Index i) {
+    const Index column = d_.column_of(slack(i));
+    if (column >= 0) {
+      keep_smallest(rate, [&](Index row) { return -d_.table(row, column); });
+    } else {
+      const Index unit_row = d_.row_of(slack(i));
+      keep_smallest(rate, [&](Index row) { return row == unit_row ? S(1) : S(0); });
+    }
+  }
+
+  /// Harris: a bound on the step with the tolerance, then everything at or below that bound.
+  template <class Rate, class Value> void keep_smallest(Rate rate, Value value) {
+    S bound = (value(candidates_[0]) + tolerances_.tie) / rate(candidates_[0]);
+    for (Index k = 1; k < count_; ++k) {
+      const S step = (value(candidates_[k]) + tolerances_.tie) / rate(candidates_[k]);
+      if (step < bound) bound = step;
+    }
+    Index kept = 0;
+    for (Index k = 0; k < count_; ++k)
+      if (value(candidates_[k]) <= bound * rate(candidates_[k]))
+        candidates_[kept++] = candidates_[k];
+    count_ = kept;
+  }
+};
+
+} // namespace lcpush

@@ -1,0 +1,29 @@
+// The three tolerances of the pivoting solver. They apply to equilibrated data (every row, column
+// and right-hand side scaled to 1), so they depend on the precision alone; docs/numerics.md has
+// the measurements behind the multiples of the machine epsilon.
+#pragma once
+
+#include <limits>
+
+namespace lcpush {
+
+/// An exact scalar needs no tolerance.
+template <class S> struct Tolerances {
+  S pivot{0};    ///< a pivot below this fraction of its column's largest entry is no pivot
+  S tie{0};      ///< basic values within this of the smallest ratio are tied (Harris)
+  S residual{0}; ///< the largest scaled natural residual of an answer called solved
+};
+
+template <> struct Tolerances<double> {
+  double pivot = 0x1p22 * std::numeric_limits<double>::epsilon();    // 9.3e-10
+  double tie = 0x1p15 * std::numeric_limits<double>::epsilon();      // 7.3e-12
+  double residual = 0x1p22 * std::numeric_limits<double>::epsilon(); // 9.3e-10
+};
+
+template <> struct Tolerances<float> {
+  float pivot = 0x1p10F * std::numeric_limits<float>::epsilon();    // 1.2e-4
+  float tie = 0x1p4F * std::numeric_limits<float>::epsilon();       // 1.9e-6
+  float residual = 0x1p10F * std::numeric_limits<float>::epsilon(); // 1.2e-4
+};
+
+} // namespace lcpush

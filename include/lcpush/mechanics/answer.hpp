@@ -1,0 +1,54 @@
+// The answer in SI units, scene axes: what every contact, body and actuator does.
+#pragma once
+
+#include "lcpush/mechanics/contact.hpp"
+
+namespace lcpush {
+
+enum class Mode { stick, slide, separate };
+
+constexpr const char* mode_text(Mode mode) {
+  return mode == Mode::stick ? "stick" : mode == Mode::slide ? "slide" : "separate";
+}
+
+template <class S> struct ContactAnswer {
+  Index body;
+  S normal_force;            ///< N, lambda
+  Vector3<S> friction_force; ///< N, on the object
+  S torsion;                 ///< N m, friction moment about the normal, soft points only
+  S slip;                    ///< m/s^2, xi
+  Vector3<S> acceleration;   ///< m/s^2, of the object's point relative to its body
+  Mode mode;
+};
+
+template <class S> struct Answer {
+  Vector6<S> acceleration;         ///< of the object, [m/s^2; rad/s^2]
+  Span<ContactAnswer<S>> contacts; ///< in the scene's order
+  Span<S> friction;                ///< N, beta, g a point with friction, in the same order
+  Span<S> closing;                 ///< s of each actuator, per second^2
+};
+
+/// The wrench of one body on the object, [N; N m about the centre of mass].
+template <class S>
+Vector6<S> body_wrench(const Scene<S>& scene, const Answer<S>& answer, Index body) {
+  Vector6<S> total = Vector6<S>::Zero();
+  const Body<S>& b = scene.bodies[body];
+  for (Index i = b.first_point; i < b.first_point + b.point_count; ++i) {
+    const ContactAnswer<S>& contact = answer.contacts[i];
+    total +=
+        wrench_column<S>(scene.points[i], contact.normal_force * b.normal + contact.friction_force);
+    total.template tail<3>() += contact.torsion * b.normal;
+  }
+  return total;
+}
+
+/// The twist of a body, prescribed and driven, at the object's centre of mass.
+template <class S>
+Vector6<S> body_twist(const Scene<S>& scene, const Answer<S>& answer, Index body, S sigma) {
+  Vector6<S> twist = sigma * scene.bodies[body].acceleration;
+  for (const Drive<S>& drive : scene.drives)
+    if (drive.body == body) twist += answer.closing[drive.actuator] * drive.twist;
+  return twist;
+}
+
+} // namespace lcpush

@@ -1,0 +1,204 @@
+// Pressure laws: how a patch shares its force over its points. The paper fixes only the sum of a
+// patch's normal forces [P.6]; docs/theory.md, "Pressure laws", says why that is not enough.
+#pragma once
+
+#include "lcpush/lcp/lemke.hpp"
+#include "lcpush/mechanics/assemble.hpp"
+
+namespace lcpush {
+
+template <class S> struct PressureOptions {
+  LemkeOptions<S> lemke{};
+  S first_compliance{S(1) / S(100)}; ///< eps of round 1
+  S factor{S(0.31622776601683794)};  ///< eps falls by this a round
+  Index max_rounds = 60;
+  S tolerance = Tolerances<S>().residual; ///< scaled violation of the literal [T.2] allowed
+};
+
+/// What a pressure solve did, for reports.
+struct PressureRun {
+  Index rounds = 0;
+  Index pivots = 0;
+  Index cold_restarts = 0; ///< rounds that could not go on from the last basis
+  Reason reason = Reason::none;
+  bool jammed = false; ///< a ray of the problem without compliance: a squeeze, not a pad's failure
+};
+
+/// Memory beside Lemke's: one Scalar a point for the last round's pressure, three a point and
+/// unknown for bookkeeping, one flag an unknown.
+template <class S> struct PressureMemory {
+  Span<S> preload;            ///< points: lambda of the last round
+  Span<S> compliance;         ///< points: c_i
+  Span<S> z;                  ///< unknowns: the last round's solution
+  Span<unsigned char> active; ///< unknowns: its basis
+};
+
+/// [T.7] Pad: round r adds eps_r c_i (lambda_i - lambda_i^(r-1)) to [T.2].
+/// Sets c_i: k / m on a force-controlled patch of k > 1 points; 1e-3 k / m on a position-controlled
+/// body whose k normals are linearly dependent; 0 otherwise. And lambda^(0): each patch's own force
+/// shared evenly over its points, 0 where no force is prescribed.
+template <class S> void pad_preload(const Assembly<S>& assembly, const PressureMemory<S>& memory);
+
+/// Solves assembly.problem() under the scene's pressure law. `lemke` keeps the last factored basis.
+/// Post: solved (memory.z holds the unknowns), or Lemke's failure.
+/// Cost: rigid one Lemke run; pad one cold and a few warm ones.
+template <class S>
+[[nodiscard]] Status solve_pressure(Assembly<S>& assembly, Lemke<S>& lemke,
+                                    const PressureMemory<S>& memory,
+                                    const PressureOptions<S>& options, PressureRun& run);
+
+namespace detail {
+
+/// Dimension of the affine hull of a body's points (0 to 2, points of a patch lie in a plane or on
+/// a curved surface: 3), by Gram-Schmidt on the differences.
+template <class S> Index affine_rank(const Scene<S>& scene, const Body<S>& body) {
+  using std::abs;
+  Vector3<S> basis[2];
+  Index rank = 0;
+  S size(0);
+  const Vector3<S>& origin = scene.points[body.first_point];
+  for (Index i = 1; i < body.point_count; ++i) {
+    const S distance = (scene.points[body.first_point + i] - origin).norm();
+    if (distance > size) size = distance;
+  }
+  for (Index i = 1; i < body.point_count && rank < 2; ++i) {
+    // Only the part in the contact plane tells the columns W(n) of two points apart.
+    Vector3<S> between = scene.points[body.first_point + i] - origin;
+    between -= between.dot(body.normal) * body.normal;
+    for (Index k = 0; k < rank; ++k) between -= between.dot(basis[k]) * basis[k];
+    const S rest = between.norm();
+    if (rest > size * S(1) / S(1000)) basis[rank++] = between / rest;
+  }
+  return rank;
+}
+
+} // namespace detail
+
+template <class S> void pad_preload(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
+  const Scene<S>& scene = assembly.scene();
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const Body<S>& body = scene.bodies[b];
+    const Index k = body.point_count;
+    S share(0);
+    bool driven = false;
+    for (const Drive<S>& drive : scene.drives) {
+      if (drive.body != b) continue;
+      Index driven_bodies = 0;
+      for (const Drive<S>& other : scene.drives)
+        if (other.actuator == drive.actuator) ++driven_bodies;
+      const S along = drive.twist.template head<3>().dot(body.normal);
+      driven = true;
+      if (along > S(0))
+        share += scene.actuators[drive.actuator].force / (along * S(driven_bodies) * S(k));
+    }
+    const bool dependent = k > detail::affine_rank(scene, body) + 1;
+    const S c = driven ? (k > 1 ? S(k) : S(0)) : dependent ? S(k) / S(1000) : S(0);
+    for (Index i = body.first_point; i < body.first_point + k; ++i) {
+      memory.preload[i] = share / assembly.layout().scales.force;
+      memory.compliance[i] = c;
+    }
+  }
+}
+
+namespace detail {
+
+/// One solver run with the present compliance. Post: solved, with memory.z and memory.active set.
+template <class S>
+Status run_round(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>& memory,
+                 const LemkeOptions<S>& options, bool warm, PressureRun& run) {
+  const Problem<S> problem = assembly.problem();
+  Status status =
+      warm ? lemke.init(problem, options, memory.active.data) : lemke.init(problem, options);
+  if (status == Status::running) status = lemke.solve();
+  run.pivots += lemke.pivots();
+  run.reason = lemke.reason();
+  if (status != Status::solved) return status;
+  for (Index i = 0; i < problem.size; ++i) {
+    memory.z[i] = lemke.z()[i];
+    memory.active[i] = lemke.is_basic(i) ? 1 : 0;
+  }
+  return status;
+}
+
+/// Sets eps c_i on the normal rows, around the last round's pressure.
+template <class S>
+void set_compliance(Assembly<S>& assembly, const PressureMemory<S>& memory, S eps) {
+  assembly.push_by(assembly.sigma());
+  for (Index i = 0; i < assembly.layout().points; ++i) {
+    const S c = eps * memory.compliance[i];
+    assembly.cones()[i].compliance = c;
+    assembly.q()[assembly.layout().normal(i)] -= c * memory.preload[i];
+  }
+}
+
+/// By how much the round's answer violates the literal [T.2]; the pressure becomes the next
+/// round's preload. `growth` receives the largest normal force.
+template <class S>
+S take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory, S& largest) {
+  S violation(0);
+  largest = S(0);
+  for (Index i = 0; i < assembly.layout().points; ++i) {
+    const S lambda = memory.z[assembly.layout().normal(i)];
+    const S change = assembly.cones()[i].compliance * (lambda - memory.preload[i]);
+    violation = Eigen::numext::maxi(violation, change < S(0) ? S(-change) : change);
+    largest = Eigen::numext::maxi(largest, lambda);
+    memory.preload[i] = lambda;
+  }
+  return violation;
+}
+
+} // namespace detail
+
+template <class S>
+Status solve_pad(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>& memory,
+                 const PressureOptions<S>& options, PressureRun& run) {
+  S eps = options.first_compliance, factor = options.factor, last_eps(0);
+  bool warm = false;
+  LemkeOptions<S> one_cover = options.lemke;
+  one_cover.covers = 1;
+  for (run.rounds = 1; run.rounds <= options.max_rounds; ++run.rounds) {
+    detail::set_compliance(assembly, memory, eps);
+    Status status =
+        detail::run_round(assembly, lemke, memory, warm ? one_cover : options.lemke, warm, run);
+    if (status != Status::solved && warm && factor < S(0.9)) {
+      // Copositivity does not protect a warm start: come down more slowly.
+      factor = Eigen::numext::sqrt(factor);
+      eps = last_eps * factor;
+      continue;
+    }
+    if (status != Status::solved && warm) {
+      ++run.cold_restarts;
+      status = detail::run_round(assembly, lemke, memory, options.lemke, false, run);
+    }
+    if (status != Status::solved) return status;
+    S largest(0);
+    const S violation = detail::take_pressure(assembly, memory, largest);
+    if (violation <= options.tolerance) return Status::solved;
+    if (largest > S(1000)) return Status::numerical_breakdown;
+    warm = true;
+    last_eps = eps;
+    eps *= factor;
+  }
+  return Status::numerical_breakdown;
+}
+
+template <class S>
+Status solve_pressure(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>& memory,
+                      const PressureOptions<S>& options, PressureRun& run) {
+  run = {};
+  pad_preload(assembly, memory);
+  if (assembly.scene().pressure == Pressure::pad) {
+    const Status status = solve_pad(assembly, lemke, memory, options, run);
+    if (status == Status::solved || status == Status::bad_input) return status;
+    // Compliance hides a jam: a squeezed pad just gives way. Without it the ray shows.
+    pad_preload(assembly, memory);
+  }
+  detail::set_compliance(assembly, memory, S(0));
+  const Status status = detail::run_round(assembly, lemke, memory, options.lemke, false, run);
+  if (status == Status::solved && assembly.scene().pressure == Pressure::pad)
+    return Status::numerical_breakdown; // solvable, yet the rounds did not get there
+  run.jammed = status == Status::ray;
+  return status;
+}
+
+} // namespace lcpush

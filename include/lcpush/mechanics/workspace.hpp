@@ -1,0 +1,100 @@
+// One block of bytes, everything in it: what a push needs from scene to answer. The caller brings
+// the block (static on a microcontroller, a vector on the desktop); push_bytes says how long.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+
+#include "lcpush/mechanics/pressure.hpp"
+#include "lcpush/mechanics/read_answer.hpp"
+
+namespace lcpush {
+
+/// Cuts typed arrays off the front of a block of bytes.
+class Arena {
+public:
+  explicit Arena(Span<unsigned char> bytes) : rest_(bytes) {}
+
+  template <class T> Span<T> take(Index count) {
+    const auto address = reinterpret_cast<std::uintptr_t>(rest_.data);
+    const Index skip = static_cast<Index>((alignof(T) - address % alignof(T)) % alignof(T));
+    const Index length = skip + count * static_cast<Index>(sizeof(T));
+    if (length > rest_.size) {
+      exhausted_ = true;
+      return {};
+    }
+    T* const first = reinterpret_cast<T*>(rest_.data + skip);
+    for (Index i = 0; i < count; ++i) new (first + i) T();
+    rest_ = {rest_.data + length, rest_.size - length};
+    return {first, count};
+  }
+
+  bool exhausted() const { return exhausted_; }
+
+private:
+  Span<unsigned char> rest_;
+  bool exhausted_ = false;
+};
+
+/// The arrays behind one push.
+template <class S> struct Workspace {
+  AssemblyMemory<S> assembly;
+  PressureMemory<S> pressure;
+  Span<S> lemke_scalars;
+  Span<int> lemke_integers;
+  Answer<S> answer;
+  bool complete = false; ///< false: the block was too small, use nothing of it
+};
+
+/// Bytes that make_workspace takes. constexpr, so that `static unsigned char memory[push_bytes..]`
+/// works.
+template <class S> constexpr Index push_bytes(const AssemblySize& size) {
+  const Index n = size.unknowns(), p = size.points;
+  const Index scalars =
+      lemke_scalars(n) + 4 * n + size.couplings() + 2 * size.actuators + 2 * p + p * size.facets;
+  const Index structs = size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
+                        p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>)) +
+                        size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
+  const Index integers = lemke_integers(n) + size.couplings();
+  constexpr Index alignment_slack = 20 * static_cast<Index>(alignof(std::max_align_t));
+  return scalars * static_cast<Index>(sizeof(S)) + structs +
+         integers * static_cast<Index>(sizeof(int)) + p * static_cast<Index>(sizeof(Index)) + n +
+         alignment_slack;
+}
+
+/// Cuts a workspace for scenes of at most this size.
+template <class S>
+Workspace<S> make_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
+  Arena arena(bytes);
+  const Index n = size.unknowns(), p = size.points;
+  Workspace<S> w;
+  w.assembly.wrenches = arena.take<Vector6<S>>(size.forces());
+  w.assembly.cones = arena.take<ConeGroup<S>>(p);
+  w.assembly.sums = arena.take<SumGroup<S>>(size.actuators);
+  w.assembly.coupled_variable = arena.take<int>(size.couplings());
+  w.assembly.coupling = arena.take<S>(size.couplings());
+  w.assembly.body = arena.take<Index>(p);
+  w.assembly.reach = arena.take<S>(size.actuators);
+  w.assembly.rest = arena.take<S>(n);
+  w.assembly.push = arena.take<S>(n);
+  w.assembly.q = arena.take<S>(n);
+  w.pressure.preload = arena.take<S>(p);
+  w.pressure.compliance = arena.take<S>(p);
+  w.pressure.z = arena.take<S>(n);
+  w.pressure.active = arena.take<unsigned char>(n);
+  w.lemke_scalars = arena.take<S>(lemke_scalars(n));
+  w.lemke_integers = arena.take<int>(lemke_integers(n));
+  w.answer.contacts = arena.take<ContactAnswer<S>>(p);
+  w.answer.friction = arena.take<S>(p * size.facets);
+  w.answer.closing = arena.take<S>(size.actuators);
+  w.complete = !arena.exhausted();
+  return w;
+}
+
+/// The size of one scene, frictionless points counted as such.
+template <class S> AssemblySize size_of(const Scene<S>& scene) {
+  return {scene.points.size, scene.facets, scene.actuators.size, scene.drives.size};
+}
+
+} // namespace lcpush
