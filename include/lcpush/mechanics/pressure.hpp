@@ -147,22 +147,33 @@ S take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory, S&
   return violation;
 }
 
+/// One warm round: from the last basis, under other covers if one of them ends in a ray
+/// (copositivity does not protect a warm start).
+template <class S>
+Status run_warm_round(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>& memory,
+                      LemkeOptions<S> options, PressureRun& run) {
+  const Index covers = options.covers;
+  options.covers = 1;
+  Status status = Status::ray;
+  for (Index k = 0; k < covers && status != Status::solved; ++k, ++options.first_cover)
+    status = run_round(assembly, lemke, memory, options, true, run);
+  return status;
+}
+
 } // namespace detail
 
 template <class S>
 Status solve_pad(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>& memory,
                  const PressureOptions<S>& options, PressureRun& run) {
   S eps = options.first_compliance, factor = options.factor, last_eps(0);
-  bool warm = false;
-  LemkeOptions<S> one_cover = options.lemke;
-  one_cover.covers = 1;
-  for (run.rounds = 1; run.rounds <= options.max_rounds; ++run.rounds) {
+  while (run.rounds < options.max_rounds) {
+    ++run.rounds;
+    const bool warm = last_eps > S(0);
     detail::set_compliance(assembly, memory, eps);
-    Status status =
-        detail::run_round(assembly, lemke, memory, warm ? one_cover : options.lemke, warm, run);
-    if (status != Status::solved && warm && factor < S(0.9)) {
-      // Copositivity does not protect a warm start: come down more slowly.
-      factor = Eigen::numext::sqrt(factor);
+    Status status = warm ? detail::run_warm_round(assembly, lemke, memory, options.lemke, run)
+                         : detail::run_round(assembly, lemke, memory, options.lemke, false, run);
+    if (status != Status::solved && warm && factor < S(0.7)) {
+      factor = Eigen::numext::sqrt(factor); // come down more slowly
       eps = last_eps * factor;
       continue;
     }
@@ -175,8 +186,8 @@ Status solve_pad(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>
     const S violation = detail::take_pressure(assembly, memory, largest);
     if (violation <= options.tolerance) return Status::solved;
     if (largest > S(1000)) return Status::numerical_breakdown;
-    warm = true;
     last_eps = eps;
+    factor = Eigen::numext::maxi(options.factor, S(factor * factor));
     eps *= factor;
   }
   return Status::numerical_breakdown;
