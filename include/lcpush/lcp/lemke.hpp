@@ -29,6 +29,22 @@ enum class Reason {
   retreat,          ///< a free unknown ended at its symbolic bound -S: it runs away
 };
 
+/// The reason as a sentence for people.
+constexpr const char* reason_text(Reason reason) {
+  switch (reason) {
+  case Reason::none: return "";
+  case Reason::memory_too_small: return "the solver's memory is too small for this problem";
+  case Reason::not_finite: return "a number of M or q is not finite, or overflows when scaled";
+  case Reason::residual: return "an answer was reached but fails the residual check";
+  case Reason::false_ray: return "nothing blocks, yet the ray fails its certificate";
+  case Reason::singular_basis: return "a basis is singular to working precision";
+  case Reason::retreat: return "a free unknown runs off to minus infinity";
+  }
+  return "";
+}
+
+template <class S> class Lemke;
+
 template <class S> struct LemkeOptions {
   TieRule tie_rule = TieRule::generic;
   Tolerances<S> tolerances{};
@@ -37,6 +53,8 @@ template <class S> struct LemkeOptions {
   Index covers = 6;         ///< generic covers tried before a failure is reported
   const S* cover = nullptr; ///< n numbers > 0 to use instead of generic ones, tried once
   bool equilibrate = true;  ///< switch off for exact scalars and for teaching
+  void (*on_pivot)(void* context, const Lemke<S>&) = nullptr; ///< called by solve() a pivot
+  void* context = nullptr;
 };
 
 /// What one step() did.

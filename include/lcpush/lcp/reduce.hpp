@@ -18,7 +18,13 @@ enum class SingularBlock {
 };
 
 constexpr Index reduction_scalars(Index n) { return 2 * n * n + 5 * n; }
-constexpr Index reduction_integers(Index n) { return 5 * n; }
+constexpr Index reduction_integers(Index n) { return 6 * n; }
+
+/// What reduced unknown k stands for: z_index, or w_index where an exchange has swapped the pair.
+struct ReducedUnknown {
+  Index index;
+  bool swapped;
+};
 
 template <class S> class Reduction {
 public:
@@ -35,11 +41,19 @@ public:
   const Problem<S>& problem() const { return problem_; }
 
   /// All n unknowns from a solution of problem().
-  void recover(const S* reduced, S* z) const;
+  void recover(const S* reduced, S* z) const { expand(reduced, true, z); }
+  /// The same for a direction of the reduced problem, such as a ray.
+  void recover_direction(const S* reduced, S* z) const { expand(reduced, false, z); }
 
   Index inconsistent_row() const { return inconsistent_row_; }
   /// Equalities that hold once the others do; as many free unknowns are fixed at 0.
   Span<const int> redundant_rows() const { return {redundant_.data, redundant_count_}; }
+  Span<const int> fixed_unknowns() const { return {fixed_.data, redundant_count_}; }
+
+  ReducedUnknown unknown_of(Index k) const {
+    const Index variable = dictionary_.nonbasic[kept_column_[k]];
+    return {variable % n_, variable < n_};
+  }
 
 private:
   Span<S> scalars_;
@@ -49,7 +63,7 @@ private:
   Dictionary<S> dictionary_; // without an artificial column
   VectorMap<S> row_scale_{nullptr, 0}, column_scale_{nullptr, 0}, scratch_{nullptr, 0};
   Span<S> matrix_, q_;
-  Span<int> kept_row_, kept_column_, redundant_;
+  Span<int> kept_row_, kept_column_, redundant_, fixed_;
   Problem<S> problem_;
 
   // An equality whose w is still basic; a free unknown that is still nonbasic.
@@ -68,6 +82,7 @@ private:
   bool exchange_pair();
   bool drop_redundant_rows(const S* q);
   void write_reduced();
+  void expand(const S* reduced, bool with_constants, S* z) const;
 };
 
 template <class S> bool Reduction<S>::carve() {
@@ -81,7 +96,7 @@ template <class S> bool Reduction<S>::carve() {
   matrix_ = scalars.take(n * n);
   q_ = scalars.take(n);
   for (Span<int>* span :
-       {&dictionary_.basic, &dictionary_.nonbasic, &kept_row_, &kept_column_, &redundant_})
+       {&dictionary_.basic, &dictionary_.nonbasic, &kept_row_, &kept_column_, &redundant_, &fixed_})
     *span = integers.take(n);
   return !scalars.exhausted() && !integers.exhausted();
 }
@@ -185,8 +200,14 @@ template <class S> void Reduction<S>::write_reduced() {
       is_redundant = is_redundant || row == dictionary_.basic[i];
     if (open_row(i) && !is_redundant) kept_row_[rows++] = static_cast<int>(i);
   }
-  for (Index c = 0; c < n_ && columns < rows; ++c)
-    if (open_column(c)) kept_column_[columns++] = static_cast<int>(c);
+  Index fixed = 0;
+  for (Index c = 0; c < n_; ++c) {
+    if (!open_column(c)) continue;
+    if (columns < rows)
+      kept_column_[columns++] = static_cast<int>(c);
+    else
+      fixed_[fixed++] = dictionary_.nonbasic[c] - static_cast<int>(n_);
+  }
   problem_.size = rows;
   problem_.matrix = matrix_.data;
   problem_.q = q_.data;
@@ -211,15 +232,15 @@ Status Reduction<S>::init(Index n, const S* M, const S* q, const unsigned char* 
   return Status::solved;
 }
 
-template <class S> void Reduction<S>::recover(const S* reduced, S* z) const {
+template <class S> void Reduction<S>::expand(const S* reduced, bool with_constants, S* z) const {
   for (Index j = 0; j < n_; ++j) z[j] = S(0);
   for (Index k = 0; k < problem_.size; ++k) {
-    const Index variable = dictionary_.nonbasic[kept_column_[k]];
-    if (variable >= n_) z[variable - n_] = reduced[k] * column_scale_[variable - n_];
+    const ReducedUnknown unknown = unknown_of(k);
+    if (!unknown.swapped) z[unknown.index] = reduced[k] * column_scale_[unknown.index];
   }
   for (Index i = 0; i < n_; ++i) {
     if (dictionary_.basic[i] < n_) continue;
-    S x = dictionary_.values(i, 0);
+    S x = with_constants ? dictionary_.values(i, 0) : S(0);
     for (Index k = 0; k < problem_.size; ++k)
       x += dictionary_.table(i, kept_column_[k]) * reduced[k];
     const Index j = dictionary_.basic[i] - n_;

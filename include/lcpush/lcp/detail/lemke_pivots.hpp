@@ -51,7 +51,10 @@ template <class S> Status Lemke<S>::solve() {
   Status worst = Status::running;
   Reason reason = Reason::none;
   for (;;) {
-    while (status_ == Status::running) (void)step();
+    while (status_ == Status::running) {
+      (void)step();
+      if (options_.on_pivot != nullptr) options_.on_pivot(options_.context, *this);
+    }
     if (status_ == Status::solved || status_ == Status::bad_input) return status_;
     // A verified ray says most about a failure: keep it even if later covers end otherwise.
     if (worst != Status::ray) {

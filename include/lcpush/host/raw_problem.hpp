@@ -1,0 +1,35 @@
+// Raw (mixed) linear complementarity problems on the desktop: given as matrices, solved, checked.
+#pragma once
+
+#include <vector>
+
+#include "lcpush/host/matrix_market.hpp"
+#include "lcpush/lcp/lemke.hpp"
+
+namespace lcpush::host {
+
+struct RawProblem {
+  HostMatrix M;                    ///< n x n
+  HostMatrix q;                    ///< n x 1
+  std::vector<unsigned char> free; ///< n; not 0: z_i is free and row i is the equality w_i = 0
+};
+
+struct RawAnswer {
+  Status status = Status::bad_input;
+  Reason reason = Reason::none;
+  std::vector<double> z, w;         ///< w = M z + q as computed from the problem
+  std::vector<unsigned char> basic; ///< not 0: z_i is basic
+  std::vector<double> ray;          ///< after `ray`, in the place of z; empty otherwise
+  Index pivots = 0;
+  Index covers = 0;
+  double residual = 0; ///< largest scaled natural residual, see natural_residual
+  std::vector<Index> redundant_rows;
+  Index inconsistent_row = -1;
+};
+
+/// Solves w = M z + q, 0 <= z _|_ w >= 0 (rows marked free: w = 0, z free). Every answer called
+/// solved has passed natural_residual on the problem as given.
+/// Memory: two (with free unknowns five) matrices of the size of M.
+RawAnswer solve_raw(const RawProblem& problem, const LemkeOptions<double>& options);
+
+} // namespace lcpush::host

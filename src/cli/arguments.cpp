@@ -1,0 +1,151 @@
+#include "arguments.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <system_error>
+
+#include "../host/message.hpp"
+#include "lcpush/host/input_error.hpp"
+
+namespace lcpush::cli {
+
+namespace {
+
+std::string full_name(const std::string& word) { return word == "-o" ? "--output" : word; }
+
+/// A negative number is a value, not an option.
+bool is_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' &&
+         (word[1] == '-' || word == "-o" || word == "-h" || (word[1] >= 'A' && word[1] <= 'z'));
+}
+
+[[noreturn]] void refuse_writing(const std::string& path, int reason) {
+  throw host::InputError(path + ": cannot be written: " + std::generic_category().message(reason) +
+                         "; check the path and its permissions");
+}
+
+} // namespace
+
+void Arguments::read_option(const Command& command, const std::vector<std::string>& words,
+                            std::size_t& at) {
+  std::string name = full_name(words[at]);
+  std::optional<std::string> inline_value;
+  if (const std::size_t equals = name.find('='); equals != std::string::npos) {
+    inline_value = name.substr(equals + 1);
+    name.resize(equals);
+  }
+  if (name == "--json") {
+    name = "--format";
+    inline_value = "json";
+  }
+  std::vector<std::string> known{"--json"};
+  for (const Option& option : command.options) {
+    known.push_back(option.name);
+    if (option.name != name) continue;
+    if (values_.count(name) > 0) throw UsageError(name + " is given twice");
+    if (option.value.empty()) {
+      if (inline_value) throw UsageError(name + " takes no value");
+      values_[name] = "";
+      return;
+    }
+    if (!inline_value) {
+      if (at + 1 >= words.size())
+        throw UsageError(words[at] + " needs a value: " + words[at] + " " + option.value);
+      inline_value = words[++at];
+    }
+    values_[name] = *inline_value;
+    return;
+  }
+  throw UsageError("unknown option " + host::quoted(words[at]) + host::suggestion(name, known));
+}
+
+Arguments::Arguments(const Command& command, const std::vector<std::string>& words) {
+  bool only_files = false;
+  for (std::size_t at = 0; at < words.size(); ++at) {
+    if (!only_files && words[at] == "--") {
+      only_files = true;
+    } else if (!only_files && is_option(words[at])) {
+      read_option(command, words, at);
+    } else {
+      files_.push_back(words[at]);
+      if (files_.size() > command.most_files)
+        throw UsageError("one file too many: " + host::quoted(words[at]));
+    }
+  }
+}
+
+std::optional<std::string> Arguments::value(const std::string& option) const {
+  const auto found = values_.find(option);
+  if (found == values_.end()) return std::nullopt;
+  return found->second;
+}
+
+std::string Arguments::format(const std::vector<std::string>& known) const {
+  const std::string format = value("--format").value_or("text");
+  for (const std::string& name : known)
+    if (name == format) return format;
+  throw UsageError("--format is " + host::listed(known, "or") + ", not " + host::quoted(format));
+}
+
+std::vector<Option> with_common_options(std::vector<Option> own) {
+  own.push_back(
+      {"--format", "text|json", "for people (default) or for programs; --json for short"});
+  own.push_back({"--output", "FILE", "write there instead of to standard output; -o for short"});
+  return own;
+}
+
+std::string help_text(const Command& command) {
+  std::string text = "lcpush " + command.name + ": " + command.summary + "\n\nUsage: lcpush " +
+                     command.name + " " + command.synopsis + "\n\n" + command.details +
+                     "\nOptions:\n";
+  for (const Option& option : command.options) {
+    std::string left = "  " + option.name + (option.value.empty() ? "" : " " + option.value);
+    left.resize(std::max<std::size_t>(left.size() + 2, 28), ' ');
+    text += left + option.help + "\n";
+  }
+  return text + "  --help                    this text\n\nExit status: 0 solved, 1 not solved (the "
+                "output says why), 2 bad input or usage.\n";
+}
+
+void write_output(const Arguments& arguments, const std::string& text) {
+  const std::optional<std::string> path = arguments.value("--output");
+  errno = 0;
+  if (!path) {
+    std::cout << text << std::flush;
+    if (!std::cout) refuse_writing("standard output", errno);
+    return;
+  }
+  std::error_code ignored;
+  if (std::filesystem::is_directory(*path, ignored))
+    throw host::InputError(*path + ": is a directory; name a file inside it");
+  // A device or a pipe cannot be renamed over.
+  const bool direct =
+      std::filesystem::exists(*path, ignored) && !std::filesystem::is_regular_file(*path, ignored);
+  const std::string partial = direct ? *path : *path + ".part";
+  std::ofstream stream(partial, std::ios::binary);
+  if (!stream) refuse_writing(*path, errno);
+  stream << text << std::flush;
+  if (!stream) {
+    const int reason = errno;
+    if (!direct) std::remove(partial.c_str());
+    refuse_writing(*path, reason);
+  }
+  stream.close();
+  if (direct) return;
+  std::error_code failure;
+  std::filesystem::rename(partial, *path, failure);
+  if (!failure) return;
+  std::remove(partial.c_str());
+  refuse_writing(*path, failure.value());
+}
+
+std::string chosen_solver(const Arguments& arguments) {
+  const std::string solver = arguments.value("--solver").value_or("lemke");
+  if (solver == "lemke") return solver;
+  throw UsageError("--solver is lemke in this version, not " + host::quoted(solver));
+}
+
+} // namespace lcpush::cli

@@ -1,0 +1,64 @@
+// The command line: what a command takes, what the user typed, and where the output goes.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace lcpush::cli {
+
+/// The command line itself is wrong; what() says how and what to type instead.
+class UsageError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Option {
+  std::string name;  ///< "--json"
+  std::string value; ///< placeholder of its value, empty for a flag
+  std::string help;
+};
+
+struct Command {
+  std::string name;
+  std::string synopsis; ///< what follows the name
+  std::string summary;  ///< one line for the list of commands
+  std::string details;  ///< paragraphs for --help, an example included
+  std::vector<Option> options;
+  std::size_t most_files;
+  int (*run)(const class Arguments&);
+};
+
+class Arguments {
+public:
+  /// Throws UsageError. `-o` and `--output`, `--json` and `--format json` are the same.
+  Arguments(const Command& command, const std::vector<std::string>& words);
+
+  const std::vector<std::string>& files() const { return files_; }
+  bool has(const std::string& option) const { return values_.count(option) > 0; }
+  std::optional<std::string> value(const std::string& option) const;
+
+  /// "text" or "json", or another format that the command names.
+  std::string format(const std::vector<std::string>& known) const;
+
+private:
+  std::vector<std::string> files_;
+  std::map<std::string, std::string> values_;
+
+  void read_option(const Command& command, const std::vector<std::string>& words, std::size_t& at);
+};
+
+/// Options that every command has.
+std::vector<Option> with_common_options(std::vector<Option> own);
+
+std::string help_text(const Command& command);
+
+/// Writes to the file of -o (whole or not at all), or to standard output. Throws InputError.
+void write_output(const Arguments& arguments, const std::string& text);
+
+/// Refuses solvers that do not exist; returns the one asked for.
+std::string chosen_solver(const Arguments& arguments);
+
+} // namespace lcpush::cli

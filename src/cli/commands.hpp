@@ -1,0 +1,13 @@
+// One function a command, each in its own file.
+#pragma once
+
+#include "arguments.hpp"
+
+namespace lcpush::cli {
+
+Command lcp_command();
+Command solve_command();
+Command break_command();
+Command export_command();
+
+} // namespace lcpush::cli

@@ -1,0 +1,178 @@
+// lcpush lcp: raw linear complementarity problems.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "../host/message.hpp"
+#include "commands.hpp"
+#include "lcpush/host/input_error.hpp"
+#include "lcpush/host/json.hpp"
+#include "lcpush/host/raw_problem.hpp"
+#include "progress.hpp"
+
+namespace lcpush::cli {
+namespace {
+
+/// "7,8" as 1-based rows; nothing is free if the option is not given.
+std::vector<unsigned char> read_free(const Arguments& arguments, Index n) {
+  std::vector<unsigned char> free(static_cast<std::size_t>(n), 0);
+  if (!arguments.has("--free")) return free;
+  const std::string list = *arguments.value("--free");
+  const char* at = list.data();
+  const char* const end = at + list.size();
+  for (;;) {
+    Index row = 0;
+    const auto [rest, error] = std::from_chars(at, end, row);
+    if (error != std::errc() || row < 1 || row > n)
+      throw UsageError("--free is a list of rows from 1 to " + std::to_string(n) +
+                       " such as 7,8, not " + host::quoted(list));
+    free[static_cast<std::size_t>(row - 1)] = 1;
+    if (rest == end) return free;
+    if (*rest != ',') throw UsageError("--free wants commas between rows: " + host::quoted(list));
+    at = rest + 1;
+  }
+}
+
+host::RawProblem read_problem(const Arguments& arguments) {
+  const auto M = arguments.value("--M"), q = arguments.value("--q");
+  host::RawProblem problem;
+  if (M.has_value() != q.has_value()) throw UsageError("--M and --q go together");
+  if (M && !arguments.files().empty())
+    throw UsageError("give either two files or --M and --q, not both");
+  std::string of_M = "--M", of_q = "--q";
+  if (M) {
+    problem.M = host::parse_inline_matrix(*M, "--M");
+    problem.q = host::parse_inline_vector(*q, "--q");
+  } else {
+    if (arguments.files().size() != 2)
+      throw UsageError("two files are needed: lcpush lcp M.mtx q.mtx (or --M \"2 1; 1 2\" --q "
+                       "\"-5 -6\")");
+    of_M = arguments.files()[0];
+    of_q = arguments.files()[1];
+    problem.M = host::read_matrix_market(of_M);
+    problem.q = host::read_matrix_market(of_q);
+  }
+  const Index n = problem.M.rows;
+  if (problem.M.cols != n)
+    throw host::InputError(of_M + ": M must be square, but it is " + std::to_string(n) + " x " +
+                           std::to_string(problem.M.cols));
+  if (problem.q.cols != 1 || problem.q.rows != n)
+    throw host::InputError(of_q + ": q must be " + std::to_string(n) +
+                           " x 1 like M's rows, but it is " + std::to_string(problem.q.rows) +
+                           " x " + std::to_string(problem.q.cols));
+  problem.free = read_free(arguments, n);
+  return problem;
+}
+
+std::string reason_of(const host::RawAnswer& answer) {
+  if (answer.status == Status::ray)
+    return "Lemke ended on a secondary ray under " + std::to_string(answer.covers) +
+           (answer.covers == 1 ? " cover" : " covers");
+  if (answer.status == Status::pivot_limit) return "the limit of pivots was reached";
+  return reason_text(answer.reason);
+}
+
+std::vector<std::string> basis_of(const host::RawAnswer& answer) {
+  std::vector<std::string> basis;
+  for (std::size_t i = 0; i < answer.basic.size(); ++i)
+    basis.push_back((answer.basic[i] != 0 ? "z" : "w") + std::to_string(i + 1));
+  return basis;
+}
+
+std::string as_json(const host::RawAnswer& answer, const std::string& solver) {
+  const bool solved = answer.status == Status::solved;
+  host::JsonWriter json;
+  json.begin_object();
+  json.member("status", status_text(answer.status)).member("solver", solver);
+  json.member("pivots", answer.pivots).member("sweeps", 0).member("covers", answer.covers);
+  if (solved) {
+    json.member("residual", answer.residual).key("z").numbers(answer.z);
+    json.key("w").numbers(answer.w).key("basis").strings(basis_of(answer));
+  } else {
+    json.member("residual", nullptr).member("z", nullptr).member("w", nullptr);
+    json.member("basis", nullptr).member("reason", reason_of(answer));
+    if (answer.ray.empty())
+      json.member("ray", nullptr);
+    else
+      json.key("ray").numbers(answer.ray);
+  }
+  json.key("redundant_rows").begin_array();
+  for (const Index row : answer.redundant_rows) json.value(row + 1);
+  json.end_array().end_object();
+  return json.text();
+}
+
+std::string line(const char* format, double a, double b = 0) {
+  char text[120];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+std::string as_text(const host::RawProblem& problem, const host::RawAnswer& answer) {
+  const std::size_t n = problem.free.size();
+  std::string text;
+  if (answer.status != Status::solved) {
+    text = "Not solved (" + std::string(status_text(answer.status)) + "): " + reason_of(answer) +
+           ".\nPivots: " + std::to_string(answer.pivots) + ".\n";
+    if (answer.ray.empty()) return text;
+    text += "\nThe ray v (v >= 0, M v >= 0 along it up to the cover, largest entry 1):\n";
+    for (std::size_t i = 0; i < n; ++i)
+      if (answer.ray[i] != 0)
+        text += "  v" + std::to_string(i + 1) + line(" = %.9g\n", answer.ray[i]);
+    return text;
+  }
+  text = "Solved in " + std::to_string(answer.pivots) + " pivots" +
+         (answer.covers > 1 ? " under " + std::to_string(answer.covers) + " covers" : "") +
+         line("; largest scaled residual %.1e.\n", answer.residual);
+  for (const Index row : answer.redundant_rows)
+    text += "Equality " + std::to_string(row + 1) + " follows from the others and was dropped.\n";
+  text += "\n    i  basic" + std::string("                z                w\n");
+  for (std::size_t i = 0; i < n; ++i) {
+    std::string row = std::to_string(i + 1);
+    row.insert(0, row.size() < 5 ? 5 - row.size() : 0, ' ');
+    row += answer.basic[i] != 0 ? "  z    " : "  w    ";
+    text += row + line("%17.9g", answer.z[i]) +
+            (problem.free[i] != 0 ? "             free\n" : line("%17.9g\n", answer.w[i]));
+  }
+  return text;
+}
+
+int run(const Arguments& arguments) {
+  const std::string format = arguments.format({"text", "json"});
+  const std::string solver = chosen_solver(arguments);
+  const host::RawProblem problem = read_problem(arguments);
+  host::RawAnswer answer;
+  {
+    Progress progress;
+    answer = host::solve_raw(problem, progress.watch({}));
+  }
+  if (answer.inconsistent_row >= 0)
+    throw host::InputError((arguments.files().empty() ? "--q" : arguments.files()[1]) +
+                           ": equality " + std::to_string(answer.inconsistent_row + 1) +
+                           " contradicts the other equalities of --free; no z satisfies both");
+  write_output(arguments, format == "json" ? as_json(answer, solver) : as_text(problem, answer));
+  return answer.status == Status::solved ? 0 : 1;
+}
+
+} // namespace
+
+Command lcp_command() {
+  return {"lcp",
+          "M.mtx q.mtx | --M \"2 1; 1 2\" --q \"-5 -6\" [OPTIONS]",
+          "solve a raw linear complementarity problem",
+          "Finds z with w = M z + q, z >= 0, w >= 0, z'w = 0. M and q are Matrix Market files\n"
+          "(real general, array or coordinate), or typed in place. Rows named by --free are\n"
+          "equalities w_i = 0 with a free z_i.\n\n"
+          "Example:\n  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\"\n",
+          with_common_options({
+              {"--M", "MATRIX", "rows by semicolons, numbers by blanks"},
+              {"--q", "VECTOR", "n numbers"},
+              {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
+              {"--solver", "lemke", "the method"},
+          }),
+          2,
+          run};
+}
+
+} // namespace lcpush::cli

@@ -1,0 +1,199 @@
+#include "lcpush/host/raw_problem.hpp"
+
+#include <cmath>
+
+#include "lcpush/lcp/reduce.hpp"
+
+namespace lcpush::host {
+namespace {
+
+template <class T> Span<T> span_of(std::vector<T>& vector) {
+  return {vector.data(), static_cast<Index>(vector.size())};
+}
+
+/// A Lemke run with its memory.
+struct OwnedLemke {
+  std::vector<double> scalars;
+  std::vector<int> integers;
+  Lemke<double> lemke;
+
+  explicit OwnedLemke(Index n)
+      : scalars(static_cast<std::size_t>(lemke_scalars(n))),
+        integers(static_cast<std::size_t>(lemke_integers(n))),
+        lemke(span_of(scalars), span_of(integers)) {}
+};
+
+/// Some rows and columns of the problem, in a given order.
+struct Submatrix {
+  std::vector<Index> rows, columns;
+  std::vector<double> M, q;
+  Problem<double> problem;
+
+  void cut(const RawProblem& from, Index free_begin) {
+    for (const Index j : columns)
+      for (const Index i : rows) M.push_back(from.M(i, j));
+    for (const Index i : rows) q.push_back(from.q(i, 0));
+    problem.size = static_cast<Index>(rows.size());
+    problem.free_begin = free_begin;
+    problem.matrix = M.data();
+    problem.q = q.data();
+  }
+};
+
+bool contains(const Span<const int>& list, Index i) {
+  for (const int entry : list)
+    if (entry == i) return true;
+  return false;
+}
+
+/// w, and the residual of the whole problem in its own units.
+void measure(const RawProblem& problem, RawAnswer& answer) {
+  const Index n = problem.M.rows;
+  const std::size_t size = static_cast<std::size_t>(n);
+  std::vector<double> unit(size, 1.0), rowsum(size, 0.0);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) rowsum[static_cast<std::size_t>(i)] += std::abs(problem.M(i, j));
+  answer.w.assign(size, 0.0);
+  // natural_residual knows free unknowns by their place at the end: measure their rows here.
+  Problem<double> given;
+  given.size = given.free_begin = n;
+  given.matrix = problem.M.values.data();
+  given.q = problem.q.values.data();
+  multiply(given, answer.z.data(), answer.w.data());
+  double z_max = 0;
+  for (const double z : answer.z) z_max = std::max(z_max, std::abs(z));
+  answer.residual = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    answer.w[i] += problem.q.values[i];
+    const double scale = std::abs(problem.q.values[i]) + rowsum[i] * z_max;
+    const double row = scale > 0 ? answer.w[i] / scale : answer.w[i];
+    const double unknown = z_max > 0 ? answer.z[i] / z_max : 0;
+    const double violation = std::abs(problem.free[i] != 0 || row < unknown ? row : unknown);
+    if (!(violation <= answer.residual)) answer.residual = violation;
+  }
+}
+
+void take_failure(const Lemke<double>& lemke, RawAnswer& answer) {
+  answer.status = lemke.status();
+  answer.reason = lemke.reason();
+}
+
+RawAnswer solve_standard(const RawProblem& problem, const LemkeOptions<double>& options) {
+  const Index n = problem.M.rows;
+  RawAnswer answer;
+  OwnedLemke run(n);
+  Problem<double> given;
+  given.size = given.free_begin = n;
+  given.matrix = problem.M.values.data();
+  given.q = problem.q.values.data();
+  if (run.lemke.init(given, options) == Status::running) (void)run.lemke.solve();
+  take_failure(run.lemke, answer);
+  answer.pivots = run.lemke.pivots();
+  answer.covers = run.lemke.covers_tried();
+  if (answer.status == Status::ray) answer.ray.assign(run.lemke.ray(), run.lemke.ray() + n);
+  if (answer.status != Status::solved) return answer;
+  answer.z.assign(run.lemke.z(), run.lemke.z() + n);
+  for (Index i = 0; i < n; ++i) answer.basic.push_back(run.lemke.is_basic(i) ? 1 : 0);
+  return answer;
+}
+
+/// The basis that the reduced problem found, refined and checked on the problem as given: its
+/// complementary pairs first, then the equalities and free unknowns that are independent.
+bool certify(const RawProblem& problem, const Reduction<double>& reduction,
+             const LemkeOptions<double>& options, RawAnswer& answer) {
+  const Index n = problem.M.rows;
+  Submatrix whole;
+  for (Index i = 0; i < n; ++i)
+    if (problem.free[static_cast<std::size_t>(i)] == 0) whole.rows.push_back(i);
+  whole.columns = whole.rows;
+  const Index pairs = static_cast<Index>(whole.rows.size());
+  for (Index i = 0; i < n; ++i) {
+    if (problem.free[static_cast<std::size_t>(i)] == 0) continue;
+    if (!contains(reduction.redundant_rows(), i)) whole.rows.push_back(i);
+    if (!contains(reduction.fixed_unknowns(), i)) whole.columns.push_back(i);
+  }
+  whole.cut(problem, pairs);
+  std::vector<unsigned char> active;
+  for (const Index j : whole.columns) active.push_back(answer.basic[static_cast<std::size_t>(j)]);
+  OwnedLemke run(whole.problem.size);
+  if (run.lemke.init(whole.problem, options, active.data()) != Status::running) return false;
+  if (run.lemke.solve() != Status::solved) return false;
+  answer.pivots += run.lemke.pivots();
+  answer.z.assign(static_cast<std::size_t>(n), 0.0);
+  for (std::size_t k = 0; k < whole.columns.size(); ++k) {
+    const auto j = static_cast<std::size_t>(whole.columns[k]);
+    answer.z[j] = run.lemke.z()[k];
+    answer.basic[j] = run.lemke.is_basic(static_cast<Index>(k)) ? 1 : 0;
+  }
+  return true;
+}
+
+RawAnswer solve_mixed(const RawProblem& problem, const LemkeOptions<double>& options,
+                      SingularBlock singular) {
+  const Index n = problem.M.rows;
+  RawAnswer answer;
+  std::vector<double> scalars(static_cast<std::size_t>(reduction_scalars(n)));
+  std::vector<int> integers(static_cast<std::size_t>(reduction_integers(n)));
+  Reduction<double> reduction(span_of(scalars), span_of(integers));
+  if (reduction.init(n, problem.M.values.data(), problem.q.values.data(), problem.free.data(),
+                     singular) != Status::solved) {
+    answer.inconsistent_row = reduction.inconsistent_row();
+    return answer;
+  }
+  for (const int row : reduction.redundant_rows()) answer.redundant_rows.push_back(row);
+
+  const Index m = reduction.problem().size;
+  OwnedLemke run(m);
+  if (run.lemke.init(reduction.problem(), options) == Status::running) (void)run.lemke.solve();
+  take_failure(run.lemke, answer);
+  answer.pivots = run.lemke.pivots();
+  answer.covers = run.lemke.covers_tried();
+  if (answer.status == Status::ray) {
+    answer.ray.resize(static_cast<std::size_t>(n));
+    reduction.recover_direction(run.lemke.ray(), answer.ray.data());
+  }
+  if (answer.status != Status::solved) return answer;
+  answer.z.resize(static_cast<std::size_t>(n));
+  reduction.recover(run.lemke.z(), answer.z.data());
+  answer.basic.assign(problem.free.begin(), problem.free.end());
+  for (const int j : reduction.fixed_unknowns()) answer.basic[static_cast<std::size_t>(j)] = 0;
+  for (Index k = 0; k < reduction.problem().free_begin; ++k) {
+    const ReducedUnknown pair = reduction.unknown_of(k);
+    answer.basic[static_cast<std::size_t>(pair.index)] =
+        run.lemke.is_basic(k) != pair.swapped ? 1 : 0;
+  }
+  if (!certify(problem, reduction, options, answer)) {
+    answer.status = Status::numerical_breakdown;
+    answer.reason = Reason::residual;
+  }
+  return answer;
+}
+
+} // namespace
+
+RawAnswer solve_raw(const RawProblem& problem, const LemkeOptions<double>& options) {
+  bool is_mixed = false;
+  for (const unsigned char is_free : problem.free) is_mixed = is_mixed || is_free != 0;
+  RawAnswer answer;
+  if (is_mixed) {
+    // Bounding keeps the class that Lemke is proved for; exchanging reaches what it leaves out.
+    answer = solve_mixed(problem, options, SingularBlock::bound);
+    if (answer.status != Status::solved && answer.inconsistent_row < 0) {
+      RawAnswer other = solve_mixed(problem, options, SingularBlock::exchange);
+      other.pivots += answer.pivots;
+      other.covers += answer.covers;
+      if (other.status == Status::solved || answer.status != Status::ray) answer = other;
+    }
+  } else {
+    answer = solve_standard(problem, options);
+  }
+  if (answer.status != Status::solved) return answer;
+  measure(problem, answer);
+  if (!(answer.residual <= options.tolerances.residual)) {
+    answer.status = Status::numerical_breakdown;
+    answer.reason = Reason::residual;
+  }
+  return answer;
+}
+
+} // namespace lcpush::host
