@@ -1,7 +1,5 @@
 #include "lcpush/host/raw_problem.hpp"
 
-#include <cmath>
-
 #include "lcpush/lcp/reduce.hpp"
 
 namespace lcpush::host {
@@ -48,29 +46,16 @@ bool contains(const Span<const int>& list, Index i) {
 
 /// w, and the residual of the whole problem in its own units.
 void measure(const RawProblem& problem, RawAnswer& answer) {
-  const Index n = problem.M.rows;
-  const std::size_t size = static_cast<std::size_t>(n);
-  std::vector<double> unit(size, 1.0), rowsum(size, 0.0);
-  for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i) rowsum[static_cast<std::size_t>(i)] += std::abs(problem.M(i, j));
-  answer.w.assign(size, 0.0);
-  // natural_residual knows free unknowns by their place at the end: measure their rows here.
+  const auto n = static_cast<std::size_t>(problem.M.rows);
+  std::vector<double> unit(n, 1.0), scratch(2 * n);
+  answer.w.resize(n);
   Problem<double> given;
-  given.size = given.free_begin = n;
+  given.size = given.free_begin = problem.M.rows;
   given.matrix = problem.M.values.data();
-  given.q = problem.q.values.data();
-  multiply(given, answer.z.data(), answer.w.data());
-  double z_max = 0;
-  for (const double z : answer.z) z_max = std::max(z_max, std::abs(z));
-  answer.residual = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    answer.w[i] += problem.q.values[i];
-    const double scale = std::abs(problem.q.values[i]) + rowsum[i] * z_max;
-    const double row = scale > 0 ? answer.w[i] / scale : answer.w[i];
-    const double unknown = z_max > 0 ? answer.z[i] / z_max : 0;
-    const double violation = std::abs(problem.free[i] != 0 || row < unknown ? row : unknown);
-    if (!(violation <= answer.residual)) answer.residual = violation;
-  }
+  const auto is_free = [&](Index i) { return problem.free[static_cast<std::size_t>(i)] != 0; };
+  answer.residual = natural_residual(given, problem.q.values.data(), answer.z.data(), unit.data(),
+                                     is_free, answer.w.data(), scratch.data())
+                        .residual;
 }
 
 void take_failure(const Lemke<double>& lemke, RawAnswer& answer) {

@@ -71,7 +71,7 @@ constexpr Index lemke_vectors = max_levels + tie_columns // right-hand sides in 
                                 + tie_columns + 1        // cover and tie columns as given
                                 + 4                      // scales, unit, row sums
                                 + max_levels + 2         // solution, ray
-                                + 3;                     // bound level, scratch
+                                + 5;                     // bound level, scratch
 } // namespace detail
 
 /// Scalars and ints that Lemke needs for n unknowns.
@@ -138,6 +138,7 @@ private:
   Pivot last_;
   WorstRow<S> residual_;
   S valid_to_{-1};
+  S tie_tolerance_{0}; // falls when an answer is rejected
   S ray_artificial_{0};
   S level_scale_[detail::max_levels] = {};
 
@@ -147,6 +148,7 @@ private:
   VectorMap<S> row_scale_{nullptr, 0}, column_scale_{nullptr, 0}, rowsum_{nullptr, 0};
   VectorMap<S> unit_{nullptr, 0}, bound_{nullptr, 0}, ray_{nullptr, 0}, trial_{nullptr, 0};
   VectorMap<S> scratch_{nullptr, 0}, product_{nullptr, 0};
+  Span<S> check_scratch_;
   Span<int> candidates_, target_;
 
   Index finite_level() const { return problem_.free_begin < n_ ? 1 : 0; }
@@ -155,6 +157,12 @@ private:
   std::uint32_t seed(Index column) const {
     return static_cast<std::uint32_t>((1 + detail::tie_columns) * (options_.first_cover + cover_) +
                                       column);
+  }
+
+  Tolerances<S> ratio_tolerances() const {
+    Tolerances<S> tolerances = options_.tolerances;
+    tolerances.tie = tie_tolerance_;
+    return tolerances;
   }
 
   Status end(Status status, Reason reason = Reason::none) {
@@ -176,6 +184,7 @@ private:
   Status start();
   Status accept();
   void refine(Index level);
+  WorstRow<S> referee(const S* q, const S* z);
   bool passes_check();
   Status reject(Reason reason);
   Status conclude_ray(Index column);

@@ -24,6 +24,7 @@ template <class S> bool Lemke<S>::carve() {
   for (VectorMap<S>* map : {&row_scale_, &column_scale_, &unit_, &rowsum_, &bound_, &ray_, &trial_,
                             &scratch_, &product_})
     vector(*map);
+  check_scratch_ = scalars.take(2 * n);
   dictionary_.basic = integers.take(n);
   dictionary_.nonbasic = integers.take(n + 1);
   candidates_ = integers.take(n);
@@ -38,6 +39,7 @@ Status Lemke<S>::prepare(const Problem<S>& problem, const LemkeOptions<S>& optio
   n_ = problem.size;
   levels_ = finite_level() + 1 + (problem.push != nullptr ? 1 : 0);
   cover_ = pivots_ = pivots_of_cover_ = repairs_ = 0;
+  tie_tolerance_ = options.tolerances.tie;
   status_ = Status::running;
   reason_ = Reason::none;
   if (!carve()) return end(Status::bad_input, Reason::memory_too_small);
@@ -104,6 +106,7 @@ template <class S> void Lemke<S>::cover_cold() {
   dictionary_.table.col(n_) = cover_columns_.col(0);
   dictionary_.values.rightCols(detail::tie_columns) = cover_columns_.rightCols(detail::tie_columns);
   entering_ = -1;
+  tie_tolerance_ = options_.tolerances.tie;
   pivots_of_cover_ = repairs_ = 0;
 }
 
@@ -233,6 +236,12 @@ template <class S> void Lemke<S>::refine(Index level) {
   }
 }
 
+template <class S> WorstRow<S> Lemke<S>::referee(const S* q, const S* z) {
+  return natural_residual(
+      problem_, q, z, unit_.data(), [&](Index i) { return i >= problem_.free_begin; },
+      product_.data(), check_scratch_.data);
+}
+
 /// Every level against the referee. With a push, at both ends of the range in which this basis
 /// claims to hold: the answer is linear in between.
 template <class S> bool Lemke<S>::passes_check() {
@@ -251,8 +260,7 @@ template <class S> bool Lemke<S>::passes_check() {
     S& z = solution_(i, finite);
     if (z < S(0) && -z <= tolerance * unit_[i] * level_scale_[finite]) z = S(0);
   }
-  residual_ = natural_residual(problem_, problem_.q, solution_.col(finite).data(), unit_.data(),
-                               rowsum_.data(), product_.data());
+  residual_ = referee(problem_.q, solution_.col(finite).data());
   valid_to_ = S(-1);
   if (!(residual_.residual <= tolerance)) return false;
   if (problem_.push == nullptr) return true;
@@ -272,8 +280,7 @@ template <class S> bool Lemke<S>::passes_check() {
     trial_[i] = solution_(i, finite) + sigma * solution_(i, push);
     scratch_[i] = problem_.q[i] + sigma * problem_.push[i];
   }
-  const WorstRow<S> pushed = natural_residual(problem_, scratch_.data(), trial_.data(),
-                                              unit_.data(), rowsum_.data(), product_.data());
+  const WorstRow<S> pushed = referee(scratch_.data(), trial_.data());
   if (!(pushed.residual <= residual_.residual)) residual_ = pushed;
   return pushed.residual <= tolerance;
 }

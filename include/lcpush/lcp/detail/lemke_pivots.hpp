@@ -6,13 +6,14 @@
 namespace lcpush {
 
 template <class S> Status Lemke<S>::start() {
+  if (n_ == 0) return accept();
   const Index cover = dictionary_.column_of(artificial(n_));
-  RatioTest<S> test(dictionary_, levels_, options_.tie_rule, options_.tolerances, candidates_);
+  RatioTest<S> test(dictionary_, levels_, options_.tie_rule, ratio_tolerances(), candidates_);
   const Blocking worst = test.most_violated_row(cover);
   for (Index k = 0; k < levels_; ++k) {
     const S value = dictionary_.values(worst.row, k);
-    if (value > options_.tolerances.tie) return accept();
-    if (value < -options_.tolerances.tie) {
+    if (value > tie_tolerance_) return accept();
+    if (value < -tie_tolerance_) {
       pivot(worst, cover);
       entering_ = complement(last_.leaving, n_);
       return status_;
@@ -37,7 +38,7 @@ template <class S> Status Lemke<S>::step() {
     return end(Status::numerical_breakdown, Reason::singular_basis);
 
   const Index c = dictionary_.column_of(entering_);
-  RatioTest<S> test(dictionary_, levels_, options_.tie_rule, options_.tolerances, candidates_);
+  RatioTest<S> test(dictionary_, levels_, options_.tie_rule, ratio_tolerances(), candidates_);
   const Blocking blocking = test.blocking_row(c);
   if (blocking.row < 0) return conclude_ray(c);
 
@@ -76,13 +77,14 @@ template <class S> Status Lemke<S>::accept() {
   return reject(reason_ == Reason::retreat ? Reason::retreat : Reason::residual);
 }
 
-/// The check failed: factor the basis afresh; if its values are not all >= 0 then, cover what is
-/// left and pivot on from here.
+/// The check failed: factor the basis afresh, look closer (what was tied at zero may be a small
+/// violation), cover what is left and pivot on from here.
 template <class S> Status Lemke<S>::reject(Reason reason) {
   constexpr Index repairs_allowed = 3;
   if (repairs_ >= repairs_allowed || !refactorise())
     return end(Status::numerical_breakdown, reason);
   ++repairs_;
+  tie_tolerance_ = tie_tolerance_ / S(1024);
   cover_here();
   entering_ = -1;
   return start();
