@@ -1,6 +1,69 @@
+// lcpush break: the force that just moves the object in the grip.
+#include "../host/message.hpp"
 #include "commands.hpp"
+#include "lcpush/host/report.hpp"
+#include "progress.hpp"
+#include "scene_argument.hpp"
+
 namespace lcpush::cli {
-Command break_command() {
-  return {"break", "", "", "", {}, 1, [](const Arguments&) {return 2; }};
+namespace {
+
+/// The body of --pusher, or the only pusher.
+Index chosen_pusher(const Arguments& arguments, const host::SceneFile& file) {
+  std::vector<std::string> names;
+  Index pusher = -1;
+  const std::optional<std::string> wanted = arguments.value("--pusher");
+  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
+    if (file.bodies[b].role != Role::pusher) continue;
+    names.push_back(file.body_names[b]);
+    if (!wanted || *wanted == file.body_names[b]) pusher = static_cast<Index>(b);
+  }
+  if (names.empty()) throw UsageError("the scene has no [[pusher]]: nothing can break the grasp");
+  if (!wanted && names.size() > 1)
+    throw UsageError("the scene has several pushers: say which with --pusher " +
+                     host::listed(names, "or"));
+  if (pusher < 0)
+    throw UsageError("no pusher is named " + host::quoted(*wanted) +
+                     host::suggestion(*wanted, names));
+  return pusher;
 }
+
+int run(const Arguments& arguments) {
+  const std::string format = arguments.format({"text", "json"});
+  (void)chosen_solver(arguments);
+  const host::SceneFile file = read_scene_argument(arguments);
+  const Index pusher = chosen_pusher(arguments, file);
+  if (!(push_size(file.view()) > 0))
+    throw UsageError("no body of the scene moves: give a pusher an acceleration");
+  host::Push push(file);
+  host::HoldReport hold;
+  host::BreakReport report;
+  {
+    Progress progress;
+    host::PushOptions options;
+    options.lemke = progress.watch(options.lemke);
+    hold = push.holds_without_push(options);
+    report = push.find_breaking(pusher, options);
+  }
+  write_output(arguments, format == "json" ? host::break_json(file, hold, report)
+                                           : host::break_text(file, hold, report));
+  return report.status == Status::solved ? 0 : 1;
+}
+
+} // namespace
+
+Command break_command() {
+  return {
+      "break",
+      "SCENE.toml [OPTIONS]",
+      "the force that just moves the object in the grip",
+      "The limit of an ever smaller push in the scene's direction: the force at which the object\n"
+      "starts to move, how it then moves, and what a faster push adds.\n\n"
+      "Example:\n  lcpush break fixtures/scenes/straight_slide.toml\n",
+      with_common_options({{"--pusher", "NAME", "whose normal force is meant, among several"},
+                           {"--solver", "lemke", "the method"}}),
+      1,
+      run};
+}
+
 } // namespace lcpush::cli

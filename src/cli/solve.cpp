@@ -1,6 +1,43 @@
+// lcpush solve: the push that the scene prescribes.
 #include "commands.hpp"
+#include "lcpush/host/report.hpp"
+#include "progress.hpp"
+#include "scene_argument.hpp"
+
 namespace lcpush::cli {
-Command solve_command() {
-  return {"solve", "", "", "", {}, 1, [](const Arguments&) {return 2; }};
+namespace {
+
+int run(const Arguments& arguments) {
+  const std::string format = arguments.format({"text", "json"});
+  (void)chosen_solver(arguments);
+  const host::SceneFile file = read_scene_argument(arguments);
+  host::Push push(file);
+  host::HoldReport hold;
+  host::PushReport report;
+  {
+    Progress progress;
+    host::PushOptions options;
+    options.lemke = progress.watch(options.lemke);
+    hold = push.holds_without_push(options);
+    report = push.solve(options);
+  }
+  write_output(arguments, format == "json" ? host::solve_json(file, hold, report)
+                                           : host::solve_text(file, hold, report));
+  return report.status == Status::solved ? 0 : 1;
 }
+
+} // namespace
+
+Command solve_command() {
+  return {"solve",
+          "SCENE.toml [OPTIONS]",
+          "what a push does: forces, motion in the grip, contact modes",
+          "Reads a scene, assembles its complementarity problem and solves it by Lemke's pivots.\n"
+          "Accelerations are the object's, in the gripper's frame and SI units.\n\n"
+          "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
+          with_common_options({{"--solver", "lemke", "the method"}}),
+          1,
+          run};
+}
+
 } // namespace lcpush::cli

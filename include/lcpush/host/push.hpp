@@ -1,0 +1,89 @@
+// A push from scene to report on the desktop: owns the memory, asks the core, collects the answer.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lcpush/host/scene_io.hpp"
+#include "lcpush/mechanics/breaking.hpp"
+#include "lcpush/mechanics/motion.hpp"
+#include "lcpush/mechanics/uniqueness.hpp"
+
+namespace lcpush::host {
+
+struct NamedValue {
+  std::string name;
+  double value;
+};
+
+/// "left.3": point 3 (counted from 1) of body "left".
+std::string point_name(const SceneFile& file, Index point);
+/// "normal of left.3", "friction of left.3 along (0, 1, 0)", "slip of left.3", "closing of left".
+std::string variable_name(const SceneFile& file, const Layout<double>& layout, Index i);
+
+struct PushOptions {
+  LemkeOptions<double> lemke{};
+  Index other_covers = 3; ///< covers tried in search of another answer
+};
+
+struct PushReport {
+  Status status = Status::bad_input;
+  std::string reason; ///< a sentence, empty when solved
+  PressureRun run;
+  Scales<double> scales{};
+  Answer<double> answer{}; ///< lives as long as the Push
+  Residuals<double> residuals;
+  Motion<double> motion;
+  Uniqueness unique_motion = Uniqueness::not_tested;
+  Uniqueness unique_wrench = Uniqueness::not_tested;
+  std::vector<NamedValue> ray; ///< entries that are not zero, largest 1
+};
+
+/// Does the grasp hold the object's weight with the pushers absent?
+struct HoldReport {
+  Status status = Status::bad_input;
+  bool holds = false;
+  Vector6<double> acceleration; ///< without a push
+};
+
+struct BreakReport {
+  Status status = Status::bad_input;
+  std::string reason;
+  Index pusher = -1; ///< body that pushes
+  PressureRun run;
+  Breaking<double> breaking;
+  Motion<double> motion; ///< per unit push
+  Scales<double> scales{};
+};
+
+class Push {
+public:
+  /// `file` must outlive the Push. Memory: see push_bytes.
+  explicit Push(const SceneFile& file);
+  Push(const Push&) = delete; // the views inside would point into the other one
+  Push& operator=(const Push&) = delete;
+
+  PushReport solve(const PushOptions& options);
+  HoldReport holds_without_push(const PushOptions& options);
+  BreakReport find_breaking(Index pusher, const PushOptions& options);
+
+  const SceneFile& file() const { return file_; }
+  const Layout<double>& layout() const { return assembly_.layout(); }
+  Assembly<double>& assembly() { return assembly_; }
+
+private:
+  const SceneFile& file_;
+  Scene<double> scene_;
+  std::vector<unsigned char> bytes_;
+  Workspace<double> work_;
+  Assembly<double> assembly_;
+  Lemke<double> lemke_;
+
+  Status run(const PushOptions& options, double sigma, PressureRun& run);
+  Outcome<double> outcome() const;
+  std::string explain(Status status, const PressureRun& run) const;
+  std::vector<NamedValue> named_ray() const;
+  void search_others(const PushOptions& options, PushReport& report);
+};
+
+} // namespace lcpush::host

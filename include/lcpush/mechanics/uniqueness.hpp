@@ -1,0 +1,64 @@
+// Is the answer the only one? A proof where there is one, otherwise a search under other covers.
+#pragma once
+
+#include "lcpush/mechanics/breaking.hpp"
+
+namespace lcpush {
+
+enum class Uniqueness {
+  yes,              ///< proved: see motion_is_determined
+  none_other_found, ///< other covers led to the same answer, which is no proof
+  no,               ///< another answer was found
+  not_tested,
+};
+
+/// [T.9] The object's acceleration is unique if every contact with friction has a known normal
+/// force: a single point with an actuator of its own, without inertia, along its normal. The
+/// friction problem is then convex (docs/theory.md, "Uniqueness").
+template <class S> bool motion_is_determined(const Scene<S>& scene) {
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const Body<S>& body = scene.bodies[b];
+    if (!(body.friction > S(0))) continue;
+    if (body.point_count > 1) return false;
+    Index drives = 0;
+    bool known = false;
+    for (const Drive<S>& drive : scene.drives) {
+      if (drive.body != b) continue;
+      ++drives;
+      Index shared = 0;
+      for (const Drive<S>& other : scene.drives)
+        if (other.actuator == drive.actuator) ++shared;
+      const Vector3<S> motion = acceleration_at(scene.points[body.first_point], drive.twist);
+      const S along = motion.dot(body.normal);
+      const S across = (motion - along * body.normal).norm();
+      known = shared == 1 && along > S(0) &&
+              across <= S(16) * Eigen::NumTraits<S>::epsilon() * along &&
+              !(scene.actuators[drive.actuator].inertia > S(0));
+    }
+    if (drives != 1 || !known) return false;
+  }
+  return true;
+}
+
+/// Object's acceleration and one body's wrench, for comparing answers.
+template <class S> struct Outcome {
+  Vector6<S> acceleration;
+  Vector6<S> wrench;
+};
+
+/// Equal to `tolerance` in the units of the scene (scaled by the push where that is larger)?
+template <class S>
+bool same_motion(const Outcome<S>& a, const Outcome<S>& b, const Scales<S>& scales, S tolerance) {
+  const S size = Eigen::numext::maxi(S(1), motion_size(a.acceleration, scales));
+  return motion_size<S>(a.acceleration - b.acceleration, scales) <= tolerance * size;
+}
+
+template <class S>
+bool same_wrench(const Outcome<S>& a, const Outcome<S>& b, const Scales<S>& scales, S tolerance) {
+  const Vector6<S> off = a.wrench - b.wrench;
+  const S size = Eigen::numext::maxi(scales.force, S(a.wrench.template head<3>().norm()));
+  return off.template head<3>().norm() <= tolerance * size &&
+         off.template tail<3>().norm() <= tolerance * size * scales.length;
+}
+
+} // namespace lcpush

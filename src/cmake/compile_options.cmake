@@ -1,0 +1,15 @@
+# The flags of our own targets. They are private: whoever links lcpush keeps their own.
+function(lcpush_compile_options target)
+  # Same input, same bits: no fused multiply-add where one compiler sees it and another does not.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+                                           -Wdouble-promotion)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF
+                                             COMPILE_WARNING_AS_ERROR "${LCPUSH_WARNINGS_AS_ERRORS}")
+  if(LCPUSH_SANITIZE)
+    # Eigen's own checks of sizes and indices are assertions: NDEBUG would take them out.
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined
+                                             -fno-sanitize-recover=all -fno-omit-frame-pointer -UNDEBUG)
+    target_link_options(${target} PRIVATE -fsanitize=address,undefined)
+  endif()
+endfunction()

@@ -1,0 +1,29 @@
+// Words and numbers of matrices, in files and on the command line.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lcpush::host {
+
+/// The parts of `line` between blanks (space, tab, carriage return).
+std::vector<std::string_view> split_words(std::string_view line);
+
+/// ASCII letters only.
+std::string lower_case(std::string_view word);
+
+/// The whole of `word`, digits only.
+std::optional<std::uint64_t> whole_number(std::string_view word);
+
+struct NumberText {
+  double value = 0;
+  std::optional<std::string> error; ///< if set, `value` means nothing
+};
+
+/// The whole of `word` as a finite decimal number.
+NumberText read_finite_number(std::string_view word);
+
+} // namespace lcpush::host

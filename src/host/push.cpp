@@ -1,0 +1,179 @@
+#include "lcpush/host/push.hpp"
+
+#include <cmath>
+
+#include "message.hpp"
+
+namespace lcpush::host {
+
+std::string point_name(const SceneFile& file, Index point) {
+  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
+    const Index offset = point - file.bodies[b].first_point;
+    if (offset >= 0 && offset < file.bodies[b].point_count)
+      return file.body_names[b] + "." + std::to_string(offset + 1);
+  }
+  return "?";
+}
+
+std::string variable_name(const SceneFile& file, const Layout<double>& layout, Index i) {
+  const Name name = name_of(layout, i);
+  switch (name.meaning) {
+  case Meaning::normal: return "normal of " + point_name(file, name.of);
+  case Meaning::slip: return "slip of " + point_name(file, name.of);
+  case Meaning::closing:
+    return "closing of " + file.actuator_names[static_cast<std::size_t>(name.of)];
+  case Meaning::friction: break;
+  }
+  const Body<double>& body = file.bodies[static_cast<std::size_t>(layout.body[name.of])];
+  const Vector3<double> d = generator(body, name.generator, layout.cones[name.of].generators);
+  const auto short_number = [](double x) { return shown(std::round(x * 1000) / 1000 + 0.0); };
+  return "friction of " + point_name(file, name.of) + " along (" + short_number(d[0]) + ", " +
+         short_number(d[1]) + ", " + short_number(d[2]) + ")";
+}
+
+Push::Push(const SceneFile& file)
+    : file_(file), scene_(file.view()),
+      bytes_(static_cast<std::size_t>(push_bytes<double>(size_of(scene_)))),
+      work_(make_workspace<double>({bytes_.data(), static_cast<Index>(bytes_.size())},
+                                   size_of(scene_))),
+      assembly_(work_.assembly), lemke_(work_.lemke_scalars, work_.lemke_integers) {
+  assembly_.assemble(scene_);
+}
+
+Status Push::run(const PushOptions& options, double sigma, PressureRun& run) {
+  PressureOptions<double> pressure;
+  pressure.lemke = options.lemke;
+  assembly_.push_by(sigma);
+  const Status status = solve_pressure(assembly_, lemke_, work_.pressure, pressure, run);
+  if (status == Status::solved) read_answer(assembly_, work_.pressure.z.data, work_.answer, sigma);
+  return status;
+}
+
+std::string Push::explain(Status status, const PressureRun& run) const {
+  switch (status) {
+  case Status::ray:
+    return "the pushers jam the object: some contacts squeeze it against others, and no finite "
+           "force lets it move as prescribed";
+  case Status::pivot_limit: return "the limit of pivots was reached";
+  case Status::numerical_breakdown:
+    if (run.reason == Reason::none)
+      return "the pad rounds did not converge, though the rigid problem is solvable; try "
+             "pressure = \"rigid\"";
+    break;
+  default: break;
+  }
+  return reason_text(run.reason);
+}
+
+std::vector<NamedValue> Push::named_ray() const {
+  std::vector<NamedValue> ray;
+  for (Index i = 0; i < layout().size; ++i)
+    if (lemke_.ray()[i] > 0) ray.push_back({variable_name(file_, layout(), i), lemke_.ray()[i]});
+  return ray;
+}
+
+/// The object's acceleration and the total wrench of all pushers.
+Outcome<double> Push::outcome() const {
+  Outcome<double> outcome{work_.answer.acceleration, Vector6<double>::Zero()};
+  for (Index b = 0; b < scene_.bodies.size; ++b)
+    if (scene_.bodies[b].role == Role::pusher)
+      outcome.wrench += body_wrench(scene_, work_.answer, b);
+  return outcome;
+}
+
+void Push::search_others(const PushOptions& options, PushReport& report) {
+  constexpr double tolerance = 1e-5;
+  const bool proved = motion_is_determined(scene_);
+  report.unique_motion = proved ? Uniqueness::yes : Uniqueness::not_tested;
+  if (options.other_covers <= 0) return;
+  const Outcome<double> first = outcome();
+  bool same_a = true, same_f = true;
+  PushOptions other = options;
+  Index tested = 0;
+  for (Index k = 1; k <= options.other_covers; ++k) {
+    other.lemke.first_cover = options.lemke.first_cover + k * options.lemke.covers;
+    PressureRun ignored;
+    if (run(other, 1.0, ignored) != Status::solved) continue;
+    ++tested;
+    const Outcome<double> second = outcome();
+    same_a = same_a && same_motion(first, second, report.scales, tolerance);
+    same_f = same_f && same_wrench(first, second, report.scales, tolerance);
+  }
+  if (tested == 0) return;
+  if (!proved) report.unique_motion = same_a ? Uniqueness::none_other_found : Uniqueness::no;
+  report.unique_wrench = same_f ? Uniqueness::none_other_found : Uniqueness::no;
+}
+
+PushReport Push::solve(const PushOptions& options) {
+  PushReport report;
+  assembly_.assemble(scene_);
+  report.scales = layout().scales;
+  report.status = run(options, 1.0, report.run);
+  if (report.status == Status::solved) {
+    search_others(options, report);
+    // The search has overwritten the answer: the same input gives the same bits again.
+    PressureRun again;
+    if (options.other_covers > 0) report.status = run(options, 1.0, again);
+  }
+  if (report.status != Status::solved) {
+    report.reason = explain(report.status, report.run);
+    if (report.status == Status::ray) report.ray = named_ray();
+    return report;
+  }
+  report.answer = work_.answer;
+  report.residuals = check(scene_, report.scales, report.answer, 1.0);
+  const double push = push_size(scene_);
+  report.motion = describe_motion(scene_, report.answer, report.scales.length,
+                                  push > 0 ? push : report.scales.acceleration);
+  // The solver has checked its own equations; this is the laws' own word, in SI units.
+  if (!(report.residuals.max() <= 10 * Tolerances<double>().residual)) {
+    report.status = Status::numerical_breakdown;
+    report.reason = reason_text(Reason::residual);
+  }
+  return report;
+}
+
+HoldReport Push::holds_without_push(const PushOptions& options) {
+  const Scene<double> alone = without_pushers(scene_);
+  HoldReport report;
+  report.acceleration.setZero();
+  report.acceleration.head<3>() = scene_.gravity;
+  if (alone.bodies.size == 0) {
+    report.status = Status::solved;
+    report.holds = !(scene_.gravity.norm() > 0);
+    return report;
+  }
+  assembly_.assemble(alone);
+  PressureRun ignored;
+  report.status = run(options, 1.0, ignored);
+  if (report.status == Status::solved) {
+    report.acceleration = work_.answer.acceleration;
+    report.holds = motion_size(report.acceleration, layout().scales) <= at_rest<double>();
+  }
+  assembly_.assemble(scene_);
+  return report;
+}
+
+BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
+  BreakReport report;
+  report.pusher = pusher;
+  assembly_.assemble(scene_);
+  report.scales = layout().scales;
+  PressureOptions<double> pressure;
+  pressure.lemke = options.lemke;
+  report.status = lcpush::find_breaking(assembly_, lemke_, work_, pusher, pressure, report.breaking,
+                                        report.run);
+  if (report.status == Status::does_not_hold)
+    report.reason = "the object moves before it is pushed: the grasp does not hold its load";
+  else if (report.status == Status::bad_input)
+    report.reason = "no pusher moves: give one an acceleration";
+  else if (report.status != Status::solved)
+    report.reason = explain(report.status, report.run);
+  if (report.status != Status::solved) return report;
+  Answer<double> moving = work_.answer;
+  moving.acceleration = report.breaking.twist;
+  report.motion = describe_motion(scene_, moving, report.scales.length, 1.0);
+  return report;
+}
+
+} // namespace lcpush::host

@@ -1,0 +1,189 @@
+#include "lcpush/host/report.hpp"
+#include "report_format.hpp"
+
+namespace lcpush::host {
+namespace {
+
+Scene<double> scene_of(const SceneFile& file) { return file.view(); }
+
+std::string title_line(const SceneFile& file) {
+  return file.title.empty() ? "" : file.title + "\n\n";
+}
+
+std::string hold_line(const SceneFile& file, const HoldReport& hold) {
+  bool has_pusher = false, has_finger = false;
+  for (const Body<double>& body : file.bodies)
+    (body.role == Role::pusher ? has_pusher : has_finger) = true;
+  const std::string label = "Before the push   ";
+  if (!has_finger) return label + "nothing grips the object.\n";
+  if (!has_pusher) return "";
+  if (hold.status != Status::solved)
+    return label + "not known: without the pusher the solve ended with \"" +
+           status_text(hold.status) + "\".\n";
+  if (hold.holds) return label + "the grasp holds the object.\n";
+  return label + "the grasp does NOT hold the object: it accelerates at " +
+         number(hold.acceleration.head<3>().norm()) + " m/s^2 and " +
+         number(hold.acceleration.tail<3>().norm()) + " rad/s^2.\n";
+}
+
+std::string force_line(const char* label, const Vector3<double>& force, double zero) {
+  const double size = force.norm();
+  std::string text = std::string(label) + number(size, zero) + " N";
+  if (size > zero) text += " along " + vector_text(force / size, 1e-9);
+  return text + "\n";
+}
+
+std::string wrench_lines(const SceneFile& file, const PushReport& report) {
+  const Scene<double> scene = scene_of(file);
+  const double zero = 1e-9 * report.scales.force;
+  std::string text;
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    if (scene.bodies[b].role != Role::pusher) continue;
+    const Vector6<double> wrench = body_wrench(scene, report.answer, b);
+    std::string label = "Push by " + file.body_names[static_cast<std::size_t>(b)];
+    label.resize(std::max<std::size_t>(label.size() + 1, 18), ' ');
+    text += force_line(label.c_str(), wrench.head<3>(), zero);
+    text += "                  moment about the centre of mass " +
+            vector_text(wrench.tail<3>(), zero * report.scales.length) + " N m\n";
+  }
+  return text;
+}
+
+std::string motion_line(const SceneFile& file, const Motion<double>& motion, double length) {
+  const Vector3<double> at = file.object.center_of_mass + motion.axis_point;
+  const std::string axis = "about the axis " + vector_text(motion.axis, 1e-6) + " through " +
+                           vector_text(at, 1e-9 * length) + " m";
+  const std::string turning = number(motion.rotation) + " rad/s^2 " + axis;
+  std::string verb;
+  switch (motion.kind) {
+  case MotionKind::rest: return "Motion            the object does not move in the grip.\n";
+  case MotionKind::slide:
+    return "Motion            slides: " + number(motion.translation) + " m/s^2 along " +
+           vector_text(motion.direction, 1e-6) + "\n";
+  case MotionKind::pivot: verb = "pivots in the grip: "; break;
+  case MotionKind::roll: verb = "rolls on the surface that carries it: "; break;
+  case MotionKind::turn: verb = "slides and turns: "; break;
+  }
+  std::string text = "Motion            " + verb + turning + "\n";
+  if (std::abs(motion.pitch) > 1e-6 * length)
+    text +=
+        "                  advancing " + number(motion.pitch) + " m per rad along it (a screw)\n";
+  return text;
+}
+
+std::string unique_words(Uniqueness unique, Index covers) {
+  switch (unique) {
+  case Uniqueness::yes: return "unique (proved)";
+  case Uniqueness::none_other_found:
+    return "no other found (" + std::to_string(covers) + " other covers tried)";
+  case Uniqueness::no: return "NOT unique: another cover leads to another answer";
+  case Uniqueness::not_tested: break;
+  }
+  return "not tested";
+}
+
+std::string contact_table(const SceneFile& file, const PushReport& report) {
+  const Scene<double> scene = scene_of(file);
+  const double zero_force = 1e-9 * report.scales.force;
+  const double zero_motion = 1e-9 * report.scales.acceleration;
+  std::vector<std::vector<std::string>> rows{
+      {"contact", "mode", "normal N", "friction N", "along", "slip m/s^2", "opening m/s^2"}};
+  for (Index i = 0; i < report.answer.contacts.size; ++i) {
+    const ContactAnswer<double>& contact = report.answer.contacts[i];
+    const Vector3<double>& n = scene.bodies[contact.body].normal;
+    const double friction = contact.friction_force.norm(), opening = contact.acceleration.dot(n);
+    rows.push_back(
+        {point_name(file, i), mode_text(contact.mode), number(contact.normal_force, zero_force),
+         number(friction, zero_force),
+         friction > zero_force ? vector_text(contact.friction_force / friction, 1e-6) : "-",
+         number((contact.acceleration - opening * n).norm(), zero_motion),
+         number(opening, zero_motion)});
+  }
+  return table_text(rows);
+}
+
+std::string closing_lines(const SceneFile& file, const PushReport& report) {
+  std::string text;
+  for (Index a = 0; a < report.answer.closing.size; ++a) {
+    const double s = report.answer.closing[a];
+    if (std::abs(s) <= 1e-9 * report.scales.acceleration) continue;
+    text += "  " + file.actuator_names[static_cast<std::size_t>(a)] +
+            (s > 0 ? " closes at " : " is forced open at ") + number(std::abs(s)) + " m/s^2\n";
+  }
+  return text.empty() ? "" : "\nJaws that move:\n" + text;
+}
+
+const char* pressure_name(Pressure pressure) {
+  return pressure == Pressure::pad ? "pad" : pressure == Pressure::even ? "even" : "rigid";
+}
+
+std::string run_line(const SceneFile& file, const PressureRun& run) {
+  std::string text = "Lemke: " + std::to_string(run.pivots) + " pivots";
+  if (run.rounds > 0)
+    text += " in " + std::to_string(run.rounds) + (run.rounds == 1 ? " round" : " rounds");
+  if (run.cold_restarts > 0) text += ", " + std::to_string(run.cold_restarts) + " restarted cold";
+  return text + "; pressure law " + pressure_name(file.pressure) + "; " +
+         std::to_string(file.facets) + " facets.\n";
+}
+
+std::string failure_text(Status status, const std::string& reason) {
+  return std::string("NOT SOLVED (") + status_text(status) + "): " + reason + ".\n";
+}
+
+} // namespace
+
+std::string solve_text(const SceneFile& file, const HoldReport& hold, const PushReport& report) {
+  std::string text = title_line(file) + hold_line(file, hold);
+  if (report.status != Status::solved) {
+    text += failure_text(report.status, report.reason);
+    if (!report.ray.empty()) text += "\nWhat squeezes what (the ray, largest entry 1):\n";
+    for (const NamedValue& entry : report.ray)
+      text += "  " + number(entry.value) + "  " + entry.name + "\n";
+    return text + "\n" + run_line(file, report.run);
+  }
+  text += wrench_lines(file, report) + motion_line(file, report.motion, report.scales.length);
+  const PushOptions defaults;
+  text += "Answer            motion " + unique_words(report.unique_motion, defaults.other_covers) +
+          ";\n                  push force " +
+          unique_words(report.unique_wrench, defaults.other_covers) + "\n";
+  if (file.pressure == Pressure::rigid)
+    text += "                  (pressure = \"rigid\" leaves a patch's pressure open: one answer of "
+            "a set)\n";
+  text += "\n" + contact_table(file, report) + closing_lines(file, report);
+  text += "\nLargest scaled residual " + number(report.residuals.max()) +
+          ", checked apart from the solver.\n" + run_line(file, report.run);
+  return text;
+}
+
+std::string break_text(const SceneFile& file, const HoldReport& hold, const BreakReport& report) {
+  const Breaking<double>& b = report.breaking;
+  const std::string pusher = file.body_names[static_cast<std::size_t>(report.pusher)];
+  std::string text = title_line(file) + hold_line(file, hold);
+  if (report.status == Status::does_not_hold)
+    return text + "DOES NOT HOLD: even with the pusher in place the object accelerates at " +
+           number(b.rest.head<3>().norm()) + " m/s^2 and " + number(b.rest.tail<3>().norm()) +
+           " rad/s^2 before it is pushed,\nso there is no force that just breaks the grasp.\n\n" +
+           run_line(file, report.run);
+  if (report.status != Status::solved)
+    return text + failure_text(report.status, report.reason) + "\n" + run_line(file, report.run);
+  const double zero = 1e-9 * report.scales.force;
+  text += "Breaking force    " + number(b.break_force, zero) + " N, normal force of " + pusher +
+          " when the object starts to move in the grip\n";
+  text += force_line("Whole force       ", b.force.head<3>(), zero);
+  text += "                  moment about the centre of mass " +
+          vector_text(b.force.tail<3>(), zero * report.scales.length) + " N m\n";
+  text += "Pushing faster    adds " + number(b.inertia_normal, 1e-9 * file.object.mass) +
+          " N to the normal force per m/s^2 of the push\n";
+  text += motion_line(file, report.motion, report.scales.length);
+  text += report.motion.kind == MotionKind::rest
+              ? "                  The pusher slides past it, however weak the push.\n"
+              : "                  per m/s^2 of the push\n";
+  if (b.valid_to > 0) text += "Valid up to       a push of " + number(b.valid_to) + " m/s^2\n";
+  if (b.line_error > 1e-6)
+    text += "Caution           a third, smaller push lies " + number(b.line_error) +
+            " of the grip force off the line through two\n";
+  return text + "\nLargest scaled residual " + number(b.residuals.max()) +
+         ", checked apart from the solver.\n" + run_line(file, report.run);
+}
+
+} // namespace lcpush::host

@@ -1,0 +1,259 @@
+#include "scene_builder.hpp"
+
+#include "lcpush/host/input_error.hpp"
+#include "lcpush/mechanics/contact.hpp"
+#include "message.hpp"
+#include "scene_object.hpp"
+#include "scene_schema.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lcpush::host {
+namespace {
+
+constexpr std::size_t most_points_in_scene = 100000;
+constexpr std::size_t most_bodies = 1000;
+// Rounding of a normal that no decimal number can give exactly.
+constexpr double direction_slack = 1e-9;
+
+std::string section_of(Role role) { return role == Role::finger ? "finger" : "pusher"; }
+
+/// A rigid motion that moves `at` with `linear`, taken at the centre of mass.
+Vector6<double> twist_at(const Vector3<double>& center_of_mass, const Vector3<double>& linear,
+                         const Vector3<double>& angular, const Vector3<double>& at) {
+  Vector6<double> twist;
+  twist << linear + cross<double>(angular, center_of_mass - at), angular;
+  return twist;
+}
+
+} // namespace
+
+const std::vector<TomlTable>& SceneBuilder::tables(const std::string& section) const {
+  static const std::vector<TomlTable> none;
+  const TomlSection* const found = document_.find(section);
+  return found ? found->tables : none;
+}
+
+/// Labels a table `finger "left"`, or `finger 2` while it has no usable name.
+TableReader SceneBuilder::named_reader(const std::string& section, std::size_t index,
+                                       const Schema& schema) const {
+  const TomlTable& table = tables(section)[index];
+  const TomlValue* const value = table.find("name");
+  const auto* const name = value ? std::get_if<std::string>(&value->data) : nullptr;
+  const std::string label = name ? quoted(*name) : std::to_string(index + 1);
+  return TableReader(document_.file, table, section + " " + label, schema);
+}
+
+std::string SceneBuilder::claim_name(const TableReader& table) {
+  const std::string name = table.text("name");
+  const auto [first, is_new] = name_lines_.emplace(name, table.line());
+  if (!is_new)
+    table.fail("name", "the name " + quoted(name) + " is taken by the table on line " +
+                           std::to_string(first->second) + "; names must be unique");
+  return name;
+}
+
+/// The index of the body, or the number of bodies if there is none of this name.
+Index SceneBuilder::body_called(const std::string& name) const {
+  const auto& names = scene_.body_names;
+  return std::find(names.begin(), names.end(), name) - names.begin();
+}
+
+SceneFile SceneBuilder::build() {
+  check_sections(document_);
+  read_settings();
+  const TableReader object(document_.file, tables("object").front(), "object", object_schema());
+  scene_.object = read_object(object);
+  read_bodies(Role::finger);
+  read_bodies(Role::pusher);
+  if (scene_.bodies.empty())
+    throw InputError(document_.file, 1,
+                     "nothing touches the object; add at least one [[finger]] or [[pusher]]");
+  drive_fingers();
+  for (std::size_t i = 0; i < tables("pusher").size(); ++i)
+    drive_pusher(named_reader("pusher", i, body_schema(Role::pusher)),
+                 static_cast<Index>(tables("finger").size() + i));
+  for (std::size_t i = 0; i < tables("actuator").size(); ++i)
+    read_actuator(named_reader("actuator", i, actuator_schema()));
+  return std::move(scene_);
+}
+
+void SceneBuilder::read_settings() {
+  const TableReader root(document_.file, document_.root, "", root_schema());
+  if (root.has("title")) scene_.title = root.text("title");
+  if (root.has("gravity")) scene_.gravity = root.vector3("gravity");
+  if (root.has("facets")) scene_.facets = root.whole("facets", 4, 256);
+  if (scene_.facets % 2 != 0)
+    root.fail("facets", "facets must be even, got " + std::to_string(scene_.facets));
+  if (root.has("pressure"))
+    scene_.pressure = static_cast<Pressure>(root.choice("pressure", {"pad", "even", "rigid"}));
+  if (root.has("planar")) scene_.planar = root.boolean("planar");
+  refuse_unsupported(root);
+}
+
+void SceneBuilder::read_bodies(Role role) {
+  const std::string section = section_of(role);
+  for (std::size_t i = 0; i < tables(section).size(); ++i) {
+    const TableReader table = named_reader(section, i, body_schema(role));
+    if (scene_.bodies.size() == most_bodies)
+      table.fail("",
+                 "more than " + std::to_string(most_bodies) + " bodies in the scene; use fewer");
+    read_body(role, table);
+  }
+}
+
+void SceneBuilder::read_body(Role role, const TableReader& table) {
+  scene_.body_names.push_back(claim_name(table));
+  const Patch patch = read_patch(table);
+  Body<double> body{};
+  body.role = role;
+  body.normal = patch.normal;
+  body.tangent = patch.tangent;
+  body.friction = table.number("friction", Sign::not_negative);
+  body.first_point = static_cast<Index>(scene_.points.size());
+  body.point_count = static_cast<Index>(patch.positions.size());
+  body.acceleration = role == Role::pusher ? prescribed_twist(table) : Vector6<double>::Zero();
+  if (table.has("torsion_radius")) {
+    body.torsion_radius = table.number("torsion_radius", Sign::positive);
+    if (body.point_count != 1)
+      table.fail("torsion_radius", "torsion_radius goes with a single point only; this patch has " +
+                                       std::to_string(body.point_count));
+  }
+  if (table.has("follow")) table.choice("follow", {"unilateral", "bilateral"});
+  refuse_unsupported(table);
+  scene_.bodies.push_back(body);
+  add_points(table, patch);
+}
+
+void SceneBuilder::add_points(const TableReader& table, const Patch& patch) {
+  if (scene_.points.size() + patch.positions.size() > most_points_in_scene)
+    table.fail("points", "more than " + std::to_string(most_points_in_scene) +
+                             " contact points in the scene; use fewer");
+  for (const Vector3<double>& position : patch.positions) {
+    scene_.positions.push_back(position);
+    scene_.points.push_back(position - scene_.object.center_of_mass);
+  }
+}
+
+Vector6<double> SceneBuilder::prescribed_twist(const TableReader& table) const {
+  const auto optional = [&table](const std::string& key) {
+    return table.has(key) ? table.vector3(key) : Vector3<double>(Vector3<double>::Zero());
+  };
+  if (table.has("about") && !table.has("angular_acceleration"))
+    table.fail("about", "about goes with angular_acceleration; add that or remove about");
+  if (!table.has("acceleration") && !table.has("angular_acceleration") &&
+      !table.has("normal_force"))
+    table.fail("acceleration", "missing the motion; add acceleration, angular_acceleration or "
+                               "normal_force (for a wall at rest acceleration = [0, 0, 0])");
+  return twist_at(scene_.object.center_of_mass, optional("acceleration"),
+                  optional("angular_acceleration"), optional("about"));
+}
+
+Index SceneBuilder::add_actuator(const std::string& name, double force, double inertia) {
+  scene_.actuator_names.push_back(name);
+  scene_.actuators.push_back({force, inertia});
+  return static_cast<Index>(scene_.actuators.size()) - 1;
+}
+
+void SceneBuilder::drive_along_normal(Index body, Index actuator) {
+  Vector6<double> twist;
+  twist << scene_.bodies[static_cast<std::size_t>(body)].normal, Vector3<double>::Zero();
+  scene_.drives.push_back({body, actuator, twist});
+}
+
+void SceneBuilder::drive_fingers() {
+  if (const TomlSection* const section = document_.find("gripper")) {
+    const TableReader gripper(document_.file, section->tables.front(), "gripper", gripper_schema());
+    if (const TomlSection* const actuator = document_.find("actuator"))
+      gripper.fail("", "[gripper] and the [[actuator]] on line " +
+                           std::to_string(actuator->tables.front().line) +
+                           " exclude each other; remove one of them");
+    if (gripper.has("jaws") && gripper.choice("jaws", {"independent", "parallel"}) == 1)
+      return drive_parallel_jaws(gripper);
+  }
+  for (std::size_t i = 0; i < tables("finger").size(); ++i) {
+    const TableReader finger = named_reader("finger", i, body_schema(Role::finger));
+    if (!finger.has("grip_force")) continue;
+    const double force = finger.number("grip_force", Sign::positive);
+    if (document_.find("actuator"))
+      finger.fail("grip_force", "grip_force and [[actuator]] exclude each other; give the force to "
+                                "an [[actuator]] that drives this finger");
+    drive_along_normal(static_cast<Index>(i), add_actuator(scene_.body_names[i], force, 0));
+  }
+}
+
+void SceneBuilder::drive_parallel_jaws(const TableReader& gripper) {
+  const std::size_t count = tables("finger").size();
+  if (count != 2)
+    gripper.fail("jaws",
+                 "parallel jaws need exactly two [[finger]]s, got " + std::to_string(count));
+  const TableReader first = named_reader("finger", 0, body_schema(Role::finger));
+  const TableReader second = named_reader("finger", 1, body_schema(Role::finger));
+  const double force = first.number("grip_force", Sign::positive);
+  const double other = second.number("grip_force", Sign::positive);
+  if (force != other)
+    second.fail("grip_force", "parallel jaws share one grip_force; got " + shown(other) + ", but " +
+                                  shown(force) + " on the other finger");
+  const Index jaws = add_actuator("jaws", 2 * force, 0);
+  drive_along_normal(0, jaws);
+  drive_along_normal(1, jaws);
+}
+
+void SceneBuilder::drive_pusher(const TableReader& table, Index body) {
+  if (!table.has("normal_force")) return;
+  const double force = table.number("normal_force", Sign::positive);
+  if (table.has("acceleration")) {
+    const Vector3<double> acceleration = table.vector3("acceleration");
+    const double along = acceleration.dot(scene_.bodies[static_cast<std::size_t>(body)].normal);
+    if (std::abs(along) > direction_slack * acceleration.norm())
+      table.fail("acceleration", "normal_force decides the motion along the normal; acceleration "
+                                 "must have no part along it, got " +
+                                     shown(along));
+  }
+  const std::string& name = scene_.body_names[static_cast<std::size_t>(body)];
+  drive_along_normal(body, add_actuator(name, force, 0));
+}
+
+Vector6<double> SceneBuilder::moved_to_center_of_mass(const std::vector<double>& twist) const {
+  const Vector6<double> at_origin = Eigen::Map<const Vector6<double>>(twist.data());
+  return twist_at(scene_.object.center_of_mass, at_origin.head<3>(), at_origin.tail<3>(),
+                  Vector3<double>::Zero());
+}
+
+void SceneBuilder::read_actuator(const TableReader& table) {
+  const std::string name = claim_name(table);
+  const std::vector<std::string> bodies = table.texts("bodies", scene_.bodies.size());
+  const std::vector<std::vector<double>> twists = table.rows("twists", 6, scene_.bodies.size());
+  if (twists.size() != bodies.size())
+    table.fail("twists", "twists must have one entry for each of the " +
+                             std::to_string(bodies.size()) + " bodies, got " +
+                             std::to_string(twists.size()));
+  if (table.has("force") == table.has("acceleration"))
+    table.fail("acceleration", "an actuator has either a force or an acceleration; give one");
+  const bool is_prescribed = table.has("acceleration");
+  if (is_prescribed && table.has("inertia"))
+    table.fail("inertia", "inertia goes with force; remove it");
+  const double amount = table.number(is_prescribed ? "acceleration" : "force",
+                                     is_prescribed ? Sign::any : Sign::not_negative);
+  const double inertia = table.has("inertia") ? table.number("inertia", Sign::not_negative) : 0;
+  const Index actuator = is_prescribed ? 0 : add_actuator(name, amount, inertia);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Index body = body_called(bodies[i]);
+    if (body == static_cast<Index>(scene_.bodies.size()))
+      table.fail("bodies", "no body is called " + quoted(bodies[i]) +
+                               suggestion(bodies[i], scene_.body_names));
+    if (std::count(bodies.begin(), bodies.end(), bodies[i]) > 1)
+      table.fail("bodies", "the body " + quoted(bodies[i]) + " is listed twice; remove one");
+    const Vector6<double> twist = moved_to_center_of_mass(twists[i]);
+    if (twist.isZero(0)) table.fail("twists", "the twist of " + quoted(bodies[i]) + " is zero");
+    if (is_prescribed) {
+      scene_.bodies[static_cast<std::size_t>(body)].acceleration += amount * twist;
+    } else {
+      scene_.drives.push_back({body, actuator, twist});
+    }
+  }
+}
+
+} // namespace lcpush::host

@@ -1,0 +1,105 @@
+#include "scene_object.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <string>
+
+namespace lcpush::host {
+namespace {
+
+// Below this ratio of principal moments, rounding decides the sign of the smallest.
+constexpr double thinnest = 1e-12;
+// A thin plate has I_z = I_x + I_y; typed with three or four digits it may miss that by so much.
+constexpr double typing_slack = 1e-3;
+
+Matrix3<double> box_inertia(const TableReader& table, double mass) {
+  const Vector3<double> squares = table.vector3("box", Sign::positive).array().square();
+  const Vector3<double> moments = mass / 12 * (squares.sum() - squares.array());
+  return moments.asDiagonal();
+}
+
+Matrix3<double> cylinder_inertia(const TableReader& table, double mass) {
+  const double radius = table.number("cylinder_radius", Sign::positive);
+  const double length = table.number("cylinder_length", Sign::positive);
+  const std::size_t axis = table.has("axis") ? table.choice("axis", {"x", "y", "z"}) : 2;
+  Vector3<double> moments;
+  moments.setConstant(mass * (3 * radius * radius + length * length) / 12);
+  moments[static_cast<Index>(axis)] = mass * radius * radius / 2;
+  return moments.asDiagonal();
+}
+
+Matrix3<double> typed_inertia(const TableReader& table) {
+  std::vector<double> entries = table.numbers("inertia", {3, 6}, Sign::any);
+  entries.resize(6, 0.0);
+  const double xx = entries[0], yy = entries[1], zz = entries[2];
+  const double xy = entries[3], xz = entries[4], yz = entries[5];
+  Matrix3<double> inertia;
+  inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  return inertia;
+}
+
+void check_inertia(const TableReader& table, const std::string& key,
+                   const Matrix3<double>& inertia) {
+  const double scale = inertia.cwiseAbs().maxCoeff();
+  if (!(scale > 0)) table.fail(key, key + " gives no inertia; check its units (SI)");
+  const Eigen::SelfAdjointEigenSolver<Matrix3<double>> solver(inertia / scale,
+                                                              Eigen::EigenvaluesOnly);
+  const Vector3<double> moments = solver.eigenvalues();
+  if (!(moments[0] > thinnest * moments[2]))
+    table.fail(key, key + " must be positive definite; check its signs and order "
+                          "(xx, yy, zz, xy, xz, yz)");
+  if (moments[0] + moments[1] < moments[2] * (1 - typing_slack))
+    table.fail(key, key + " belongs to no solid body: the largest principal moment exceeds the sum "
+                          "of the other two; check its units and order (xx, yy, zz, xy, xz, yz)");
+}
+
+/// The key that says how the mass is spread: exactly one of three.
+std::string shape_key(const TableReader& table) {
+  const std::string choices = "box, cylinder_radius with cylinder_length, or inertia";
+  std::string found;
+  for (const char* key : {"box", "cylinder_radius", "inertia"}) {
+    if (!table.has(key)) continue;
+    if (!found.empty()) table.fail(key, found + " is given already; keep one of " + choices);
+    found = key;
+  }
+  if (found.empty() && table.has("cylinder_length")) found = "cylinder_radius";
+  if (found.empty()) table.fail("", "missing the shape of the object; add one of " + choices);
+  for (const char* key : {"cylinder_length", "axis"})
+    if (found != "cylinder_radius" && table.has(key))
+      table.fail(key, std::string(key) + " goes with cylinder_radius only; remove it");
+  return found;
+}
+
+} // namespace
+
+const Schema& object_schema() {
+  static const Schema schema = {
+      {"mass", "mass = 0.2  # kg"},
+      {"box", "box = [0.1, 0.03, 0.01]  # m"},
+      {"cylinder_radius", "cylinder_radius = 0.02  # m"},
+      {"cylinder_length", "cylinder_length = 0.1  # m"},
+      {"axis", "axis = \"z\""},
+      {"inertia", "inertia = [1e-4, 2e-4, 2e-4]  # kg m^2"},
+      {"center_of_mass", "center_of_mass = [0, 0, 0]  # m"},
+  };
+  return schema;
+}
+
+Object<double> read_object(const TableReader& table) {
+  Object<double> object;
+  object.mass = table.number("mass", Sign::positive);
+  const std::string key = shape_key(table);
+  if (key == "box") {
+    object.inertia = box_inertia(table, object.mass);
+  } else if (key == "inertia") {
+    object.inertia = typed_inertia(table);
+  } else {
+    object.inertia = cylinder_inertia(table, object.mass);
+  }
+  check_inertia(table, key, object.inertia);
+  object.center_of_mass.setZero();
+  if (table.has("center_of_mass")) object.center_of_mass = table.vector3("center_of_mass");
+  return object;
+}
+
+} // namespace lcpush::host

@@ -1,0 +1,22 @@
+// What a scene file may contain besides [object] and the patches, and what is not supported yet.
+#pragma once
+
+#include "lcpush/host/toml.hpp"
+#include "lcpush/mechanics/scene.hpp"
+#include "table_reader.hpp"
+
+namespace lcpush::host {
+
+const Schema& root_schema();
+const Schema& gripper_schema();
+const Schema& actuator_schema();
+/// The keys of a [[finger]] or [[pusher]], its patch's among them.
+const Schema& body_schema(Role role);
+
+/// Refuses unknown sections, [name] for [[name]] and the reverse, a missing [object].
+void check_sections(const TomlDocument& document);
+
+/// The one place that knows what lcpush reads but cannot solve yet. Delete a line to allow it.
+void refuse_unsupported(const TableReader& table);
+
+} // namespace lcpush::host
