@@ -54,8 +54,8 @@ std::string shown(double number) {
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
   if (word.size() > longest_shown) return "";
-  // A third of the letters wrong is still a slip; more is another word.
-  std::size_t nearest = std::max<std::size_t>(1, word.size() / 3) + 1;
+  // Half of the letters wrong, or more than three, is another word rather than a slip.
+  std::size_t nearest = std::clamp<std::size_t>(word.size() / 2, 1, 3) + 1;
   std::string best;
   for (const std::string& candidate : known) {
     const std::size_t distance = edit_distance(word, candidate);

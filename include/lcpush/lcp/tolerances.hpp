@@ -12,6 +12,7 @@ template <class S> struct Tolerances {
   S pivot{0};    ///< a pivot below this fraction of its column's largest entry is no pivot
   S tie{0};      ///< basic values within this of the smallest ratio are tied (Harris)
   S residual{0}; ///< the largest scaled natural residual of an answer called solved
+  S settled{0};  ///< the scaled change between two rounds of an outer iteration that ends it
   S noise{0};    ///< residual * noise is what rounding may leave of the largest unknowns (64 eps)
 };
 
@@ -19,6 +20,7 @@ template <> struct Tolerances<double> {
   double pivot = 0x1p22 * std::numeric_limits<double>::epsilon();    // 9.3e-10
   double tie = 0x1p15 * std::numeric_limits<double>::epsilon();      // 7.3e-12
   double residual = 0x1p22 * std::numeric_limits<double>::epsilon(); // 9.3e-10
+  double settled = 0x1p16 * std::numeric_limits<double>::epsilon();  // 1.5e-11
   double noise = 0x1p-16;
 };
 
@@ -26,6 +28,7 @@ template <> struct Tolerances<float> {
   float pivot = 0x1p10F * std::numeric_limits<float>::epsilon();    // 1.2e-4
   float tie = 0x1p4F * std::numeric_limits<float>::epsilon();       // 1.9e-6
   float residual = 0x1p10F * std::numeric_limits<float>::epsilon(); // 1.2e-4
+  float settled = 0x1p9F * std::numeric_limits<float>::epsilon();   // 6.1e-5
   float noise = 0x1p-4F;
 };
 

@@ -12,7 +12,7 @@ template <class S> struct PressureOptions {
   S first_compliance{S(1) / S(100)}; ///< eps of round 1
   S factor{S(0.31622776601683794)};  ///< eps falls by this a round
   Index max_rounds = 60;
-  S tolerance = Tolerances<S>().residual; ///< scaled violation of the literal [T.2] allowed
+  S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
 };
 
 /// What a pressure solve did, for reports.

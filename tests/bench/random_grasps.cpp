@@ -1,0 +1,93 @@
+// Reliability on seeded random grasps: `random_grasps [FROM] [TO]` (default 0 10000).
+// One line a pressure law: how many were solved, the worst residual of mechanics/check.hpp, pivots,
+// and on how many of every tenth grasp four covers agree on the motion.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "lcpush/lcpush.hpp"
+#include "random_grasp.hpp"
+
+namespace {
+
+using namespace lcpush;
+
+struct Solved {
+  Status status;
+  PressureRun run;
+  double residual;
+  Vector6<double> acceleration;
+};
+
+Solved solve(const Scene<double>& scene, Workspace<double>& work, Index first_cover) {
+  Assembly<double> assembly(work.assembly);
+  assembly.assemble(scene);
+  Lemke<double> lemke(work.lemke_scalars, work.lemke_integers);
+  PressureOptions<double> options;
+  options.lemke.first_cover = first_cover;
+  Solved solved{};
+  solved.status = solve_pressure(assembly, lemke, work.pressure, options, solved.run);
+  if (solved.status != Status::solved) return solved;
+  read_answer(assembly, work.pressure.z.data, work.answer, 1.0);
+  solved.residual = check(scene, assembly.layout().scales, work.answer, 1.0).max();
+  solved.acceleration = work.answer.acceleration / assembly.layout().scales.acceleration;
+  solved.acceleration.tail<3>() *= assembly.layout().scales.length;
+  return solved;
+}
+
+void run_law(const char* name, Pressure pressure, unsigned from, unsigned to) {
+  unsigned solved_count = 0, wrong = 0, compared = 0, agreeing = 0;
+  double worst = 0;
+  Index rounds = 0, cold = 0;
+  std::vector<Index> pivots;
+  const auto begin = std::chrono::steady_clock::now();
+  for (unsigned seed = from; seed < to; ++seed) {
+    test::OwnedScene<double> owned = test::random_grasp<double>(seed);
+    owned.base.pressure = pressure;
+    const Scene<double> scene = owned.view();
+    test::OwnedWorkspace<double> memory(size_of(scene));
+    const Solved first = solve(scene, memory.work, 0);
+    if (first.status != Status::solved) {
+      std::printf("  seed %u: %s\n", seed, status_text(first.status));
+      continue;
+    }
+    ++solved_count;
+    if (!(first.residual <= 1e-9)) ++wrong;
+    worst = std::max(worst, first.residual);
+    rounds += first.run.rounds;
+    cold += first.run.cold_restarts;
+    pivots.push_back(first.run.pivots);
+    if (seed % 10 != 0) continue;
+    bool agree = true;
+    for (Index cover = 1; cover < 4 && agree; ++cover) {
+      const Solved other = solve(scene, memory.work, 20 * cover);
+      agree = other.status == Status::solved && (other.acceleration - first.acceleration).norm() <=
+                                                    1e-5 * std::max(1.0, first.acceleration.norm());
+    }
+    ++compared;
+    if (agree) ++agreeing;
+  }
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  std::sort(pivots.begin(), pivots.end());
+  const Index median = pivots.empty() ? 0 : pivots[pivots.size() / 2];
+  std::printf("%-6s solved %u of %u, above 1e-9: %u, worst residual %.1e, pivots median %td max "
+              "%td, rounds %.2f a grasp, cold restarts %td, covers agree %u of %u, %.1f s\n",
+              name, solved_count, to - from, wrong, worst, median,
+              pivots.empty() ? Index(0) : pivots.back(),
+              static_cast<double>(rounds) / static_cast<double>(to - from), cold, agreeing,
+              compared, seconds);
+}
+
+} // namespace
+
+int main(int count, char** words) {
+  const auto argument = [&](int i, unsigned fallback) {
+    return count > i ? static_cast<unsigned>(std::atoi(words[i])) : fallback;
+  };
+  const unsigned from = argument(1, 0), to = argument(2, 10000);
+  run_law("rigid", lcpush::Pressure::rigid, from, to);
+  run_law("pad", lcpush::Pressure::pad, from, to);
+}

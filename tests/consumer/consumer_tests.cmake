@@ -1,0 +1,21 @@
+# Somebody else's project, built both ways: on an installed lcpush and with its sources inside.
+set(consumer_prefix ${CMAKE_CURRENT_BINARY_DIR}/consumer/prefix)
+
+add_test(NAME consumer.install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix
+                                       ${consumer_prefix})
+set_tests_properties(consumer.install PROPERTIES FIXTURES_SETUP installed_lcpush)
+
+function(add_consumer_test name)
+  add_test(
+    NAME consumer.${name}
+    COMMAND
+      ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/consumer
+      ${CMAKE_CURRENT_BINARY_DIR}/consumer/${name} --build-generator ${CMAKE_GENERATOR}
+      --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+      -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} ${ARGN} --test-command ${CMAKE_CTEST_COMMAND}
+      --output-on-failure)
+endfunction()
+
+add_consumer_test(find_package -DCMAKE_PREFIX_PATH=${consumer_prefix})
+set_tests_properties(consumer.find_package PROPERTIES FIXTURES_REQUIRED installed_lcpush)
+add_consumer_test(add_subdirectory -DCONSUMER_LCPUSH_SOURCES=${PROJECT_SOURCE_DIR})
