@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "../host/message.hpp"
+#include "../host/report_format.hpp"
 #include "commands.hpp"
 #include "lcpush/host/input_error.hpp"
 #include "lcpush/host/json.hpp"
@@ -124,7 +125,7 @@ std::string as_text(const host::RawProblem& problem, const host::RawAnswer& answ
   }
   text = "Solved in " + std::to_string(answer.pivots) + " pivots" +
          (answer.covers > 1 ? " under " + std::to_string(answer.covers) + " covers" : "") +
-         line("; largest scaled residual %.1e.\n", answer.residual);
+         "; largest scaled residual " + host::residual_text(answer.residual) + ".\n";
   for (const Index row : answer.redundant_rows)
     text += "Equality " + std::to_string(row + 1) + " follows from the others and was dropped.\n";
   text += "\n    i  basic" + std::string("                z                w\n");

@@ -2,14 +2,24 @@
 #pragma once
 
 #include "arguments.hpp"
+#include "lcpush/host/input_error.hpp"
+#include "lcpush/host/matrix_market.hpp"
 #include "lcpush/host/scene_io.hpp"
+#include "lcpush/mechanics/workspace.hpp"
 
 namespace lcpush::cli {
 
 inline host::SceneFile read_scene_argument(const Arguments& arguments) {
   if (arguments.files().empty())
     throw UsageError("a scene file is needed, such as fixtures/scenes/straight_slide.toml");
-  return host::read_scene(arguments.files()[0]);
+  const std::string& path = arguments.files()[0];
+  host::SceneFile file = host::read_scene(path);
+  const Index unknowns = size_of(file.view()).unknowns();
+  if (unknowns > host::largest_dimension)
+    throw host::InputError(path + ": the scene has " + std::to_string(unknowns) +
+                           " unknowns, more than the " + std::to_string(host::largest_dimension) +
+                           " that a dense solver can take; use fewer points or facets");
+  return file;
 }
 
 } // namespace lcpush::cli

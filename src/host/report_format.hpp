@@ -18,6 +18,14 @@ inline std::string number(double x, double zero = 0) {
   return text;
 }
 
+/// A residual, without the digits that only say how rounding went.
+inline std::string residual_text(double residual) {
+  if (residual < 1e-12) return "below 1e-12";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.1e", residual);
+  return text;
+}
+
 inline std::string vector_text(const Vector3<double>& v, double zero = 0) {
   return "(" + number(v[0], zero) + ", " + number(v[1], zero) + ", " + number(v[2], zero) + ")";
 }

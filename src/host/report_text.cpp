@@ -150,7 +150,7 @@ std::string solve_text(const SceneFile& file, const HoldReport& hold, const Push
     text += "                  (pressure = \"rigid\" leaves a patch's pressure open: one answer of "
             "a set)\n";
   text += "\n" + contact_table(file, report) + closing_lines(file, report);
-  text += "\nLargest scaled residual " + number(report.residuals.max()) +
+  text += "\nLargest scaled residual " + residual_text(report.residuals.max()) +
           ", checked apart from the solver.\n" + run_line(file, report.run);
   return text;
 }
@@ -182,7 +182,7 @@ std::string break_text(const SceneFile& file, const HoldReport& hold, const Brea
   if (b.line_error > 1e-6)
     text += "Caution           a third, smaller push lies " + number(b.line_error) +
             " of the grip force off the line through two\n";
-  return text + "\nLargest scaled residual " + number(b.residuals.max()) +
+  return text + "\nLargest scaled residual " + residual_text(b.residuals.max()) +
          ", checked apart from the solver.\n" + run_line(file, report.run);
 }
 

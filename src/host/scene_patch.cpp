@@ -126,11 +126,6 @@ void check_points(const TableReader& table, const std::string& key, const Patch&
   for (const Vector3<double>& p : points) size = std::max(size, (p - points[0]).norm());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string number = std::to_string(i + 1);
-    const double height = patch.normal.dot(points[i] - points[0]);
-    if (std::abs(height) > typing_slack * size)
-      table.fail(key, "point " + number + " lies out of the plane of point 1, by " + shown(height) +
-                          " m along the normal; a patch is flat, so give it one "
-                          "contact plane or split it into several bodies");
     for (std::size_t j = 0; j < i; ++j)
       if ((points[i] - points[j]).norm() <= coincidence * size)
         table.fail(key, "points " + std::to_string(j + 1) + " and " + number +

@@ -57,7 +57,7 @@ template <class S> void term_sizes(const Problem<S>& problem, const S* y, S* out
 
 } // namespace detail
 
-/// The natural residual of z, |min(z_i, w_i)| or |w_i| where z_i is free, each side by its scale:
+/// [T.11] The natural residual of z, |min(z_i, w_i)| or |w_i| where z_i is free, each side by its scale:
 ///
 ///     z_i by u_i zmax,   w_i by |q_i| + sum_j |M_ij| (|z_j| + u_j zmax / 2^k),   w = M z + q.
 ///

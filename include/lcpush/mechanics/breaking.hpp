@@ -1,4 +1,4 @@
-// The instant of breaking: the force that just moves the object in the grip, and how it then moves.
+// [T.10] The instant of breaking: the force that just moves the object in the grip, and how it then moves.
 // It is the limit of an infinitesimal push, sigma -> 0+ (docs/theory.md, "Breaking").
 #pragma once
 

@@ -1,0 +1,170 @@
+"""The command line: exit codes, messages, JSON, and that bad input writes nothing."""
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+SLIDE = SOURCE / "fixtures/scenes/straight_slide.toml"
+SLIDE_TEXT = SLIDE.read_text()
+
+
+def run(*words, **options):
+    return subprocess.run([TOOL, *map(str, words)], capture_output=True, text=True, timeout=60,
+                          **options)
+
+
+class Commands(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.path = pathlib.Path(self.folder.name)
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def scene(self, *changes):
+        text = SLIDE_TEXT
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new, 1)
+        file = self.path / "scene.toml"
+        file.write_text(text)
+        return file
+
+    def refused(self, result, pattern):
+        self.assertEqual(result.returncode, 2, result)
+        self.assertEqual(result.stdout, "")
+        self.assertRegex(result.stderr, pattern)
+
+    def test_solve_json_has_every_promised_key(self):
+        answer = json.loads(run("solve", SLIDE, "--json").stdout)
+        for key in ("status", "solver", "pivots", "sweeps", "unique", "residual", "object",
+                    "contacts", "bodies"):
+            self.assertIn(key, answer)
+        self.assertEqual(set(answer["residual"]), {"max", "newton", "normal", "cone",
+                         "dissipation", "grip", "rigidity", "pusher"})
+        self.assertEqual([c["name"] for c in answer["contacts"]][-2:], ["wall.1", "wall.2"])
+        self.assertAlmostEqual(answer["object"]["acceleration"][0], 0.1, 9)
+
+    def test_break_json_has_every_promised_key(self):
+        answer = json.loads(run("break", SLIDE, "--json").stdout)
+        for key in ("status", "holds_without_push", "smallest_grip", "break_force", "force",
+                    "moment", "inertia_force", "twist", "valid_to", "residual"):
+            self.assertIn(key, answer)
+        self.assertAlmostEqual(answer["break_force"], 20, 8)
+        self.assertAlmostEqual(answer["inertia_force"][0], 0.2, 6)
+        self.assertAlmostEqual(answer["twist"][0], 1, 6)
+
+    def test_same_input_same_bytes(self):
+        first = run("solve", SLIDE, "--json")
+        self.assertEqual(first.stdout, run("solve", SLIDE, "--json").stdout)
+
+    def test_a_dropped_object_is_its_own_status(self):
+        file = self.scene(("acceleration = [0.1", "acceleration = [-0.1"),
+                          ("friction = 0.5", "friction = 0"), ("friction = 0.5", "friction = 0"))
+        result = run("break", file, "--json")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(json.loads(result.stdout)["status"], "does_not_hold")
+        self.assertIn("NOT hold", run("break", file).stdout)
+
+    def test_a_jam_is_a_ray_with_names(self):
+        stop = ('\n[[finger]]\nname = "stop"\nshape = "point"\ncenter = [0.05, 0, 0]\n'
+                'normal = [-1, 0, 0]\nfriction = 0.3\n')
+        text = SLIDE_TEXT.replace("[[pusher]]", stop + "[[pusher]]")
+        file = self.path / "jam.toml"
+        file.write_text(text)
+        result = run("solve", file, "--json")
+        self.assertEqual(result.returncode, 1, result)
+        answer = json.loads(result.stdout)
+        self.assertEqual(answer["status"], "ray")
+        self.assertIn("normal of stop.1", [entry["name"] for entry in answer["ray"]])
+
+    def test_lcp_solves_inline_and_from_files(self):
+        result = run("lcp", "--M", "2 1; 1 2", "--q", "-5 -6", "--json")
+        self.assertEqual(result.returncode, 0)
+        z = json.loads(result.stdout)["z"]
+        self.assertAlmostEqual(z[0], 4 / 3, 12)
+        self.assertAlmostEqual(z[1], 7 / 3, 12)
+        run("export", SLIDE, "-o", self.path / "out")
+        names = (self.path / "out/names.txt").read_text().splitlines()
+        free = ",".join(line.split("\t")[0] for line in names if "closing" in line)
+        result = run("lcp", self.path / "out/M.mtx", self.path / "out/q.mtx", "--free", free, "--json")
+        answer = json.loads(result.stdout)
+        self.assertEqual(answer["status"], "solved")
+        normals = [k for k, line in enumerate(names) if "normal of wall" in line]
+        self.assertAlmostEqual(sum(answer["z"][k] for k in normals) * 20, 20.02, 9)
+
+    def test_an_unsolvable_lcp_ends_in_a_ray(self):
+        result = run("lcp", "--M", "0 -1; 1 0", "--q", "-5 6", "--json")
+        self.assertEqual(result.returncode, 1)
+        answer = json.loads(result.stdout)
+        self.assertEqual(answer["status"], "ray")
+        self.assertEqual(len(answer["ray"]), 2)
+
+    def test_output_file_is_written_whole_or_not_at_all(self):
+        out = self.path / "answer.json"
+        self.assertEqual(run("solve", SLIDE, "--json", "-o", out).returncode, 0)
+        self.assertEqual(json.loads(out.read_text())["status"], "solved")
+        self.refused(run("solve", self.path / "missing.toml", "-o", self.path / "no.txt"), "missing.toml")
+        self.assertFalse((self.path / "no.txt").exists())
+        self.refused(run("solve", SLIDE, "-o", self.path / "no/such/folder.txt"), "cannot be written")
+        self.refused(run("solve", SLIDE, "-o", self.path), "is a directory")
+
+    def test_usage_errors_say_what_to_type(self):
+        self.assertEqual(run().returncode, 2)
+        self.refused(run("slove", SLIDE), 'did you mean "solve"')
+        self.refused(run("solve", SLIDE, "--jsno"), 'did you mean "--json"')
+        self.refused(run("solve"), "a scene file is needed")
+        self.refused(run("solve", SLIDE, SLIDE), "one file too many")
+        self.refused(run("solve", SLIDE, "--format", "yaml"), "text or json")
+        self.refused(run("solve", SLIDE, "--solver", "simplex"), "--solver")
+        self.refused(run("solve", SLIDE, "-o"), "needs a value")
+        self.refused(run("break", SLIDE, "--pusher", "wal"), 'did you mean "wall"')
+        self.refused(run("lcp", "--M", "1"), "--M and --q go together")
+        self.refused(run("lcp", "--M", "1 2", "--q", "1"), "square")
+        self.refused(run("lcp", "--M", "1", "--q", "1", "--free", "2"), "rows from 1 to 1")
+
+    def test_every_command_has_help_with_an_example(self):
+        overview = run("--help").stdout
+        for command in ("solve", "break", "lcp", "export"):
+            self.assertIn(command, overview)
+            result = run(command, "--help")
+            self.assertEqual(result.returncode, 0)
+            self.assertIn("Example:\n  lcpush " + command, result.stdout)
+
+    def test_bad_scenes_name_file_line_and_what_to_do(self):
+        for change, pattern in [
+                (("friction = 0.5", "friction = -0.3"), r'scene.toml:\d+: finger "left".*friction'),
+                (("friction = 0.3", "fricton = 0.3"), 'did you mean "friction"'),
+                (("mass = 0.2", "mass = 0"), r"scene.toml:\d+: .*mass"),
+                (("normal = [1, 0, 0]", "normal = [0, 0, 0]"), r"scene.toml:\d+: .*normal"),
+                (('name = "right"', 'name = "left"'), "left"),
+                (("grip_force = 20", "grip_force = nan"), r"scene.toml:\d+: "),
+                (("title =", "facets = 7\ntitle ="), r"scene.toml:\d+: .*facets"),
+                (("box = [0.1, 0.03, 0.01]", "box = [0.1, 0.03]"), r"scene.toml:\d+: .*box"),
+                (("[object]", "[object"), r"scene.toml:\d+: ")]:
+            with self.subTest(change=change):
+                self.refused(run("solve", self.scene(change)), pattern)
+
+    def test_hostile_files_are_refused_quickly(self):
+        file = self.path / "hostile"
+        for content in (b"", b"[" * 100000, bytes(range(256)) * 100, SLIDE_TEXT.encode()[:300]):
+            file.write_bytes(content)
+            self.refused(run("solve", file), re.escape(str(file)))
+            self.refused(run("lcp", file, file), re.escape(str(file)))
+        file.write_text("%%MatrixMarket matrix array real general\n1000000000 1000000000\n1\n")
+        self.refused(run("lcp", file, file), "hostile:2")
+        self.refused(run("solve", self.path), "is a directory")
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
+    def test_a_full_disk_is_reported(self):
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([TOOL, "solve", str(SLIDE)], stdout=full, stderr=subprocess.PIPE)
+        self.assertEqual(result.returncode, 2)
+
+
+unittest.main(argv=[sys.argv[0]], verbosity=1)
