@@ -8,19 +8,20 @@
 
 namespace lcpush {
 
-/// The largest power of two p with p * p * x <= 1; 1 for x = 0, so that zero rows stay as they are.
+/// The largest power of two p with p * p * x <= 1; 1 for x = 0, so that zero rows stay as they are,
+/// and for what is not finite.
 template <class S> S reciprocal_root(const S& x) {
   S p(1);
-  if (!(x > S(0))) return p;
+  if (!(x > S(0)) || !(x - x == S(0))) return p;
   while (p * p * x > S(1)) p = p / S(2);
   while (S(4) * p * p * x <= S(1)) p = p * S(2);
   return p;
 }
 
-/// The smallest power of two that is not below x; 1 for x = 0.
+/// The smallest power of two that is not below x; 1 for x = 0 and for what is not finite.
 template <class S> S power_above(const S& x) {
   S p(1);
-  if (!(x > S(0))) return p;
+  if (!(x > S(0)) || !(x - x == S(0))) return p;
   while (p < x) p = p * S(2);
   while (p / S(2) >= x) p = p / S(2);
   return p;
