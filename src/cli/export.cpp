@@ -65,7 +65,7 @@ Command export_command() {
       "Writes M.mtx and q.mtx (w = M z + q in the scaled units that their comment names, without\n"
       "a pressure law) and names.txt, a line an unknown.\n\n"
       "Example:\n  lcpush export fixtures/scenes/straight_slide.toml -o slide\n",
-      {{"--output", "DIRECTORY", "made if missing; -o for short"}},
+      {{"--output", "DIRECTORY", "made if missing, with its parents; -o for short"}},
       1,
       run};
 }

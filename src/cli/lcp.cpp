@@ -28,7 +28,9 @@ std::vector<unsigned char> read_free(const Arguments& arguments, Index n) {
     if (error != std::errc() || row < 1 || row > n)
       throw UsageError("--free is a list of rows from 1 to " + std::to_string(n) +
                        " such as 7,8, not " + host::quoted(list));
-    free[static_cast<std::size_t>(row - 1)] = 1;
+    unsigned char& is_free = free[static_cast<std::size_t>(row - 1)];
+    if (is_free != 0) throw UsageError("--free names row " + std::to_string(row) + " twice");
+    is_free = 1;
     if (rest == end) return free;
     if (*rest != ',') throw UsageError("--free wants commas between rows: " + host::quoted(list));
     at = rest + 1;

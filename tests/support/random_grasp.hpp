@@ -97,10 +97,10 @@ template <class S> OwnedScene<S> random_grasp(std::uint64_t seed) {
   scene.base.pressure = Pressure::pad;
 
   const S half = size * number(0.1, 0.4);
+  S grip = number(2, 40), x = size * number(-0.3, 0.3), y = size * number(-0.3, 0.3);
   for (const S side : {S(1), S(-1)}) {
     const Index k = random.integer(1, 8);
     const S radius = size * number(0.05, 0.3);
-    const S x = size * number(-0.3, 0.3), y = size * number(-0.3, 0.3);
     std::vector<Vector3<S>> patch;
     for (Index i = 0; i < k; ++i) {
       const S r = k == 1 ? S(0) : radius;
@@ -109,7 +109,10 @@ template <class S> OwnedScene<S> random_grasp(std::uint64_t seed) {
       patch.push_back({x + r * c, y + r * s, side * half});
     }
     scene.add_body(Role::finger, {S(0), S(0), -side}, number(0.1, 1.2), patch);
-    scene.drive_last_body(number(2, 40));
+    scene.drive_last_body(grip);
+    // Some fingers squeeze unequally or past each other; in most grasps they do not.
+    if (random.integer(0, 3) == 0) grip = number(2, 40);
+    if (random.integer(0, 3) == 0) x += size * number(-0.3, 0.3);
   }
   const Index k = random.integer(1, 4);
   std::vector<Vector3<S>> edge;

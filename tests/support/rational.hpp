@@ -49,7 +49,8 @@ private:
   __extension__ typedef __int128 Wide; // NOLINT: __extension__ needs a typedef
 
   Rational(Wide numerator, Wide denominator) : numerator_(numerator), denominator_(denominator) {
-    Wide a = numerator < 0 ? -numerator : numerator, b = denominator < 0 ? -denominator : denominator;
+    Wide a = numerator < 0 ? -numerator : numerator,
+         b = denominator < 0 ? -denominator : denominator;
     while (b != 0) {
       const Wide rest = a % b;
       a = b;

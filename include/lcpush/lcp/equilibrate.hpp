@@ -18,12 +18,12 @@ template <class S> S reciprocal_root(const S& x) {
   return p;
 }
 
-/// The smallest power of two that is not below x; 1 for x = 0 and for what is not finite.
-template <class S> S power_above(const S& x) {
+/// The largest power of two that is not above x; 1 for x = 0 and for what is not finite.
+template <class S> S power_below(const S& x) {
   S p(1);
   if (!(x > S(0)) || !(x - x == S(0))) return p;
-  while (p < x) p = p * S(2);
-  while (p / S(2) >= x) p = p / S(2);
+  while (p > x) p = p / S(2);
+  while (p <= x / S(2)) p = p * S(2); // x / 2, because 2 p may overflow
   return p;
 }
 

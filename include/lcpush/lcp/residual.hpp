@@ -8,7 +8,7 @@
 namespace lcpush {
 
 template <class S> struct WorstRow {
-  S residual{0}; ///< scaled, see natural_residual
+  S residual{0}; ///< scaled, see natural_residual; NaN if a number is not finite
   Index row = -1;
 };
 
@@ -55,16 +55,41 @@ template <class S> void term_sizes(const Problem<S>& problem, const S* y, S* out
   }
 }
 
+/// out_j = the largest |z_l| / u_l among the unknowns that share a row with z_j: whose rounding z_j
+/// may have caught. In the factored form all forces meet in the object, so it is the largest of
+/// all.
+template <class S>
+void neighbour_sizes(const Problem<S>& problem, const S* z, const S* unit, S* row_largest, S* out) {
+  const Index n = problem.size;
+  S largest(0);
+  for (Index j = 0; j < n; ++j) {
+    row_largest[j] = S(0);
+    if (size_of(z[j]) > largest * unit[j]) largest = size_of(z[j]) / unit[j];
+  }
+  for (Index j = 0; j < n; ++j) out[j] = problem.matrix == nullptr ? largest : S(0);
+  if (problem.matrix == nullptr) return;
+  for (Index j = 0; j < n; ++j) {
+    const S size = size_of(z[j]) / unit[j];
+    for (Index i = 0; size > S(0) && i < n; ++i)
+      if (problem.matrix[j * n + i] != S(0) && row_largest[i] < size) row_largest[i] = size;
+  }
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i)
+      if (problem.matrix[j * n + i] != S(0) && out[j] < row_largest[i]) out[j] = row_largest[i];
+}
+
 } // namespace detail
 
-/// [T.11] The natural residual of z, |min(z_i, w_i)| or |w_i| where z_i is free, each side by its scale:
+/// [T.11] The natural residual of z, |min(z_i, w_i)| or |w_i| where z_i is free, each side by its
+/// scale:
 ///
-///     z_i by u_i zmax,   w_i by |q_i| + sum_j |M_ij| (|z_j| + u_j zmax / 2^k),   w = M z + q.
+///     z_i by u_i zmax,   w_i by |q_i| + sum_j |M_ij| (|z_j| + u_j zmax_j / 2^k),   w = M z + q.
 ///
 /// zmax = max |z_i| / u_i; `unit` u > 0 is the size that z_j is measured in. A row is measured by
-/// its own terms, so that a large answer elsewhere hides nothing; the second term (k = 16 in
-/// double) is what rounding leaves of the largest unknowns, and keeps noise from being divided by
-/// noise. `w` receives M z + q; `scratch` 2 n Scalars. Cost: two products with M.
+/// its own terms, so that a large answer elsewhere hides nothing. The second term (k = 16 in
+/// double, zmax_j over the unknowns that share a row with z_j, nothing where z_j = 0) is what
+/// rounding leaves of large unknowns in z_j: it keeps noise from being divided by noise. `w`
+/// receives M z + q; `scratch` 2 n Scalars. Cost: four passes over M.
 template <class S, class IsFree>
 WorstRow<S> natural_residual(const Problem<S>& problem, const S* q, const S* z, const S* unit,
                              IsFree is_free, S* w, S* scratch) {
@@ -74,8 +99,11 @@ WorstRow<S> natural_residual(const Problem<S>& problem, const S* q, const S* z, 
   for (Index i = 0; i < n; ++i)
     if (size_of(z[i]) > z_max * unit[i]) z_max = size_of(z[i]) / unit[i];
   S* const sizes = scratch + n;
-  for (Index i = 0; i < n; ++i)
-    scratch[i] = size_of(z[i]) + z_max * unit[i] * Tolerances<S>().noise;
+  detail::neighbour_sizes(problem, z, unit, sizes, scratch);
+  for (Index i = 0; i < n; ++i) {
+    const S noise = z[i] != S(0) ? S(scratch[i] * unit[i] * Tolerances<S>().noise) : S(0);
+    scratch[i] = size_of(z[i]) + noise;
+  }
   detail::term_sizes(problem, scratch, sizes);
   multiply(problem, z, w);
   WorstRow<S> worst;
@@ -86,8 +114,10 @@ WorstRow<S> natural_residual(const Problem<S>& problem, const S* q, const S* z, 
     const S scaled_z = z_max > S(0) ? S(z[i] / (unit[i] * z_max)) : S(0);
     const bool row_counts = is_free(i) || scaled_w < scaled_z;
     const S residual = size_of(row_counts ? scaled_w : scaled_z);
-    // Written so that a NaN becomes the worst row instead of slipping through.
-    if (!(residual <= worst.residual)) worst = {residual, i};
+    // x - x is 0 unless x is NaN or infinite, and then no other row can make up for it.
+    const S not_finite = (z[i] - z[i]) + (scaled_w - scaled_w) + (scale - scale);
+    if (!(not_finite == S(0))) return {not_finite, i};
+    if (residual > worst.residual) worst = {residual, i};
   }
   return worst;
 }

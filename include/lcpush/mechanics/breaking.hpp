@@ -1,5 +1,5 @@
-// [T.10] The instant of breaking: the force that just moves the object in the grip, and how it then moves.
-// It is the limit of an infinitesimal push, sigma -> 0+ (docs/theory.md, "Breaking").
+// [T.10] The instant of breaking: the force that just moves the object in the grip, and how it then
+// moves. It is the limit of an infinitesimal push, sigma -> 0+ (docs/theory.md, "Breaking").
 #pragma once
 
 #include "lcpush/mechanics/check.hpp"
@@ -59,7 +59,7 @@ template <class S> S motion_size(const Vector6<S>& acceleration, const Scales<S>
 }
 
 /// Below this (in units of F / m) an acceleration counts as none.
-template <class S> constexpr S at_rest() { return S(100) * Tolerances<S>().residual; }
+template <class S> constexpr S at_rest() { return S(1024) * Tolerances<S>().residual; }
 
 namespace detail {
 
@@ -112,11 +112,12 @@ Status break_pad(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, Ind
   const Scales<S>& scales = assembly.layout().scales;
   constexpr int pushes = 3;
   S sigma[pushes], normal[pushes];
-  Vector6<S> wrench[pushes];
+  Vector6<S> wrench[pushes], acceleration[pushes];
   for (int k = 0; k < pushes; ++k) {
     const S size = k == 0 ? S(1e-3) : k == 1 ? S(1e-4) : S(1e-5); // of F / m
     sigma[k] = size * scales.acceleration / unit;
-    options.tolerance = size * Tolerances<S>().residual;
+    options.tolerance = Eigen::numext::maxi(S(size * Tolerances<S>().residual),
+                                            S(512 * Eigen::NumTraits<S>::epsilon()));
     assembly.push_by(sigma[k]);
     PressureRun one;
     const Status status = solve_pressure(assembly, lemke, work.pressure, options, one);
@@ -129,9 +130,13 @@ Status break_pad(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, Ind
     read_answer(assembly, work.pressure.z.data, work.answer, sigma[k]);
     wrench[k] = body_wrench(scene, work.answer, pusher);
     normal[k] = normal_sum(work.answer, scene.bodies[pusher]);
-    if (k == 1) breaking.twist = work.answer.acceleration / (sigma[k] * unit);
+    acceleration[k] = work.answer.acceleration;
     if (k == 1) breaking.residuals = check(scene, scales, work.answer, sigma[k]);
   }
+  // What is left of the acceleration when the push is taken back along the line: zero if it holds.
+  breaking.rest =
+      acceleration[2] - (acceleration[1] - acceleration[2]) * (sigma[2] / (sigma[1] - sigma[2]));
+  breaking.twist = acceleration[1] / (sigma[1] * unit);
   const S span = sigma[0] - sigma[1];
   breaking.inertia = (wrench[0] - wrench[1]) / (span * unit);
   breaking.inertia_normal = (normal[0] - normal[1]) / (span * unit);
@@ -156,20 +161,12 @@ template <class S>
   breaking = {};
   run = {};
   if (!(unit > S(0))) return Status::bad_input;
-  if (assembly.scene().pressure != Pressure::pad) {
-    const Status status =
-        detail::break_rigid(assembly, lemke, work, pusher, options, unit, breaking, run);
-    const bool moves = motion_size(breaking.rest, assembly.layout().scales) > at_rest<S>();
-    return status == Status::solved && moves ? Status::does_not_hold : status;
-  }
-  assembly.push_by(S(0));
-  const Status at_zero = solve_pressure(assembly, lemke, work.pressure, options, run);
-  if (at_zero != Status::solved) return at_zero;
-  read_answer(assembly, work.pressure.z.data, work.answer, S(0));
-  breaking.rest = work.answer.acceleration;
-  if (motion_size(breaking.rest, assembly.layout().scales) > at_rest<S>())
-    return Status::does_not_hold;
-  return detail::break_pad(assembly, lemke, work, pusher, options, unit, breaking, run);
+  const Status status =
+      assembly.scene().pressure == Pressure::pad
+          ? detail::break_pad(assembly, lemke, work, pusher, options, unit, breaking, run)
+          : detail::break_rigid(assembly, lemke, work, pusher, options, unit, breaking, run);
+  const bool moves = motion_size(breaking.rest, assembly.layout().scales) > at_rest<S>();
+  return status == Status::solved && moves ? Status::does_not_hold : status;
 }
 
 } // namespace lcpush

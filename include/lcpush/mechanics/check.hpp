@@ -7,6 +7,15 @@
 
 namespace lcpush {
 
+namespace detail {
+// A NaN is the worst of all: it stays, and it wins over every number.
+template <class S> void keep_worst(S& worst, S violation) {
+  if (violation < S(0)) violation = -violation;
+  if (!(violation <= worst) && worst == worst) worst = violation;
+}
+template <class S> S smaller(const S& x, const S& y) { return x < y || !(x == x) ? x : y; }
+} // namespace detail
+
 /// The largest scaled violation of each law. Forces are measured by F, accelerations by F / m,
 /// moments by F L (Scales).
 template <class S> struct Residuals {
@@ -21,24 +30,17 @@ template <class S> struct Residuals {
   S max() const {
     S worst = newton;
     for (const S& r : {normal, dissipation, cone, grip, rigidity, pusher})
-      if (!(r <= worst)) worst = r;
+      detail::keep_worst(worst, r);
     return worst;
   }
 };
-
-namespace detail {
-template <class S> void keep_worst(S& worst, S violation) {
-  if (violation < S(0)) violation = -violation;
-  if (!(violation <= worst)) worst = violation; // a NaN is kept
-}
-} // namespace detail
 
 /// `sigma` scales the prescribed motions, as it did for the solve. Cost: O(forces + drives points).
 template <class S>
 Residuals<S> check(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer,
                    S sigma) {
   using detail::keep_worst;
-  const auto smaller = [](S x, S y) { return x < y ? x : y; };
+  using detail::smaller;
   Residuals<S> worst;
 
   Vector3<S> force = scene.object.mass * scene.gravity;

@@ -72,7 +72,7 @@ Status Lemke<S>::prepare(const Problem<S>& problem, const LemkeOptions<S>& optio
       const S x = right_hand_side(k)[i] * row_scale_[i];
       largest = x > largest ? x : -x > largest ? S(-x) : largest;
     }
-    level_scale_[k] = options_.equilibrate ? power_above(largest) : S(1);
+    level_scale_[k] = options_.equilibrate ? power_below(largest) : S(1);
   }
   return status_;
 }

@@ -84,7 +84,7 @@ template <class S> Status Lemke<S>::reject(Reason reason) {
   if (repairs_ >= repairs_allowed || !refactorise())
     return end(Status::numerical_breakdown, reason);
   ++repairs_;
-  tie_tolerance_ = tie_tolerance_ / S(1024);
+  tie_tolerance_ = repairs_ < repairs_allowed ? S(tie_tolerance_ / S(1024)) : S(0);
   cover_here();
   entering_ = -1;
   return start();

@@ -1,0 +1,120 @@
+"""Core headers keep their promises: no heap, no exceptions, no streams, and who may include whom.
+
+    python3 tests/contract/check_headers.py REPO_ROOT
+
+Prints FILE:LINE: what is wrong, and exits 1; exits 0 if all is well.
+"""
+
+import pathlib
+import re
+import sys
+
+FORBIDDEN_INCLUDES = set(
+    "vector string map memory functional iostream ostream istream sstream fstream iomanip list "
+    "deque set unordered_map unordered_set stdexcept exception any variant thread mutex regex "
+    "filesystem locale".split())
+FORBIDDEN_CODE = [
+    (re.compile(r"\bnew\b(?!\s*\()"), "a new-expression that is not placement new"),
+    (re.compile(r"\bnew\s*\(\s*std\s*::\s*nothrow"), "a new-expression that is not placement new"),
+    (re.compile(r"(?<!=)(?<!= )\bdelete\b"), "a delete-expression"),
+    (re.compile(r"\bthrow\b"), "throw"),
+    (re.compile(r"\btry\b"), "try"),
+    (re.compile(r"\bcatch\s*\("), "catch"),
+    (re.compile(r"\b(malloc|calloc|realloc|free)\s*\("), "the C heap"),
+    (re.compile(r"\b(dynamic_cast|typeid)\b"), "run-time type information"),
+]
+# The referees share no code with what they judge.
+REFEREES = ["lcp/residual.hpp", "mechanics/check.hpp"]
+SOLVERS = re.compile(r"^lcp/(lemke|dictionary|ratio_test|equilibrate|reduce|detail/.*)\b"
+                     r"|^mechanics/(assemble|pressure|read_answer|workspace|breaking)\b")
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)
+
+
+def code_of(text):
+    """The text with comments and string literals blanked, lines kept."""
+    return COMMENT_OR_TEXT.sub(lambda found: re.sub(r"[^\n]", " ", found.group()), text)
+
+
+def includes_of(text):
+    for number, line in enumerate(text.splitlines(), 1):
+        found = INCLUDE.match(line)
+        if found:
+            yield number, found.group(2)
+
+
+def is_core(name):
+    return not name.startswith("host/")
+
+
+def library_name(include):
+    """'lcp/lemke.hpp' for "lcpush/lcp/lemke.hpp", None for anybody else's header."""
+    return include[len("lcpush/"):] if include.startswith("lcpush/") else None
+
+
+def own_faults(name, text):
+    for number, include in includes_of(text):
+        inner = library_name(include)
+        if include in FORBIDDEN_INCLUDES:
+            yield number, f"includes <{include}>"
+        if inner is not None and not is_core(inner):
+            yield number, f"the core includes {inner}"
+        if inner is not None and name.startswith("lcp/") and inner.startswith("mechanics/"):
+            yield number, f"lcp/ knows nothing of mechanics, yet includes {inner}"
+    for number, line in enumerate(code_of(text).splitlines(), 1):
+        if INCLUDE.match(line) or line.lstrip().startswith("#"):
+            continue
+        for pattern, what in FORBIDDEN_CODE:
+            if pattern.search(line):
+                yield number, what
+
+
+def path_to_solver(start, headers):
+    """The chain of includes from `start` to a solver's header, or None."""
+    paths = [[start]]
+    seen = {start}
+    while paths:
+        path = paths.pop()
+        if len(path) > 1 and SOLVERS.match(path[-1]):
+            return path
+        for _, include in includes_of(headers.get(path[-1], "")):
+            inner = library_name(include)
+            if inner is not None and inner not in seen:
+                seen.add(inner)
+                paths.append(path + [inner])
+    return None
+
+
+def check(root):
+    base = pathlib.Path(root) / "include" / "lcpush"
+    headers = {path.relative_to(base).as_posix(): path.read_text(encoding="utf-8")
+               for path in sorted(base.rglob("*.h*"))}
+    core = {name: text for name, text in headers.items() if is_core(name)}
+    faults = [f"include/lcpush/{name}:{number}: {what}"
+              for name, text in core.items() for number, what in own_faults(name, text)]
+    for referee in REFEREES:
+        if referee not in headers:
+            faults.append(f"include/lcpush/{referee}: missing")
+            continue
+        path = path_to_solver(referee, headers)
+        if path is not None:
+            faults.append(f"include/lcpush/{referee}:1: reaches a solver: {' -> '.join(path)}")
+    return len(core), faults
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    count, faults = check(sys.argv[1])
+    for fault in faults:
+        print(fault, file=sys.stderr)
+    if count == 0:
+        sys.exit(f"{sys.argv[1]}: no core headers there")
+    if faults:
+        sys.exit(1)
+    print(f"{count} core headers: no heap, no exceptions, no streams; referees apart from solvers")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,190 @@
+// The core allocates nothing: every call to the heap in this program is counted.
+#include <doctest/doctest.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+#if defined(__SANITIZE_ADDRESS__)
+#define LCPUSH_TEST_ASAN 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define LCPUSH_TEST_ASAN 1
+#endif
+#endif
+#ifdef LCPUSH_TEST_ASAN
+#include <sanitizer/allocator_interface.h>
+#endif
+
+#include "lcpush/lcp/reduce.hpp"
+#include "support/dense_lcp.hpp"
+#include "support/scenes.hpp"
+#include "support/solved_push.hpp"
+
+namespace {
+volatile long heap_calls = 0;
+} // namespace
+
+// operator new ends in malloc, and so does Eigen. glibc lets a program bring its own; the address
+// sanitizer has hooks; elsewhere operator new alone is counted.
+#ifdef LCPUSH_TEST_ASAN
+namespace {
+void count_allocation(const volatile void*, std::size_t) { heap_calls = heap_calls + 1; }
+void ignore_release(const volatile void*) {}
+[[maybe_unused]] const int hooks =
+    __sanitizer_install_malloc_and_free_hooks(count_allocation, ignore_release);
+} // namespace
+#elif defined(__GLIBC__)
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+void* malloc(std::size_t size) {
+  heap_calls = heap_calls + 1;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  heap_calls = heap_calls + 1;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* old, std::size_t size) {
+  heap_calls = heap_calls + 1;
+  return __libc_realloc(old, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  heap_calls = heap_calls + 1;
+  return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** result, std::size_t alignment, std::size_t size) {
+  heap_calls = heap_calls + 1;
+  *result = __libc_memalign(alignment, size);
+  return *result == nullptr ? 12 : 0; // ENOMEM
+}
+}
+#else
+void* operator new(std::size_t size) {
+  heap_calls = heap_calls + 1;
+  void* const memory = std::malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#endif
+
+using namespace lcpush;
+using namespace lcpush::test;
+
+namespace {
+
+template <class Action> long heap_calls_of(Action action) {
+  const long before = heap_calls;
+  action();
+  return heap_calls - before;
+}
+
+template <class S> DenseLcp<S> positive_definite(Index n) {
+  Random random(3);
+  const MatrixX<double> A = random_matrix(random, n, n);
+  const MatrixX<double> M = A * A.transpose() + 0.1 * MatrixX<double>::Identity(n, n);
+  return {M.cast<S>(), random_vector(random, n).cast<S>()};
+}
+
+} // namespace
+
+TEST_CASE("the counter sees what allocates: new, and a matrix of run-time size") {
+  int* volatile number = nullptr;
+  CHECK(heap_calls_of([&] { number = new int(3); }) > 0);
+  delete number;
+#if defined(__GLIBC__) || defined(LCPUSH_TEST_ASAN)
+  volatile double sum = 0;
+  CHECK(heap_calls_of([&] { sum = MatrixX<double>::Random(20, 20).eval().sum(); }) > 0);
+#endif
+}
+
+TEST_CASE_TEMPLATE("a dense solve allocates nothing, cold or warm", S, float, double) {
+  for (const Index n : {1, 5, 40}) {
+    const DenseLcp<S> lcp = positive_definite<S>(n);
+    LemkeRun<S> run(n);
+    std::vector<unsigned char> active(static_cast<std::size_t>(n), 0);
+    Status cold = Status::running, warm = Status::running;
+    CHECK(heap_calls_of([&] {
+            cold = run.lemke.init(lcp.view());
+            cold = run.lemke.solve();
+            for (Index i = 0; i < n; ++i)
+              active[static_cast<std::size_t>(i)] = run.lemke.is_basic(i) ? 1 : 0;
+            warm = run.lemke.init(lcp.view(), {}, active.data());
+            warm = run.lemke.solve();
+          }) == 0);
+    CHECK(cold == Status::solved);
+    CHECK(warm == Status::solved);
+  }
+}
+
+TEST_CASE("a ray under all covers and bad input allocate nothing") {
+  DenseLcp<double> lcp = dense_lcp<double>(2, {-1, 0, 0, -1}, {-1, -2});
+  LemkeRun<double> run(2);
+  Status ray = Status::running, bad = Status::running;
+  CHECK(heap_calls_of([&] {
+          ray = run.solve(lcp);
+          lcp.q[0] = std::numeric_limits<double>::infinity();
+          bad = run.solve(lcp);
+        }) == 0);
+  CHECK(ray == Status::ray);
+  CHECK(bad == Status::bad_input);
+}
+
+TEST_CASE("a reduction allocates nothing") {
+  const Index n = 6;
+  const DenseLcp<double> lcp = positive_definite<double>(n);
+  std::vector<double> scalars(static_cast<std::size_t>(reduction_scalars(n)));
+  std::vector<int> integers(static_cast<std::size_t>(reduction_integers(n)));
+  const unsigned char is_free[] = {0, 1, 0, 1, 0, 0};
+  Status status = Status::running;
+  CHECK(heap_calls_of([&] {
+          Reduction<double> reduction({scalars.data(), reduction_scalars(n)},
+                                      {integers.data(), reduction_integers(n)});
+          status = reduction.init(n, lcp.M.data(), lcp.q.data(), is_free, SingularBlock::exchange);
+        }) == 0);
+  CHECK(status == Status::solved);
+}
+
+TEST_CASE_TEMPLATE("a whole push allocates nothing: workspace, assembly, rounds, answer, check", S,
+                   float, double) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    OwnedScene<S> owned = random_grasp<S>(seed);
+    owned.base.pressure = seed % 2 == 0 ? Pressure::rigid : Pressure::pad;
+    const Scene<S> scene = owned.view();
+    std::vector<unsigned char> bytes(static_cast<std::size_t>(push_bytes<S>(size_of(scene))));
+    Status status = Status::running;
+    CHECK(heap_calls_of([&] {
+            Workspace<S> work =
+                make_workspace<S>({bytes.data(), static_cast<Index>(bytes.size())}, size_of(scene));
+            Assembly<S> assembly(work.assembly);
+            assembly.assemble(scene);
+            Lemke<S> lemke(work.lemke_scalars, work.lemke_integers);
+            PressureRun run;
+            status = solve_pressure(assembly, lemke, work.pressure, PressureOptions<S>{}, run);
+            read_answer(assembly, work.pressure.z.data, work.answer, S(1));
+            (void)check(scene, assembly.layout().scales, work.answer, S(1));
+          }) == 0);
+    if (sizeof(S) == sizeof(double)) CHECK(status == Status::solved);
+  }
+}
+
+TEST_CASE("the instant of breaking allocates nothing") {
+  for (const Pressure pressure : {Pressure::pad, Pressure::rigid}) {
+    OwnedScene<double> owned = straight_slide();
+    owned.base.pressure = pressure;
+    SolvedPush<double> push(owned);
+    Breaking<double> breaking;
+    Status status = Status::running;
+    CHECK(heap_calls_of([&] {
+            status = find_breaking(push.assembly, push.lemke, push.memory.work, 2, push.options,
+                                   breaking, push.run);
+          }) == 0);
+    CHECK(status == Status::solved);
+  }
+}

@@ -1,0 +1,202 @@
+// The assembled rows are the laws in SI units, for any unknowns whatever.
+#include <doctest/doctest.h>
+
+#include <array>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "support/dense_lcp.hpp"
+#include "support/scenes.hpp"
+#include "support/solved_push.hpp"
+
+using namespace lcpush;
+using namespace lcpush::test;
+
+namespace {
+
+/// The unknowns z of an assembly in SI units.
+struct Unknowns {
+  const Assembly<double>& assembly;
+  const VectorX<double>& z;
+
+  const Scales<double>& scales() const { return assembly.layout().scales; }
+  double normal(Index i) const { return z[assembly.layout().normal(i)] * scales().force; }
+  double friction(Index i, Index j) const {
+    return z[assembly.layout().friction(i, j)] * scales().force;
+  }
+  double slip(Index i) const { return z[assembly.layout().slip(i)] * scales().acceleration; }
+  double closing(Index a) const {
+    return z[assembly.layout().closing(a)] * scales().acceleration / assembly.layout().reach[a];
+  }
+};
+
+Vector6<double> wrench_at(const Vec3& p, const Vec3& force) {
+  Vector6<double> wrench;
+  wrench << force, p.cross(force);
+  return wrench;
+}
+
+Vec3 at(const Vec3& p, const Vector6<double>& twist) {
+  return twist.head<3>() + twist.tail<3>().cross(p);
+}
+
+Vec3 contact_force(const Scene<double>& scene, const Unknowns& u, Index b, Index i) {
+  const Body<double>& body = scene.bodies[b];
+  Vec3 force = u.normal(i) * body.normal;
+  for (Index j = 0; body.friction > 0 && j < scene.facets; ++j)
+    force += u.friction(i, j) * generator(body, j, scene.facets);
+  return force;
+}
+
+Vector6<double> object_acceleration(const Scene<double>& scene, const Unknowns& u) {
+  Vector6<double> wrench = wrench_at(Vec3::Zero(), scene.object.mass * scene.gravity);
+  for (Index b = 0; b < scene.bodies.size; ++b)
+    for (Index k = 0; k < scene.bodies[b].point_count; ++k) {
+      const Index i = scene.bodies[b].first_point + k;
+      wrench += wrench_at(scene.points[i], contact_force(scene, u, b, i));
+    }
+  Vector6<double> a;
+  a << wrench.head<3>() / scene.object.mass, scene.object.inertia.inverse() * wrench.tail<3>();
+  return a;
+}
+
+Vector6<double> twist_of(const Scene<double>& scene, const Unknowns& u, Index b, double sigma) {
+  Vector6<double> twist = sigma * scene.bodies[b].acceleration;
+  for (const Drive<double>& drive : scene.drives)
+    if (drive.body == b) twist += u.closing(drive.actuator) * drive.twist;
+  return twist;
+}
+
+void check_point(const Scene<double>& scene, const Unknowns& u, const VectorX<double>& w, Index b,
+                 Index i, const Vector6<double>& relative) {
+  const Body<double>& body = scene.bodies[b];
+  const Layout<double>& layout = u.assembly.layout();
+  const Scales<double>& scales = u.scales();
+  const Vec3 acceleration = at(scene.points[i], relative);
+  const double rounding = 1e-11 * w.cwiseAbs().maxCoeff();
+  CHECK(absolute(w[layout.normal(i)] - body.normal.dot(acceleration) / scales.acceleration) <=
+        rounding);
+  if (!(body.friction > 0)) return;
+  double room = body.friction * u.normal(i);
+  for (Index j = 0; j < scene.facets; ++j) {
+    const double row = generator(body, j, scene.facets).dot(acceleration) + u.slip(i);
+    CHECK(absolute(w[layout.friction(i, j)] - row / scales.acceleration) <= rounding);
+    room -= u.friction(i, j);
+  }
+  CHECK(absolute(w[layout.slip(i)] - room / scales.force) <= rounding);
+}
+
+void check_grip(const Scene<double>& scene, const Unknowns& u, const VectorX<double>& w, Index a) {
+  double row = scene.actuators[a].inertia * u.closing(a) - scene.actuators[a].force;
+  for (const Drive<double>& drive : scene.drives) {
+    if (drive.actuator != a) continue;
+    const Body<double>& body = scene.bodies[drive.body];
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      row += contact_force(scene, u, drive.body, i).dot(at(scene.points[i], drive.twist));
+  }
+  const Layout<double>& layout = u.assembly.layout();
+  CHECK(absolute(w[layout.closing(a)] - row / (u.scales().force * layout.reach[a])) <=
+        1e-11 * w.cwiseAbs().maxCoeff());
+}
+
+void check_rows(const Scene3& owned, double sigma, Random& random) {
+  SolvedPush<double> push(owned);
+  push.assembly.push_by(sigma);
+  const Problem<double> problem = push.assembly.problem();
+  const VectorX<double> z = random_vector(random, problem.size);
+  VectorX<double> w(problem.size);
+  multiply(problem, z.data(), w.data());
+  for (Index i = 0; i < problem.size; ++i) w[i] += problem.q[i];
+  const Unknowns u{push.assembly, z};
+  const Vector6<double> a = object_acceleration(push.scene, u);
+  for (Index b = 0; b < push.scene.bodies.size; ++b)
+    for (Index k = 0; k < push.scene.bodies[b].point_count; ++k)
+      check_point(push.scene, u, w, b, push.scene.bodies[b].first_point + k,
+                  a - twist_of(push.scene, u, b, sigma));
+  for (Index actuator = 0; actuator < push.scene.actuators.size; ++actuator)
+    check_grip(push.scene, u, w, actuator);
+}
+
+Scene3 in_other_units(Scene3 scene, double mass, double length, double time) {
+  const double acceleration = length / (time * time), force = mass * acceleration;
+  scene.base.object.mass *= mass;
+  scene.base.object.inertia *= mass * length * length;
+  scene.base.gravity *= acceleration;
+  for (Vec3& p : scene.points) p *= length;
+  for (Body<double>& body : scene.bodies) {
+    body.acceleration.head<3>() *= acceleration;
+    body.acceleration.tail<3>() /= time * time;
+  }
+  for (Drive<double>& drive : scene.drives) drive.twist.tail<3>() /= length;
+  for (Actuator<double>& actuator : scene.actuators) {
+    actuator.force *= force;
+    actuator.inertia *= mass;
+  }
+  return scene;
+}
+
+} // namespace
+
+TEST_CASE("every row is its law in SI units: random grasps, any unknowns") {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    check_rows(random_grasp<double>(seed), 1, random);
+    check_rows(random_grasp<double>(seed), 0.01, random);
+  }
+}
+
+TEST_CASE("every row is its law with a parallel jaw, actuator inertia, crooked drives and no "
+          "friction somewhere") {
+  Random random(3);
+  Scene3 scene = rolling({});
+  scene.actuators[0].inertia = 0.4;
+  scene.bodies[1].friction = 0;
+  check_rows(scene, 1, random);
+  for (Drive<double>& drive : scene.drives) drive.twist = random_vector(random, 6);
+  scene.base.object.inertia(0, 1) = scene.base.object.inertia(1, 0) = 1e-5;
+  check_rows(scene, 1, random);
+}
+
+TEST_CASE("another unit of mass, length or time leaves the scaled problem as it is") {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    const Scene3 scene = random_grasp<double>(seed);
+    SolvedPush<double> push(scene);
+    const Problem<double> problem = push.assembly.problem();
+    for (const auto& [mass, length, time] :
+         {std::array<double, 3>{1e3, 1, 1}, std::array<double, 3>{1, 1e3, 1},
+          std::array<double, 3>{1, 1, 1e3}, std::array<double, 3>{1e-4, 70, 0.3}}) {
+      SolvedPush<double> other(in_other_units(scene, mass, length, time));
+      const Problem<double> same = other.assembly.problem();
+      REQUIRE(same.size == problem.size);
+      MatrixX<double> M(same.size, same.size), N(same.size, same.size);
+      fill_matrix(problem, MatrixMap<double>(M.data(), same.size, same.size));
+      fill_matrix(same, MatrixMap<double>(N.data(), same.size, same.size));
+      CHECK((M - N).cwiseAbs().maxCoeff() <= 1e-13 * M.cwiseAbs().maxCoeff());
+      double q_size = 0;
+      for (Index i = 0; i < same.size; ++i) q_size = larger(q_size, absolute(problem.q[i]));
+      for (Index i = 0; i < same.size; ++i)
+        CHECK(absolute(problem.q[i] - same.q[i]) <= 1e-13 * q_size);
+    }
+  }
+}
+
+TEST_CASE("every unknown has one name, and the name leads back to it") {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Scene3 scene = random_grasp<double>(seed);
+    if (seed % 2 == 0) scene.bodies[0].friction = 0;
+    SolvedPush<double> push(scene);
+    const Layout<double>& layout = push.assembly.layout();
+    for (Index i = 0; i < layout.size; ++i) {
+      const Name name = name_of(layout, i);
+      const Index back = name.meaning == Meaning::normal ? layout.normal(name.of)
+                         : name.meaning == Meaning::friction
+                             ? layout.friction(name.of, name.generator)
+                         : name.meaning == Meaning::slip ? layout.slip(name.of)
+                                                         : layout.closing(name.of);
+      CHECK(back == i);
+    }
+  }
+}

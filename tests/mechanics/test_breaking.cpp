@@ -1,0 +1,114 @@
+// [T.10] The instant of breaking.
+#include <doctest/doctest.h>
+
+#include "support/dense_lcp.hpp"
+#include "support/scenes.hpp"
+#include "support/solved_push.hpp"
+
+using namespace lcpush;
+using namespace lcpush::test;
+
+namespace {
+
+constexpr Index wall = 2;
+
+struct Broken {
+  SolvedPush<double> push;
+  Breaking<double> breaking;
+  Status status;
+
+  Broken(Scene3 scene, Pressure pressure) : push(with(scene, pressure)) {
+    status = find_breaking(push.assembly, push.lemke, push.memory.work, wall, push.options,
+                           breaking, push.run);
+  }
+  static Scene3 with(Scene3 scene, Pressure pressure) {
+    scene.base.pressure = pressure;
+    return scene;
+  }
+};
+
+constexpr Pressure both[] = {Pressure::pad, Pressure::rigid};
+
+} // namespace
+
+TEST_CASE("[T.10] a horizontal straight slide breaks at 2 mu F and feels the inertia m") {
+  for (const Pressure pressure : both)
+    for (const double a : {0.01, 0.1, 5.0}) { // the size of the push does not matter
+      Slide slide;
+      slide.acceleration = a;
+      Broken broken(straight_slide(slide), pressure);
+      REQUIRE(broken.status == Status::solved);
+      CHECK(broken.breaking.break_force == doctest::Approx(2 * slide.mu * slide.F).epsilon(1e-7));
+      CHECK(broken.breaking.force[0] == doctest::Approx(20).epsilon(1e-7));
+      CHECK(broken.breaking.inertia_normal == doctest::Approx(slide.mass).epsilon(1e-5));
+      CHECK(broken.breaking.twist[0] == doctest::Approx(1).epsilon(1e-7));
+      CHECK(broken.breaking.twist.tail<5>().norm() <= 1e-5);
+      CHECK(broken.breaking.rest.norm() <= 1e-6);
+      CHECK(broken.breaking.line_error <= 1e-7);
+      CHECK(broken.breaking.residuals.max() <= 1e-9);
+    }
+}
+
+TEST_CASE("[T.10] rigid is exact: 2 mu F and m to 1e-9") {
+  Broken broken(straight_slide(), Pressure::rigid);
+  REQUIRE(broken.status == Status::solved);
+  CHECK(absolute(broken.breaking.break_force - 20) <= 2e-8);
+  CHECK(absolute(broken.breaking.inertia_normal - 0.2) <= 1e-9);
+}
+
+TEST_CASE("[T.10] a grasp that drops its load says so, with the motion") {
+  for (const Pressure pressure : both) {
+    Slide weak;
+    weak.F = 1; // carries 2 mu F = 1 N of 1.96 N
+    Broken broken(straight_slide(weak), pressure);
+    CHECK(broken.status == Status::does_not_hold);
+    CHECK(broken.breaking.rest[1] < -1);
+  }
+}
+
+TEST_CASE("[T.10] a scene without a prescribed motion has no push to speak of") {
+  Slide still;
+  still.acceleration = 0;
+  for (const Pressure pressure : both)
+    CHECK(Broken(straight_slide(still), pressure).status == Status::bad_input);
+}
+
+TEST_CASE("[T.10] without weight the break force is proportional to the grip force") {
+  for (const Pressure pressure : both) {
+    Slide slide;
+    slide.gravity.setZero();
+    slide.pads = ring(3, 0.004);
+    Broken one(straight_slide(slide), pressure);
+    slide.F *= 3.7;
+    Broken more(straight_slide(slide), pressure);
+    REQUIRE(one.status == Status::solved);
+    REQUIRE(more.status == Status::solved);
+    CHECK(more.breaking.break_force ==
+          doctest::Approx(3.7 * one.breaking.break_force).epsilon(1e-7));
+  }
+}
+
+TEST_CASE("[T.10] rigid: inside valid_to a finite push answers F0 + F1 a") {
+  Broken broken(straight_slide(), Pressure::rigid);
+  REQUIRE(broken.status == Status::solved);
+  const double reach = broken.breaking.valid_to;
+  const double a = reach < 0 ? 1.0 : 0.5 * reach;
+  REQUIRE(broken.push.solve(a / push_size(broken.push.scene)) == Status::solved);
+  CHECK(broken.push.normal_force(wall) ==
+        doctest::Approx(broken.breaking.break_force + broken.breaking.inertia_normal * a)
+            .epsilon(1e-9));
+}
+
+TEST_CASE("[T.10] on weightless determined grasps pad and rigid break alike") {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    CAPTURE(seed);
+    Scene3 scene = determined_grasp(seed);
+    scene.base.gravity.setZero();
+    Broken pad(scene, Pressure::pad), rigid(scene, Pressure::rigid);
+    REQUIRE(pad.status == Status::solved);
+    REQUIRE(rigid.status == Status::solved);
+    const double force = pad.push.scales().force;
+    CHECK(absolute(pad.breaking.break_force - rigid.breaking.break_force) <= 1e-5 * force);
+    CHECK((pad.breaking.twist - rigid.breaking.twist).norm() <= 1e-5 * rigid.breaking.twist.norm());
+  }
+}

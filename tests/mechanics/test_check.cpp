@@ -1,0 +1,171 @@
+// The referee of mechanics/: each law's residual reacts to its own numbers and to no others.
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include "support/dense_lcp.hpp"
+#include "support/scenes.hpp"
+#include "support/solved_push.hpp"
+
+using namespace lcpush;
+using namespace lcpush::test;
+
+namespace {
+
+constexpr double passes = 1e-9;
+using Family = double Residuals<double>::*;
+constexpr Family newton = &Residuals<double>::newton, normal = &Residuals<double>::normal,
+                 dissipation = &Residuals<double>::dissipation, cone = &Residuals<double>::cone,
+                 grip = &Residuals<double>::grip, rigidity = &Residuals<double>::rigidity,
+                 pusher = &Residuals<double>::pusher;
+constexpr Family families[] = {newton, normal, dissipation, cone, grip, rigidity, pusher};
+
+/// A slide with four-point pads: every family has something to say.
+struct Slid : SolvedPush<double> {
+  Slid() : SolvedPush<double>(scene_with_pads()) { REQUIRE(solve() == Status::solved); }
+  static Scene3 scene_with_pads() {
+    Slide slide;
+    slide.pads = ring(4, 0.005);
+    return straight_slide(slide);
+  }
+  Answer<double>& mutable_answer() { return memory.work.answer; }
+  Residuals<double> judge() { return check(scene, scales(), answer(), 1.0); }
+  double force() const { return scales().force; }
+  double unit() const { return scales().acceleration; }
+};
+
+/// Exactly the named families exceed the tolerance.
+void check_families(const Residuals<double>& residuals, std::initializer_list<Family> expected) {
+  for (std::size_t k = 0; k < std::size(families); ++k) {
+    CAPTURE(k);
+    bool wanted = false;
+    for (const Family family : expected) wanted = wanted || family == families[k];
+    CHECK((residuals.*families[k] > passes) == wanted);
+  }
+  CHECK((residuals.max() > passes) == (expected.size() > 0));
+}
+
+} // namespace
+
+TEST_CASE("a solved push passes in every family") {
+  Slid slid;
+  check_families(slid.judge(), {});
+}
+
+TEST_CASE("Newton reacts to the weight, the mass, the inertia and a torsion, alone") {
+  Slid slid;
+  slid.scene.gravity[2] += 1e-5;
+  check_families(slid.judge(), {newton});
+  slid.scene.gravity[2] -= 1e-5;
+  slid.mutable_answer().contacts[1].torsion += 1e-5;
+  check_families(slid.judge(), {newton});
+}
+
+TEST_CASE("a friction force that no generator carries is seen by Newton") {
+  Slid slid;
+  slid.mutable_answer().contacts[2].friction_force[1] += 1e-5 * slid.force();
+  check_families(slid.judge(), {newton});
+}
+
+TEST_CASE("a normal force enters Newton, grip force and friction cone") {
+  Slid slid;
+  slid.mutable_answer().contacts[0].normal_force += 1e-5 * slid.force();
+  check_families(slid.judge(), {newton, grip, cone});
+}
+
+TEST_CASE("a negative normal force is seen by the normal law too") {
+  Slid slid;
+  slid.mutable_answer().contacts[0].normal_force = -1e-5 * slid.force();
+  const Residuals<double> residuals = slid.judge();
+  CHECK(residuals.normal > passes);
+  CHECK(residuals.newton > passes);
+}
+
+TEST_CASE("the grip force alone reacts to what the actuator should hold") {
+  Slid slid;
+  slid.owned.actuators[0].force *= 1 + 1e-5;
+  check_families(slid.judge(), {grip});
+}
+
+TEST_CASE("the cone and dissipation react to slip and to the generators' forces") {
+  Slid slid;
+  // Point 0 slides along x: one generator takes all the friction, xi is its slip.
+  slid.mutable_answer().contacts[0].slip -= 1e-5 * slid.unit();
+  CHECK(slid.judge().dissipation > passes);
+  slid.mutable_answer().contacts[0].slip += 2e-5 * slid.unit();
+  CHECK(slid.judge().dissipation > passes); // the force no longer opposes the slip
+  Slid other;
+  Index strongest = 0;
+  for (Index j = 1; j < 8; ++j)
+    if (other.answer().friction[j] > other.answer().friction[strongest]) strongest = j;
+  other.mutable_answer().friction[strongest] *= 1 - 1e-4;
+  const Residuals<double> residuals = other.judge();
+  CHECK(residuals.cone > passes); // sliding, yet not at the cone's limit
+  CHECK(!(residuals.grip > passes));
+  CHECK(!(residuals.rigidity > passes));
+}
+
+TEST_CASE("a contact acceleration that does not follow from the twists is a matter of rigidity") {
+  Slid slid;
+  slid.mutable_answer().contacts[1].acceleration[0] += 1e-5 * slid.unit();
+  slid.mutable_answer().contacts[1].acceleration[1] += 1e-5 * slid.unit();
+  check_families(slid.judge(), {rigidity});
+}
+
+TEST_CASE("an object that leaves or enters its pusher fails as pusher and normal") {
+  Slid slid;
+  slid.mutable_answer().acceleration[0] += 1e-5 * slid.unit();
+  const Residuals<double> residuals = slid.judge();
+  CHECK(residuals.pusher > passes);
+  CHECK(residuals.normal > passes);
+  CHECK(residuals.newton > passes);
+}
+
+TEST_CASE("an actuator's closing moves its finger: the normal law sees it") {
+  Slid slid;
+  slid.mutable_answer().closing[0] += 1e-5 * slid.unit();
+  const Residuals<double> residuals = slid.judge();
+  CHECK(residuals.normal > passes);
+  CHECK(!(residuals.newton > passes));
+  CHECK(!(residuals.pusher > passes));
+}
+
+TEST_CASE("sigma scales the prescribed motion, here as in the solve") {
+  Slid slid;
+  const Residuals<double> residuals = check(slid.scene, slid.scales(), slid.answer(), 0.5);
+  CHECK(residuals.pusher > passes);
+  REQUIRE(slid.solve(0.5) == Status::solved);
+  CHECK(slid.residuals.max() <= passes);
+}
+
+TEST_CASE("every normal force and every sliding friction force is watched") {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    CAPTURE(seed);
+    SolvedPush<double> push(random_grasp<double>(seed));
+    REQUIRE(push.solve() == Status::solved);
+    for (ContactAnswer<double>& contact : push.memory.work.answer.contacts) {
+      const ContactAnswer<double> right = contact;
+      contact.normal_force += 1e-6 * push.scales().force;
+      CHECK(check(push.scene, push.scales(), push.answer(), 1.0).max() > passes);
+      contact = right;
+      contact.friction_force[1] += 1e-6 * push.scales().force;
+      CHECK(check(push.scene, push.scales(), push.answer(), 1.0).max() > passes);
+      contact = right;
+    }
+  }
+}
+
+TEST_CASE("NaN never passes, wherever it stands") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [](Slid& slid) { CHECK(!(slid.judge().max() <= passes)); };
+  for (int which = 0; which < 4; ++which) {
+    CAPTURE(which);
+    Slid slid;
+    Answer<double>& answer = slid.mutable_answer();
+    if (which == 0) answer.acceleration[4] = nan;
+    if (which == 1) answer.contacts[3].normal_force = nan;
+    if (which == 2) answer.contacts[3].friction_force[2] = nan;
+    if (which == 3) answer.contacts[3].acceleration[0] = nan;
+    refused(slid);
+  }
+}

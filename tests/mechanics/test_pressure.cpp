@@ -1,0 +1,149 @@
+// [T.7] The pad law: where it starts, and that it ends in the literal equations.
+#include <doctest/doctest.h>
+
+#include "support/dense_lcp.hpp"
+#include "support/scenes.hpp"
+#include "support/solved_push.hpp"
+
+using namespace lcpush;
+using namespace lcpush::test;
+
+namespace {
+
+/// Preload in N and compliance of every point.
+struct Pad {
+  SolvedPush<double> push;
+  explicit Pad(const Scene3& scene) : push(scene) {
+    pad_preload(push.assembly, push.memory.work.pressure);
+  }
+  double preload(Index i) const {
+    return push.memory.work.pressure.preload[i] * push.scales().force;
+  }
+  double compliance(Index i) const { return push.memory.work.pressure.compliance[i]; }
+};
+
+Vector6<double> acceleration_under(Scene3 scene, Pressure pressure) {
+  scene.base.pressure = pressure;
+  SolvedPush<double> push(scene);
+  REQUIRE(push.solve() == Status::solved);
+  CHECK(push.residuals.max() <= 1e-9);
+  return push.answer().acceleration;
+}
+
+} // namespace
+
+TEST_CASE("[T.7] the preload is each patch's own force shared evenly, nothing at pushers") {
+  Slide slide;
+  slide.pads = ring(4, 0.005);
+  const Pad pad(straight_slide(slide));
+  for (Index i = 0; i < 8; ++i) CHECK(pad.preload(i) == doctest::Approx(slide.F / 4));
+  for (Index i = 8; i < 10; ++i) CHECK(pad.preload(i) == 0);
+}
+
+TEST_CASE("[T.7] a parallel jaw's force 2 F is shared by its two fingers") {
+  Roll roll;
+  roll.F = 3;
+  const Pad pad(rolling(roll));
+  for (Index i = 0; i < 4; ++i) CHECK(pad.preload(i) == doctest::Approx(1.5));
+  CHECK(pad.preload(4) == 0);
+}
+
+TEST_CASE("[T.7] compliance: k on driven patches of k > 1 points, k / 1000 where a pusher's points "
+          "are dependent, 0 otherwise") {
+  Slide slide;
+  slide.pads = ring(4, 0.005);
+  const Pad ring_and_line(straight_slide(slide));
+  for (Index i = 0; i < 8; ++i) CHECK(ring_and_line.compliance(i) == 4);
+  for (Index i = 8; i < 10; ++i) CHECK(ring_and_line.compliance(i) == 0); // 2 on a line: no
+
+  slide.pads = {Vec3::Zero()};
+  Scene3 scene = straight_slide(slide);
+  CHECK(Pad(scene).compliance(0) == 0); // a single point
+  scene.add_body(Role::pusher, {0, 1, 0}, 0.2,
+                 {{0, -0.015, 0}, {0.01, -0.015, 0}, {0.02, -0.015, 0}});
+  CHECK(Pad(scene).compliance(4) == doctest::Approx(0.003)); // 3 on a line: yes
+  scene.points[5] = {0.01, -0.015, 0.004};
+  CHECK(Pad(scene).compliance(4) == 0); // 3 of a triangle: no
+  scene.bodies.back().point_count = 4;
+  scene.points.push_back({0.02, -0.015, 0.004});
+  CHECK(Pad(scene).compliance(4) == doctest::Approx(0.004)); // 4 of a plane: yes
+}
+
+TEST_CASE("[T.7] the answer obeys the literal laws, whatever the pad's compliance was") {
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    CAPTURE(seed);
+    SolvedPush<double> push(random_grasp<double>(seed));
+    REQUIRE(push.solve() == Status::solved);
+    CHECK(push.residuals.max() <= 1e-9);
+    CHECK(push.run.rounds >= 1);
+  }
+}
+
+TEST_CASE("rigid obeys the literal laws in one round's work") {
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    CAPTURE(seed);
+    Scene3 scene = random_grasp<double>(seed);
+    scene.base.pressure = Pressure::rigid;
+    SolvedPush<double> push(scene);
+    REQUIRE(push.solve() == Status::solved);
+    CHECK(push.residuals.max() <= 1e-9);
+  }
+}
+
+TEST_CASE("[T.7] the pad keeps a ring's friction torque, which rigid may lose") {
+  // The pivoting primitive: ring of 4 points, radius 5 mm, pushed 40 mm off the grip.
+  Scene3 scene = bare_scene(0.2, {1e-4, 1e-4, 2e-4}, Vec3::Zero());
+  add_pinch(scene, ring(4, 0.005), 0.005, 0.5, 20);
+  scene.add_body(Role::pusher, {1, 0, 0}, 0, {{-0.03, 0.04, 0}});
+  scene.bodies.back().acceleration[0] = 1e-3;
+  SolvedPush<double> push(scene);
+  REQUIRE(push.solve() == Status::solved);
+  CHECK(push.normal_force(2) > 1.5); // torque 2 mu F R = 0.1 N m at 40 mm: about 2 N
+  CHECK(push.normal_force(2) < 0.1 / 0.04 + 0.1);
+}
+
+TEST_CASE("pad and rigid agree on the motion where every normal force is known") {
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    CAPTURE(seed);
+    const Scene3 scene = determined_grasp(seed);
+    const Vector6<double> pad = acceleration_under(scene, Pressure::pad);
+    const Vector6<double> rigid = acceleration_under(scene, Pressure::rigid);
+    CHECK((pad - rigid).norm() <= 1e-8 * rigid.norm());
+  }
+}
+
+TEST_CASE("a parallel jaw under both laws: the forces add to 2 F, the gear carries the rest") {
+  for (const Pressure pressure : {Pressure::pad, Pressure::rigid}) {
+    Roll roll;
+    Scene3 scene = rolling(roll);
+    scene.base.pressure = pressure;
+    SolvedPush<double> push(scene);
+    REQUIRE(push.solve() == Status::solved);
+    CHECK(push.residuals.max() <= 1e-9);
+    CHECK(push.normal_force(0) + push.normal_force(1) == doctest::Approx(2 * roll.F));
+    CHECK(absolute(push.answer().closing[0]) <= 1e-7);
+  }
+}
+
+TEST_CASE("a jam is called one: a pusher that wedges the object against a fixed stop") {
+  for (const Pressure pressure : {Pressure::pad, Pressure::rigid}) {
+    Slide slide;
+    Scene3 scene = straight_slide(slide);
+    scene.add_body(Role::finger, {-1, 0, 0}, 0.3, {{0.05, -0.01, 0}, {0.05, 0.01, 0}});
+    scene.base.pressure = pressure;
+    SolvedPush<double> push(scene);
+    CHECK(push.solve() == Status::ray);
+    CHECK(push.run.jammed);
+  }
+}
+
+TEST_CASE("same scene, same bits") {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    SolvedPush<double> one(random_grasp<double>(seed)), two(random_grasp<double>(seed));
+    REQUIRE(one.solve() == Status::solved);
+    REQUIRE(two.solve() == Status::solved);
+    CHECK(one.answer().acceleration == two.answer().acceleration);
+    REQUIRE(one.solve() == Status::solved); // nor does a run before it matter
+    CHECK(one.answer().acceleration == two.answer().acceleration);
+  }
+}

@@ -1,0 +1,49 @@
+// One push from scene to answer, everything owned: for tests that look at answers.
+#pragma once
+
+#include "lcpush/mechanics/breaking.hpp"
+#include "support/random_grasp.hpp"
+
+namespace lcpush::test {
+
+template <class S> struct SolvedPush {
+  OwnedScene<S> owned;
+  Scene<S> scene;
+  OwnedWorkspace<S> memory;
+  Assembly<S> assembly;
+  Lemke<S> lemke;
+  PressureOptions<S> options{};
+  PressureRun run;
+  Status status = Status::bad_input;
+  Residuals<S> residuals;
+
+  explicit SolvedPush(const OwnedScene<S>& given)
+      : owned(given), scene(owned.view()), memory(size_of(scene)), assembly(memory.work.assembly),
+        lemke(memory.work.lemke_scalars, memory.work.lemke_integers) {
+    assembly.assemble(scene);
+  }
+  SolvedPush(const SolvedPush&) = delete;
+  SolvedPush& operator=(const SolvedPush&) = delete;
+
+  /// Solves for the push scaled by sigma and reads the answer.
+  Status solve(S sigma = S(1)) {
+    assembly.push_by(sigma);
+    status = solve_pressure(assembly, lemke, memory.work.pressure, options, run);
+    if (status != Status::solved) return status;
+    read_answer(assembly, memory.work.pressure.z.data, memory.work.answer, sigma);
+    residuals = check(scene, scales(), answer(), sigma);
+    return status;
+  }
+
+  const Answer<S>& answer() const { return memory.work.answer; }
+  const Scales<S>& scales() const { return assembly.layout().scales; }
+  Vector6<S> wrench(Index body) const { return body_wrench(scene, answer(), body); }
+  S normal_force(Index body) const {
+    S sum(0);
+    for (const ContactAnswer<S>& contact : answer().contacts)
+      if (contact.body == body) sum += contact.normal_force;
+    return sum;
+  }
+};
+
+} // namespace lcpush::test
