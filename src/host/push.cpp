@@ -5,6 +5,9 @@
 #include "message.hpp"
 
 namespace lcpush::host {
+namespace {
+constexpr double ray_noise = 1e-9; // of its largest entry
+} // namespace
 
 std::string point_name(const SceneFile& file, Index point) {
   for (std::size_t b = 0; b < file.bodies.size(); ++b) {
@@ -53,10 +56,15 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& run) {
 }
 
 std::string Push::explain(Status status, const PressureRun& run) const {
+  bool squeezes = false;
+  for (Index i = 0; status == Status::ray && i < layout().points; ++i)
+    squeezes = squeezes || lemke_.ray()[layout().normal(i)] > ray_noise;
   switch (status) {
   case Status::ray:
-    return "the pushers jam the object: some contacts squeeze it against others, and no finite "
-           "force lets it move as prescribed";
+    return squeezes
+               ? "a ray: forces that squeeze the object and that nothing relieves, most often a "
+                 "jam, a pusher wedging it against a stop"
+               : "a ray: an actuator that no contact can hold back";
   case Status::pivot_limit: return "the limit of pivots was reached";
   case Status::numerical_breakdown:
     if (run.reason == Reason::none)
@@ -71,7 +79,8 @@ std::string Push::explain(Status status, const PressureRun& run) const {
 std::vector<NamedValue> Push::named_ray() const {
   std::vector<NamedValue> ray;
   for (Index i = 0; i < layout().size; ++i)
-    if (lemke_.ray()[i] > 0) ray.push_back({variable_name(file_, layout(), i), lemke_.ray()[i]});
+    if (lemke_.ray()[i] > ray_noise)
+      ray.push_back({variable_name(file_, layout(), i), lemke_.ray()[i]});
   return ray;
 }
 

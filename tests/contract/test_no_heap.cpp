@@ -13,10 +13,6 @@
 #define LCPUSH_TEST_ASAN 1
 #endif
 #endif
-#ifdef LCPUSH_TEST_ASAN
-#include <sanitizer/allocator_interface.h>
-#endif
-
 #include "lcpush/lcp/reduce.hpp"
 #include "support/dense_lcp.hpp"
 #include "support/scenes.hpp"
@@ -29,6 +25,9 @@ volatile long heap_calls = 0;
 // operator new ends in malloc, and so does Eigen. glibc lets a program bring its own; the address
 // sanitizer has hooks; elsewhere operator new alone is counted.
 #ifdef LCPUSH_TEST_ASAN
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*,
+                                                                           std::size_t),
+                                                         void (*on_free)(const volatile void*));
 namespace {
 void count_allocation(const volatile void*, std::size_t) { heap_calls = heap_calls + 1; }
 void ignore_release(const volatile void*) {}

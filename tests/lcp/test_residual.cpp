@@ -168,7 +168,7 @@ TEST_CASE("NaN and infinity are refused wherever they stand") {
   const Solved s = known_solution(random, 5, 1);
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-    for (Index i = 0; i < 5; i += 2) { // rows with z_i > 0, or free
+    for (Index i = 0; i < 5; ++i) {
       VectorX<double> z = s.z;
       z[i] = bad;
       CHECK(!(s.judge(s.lcp, z).residual <= tolerance));

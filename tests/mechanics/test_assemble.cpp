@@ -136,6 +136,26 @@ Scene3 in_other_units(Scene3 scene, double mass, double length, double time) {
   return scene;
 }
 
+void check_units(const Scene3& scene) {
+  SolvedPush<double> push(scene);
+  const Problem<double> problem = push.assembly.problem();
+  const Index n = problem.size;
+  for (const auto& [mass, length, time] :
+       {std::array<double, 3>{1e3, 1, 1}, std::array<double, 3>{1, 1e3, 1},
+        std::array<double, 3>{1, 1, 1e3}, std::array<double, 3>{1e-4, 70, 0.3}}) {
+    SolvedPush<double> other(in_other_units(scene, mass, length, time));
+    const Problem<double> same = other.assembly.problem();
+    REQUIRE(same.size == n);
+    MatrixX<double> M(n, n), N(n, n);
+    fill_matrix(problem, MatrixMap<double>(M.data(), n, n));
+    fill_matrix(same, MatrixMap<double>(N.data(), n, n));
+    CHECK((M - N).cwiseAbs().maxCoeff() <= 1e-13 * M.cwiseAbs().maxCoeff());
+    double q_size = 0;
+    for (Index i = 0; i < n; ++i) q_size = larger(q_size, absolute(problem.q[i]));
+    for (Index i = 0; i < n; ++i) CHECK(absolute(problem.q[i] - same.q[i]) <= 1e-13 * q_size);
+  }
+}
+
 } // namespace
 
 TEST_CASE("every row is its law in SI units: random grasps, any unknowns") {
@@ -162,25 +182,16 @@ TEST_CASE("every row is its law with a parallel jaw, actuator inertia, crooked d
 TEST_CASE("another unit of mass, length or time leaves the scaled problem as it is") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
-    const Scene3 scene = random_grasp<double>(seed);
-    SolvedPush<double> push(scene);
-    const Problem<double> problem = push.assembly.problem();
-    for (const auto& [mass, length, time] :
-         {std::array<double, 3>{1e3, 1, 1}, std::array<double, 3>{1, 1e3, 1},
-          std::array<double, 3>{1, 1, 1e3}, std::array<double, 3>{1e-4, 70, 0.3}}) {
-      SolvedPush<double> other(in_other_units(scene, mass, length, time));
-      const Problem<double> same = other.assembly.problem();
-      REQUIRE(same.size == problem.size);
-      MatrixX<double> M(same.size, same.size), N(same.size, same.size);
-      fill_matrix(problem, MatrixMap<double>(M.data(), same.size, same.size));
-      fill_matrix(same, MatrixMap<double>(N.data(), same.size, same.size));
-      CHECK((M - N).cwiseAbs().maxCoeff() <= 1e-13 * M.cwiseAbs().maxCoeff());
-      double q_size = 0;
-      for (Index i = 0; i < same.size; ++i) q_size = larger(q_size, absolute(problem.q[i]));
-      for (Index i = 0; i < same.size; ++i)
-        CHECK(absolute(problem.q[i] - same.q[i]) <= 1e-13 * q_size);
-    }
+    check_units(random_grasp<double>(seed));
   }
+}
+
+TEST_CASE("so it does with an actuator that turns its bodies and has inertia") {
+  Random random(4);
+  Scene3 scene = rolling({});
+  scene.actuators[0].inertia = 0.4;
+  for (Drive<double>& drive : scene.drives) drive.twist.tail<3>() = 40 * random_vector(random, 3);
+  check_units(scene);
 }
 
 TEST_CASE("every unknown has one name, and the name leads back to it") {

@@ -80,6 +80,9 @@ Residuals<S> check(const Scene<S>& scene, const Scales<S>& scales, const Answer<
         room -= beta;
       }
       if (g > 0) keep_worst(worst.cone, smaller(xi, room));
+      // Distances between coplanar points do not see a warp out of the plane; the motion does.
+      const Vector3<S> off = contact.acceleration / scales.acceleration - acceleration;
+      for (Index k = 0; k < 3; ++k) keep_worst(worst.rigidity, S(off[k]));
       for (Index k = body.first_point; k < i; ++k)
         keep_worst(worst.rigidity,
                    S(laws::patch_rigidity<S>(scene.points[i], contact.acceleration, scene.points[k],
