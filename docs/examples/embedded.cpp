@@ -8,7 +8,7 @@ alignas(8) static unsigned char arena[push_bytes<float>(size)]; // all there is
 float push_force(const Scene<float>& scene, Index pusher) {
   Workspace<float> work = make_workspace<float>({arena, sizeof arena}, size);
   Assembly<float> assembly(work.assembly);
-  assembly.assemble(scene);
+  if (assembly.assemble(scene) != Status::running) return -1; // more contacts than `size` says
   Lemke<float> lemke(work.lemke_scalars, work.lemke_integers);
   PressureRun run;
   if (solve_pressure(assembly, lemke, work.pressure, {}, run) != Status::solved) return -1;

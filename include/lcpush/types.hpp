@@ -17,7 +17,6 @@ template <class S> using Matrix6 = Eigen::Matrix<S, 6, 6>;
 // Views over memory that the caller owns (column-major, as everywhere in lcpush).
 template <class S> using VectorMap = Eigen::Map<Eigen::Matrix<S, Eigen::Dynamic, 1>>;
 template <class S> using MatrixMap = Eigen::Map<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>>;
-template <class S> using WrenchMap = Eigen::Map<Eigen::Matrix<S, 6, Eigen::Dynamic>>;
 
 /// A pointer and a length: an array that somebody else owns.
 template <class T> struct Span {

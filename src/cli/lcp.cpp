@@ -151,9 +151,10 @@ int run(const Arguments& arguments) {
     answer = host::solve_raw(problem, progress.watch({}));
   }
   if (answer.inconsistent_row >= 0)
-    throw host::InputError((arguments.files().empty() ? "--q" : arguments.files()[1]) +
-                           ": equality " + std::to_string(answer.inconsistent_row + 1) +
-                           " contradicts the other equalities of --free; no z satisfies both");
+    throw host::InputError(
+        (arguments.files().empty() ? "--q" : arguments.files()[1]) + ": equality " +
+        std::to_string(answer.inconsistent_row + 1) +
+        " of --free cannot hold: what the others leave of it says 0 = something");
   write_output(arguments, format == "json" ? as_json(answer, solver) : as_text(problem, answer));
   return answer.status == Status::solved ? 0 : 1;
 }

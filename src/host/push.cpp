@@ -64,7 +64,8 @@ std::string Push::explain(Status status, const PressureRun& run) const {
     return squeezes
                ? "a ray: forces that squeeze the object and that nothing relieves, most often a "
                  "jam, a pusher wedging it against a stop"
-               : "a ray: an actuator that no contact can hold back";
+               : "a ray that presses no contact: an actuator that nothing holds back, or an "
+                 "object whose mass, size and contacts do not fit together";
   case Status::pivot_limit: return "the limit of pivots was reached";
   case Status::numerical_breakdown:
     if (run.reason == Reason::none)
@@ -109,9 +110,10 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
     if (run(other, 1.0, ignored) != Status::solved) continue;
     ++tested;
     const Outcome<double> second = outcome();
-    same_a = same_a && same_motion(first, second, report.scales, tolerance);
+    same_a = same_a && same_motion(first, second, report.scales, push_size(scene_), tolerance);
     same_f = same_f && same_wrench(first, second, report.scales, tolerance);
   }
+  report.covers_compared = tested;
   if (tested == 0) return;
   if (!proved) report.unique_motion = same_a ? Uniqueness::none_other_found : Uniqueness::no;
   report.unique_wrench = same_f ? Uniqueness::none_other_found : Uniqueness::no;
@@ -142,13 +144,40 @@ PushReport Push::solve(const PushOptions& options) {
     report.status = Status::numerical_breakdown;
     report.reason = reason_text(Reason::residual);
   }
+  // What the push does must stand out from what rounding does.
+  constexpr double smallest_part = 1e-5;
+  const double relative_push = push / report.scales.acceleration;
+  if (relative_push > 0 && !(report.residuals.max() <= smallest_part * relative_push)) {
+    report.status = Status::numerical_breakdown;
+    report.reason = "the push, " + shown(push) + " m/s^2, is too slow beside the grip (" +
+                    shown(report.scales.force) + " N on " + shown(scene_.object.mass) +
+                    " kg) to be told from rounding; lcpush break gives the limit of slow pushes";
+  }
   return report;
 }
 
 HoldReport Push::holds_without_push(const PushOptions& options) {
-  const Scene<double> alone = without_pushers(scene_);
+  Scene<double> alone = scene_;
+  std::vector<Drive<double>> drives;
+  alone.points.size = alone.bodies.size = 0;
+  for (const Body<double>& body : scene_.bodies) {
+    if (body.role == Role::pusher) break; // fingers come first
+    ++alone.bodies.size;
+    alone.points.size += body.point_count;
+  }
+  std::vector<Actuator<double>> actuators;
+  for (Index a = 0; a < scene_.actuators.size; ++a) {
+    const std::size_t before = drives.size();
+    for (const Drive<double>& drive : scene_.drives)
+      if (drive.actuator == a && drive.body < alone.bodies.size)
+        drives.push_back({drive.body, static_cast<Index>(actuators.size()), drive.twist});
+    if (drives.size() > before) actuators.push_back(scene_.actuators[a]);
+  }
+  alone.drives = {drives.data(), static_cast<Index>(drives.size())};
+  alone.actuators = {actuators.data(), static_cast<Index>(actuators.size())};
+
   HoldReport report;
-  report.acceleration.setZero();
+  report.length = layout().scales.length;
   report.acceleration.head<3>() = scene_.gravity;
   if (alone.bodies.size == 0) {
     report.status = Status::solved;
@@ -181,6 +210,7 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
     report.reason = "no pusher moves: give one an acceleration";
   else if (report.status != Status::solved)
     report.reason = explain(report.status, report.run);
+  if (report.status == Status::ray) report.ray = named_ray();
   if (report.status != Status::solved) return report;
   Answer<double> moving = work_.answer;
   moving.acceleration = report.breaking.twist;

@@ -43,21 +43,7 @@ void write_contacts(JsonWriter& json, const SceneFile& file, const PushReport& r
 
 const char* role_name(const Scene<double>& scene, Index body) {
   if (scene.bodies[body].role == Role::pusher) return "pusher";
-  for (const Drive<double>& drive : scene.drives)
-    if (drive.body == body) return "finger";
-  return "stop";
-}
-
-/// The acceleration of a body along its normal by its actuators; NaN if none drives it.
-double closing_of(const Scene<double>& scene, const Answer<double>& answer, Index body) {
-  double closing = unknown;
-  for (const Drive<double>& drive : scene.drives) {
-    if (drive.body != body) continue;
-    if (!(closing == closing)) closing = 0;
-    closing +=
-        answer.closing[drive.actuator] * drive.twist.head<3>().dot(scene.bodies[body].normal);
-  }
-  return closing;
+  return is_driven(scene, body) ? "finger" : "stop";
 }
 
 void write_bodies(JsonWriter& json, const SceneFile& file, const PushReport& report) {
@@ -68,8 +54,10 @@ void write_bodies(JsonWriter& json, const SceneFile& file, const PushReport& rep
     json.begin_object().member("name", file.body_names[static_cast<std::size_t>(b)]);
     json.member("role", role_name(scene, b));
     json.key("force").numbers(wrench.data(), 3).key("moment").numbers(wrench.data() + 3, 3);
-    json.member("normal_force", detail::normal_sum(report.answer, scene.bodies[b]));
-    json.member("closing_acceleration", closing_of(scene, report.answer, b)).end_object();
+    json.member("normal_force", normal_sum(report.answer, scene.bodies[b]));
+    const bool driven = is_driven(scene, b);
+    json.member("closing_acceleration", driven ? closing(scene, report.answer, b) : unknown);
+    json.end_object();
   }
   json.end_array();
 }
@@ -129,7 +117,7 @@ std::string break_json(const SceneFile& file, const HoldReport& hold, const Brea
   json.member("pusher", file.body_names[static_cast<std::size_t>(report.pusher)]);
   json.member("pivots", report.run.pivots).member("rounds", report.run.rounds);
   if (!solved) {
-    write_failure(json, report.reason, {});
+    write_failure(json, report.reason, report.ray);
     if (report.status == Status::does_not_hold) json.key("rest_acceleration").numbers(b.rest);
     return json.end_object().text();
   }

@@ -6,24 +6,30 @@ namespace {
 
 Scene<double> scene_of(const SceneFile& file) { return file.view(); }
 
+/// Fingers come first.
+bool has_pusher(const SceneFile& file) { return file.bodies.back().role == Role::pusher; }
+
 std::string title_line(const SceneFile& file) {
   return file.title.empty() ? "" : file.title + "\n\n";
 }
 
+/// "9.81 m/s^2 and 0 rad/s^2", without what rounding left of a zero.
+std::string acceleration_text(const Vector6<double>& a, double length) {
+  const double linear = a.head<3>().norm(), angular = a.tail<3>().norm();
+  const double zero = 1e-9 * (linear + length * angular);
+  return number(linear, zero) + " m/s^2 and " + number(angular, zero / length) + " rad/s^2";
+}
+
 std::string hold_line(const SceneFile& file, const HoldReport& hold) {
-  bool has_pusher = false, has_finger = false;
-  for (const Body<double>& body : file.bodies)
-    (body.role == Role::pusher ? has_pusher : has_finger) = true;
   const std::string label = "Before the push   ";
-  if (!has_finger) return label + "nothing grips the object.\n";
-  if (!has_pusher) return "";
+  if (file.bodies.front().role == Role::pusher) return label + "nothing grips the object.\n";
+  if (!has_pusher(file)) return "Pusher            none: this is the grasp alone.\n";
   if (hold.status != Status::solved)
     return label + "not known: without the pusher the solve ended with \"" +
            status_text(hold.status) + "\".\n";
   if (hold.holds) return label + "the grasp holds the object.\n";
   return label + "the grasp does NOT hold the object: it accelerates at " +
-         number(hold.acceleration.head<3>().norm()) + " m/s^2 and " +
-         number(hold.acceleration.tail<3>().norm()) + " rad/s^2.\n";
+         acceleration_text(hold.acceleration, hold.length) + ".\n";
 }
 
 std::string force_line(const char* label, const Vector3<double>& force, double zero) {
@@ -103,14 +109,15 @@ std::string contact_table(const SceneFile& file, const PushReport& report) {
 }
 
 std::string closing_lines(const SceneFile& file, const PushReport& report) {
+  const Scene<double> scene = scene_of(file);
   std::string text;
-  for (Index a = 0; a < report.answer.closing.size; ++a) {
-    const double s = report.answer.closing[a];
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const double s = closing(scene, report.answer, b);
     if (std::abs(s) <= 1e-9 * report.scales.acceleration) continue;
-    text += "  " + file.actuator_names[static_cast<std::size_t>(a)] +
+    text += "  " + file.body_names[static_cast<std::size_t>(b)] +
             (s > 0 ? " closes at " : " is forced open at ") + number(std::abs(s)) + " m/s^2\n";
   }
-  return text.empty() ? "" : "\nJaws that move:\n" + text;
+  return text.empty() ? "" : "\nBodies whose actuators move them:\n" + text;
 }
 
 const char* pressure_name(Pressure pressure) {
@@ -126,8 +133,12 @@ std::string run_line(const SceneFile& file, const PressureRun& run) {
          std::to_string(file.facets) + " facets.\n";
 }
 
-std::string failure_text(Status status, const std::string& reason) {
-  return std::string("NOT SOLVED (") + status_text(status) + "): " + reason + ".\n";
+std::string failure_text(Status status, const std::string& reason,
+                         const std::vector<NamedValue>& ray) {
+  std::string text = std::string("NOT SOLVED (") + status_text(status) + "): " + reason + ".\n";
+  if (!ray.empty()) text += "\nWhat squeezes what (the ray, largest entry 1):\n";
+  for (const NamedValue& entry : ray) text += "  " + number(entry.value) + "  " + entry.name + "\n";
+  return text;
 }
 
 } // namespace
@@ -135,17 +146,15 @@ std::string failure_text(Status status, const std::string& reason) {
 std::string solve_text(const SceneFile& file, const HoldReport& hold, const PushReport& report) {
   std::string text = title_line(file) + hold_line(file, hold);
   if (report.status != Status::solved) {
-    text += failure_text(report.status, report.reason);
-    if (!report.ray.empty()) text += "\nWhat squeezes what (the ray, largest entry 1):\n";
-    for (const NamedValue& entry : report.ray)
-      text += "  " + number(entry.value) + "  " + entry.name + "\n";
-    return text + "\n" + run_line(file, report.run);
+    return text + failure_text(report.status, report.reason, report.ray) + "\n" +
+           run_line(file, report.run);
   }
   text += wrench_lines(file, report) + motion_line(file, report.motion, report.scales.length);
-  const PushOptions defaults;
-  text += "Answer            motion " + unique_words(report.unique_motion, defaults.other_covers) +
-          ";\n                  push force " +
-          unique_words(report.unique_wrench, defaults.other_covers) + "\n";
+  text += "Answer            motion " + unique_words(report.unique_motion, report.covers_compared);
+  if (has_pusher(file))
+    text += ";\n                  push force " +
+            unique_words(report.unique_wrench, report.covers_compared);
+  text += "\n";
   if (file.pressure == Pressure::rigid)
     text += "                  (pressure = \"rigid\" leaves a patch's pressure open: one answer of "
             "a set)\n";
@@ -161,11 +170,12 @@ std::string break_text(const SceneFile& file, const HoldReport& hold, const Brea
   std::string text = title_line(file) + hold_line(file, hold);
   if (report.status == Status::does_not_hold)
     return text + "DOES NOT HOLD: even with the pusher in place the object accelerates at " +
-           number(b.rest.head<3>().norm()) + " m/s^2 and " + number(b.rest.tail<3>().norm()) +
-           " rad/s^2 before it is pushed,\nso there is no force that just breaks the grasp.\n\n" +
+           acceleration_text(b.rest, report.scales.length) +
+           " before it is pushed,\nso there is no force that just breaks the grasp.\n\n" +
            run_line(file, report.run);
   if (report.status != Status::solved)
-    return text + failure_text(report.status, report.reason) + "\n" + run_line(file, report.run);
+    return text + failure_text(report.status, report.reason, report.ray) + "\n" +
+           run_line(file, report.run);
   const double zero = 1e-9 * report.scales.force;
   text += "Breaking force    " + number(b.break_force, zero) + " N, normal force of " + pusher +
           " when the object starts to move in the grip\n";
@@ -175,9 +185,12 @@ std::string break_text(const SceneFile& file, const HoldReport& hold, const Brea
   text += "Pushing faster    adds " + number(b.inertia_normal, 1e-9 * file.object.mass) +
           " N to the normal force per m/s^2 of the push\n";
   text += motion_line(file, report.motion, report.scales.length);
-  text += report.motion.kind == MotionKind::rest
-              ? "                  The pusher slides past it, however weak the push.\n"
-              : "                  per m/s^2 of the push\n";
+  if (report.motion.kind != MotionKind::rest)
+    text += "                  per m/s^2 of the push\n";
+  else if (b.break_force > zero)
+    text += "                  The pusher slides past it, however weak the push.\n";
+  else
+    text += "                  The pusher only touches it, or moves away.\n";
   if (b.valid_to > 0) text += "Valid up to       a push of " + number(b.valid_to) + " m/s^2\n";
   if (b.line_error > 1e-6)
     text += "Caution           a third, smaller push lies " + number(b.line_error) +

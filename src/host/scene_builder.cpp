@@ -72,11 +72,11 @@ SceneFile SceneBuilder::build() {
     throw InputError(document_.file, 1,
                      "nothing touches the object; add at least one [[finger]] or [[pusher]]");
   drive_fingers();
+  for (std::size_t i = 0; i < tables("actuator").size(); ++i)
+    read_actuator(named_reader("actuator", i, actuator_schema()));
   for (std::size_t i = 0; i < tables("pusher").size(); ++i)
     drive_pusher(named_reader("pusher", i, body_schema(Role::pusher)),
                  static_cast<Index>(tables("finger").size() + i));
-  for (std::size_t i = 0; i < tables("actuator").size(); ++i)
-    read_actuator(named_reader("actuator", i, actuator_schema()));
   return std::move(scene_);
 }
 

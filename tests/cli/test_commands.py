@@ -82,6 +82,30 @@ class Commands(unittest.TestCase):
         answer = json.loads(result.stdout)
         self.assertEqual(answer["status"], "ray")
         self.assertIn("normal of stop.1", [entry["name"] for entry in answer["ray"]])
+        broken = json.loads(run("break", file, "--json").stdout)
+        self.assertEqual(broken["status"], "ray")
+        self.assertIn("normal of stop.1", [entry["name"] for entry in broken["ray"]])
+
+    def test_a_push_too_slow_for_the_precision_is_not_called_solved(self):
+        for speed in ("1e-9", "1e-12"):
+            result = run("solve", self.scene(("acceleration = [0.1", f"acceleration = [{speed}")))
+            self.assertEqual(result.returncode, 1, result.stdout)
+            self.assertIn("too slow", result.stdout)
+
+    def test_fingers_on_actuators_hold_without_a_force_controlled_pusher(self):
+        text = SLIDE_TEXT.replace("grip_force = 20", "#").replace(
+            "acceleration = [0.1, 0, 0]", "normal_force = 5") + """
+[[actuator]]
+name = "hand"
+bodies = ["left", "right"]
+twists = [[0, 0, -1, 0, 0, 0], [0, 0, 1, 0, 0, 0]]
+force = 40
+"""
+        file = self.path / "hand.toml"
+        file.write_text(text)
+        answer = json.loads(run("solve", file, "--json").stdout)
+        self.assertEqual(answer["status"], "solved")
+        self.assertTrue(answer["holds_without_push"])
 
     def test_lcp_solves_inline_and_from_files(self):
         result = run("lcp", "--M", "2 1; 1 2", "--q", "-5 -6", "--json")

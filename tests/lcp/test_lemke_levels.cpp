@@ -59,7 +59,7 @@ void check_push(const Pushed& pushed, bool bounded_above) {
   REQUIRE(run.solve(pushed.view()) == Status::solved);
   const VectorX<double> rate = Eigen::Map<const VectorX<double>>(run.lemke.z_push(), n);
   const double end = run.lemke.valid_to();
-  for (const double part : {0.0, 0.25, 0.5, 1.0}) {
+  for (const double part : {0.0, 0.25, 0.5, 0.999}) {
     const double sigma = part * (end < 0 ? 10.0 : end);
     CHECK(pushed.error_at(sigma, run.z() + sigma * rate) <= 1e-9);
   }
@@ -114,7 +114,7 @@ TEST_CASE("z + sigma z_push solves the pushed problem inside valid_to and not be
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
     Random random(seed);
-    const Index n = random.integer(9, 14);
+    const Index n = random.integer(1, 14);
     const Pushed pushed{positive_definite(random, n), random_vector(random, n)};
     check_push(pushed, true);
   }

@@ -61,10 +61,10 @@ TEST_CASE("Newton reacts to the weight, the mass, the inertia and a torsion, alo
   check_families(slid.judge(), {newton});
 }
 
-TEST_CASE("a friction force that no generator carries is seen by Newton") {
+TEST_CASE("a friction force that no generator carries is seen by Newton and the cone") {
   Slid slid;
   slid.mutable_answer().contacts[2].friction_force[1] += 1e-5 * slid.force();
-  check_families(slid.judge(), {newton});
+  check_families(slid.judge(), {newton, cone});
 }
 
 TEST_CASE("a normal force enters Newton, grip force and friction cone") {
@@ -155,10 +155,20 @@ TEST_CASE("every normal force and every sliding friction force is watched") {
   }
 }
 
+TEST_CASE("a friction force that is not the sum of its generators' forces is refused") {
+  Slid slid;
+  Answer<double>& answer = slid.mutable_answer();
+  // Along the line that joins two points of a finger: no net force, no net moment.
+  const Vector3<double> between = (slid.scene.points[2] - slid.scene.points[0]).normalized();
+  answer.contacts[0].friction_force += 5 * slid.force() * between;
+  answer.contacts[2].friction_force -= 5 * slid.force() * between;
+  check_families(slid.judge(), {cone});
+}
+
 TEST_CASE("NaN never passes, wherever it stands") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refused = [](Slid& slid) { CHECK(!(slid.judge().max() <= passes)); };
-  for (int which = 0; which < 4; ++which) {
+  for (int which = 0; which < 8; ++which) {
     CAPTURE(which);
     Slid slid;
     Answer<double>& answer = slid.mutable_answer();
@@ -166,6 +176,10 @@ TEST_CASE("NaN never passes, wherever it stands") {
     if (which == 1) answer.contacts[3].normal_force = nan;
     if (which == 2) answer.contacts[3].friction_force[2] = nan;
     if (which == 3) answer.contacts[3].acceleration[0] = nan;
+    if (which == 4) answer.contacts[3].slip = nan;
+    if (which == 5) answer.contacts[3].torsion = nan;
+    if (which == 6) answer.friction[5] = nan;
+    if (which == 7) answer.closing[1] = nan;
     refused(slid);
   }
 }

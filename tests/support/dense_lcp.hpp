@@ -93,10 +93,11 @@ inline double solution_error(const DenseLcp<double>& lcp, const VectorX<double>&
   double worst = 0, z_max = 0;
   for (Index i = 0; i < n; ++i) z_max = larger(z_max, absolute(z[i]));
   for (Index i = 0; i < n; ++i) {
-    long double w = lcp.q[i], terms = absolute(lcp.q[i]);
+    using Long = long double;
+    Long w = Long(lcp.q[i]), terms = Long(absolute(lcp.q[i]));
     for (Index j = 0; j < n; ++j) {
-      w += static_cast<long double>(lcp.M(i, j)) * z[j];
-      terms += absolute(lcp.M(i, j)) * absolute(z[j]);
+      w += Long(lcp.M(i, j)) * Long(z[j]);
+      terms += Long(absolute(lcp.M(i, j)) * absolute(z[j]));
     }
     const double row = static_cast<double>(terms > 0 ? w / terms : w);
     const double own = z_max > 0 ? z[i] / z_max : 0;

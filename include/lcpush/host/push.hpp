@@ -31,11 +31,12 @@ struct PushReport {
   std::string reason; ///< a sentence, empty when solved
   PressureRun run;
   Scales<double> scales{};
-  Answer<double> answer{}; ///< lives as long as the Push
+  Answer<double> answer{}; ///< views into the Push: valid until it is asked again
   Residuals<double> residuals;
   Motion<double> motion;
   Uniqueness unique_motion = Uniqueness::not_tested;
   Uniqueness unique_wrench = Uniqueness::not_tested;
+  Index covers_compared = 0;   ///< other covers that led to an answer
   std::vector<NamedValue> ray; ///< entries that are not zero, largest 1
 };
 
@@ -43,7 +44,8 @@ struct PushReport {
 struct HoldReport {
   Status status = Status::bad_input;
   bool holds = false;
-  Vector6<double> acceleration; ///< without a push
+  Vector6<double> acceleration = Vector6<double>::Zero(); ///< without a push
+  double length = 1; ///< m, the size of the grasp, for telling rounding from motion
 };
 
 struct BreakReport {
@@ -52,7 +54,8 @@ struct BreakReport {
   Index pusher = -1; ///< body that pushes
   PressureRun run;
   Breaking<double> breaking;
-  Motion<double> motion; ///< per unit push
+  Motion<double> motion;       ///< per unit push
+  std::vector<NamedValue> ray; ///< as in PushReport
   Scales<double> scales{};
 };
 
@@ -60,10 +63,12 @@ class Push {
 public:
   /// `file` must outlive the Push. Memory: see push_bytes.
   explicit Push(const SceneFile& file);
-  Push(const Push&) = delete; // the views inside would point into the other one
+  explicit Push(SceneFile&& file) = delete; // it would be gone at the end of the line
+  Push(const Push&) = delete;               // the views inside would point into the other one
   Push& operator=(const Push&) = delete;
 
   PushReport solve(const PushOptions& options);
+  /// The fingers alone, with the actuators that drive one.
   HoldReport holds_without_push(const PushOptions& options);
   BreakReport find_breaking(Index pusher, const PushOptions& options);
 

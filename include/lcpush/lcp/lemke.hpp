@@ -22,6 +22,7 @@ namespace lcpush {
 enum class Reason {
   none,
   memory_too_small, ///< bad_input: see lemke_scalars and lemke_integers
+  unsupported,      ///< bad_input: a pressure law or contact model that is not implemented
   not_finite,       ///< bad_input: a number of M or q is NaN or infinite
   residual,         ///< numerical_breakdown: the answer reached fails its residual check
   false_ray,        ///< numerical_breakdown: the ray reached fails its certificate
@@ -34,6 +35,7 @@ constexpr const char* reason_text(Reason reason) {
   switch (reason) {
   case Reason::none: return "";
   case Reason::memory_too_small: return "the solver's memory is too small for this problem";
+  case Reason::unsupported: return "the scene asks for what is not implemented yet";
   case Reason::not_finite: return "a number of M or q is not finite, or overflows when scaled";
   case Reason::residual: return "an answer was reached but fails the residual check";
   case Reason::false_ray: return "nothing blocks, yet the ray fails its certificate";
@@ -185,8 +187,10 @@ private:
   Status accept();
   void refine(Index level);
   WorstRow<S> referee(const S* q, const S* z);
+  bool bound_is_slack() const;
+  bool find_range();
   bool passes_check();
-  Status reject(Reason reason);
+  Status reject();
   Status conclude_ray(Index column);
 };
 

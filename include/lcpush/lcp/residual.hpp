@@ -16,41 +16,58 @@ namespace detail {
 
 template <class S> S size_of(const S& x) { return x < S(0) ? S(-x) : x; }
 
-/// out_i = how large the terms of row i of M y are, for y >= 0: sum_j |M_ij| y_j, or for the
-/// factored form the bound |W_i|' |A| sum_j |W_j| y_j on it, which costs O(n).
-template <class S> void term_sizes(const Problem<S>& problem, const S* y, S* out) {
+/// w_i = sum_j M_ij z_j, and sizes_i = how large its terms are: sum_j |M_ij| y_j for y >= 0, or for
+/// the factored form the bound |W_i|' |A| sum_j |W_j| y_j on it. The solvers' product is not used.
+template <class S>
+void dense_rows(const Problem<S>& problem, const S* z, const S* y, S* w, S* sizes) {
   const Index n = problem.size;
-  for (Index i = 0; i < n; ++i) out[i] = S(0);
-  if (problem.factored == nullptr) {
-    for (Index j = 0; j < n; ++j)
-      for (Index i = 0; i < n; ++i) out[i] += size_of(problem.matrix[j * n + i]) * y[j];
-    return;
-  }
+  for (Index i = 0; i < n; ++i) w[i] = sizes[i] = S(0);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) {
+      const S& entry = problem.matrix[j * n + i];
+      w[i] += entry * z[j];
+      sizes[i] += size_of(entry) * y[j];
+    }
+}
+
+template <class S>
+void factored_rows(const Problem<S>& problem, const S* z, const S* y, S* w, S* sizes) {
   const FactoredProblem<S>& f = *problem.factored;
-  Vector6<S> wrench = Vector6<S>::Zero();
+  Vector6<S> wrench = Vector6<S>::Zero(), wrench_size = Vector6<S>::Zero();
   for (const ConeGroup<S>& cone : f.cones)
-    for (Index k = 0; k <= cone.generators; ++k)
-      wrench += f.wrenches[cone.force + k].cwiseAbs() * y[cone.variable + k];
-  const Vector6<S> a = f.mobility.cwiseAbs().lazyProduct(wrench);
+    for (Index k = 0; k <= cone.generators; ++k) {
+      wrench += f.wrenches[cone.force + k] * z[cone.variable + k];
+      wrench_size += f.wrenches[cone.force + k].cwiseAbs() * y[cone.variable + k];
+    }
+  const Vector6<S> a = f.mobility.lazyProduct(wrench);
+  const Vector6<S> a_size = f.mobility.cwiseAbs().lazyProduct(wrench_size);
   for (const ConeGroup<S>& cone : f.cones) {
-    const Index i = cone.variable;
-    for (Index k = 0; k <= cone.generators; ++k)
-      out[i + k] += f.wrenches[cone.force + k].cwiseAbs().dot(a);
-    out[i] += cone.compliance * y[i];
-    if (cone.generators == 0) continue;
-    out[cone.slip()] += cone.friction * y[i];
-    for (Index k = 1; k <= cone.generators; ++k) {
-      out[i + k] += y[cone.slip()];
-      out[cone.slip()] += y[i + k];
+    const Index g = cone.generators, lambda = cone.variable, xi = cone.slip();
+    for (Index k = 0; k <= g; ++k) {
+      w[lambda + k] =
+          f.wrenches[cone.force + k].dot(a) + (k > 0 ? z[xi] : cone.compliance * z[lambda]);
+      sizes[lambda + k] = f.wrenches[cone.force + k].cwiseAbs().dot(a_size) +
+                          (k > 0 ? y[xi] : cone.compliance * y[lambda]);
+    }
+    if (g == 0) continue;
+    w[xi] = cone.friction * z[lambda];
+    sizes[xi] = cone.friction * y[lambda];
+    for (Index k = 1; k <= g; ++k) {
+      w[xi] -= z[lambda + k];
+      sizes[xi] += y[lambda + k];
     }
   }
   for (Index a_index = 0; a_index < f.sums.size; ++a_index) {
-    const Index row = problem.free_begin + a_index;
-    out[row] += f.sums[a_index].inertia * y[row];
-    const Index first = f.sums[a_index].first;
-    for (Index k = first; k < first + f.sums[a_index].count; ++k) {
-      out[row] += size_of(f.coupling[k]) * y[f.coupled_variable[k]];
-      out[f.coupled_variable[k]] += size_of(f.coupling[k]) * y[row];
+    const SumGroup<S>& sum = f.sums[a_index];
+    const Index s = problem.free_begin + a_index;
+    w[s] = sum.inertia * z[s];
+    sizes[s] = sum.inertia * y[s];
+    for (Index k = sum.first; k < sum.first + sum.count; ++k) {
+      const Index force = f.coupled_variable[k];
+      w[s] += f.coupling[k] * z[force];
+      w[force] -= f.coupling[k] * z[s];
+      sizes[s] += size_of(f.coupling[k]) * y[force];
+      sizes[force] += size_of(f.coupling[k]) * y[s];
     }
   }
 }
@@ -89,7 +106,7 @@ void neighbour_sizes(const Problem<S>& problem, const S* z, const S* unit, S* ro
 /// its own terms, so that a large answer elsewhere hides nothing. The second term (k = 16 in
 /// double, zmax_j over the unknowns that share a row with z_j, nothing where z_j = 0) is what
 /// rounding leaves of large unknowns in z_j: it keeps noise from being divided by noise. `w`
-/// receives M z + q; `scratch` 2 n Scalars. Cost: four passes over M.
+/// receives M z + q; `scratch` 2 n Scalars. Cost: three passes over M.
 template <class S, class IsFree>
 WorstRow<S> natural_residual(const Problem<S>& problem, const S* q, const S* z, const S* unit,
                              IsFree is_free, S* w, S* scratch) {
@@ -104,8 +121,10 @@ WorstRow<S> natural_residual(const Problem<S>& problem, const S* q, const S* z, 
     const S noise = z[i] != S(0) ? S(scratch[i] * unit[i] * Tolerances<S>().noise) : S(0);
     scratch[i] = size_of(z[i]) + noise;
   }
-  detail::term_sizes(problem, scratch, sizes);
-  multiply(problem, z, w);
+  if (problem.factored != nullptr)
+    detail::factored_rows(problem, z, scratch, w, sizes);
+  else
+    detail::dense_rows(problem, z, scratch, w, sizes);
   WorstRow<S> worst;
   for (Index i = 0; i < n; ++i) {
     w[i] += q[i];

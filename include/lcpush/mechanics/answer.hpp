@@ -51,4 +51,36 @@ Vector6<S> body_twist(const Scene<S>& scene, const Answer<S>& answer, Index body
   return twist;
 }
 
+/// Mean of W(n)' J over a body's points: how fast a unit of the actuator closes it.
+template <class S>
+S closing_speed(const Scene<S>& scene, const Body<S>& body, const Drive<S>& drive) {
+  S sum(0);
+  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    sum += acceleration_at(scene.points[i], drive.twist).dot(body.normal);
+  return sum / S(body.point_count);
+}
+
+template <class S> bool is_driven(const Scene<S>& scene, Index body) {
+  for (const Drive<S>& drive : scene.drives)
+    if (drive.body == body) return true;
+  return false;
+}
+
+/// How fast its actuators close a body, m/s^2 along its normal (mean over its points).
+template <class S> S closing(const Scene<S>& scene, const Answer<S>& answer, Index body) {
+  S sum(0);
+  for (const Drive<S>& drive : scene.drives)
+    if (drive.body == body)
+      sum += answer.closing[drive.actuator] * closing_speed(scene, scene.bodies[body], drive);
+  return sum;
+}
+
+/// The sum of a body's normal forces, N.
+template <class S> S normal_sum(const Answer<S>& answer, const Body<S>& body) {
+  S sum(0);
+  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    sum += answer.contacts[i].normal_force;
+  return sum;
+}
+
 } // namespace lcpush

@@ -4,6 +4,7 @@
 
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/mechanics/laws.hpp"
+#include "lcpush/status.hpp"
 
 namespace lcpush {
 
@@ -41,10 +42,10 @@ template <class S> class Assembly {
 public:
   explicit Assembly(const AssemblyMemory<S>& memory) : memory_(memory) {}
 
-  /// Post: problem() and layout() describe the scene, pushed as prescribed (sigma = 1).
-  /// Pre: arrays of the lengths that AssemblySize gives; the scene outlives the assembly.
-  /// Cost: O(forces (1 + drives)).
-  void assemble(const Scene<S>& scene);
+  /// Post: running, and problem() and layout() describe the scene, pushed as prescribed (sigma =
+  /// 1); or bad_input if the memory is too small for it, and there is no problem to solve. Pre: the
+  /// scene outlives the assembly. Cost: O(forces (1 + drives)).
+  Status assemble(const Scene<S>& scene);
 
   /// The same scene with its prescribed motions scaled by sigma.
   void push_by(S sigma) {
@@ -87,6 +88,7 @@ private:
   FactoredProblem<S> factored_{};
   S sigma_{1};
 
+  bool fits(const Scene<S>& scene) const;
   void choose_scales();
   void add_points();
   void add_actuators();
@@ -115,6 +117,8 @@ template <class S> void Assembly<S>::choose_scales() {
     const S tau = scene.actuators[a].force / memory_.reach[a];
     force = maxi(force, tau < S(0) ? S(-tau) : tau);
   }
+  // Against a push of a thousand times that, rounding is all that is left of the grip.
+  force = maxi(force, S(scene.object.mass * push / S(1000)));
   if (!(force > S(0))) force = scene.object.mass * (push > S(0) ? push : S(1));
   layout_.scales = {force, length, force / scene.object.mass};
 }
@@ -179,9 +183,28 @@ template <class S> void Assembly<S>::add_actuators() {
   }
 }
 
-template <class S> void Assembly<S>::assemble(const Scene<S>& scene) {
+template <class S> bool Assembly<S>::fits(const Scene<S>& scene) const {
+  Index forces = 0, unknowns = scene.actuators.size, couplings = 0;
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const Body<S>& body = scene.bodies[b];
+    const Index g = generator_count(scene, body), of_body = body.point_count * (g + 1);
+    forces += of_body;
+    unknowns += of_body + (g > 0 ? body.point_count : 0);
+    for (const Drive<S>& drive : scene.drives)
+      if (drive.body == b) couplings += of_body;
+  }
+  const AssemblyMemory<S>& m = memory_;
+  return m.wrenches.size >= forces && m.cones.size >= scene.points.size &&
+         m.body.size >= scene.points.size && m.sums.size >= scene.actuators.size &&
+         m.reach.size >= scene.actuators.size && m.coupling.size >= couplings &&
+         m.coupled_variable.size >= couplings && m.q.size >= unknowns && m.rest.size >= unknowns &&
+         m.push.size >= unknowns;
+}
+
+template <class S> Status Assembly<S>::assemble(const Scene<S>& scene) {
   scene_ = &scene;
   layout_ = {};
+  if (!fits(scene)) return Status::bad_input;
   choose_scales();
   factored_.mobility = laws::newton(scene, layout_.scales);
   add_points();
@@ -196,6 +219,7 @@ template <class S> void Assembly<S>::assemble(const Scene<S>& scene) {
   factored_.coupled_variable = {memory_.coupled_variable.data, memory_.coupled_variable.size};
   factored_.coupling = {memory_.coupling.data, memory_.coupling.size};
   push_by(S(1));
+  return Status::running;
 }
 
 } // namespace lcpush

@@ -34,23 +34,6 @@ template <class S> S push_size(const Scene<S>& scene) {
   return fastest;
 }
 
-/// The scene without its environment: the fingers, and the actuators that drive one.
-/// Pre: fingers come before pushers, their actuators before the pushers' (as files are read).
-template <class S> Scene<S> without_pushers(const Scene<S>& scene) {
-  Scene<S> alone = scene;
-  while (alone.bodies.size > 0 && alone.bodies[alone.bodies.size - 1].role == Role::pusher)
-    --alone.bodies.size;
-  alone.points.size = 0;
-  for (const Body<S>& body : alone.bodies) alone.points.size += body.point_count;
-  alone.drives.size = alone.actuators.size = 0;
-  for (const Drive<S>& drive : scene.drives) {
-    if (drive.body >= alone.bodies.size) break;
-    ++alone.drives.size;
-    alone.actuators.size = Eigen::numext::maxi(alone.actuators.size, drive.actuator + 1);
-  }
-  return alone;
-}
-
 /// |a| in units of F / m, rotations at the distance L.
 template <class S> S motion_size(const Vector6<S>& acceleration, const Scales<S>& scales) {
   const S linear = acceleration.template head<3>().norm();
@@ -62,13 +45,6 @@ template <class S> S motion_size(const Vector6<S>& acceleration, const Scales<S>
 template <class S> constexpr S at_rest() { return S(1024) * Tolerances<S>().residual; }
 
 namespace detail {
-
-template <class S> S normal_sum(const Answer<S>& answer, const Body<S>& body) {
-  S sum(0);
-  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
-    sum += answer.contacts[i].normal_force;
-  return sum;
-}
 
 /// `rigid`: the push is one more right-hand side, so the limit is exact.
 template <class S>
@@ -104,47 +80,80 @@ Status break_rigid(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, I
   return status;
 }
 
-/// `pad`: compliance has to vanish before the push does, so finite small pushes are extrapolated.
+/// What one small push does.
+template <class S> struct SmallPush {
+  S sigma, normal;
+  Vector6<S> wrench, acceleration;
+  Residuals<S> residuals;
+};
+
+/// Solves a push whose fastest point moves at `size` of F / m.
 template <class S>
-Status break_pad(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, Index pusher,
-                 PressureOptions<S> options, S unit, Breaking<S>& breaking, PressureRun& run) {
+Status push_slowly(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, Index pusher,
+                   PressureOptions<S> options, S unit, S size, SmallPush<S>& push,
+                   PressureRun& run) {
   const Scene<S>& scene = assembly.scene();
   const Scales<S>& scales = assembly.layout().scales;
-  constexpr int pushes = 3;
-  S sigma[pushes], normal[pushes];
-  Vector6<S> wrench[pushes], acceleration[pushes];
-  for (int k = 0; k < pushes; ++k) {
-    const S size = k == 0 ? S(1e-3) : k == 1 ? S(1e-4) : S(1e-5); // of F / m
-    sigma[k] = size * scales.acceleration / unit;
-    options.tolerance = Eigen::numext::maxi(S(size * Tolerances<S>().residual),
-                                            S(512 * Eigen::NumTraits<S>::epsilon()));
-    assembly.push_by(sigma[k]);
-    PressureRun one;
-    const Status status = solve_pressure(assembly, lemke, work.pressure, options, one);
-    run.pivots += one.pivots;
-    run.rounds += one.rounds;
-    run.cold_restarts += one.cold_restarts;
-    run.reason = one.reason;
-    run.jammed = one.jammed;
-    if (status != Status::solved) return status;
-    read_answer(assembly, work.pressure.z.data, work.answer, sigma[k]);
-    wrench[k] = body_wrench(scene, work.answer, pusher);
-    normal[k] = normal_sum(work.answer, scene.bodies[pusher]);
-    acceleration[k] = work.answer.acceleration;
-    if (k == 1) breaking.residuals = check(scene, scales, work.answer, sigma[k]);
+  push.sigma = size * scales.acceleration / unit;
+  options.tolerance = Eigen::numext::maxi(S(size * Tolerances<S>().residual),
+                                          S(512 * Eigen::NumTraits<S>::epsilon()));
+  assembly.push_by(push.sigma);
+  PressureRun one;
+  const Status status = solve_pressure(assembly, lemke, work.pressure, options, one);
+  run.pivots += one.pivots;
+  run.rounds += one.rounds;
+  run.cold_restarts += one.cold_restarts;
+  run.reason = one.reason;
+  run.jammed = one.jammed;
+  if (status != Status::solved) return status;
+  read_answer(assembly, work.pressure.z.data, work.answer, push.sigma);
+  push.wrench = body_wrench(scene, work.answer, pusher);
+  push.normal = normal_sum(work.answer, scene.bodies[pusher]);
+  push.acceleration = work.answer.acceleration;
+  push.residuals = check(scene, scales, work.answer, push.sigma);
+  return status;
+}
+
+/// The line through two pushes, judged by a third, smaller one.
+template <class S>
+Breaking<S> extrapolate(const SmallPush<S>* push, S unit, const Scales<S>& scales) {
+  Breaking<S> line;
+  const S span = (push[0].sigma - push[1].sigma) * unit, back = push[1].sigma * unit;
+  line.inertia = (push[0].wrench - push[1].wrench) / span;
+  line.inertia_normal = (push[0].normal - push[1].normal) / span;
+  line.force = push[1].wrench - back * line.inertia;
+  line.break_force = push[1].normal - back * line.inertia_normal;
+  line.twist = push[1].acceleration / back;
+  const S predicted = line.break_force + push[2].sigma * unit * line.inertia_normal;
+  line.line_error = Eigen::numext::abs(predicted - push[2].normal) / scales.force;
+  // What is left of the acceleration when the push is taken back to 0: nothing if it holds.
+  line.rest = push[2].acceleration - (push[1].acceleration - push[2].acceleration) *
+                                         (push[2].sigma / (push[1].sigma - push[2].sigma));
+  line.residuals = push[1].residuals;
+  for (const int k : {0, 2})
+    if (!(push[k].residuals.max() <= line.residuals.max())) line.residuals = push[k].residuals;
+  return line;
+}
+
+/// `pad`: compliance has to vanish before the push does, so finite small pushes are extrapolated.
+/// Where the third is off the line of the first two, a change of mode lies between: go smaller.
+template <class S>
+Status break_pad(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, Index pusher,
+                 const PressureOptions<S>& options, S unit, Breaking<S>& breaking,
+                 PressureRun& run) {
+  constexpr int most_pushes = 5;
+  const S straight = S(1) / S(1000000);
+  SmallPush<S> push[most_pushes];
+  S size = S(1) / S(1000);
+  for (int k = 0; k < most_pushes; ++k, size /= S(10)) {
+    const Status status =
+        push_slowly(assembly, lemke, work, pusher, options, unit, size, push[k], run);
+    if (status != Status::solved) return k < 3 ? status : Status::solved;
+    if (k < 2) continue;
+    const Breaking<S> line = extrapolate(push + k - 2, unit, assembly.layout().scales);
+    if (k == 2 || line.line_error < breaking.line_error) breaking = line;
+    if (breaking.line_error <= straight) break;
   }
-  // What is left of the acceleration when the push is taken back along the line: zero if it holds.
-  breaking.rest =
-      acceleration[2] - (acceleration[1] - acceleration[2]) * (sigma[2] / (sigma[1] - sigma[2]));
-  breaking.twist = acceleration[1] / (sigma[1] * unit);
-  const S span = sigma[0] - sigma[1];
-  breaking.inertia = (wrench[0] - wrench[1]) / (span * unit);
-  breaking.inertia_normal = (normal[0] - normal[1]) / (span * unit);
-  breaking.force = wrench[1] - sigma[1] * unit * breaking.inertia;
-  breaking.break_force = normal[1] - sigma[1] * unit * breaking.inertia_normal;
-  const S predicted = breaking.break_force + sigma[2] * unit * breaking.inertia_normal;
-  using std::abs;
-  breaking.line_error = abs(predicted - normal[2]) / scales.force;
   return Status::solved;
 }
 
@@ -165,8 +174,13 @@ template <class S>
       assembly.scene().pressure == Pressure::pad
           ? detail::break_pad(assembly, lemke, work, pusher, options, unit, breaking, run)
           : detail::break_rigid(assembly, lemke, work, pusher, options, unit, breaking, run);
+  if (status != Status::solved) return status;
+  if (!(breaking.residuals.max() <= Tolerances<S>().residual)) {
+    run.reason = Reason::residual;
+    return Status::numerical_breakdown;
+  }
   const bool moves = motion_size(breaking.rest, assembly.layout().scales) > at_rest<S>();
-  return status == Status::solved && moves ? Status::does_not_hold : status;
+  return moves ? Status::does_not_hold : Status::solved;
 }
 
 } // namespace lcpush

@@ -1,5 +1,6 @@
 // The referee of mechanics/: does an answer obey the paper's laws? Works on the scene and the
-// answer in SI units alone; shares no code with assembly or the solvers.
+// answer in SI units alone: no matrix, no scaled unknowns, nothing of the solvers or the assembly
+// (laws.hpp lends it [T.6], contact.hpp the geometry of a point).
 #pragma once
 
 #include "lcpush/mechanics/answer.hpp"
@@ -74,11 +75,14 @@ Residuals<S> check(const Scene<S>& scene, const Scales<S>& scales, const Answer<
       if (body.role == Role::pusher && lambda > S(0))
         keep_worst(worst.pusher, smaller(lambda, opening));
       S room = body.friction * lambda;
+      Vector3<S> friction = contact.friction_force / scales.force;
       for (Index j = 0; j < g; ++j) {
         const S beta = answer.friction[entry++] / scales.force;
         keep_worst(worst.dissipation, smaller(beta, acceleration.dot(generator(body, j, g)) + xi));
         room -= beta;
+        friction -= beta * generator(body, j, g);
       }
+      for (Index k = 0; k < 3; ++k) keep_worst(worst.cone, S(friction[k]));
       if (g > 0) keep_worst(worst.cone, smaller(xi, room));
       // Distances between coplanar points do not see a warp out of the plane; the motion does.
       const Vector3<S> off = contact.acceleration / scales.acceleration - acceleration;

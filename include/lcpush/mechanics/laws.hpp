@@ -5,7 +5,7 @@
 //              beta friction force along a generator                xi slip acceleration
 //
 // Everything here is in the scaled units of Layout. To change the friction model, change
-// friction_directions (the generators) and friction_cone (what bounds them).
+// friction_direction (the generators) and friction_cone (what bounds them).
 #pragma once
 
 #include "lcpush/mechanics/layout.hpp"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lcpush/lcp/lemke.hpp"
+#include "lcpush/mechanics/answer.hpp"
 #include "lcpush/mechanics/assemble.hpp"
 
 namespace lcpush {
@@ -14,6 +15,13 @@ template <class S> struct PressureOptions {
   Index max_rounds = 60;
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
 };
+
+/// Not yet: even pressure and soft contacts.
+template <class S> bool is_supported(const Scene<S>& scene) {
+  for (const Body<S>& body : scene.bodies)
+    if (body.torsion_radius > S(0)) return false;
+  return scene.pressure != Pressure::even;
+}
 
 /// What a pressure solve did, for reports.
 struct PressureRun {
@@ -49,8 +57,7 @@ template <class S>
 
 namespace detail {
 
-/// Dimension of the affine hull of a body's points (0 to 2, points of a patch lie in a plane or on
-/// a curved surface: 3), by Gram-Schmidt on the differences.
+/// Dimension (0 to 2) of the affine hull of a body's points, projected onto its contact plane.
 template <class S> Index affine_rank(const Scene<S>& scene, const Body<S>& body) {
   using std::abs;
   Vector3<S> basis[2];
@@ -86,7 +93,7 @@ template <class S> void pad_preload(const Assembly<S>& assembly, const PressureM
       Index driven_bodies = 0;
       for (const Drive<S>& other : scene.drives)
         if (other.actuator == drive.actuator) ++driven_bodies;
-      const S along = drive.twist.template head<3>().dot(body.normal);
+      const S along = closing_speed(scene, body, drive);
       driven = true;
       if (along > S(0))
         share += scene.actuators[drive.actuator].force / (along * S(driven_bodies) * S(k));
@@ -132,7 +139,7 @@ void set_compliance(Assembly<S>& assembly, const PressureMemory<S>& memory, S ep
 }
 
 /// By how much the round's answer violates the literal [T.2]; the pressure becomes the next
-/// round's preload. `growth` receives the largest normal force.
+/// round's preload. `largest` receives the largest normal force.
 template <class S>
 S take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory, S& largest) {
   S violation(0);
@@ -197,6 +204,14 @@ template <class S>
 Status solve_pressure(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>& memory,
                       const PressureOptions<S>& options, PressureRun& run) {
   run = {};
+  if (assembly.layout().points < assembly.scene().points.size) {
+    run.reason = Reason::memory_too_small;
+    return Status::bad_input;
+  }
+  if (!is_supported(assembly.scene())) {
+    run.reason = Reason::unsupported;
+    return Status::bad_input;
+  }
   pad_preload(assembly, memory);
   if (assembly.scene().pressure == Pressure::pad) {
     const Status status = solve_pad(assembly, lemke, memory, options, run);

@@ -46,11 +46,14 @@ template <class S> struct Outcome {
   Vector6<S> wrench;
 };
 
-/// Equal to `tolerance` in the units of the scene (scaled by the push where that is larger)?
+/// Equal to `tolerance` of the motion, or of the push (m/s^2) if that is larger?
 template <class S>
-bool same_motion(const Outcome<S>& a, const Outcome<S>& b, const Scales<S>& scales, S tolerance) {
-  const S size = Eigen::numext::maxi(S(1), motion_size(a.acceleration, scales));
-  return motion_size<S>(a.acceleration - b.acceleration, scales) <= tolerance * size;
+bool same_motion(const Outcome<S>& a, const Outcome<S>& b, const Scales<S>& scales, S push,
+                 S tolerance) {
+  const S motion = motion_size(a.acceleration, scales);
+  const S size = Eigen::numext::maxi(motion, S(push / scales.acceleration));
+  const S rounding = S(1024) * Eigen::NumTraits<S>::epsilon();
+  return motion_size<S>(a.acceleration - b.acceleration, scales) <= tolerance * size + rounding;
 }
 
 template <class S>

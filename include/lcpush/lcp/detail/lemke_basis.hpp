@@ -142,31 +142,32 @@ template <class S> void Lemke<S>::scaled_product(const S* z_scaled, S* out) {
 /// variables in any order). False if that basis is singular to working precision.
 template <class S> bool Lemke<S>::factor_target() {
   const Index n = n_;
-  // Marks: rows whose w is to leave, columns whose variable is to enter.
-  Index wanted = 0;
+  // candidates_: rows whose w is to leave; target_: columns whose variable is to enter.
+  Index wanted = 0, leaving = 0;
   for (Index i = 0; i < n; ++i) candidates_[i] = 1;
   for (Index k = 0; k < n; ++k)
     if (target_[k] < n) candidates_[target_[k]] = 0;
+  for (Index i = 0; i < n; ++i)
+    if (candidates_[i] != 0) candidates_[leaving++] = static_cast<int>(i);
   for (Index k = 0; k < n; ++k)
     if (target_[k] >= n) target_[wanted++] = target_[k] - static_cast<int>(n);
+  const S floor = options_.tolerances.pivot * options_.tolerances.tie;
   for (; wanted > 0; --wanted) {
-    S largest(0);
-    Index row = -1, position = -1;
+    S largest = floor;
+    Index row = -1, column = -1;
     for (Index k = 0; k < wanted; ++k)
-      for (Index i = 0; i < n; ++i) {
-        if (candidates_[i] == 0) continue;
-        const S x = dictionary_.table(i, target_[k]);
+      for (Index i = 0; i < wanted; ++i) {
+        const S x = dictionary_.table(candidates_[i], target_[k]);
         const S size = x < S(0) ? S(-x) : x;
         if (!(size > largest)) continue;
         largest = size;
         row = i;
-        position = k;
+        column = k;
       }
-    const S floor = options_.tolerances.pivot * options_.tolerances.tie;
-    if (row < 0 || !(largest > floor)) return false;
-    dictionary_.exchange(row, target_[position], scratch_);
-    candidates_[row] = 0;
-    target_[position] = target_[wanted - 1];
+    if (row < 0) return false;
+    dictionary_.exchange(candidates_[row], target_[column], scratch_);
+    candidates_[row] = candidates_[wanted - 1];
+    target_[column] = target_[wanted - 1];
   }
   return true;
 }
@@ -242,18 +243,40 @@ template <class S> WorstRow<S> Lemke<S>::referee(const S* q, const S* z) {
       product_.data(), check_scratch_.data);
 }
 
-/// Every level against the referee. With a push, at both ends of the range in which this basis
-/// claims to hold: the answer is linear in between.
+/// Is every free unknown at S plus something finite, and nothing else of order S?
+template <class S> bool Lemke<S>::bound_is_slack() const {
+  for (Index i = 0; i < n_ && finite_level() > 0; ++i) {
+    const S off = solution_(i, 0) - (i >= problem_.free_begin ? S(1) : S(0));
+    if (!((off < S(0) ? S(-off) : off) <= options_.tolerances.residual)) return false;
+  }
+  return true;
+}
+
+/// The range 0 <= sigma <= valid_to_ in which this basis is feasible. False if it is empty: some
+/// variable is 0 now and falls with the push.
+template <class S> bool Lemke<S>::find_range() {
+  const Index finite = finite_level(), push = finite + 1;
+  valid_to_ = S(-1);
+  for (Index i = 0; i < n_; ++i) {
+    const bool is_free = dictionary_.basic[i] >= n_ + problem_.free_begin;
+    const S rate = dictionary_.values(i, push), value = dictionary_.values(i, finite);
+    if (is_free || !(rate < -tie_tolerance_)) continue;
+    if (!(value > tie_tolerance_)) return false;
+    const S reach = value * level_scale_[finite] / (-rate * level_scale_[push]);
+    if (valid_to_ < S(0) || reach < valid_to_) valid_to_ = reach;
+  }
+  return true;
+}
+
+/// Every level against the referee. With a push, at rest and half-way through the range in which
+/// this basis claims to hold: the answer is linear, and find_range has seen to its signs.
 template <class S> bool Lemke<S>::passes_check() {
-  const Index n = n_, finite = finite_level();
+  const Index finite = finite_level(), push = finite + 1;
   const S tolerance = options_.tolerances.residual;
-  for (Index i = 0; i < n && finite > 0; ++i) {
-    const S expected = i >= problem_.free_begin ? S(1) : S(0);
-    const S off = solution_(i, 0) - expected;
-    if (!((off < S(0) ? S(-off) : off) <= tolerance)) {
-      reason_ = Reason::retreat;
-      return false;
-    }
+  reason_ = Reason::residual;
+  if (!bound_is_slack()) {
+    reason_ = Reason::retreat;
+    return false;
   }
   for (Index i = 0; i < problem_.free_begin; ++i) {
     // Rounding may leave a basic value of zero on the wrong side of it.
@@ -261,22 +284,12 @@ template <class S> bool Lemke<S>::passes_check() {
     if (z < S(0) && -z <= tolerance * unit_[i] * level_scale_[finite]) z = S(0);
   }
   residual_ = referee(problem_.q, solution_.col(finite).data());
-  valid_to_ = S(-1);
   if (!(residual_.residual <= tolerance)) return false;
   if (problem_.push == nullptr) return true;
-
-  const Index push = finite + 1;
-  for (Index i = 0; i < n; ++i) {
-    const Index variable = dictionary_.basic[i];
-    const bool is_free = variable >= n + problem_.free_begin;
-    const S rate = dictionary_.values(i, push) * level_scale_[push];
-    const S value = dictionary_.values(i, finite) * level_scale_[finite];
-    if (is_free || !(rate < -options_.tolerances.tie * level_scale_[push])) continue;
-    const S reach = (value > S(0) ? value : S(0)) / -rate;
-    if (valid_to_ < S(0) || reach < valid_to_) valid_to_ = reach;
-  }
-  const S sigma = valid_to_ < S(0) ? level_scale_[finite] / level_scale_[push] : valid_to_;
-  for (Index i = 0; i < n; ++i) {
+  if (!find_range()) return false;
+  // Not the very end of the range: there the answer may be all zeros, and rounding its scale.
+  const S sigma = valid_to_ < S(0) ? level_scale_[finite] / level_scale_[push] : valid_to_ / S(2);
+  for (Index i = 0; i < n_; ++i) {
     trial_[i] = solution_(i, finite) + sigma * solution_(i, push);
     scratch_[i] = problem_.q[i] + sigma * problem_.push[i];
   }

@@ -74,15 +74,15 @@ template <class S> Status Lemke<S>::solve() {
 template <class S> Status Lemke<S>::accept() {
   for (Index k = 0; k < levels_; ++k) refine(k);
   if (passes_check()) return end(Status::solved);
-  return reject(reason_ == Reason::retreat ? Reason::retreat : Reason::residual);
+  return reject();
 }
 
 /// The check failed: factor the basis afresh, look closer (what was tied at zero may be a small
 /// violation), cover what is left and pivot on from here.
-template <class S> Status Lemke<S>::reject(Reason reason) {
+template <class S> Status Lemke<S>::reject() {
   constexpr Index repairs_allowed = 3;
   if (repairs_ >= repairs_allowed || !refactorise())
-    return end(Status::numerical_breakdown, reason);
+    return end(Status::numerical_breakdown, reason_);
   ++repairs_;
   tie_tolerance_ = repairs_ < repairs_allowed ? S(tie_tolerance_ / S(1024)) : S(0);
   cover_here();
