@@ -1,6 +1,7 @@
 // Reliability on seeded random grasps: `random_grasps [FROM] [TO]` (default 0 10000).
 // One line a pressure law: how many were solved, the worst residual of mechanics/check.hpp, pivots,
-// and on how many of every tenth grasp four covers agree on the motion.
+// and on how many of every tenth grasp four covers agree on the motion. Then the force of breaking
+// on the first thousand.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -81,6 +82,41 @@ void run_law(const char* name, Pressure pressure, unsigned from, unsigned to) {
               compared, seconds);
 }
 
+/// find_breaking on the same grasps: how many hold, and how straight the line to the limit is.
+void run_breaking(const char* name, Pressure pressure, unsigned from, unsigned to) {
+  unsigned dropped = 0, failed = 0;
+  std::vector<double> line_error;
+  double worst = 0;
+  for (unsigned seed = from; seed < to; ++seed) {
+    test::OwnedScene<double> owned = test::random_grasp<double>(seed);
+    owned.base.pressure = pressure;
+    const Scene<double> scene = owned.view();
+    test::OwnedWorkspace<double> memory(size_of(scene));
+    Assembly<double> assembly(memory.work.assembly);
+    assembly.assemble(scene);
+    Lemke<double> lemke(memory.work.lemke_scalars, memory.work.lemke_integers);
+    Breaking<double> breaking;
+    PressureRun run;
+    const Index pusher = scene.bodies.size - 1;
+    const Status status = find_breaking(assembly, lemke, memory.work, pusher, {}, breaking, run);
+    if (status == Status::does_not_hold) {
+      ++dropped;
+    } else if (status != Status::solved) {
+      ++failed;
+      std::printf("  seed %u: %s\n", seed, status_text(status));
+    } else {
+      line_error.push_back(breaking.line_error);
+      worst = std::max(worst, breaking.residuals.max());
+    }
+  }
+  std::sort(line_error.begin(), line_error.end());
+  const std::size_t held = line_error.size();
+  std::printf("%-6s breaking: %zu held, %u did not hold, %u failed; worst residual %.1e; off the "
+              "line median %.1e, max %.1e\n",
+              name, held, dropped, failed, worst, held > 0 ? line_error[held / 2] : 0.0,
+              held > 0 ? line_error.back() : 0.0);
+}
+
 } // namespace
 
 int main(int count, char** words) {
@@ -90,4 +126,7 @@ int main(int count, char** words) {
   const unsigned from = argument(1, 0), to = argument(2, 10000);
   run_law("rigid", lcpush::Pressure::rigid, from, to);
   run_law("pad", lcpush::Pressure::pad, from, to);
+  const unsigned to_break = std::min(to, from + 1000);
+  run_breaking("rigid", lcpush::Pressure::rigid, from, to_break);
+  run_breaking("pad", lcpush::Pressure::pad, from, to_break);
 }
