@@ -179,9 +179,10 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
   HoldReport report;
   report.length = layout().scales.length;
   report.acceleration.head<3>() = scene_.gravity;
+  if (scene_.planar) report.acceleration[2] = 0;
   if (alone.bodies.size == 0) {
     report.status = Status::solved;
-    report.holds = !(scene_.gravity.norm() > 0);
+    report.holds = !(report.acceleration.norm() > 0);
     return report;
   }
   assembly_.assemble(alone);

@@ -77,7 +77,28 @@ SceneFile SceneBuilder::build() {
   for (std::size_t i = 0; i < tables("pusher").size(); ++i)
     drive_pusher(named_reader("pusher", i, body_schema(Role::pusher)),
                  static_cast<Index>(tables("finger").size() + i));
+  if (scene_.planar) refuse_squeezes_out_of_plane();
   return std::move(scene_);
+}
+
+/// A planar object cannot make way for a contact whose normal force does not move it in the plane:
+/// pressing on would be a jam of one contact.
+void SceneBuilder::refuse_squeezes_out_of_plane() const {
+  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+    const Body<double>& body = scene_.bodies[b];
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      const Vector3<double>& p = scene_.points[static_cast<std::size_t>(i)];
+      const Vector6<double> column = wrench_column(p, body.normal);
+      const double in_plane = std::hypot(column[0], column[1]);
+      const double turning = std::abs(column[5]);
+      const bool moves_it = in_plane > direction_slack || turning > direction_slack * p.norm();
+      if (moves_it || !(column.dot(body.acceleration) > 0)) continue;
+      throw InputError(document_.file, name_lines_.at(scene_.body_names[b]),
+                       quoted(scene_.body_names[b]) +
+                           ": moves into the object out of the plane, where planar = true lets "
+                           "nothing give way; move it in the x-y plane or remove planar");
+    }
+  }
 }
 
 void SceneBuilder::read_settings() {

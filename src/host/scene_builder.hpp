@@ -39,6 +39,7 @@ private:
   Index add_actuator(const std::string& name, double force, double inertia);
 
   void read_actuator(const TableReader& table);
+  void refuse_squeezes_out_of_plane() const;
   Vector6<double> moved_to_center_of_mass(const std::vector<double>& twist) const;
 
   const TomlDocument& document_;

@@ -99,7 +99,6 @@ void refuse_unsupported(const TableReader& table) {
   const auto is = [&table](const std::string& key, const std::string& value) {
     return table.has(key) && table.text(key) == value;
   };
-  if (table.has("planar") && table.boolean("planar")) refuse("planar", "planar = true");
   if (is("pressure", "even")) refuse("pressure", "pressure = \"even\"");
   if (is("follow", "bilateral")) refuse("follow", "follow = \"bilateral\"");
   if (table.has("torsion_radius")) refuse("torsion_radius", "torsion_radius");

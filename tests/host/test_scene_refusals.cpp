@@ -89,8 +89,17 @@ TEST_CASE("an actuator is complete and drives bodies that exist, once each") {
         "[gripper] and the [[actuator]] on line 11");
 }
 
+TEST_CASE("a planar scene refuses a body that moves into the object out of the plane") {
+  const std::string above = "[[pusher]]\nname = \"lid\"\nshape = \"point\"\n"
+                            "center = [0, 0, 0.005]\nnormal = [0, 0, -1]\nfriction = 0.3\n";
+  const std::string planar = "planar = true\n" + object_table;
+  check_says(planar + above + "acceleration = [0, 0, -0.1]\n", "5: \"lid\": moves into the object");
+  CHECK(parsed(planar + above + "acceleration = [0, 0, 0.1]\n").planar);
+  CHECK(parsed(planar + above + "acceleration = [0.1, 0, 0]\n").planar);
+  CHECK_FALSE(parsed(object_table + above + "acceleration = [0, 0, -0.1]\n").planar);
+}
+
 TEST_CASE("what is read but cannot be solved yet is refused, each at its key") {
-  check_refusal("planar = true\n" + with_finger(""), "1: planar = true is not supported yet");
   check_refusal("pressure = \"even\"\n" + with_finger(""),
                 "1: pressure = \"even\" is not supported yet");
   check_refusal(with_pusher("acceleration = [0, 0, 0]\nfollow = \"bilateral\""),

@@ -13,12 +13,14 @@ namespace {
 
 /// How many of the grasps are solved; every one that is called solved is checked.
 template <class S>
-int solved_of(std::uint64_t first, std::uint64_t count, Pressure pressure, S tolerance) {
+int solved_of(std::uint64_t first, std::uint64_t count, Pressure pressure, S tolerance,
+              bool planar = false) {
   int solved = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     CAPTURE(seed);
     OwnedScene<S> scene = random_grasp<S>(seed);
     scene.base.pressure = pressure;
+    scene.base.planar = planar;
     SolvedPush<S> push(scene);
     if (push.solve() != Status::solved) {
       MESSAGE("seed " << seed << ": " << std::string(status_text(push.status)) << " "
@@ -35,6 +37,11 @@ int solved_of(std::uint64_t first, std::uint64_t count, Pressure pressure, S tol
 
 TEST_CASE("200 random grasps under pad: all solved, all checked") {
   CHECK(solved_of<double>(1000, 200, Pressure::pad, 1e-9) == 200);
+}
+
+TEST_CASE("planar random grasps under pad and rigid: all solved, all checked") {
+  CHECK(solved_of<double>(3000, 60, Pressure::pad, 1e-9, true) == 60);
+  CHECK(solved_of<double>(4000, 60, Pressure::rigid, 1e-9, true) == 60);
 }
 
 TEST_CASE("200 random grasps under rigid: all solved, all checked") {
