@@ -207,7 +207,7 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
                                         report.run);
   if (report.status == Status::does_not_hold)
     report.reason = "the object moves before it is pushed: the grasp does not hold its load";
-  else if (report.status == Status::bad_input)
+  else if (report.status == Status::bad_input && report.run.reason == Reason::none)
     report.reason = "no pusher moves: give one an acceleration";
   else if (report.status != Status::solved)
     report.reason = explain(report.status, report.run);

@@ -119,3 +119,28 @@ TEST_CASE("[T.10] on weightless balanced grasps pad and rigid break alike, where
   }
   CHECK(on_a_line >= 24);
 }
+
+TEST_CASE(
+    "what is not implemented is refused by solve and break alike, never solved as something else") {
+  for (const bool soft : {false, true}) {
+    CAPTURE(soft);
+    Scene3 owned = straight_slide(Slide{});
+    if (soft)
+      owned.bodies.front().torsion_radius = 0.002;
+    else
+      owned.base.pressure = Pressure::even;
+    const Scene<double> scene = owned.view();
+    OwnedWorkspace<double> memory(size_of(scene));
+    Assembly<double> assembly(memory.work.assembly);
+    REQUIRE(assembly.assemble(scene) == Status::running);
+    Lemke<double> lemke(memory.work.lemke_scalars, memory.work.lemke_integers);
+    PressureRun run;
+    CHECK(solve_pressure(assembly, lemke, memory.work.pressure, {}, run) == Status::bad_input);
+    CHECK(run.reason == Reason::unsupported);
+    Breaking<double> breaking;
+    const Index pusher = scene.bodies.size - 1;
+    CHECK(find_breaking(assembly, lemke, memory.work, pusher, {}, breaking, run) ==
+          Status::bad_input);
+    CHECK(run.reason == Reason::unsupported);
+  }
+}

@@ -169,7 +169,7 @@ template <class S>
   const S unit = push_size(assembly.scene());
   breaking = {};
   run = {};
-  if (!(unit > S(0))) return Status::bad_input;
+  if (!(unit > S(0)) || refuses(assembly, run)) return Status::bad_input;
   const Status status =
       assembly.scene().pressure == Pressure::pad
           ? detail::break_pad(assembly, lemke, work, pusher, options, unit, breaking, run)

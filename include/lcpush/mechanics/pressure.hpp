@@ -16,13 +16,6 @@ template <class S> struct PressureOptions {
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
 };
 
-/// Not yet: even pressure and soft contacts.
-template <class S> bool is_supported(const Scene<S>& scene) {
-  for (const Body<S>& body : scene.bodies)
-    if (body.torsion_radius > S(0)) return false;
-  return scene.pressure != Pressure::even;
-}
-
 /// What a pressure solve did, for reports.
 struct PressureRun {
   Index rounds = 0;
@@ -31,6 +24,17 @@ struct PressureRun {
   Reason reason = Reason::none;
   bool jammed = false; ///< a ray of the problem without compliance: a squeeze, not a pad's failure
 };
+
+/// Is there nothing to solve? True, with run.reason, if the assembly did not fit its memory or the
+/// scene asks for what is not implemented yet: even pressure, soft contacts.
+template <class S> bool refuses(const Assembly<S>& assembly, PressureRun& run) {
+  const Scene<S>& scene = assembly.scene();
+  if (assembly.layout().points < scene.points.size) run.reason = Reason::memory_too_small;
+  if (scene.pressure == Pressure::even) run.reason = Reason::unsupported;
+  for (const Body<S>& body : scene.bodies)
+    if (body.torsion_radius > S(0)) run.reason = Reason::unsupported;
+  return run.reason != Reason::none;
+}
 
 /// Memory beside Lemke's: one Scalar a point for the last round's pressure, three a point and
 /// unknown for bookkeeping, one flag an unknown.
@@ -204,14 +208,7 @@ template <class S>
 Status solve_pressure(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>& memory,
                       const PressureOptions<S>& options, PressureRun& run) {
   run = {};
-  if (assembly.layout().points < assembly.scene().points.size) {
-    run.reason = Reason::memory_too_small;
-    return Status::bad_input;
-  }
-  if (!is_supported(assembly.scene())) {
-    run.reason = Reason::unsupported;
-    return Status::bad_input;
-  }
+  if (refuses(assembly, run)) return Status::bad_input;
   pad_preload(assembly, memory);
   if (assembly.scene().pressure == Pressure::pad) {
     const Status status = solve_pad(assembly, lemke, memory, options, run);

@@ -98,36 +98,37 @@ template <class S> Status Lemke<S>::conclude_ray(Index column) {
     return status_;
   }
   const Index n = n_;
-  ray_.setZero();
-  ray_artificial_ = entering_ == artificial(n) ? S(1) : S(0);
+  // In trial_ until it is certified: an earlier cover's verified ray may stand in ray_.
+  trial_.setZero();
+  S v0 = entering_ == artificial(n) ? S(1) : S(0);
   const auto record = [&](Index variable, const S& rate) {
     if (variable == artificial(n))
-      ray_artificial_ = rate;
+      v0 = rate;
     else if (variable >= n)
-      ray_[variable - n] = rate;
+      trial_[variable - n] = rate;
   };
   record(entering_, S(1));
   for (Index i = 0; i < n; ++i) record(dictionary_.basic[i], dictionary_.table(i, column));
 
-  const S largest = ray_.cwiseAbs().maxCoeff();
+  const S largest = trial_.cwiseAbs().maxCoeff();
   if (!(largest > S(0))) return end(Status::numerical_breakdown, Reason::false_ray);
-  ray_ /= largest;
-  ray_artificial_ /= largest;
-  scaled_product(ray_.data(), product_.data());
+  trial_ /= largest;
+  v0 /= largest;
+  scaled_product(trial_.data(), product_.data());
   const S tolerance = options_.tolerances.residual;
-  bool certified = ray_artificial_ >= -tolerance;
+  bool certified = v0 >= -tolerance;
   for (Index i = 0; i < n; ++i) {
-    const S u = product_[i] + cover_columns_(i, 0) * ray_artificial_;
+    const S u = product_[i] + cover_columns_(i, 0) * v0;
     const S row_tolerance = tolerance * (S(1) + rowsum_[i] * row_scale_[i]);
-    certified = certified && ray_[i] >= -tolerance && u >= -row_tolerance &&
-                (ray_[i] <= tolerance || u <= row_tolerance);
+    certified = certified && trial_[i] >= -tolerance && u >= -row_tolerance &&
+                (trial_[i] <= tolerance || u <= row_tolerance);
   }
   if (!certified) return end(Status::numerical_breakdown, Reason::false_ray);
   // In the problem's own units, largest entry 1.
-  ray_ = ray_.cwiseProduct(column_scale_).cwiseMax(S(0));
+  ray_ = trial_.cwiseProduct(column_scale_).cwiseMax(S(0));
   const S own_largest = ray_.maxCoeff();
   ray_ /= own_largest;
-  ray_artificial_ /= own_largest;
+  ray_artificial_ = v0 / own_largest;
   return end(Status::ray);
 }
 
