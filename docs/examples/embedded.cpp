@@ -1,7 +1,7 @@
 #include <lcpush/lcpush.hpp>
 
 using namespace lcpush;
-constexpr AssemblySize size{/*points*/ 3, /*facets*/ 4, /*actuators*/ 2, /*drives*/ 2};
+constexpr AssemblySize size{/*points*/ 3, /*generators*/ 12, /*actuators*/ 2, /*drives*/ 2};
 alignas(8) static unsigned char arena[push_bytes<float>(size)]; // all there is
 
 // The normal force needed to push the scene's object as prescribed; < 0 if there is none.
@@ -15,5 +15,5 @@ float push_force(const Scene<float>& scene, Index pusher) {
   read_answer(assembly, work.pressure.z.data, work.answer, 1.0F);
   const Residuals<float> residual = check(scene, assembly.layout().scales, work.answer, 1.0F);
   if (!(residual.max() < 1e-3F)) return -1;
-  return body_wrench(scene, work.answer, pusher).head<3>().dot(scene.bodies[pusher].normal);
+  return normal_sum(work.answer, scene.bodies[pusher]);
 }

@@ -33,7 +33,7 @@ int run(const Arguments& arguments) {
 
   std::string names, free;
   for (Index i = 0; i < problem.size; ++i) {
-    names += std::to_string(i + 1) + "\t" + host::variable_name(file, layout, i) + "\n";
+    names += std::to_string(i + 1) + "\t" + push.variable_name(i) + "\n";
     if (i >= problem.free_begin) free += (free.empty() ? "" : ",") + std::to_string(i + 1);
   }
   std::error_code failure;

@@ -18,29 +18,52 @@ std::string point_name(const SceneFile& file, Index point) {
   return "?";
 }
 
-std::string variable_name(const SceneFile& file, const Layout<double>& layout, Index i) {
-  const Name name = name_of(layout, i);
+std::string Push::variable_name(Index i) const {
+  const Name name = name_of(layout(), i);
   switch (name.meaning) {
-  case Meaning::normal: return "normal of " + point_name(file, name.of);
-  case Meaning::slip: return "slip of " + point_name(file, name.of);
-  case Meaning::closing:
-    return "closing of " + file.actuator_names[static_cast<std::size_t>(name.of)];
+  case Meaning::normal: return "normal of " + point_name(file_, name.of);
+  case Meaning::pull: return "pull of " + point_name(file_, name.of);
+  case Meaning::slip: return "slip of " + point_name(file_, name.of);
+  case Meaning::closing: return "closing of " + actuator_name(name.of);
   case Meaning::friction: break;
   }
-  const Body<double>& body = file.bodies[static_cast<std::size_t>(layout.body[name.of])];
-  const Vector3<double> d = generator(body, name.generator, layout.cones[name.of].generators);
+  const Body<double>& body = assembly_.scene().bodies[layout().body[name.of]];
+  const Generator<double> d = generator(body, name.generator, file_.facets);
   const auto short_number = [](double x) { return shown(std::round(x * 1000) / 1000 + 0.0); };
-  return "friction of " + point_name(file, name.of) + " along (" + short_number(d[0]) + ", " +
-         short_number(d[1]) + ", " + short_number(d[2]) + ")";
+  std::string text = "friction of " + point_name(file_, name.of) + " along (" +
+                     short_number(d.force[0]) + ", " + short_number(d.force[1]) + ", " +
+                     short_number(d.force[2]) + ")";
+  if (d.torque != 0) text += " with torque " + shown(d.torque) + " m";
+  return text;
+}
+
+/// Under even pressure an actuator is one point's share of the one in the file.
+std::string Push::actuator_name(Index actuator) const {
+  if (file_.pressure != Pressure::even)
+    return file_.actuator_names[static_cast<std::size_t>(actuator)];
+  const Drive<double>& drive = scene_.drives[actuator];
+  return point_name(file_, scene_.bodies[drive.body].first_point);
 }
 
 Push::Push(const SceneFile& file)
-    : file_(file), scene_(file.view()),
+    : file_(file), even_(file.view()), scene_(even_.scene),
       bytes_(static_cast<std::size_t>(push_bytes<double>(size_of(scene_)))),
       work_(make_workspace<double>({bytes_.data(), static_cast<Index>(bytes_.size())},
                                    size_of(scene_))),
       assembly_(work_.assembly), lemke_(work_.lemke_scalars, work_.lemke_integers) {
   assembly_.assemble(scene_);
+}
+
+EvenScene::EvenScene(const Scene<double>& given) {
+  const EvenSize size = even_size(given);
+  bodies.resize(static_cast<std::size_t>(size.bodies));
+  actuators.resize(static_cast<std::size_t>(size.actuators));
+  drives.resize(static_cast<std::size_t>(size.drives));
+  const EvenMemory<double> memory{{bodies.data(), size.bodies},
+                                  {actuators.data(), size.actuators},
+                                  {drives.data(), size.drives}};
+  // A file whose actuators drive several bodies is refused when it is read.
+  if (spread_evenly(given, memory, scene) != Status::solved) scene = given;
 }
 
 Status Push::run(const PushOptions& options, double sigma, PressureRun& run) {
@@ -53,6 +76,17 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& run) {
   const Status status = solve_pressure(assembly_, lemke_, work_.pressure, pressure, run);
   if (status == Status::solved) read_answer(assembly_, work_.pressure.z.data, work_.answer, sigma);
   return status;
+}
+
+/// Points speak of the file's bodies, even where each is a body of its own.
+void Push::name_file_bodies() {
+  Index body = 0;
+  for (Index i = 0; i < work_.answer.contacts.size; ++i) {
+    while (i >= file_.bodies[static_cast<std::size_t>(body)].first_point +
+                    file_.bodies[static_cast<std::size_t>(body)].point_count)
+      ++body;
+    work_.answer.contacts[i].body = body;
+  }
 }
 
 std::string Push::explain(Status status, const PressureRun& run) const {
@@ -80,8 +114,7 @@ std::string Push::explain(Status status, const PressureRun& run) const {
 std::vector<NamedValue> Push::named_ray() const {
   std::vector<NamedValue> ray;
   for (Index i = 0; i < layout().size; ++i)
-    if (lemke_.ray()[i] > ray_noise)
-      ray.push_back({variable_name(file_, layout(), i), lemke_.ray()[i]});
+    if (lemke_.ray()[i] > ray_noise) ray.push_back({variable_name(i), lemke_.ray()[i]});
   return ray;
 }
 
@@ -90,7 +123,7 @@ Outcome<double> Push::outcome() const {
   Outcome<double> outcome{work_.answer.acceleration, Vector6<double>::Zero()};
   for (Index b = 0; b < scene_.bodies.size; ++b)
     if (scene_.bodies[b].role == Role::pusher)
-      outcome.wrench += body_wrench(scene_, work_.answer, b);
+      outcome.wrench += body_wrench(scene_, work_.answer, scene_.bodies[b]);
   return outcome;
 }
 
@@ -137,7 +170,8 @@ PushReport Push::solve(const PushOptions& options) {
   report.answer = work_.answer;
   report.residuals = check(scene_, report.scales, report.answer, 1.0);
   const double push = push_size(scene_);
-  report.motion = describe_motion(scene_, report.answer, report.scales.length,
+  name_file_bodies();
+  report.motion = describe_motion(file_.view(), report.answer, report.scales.length,
                                   push > 0 ? push : report.scales.acceleration);
   // The solver has checked its own equations; this is the laws' own word, in SI units.
   if (!(report.residuals.max() <= Tolerances<double>().residual)) {
@@ -203,8 +237,9 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   report.scales = layout().scales;
   PressureOptions<double> pressure;
   pressure.lemke = options.lemke;
-  report.status = lcpush::find_breaking(assembly_, lemke_, work_, pusher, pressure, report.breaking,
-                                        report.run);
+  report.status = lcpush::find_breaking(assembly_, lemke_, work_,
+                                        file_.bodies[static_cast<std::size_t>(pusher)], pressure,
+                                        report.breaking, report.run);
   if (report.status == Status::does_not_hold)
     report.reason = "the object moves before it is pushed: the grasp does not hold its load";
   else if (report.status == Status::bad_input && report.run.reason == Reason::none)
@@ -213,9 +248,10 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
     report.reason = explain(report.status, report.run);
   if (report.status == Status::ray) report.ray = named_ray();
   if (report.status != Status::solved) return report;
+  name_file_bodies();
   Answer<double> moving = work_.answer;
   moving.acceleration = report.breaking.twist;
-  report.motion = describe_motion(scene_, moving, report.scales.length, 1.0);
+  report.motion = describe_motion(file_.view(), moving, report.scales.length, 1.0);
   return report;
 }
 

@@ -34,7 +34,7 @@ void write_contacts(JsonWriter& json, const SceneFile& file, const PushReport& r
     json.key("position").numbers(file.positions[static_cast<std::size_t>(i)]);
     json.member("normal_force", contact.normal_force);
     json.key("friction_force").numbers(contact.friction_force);
-    json.member("torsion", contact.torsion);
+    json.member("torsion", contact.torsion).member("spin", contact.spin);
     json.key("acceleration").numbers(contact.acceleration);
     json.member("mode", mode_text(contact.mode)).end_object();
   }
@@ -46,17 +46,30 @@ const char* role_name(const Scene<double>& scene, Index body) {
   return is_driven(scene, body) ? "finger" : "stop";
 }
 
+/// One number a body; under even pressure each point closes by itself.
+void write_closing(JsonWriter& json, const Scene<double>& scene, const Answer<double>& answer,
+                   Index b) {
+  const Body<double>& body = scene.bodies[b];
+  if (!is_driven(scene, b) || scene.pressure != Pressure::even) {
+    json.member("closing_acceleration", is_driven(scene, b) ? closing(answer, body) : unknown);
+    return;
+  }
+  std::vector<double> each;
+  for (Index k = 0; k < body.point_count; ++k)
+    each.push_back(answer.contacts[body.first_point + k].closing);
+  json.key("closing_acceleration").numbers(each.data(), body.point_count);
+}
+
 void write_bodies(JsonWriter& json, const SceneFile& file, const PushReport& report) {
   const Scene<double> scene = file.view();
   json.key("bodies").begin_array();
   for (Index b = 0; b < scene.bodies.size; ++b) {
-    const Vector6<double> wrench = body_wrench(scene, report.answer, b);
+    const Vector6<double> wrench = body_wrench(scene, report.answer, scene.bodies[b]);
     json.begin_object().member("name", file.body_names[static_cast<std::size_t>(b)]);
     json.member("role", role_name(scene, b));
     json.key("force").numbers(wrench.data(), 3).key("moment").numbers(wrench.data() + 3, 3);
     json.member("normal_force", normal_sum(report.answer, scene.bodies[b]));
-    const bool driven = is_driven(scene, b);
-    json.member("closing_acceleration", driven ? closing(scene, report.answer, b) : unknown);
+    write_closing(json, scene, report.answer, b);
     json.end_object();
   }
   json.end_array();

@@ -45,7 +45,7 @@ std::string wrench_lines(const SceneFile& file, const PushReport& report) {
   std::string text;
   for (Index b = 0; b < scene.bodies.size; ++b) {
     if (scene.bodies[b].role != Role::pusher) continue;
-    const Vector6<double> wrench = body_wrench(scene, report.answer, b);
+    const Vector6<double> wrench = body_wrench(scene, report.answer, scene.bodies[b]);
     std::string label = "Push by " + file.body_names[static_cast<std::size_t>(b)];
     label.resize(std::max<std::size_t>(label.size() + 1, 18), ' ');
     text += force_line(label.c_str(), wrench.head<3>(), zero);
@@ -111,13 +111,36 @@ std::string contact_table(const SceneFile& file, const PushReport& report) {
 std::string closing_lines(const SceneFile& file, const PushReport& report) {
   const Scene<double> scene = scene_of(file);
   std::string text;
+  const auto add = [&](const std::string& name, double s) {
+    if (std::abs(s) > 1e-9 * report.scales.acceleration)
+      text += "  " + name + (s > 0 ? " closes at " : " is forced open at ") + number(std::abs(s)) +
+              " m/s^2\n";
+  };
   for (Index b = 0; b < scene.bodies.size; ++b) {
-    const double s = closing(scene, report.answer, b);
-    if (std::abs(s) <= 1e-9 * report.scales.acceleration) continue;
-    text += "  " + file.body_names[static_cast<std::size_t>(b)] +
-            (s > 0 ? " closes at " : " is forced open at ") + number(std::abs(s)) + " m/s^2\n";
+    const Body<double>& body = scene.bodies[b];
+    if (scene.pressure != Pressure::even)
+      add(file.body_names[static_cast<std::size_t>(b)], closing(report.answer, body));
+    else
+      for (Index k = body.first_point; k < body.first_point + body.point_count; ++k)
+        add(point_name(file, k), report.answer.contacts[k].closing);
   }
   return text.empty() ? "" : "\nBodies whose actuators move them:\n" + text;
+}
+
+/// Soft points twist: their torque, and how fast they spin.
+std::string torsion_lines(const SceneFile& file, const PushReport& report) {
+  const Scene<double> scene = scene_of(file);
+  const double zero = 1e-9 * report.scales.force * report.scales.length;
+  std::string text;
+  for (Index i = 0; i < report.answer.contacts.size; ++i) {
+    const ContactAnswer<double>& contact = report.answer.contacts[i];
+    if (!(scene.bodies[contact.body].torsion_radius > 0)) continue;
+    text += "  " + point_name(file, i) + " twists the object with " +
+            number(contact.torsion, zero) + " N m about its normal, against a spin of " +
+            number(contact.spin, 1e-9 * report.scales.acceleration / report.scales.length) +
+            " rad/s^2\n";
+  }
+  return text.empty() ? "" : "\nSoft contacts:\n" + text;
 }
 
 const char* pressure_name(Pressure pressure) {
@@ -158,7 +181,11 @@ std::string solve_text(const SceneFile& file, const HoldReport& hold, const Push
   if (file.pressure == Pressure::rigid)
     text += "                  (pressure = \"rigid\" leaves a patch's pressure open: one answer of "
             "a set)\n";
-  text += "\n" + contact_table(file, report) + closing_lines(file, report);
+  if (file.pressure == Pressure::even && !file.planar)
+    text += "                  (pressure = \"even\" cannot resist tilting: trust it where nothing "
+            "tilts)\n";
+  text += "\n" + contact_table(file, report) + torsion_lines(file, report);
+  text += closing_lines(file, report);
   text += "\nLargest scaled residual " + residual_text(report.residuals.max()) +
           ", checked apart from the solver.\n" + run_line(file, report.run);
   return text;

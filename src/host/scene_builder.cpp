@@ -92,11 +92,14 @@ void SceneBuilder::refuse_squeezes_out_of_plane() const {
       const double in_plane = std::hypot(column[0], column[1]);
       const double turning = std::abs(column[5]);
       const bool moves_it = in_plane > direction_slack || turning > direction_slack * p.norm();
-      if (moves_it || !(column.dot(body.acceleration) > 0)) continue;
+      const double closing = column.dot(body.acceleration);
+      if (moves_it || !(body.bilateral ? closing != 0 : closing > 0)) continue;
       throw InputError(document_.file, name_lines_.at(scene_.body_names[b]),
                        quoted(scene_.body_names[b]) +
-                           ": moves into the object out of the plane, where planar = true lets "
-                           "nothing give way; move it in the x-y plane or remove planar");
+                           (body.bilateral ? ": moves the object out of the plane"
+                                           : ": moves into the object out of the plane") +
+                           ", where planar = true lets nothing give way; move it in the x-y plane "
+                           "or remove planar");
     }
   }
 }
@@ -111,7 +114,6 @@ void SceneBuilder::read_settings() {
   if (root.has("pressure"))
     scene_.pressure = static_cast<Pressure>(root.choice("pressure", {"pad", "even", "rigid"}));
   if (root.has("planar")) scene_.planar = root.boolean("planar");
-  refuse_unsupported(root);
 }
 
 void SceneBuilder::read_bodies(Role role) {
@@ -142,8 +144,11 @@ void SceneBuilder::read_body(Role role, const TableReader& table) {
       table.fail("torsion_radius", "torsion_radius goes with a single point only; this patch has " +
                                        std::to_string(body.point_count));
   }
-  if (table.has("follow")) table.choice("follow", {"unilateral", "bilateral"});
-  refuse_unsupported(table);
+  if (table.has("follow"))
+    body.bilateral = table.choice("follow", {"unilateral", "bilateral"}) == 1;
+  if (body.bilateral && table.has("normal_force"))
+    table.fail("follow", "a pusher holds either its normal_force or, bilaterally, its normal "
+                         "motion; remove one of the two");
   scene_.bodies.push_back(body);
   add_points(table, patch);
 }
@@ -207,6 +212,10 @@ void SceneBuilder::drive_fingers() {
 
 void SceneBuilder::drive_parallel_jaws(const TableReader& gripper) {
   const std::size_t count = tables("finger").size();
+  if (scene_.pressure == Pressure::even)
+    gripper.fail("jaws", "parallel jaws share one force over both fingers, so no point's even "
+                         "share of it is known; use jaws = \"independent\" or another pressure "
+                         "than \"even\"");
   if (count != 2)
     gripper.fail("jaws",
                  "parallel jaws need exactly two [[finger]]s, got " + std::to_string(count));
@@ -254,6 +263,9 @@ void SceneBuilder::read_actuator(const TableReader& table) {
   if (table.has("force") == table.has("acceleration"))
     table.fail("acceleration", "an actuator has either a force or an acceleration; give one");
   const bool is_prescribed = table.has("acceleration");
+  if (!is_prescribed && bodies.size() > 1 && scene_.pressure == Pressure::even)
+    table.fail("bodies", "an actuator of several bodies shares one force over them, so no point's "
+                         "even share of it is known; use another pressure than \"even\"");
   if (is_prescribed && table.has("inertia"))
     table.fail("inertia", "inertia goes with force; remove it");
   const double amount = table.number(is_prescribed ? "acceleration" : "force",

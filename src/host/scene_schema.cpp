@@ -92,16 +92,4 @@ void check_sections(const TomlDocument& document) {
                      "missing the table [object]; add [object] with mass and box, for example");
 }
 
-void refuse_unsupported(const TableReader& table) {
-  const auto refuse = [&table](const std::string& key, const std::string& text) {
-    table.fail(key, text + " is not supported yet");
-  };
-  const auto is = [&table](const std::string& key, const std::string& value) {
-    return table.has(key) && table.text(key) == value;
-  };
-  if (is("pressure", "even")) refuse("pressure", "pressure = \"even\"");
-  if (is("follow", "bilateral")) refuse("follow", "follow = \"bilateral\"");
-  if (table.has("torsion_radius")) refuse("torsion_radius", "torsion_radius");
-}
-
 } // namespace lcpush::host

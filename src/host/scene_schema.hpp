@@ -1,4 +1,4 @@
-// What a scene file may contain besides [object] and the patches, and what is not supported yet.
+// What a scene file may contain besides [object] and the patches.
 #pragma once
 
 #include "lcpush/host/toml.hpp"
@@ -15,8 +15,5 @@ const Schema& body_schema(Role role);
 
 /// Refuses unknown sections, [name] for [[name]] and the reverse, a missing [object].
 void check_sections(const TomlDocument& document);
-
-/// The one place that knows what lcpush reads but cannot solve yet. Delete a line to allow it.
-void refuse_unsupported(const TableReader& table);
 
 } // namespace lcpush::host

@@ -181,8 +181,8 @@ TEST_CASE("the instant of breaking allocates nothing") {
     Breaking<double> breaking;
     Status status = Status::running;
     CHECK(heap_calls_of([&] {
-            status = find_breaking(push.assembly, push.lemke, push.memory.work, 2, push.options,
-                                   breaking, push.run);
+            status = find_breaking(push.assembly, push.lemke, push.memory.work,
+                                   push.scene.bodies[2], push.options, breaking, push.run);
           }) == 0);
     CHECK(status == Status::solved);
   }

@@ -99,13 +99,29 @@ TEST_CASE("a planar scene refuses a body that moves into the object out of the p
   CHECK_FALSE(parsed(object_table + above + "acceleration = [0, 0, -0.1]\n").planar);
 }
 
-TEST_CASE("what is read but cannot be solved yet is refused, each at its key") {
-  check_refusal("pressure = \"even\"\n" + with_finger(""),
-                "1: pressure = \"even\" is not supported yet");
-  check_refusal(with_pusher("acceleration = [0, 0, 0]\nfollow = \"bilateral\""),
-                "11: pusher \"wall\": follow = \"bilateral\" is not supported yet");
-  check_refusal(with_finger("torsion_radius = 0.001"),
-                "10: finger \"left\": torsion_radius is not supported yet");
+TEST_CASE("what contradicts itself is refused, each at its key") {
+  const std::string parallel = "[gripper]\njaws = \"parallel\"\n";
+  check_refusal("pressure = \"even\"\n" + object_table + parallel + finger_table,
+                "6: gripper: parallel jaws share one force over both fingers, so no point's even "
+                "share of it is known; use jaws = \"independent\" or another pressure than "
+                "\"even\"");
+  const std::string shared = "[[actuator]]\nname = \"tendon\"\nbodies = [\"left\", \"right\"]\n"
+                             "twists = [[0, 0, -1, 0, 0, 0], [0, 0, -1, 0, 0, 0]]\nforce = 2\n";
+  const std::string two = object_table + finger_table + named(finger_table, "right");
+  check_says("pressure = \"even\"\n" + two + shared, "19: actuator \"tendon\": an actuator of "
+                                                     "several bodies shares one force");
+  CHECK(parsed(two + shared).actuators.size() == 1);
+  check_refusal(with_pusher("normal_force = 3\nfollow = \"bilateral\""),
+                "11: pusher \"wall\": a pusher holds either its normal_force or, bilaterally, its "
+                "normal motion; remove one of the two");
+}
+
+TEST_CASE("even pressure, soft points and bilateral pushers are read") {
+  CHECK(parsed("pressure = \"even\"\n" + with_finger("")).pressure == lcpush::Pressure::even);
+  CHECK(parsed(with_finger("torsion_radius = 0.001")).bodies[0].torsion_radius == 0.001);
+  const std::string wall = "acceleration = [0, 0, 0]\nfollow = ";
+  CHECK(parsed(with_pusher(wall + "\"bilateral\"")).bodies[0].bilateral);
+  CHECK_FALSE(parsed(with_pusher(wall + "\"unilateral\"")).bodies[0].bilateral);
 }
 
 TEST_CASE("a torsion radius goes with a single point") {

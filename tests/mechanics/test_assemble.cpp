@@ -45,7 +45,7 @@ Vec3 contact_force(const Scene<double>& scene, const Unknowns& u, Index b, Index
   const Body<double>& body = scene.bodies[b];
   Vec3 force = u.normal(i) * body.normal;
   for (Index j = 0; body.friction > 0 && j < scene.facets; ++j)
-    force += u.friction(i, j) * generator(body, j, scene.facets);
+    force += u.friction(i, j) * generator(body, j, scene.facets).force;
   return force;
 }
 
@@ -80,7 +80,7 @@ void check_point(const Scene<double>& scene, const Unknowns& u, const VectorX<do
   if (!(body.friction > 0)) return;
   double room = body.friction * u.normal(i);
   for (Index j = 0; j < scene.facets; ++j) {
-    const double row = generator(body, j, scene.facets).dot(acceleration) + u.slip(i);
+    const double row = generator(body, j, scene.facets).force.dot(acceleration) + u.slip(i);
     CHECK(absolute(w[layout.friction(i, j)] - row / scales.acceleration) <= rounding);
     room -= u.friction(i, j);
   }

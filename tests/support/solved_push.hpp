@@ -37,7 +37,7 @@ template <class S> struct SolvedPush {
 
   const Answer<S>& answer() const { return memory.work.answer; }
   const Scales<S>& scales() const { return assembly.layout().scales; }
-  Vector6<S> wrench(Index body) const { return body_wrench(scene, answer(), body); }
+  Vector6<S> wrench(Index body) const { return body_wrench(scene, answer(), scene.bodies[body]); }
   S normal_force(Index body) const {
     S sum(0);
     for (const ContactAnswer<S>& contact : answer().contacts)

@@ -18,9 +18,6 @@ struct NamedValue {
 
 /// "left.3": point 3 (counted from 1) of body "left".
 std::string point_name(const SceneFile& file, Index point);
-/// "normal of left.3", "friction of left.3 along (0, 1, 0)", "slip of left.3", "closing of left".
-std::string variable_name(const SceneFile& file, const Layout<double>& layout, Index i);
-
 struct PushOptions {
   LemkeOptions<double> lemke{};
   Index other_covers = 3; ///< covers tried in search of another answer
@@ -59,6 +56,16 @@ struct BreakReport {
   Scales<double> scales{};
 };
 
+/// The scene as it is solved: a file's scene, spread evenly if it says so.
+struct EvenScene {
+  std::vector<Body<double>> bodies;
+  std::vector<Actuator<double>> actuators;
+  std::vector<Drive<double>> drives;
+  Scene<double> scene; ///< over these arrays, and over the given scene's
+
+  explicit EvenScene(const Scene<double>& given);
+};
+
 class Push {
 public:
   /// `file` must outlive the Push. Memory: see push_bytes.
@@ -72,19 +79,26 @@ public:
   HoldReport holds_without_push(const PushOptions& options);
   BreakReport find_breaking(Index pusher, const PushOptions& options);
 
+  /// Unknown i of layout(): "normal of left.3", "pull of wall.1", "friction of left.3 along (0, 1,
+  /// 0)", "slip of left.3", "closing of left".
+  std::string variable_name(Index i) const;
+
   const SceneFile& file() const { return file_; }
   const Layout<double>& layout() const { return assembly_.layout(); }
   Assembly<double>& assembly() { return assembly_; }
 
 private:
   const SceneFile& file_;
-  Scene<double> scene_;
+  EvenScene even_;
+  const Scene<double>& scene_; // as solved: even_.scene
   std::vector<unsigned char> bytes_;
   Workspace<double> work_;
   Assembly<double> assembly_;
   Lemke<double> lemke_;
 
   Status run(const PushOptions& options, double sigma, PressureRun& run);
+  std::string actuator_name(Index actuator) const;
+  void name_file_bodies();
   Outcome<double> outcome() const;
   std::string explain(Status status, const PressureRun& run) const;
   std::vector<NamedValue> named_ray() const;

@@ -22,7 +22,7 @@ namespace lcpush {
 enum class Reason {
   none,
   memory_too_small, ///< bad_input: see lemke_scalars and lemke_integers
-  unsupported,      ///< bad_input: a pressure law or contact model that is not implemented
+  unsupported,      ///< bad_input: a pressure law or contact model that the scene's patches exclude
   not_finite,       ///< bad_input: a number of M or q is NaN or infinite
   residual,         ///< numerical_breakdown: the answer reached fails its residual check
   false_ray,        ///< numerical_breakdown: the ray reached fails its certificate
@@ -35,7 +35,8 @@ constexpr const char* reason_text(Reason reason) {
   switch (reason) {
   case Reason::none: return "";
   case Reason::memory_too_small: return "the solver's memory is too small for this problem";
-  case Reason::unsupported: return "the scene asks for what is not implemented yet";
+  case Reason::unsupported:
+    return "a soft contact of several points, or even pressure that was not spread over its points";
   case Reason::not_finite: return "a number of M or q is not finite, or overflows when scaled";
   case Reason::residual: return "an answer was reached but fails the residual check";
   case Reason::false_ray: return "nothing blocks, yet the ray fails its certificate";

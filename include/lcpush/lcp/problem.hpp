@@ -13,15 +13,23 @@ namespace lcpush {
 
 /// One normal unknown lambda, its generators' unknowns beta_1..beta_g and its slip unknown xi:
 /// variables [lambda, beta_1, .., beta_g, xi], just [lambda] when there is no friction.
+/// A group that can pull as well has normals = 2 and the variables [lambda+, lambda-, beta_1, ..]:
+/// its normal force is lambda+ - lambda-, the second wrench column the first one's negative.
 template <class S> struct ConeGroup {
-  Index force;      ///< column of lambda among the wrenches; beta_j stands at force + j
-  Index generators; ///< g, 0 for a frictionless group
-  Index variable;   ///< index of lambda in z; beta_j at variable + j, xi at variable + g + 1
-  S friction;       ///< mu
-  S compliance;     ///< c >= 0, added to the diagonal of lambda's row
+  Index force;       ///< column of lambda among the wrenches; the other forces follow
+  Index generators;  ///< g, 0 for a frictionless group
+  Index variable;    ///< index of lambda in z; the other forces follow, in the wrenches' order
+  S friction;        ///< mu
+  S compliance;      ///< c >= 0, between the normal force and the normal acceleration
+  Index normals = 1; ///< 1: pushes only; 2: pulls as well
 
-  Index size() const { return generators == 0 ? 1 : generators + 2; }
-  Index slip() const { return variable + generators + 1; }
+  Index forces() const { return normals + generators; }
+  Index size() const { return forces() + (generators == 0 ? 0 : 1); }
+  Index slip() const { return variable + forces(); }
+  /// lambda, with its sign.
+  S normal_force(const S* z) const {
+    return normals == 2 ? S(z[variable] - z[variable + 1]) : z[variable];
+  }
 };
 
 /// Forces that share an actuator: row sum_k coupling_k z_k + inertia s - target = 0, s free.
@@ -58,7 +66,7 @@ template <class S> struct Problem {
 template <class S> Vector6<S> contact_wrench(const FactoredProblem<S>& problem, const S* z) {
   Vector6<S> wrench = Vector6<S>::Zero();
   for (const ConeGroup<S>& cone : problem.cones)
-    for (Index k = 0; k <= cone.generators; ++k)
+    for (Index k = 0; k < cone.forces(); ++k)
       wrench += problem.wrenches[cone.force + k] * z[cone.variable + k];
   return wrench;
 }
@@ -70,12 +78,14 @@ void multiply_factored(const FactoredProblem<S>& problem, Index free_begin, cons
   const Vector6<S> a = problem.mobility.lazyProduct(contact_wrench(problem, z));
   for (const ConeGroup<S>& cone : problem.cones) {
     const Index i = cone.variable;
-    for (Index k = 0; k <= cone.generators; ++k)
-      out[i + k] = problem.wrenches[cone.force + k].dot(a);
-    out[i] += cone.compliance * z[i];
+    for (Index k = 0; k < cone.forces(); ++k) out[i + k] = problem.wrenches[cone.force + k].dot(a);
+    const S yields = cone.compliance * cone.normal_force(z);
+    out[i] += yields;
+    if (cone.normals == 2) out[i + 1] -= yields;
     if (cone.generators == 0) continue;
     S cone_row = cone.friction * z[i];
-    for (Index k = 1; k <= cone.generators; ++k) {
+    if (cone.normals == 2) cone_row += cone.friction * z[i + 1];
+    for (Index k = cone.normals; k < cone.forces(); ++k) {
       out[i + k] += z[cone.slip()];
       cone_row -= z[i + k];
     }
@@ -97,18 +107,20 @@ template <class S>
 void fill_factored(const FactoredProblem<S>& problem, Index free_begin, MatrixMap<S> M) {
   M.setZero();
   for (const ConeGroup<S>& acting : problem.cones) {
-    for (Index k = 0; k <= acting.generators; ++k) {
+    for (Index k = 0; k < acting.forces(); ++k) {
       const Vector6<S> a = problem.mobility.lazyProduct(problem.wrenches[acting.force + k]);
       auto column = M.col(acting.variable + k);
       for (const ConeGroup<S>& felt : problem.cones)
-        for (Index j = 0; j <= felt.generators; ++j)
+        for (Index j = 0; j < felt.forces(); ++j)
           column[felt.variable + j] = problem.wrenches[felt.force + j].dot(a);
     }
     const Index i = acting.variable;
-    M(i, i) += acting.compliance;
+    for (Index j = 0; j < acting.normals; ++j)
+      for (Index k = 0; k < acting.normals; ++k)
+        M(i + j, i + k) += j == k ? acting.compliance : S(-acting.compliance);
     if (acting.generators == 0) continue;
-    M(acting.slip(), i) = acting.friction;
-    for (Index k = 1; k <= acting.generators; ++k) {
+    for (Index k = 0; k < acting.normals; ++k) M(acting.slip(), i + k) = acting.friction;
+    for (Index k = acting.normals; k < acting.forces(); ++k) {
       M(i + k, acting.slip()) = S(1);
       M(acting.slip(), i + k) = S(-1);
     }

@@ -35,26 +35,33 @@ void factored_rows(const Problem<S>& problem, const S* z, const S* y, S* w, S* s
   const FactoredProblem<S>& f = *problem.factored;
   Vector6<S> wrench = Vector6<S>::Zero(), wrench_size = Vector6<S>::Zero();
   for (const ConeGroup<S>& cone : f.cones)
-    for (Index k = 0; k <= cone.generators; ++k) {
+    for (Index k = 0; k < cone.forces(); ++k) {
       wrench += f.wrenches[cone.force + k] * z[cone.variable + k];
       wrench_size += f.wrenches[cone.force + k].cwiseAbs() * y[cone.variable + k];
     }
   const Vector6<S> a = f.mobility.lazyProduct(wrench);
   const Vector6<S> a_size = f.mobility.cwiseAbs().lazyProduct(wrench_size);
   for (const ConeGroup<S>& cone : f.cones) {
-    const Index g = cone.generators, lambda = cone.variable, xi = cone.slip();
-    for (Index k = 0; k <= g; ++k) {
-      w[lambda + k] =
-          f.wrenches[cone.force + k].dot(a) + (k > 0 ? z[xi] : cone.compliance * z[lambda]);
-      sizes[lambda + k] = f.wrenches[cone.force + k].cwiseAbs().dot(a_size) +
-                          (k > 0 ? y[xi] : cone.compliance * y[lambda]);
-    }
-    if (g == 0) continue;
-    w[xi] = cone.friction * z[lambda];
-    sizes[xi] = cone.friction * y[lambda];
-    for (Index k = 1; k <= g; ++k) {
-      w[xi] -= z[lambda + k];
-      sizes[xi] += y[lambda + k];
+    const Index first = cone.variable, xi = cone.slip();
+    const bool has_friction = cone.generators > 0, pulls = cone.normals == 2;
+    if (has_friction) w[xi] = sizes[xi] = S(0);
+    for (Index k = 0; k < cone.forces(); ++k) {
+      const Index i = first + k;
+      w[i] = f.wrenches[cone.force + k].dot(a);
+      sizes[i] = f.wrenches[cone.force + k].cwiseAbs().dot(a_size);
+      if (k < cone.normals) {
+        const Index other = pulls ? first + 1 - k : -1;
+        w[i] += cone.compliance * (pulls ? S(z[i] - z[other]) : z[i]);
+        sizes[i] += cone.compliance * (pulls ? S(y[i] + y[other]) : y[i]);
+        if (!has_friction) continue;
+        w[xi] += cone.friction * z[i];
+        sizes[xi] += cone.friction * y[i];
+      } else {
+        w[i] += z[xi];
+        sizes[i] += y[xi];
+        w[xi] -= z[i];
+        sizes[xi] += y[i];
+      }
     }
   }
   for (Index a_index = 0; a_index < f.sums.size; ++a_index) {

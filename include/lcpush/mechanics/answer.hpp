@@ -13,9 +13,11 @@ constexpr const char* mode_text(Mode mode) {
 
 template <class S> struct ContactAnswer {
   Index body;
-  S normal_force;            ///< N, lambda
+  S normal_force;            ///< N, lambda; negative where a bilateral body pulls
   Vector3<S> friction_force; ///< N, on the object
   S torsion;                 ///< N m, friction moment about the normal, soft points only
+  S spin;                    ///< rad/s^2 about the normal, of the object relative to its body
+  S closing;                 ///< m/s^2 along the normal, what actuators add to its body's motion
   S slip;                    ///< m/s^2, xi
   Vector3<S> acceleration;   ///< m/s^2, of the object's point relative to its body
   Mode mode;
@@ -24,20 +26,19 @@ template <class S> struct ContactAnswer {
 template <class S> struct Answer {
   Vector6<S> acceleration;         ///< of the object, [m/s^2; rad/s^2]
   Span<ContactAnswer<S>> contacts; ///< in the scene's order
-  Span<S> friction;                ///< N, beta, g a point with friction, in the same order
+  Span<S> friction;                ///< N, beta, generator_count a point, in the same order
   Span<S> closing;                 ///< s of each actuator, per second^2
 };
 
 /// The wrench of one body on the object, [N; N m about the centre of mass].
 template <class S>
-Vector6<S> body_wrench(const Scene<S>& scene, const Answer<S>& answer, Index body) {
+Vector6<S> body_wrench(const Scene<S>& scene, const Answer<S>& answer, const Body<S>& body) {
   Vector6<S> total = Vector6<S>::Zero();
-  const Body<S>& b = scene.bodies[body];
-  for (Index i = b.first_point; i < b.first_point + b.point_count; ++i) {
+  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
     const ContactAnswer<S>& contact = answer.contacts[i];
-    total +=
-        wrench_column<S>(scene.points[i], contact.normal_force * b.normal + contact.friction_force);
-    total.template tail<3>() += contact.torsion * b.normal;
+    total += wrench_column<S>(scene.points[i],
+                              contact.normal_force * body.normal + contact.friction_force);
+    total.template tail<3>() += contact.torsion * body.normal;
   }
   return total;
 }
@@ -67,12 +68,11 @@ template <class S> bool is_driven(const Scene<S>& scene, Index body) {
 }
 
 /// How fast its actuators close a body, m/s^2 along its normal (mean over its points).
-template <class S> S closing(const Scene<S>& scene, const Answer<S>& answer, Index body) {
+template <class S> S closing(const Answer<S>& answer, const Body<S>& body) {
   S sum(0);
-  for (const Drive<S>& drive : scene.drives)
-    if (drive.body == body)
-      sum += answer.closing[drive.actuator] * closing_speed(scene, scene.bodies[body], drive);
-  return sum;
+  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    sum += answer.contacts[i].closing;
+  return sum / S(body.point_count);
 }
 
 /// The sum of a body's normal forces, N.

@@ -8,17 +8,13 @@
 
 namespace lcpush {
 
-/// Upper bounds for a scene of so many points, facets and actuators.
-constexpr Index problem_size(Index points, Index facets, Index actuators) {
-  return points * (facets + 2) + actuators;
-}
-constexpr Index assembly_forces(Index points, Index facets) { return points * (facets + 1); }
-
-/// Memory of an assembly, in elements of each type. `drives` counts (body, actuator) pairs.
+/// How large a scene may be; everything else about memory follows. `generators` counts those of all
+/// points together (points times facets, or generator_count by generator_count), `drives` the
+/// (body, actuator) pairs, `pulls` the points of bilateral bodies.
 struct AssemblySize {
-  Index points, facets, actuators, drives;
-  constexpr Index unknowns() const { return problem_size(points, facets, actuators); }
-  constexpr Index forces() const { return assembly_forces(points, facets); }
+  Index points, generators, actuators, drives, pulls = 0;
+  constexpr Index unknowns() const { return forces() + points + actuators; }
+  constexpr Index forces() const { return points + pulls + generators; }
   constexpr Index couplings() const { return forces() * (drives > 0 ? drives : 1); }
   constexpr Index scalars() const {
     return 6 * forces() + couplings() + 3 * unknowns() + actuators;
@@ -142,9 +138,12 @@ template <class S> void Assembly<S>::add_points() {
       const ConeGroup<S> cone = laws::friction_cone(body, g, force, variable);
       memory_.cones[layout_.points] = cone;
       memory_.body[layout_.points++] = b;
-      add_force(variable, laws::normal_direction(body, p, layout_.scales), A_b);
+      const Vector6<S> normal = laws::normal_direction(body, p, layout_.scales);
+      add_force(variable, normal, A_b);
+      if (cone.normals == 2) add_force(variable + 1, -normal, A_b);
       for (Index j = 0; j < g; ++j)
-        add_force(variable + 1 + j, laws::friction_direction(body, p, j, g, layout_.scales), A_b);
+        add_force(variable + cone.normals + j,
+                  laws::friction_direction(body, p, j, scene.facets, layout_.scales), A_b);
       if (g > 0) memory_.rest[cone.slip()] = memory_.push[cone.slip()] = S(0);
       variable += cone.size();
     }
@@ -165,7 +164,7 @@ template <class S> void Assembly<S>::add_actuators() {
       for (Index i = 0; i < layout_.points; ++i) {
         if (memory_.body[i] != drive.body) continue;
         const ConeGroup<S>& cone = memory_.cones[i];
-        for (Index k = 0; k <= cone.generators; ++k) {
+        for (Index k = 0; k < cone.forces(); ++k) {
           const S coefficient = laws::grip_coefficient(drive, memory_.wrenches[cone.force + k],
                                                        memory_.reach[a], layout_.scales);
           // A force across the motion does no work on it: what is left of it is rounding.
@@ -187,7 +186,8 @@ template <class S> bool Assembly<S>::fits(const Scene<S>& scene) const {
   Index forces = 0, unknowns = scene.actuators.size, couplings = 0;
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<S>& body = scene.bodies[b];
-    const Index g = generator_count(scene, body), of_body = body.point_count * (g + 1);
+    const Index g = generator_count(scene, body);
+    const Index of_body = body.point_count * (g + (body.bilateral ? 2 : 1));
     forces += of_body;
     unknowns += of_body + (g > 0 ? body.point_count : 0);
     for (const Drive<S>& drive : scene.drives)

@@ -48,11 +48,10 @@ namespace detail {
 
 /// `rigid`: the push is one more right-hand side, so the limit is exact.
 template <class S>
-Status break_rigid(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, Index pusher,
-                   const PressureOptions<S>& options, S unit, Breaking<S>& breaking,
-                   PressureRun& run) {
+Status break_rigid(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work,
+                   const Body<S>& pusher, const PressureOptions<S>& options, S unit,
+                   Breaking<S>& breaking, PressureRun& run) {
   const Scene<S>& scene = assembly.scene();
-  const Body<S>& body = scene.bodies[pusher];
   Status status = lemke.init(assembly.breaking_problem(), options.lemke);
   if (status == Status::running) status = lemke.solve();
   run.pivots += lemke.pivots();
@@ -60,13 +59,13 @@ Status break_rigid(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, I
   if (status != Status::solved) return status;
   read_answer(assembly, lemke.z_push(), work.answer, S(1), false);
   breaking.inertia = body_wrench(scene, work.answer, pusher) / unit;
-  breaking.inertia_normal = normal_sum(work.answer, body) / unit;
+  breaking.inertia_normal = normal_sum(work.answer, pusher) / unit;
   breaking.twist = work.answer.acceleration / unit;
   breaking.valid_to = lemke.valid_to() < S(0) ? S(-1) : S(lemke.valid_to() * unit);
   read_answer(assembly, lemke.z(), work.answer, S(0));
   breaking.rest = work.answer.acceleration;
   breaking.force = body_wrench(scene, work.answer, pusher);
-  breaking.break_force = normal_sum(work.answer, body);
+  breaking.break_force = normal_sum(work.answer, pusher);
   breaking.residuals = check(scene, assembly.layout().scales, work.answer, S(0));
 
   // The same answer a little later, to be checked while it moves.
@@ -89,9 +88,9 @@ template <class S> struct SmallPush {
 
 /// Solves a push whose fastest point moves at `size` of F / m.
 template <class S>
-Status push_slowly(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, Index pusher,
-                   PressureOptions<S> options, S unit, S size, SmallPush<S>& push,
-                   PressureRun& run) {
+Status push_slowly(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work,
+                   const Body<S>& pusher, PressureOptions<S> options, S unit, S size,
+                   SmallPush<S>& push, PressureRun& run) {
   const Scene<S>& scene = assembly.scene();
   const Scales<S>& scales = assembly.layout().scales;
   push.sigma = size * scales.acceleration / unit;
@@ -108,7 +107,7 @@ Status push_slowly(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, I
   if (status != Status::solved) return status;
   read_answer(assembly, work.pressure.z.data, work.answer, push.sigma);
   push.wrench = body_wrench(scene, work.answer, pusher);
-  push.normal = normal_sum(work.answer, scene.bodies[pusher]);
+  push.normal = normal_sum(work.answer, pusher);
   push.acceleration = work.answer.acceleration;
   push.residuals = check(scene, scales, work.answer, push.sigma);
   return status;
@@ -138,7 +137,7 @@ Breaking<S> extrapolate(const SmallPush<S>* push, S unit, const Scales<S>& scale
 /// `pad`: compliance has to vanish before the push does, so finite small pushes are extrapolated.
 /// Where the third is off the line of the first two, a change of mode lies between: go smaller.
 template <class S>
-Status break_pad(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, Index pusher,
+Status break_pad(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, const Body<S>& pusher,
                  const PressureOptions<S>& options, S unit, Breaking<S>& breaking,
                  PressureRun& run) {
   constexpr int most_pushes = 5;
@@ -159,12 +158,12 @@ Status break_pad(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, Ind
 
 } // namespace detail
 
-/// The push that `pusher` (a body of assembly.scene()) needs to move the object in the grip.
+/// The push that `pusher` (a body of the scene) needs to move the object in the grip.
 /// Pre: push_size(scene) > 0. Post: solved; does_not_hold (breaking.rest is the motion without a
 /// push); or the solver's failure. work.answer is left at a small push: the modes at breaking.
 template <class S>
 [[nodiscard]] Status find_breaking(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work,
-                                   Index pusher, const PressureOptions<S>& options,
+                                   const Body<S>& pusher, const PressureOptions<S>& options,
                                    Breaking<S>& breaking, PressureRun& run) {
   const S unit = push_size(assembly.scene());
   breaking = {};

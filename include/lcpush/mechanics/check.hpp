@@ -15,6 +15,7 @@ template <class S> void keep_worst(S& worst, S violation) {
   if (!(violation <= worst) && worst == worst) worst = violation;
 }
 template <class S> S smaller(const S& x, const S& y) { return x < y || !(x == x) ? x : y; }
+template <class S> S magnitude(const S& x) { return x < S(0) ? S(-x) : x; }
 } // namespace detail
 
 /// The largest scaled violation of each law. Forces are measured by F, accelerations by F / m,
@@ -47,7 +48,7 @@ Residuals<S> check(const Scene<S>& scene, const Scales<S>& scales, const Answer<
   Vector3<S> force = scene.object.mass * scene.gravity;
   Vector3<S> moment = Vector3<S>::Zero();
   for (Index b = 0; b < scene.bodies.size; ++b) {
-    const Vector6<S> wrench = body_wrench(scene, answer, b);
+    const Vector6<S> wrench = body_wrench(scene, answer, scene.bodies[b]);
     force += wrench.template head<3>();
     moment += wrench.template tail<3>();
   }
@@ -71,18 +72,25 @@ Residuals<S> check(const Scene<S>& scene, const Scales<S>& scales, const Answer<
           acceleration_at<S>(scene.points[i], relative) / scales.acceleration;
       const S lambda = contact.normal_force / scales.force, xi = contact.slip / scales.acceleration;
       const S opening = acceleration.dot(body.normal);
-      keep_worst(worst.normal, smaller(lambda, opening));
-      if (body.role == Role::pusher && lambda > S(0))
-        keep_worst(worst.pusher, smaller(lambda, opening));
-      S room = body.friction * lambda;
+      const S spin = relative.template tail<3>().dot(body.normal) / scales.acceleration;
+      const S normal_violation = body.bilateral ? opening : smaller(lambda, opening);
+      keep_worst(worst.normal, normal_violation);
+      if (body.role == Role::pusher && (body.bilateral || lambda > S(0)))
+        keep_worst(worst.pusher, normal_violation);
+      S room = body.friction * (body.bilateral ? detail::magnitude(lambda) : lambda);
       Vector3<S> friction = contact.friction_force / scales.force;
+      S torsion = contact.torsion / scales.force;
       for (Index j = 0; j < g; ++j) {
+        const Generator<S> d = generator(body, j, scene.facets);
         const S beta = answer.friction[entry++] / scales.force;
-        keep_worst(worst.dissipation, smaller(beta, acceleration.dot(generator(body, j, g)) + xi));
+        keep_worst(worst.dissipation,
+                   smaller(beta, S(acceleration.dot(d.force) + spin * d.torque + xi)));
         room -= beta;
-        friction -= beta * generator(body, j, g);
+        friction -= beta * d.force;
+        torsion -= beta * d.torque;
       }
       for (Index k = 0; k < 3; ++k) keep_worst(worst.cone, S(friction[k]));
+      keep_worst(worst.cone, S(torsion / scales.length));
       if (g > 0) keep_worst(worst.cone, smaller(xi, room));
       // Distances between coplanar points do not see a warp out of the plane; the motion does.
       const Vector3<S> off = contact.acceleration / scales.acceleration - acceleration;
@@ -101,7 +109,7 @@ Residuals<S> check(const Scene<S>& scene, const Scales<S>& scales, const Answer<
     S reach(0);
     for (const Drive<S>& drive : scene.drives) {
       if (drive.actuator != a) continue;
-      balance += drive.twist.dot(body_wrench(scene, answer, drive.body));
+      balance += drive.twist.dot(body_wrench(scene, answer, scene.bodies[drive.body]));
       const Body<S>& body = scene.bodies[drive.body];
       for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
         const S speed = acceleration_at(scene.points[i], drive.twist).norm();

@@ -57,15 +57,36 @@ template <class S> S circle_cosine(Index j, Index g) {
 /// sin(2 pi j / g), in the same way.
 template <class S> S circle_sine(Index j, Index g) { return circle_cosine<S>(4 * j - g, 4 * g); }
 
-/// The friction generator d_j = cos(2 pi j / g) t + sin(2 pi j / g) o of a body, o = n x t.
-template <class S> Vector3<S> generator(const Body<S>& body, Index j, Index g) {
-  return circle_cosine<S>(j, g) * body.tangent +
-         circle_sine<S>(j, g) * cross(body.normal, body.tangent);
+/// A unit of friction: a force in the contact plane and, at a soft point, a torque about the
+/// normal.
+template <class S> struct Generator {
+  Vector3<S> force; ///< 1
+  S torque;         ///< m, along the normal
+};
+
+/// Generators of a soft point: five angles between force and torque for each of the g directions,
+/// and the pure torques.
+constexpr Index soft_generators(Index g) { return 5 * g + 2; }
+
+/// Friction generator k of a body with g facets. The first g are the forces
+/// d_j = cos(2 pi j / g) t + sin(2 pi j / g) o, o = n x t. A soft point of torsion radius r goes on
+/// with [cos(psi) d_j ; r sin(psi)] for psi = 30, -30, 60, -60 degrees and ends with [0 ; +-r].
+template <class S> Generator<S> generator(const Body<S>& body, Index k, Index g) {
+  const Index angle = k / g;
+  const S r = body.torsion_radius;
+  if (angle == 5) return {Vector3<S>::Zero(), k == 5 * g ? r : S(-r)};
+  const S half = S(1) / S(2), cos_30 = circle_cosine<S>(1, 12);
+  const S cosine[] = {S(1), cos_30, cos_30, half, half};
+  const S sine[] = {S(0), half, S(-half), cos_30, S(-cos_30)};
+  const Vector3<S> d = circle_cosine<S>(k, g) * body.tangent +
+                       circle_sine<S>(k, g) * cross(body.normal, body.tangent);
+  return {cosine[angle] * d, sine[angle] * r};
 }
 
 /// Friction generators of one point of this body: none without friction.
 template <class S> Index generator_count(const Scene<S>& scene, const Body<S>& body) {
-  return body.friction > S(0) ? scene.facets : 0;
+  if (!(body.friction > S(0))) return 0;
+  return body.torsion_radius > S(0) ? soft_generators(scene.facets) : scene.facets;
 }
 
 } // namespace lcpush

@@ -41,25 +41,29 @@ template <class S> Vector6<S> weight(const Scene<S>& scene, const Scales<S>& sca
 }
 
 /// [T.2] Normal: 0 <= lambda_i _|_ W(n_i)' (a - A_b) >= 0.                               [P.VI-A]
-/// Returns W(n_i), which is both the force's column and the row's coefficients.
+/// Returns W(n_i), which is both the force's column and the row's coefficients. A bilateral body
+/// has both signs: lambda = lambda+ - lambda-, and - W(n_i) for the second.
 template <class S>
 Vector6<S> normal_direction(const Body<S>& body, const Vector3<S>& p, const Scales<S>& scales) {
   return wrench_column<S>(p / scales.length, body.normal);
 }
 
 /// [T.3] Dissipation: 0 <= beta_ij _|_ W(d_ij)' (a - A_b) + xi_i >= 0.                   [P.4]
-/// Returns W(d_ij) for generator j of g.
+/// Returns W(d_ij) for generator j of a body with g facets.
 template <class S>
 Vector6<S> friction_direction(const Body<S>& body, const Vector3<S>& p, Index j, Index g,
                               const Scales<S>& scales) {
-  return wrench_column<S>(p / scales.length, generator(body, j, g));
+  const Generator<S> d = generator(body, j, g);
+  Vector6<S> column = wrench_column<S>(p / scales.length, d.force);
+  column.template tail<3>() += d.torque / scales.length * body.normal;
+  return column;
 }
 
 /// [T.4] Friction cone: 0 <= xi_i _|_ mu_i lambda_i - sum_j beta_ij >= 0.                [P.3]
 /// Returns the group of unknowns [lambda, beta.., xi] that this couples.
 template <class S>
 ConeGroup<S> friction_cone(const Body<S>& body, Index generators, Index force, Index variable) {
-  return {force, generators, variable, body.friction, S(0)};
+  return {force, generators, variable, body.friction, S(0), body.bilateral ? 2 : 1};
 }
 
 /// [T.5] Grip force: s_a free, sum_b J_ba' f_b + m_a s_a - tau_a = 0.                    [P.6]

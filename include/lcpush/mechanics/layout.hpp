@@ -24,12 +24,14 @@ template <class S> struct Layout {
   Span<S> reach;                  ///< per actuator: largest speed of a driven point per unit of s
 
   Index normal(Index point) const { return cones[point].variable; }
-  Index friction(Index point, Index j) const { return cones[point].variable + 1 + j; }
+  Index friction(Index point, Index j) const {
+    return cones[point].variable + cones[point].normals + j;
+  }
   Index slip(Index point) const { return cones[point].slip(); }
   Index closing(Index actuator) const { return size - actuators + actuator; }
 };
 
-enum class Meaning { normal, friction, slip, closing };
+enum class Meaning { normal, pull, friction, slip, closing };
 
 /// The physical name of unknown i: which quantity, of which point (or actuator), which generator.
 struct Name {
@@ -48,8 +50,9 @@ template <class S> Name name_of(const Layout<S>& layout, Index i) {
   }
   const Index offset = i - layout.normal(low);
   if (offset == 0) return {Meaning::normal, low, 0};
+  if (offset < layout.cones[low].normals) return {Meaning::pull, low, 0};
   if (i == layout.slip(low)) return {Meaning::slip, low, 0};
-  return {Meaning::friction, low, offset - 1};
+  return {Meaning::friction, low, offset - layout.cones[low].normals};
 }
 
 } // namespace lcpush

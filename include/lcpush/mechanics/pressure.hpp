@@ -25,14 +25,17 @@ struct PressureRun {
   bool jammed = false; ///< a ray of the problem without compliance: a squeeze, not a pad's failure
 };
 
-/// Is there nothing to solve? True, with run.reason, if the assembly did not fit its memory or the
-/// scene asks for what is not implemented yet: even pressure, soft contacts.
+/// Is there nothing to solve? True, with run.reason, if the assembly did not fit its memory, if the
+/// pressure is to be even but spread_evenly was not called, or if a soft contact is no single
+/// point.
 template <class S> bool refuses(const Assembly<S>& assembly, PressureRun& run) {
   const Scene<S>& scene = assembly.scene();
   if (assembly.layout().points < scene.points.size) run.reason = Reason::memory_too_small;
-  if (scene.pressure == Pressure::even) run.reason = Reason::unsupported;
-  for (const Body<S>& body : scene.bodies)
-    if (body.torsion_radius > S(0)) run.reason = Reason::unsupported;
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    if (scene.bodies[b].point_count == 1) continue;
+    if (scene.bodies[b].torsion_radius > S(0)) run.reason = Reason::unsupported;
+    if (scene.pressure == Pressure::even && is_driven(scene, b)) run.reason = Reason::unsupported;
+  }
   return run.reason != Reason::none;
 }
 
@@ -137,8 +140,10 @@ void set_compliance(Assembly<S>& assembly, const PressureMemory<S>& memory, S ep
   assembly.push_by(assembly.sigma());
   for (Index i = 0; i < assembly.layout().points; ++i) {
     const S c = eps * memory.compliance[i];
+    const ConeGroup<S>& cone = assembly.cones()[i];
     assembly.cones()[i].compliance = c;
-    assembly.q()[assembly.layout().normal(i)] -= c * memory.preload[i];
+    assembly.q()[cone.variable] -= c * memory.preload[i];
+    if (cone.normals == 2) assembly.q()[cone.variable + 1] += c * memory.preload[i];
   }
 }
 
@@ -149,10 +154,11 @@ S take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory, S&
   S violation(0);
   largest = S(0);
   for (Index i = 0; i < assembly.layout().points; ++i) {
-    const S lambda = memory.z[assembly.layout().normal(i)];
-    const S change = assembly.cones()[i].compliance * (lambda - memory.preload[i]);
-    violation = Eigen::numext::maxi(violation, change < S(0) ? S(-change) : change);
-    largest = Eigen::numext::maxi(largest, lambda);
+    const ConeGroup<S>& cone = assembly.cones()[i];
+    const S lambda = cone.normal_force(memory.z.data);
+    const S change = cone.compliance * (lambda - memory.preload[i]);
+    violation = Eigen::numext::maxi(violation, Eigen::numext::abs(change));
+    largest = Eigen::numext::maxi(largest, Eigen::numext::abs(lambda));
     memory.preload[i] = lambda;
   }
   return violation;

@@ -7,15 +7,18 @@
 
 namespace lcpush {
 
-/// Stick, slide or separate, by what is large: `tolerance` is relative to the scene's units.
+/// Stick, slide or separate, by what is large: `tolerance` is relative to the scene's units. A soft
+/// point that spins slides.
 template <class S>
-Mode contact_mode(const ContactAnswer<S>& contact, const Vector3<S>& normal,
-                  const Scales<S>& scales, S acceleration_unit, S tolerance) {
-  const S opening = contact.acceleration.dot(normal);
-  const Vector3<S> tangential = contact.acceleration - opening * normal;
+Mode contact_mode(const ContactAnswer<S>& contact, const Body<S>& body, const Scales<S>& scales,
+                  S acceleration_unit, S tolerance) {
+  using Eigen::numext::abs;
+  const S opening = contact.acceleration.dot(body.normal);
+  const Vector3<S> tangential = contact.acceleration - opening * body.normal;
   const bool pressed = contact.normal_force > tolerance * scales.force;
   if (!pressed && opening > tolerance * acceleration_unit) return Mode::separate;
-  return tangential.norm() > tolerance * acceleration_unit ? Mode::slide : Mode::stick;
+  const S slip = tangential.norm() + body.torsion_radius * abs(contact.spin);
+  return slip > tolerance * acceleration_unit ? Mode::slide : Mode::stick;
 }
 
 /// Fills `answer` (spans of the lengths its fields say) from a solution z of assembly.problem().
@@ -39,19 +42,24 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   Index entry = 0;
   for (Index i = 0; i < layout.points; ++i) {
     const Index b = layout.body[i], g = layout.cones[i].generators;
+    const Body<S>& body = scene.bodies[b];
+    const Vector6<S> twist = body_twist(scene, answer, b, sigma);
+    const Vector6<S> relative = answer.acceleration - twist;
     ContactAnswer<S>& contact = answer.contacts[i];
-    contact = {b,
-               z[layout.normal(i)] * scales.force,
-               Vector3<S>::Zero(),
-               S(0),
-               S(0),
-               acceleration_at<S>(scene.points[i],
-                                  answer.acceleration - body_twist(scene, answer, b, sigma)),
-               Mode::stick};
+    contact = {};
+    contact.body = b;
+    contact.normal_force = layout.cones[i].normal_force(z) * scales.force;
+    contact.friction_force.setZero();
+    contact.acceleration = acceleration_at(scene.points[i], relative);
+    contact.spin = relative.template tail<3>().dot(body.normal);
+    contact.closing =
+        acceleration_at<S>(scene.points[i], twist - sigma * body.acceleration).dot(body.normal);
     for (Index j = 0; j < g; ++j) {
+      const Generator<S> d = generator(body, j, scene.facets);
       const S beta = z[layout.friction(i, j)] * scales.force;
       answer.friction[entry++] = beta;
-      contact.friction_force += beta * generator(scene.bodies[b], j, g);
+      contact.friction_force += beta * d.force;
+      contact.torsion += beta * d.torque;
     }
     if (g > 0) contact.slip = z[layout.slip(i)] * scales.acceleration;
     if (contact.acceleration.norm() > fastest) fastest = contact.acceleration.norm();
@@ -63,8 +71,7 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   const S unit = fastest > rounding ? fastest : rounding;
   for (Index i = 0; i < layout.points; ++i) {
     ContactAnswer<S>& contact = answer.contacts[i];
-    contact.mode =
-        contact_mode<S>(contact, scene.bodies[contact.body].normal, scales, unit, tolerance);
+    contact.mode = contact_mode<S>(contact, scene.bodies[contact.body], scales, unit, tolerance);
   }
 }
 

@@ -16,7 +16,7 @@ enum class Role {
 /// How a patch shares its force over its points; docs/theory.md, "Pressure laws".
 enum class Pressure {
   pad,   ///< the literal equations, reached from an even preload through a thin elastic pad
-  even,  ///< every point carries its even share (known pressure)
+  even,  ///< every point is a pad of its own with its even share: see even_pressure.hpp
   rigid, ///< the literal equations, solved once: one answer of a set
 };
 
@@ -33,6 +33,7 @@ template <class S> struct Body {
   Vector3<S> tangent;      ///< unit, orthogonal to the normal: the first friction generator
   S friction;              ///< Coulomb's mu, >= 0; 0 is a frictionless contact
   S torsion_radius;        ///< m; > 0 makes a single point a soft contact
+  bool bilateral;          ///< follows its normal motion exactly, pulling if it must
   Index first_point;       ///< index of its first point in Scene::points
   Index point_count;       ///< >= 1
   Vector6<S> acceleration; ///< prescribed part of its twist, [m/s^2; rad/s^2]

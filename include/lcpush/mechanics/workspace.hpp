@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <new>
 
+#include "lcpush/mechanics/even_pressure.hpp"
 #include "lcpush/mechanics/pressure.hpp"
 #include "lcpush/mechanics/read_answer.hpp"
 
@@ -52,7 +53,7 @@ template <class S> struct Workspace {
 template <class S> constexpr Index push_bytes(const AssemblySize& size) {
   const Index n = size.unknowns(), p = size.points;
   const Index scalars =
-      lemke_scalars(n) + 4 * n + size.couplings() + 2 * size.actuators + 2 * p + p * size.facets;
+      lemke_scalars(n) + 4 * n + size.couplings() + 2 * size.actuators + 2 * p + size.generators;
   const Index structs = size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
                         p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>)) +
                         size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
@@ -86,15 +87,21 @@ Workspace<S> make_workspace(Span<unsigned char> bytes, const AssemblySize& size)
   w.lemke_scalars = arena.take<S>(lemke_scalars(n));
   w.lemke_integers = arena.take<int>(lemke_integers(n));
   w.answer.contacts = arena.take<ContactAnswer<S>>(p);
-  w.answer.friction = arena.take<S>(p * size.facets);
+  w.answer.friction = arena.take<S>(size.generators);
   w.answer.closing = arena.take<S>(size.actuators);
   w.complete = !arena.exhausted();
   return w;
 }
 
-/// The size of one scene, frictionless points counted as such.
+/// The size of one scene, spread evenly if it is to be.
 template <class S> AssemblySize size_of(const Scene<S>& scene) {
-  return {scene.points.size, scene.facets, scene.actuators.size, scene.drives.size};
+  AssemblySize size{scene.points.size, 0, scene.actuators.size, scene.drives.size};
+  if (scene.pressure == Pressure::even) size.actuators = size.drives = even_size(scene).actuators;
+  for (const Body<S>& body : scene.bodies) {
+    size.generators += body.point_count * generator_count(scene, body);
+    if (body.bilateral) size.pulls += body.point_count;
+  }
+  return size;
 }
 
 } // namespace lcpush
