@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "support/random_grasp.hpp"
+#include "support/grasp_families.hpp"
 #include "support/solved_push.hpp"
 
 using namespace lcpush;
@@ -14,13 +14,12 @@ namespace {
 /// How many of the grasps are solved; every one that is called solved is checked.
 template <class S>
 int solved_of(std::uint64_t first, std::uint64_t count, Pressure pressure, S tolerance,
-              bool planar = false) {
+              Family family = Family::plain) {
   int solved = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     CAPTURE(seed);
-    OwnedScene<S> scene = random_grasp<S>(seed);
+    OwnedScene<S> scene = grasp_of<S>(family, seed);
     scene.base.pressure = pressure;
-    scene.base.planar = planar;
     SolvedPush<S> push(scene);
     if (push.solve() != Status::solved) {
       MESSAGE("seed " << seed << ": " << std::string(status_text(push.status)) << " "
@@ -39,9 +38,25 @@ TEST_CASE("200 random grasps under pad: all solved, all checked") {
   CHECK(solved_of<double>(1000, 200, Pressure::pad, 1e-9) == 200);
 }
 
-TEST_CASE("planar random grasps under pad and rigid: all solved, all checked") {
-  CHECK(solved_of<double>(3000, 60, Pressure::pad, 1e-9, true) == 60);
-  CHECK(solved_of<double>(4000, 60, Pressure::rigid, 1e-9, true) == 60);
+TEST_CASE("planar, soft, parallel and crookedly driven random grasps: all solved, all checked") {
+  for (const Family family : {Family::planar, Family::soft, Family::parallel, Family::jacobian}) {
+    CAPTURE(static_cast<int>(family));
+    CHECK(solved_of<double>(3000, 60, Pressure::pad, 1e-9, family) == 60);
+    CHECK(solved_of<double>(4000, 60, Pressure::rigid, 1e-9, family) == 60);
+  }
+  CHECK(solved_of<double>(5000, 100, Pressure::even, 1e-9, Family::even) == 100);
+}
+
+TEST_CASE("bilateral pushers: solved, unless their points pull against each other without bound") {
+  CHECK(solved_of<double>(3000, 60, Pressure::pad, 1e-9, Family::bilateral) >= 59);
+  CHECK(solved_of<double>(4000, 60, Pressure::rigid, 1e-9, Family::bilateral) == 60);
+}
+
+TEST_CASE("a second pusher or a stop across the push: solved, but for true wedges") {
+  for (const Family family : {Family::two_pushers, Family::stop}) {
+    CHECK(solved_of<double>(3000, 60, Pressure::pad, 1e-9, family) >= 57);
+    CHECK(solved_of<double>(4000, 60, Pressure::rigid, 1e-9, family) >= 57);
+  }
 }
 
 TEST_CASE("200 random grasps under rigid: all solved, all checked") {

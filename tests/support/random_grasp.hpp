@@ -27,6 +27,22 @@ template <class S> struct OwnedScene {
     return scene;
   }
 
+  /// With a body and an actuator for each point if the pressure is to be even.
+  OwnedScene spread() const {
+    OwnedScene pads = *this;
+    const EvenSize size = even_size(view());
+    pads.bodies.resize(static_cast<std::size_t>(size.bodies));
+    pads.actuators.resize(static_cast<std::size_t>(size.actuators));
+    pads.drives.resize(static_cast<std::size_t>(size.drives));
+    Scene<S> ignored;
+    const EvenMemory<S> memory{{pads.bodies.data(), size.bodies},
+                               {pads.actuators.data(), size.actuators},
+                               {pads.drives.data(), size.drives}};
+    const bool spreads =
+        base.pressure == Pressure::even && spread_evenly(view(), memory, ignored) == Status::solved;
+    return spreads ? pads : *this;
+  }
+
   void add_body(Role role, const Vector3<S>& normal, S friction,
                 const std::vector<Vector3<S>>& at) {
     Body<S> body{};

@@ -18,7 +18,8 @@ template <class S> struct SolvedPush {
   Residuals<S> residuals;
 
   explicit SolvedPush(const OwnedScene<S>& given)
-      : owned(given), scene(owned.view()), memory(size_of(scene)), assembly(memory.work.assembly),
+      : owned(given.spread()), scene(owned.view()), memory(size_of(scene)),
+        assembly(memory.work.assembly),
         lemke(memory.work.lemke_scalars, memory.work.lemke_integers) {
     assembly.assemble(scene);
   }

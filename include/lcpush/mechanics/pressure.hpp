@@ -179,13 +179,14 @@ Status run_warm_round(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemo
 
 } // namespace detail
 
+/// The rounds, the first of them cold or from the basis in memory.active.
 template <class S>
 Status solve_pad(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>& memory,
-                 const PressureOptions<S>& options, PressureRun& run) {
-  S eps = options.first_compliance, factor = options.factor, last_eps(0);
-  while (run.rounds < options.max_rounds) {
+                 const PressureOptions<S>& options, bool warm, PressureRun& run) {
+  S eps = options.first_compliance, factor = options.factor, last_eps = eps;
+  pad_preload(assembly, memory);
+  for (Index round = 0; round < options.max_rounds; ++round, warm = true) {
     ++run.rounds;
-    const bool warm = last_eps > S(0);
     detail::set_compliance(assembly, memory, eps);
     Status status = warm ? detail::run_warm_round(assembly, lemke, memory, options.lemke, run)
                          : detail::run_round(assembly, lemke, memory, options.lemke, false, run);
@@ -215,19 +216,26 @@ Status solve_pressure(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemo
                       const PressureOptions<S>& options, PressureRun& run) {
   run = {};
   if (refuses(assembly, run)) return Status::bad_input;
-  pad_preload(assembly, memory);
-  if (assembly.scene().pressure == Pressure::pad) {
-    const Status status = solve_pad(assembly, lemke, memory, options, run);
+  const bool pad = assembly.scene().pressure == Pressure::pad;
+  PressureOptions<S> now = options;
+  if (pad) {
+    const Status status = solve_pad(assembly, lemke, memory, now, false, run);
     if (status == Status::solved || status == Status::bad_input) return status;
-    // Compliance hides a jam: a squeezed pad just gives way. Without it the ray shows.
-    pad_preload(assembly, memory);
   }
-  detail::set_compliance(assembly, memory, S(0));
-  const Status status = detail::run_round(assembly, lemke, memory, options.lemke, false, run);
-  if (status == Status::solved && assembly.scene().pressure == Pressure::pad)
-    return Status::numerical_breakdown; // solvable, yet the rounds did not get there
-  run.jammed = status == Status::ray;
-  return status;
+  // Compliance hides a jam: a squeezed pad just gives way. Without it the ray shows. If there is
+  // none, soft pads followed a squeeze that stiff ones resist: start stiff, from the literal basis.
+  constexpr int stiffer_starts = 2;
+  for (int k = 0; k < stiffer_starts; ++k) {
+    detail::set_compliance(assembly, memory, S(0));
+    Status status = detail::run_round(assembly, lemke, memory, now.lemke, false, run);
+    run.jammed = status == Status::ray;
+    if (!pad || status != Status::solved) return status;
+    ++run.cold_restarts;
+    now.first_compliance /= S(100);
+    status = solve_pad(assembly, lemke, memory, now, true, run);
+    if (status == Status::solved) return status;
+  }
+  return Status::numerical_breakdown;
 }
 
 } // namespace lcpush
