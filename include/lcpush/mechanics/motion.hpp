@@ -47,8 +47,10 @@ template <class S> bool axis_through_grip(const Scene<S>& scene, const Answer<S>
   return acceleration_at<S>(grip, answer.acceleration).norm() <= reach;
 }
 
-/// Does the object stick to a pusher that moves along its own surface, as a sheet does?
+/// Does the object stick to a pusher that moves along its own surface, as a sheet does, and turn
+/// over it rather than with it?
 template <class S> bool carried_by_a_surface(const Scene<S>& scene, const Answer<S>& answer) {
+  const Vector3<S> alpha = answer.acceleration.template tail<3>();
   bool carried = false;
   for (Index i = 0; i < answer.contacts.size; ++i) {
     const ContactAnswer<S>& contact = answer.contacts[i];
@@ -58,6 +60,7 @@ template <class S> bool carried_by_a_surface(const Scene<S>& scene, const Answer
     const S along_normal = surface.dot(body.normal);
     const S across = (surface - along_normal * body.normal).norm();
     if (contact.mode != Mode::stick || !(across > Eigen::numext::abs(along_normal))) return false;
+    if (alpha.dot(body.normal) * alpha.dot(body.normal) > alpha.squaredNorm() / S(2)) return false;
     carried = true;
   }
   return carried;
