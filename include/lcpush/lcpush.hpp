@@ -18,6 +18,7 @@
 #include "lcpush/lcp/lemke.hpp"
 #include "lcpush/mechanics/breaking.hpp"
 #include "lcpush/mechanics/check.hpp"
+#include "lcpush/mechanics/holding.hpp"
 #include "lcpush/mechanics/motion.hpp"
 #include "lcpush/mechanics/pressure.hpp"
 #include "lcpush/mechanics/read_answer.hpp"

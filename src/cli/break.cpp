@@ -38,15 +38,17 @@ int run(const Arguments& arguments) {
   host::Push push(file);
   host::HoldReport hold;
   host::BreakReport report;
+  host::GripReport grip;
   {
     Progress progress;
     host::PushOptions options;
     options.lemke = progress.watch(options.lemke);
     hold = push.holds_without_push(options);
     report = push.find_breaking(pusher, options);
+    grip = host::find_smallest_grip(file, hold, report, options);
   }
-  write_output(arguments, format == "json" ? host::break_json(file, hold, report)
-                                           : host::break_text(file, hold, report));
+  write_output(arguments, format == "json" ? host::break_json(file, hold, grip, report)
+                                           : host::break_text(file, hold, grip, report));
   return report.status == Status::solved ? 0 : 1;
 }
 

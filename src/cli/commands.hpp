@@ -9,5 +9,6 @@ Command lcp_command();
 Command solve_command();
 Command break_command();
 Command export_command();
+Command matrices_command();
 
 } // namespace lcpush::cli

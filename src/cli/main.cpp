@@ -19,7 +19,7 @@ std::string overview(const std::vector<Command>& commands) {
                      "Usage: lcpush COMMAND FILE.. [OPTIONS]\n\nCommands:\n";
   for (const Command& command : commands) {
     std::string name = "  " + command.name;
-    name.resize(10, ' ');
+    name.resize(12, ' ');
     text += name + command.summary + "\n";
   }
   return text + "\nExample:\n  lcpush solve fixtures/scenes/straight_slide.toml\n\n"
@@ -68,9 +68,9 @@ int run(const std::vector<Command>& commands, const std::vector<std::string>& wo
 int main(int count, char** words) {
   using namespace lcpush;
   try {
-    return cli::run(
-        {cli::solve_command(), cli::break_command(), cli::lcp_command(), cli::export_command()},
-        std::vector<std::string>(words + 1, words + count));
+    return cli::run({cli::solve_command(), cli::break_command(), cli::lcp_command(),
+                     cli::export_command(), cli::matrices_command()},
+                    std::vector<std::string>(words + 1, words + count));
   } catch (const host::InputError& error) {
     std::cerr << error.what() << "\n";
   } catch (const std::bad_alloc&) {

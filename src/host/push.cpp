@@ -95,11 +95,9 @@ std::string Push::explain(Status status, const PressureRun& run) const {
     squeezes = squeezes || lemke_.ray()[layout().normal(i)] > ray_noise;
   switch (status) {
   case Status::ray:
-    return squeezes
-               ? "a ray: forces that squeeze the object and that nothing relieves, most often a "
-                 "jam, a pusher wedging it against a stop"
-               : "a ray that presses no contact: an actuator that nothing holds back, or an "
-                 "object whose mass, size and contacts do not fit together";
+    return squeezes ? "a ray: forces that squeeze the object and that nothing relieves"
+                    : "a ray that presses no contact: an actuator that nothing holds back, or an "
+                      "object whose mass, size and contacts do not fit together";
   case Status::pivot_limit: return "the limit of pivots was reached";
   case Status::numerical_breakdown:
     if (run.reason == Reason::none)
@@ -109,6 +107,13 @@ std::string Push::explain(Status status, const PressureRun& run) const {
   default: break;
   }
   return reason_text(run.reason);
+}
+
+/// Trying what would free a jam costs a solve each: not where solves are long.
+Jam Push::read_jam(const PushOptions& options) const {
+  constexpr Index largest_tried = 1000; // unknowns
+  return explain_jam(file_, assembly_, lemke_.ray(),
+                     options.explain_jams && layout().size <= largest_tried);
 }
 
 std::vector<NamedValue> Push::named_ray() const {
@@ -127,29 +132,36 @@ Outcome<double> Push::outcome() const {
   return outcome;
 }
 
+/// What the tests together say: a proof, an answer next to this one, or other covers' answers.
+void Push::conclude(PushReport& report, bool proved, bool same_motion, bool same_wrench) {
+  const bool searched = report.covers_compared > 0 || report.final_basis.studied;
+  const auto verdict = [&](bool none_other) {
+    if (!none_other) return Uniqueness::no;
+    return searched ? Uniqueness::none_other_found : Uniqueness::not_tested;
+  };
+  report.unique_motion =
+      proved ? Uniqueness::yes : verdict(same_motion && !report.final_basis.motion_open);
+  report.unique_wrench = verdict(same_wrench && !report.final_basis.wrench_open);
+}
+
 void Push::search_others(const PushOptions& options, PushReport& report) {
   constexpr double tolerance = 1e-5;
   const bool proved = motion_is_determined(scene_);
-  report.unique_motion = proved ? Uniqueness::yes : Uniqueness::not_tested;
   constexpr Index largest_searched = 2000; // unknowns; beyond, a search costs minutes
-  if (options.other_covers <= 0 || layout().size > largest_searched) return;
-  const Outcome<double> first = outcome();
   bool same_a = true, same_f = true;
+  const Outcome<double> first = outcome();
+  report.final_basis = study_final_basis(assembly_, work_.answer);
   PushOptions other = options;
-  Index tested = 0;
-  for (Index k = 1; k <= options.other_covers; ++k) {
+  for (Index k = 1; k <= options.other_covers && layout().size <= largest_searched; ++k) {
     other.lemke.first_cover = options.lemke.first_cover + k * options.lemke.covers;
     PressureRun ignored;
     if (run(other, 1.0, ignored) != Status::solved) continue;
-    ++tested;
+    ++report.covers_compared;
     const Outcome<double> second = outcome();
     same_a = same_a && same_motion(first, second, report.scales, push_size(scene_), tolerance);
     same_f = same_f && same_wrench(first, second, report.scales, tolerance);
   }
-  report.covers_compared = tested;
-  if (tested == 0) return;
-  if (!proved) report.unique_motion = same_a ? Uniqueness::none_other_found : Uniqueness::no;
-  report.unique_wrench = same_f ? Uniqueness::none_other_found : Uniqueness::no;
+  conclude(report, proved, same_a, same_f);
 }
 
 PushReport Push::solve(const PushOptions& options) {
@@ -164,7 +176,10 @@ PushReport Push::solve(const PushOptions& options) {
   }
   if (report.status != Status::solved) {
     report.reason = explain(report.status, report.run);
-    if (report.status == Status::ray) report.ray = named_ray();
+    if (report.status == Status::ray) {
+      report.ray = named_ray();
+      report.jam = read_jam(options);
+    }
     return report;
   }
   report.answer = work_.answer;
@@ -246,7 +261,10 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
     report.reason = "no pusher moves: give one an acceleration";
   else if (report.status != Status::solved)
     report.reason = explain(report.status, report.run);
-  if (report.status == Status::ray) report.ray = named_ray();
+  if (report.status == Status::ray) {
+    report.ray = named_ray();
+    report.jam = read_jam(options);
+  }
   if (report.status != Status::solved) return report;
   name_file_bodies();
   Answer<double> moving = work_.answer;

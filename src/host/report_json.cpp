@@ -75,8 +75,30 @@ void write_bodies(JsonWriter& json, const SceneFile& file, const PushReport& rep
   json.end_array();
 }
 
-void write_failure(JsonWriter& json, const std::string& reason,
-                   const std::vector<NamedValue>& ray) {
+void write_jam(JsonWriter& json, const SceneFile& file, const Jam& jam) {
+  json.key("jam").begin_object().key("words").begin_array();
+  for (const std::string& sentence : jam_sentences(file, jam)) json.value(sentence);
+  json.end_array().key("bodies").begin_array();
+  for (const JamBody& body : jam.bodies)
+    json.begin_object()
+        .member("name", file.body_names[static_cast<std::size_t>(body.body)])
+        .member("normal", body.normal)
+        .member("power", body.power)
+        .end_object();
+  json.end_array().member("uses_friction", jam.uses_friction).key("remedies").begin_array();
+  for (const Remedy& remedy : jam.remedies) {
+    json.begin_object().member("text", remedy.text).key("works");
+    if (remedy.tried)
+      json.value(remedy.works);
+    else
+      json.value(nullptr);
+    json.end_object();
+  }
+  json.end_array().end_object();
+}
+
+void write_failure(JsonWriter& json, const SceneFile& file, const std::string& reason,
+                   const std::vector<NamedValue>& ray, const Jam& jam) {
   json.member("reason", reason).key("ray");
   if (ray.empty()) {
     json.value(nullptr);
@@ -86,6 +108,7 @@ void write_failure(JsonWriter& json, const std::string& reason,
   for (const NamedValue& entry : ray)
     json.begin_object().member("name", entry.name).member("value", entry.value).end_object();
   json.end_array();
+  write_jam(json, file, jam);
 }
 
 void write_holds(JsonWriter& json, const HoldReport& hold) {
@@ -94,6 +117,21 @@ void write_holds(JsonWriter& json, const HoldReport& hold) {
     json.value(hold.holds);
   else
     json.value(nullptr);
+}
+
+/// KEY (N), KEY_factor and KEY_from.
+void write_grip(JsonWriter& json, const std::string& key, const SmallestGrip& grip, double force) {
+  const bool known = grip.is_known();
+  json.member(key.c_str(), known ? grip.factor * force : unknown);
+  json.member((key + "_factor").c_str(), known ? grip.factor : unknown);
+  json.key((key + "_from").c_str());
+  switch (grip.source) {
+  case GripSource::statics: json.value("statics"); break;
+  case GripSource::search: json.value("search"); break;
+  case GripSource::no_grip: json.value("no_grip"); break;
+  case GripSource::not_known:
+  case GripSource::not_searched: json.value(nullptr); break;
+  }
 }
 
 } // namespace
@@ -105,12 +143,17 @@ std::string solve_json(const SceneFile& file, const HoldReport& hold, const Push
   json.member("pivots", report.run.pivots).member("sweeps", 0).member("rounds", report.run.rounds);
   write_holds(json, hold);
   if (report.status != Status::solved) {
-    write_failure(json, report.reason, report.ray);
+    write_failure(json, file, report.reason, report.ray, report.jam);
     return json.end_object().text();
   }
   json.key("unique").begin_object();
   write_unique(json, "motion", report.unique_motion);
   write_unique(json, "wrench", report.unique_wrench);
+  json.member("covers_compared", report.covers_compared);
+  json.key("final_basis").begin_object().member("studied", report.final_basis.studied);
+  json.member("tied_contacts", report.final_basis.tied_contacts);
+  json.member("motion_open", report.final_basis.motion_open);
+  json.member("wrench_open", report.final_basis.wrench_open).end_object();
   json.end_object();
   write_residual(json, report.residuals);
   json.key("object").begin_object();
@@ -120,17 +163,24 @@ std::string solve_json(const SceneFile& file, const HoldReport& hold, const Push
   return json.end_object().text();
 }
 
-std::string break_json(const SceneFile& file, const HoldReport& hold, const BreakReport& report) {
+std::string break_json(const SceneFile& file, const HoldReport& hold, const GripReport& grip,
+                       const BreakReport& report) {
   const Breaking<double>& b = report.breaking;
   const bool solved = report.status == Status::solved;
   JsonWriter json;
   json.begin_object().member("status", status_text(report.status));
   write_holds(json, hold);
-  json.member("smallest_grip", nullptr);
+  write_grip(json, "smallest_grip", grip.alone, grip.force);
+  json.key("holds_at_rest");
+  if (solved || report.status == Status::does_not_hold)
+    json.value(solved);
+  else
+    json.value(nullptr);
+  write_grip(json, "smallest_grip_at_rest", grip.at_rest, grip.force);
   json.member("pusher", file.body_names[static_cast<std::size_t>(report.pusher)]);
   json.member("pivots", report.run.pivots).member("rounds", report.run.rounds);
   if (!solved) {
-    write_failure(json, report.reason, report.ray);
+    write_failure(json, file, report.reason, report.ray, report.jam);
     if (report.status == Status::does_not_hold) json.key("rest_acceleration").numbers(b.rest);
     return json.end_object().text();
   }

@@ -77,15 +77,39 @@ std::string motion_line(const SceneFile& file, const Motion<double>& motion, dou
   return text;
 }
 
-std::string unique_words(Uniqueness unique, Index covers) {
+std::string covers_words(Index covers) {
+  return std::to_string(covers) + (covers == 1 ? " other cover" : " other covers");
+}
+
+/// `open` and `isolated`: what the final basis says.
+std::string unique_words(Uniqueness unique, const PushReport& report, bool open, bool isolated) {
+  const Index covers = report.covers_compared, tied = report.final_basis.tied_contacts;
   switch (unique) {
-  case Uniqueness::yes: return "unique (proved)";
-  case Uniqueness::none_other_found:
-    return "no other found (" + std::to_string(covers) + " other covers tried)";
-  case Uniqueness::no: return "NOT unique: another cover leads to another answer";
-  case Uniqueness::not_tested: break;
+  case Uniqueness::yes: return "unique (proved: every normal force with friction is known)";
+  case Uniqueness::no:
+    return open ? "NOT unique: the final basis leaves it open"
+                : "NOT unique: another cover leads to another answer";
+  case Uniqueness::not_tested: return "not tested";
+  case Uniqueness::none_other_found: break;
   }
-  return "not tested";
+  std::string text = "no other found";
+  if (covers > 0) text += " under " + covers_words(covers);
+  if (isolated) return text + (covers > 0 ? ", none next to it" : " next to it");
+  if (report.final_basis.studied && tied > 0)
+    text += "; " + std::to_string(tied) + (tied == 1 ? " contact is" : " contacts are") +
+            " between two modes";
+  return text;
+}
+
+std::string unique_lines(const SceneFile& file, const PushReport& report) {
+  const FinalBasis& basis = report.final_basis;
+  std::string text =
+      "Answer            motion " +
+      unique_words(report.unique_motion, report, basis.motion_open, basis.motion_isolated());
+  if (has_pusher(file))
+    text += ";\n                  push force " +
+            unique_words(report.unique_wrench, report, basis.wrench_open, basis.wrench_isolated());
+  return text + "\n";
 }
 
 std::string contact_table(const SceneFile& file, const PushReport& report) {
@@ -156,10 +180,14 @@ std::string run_line(const SceneFile& file, const PressureRun& run) {
          std::to_string(file.facets) + " facets.\n";
 }
 
-std::string failure_text(Status status, const std::string& reason,
-                         const std::vector<NamedValue>& ray) {
+std::string failure_text(const SceneFile& file, Status status, const std::string& reason,
+                         const std::vector<NamedValue>& ray, const Jam& jam) {
   std::string text = std::string("NOT SOLVED (") + status_text(status) + "): " + reason + ".\n";
-  if (!ray.empty()) text += "\nWhat squeezes what (the ray, largest entry 1):\n";
+  if (!ray.empty()) {
+    text += "\n";
+    for (const std::string& sentence : jam_sentences(file, jam)) text += sentence + "\n";
+    text += "\nThe ray, largest entry 1:\n";
+  }
   for (const NamedValue& entry : ray) text += "  " + number(entry.value) + "  " + entry.name + "\n";
   return text;
 }
@@ -169,15 +197,11 @@ std::string failure_text(Status status, const std::string& reason,
 std::string solve_text(const SceneFile& file, const HoldReport& hold, const PushReport& report) {
   std::string text = title_line(file) + hold_line(file, hold);
   if (report.status != Status::solved) {
-    return text + failure_text(report.status, report.reason, report.ray) + "\n" +
+    return text + failure_text(file, report.status, report.reason, report.ray, report.jam) + "\n" +
            run_line(file, report.run);
   }
   text += wrench_lines(file, report) + motion_line(file, report.motion, report.scales.length);
-  text += "Answer            motion " + unique_words(report.unique_motion, report.covers_compared);
-  if (has_pusher(file))
-    text += ";\n                  push force " +
-            unique_words(report.unique_wrench, report.covers_compared);
-  text += "\n";
+  text += unique_lines(file, report);
   if (file.pressure == Pressure::rigid)
     text += "                  (pressure = \"rigid\" leaves a patch's pressure open: one answer of "
             "a set)\n";
@@ -191,17 +215,18 @@ std::string solve_text(const SceneFile& file, const HoldReport& hold, const Push
   return text;
 }
 
-std::string break_text(const SceneFile& file, const HoldReport& hold, const BreakReport& report) {
+std::string break_text(const SceneFile& file, const HoldReport& hold, const GripReport& grip,
+                       const BreakReport& report) {
   const Breaking<double>& b = report.breaking;
   const std::string pusher = file.body_names[static_cast<std::size_t>(report.pusher)];
-  std::string text = title_line(file) + hold_line(file, hold);
+  std::string text = title_line(file) + grip_text(hold_line(file, hold), hold, grip, report);
   if (report.status == Status::does_not_hold)
     return text + "DOES NOT HOLD: even with the pusher in place the object accelerates at " +
            acceleration_text(b.rest, report.scales.length) +
            " before it is pushed,\nso there is no force that just breaks the grasp.\n\n" +
            run_line(file, report.run);
   if (report.status != Status::solved)
-    return text + failure_text(report.status, report.reason, report.ray) + "\n" +
+    return text + failure_text(file, report.status, report.reason, report.ray, report.jam) + "\n" +
            run_line(file, report.run);
   const double zero = 1e-9 * report.scales.force;
   text += "Breaking force    " + number(b.break_force, zero) + " N, normal force of " + pusher +

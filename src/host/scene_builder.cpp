@@ -147,8 +147,9 @@ void SceneBuilder::read_body(Role role, const TableReader& table) {
   if (table.has("follow"))
     body.bilateral = table.choice("follow", {"unilateral", "bilateral"}) == 1;
   if (body.bilateral && table.has("normal_force"))
-    table.fail("follow", "a pusher holds either its normal_force or, bilaterally, its normal "
-                         "motion; remove one of the two");
+    table.fail("follow",
+               "follow = \"bilateral\" holds the pusher's normal motion, normal_force its "
+               "force; remove one of the two");
   scene_.bodies.push_back(body);
   add_points(table, patch);
 }

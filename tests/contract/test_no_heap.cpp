@@ -14,6 +14,7 @@
 #endif
 #endif
 #include "lcpush/lcp/reduce.hpp"
+#include "lcpush/mechanics/full_form.hpp"
 #include "support/dense_lcp.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"
@@ -186,4 +187,34 @@ TEST_CASE("the instant of breaking allocates nothing") {
           }) == 0);
     CHECK(status == Status::solved);
   }
+}
+
+TEST_CASE("a full form and the check of its patches allocate nothing") {
+  SolvedPush<double> push(random_grasp<double>(2));
+  const Index bodies = push.scene.bodies.size, points = push.scene.points.size;
+  std::vector<PatchReferences<double>> patches(static_cast<std::size_t>(bodies));
+  std::vector<Index> first(patches.size());
+  std::vector<double> weights(static_cast<std::size_t>(most_references * points));
+  FullForm<double> form({{patches.data(), bodies},
+                         {first.data(), bodies},
+                         {weights.data(), most_references * points}});
+  REQUIRE(form.describe(push.assembly) == Status::solved);
+  const Index n = form.size();
+  MatrixX<double> M(n, n);
+  VectorX<double> q(n);
+  std::vector<unsigned char> eliminated(static_cast<std::size_t>(n));
+  std::vector<double> memory(static_cast<std::size_t>(rigidity_scalars(points)));
+  bool holds = true;
+  CHECK(heap_calls_of([&] {
+          (void)form.describe(push.assembly);
+          form.fill(MatrixMap<double>(M.data(), n, n), q.data(), eliminated.data());
+          for (Index b = 0; b < bodies; ++b) {
+            const Span<double> alpha = form.weights(b);
+            holds = holds && check_rigidity<double>(patch_points(push.scene, push.scene.bodies[b]),
+                                                    form.patch(b), {alpha.data, alpha.size},
+                                                    {memory.data(), rigidity_scalars(points)})
+                                 .holds();
+          }
+        }) == 0);
+  CHECK(holds);
 }

@@ -112,8 +112,8 @@ TEST_CASE("what contradicts itself is refused, each at its key") {
                                                      "several bodies shares one force");
   CHECK(parsed(two + shared).actuators.size() == 1);
   check_refusal(with_pusher("normal_force = 3\nfollow = \"bilateral\""),
-                "11: pusher \"wall\": a pusher holds either its normal_force or, bilaterally, its "
-                "normal motion; remove one of the two");
+                "11: pusher \"wall\": follow = \"bilateral\" holds the pusher's normal motion, "
+                "normal_force its force; remove one of the two");
 }
 
 TEST_CASE("even pressure, soft points and bilateral pushers are read") {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "lcpush/host/final_basis.hpp"
+#include "lcpush/host/jam.hpp"
 #include "lcpush/host/scene_io.hpp"
 #include "lcpush/mechanics/breaking.hpp"
 #include "lcpush/mechanics/motion.hpp"
@@ -20,7 +22,8 @@ struct NamedValue {
 std::string point_name(const SceneFile& file, Index point);
 struct PushOptions {
   LemkeOptions<double> lemke{};
-  Index other_covers = 3; ///< covers tried in search of another answer
+  Index other_covers = 3;   ///< covers tried in search of another answer
+  bool explain_jams = true; ///< solve again with each change that might free a jam
 };
 
 struct PushReport {
@@ -34,7 +37,9 @@ struct PushReport {
   Uniqueness unique_motion = Uniqueness::not_tested;
   Uniqueness unique_wrench = Uniqueness::not_tested;
   Index covers_compared = 0;   ///< other covers that led to an answer
+  FinalBasis final_basis;      ///< other answers next to this one
   std::vector<NamedValue> ray; ///< entries that are not zero, largest 1
+  Jam jam;                     ///< the ray, read
 };
 
 /// Does the grasp hold the object's weight with the pushers absent?
@@ -53,6 +58,7 @@ struct BreakReport {
   Breaking<double> breaking;
   Motion<double> motion;       ///< per unit push
   std::vector<NamedValue> ray; ///< as in PushReport
+  Jam jam;
   Scales<double> scales{};
 };
 
@@ -102,7 +108,9 @@ private:
   Outcome<double> outcome() const;
   std::string explain(Status status, const PressureRun& run) const;
   std::vector<NamedValue> named_ray() const;
+  Jam read_jam(const PushOptions& options) const;
   void search_others(const PushOptions& options, PushReport& report);
+  static void conclude(PushReport& report, bool proved, bool same_motion, bool same_wrench);
 };
 
 } // namespace lcpush::host

@@ -1,7 +1,7 @@
 // Reports: text for people, JSON for programs.
 #pragma once
 
-#include "lcpush/host/push.hpp"
+#include "lcpush/host/smallest_grip.hpp"
 
 namespace lcpush::host {
 
@@ -10,7 +10,13 @@ std::string solve_text(const SceneFile& file, const HoldReport& hold, const Push
 /// `solve --json`: the keys of docs/formats.md.
 std::string solve_json(const SceneFile& file, const HoldReport& hold, const PushReport& report);
 
-std::string break_text(const SceneFile& file, const HoldReport& hold, const BreakReport& report);
-std::string break_json(const SceneFile& file, const HoldReport& hold, const BreakReport& report);
+std::string break_text(const SceneFile& file, const HoldReport& hold, const GripReport& grip,
+                       const BreakReport& report);
+std::string break_json(const SceneFile& file, const HoldReport& hold, const GripReport& grip,
+                       const BreakReport& report);
+/// "Before the push" for `break`: `line` says whether the fingers alone hold, this adds from which
+/// grip force on they do, and the same with the pusher in place.
+std::string grip_text(const std::string& line, const HoldReport& hold, const GripReport& grip,
+                      const BreakReport& report);
 
 } // namespace lcpush::host

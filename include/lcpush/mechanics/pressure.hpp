@@ -164,6 +164,14 @@ S take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory, S&
   return violation;
 }
 
+/// A normal force beyond this is a squeeze that the rounds only tighten: a thousand times what the
+/// scene's forces and prescribed motions ask for.
+template <class S> S runaway_force(const Assembly<S>& assembly) {
+  S largest(1);
+  for (const S& x : assembly.q()) largest = Eigen::numext::maxi(largest, S(Eigen::numext::abs(x)));
+  return S(1000) * largest;
+}
+
 /// One warm round: from the last basis, under other covers if one of them ends in a ray
 /// (copositivity does not protect a warm start).
 template <class S>
@@ -203,7 +211,7 @@ Status solve_pad(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>
     S largest(0);
     const S violation = detail::take_pressure(assembly, memory, largest);
     if (violation <= options.tolerance) return Status::solved;
-    if (largest > S(1000)) return Status::numerical_breakdown;
+    if (largest > detail::runaway_force(assembly)) return Status::numerical_breakdown;
     last_eps = eps;
     factor = Eigen::numext::maxi(options.factor, S(factor * factor));
     eps *= factor;
@@ -232,6 +240,7 @@ Status solve_pressure(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemo
     if (!pad || status != Status::solved) return status;
     ++run.cold_restarts;
     now.first_compliance /= S(100);
+    now.lemke.first_cover += now.lemke.covers;
     status = solve_pad(assembly, lemke, memory, now, true, run);
     if (status == Status::solved) return status;
   }

@@ -15,7 +15,7 @@ Mode contact_mode(const ContactAnswer<S>& contact, const Body<S>& body, const Sc
   using Eigen::numext::abs;
   const S opening = contact.acceleration.dot(body.normal);
   const Vector3<S> tangential = contact.acceleration - opening * body.normal;
-  const bool pressed = contact.normal_force > tolerance * scales.force;
+  const bool pressed = abs(contact.normal_force) > tolerance * scales.force;
   if (!pressed && opening > tolerance * acceleration_unit) return Mode::separate;
   const S slip = tangential.norm() + body.torsion_radius * abs(contact.spin);
   return slip > tolerance * acceleration_unit ? Mode::slide : Mode::stick;
@@ -65,9 +65,12 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
     if (contact.acceleration.norm() > fastest) fastest = contact.acceleration.norm();
   }
   // Motion counts against the fastest point: a slow push moves everything slowly. Below what
-  // rounding leaves of the loads there is no motion at all.
+  // rounding leaves of the loads, or of the object's own acceleration, there is no motion at all.
   const S tolerance = S(1000) * Tolerances<S>().tie;
-  const S rounding = S(64) * Eigen::NumTraits<S>::epsilon() * scales.acceleration / tolerance;
+  const S own = answer.acceleration.template head<3>().norm() +
+                scales.length * answer.acceleration.template tail<3>().norm();
+  const S rounding =
+      S(64) * Eigen::NumTraits<S>::epsilon() * (scales.acceleration + own) / tolerance;
   const S unit = fastest > rounding ? fastest : rounding;
   for (Index i = 0; i < layout.points; ++i) {
     ContactAnswer<S>& contact = answer.contacts[i];

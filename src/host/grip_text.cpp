@@ -1,0 +1,72 @@
+// From which grip force on a grasp holds, in words.
+#include "lcpush/host/report.hpp"
+#include "report_format.hpp"
+
+namespace lcpush::host {
+namespace {
+
+constexpr const char* indent = "                  ";
+
+/// "1.962 N per finger (of 20 N)".
+std::string amount(const GripReport& report, double factor) {
+  const double zero = 1e-9 * std::abs(report.force);
+  return number(factor * report.force, zero) + " N " + report.of + " (of " + number(report.force) +
+         " N)";
+}
+
+/// From which force on it would hold, or down to which: "1.962 N per finger (of 20 N)".
+std::string limit(const GripReport& report, const SmallestGrip& grip, bool holds) {
+  if (grip.factor * std::abs(report.force) <= 1e-9 * std::abs(report.force))
+    return "without any grip force";
+  // Where it does not hold with more, less is what it takes, and not a beginning.
+  const char* const word = holds ? "down to " : grip.factor > 1 ? "from " : "with ";
+  return word + amount(report, grip.factor);
+}
+
+/// The end of the line that says whether it holds.
+std::string ending(const GripReport& report, const SmallestGrip& grip, bool holds) {
+  const std::string next = holds ? "; " : std::string(".\n") + indent, it = holds ? "it" : "It";
+  switch (grip.source) {
+  case GripSource::no_grip: return next + (holds ? "no" : "No") + " grip force would hold it.\n";
+  case GripSource::not_searched: return next + it + "s smallest grip was not searched for.\n";
+  case GripSource::not_known:
+    return next + it + "s smallest grip is not known" +
+           (grip.bound > 0 ? ", but more than " + amount(report, grip.bound) : "") + ".\n";
+  case GripSource::statics:
+  case GripSource::search: break;
+  }
+  return next + it + " would " + limit(report, grip, holds) + ".\n";
+}
+
+/// Where the pressure law, and not statics, sets the limit.
+std::string law_line(const GripReport& report, const SmallestGrip& grip) {
+  if (grip.source != GripSource::search) return "";
+  return std::string(indent) + "That is this pressure law's limit; statics alone would allow " +
+         amount(report, grip.bound) + ".\n";
+}
+
+bool same_answer(const GripReport& report, bool holds_alone, bool holds_at_rest) {
+  const SmallestGrip &a = report.alone, &b = report.at_rest;
+  return holds_alone == holds_at_rest && a.source == b.source &&
+         std::abs(a.factor - b.factor) <= 1e-6 * std::abs(a.factor);
+}
+
+} // namespace
+
+std::string grip_text(const std::string& line, const HoldReport& hold, const GripReport& grip,
+                      const BreakReport& report) {
+  if (grip.force == 0) return line; // nothing grips
+  std::string text = line;
+  if (hold.status == Status::solved) {
+    text = line.substr(0, line.rfind('.')) + ending(grip, grip.alone, hold.holds);
+    text += law_line(grip, grip.alone);
+  }
+  const bool holds = report.status == Status::solved;
+  if (!holds && report.status != Status::does_not_hold) return text;
+  if (hold.status == Status::solved && same_answer(grip, hold.holds, holds)) return text;
+  text += std::string(indent) + "With the pusher in place, at rest, it " +
+          (holds ? "holds" : "does NOT hold") + ending(grip, grip.at_rest, holds);
+  return text + law_line(grip, grip.at_rest);
+}
+
+} // namespace lcpush::host

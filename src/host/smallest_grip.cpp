@@ -1,0 +1,230 @@
+#include "lcpush/host/smallest_grip.hpp"
+
+#include <cmath>
+#include <functional>
+
+#include "lcpush/mechanics/holding.hpp"
+
+namespace lcpush::host {
+namespace {
+
+constexpr Index largest_alone = 2000;  // unknowns
+constexpr Index largest_at_rest = 600; // every question costs several pushes
+constexpr double nudge = 1e-6;         // statics' bound is the answer if this much more holds
+constexpr double stride = 16;          // of the excess over the bound, while nothing holds
+constexpr double roughest = 1e-3;      // a wider bracket is no answer
+
+/// Does an actuator of the file drive a finger?
+bool grips(const SceneFile& file, std::size_t actuator) {
+  for (const Drive<double>& drive : file.drives)
+    if (static_cast<std::size_t>(drive.actuator) == actuator &&
+        file.bodies[static_cast<std::size_t>(drive.body)].role == Role::finger)
+      return true;
+  return false;
+}
+
+SceneFile scaled(SceneFile file, double factor) {
+  for (std::size_t a = 0; a < file.actuators.size(); ++a)
+    if (grips(file, a)) file.actuators[a].force *= factor;
+  return file;
+}
+
+/// The fingers alone, with the actuators that drive one.
+SceneFile without_pushers(const SceneFile& file) {
+  SceneFile alone = file;
+  std::size_t bodies = 0, points = 0; // fingers come first
+  for (; bodies < file.bodies.size() && file.bodies[bodies].role == Role::finger; ++bodies)
+    points += static_cast<std::size_t>(file.bodies[bodies].point_count);
+  alone.bodies.resize(bodies);
+  alone.body_names.resize(bodies);
+  alone.points.resize(points);
+  alone.positions.resize(points);
+  alone.actuators.clear();
+  alone.actuator_names.clear();
+  alone.drives.clear();
+  for (std::size_t a = 0; a < file.actuators.size(); ++a) {
+    if (!grips(file, a)) continue;
+    for (Drive<double> drive : file.drives) {
+      if (static_cast<std::size_t>(drive.actuator) != a) continue;
+      if (static_cast<std::size_t>(drive.body) >= bodies) continue;
+      drive.actuator = static_cast<Index>(alone.actuators.size());
+      alone.drives.push_back(drive);
+    }
+    alone.actuators.push_back(file.actuators[a]);
+    alone.actuator_names.push_back(file.actuator_names[a]);
+  }
+  return alone;
+}
+
+/// [T.12] on a file.
+Status bound_of(const SceneFile& file, const PushOptions& options, Holding<double>& holding) {
+  const EvenScene even(file.view());
+  const AssemblySize size = size_of(even.scene);
+  std::vector<unsigned char> bytes(static_cast<std::size_t>(push_bytes<double>(size)));
+  const Workspace<double> work =
+      make_workspace<double>({bytes.data(), static_cast<Index>(bytes.size())}, size);
+  Assembly<double> assembly(work.assembly);
+  if (assembly.assemble(even.scene) != Status::running) return Status::bad_input;
+  std::vector<double> scalars(static_cast<std::size_t>(holding_scalars(size)));
+  std::vector<int> integers(static_cast<std::size_t>(holding_integers(size)));
+  return find_holding<double>(assembly,
+                              {{scalars.data(), static_cast<Index>(scalars.size())},
+                               {integers.data(), static_cast<Index>(integers.size())}},
+                              options.lemke, holding);
+}
+
+/// The largest acceleration that the loads could give the object, m/s^2.
+double load_acceleration(const SceneFile& file) {
+  double largest = file.planar ? file.gravity.head<2>().norm() : file.gravity.norm();
+  for (std::size_t a = 0; a < file.actuators.size(); ++a)
+    if (!grips(file, a))
+      largest = std::max(largest, std::abs(file.actuators[a].force) / file.object.mass);
+  return largest;
+}
+
+/// Slow enough to be rounding's: beside the load, and beside what the solver leaves of the grip.
+bool is_at_rest(const SceneFile& file, const Vector6<double>& acceleration,
+                const Scales<double>& scales, double tolerance) {
+  const double unit = std::max(load_acceleration(file), scales.acceleration / 16);
+  return motion_size(acceleration, scales) * scales.acceleration <= tolerance * unit;
+}
+
+using Question = std::function<bool(double factor)>; // does the scene hold at this factor?
+
+/// Counts the pivots of everything that is asked, so that a search costs seconds and no more. A
+/// count and no clock: the same input gives the same bits.
+class Work {
+public:
+  explicit Work(const PushOptions& options) : given_(options), counting_(options) {
+    counting_.lemke.on_pivot = [](void* self, const Lemke<double>& lemke) {
+      static_cast<Work*>(self)->count(lemke);
+    };
+    counting_.lemke.context = this;
+  }
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+
+  const PushOptions& options() const { return counting_; }
+  bool is_used_up() const { return multiplications_ > 4e9; }
+
+private:
+  PushOptions given_, counting_;
+  double multiplications_ = 0;
+
+  void count(const Lemke<double>& lemke) {
+    const auto n = static_cast<double>(lemke.dictionary().size());
+    multiplications_ += n * n;
+    if (given_.lemke.on_pivot != nullptr) given_.lemke.on_pivot(given_.lemke.context, lemke);
+  }
+};
+
+struct Precision {
+  double width;  ///< of the last bracket, relative
+  double growth; ///< largest excess over the bound that is tried, relative
+};
+
+/// From statics' bound to the law's own factor. `known` is a factor that holds, or 0.
+SmallestGrip search_upwards(const Holding<double>& holding, double known,
+                            const Precision& precision, const Work& work, const Question& holds) {
+  SmallestGrip grip;
+  grip.bound = holding.factor;
+  const double unit = std::max(grip.bound, holding.unit / 1000);
+  if (!(unit > 0) || holds(grip.bound + nudge * unit) || (grip.bound > 0 && holds(grip.bound))) {
+    grip.factor = grip.bound;
+    grip.source = GripSource::statics;
+    return grip;
+  }
+  double low = nudge, high = (known - grip.bound) / unit; // excesses over the bound
+  if (high <= low) high = -1;
+  for (double next = stride * nudge; high < 0 && next <= precision.growth; next *= stride) {
+    if (work.is_used_up()) return grip;
+    (holds(grip.bound + next * unit) ? high : low) = next;
+  }
+  if (high < 0) return grip;
+  const auto width = [&] { return (high - low) * unit / (grip.bound + high * unit); };
+  while (width() > precision.width && !work.is_used_up()) {
+    const double middle = high > stride * low ? std::sqrt(low * high) : (low + high) / 2;
+    (holds(grip.bound + middle * unit) ? high : low) = middle;
+  }
+  if (width() > roughest) return grip;
+  grip.factor = grip.bound + high * unit;
+  grip.source = GripSource::search;
+  return grip;
+}
+
+SmallestGrip smallest(const SceneFile& file, Index most_unknowns, const Work& work, double known,
+                      const Precision& precision, const Question& holds) {
+  SmallestGrip grip;
+  grip.source = GripSource::not_searched;
+  if (size_of(EvenScene(file.view()).scene).unknowns() > most_unknowns) return grip;
+  Holding<double> holding;
+  const Status status = bound_of(file, work.options(), holding);
+  if (status == Status::solved) return search_upwards(holding, known, precision, work, holds);
+  grip.source = status == Status::does_not_hold ? GripSource::no_grip : GripSource::not_known;
+  return grip;
+}
+
+/// The force that the report speaks of, and whose it is.
+void name_force(const SceneFile& file, GripReport& report) {
+  const Drive<double>* first = nullptr;
+  for (const Drive<double>& drive : file.drives)
+    if (grips(file, static_cast<std::size_t>(drive.actuator)) &&
+        (first == nullptr || drive.body < first->body))
+      first = &drive;
+  if (first == nullptr) return;
+  const auto actuator = static_cast<std::size_t>(first->actuator);
+  const std::string& name = file.actuator_names[actuator];
+  report.force = file.actuators[actuator].force;
+  report.of = "at " + name;
+  if (name != file.body_names[static_cast<std::size_t>(first->body)]) {
+    Index bodies = 0; // of parallel jaws, or of an [[actuator]]
+    for (const Drive<double>& drive : file.drives) bodies += drive.actuator == first->actuator;
+    if (name != "jaws" || bodies != 2) return;
+    report.force /= 2;
+    report.of = "per finger";
+    return;
+  }
+  bool same = true;
+  std::size_t fingers = 0;
+  for (std::size_t a = 0; a < file.actuators.size(); ++a) {
+    if (!grips(file, a)) continue;
+    ++fingers;
+    same = same && file.actuators[a].force == report.force;
+  }
+  if (fingers > 1) report.of = same ? "per finger" : report.of + ", the others in proportion";
+}
+
+} // namespace
+
+GripReport find_smallest_grip(const SceneFile& file, const HoldReport& hold,
+                              const BreakReport& broken, const PushOptions& options) {
+  GripReport report;
+  name_force(file, report);
+  if (report.force == 0) return report;
+  const SceneFile alone = without_pushers(file);
+  const bool holds_now = hold.status == Status::solved && hold.holds;
+  Work work(options);
+  report.alone =
+      smallest(alone, largest_alone, work, holds_now ? 1 : 0, {1e-9, 1e6}, [&](double factor) {
+        const SceneFile there = scaled(alone, factor);
+        Push push(there);
+        const HoldReport at = push.holds_without_push(work.options());
+        return at.status == Status::solved &&
+               is_at_rest(there, at.acceleration, push.layout().scales,
+                          64 * Tolerances<double>().settled);
+      });
+  if (broken.status != Status::solved && broken.status != Status::does_not_hold) return report;
+  Work pushed(options);
+  report.at_rest =
+      smallest(file, largest_at_rest, pushed, broken.status == Status::solved ? 1 : 0, {1e-6, 1e4},
+               [&](double factor) {
+                 const SceneFile there = scaled(file, factor);
+                 Push push(there);
+                 const BreakReport at = push.find_breaking(broken.pusher, pushed.options());
+                 return at.status == Status::solved &&
+                        is_at_rest(there, at.breaking.rest, at.scales, at_rest<double>());
+               });
+  return report;
+}
+
+} // namespace lcpush::host
