@@ -10,8 +10,8 @@
 
 namespace lcpush::test {
 
-inline std::string scene_text(const std::string& name) {
-  std::ifstream stream(LCPUSH_SOURCE_DIR "/fixtures/scenes/" + name);
+inline std::string scene_text(const std::string& name, const std::string& folder = "scenes") {
+  std::ifstream stream(LCPUSH_SOURCE_DIR "/fixtures/" + folder + "/" + name);
   std::stringstream text;
   text << stream.rdbuf();
   REQUIRE(!text.str().empty());
