@@ -105,15 +105,16 @@ public:
   Work& operator=(const Work&) = delete;
 
   const PushOptions& options() const { return counting_; }
-  bool is_used_up() const { return multiplications_ > 4e9; }
+  bool is_used_up() const { return multiplications_ > most; }
 
 private:
   PushOptions given_, counting_;
+  static constexpr double most = 3e10, overhead = 5e5; // overhead: what a small pivot costs
   double multiplications_ = 0;
 
   void count(const Lemke<double>& lemke) {
     const auto n = static_cast<double>(lemke.dictionary().size());
-    multiplications_ += n * n;
+    multiplications_ += n * n + overhead;
     if (given_.lemke.on_pivot != nullptr) given_.lemke.on_pivot(given_.lemke.context, lemke);
   }
 };

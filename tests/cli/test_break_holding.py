@@ -122,6 +122,14 @@ class Holding(unittest.TestCase):
         self.assertAlmostEqual(self.answer(text)["smallest_grip"], 3.924, 8)
         self.assertIn("down to 3.924 N at hand (of 40 N)", self.text(text))
 
+    def test_a_force_controlled_pusher_is_a_load_and_not_part_of_the_grip(self):
+        lifting = scene(pinch(left=5, right=5)).replace("center = [-0.05, 0, 0]", "center = [0, -0.015, 0]")
+        lifting = lifting.replace("normal = [1, 0, 0]", "normal = [0, 1, 0]\nnormal_force = 15")
+        answer = self.answer(lifting)
+        self.assertAlmostEqual(answer["smallest_grip"], 1.962, 8)
+        self.assertAlmostEqual(answer["smallest_grip_at_rest"], 15 - 1.962, 6)
+        self.assertEqual(answer["smallest_grip_at_rest_from"], "statics")
+
     def test_without_gravity_nothing_is_needed(self):
         answer = self.answer(scene(pinch(), gravity=(0, 0, 0)))
         self.assertEqual(answer["smallest_grip"], 0)

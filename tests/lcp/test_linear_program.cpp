@@ -1,4 +1,6 @@
 // Linear programs by Lemke: optimum, infeasibility and their proofs.
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 #include "lcpush/lcp/linear_program.hpp"
@@ -106,6 +108,21 @@ TEST_CASE("what is infeasible is proved so: by a contradiction, by signs, by ine
     CHECK(p.b.dot(nu) == doctest::Approx(1));
     CHECK((p.A.transpose() * nu + p.H.transpose() * y).maxCoeff() <= 1e-12);
     CHECK((y.size() == 0 || y.minCoeff() >= 0));
+  }
+}
+
+TEST_CASE("where every feasible point is optimal, rounding does not get in between") {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) { // c = A' nu: reduced costs are noise
+    CAPTURE(seed);
+    Random random(seed);
+    DenseProgram<double> p = empty_program<double>(6, 1, 0);
+    p.A = random_matrix(random, 1, 6);
+    p.b = p.A * random_vector(random, 6).cwiseAbs();
+    const VectorX<double> nu = random_vector(random, 1);
+    p.c = p.A.transpose() * nu;
+    const ProgramRun<double> run(p);
+    REQUIRE(run.status == Status::solved);
+    CHECK(std::abs(run.solver.cost() - p.b.dot(nu)) <= 1e-13);
   }
 }
 

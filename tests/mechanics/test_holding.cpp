@@ -96,9 +96,12 @@ TEST_CASE("[T.12] a stop at the side holds together with the grip: the moment sh
   const double l = 0.03, h = 0.01, mu = 0.5, F = 20;
   Scene3 scene = pinched({0, -9.81, 0}, mu, F, {{h, 0, 0}});
   add_point(scene, Role::finger, {0, 1, 0}, 0, {-l, 0, 0});
-  const Held held(scene);
-  REQUIRE(held.status == Status::solved);
-  CHECK(held.holding.factor * F == doctest::Approx(9.81 * l / (l + h) / (2 * mu)).epsilon(1e-9));
+  for (const bool planar : {false, true}) {
+    scene.base.planar = planar;
+    const Held held(scene);
+    REQUIRE(held.status == Status::solved);
+    CHECK(held.holding.factor * F == doctest::Approx(9.81 * l / (l + h) / (2 * mu)).epsilon(1e-9));
+  }
 }
 
 TEST_CASE("[T.12] no grip force holds without friction, or away from a one-sided contact") {
