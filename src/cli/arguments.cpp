@@ -142,10 +142,18 @@ void write_output(const Arguments& arguments, const std::string& text) {
   refuse_writing(*path, failure.value());
 }
 
-std::string chosen_solver(const Arguments& arguments) {
+Option solver_option() {
+  return {"--solver", "NAME", "lemke (default), gauss-seidel (sweeps) or hybrid (both)"};
+}
+
+host::Solver chosen_solver(const Arguments& arguments) {
   const std::string solver = arguments.value("--solver").value_or("lemke");
-  if (solver == "lemke") return solver;
-  throw UsageError("--solver is lemke in this version, not " + host::quoted(solver));
+  if (solver == "pgs") return host::Solver::gauss_seidel; // as many call it
+  for (const host::Solver known :
+       {host::Solver::lemke, host::Solver::gauss_seidel, host::Solver::hybrid})
+    if (solver == host::solver_text(known)) return known;
+  throw UsageError("--solver is lemke, gauss-seidel or hybrid, not " + host::quoted(solver) +
+                   host::suggestion(solver, {"lemke", "gauss-seidel", "hybrid"}));
 }
 
 } // namespace lcpush::cli

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "lcpush/host/solver.hpp"
+
 namespace lcpush::cli {
 
 /// The command line itself is wrong; what() says how and what to type instead.
@@ -59,6 +61,8 @@ std::string help_text(const Command& command);
 void write_output(const Arguments& arguments, const std::string& text);
 
 /// Refuses solvers that do not exist; returns the one asked for.
-std::string chosen_solver(const Arguments& arguments);
+host::Solver chosen_solver(const Arguments& arguments);
+/// The option --solver.
+Option solver_option();
 
 } // namespace lcpush::cli

@@ -30,7 +30,7 @@ Index chosen_pusher(const Arguments& arguments, const host::SceneFile& file) {
 
 int run(const Arguments& arguments) {
   const std::string format = arguments.format({"text", "json"});
-  (void)chosen_solver(arguments);
+  const host::Solver solver = chosen_solver(arguments);
   const host::SceneFile file = read_scene_argument(arguments);
   const Index pusher = chosen_pusher(arguments, file);
   if (!(push_size(file.view()) > 0))
@@ -42,6 +42,7 @@ int run(const Arguments& arguments) {
   {
     Progress progress;
     host::PushOptions options;
+    options.solver = solver;
     options.lemke = progress.watch(options.lemke);
     hold = push.holds_without_push(options);
     report = push.find_breaking(pusher, options);
@@ -62,8 +63,8 @@ Command break_command() {
       "The limit of an ever smaller push in the scene's direction: the force at which the object\n"
       "starts to move, how it then moves, and what a faster push adds.\n\n"
       "Example:\n  lcpush break fixtures/scenes/straight_slide.toml\n",
-      with_common_options({{"--pusher", "NAME", "whose normal force is meant, among several"},
-                           {"--solver", "lemke", "the method"}}),
+      with_common_options(
+          {{"--pusher", "NAME", "whose normal force is meant, among several"}, solver_option()}),
       1,
       run};
 }

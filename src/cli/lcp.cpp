@@ -143,7 +143,7 @@ std::string as_text(const host::RawProblem& problem, const host::RawAnswer& answ
 
 int run(const Arguments& arguments) {
   const std::string format = arguments.format({"text", "json"});
-  const std::string solver = chosen_solver(arguments);
+  const std::string solver = host::solver_text(chosen_solver(arguments));
   const host::RawProblem problem = read_problem(arguments);
   host::RawAnswer answer;
   {
@@ -173,7 +173,7 @@ Command lcp_command() {
               {"--M", "MATRIX", "rows by semicolons, numbers by blanks"},
               {"--q", "VECTOR", "n numbers"},
               {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
-              {"--solver", "lemke", "the method"},
+              solver_option(),
           }),
           2,
           run};

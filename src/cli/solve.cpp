@@ -9,7 +9,7 @@ namespace {
 
 int run(const Arguments& arguments) {
   const std::string format = arguments.format({"text", "json"});
-  (void)chosen_solver(arguments);
+  const host::Solver solver = chosen_solver(arguments);
   const host::SceneFile file = read_scene_argument(arguments);
   host::Push push(file);
   host::HoldReport hold;
@@ -17,6 +17,7 @@ int run(const Arguments& arguments) {
   {
     Progress progress;
     host::PushOptions options;
+    options.solver = solver;
     options.lemke = progress.watch(options.lemke);
     hold = push.holds_without_push(options);
     report = push.solve(options);
@@ -35,7 +36,7 @@ Command solve_command() {
           "Reads a scene, assembles its complementarity problem and solves it by Lemke's pivots.\n"
           "Accelerations are the object's, in the gripper's frame and SI units.\n\n"
           "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
-          with_common_options({{"--solver", "lemke", "the method"}}),
+          with_common_options({solver_option()}),
           1,
           run};
 }

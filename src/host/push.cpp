@@ -7,6 +7,15 @@
 namespace lcpush::host {
 namespace {
 constexpr double ray_noise = 1e-9; // of its largest entry
+
+std::size_t sweep_scalars(const AssemblySize& size) {
+  return static_cast<std::size_t>(
+      block_gauss_seidel_scalars(size.unknowns(), size.couplings(), size.actuators));
+}
+std::size_t sweep_integers(const AssemblySize& size) {
+  return static_cast<std::size_t>(
+      block_gauss_seidel_integers(size.unknowns(), size.couplings(), size.actuators));
+}
 } // namespace
 
 std::string point_name(const SceneFile& file, Index point) {
@@ -50,7 +59,11 @@ Push::Push(const SceneFile& file)
       bytes_(static_cast<std::size_t>(push_bytes<double>(size_of(scene_)))),
       work_(make_workspace<double>({bytes_.data(), static_cast<Index>(bytes_.size())},
                                    size_of(scene_))),
-      assembly_(work_.assembly), lemke_(work_.lemke_scalars, work_.lemke_integers) {
+      assembly_(work_.assembly), lemke_(work_.lemke_scalars, work_.lemke_integers),
+      sweep_scalars_(sweep_scalars(size_of(scene_))),
+      sweep_integers_(sweep_integers(size_of(scene_))),
+      sweeps_({sweep_scalars_.data(), static_cast<Index>(sweep_scalars_.size())},
+              {sweep_integers_.data(), static_cast<Index>(sweep_integers_.size())}) {
   assembly_.assemble(scene_);
 }
 
@@ -66,14 +79,29 @@ EvenScene::EvenScene(const Scene<double>& given) {
   if (spread_evenly(given, memory, scene) != Status::solved) scene = given;
 }
 
+/// Calls `use` with the rounds of the solver asked for. A warm start for pivots is near enough
+/// where sweeps agree to six digits.
+template <class Use> Status Push::with_rounds(const PushOptions& options, const Use& use) {
+  constexpr double near = 1e-6;
+  constexpr Index few = 200; // sweeps before the pivots take over
+  const LemkeRounds<double> pivots{lemke_, options.lemke};
+  if (options.solver == Solver::lemke) return use(pivots);
+  SweepRounds<double> sweeps{sweeps_, options.sweeps};
+  if (options.solver == Solver::gauss_seidel) return use(sweeps);
+  sweeps.options.tolerance = near;
+  sweeps.options.max_sweeps = few;
+  return use(HybridRounds<double>{sweeps, pivots});
+}
+
 Status Push::run(const PushOptions& options, double sigma, PressureRun& run) {
   PressureOptions<double> pressure;
-  pressure.lemke = options.lemke;
   // A slow push moves everything slowly: what is left of [T.2] must be small against that.
   const double push = sigma * push_size(scene_) / layout().scales.acceleration;
   if (push > 0 && push < 1) pressure.tolerance *= std::max(push, 1e-4);
   assembly_.push_by(sigma);
-  const Status status = solve_pressure(assembly_, lemke_, work_.pressure, pressure, run);
+  const Status status = with_rounds(options, [&](const auto& rounds) {
+    return solve_pressure(assembly_, rounds, work_.pressure, pressure, run);
+  });
   if (status == Status::solved) read_answer(assembly_, work_.pressure.z.data, work_.answer, sigma);
   return status;
 }
@@ -250,11 +278,11 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   report.pusher = pusher;
   assembly_.assemble(scene_);
   report.scales = layout().scales;
-  PressureOptions<double> pressure;
-  pressure.lemke = options.lemke;
-  report.status = lcpush::find_breaking(assembly_, lemke_, work_,
-                                        file_.bodies[static_cast<std::size_t>(pusher)], pressure,
-                                        report.breaking, report.run);
+  report.status = with_rounds(options, [&](const auto& rounds) {
+    return lcpush::find_breaking(assembly_, rounds, work_,
+                                 file_.bodies[static_cast<std::size_t>(pusher)], {},
+                                 report.breaking, report.run);
+  });
   if (report.status == Status::does_not_hold)
     report.reason = "the object moves before it is pushed: the grasp does not hold its load";
   else if (report.status == Status::bad_input && report.run.reason == Reason::none)

@@ -109,7 +109,7 @@ public:
 
 private:
   PushOptions given_, counting_;
-  static constexpr double most = 3e10, overhead = 5e5; // overhead: what a small pivot costs
+  static constexpr double most = 1e10, overhead = 5e5; // overhead: what a small pivot costs
   double multiplications_ = 0;
 
   void count(const Lemke<double>& lemke) {

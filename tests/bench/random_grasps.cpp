@@ -26,10 +26,10 @@ Solved solve(const Scene<double>& scene, Workspace<double>& work, Index first_co
   Assembly<double> assembly(work.assembly);
   assembly.assemble(scene);
   Lemke<double> lemke(work.lemke_scalars, work.lemke_integers);
-  PressureOptions<double> options;
-  options.lemke.first_cover = first_cover;
+  LemkeRounds<double> rounds{lemke};
+  rounds.options.first_cover = first_cover;
   Solved solved{};
-  solved.status = solve_pressure(assembly, lemke, work.pressure, options, solved.run);
+  solved.status = solve_pressure(assembly, rounds, work.pressure, {}, solved.run);
   if (solved.status != Status::solved) return solved;
   read_answer(assembly, work.pressure.z.data, work.answer, 1.0);
   solved.residual = check(scene, assembly.layout().scales, work.answer, 1.0).max();

@@ -7,6 +7,7 @@
 #include "lcpush/host/final_basis.hpp"
 #include "lcpush/host/jam.hpp"
 #include "lcpush/host/scene_io.hpp"
+#include "lcpush/host/solver.hpp"
 #include "lcpush/mechanics/breaking.hpp"
 #include "lcpush/mechanics/motion.hpp"
 #include "lcpush/mechanics/uniqueness.hpp"
@@ -21,7 +22,9 @@ struct NamedValue {
 /// "left.3": point 3 (counted from 1) of body "left".
 std::string point_name(const SceneFile& file, Index point);
 struct PushOptions {
+  Solver solver = Solver::lemke;
   LemkeOptions<double> lemke{};
+  SweepOptions<double> sweeps{};
   Index other_covers = 3;   ///< covers tried in search of another answer
   bool explain_jams = true; ///< solve again with each change that might free a jam
 };
@@ -101,7 +104,11 @@ private:
   Workspace<double> work_;
   Assembly<double> assembly_;
   Lemke<double> lemke_;
+  std::vector<double> sweep_scalars_;
+  std::vector<int> sweep_integers_;
+  BlockGaussSeidel<double> sweeps_;
 
+  template <class Use> Status with_rounds(const PushOptions& options, const Use& use);
   Status run(const PushOptions& options, double sigma, PressureRun& run);
   std::string actuator_name(Index actuator) const;
   void name_file_bodies();

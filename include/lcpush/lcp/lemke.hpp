@@ -60,6 +60,12 @@ template <class S> struct LemkeOptions {
   void* context = nullptr;
 };
 
+/// What a start from given unknowns knows about them.
+enum class Guess {
+  basis, ///< exactly these are a basis, as after an earlier solve
+  near,  ///< these are positive in an answer nearby: as many of them as are independent
+};
+
 /// What one step() did.
 struct Pivot {
   Index entering = -1; ///< variable numbers of dictionary.hpp
@@ -93,7 +99,7 @@ public:
   /// Start from the complementary basis in which z_i is basic where active[i] is not 0.
   /// Post: running; numerical_breakdown if that basis is singular; or bad_input.
   [[nodiscard]] Status init(const Problem<S>& problem, const LemkeOptions<S>& options,
-                            const unsigned char* active);
+                            const unsigned char* active, Guess guess = Guess::basis);
 
   /// One pivot. Post: running, or how the run ended. Solved means that the check was passed.
   [[nodiscard]] Status step();
@@ -179,7 +185,7 @@ private:
   void load();
   void cover_cold();
   void cover_here();
-  bool factor_target();
+  bool factor_target(const S& smallest_pivot);
   bool refactorise();
   bool drifted();
   void scaled_product(const S* z_scaled, S* out);

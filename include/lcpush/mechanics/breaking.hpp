@@ -46,13 +46,13 @@ template <class S> constexpr S at_rest() { return S(1024) * Tolerances<S>().resi
 
 namespace detail {
 
-/// `rigid`: the push is one more right-hand side, so the limit is exact.
+/// `rigid` and `even`: the push is one more right-hand side, so the limit is exact.
 template <class S>
-Status break_rigid(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work,
-                   const Body<S>& pusher, const PressureOptions<S>& options, S unit,
-                   Breaking<S>& breaking, PressureRun& run) {
+Status break_exactly(Assembly<S>& assembly, LemkeRounds<S>& rounds, Workspace<S>& work,
+                     const Body<S>& pusher, S unit, Breaking<S>& breaking, PressureRun& run) {
   const Scene<S>& scene = assembly.scene();
-  Status status = lemke.init(assembly.breaking_problem(), options.lemke);
+  Lemke<S>& lemke = rounds.lemke;
+  Status status = lemke.init(assembly.breaking_problem(), rounds.options);
   if (status == Status::running) status = lemke.solve();
   run.pivots += lemke.pivots();
   run.reason = lemke.reason();
@@ -87,10 +87,10 @@ template <class S> struct SmallPush {
 };
 
 /// Solves a push whose fastest point moves at `size` of F / m.
-template <class S>
-Status push_slowly(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work,
-                   const Body<S>& pusher, PressureOptions<S> options, S unit, S size,
-                   SmallPush<S>& push, PressureRun& run) {
+template <class S, class Rounds>
+Status push_slowly(Assembly<S>& assembly, Rounds rounds, Workspace<S>& work, const Body<S>& pusher,
+                   PressureOptions<S> options, S unit, S size, SmallPush<S>& push,
+                   PressureRun& run) {
   const Scene<S>& scene = assembly.scene();
   const Scales<S>& scales = assembly.layout().scales;
   push.sigma = size * scales.acceleration / unit;
@@ -98,8 +98,10 @@ Status push_slowly(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work,
                                           S(512 * Eigen::NumTraits<S>::epsilon()));
   assembly.push_by(push.sigma);
   PressureRun one;
-  const Status status = solve_pressure(assembly, lemke, work.pressure, options, one);
+  rounds.demand(options.tolerance);
+  const Status status = solve_pressure(assembly, rounds, work.pressure, options, one);
   run.pivots += one.pivots;
+  run.sweeps += one.sweeps;
   run.rounds += one.rounds;
   run.cold_restarts += one.cold_restarts;
   run.reason = one.reason;
@@ -134,19 +136,20 @@ Breaking<S> extrapolate(const SmallPush<S>* push, S unit, const Scales<S>& scale
   return line;
 }
 
-/// `pad`: compliance has to vanish before the push does, so finite small pushes are extrapolated.
-/// Where the third is off the line of the first two, a change of mode lies between: go smaller.
-template <class S>
-Status break_pad(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, const Body<S>& pusher,
-                 const PressureOptions<S>& options, S unit, Breaking<S>& breaking,
-                 PressureRun& run) {
+/// `pad`: compliance has to vanish before the push does, so finite small pushes are extrapolated;
+/// and so they are where the solver knows no infinitesimal ones. Where the third is off the line of
+/// the first two, a change of mode lies between: go smaller.
+template <class S, class Rounds>
+Status break_by_pushes(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>& work,
+                       const Body<S>& pusher, const PressureOptions<S>& options, S unit,
+                       Breaking<S>& breaking, PressureRun& run) {
   constexpr int most_pushes = 5;
   const S straight = S(1) / S(1000000);
   SmallPush<S> push[most_pushes];
-  S size = S(1) / S(1000);
+  S size = Rounds::carries_push ? S(1) / S(1000) : S(1) / S(100); // sweeps see less far down
   for (int k = 0; k < most_pushes; ++k, size /= S(10)) {
     const Status status =
-        push_slowly(assembly, lemke, work, pusher, options, unit, size, push[k], run);
+        push_slowly(assembly, rounds, work, pusher, options, unit, size, push[k], run);
     if (status != Status::solved) return k < 3 ? status : Status::solved;
     if (k < 2) continue;
     const Breaking<S> line = extrapolate(push + k - 2, unit, assembly.layout().scales);
@@ -158,21 +161,24 @@ Status break_pad(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work, con
 
 } // namespace detail
 
-/// The push that `pusher` (a body of the scene) needs to move the object in the grip.
-/// Pre: push_size(scene) > 0. Post: solved; does_not_hold (breaking.rest is the motion without a
-/// push); or the solver's failure. work.answer is left at a small push: the modes at breaking.
-template <class S>
-[[nodiscard]] Status find_breaking(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work,
+/// The push that `pusher` (a body of the scene) needs to move the object in the grip, by one of the
+/// solvers of rounds.hpp. Pre: push_size(scene) > 0. Post: solved; does_not_hold (breaking.rest is
+/// the motion without a push); or the solver's failure. work.answer is left at a small push: the
+/// modes at breaking.
+template <class S, class Rounds>
+[[nodiscard]] Status find_breaking(Assembly<S>& assembly, Rounds rounds, Workspace<S>& work,
                                    const Body<S>& pusher, const PressureOptions<S>& options,
                                    Breaking<S>& breaking, PressureRun& run) {
   const S unit = push_size(assembly.scene());
   breaking = {};
   run = {};
   if (!(unit > S(0)) || refuses(assembly, run)) return Status::bad_input;
-  const Status status =
-      assembly.scene().pressure == Pressure::pad
-          ? detail::break_pad(assembly, lemke, work, pusher, options, unit, breaking, run)
-          : detail::break_rigid(assembly, lemke, work, pusher, options, unit, breaking, run);
+  Status status = Status::running;
+  if constexpr (Rounds::carries_push)
+    if (assembly.scene().pressure != Pressure::pad)
+      status = detail::break_exactly(assembly, rounds.pivots(), work, pusher, unit, breaking, run);
+  if (status == Status::running)
+    status = detail::break_by_pushes(assembly, rounds, work, pusher, options, unit, breaking, run);
   if (status != Status::solved) return status;
   if (!(breaking.residuals.max() <= Tolerances<S>().residual)) {
     run.reason = Reason::residual;
@@ -180,6 +186,14 @@ template <class S>
   }
   const bool moves = motion_size(breaking.rest, assembly.layout().scales) > at_rest<S>();
   return moves ? Status::does_not_hold : Status::solved;
+}
+
+/// The same by Lemke's pivots with their usual options.
+template <class S>
+[[nodiscard]] Status find_breaking(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work,
+                                   const Body<S>& pusher, const PressureOptions<S>& options,
+                                   Breaking<S>& breaking, PressureRun& run) {
+  return find_breaking(assembly, LemkeRounds<S>{lemke}, work, pusher, options, breaking, run);
 }
 
 } // namespace lcpush

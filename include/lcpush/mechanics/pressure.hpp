@@ -2,27 +2,17 @@
 // patch's normal forces [P.6]; docs/theory.md, "Pressure laws", says why that is not enough.
 #pragma once
 
-#include "lcpush/lcp/lemke.hpp"
 #include "lcpush/mechanics/answer.hpp"
 #include "lcpush/mechanics/assemble.hpp"
+#include "lcpush/mechanics/rounds.hpp"
 
 namespace lcpush {
 
 template <class S> struct PressureOptions {
-  LemkeOptions<S> lemke{};
   S first_compliance{S(1) / S(100)}; ///< eps of round 1
   S factor{S(0.31622776601683794)};  ///< eps falls by this a round
   Index max_rounds = 60;
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
-};
-
-/// What a pressure solve did, for reports.
-struct PressureRun {
-  Index rounds = 0;
-  Index pivots = 0;
-  Index cold_restarts = 0; ///< rounds that could not go on from the last basis
-  Reason reason = Reason::none;
-  bool jammed = false; ///< a ray of the problem without compliance: a squeeze, not a pad's failure
 };
 
 /// Is there nothing to solve? True, with run.reason, if the assembly did not fit its memory, if the
@@ -39,28 +29,27 @@ template <class S> bool refuses(const Assembly<S>& assembly, PressureRun& run) {
   return run.reason != Reason::none;
 }
 
-/// Memory beside Lemke's: one Scalar a point for the last round's pressure, three a point and
-/// unknown for bookkeeping, one flag an unknown.
-template <class S> struct PressureMemory {
-  Span<S> preload;            ///< points: lambda of the last round
-  Span<S> compliance;         ///< points: c_i
-  Span<S> z;                  ///< unknowns: the last round's solution
-  Span<unsigned char> active; ///< unknowns: its basis
-};
-
 /// [T.7] Pad: round r adds eps_r c_i (lambda_i - lambda_i^(r-1)) to [T.2].
 /// Sets c_i: k / m on a force-controlled patch of k > 1 points; 1e-3 k / m on a position-controlled
 /// body whose k normals are linearly dependent; 0 otherwise. And lambda^(0): each patch's own force
 /// shared evenly over its points, 0 where no force is prescribed.
 template <class S> void pad_preload(const Assembly<S>& assembly, const PressureMemory<S>& memory);
 
-/// Solves assembly.problem() under the scene's pressure law. `lemke` keeps the last factored basis.
-/// Post: solved (memory.z holds the unknowns), or Lemke's failure.
-/// Cost: rigid one Lemke run; pad one cold and a few warm ones.
+/// Solves assembly.problem() under the scene's pressure law, by one of the solvers of rounds.hpp.
+/// Post: solved (memory.z holds the unknowns), or the solver's failure.
+/// Cost: rigid and even one run; pad one cold and a few warm ones.
+template <class S, class Rounds>
+[[nodiscard]] Status solve_pressure(Assembly<S>& assembly, Rounds rounds,
+                                    const PressureMemory<S>& memory,
+                                    const PressureOptions<S>& options, PressureRun& run);
+
+/// The same by Lemke's pivots with their usual options.
 template <class S>
 [[nodiscard]] Status solve_pressure(Assembly<S>& assembly, Lemke<S>& lemke,
                                     const PressureMemory<S>& memory,
-                                    const PressureOptions<S>& options, PressureRun& run);
+                                    const PressureOptions<S>& options, PressureRun& run) {
+  return solve_pressure(assembly, LemkeRounds<S>{lemke}, memory, options, run);
+}
 
 namespace detail {
 
@@ -116,24 +105,6 @@ template <class S> void pad_preload(const Assembly<S>& assembly, const PressureM
 
 namespace detail {
 
-/// One solver run with the present compliance. Post: solved, with memory.z and memory.active set.
-template <class S>
-Status run_round(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>& memory,
-                 const LemkeOptions<S>& options, bool warm, PressureRun& run) {
-  const Problem<S> problem = assembly.problem();
-  Status status =
-      warm ? lemke.init(problem, options, memory.active.data) : lemke.init(problem, options);
-  if (status == Status::running) status = lemke.solve();
-  run.pivots += lemke.pivots();
-  run.reason = lemke.reason();
-  if (status != Status::solved) return status;
-  for (Index i = 0; i < problem.size; ++i) {
-    memory.z[i] = lemke.z()[i];
-    memory.active[i] = lemke.is_basic(i) ? 1 : 0;
-  }
-  return status;
-}
-
 /// Sets eps c_i on the normal rows, around the last round's pressure.
 template <class S>
 void set_compliance(Assembly<S>& assembly, const PressureMemory<S>& memory, S eps) {
@@ -172,32 +143,18 @@ template <class S> S runaway_force(const Assembly<S>& assembly) {
   return S(1000) * largest;
 }
 
-/// One warm round: from the last basis, under other covers if one of them ends in a ray
-/// (copositivity does not protect a warm start).
-template <class S>
-Status run_warm_round(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>& memory,
-                      LemkeOptions<S> options, PressureRun& run) {
-  const Index covers = options.covers;
-  options.covers = 1;
-  Status status = Status::ray;
-  for (Index k = 0; k < covers && status != Status::solved; ++k, ++options.first_cover)
-    status = run_round(assembly, lemke, memory, options, true, run);
-  return status;
-}
-
 } // namespace detail
 
-/// The rounds, the first of them cold or from the basis in memory.active.
-template <class S>
-Status solve_pad(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>& memory,
+/// The rounds, the first of them cold or from the last answer in `memory`.
+template <class S, class Rounds>
+Status solve_pad(Assembly<S>& assembly, Rounds& rounds, const PressureMemory<S>& memory,
                  const PressureOptions<S>& options, bool warm, PressureRun& run) {
   S eps = options.first_compliance, factor = options.factor, last_eps = eps;
   pad_preload(assembly, memory);
   for (Index round = 0; round < options.max_rounds; ++round, warm = true) {
     ++run.rounds;
     detail::set_compliance(assembly, memory, eps);
-    Status status = warm ? detail::run_warm_round(assembly, lemke, memory, options.lemke, run)
-                         : detail::run_round(assembly, lemke, memory, options.lemke, false, run);
+    Status status = rounds.solve(assembly.problem(), warm, memory, run);
     if (status != Status::solved && warm && factor < S(0.7)) {
       factor = Eigen::numext::sqrt(factor); // come down more slowly
       eps = last_eps * factor;
@@ -205,7 +162,7 @@ Status solve_pad(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>
     }
     if (status != Status::solved && warm) {
       ++run.cold_restarts;
-      status = detail::run_round(assembly, lemke, memory, options.lemke, false, run);
+      status = rounds.solve(assembly.problem(), false, memory, run);
     }
     if (status != Status::solved) return status;
     S largest(0);
@@ -219,15 +176,15 @@ Status solve_pad(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>
   return Status::numerical_breakdown;
 }
 
-template <class S>
-Status solve_pressure(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemory<S>& memory,
+template <class S, class Rounds>
+Status solve_pressure(Assembly<S>& assembly, Rounds rounds, const PressureMemory<S>& memory,
                       const PressureOptions<S>& options, PressureRun& run) {
   run = {};
   if (refuses(assembly, run)) return Status::bad_input;
   const bool pad = assembly.scene().pressure == Pressure::pad;
   PressureOptions<S> now = options;
   if (pad) {
-    const Status status = solve_pad(assembly, lemke, memory, now, false, run);
+    const Status status = solve_pad(assembly, rounds, memory, now, false, run);
     if (status == Status::solved || status == Status::bad_input) return status;
   }
   // Compliance hides a jam: a squeezed pad just gives way. Without it the ray shows. If there is
@@ -235,13 +192,13 @@ Status solve_pressure(Assembly<S>& assembly, Lemke<S>& lemke, const PressureMemo
   constexpr int stiffer_starts = 2;
   for (int k = 0; k < stiffer_starts; ++k) {
     detail::set_compliance(assembly, memory, S(0));
-    Status status = detail::run_round(assembly, lemke, memory, now.lemke, false, run);
+    Status status = rounds.solve(assembly.problem(), false, memory, run);
     run.jammed = status == Status::ray;
     if (!pad || status != Status::solved) return status;
     ++run.cold_restarts;
     now.first_compliance /= S(100);
-    now.lemke.first_cover += now.lemke.covers;
-    status = solve_pad(assembly, lemke, memory, now, true, run);
+    rounds.vary();
+    status = solve_pad(assembly, rounds, memory, now, true, run);
     if (status == Status::solved) return status;
   }
   return Status::numerical_breakdown;

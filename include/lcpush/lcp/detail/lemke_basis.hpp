@@ -139,8 +139,8 @@ template <class S> void Lemke<S>::scaled_product(const S* z_scaled, S* out) {
 }
 
 /// Gauss-Jordan with complete pivoting from the basis of all w to the one in target_ (basic
-/// variables in any order). False if that basis is singular to working precision.
-template <class S> bool Lemke<S>::factor_target() {
+/// variables in any order). False if pivots above `smallest_pivot` end before it is reached.
+template <class S> bool Lemke<S>::factor_target(const S& smallest_pivot) {
   const Index n = n_;
   // candidates_: rows whose w is to leave; target_: columns whose variable is to enter.
   Index wanted = 0, leaving = 0;
@@ -151,9 +151,8 @@ template <class S> bool Lemke<S>::factor_target() {
     if (candidates_[i] != 0) candidates_[leaving++] = static_cast<int>(i);
   for (Index k = 0; k < n; ++k)
     if (target_[k] >= n) target_[wanted++] = target_[k] - static_cast<int>(n);
-  const S floor = options_.tolerances.pivot * options_.tolerances.tie;
   for (; wanted > 0; --wanted) {
-    S largest = floor;
+    S largest = smallest_pivot;
     Index row = -1, column = -1;
     for (Index k = 0; k < wanted; ++k)
       for (Index i = 0; i < wanted; ++i) {
@@ -176,7 +175,7 @@ template <class S> bool Lemke<S>::factor_target() {
 template <class S> bool Lemke<S>::refactorise() {
   for (Index i = 0; i < n_; ++i) target_[i] = dictionary_.basic[i];
   load();
-  return fresh_ = factor_target();
+  return fresh_ = factor_target(options_.tolerances.pivot * options_.tolerances.tie);
 }
 
 /// Has rounding in the dictionary moved the finite basic values away from w = q + M z + d z0?
@@ -313,13 +312,17 @@ Status Lemke<S>::init(const Problem<S>& problem, const LemkeOptions<S>& options)
 
 template <class S>
 Status Lemke<S>::init(const Problem<S>& problem, const LemkeOptions<S>& options,
-                      const unsigned char* active) {
+                      const unsigned char* active, Guess guess) {
   if (prepare(problem, options) != Status::running) return status_;
   cover_columns_.setOnes();
   load();
   for (Index i = 0; i < n_; ++i)
     target_[i] = static_cast<int>(active[i] != 0 ? unknown(i, n_) : slack(i));
-  if (!factor_target()) return end(Status::numerical_breakdown, Reason::singular_basis);
+  const Tolerances<S>& tolerances = options.tolerances;
+  const S smallest =
+      guess == Guess::basis ? S(tolerances.pivot * tolerances.tie) : tolerances.noise;
+  if (!factor_target(smallest) && guess == Guess::basis)
+    return end(Status::numerical_breakdown, Reason::singular_basis);
   cover_here();
   entering_ = -1;
   return status_;
