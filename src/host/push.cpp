@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "message.hpp"
+#include "push_rounds.hpp"
 
 namespace lcpush::host {
 namespace {
@@ -79,31 +80,36 @@ EvenScene::EvenScene(const Scene<double>& given) {
   if (spread_evenly(given, memory, scene) != Status::solved) scene = given;
 }
 
-/// Calls `use` with the rounds of the solver asked for. A warm start for pivots is near enough
-/// where sweeps agree to six digits.
-template <class Use> Status Push::with_rounds(const PushOptions& options, const Use& use) {
-  constexpr double near = 1e-6;
-  constexpr Index few = 200; // sweeps before the pivots take over
-  const LemkeRounds<double> pivots{lemke_, options.lemke};
-  if (options.solver == Solver::lemke) return use(pivots);
-  SweepRounds<double> sweeps{sweeps_, options.sweeps};
-  if (options.solver == Solver::gauss_seidel) return use(sweeps);
-  sweeps.options.tolerance = near;
-  sweeps.options.max_sweeps = few;
-  return use(HybridRounds<double>{sweeps, pivots});
+void Push::record(Index sweep, const double* z) {
+  const bool new_round = !history_.empty() && swept_before_ + sweep < history_.back().sweep;
+  if (new_round) swept_before_ = history_.back().sweep;
+  read_answer(assembly_, z, work_.answer, assembly_.sigma());
+  history_.push_back({swept_before_ + sweep,
+                      check(assembly_.scene(), layout().scales, work_.answer, assembly_.sigma())});
 }
 
-Status Push::run(const PushOptions& options, double sigma, PressureRun& run) {
+Status Push::run(const PushOptions& options, double sigma, PressureRun& spent) {
   PressureOptions<double> pressure;
   // A slow push moves everything slowly: what is left of [T.2] must be small against that.
   const double push = sigma * push_size(scene_) / layout().scales.acceleration;
   if (push > 0 && push < 1) pressure.tolerance *= std::max(push, 1e-4);
   assembly_.push_by(sigma);
   const Status status = with_rounds(options, [&](const auto& rounds) {
-    return solve_pressure(assembly_, rounds, work_.pressure, pressure, run);
+    return solve_pressure(assembly_, rounds, work_.pressure, pressure, spent);
   });
-  if (status == Status::solved) read_answer(assembly_, work_.pressure.z.data, work_.answer, sigma);
-  return status;
+  if (status != Status::solved) return status;
+  read_answer(assembly_, work_.pressure.z.data, work_.answer, sigma);
+  // Sweeps stop at a residual that large forces make look small: the laws may ask for more.
+  const bool can_improve = options.solver == Solver::gauss_seidel &&
+                           options.sweeps.tolerance > 64 * Eigen::NumTraits<double>::epsilon();
+  const double worst = check(assembly_.scene(), layout().scales, work_.answer, sigma).max();
+  if (!can_improve || worst <= Tolerances<double>().residual) return status;
+  PushOptions stricter = options;
+  stricter.sweeps.tolerance /= 100;
+  PressureRun again;
+  const Status improved = run(stricter, sigma, again);
+  spent.sweeps += again.sweeps;
+  return improved;
 }
 
 /// Points speak of the file's bodies, even where each is a body of its own.
@@ -127,6 +133,14 @@ std::string Push::explain(Status status, const PressureRun& run) const {
                     : "a ray that presses no contact: an actuator that nothing holds back, or an "
                       "object whose mass, size and contacts do not fit together";
   case Status::pivot_limit: return "the limit of pivots was reached";
+  case Status::sweep_limit:
+    return "the limit of sweeps was reached; --solver hybrid goes on with pivots";
+  case Status::stagnated:
+    return sweeps_.runs_away()
+               ? "the forces of the sweeps grow without bound, as in a jam; --solver "
+                 "lemke ends in the ray that names it"
+               : "the sweeps make no more progress; --solver hybrid goes on with "
+                 "pivots";
   case Status::numerical_breakdown:
     if (run.reason == Reason::none)
       return "the pad rounds did not converge, though the rigid problem is solvable; try "
@@ -180,6 +194,8 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
   const Outcome<double> first = outcome();
   report.final_basis = study_final_basis(assembly_, work_.answer);
   PushOptions other = options;
+  other.solver = Solver::lemke; // covers are its own; after sweeps they are a second opinion too
+  other.record_history = false;
   for (Index k = 1; k <= options.other_covers && layout().size <= largest_searched; ++k) {
     other.lemke.first_cover = options.lemke.first_cover + k * options.lemke.covers;
     PressureRun ignored;
@@ -194,9 +210,13 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
 
 PushReport Push::solve(const PushOptions& options) {
   PushReport report;
+  report.solver = options.solver;
   assembly_.assemble(scene_);
   report.scales = layout().scales;
+  history_.clear();
+  swept_before_ = 0;
   report.status = run(options, 1.0, report.run);
+  report.history = history_;
   if (report.status == Status::solved) {
     const std::vector<double> z(work_.pressure.z.begin(), work_.pressure.z.end());
     search_others(options, report);
@@ -230,74 +250,6 @@ PushReport Push::solve(const PushOptions& options) {
                     shown(report.scales.force) + " N on " + shown(scene_.object.mass) +
                     " kg) to be told from rounding; lcpush break gives the limit of slow pushes";
   }
-  return report;
-}
-
-HoldReport Push::holds_without_push(const PushOptions& options) {
-  Scene<double> alone = scene_;
-  std::vector<Drive<double>> drives;
-  alone.points.size = alone.bodies.size = 0;
-  for (const Body<double>& body : scene_.bodies) {
-    if (body.role == Role::pusher) break; // fingers come first
-    ++alone.bodies.size;
-    alone.points.size += body.point_count;
-  }
-  std::vector<Actuator<double>> actuators;
-  for (Index a = 0; a < scene_.actuators.size; ++a) {
-    const std::size_t before = drives.size();
-    for (const Drive<double>& drive : scene_.drives)
-      if (drive.actuator == a && drive.body < alone.bodies.size)
-        drives.push_back({drive.body, static_cast<Index>(actuators.size()), drive.twist});
-    if (drives.size() > before) actuators.push_back(scene_.actuators[a]);
-  }
-  alone.drives = {drives.data(), static_cast<Index>(drives.size())};
-  alone.actuators = {actuators.data(), static_cast<Index>(actuators.size())};
-
-  HoldReport report;
-  report.length = layout().scales.length;
-  report.acceleration.head<3>() = scene_.gravity;
-  if (scene_.planar) report.acceleration[2] = 0;
-  if (alone.bodies.size == 0) {
-    report.status = Status::solved;
-    report.holds = !(report.acceleration.norm() > 0);
-    return report;
-  }
-  assembly_.assemble(alone);
-  PressureRun ignored;
-  report.status = run(options, 1.0, ignored);
-  if (report.status == Status::solved) {
-    report.acceleration = work_.answer.acceleration;
-    report.holds = motion_size(report.acceleration, layout().scales) <= at_rest<double>();
-  }
-  assembly_.assemble(scene_);
-  return report;
-}
-
-BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
-  BreakReport report;
-  report.pusher = pusher;
-  assembly_.assemble(scene_);
-  report.scales = layout().scales;
-  report.status = with_rounds(options, [&](const auto& rounds) {
-    return lcpush::find_breaking(assembly_, rounds, work_,
-                                 file_.bodies[static_cast<std::size_t>(pusher)], {},
-                                 report.breaking, report.run);
-  });
-  if (report.status == Status::does_not_hold)
-    report.reason = "the object moves before it is pushed: the grasp does not hold its load";
-  else if (report.status == Status::bad_input && report.run.reason == Reason::none)
-    report.reason = "no pusher moves: give one an acceleration";
-  else if (report.status != Status::solved)
-    report.reason = explain(report.status, report.run);
-  if (report.status == Status::ray) {
-    report.ray = named_ray();
-    report.jam = read_jam(options);
-  }
-  if (report.status != Status::solved) return report;
-  name_file_bodies();
-  Answer<double> moving = work_.answer;
-  moving.acceleration = report.breaking.twist;
-  report.motion = describe_motion(file_.view(), moving, report.scales.length, 1.0);
   return report;
 }
 

@@ -139,8 +139,10 @@ void write_grip(JsonWriter& json, const std::string& key, const SmallestGrip& gr
 std::string solve_json(const SceneFile& file, const HoldReport& hold, const PushReport& report) {
   JsonWriter json;
   json.begin_object();
-  json.member("status", status_text(report.status)).member("solver", "lemke");
-  json.member("pivots", report.run.pivots).member("sweeps", 0).member("rounds", report.run.rounds);
+  json.member("status", status_text(report.status)).member("solver", solver_text(report.solver));
+  json.member("pivots", report.run.pivots)
+      .member("sweeps", report.run.sweeps)
+      .member("rounds", report.run.rounds);
   write_holds(json, hold);
   if (report.status != Status::solved) {
     write_failure(json, file, report.reason, report.ray, report.jam);
@@ -178,7 +180,8 @@ std::string break_json(const SceneFile& file, const HoldReport& hold, const Grip
     json.value(nullptr);
   write_grip(json, "smallest_grip_at_rest", grip.at_rest, grip.force);
   json.member("pusher", file.body_names[static_cast<std::size_t>(report.pusher)]);
-  json.member("pivots", report.run.pivots).member("rounds", report.run.rounds);
+  json.member("solver", solver_text(report.solver)).member("pivots", report.run.pivots);
+  json.member("sweeps", report.run.sweeps).member("rounds", report.run.rounds);
   if (!solved) {
     write_failure(json, file, report.reason, report.ray, report.jam);
     if (report.status == Status::does_not_hold) json.key("rest_acceleration").numbers(b.rest);

@@ -171,8 +171,13 @@ const char* pressure_name(Pressure pressure) {
   return pressure == Pressure::pad ? "pad" : pressure == Pressure::even ? "even" : "rigid";
 }
 
-std::string run_line(const SceneFile& file, const PressureRun& run) {
-  std::string text = "Lemke: " + std::to_string(run.pivots) + " pivots";
+std::string run_line(const SceneFile& file, Solver solver, const PressureRun& run) {
+  std::string text = solver == Solver::lemke    ? "Lemke: "
+                     : solver == Solver::hybrid ? "Hybrid: "
+                                                : "Gauss-Seidel: ";
+  if (solver != Solver::lemke) text += std::to_string(run.sweeps) + " sweeps";
+  if (solver == Solver::hybrid) text += " and ";
+  if (solver != Solver::gauss_seidel) text += std::to_string(run.pivots) + " pivots";
   if (run.rounds > 0)
     text += " in " + std::to_string(run.rounds) + (run.rounds == 1 ? " round" : " rounds");
   if (run.cold_restarts > 0) text += ", " + std::to_string(run.cold_restarts) + " restarted cold";
@@ -198,7 +203,7 @@ std::string solve_text(const SceneFile& file, const HoldReport& hold, const Push
   std::string text = title_line(file) + hold_line(file, hold);
   if (report.status != Status::solved) {
     return text + failure_text(file, report.status, report.reason, report.ray, report.jam) + "\n" +
-           run_line(file, report.run);
+           run_line(file, report.solver, report.run);
   }
   text += wrench_lines(file, report) + motion_line(file, report.motion, report.scales.length);
   text += unique_lines(file, report);
@@ -211,7 +216,7 @@ std::string solve_text(const SceneFile& file, const HoldReport& hold, const Push
   text += "\n" + contact_table(file, report) + torsion_lines(file, report);
   text += closing_lines(file, report);
   text += "\nLargest scaled residual " + residual_text(report.residuals.max()) +
-          ", checked apart from the solver.\n" + run_line(file, report.run);
+          ", checked apart from the solver.\n" + run_line(file, report.solver, report.run);
   return text;
 }
 
@@ -224,10 +229,10 @@ std::string break_text(const SceneFile& file, const HoldReport& hold, const Grip
     return text + "DOES NOT HOLD: even with the pusher in place the object accelerates at " +
            acceleration_text(b.rest, report.scales.length) +
            " before it is pushed,\nso there is no force that just breaks the grasp.\n\n" +
-           run_line(file, report.run);
+           run_line(file, report.solver, report.run);
   if (report.status != Status::solved)
     return text + failure_text(file, report.status, report.reason, report.ray, report.jam) + "\n" +
-           run_line(file, report.run);
+           run_line(file, report.solver, report.run);
   const double zero = 1e-9 * report.scales.force;
   text += "Breaking force    " + number(b.break_force, zero) + " N, normal force of " + pusher +
           " when the object starts to move in the grip\n";
@@ -248,7 +253,7 @@ std::string break_text(const SceneFile& file, const HoldReport& hold, const Grip
     text += "Caution           a third, smaller push lies " + number(b.line_error) +
             " of the grip force off the line through two\n";
   return text + "\nLargest scaled residual " + residual_text(b.residuals.max()) +
-         ", checked apart from the solver.\n" + run_line(file, report.run);
+         ", checked apart from the solver.\n" + run_line(file, report.solver, report.run);
 }
 
 } // namespace lcpush::host

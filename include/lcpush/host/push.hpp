@@ -21,17 +21,32 @@ struct NamedValue {
 
 /// "left.3": point 3 (counted from 1) of body "left".
 std::string point_name(const SceneFile& file, Index point);
+/// Sweeps end at their own scaled residual; the laws, in SI units, are to pass theirs as well.
+constexpr SweepOptions<double> strict_sweeps() {
+  SweepOptions<double> options;
+  options.tolerance /= 32;
+  return options;
+}
+
+/// The literal laws' residuals after a number of sweeps.
+struct SweepRecord {
+  Index sweep; ///< of all rounds together
+  Residuals<double> residuals;
+};
+
 struct PushOptions {
   Solver solver = Solver::lemke;
   LemkeOptions<double> lemke{};
-  SweepOptions<double> sweeps{};
-  Index other_covers = 3;   ///< covers tried in search of another answer
-  bool explain_jams = true; ///< solve again with each change that might free a jam
+  SweepOptions<double> sweeps = strict_sweeps();
+  bool record_history = false; ///< PushReport::history; costs a check of the laws each time
+  Index other_covers = 3;      ///< covers tried in search of another answer
+  bool explain_jams = true;    ///< solve again with each change that might free a jam
 };
 
 struct PushReport {
   Status status = Status::bad_input;
   std::string reason; ///< a sentence, empty when solved
+  Solver solver = Solver::lemke;
   PressureRun run;
   Scales<double> scales{};
   Answer<double> answer{}; ///< views into the Push: valid until it is asked again
@@ -39,8 +54,9 @@ struct PushReport {
   Motion<double> motion;
   Uniqueness unique_motion = Uniqueness::not_tested;
   Uniqueness unique_wrench = Uniqueness::not_tested;
-  Index covers_compared = 0;   ///< other covers that led to an answer
-  FinalBasis final_basis;      ///< other answers next to this one
+  Index covers_compared = 0; ///< other covers that led to an answer
+  FinalBasis final_basis;    ///< other answers next to this one
+  std::vector<SweepRecord> history;
   std::vector<NamedValue> ray; ///< entries that are not zero, largest 1
   Jam jam;                     ///< the ray, read
 };
@@ -57,10 +73,12 @@ struct BreakReport {
   Status status = Status::bad_input;
   std::string reason;
   Index pusher = -1; ///< body that pushes
+  Solver solver = Solver::lemke;
   PressureRun run;
   Breaking<double> breaking;
-  Motion<double> motion;       ///< per unit push
-  std::vector<NamedValue> ray; ///< as in PushReport
+  Motion<double> motion;            ///< per unit push
+  std::vector<SweepRecord> history; ///< of its pushes, one after the other
+  std::vector<NamedValue> ray;      ///< as in PushReport
   Jam jam;
   Scales<double> scales{};
 };
@@ -106,8 +124,11 @@ private:
   Lemke<double> lemke_;
   std::vector<double> sweep_scalars_;
   std::vector<int> sweep_integers_;
+  std::vector<SweepRecord> history_;
+  Index swept_before_ = 0; // in the rounds that are over
   BlockGaussSeidel<double> sweeps_;
 
+  void record(Index sweep, const double* z);
   template <class Use> Status with_rounds(const PushOptions& options, const Use& use);
   Status run(const PushOptions& options, double sigma, PressureRun& run);
   std::string actuator_name(Index actuator) const;

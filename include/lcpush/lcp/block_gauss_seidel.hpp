@@ -79,6 +79,8 @@ private:
   void shrink_to_cone(const ConeGroup<S>& cone, const S& most);
   void rub(const ConeGroup<S>& cone);
   void recover_multipliers();
+  S squeeze() const;
+  bool passes() const;
   Status check();
   Status finish();
 };

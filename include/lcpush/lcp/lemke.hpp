@@ -185,7 +185,8 @@ private:
   void load();
   void cover_cold();
   void cover_here();
-  bool factor_target(const S& smallest_pivot);
+  Index factor_target(const S& smallest_pivot);
+  bool drop_pairs(Index left, const S& smallest_pivot);
   bool refactorise();
   bool drifted();
   void scaled_product(const S* z_scaled, S* out);

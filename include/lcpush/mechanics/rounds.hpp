@@ -99,13 +99,14 @@ template <class S> struct HybridRounds {
   Status solve(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory,
                PressureRun& run) {
     if (warm) return then.solve(problem, true, memory, run);
-    // Near is enough: forces are of order 1 in the scene's units.
-    const S positive = first.options.tolerance;
+    const S positive = S(1) / S(10000); // forces are of order 1 in the scene's units
     if (first.solve(problem, false, memory, run) == Status::solved) {
       for (Index i = 0; i < problem.size; ++i)
         memory.active[i] = i >= problem.free_begin || memory.z[i] > positive ? 1 : 0;
       LemkeOptions<S> single = then.options;
       single.covers = 1;
+      single.max_pivots =
+          problem.size; // a start that leads astray shall not cost more than a cold one
       const Status status = then.finish(
           then.lemke.init(problem, single, memory.active.data, Guess::near), problem, memory, run);
       if (status == Status::solved) return status;

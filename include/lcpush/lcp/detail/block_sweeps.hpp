@@ -225,7 +225,7 @@ template <class S> Status BlockGaussSeidel<S>::check() {
   if (options_.on_check != nullptr)
     options_.on_check(options_.context, sweeps_, z_.data, residual_.residual);
   if (runs_away()) return status_ = Status::stagnated;
-  if (residual_.residual <= options_.tolerance) return status_ = Status::solved;
+  if (passes()) return status_ = Status::solved;
   if (sweeps_ == 0 || residual_.residual < best_residual_) {
     best_residual_ = residual_.residual;
     best_sweep_ = sweeps_;
@@ -235,17 +235,27 @@ template <class S> Status BlockGaussSeidel<S>::check() {
   return status_;
 }
 
-/// Forces far beyond what the problem's numbers ask for: a squeeze that every pass tightens. Beside
-/// them a residual would look small.
-template <class S> bool BlockGaussSeidel<S>::runs_away() const {
+/// The residual is measured beside the largest unknown: under a coarse tolerance a squeeze that
+/// grows would pass for a solution. Beside what the problem asks for, or to rounding, it does not.
+template <class S> bool BlockGaussSeidel<S>::passes() const {
+  const S tolerance = options_.tolerance;
+  const bool exact = residual_.residual <= Tolerances<S>().residual;
+  return residual_.residual <= tolerance && (exact || residual_.residual * squeeze() <= tolerance);
+}
+
+/// The largest normal force by the largest number that the problem asks for; at least 1.
+template <class S> S BlockGaussSeidel<S>::squeeze() const {
   S asked(1), largest(0);
   for (Index i = 0; i < problem_.size; ++i)
     asked = Eigen::numext::maxi(asked, Eigen::numext::abs(problem_.q[i]));
   for (const ConeGroup<S>& cone : factored().cones)
     for (Index k = 0; k < cone.normals; ++k)
       largest = Eigen::numext::maxi(largest, z_[cone.variable + k]);
-  return largest > S(10000) * asked;
+  return largest > asked ? S(largest / asked) : S(1);
 }
+
+/// Forces far beyond what the problem's numbers ask for: a squeeze that every pass tightens.
+template <class S> bool BlockGaussSeidel<S>::runs_away() const { return squeeze() > S(10000); }
 
 /// ProximalNewton with eps falling while it settles, and rising where it does not.
 template <class S> Status BlockGaussSeidel<S>::finish() {

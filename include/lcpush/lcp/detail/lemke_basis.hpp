@@ -139,8 +139,9 @@ template <class S> void Lemke<S>::scaled_product(const S* z_scaled, S* out) {
 }
 
 /// Gauss-Jordan with complete pivoting from the basis of all w to the one in target_ (basic
-/// variables in any order). False if pivots above `smallest_pivot` end before it is reached.
-template <class S> bool Lemke<S>::factor_target(const S& smallest_pivot) {
+/// variables in any order). Returns how many of its z are left when pivots above `smallest_pivot`
+/// end: then candidates_ holds the w that should have left, target_ the z that should have entered.
+template <class S> Index Lemke<S>::factor_target(const S& smallest_pivot) {
   const Index n = n_;
   // candidates_: rows whose w is to leave; target_: columns whose variable is to enter.
   Index wanted = 0, leaving = 0;
@@ -163,10 +164,46 @@ template <class S> bool Lemke<S>::factor_target(const S& smallest_pivot) {
         row = i;
         column = k;
       }
-    if (row < 0) return false;
+    if (row < 0) return wanted;
     dictionary_.exchange(candidates_[row], target_[column], scratch_);
     candidates_[row] = candidates_[wanted - 1];
     target_[column] = target_[wanted - 1];
+  }
+  return 0;
+}
+
+/// After factor_target has left some: makes the basis complementary again, without them. Where w_i
+/// has stayed but z_i has entered, and z_j has not entered but w_j has left, z_i leaves for w_j.
+/// False if that is singular too.
+template <class S> bool Lemke<S>::drop_pairs(Index left, const S& smallest_pivot) {
+  const Index n = n_;
+  Index both = 0, neither = 0; // of a pair's two variables: basic
+  for (Index k = 0; k < left; ++k) {
+    const Index i = candidates_[k];
+    if (dictionary_.row_of(unknown(i, n)) >= 0) candidates_[both++] = static_cast<int>(i);
+  }
+  for (Index k = 0; k < left; ++k) {
+    const Index j = target_[k];
+    if (dictionary_.column_of(slack(j)) >= 0) target_[neither++] = static_cast<int>(j);
+  }
+  for (; both > 0; --both) {
+    S largest = smallest_pivot;
+    Index at = -1, to = -1;
+    for (Index k = 0; k < both; ++k)
+      for (Index l = 0; l < both; ++l) {
+        const S x = dictionary_.table(dictionary_.row_of(unknown(candidates_[k], n)),
+                                      dictionary_.column_of(slack(target_[l])));
+        const S size = x < S(0) ? S(-x) : x;
+        if (!(size > largest)) continue;
+        largest = size;
+        at = k;
+        to = l;
+      }
+    if (at < 0) return false;
+    dictionary_.exchange(dictionary_.row_of(unknown(candidates_[at], n)),
+                         dictionary_.column_of(slack(target_[to])), scratch_);
+    candidates_[at] = candidates_[both - 1];
+    target_[to] = target_[both - 1];
   }
   return true;
 }
@@ -175,7 +212,7 @@ template <class S> bool Lemke<S>::factor_target(const S& smallest_pivot) {
 template <class S> bool Lemke<S>::refactorise() {
   for (Index i = 0; i < n_; ++i) target_[i] = dictionary_.basic[i];
   load();
-  return fresh_ = factor_target(options_.tolerances.pivot * options_.tolerances.tie);
+  return fresh_ = factor_target(options_.tolerances.pivot * options_.tolerances.tie) == 0;
 }
 
 /// Has rounding in the dictionary moved the finite basic values away from w = q + M z + d z0?
@@ -321,7 +358,8 @@ Status Lemke<S>::init(const Problem<S>& problem, const LemkeOptions<S>& options,
   const Tolerances<S>& tolerances = options.tolerances;
   const S smallest =
       guess == Guess::basis ? S(tolerances.pivot * tolerances.tie) : tolerances.noise;
-  if (!factor_target(smallest) && guess == Guess::basis)
+  const Index left = factor_target(smallest);
+  if (left > 0 && (guess == Guess::basis || !drop_pairs(left, smallest)))
     return end(Status::numerical_breakdown, Reason::singular_basis);
   cover_here();
   entering_ = -1;
