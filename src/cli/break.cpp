@@ -4,6 +4,7 @@
 #include "lcpush/host/report.hpp"
 #include "progress.hpp"
 #include "scene_argument.hpp"
+#include "sweep_history.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -29,8 +30,8 @@ Index chosen_pusher(const Arguments& arguments, const host::SceneFile& file) {
 }
 
 int run(const Arguments& arguments) {
-  const std::string format = arguments.format({"text", "json"});
   const host::Solver solver = chosen_solver(arguments);
+  const std::string format = push_format(arguments, solver);
   const host::SceneFile file = read_scene_argument(arguments);
   const Index pusher = chosen_pusher(arguments, file);
   if (!(push_size(file.view()) > 0))
@@ -45,11 +46,19 @@ int run(const Arguments& arguments) {
     options.solver = solver;
     options.lemke = progress.watch(options.lemke);
     hold = push.holds_without_push(options);
+    options.record_history = arguments.has("--history");
     report = push.find_breaking(pusher, options);
-    grip = host::find_smallest_grip(file, hold, report, options);
+    options.record_history = false;
+    options.solver = host::Solver::lemke; // the search for the grip is its own
+    if (!arguments.has("--history")) grip = host::find_smallest_grip(file, hold, report, options);
   }
-  write_output(arguments, format == "json" ? host::break_json(file, hold, grip, report)
-                                           : host::break_text(file, hold, grip, report));
+  std::string text;
+  if (arguments.has("--history"))
+    text = push_history(format, solver, report.status, report.history);
+  else
+    text = format == "json" ? host::break_json(file, hold, grip, report)
+                            : host::break_text(file, hold, grip, report);
+  write_output(arguments, text);
   return report.status == Status::solved ? 0 : 1;
 }
 
@@ -63,8 +72,9 @@ Command break_command() {
       "The limit of an ever smaller push in the scene's direction: the force at which the object\n"
       "starts to move, how it then moves, and what a faster push adds.\n\n"
       "Example:\n  lcpush break fixtures/scenes/straight_slide.toml\n",
-      with_common_options(
-          {{"--pusher", "NAME", "whose normal force is meant, among several"}, solver_option()}),
+      with_common_options({{"--pusher", "NAME", "whose normal force is meant, among several"},
+                           solver_option(),
+                           history_option()}),
       1,
       run};
 }

@@ -5,8 +5,10 @@
 #include <cstdio>
 
 #include "../host/message.hpp"
+#include "../host/number_text.hpp"
 #include "../host/report_format.hpp"
 #include "commands.hpp"
+#include "history.hpp"
 #include "lcpush/host/input_error.hpp"
 #include "lcpush/host/json.hpp"
 #include "lcpush/host/raw_problem.hpp"
@@ -68,7 +70,56 @@ host::RawProblem read_problem(const Arguments& arguments) {
   return problem;
 }
 
+/// --solver, --sweeps and --relaxation.
+host::RawOptions read_options(const Arguments& arguments) {
+  host::RawOptions options;
+  options.solver = chosen_solver(arguments);
+  for (const char* option : {"--sweeps", "--relaxation", "--history"})
+    if (options.solver == host::Solver::lemke && arguments.has(option))
+      throw UsageError(std::string(option) +
+                       " is about sweeps: it goes with --solver gauss-seidel or hybrid");
+  // Before pivots a few sweeps have to do: where they come near at all, they do so soon.
+  if (options.solver == host::Solver::hybrid) options.sweeps.max_sweeps = 200;
+  if (const auto text = arguments.value("--sweeps")) {
+    const char* const end = text->data() + text->size();
+    const auto [rest, error] = std::from_chars(text->data(), end, options.sweeps.max_sweeps);
+    if (error != std::errc() || rest != end || options.sweeps.max_sweeps < 1)
+      throw UsageError("--sweeps is a whole number from 1 on, not " + host::quoted(*text));
+  }
+  if (const auto text = arguments.value("--relaxation")) {
+    const host::NumberText number = host::read_finite_number(*text);
+    if (number.error || !(number.value > 0) || !(number.value < 2))
+      throw UsageError("--relaxation is a number between 0 and 2 (1: plain Gauss-Seidel), not " +
+                       host::quoted(*text));
+    options.sweeps.relaxation = number.value;
+  }
+  return options;
+}
+
+/// "text", "json", or of a history "csv".
+std::string read_format(const Arguments& arguments) {
+  if (arguments.has("--history")) return arguments.format({"text", "json", "csv"});
+  if (arguments.value("--format") == "csv")
+    throw UsageError("--format csv is for --history; an answer is text or json");
+  return arguments.format({"text", "json"});
+}
+
+[[noreturn]] void refuse_diagonal(const Arguments& arguments, const host::RawProblem& problem,
+                                  Index row) {
+  const std::string message = "--solver gauss-seidel needs a positive diagonal, but row " +
+                              std::to_string(row + 1) + " has " + host::shown(problem.M(row, row)) +
+                              "; use lemke or hybrid";
+  if (arguments.files().empty()) throw UsageError(message);
+  throw host::InputError(arguments.files()[0] + ": " + message);
+}
+
 std::string reason_of(const host::RawAnswer& answer) {
+  char at[60];
+  std::snprintf(at, sizeof at, " (the scaled residual is %.1e)", answer.residual);
+  if (answer.status == Status::sweep_limit)
+    return "the limit of sweeps was reached" + std::string(at) + "; raise --sweeps";
+  if (answer.status == Status::stagnated)
+    return "the sweeps make no more progress" + std::string(at) + "; use hybrid or lemke";
   if (answer.status == Status::ray)
     return "Lemke ended on a secondary ray under " + std::to_string(answer.covers) +
            (answer.covers == 1 ? " cover" : " covers");
@@ -88,7 +139,9 @@ std::string as_json(const host::RawAnswer& answer, const std::string& solver) {
   host::JsonWriter json;
   json.begin_object();
   json.member("status", status_text(answer.status)).member("solver", solver);
-  json.member("pivots", answer.pivots).member("sweeps", 0).member("covers", answer.covers);
+  json.member("pivots", answer.pivots)
+      .member("sweeps", answer.sweeps)
+      .member("covers", answer.covers);
   if (solved) {
     json.member("residual", answer.residual).key("z").numbers(answer.z);
     json.key("w").numbers(answer.w).key("basis").strings(basis_of(answer));
@@ -112,12 +165,23 @@ std::string line(const char* format, double a, double b = 0) {
   return text;
 }
 
+/// "12 sweeps and 3 pivots", without what was not tried.
+std::string effort_of(const host::RawAnswer& answer) {
+  const std::string sweeps = std::to_string(answer.sweeps) + " sweeps";
+  const std::string pivots = std::to_string(answer.pivots) + " pivots";
+  if (answer.covers == 0) return sweeps;
+  return answer.history.empty() ? pivots : sweeps + " and " + pivots;
+}
+
 std::string as_text(const host::RawProblem& problem, const host::RawAnswer& answer) {
   const std::size_t n = problem.free.size();
   std::string text;
   if (answer.status != Status::solved) {
     text = "Not solved (" + std::string(status_text(answer.status)) + "): " + reason_of(answer) +
-           ".\nPivots: " + std::to_string(answer.pivots) + ".\n";
+           ".\n" +
+           (answer.covers == 0 ? "Sweeps: " + std::to_string(answer.sweeps)
+                               : "Pivots: " + std::to_string(answer.pivots)) +
+           ".\n";
     if (answer.ray.empty()) return text;
     text += "\nThe ray v (v >= 0, M v >= 0 along it up to the cover, largest entry 1):\n";
     for (std::size_t i = 0; i < n; ++i)
@@ -125,7 +189,7 @@ std::string as_text(const host::RawProblem& problem, const host::RawAnswer& answ
         text += "  v" + std::to_string(i + 1) + line(" = %.9g\n", answer.ray[i]);
     return text;
   }
-  text = "Solved in " + std::to_string(answer.pivots) + " pivots" +
+  text = "Solved in " + effort_of(answer) +
          (answer.covers > 1 ? " under " + std::to_string(answer.covers) + " covers" : "") +
          "; largest scaled residual " + host::residual_text(answer.residual) + ".\n";
   for (const Index row : answer.redundant_rows)
@@ -141,21 +205,35 @@ std::string as_text(const host::RawProblem& problem, const host::RawAnswer& answ
   return text;
 }
 
+std::string history_of(const host::RawAnswer& answer, const std::string& format,
+                       const std::string& solver) {
+  std::vector<HistoryRow> rows;
+  for (const host::SweepResidual& check : answer.history)
+    rows.push_back({check.sweep, {check.residual}});
+  return history_text(format, solver, answer.status, {"residual"}, rows);
+}
+
 int run(const Arguments& arguments) {
-  const std::string format = arguments.format({"text", "json"});
-  const std::string solver = host::solver_text(chosen_solver(arguments));
+  const std::string format = read_format(arguments);
+  host::RawOptions options = read_options(arguments);
+  const std::string solver = host::solver_text(options.solver);
   const host::RawProblem problem = read_problem(arguments);
   host::RawAnswer answer;
   {
     Progress progress;
-    answer = host::solve_raw(problem, progress.watch({}));
+    options.lemke = progress.watch(options.lemke);
+    answer = host::solve_raw(problem, options);
   }
+  if (answer.bad_diagonal >= 0) refuse_diagonal(arguments, problem, answer.bad_diagonal);
   if (answer.inconsistent_row >= 0)
     throw host::InputError(
         (arguments.files().empty() ? "--q" : arguments.files()[1]) + ": equality " +
         std::to_string(answer.inconsistent_row + 1) +
         " of --free cannot hold: what the others leave of it says 0 = something");
-  write_output(arguments, format == "json" ? as_json(answer, solver) : as_text(problem, answer));
+  if (arguments.has("--history"))
+    write_output(arguments, history_of(answer, format, solver));
+  else
+    write_output(arguments, format == "json" ? as_json(answer, solver) : as_text(problem, answer));
   return answer.status == Status::solved ? 0 : 1;
 }
 
@@ -167,13 +245,17 @@ Command lcp_command() {
           "solve a raw linear complementarity problem",
           "Finds z with w = M z + q, z >= 0, w >= 0, z'w = 0. M and q are Matrix Market files\n"
           "(real general, array or coordinate), or typed in place. Rows named by --free are\n"
-          "equalities w_i = 0 with a free z_i.\n\n"
+          "equalities w_i = 0 with a free z_i. Gauss-Seidel takes row by row and needs a\n"
+          "positive diagonal; hybrid does not, and goes on with Lemke's pivots.\n\n"
           "Example:\n  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\"\n",
           with_common_options({
               {"--M", "MATRIX", "rows by semicolons, numbers by blanks"},
               {"--q", "VECTOR", "n numbers"},
               {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
               solver_option(),
+              {"--sweeps", "N", "most sweeps (default 5000; 200 before hybrid's pivots)"},
+              {"--relaxation", "W", "of the sweeps, between 0 and 2 (default 1)"},
+              {"--history", "", "the residual after each check instead; also --format csv"},
           }),
           2,
           run};

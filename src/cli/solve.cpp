@@ -3,13 +3,14 @@
 #include "lcpush/host/report.hpp"
 #include "progress.hpp"
 #include "scene_argument.hpp"
+#include "sweep_history.hpp"
 
 namespace lcpush::cli {
 namespace {
 
 int run(const Arguments& arguments) {
-  const std::string format = arguments.format({"text", "json"});
   const host::Solver solver = chosen_solver(arguments);
+  const std::string format = push_format(arguments, solver);
   const host::SceneFile file = read_scene_argument(arguments);
   host::Push push(file);
   host::HoldReport hold;
@@ -18,12 +19,18 @@ int run(const Arguments& arguments) {
     Progress progress;
     host::PushOptions options;
     options.solver = solver;
+    options.record_history = arguments.has("--history");
     options.lemke = progress.watch(options.lemke);
     hold = push.holds_without_push(options);
     report = push.solve(options);
   }
-  write_output(arguments, format == "json" ? host::solve_json(file, hold, report)
-                                           : host::solve_text(file, hold, report));
+  std::string text;
+  if (arguments.has("--history"))
+    text = push_history(format, solver, report.status, report.history);
+  else
+    text = format == "json" ? host::solve_json(file, hold, report)
+                            : host::solve_text(file, hold, report);
+  write_output(arguments, text);
   return report.status == Status::solved ? 0 : 1;
 }
 
@@ -36,7 +43,7 @@ Command solve_command() {
           "Reads a scene, assembles its complementarity problem and solves it by Lemke's pivots.\n"
           "Accelerations are the object's, in the gripper's frame and SI units.\n\n"
           "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
-          with_common_options({solver_option()}),
+          with_common_options({solver_option(), history_option()}),
           1,
           run};
 }

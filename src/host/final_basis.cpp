@@ -190,7 +190,8 @@ FinalBasis Study::result() const {
     if (contact.has_lambda()) ++unknowns;
     if (contact.regime == Regime::stick) unknowns += body_of(i).torsion_radius > 0 ? 3 : 2;
   }
-  Eigen::FullPivLU<Eigen::MatrixXd> lu(equations(unknowns));
+  const Eigen::MatrixXd K = equations(unknowns);
+  Eigen::FullPivLU<Eigen::MatrixXd> lu(K);
   lu.setThreshold(1e-11);
   if (lu.rank() == unknowns) return found;
   double yields = 0; // what the last round's compliance lets a unit of force move
@@ -198,6 +199,9 @@ FinalBasis Study::result() const {
   const Eigen::MatrixXd kernel = lu.kernel();
   for (Index k = 0; k < kernel.cols(); ++k) {
     const Eigen::VectorXd x = kernel.col(k) / kernel.col(k).cwiseAbs().maxCoeff();
+    // A row of small numbers counts as much as the others: believe what solves each.
+    const Eigen::VectorXd size = K.cwiseAbs().rowwise().maxCoeff();
+    if (!(((K * x).cwiseAbs() - zero * size).maxCoeff() <= 0)) continue;
     found.motion_open = found.motion_open || x.head<6>().norm() > zero + 10 * yields;
     Vector6<double> pushers = Vector6<double>::Zero();
     Index next = 6 + layout_.actuators;

@@ -1,4 +1,4 @@
-// From which grip force on a grasp holds, in words.
+// With which grip force a grasp holds, in words.
 #include "lcpush/host/report.hpp"
 #include "report_format.hpp"
 
@@ -7,19 +7,23 @@ namespace {
 
 constexpr const char* indent = "                  ";
 
-/// "1.962 N per finger (of 20 N)".
+/// "1.962 N per finger (of 20 N)", "a force of 1.962 (of 20) of actuator hand": that may turn its
+/// bodies, so no unit is named.
 std::string amount(const GripReport& report, double factor) {
   const double zero = 1e-9 * std::abs(report.force);
-  return number(factor * report.force, zero) + " N " + report.of + " (of " + number(report.force) +
-         " N)";
+  const std::string now = number(factor * report.force, zero), whole = number(report.force);
+  if (report.of_actuator) return "a force of " + now + " (of " + whole + ") " + report.of;
+  return now + " N " + report.of + " (of " + whole + " N)";
 }
 
-/// From which force on it would hold, or down to which: "1.962 N per finger (of 20 N)".
+/// From which force on it would hold, or down to which: "from 1.962 N per finger (of 1 N)".
 std::string limit(const GripReport& report, const SmallestGrip& grip, bool holds) {
   if (grip.factor * std::abs(report.force) <= 1e-9 * std::abs(report.force))
     return "without any grip force";
-  // Where it does not hold with more, less is what it takes, and not a beginning.
-  const char* const word = holds ? "down to " : grip.factor > 1 ? "from " : "with ";
+  std::string word = holds ? "down to " : "with ";
+  // A beginning only where it holds with more, and not where less is what it takes.
+  if (!holds && grip.factor > 1 && grip.more == MoreGrip::holds) word = "from ";
+  if (!holds && grip.more == MoreGrip::drops) word = "only at about ";
   return word + amount(report, grip.factor);
 }
 

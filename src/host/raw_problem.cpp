@@ -1,61 +1,15 @@
 #include "lcpush/host/raw_problem.hpp"
 
 #include "lcpush/lcp/reduce.hpp"
+#include "raw_parts.hpp"
 
 namespace lcpush::host {
 namespace {
-
-template <class T> Span<T> span_of(std::vector<T>& vector) {
-  return {vector.data(), static_cast<Index>(vector.size())};
-}
-
-/// A Lemke run with its memory.
-struct OwnedLemke {
-  std::vector<double> scalars;
-  std::vector<int> integers;
-  Lemke<double> lemke;
-
-  explicit OwnedLemke(Index n)
-      : scalars(static_cast<std::size_t>(lemke_scalars(n))),
-        integers(static_cast<std::size_t>(lemke_integers(n))),
-        lemke(span_of(scalars), span_of(integers)) {}
-};
-
-/// Some rows and columns of the problem, in a given order.
-struct Submatrix {
-  std::vector<Index> rows, columns;
-  std::vector<double> M, q;
-  Problem<double> problem;
-
-  void cut(const RawProblem& from, Index free_begin) {
-    for (const Index j : columns)
-      for (const Index i : rows) M.push_back(from.M(i, j));
-    for (const Index i : rows) q.push_back(from.q(i, 0));
-    problem.size = static_cast<Index>(rows.size());
-    problem.free_begin = free_begin;
-    problem.matrix = M.data();
-    problem.q = q.data();
-  }
-};
 
 bool contains(const Span<const int>& list, Index i) {
   for (const int entry : list)
     if (entry == i) return true;
   return false;
-}
-
-/// w, and the residual of the whole problem in its own units.
-void measure(const RawProblem& problem, RawAnswer& answer) {
-  const auto n = static_cast<std::size_t>(problem.M.rows);
-  std::vector<double> unit(n, 1.0), scratch(2 * n);
-  answer.w.resize(n);
-  Problem<double> given;
-  given.size = given.free_begin = problem.M.rows;
-  given.matrix = problem.M.values.data();
-  const auto is_free = [&](Index i) { return problem.free[static_cast<std::size_t>(i)] != 0; };
-  answer.residual = natural_residual(given, problem.q.values.data(), answer.z.data(), unit.data(),
-                                     is_free, answer.w.data(), scratch.data())
-                        .residual;
 }
 
 void take_failure(const Lemke<double>& lemke, RawAnswer& answer) {
@@ -154,24 +108,37 @@ RawAnswer solve_mixed(const RawProblem& problem, const LemkeOptions<double>& opt
   return answer;
 }
 
-} // namespace
-
-RawAnswer solve_raw(const RawProblem& problem, const LemkeOptions<double>& options) {
+/// Lemke's pivots from zero.
+RawAnswer solve_cold(const RawProblem& problem, const LemkeOptions<double>& options) {
   bool is_mixed = false;
   for (const unsigned char is_free : problem.free) is_mixed = is_mixed || is_free != 0;
-  RawAnswer answer;
-  if (is_mixed) {
-    // Bounding keeps the class that Lemke is proved for; exchanging reaches what it leaves out.
-    answer = solve_mixed(problem, options, SingularBlock::bound);
-    if (answer.status != Status::solved && answer.inconsistent_row < 0) {
-      RawAnswer other = solve_mixed(problem, options, SingularBlock::exchange);
-      other.pivots += answer.pivots;
-      other.covers += answer.covers;
-      if (other.status == Status::solved || answer.status != Status::ray) answer = other;
-    }
-  } else {
-    answer = solve_standard(problem, options);
-  }
+  if (!is_mixed) return solve_standard(problem, options);
+  // Bounding keeps the class that Lemke is proved for; exchanging reaches what it leaves out.
+  RawAnswer answer = solve_mixed(problem, options, SingularBlock::bound);
+  if (answer.status == Status::solved || answer.inconsistent_row >= 0) return answer;
+  RawAnswer other = solve_mixed(problem, options, SingularBlock::exchange);
+  other.pivots += answer.pivots;
+  other.covers += answer.covers;
+  return other.status == Status::solved || answer.status != Status::ray ? other : answer;
+}
+
+} // namespace
+
+void measure(const RawProblem& problem, RawAnswer& answer) {
+  const auto n = static_cast<std::size_t>(problem.M.rows);
+  std::vector<double> unit(n, 1.0), scratch(2 * n);
+  answer.w.resize(n);
+  Problem<double> given;
+  given.size = given.free_begin = problem.M.rows;
+  given.matrix = problem.M.values.data();
+  const auto is_free = [&](Index i) { return problem.free[static_cast<std::size_t>(i)] != 0; };
+  answer.residual = natural_residual(given, problem.q.values.data(), answer.z.data(), unit.data(),
+                                     is_free, answer.w.data(), scratch.data())
+                        .residual;
+}
+
+RawAnswer solve_raw(const RawProblem& problem, const LemkeOptions<double>& options) {
+  RawAnswer answer = solve_cold(problem, options);
   if (answer.status != Status::solved) return answer;
   measure(problem, answer);
   if (!(answer.residual <= options.tolerances.residual)) {

@@ -227,6 +227,7 @@ void SceneBuilder::drive_parallel_jaws(const TableReader& gripper) {
   if (force != other)
     second.fail("grip_force", "parallel jaws share one grip_force; got " + shown(other) + ", but " +
                                   shown(force) + " on the other finger");
+  scene_.parallel_jaws = true;
   const Index jaws = add_actuator("jaws", 2 * force, 0);
   drive_along_normal(0, jaws);
   drive_along_normal(1, jaws);
@@ -272,6 +273,9 @@ void SceneBuilder::read_actuator(const TableReader& table) {
   const double amount = table.number(is_prescribed ? "acceleration" : "force",
                                      is_prescribed ? Sign::any : Sign::not_negative);
   const double inertia = table.has("inertia") ? table.number("inertia", Sign::not_negative) : 0;
+  if (!is_prescribed && amount == 0 && inertia == 0)
+    table.fail("force", "an actuator without force and inertia holds nothing; give it one of them, "
+                        "or remove it and its bodies");
   const Index actuator = is_prescribed ? 0 : add_actuator(name, amount, inertia);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Index body = body_called(bodies[i]);

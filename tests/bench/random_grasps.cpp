@@ -1,7 +1,7 @@
 // Reliability on seeded random grasps: `random_grasps [FROM] [TO]` (default 0 10000).
-// One line a pressure law: how many were solved, the worst residual of mechanics/check.hpp, pivots,
-// and on how many of every tenth grasp four covers agree on the motion. Then the force of breaking
-// on the first thousand.
+// One line a pressure law and family: how many were solved, the worst residual of
+// mechanics/check.hpp, pivots, and on how many of every tenth grasp four covers agree on the
+// motion. Then the force of breaking on the first thousand.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lcpush/lcpush.hpp"
-#include "random_grasp.hpp"
+#include "support/grasp_families.hpp"
 
 namespace {
 
@@ -38,15 +38,16 @@ Solved solve(const Scene<double>& scene, Workspace<double>& work, Index first_co
   return solved;
 }
 
-void run_law(const char* name, Pressure pressure, unsigned from, unsigned to) {
+void run_law(const char* name, test::Family family, Pressure pressure, unsigned from, unsigned to) {
   unsigned solved_count = 0, wrong = 0, compared = 0, agreeing = 0;
   double worst = 0;
   Index rounds = 0, cold = 0;
   std::vector<Index> pivots;
   const auto begin = std::chrono::steady_clock::now();
   for (unsigned seed = from; seed < to; ++seed) {
-    test::OwnedScene<double> owned = test::random_grasp<double>(seed);
+    test::OwnedScene<double> owned = test::grasp_of<double>(family, seed);
     owned.base.pressure = pressure;
+    owned = owned.spread();
     const Scene<double> scene = owned.view();
     test::OwnedWorkspace<double> memory(size_of(scene));
     const Solved first = solve(scene, memory.work, 0);
@@ -74,7 +75,7 @@ void run_law(const char* name, Pressure pressure, unsigned from, unsigned to) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   std::sort(pivots.begin(), pivots.end());
   const Index median = pivots.empty() ? 0 : pivots[pivots.size() / 2];
-  std::printf("%-6s solved %u of %u, above 1e-9: %u, worst residual %.1e, pivots median %td max "
+  std::printf("%-19s solved %u of %u, above 1e-9: %u, worst residual %.1e, pivots median %td max "
               "%td, rounds %.2f a grasp, cold restarts %td, covers agree %u of %u, %.1f s\n",
               name, solved_count, to - from, wrong, worst, median,
               pivots.empty() ? Index(0) : pivots.back(),
@@ -125,9 +126,19 @@ int main(int count, char** words) {
     return count > i ? static_cast<unsigned>(std::atoi(words[i])) : fallback;
   };
   const unsigned from = argument(1, 0), to = argument(2, 10000);
-  run_law("rigid", lcpush::Pressure::rigid, from, to);
-  run_law("pad", lcpush::Pressure::pad, from, to);
+  using lcpush::Pressure;
+  using lcpush::test::Family;
+  run_law("rigid", Family::plain, Pressure::rigid, from, to);
+  run_law("pad", Family::plain, Pressure::pad, from, to);
+  run_law("even, planar", Family::even, Pressure::even, from, to);
+  const unsigned fewer = from + (to - from) / 10;
+  run_law("soft points, pad", Family::soft, Pressure::pad, from, fewer);
+  run_law("parallel jaw, pad", Family::parallel, Pressure::pad, from, fewer);
+  run_law("crooked drives, pad", Family::jacobian, Pressure::pad, from, fewer);
+  run_law("bilateral, pad", Family::bilateral, Pressure::pad, from, fewer);
+  run_law("two pushers, pad", Family::two_pushers, Pressure::pad, from, fewer);
+  run_law("with a stop, pad", Family::stop, Pressure::pad, from, fewer);
   const unsigned to_break = std::min(to, from + 1000);
-  run_breaking("rigid", lcpush::Pressure::rigid, from, to_break);
-  run_breaking("pad", lcpush::Pressure::pad, from, to_break);
+  run_breaking("rigid", Pressure::rigid, from, to_break);
+  run_breaking("pad", Pressure::pad, from, to_break);
 }

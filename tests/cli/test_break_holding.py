@@ -27,6 +27,11 @@ def scene(fingers, extra="", pressure="pad", gravity=(0, -9.81, 0)):
             "normal = [1, 0, 0]\nfriction = 0\nacceleration = [0.1, 0, 0]\n")
 
 
+def actuator(name, body, direction, amount):
+    return (f'[[actuator]]\nname = "{name}"\nbodies = ["{body}"]\n'
+            f"twists = [{[*direction, 0, 0, 0]}]\n{amount}\n")
+
+
 def pinch(points=([0, 0],), left=20, right=20):
     return (finger("left", [[*p, 0.005] for p in points], 1, left) +
             finger("right", [[*p, -0.005] for p in points], -1, right))
@@ -45,8 +50,8 @@ class Holding(unittest.TestCase):
         self.assertIn(result.returncode, (0, 1), result.stderr)
         return result.stdout
 
-    def answer(self, text):
-        answer = json.loads(self.run_tool(text, "--json"))
+    def answer(self, text, *words):
+        answer = json.loads(self.run_tool(text, "--json", *words))
         for key in KEYS:
             self.assertIn(key, answer)
         return answer
@@ -120,7 +125,72 @@ class Holding(unittest.TestCase):
                 "twists = [[0, 0, -1, 0, 0, 0], [0, 0, 1, 0, 0, 0]]\nforce = 40\n")
         text = scene(pinch(left=None, right=None), hand)
         self.assertAlmostEqual(self.answer(text)["smallest_grip"], 3.924, 8)
-        self.assertIn("down to 3.924 N at hand (of 40 N)", self.text(text))
+        self.assertIn("down to a force of 3.924 (of 40) of actuator hand.", self.text(text))
+
+    def test_an_actuator_is_no_pair_of_jaws_by_its_name(self):
+        hand = "gravity = [0, 0, -9.81]\n" + (SCENES / "three_finger_hand.toml").read_text()
+        for name in ("tendon", "jaws"):
+            renamed = hand.replace('name = "tendon"', f'name = "{name}"')
+            self.assertAlmostEqual(self.answer(renamed)["smallest_grip"], 1.308, 8)
+            self.assertIn(f"down to a force of 1.308 (of 24) of actuator {name}, the others in "
+                          "proportion.", self.text(renamed))
+
+    def test_parallel_jaws_are_read_per_finger(self):
+        text = scene(pinch(), '[gripper]\njaws = "parallel"\n')
+        self.assertAlmostEqual(self.answer(text)["smallest_grip"], 1.962, 8)
+        self.assertIn("down to 1.962 N per finger (of 20 N)", self.text(text))
+
+    def test_an_actuator_without_force_is_not_the_one_spoken_of(self):
+        idle = actuator("idle", "stop", [1, 0, 0], "force = 0\ninertia = 0.1")
+        stop = finger("stop", [[-0.05, 0, 0]], -1, None).replace("[0, 0, 1]", "[1, 0, 0]")
+        hand = (actuator("l", "left", [0, 0, -1], "force = 1") +
+                actuator("r", "right", [0, 0, 1], "force = 1"))
+        text = scene(stop + pinch(left=None, right=None), idle + hand)
+        self.assertAlmostEqual(self.answer(text)["smallest_grip"], 1.962, 6)
+        self.assertIn("from a force of 1.962 (of 1) of actuator l, the others in proportion.",
+                      self.text(text))
+
+    def test_a_fall_that_is_slow_beside_a_huge_grip_is_a_fall(self):
+        slippery = pinch(left=1e4, right=1e4).replace("friction = 0.5", "friction = 0")
+        light = scene(slippery, gravity=(0, -0.09, 0)).replace("mass = 0.2", "mass = 0.001")
+        for pressure in ("pad", "even", "rigid"):
+            for solver in ("lemke", "hybrid", "gauss-seidel"):
+                text = light.replace('"pad"', f'"{pressure}"')
+                answer = self.answer(text, "--solver", solver)
+                self.assertEqual(answer["status"], "does_not_hold", (pressure, solver))
+                self.assertIs(answer["holds_without_push"], False)
+                self.assertIs(answer["holds_at_rest"], False)
+                self.assertAlmostEqual(answer["rest_acceleration"][1], -0.09, 5)
+        self.assertIn("does NOT hold the object: it accelerates at 0.09 m/s^2", self.text(light))
+
+    def test_a_huge_grip_with_friction_still_holds(self):
+        held = scene(pinch(left=1e4, right=1e4), gravity=(0, -0.09, 0)).replace("0.2", "0.001", 1)
+        for pressure in ("pad", "even", "rigid"):
+            answer = self.answer(held.replace('"pad"', f'"{pressure}"'))
+            self.assertEqual(answer["status"], "solved")
+            self.assertIs(answer["holds_without_push"], True)
+
+    def test_a_finger_that_moves_is_at_rest_before_the_push(self):
+        thumb = finger("thumb", [[-0.05, 0, 0]], -1, None).replace("[0, 0, 1]", "[1, 0, 0]")
+        hand = (actuator("l", "left", [0, 0, -1], "force = 20") +
+                actuator("r", "right", [0, 0, 1], "force = 20") +
+                actuator("t", "thumb", [1, 0, 0], "acceleration = 0.1"))
+        text = scene(pinch(left=None, right=None) + thumb, hand)
+        text = text.replace("center = [-0.05, 0, 0]\nnormal = [1, 0, 0]\nfriction = 0\n"
+                            "acceleration = [0.1, 0, 0]",
+                            "center = [0, 0.015, 0]\nnormal = [0, -1, 0]\nfriction = 0\n"
+                            "acceleration = [0, 0, 0]")
+        answer = self.answer(text)
+        self.assertIs(answer["holds_without_push"], True)
+        self.assertAlmostEqual(answer["smallest_grip"], 1.962, 6)
+
+    def test_where_more_drops_the_load_too_there_is_no_from(self):
+        below = finger("below", [[0, -0.015, 0]], -1, 1).replace("[0, 0, 1]", "[0, 1, 0]")
+        for force in (1, 3):
+            text = scene(below.replace("grip_force = 1", f"grip_force = {force}"))
+            self.assertAlmostEqual(self.answer(text)["smallest_grip"], 1.962, 6)
+            self.assertIn(f"It would only at about 1.962 N at below (of {force} N).",
+                          self.text(text))
 
     def test_a_force_controlled_pusher_is_a_load_and_not_part_of_the_grip(self):
         lifting = scene(pinch(left=5, right=5)).replace("center = [-0.05, 0, 0]", "center = [0, -0.015, 0]")

@@ -18,6 +18,7 @@
 #include "support/dense_lcp.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"
+#include "support/sweep_runs.hpp"
 
 namespace {
 volatile long heap_calls = 0;
@@ -134,6 +135,35 @@ TEST_CASE("a ray under all covers and bad input allocate nothing") {
         }) == 0);
   CHECK(ray == Status::ray);
   CHECK(bad == Status::bad_input);
+}
+
+TEST_CASE_TEMPLATE("component-wise sweeps allocate nothing", S, float, double) {
+  const DenseLcp<S> lcp = positive_definite<S>(8);
+  SweepRun<S> run(8);
+  SweepOptions<S> options;
+  options.max_sweeps = 50;
+  Status status = Status::running;
+  CHECK(heap_calls_of([&] { status = run.solve(lcp, options); }) == 0);
+  CHECK(status != Status::bad_input);
+  CHECK(run.sweeps.sweeps() > 0);
+}
+
+TEST_CASE_TEMPLATE("block sweeps allocate nothing, with and without proximal Newton", S, float,
+                   double) {
+  for (const bool accelerate : {false, true}) {
+    OwnedScene<S> owned = random_grasp<S>(3);
+    owned.base.pressure = Pressure::rigid;
+    const SolvedPush<S> push(owned);
+    const Problem<S> problem = push.assembly.problem();
+    BlockRun<S> run(problem);
+    SweepOptions<S> options;
+    options.tolerance = S(1) / S(1000);
+    options.accelerate = accelerate;
+    Status status = Status::running;
+    CHECK(heap_calls_of([&] { status = run.solve(problem, options); }) == 0);
+    CHECK(status == Status::solved);
+    CHECK(run.sweeps.sweeps() > 10); // Newton takes over after ten
+  }
 }
 
 TEST_CASE("a reduction allocates nothing") {

@@ -111,6 +111,11 @@ TEST_CASE("what contradicts itself is refused, each at its key") {
   check_says("pressure = \"even\"\n" + two + shared, "19: actuator \"tendon\": an actuator of "
                                                      "several bodies shares one force");
   CHECK(parsed(two + shared).actuators.size() == 1);
+  const std::string idle = "[[actuator]]\nname = \"tendon\"\nbodies = [\"left\"]\n"
+                           "twists = [[0, 0, -1, 0, 0, 0]]\nforce = 0\n";
+  check_says(with_finger("") + idle,
+             "14: actuator \"tendon\": an actuator without force and inertia");
+  CHECK(parsed(with_finger("") + idle + "inertia = 0.1\n").actuators.size() == 1);
   check_refusal(with_pusher("normal_force = 3\nfollow = \"bilateral\""),
                 "11: pusher \"wall\": follow = \"bilateral\" holds the pusher's normal motion, "
                 "normal_force its force; remove one of the two");

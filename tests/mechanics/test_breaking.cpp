@@ -146,3 +146,36 @@ TEST_CASE(
     CHECK(run.reason == Reason::unsupported);
   }
 }
+
+TEST_CASE("in float a breaking force is right to a per cent, or refused") {
+  for (const Pressure pressure : both)
+    for (const float radius : {0.003F, 0.006F, 0.012F}) {
+      CAPTURE(radius);
+      OwnedScene<float> owned;
+      owned.base.object.mass = 0.2F;
+      owned.base.object.inertia = Vector3<float>(1.7e-5F, 1.7e-4F, 1.8e-4F).asDiagonal();
+      owned.base.object.center_of_mass.setZero();
+      owned.base.gravity.setZero();
+      owned.base.facets = 8;
+      owned.base.pressure = pressure;
+      for (const float side : {1.0F, -1.0F}) {
+        owned.add_body(Role::finger, {0, 0, -side}, 0.5F, {{0, 0, 0.005F * side}});
+        owned.bodies.back().torsion_radius = radius;
+        owned.drive_last_body(20);
+      }
+      // At 30 degrees of the cone: 2 mu F cos(30 deg).
+      const float lever = radius * 0.57735027F;
+      owned.add_body(Role::pusher, {1, 0, 0}, 0, {{-0.05F, lever, 0}});
+      owned.bodies.back().acceleration[0] = 0.1F;
+      SolvedPush<float> push(owned);
+      Breaking<float> breaking;
+      const Status status = find_breaking(push.assembly, push.lemke, push.memory.work,
+                                          push.scene.bodies[2], push.options, breaking, push.run);
+      CAPTURE(std::string(status_text(status)));
+      CAPTURE(breaking.break_force);
+      if (status == Status::solved)
+        CHECK(breaking.break_force == doctest::Approx(17.32051).epsilon(0.01));
+      else
+        CHECK(status == Status::numerical_breakdown);
+    }
+}

@@ -5,6 +5,7 @@
 
 #include "lcpush/mechanics/laws.hpp"
 #include "lcpush/mechanics/patch.hpp"
+#include "lcpush/mechanics/uniqueness.hpp"
 #include "support/dense_lcp.hpp"
 #include "support/grasp_families.hpp"
 #include "support/scenes.hpp"
@@ -189,4 +190,15 @@ TEST_CASE("the referee sees a torsion outside the polyhedron and one that helps 
   // Only the spin differs: the grip turns the other way about the fingers' common normal.
   push.memory.work.answer.acceleration[5] += 1e-3 * push.scales().acceleration;
   CHECK(check(push.scene, push.scales(), push.answer(), 1.0).dissipation > exact);
+}
+
+TEST_CASE("[T.9] a soft point whose actuator turns it has no known normal force") {
+  Scene3 scene = pinch({Vec3::Zero()}, Pressure::rigid);
+  CHECK(motion_is_determined(scene.view()));
+  for (Body<double>& body : scene.bodies) body.torsion_radius = R;
+  CHECK(motion_is_determined(scene.view()));
+  scene.drives[0].twist.tail<3>() = 200 * scene.bodies[0].normal; // a screw's
+  CHECK_FALSE(motion_is_determined(scene.view()));
+  scene.bodies[0].torsion_radius = 0; // a hard point does not feel the turn
+  CHECK(motion_is_determined(scene.view()));
 }

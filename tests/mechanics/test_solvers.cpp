@@ -3,6 +3,7 @@
 
 #include "support/dense_lcp.hpp"
 #include "support/grasp_families.hpp"
+#include "support/owned_sweeps.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"
 
@@ -10,23 +11,6 @@ using namespace lcpush;
 using namespace lcpush::test;
 
 namespace {
-
-/// The sweeps' memory.
-template <class S> struct OwnedSweeps {
-  std::vector<S> scalars;
-  std::vector<int> integers;
-  BlockGaussSeidel<S> sweeps;
-
-  explicit OwnedSweeps(const AssemblySize& size)
-      : scalars(static_cast<std::size_t>(
-            block_gauss_seidel_scalars(size.unknowns(), size.couplings(), size.actuators))),
-        integers(static_cast<std::size_t>(
-            block_gauss_seidel_integers(size.unknowns(), size.couplings(), size.actuators))),
-        sweeps({scalars.data(), static_cast<Index>(scalars.size())},
-               {integers.data(), static_cast<Index>(integers.size())}) {}
-  OwnedSweeps(const OwnedSweeps&) = delete;
-  OwnedSweeps& operator=(const OwnedSweeps&) = delete;
-};
 
 /// A push that can be solved in all three ways.
 struct ManyWays : SolvedPush<double> {

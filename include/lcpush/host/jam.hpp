@@ -12,7 +12,7 @@ namespace lcpush::host {
 struct JamBody {
   Index body;                      ///< of the scene file
   double normal;                   ///< its normal forces in the ray, the largest body's 1
-  double power;                    ///< of its prescribed motion; > 0: it tightens the squeeze
+  double power;                    ///< of its prescribed motion; > 0: it tightens; no rounding
   std::vector<std::string> points; ///< "wall.1": those that press
 };
 
@@ -26,7 +26,9 @@ struct Remedy {
 struct Jam {
   std::vector<JamBody> bodies;           ///< those that squeeze; empty: nothing is pressed
   std::vector<std::string> running_away; ///< bodies whose actuator closes without end
-  bool uses_friction = false;            ///< if not, there is no answer at all (theory 5.5)
+  bool uses_friction = false;
+  bool no_answer = false;       ///< proved, for any loads and grip forces (theory 5.5)
+  bool loads_actuators = false; ///< an actuator feels the squeeze
   std::vector<Remedy> remedies;
 };
 

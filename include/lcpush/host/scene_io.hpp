@@ -18,6 +18,7 @@ struct SceneFile {
   Index facets = 8;
   Pressure pressure = Pressure::pad;
   bool planar = false;
+  bool parallel_jaws = false; ///< [gripper] jaws = "parallel": one actuator of both grip forces
   std::vector<Body<double>> bodies;
   std::vector<Vector3<double>> points;    ///< m, from the centre of mass, body by body
   std::vector<Vector3<double>> positions; ///< m, the same points in the scene's frame
@@ -28,6 +29,13 @@ struct SceneFile {
 
   /// The scene over these arrays: valid while this SceneFile lives unchanged.
   Scene<double> view() const;
+
+  /// The body of a point of `points`. Cost: O(bodies).
+  Index body_of(Index point) const {
+    std::size_t b = 0;
+    while (point >= bodies[b].first_point + bodies[b].point_count) ++b;
+    return static_cast<Index>(b);
+  }
 };
 
 /// Reads the scene file at `path`. Every value of the result is finite and physical: unit normals

@@ -1,7 +1,7 @@
 // Projected Gauss-Seidel, component by component: init, sweep, solve.
 //
 // Each row is solved for its own unknown, z_i = max(0, z_i - omega w_i / M_ii), with the others as
-// they are now. [Cottle, Pang, Stone 1992, 5.2; Murty 1988, 9.3] It needs a positive diagonal, and
+// they are now. [Cottle, Pang, Stone 1992, chapter 5] It needs a positive diagonal, and
 // converges for symmetric positive definite and for strictly diagonally dominant matrices. The
 // problems of mechanics/ have zeros on it (xi and s): block_gauss_seidel.hpp is for those.
 #pragma once

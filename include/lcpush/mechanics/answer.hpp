@@ -12,22 +12,23 @@ constexpr const char* mode_text(Mode mode) {
 }
 
 template <class S> struct ContactAnswer {
-  Index body;
-  S normal_force;            ///< N, lambda; negative where a bilateral body pulls
-  Vector3<S> friction_force; ///< N, on the object
-  S torsion;                 ///< N m, friction moment about the normal, soft points only
-  S spin;                    ///< rad/s^2 about the normal, of the object relative to its body
-  S closing;                 ///< m/s^2 along the normal, what actuators add to its body's motion
-  S slip;                    ///< m/s^2, xi
-  Vector3<S> acceleration;   ///< m/s^2, of the object's point relative to its body
-  Mode mode;
+  Index body = 0;
+  S normal_force{0}; ///< N, lambda; negative where a bilateral body pulls
+  Vector3<S> friction_force = Vector3<S>::Zero(); ///< N, on the object
+  S torsion{0}; ///< N m, friction moment about the normal, soft points only
+  S spin{0};    ///< rad/s^2 about the normal, of the object relative to its body
+  S closing{0}; ///< m/s^2 along the normal, what actuators add to its body's motion
+  S slip{0};    ///< m/s^2, xi
+  Vector3<S> acceleration =
+      Vector3<S>::Zero(); ///< m/s^2, of the object's point relative to its body
+  Mode mode = Mode::stick;
 };
 
 template <class S> struct Answer {
-  Vector6<S> acceleration;         ///< of the object, [m/s^2; rad/s^2]
-  Span<ContactAnswer<S>> contacts; ///< in the scene's order
-  Span<S> friction;                ///< N, beta, generator_count a point, in the same order
-  Span<S> closing;                 ///< s of each actuator, per second^2
+  Vector6<S> acceleration = Vector6<S>::Zero(); ///< of the object, [m/s^2; rad/s^2]
+  Span<ContactAnswer<S>> contacts;              ///< in the scene's order
+  Span<S> friction; ///< N, beta, generator_count a point, in the same order
+  Span<S> closing;  ///< s of each actuator, per second^2
 };
 
 /// The wrench of one body on the object, [N; N m about the centre of mass].

@@ -46,6 +46,9 @@ template <class S> constexpr S at_rest() { return S(1024) * Tolerances<S>().resi
 
 namespace detail {
 
+/// In units of F / m: a slower push drowns in what the residual check lets pass.
+template <class S> constexpr S smallest_push() { return S(256) * Tolerances<S>().residual; }
+
 /// `rigid` and `even`: the push is one more right-hand side, so the limit is exact.
 template <class S>
 Status break_exactly(Assembly<S>& assembly, LemkeRounds<S>& rounds, Workspace<S>& work,
@@ -69,8 +72,13 @@ Status break_exactly(Assembly<S>& assembly, LemkeRounds<S>& rounds, Workspace<S>
   breaking.residuals = check(scene, assembly.layout().scales, work.answer, S(0));
 
   // The same answer a little later, to be checked while it moves.
-  S sigma = S(1e-4) * assembly.layout().scales.acceleration / unit;
+  const S small = Eigen::numext::maxi(S(1e-4), smallest_push<S>());
+  S sigma = small * assembly.layout().scales.acceleration / unit;
   if (lemke.valid_to() >= S(0) && lemke.valid_to() < sigma) sigma = lemke.valid_to();
+  if (sigma * unit < Tolerances<S>().residual * assembly.layout().scales.acceleration) {
+    run.reason = Reason::residual; // so short a range that rounding may have made it
+    return Status::numerical_breakdown;
+  }
   for (Index i = 0; i < assembly.layout().size; ++i)
     work.pressure.z[i] = lemke.z()[i] + sigma * lemke.z_push()[i];
   read_answer(assembly, work.pressure.z.data, work.answer, sigma);
@@ -146,7 +154,9 @@ Status break_by_pushes(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>
   constexpr int most_pushes = 5;
   const S straight = S(1) / S(1000000);
   SmallPush<S> push[most_pushes];
-  S size = Rounds::carries_push ? S(1) / S(1000) : S(1) / S(100); // sweeps see less far down
+  // Sweeps see less far down, and so does single precision.
+  S size = Rounds::carries_push ? S(1) / S(1000) : S(1) / S(100);
+  size = Eigen::numext::maxi(size, smallest_push<S>());
   for (int k = 0; k < most_pushes; ++k, size /= S(10)) {
     const Status status =
         push_slowly(assembly, rounds, work, pusher, options, unit, size, push[k], run);

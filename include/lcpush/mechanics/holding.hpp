@@ -36,14 +36,14 @@ template <class S> struct HoldingMemory {
   Span<int> integers; ///< holding_integers
 };
 
-namespace detail {
-
 /// Does the actuator drive a finger, so that phi scales it?
 template <class S> bool grips(const Scene<S>& scene, Index actuator) {
   for (const Drive<S>& drive : scene.drives)
     if (drive.actuator == actuator && scene.bodies[drive.body].role == Role::finger) return true;
   return false;
 }
+
+namespace detail {
 
 /// The program's arrays, and the units that make its numbers about 1: forces are measured in the
 /// load (in the assembly's units), phi in load over grip.

@@ -49,7 +49,6 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
     contact = {};
     contact.body = b;
     contact.normal_force = layout.cones[i].normal_force(z) * scales.force;
-    contact.friction_force.setZero();
     contact.acceleration = acceleration_at(scene.points[i], relative);
     contact.spin = relative.template tail<3>().dot(body.normal);
     contact.closing =

@@ -28,15 +28,15 @@ template <class S> struct Object {
 
 /// A rigid body that touches the object at one or more points sharing one normal.
 template <class S> struct Body {
-  Role role;
-  Vector3<S> normal;       ///< unit, from the body into the object
-  Vector3<S> tangent;      ///< unit, orthogonal to the normal: the first friction generator
-  S friction;              ///< Coulomb's mu, >= 0; 0 is a frictionless contact
-  S torsion_radius;        ///< m; > 0 makes a single point a soft contact
-  bool bilateral;          ///< follows its normal motion exactly, pulling if it must
-  Index first_point;       ///< index of its first point in Scene::points
-  Index point_count;       ///< >= 1
-  Vector6<S> acceleration; ///< prescribed part of its twist, [m/s^2; rad/s^2]
+  Role role = Role::finger;
+  Vector3<S> normal = Vector3<S>::Zero();       ///< unit, from the body into the object
+  Vector3<S> tangent = Vector3<S>::Zero();      ///< unit, orthogonal to it: the first generator
+  S friction{0};                                ///< Coulomb's mu, >= 0; 0: a frictionless contact
+  S torsion_radius{0};                          ///< m; > 0 makes a single point a soft contact
+  bool bilateral = false;                       ///< holds its normal motion, pulling if it must
+  Index first_point = 0;                        ///< index of its first point in Scene::points
+  Index point_count = 0;                        ///< >= 1
+  Vector6<S> acceleration = Vector6<S>::Zero(); ///< prescribed part of its twist, [m/s^2; rad/s^2]
 };
 
 /// A force-controlled degree of freedom of the hand.

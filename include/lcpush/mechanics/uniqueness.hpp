@@ -13,7 +13,8 @@ enum class Uniqueness {
 };
 
 /// [T.9] The object's acceleration is unique if every contact with friction has a known normal
-/// force: a single point with an actuator of its own, without inertia, along its normal. The
+/// force: a single point with an actuator of its own, without inertia, along its normal (and, if it
+/// is soft, without turning about it). The
 /// friction problem is then convex (docs/theory.md, "Uniqueness").
 template <class S> bool motion_is_determined(const Scene<S>& scene) {
   for (Index b = 0; b < scene.bodies.size; ++b) {
@@ -31,8 +32,11 @@ template <class S> bool motion_is_determined(const Scene<S>& scene) {
       const Vector3<S> motion = acceleration_at(scene.points[body.first_point], drive.twist);
       const S along = motion.dot(body.normal);
       const S across = (motion - along * body.normal).norm();
+      // A soft point's friction torque must not load the actuator either.
+      const S turns =
+          body.torsion_radius * Eigen::numext::abs(drive.twist.template tail<3>().dot(body.normal));
       known = shared == 1 && along > S(0) &&
-              across <= S(16) * Eigen::NumTraits<S>::epsilon() * along &&
+              across + turns <= S(16) * Eigen::NumTraits<S>::epsilon() * along &&
               !(scene.actuators[drive.actuator].inertia > S(0));
     }
     if (drives != 1 || !known) return false;

@@ -42,32 +42,30 @@ private:
 template <class S> struct Workspace {
   AssemblyMemory<S> assembly;
   PressureMemory<S> pressure;
-  Span<S> lemke_scalars;
+  Span<S> lemke_scalars; ///< empty in a workspace for sweeps
   Span<int> lemke_integers;
+  Span<S> sweep_scalars; ///< empty in a workspace for pivots
+  Span<int> sweep_integers;
   Answer<S> answer;
   bool complete = false; ///< false: the block was too small, use nothing of it
 };
 
-/// Bytes that make_workspace takes. constexpr, so that `static unsigned char memory[push_bytes..]`
-/// works.
-template <class S> constexpr Index push_bytes(const AssemblySize& size) {
+namespace detail {
+
+/// What every push needs, whatever solves it.
+template <class S> constexpr Index common_bytes(const AssemblySize& size) {
   const Index n = size.unknowns(), p = size.points;
-  const Index scalars =
-      lemke_scalars(n) + 4 * n + size.couplings() + 2 * size.actuators + 2 * p + size.generators;
+  const Index scalars = 4 * n + size.couplings() + 2 * size.actuators + 2 * p + size.generators;
   const Index structs = size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
                         p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>)) +
                         size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
-  const Index integers = lemke_integers(n) + size.couplings();
   constexpr Index alignment_slack = 20 * static_cast<Index>(alignof(std::max_align_t));
   return scalars * static_cast<Index>(sizeof(S)) + structs +
-         integers * static_cast<Index>(sizeof(int)) + p * static_cast<Index>(sizeof(Index)) + n +
-         alignment_slack;
+         size.couplings() * static_cast<Index>(sizeof(int)) +
+         p * static_cast<Index>(sizeof(Index)) + n + alignment_slack;
 }
 
-/// Cuts a workspace for scenes of at most this size.
-template <class S>
-Workspace<S> make_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
-  Arena arena(bytes);
+template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& size) {
   const Index n = size.unknowns(), p = size.points;
   Workspace<S> w;
   w.assembly.wrenches = arena.take<Vector6<S>>(size.forces());
@@ -84,11 +82,50 @@ Workspace<S> make_workspace(Span<unsigned char> bytes, const AssemblySize& size)
   w.pressure.compliance = arena.take<S>(p);
   w.pressure.z = arena.take<S>(n);
   w.pressure.active = arena.take<unsigned char>(n);
-  w.lemke_scalars = arena.take<S>(lemke_scalars(n));
-  w.lemke_integers = arena.take<int>(lemke_integers(n));
   w.answer.contacts = arena.take<ContactAnswer<S>>(p);
   w.answer.friction = arena.take<S>(size.generators);
   w.answer.closing = arena.take<S>(size.actuators);
+  return w;
+}
+
+} // namespace detail
+
+/// Bytes that make_workspace takes. constexpr, so that `static unsigned char memory[push_bytes..]`
+/// works. Lemke's dictionary is most of it: O(unknowns^2).
+template <class S> constexpr Index push_bytes(const AssemblySize& size) {
+  return detail::common_bytes<S>(size) +
+         lemke_scalars(size.unknowns()) * static_cast<Index>(sizeof(S)) +
+         lemke_integers(size.unknowns()) * static_cast<Index>(sizeof(int));
+}
+
+/// Cuts a workspace for scenes of at most this size, to be solved by Lemke's pivots.
+template <class S>
+Workspace<S> make_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
+  Arena arena(bytes);
+  Workspace<S> w = detail::take_common<S>(arena, size);
+  w.lemke_scalars = arena.take<S>(lemke_scalars(size.unknowns()));
+  w.lemke_integers = arena.take<int>(lemke_integers(size.unknowns()));
+  w.complete = !arena.exhausted();
+  return w;
+}
+
+/// Bytes that make_sweep_workspace takes: O(unknowns), and (6 + actuators)^2 Scalars.
+template <class S> constexpr Index sweep_bytes(const AssemblySize& size) {
+  return detail::common_bytes<S>(size) +
+         block_gauss_seidel_scalars(size.unknowns(), size.couplings(), size.actuators) *
+             static_cast<Index>(sizeof(S)) +
+         block_gauss_seidel_integers(size.unknowns(), size.couplings(), size.actuators) *
+             static_cast<Index>(sizeof(int));
+}
+
+/// Cuts a workspace for scenes of at most this size, to be solved by block Gauss-Seidel.
+template <class S>
+Workspace<S> make_sweep_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
+  Arena arena(bytes);
+  Workspace<S> w = detail::take_common<S>(arena, size);
+  const Index n = size.unknowns(), couplings = size.couplings(), actuators = size.actuators;
+  w.sweep_scalars = arena.take<S>(block_gauss_seidel_scalars(n, couplings, actuators));
+  w.sweep_integers = arena.take<int>(block_gauss_seidel_integers(n, couplings, actuators));
   w.complete = !arena.exhausted();
   return w;
 }

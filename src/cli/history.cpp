@@ -1,0 +1,62 @@
+#include "history.hpp"
+
+#include <algorithm>
+
+#include "../host/message.hpp"
+#include "../host/report_format.hpp"
+#include "lcpush/host/json.hpp"
+
+namespace lcpush::cli {
+namespace {
+
+std::string as_json(const std::string& solver, Status status,
+                    const std::vector<std::string>& columns, const std::vector<HistoryRow>& rows) {
+  host::JsonWriter json;
+  json.begin_object().member("solver", solver).member("status", status_text(status));
+  json.key("history").begin_array();
+  for (const HistoryRow& row : rows) {
+    json.begin_object().member("sweep", row.sweep);
+    for (std::size_t c = 0; c < columns.size(); ++c) json.member(columns[c], row.values[c]);
+    json.end_object();
+  }
+  json.end_array().end_object();
+  return json.text();
+}
+
+std::string as_csv(const std::vector<std::string>& columns, const std::vector<HistoryRow>& rows) {
+  std::string text = "sweep";
+  for (const std::string& column : columns) text += "," + column;
+  text += "\n";
+  for (const HistoryRow& row : rows) {
+    text += std::to_string(row.sweep);
+    for (const double value : row.values) text += "," + host::shown(value);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string as_table(const std::string& solver, Status status,
+                     const std::vector<std::string>& columns, const std::vector<HistoryRow>& rows) {
+  std::vector<std::vector<std::string>> table{{"sweep"}};
+  table[0].insert(table[0].end(), columns.begin(), columns.end());
+  for (const HistoryRow& row : rows) {
+    table.push_back({std::to_string(row.sweep)});
+    for (const double value : row.values) {
+      char number[40];
+      std::snprintf(number, sizeof number, "%.4e", value);
+      table.back().push_back(number);
+    }
+  }
+  return "Solver " + solver + ", " + status_text(status) + ".\n\n" + host::table_text(table);
+}
+
+} // namespace
+
+std::string history_text(const std::string& format, const std::string& solver, Status status,
+                         const std::vector<std::string>& columns,
+                         const std::vector<HistoryRow>& rows) {
+  if (format == "json") return as_json(solver, status, columns, rows);
+  return format == "csv" ? as_csv(columns, rows) : as_table(solver, status, columns, rows);
+}
+
+} // namespace lcpush::cli
