@@ -22,6 +22,20 @@ bool falls_slowly(const SceneFile& file, const Scene<double>& scene, const Break
   return status == Status::does_not_hold || (status == Status::solved && holding.factor > more);
 }
 
+/// The reverse: what is left when pushes far stronger than the load are taken back to none need not
+/// be a fall, where statics holds the load with room to spare.
+bool only_looks_falling(const SceneFile& file, const Scene<double>& scene,
+                        const BreakReport& report, const PushOptions& options) {
+  constexpr Index largest = 2000;
+  constexpr double room = 1 - 1e-3;
+  const double smallest_push = options.solver == Solver::gauss_seidel ? 1e-4 : 1e-5; // of F / m
+  const bool exact = file.pressure != Pressure::pad && options.solver != Solver::gauss_seidel;
+  if (exact || size_of(scene).unknowns() > largest) return false;
+  if (motion_size(report.breaking.rest, report.scales) > 2 * smallest_push) return false;
+  Holding<double> holding;
+  return find_holding(file, options, holding) == Status::solved && holding.factor < room;
+}
+
 } // namespace
 
 HoldReport Push::holds_without_push(const PushOptions& options) {
@@ -66,6 +80,9 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   report.history = history_;
   if (report.status == Status::solved && falls_slowly(file_, scene_, report, options))
     report.status = Status::does_not_hold;
+  else if (report.status == Status::does_not_hold &&
+           only_looks_falling(file_, scene_, report, options))
+    report.status = Status::solved;
   if (report.status == Status::does_not_hold)
     report.reason = "the object moves before it is pushed: the grasp does not hold its load";
   else if (report.status == Status::bad_input && report.run.reason == Reason::none)
@@ -81,7 +98,40 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   Answer<double> moving = work_.answer;
   moving.acceleration = report.breaking.twist;
   report.motion = describe_motion(file_.view(), moving, report.scales.length, 1.0);
+  compare_covers(options, report);
   return report;
+}
+
+/// The same under another cover: is this the only force that breaks the grasp?
+void Push::compare_covers(const PushOptions& options, BreakReport& report) {
+  constexpr double tolerance = 1e-5;
+  constexpr Index largest = 2000; // unknowns
+  if (options.other_covers <= 0 || layout().size > largest) return;
+  PushOptions other = options;
+  other.solver = Solver::lemke;
+  other.record_history = false;
+  other.lemke.first_cover += other.lemke.covers;
+  const Breaking<double>& first = report.breaking;
+  Breaking<double> second;
+  PressureRun ignored;
+  const Status status = with_rounds(other, [&](const auto& rounds) {
+    return lcpush::find_breaking(assembly_, rounds, work_,
+                                 file_.bodies[static_cast<std::size_t>(report.pusher)], {}, second,
+                                 ignored);
+  });
+  if (status != Status::solved && status != Status::does_not_hold) return;
+  const auto verdict = [](bool same) {
+    return same ? Uniqueness::none_other_found : Uniqueness::no;
+  };
+  // As in a solve, what the line through small pushes leaves open is no other answer.
+  const double slack = tolerance + 10 * std::max(first.line_error, second.line_error);
+  const double length = report.scales.length;
+  Vector6<double> turn = first.twist, off = first.twist - second.twist;
+  turn.tail<3>() *= length;
+  off.tail<3>() *= length;
+  report.unique_motion = verdict(off.norm() <= slack * std::max(1.0, turn.norm()));
+  report.unique_force = verdict(std::abs(first.break_force - second.break_force) <=
+                                slack * std::max(report.scales.force, first.break_force));
 }
 
 } // namespace lcpush::host

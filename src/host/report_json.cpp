@@ -193,6 +193,10 @@ std::string break_json(const SceneFile& file, const HoldReport& hold, const Grip
   json.key("twist").numbers(b.twist);
   json.member("valid_to", b.valid_to < 0 ? unknown : b.valid_to);
   json.member("line_error", b.line_error);
+  json.key("unique").begin_object();
+  write_unique(json, "motion", report.unique_motion);
+  write_unique(json, "force", report.unique_force);
+  json.end_object();
   write_residual(json, b.residuals);
   return json.end_object().text();
 }

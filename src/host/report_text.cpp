@@ -197,6 +197,20 @@ std::string failure_text(const SceneFile& file, Status status, const std::string
   return text;
 }
 
+/// What one other cover has led to.
+std::string break_unique_line(const BreakReport& report) {
+  if (report.unique_force == Uniqueness::not_tested) return "";
+  const bool same_force = report.unique_force != Uniqueness::no;
+  const bool same_motion = report.unique_motion != Uniqueness::no;
+  const std::string label = "Answer            ";
+  if (same_force && same_motion) return label + "no other found under 1 other cover\n";
+  return label + "NOT unique: another cover leads to another " +
+         (same_motion  ? "force"
+          : same_force ? "motion"
+                       : "force and motion") +
+         "\n";
+}
+
 } // namespace
 
 std::string solve_text(const SceneFile& file, const HoldReport& hold, const PushReport& report) {
@@ -248,6 +262,7 @@ std::string break_text(const SceneFile& file, const HoldReport& hold, const Grip
     text += "                  The pusher slides past it, however weak the push.\n";
   else
     text += "                  The pusher only touches it, or moves away.\n";
+  text += break_unique_line(report);
   if (b.valid_to > 0) text += "Valid up to       a push of " + number(b.valid_to) + " m/s^2\n";
   if (b.line_error > 1e-6)
     text += "Caution           a third, smaller push lies " + number(b.line_error) +

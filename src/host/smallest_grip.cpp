@@ -47,6 +47,7 @@ public:
       static_cast<Work*>(self)->count(lemke);
     };
     counting_.lemke.context = this;
+    counting_.other_covers = 0;
   }
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;

@@ -84,7 +84,8 @@ TEST_CASE("[T.9] the vise: found falling, called neither unique nor isolated") {
   CHECK_FALSE(report.final_basis.motion_isolated());
 }
 
-TEST_CASE("rigid may hold more than pad: a vertex on the line of the push resists with all it has") {
+TEST_CASE(
+    "rigid may hold more than pad: a vertex on the line of the push resists with all it has") {
   const std::string bar = R"(planar = true
 facets = 16
 [object]
@@ -118,4 +119,16 @@ acceleration = [0.1, 0, 0]
   CHECK(pad == doctest::Approx(13.9648).epsilon(1e-5));
   CHECK(break_force("pressure = \"even\"\n" + bar) == doctest::Approx(pad).epsilon(1e-6));
   CHECK(break_force("pressure = \"rigid\"\n" + bar) > 1.2 * pad);
+}
+
+TEST_CASE("[T.9] break says when another cover breaks the grasp in another way") {
+  const auto broken = [](const std::string& name, const std::string& law) {
+    const host::SceneFile file = host::parse_scene(
+        with(scene_text(name), "\ntitle", "\npressure = \"" + law + "\"\ntitle"), "test.toml");
+    return host::Push(file).find_breaking(static_cast<Index>(file.bodies.size()) - 1, {});
+  };
+  CHECK(broken("straight_slide.toml", "pad").unique_force == Uniqueness::none_other_found);
+  CHECK(broken("straight_slide.toml", "pad").unique_motion == Uniqueness::none_other_found);
+  CHECK(broken("straight_slide_point.toml", "rigid").unique_force == Uniqueness::no);
+  CHECK(broken("pivot.toml", "rigid").unique_motion == Uniqueness::no);
 }

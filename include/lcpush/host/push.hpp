@@ -76,9 +76,11 @@ struct BreakReport {
   Solver solver = Solver::lemke;
   PressureRun run;
   Breaking<double> breaking;
-  Motion<double> motion;            ///< per unit push
-  std::vector<SweepRecord> history; ///< of its pushes, one after the other
-  std::vector<NamedValue> ray;      ///< as in PushReport
+  Motion<double> motion;                             ///< per unit push
+  std::vector<SweepRecord> history;                  ///< of its pushes, one after the other
+  Uniqueness unique_motion = Uniqueness::not_tested; ///< one other cover compared
+  Uniqueness unique_force = Uniqueness::not_tested;
+  std::vector<NamedValue> ray; ///< as in PushReport
   Jam jam;
   Scales<double> scales{};
 };
@@ -137,6 +139,7 @@ private:
   std::string explain(Status status, const PressureRun& run) const;
   std::vector<NamedValue> named_ray() const;
   Jam read_jam(const PushOptions& options) const;
+  void compare_covers(const PushOptions& options, BreakReport& report);
   void search_others(const PushOptions& options, PushReport& report);
   static void conclude(PushReport& report, bool proved, bool same_motion, bool same_wrench);
 };
