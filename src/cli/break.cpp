@@ -32,7 +32,7 @@ Index chosen_pusher(const Arguments& arguments, const host::SceneFile& file) {
 int run(const Arguments& arguments) {
   const host::Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
-  const host::SceneFile file = read_scene_argument(arguments);
+  const host::SceneFile file = read_scene_argument(arguments, solver);
   const Index pusher = chosen_pusher(arguments, file);
   if (!(push_size(file.view()) > 0))
     throw UsageError("no body of the scene moves: give a pusher an acceleration");
@@ -45,6 +45,7 @@ int run(const Arguments& arguments) {
     host::PushOptions options;
     options.solver = solver;
     options.lemke = progress.watch(options.lemke);
+    options.sweeps = progress.watch(options.sweeps);
     hold = push.holds_without_push(options);
     options.record_history = arguments.has("--history");
     report = push.find_breaking(pusher, options);

@@ -8,10 +8,11 @@
 #include <unistd.h>
 
 #include "lcpush/lcp/lemke.hpp"
+#include "lcpush/lcp/sweep_options.hpp"
 
 namespace lcpush::cli {
 
-/// Watches Lemke's pivots. On a terminal the line is rewritten and wiped at the end.
+/// Watches Lemke's pivots, or sweeps. On a terminal the line is rewritten and wiped at the end.
 class Progress {
 public:
   ~Progress() {
@@ -26,6 +27,14 @@ public:
     return options;
   }
 
+  SweepOptions<double> watch(SweepOptions<double> options) {
+    options.on_check = [](void* self, Index sweep, const double*, const double& residual) {
+      static_cast<Progress*>(self)->tick(sweep, residual);
+    };
+    options.context = this;
+    return options;
+  }
+
 private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point begin_ = Clock::now(), next_ = begin_ + std::chrono::seconds(1);
@@ -33,17 +42,31 @@ private:
   bool shown_ = false;
   bool terminal_ = isatty(STDERR_FILENO) != 0;
 
-  void tick(const Lemke<double>& lemke) {
-    ++pivots_;
+  /// The seconds since the start, once a second; -1 in between.
+  long second() {
     const Clock::time_point now = Clock::now();
-    if (now < next_) return;
+    if (now < next_) return -1;
     next_ = now + std::chrono::seconds(1);
     shown_ = true;
-    const long seconds =
-        static_cast<long>(std::chrono::duration_cast<std::chrono::seconds>(now - begin_).count());
+    return static_cast<long>(
+        std::chrono::duration_cast<std::chrono::seconds>(now - begin_).count());
+  }
+
+  void tick(const Lemke<double>& lemke) {
+    ++pivots_;
+    const long seconds = second();
+    if (seconds < 0) return;
     std::fprintf(stderr, "%slcpush: %ld s, %ld pivots, %td unknowns, cover %td%s",
                  terminal_ ? "\r\033[K" : "", seconds, pivots_, lemke.dictionary().size(),
                  lemke.covers_tried(), terminal_ ? "" : "\n");
+    std::fflush(stderr);
+  }
+
+  void tick(Index sweep, double residual) {
+    const long seconds = second();
+    if (seconds < 0) return;
+    std::fprintf(stderr, "%slcpush: %ld s, sweep %td, residual %.1e%s", terminal_ ? "\r\033[K" : "",
+                 seconds, sweep, residual, terminal_ ? "" : "\n");
     std::fflush(stderr);
   }
 };

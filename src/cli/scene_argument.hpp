@@ -9,16 +9,19 @@
 
 namespace lcpush::cli {
 
-inline host::SceneFile read_scene_argument(const Arguments& arguments) {
+/// Sweeps take any size; everything else holds a dense matrix.
+inline host::SceneFile read_scene_argument(const Arguments& arguments,
+                                           host::Solver solver = host::Solver::lemke) {
   if (arguments.files().empty())
     throw UsageError("a scene file is needed, such as fixtures/scenes/straight_slide.toml");
   const std::string& path = arguments.files()[0];
   host::SceneFile file = host::read_scene(path);
   const Index unknowns = size_of(file.view()).unknowns();
-  if (unknowns > host::largest_dimension)
+  if (unknowns > host::largest_dimension && solver != host::Solver::gauss_seidel)
     throw host::InputError(path + ": the scene has " + std::to_string(unknowns) +
                            " unknowns, more than the " + std::to_string(host::largest_dimension) +
-                           " that a dense solver can take; use fewer points or facets");
+                           " that a dense solver can take; use fewer points or facets, or --solver "
+                           "gauss-seidel");
   return file;
 }
 

@@ -11,7 +11,7 @@ namespace {
 int run(const Arguments& arguments) {
   const host::Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
-  const host::SceneFile file = read_scene_argument(arguments);
+  const host::SceneFile file = read_scene_argument(arguments, solver);
   host::Push push(file);
   host::HoldReport hold;
   host::PushReport report;
@@ -21,6 +21,7 @@ int run(const Arguments& arguments) {
     options.solver = solver;
     options.record_history = arguments.has("--history");
     options.lemke = progress.watch(options.lemke);
+    options.sweeps = progress.watch(options.sweeps);
     hold = push.holds_without_push(options);
     report = push.solve(options);
   }

@@ -8,15 +8,6 @@
 namespace lcpush::host {
 namespace {
 constexpr double ray_noise = 1e-9; // of its largest entry
-
-std::size_t sweep_scalars(const AssemblySize& size) {
-  return static_cast<std::size_t>(
-      block_gauss_seidel_scalars(size.unknowns(), size.couplings(), size.actuators));
-}
-std::size_t sweep_integers(const AssemblySize& size) {
-  return static_cast<std::size_t>(
-      block_gauss_seidel_integers(size.unknowns(), size.couplings(), size.actuators));
-}
 } // namespace
 
 std::string point_name(const SceneFile& file, Index point) {
@@ -57,15 +48,23 @@ std::string Push::actuator_name(Index actuator) const {
 
 Push::Push(const SceneFile& file)
     : file_(file), even_(file.view()), scene_(even_.scene),
-      bytes_(static_cast<std::size_t>(push_bytes<double>(size_of(scene_)))),
-      work_(make_workspace<double>({bytes_.data(), static_cast<Index>(bytes_.size())},
-                                   size_of(scene_))),
-      assembly_(work_.assembly), lemke_(work_.lemke_scalars, work_.lemke_integers),
-      sweep_scalars_(sweep_scalars(size_of(scene_))),
-      sweep_integers_(sweep_integers(size_of(scene_))),
-      sweeps_({sweep_scalars_.data(), static_cast<Index>(sweep_scalars_.size())},
-              {sweep_integers_.data(), static_cast<Index>(sweep_integers_.size())}) {
+      bytes_(static_cast<std::size_t>(sweep_bytes<double>(size_of(scene_)))),
+      work_(make_sweep_workspace<double>({bytes_.data(), static_cast<Index>(bytes_.size())},
+                                         size_of(scene_))),
+      assembly_(work_.assembly), sweeps_(work_.sweep_scalars, work_.sweep_integers) {
   assembly_.assemble(scene_);
+}
+
+/// The pivots' dictionary is large: only who pivots pays for it.
+Lemke<double>& Push::pivots() {
+  if (pivot_scalars_.empty()) {
+    const Index n = size_of(scene_).unknowns();
+    pivot_scalars_.resize(static_cast<std::size_t>(lemke_scalars(n)));
+    pivot_integers_.resize(static_cast<std::size_t>(lemke_integers(n)));
+    lemke_ = Lemke<double>({pivot_scalars_.data(), static_cast<Index>(pivot_scalars_.size())},
+                           {pivot_integers_.data(), static_cast<Index>(pivot_integers_.size())});
+  }
+  return lemke_;
 }
 
 EvenScene::EvenScene(const Scene<double>& given) {

@@ -10,8 +10,7 @@ namespace lcpush::host {
 template <class Use> Status Push::with_rounds(const PushOptions& options, const Use& use) {
   constexpr double near = 1e-6;
   constexpr Index few = 200; // sweeps before the pivots take over
-  const LemkeRounds<double> pivots{lemke_, options.lemke};
-  if (options.solver == Solver::lemke) return use(pivots);
+  if (options.solver == Solver::lemke) return use(LemkeRounds<double>{pivots(), options.lemke});
   SweepRounds<double> sweeps{sweeps_, options.sweeps};
   if (options.record_history) {
     sweeps.options.context = this;
@@ -22,7 +21,7 @@ template <class Use> Status Push::with_rounds(const PushOptions& options, const 
   if (options.solver == Solver::gauss_seidel) return use(sweeps);
   sweeps.options.tolerance = near;
   sweeps.options.max_sweeps = few;
-  return use(HybridRounds<double>{sweeps, pivots});
+  return use(HybridRounds<double>{sweeps, {pivots(), options.lemke}});
 }
 
 } // namespace lcpush::host

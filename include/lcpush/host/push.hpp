@@ -123,13 +123,14 @@ private:
   std::vector<unsigned char> bytes_;
   Workspace<double> work_;
   Assembly<double> assembly_;
-  Lemke<double> lemke_;
-  std::vector<double> sweep_scalars_;
-  std::vector<int> sweep_integers_;
+  std::vector<double> pivot_scalars_; // see pivots()
+  std::vector<int> pivot_integers_;
+  Lemke<double> lemke_{{}, {}};
   std::vector<SweepRecord> history_;
   Index swept_before_ = 0; // in the rounds that are over
   BlockGaussSeidel<double> sweeps_;
 
+  Lemke<double>& pivots();
   void record(Index sweep, const double* z);
   template <class Use> Status with_rounds(const PushOptions& options, const Use& use);
   Status run(const PushOptions& options, double sigma, PressureRun& run);
