@@ -88,3 +88,12 @@ private:
 } // namespace lcpush
 
 #include "lcpush/lcp/detail/block_sweeps.hpp"
+
+#ifdef LCPUSH_EXTERN_TEMPLATES
+namespace lcpush {
+extern template class ProximalNewton<float>;
+extern template class ProximalNewton<double>;
+extern template class BlockGaussSeidel<float>;
+extern template class BlockGaussSeidel<double>;
+} // namespace lcpush
+#endif
