@@ -153,7 +153,7 @@ TEST_CASE("a jam makes the forces run away: stagnated, under coarse tolerances t
 
 // Beside forces of thousands of grips, everything else is small.
 TEST_CASE("a wedge that Lemke proves to be one is not called solved because its forces are large") {
-  for (const std::uint64_t seed : {80, 218, 363, 720, 2894}) {
+  for (const std::uint64_t seed : {80U, 218U, 363U, 720U, 2894U}) {
     CAPTURE(seed);
     Grasp<double> wedge(Family::stop, seed, 1e-6);
     REQUIRE(wedge.push.solve() == Status::ray);
