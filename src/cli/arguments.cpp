@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -91,8 +92,10 @@ std::string Arguments::format(const std::vector<std::string>& known) const {
 }
 
 std::vector<Option> with_common_options(std::vector<Option> own) {
-  own.push_back(
-      {"--format", "text|json", "for people (default) or for programs; --json for short"});
+  const auto is_format = [](const Option& option) { return option.name == "--format"; };
+  if (std::none_of(own.begin(), own.end(), is_format))
+    own.push_back(
+        {"--format", "text|json", "for people (default) or for programs; --json for short"});
   own.push_back({"--output", "FILE", "write there instead of to standard output; -o for short"});
   return own;
 }

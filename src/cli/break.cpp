@@ -44,8 +44,7 @@ int run(const Arguments& arguments) {
     Progress progress;
     host::PushOptions options;
     options.solver = solver;
-    options.lemke = progress.watch(options.lemke);
-    options.sweeps = progress.watch(options.sweeps);
+    options.watcher = &progress;
     hold = push.holds_without_push(options);
     options.record_history = arguments.has("--history");
     report = push.find_breaking(pusher, options);

@@ -10,5 +10,6 @@ Command solve_command();
 Command break_command();
 Command export_command();
 Command matrices_command();
+Command pivots_command();
 
 } // namespace lcpush::cli

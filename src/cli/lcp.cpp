@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <tuple>
 
 #include "../host/message.hpp"
 #include "../host/number_text.hpp"
@@ -13,6 +14,7 @@
 #include "lcpush/host/json.hpp"
 #include "lcpush/host/raw_problem.hpp"
 #include "progress.hpp"
+#include "raw_arguments.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -40,33 +42,9 @@ std::vector<unsigned char> read_free(const Arguments& arguments, Index n) {
 }
 
 host::RawProblem read_problem(const Arguments& arguments) {
-  const auto M = arguments.value("--M"), q = arguments.value("--q");
   host::RawProblem problem;
-  if (M.has_value() != q.has_value()) throw UsageError("--M and --q go together");
-  if (M && !arguments.files().empty())
-    throw UsageError("give either two files or --M and --q, not both");
-  std::string of_M = "--M", of_q = "--q";
-  if (M) {
-    problem.M = host::parse_inline_matrix(*M, "--M");
-    problem.q = host::parse_inline_vector(*q, "--q");
-  } else {
-    if (arguments.files().size() != 2)
-      throw UsageError("two files are needed: lcpush lcp M.mtx q.mtx (or --M \"2 1; 1 2\" --q "
-                       "\"-5 -6\")");
-    of_M = arguments.files()[0];
-    of_q = arguments.files()[1];
-    problem.M = host::read_matrix_market(of_M);
-    problem.q = host::read_matrix_market(of_q);
-  }
-  const Index n = problem.M.rows;
-  if (problem.M.cols != n)
-    throw host::InputError(of_M + ": M must be square, but it is " + std::to_string(n) + " x " +
-                           std::to_string(problem.M.cols));
-  if (problem.q.cols != 1 || problem.q.rows != n)
-    throw host::InputError(of_q + ": q must be " + std::to_string(n) +
-                           " x 1 like M's rows, but it is " + std::to_string(problem.q.rows) +
-                           " x " + std::to_string(problem.q.cols));
-  problem.free = read_free(arguments, n);
+  std::tie(problem.M, problem.q) = read_matrices(arguments);
+  problem.free = read_free(arguments, problem.M.rows);
   return problem;
 }
 
@@ -221,7 +199,7 @@ int run(const Arguments& arguments) {
   host::RawAnswer answer;
   {
     Progress progress;
-    options.lemke = progress.watch(options.lemke);
+    options.watcher = &progress;
     answer = host::solve_raw(problem, options);
   }
   if (answer.bad_diagonal >= 0) refuse_diagonal(arguments, problem, answer.bad_diagonal);

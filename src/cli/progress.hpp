@@ -7,32 +7,33 @@
 
 #include <unistd.h>
 
-#include "lcpush/lcp/lemke.hpp"
-#include "lcpush/lcp/sweep_options.hpp"
+#include "lcpush/host/watcher.hpp"
 
 namespace lcpush::cli {
 
 /// Watches Lemke's pivots, or sweeps. On a terminal the line is rewritten and wiped at the end.
-class Progress {
+class Progress : public host::Watcher {
 public:
-  ~Progress() {
+  ~Progress() override {
     if (shown_ && terminal_) std::fprintf(stderr, "\r\033[K");
   }
 
-  LemkeOptions<double> watch(LemkeOptions<double> options) {
-    options.on_pivot = [](void* self, const Lemke<double>& lemke) {
-      static_cast<Progress*>(self)->tick(lemke);
-    };
-    options.context = this;
-    return options;
+  void stepped(const Lemke<double>& lemke) override {
+    ++pivots_;
+    const long seconds = second();
+    if (seconds < 0) return;
+    std::fprintf(stderr, "%slcpush: %ld s, %ld pivots, %td unknowns, cover %td%s",
+                 terminal_ ? "\r\033[K" : "", seconds, pivots_, lemke.dictionary().size(),
+                 lemke.covers_tried(), terminal_ ? "" : "\n");
+    std::fflush(stderr);
   }
 
-  SweepOptions<double> watch(SweepOptions<double> options) {
-    options.on_check = [](void* self, Index sweep, const double*, const double& residual) {
-      static_cast<Progress*>(self)->tick(sweep, residual);
-    };
-    options.context = this;
-    return options;
+  void swept(Index sweep, const double*, double residual) override {
+    const long seconds = second();
+    if (seconds < 0) return;
+    std::fprintf(stderr, "%slcpush: %ld s, sweep %td, residual %.1e%s", terminal_ ? "\r\033[K" : "",
+                 seconds, sweep, residual, terminal_ ? "" : "\n");
+    std::fflush(stderr);
   }
 
 private:
@@ -50,24 +51,6 @@ private:
     shown_ = true;
     return static_cast<long>(
         std::chrono::duration_cast<std::chrono::seconds>(now - begin_).count());
-  }
-
-  void tick(const Lemke<double>& lemke) {
-    ++pivots_;
-    const long seconds = second();
-    if (seconds < 0) return;
-    std::fprintf(stderr, "%slcpush: %ld s, %ld pivots, %td unknowns, cover %td%s",
-                 terminal_ ? "\r\033[K" : "", seconds, pivots_, lemke.dictionary().size(),
-                 lemke.covers_tried(), terminal_ ? "" : "\n");
-    std::fflush(stderr);
-  }
-
-  void tick(Index sweep, double residual) {
-    const long seconds = second();
-    if (seconds < 0) return;
-    std::fprintf(stderr, "%slcpush: %ld s, sweep %td, residual %.1e%s", terminal_ ? "\r\033[K" : "",
-                 seconds, sweep, residual, terminal_ ? "" : "\n");
-    std::fflush(stderr);
   }
 };
 

@@ -20,8 +20,7 @@ int run(const Arguments& arguments) {
     host::PushOptions options;
     options.solver = solver;
     options.record_history = arguments.has("--history");
-    options.lemke = progress.watch(options.lemke);
-    options.sweeps = progress.watch(options.sweeps);
+    options.watcher = &progress;
     hold = push.holds_without_push(options);
     report = push.solve(options);
   }

@@ -19,12 +19,12 @@ namespace {
 constexpr const char* expected_banner = "%%MatrixMarket matrix array real general";
 
 /// Reads one file from top to bottom.
-class Reader {
+template <class S> class Reader {
 public:
   Reader(std::istream& stream, std::uintmax_t bytes, std::string file)
       : stream_(stream), bytes_(bytes), file_(std::move(file)) {}
 
-  HostMatrix read() {
+  MatrixOf<S> read() {
     const bool is_array = read_banner();
     return is_array ? read_array() : read_coordinates();
   }
@@ -111,8 +111,8 @@ private:
     return *count;
   }
 
-  double read_number(std::string_view word) const {
-    const NumberText number = read_finite_number(word);
+  S read_number(std::string_view word) const {
+    const auto number = read_finite_number<S>(word);
     if (number.error) refuse(*number.error);
     return number.value;
   }
@@ -138,11 +138,11 @@ private:
              " entries, but here is more: " + quoted(line_text_));
   }
 
-  HostMatrix read_array() {
+  MatrixOf<S> read_array() {
     const auto sizes = read_sizes(2, "ROWS COLUMNS");
     const std::uint64_t wanted = sizes[0] * sizes[1];
     require_plausible(wanted, 2);
-    HostMatrix matrix = shaped(sizes);
+    MatrixOf<S> matrix = shaped(sizes);
     matrix.values.reserve(wanted);
     for (std::uint64_t read = 0; read < wanted; ++read) {
       require_entry(1, "one entry a line, column by column", read, wanted);
@@ -154,11 +154,11 @@ private:
 
   struct Entry {
     std::size_t position;
-    double value;
+    S value;
     int line;
   };
 
-  HostMatrix read_coordinates() {
+  MatrixOf<S> read_coordinates() {
     const auto sizes = read_sizes(3, "ROWS COLUMNS ENTRIES");
     const std::uint64_t wanted = sizes[2];
     if (wanted > sizes[0] * sizes[1])
@@ -175,8 +175,8 @@ private:
     require_end(wanted);
     refuse_duplicates(entries);
 
-    HostMatrix matrix = shaped(sizes);
-    matrix.values.assign(sizes[0] * sizes[1], 0.0);
+    MatrixOf<S> matrix = shaped(sizes);
+    matrix.values.assign(sizes[0] * sizes[1], S(0));
     for (const Entry& entry : entries) matrix.values[entry.position] = entry.value;
     return matrix;
   }
@@ -201,7 +201,7 @@ private:
     refuse("this place already has an entry, in line " + std::to_string(twin->line));
   }
 
-  static HostMatrix shaped(const std::vector<std::uint64_t>& sizes) {
+  static MatrixOf<S> shaped(const std::vector<std::uint64_t>& sizes) {
     return {static_cast<Index>(sizes[0]), static_cast<Index>(sizes[1]), {}};
   }
 
@@ -213,9 +213,7 @@ private:
   std::vector<std::string_view> words_; ///< of line_text_
 };
 
-} // namespace
-
-HostMatrix read_matrix_market(const std::string& path) {
+template <class S> MatrixOf<S> read_file(const std::string& path) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
@@ -226,12 +224,21 @@ HostMatrix read_matrix_market(const std::string& path) {
   stream.seekg(0);
   stream.clear();
   // Pipes and devices have no size; then nothing is refused for its length.
-  return Reader(stream, bytes > 0 ? static_cast<std::uintmax_t>(bytes) : UINTMAX_MAX, path).read();
+  return Reader<S>(stream, bytes > 0 ? static_cast<std::uintmax_t>(bytes) : UINTMAX_MAX, path)
+      .read();
+}
+
+} // namespace
+
+HostMatrix read_matrix_market(const std::string& path) { return read_file<double>(path); }
+
+ExactMatrix read_matrix_market_exactly(const std::string& path) {
+  return read_file<Rational>(path);
 }
 
 HostMatrix parse_matrix_market(const std::string& text, const std::string& file_name) {
   std::istringstream stream(text);
-  return Reader(stream, text.size(), file_name).read();
+  return Reader<double>(stream, text.size(), file_name).read();
 }
 
 std::string write_matrix_market(const HostMatrix& matrix, MatrixMarketFormat format,

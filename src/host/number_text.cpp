@@ -1,5 +1,6 @@
 #include "number_text.hpp"
 
+#include "lcpush/host/rational.hpp"
 #include "message.hpp"
 
 #include <charconv>
@@ -34,7 +35,7 @@ std::optional<std::uint64_t> whole_number(std::string_view word) {
   return number;
 }
 
-NumberText read_finite_number(std::string_view word) {
+template <> NumberText read_finite_number<double>(std::string_view word) {
   std::string_view digits = word;
   // std::from_chars knows no plus sign; "+-1" must not pass for that reason.
   if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
@@ -49,5 +50,32 @@ NumberText read_finite_number(std::string_view word) {
     number.error = quoted(word) + ": numbers must be finite";
   return number;
 }
+
+template <> NumberTextOf<Rational> read_finite_number<Rational>(std::string_view word) {
+  NumberTextOf<Rational> number;
+  number.error = read_finite_number<double>(word).error;
+  if (number.error) return number;
+  const auto exact = Rational::parse(word);
+  if (exact)
+    number.value = *exact;
+  else
+    number.error = quoted(word) + " has too many digits or too large an exponent";
+  return number;
+}
+
+template <class S> NumberTextOf<S> read_number_or_fraction(std::string_view word) {
+  if (word.find('/') == std::string_view::npos) return read_finite_number<S>(word);
+  NumberTextOf<S> number;
+  const auto fraction = Rational::parse(word);
+  if (!fraction || !std::isfinite(fraction->value()))
+    number.error = quoted(word) + " is not a fraction; write two whole numbers like 1/3 or -2/7";
+  else if constexpr (std::is_same_v<S, double>)
+    number.value = fraction->value();
+  else
+    number.value = *fraction;
+  return number;
+}
+template NumberText read_number_or_fraction<double>(std::string_view word);
+template NumberTextOf<Rational> read_number_or_fraction<Rational>(std::string_view word);
 
 } // namespace lcpush::host

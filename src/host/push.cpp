@@ -19,6 +19,17 @@ std::string point_name(const SceneFile& file, Index point) {
   return "?";
 }
 
+std::string direction_text(const Vector3<double>& direction) {
+  constexpr double slack = 5e-4;
+  for (Index axis = 0; axis < 3; ++axis)
+    for (const double sign : {1.0, -1.0})
+      if ((direction - sign * Vector3<double>::Unit(axis)).norm() < slack)
+        return std::string(sign > 0 ? "+" : "-") + "xyz"[axis];
+  const auto rounded = [](double x) { return shown(std::round(x * 1000) / 1000 + 0.0); };
+  return "(" + rounded(direction[0]) + ", " + rounded(direction[1]) + ", " + rounded(direction[2]) +
+         ")";
+}
+
 std::string Push::variable_name(Index i) const {
   const Name name = name_of(layout(), i);
   switch (name.meaning) {
@@ -30,15 +41,12 @@ std::string Push::variable_name(Index i) const {
   }
   const Body<double>& body = assembly_.scene().bodies[layout().body[name.of]];
   const Generator<double> d = generator(body, name.generator, file_.facets);
-  const auto short_number = [](double x) { return shown(std::round(x * 1000) / 1000 + 0.0); };
-  std::string text = "friction of " + point_name(file_, name.of) + " along (" +
-                     short_number(d.force[0]) + ", " + short_number(d.force[1]) + ", " +
-                     short_number(d.force[2]) + ")";
+  std::string text = "friction of " + point_name(file_, name.of);
+  if (!d.force.isZero(0)) text += " along " + direction_text(d.force);
   if (d.torque != 0) text += " with torque " + shown(d.torque) + " m";
   return text;
 }
 
-/// Under even pressure an actuator is one point's share of the one in the file.
 std::string Push::actuator_name(Index actuator) const {
   if (file_.pressure != Pressure::even)
     return file_.actuator_names[static_cast<std::size_t>(actuator)];
@@ -65,18 +73,6 @@ Lemke<double>& Push::pivots() {
                            {pivot_integers_.data(), static_cast<Index>(pivot_integers_.size())});
   }
   return lemke_;
-}
-
-EvenScene::EvenScene(const Scene<double>& given) {
-  const EvenSize size = even_size(given);
-  bodies.resize(static_cast<std::size_t>(size.bodies));
-  actuators.resize(static_cast<std::size_t>(size.actuators));
-  drives.resize(static_cast<std::size_t>(size.drives));
-  const EvenMemory<double> memory{{bodies.data(), size.bodies},
-                                  {actuators.data(), size.actuators},
-                                  {drives.data(), size.drives}};
-  // A file whose actuators drive several bodies is refused when it is read.
-  if (spread_evenly(given, memory, scene) != Status::solved) scene = given;
 }
 
 void Push::record(Index sweep, const double* z) {
@@ -195,6 +191,7 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
   PushOptions other = options;
   other.solver = Solver::lemke; // covers are its own; after sweeps they are a second opinion too
   other.record_history = false;
+  other.watcher = nullptr;
   for (Index k = 1; k <= options.other_covers && layout().size <= largest_searched; ++k) {
     other.lemke.first_cover = options.lemke.first_cover + k * options.lemke.covers;
     PressureRun ignored;

@@ -110,6 +110,7 @@ void Push::compare_covers(const PushOptions& options, BreakReport& report) {
   PushOptions other = options;
   other.solver = Solver::lemke;
   other.record_history = false;
+  other.watcher = nullptr;
   other.lemke.first_cover += other.lemke.covers;
   const Breaking<double>& first = report.breaking;
   Breaking<double> second;

@@ -5,23 +5,45 @@
 
 namespace lcpush::host {
 
+/// Passes everything on, and has checks of sweeps recorded if the options ask for a history.
+class Push::Listener : public Watcher {
+public:
+  Listener(Push& push, const PushOptions& options)
+      : push_(push), to_(options.watcher), records_(options.record_history) {}
+
+  void starts(const Lemke<double>& lemke) override {
+    if (to_ != nullptr) to_->starts(lemke);
+  }
+  Index leaves(const Lemke<double>& lemke, const Turn& turn) override {
+    return to_ != nullptr ? to_->leaves(lemke, turn) : turn.blocking.row;
+  }
+  void stepped(const Lemke<double>& lemke) override {
+    if (to_ != nullptr) to_->stepped(lemke);
+  }
+  void swept(Index sweep, const double* z, double residual) override {
+    if (records_) push_.record(sweep, z);
+    if (to_ != nullptr) to_->swept(sweep, z, residual);
+  }
+
+private:
+  Push& push_;
+  Watcher* to_;
+  bool records_;
+};
+
 /// Calls `use` with the rounds of the solver asked for. A warm start for pivots is near enough
 /// where sweeps agree to six digits.
 template <class Use> Status Push::with_rounds(const PushOptions& options, const Use& use) {
   constexpr double near = 1e-6;
   constexpr Index few = 200; // sweeps before the pivots take over
-  if (options.solver == Solver::lemke) return use(LemkeRounds<double>{pivots(), options.lemke});
-  SweepRounds<double> sweeps{sweeps_, options.sweeps};
-  if (options.record_history) {
-    sweeps.options.context = this;
-    sweeps.options.on_check = [](void* self, Index sweep, const double* z, const double&) {
-      static_cast<Push*>(self)->record(sweep, z);
-    };
-  }
+  Listener listener(*this, options);
+  if (options.solver == Solver::lemke)
+    return use(LemkeRounds<double, Watcher>{pivots(), options.lemke, listener});
+  SweepRounds<double, Watcher> sweeps{sweeps_, options.sweeps, listener};
   if (options.solver == Solver::gauss_seidel) return use(sweeps);
   sweeps.options.tolerance = near;
   sweeps.options.max_sweeps = few;
-  return use(HybridRounds<double>{sweeps, {pivots(), options.lemke}});
+  return use(HybridRounds<double, Watcher>{sweeps, {pivots(), options.lemke, listener}});
 }
 
 } // namespace lcpush::host

@@ -17,7 +17,7 @@ void take_failure(const Lemke<double>& lemke, RawAnswer& answer) {
   answer.reason = lemke.reason();
 }
 
-RawAnswer solve_standard(const RawProblem& problem, const LemkeOptions<double>& options) {
+RawAnswer solve_standard(const RawProblem& problem, const RawOptions& options) {
   const Index n = problem.M.rows;
   RawAnswer answer;
   OwnedLemke run(n);
@@ -25,7 +25,8 @@ RawAnswer solve_standard(const RawProblem& problem, const LemkeOptions<double>& 
   given.size = given.free_begin = n;
   given.matrix = problem.M.values.data();
   given.q = problem.q.values.data();
-  if (run.lemke.init(given, options) == Status::running) (void)run.lemke.solve();
+  if (run.lemke.init(given, options.lemke) == Status::running)
+    (void)run.lemke.solve(*options.watcher);
   take_failure(run.lemke, answer);
   answer.pivots = run.lemke.pivots();
   answer.covers = run.lemke.covers_tried();
@@ -39,7 +40,7 @@ RawAnswer solve_standard(const RawProblem& problem, const LemkeOptions<double>& 
 /// The basis that the reduced problem found, refined and checked on the problem as given: its
 /// complementary pairs first, then the equalities and free unknowns that are independent.
 bool certify(const RawProblem& problem, const Reduction<double>& reduction,
-             const LemkeOptions<double>& options, RawAnswer& answer) {
+             const RawOptions& options, RawAnswer& answer) {
   const Index n = problem.M.rows;
   Submatrix whole;
   for (Index i = 0; i < n; ++i)
@@ -55,8 +56,8 @@ bool certify(const RawProblem& problem, const Reduction<double>& reduction,
   std::vector<unsigned char> active;
   for (const Index j : whole.columns) active.push_back(answer.basic[static_cast<std::size_t>(j)]);
   OwnedLemke run(whole.problem.size);
-  if (run.lemke.init(whole.problem, options, active.data()) != Status::running) return false;
-  if (run.lemke.solve() != Status::solved) return false;
+  if (run.lemke.init(whole.problem, options.lemke, active.data()) != Status::running) return false;
+  if (run.lemke.solve(*options.watcher) != Status::solved) return false;
   answer.pivots += run.lemke.pivots();
   answer.z.assign(static_cast<std::size_t>(n), 0.0);
   for (std::size_t k = 0; k < whole.columns.size(); ++k) {
@@ -67,7 +68,7 @@ bool certify(const RawProblem& problem, const Reduction<double>& reduction,
   return true;
 }
 
-RawAnswer solve_mixed(const RawProblem& problem, const LemkeOptions<double>& options,
+RawAnswer solve_mixed(const RawProblem& problem, const RawOptions& options,
                       SingularBlock singular) {
   const Index n = problem.M.rows;
   RawAnswer answer;
@@ -83,7 +84,8 @@ RawAnswer solve_mixed(const RawProblem& problem, const LemkeOptions<double>& opt
 
   const Index m = reduction.problem().size;
   OwnedLemke run(m);
-  if (run.lemke.init(reduction.problem(), options) == Status::running) (void)run.lemke.solve();
+  if (run.lemke.init(reduction.problem(), options.lemke) == Status::running)
+    (void)run.lemke.solve(*options.watcher);
   take_failure(run.lemke, answer);
   answer.pivots = run.lemke.pivots();
   answer.covers = run.lemke.covers_tried();
@@ -109,7 +111,7 @@ RawAnswer solve_mixed(const RawProblem& problem, const LemkeOptions<double>& opt
 }
 
 /// Lemke's pivots from zero.
-RawAnswer solve_cold(const RawProblem& problem, const LemkeOptions<double>& options) {
+RawAnswer solve_cold(const RawProblem& problem, const RawOptions& options) {
   bool is_mixed = false;
   for (const unsigned char is_free : problem.free) is_mixed = is_mixed || is_free != 0;
   if (!is_mixed) return solve_standard(problem, options);
@@ -137,11 +139,11 @@ void measure(const RawProblem& problem, RawAnswer& answer) {
                         .residual;
 }
 
-RawAnswer solve_raw(const RawProblem& problem, const LemkeOptions<double>& options) {
+RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options) {
   RawAnswer answer = solve_cold(problem, options);
   if (answer.status != Status::solved) return answer;
   measure(problem, answer);
-  if (!(answer.residual <= options.tolerances.residual)) {
+  if (!(answer.residual <= options.lemke.tolerances.residual)) {
     answer.status = Status::numerical_breakdown;
     answer.reason = Reason::residual;
   }

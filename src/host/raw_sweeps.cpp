@@ -40,8 +40,9 @@ void take(const RawProblem& problem, const Submatrix& sorted, const double* z, R
 
 /// Sweeps until the residual of the problem as given is `tolerance`. The solver's own check knows
 /// other units: it only watches over the progress.
-void sweep(const RawProblem& problem, const Submatrix& sorted, SweepOptions<double> options,
+void sweep(const RawProblem& problem, const Submatrix& sorted, const RawOptions& given,
            double tolerance, RawAnswer& answer) {
+  SweepOptions<double> options = given.sweeps;
   std::vector<double> scalars(static_cast<std::size_t>(gauss_seidel_scalars(sorted.problem.size)));
   GaussSeidel<double> solver(span_of(scalars));
   options.tolerance = 0;
@@ -51,6 +52,7 @@ void sweep(const RawProblem& problem, const Submatrix& sorted, SweepOptions<doub
     if (answer.status != Status::running || answer.sweeps % options.check_every == 0) {
       take(problem, sorted, solver.z(), answer);
       answer.history.push_back({answer.sweeps, answer.residual});
+      given.watcher->swept(answer.sweeps, solver.z(), answer.residual);
       if (answer.residual <= tolerance)
         answer.status = Status::solved;
       else if (answer.status == Status::solved)
@@ -65,7 +67,7 @@ RawAnswer solve_by_sweeps(const RawProblem& problem, const RawOptions& options) 
   RawAnswer answer;
   answer.bad_diagonal = first_bad_diagonal(problem);
   if (answer.bad_diagonal >= 0) return answer;
-  sweep(problem, free_last(problem), options.sweeps, options.lemke.tolerances.residual, answer);
+  sweep(problem, free_last(problem), options, options.lemke.tolerances.residual, answer);
   for (std::size_t i = 0; i < answer.z.size(); ++i)
     answer.basic.push_back(problem.free[i] != 0 || answer.z[i] > 0 ? 1 : 0);
   return answer;
@@ -73,7 +75,7 @@ RawAnswer solve_by_sweeps(const RawProblem& problem, const RawOptions& options) 
 
 /// Pivots from the positive unknowns of `near`. False if they do not end in a solution.
 bool pivot_from(const RawProblem& problem, const Submatrix& sorted, const std::vector<double>& near,
-                LemkeOptions<double> options, RawAnswer& answer) {
+                const RawOptions& options, RawAnswer& answer) {
   double largest = 0;
   for (const double x : near) largest = std::max(largest, std::abs(x));
   std::vector<unsigned char> active;
@@ -82,9 +84,10 @@ bool pivot_from(const RawProblem& problem, const Submatrix& sorted, const std::v
     active.push_back(problem.free[at] != 0 || near[at] > near_enough * largest ? 1 : 0);
   }
   OwnedLemke run(sorted.problem.size);
-  options.covers = 1;
-  answer.status = run.lemke.init(sorted.problem, options, active.data(), Guess::near);
-  if (answer.status == Status::running) answer.status = run.lemke.solve();
+  LemkeOptions<double> single = options.lemke;
+  single.covers = 1;
+  answer.status = run.lemke.init(sorted.problem, single, active.data(), Guess::near);
+  if (answer.status == Status::running) answer.status = run.lemke.solve(*options.watcher);
   answer.pivots = run.lemke.pivots();
   if (answer.status != Status::solved) return false;
   answer.covers = 1;
@@ -93,19 +96,19 @@ bool pivot_from(const RawProblem& problem, const Submatrix& sorted, const std::v
   for (std::size_t k = 0; k < active.size(); ++k)
     answer.basic[static_cast<std::size_t>(sorted.rows[k])] =
         run.lemke.is_basic(static_cast<Index>(k)) ? 1 : 0;
-  return answer.residual <= options.tolerances.residual;
+  return answer.residual <= options.lemke.tolerances.residual;
 }
 
 RawAnswer solve_hybrid(const RawProblem& problem, const RawOptions& options) {
   RawAnswer near;
   if (first_bad_diagonal(problem) < 0) {
     const Submatrix sorted = free_last(problem);
-    sweep(problem, sorted, options.sweeps, near_enough, near);
+    sweep(problem, sorted, options, near_enough, near);
     RawAnswer answer = near;
-    if (pivot_from(problem, sorted, near.z, options.lemke, answer)) return answer;
+    if (pivot_from(problem, sorted, near.z, options, answer)) return answer;
     near.pivots = answer.pivots;
   }
-  RawAnswer answer = solve_raw(problem, options.lemke);
+  RawAnswer answer = solve_by_pivots(problem, options);
   answer.pivots += near.pivots;
   answer.sweeps = near.sweeps;
   answer.history = near.history;
@@ -114,13 +117,16 @@ RawAnswer solve_hybrid(const RawProblem& problem, const RawOptions& options) {
 
 } // namespace
 
-RawAnswer solve_raw(const RawProblem& problem, const RawOptions& options) {
+RawAnswer solve_raw(const RawProblem& problem, const RawOptions& given) {
+  Watcher nobody;
+  RawOptions options = given;
+  if (options.watcher == nullptr) options.watcher = &nobody;
   switch (options.solver) {
   case Solver::gauss_seidel: return solve_by_sweeps(problem, options);
   case Solver::hybrid: return solve_hybrid(problem, options);
   case Solver::lemke: break;
   }
-  return solve_raw(problem, options.lemke);
+  return solve_by_pivots(problem, options);
 }
 
 } // namespace lcpush::host

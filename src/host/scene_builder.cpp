@@ -1,5 +1,6 @@
 #include "scene_builder.hpp"
 
+#include "exact_frame.hpp"
 #include "lcpush/host/input_error.hpp"
 #include "lcpush/mechanics/contact.hpp"
 #include "message.hpp"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace lcpush::host {
@@ -21,24 +23,27 @@ constexpr double direction_slack = 1e-9;
 std::string section_of(Role role) { return role == Role::finger ? "finger" : "pusher"; }
 
 /// A rigid motion that moves `at` with `linear`, taken at the centre of mass.
-Vector6<double> twist_at(const Vector3<double>& center_of_mass, const Vector3<double>& linear,
-                         const Vector3<double>& angular, const Vector3<double>& at) {
-  Vector6<double> twist;
-  twist << linear + cross<double>(angular, center_of_mass - at), angular;
+template <class S>
+Vector6<S> twist_at(const Vector3<S>& center_of_mass, const Vector3<S>& linear,
+                    const Vector3<S>& angular, const Vector3<S>& at) {
+  Vector6<S> twist;
+  twist << linear + cross<S>(angular, center_of_mass - at), angular;
   return twist;
 }
 
 } // namespace
 
-const std::vector<TomlTable>& SceneBuilder::tables(const std::string& section) const {
+template <class S>
+const std::vector<TomlTable>& SceneBuilder<S>::tables(const std::string& section) const {
   static const std::vector<TomlTable> none;
   const TomlSection* const found = document_.find(section);
   return found ? found->tables : none;
 }
 
 /// Labels a table `finger "left"`, or `finger 2` while it has no usable name.
-TableReader SceneBuilder::named_reader(const std::string& section, std::size_t index,
-                                       const Schema& schema) const {
+template <class S>
+TableReader SceneBuilder<S>::named_reader(const std::string& section, std::size_t index,
+                                          const Schema& schema) const {
   const TomlTable& table = tables(section)[index];
   const TomlValue* const value = table.find("name");
   const auto* const name = value ? std::get_if<std::string>(&value->data) : nullptr;
@@ -46,7 +51,7 @@ TableReader SceneBuilder::named_reader(const std::string& section, std::size_t i
   return TableReader(document_.file, table, section + " " + label, schema);
 }
 
-std::string SceneBuilder::claim_name(const TableReader& table) {
+template <class S> std::string SceneBuilder<S>::claim_name(const TableReader& table) {
   const std::string name = table.text("name");
   const auto [first, is_new] = name_lines_.emplace(name, table.line());
   if (!is_new)
@@ -56,16 +61,16 @@ std::string SceneBuilder::claim_name(const TableReader& table) {
 }
 
 /// The index of the body, or the number of bodies if there is none of this name.
-Index SceneBuilder::body_called(const std::string& name) const {
+template <class S> Index SceneBuilder<S>::body_called(const std::string& name) const {
   const auto& names = scene_.body_names;
   return std::find(names.begin(), names.end(), name) - names.begin();
 }
 
-SceneFile SceneBuilder::build() {
+template <class S> SceneOf<S> SceneBuilder<S>::build() {
   check_sections(document_);
   read_settings();
   const TableReader object(document_.file, tables("object").front(), "object", object_schema());
-  scene_.object = read_object(object);
+  scene_.object = read_object<S>(object, scene_.shape);
   read_bodies(Role::finger);
   read_bodies(Role::pusher);
   if (scene_.bodies.empty())
@@ -83,17 +88,18 @@ SceneFile SceneBuilder::build() {
 
 /// A planar object cannot make way for a contact whose normal force does not move it in the plane:
 /// pressing on would be a jam of one contact.
-void SceneBuilder::refuse_squeezes_out_of_plane() const {
+template <class S> void SceneBuilder<S>::refuse_squeezes_out_of_plane() const {
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
-    const Body<double>& body = scene_.bodies[b];
+    const Body<S>& body = scene_.bodies[b];
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-      const Vector3<double>& p = scene_.points[static_cast<std::size_t>(i)];
-      const Vector6<double> column = wrench_column(p, body.normal);
-      const double in_plane = std::hypot(column[0], column[1]);
-      const double turning = std::abs(column[5]);
-      const bool moves_it = in_plane > direction_slack || turning > direction_slack * p.norm();
-      const double closing = column.dot(body.acceleration);
-      if (moves_it || !(body.bilateral ? closing != 0 : closing > 0)) continue;
+      const Vector3<S>& p = scene_.points[static_cast<std::size_t>(i)];
+      const Vector6<S> column = wrench_column<S>(p, body.normal);
+      const double in_plane = std::hypot(as_double(column[0]), as_double(column[1]));
+      const double turning = std::abs(as_double(column[5]));
+      const bool moves_it =
+          in_plane > direction_slack || turning > direction_slack * as_doubles(p).norm();
+      const S closing = column.dot(body.acceleration);
+      if (moves_it || !(body.bilateral ? closing != S(0) : closing > S(0))) continue;
       throw InputError(document_.file, name_lines_.at(scene_.body_names[b]),
                        quoted(scene_.body_names[b]) +
                            (body.bilateral ? ": moves the object out of the plane"
@@ -104,10 +110,10 @@ void SceneBuilder::refuse_squeezes_out_of_plane() const {
   }
 }
 
-void SceneBuilder::read_settings() {
+template <class S> void SceneBuilder<S>::read_settings() {
   const TableReader root(document_.file, document_.root, "", root_schema());
   if (root.has("title")) scene_.title = root.text("title");
-  if (root.has("gravity")) scene_.gravity = root.vector3("gravity");
+  if (root.has("gravity")) scene_.gravity = root.vector3<S>("gravity");
   if (root.has("facets")) scene_.facets = root.whole("facets", 4, 256);
   if (scene_.facets % 2 != 0)
     root.fail("facets", "facets must be even, got " + std::to_string(scene_.facets));
@@ -116,7 +122,7 @@ void SceneBuilder::read_settings() {
   if (root.has("planar")) scene_.planar = root.boolean("planar");
 }
 
-void SceneBuilder::read_bodies(Role role) {
+template <class S> void SceneBuilder<S>::read_bodies(Role role) {
   const std::string section = section_of(role);
   for (std::size_t i = 0; i < tables(section).size(); ++i) {
     const TableReader table = named_reader(section, i, body_schema(role));
@@ -127,19 +133,19 @@ void SceneBuilder::read_bodies(Role role) {
   }
 }
 
-void SceneBuilder::read_body(Role role, const TableReader& table) {
+template <class S> void SceneBuilder<S>::read_body(Role role, const TableReader& table) {
   scene_.body_names.push_back(claim_name(table));
-  const Patch patch = read_patch(table);
-  Body<double> body{};
+  const Patch<S> patch = read_patch<S>(table);
+  Body<S> body{};
   body.role = role;
   body.normal = patch.normal;
   body.tangent = patch.tangent;
-  body.friction = table.number("friction", Sign::not_negative);
+  body.friction = table.number<S>("friction", Sign::not_negative);
   body.first_point = static_cast<Index>(scene_.points.size());
   body.point_count = static_cast<Index>(patch.positions.size());
-  body.acceleration = role == Role::pusher ? prescribed_twist(table) : Vector6<double>::Zero();
+  body.acceleration = role == Role::pusher ? prescribed_twist(table) : Vector6<S>::Zero();
   if (table.has("torsion_radius")) {
-    body.torsion_radius = table.number("torsion_radius", Sign::positive);
+    body.torsion_radius = table.number<S>("torsion_radius", Sign::positive);
     if (body.point_count != 1)
       table.fail("torsion_radius", "torsion_radius goes with a single point only; this patch has " +
                                        std::to_string(body.point_count));
@@ -152,21 +158,24 @@ void SceneBuilder::read_body(Role role, const TableReader& table) {
                "force; remove one of the two");
   scene_.bodies.push_back(body);
   add_points(table, patch);
+  if constexpr (!std::is_same_v<S, double>)
+    scene_.inexact.insert(scene_.inexact.end(), patch.inexact.begin(), patch.inexact.end());
 }
 
-void SceneBuilder::add_points(const TableReader& table, const Patch& patch) {
+template <class S>
+void SceneBuilder<S>::add_points(const TableReader& table, const Patch<S>& patch) {
   if (scene_.points.size() + patch.positions.size() > most_points_in_scene)
     table.fail("points", "more than " + std::to_string(most_points_in_scene) +
                              " contact points in the scene; use fewer");
-  for (const Vector3<double>& position : patch.positions) {
+  for (const Vector3<S>& position : patch.positions) {
     scene_.positions.push_back(position);
     scene_.points.push_back(position - scene_.object.center_of_mass);
   }
 }
 
-Vector6<double> SceneBuilder::prescribed_twist(const TableReader& table) const {
+template <class S> Vector6<S> SceneBuilder<S>::prescribed_twist(const TableReader& table) const {
   const auto optional = [&table](const std::string& key) {
-    return table.has(key) ? table.vector3(key) : Vector3<double>(Vector3<double>::Zero());
+    return table.has(key) ? table.vector3<S>(key) : Vector3<S>(Vector3<S>::Zero());
   };
   if (table.has("about") && !table.has("angular_acceleration"))
     table.fail("about", "about goes with angular_acceleration; add that or remove about");
@@ -174,23 +183,24 @@ Vector6<double> SceneBuilder::prescribed_twist(const TableReader& table) const {
       !table.has("normal_force"))
     table.fail("acceleration", "missing the motion; add acceleration, angular_acceleration or "
                                "normal_force (for a wall at rest acceleration = [0, 0, 0])");
-  return twist_at(scene_.object.center_of_mass, optional("acceleration"),
-                  optional("angular_acceleration"), optional("about"));
+  return twist_at<S>(scene_.object.center_of_mass, optional("acceleration"),
+                     optional("angular_acceleration"), optional("about"));
 }
 
-Index SceneBuilder::add_actuator(const std::string& name, double force, double inertia) {
+template <class S>
+Index SceneBuilder<S>::add_actuator(const std::string& name, const S& force, const S& inertia) {
   scene_.actuator_names.push_back(name);
   scene_.actuators.push_back({force, inertia});
   return static_cast<Index>(scene_.actuators.size()) - 1;
 }
 
-void SceneBuilder::drive_along_normal(Index body, Index actuator) {
-  Vector6<double> twist;
-  twist << scene_.bodies[static_cast<std::size_t>(body)].normal, Vector3<double>::Zero();
+template <class S> void SceneBuilder<S>::drive_along_normal(Index body, Index actuator) {
+  Vector6<S> twist;
+  twist << scene_.bodies[static_cast<std::size_t>(body)].normal, Vector3<S>::Zero();
   scene_.drives.push_back({body, actuator, twist});
 }
 
-void SceneBuilder::drive_fingers() {
+template <class S> void SceneBuilder<S>::drive_fingers() {
   if (const TomlSection* const section = document_.find("gripper")) {
     const TableReader gripper(document_.file, section->tables.front(), "gripper", gripper_schema());
     if (const TomlSection* const actuator = document_.find("actuator"))
@@ -203,15 +213,15 @@ void SceneBuilder::drive_fingers() {
   for (std::size_t i = 0; i < tables("finger").size(); ++i) {
     const TableReader finger = named_reader("finger", i, body_schema(Role::finger));
     if (!finger.has("grip_force")) continue;
-    const double force = finger.number("grip_force", Sign::positive);
+    const S force = finger.number<S>("grip_force", Sign::positive);
     if (document_.find("actuator"))
       finger.fail("grip_force", "grip_force and [[actuator]] exclude each other; give the force to "
                                 "an [[actuator]] that drives this finger");
-    drive_along_normal(static_cast<Index>(i), add_actuator(scene_.body_names[i], force, 0));
+    drive_along_normal(static_cast<Index>(i), add_actuator(scene_.body_names[i], force, S(0)));
   }
 }
 
-void SceneBuilder::drive_parallel_jaws(const TableReader& gripper) {
+template <class S> void SceneBuilder<S>::drive_parallel_jaws(const TableReader& gripper) {
   const std::size_t count = tables("finger").size();
   if (scene_.pressure == Pressure::even)
     gripper.fail("jaws", "parallel jaws share one force over both fingers, so no point's even "
@@ -222,42 +232,44 @@ void SceneBuilder::drive_parallel_jaws(const TableReader& gripper) {
                  "parallel jaws need exactly two [[finger]]s, got " + std::to_string(count));
   const TableReader first = named_reader("finger", 0, body_schema(Role::finger));
   const TableReader second = named_reader("finger", 1, body_schema(Role::finger));
-  const double force = first.number("grip_force", Sign::positive);
-  const double other = second.number("grip_force", Sign::positive);
+  const S force = first.number<S>("grip_force", Sign::positive);
+  const S other = second.number<S>("grip_force", Sign::positive);
   if (force != other)
-    second.fail("grip_force", "parallel jaws share one grip_force; got " + shown(other) + ", but " +
-                                  shown(force) + " on the other finger");
+    second.fail("grip_force", "parallel jaws share one grip_force; got " + shown(as_double(other)) +
+                                  ", but " + shown(as_double(force)) + " on the other finger");
   scene_.parallel_jaws = true;
-  const Index jaws = add_actuator("jaws", 2 * force, 0);
+  const Index jaws = add_actuator("jaws", S(2) * force, S(0));
   drive_along_normal(0, jaws);
   drive_along_normal(1, jaws);
 }
 
-void SceneBuilder::drive_pusher(const TableReader& table, Index body) {
+template <class S> void SceneBuilder<S>::drive_pusher(const TableReader& table, Index body) {
   if (!table.has("normal_force")) return;
-  const double force = table.number("normal_force", Sign::positive);
+  const S force = table.number<S>("normal_force", Sign::positive);
   if (table.has("acceleration")) {
-    const Vector3<double> acceleration = table.vector3("acceleration");
-    const double along = acceleration.dot(scene_.bodies[static_cast<std::size_t>(body)].normal);
-    if (std::abs(along) > direction_slack * acceleration.norm())
+    const Vector3<S> acceleration = table.vector3<S>("acceleration");
+    const double along =
+        as_double(acceleration.dot(scene_.bodies[static_cast<std::size_t>(body)].normal));
+    if (std::abs(along) > direction_slack * as_doubles(acceleration).norm())
       table.fail("acceleration", "normal_force decides the motion along the normal; acceleration "
                                  "must have no part along it, got " +
                                      shown(along));
   }
   const std::string& name = scene_.body_names[static_cast<std::size_t>(body)];
-  drive_along_normal(body, add_actuator(name, force, 0));
+  drive_along_normal(body, add_actuator(name, force, S(0)));
 }
 
-Vector6<double> SceneBuilder::moved_to_center_of_mass(const std::vector<double>& twist) const {
-  const Vector6<double> at_origin = Eigen::Map<const Vector6<double>>(twist.data());
-  return twist_at(scene_.object.center_of_mass, at_origin.head<3>(), at_origin.tail<3>(),
-                  Vector3<double>::Zero());
+template <class S>
+Vector6<S> SceneBuilder<S>::moved_to_center_of_mass(const std::vector<S>& twist) const {
+  const Vector6<S> at_origin = Eigen::Map<const Vector6<S>>(twist.data());
+  return twist_at<S>(scene_.object.center_of_mass, at_origin.template head<3>(),
+                     at_origin.template tail<3>(), Vector3<S>::Zero());
 }
 
-void SceneBuilder::read_actuator(const TableReader& table) {
+template <class S> void SceneBuilder<S>::read_actuator(const TableReader& table) {
   const std::string name = claim_name(table);
   const std::vector<std::string> bodies = table.texts("bodies", scene_.bodies.size());
-  const std::vector<std::vector<double>> twists = table.rows("twists", 6, scene_.bodies.size());
+  const std::vector<std::vector<S>> twists = table.rows<S>("twists", 6, scene_.bodies.size());
   if (twists.size() != bodies.size())
     table.fail("twists", "twists must have one entry for each of the " +
                              std::to_string(bodies.size()) + " bodies, got " +
@@ -270,10 +282,10 @@ void SceneBuilder::read_actuator(const TableReader& table) {
                          "even share of it is known; use another pressure than \"even\"");
   if (is_prescribed && table.has("inertia"))
     table.fail("inertia", "inertia goes with force; remove it");
-  const double amount = table.number(is_prescribed ? "acceleration" : "force",
-                                     is_prescribed ? Sign::any : Sign::not_negative);
-  const double inertia = table.has("inertia") ? table.number("inertia", Sign::not_negative) : 0;
-  if (!is_prescribed && amount == 0 && inertia == 0)
+  const S amount = table.number<S>(is_prescribed ? "acceleration" : "force",
+                                   is_prescribed ? Sign::any : Sign::not_negative);
+  const S inertia = table.has("inertia") ? table.number<S>("inertia", Sign::not_negative) : S(0);
+  if (!is_prescribed && amount == S(0) && inertia == S(0))
     table.fail("force", "an actuator without force and inertia holds nothing; give it one of them, "
                         "or remove it and its bodies");
   const Index actuator = is_prescribed ? 0 : add_actuator(name, amount, inertia);
@@ -284,8 +296,9 @@ void SceneBuilder::read_actuator(const TableReader& table) {
                                suggestion(bodies[i], scene_.body_names));
     if (std::count(bodies.begin(), bodies.end(), bodies[i]) > 1)
       table.fail("bodies", "the body " + quoted(bodies[i]) + " is listed twice; remove one");
-    const Vector6<double> twist = moved_to_center_of_mass(twists[i]);
-    if (twist.isZero(0)) table.fail("twists", "the twist of " + quoted(bodies[i]) + " is zero");
+    const Vector6<S> twist = moved_to_center_of_mass(twists[i]);
+    if (twist == Vector6<S>(Vector6<S>::Zero()))
+      table.fail("twists", "the twist of " + quoted(bodies[i]) + " is zero");
     if (is_prescribed) {
       scene_.bodies[static_cast<std::size_t>(body)].acceleration += amount * twist;
     } else {
@@ -293,5 +306,8 @@ void SceneBuilder::read_actuator(const TableReader& table) {
     }
   }
 }
+
+template class SceneBuilder<double>;
+template class SceneBuilder<Rational>;
 
 } // namespace lcpush::host

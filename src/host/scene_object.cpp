@@ -1,5 +1,7 @@
 #include "scene_object.hpp"
 
+#include "exact_frame.hpp"
+
 #include <Eigen/Eigenvalues>
 
 #include <string>
@@ -12,29 +14,41 @@ constexpr double thinnest = 1e-12;
 // A thin plate has I_z = I_x + I_y; typed with three or four digits it may miss that by so much.
 constexpr double typing_slack = 1e-3;
 
-Matrix3<double> box_inertia(const TableReader& table, double mass) {
-  const Vector3<double> squares = table.vector3("box", Sign::positive).array().square();
-  const Vector3<double> moments = mass / 12 * (squares.sum() - squares.array());
+template <class S>
+Matrix3<S> box_inertia(const TableReader& table, const S& mass, ObjectShape& shape) {
+  const Vector3<S> edges = table.vector3<S>("box", Sign::positive);
+  const Vector3<S> squares = edges.array().square();
+  const Vector3<S> moments = mass / S(12) * (squares.sum() - squares.array());
+  shape = {ObjectShape::Kind::box, as_doubles(edges), 2};
   return moments.asDiagonal();
 }
 
-Matrix3<double> cylinder_inertia(const TableReader& table, double mass) {
-  const double radius = table.number("cylinder_radius", Sign::positive);
-  const double length = table.number("cylinder_length", Sign::positive);
-  const std::size_t axis = table.has("axis") ? table.choice("axis", {"x", "y", "z"}) : 2;
-  Vector3<double> moments;
-  moments.setConstant(mass * (3 * radius * radius + length * length) / 12);
-  moments[static_cast<Index>(axis)] = mass * radius * radius / 2;
+template <class S>
+Matrix3<S> cylinder_inertia(const TableReader& table, const S& mass, ObjectShape& shape) {
+  const S radius = table.number<S>("cylinder_radius", Sign::positive);
+  const S length = table.number<S>("cylinder_length", Sign::positive);
+  const auto axis =
+      static_cast<Index>(table.has("axis") ? table.choice("axis", {"x", "y", "z"}) : 2);
+  Vector3<S> moments;
+  moments.setConstant(mass * (S(3) * radius * radius + length * length) / S(12));
+  moments[axis] = mass * radius * radius / S(2);
+  shape = {ObjectShape::Kind::cylinder, Vector3<double>::Constant(2 * as_double(radius)), axis};
+  shape.size[axis] = as_double(length);
   return moments.asDiagonal();
 }
 
-Matrix3<double> typed_inertia(const TableReader& table) {
-  std::vector<double> entries = table.numbers("inertia", {3, 6}, Sign::any);
-  entries.resize(6, 0.0);
-  const double xx = entries[0], yy = entries[1], zz = entries[2];
-  const double xy = entries[3], xz = entries[4], yz = entries[5];
-  Matrix3<double> inertia;
+template <class S>
+Matrix3<S> typed_inertia(const TableReader& table, const S& mass, ObjectShape& shape) {
+  std::vector<S> entries = table.numbers<S>("inertia", {3, 6}, Sign::any);
+  entries.resize(6, S(0));
+  const S xx = entries[0], yy = entries[1], zz = entries[2];
+  const S xy = entries[3], xz = entries[4], yz = entries[5];
+  Matrix3<S> inertia;
   inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  // A box has I_x = m/12 (b^2 + c^2) and so on: a^2 = 6/m (I_y + I_z - I_x).
+  const Vector3<double> moments = as_doubles<S>(inertia.diagonal());
+  const Eigen::Array3d squares = 6 / as_double(mass) * (moments.sum() - 2 * moments.array());
+  shape = {ObjectShape::Kind::unknown, squares.max(0).sqrt().matrix(), 2};
   return inertia;
 }
 
@@ -85,21 +99,26 @@ const Schema& object_schema() {
   return schema;
 }
 
-Object<double> read_object(const TableReader& table) {
-  Object<double> object;
-  object.mass = table.number("mass", Sign::positive);
+template <class S> Object<S> read_object(const TableReader& table, ObjectShape& shape) {
+  Object<S> object;
+  object.mass = table.number<S>("mass", Sign::positive);
   const std::string key = shape_key(table);
   if (key == "box") {
-    object.inertia = box_inertia(table, object.mass);
+    object.inertia = box_inertia(table, object.mass, shape);
   } else if (key == "inertia") {
-    object.inertia = typed_inertia(table);
+    object.inertia = typed_inertia(table, object.mass, shape);
   } else {
-    object.inertia = cylinder_inertia(table, object.mass);
+    object.inertia = cylinder_inertia(table, object.mass, shape);
   }
-  check_inertia(table, key, object.inertia);
+  Matrix3<double> rounded;
+  for (Index i = 0; i < 3; ++i) rounded.col(i) = as_doubles<S>(object.inertia.col(i));
+  check_inertia(table, key, rounded);
   object.center_of_mass.setZero();
-  if (table.has("center_of_mass")) object.center_of_mass = table.vector3("center_of_mass");
+  if (table.has("center_of_mass")) object.center_of_mass = table.vector3<S>("center_of_mass");
   return object;
 }
+
+template Object<double> read_object(const TableReader& table, ObjectShape& shape);
+template Object<Rational> read_object(const TableReader& table, ObjectShape& shape);
 
 } // namespace lcpush::host

@@ -1,6 +1,6 @@
 #include "scene_patch.hpp"
 
-#include "lcpush/mechanics/contact_frame.hpp"
+#include "exact_frame.hpp"
 #include "lcpush/mechanics/patch.hpp"
 #include "message.hpp"
 
@@ -47,29 +47,37 @@ const Shape& read_shape(const TableReader& table) {
   return shape;
 }
 
-void read_frame(const TableReader& table, Patch& patch) {
-  const Vector3<double> normal = table.vector3("normal");
-  if (normal.norm() < shortest_direction)
-    table.fail("normal", "normal must not be zero; give the direction into the object");
-  patch.normal = normal.normalized();
-  patch.tangent = default_tangent(patch.normal);
-  if (!table.has("tangent")) return;
-  const Vector3<double> direction = table.vector3("tangent").normalized();
-  if (cross(patch.normal, direction).norm() < typing_slack)
-    table.fail("tangent", "tangent must be neither zero nor parallel to the normal");
-  patch.tangent = tangent_along(patch.normal, direction);
+/// The sentence that a report gives to something irrational.
+std::string irrational(const TableReader& table, const std::string& what, bool is_plural) {
+  return "the " + what + " of " + table.label() + (is_plural ? " are" : " is") + " irrational: " +
+         (is_plural ? "their 53-bit values are used" : "its 53-bit value is used");
 }
 
-std::vector<Vector3<double>> read_vectors(const TableReader& table, const std::string& key,
-                                          Index most) {
-  std::vector<Vector3<double>> vectors;
-  for (const std::vector<double>& row : table.rows(key, 3, static_cast<std::size_t>(most)))
+template <class S> ContactFrame<S> read_frame(const TableReader& table) {
+  const Vector3<S> normal = table.vector3<S>("normal");
+  const Vector3<double> rounded = as_doubles(normal);
+  if (rounded.norm() < shortest_direction)
+    table.fail("normal", "normal must not be zero; give the direction into the object");
+  std::optional<Vector3<S>> direction;
+  if (table.has("tangent")) {
+    direction = table.vector3<S>("tangent");
+    if (cross<double>(rounded.normalized(), as_doubles(*direction).normalized()).norm() <
+        typing_slack)
+      table.fail("tangent", "tangent must be neither zero nor parallel to the normal");
+  }
+  return contact_frame(normal, direction);
+}
+
+template <class S>
+std::vector<Vector3<S>> read_vectors(const TableReader& table, const std::string& key, Index most) {
+  std::vector<Vector3<S>> vectors;
+  for (const std::vector<S>& row : table.rows<S>(key, 3, static_cast<std::size_t>(most)))
     vectors.push_back({row[0], row[1], row[2]});
   return vectors;
 }
 
 /// Makes room for `count` points.
-Span<Vector3<double>> resized(Patch& patch, Index count) {
+template <class S> Span<Vector3<S>> resized(Patch<S>& patch, Index count) {
   patch.positions.resize(static_cast<std::size_t>(count));
   return {patch.positions.data(), count};
 }
@@ -78,50 +86,55 @@ Index point_count(const TableReader& table, Index smallest, Index otherwise) {
   return table.has("points") ? table.whole("points", smallest, most_points) : otherwise;
 }
 
-void sample_line_shape(const TableReader& table, Patch& patch) {
-  const std::vector<Vector3<double>> ends = read_vectors(table, "ends", 2);
+template <class S> void sample_line_shape(const TableReader& table, Patch<S>& patch) {
+  const std::vector<Vector3<S>> ends = read_vectors<S>(table, "ends", 2);
   if (ends.size() != 2) table.fail("ends", "ends must be a list of 2 points, got 1");
-  sample_line(ends[0], ends[1], resized(patch, point_count(table, 2, 2)));
+  sample_line<S>(ends[0], ends[1], resized(patch, point_count(table, 2, 2)));
 }
 
-void sample_round_shape(const TableReader& table, bool is_disc, Patch& patch) {
-  const Vector3<double> center = table.vector3("center"), t = patch.tangent;
-  const Vector3<double> o = cross(patch.normal, t);
-  const double radius = table.number("radius", Sign::positive);
+template <class S>
+void sample_round_shape(const TableReader& table, bool is_disc, const ContactFrame<S>& frame,
+                        Patch<S>& patch) {
+  const Vector3<S> center = table.vector3<S>("center");
+  const S radius = table.number<S>("radius", Sign::positive);
   const Index count = point_count(table, is_disc ? 1 : 2, default_round_points);
-  const auto sample = is_disc ? sample_disc<double> : sample_ring<double>;
-  sample(center, t, o, radius, resized(patch, count));
+  if (!sample_round(is_disc, center, frame, radius, resized(patch, count)))
+    patch.inexact.push_back(irrational(table, "points", true));
 }
 
-void sample_rectangle_shape(const TableReader& table, Patch& patch) {
-  const Vector3<double> center = table.vector3("center"), t = patch.tangent;
-  const Vector3<double> o = cross(patch.normal, t);
-  const std::vector<double> size = table.numbers("size", {2}, Sign::positive);
+template <class S> void sample_rectangle_shape(const TableReader& table, Patch<S>& patch) {
+  const Vector3<S> center = table.vector3<S>("center"), t = patch.tangent;
+  const Vector3<S> o = cross(patch.normal, t);
+  const std::vector<S> size = table.numbers<S>("size", {2}, Sign::positive);
   std::vector<Index> counts = {2, 2};
   if (table.has("points")) counts = table.wholes("points", 2, 1, most_points);
   const Index count = counts[0] * counts[1];
   if (count > most_points)
     table.fail("points", "points must make at most " + std::to_string(most_points) +
                              " altogether, got " + std::to_string(count));
-  sample_rectangle(center, t, o, size[0], size[1], counts[0], counts[1], resized(patch, count));
+  sample_rectangle<S>(center, t, o, size[0], size[1], counts[0], counts[1], resized(patch, count));
 }
 
-void sample_shape(const TableReader& table, const std::string& shape, Patch& patch) {
+template <class S>
+void sample_shape(const TableReader& table, const std::string& shape, const ContactFrame<S>& frame,
+                  Patch<S>& patch) {
   if (shape == "point") {
-    patch.positions = {table.vector3("center")};
+    patch.positions = {table.vector3<S>("center")};
   } else if (shape == "line") {
     sample_line_shape(table, patch);
   } else if (shape == "rectangle") {
     sample_rectangle_shape(table, patch);
   } else if (shape == "points") {
-    patch.positions = read_vectors(table, "points", most_points);
+    patch.positions = read_vectors<S>(table, "points", most_points);
   } else {
-    sample_round_shape(table, shape == "disc", patch);
+    sample_round_shape(table, shape == "disc", frame, patch);
   }
 }
 
-void check_points(const TableReader& table, const std::string& key, const Patch& patch) {
-  const std::vector<Vector3<double>>& points = patch.positions;
+template <class S>
+void check_points(const TableReader& table, const std::string& key, const Patch<S>& patch) {
+  std::vector<Vector3<double>> points;
+  for (const Vector3<S>& p : patch.positions) points.push_back(as_doubles(p));
   double size = 0;
   for (const Vector3<double>& p : points) size = std::max(size, (p - points[0]).norm());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -149,13 +162,18 @@ const Schema& patch_schema() {
   return schema;
 }
 
-Patch read_patch(const TableReader& table) {
+template <class S> Patch<S> read_patch(const TableReader& table) {
   const Shape& shape = read_shape(table);
-  Patch patch;
-  read_frame(table, patch);
-  sample_shape(table, shape.name, patch);
+  const ContactFrame<S> frame = read_frame<S>(table);
+  Patch<S> patch{frame.normal, frame.tangent, {}, {}};
+  if (!frame.normal_exact) patch.inexact.push_back(irrational(table, "normal", false));
+  if (!frame.tangent_exact) patch.inexact.push_back(irrational(table, "tangent", false));
+  sample_shape(table, shape.name, frame, patch);
   check_points(table, shape.name == "line" ? "ends" : "points", patch);
   return patch;
 }
+
+template Patch<double> read_patch(const TableReader& table);
+template Patch<Rational> read_patch(const TableReader& table);
 
 } // namespace lcpush::host

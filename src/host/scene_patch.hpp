@@ -4,21 +4,24 @@
 #include "lcpush/types.hpp"
 #include "table_reader.hpp"
 
+#include <string>
 #include <vector>
 
 namespace lcpush::host {
 
 /// A contact patch in the scene's frame.
-struct Patch {
-  Vector3<double> normal;  ///< unit, into the object
-  Vector3<double> tangent; ///< unit, orthogonal to the normal
-  std::vector<Vector3<double>> positions;
+template <class S> struct Patch {
+  Vector3<S> normal;  ///< unit, into the object
+  Vector3<S> tangent; ///< unit, orthogonal to the normal
+  std::vector<Vector3<S>> positions;
+  std::vector<std::string> inexact; ///< as SceneOf has it
 };
 
 /// The keys of every shape, and of the contact frame.
 const Schema& patch_schema();
 
 /// Reads and samples the patch: one point or more, no two coincident, all in one contact plane.
-Patch read_patch(const TableReader& table);
+/// S is double or Rational.
+template <class S> Patch<S> read_patch(const TableReader& table);
 
 } // namespace lcpush::host

@@ -40,13 +40,10 @@ using Question = std::function<bool(double factor)>; // does the scene hold at t
 
 /// Counts the pivots of everything that is asked, so that a search costs seconds and no more. A
 /// count and no clock: the same input gives the same bits.
-class Work {
+class Work : public Watcher {
 public:
   explicit Work(const PushOptions& options) : given_(options), counting_(options) {
-    counting_.lemke.on_pivot = [](void* self, const Lemke<double>& lemke) {
-      static_cast<Work*>(self)->count(lemke);
-    };
-    counting_.lemke.context = this;
+    counting_.watcher = this;
     counting_.other_covers = 0;
   }
   Work(const Work&) = delete;
@@ -55,16 +52,16 @@ public:
   const PushOptions& options() const { return counting_; }
   bool is_used_up() const { return multiplications_ > most; }
 
+  void stepped(const Lemke<double>& lemke) override {
+    const auto n = static_cast<double>(lemke.dictionary().size());
+    multiplications_ += n * n + overhead;
+    if (given_.watcher != nullptr) given_.watcher->stepped(lemke);
+  }
+
 private:
   PushOptions given_, counting_;
   static constexpr double most = 1e10, overhead = 5e5; // overhead: what a small pivot costs
   double multiplications_ = 0;
-
-  void count(const Lemke<double>& lemke) {
-    const auto n = static_cast<double>(lemke.dictionary().size());
-    multiplications_ += n * n + overhead;
-    if (given_.lemke.on_pivot != nullptr) given_.lemke.on_pivot(given_.lemke.context, lemke);
-  }
 };
 
 struct Precision {
@@ -201,10 +198,12 @@ Status find_holding(const SceneFile& file, const PushOptions& options, Holding<d
   if (assembly.assemble(even.scene) != Status::running) return Status::bad_input;
   std::vector<double> scalars(static_cast<std::size_t>(holding_scalars(size)));
   std::vector<int> integers(static_cast<std::size_t>(holding_integers(size)));
+  Watcher nobody;
   return lcpush::find_holding(assembly,
                               {{scalars.data(), static_cast<Index>(scalars.size())},
                                {integers.data(), static_cast<Index>(integers.size())}},
-                              options.lemke, holding);
+                              options.lemke, holding,
+                              options.watcher != nullptr ? *options.watcher : nobody);
 }
 
 double rest_tolerance(Solver solver) {

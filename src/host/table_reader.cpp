@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace lcpush::host {
@@ -93,7 +94,8 @@ std::size_t TableReader::choice(const std::string& key,
                 suggestion(word, choices));
 }
 
-double TableReader::as_number(const std::string& what, const TomlValue& value, Sign sign) const {
+double TableReader::checked_number(const std::string& what, const TomlValue& value,
+                                   Sign sign) const {
   double number = 0;
   if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
     number = static_cast<double>(*whole);
@@ -112,8 +114,20 @@ double TableReader::as_number(const std::string& what, const TomlValue& value, S
   return number;
 }
 
-double TableReader::number(const std::string& key, Sign sign) const {
-  return as_number(key, require(key), sign);
+template <class S>
+S TableReader::as_number(const std::string& what, const TomlValue& value, Sign sign) const {
+  const double number = checked_number(what, value, sign);
+  if constexpr (std::is_same_v<S, double>) {
+    return number;
+  } else {
+    if (std::optional<S> exact = S::parse(value.digits)) return std::move(*exact);
+    fail_at(value.line, what + " is too long to be read exactly, got " + described(value) +
+                            "; use exponents within +-1000 and at most 10,000 digits");
+  }
+}
+
+template <class S> S TableReader::number(const std::string& key, Sign sign) const {
+  return as_number<S>(key, require(key), sign);
 }
 
 Index TableReader::as_whole(const std::string& what, const TomlValue& value, Index smallest,
@@ -141,22 +155,23 @@ const TomlArray& TableReader::as_list(const std::string& what, const TomlValue& 
           what + " must be a list of " + listed(allowed, "or") + " numbers, got " + got);
 }
 
-std::vector<double> TableReader::as_numbers(const std::string& what, const TomlValue& value,
-                                            const std::vector<std::size_t>& lengths,
-                                            Sign sign) const {
-  std::vector<double> result;
+template <class S>
+std::vector<S> TableReader::as_numbers(const std::string& what, const TomlValue& value,
+                                       const std::vector<std::size_t>& lengths, Sign sign) const {
+  std::vector<S> result;
   for (const TomlValue& element : as_list(what, value, lengths))
-    result.push_back(as_number(entry_of(what, result.size()), element, sign));
+    result.push_back(as_number<S>(entry_of(what, result.size()), element, sign));
   return result;
 }
 
-std::vector<double> TableReader::numbers(const std::string& key,
-                                         const std::vector<std::size_t>& lengths, Sign sign) const {
-  return as_numbers(key, require(key), lengths, sign);
+template <class S>
+std::vector<S> TableReader::numbers(const std::string& key, const std::vector<std::size_t>& lengths,
+                                    Sign sign) const {
+  return as_numbers<S>(key, require(key), lengths, sign);
 }
 
-Vector3<double> TableReader::vector3(const std::string& key, Sign sign) const {
-  const std::vector<double> list = numbers(key, {3}, sign);
+template <class S> Vector3<S> TableReader::vector3(const std::string& key, Sign sign) const {
+  const std::vector<S> list = numbers<S>(key, {3}, sign);
   return {list[0], list[1], list[2]};
 }
 
@@ -186,12 +201,26 @@ std::vector<std::string> TableReader::texts(const std::string& key, std::size_t 
   return result;
 }
 
-std::vector<std::vector<double>> TableReader::rows(const std::string& key, std::size_t width,
-                                                   std::size_t most) const {
-  std::vector<std::vector<double>> result;
+template <class S>
+std::vector<std::vector<S>> TableReader::rows(const std::string& key, std::size_t width,
+                                              std::size_t most) const {
+  std::vector<std::vector<S>> result;
   for (const TomlValue& element : list(key, most))
-    result.push_back(as_numbers(entry_of(key, result.size()), element, {width}, Sign::any));
+    result.push_back(as_numbers<S>(entry_of(key, result.size()), element, {width}, Sign::any));
   return result;
 }
+
+template double TableReader::number(const std::string&, Sign) const;
+template std::vector<double> TableReader::numbers(const std::string&,
+                                                  const std::vector<std::size_t>&, Sign) const;
+template Vector3<double> TableReader::vector3(const std::string&, Sign) const;
+template std::vector<std::vector<double>> TableReader::rows(const std::string&, std::size_t,
+                                                            std::size_t) const;
+template Rational TableReader::number(const std::string&, Sign) const;
+template std::vector<Rational> TableReader::numbers(const std::string&,
+                                                    const std::vector<std::size_t>&, Sign) const;
+template Vector3<Rational> TableReader::vector3(const std::string&, Sign) const;
+template std::vector<std::vector<Rational>> TableReader::rows(const std::string&, std::size_t,
+                                                              std::size_t) const;
 
 } // namespace lcpush::host

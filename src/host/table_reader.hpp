@@ -1,6 +1,7 @@
 // One TOML table of a scene file: typed, checked access to its keys.
 #pragma once
 
+#include "lcpush/host/rational.hpp"
 #include "lcpush/host/toml.hpp"
 #include "lcpush/types.hpp"
 
@@ -21,6 +22,7 @@ enum class Sign { any, not_negative, positive };
 
 /// Every reading function throws InputError, with file, line and the table's label, if the key is
 /// missing or its value is of another type, length or range. Optional keys: ask has() first.
+/// Numbers come as S = double, or as S = Rational exactly as typed; both pass the same checks.
 class TableReader {
 public:
   /// Refuses keys that `schema` does not list. `label` starts every message, e.g. `finger "left"`;
@@ -29,23 +31,27 @@ public:
 
   bool has(const std::string& key) const { return table_.find(key) != nullptr; }
   int line() const { return table_.line; }
+  const std::string& label() const { return label_; }
 
   bool boolean(const std::string& key) const;
   /// Neither empty nor with control characters, so that every report can print it.
   std::string text(const std::string& key) const;
   /// The index of the text among `choices`.
   std::size_t choice(const std::string& key, const std::vector<std::string>& choices) const;
-  double number(const std::string& key, Sign sign) const;
+  template <class S = double> S number(const std::string& key, Sign sign) const;
   Index whole(const std::string& key, Index smallest, Index largest) const;
   /// A list whose length is one of `lengths`.
-  std::vector<double> numbers(const std::string& key, const std::vector<std::size_t>& lengths,
-                              Sign sign) const;
-  Vector3<double> vector3(const std::string& key, Sign sign = Sign::any) const;
+  template <class S = double>
+  std::vector<S> numbers(const std::string& key, const std::vector<std::size_t>& lengths,
+                         Sign sign) const;
+  template <class S = double>
+  Vector3<S> vector3(const std::string& key, Sign sign = Sign::any) const;
   /// A list of one to `most` texts.
   std::vector<std::string> texts(const std::string& key, std::size_t most) const;
   /// A list of one to `most` lists of `width` numbers each.
-  std::vector<std::vector<double>> rows(const std::string& key, std::size_t width,
-                                        std::size_t most) const;
+  template <class S = double>
+  std::vector<std::vector<S>> rows(const std::string& key, std::size_t width,
+                                   std::size_t most) const;
   /// A list of `size` whole numbers within the range.
   std::vector<Index> wholes(const std::string& key, std::size_t size, Index smallest,
                             Index largest) const;
@@ -61,11 +67,13 @@ private:
   const TomlArray& as_list(const std::string& what, const TomlValue& value,
                            const std::vector<std::size_t>& lengths) const;
   std::string as_text(const std::string& what, const TomlValue& value) const;
-  double as_number(const std::string& what, const TomlValue& value, Sign sign) const;
+  double checked_number(const std::string& what, const TomlValue& value, Sign sign) const;
+  template <class S> S as_number(const std::string& what, const TomlValue& value, Sign sign) const;
   Index as_whole(const std::string& what, const TomlValue& value, Index smallest,
                  Index largest) const;
-  std::vector<double> as_numbers(const std::string& what, const TomlValue& value,
-                                 const std::vector<std::size_t>& lengths, Sign sign) const;
+  template <class S>
+  std::vector<S> as_numbers(const std::string& what, const TomlValue& value,
+                            const std::vector<std::size_t>& lengths, Sign sign) const;
 
   const std::string& file_;
   const TomlTable& table_;

@@ -214,10 +214,10 @@ TomlValue TomlParser::parse_value(int depth) {
     if (depth > 0) fail("true and false are not supported in a list; use numbers or strings");
     return {line, word == "true"};
   }
-  const TomlNumber number = read_toml_number(word);
+  TomlNumber number = read_toml_number(word);
   if (number.error) fail(*number.error);
-  if (number.is_whole) return {line, number.whole};
-  return {line, number.real};
+  if (number.is_whole) return {line, number.whole, std::move(number.digits)};
+  return {line, number.real, std::move(number.digits)};
 }
 
 TomlArray TomlParser::parse_array(int depth) {

@@ -88,6 +88,7 @@ TomlNumber read_toml_number(std::string_view word) {
   }
   const std::string& plain = scanner.plain();
   const char* const end = plain.data() + plain.size();
+  number.digits = plain;
   number.is_whole = scanner.is_whole();
   const std::errc outcome = number.is_whole ? std::from_chars(plain.data(), end, number.whole).ec
                                             : std::from_chars(plain.data(), end, number.real).ec;

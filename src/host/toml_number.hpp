@@ -13,6 +13,7 @@ struct TomlNumber {
   bool is_whole = false; ///< then `whole` holds the value, else `real`
   std::int64_t whole = 0;
   double real = 0;
+  std::string digits;               ///< as typed, without plus sign and underscores
   std::optional<std::string> error; ///< if set, nothing else holds
 };
 

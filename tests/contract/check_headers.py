@@ -104,7 +104,7 @@ def check(root):
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) < 2:
         sys.exit(__doc__)
     count, faults = check(sys.argv[1])
     for fault in faults:

@@ -71,9 +71,9 @@ std::string stop_and_wall(const std::string& motion) {
 }
 
 const std::vector<host::NamedValue> oblique = {{"normal of stop.1", 1},
-                                               {"friction of stop.1 along (0, -1, 0)", 0.1},
+                                               {"friction of stop.1 along -y", 0.1},
                                                {"normal of wall.1", 1},
-                                               {"friction of wall.1 along (0, 1, 0)", 0.1}};
+                                               {"friction of wall.1 along +y", 0.1}};
 
 } // namespace
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "support/checked_sweeps.hpp"
 #include "support/grasp_families.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"
@@ -191,33 +192,27 @@ TEST_CASE("from a solution one check is enough, and sweeps go on from where they
     Grasp<double> grasp(Family::plain, seed, 1e-9);
     REQUIRE(grasp.solve() == Status::solved);
     const VectorX<double> start = grasp.run.z();
-    Index checks = 0;
     grasp.options.tolerance = 1e-6;
-    grasp.options.context = &checks;
-    grasp.options.on_check = [](void* context, Index, const double*, const double&) {
-      ++*static_cast<Index*>(context);
-    };
-    CHECK(grasp.solve(start.data()) == Status::solved);
+    CheckedSweeps<double> checked;
+    CHECK(grasp.run.sweeps.init(grasp.problem, grasp.options, start.data(), checked) ==
+          Status::solved);
+    CHECK(grasp.run.sweeps.solve(checked) == Status::solved);
     CHECK(grasp.run.sweeps.sweeps() == 0);
-    CHECK(checks == 1);
+    CHECK(checked.sweeps.size() == 1);
   }
 }
 
 TEST_CASE("plain sweeps: step by step is the same run as solve, checked every ten sweeps") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Grasp<double> whole(Family::plain, seed, 1e-6, false), single(Family::plain, seed, 1e-6, false);
-    std::vector<Index> checks;
+    CheckedSweeps<double> checked;
     whole.options.max_sweeps = single.options.max_sweeps = 25;
-    single.options.context = &checks;
-    single.options.on_check = [](void* context, Index sweep, const double*, const double&) {
-      static_cast<std::vector<Index>*>(context)->push_back(sweep);
-    };
     const Status expected = whole.solve();
-    Status status = single.run.sweeps.init(single.problem, single.options);
-    while (status == Status::running) status = single.run.sweeps.sweep();
+    Status status = single.run.sweeps.init(single.problem, single.options, nullptr, checked);
+    while (status == Status::running) status = single.run.sweeps.sweep(checked);
     CHECK(status == expected);
     CHECK(single.run.z() == whole.run.z());
-    if (status == Status::sweep_limit) CHECK(checks == std::vector<Index>{0, 10, 20, 25});
+    if (status == Status::sweep_limit) CHECK(checked.sweeps == std::vector<Index>{0, 10, 20, 25});
   }
 }
 

@@ -1,13 +1,14 @@
 // The compact dictionary and its only operation, the exchange.
 #include <doctest/doctest.h>
 
+#include "lcpush/host/rational.hpp"
 #include "lcpush/lcp/dictionary.hpp"
 #include "support/dense_lcp.hpp"
 #include "support/owned_dictionary.hpp"
-#include "support/rational.hpp"
 
 using namespace lcpush;
 using namespace lcpush::test;
+using host::Rational;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "support/checked_sweeps.hpp"
 #include "support/sweep_runs.hpp"
 #include "support/textbook.hpp"
 
@@ -226,23 +227,16 @@ TEST_CASE("sweep by sweep is the same run as solve") {
   CHECK(single.z() == whole.z());
 }
 
-TEST_CASE("on_check sees every check: at the start, every so many sweeps, and the last one") {
-  struct Seen {
-    std::vector<Index> sweeps;
-    double last = -1;
-  } seen;
+TEST_CASE("an observer sees every check: at the start, every so many sweeps, and the last one") {
+  CheckedSweeps<double> seen;
   const DenseLcp<double> lcp = positive_definite(6, 10);
   SweepOptions<double> options;
   options.tolerance = 0;
   options.max_sweeps = 11;
   options.check_every = 4;
-  options.context = &seen;
-  options.on_check = [](void* context, Index sweep, const double*, const double& residual) {
-    static_cast<Seen*>(context)->sweeps.push_back(sweep);
-    static_cast<Seen*>(context)->last = residual;
-  };
   SweepRun<double> run(10);
-  CHECK(run.solve(lcp, options) == Status::sweep_limit);
+  CHECK(run.sweeps.init(lcp.view(), options, seen) == Status::running);
+  CHECK(run.sweeps.solve(seen) == Status::sweep_limit);
   CHECK(seen.sweeps == std::vector<Index>{0, 4, 8, 11});
   CHECK(seen.last == run.sweeps.residual().residual);
 }

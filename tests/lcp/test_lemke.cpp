@@ -161,18 +161,6 @@ TEST_CASE("step by step is the same run as solve, one pivot a step") {
   CHECK(single.lemke.pivots() == steps);
 }
 
-TEST_CASE("on_pivot is called once a step with the caller's context") {
-  const DenseLcp<double> lcp = positive_definite(8, 8);
-  Index calls = 0;
-  LemkeOptions<double> options;
-  options.context = &calls;
-  options.on_pivot = [](void* context, const Lemke<double>& lemke) {
-    CHECK(++*static_cast<Index*>(context) == lemke.pivots());
-  };
-  LemkeRun<double> run(8);
-  REQUIRE(run.solve(lcp, options) == Status::solved);
-  CHECK(calls == run.lemke.pivots());
-}
 
 TEST_CASE("every basis on the way keeps all values >= 0 and exactly one pair open") {
   const DenseLcp<double> lcp = positive_definite(9, 10);

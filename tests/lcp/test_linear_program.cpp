@@ -3,12 +3,13 @@
 
 #include <doctest/doctest.h>
 
+#include "lcpush/host/rational.hpp"
 #include "lcpush/lcp/linear_program.hpp"
 #include "support/dense_lcp.hpp"
-#include "support/rational.hpp"
 
 using namespace lcpush;
 using namespace lcpush::test;
+using host::Rational;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "lcpush/host/jam.hpp"
 #include "lcpush/host/scene_io.hpp"
 #include "lcpush/host/solver.hpp"
+#include "lcpush/host/watcher.hpp"
 #include "lcpush/mechanics/breaking.hpp"
 #include "lcpush/mechanics/motion.hpp"
 #include "lcpush/mechanics/uniqueness.hpp"
@@ -21,6 +22,8 @@ struct NamedValue {
 
 /// "left.3": point 3 (counted from 1) of body "left".
 std::string point_name(const SceneFile& file, Index point);
+/// "+x" or "-z" along an axis, else "(0.707, 0.707, 0)".
+std::string direction_text(const Vector3<double>& direction);
 /// Sweeps end at their own scaled residual; the laws, in SI units, are to pass theirs as well.
 constexpr SweepOptions<double> strict_sweeps() {
   SweepOptions<double> options;
@@ -41,6 +44,8 @@ struct PushOptions {
   bool record_history = false; ///< PushReport::history; costs a check of the laws each time
   Index other_covers = 3;      ///< covers tried in search of another answer
   bool explain_jams = true;    ///< solve again with each change that might free a jam
+  Watcher* watcher = nullptr;  ///< told of all pivots and sweeps of the answer; not of the search
+                               ///< for others
 };
 
 struct PushReport {
@@ -86,14 +91,25 @@ struct BreakReport {
 };
 
 /// The scene as it is solved: a file's scene, spread evenly if it says so.
-struct EvenScene {
-  std::vector<Body<double>> bodies;
-  std::vector<Actuator<double>> actuators;
-  std::vector<Drive<double>> drives;
-  Scene<double> scene; ///< over these arrays, and over the given scene's
+template <class S> struct EvenSceneOf {
+  std::vector<Body<S>> bodies;
+  std::vector<Actuator<S>> actuators;
+  std::vector<Drive<S>> drives;
+  Scene<S> scene; ///< over these arrays, and over the given scene's
 
-  explicit EvenScene(const Scene<double>& given);
+  explicit EvenSceneOf(const Scene<S>& given) {
+    const EvenSize size = even_size(given);
+    bodies.resize(static_cast<std::size_t>(size.bodies));
+    actuators.resize(static_cast<std::size_t>(size.actuators));
+    drives.resize(static_cast<std::size_t>(size.drives));
+    const EvenMemory<S> memory{{bodies.data(), size.bodies},
+                               {actuators.data(), size.actuators},
+                               {drives.data(), size.drives}};
+    // A file whose actuators drive several bodies is refused when it is read.
+    if (spread_evenly(given, memory, scene) != Status::solved) scene = given;
+  }
 };
+using EvenScene = EvenSceneOf<double>;
 
 class Push {
 public:
@@ -108,11 +124,14 @@ public:
   HoldReport holds_without_push(const PushOptions& options);
   BreakReport find_breaking(Index pusher, const PushOptions& options);
 
-  /// Unknown i of layout(): "normal of left.3", "pull of wall.1", "friction of left.3 along (0, 1,
-  /// 0)", "slip of left.3", "closing of left".
+  /// Unknown i of layout(): "normal of left.3", "pull of wall.1", "friction of left.3 along +y",
+  /// "slip of left.3", "closing of left".
   std::string variable_name(Index i) const;
 
   const SceneFile& file() const { return file_; }
+  /// Under even pressure an actuator is one point's share of the file's, named after the point.
+  std::string actuator_name(Index actuator) const;
+  const Scene<double>& scene() const { return scene_; } ///< as solved: even pressure is spread
   const Layout<double>& layout() const { return assembly_.layout(); }
   Assembly<double>& assembly() { return assembly_; }
 
@@ -130,11 +149,11 @@ private:
   Index swept_before_ = 0; // in the rounds that are over
   BlockGaussSeidel<double> sweeps_;
 
+  class Listener;
   Lemke<double>& pivots();
   void record(Index sweep, const double* z);
   template <class Use> Status with_rounds(const PushOptions& options, const Use& use);
   Status run(const PushOptions& options, double sigma, PressureRun& run);
-  std::string actuator_name(Index actuator) const;
   void name_file_bodies();
   Outcome<double> outcome() const;
   std::string explain(Status status, const PressureRun& run) const;

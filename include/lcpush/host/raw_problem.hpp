@@ -5,7 +5,7 @@
 
 #include "lcpush/host/matrix_market.hpp"
 #include "lcpush/host/solver.hpp"
-#include "lcpush/lcp/lemke.hpp"
+#include "lcpush/host/watcher.hpp"
 #include "lcpush/lcp/sweep_options.hpp"
 
 namespace lcpush::host {
@@ -38,18 +38,18 @@ struct RawAnswer {
   std::vector<SweepResidual> history; ///< of every check between sweeps
 };
 
-/// Solves w = M z + q, 0 <= z _|_ w >= 0 (rows marked free: w = 0, z free). Every answer called
-/// solved has passed natural_residual on the problem as given.
-/// Memory: two (with free unknowns five) matrices of the size of M.
-RawAnswer solve_raw(const RawProblem& problem, const LemkeOptions<double>& options);
-
 struct RawOptions {
   Solver solver = Solver::lemke;
   LemkeOptions<double> lemke{};
   SweepOptions<double> sweeps{}; ///< max_sweeps, check_every and relaxation count
+  Watcher* watcher = nullptr;    ///< told of all pivots and checks of sweeps
 };
 
-/// The same by any solver. Gauss-Seidel takes the rows one by one and wants a positive diagonal
+/// Solves w = M z + q, 0 <= z _|_ w >= 0 (rows marked free: w = 0, z free). Every answer called
+/// solved has passed natural_residual on the problem as given.
+/// Memory: two (with free unknowns five) matrices of the size of M.
+///
+/// Gauss-Seidel takes the rows one by one and wants a positive diagonal
 /// (bad_input and bad_diagonal otherwise); what it calls solved has passed Lemke's bound. Hybrid
 /// sweeps where the diagonal allows it, goes on with pivots from there, and pivots from zero if
 /// that fails: it is never less reliable than Lemke.

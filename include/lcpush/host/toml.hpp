@@ -21,6 +21,8 @@ using TomlArray = std::vector<TomlValue>;
 struct TomlValue {
   int line; ///< where the value starts, from 1
   std::variant<bool, std::int64_t, double, std::string, TomlArray> data;
+  /// A number as typed, without plus sign and underscores; empty for everything else.
+  std::string digits = {};
 };
 
 struct TomlEntry {

@@ -14,6 +14,7 @@
 #include "lcpush/lcp/proximal_newton.hpp"
 #include "lcpush/lcp/residual.hpp"
 #include "lcpush/lcp/sweep_options.hpp"
+#include "lcpush/lcp/trace.hpp"
 #include "lcpush/status.hpp"
 
 namespace lcpush {
@@ -35,14 +36,21 @@ public:
   /// cannot keep that sum group (it is no simplex: it couples friction or has inertia), -1 if the
   /// memory is too small.
   [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options = {},
-                            const S* start = nullptr);
+                            const S* start = nullptr) {
+    return init(problem, options, start, unobserved);
+  }
+  template <class Observer>
+  [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options,
+                            const S* start, Observer& observer);
 
   /// One pass over all groups; post: running, or how the run ended. Cost: O(forces).
-  [[nodiscard]] Status sweep();
+  [[nodiscard]] Status sweep() { return sweep(unobserved); }
+  template <class Observer> [[nodiscard]] Status sweep(Observer& observer);
 
   /// Sweeps to the end, accelerated if the options say so.
   /// Post: solved (the check was passed), sweep_limit or stagnated.
-  [[nodiscard]] Status solve();
+  [[nodiscard]] Status solve() { return solve(unobserved); }
+  template <class Observer> [[nodiscard]] Status solve(Observer& observer);
 
   Status status() const { return status_; }
   Index sweeps() const { return sweeps_; } ///< passes over all groups, of either kind
@@ -81,8 +89,8 @@ private:
   void recover_multipliers();
   S squeeze() const;
   bool passes() const;
-  Status check();
-  Status finish();
+  template <class Observer> Status check(Observer& observer);
+  template <class Observer> Status finish(Observer& observer);
 };
 
 } // namespace lcpush

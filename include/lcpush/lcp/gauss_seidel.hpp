@@ -10,6 +10,7 @@
 #include "lcpush/lcp/problem.hpp"
 #include "lcpush/lcp/residual.hpp"
 #include "lcpush/lcp/sweep_options.hpp"
+#include "lcpush/lcp/trace.hpp"
 #include "lcpush/status.hpp"
 
 namespace lcpush {
@@ -23,14 +24,18 @@ public:
 
   /// `problem` is dense and outlives the run; starts at z = 0. Post: running; or bad_input, with
   /// bad_row() >= 0 if that row's diagonal is not positive, -1 if the memory is too small.
-  [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options = {});
+  template <class Observer = const Unobserved>
+  [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options = {},
+                            Observer& observer = unobserved);
 
   /// One pass over all rows. Post: running, or how the run ended. Cost: n^2 multiply-adds.
-  [[nodiscard]] Status sweep();
+  template <class Observer = const Unobserved>
+  [[nodiscard]] Status sweep(Observer& observer = unobserved);
 
   /// Sweeps to the end. Post: solved (the check was passed), sweep_limit or stagnated.
-  [[nodiscard]] Status solve() {
-    while (status_ == Status::running) (void)sweep();
+  template <class Observer = const Unobserved>
+  [[nodiscard]] Status solve(Observer& observer = unobserved) {
+    while (status_ == Status::running) (void)sweep(observer);
     return status_;
   }
 
@@ -51,11 +56,13 @@ private:
   Span<S> z_, w_, unit_, check_w_, check_scratch_;
 
   S diagonal(Index i) const { return problem_.matrix[i * problem_.size + i]; }
-  Status check();
+  template <class Observer> Status check(Observer& observer);
 };
 
 template <class S>
-Status GaussSeidel<S>::init(const Problem<S>& problem, const SweepOptions<S>& options) {
+template <class Observer>
+Status GaussSeidel<S>::init(const Problem<S>& problem, const SweepOptions<S>& options,
+                            Observer& observer) {
   using Eigen::numext::sqrt;
   problem_ = problem;
   options_ = options;
@@ -76,10 +83,10 @@ Status GaussSeidel<S>::init(const Problem<S>& problem, const SweepOptions<S>& op
     w_[i] = problem.q[i];
   }
   status_ = Status::running;
-  return check();
+  return check(observer);
 }
 
-template <class S> Status GaussSeidel<S>::sweep() {
+template <class S> template <class Observer> Status GaussSeidel<S>::sweep(Observer& observer) {
   if (status_ != Status::running) return status_;
   const Index n = problem_.size;
   for (Index i = 0; i < n; ++i) {
@@ -94,19 +101,18 @@ template <class S> Status GaussSeidel<S>::sweep() {
   ++sweeps_;
   const bool last = sweeps_ >= options_.max_sweeps;
   if (!last && sweeps_ % options_.check_every != 0) return status_;
-  if (check() == Status::running && last) status_ = Status::sweep_limit;
+  if (check(observer) == Status::running && last) status_ = Status::sweep_limit;
   return status_;
 }
 
 /// The referee's word; w_ is taken from it, as rounding has piled up in ours.
-template <class S> Status GaussSeidel<S>::check() {
+template <class S> template <class Observer> Status GaussSeidel<S>::check(Observer& observer) {
   constexpr Index patience = 1000; // sweeps without a better residual
   residual_ = natural_residual(
       problem_, problem_.q, z_.data, unit_.data, [&](Index i) { return i >= problem_.free_begin; },
       check_w_.data, check_scratch_.data);
   for (Index i = 0; i < problem_.size; ++i) w_[i] = check_w_[i];
-  if (options_.on_check != nullptr)
-    options_.on_check(options_.context, sweeps_, z_.data, residual_.residual);
+  observer.checked(*this);
   if (residual_.residual <= options_.tolerance) return status_ = Status::solved;
   const bool better = sweeps_ == 0 || residual_.residual < best_residual_;
   if (better) {

@@ -14,6 +14,7 @@
 #include "lcpush/lcp/problem.hpp"
 #include "lcpush/lcp/ratio_test.hpp"
 #include "lcpush/lcp/residual.hpp"
+#include "lcpush/lcp/trace.hpp"
 #include "lcpush/status.hpp"
 
 namespace lcpush {
@@ -46,8 +47,6 @@ constexpr const char* reason_text(Reason reason) {
   return "";
 }
 
-template <class S> class Lemke;
-
 template <class S> struct LemkeOptions {
   TieRule tie_rule = TieRule::generic;
   Tolerances<S> tolerances{};
@@ -56,8 +55,6 @@ template <class S> struct LemkeOptions {
   Index covers = 6;         ///< generic covers tried before a failure is reported
   const S* cover = nullptr; ///< n numbers > 0 to use instead of generic ones, tried once
   bool equilibrate = true;  ///< switch off for exact scalars and for teaching
-  void (*on_pivot)(void* context, const Lemke<S>&) = nullptr; ///< called by solve() a pivot
-  void* context = nullptr;
 };
 
 /// What a start from given unknowns knows about them.
@@ -101,11 +98,14 @@ public:
   [[nodiscard]] Status init(const Problem<S>& problem, const LemkeOptions<S>& options,
                             const unsigned char* active, Guess guess = Guess::basis);
 
-  /// One pivot. Post: running, or how the run ended. Solved means that the check was passed.
-  [[nodiscard]] Status step();
+  /// At most one pivot. Post: running, or how the run ended. Solved means that the check was
+  /// passed. The observer (trace.hpp) outlives the call.
+  template <class Observer> [[nodiscard]] Status step(Observer& observer);
+  [[nodiscard]] Status step() { return step(unobserved); }
 
   /// Steps to the end. A failure makes it try the other generic covers before it is reported.
-  [[nodiscard]] Status solve();
+  template <class Observer> [[nodiscard]] Status solve(Observer& observer);
+  [[nodiscard]] Status solve() { return solve(unobserved); }
 
   Status status() const { return status_; }
   Reason reason() const { return reason_; }
@@ -114,6 +114,9 @@ public:
   const Pivot& last_pivot() const { return last_; }
   const Dictionary<S>& dictionary() const { return dictionary_; }
   S artificial_value() const;
+  /// A finite value of z_i, or w_i, in the dictionary times this is the one of the problem as given.
+  S unknown_unit(Index i) const { return level_scale_[finite_level()] * column_scale_[i]; }
+  S slack_unit(Index i) const { return level_scale_[finite_level()] / row_scale_[i]; }
 
   /// After solved: z (free unknowns at their finite value) and dz/dsigma of the push.
   const S* z() const { return solution_.col(finite_level()).data(); }
@@ -190,8 +193,8 @@ private:
   bool refactorise();
   bool drifted();
   void scaled_product(const S* z_scaled, S* out);
-  void pivot(const Blocking& blocking, Index column);
-  Status start();
+  template <class Observer> void pivot(const Turn& turn, Observer& observer);
+  template <class Observer> Status start(Observer& observer);
   Status accept();
   void refine(Index level);
   WorstRow<S> referee(const S* q, const S* z);

@@ -41,7 +41,9 @@ public:
   /// prove that nothing is feasible; bad_input (memory too small, numbers not finite); else the
   /// failure of the pivots or of a proof, also if the cost has no lower bound. Both proofs are
   /// read off the program as given. Cost: Lemke's on columns + inequalities unknowns.
-  [[nodiscard]] Status solve(const LinearProgram<S>& program, const LemkeOptions<S>& options);
+  template <class Observer = const Unobserved>
+  [[nodiscard]] Status solve(const LinearProgram<S>& program, const LemkeOptions<S>& options,
+                             Observer& observer = unobserved);
 
   const S* x() const { return x_.data(); }
   S cost() const { return cost_; }
@@ -85,7 +87,7 @@ private:
   bool carve();
   void eliminate();
   void condense();
-  Status pivot(const LemkeOptions<S>& options);
+  template <class Observer> Status pivot(const LemkeOptions<S>& options, Observer& observer);
   void take_point(const S* z);
   void take_prices(const S* y, bool with_cost);
   S overpriced(bool with_cost) const;
@@ -284,14 +286,16 @@ template <class S> bool LinearProgramSolver<S>::contradicts_itself() {
 }
 
 /// Lemke's word on the condensed program, believed only with its proof.
-template <class S> Status LinearProgramSolver<S>::pivot(const LemkeOptions<S>& options) {
+template <class S>
+template <class Observer>
+Status LinearProgramSolver<S>::pivot(const LemkeOptions<S>& options, Observer& observer) {
   Problem<S> problem;
   problem.size = problem.free_begin = q_.size();
   problem.matrix = M_.data();
   problem.q = q_.data();
   Lemke<S> lemke(lemke_scalars_, lemke_integers_);
   Status status = lemke.init(problem, options);
-  if (status == Status::running) status = lemke.solve();
+  if (status == Status::running) status = lemke.solve(observer);
   pivots_ += lemke.pivots();
   reason_ = lemke.reason();
   const Index free = program_.columns - rank_;
@@ -312,8 +316,9 @@ template <class S> Status LinearProgramSolver<S>::pivot(const LemkeOptions<S>& o
 }
 
 template <class S>
+template <class Observer>
 Status LinearProgramSolver<S>::solve(const LinearProgram<S>& program,
-                                     const LemkeOptions<S>& options) {
+                                     const LemkeOptions<S>& options, Observer& observer) {
   program_ = program;
   pivots_ = 0;
   reason_ = Reason::memory_too_small;
@@ -322,14 +327,14 @@ Status LinearProgramSolver<S>::solve(const LinearProgram<S>& program,
   eliminate();
   if (contradicts_itself()) return refutes() ? Status::ray : Status::numerical_breakdown;
   condense();
-  const Status status = pivot(options);
+  const Status status = pivot(options, observer);
   if (status == Status::solved || status == Status::ray || status == Status::bad_input)
     return status;
   // Where more conditions meet than there are unknowns, rounding alone can keep them apart. A part
   // of what the proofs allow lets them meet again.
   const S slack = Tolerances<S>().residual / S(64);
   for (Index i = 0; i < q_.size(); ++i) q_[i] += slack;
-  return pivot(options);
+  return pivot(options, observer);
 }
 
 } // namespace lcpush

@@ -19,7 +19,7 @@ enum class TieBreak { none, right_hand_side, artificial, tie_column, lexicograph
 
 struct Blocking {
   Index row = -1; ///< -1: nothing blocks
-  Index tied = 0; ///< rows tied at the first right-hand side, itself included
+  Index tied = 0; ///< rows that block at the same point, itself included
   TieBreak decided_by = TieBreak::none;
 };
 
@@ -42,18 +42,21 @@ public:
   /// The row that the artificial variable must repair: its pivot makes every value >= 0.
   Blocking most_violated_row(Index cover_column) { return select(cover_column, S(1), -1); }
 
+  /// After either: the rows that block at the same point, in no order.
+  Span<const int> tied_rows() const { return {candidates_.data, tied_}; }
+
 private:
   const Dictionary<S>& d_;
   Index levels_;
   TieRule rule_;
   Tolerances<S> tolerances_;
   Span<int> candidates_;
-  Index count_ = 0;
+  Index count_ = 0, tied_ = 0;
 
   Blocking select(Index column, S direction, Index artificial_row) {
     const auto rate = [&](Index row) { return direction * d_.table(row, column); };
     const S largest = d_.table.col(column).cwiseAbs().maxCoeff();
-    count_ = 0;
+    count_ = tied_ = 0;
     for (Index i = 0; i < d_.size(); ++i)
       if (rate(i) > tolerances_.pivot * largest) candidates_[count_++] = static_cast<int>(i);
     Blocking blocking;
@@ -61,10 +64,9 @@ private:
     for (Index k = 0; k < levels_ && count_ > 1; ++k) {
       const Index before = count_;
       keep_smallest(rate, [&](Index row) { return d_.values(row, k); });
-      if (k == 0) blocking.tied = count_;
       if (k > 0 && count_ < before) blocking.decided_by = TieBreak::right_hand_side;
     }
-    if (blocking.tied == 0) blocking.tied = 1;
+    blocking.tied = tied_ = count_;
     blocking.row = candidates_[0];
     if (count_ == 1) return blocking;
     for (Index k = 0; k < count_; ++k) {
@@ -92,7 +94,7 @@ private:
     Index best = 0;
     for (Index k = 1; k < count_; ++k)
       if (rate(candidates_[k]) > rate(candidates_[best])) best = k;
-    candidates_[0] = candidates_[best];
+    swap(0, best);
     return TieBreak::size;
   }
 
@@ -107,7 +109,14 @@ private:
     }
   }
 
-  /// Harris: a bound on the step with the tolerance, then everything at or below that bound.
+  void swap(Index i, Index k) {
+    const int other = candidates_[i];
+    candidates_[i] = candidates_[k];
+    candidates_[k] = other;
+  }
+
+  /// Harris: a bound on the step with the tolerance, then everything at or below that bound. What
+  /// is dropped stays behind the rest: tied_rows() shows it.
   template <class Rate, class Value> void keep_smallest(Rate rate, Value value) {
     S bound = (value(candidates_[0]) + tolerances_.tie) / rate(candidates_[0]);
     for (Index k = 1; k < count_; ++k) {
@@ -116,8 +125,7 @@ private:
     }
     Index kept = 0;
     for (Index k = 0; k < count_; ++k)
-      if (value(candidates_[k]) <= bound * rate(candidates_[k]))
-        candidates_[kept++] = candidates_[k];
+      if (value(candidates_[k]) <= bound * rate(candidates_[k])) swap(kept++, k);
     count_ = kept;
   }
 };

@@ -12,9 +12,6 @@ template <class S> struct SweepOptions {
   Index check_every = 10; ///< sweeps between two residual checks
   S relaxation{1};        ///< omega of SOR, 0 < omega < 2; component-wise sweeps only
   bool accelerate = true; ///< block sweeps: go on with Newton's method on what the groups share
-  /// Called after every check with the sweep's number, all unknowns and the residual.
-  void (*on_check)(void* context, Index sweep, const S* z, const S& residual) = nullptr;
-  void* context = nullptr;
 };
 
 } // namespace lcpush

@@ -50,13 +50,13 @@ namespace detail {
 template <class S> constexpr S smallest_push() { return S(256) * Tolerances<S>().residual; }
 
 /// `rigid` and `even`: the push is one more right-hand side, so the limit is exact.
-template <class S>
-Status break_exactly(Assembly<S>& assembly, LemkeRounds<S>& rounds, Workspace<S>& work,
+template <class S, class Observer>
+Status break_exactly(Assembly<S>& assembly, LemkeRounds<S, Observer>& rounds, Workspace<S>& work,
                      const Body<S>& pusher, S unit, Breaking<S>& breaking, PressureRun& run) {
   const Scene<S>& scene = assembly.scene();
   Lemke<S>& lemke = rounds.lemke;
   Status status = lemke.init(assembly.breaking_problem(), rounds.options);
-  if (status == Status::running) status = lemke.solve();
+  if (status == Status::running) status = lemke.solve(rounds.observer);
   run.pivots += lemke.pivots();
   run.reason = lemke.reason();
   if (status != Status::solved) return status;

@@ -113,9 +113,10 @@ template <class S> void fill_rows(const Assembly<S>& assembly, HoldingProgram<S>
 /// does_not_hold (no factor holds at all); both proved, by prices that are checked on the program
 /// itself; bad_input (memory too small), or the pivots' failure: nothing is known.
 /// Cost: Lemke's on forces + points unknowns, and n^2 memory beside it.
-template <class S>
+template <class S, class Observer = const Unobserved>
 [[nodiscard]] Status find_holding(const Assembly<S>& assembly, const HoldingMemory<S>& memory,
-                                  const LemkeOptions<S>& options, Holding<S>& holding) {
+                                  const LemkeOptions<S>& options, Holding<S>& holding,
+                                  Observer& observer = unobserved) {
   const Layout<S>& layout = assembly.layout();
   const Index columns = layout.forces + 1;
   const Index m = (assembly.scene().planar ? 3 : 6) + layout.actuators;
@@ -137,7 +138,7 @@ template <class S>
   detail::fill_rows(assembly, p);
   p.program = {columns, m, k, p.A.data(), p.b.data(), p.H.data(), p.c.data()};
   LinearProgramSolver<S> solver(rest, memory.integers);
-  const Status status = solver.solve(p.program, options);
+  const Status status = solver.solve(p.program, options, observer);
   holding.pivots = solver.pivots();
   holding.reason = solver.reason();
   if (p.grip > S(0)) holding.unit = p.load / p.grip;

@@ -55,4 +55,18 @@ template <class S> Name name_of(const Layout<S>& layout, Index i) {
   return {Meaning::friction, low, offset - layout.cones[low].normals};
 }
 
+/// SI value of unknown i = its scaled value times this: N, m/s^2, or a unit of its actuator.
+template <class S> S unknown_unit(const Layout<S>& layout, Index i) {
+  const Name name = name_of(layout, i);
+  if (name.meaning == Meaning::closing) return layout.scales.acceleration / layout.reach[name.of];
+  return name.meaning == Meaning::slip ? layout.scales.acceleration : layout.scales.force;
+}
+
+/// The same for row i: m/s^2, N, or the actuator's generalised force.
+template <class S> S row_unit(const Layout<S>& layout, Index i) {
+  const Name name = name_of(layout, i);
+  if (name.meaning == Meaning::closing) return layout.scales.force * layout.reach[name.of];
+  return name.meaning == Meaning::slip ? layout.scales.force : layout.scales.acceleration;
+}
+
 } // namespace lcpush

@@ -3,7 +3,8 @@
 //
 //     Status solve(problem, warm, memory, run)
 //
-// Post: solved, and memory.z holds the unknowns; or why not.
+// Post: solved, and memory.z holds the unknowns; or why not. The observer (lcp/trace.hpp) sees
+// every pivot and every check of sweeps, of all rounds.
 #pragma once
 
 #include "lcpush/lcp/block_gauss_seidel.hpp"
@@ -31,9 +32,10 @@ template <class S> struct PressureMemory {
 };
 
 /// Lemke's pivots: cold under its covers, warm from the last basis.
-template <class S> struct LemkeRounds {
+template <class S, class Observer = const Unobserved> struct LemkeRounds {
   Lemke<S>& lemke;
   LemkeOptions<S> options{};
+  Observer& observer = unobserved;
   static constexpr bool carries_push = true; ///< solves for the limit of a vanishing push exactly
 
   Status solve(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory,
@@ -55,7 +57,7 @@ template <class S> struct LemkeRounds {
 
   Status finish(Status status, const Problem<S>& problem, const PressureMemory<S>& memory,
                 PressureRun& run) {
-    if (status == Status::running) status = lemke.solve();
+    if (status == Status::running) status = lemke.solve(observer);
     run.pivots += lemke.pivots();
     run.reason = lemke.reason();
     if (status != Status::solved) return status;
@@ -68,15 +70,16 @@ template <class S> struct LemkeRounds {
 };
 
 /// Block Gauss-Seidel: cold from even shares, warm from the last forces.
-template <class S> struct SweepRounds {
+template <class S, class Observer = const Unobserved> struct SweepRounds {
   BlockGaussSeidel<S>& sweeps;
   SweepOptions<S> options{};
+  Observer& observer = unobserved;
   static constexpr bool carries_push = false;
 
   Status solve(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory,
                PressureRun& run) {
-    Status status = sweeps.init(problem, options, warm ? memory.z.data : nullptr);
-    if (status == Status::running) status = sweeps.solve();
+    Status status = sweeps.init(problem, options, warm ? memory.z.data : nullptr, observer);
+    if (status == Status::running) status = sweeps.solve(observer);
     run.sweeps += sweeps.sweeps();
     run.reason = Reason::none;
     // Asked for more than rounding allows: what the referee lets pass is an answer all the same.
@@ -94,9 +97,9 @@ template <class S> struct SweepRounds {
 
 /// A few sweeps, their positive unknowns as Lemke's first basis, and the pivots that remain. Warm
 /// rounds, and whatever fails, are Lemke's: it is never less reliable.
-template <class S> struct HybridRounds {
-  SweepRounds<S> first;
-  LemkeRounds<S> then;
+template <class S, class Observer = const Unobserved> struct HybridRounds {
+  SweepRounds<S, Observer> first;
+  LemkeRounds<S, Observer> then;
   static constexpr bool carries_push = true;
 
   Status solve(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory,
@@ -118,7 +121,7 @@ template <class S> struct HybridRounds {
   }
 
   void vary() { then.vary(); }
-  LemkeRounds<S>& pivots() { return then; }
+  LemkeRounds<S, Observer>& pivots() { return then; }
   void demand(const S&) {}
 };
 

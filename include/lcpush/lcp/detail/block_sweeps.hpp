@@ -55,8 +55,9 @@ template <class S> void BlockGaussSeidel<S>::share_evenly() {
 }
 
 template <class S>
+template <class Observer>
 Status BlockGaussSeidel<S>::init(const Problem<S>& problem, const SweepOptions<S>& options,
-                                 const S* start) {
+                                 const S* start, Observer& observer) {
   problem_ = problem;
   options_ = options;
   sweeps_ = best_sweep_ = 0;
@@ -71,7 +72,7 @@ Status BlockGaussSeidel<S>::init(const Problem<S>& problem, const SweepOptions<S
   if (bad_sum_ >= 0 && !options.accelerate) return status_ = Status::bad_input;
   status_ = Status::running;
   recover_multipliers();
-  return check();
+  return check(observer);
 }
 
 /// Moves force from entry l of a simplex to entry k, or back, to where their rates agree.
@@ -173,7 +174,7 @@ template <class S> void BlockGaussSeidel<S>::rub(const ConeGroup<S>& cone) {
   }
 }
 
-template <class S> Status BlockGaussSeidel<S>::sweep() {
+template <class S> template <class Observer> Status BlockGaussSeidel<S>::sweep(Observer& observer) {
   if (status_ != Status::running) return status_;
   if (bad_sum_ >= 0) return status_ = Status::bad_input;
   for (const SumGroup<S>& sum : factored().sums) {
@@ -191,7 +192,7 @@ template <class S> Status BlockGaussSeidel<S>::sweep() {
   if (!last && sweeps_ % options_.check_every != 0) return status_;
   refresh();
   recover_multipliers();
-  if (check() == Status::running && last) status_ = Status::sweep_limit;
+  if (check(observer) == Status::running && last) status_ = Status::sweep_limit;
   return status_;
 }
 
@@ -217,13 +218,12 @@ template <class S> void BlockGaussSeidel<S>::recover_multipliers() {
   }
 }
 
-template <class S> Status BlockGaussSeidel<S>::check() {
+template <class S> template <class Observer> Status BlockGaussSeidel<S>::check(Observer& observer) {
   constexpr Index patience = 2000; // sweeps without a better residual
   residual_ = natural_residual(
       problem_, problem_.q, z_.data, unit_.data, [&](Index i) { return i >= problem_.free_begin; },
       check_w_.data, check_scratch_.data);
-  if (options_.on_check != nullptr)
-    options_.on_check(options_.context, sweeps_, z_.data, residual_.residual);
+  observer.checked(*this);
   if (runs_away()) return status_ = Status::stagnated;
   if (passes()) return status_ = Status::solved;
   if (sweeps_ == 0 || residual_.residual < best_residual_) {
@@ -258,7 +258,9 @@ template <class S> S BlockGaussSeidel<S>::squeeze() const {
 template <class S> bool BlockGaussSeidel<S>::runs_away() const { return squeeze() > S(10000); }
 
 /// ProximalNewton with eps falling while it settles, and rising where it does not.
-template <class S> Status BlockGaussSeidel<S>::finish() {
+template <class S>
+template <class Observer>
+Status BlockGaussSeidel<S>::finish(Observer& observer) {
   constexpr Index passes_each = 60;
   using Eigen::numext::sqrt;
   // Softer than the first eps nothing is gained, and far below the last one rates drown in
@@ -276,20 +278,20 @@ template <class S> Status BlockGaussSeidel<S>::finish() {
     } else {
       newton_.recover(z_.data);
       eps = Eigen::numext::maxi(least_eps, S(factor * eps));
-      (void)check();
+      (void)check(observer);
     }
     if (status_ == Status::running && sweeps_ >= options_.max_sweeps) status_ = Status::sweep_limit;
   }
   return status_;
 }
 
-template <class S> Status BlockGaussSeidel<S>::solve() {
+template <class S> template <class Observer> Status BlockGaussSeidel<S>::solve(Observer& observer) {
   constexpr Index warming = 10; // sweeps that bring the forces near before Newton takes over
   while (status_ == Status::running && !(options_.accelerate && sweeps_ >= warming)) {
     if (options_.accelerate && bad_sum_ >= 0) break;
-    (void)sweep();
+    (void)sweep(observer);
   }
-  return status_ == Status::running ? finish() : status_;
+  return status_ == Status::running ? finish(observer) : status_;
 }
 
 } // namespace lcpush

@@ -5,7 +5,8 @@
 
 namespace lcpush {
 
-template <class S> Status Lemke<S>::start() {
+template <class S> template <class Observer> Status Lemke<S>::start(Observer& observer) {
+  observer.starts(*this);
   if (n_ == 0) return accept();
   const Index cover = dictionary_.column_of(artificial(n_));
   RatioTest<S> test(dictionary_, levels_, options_.tie_rule, ratio_tolerances(), candidates_);
@@ -14,7 +15,7 @@ template <class S> Status Lemke<S>::start() {
     const S value = dictionary_.values(worst.row, k);
     if (value > tie_tolerance_) return accept();
     if (value < -tie_tolerance_) {
-      pivot(worst, cover);
+      pivot({artificial(n_), cover, worst, test.tied_rows(), true}, observer);
       entering_ = complement(last_.leaving, n_);
       return status_;
     }
@@ -22,17 +23,21 @@ template <class S> Status Lemke<S>::start() {
   return accept();
 }
 
-template <class S> void Lemke<S>::pivot(const Blocking& blocking, Index column) {
-  last_ = {dictionary_.nonbasic[column], dictionary_.basic[blocking.row], blocking};
-  dictionary_.exchange(blocking.row, column, scratch_);
+template <class S>
+template <class Observer>
+void Lemke<S>::pivot(const Turn& turn, Observer& observer) {
+  const Index row = observer.leaves(*this, turn);
+  last_ = {turn.entering, dictionary_.basic[row], turn.blocking};
+  last_.blocking.row = row;
+  dictionary_.exchange(row, turn.column, scratch_);
   ++pivots_;
   ++pivots_of_cover_;
   fresh_ = false;
 }
 
-template <class S> Status Lemke<S>::step() {
+template <class S> template <class Observer> Status Lemke<S>::step(Observer& observer) {
   if (status_ != Status::running) return status_;
-  if (entering_ < 0) return start();
+  if (entering_ < 0) return start(observer);
   if (pivots_of_cover_ >= limit()) return end(Status::pivot_limit);
   if (pivots_of_cover_ % 64 == 63 && drifted() && !refactorise())
     return end(Status::numerical_breakdown, Reason::singular_basis);
@@ -42,19 +47,19 @@ template <class S> Status Lemke<S>::step() {
   const Blocking blocking = test.blocking_row(c);
   if (blocking.row < 0) return conclude_ray(c);
 
-  pivot(blocking, c);
+  pivot({entering_, c, blocking, test.tied_rows()}, observer);
   if (last_.leaving == artificial(n_)) return accept();
   entering_ = complement(last_.leaving, n_);
   return status_;
 }
 
-template <class S> Status Lemke<S>::solve() {
+template <class S> template <class Observer> Status Lemke<S>::solve(Observer& observer) {
   Status worst = Status::running;
   Reason reason = Reason::none;
   for (;;) {
     while (status_ == Status::running) {
-      (void)step();
-      if (options_.on_pivot != nullptr) options_.on_pivot(options_.context, *this);
+      (void)step(observer);
+      observer.stepped(*this);
     }
     if (status_ == Status::solved || status_ == Status::bad_input) return status_;
     // A verified ray says most about a failure: keep it even if later covers end otherwise.
@@ -83,7 +88,7 @@ template <class S> Status Lemke<S>::accept() {
 }
 
 /// The check failed: factor the basis afresh, look closer (what was tied at zero may be a small
-/// violation), cover what is left and pivot on from here.
+/// violation) and cover what is left; the next step pivots on from here.
 template <class S> Status Lemke<S>::reject() {
   constexpr Index repairs_allowed = 3;
   if (repairs_ >= repairs_allowed || !refactorise())
@@ -92,7 +97,7 @@ template <class S> Status Lemke<S>::reject() {
   tie_tolerance_ = repairs_ < repairs_allowed ? S(tie_tolerance_ / S(1024)) : S(0);
   cover_here();
   entering_ = -1;
-  return start();
+  return status_;
 }
 
 /// Nothing blocks the entering variable. Believe it only from a fresh factorisation, and only with

@@ -1,0 +1,99 @@
+// Watching a run. Solvers tell an observer of every pivot and of every check of their sweeps;
+// which observer is a template argument, so that one that does nothing costs nothing.
+//
+// Any class with these member functions will do:
+//
+//     void starts(const Lemke<S>&)                 a basis to pivot from, z0 not yet in it
+//     Index leaves(const Lemke<S>&, const Turn&)   before a pivot: the row that is to leave
+//     void stepped(const Lemke<S>&)                after a step: its status, z0 and basis
+//     void checked(const Sweeps&)                  after a check of either Gauss-Seidel: its
+//                                                  sweeps(), z() and residual()
+#pragma once
+
+#include "lcpush/lcp/ratio_test.hpp"
+#include "lcpush/status.hpp"
+
+namespace lcpush {
+
+/// A pivot about to be made. The dictionary still shows the basis before it.
+struct Turn {
+  Index entering;       ///< variable number of dictionary.hpp
+  Index column;         ///< its column: the ratios are values / -table.col(column)
+  Blocking blocking;    ///< the row that the tie rule chose, and why
+  Span<const int> tied; ///< rows that block at the same point, blocking.row among them
+  bool repairs = false; ///< z0 enters: the row that needs it most leaves, not the first to fall
+};
+
+/// Looks at nothing and changes nothing.
+struct Unobserved {
+  template <class L> void starts(const L&) const {}
+  /// An observer may return another of turn.tied; any other row leaves a wrong basis.
+  template <class L> Index leaves(const L&, const Turn& turn) const { return turn.blocking.row; }
+  template <class L> void stepped(const L&) const {}
+  template <class Sweeps> void checked(const Sweeps&) const {}
+};
+inline constexpr Unobserved unobserved{};
+
+/// One line of a trace: a pivot, or a check of sweeps (entering and leaving are -1).
+template <class S> struct TraceEntry {
+  Index number = 0; ///< of pivots or sweeps so far, this one included
+  Index entering = -1, leaving = -1;
+  Index tied = 0;
+  TieBreak decided_by = TieBreak::none;
+  S measure{0}; ///< z0 after the pivot, or the residual
+  Status status = Status::running;
+};
+
+/// Keeps the last entries in the caller's memory: what a controller can afford to watch.
+template <class S> class TraceRing {
+public:
+  explicit TraceRing(Span<TraceEntry<S>> memory) : memory_(memory) {}
+
+  /// Entries kept: all that came, or as many as the memory holds.
+  Index size() const { return count_ < memory_.size ? count_ : memory_.size; }
+  Index seen() const { return count_; }
+  /// Entry k of those kept, the oldest first. Precondition: 0 <= k < size().
+  const TraceEntry<S>& operator[](Index k) const {
+    return memory_[(count_ - size() + k) % memory_.size];
+  }
+
+  template <class L> void starts(const L&) {}
+  template <class L> Index leaves(const L&, const Turn& turn) {
+    turn_ = turn;
+    pivots_now_ = true;
+    return turn.blocking.row;
+  }
+  template <class L> void stepped(const L& lemke) {
+    TraceEntry<S> entry;
+    entry.number = lemke.pivots();
+    if (pivots_now_) {
+      entry.entering = lemke.last_pivot().entering;
+      entry.leaving = lemke.last_pivot().leaving;
+      entry.tied = turn_.tied.size;
+      entry.decided_by = turn_.blocking.decided_by;
+    }
+    pivots_now_ = false;
+    entry.measure = lemke.artificial_value();
+    entry.status = lemke.status();
+    keep(entry);
+  }
+  template <class Sweeps> void checked(const Sweeps& solver) {
+    TraceEntry<S> entry;
+    entry.number = solver.sweeps();
+    entry.measure = solver.residual().residual;
+    keep(entry);
+  }
+
+private:
+  Span<TraceEntry<S>> memory_;
+  Index count_ = 0;
+  Turn turn_{};
+  bool pivots_now_ = false;
+
+  void keep(const TraceEntry<S>& entry) {
+    if (memory_.size > 0) memory_[count_ % memory_.size] = entry;
+    ++count_;
+  }
+};
+
+} // namespace lcpush

@@ -1,0 +1,97 @@
+#include "choose.hpp"
+
+#include <iostream>
+
+#include "../host/message.hpp"
+#include "../host/number_text.hpp"
+
+namespace lcpush::cli {
+namespace {
+
+const std::string& name(const host::PivotTrace& trace, Index variable) {
+  return trace.variables[static_cast<std::size_t>(variable)].name;
+}
+
+/// The row that a name or a number from 1 on stands for, or -1.
+Index row_of(const host::PivotTrace& trace, const std::vector<Index>& rows,
+             const std::string& word) {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (name(trace, rows[i]) == word) return static_cast<Index>(i);
+  const auto number = host::whole_number(word);
+  if (number && *number >= 1 && *number <= rows.size()) return static_cast<Index>(*number) - 1;
+  return -1;
+}
+
+/// Why this row cannot leave.
+std::string objection(const host::PivotTrace& trace, const host::TracedPivot& pivot,
+                      const std::vector<Index>& rows, Index row) {
+  const auto at = static_cast<std::size_t>(row), best = static_cast<std::size_t>(pivot.row);
+  const std::string &enters = name(trace, pivot.entering), &it = name(trace, rows[at]);
+  if (!pivot.ratios[at]) {
+    if (pivot.entering == artificial(trace.size))
+      return it + " needs no help: its value is not negative. z0 has to become large enough for "
+                  "every row, so the row that needs most decides.";
+    return it + " does not fall as " + enters + " grows (its entry in the column of " + enters +
+           " is not negative), so it cannot block.";
+  }
+  const std::string own = host::value_text(*pivot.ratios[at]);
+  const std::string right = host::value_text(*pivot.ratios[best]);
+  if (pivot.entering == artificial(trace.size))
+    return it + " needs only z0 = " + own + ", and " + name(trace, rows[best]) +
+           " would still be "
+           "negative there: it needs " +
+           right + ".";
+  return it + " reaches zero at " + own + ", but " + name(trace, rows[best]) +
+         " gets there first, at " + right + ", and would be negative.";
+}
+
+bool contains(const std::vector<Index>& list, Index x) {
+  for (const Index y : list)
+    if (y == x) return true;
+  return false;
+}
+
+} // namespace
+
+Index ask_for_row(const host::PivotTrace& trace) {
+  const host::TracedPivot& pivot = trace.pivots.back();
+  if (!pivot.before) return pivot.row;
+  const host::Tableau& before = *pivot.before;
+  const Index z0 = artificial(trace.size);
+  std::cerr << "Pivot " << trace.pivots.size() - 1 << ": " << name(trace, pivot.entering)
+            << " enters (" << trace.variables[static_cast<std::size_t>(pivot.entering)].meaning
+            << ").\n"
+            << host::tableau_text(trace, before, nullptr);
+  std::string word;
+  for (;;) {
+    std::cerr << "Which variable leaves? " << std::flush;
+    if (!(std::cin >> word)) {
+      std::cerr << name(trace, before.rows[static_cast<std::size_t>(pivot.row)])
+                << " (the rule's choice)\n";
+      return pivot.row;
+    }
+    const Index row = row_of(trace, before.rows, word);
+    if (row < 0) {
+      std::cerr << host::quoted(word) << " is no row; type a name from the first column, such as "
+                << name(trace, before.rows[0]) << ".\n";
+      continue;
+    }
+    const Index leaving = before.rows[static_cast<std::size_t>(row)];
+    const bool may_leave = row == pivot.row || contains(pivot.ties, leaving);
+    if (!may_leave) {
+      std::cerr << "No: " << objection(trace, pivot, before.rows, row) << "\n";
+    } else if (leaving != z0 && contains(pivot.ties, z0)) {
+      std::cerr << "It ties with z0, and when z0 can leave the problem is solved: take z0.\n";
+    } else {
+      if (row != pivot.row)
+        std::cerr << "Right; it ties, and the lexicographic rule would have taken "
+                  << name(trace, before.rows[static_cast<std::size_t>(pivot.row)])
+                  << ", so that it never comes back to a basis.\n\n";
+      else
+        std::cerr << "Right.\n\n";
+      return row;
+    }
+  }
+}
+
+} // namespace lcpush::cli

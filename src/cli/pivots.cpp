@@ -1,0 +1,234 @@
+// lcpush pivots: every pivot, and what it means.
+#include <charconv>
+#include <memory>
+#include <tuple>
+
+#include "../host/explorer/explorer_text.hpp"
+#include "../host/message.hpp"
+#include "../host/number_text.hpp"
+#include "../host/push_story.hpp"
+#include "choose.hpp"
+#include "commands.hpp"
+#include "lcpush/host/input_error.hpp"
+#include "lcpush/host/pivots.hpp"
+#include "lcpush/host/text_file.hpp"
+#include "raw_arguments.hpp"
+
+namespace lcpush::cli {
+namespace {
+
+constexpr Index most_unknowns = 1000; // every pivot keeps its ratios; the page draws every row
+constexpr Index most_exact = 150;     // fractions grow with every pivot
+
+/// What is pivoted: a scene or two matrices, each as it is and exactly.
+struct Subject {
+  host::ExactProblem problem;
+  std::unique_ptr<host::SceneFile> scene;
+  std::unique_ptr<host::Push> push;
+  std::unique_ptr<host::Story> story;
+  std::vector<std::string> notes;
+  std::string title;
+};
+
+Index read_facets(const Arguments& arguments) {
+  const auto text = arguments.value("--facets");
+  if (!text) return 4;
+  Index facets = 0;
+  const auto [rest, error] = std::from_chars(text->data(), text->data() + text->size(), facets);
+  if (error != std::errc() || *rest != 0 || facets < 4 || facets > 256 || facets % 2 != 0)
+    throw UsageError("--facets is an even number from 4 to 256, not " + host::quoted(*text));
+  return facets;
+}
+
+Pressure read_pressure(const Arguments& arguments, Pressure otherwise) {
+  const auto text = arguments.value("--pressure");
+  if (!text) return otherwise;
+  if (*text == "pad") return Pressure::pad;
+  if (*text == "even") return Pressure::even;
+  if (*text == "rigid") return Pressure::rigid;
+  throw UsageError("--pressure is pad, even or rigid, not " + host::quoted(*text));
+}
+
+void refuse_size(const std::string& what, Index n, bool is_exact) {
+  if (n > most_unknowns)
+    throw host::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
+                           std::to_string(most_unknowns) +
+                           " whose pivots can be shown; use fewer points");
+  if (is_exact && n > most_exact)
+    throw host::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
+                           std::to_string(most_exact) +
+                           " that fractions can be pivoted for; leave --exact out");
+}
+
+/// The scene file of the command line; the example if it names none.
+struct SceneText {
+  std::string text, name;
+};
+
+SceneText scene_text(const Arguments& arguments) {
+  constexpr std::size_t most_bytes = std::size_t{64} << 20U;
+  if (arguments.files().empty()) return {host::example_scene(), "the example"};
+  return {host::read_text_file(arguments.files()[0], most_bytes), arguments.files()[0]};
+}
+
+Subject scene_subject(const Arguments& arguments) {
+  const auto [text, path] = scene_text(arguments);
+  const bool as_solved = arguments.has("--as-solved"), is_exact = arguments.has("--exact");
+  Subject subject;
+  subject.scene = std::make_unique<host::SceneFile>(host::parse_scene(text, path));
+  host::SceneFile& file = *subject.scene;
+  if (!as_solved) {
+    file.facets = read_facets(arguments);
+    file.pressure = read_pressure(arguments, file.pressure);
+  }
+  if (file.pressure == Pressure::even && file.parallel_jaws)
+    throw UsageError("--pressure even does not go with parallel jaws: no point's share is known");
+  refuse_size(path, size_of(file.view()).unknowns(), is_exact);
+  if (is_exact) {
+    host::SceneOf<host::Rational> exact = host::parse_scene_exactly(text, path);
+    exact.facets = file.facets;
+    exact.pressure = file.pressure;
+    subject.notes = exact.inexact;
+    for (const std::string& sentence : host::irrational_directions(exact))
+      subject.notes.push_back(sentence);
+    subject.problem = host::exact_problem(exact);
+  } else if (!as_solved) {
+    subject.problem = host::exact_problem(file);
+  }
+  subject.push = std::make_unique<host::Push>(file);
+  subject.story = std::make_unique<host::PushStory>(*subject.push);
+  subject.title = file.title;
+  if (!as_solved && file.pressure == Pressure::pad)
+    subject.notes.push_back("The first round of the pad law, in SI units, " +
+                            std::to_string(file.facets) + " facets.");
+  else if (!as_solved)
+    subject.notes.push_back("SI units, " + std::to_string(file.facets) + " facets.");
+  return subject;
+}
+
+Subject raw_subject(const Arguments& arguments) {
+  Subject subject;
+  std::tie(subject.problem.M, subject.problem.q) = read_matrices_exactly(arguments);
+  const Index n = subject.problem.M.rows;
+  refuse_size(arguments.files().empty() ? "--M" : arguments.files()[0], n,
+              arguments.has("--exact"));
+  subject.story = std::make_unique<host::RawStory>(n);
+  return subject;
+}
+
+/// --cover d1,d2,..
+std::vector<host::Rational> read_cover(const Arguments& arguments, Index n) {
+  const auto text = arguments.value("--cover");
+  if (!text) return {};
+  const host::ExactMatrix cover = host::parse_inline_vector_exactly(*text, "--cover");
+  if (cover.rows != n)
+    throw UsageError("--cover wants " + std::to_string(n) + " numbers, one a row, got " +
+                     std::to_string(cover.rows));
+  for (const host::Rational& d : cover.values)
+    if (!(d > host::Rational(0))) throw UsageError("--cover wants numbers > 0, got " + d.text());
+  return cover.values;
+}
+
+Index read_limit(const Arguments& arguments) {
+  const auto text = arguments.value("--max-pivots");
+  if (!text) return host::PivotOptions().max_pivots;
+  const auto number = host::whole_number(*text);
+  if (!number || *number < 1 || *number > 1000000)
+    throw UsageError("--max-pivots is a whole number from 1 to 1000000, not " +
+                     host::quoted(*text));
+  return static_cast<Index>(*number);
+}
+
+void refuse_combinations(const Arguments& arguments, bool is_scene) {
+  if (arguments.has("--as-solved"))
+    for (const char* option : {"--exact", "--cover", "--first-row", "--z0-last", "--choose",
+                               "--facets", "--pressure", "--max-pivots"})
+      if (arguments.has(option))
+        throw UsageError(std::string("--as-solved replays what `lcpush solve` does, and ") +
+                         option + " would change that; use one of them");
+  if (arguments.has("--first-row") && arguments.has("--choose"))
+    throw UsageError("--choose asks you for every row; --first-row does not go with it");
+  for (const char* option : {"--facets", "--pressure"})
+    if (!is_scene && arguments.has(option))
+      throw UsageError(std::string(option) + " is about scenes");
+}
+
+host::PivotTrace trace(Subject& subject, const Arguments& arguments) {
+  host::PivotOptions options;
+  if (arguments.has("--as-solved")) {
+    if (subject.push) return host::trace_solve(*subject.push, options, *subject.story);
+    host::RawProblem raw;
+    raw.M = {subject.problem.M.rows, subject.problem.M.cols, {}};
+    raw.q = {subject.problem.q.rows, 1, {}};
+    for (const host::Rational& x : subject.problem.M.values) raw.M.values.push_back(x.value());
+    for (const host::Rational& x : subject.problem.q.values) raw.q.values.push_back(x.value());
+    raw.free.assign(static_cast<std::size_t>(raw.M.rows), 0);
+    return host::trace_solve(raw, options, *subject.story);
+  }
+  options.is_exact = arguments.has("--exact");
+  options.rule = arguments.has("--first-row") ? TieRule::first_row : TieRule::lexicographic;
+  options.z0_wins_ties = !arguments.has("--z0-last");
+  options.cover = read_cover(arguments, subject.problem.M.rows);
+  options.max_pivots = read_limit(arguments);
+  if (arguments.has("--choose")) options.choose = ask_for_row;
+  return host::trace_pivots(subject.problem, options, *subject.story);
+}
+
+int run(const Arguments& arguments) {
+  const std::string format = arguments.format({"text", "json", "latex", "html"});
+  const bool is_typed = arguments.has("--M") || arguments.has("--q");
+  const bool is_example = arguments.files().empty() && !is_typed;
+  if (is_example && format != "html")
+    throw UsageError("name a scene, two files M.mtx q.mtx, or --M and --q");
+  const bool is_scene = is_example || (arguments.files().size() == 1 && !is_typed);
+  refuse_combinations(arguments, is_scene);
+  Subject subject = is_scene ? scene_subject(arguments) : raw_subject(arguments);
+  host::PivotTrace traced = trace(subject, arguments);
+  traced.title = subject.title;
+  traced.notes = subject.notes;
+  std::string text;
+  if (format == "json")
+    text = host::pivots_json(traced, subject.push.get());
+  else if (format == "latex")
+    text = host::pivots_latex(traced);
+  else if (format == "html")
+    text = host::pivots_html(traced, subject.push.get());
+  else
+    text = host::pivots_text(traced);
+  write_output(arguments, text);
+  return traced.status == Status::solved ? 0 : 1;
+}
+
+} // namespace
+
+Command pivots_command() {
+  return {
+      "pivots",
+      "SCENE.toml | M.mtx q.mtx | --M \"2 1; 1 2\" --q \"-5 -6\" [OPTIONS]",
+      "watch Lemke's method pivot by pivot: text, JSON, LaTeX or a page to explore",
+      "Pivots as the textbooks do: cover d = 1, nothing scaled, ties broken lexicographically. Of "
+      "a\n"
+      "scene it takes the first round of its pressure law, in SI units, with four facets. A row\n"
+      "of a tableau says: basic variable = value + sum of entries times nonbasic variables.\n"
+      "--format html without a problem shows the example of docs/lemke_by_hand.md.\n\n"
+      "Examples:\n  lcpush pivots --M \"2 1; 1 2\" --q \"-5 -6\" --exact\n"
+      "  lcpush pivots fixtures/scenes/straight_slide_point.toml --format html -o pivots.html\n",
+      with_common_options({
+          {"--M", "MATRIX", "rows by semicolons, numbers (0.2 or 1/3) by blanks"},
+          {"--q", "VECTOR", "n numbers"},
+          {"--exact", "", "in fractions, decimals taken as typed; proves the final basis"},
+          {"--cover", "D1,D2,..", "the covering vector, numbers > 0 (default 1 in every row)"},
+          {"--first-row", "", "the first tied row leaves, which may cycle (found, exit 1)"},
+          {"--z0-last", "", "z0 loses every tie instead of winning it, to see what goes wrong"},
+          {"--choose", "", "asks for the leaving row of every pivot and says what is wrong"},
+          {"--max-pivots", "N", "stop after so many pivots (default 10000)"},
+          {"--as-solved", "", "replay what solve or lcp does: scaled, generic covers, all rounds"},
+          {"--facets", "G", "sides of a scene's friction pyramids (default 4)"},
+          {"--pressure", "LAW", "pad, even or rigid instead of the scene's"},
+          {"--format", "NAME", "text (default), json, latex or html; --json for short"},
+      }),
+      2,
+      run};
+}
+
+} // namespace lcpush::cli

@@ -1,0 +1,91 @@
+// Buttons, slider, keys, swipes and the address: all ways to choose a step.
+(() => {
+  const { by_id } = explorer.elements;
+  const pauses = { slow: 2400, medium: 1200, fast: 350 };
+
+  function create(app) {
+    let timer = null;
+
+    const stop = () => {
+      if (timer !== null) clearInterval(timer);
+      timer = null;
+      by_id('play').setAttribute('aria-pressed', 'false');
+      by_id('play').setAttribute('aria-label', 'Play');
+      by_id('play').classList.remove('playing');
+    };
+
+    const play = () => {
+      if (app.frame >= app.path.last) app.go(0);
+      timer = setInterval(() => {
+        if (app.frame >= app.path.last) stop();
+        else app.go(app.frame + 1);
+      }, pauses[by_id('speed').value]);
+      by_id('play').setAttribute('aria-pressed', 'true');
+      by_id('play').setAttribute('aria-label', 'Pause');
+      by_id('play').classList.add('playing');
+    };
+
+    const toggle = () => (timer === null ? play() : stop());
+    const choose = (frame) => { stop(); app.go(frame); };
+
+    by_id('first').addEventListener('click', () => choose(0));
+    by_id('back').addEventListener('click', () => choose(app.frame - 1));
+    by_id('forward').addEventListener('click', () => choose(app.frame + 1));
+    by_id('last').addEventListener('click', () => choose(app.path.last));
+    by_id('play').addEventListener('click', toggle);
+    by_id('speed').addEventListener('change', () => { if (timer !== null) { stop(); play(); } });
+    by_id('slider').addEventListener('input', (event) => choose(Number(event.target.value)));
+    by_id('jump').addEventListener('change', (event) => choose(Number(event.target.value)));
+    by_id('return').addEventListener('click', () => { stop(); app.return_to_recorded(); });
+
+    document.addEventListener('keydown', (event) => {
+      if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+      const { target } = event;
+      if (target.closest('input, select, textarea, [contenteditable]')) return;
+      // Space and the arrows keep their own meaning on a button and in a box that scrolls.
+      const own = target.closest('button, summary, a');
+      const scrolls = target.closest('[tabindex]');
+      const actions = {
+        ArrowRight: () => choose(app.frame + 1), ArrowLeft: () => choose(app.frame - 1),
+        Home: () => choose(0), End: () => choose(app.path.last), ' ': toggle,
+      };
+      const action = actions[event.key];
+      if (!action || scrolls || (own && event.key === ' ')) return;
+      event.preventDefault();
+      action();
+    });
+
+    // A swipe on the words; the tableau keeps its own for scrolling.
+    let begin = null;
+    const stage = by_id('words');
+    stage.addEventListener('touchstart', (event) => {
+      begin = event.touches.length === 1
+        ? [event.touches[0].clientX, event.touches[0].clientY] : null;
+    }, { passive: true });
+    stage.addEventListener('touchend', (event) => {
+      if (!begin) return;
+      const [touch] = event.changedTouches;
+      const [dx, dy] = [touch.clientX - begin[0], touch.clientY - begin[1]];
+      begin = null;
+      if (Math.abs(dx) > 45 && Math.abs(dx) > 2 * Math.abs(dy)) choose(app.frame - Math.sign(dx));
+    }, { passive: true });
+
+    window.addEventListener('hashchange', () => app.read_address());
+
+    function update() {
+      const { last } = app.path;
+      const slider = by_id('slider');
+      slider.max = last;
+      slider.value = app.frame;
+      slider.setAttribute('aria-valuetext', `step ${app.frame} of ${last}`);
+      by_id('jump').max = last;
+      by_id('jump').value = app.frame;
+      by_id('count').textContent = `of ${last}`;
+      for (const id of ['first', 'back']) by_id(id).disabled = app.frame === 0;
+      for (const id of ['forward', 'last']) by_id(id).disabled = app.frame === last;
+    }
+    return { update, stop };
+  }
+
+  explorer.controls = { create };
+})();

@@ -1,0 +1,45 @@
+// Making elements: h for HTML, svg for drawings, name for a variable as mathematics writes it.
+(() => {
+  const drawing = 'http://www.w3.org/2000/svg';
+
+  function fill(element, attributes, children) {
+    for (const [key, value] of Object.entries(attributes || {})) {
+      if (value === null || value === undefined || value === false) continue;
+      if (key.startsWith('on')) element.addEventListener(key.slice(2), value);
+      else element.setAttribute(key, value === true ? '' : String(value));
+    }
+    element.append(...children.flat(Infinity)
+      .filter((x) => x !== null && x !== undefined && x !== false));
+    return element;
+  }
+
+  const h = (tag, attributes, ...children) =>
+    fill(document.createElement(tag), attributes, children);
+  const svg = (tag, attributes, ...children) =>
+    fill(document.createElementNS(drawing, tag), attributes, children);
+
+  /// w12 with its number below; other names as they are.
+  function name(text) {
+    const match = /^([a-z])(\d+)$/.exec(text);
+    if (!match) return h('span', { class: 'name' }, text);
+    return h('span', { class: 'name' }, h('i', {}, match[1]), h('sub', {}, match[2]));
+  }
+
+  const by_id = (id) => document.getElementById(id);
+
+  function replace(id, ...children) {
+    by_id(id).replaceChildren(...children.flat(Infinity)
+      .filter((x) => x !== null && x !== undefined && x !== false));
+  }
+
+  let number = 0;
+  /// A drawing with a title and a description that name it to a screen reader.
+  function picture(attributes, title, description, ...children) {
+    number += 1;
+    const ids = [`title-${number}`, `description-${number}`];
+    return svg('svg', { role: 'img', 'aria-labelledby': ids.join(' '), ...attributes },
+      svg('title', { id: ids[0] }, title), svg('desc', { id: ids[1] }, description), ...children);
+  }
+
+  explorer.elements = { h, svg, name, by_id, replace, picture };
+})();

@@ -1,0 +1,72 @@
+// Places labels one after the other where they cover nothing placed before.
+(() => {
+  const line = 14.5;
+  let context = null;
+
+  /// The width of a text as the page will draw it (explorer.css, .view .label).
+  function width_of(text) {
+    if (!context) {
+      context = document.createElement('canvas').getContext('2d');
+      const family = getComputedStyle(document.documentElement).getPropertyValue('--sans');
+      context.font = `600 12.5px ${family}`;
+    }
+    return context.measureText(text).width;
+  }
+
+  const overlap = (a, b) => Math.max(0, Math.min(a[2], b[2]) - Math.max(a[0], b[0]))
+    * Math.max(0, Math.min(a[3], b[3]) - Math.max(a[1], b[1]));
+
+  class Places {
+    constructor(width, height) {
+      this.width = width;
+      this.height = height;
+      this.taken = []; // [left, top, right, bottom, weight]
+    }
+
+    /// Something drawn that labels should stay clear of, the more the heavier.
+    block(left, top, right, bottom, weight = 1) {
+      this.taken.push([Math.min(left, right), Math.min(top, bottom), Math.max(left, right),
+        Math.max(top, bottom), weight]);
+    }
+
+    block_line([x0, y0], [x1, y1], weight = 1) {
+      const pieces = Math.max(1, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / 8));
+      for (let k = 0; k < pieces; ++k) {
+        const at = (t) => [x0 + (x1 - x0) * t, y0 + (y1 - y0) * t];
+        const [a, b] = [at(k / pieces), at((k + 1) / pieces)];
+        this.block(Math.min(a[0], b[0]) - 2, Math.min(a[1], b[1]) - 2, Math.max(a[0], b[0]) + 2,
+          Math.max(a[1], b[1]) + 2, weight);
+      }
+    }
+
+    /// Where lines of text near (x, y) cover least: {left, top, width, height}. `away` is the side
+    /// on which they should lie, a direction; (0, 0) for any.
+    place(lines, x, y, away = [0, 0], reach = 172) {
+      const width = Math.max(...lines.map(width_of)) + 6;
+      const height = lines.length * line + 2;
+      let best = null;
+      for (let radius = 12; radius <= reach; radius += 10) {
+        for (let k = 0; k < 24; ++k) {
+          const angle = 2 * Math.PI * (k + 0.5) / 24;
+          const [cx, cy] = [x + Math.cos(angle) * (radius + width / 2),
+            y + Math.sin(angle) * (radius + height / 2)];
+          const rect = [cx - width / 2, cy - height / 2, cx + width / 2, cy + height / 2];
+          if (rect[0] < 2 || rect[1] < 2 || rect[2] > this.width - 2 || rect[3] > this.height - 2)
+            continue;
+          const side = away[0] * (cx - x) + away[1] * (cy - y);
+          let cost = radius * 0.6 + Math.abs(Math.sin(angle)) * 4 + Math.max(0, -side - 40) * 12;
+          for (const other of this.taken) {
+            const area = overlap(rect, other);
+            if (area > 0) cost += (area + 20) * other[4];
+          }
+          if (best === null || cost < best.cost) best = { cost, rect };
+        }
+      }
+      const rect = best ? best.rect : [2, 2, 2 + width, 2 + height];
+      this.block(...rect, 20);
+      return { left: rect[0], top: rect[1], width, height, line };
+    }
+  }
+
+  explorer.Places = Places;
+})();

@@ -1,0 +1,72 @@
+// Lemke's method from any almost complementary dictionary on: what a branch of the path does.
+(() => {
+  const complement = (variable, n) => (variable < n ? variable + n : variable - n);
+
+  /// The basis and the variable about to enter: if both come back, so does everything after.
+  function state_key(dictionary, entering) {
+    return `${[...dictionary.rows].sort((a, b) => a - b).join(' ')};${entering}`;
+  }
+
+  /// The direction in which nothing blocks: v >= 0 by unknown and its artificial part v0, with the
+  /// largest entry 1.
+  function ray_of(dictionary, column) {
+    const n = dictionary.size;
+    const { DecimalDictionary, fractions } = explorer;
+    const decimals = dictionary instanceof DecimalDictionary;
+    const direction = Array(2 * n + 1).fill(decimals ? 0 : fractions.zero);
+    direction[dictionary.columns[column]] = decimals ? 1 : fractions.parse('1');
+    dictionary.rows.forEach((variable, r) => {
+      direction[variable] = decimals && dictionary.is_noise(r, column) ? 0
+        : dictionary.entry(r, column);
+    });
+    const as_number = (x) => (decimals ? x : fractions.to_number(x.n, x.d));
+    const relevant = [...direction.slice(n)];
+    let largest = relevant[0];
+    for (const x of relevant) if (as_number(x) > as_number(largest)) largest = x;
+    if (as_number(largest) <= 0) largest = decimals ? 1 : fractions.parse('1');
+    const scaled = relevant.map((x) => (decimals ? x / largest : fractions.divide(x, largest)));
+    return { entering: dictionary.columns[column], v: scaled.slice(0, n), v0: scaled[n] };
+  }
+
+  /// Pivots from `dictionary` (which is changed) with `row` leaving for `entering` first, then by
+  /// `rule`. `seen` maps the keys of earlier states to their pivot numbers; `first` is the number
+  /// of the first pivot here. -> {status, pivots, ray, cycle}
+  function run_lemke(dictionary, entering, row, options) {
+    const { rule, limit = 500, seen = new Map(), first = 0 } = options;
+    const n = dictionary.size;
+    const artificial = 2 * n;
+    const pivots = [];
+    let next = entering;
+    let chosen = row;
+    while (pivots.length < limit) {
+      const column = dictionary.columns.indexOf(next);
+      const test = explorer.ratio_test(dictionary, column, rule, next === artificial);
+      if (test.row < 0 && chosen === null)
+        return { status: 'ray', pivots, ray: ray_of(dictionary, column), cycle: null };
+      const leaving_row = chosen ?? test.row;
+      const leaving = dictionary.rows[leaving_row];
+      dictionary.exchange(leaving_row, column);
+      const z0_row = dictionary.rows.indexOf(artificial);
+      pivots.push({
+        entering: next, leaving, ratios: test.ratios,
+        ties: test.ties.map((r) => (r === leaving_row ? leaving : dictionary.rows[r])),
+        tie_break: chosen !== null && chosen !== test.row ? 'chosen' : test.tie_break,
+        z0: z0_row < 0 ? null : dictionary.value(z0_row), basis: [...dictionary.rows],
+      });
+      chosen = null;
+      if (leaving === artificial) return { status: 'solved', pivots, ray: null, cycle: null };
+      next = complement(leaving, n);
+      const key = state_key(dictionary, next);
+      const index = first + pivots.length - 1;
+      if (seen.has(key)) {
+        const from_pivot = seen.get(key);
+        return { status: 'cycle', pivots, ray: null,
+          cycle: { from_pivot, length: index - from_pivot } };
+      }
+      seen.set(key, index);
+    }
+    return { status: 'pivot_limit', pivots, ray: null, cycle: null };
+  }
+
+  explorer.lemke = { complement, state_key, ray_of, run_lemke };
+})();

@@ -1,0 +1,214 @@
+// Puts the page together and offers window.lcpush to tests.
+(() => {
+  const { by_id } = explorer.elements;
+  const { number_text, words } = explorer;
+
+  class Application {
+    constructor(trace) {
+      this.problem = new explorer.Problem(trace);
+      this.recorded = explorer.Path.recorded(this.problem);
+      this.path = this.recorded;
+      this.frame = 0;
+      this.as_fractions = this.problem.exact;
+      this.branch_rule = 'lexicographic';
+      this.show_large = true;
+      this.covers = new Map();
+      this.units_of_S = new Map();
+    }
+
+    start() {
+      const { problem } = this;
+      this.tableau = explorer.view_tableau.create(this);
+      this.controls = explorer.controls.create(this);
+      explorer.view_legend.create(this);
+      const { trace } = problem;
+      document.body.classList.toggle('with-scene', Boolean(trace.scene));
+      const title = trace.title || 'Lemke\u2019s method, pivot by pivot';
+      document.title = `${title} \u2013 lcpush`;
+      by_id('title').textContent = title;
+      by_id('summary').textContent = [`${problem.size} unknowns`,
+        words.many(trace.pivots.length, 'pivot'), words.status_words[trace.status] || trace.status,
+        `in ${trace.arithmetic}`, words.rule_words[trace.rule] || trace.rule].join(' \u00b7 ');
+      const notes = trace.notes || [];
+      by_id('notes').hidden = notes.length === 0;
+      by_id('notes').append(...notes.map((note) => explorer.elements.h('li', {}, note)));
+      by_id('arithmetic').hidden = !problem.exact;
+      by_id('as-fractions').checked = this.as_fractions;
+      by_id('as-fractions').addEventListener('change', (event) => {
+        this.as_fractions = event.target.checked;
+        this.update(false);
+      });
+      if (!this.read_address()) this.update(true);
+      let width = window.innerWidth;
+      window.addEventListener('resize', () => {
+        if (width === window.innerWidth) return; // a phone's bars come and go
+        width = window.innerWidth;
+        this.update(false);
+      });
+    }
+
+    /// The cover d of a run, as doubles: the column of z0 with all w basic.
+    cover(run) {
+      if (!this.covers.has(run)) {
+        const given = explorer.certificate.as_given(this.recorded, run);
+        const n = this.problem.size;
+        this.covers.set(run, [...Array(n).keys()].map((i) =>
+          this.problem.number(given.entry(i, n))));
+      }
+      return this.covers.get(run);
+    }
+
+    /// A run may be scaled: its number of the variable times this is in SI units.
+    unit(run, variable) {
+      const { units } = this.problem.trace.runs[run];
+      return units && units[variable] ? units[variable] : 1;
+    }
+
+    /// What the run's S is in m/s^2. In a normal's row, S stands with the speed at which the
+    /// actuators close on that contact.
+    unit_of_S(run) {
+      if (this.problem.levels === 1) return 1;
+      if (!this.units_of_S.has(run)) {
+        const { scene } = this.problem.trace;
+        const { dot, subtract } = explorer.vectors;
+        const given = explorer.certificate.as_given(this.recorded, run);
+        let [best, unit] = [0, 1];
+        for (const point of scene.points) {
+          const { normal, actuators } = scene.bodies[point.body];
+          const arm = subtract(point.position, scene.center_of_mass);
+          const speed = actuators.reduce((sum, { twist }) =>
+            sum + dot(normal, explorer.mechanics.at_point(twist, arm)), 0);
+          if (Math.abs(speed) <= best) continue;
+          best = Math.abs(speed);
+          unit = this.problem.number(given.value(point.normal)[0])
+            * this.unit(run, point.normal) / speed;
+        }
+        this.units_of_S.set(run, unit);
+      }
+      return this.units_of_S.get(run);
+    }
+
+    go(frame) {
+      const wanted = Number.isFinite(frame) ? Math.round(frame) : this.frame;
+      this.frame = Math.max(0, Math.min(this.path.last, wanted));
+      this.write_address();
+      this.update(true);
+    }
+
+    branch(row, rule = this.branch_rule) {
+      this.controls.stop();
+      this.path = this.path.branch_at(this.frame, row, rule);
+      this.go(this.frame + 1);
+    }
+
+    return_to_recorded() {
+      const { frame } = this.first_branch();
+      this.path = this.recorded;
+      this.go(frame);
+      by_id('forward').focus();
+    }
+
+    /// Where the recorded path was left, also after a branch of a branch.
+    first_branch() {
+      let common = 0;
+      const { frames } = this.path;
+      while (common < Math.min(this.path.last, this.recorded.last)
+        && this.same_pivot(frames[common], this.recorded.frames[common])) common += 1;
+      return { frame: common };
+    }
+
+    same_pivot(frame, other) {
+      if (frame.pivot === null || other.pivot === null) return frame.pivot === other.pivot;
+      return this.path.pivots[frame.pivot].leaving === this.recorded.pivots[other.pivot].leaving;
+    }
+
+    /// #step=7 links to a step; a branch adds where, who leaves and the rule.
+    write_address() {
+      const branches = [];
+      for (let path = this.path; path.branch; path = path.branch.from) {
+        const { frame, row, rule } = path.branch;
+        branches.unshift(`&branch=${frame}:${row}:${rule}`);
+      }
+      this.address = `#step=${this.frame}${branches.join('')}`;
+      try {
+        history.replaceState(null, '', this.address);
+      } catch {
+        // A page in a sandbox may not touch its address; then steps cannot be linked.
+      }
+    }
+
+    read_address() {
+      const hash = location.hash;
+      if (hash === this.address) return false;
+      const step = /[#&]step=(\d+)/.exec(hash);
+      if (!step) return false;
+      this.path = this.recorded;
+      const branches = /&branch=(\d+):(\d+):(lexicographic|first_row)/g;
+      for (const [, frame, row, rule] of hash.matchAll(branches))
+        this.path = this.path.branch_at(Number(frame), Number(row), rule);
+      this.controls.stop();
+      this.go(Number(step[1]));
+      return true;
+    }
+
+    update(changed) {
+      document.body.classList.toggle('on-branch', this.path.branch !== null);
+      by_id('step').textContent = `Step ${this.frame} of ${this.path.last}`;
+      explorer.view_sentence.update(this);
+      this.tableau.update(changed);
+      explorer.view_pairs.update(this);
+      explorer.view_chart.update(this);
+      explorer.view_outcome.update(this);
+      explorer.view_scene_text.update(this);
+      this.controls.update();
+    }
+
+    /// Everything a test compares with the trace, numbers as the trace writes them.
+    state() {
+      const { problem, path, frame } = this;
+      const dictionary = path.dictionary(frame);
+      const { pivot, run } = path.frames[frame];
+      const step = pivot === null ? null : path.pivots[pivot];
+      const name = (variable) => problem.names[variable];
+      const value = (levels) => number_text.full_value(problem, levels);
+      const scene = explorer.view_scene_text.now(this);
+      return {
+        step: frame, last: path.last, pivot, run, status: path.outcome.status,
+        branch: path.branch !== null,
+        entering: step ? name(step.entering) : null, leaving: step ? name(step.leaving) : null,
+        row: step ? dictionary.rows.indexOf(step.leaving) : -1,
+        column: step ? dictionary.columns.indexOf(step.entering) : -1,
+        ties: step ? step.ties.map(name) : [], tie_break: step ? step.tie_break : 'none',
+        ratios: step && step.ratios ? step.ratios.map((x) => (x === null ? null : value(x))) : [],
+        basis: dictionary.rows.map(name), nonbasic: dictionary.columns.map(name),
+        z0: value(path.z0(frame)),
+        entries: () => dictionary.rows.map((_, r) => dictionary.columns.map((__, c) =>
+          number_text.full_scalar(problem, dictionary.entry(r, c)))),
+        values: () => dictionary.rows.map((_, r) => value(dictionary.value(r))),
+        own_ratios: () => (step ? explorer.ratio_test(dictionary,
+          dictionary.columns.indexOf(step.entering), 'lexicographic',
+          step.entering === problem.artificial).ratios.map((x) => (x === null ? null : value(x)))
+          : []),
+        picture: scene && {
+          forces: scene.shown.finite.forces, modes: scene.shown.modes,
+          acceleration: scene.shown.finite.acceleration, bodies: scene.shown.finite.bodies,
+          large: scene.shown.large, z: scene.z, w: scene.w,
+        },
+      };
+    }
+  }
+
+  try {
+    const app = new Application(JSON.parse(by_id('trace').textContent));
+    window.lcpush = {
+      goto: (step) => { app.controls.stop(); app.go(step); }, state: () => app.state(),
+      branch: (row, rule) => app.branch(row, rule),
+    };
+    app.start();
+  } catch (problem) {
+    const box = by_id('failure');
+    box.hidden = false;
+    box.textContent = `This page cannot show its data: ${problem.message}`;
+    throw problem;
+  }
+})();

@@ -1,0 +1,40 @@
+// Which basic variable blocks the entering one first, and who else ties with it.
+(() => {
+  /// Column i of the basis inverse decides for the i-th perturbation of w (lexicographic rule).
+  function lexicographic(dictionary, candidates, rates) {
+    let kept = candidates;
+    for (let i = 0; i < dictionary.size && kept.length > 1; ++i) {
+      const column = dictionary.columns.indexOf(i);
+      const values = column >= 0 ? dictionary.table_column(column)
+        : dictionary.unit_column(dictionary.rows.indexOf(i));
+      kept = dictionary.keep_smallest(kept, rates, values);
+    }
+    return kept[0];
+  }
+
+  /// {row, ties, tie_break, ratios}: row -1 when nothing blocks; ties are rows, [] when alone.
+  /// At the entry of z0 (`cover`) the most violated row blocks, so all signs are reversed.
+  function ratio_test(dictionary, column, rule, cover = false) {
+    const direction = cover ? 1 : -1;
+    const artificial = 2 * dictionary.size;
+    const rates = dictionary.rates(column, direction);
+    const ratios = rates.map((rate, r) => {
+      if (rate === null || (cover && !dictionary.is_negative(r))) return null;
+      return dictionary.ratio(r, column, cover ? -1 : direction);
+    });
+    let candidates = [...rates.keys()].filter((r) => rates[r] !== null);
+    if (candidates.length === 0) return { row: -1, ties: [], tie_break: 'none', ratios };
+    for (let k = 0; k < dictionary.levels && candidates.length > 1; ++k)
+      candidates = dictionary.keep_smallest(candidates, rates, dictionary.value_column(k));
+    if (candidates.length === 1)
+      return { row: candidates[0], ties: [], tie_break: 'none', ratios };
+    const ties = candidates;
+    const z0_row = cover ? -1 : dictionary.rows.indexOf(artificial);
+    if (ties.includes(z0_row)) return { row: z0_row, ties, tie_break: 'artificial', ratios };
+    if (rule === 'first_row') return { row: ties[0], ties, tie_break: 'first_row', ratios };
+    const row = lexicographic(dictionary, ties, rates);
+    return { row, ties, tie_break: 'lexicographic', ratios };
+  }
+
+  explorer.ratio_test = ratio_test;
+})();

@@ -1,0 +1,154 @@
+// The panel around the drawing: which part is drawn, the cushion, and the same in words.
+(() => {
+  const { h, svg, replace, by_id, name } = explorer.elements;
+  const { decimal } = explorer.number_text;
+  const { length, cross, scale, dot, add } = explorer.vectors;
+  let render = null;
+
+  /// z and w of the present basis in SI units, by level [times S, finite], and the cushion d z0.
+  function unknowns(app) {
+    const { problem, path, frame } = app;
+    const { scene } = problem.trace;
+    const n = problem.size;
+    const dictionary = path.dictionary(frame);
+    const large = app.unit_of_S(path.frames[frame].run);
+    const all = Array.from({ length: 2 * n + 1 }, () => [0, 0]);
+    dictionary.rows.forEach((variable, r) => {
+      const value = dictionary.value(r).map((x, k) =>
+        (dictionary.is_value_noise(r, k) ? 0 : problem.number(x)));
+      all[variable] = value.length === 2 ? [value[0] / large, value[1]] : [0, value[0]];
+    });
+    const { run } = path.frames[frame];
+    const unit = (of, i) => app.unit(run, of === 'z' ? n + i : i);
+    const z = all.slice(n, 2 * n).map((x, i) => x.map((part) => part * unit('z', i)));
+    const cover = app.cover(run);
+    const z0 = all[2 * n];
+    const cushion = cover.map((d, i) => z0.map((part) => part * d * unit('w', i)));
+    const w = all.slice(0, n).map((x, i) => x.map((part, k) => {
+      const size = Math.abs(part * unit('w', i)) + Math.abs(cushion[i][k]);
+      const rest = part * unit('w', i) - cushion[i][k];
+      return Math.abs(rest) < 1e-11 * size ? 0 : rest; // rounding is not a broken law
+    }));
+    return { z, w, z0, cushion };
+  }
+
+  function now(app) {
+    const { problem } = app;
+    if (!problem.trace.scene) return null;
+    const values = unknowns(app);
+    const shown = explorer.mechanics.picture(problem.trace.scene, values.z, values.w);
+    return { ...values, shown };
+  }
+
+  function contact_table(scene, shown, large) {
+    const level = large ? shown.large : shown.finite;
+    const times = large ? ' S' : '';
+    return h('div', { class: 'scroll' }, h('table', { class: 'contacts' },
+      h('caption', {}, `What the picture shows${large ? ', in units of S' : ''}`),
+      h('thead', {}, h('tr', {}, ['contact', 'now', 'normal', 'friction'].map((text) =>
+        h('th', { scope: 'col' }, text)))),
+      h('tbody', {}, scene.points.map((point, i) => h('tr', {},
+        h('th', { scope: 'row' }, point.name),
+        h('td', {}, explorer.view_scene.modes[shown.modes[i]]),
+        h('td', {}, `${decimal(level.forces[i].normal, 4)}${times} N`),
+        h('td', {}, `${decimal(length(level.forces[i].friction), 4)}${times} N`))))));
+  }
+
+  const vector = (v) => `(${v.map((x) => decimal(Math.abs(x) < 1e-12 ? 0 : x, 3)).join(', ')})`;
+
+  function motion_list(scene, shown, large) {
+    const level = large ? shown.large : shown.finite;
+    const times = large ? ' S' : '';
+    const linear = level.acceleration.slice(0, 3);
+    const spin = level.acceleration.slice(3);
+    const reach = Math.max(...scene.points.map(({ position }) => length(position)));
+    const small = 1e-9 * Math.max(length(linear), length(spin) * reach,
+      ...level.bodies.map(length));
+    const items = [h('li', {}, length(linear) > small
+      ? `The object accelerates at ${decimal(length(linear), 4)}${times} m/s\u00b2 along ${
+        vector(scale(linear, 1 / length(linear)))}.` : 'The object\u2019s centre of mass stays.')];
+    if (length(spin) * reach > small) {
+      const offset = scale(cross(spin, linear), 1 / dot(spin, spin));
+      items.push(h('li', {}, `It turns at ${decimal(length(spin), 4)}${times} rad/s\u00b2 about `
+        + `${vector(scale(spin, 1 / length(spin)))}, an axis through ${
+          vector(add(scene.center_of_mass, offset))} m.`));
+    }
+    scene.bodies.forEach((body, b) => {
+      const motion = level.bodies[b];
+      if (length(motion) <= small) return;
+      const turn = length(motion.slice(3)) * reach > small
+        ? `, turning at ${vector(motion.slice(3))}${times} rad/s\u00b2` : '';
+      items.push(h('li', {}, `${body.name} ${body.actuators.length ? 'moves' : 'is moved'} at ${
+        vector(motion.slice(0, 3))}${times} m/s\u00b2${turn}.`));
+    });
+    return h('ul', { class: 'facts' }, items);
+  }
+
+  /// While z0 > 0: how far each law is still broken.
+  function cushion_note(app, values) {
+    const { problem } = app;
+    if (explorer.mechanics.sign(values.z0) <= 0) return null;
+    const worst = values.w.map((x, i) => ({ i, x }))
+      .filter(({ x }) => explorer.mechanics.sign(x) < 0)
+      .sort((a, b) => a.x[0] - b.x[0] || a.x[1] - b.x[1]);
+    const text = (x) => (x[0] !== 0 ? `${decimal(x[0], 3)} S${x[1] ? ` ${
+      x[1] < 0 ? '\u2212' : '+'} ${decimal(Math.abs(x[1]), 3)}` : ''}` : decimal(x[1], 3));
+    return h('div', { class: 'note' },
+      h('p', {}, h('strong', {}, 'Not yet an answer.'), ' z0 > 0: a fictitious cushion still lifts '
+        + 'every row by d\u202fz0. Without it ', worst.length > 0
+        ? `${explorer.words.many(worst.length, 'law')} would be broken:`
+        : 'no law would be broken.'),
+      worst.length > 0 && h('ul', {}, worst.slice(0, 4).map(({ i, x }) => h('li', {},
+        name(problem.names[i]), ` = ${text(x)}`, problem.meanings[i]
+          && h('span', { class: 'meaning' }, problem.meanings[i]))),
+      worst.length > 4 && h('li', {}, `and ${worst.length - 4} more`)));
+  }
+
+  function legend() {
+    const sample = (...children) => svg('svg', { viewBox: '0 0 26 14', class: 'sample',
+      'aria-hidden': 'true' }, children);
+    const items = [
+      [sample(svg('g', { class: 'force normal' }, svg('line', { x1: 2, y1: 7, x2: 17, y2: 7 }),
+        svg('polygon', { class: 'head', points: '25,7 16,3 16,11' }))), 'normal force'],
+      [sample(svg('g', { class: 'force friction' }, svg('line', { x1: 2, y1: 7, x2: 17, y2: 7 }),
+        svg('polygon', { class: 'head', points: '25,7 16,3 16,11' }))), 'friction'],
+      [sample(svg('g', { class: 'motion object-motion' }, svg('line', { x1: 2, y1: 7, x2: 17,
+        y2: 7 }), svg('polygon', { class: 'head', points: '25,7 16,3 16,11' }))), 'acceleration'],
+      [sample(svg('polygon', { class: 'cone', points: '24,7 4,1 4,13' })), 'friction pyramid'],
+      [sample(svg('rect', { class: 'mark stick', x: 9, y: 3, width: 8, height: 8 })), 'sticks'],
+      [sample(svg('polygon', { class: 'mark slide', points: '13,2 18,11 8,11' })), 'slides'],
+      [sample(svg('circle', { class: 'mark separate', cx: 13, cy: 7, r: 4.5 })), 'opens'],
+      [sample(svg('circle', { class: 'mark touch', cx: 13, cy: 7, r: 2.4 })), 'only touches'],
+      [sample(svg('path', { class: 'mark sink', d: 'M9 3l8 8m0 -8l-8 8' })),
+        'sinks in, on the cushion'],
+      [sample(svg('g', { class: 'turning-centre' }, svg('circle', { cx: 13, cy: 7, r: 4 }),
+        svg('path', { d: 'M6 7h14M13 0v14' }))), 'centre of turning'],
+    ];
+    return h('ul', { class: 'key' }, items.map(([mark, text]) => h('li', {}, mark, text)));
+  }
+
+  function update(app) {
+    const { problem } = app;
+    const { scene } = problem.trace;
+    by_id('scene-panel').hidden = !scene;
+    if (!scene) return;
+    render = render || explorer.view_scene.create(scene);
+    const values = now(app);
+    const { shown } = values;
+    const large = shown.has_large && app.show_large;
+    const switcher = shown.has_large && h('div', { class: 'switch', role: 'group',
+      'aria-label': 'Part of the values' }, [[true, 'part times S'], [false, 'finite part']].map(
+      ([value, text]) => h('button', { type: 'button', 'aria-pressed': String(value === large),
+        onclick: () => { app.show_large = value; update(app); } }, text)));
+    const parts = shown.has_large && h('p', { class: 'meaning' }, 'S stands for a number larger '
+      + 'than all others: an actuator still stands at its bound \u2212S, so forces and motions '
+      + 'have a part that is a multiple of S. Drawn here: the '
+      + `${large ? 'part times S' : 'finite part'}.`);
+    const width = Math.max(300, Math.min(480, by_id('scene').clientWidth || 440));
+    replace('scene', switcher, parts, render(shown, large, width).map(({ title, svg: view }) =>
+      h('figure', {}, view, h('figcaption', {}, title))), legend(), cushion_note(app, values),
+    motion_list(scene, shown, large), contact_table(scene, shown, large));
+  }
+
+  explorer.view_scene_text = { update, now };
+})();

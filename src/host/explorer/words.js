@@ -1,0 +1,72 @@
+// Sentences that the trace does not bring along: ties, branches, ends.
+(() => {
+  const tie_words = {
+    none: 'No tie: one row alone blocks.',
+    artificial: 'z0 is among the tied variables and leaves first, because that is a solution.',
+    lexicographic: 'The lexicographic rule decides, by an infinitely small change of q; it cannot '
+      + 'cycle.',
+    first_row: 'The first tied row leaves. This rule may cycle.',
+    tie_column: 'Fixed generic numbers decide, an infinitely small change of q.',
+    largest_pivot: 'The largest pivot element decides, which loses the fewest digits.',
+    chosen: 'Chosen by hand.',
+  };
+
+  const rule_words = {
+    lexicographic: 'lexicographic rule', first_row: 'first row', generic: 'generic numbers',
+    chosen: 'ties chosen by hand',
+  };
+
+  const status_words = {
+    solved: 'solved', ray: 'ends in a ray', cycle: 'cycles', pivot_limit: 'stopped at the limit',
+    numerical_breakdown: 'numerical breakdown',
+  };
+
+  const many = (count, word) => `${count} ${word}${count === 1 ? '' : 's'}`;
+
+  /// "z3 enters and grows to 5/2. w2 falls to 0 first and leaves."
+  function pivot_sentence(path, pivot) {
+    const { problem } = path;
+    const name = (variable) => problem.names[variable];
+    const { entering, leaving, ties } = pivot;
+    const row = pivot.ratios ? pivot.ratios.find((_, r) => pivot.basis[r] === entering) : null;
+    const still = row && row.every((x) => problem.number(x) === 0);
+    const to = still ? ' but stays at 0, nothing moves' : row
+      ? ` and grows to ${explorer.number_text.value(problem, row)}` : '';
+    const tied = ties.length > 1 ? `, tied with ${many(ties.length - 1, 'other')},` : '';
+    if (entering === problem.artificial)
+      return `z0 enters${to}: just enough to lift every value to 0 or above. `
+        + `${name(leaving)} is the most negative${tied ? tied.slice(0, -1) : ''} and leaves.`;
+    if (leaving === problem.artificial)
+      return `${name(entering)} enters${to}. z0 falls to 0${tied} and leaves: a solution.`;
+    return still ? `${name(entering)} enters${to}: ${name(leaving)} is 0 already${tied} and leaves.`
+      : `${name(entering)} enters${to}. ${name(leaving)} falls to 0 first${tied} and leaves.`;
+  }
+
+  function end_sentence(path) {
+    const { problem } = path;
+    const { status, reason, ray, cycle } = path.outcome;
+    if (status === 'solved')
+      return path.pivots.length ? 'z0 has left: every pair has one variable at 0. Solved.'
+        : 'No value is negative: z = 0 is a solution, without a pivot.';
+    if (status === 'ray')
+      return `${problem.names[ray.entering]} enters, and nothing blocks it: a ray. `
+        + 'This path ends without an answer.';
+    if (status === 'cycle')
+      return `The basis after pivot ${cycle.from_pivot + 1} has come back `
+        + `${many(cycle.length, 'pivot')} later: from here the method would turn in a circle.`;
+    if (status === 'pivot_limit') return 'The limit of pivots is reached, without an end in sight.';
+    return `Numerical breakdown${reason ? `: ${reason}` : ''}.`;
+  }
+
+  function sentence(path, frame_number) {
+    const frame = path.frames[frame_number];
+    if (frame.pivot !== null) {
+      const pivot = path.pivots[frame.pivot];
+      return pivot.sentence || pivot_sentence(path, pivot);
+    }
+    if (frame_number === path.last) return end_sentence(path);
+    return `This run ends here. Next: ${path.runs[frame.run + 1].title}.`;
+  }
+
+  explorer.words = { tie_words, rule_words, status_words, many, sentence };
+})();

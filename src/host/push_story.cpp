@@ -1,0 +1,144 @@
+#include "push_story.hpp"
+
+#include "lcpush/host/jam.hpp"
+
+namespace lcpush::host {
+namespace {
+
+constexpr const char* cushion = "the cushion z0";
+
+std::string capitalised(std::string text) {
+  // Names of points and bodies stay as they are.
+  if (text.rfind("the ", 0) == 0) text[0] = 'T';
+  return text;
+}
+
+} // namespace
+
+Vector3<double> PushStory::generator_force(const Name& name) const {
+  const Body<double>& body = push_.scene().bodies[push_.layout().body[name.of]];
+  return generator(body, name.generator, push_.file().facets).force;
+}
+
+/// " along +x"; for a generator that only twists, which way round.
+std::string PushStory::along(const Name& name, double sign) const {
+  const Vector3<double> force = generator_force(name);
+  if (!force.isZero(0)) return " along " + direction_text(sign * force);
+  const Body<double>& body = push_.scene().bodies[push_.layout().body[name.of]];
+  const double torque = sign * generator(body, name.generator, push_.file().facets).torque;
+  return torque > 0 ? " about its normal" : " against its normal";
+}
+
+std::string PushStory::meaning(Index variable) const {
+  const Index n = size();
+  if (variable == artificial(n)) return "artificial variable: a cushion under every violated law";
+  if (variable >= n) {
+    const Meaning meaning = name_of(push_.layout(), variable - n).meaning;
+    const std::string name = push_.variable_name(variable - n);
+    if (meaning == Meaning::closing) return name + ", counted from its bound -S (m/s^2)";
+    return name + (meaning == Meaning::slip ? " (m/s^2)" : " (N)");
+  }
+  const Name name = name_of(push_.layout(), variable);
+  switch (name.meaning) {
+  case Meaning::normal: return "separation of " + point(name) + " (m/s^2)";
+  case Meaning::pull: return "approach of " + point(name) + " (m/s^2)";
+  case Meaning::friction:
+    return "slip of " + point(name) + " in excess of its motion" + along(name, -1) + " (m/s^2)";
+  case Meaning::slip: return "friction left unused in the cone of " + point(name) + " (N)";
+  case Meaning::closing:
+    return "force of " + push_.actuator_name(name.of) + " beyond its set force";
+  }
+  return {};
+}
+
+/// The way a point slides: against the friction that acts on it.
+std::string PushStory::sliding(Index at, const std::vector<bool>& basic) const {
+  Vector3<double> friction = Vector3<double>::Zero();
+  for (Index j = 0; j < push_.layout().cones[at].generators; ++j) {
+    const Index variable = unknown(push_.layout().friction(at, j), size());
+    if (basic[static_cast<std::size_t>(variable)])
+      friction += generator_force({Meaning::friction, at, j});
+  }
+  if (friction.norm() < 1e-9) return {};
+  return " along " + direction_text(-friction.normalized());
+}
+
+/// What the entering variable's growth is.
+std::string PushStory::grows(Index variable) const {
+  const Index n = size();
+  if (variable == artificial(n)) return cushion + std::string(" grows");
+  const bool is_unknown = variable >= n;
+  const Name name = name_of(push_.layout(), is_unknown ? variable - n : variable);
+  switch (name.meaning) {
+  case Meaning::normal: return point(name) + (is_unknown ? " presses harder" : " separates faster");
+  case Meaning::pull: return point(name) + (is_unknown ? " pulls harder" : " approaches faster");
+  case Meaning::friction:
+    return is_unknown ? "friction of " + point(name) + along(name, 1) + " grows"
+                      : point(name) + " turns away from sliding" + along(name, -1);
+  case Meaning::slip:
+    return is_unknown ? point(name) + " slides faster"
+                      : "the friction of " + point(name) + " draws back from its cone";
+  case Meaning::closing:
+    return is_unknown
+               ? push_.actuator_name(name.of) + " retreats less and less"
+               : "the force of " + push_.actuator_name(name.of) + " grows beyond its set force";
+  }
+  return {};
+}
+
+/// What has happened when the leaving variable is zero, and what may follow.
+std::string PushStory::ends(Index variable, const std::vector<bool>& basic) const {
+  const Index n = size();
+  if (variable == artificial(n)) return cushion + std::string(" is gone: every law holds");
+  const bool is_unknown = variable >= n;
+  const Name name = name_of(push_.layout(), is_unknown ? variable - n : variable);
+  switch (name.meaning) {
+  case Meaning::normal:
+    return is_unknown ? point(name) + " presses no more and may separate"
+                      : point(name) + " stays in touch and may press";
+  case Meaning::pull:
+    return is_unknown ? point(name) + " pulls no more" : point(name) + " is held and may be pulled";
+  case Meaning::friction:
+    return is_unknown ? "the friction of " + point(name) + along(name, 1) + " has faded away"
+                      : point(name) + " moves" + along(name, -1) +
+                            " as fast as it slips, so that friction" + along(name, 1) + " may act";
+  case Meaning::slip:
+    return is_unknown ? point(name) + " stops sliding and sticks"
+                      : point(name) + " reaches its friction cone and starts to slide" +
+                            sliding(name.of, basic);
+  case Meaning::closing:
+    return is_unknown ? push_.actuator_name(name.of) + " retreats at its bound"
+                      : push_.actuator_name(name.of) + " holds its set force and may move";
+  }
+  return {};
+}
+
+std::string PushStory::sentence(Index entering, Index leaving,
+                                const std::vector<bool>& basic) const {
+  std::string text;
+  if (entering == artificial(size())) {
+    text = "The cushion z0 enters, just large enough for every law to hold with its help; " +
+           ends(leaving, basic);
+  } else {
+    text = "As " + grows(entering) + ", " + ends(leaving, basic);
+  }
+  return capitalised(text) + ".";
+}
+
+std::string PushStory::ray_sentence(Index entering, const std::vector<double>& v) const {
+  std::string text = capitalised(grows(entering)) + " without end: nothing blocks.";
+  Push scaled(push_.file());
+  const Layout<double>& layout = scaled.layout();
+  std::vector<double> own(v.size());
+  double largest = 0;
+  for (Index i = 0; i < layout.size; ++i) {
+    own[static_cast<std::size_t>(i)] = v[static_cast<std::size_t>(i)] / unknown_unit(layout, i);
+    largest = std::max(largest, own[static_cast<std::size_t>(i)]);
+  }
+  for (double& x : own) x /= largest > 0 ? largest : 1;
+  const Jam jam = explain_jam(push_.file(), scaled.assembly(), own.data(), layout.size <= 200);
+  for (const std::string& sentence : jam_sentences(push_.file(), jam)) text += "\n" + sentence;
+  return text;
+}
+
+} // namespace lcpush::host

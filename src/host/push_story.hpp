@@ -1,0 +1,31 @@
+// What the variables and pivots of a scene's problem mean.
+#pragma once
+
+#include "lcpush/host/pivots.hpp"
+#include "lcpush/host/push.hpp"
+
+namespace lcpush::host {
+
+class PushStory : public Story {
+public:
+  /// `push` outlives the story.
+  explicit PushStory(const Push& push) : push_(push) {}
+
+  std::string meaning(Index variable) const override;
+  std::string sentence(Index entering, Index leaving,
+                       const std::vector<bool>& basic) const override;
+  std::string ray_sentence(Index entering, const std::vector<double>& v) const override;
+
+private:
+  const Push& push_;
+
+  Index size() const { return push_.layout().size; }
+  std::string grows(Index variable) const;
+  std::string ends(Index variable, const std::vector<bool>& basic) const;
+  std::string point(const Name& name) const { return point_name(push_.file(), name.of); }
+  Vector3<double> generator_force(const Name& name) const;
+  std::string along(const Name& name, double sign) const;
+  std::string sliding(Index point, const std::vector<bool>& basic) const;
+};
+
+} // namespace lcpush::host

@@ -1,0 +1,266 @@
+// Drives the pages that `lcpush pivots --format html` writes in headless Chromium and compares
+// every step with `--format json`.
+//
+//     node explorer.mjs TOOL OUTPUT_FOLDER [NAME..]
+//
+// playwright-core comes from LCPUSH_NODE_MODULES (a folder in which `npm install` was run) or from
+// here; the browser from CHROMIUM or /usr/bin/chromium. Exit 0: all held.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { check_after, check_marks, check_picture, check_pivot } from './checks.mjs';
+import { root } from './engine.mjs';
+import { problems } from './problems.mjs';
+
+const [tool, folder, ...chosen] = process.argv.slice(2);
+if (!tool || !folder) {
+  console.error('usage: node explorer.mjs TOOL OUTPUT_FOLDER [NAME..]');
+  process.exit(2);
+}
+const modules = process.env.LCPUSH_NODE_MODULES || dirname(fileURLToPath(import.meta.url));
+const { chromium } = createRequire(join(resolve(modules), 'package.json'))('playwright-core');
+const out = resolve(folder);
+mkdirSync(out, { recursive: true });
+
+/// What the tool writes; a run that is not solved exits with 1 and still writes.
+function run_tool(name, args, format) {
+  const file = join(out, `${name}.${format}`);
+  const call = ['pivots', ...args, '--format', format, '-o', file];
+  try {
+    execFileSync(tool, call, { cwd: root, stdio: ['ignore', 'ignore', 'pipe'] });
+  } catch (failure) {
+    if (failure.status !== 1 || !existsSync(file))
+      throw new Error(`${tool} ${call.join(' ')}: ${failure.stderr}`);
+  }
+  return file;
+}
+
+async function open(browser, file, options) {
+  const context = await browser.newContext(options);
+  const page = await context.newPage();
+  page.setDefaultTimeout(10000);
+  const faults = [];
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) faults.push(message.text());
+  });
+  page.on('pageerror', (error) => faults.push(error.stack));
+  page.on('request', (request) => {
+    if (!request.url().startsWith('file:') && !request.url().startsWith('data:'))
+      faults.push(`request of ${request.url()}`);
+  });
+  await page.goto(pathToFileURL(file).href);
+  return { page, faults, close: () => context.close() };
+}
+
+const state_of = (page) => page.evaluate(() => {
+  const state = window.lcpush.state();
+  return { ...state, entries: state.entries(), values: state.values(),
+    own_ratios: state.own_ratios() };
+});
+
+const marks_of = (page) => page.evaluate(() => {
+  const names = (selector) => [...document.querySelectorAll(selector)]
+    .map((cell) => cell.querySelector('.name').textContent);
+  const cells = [...document.querySelectorAll('#tableau td.pivot')];
+  return { entering: names('#tableau thead th.entering'),
+    leaving: names('#tableau tr.leaving > th'), tied: names('#tableau tr.tied > th'),
+    rows: names('#tableau tbody th'), pivot_cells: cells.length,
+    pivot: cells.map((cell) => [Number(cell.dataset.row), Number(cell.dataset.column)]) };
+});
+
+const step_of = (page) => page.evaluate(() => window.lcpush.state().step);
+const go = (page, step) => page.evaluate((k) => window.lcpush.goto(k), step);
+
+/// Every step, or `most` of them spread evenly with the first and the last.
+function steps_to_check(last, most) {
+  const all = [...Array(last + 1).keys()];
+  if (!most || all.length <= most) return all;
+  return [...new Set(Array.from({ length: most }, (_, k) => Math.round(last * k / (most - 1))))];
+}
+
+async function check_steps(page, trace, { most_steps: most, rigid = false }) {
+  const { last } = await page.evaluate(() => window.lcpush.state());
+  assert.equal(last + 1, trace.pivots.length + trace.runs.length,
+    'one frame a pivot, one a run end');
+  for (const step of steps_to_check(last, most)) {
+    await go(page, step);
+    const state = await state_of(page);
+    assert.equal(state.step, step);
+    if (state.pivot !== null) check_pivot(trace, state.pivot, state);
+    const done = state.pivot === null ? trace.pivots.length : state.pivot;
+    const first = trace.runs[state.run].first_pivot;
+    if (state.pivot !== null && done > first) check_after(trace, done - 1, state);
+    if (step === last && trace.pivots.length > first) check_after(trace, done - 1, state);
+    check_marks(state, await marks_of(page));
+    if (trace.scene) check_picture(trace.scene, state.picture, rigid);
+  }
+}
+
+async function check_controls(page) {
+  const { last } = await page.evaluate(() => window.lcpush.state());
+  const expect_step = async (step, what) => assert.equal(await step_of(page), step, what);
+  if (last === 0) return;
+  await go(page, 0);
+  await page.click('#forward');
+  await expect_step(1, 'forward');
+  if (last > 1) await page.click('#last');
+  await expect_step(last, 'last');
+  await page.click('#back');
+  await expect_step(last - 1, 'back');
+  if (last > 1) await page.click('#first');
+  await expect_step(0, 'first');
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press('ArrowRight');
+  await expect_step(1, 'right arrow');
+  await page.keyboard.press('End');
+  await expect_step(last, 'End');
+  await page.keyboard.press('ArrowLeft');
+  await expect_step(last - 1, 'left arrow');
+  await page.keyboard.press('Home');
+  await expect_step(0, 'Home');
+  await page.locator('#slider').fill(String(last));
+  await expect_step(last, 'slider');
+  await page.locator('#jump').fill('1');
+  await page.locator('#jump').press('Enter');
+  await expect_step(1, 'jump');
+  await page.locator('#jump').press('ArrowLeft');
+  await expect_step(1, 'an arrow typed into the input is not a step');
+  assert.equal(new URL(page.url()).hash, '#step=1');
+  await page.evaluate(() => { location.hash = '#step=0'; });
+  await page.waitForFunction(() => window.lcpush.state().step === 0);
+  await page.locator('#speed').selectOption('fast');
+  await page.evaluate(() => document.activeElement.blur());
+  await page.keyboard.press(' ');
+  await page.waitForFunction(() => window.lcpush.state().step >= 1);
+  if (await page.getAttribute('#play', 'aria-pressed') === 'true') await page.click('#play');
+  const here = await step_of(page);
+  await page.waitForTimeout(500);
+  if (here < last) await expect_step(here, 'a pause stops');
+  const chart = await page.locator('#chart svg').boundingBox();
+  await page.locator('#chart svg').click({ position: { x: chart.width - 13, y: 60 } });
+  assert.ok(await step_of(page) >= last - Math.ceil(last / 100),
+    'a click at the right end of the chart');
+}
+
+/// Takes another tied row where there is one, follows the branch, and comes back.
+async function check_branch(page, trace) {
+  const k = trace.pivots.findIndex(({ ties }) => ties.length > 1);
+  if (k < 0) return 0;
+  const { last } = await page.evaluate(() => window.lcpush.state());
+  let step = 0;
+  for (; step <= last; ++step) {
+    await go(page, step);
+    if (await page.evaluate((pivot) => window.lcpush.state().pivot === pivot, k)) break;
+  }
+  const other = trace.pivots[k].ties.find((name) => name !== trace.pivots[k].leaving);
+  await page.locator(`#choices button[data-variable="${other}"]`).click();
+  const state = await state_of(page);
+  assert.ok(state.branch);
+  assert.equal(state.step, step + 1);
+  assert.ok(state.basis.includes(trace.pivots[k].entering));
+  assert.ok(!state.basis.includes(other));
+  assert.ok(await page.locator('#branch').isVisible());
+  assert.ok(['solved', 'ray', 'cycle', 'pivot_limit'].includes(state.status));
+  if (state.step < state.last) await page.click('#last');
+  const end = await state_of(page);
+  if (end.status === 'solved') assert.ok(!end.basis.includes('z0'));
+  const { href } = await page.evaluate(() => ({ href: location.hash }));
+  assert.match(href, /&branch=/);
+  await page.click('#return');
+  const back = await state_of(page);
+  assert.ok(!back.branch);
+  assert.equal(back.step, step);
+  check_pivot(trace, k, back);
+  return 1;
+}
+
+async function check_layout(page, where, width) {
+  const faults = await page.evaluate((viewport) => {
+    const found = [];
+    // Not innerWidth: a phone widens that to what it has to show.
+    if (document.documentElement.scrollWidth > viewport) found.push('scrolls sideways');
+    for (const button of document.querySelectorAll('.buttons button')) {
+      const { width, height } = button.getBoundingClientRect();
+      if (width < 44 || height < 44) found.push(`${button.id} is too small to touch`);
+    }
+    for (const text of document.querySelectorAll('svg text')) {
+      const drawing = text.ownerSVGElement;
+      const factor = drawing.getBoundingClientRect().width / drawing.viewBox.baseVal.width;
+      if (parseFloat(getComputedStyle(text).fontSize) * factor < 10.5)
+        found.push(`small text in a drawing: ${text.textContent}`);
+      const [inner, outer] = [text.getBoundingClientRect(), drawing.getBoundingClientRect()];
+      if (inner.width > 0 && (inner.left < outer.left - 2 || inner.right > outer.right + 2
+        || inner.top < outer.top - 3 || inner.bottom > outer.bottom + 3))
+        found.push(`cut text in a drawing: ${text.textContent}`);
+    }
+    const labels = (view) => [...view.querySelectorAll('.label')]
+      .map((label) => label.getBoundingClientRect());
+    for (const view of document.querySelectorAll('.view')) {
+      labels(view).forEach((a, i) => labels(view).slice(i + 1).forEach((b) => {
+        const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+        const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+        if (across > 3 && down > 3) found.push('labels of the picture overlap');
+      }));
+    }
+    return found;
+  }, width);
+  assert.deepEqual(faults, [], where);
+}
+
+const wide = { viewport: { width: 1280, height: 900 } };
+const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true,
+  deviceScaleFactor: 2 };
+
+async function check_problem(browser, problem) {
+  const { name } = problem;
+  const json = run_tool(name, problem.arguments, 'json');
+  const html = run_tool(name, problem.arguments, 'html');
+  const trace = JSON.parse(readFileSync(json, 'utf8'));
+  if (problem.status) assert.equal(trace.status, problem.status, `${name}: status`);
+  let branches = 0;
+  for (const [size, device] of [['wide', wide], ['phone', phone]]) {
+    for (const colorScheme of ['light', 'dark']) {
+      const label = `${name}_${size}_${colorScheme}`;
+      const { page, faults, close } = await open(browser, html, { ...device, colorScheme,
+        reducedMotion: colorScheme === 'dark' ? 'reduce' : 'no-preference' });
+      if (label.endsWith('wide_light')) {
+        await check_steps(page, trace, problem);
+        await check_controls(page);
+        branches = await check_branch(page, trace);
+      }
+      const { last } = await page.evaluate(() => window.lcpush.state());
+      for (const step of new Set([0, Math.floor(last / 2), last])) {
+        await go(page, step);
+        await check_layout(page, `${label}, step ${step}`, device.viewport.width);
+        await page.evaluate(() => window.scrollTo(0, 0));
+        await page.screenshot({ path: join(out, `${label}_${step}.png`),
+          fullPage: size === 'phone' });
+      }
+      assert.deepEqual(faults, [], label);
+      await close();
+    }
+  }
+  console.log(`${name}: ${trace.pivots.length} pivots, ${trace.status}${
+    branches ? ', branch' : ''}`);
+}
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
+  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+    '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+});
+let failures = 0;
+for (const problem of problems) {
+  if (chosen.length > 0 && !chosen.includes(problem.name)) continue;
+  try {
+    await check_problem(browser, problem);
+  } catch (failure) {
+    failures += 1;
+    console.error(`${problem.name}: ${failure.stack}`);
+  }
+}
+await browser.close();
+if (failures > 0) process.exitCode = 1;

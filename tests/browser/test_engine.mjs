@@ -1,0 +1,214 @@
+// The explorer's engine against known answers: fractions, dictionary, ratio test, Lemke, branches.
+// Run by `node --test`; needs no browser and no tool.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { check_picture } from './checks.mjs';
+import { load_engine, root } from './engine.mjs';
+import { planar_tip, straight_slide } from './own_scene.mjs';
+import { own_trace } from './own_trace.mjs';
+
+const engine = load_engine();
+
+/// A Matrix Market array: numbers column by column.
+function read_array(name) {
+  const lines = readFileSync(join(root, 'fixtures', 'textbook', name), 'utf8').split('\n')
+    .filter((line) => line && !line.startsWith('%'));
+  const [rows, columns] = lines[0].split(/\s+/).map(Number);
+  const numbers = lines.slice(1).map((x) => x.trim());
+  return [...Array(rows).keys()].map((i) =>
+    [...Array(columns).keys()].map((j) => numbers[j * rows + i]));
+}
+
+const textbook = (name, options) => own_trace({ title: name, M: read_array(`${name}.M.mtx`),
+  q: read_array(`${name}.q.mtx`).map(([x]) => x), exact: true, engine, ...options });
+
+const path_of = (trace, of = engine) => of.Path.recorded(new of.Problem(trace));
+
+/// Small reproducible random numbers.
+function random_source(seed) {
+  let state = seed;
+  return () => {
+    state = (state * 1103515245 + 12345) % 2147483648;
+    return state / 2147483648;
+  };
+}
+
+/// |w - (q + M z)| and the complementarity of an answer, exactly.
+function exact_defect({ fractions }, M, q, z, w) {
+  const parsed = z.map(fractions.parse);
+  return M.map((row, i) => {
+    let sum = fractions.parse(q[i]);
+    row.forEach((x, j) => {
+      sum = fractions.add(sum, fractions.multiply(fractions.parse(x), parsed[j]));
+    });
+    const same = fractions.text(sum) === w[i];
+    const complementary = w[i] === '0' || z[i] === '0';
+    return same && complementary && fractions.sign(parsed[i]) >= 0 && fractions.sign(sum) >= 0;
+  }).filter((good) => !good).length;
+}
+
+test('the smallest example has z = (4/3, 7/3)', () => {
+  const trace = own_trace({ title: '', M: [['2', '1'], ['1', '2']], q: ['-5', '-6'], exact: true });
+  assert.equal(trace.status, 'solved');
+  assert.deepEqual(trace.final.z, ['4/3', '7/3']);
+  assert.equal(trace.pivots.length, 3);
+});
+
+test('Kostreva\'s example cycles by first rows and is solved lexicographically', () => {
+  const cycling = textbook('kostreva_1', { rule: 'first_row' });
+  assert.equal(cycling.status, 'cycle');
+  const { from_pivot, length } = cycling.cycle;
+  const sorted = (pivot) => [...pivot.basis].sort().join();
+  assert.equal(sorted(cycling.pivots[from_pivot]), sorted(cycling.pivots[from_pivot + length]));
+  const solved = textbook('kostreva_1', {});
+  assert.equal(solved.status, 'solved');
+  assert.deepEqual(solved.final.z, ['1/3', '1/3', '1/3']);
+});
+
+test('Murty\'s example 2.9 ends in a ray whose certificate holds, and a false one does not', () => {
+  const trace = textbook('murty_2_9', {});
+  assert.equal(trace.status, 'ray');
+  const check = engine.certificate.check_ray(path_of(trace));
+  assert.ok(check.v_holds && check.y_holds && check.products_vanish);
+  const wrong = structuredClone(trace);
+  wrong.ray.v[0] = '7';
+  const refused = engine.certificate.check_ray(path_of(wrong));
+  assert.ok(!(refused.y_holds && refused.products_vanish));
+});
+
+test('every tableau of a path is the one that pivot by pivot gives, in any order of asking', () => {
+  const random = random_source(7);
+  const n = 80;
+  const root_matrix = [...Array(n)].map(() => [...Array(n)].map(() => random() - 0.5));
+  const M = root_matrix.map((a, i) => root_matrix.map((b, j) =>
+    a.reduce((sum, x, k) => sum + x * b[k], i === j ? 0.1 : 0)));
+  const q = [...Array(n)].map(() => random() - 0.8);
+  const trace = own_trace({ title: '', M, q });
+  assert.equal(trace.status, 'solved');
+  assert.ok(trace.pivots.length > 33, 'long enough to pass a checkpoint');
+  const path = path_of(trace);
+  for (const k of [trace.pivots.length - 1, 0, 33, 31, 32, 5]) {
+    const dictionary = path.dictionary(k);
+    const { tableau } = trace.pivots[k];
+    tableau.entries.forEach((row, r) => row.forEach((x, c) => {
+      const difference = Math.abs(dictionary.entry(r, c) - x);
+      assert.ok(difference < 1e-8 * Math.max(1, Math.abs(x)), `pivot ${k}, ${r}, ${c}`);
+    }));
+  }
+});
+
+test('fractions and decimals take the same pivots to the same answer', () => {
+  for (let seed = 1; seed <= 60; ++seed) {
+    const random = random_source(seed);
+    const n = 2 + seed % 7;
+    const whole = () => Math.floor(random() * 19) - 9;
+    const L = [...Array(n)].map(() => [...Array(n)].map(whole));
+    const skew = [...Array(n)].map(() => [...Array(n)].map(whole));
+    const M = L.map((a, i) => L.map((b, j) => a.reduce((s, x, k) => s + x * b[k], i === j ? 1 : 0)
+      + skew[i][j] - skew[j][i]));
+    const q = [...Array(n)].map(whole);
+    const decimals = own_trace({ title: '', M, q });
+    const text = M.map((row) => row.map(String));
+    const exact = own_trace({ title: '', M: text, q: q.map(String), exact: true });
+    assert.equal(exact.status, 'solved', `seed ${seed}`);
+    assert.equal(decimals.status, 'solved');
+    if (exact.final.z === null) continue;
+    assert.equal(exact_defect(engine, text, q.map(String), exact.final.z, exact.final.w), 0);
+    exact.final.z.forEach((x, i) => {
+      const { n: over, d: under } = engine.fractions.parse(x);
+      const number = engine.fractions.to_number(over, under);
+      assert.ok(Math.abs(number - decimals.final.z[i]) < 1e-9 * Math.max(1, number));
+    });
+    assert.deepEqual(exact.pivots.map((pivot) => [pivot.entering, pivot.leaving]),
+      decimals.pivots.map((pivot) => [pivot.entering, pivot.leaving]), `seed ${seed}`);
+  }
+});
+
+test('rows with denominators keep exact tableaus', () => {
+  const M = [['2/3', '1/7'], ['1/5', '9/4']];
+  const trace = own_trace({ title: '', M, q: ['-5/11', '-6/13'], exact: true });
+  assert.equal(exact_defect(engine, M, ['-5/11', '-6/13'], trace.final.z, trace.final.w), 0);
+  const path = path_of(trace);
+  trace.pivots.forEach(({ tableau }, k) => {
+    const dictionary = path.dictionary(k);
+    assert.deepEqual(tableau.entries, tableau.entries.map((row, r) => row.map((_, c) =>
+      engine.fractions.text(dictionary.entry(r, c)))));
+  });
+});
+
+test('another tied row may leave; the branch ends by itself, by first rows it may cycle', () => {
+  const path = path_of(textbook('kostreva_1', {}));
+  const [first] = path.pivots;
+  assert.equal(first.ties.length, 3);
+  const endings = new Set();
+  for (const row of [0, 1, 2]) {
+    for (const rule of ['lexicographic', 'first_row']) {
+      const branch = path.branch_at(0, row, rule);
+      assert.equal(branch.pivots[0].leaving, row);
+      endings.add(branch.outcome.status);
+      if (branch.outcome.status !== 'solved') continue;
+      const { z } = engine.certificate.solution(branch);
+      assert.deepEqual(z.map(([x]) => engine.fractions.text(x)), ['1/3', '1/3', '1/3']);
+    }
+  }
+  assert.deepEqual([...endings].sort(), ['cycle', 'solved']);
+});
+
+test('values with a part times S are compared by that part first', () => {
+  const M = [[1, 0], [0, 1]];
+  const trace = own_trace({ title: '', M, q: [[-1, 5], [0, -100]], free: 1 });
+  assert.equal(trace.status, 'solved');
+  assert.equal(trace.pivots[0].leaving, 'w1');
+  assert.deepEqual(trace.pivots[0].ratios, [[1, -5], 100]);
+});
+
+test('the forces of every basis of a scene obey Newton and the rows of the tableau', () => {
+  for (const problem of [straight_slide(4), straight_slide(8), planar_tip()]) {
+    const trace = own_trace(problem);
+    assert.equal(trace.status, 'solved');
+    const path = path_of(trace);
+    const n = trace.size;
+    path.frames.forEach((_, k) => {
+      const dictionary = path.dictionary(k);
+      const all = Array.from({ length: 2 * n + 1 }, () => [0, 0]);
+      dictionary.rows.forEach((variable, r) => {
+        const value = dictionary.value(r);
+        all[variable] = value.length === 2 ? value : [0, ...value];
+      });
+      const z = all.slice(n, 2 * n);
+      const w = all.slice(0, n).map((x) => x.map((part, level) => part - all[2 * n][level]));
+      const shown = engine.mechanics.picture(problem.scene, z, w);
+      const picture = { ...shown.finite, large: shown.large, z, w };
+      check_picture(problem.scene, picture, true);
+      if (k < 3) return;
+      picture.forces = picture.forces.map((force) => ({ ...force, normal: force.normal + 1 }));
+      assert.throws(() => check_picture(problem.scene, picture, true), 'a wrong force is noticed');
+    });
+  }
+});
+
+test('long numbers: the greatest common divisor is Euclid\'s', () => {
+  const euclid = (a, b) => (b ? euclid(b, a % b) : a);
+  let [a, b] = [1n, 1n];
+  for (let i = 0; i < 250; ++i) {
+    a = a * 7n + BigInt(i * i + 3);
+    b = b * 9n + BigInt(i * 3 + 1);
+    assert.equal(engine.fractions.gcd(a, b), euclid(a, b));
+    assert.equal(engine.fractions.gcd(a * b, 12n * b), euclid(a * b, 12n * b));
+  }
+});
+
+test('a spoiled exchange is noticed', () => {
+  const spoiled = load_engine((text) =>
+    text.replace('x * pivot - flip * factor * y', 'x * pivot + flip * factor * y'));
+  let noticed = false;
+  try {
+    const M = [['2', '1'], ['1', '2']];
+    const trace = own_trace({ title: '', M, q: ['-5', '-6'], exact: true, engine: spoiled });
+    noticed = trace.status !== 'solved'
+      || exact_defect(engine, M, ['-5', '-6'], trace.final.z, trace.final.w) > 0;
+  } catch { noticed = true; }
+  assert.ok(noticed);
+});

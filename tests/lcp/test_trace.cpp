@@ -1,0 +1,175 @@
+// What observers are told, and that watching changes nothing.
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "lcpush/lcp/trace.hpp"
+#include "support/checked_sweeps.hpp"
+#include "support/dense_lcp.hpp"
+#include "support/sweep_runs.hpp"
+#include "support/textbook.hpp"
+
+using namespace lcpush;
+using namespace lcpush::test;
+
+namespace {
+
+LemkeOptions<double> by_the_book(const VectorX<double>& cover, TieRule rule) {
+  LemkeOptions<double> options;
+  options.cover = cover.data();
+  options.equilibrate = false;
+  options.tie_rule = rule;
+  return options;
+}
+
+/// What was said before and after each pivot, compared with what the dictionary shows.
+struct Diary {
+  std::vector<Pivot> pivots;
+  std::vector<std::vector<int>> tied;
+  int starts_seen = 0, steps_seen = 0;
+  Status last = Status::running;
+
+  void starts(const Lemke<double>& lemke) {
+    ++starts_seen;
+    CHECK(lemke.dictionary().column_of(artificial(lemke.dictionary().size())) >= 0);
+  }
+  Index leaves(const Lemke<double>& lemke, const Turn& turn) {
+    const Dictionary<double>& d = lemke.dictionary();
+    CHECK(d.nonbasic[turn.column] == turn.entering);
+    CHECK(turn.repairs == (turn.entering == artificial(d.size())));
+    CHECK(turn.tied.size == turn.blocking.tied);
+    pivots.push_back({turn.entering, d.basic[turn.blocking.row], turn.blocking});
+    tied.emplace_back();
+    for (const int row : turn.tied) tied.back().push_back(d.basic[row]);
+    return turn.blocking.row;
+  }
+  void stepped(const Lemke<double>& lemke) {
+    ++steps_seen;
+    last = lemke.status();
+    if (pivots.empty()) return; // q >= 0: z = 0 is the answer
+    CHECK(lemke.last_pivot().entering == pivots.back().entering);
+    CHECK(lemke.last_pivot().leaving == pivots.back().leaving);
+  }
+};
+
+} // namespace
+
+TEST_CASE("an observer sees every pivot before it is made, and changes nothing") {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Index n = 2 + static_cast<Index>(seed % 9);
+    const MatrixX<double> A = random_matrix(random, n, n);
+    const DenseLcp<double> lcp{A * A.transpose(), random_vector(random, n)};
+    LemkeRun<double> watched(n), alone(n);
+    Diary diary;
+    REQUIRE(watched.lemke.init(lcp.view()) == Status::running);
+    const Status status = watched.lemke.solve(diary);
+    CHECK(status == alone.solve(lcp));
+    CHECK(diary.last == status);
+    CHECK(diary.starts_seen == 1);
+    CHECK(static_cast<Index>(diary.pivots.size()) == alone.lemke.pivots());
+    CHECK(watched.z() == alone.z());
+    for (std::size_t k = 1; k < diary.pivots.size(); ++k)
+      CHECK(diary.pivots[k].entering == complement(diary.pivots[k - 1].leaving, n));
+  }
+}
+
+// All three rows of Kostreva's examples are tied when z0 enters.
+TEST_CASE("an observer sees all tied rows and what decided") {
+  const DenseLcp<double> lcp = textbook("kostreva_1");
+  const VectorX<double> ones = VectorX<double>::Ones(3);
+  LemkeRun<double> run(3);
+  Diary diary;
+  REQUIRE(run.lemke.init(lcp.view(), by_the_book(ones, TieRule::lexicographic)) == Status::running);
+  REQUIRE(run.lemke.solve(diary) == Status::solved);
+  CHECK(diary.tied[0].size() == 3);
+  CHECK(diary.pivots[0].blocking.decided_by == TieBreak::lexicographic);
+  CHECK(diary.pivots.back().leaving == artificial(3));
+  for (std::size_t k = 0; k < diary.pivots.size(); ++k) {
+    bool found = false;
+    for (const int variable : diary.tied[k]) found = found || variable == diary.pivots[k].leaving;
+    CHECK(found);
+  }
+}
+
+TEST_CASE("an observer may let another of the tied rows leave") {
+  struct LastTied {
+    Index changed = 0;
+    void starts(const Lemke<double>&) {}
+    Index leaves(const Lemke<double>&, const Turn& turn) {
+      if (turn.blocking.decided_by == TieBreak::artificial) return turn.blocking.row;
+      Index row = turn.blocking.row;
+      for (const int tied : turn.tied)
+        if (tied > row) row = tied;
+      changed += row != turn.blocking.row ? 1 : 0;
+      return row;
+    }
+    void stepped(const Lemke<double>&) {}
+  } last;
+  const DenseLcp<double> lcp = textbook("kostreva_1");
+  const VectorX<double> ones = VectorX<double>::Ones(3);
+  LemkeOptions<double> options = by_the_book(ones, TieRule::first_row);
+  options.max_pivots = 3;
+  LemkeRun<double> run(3);
+  REQUIRE(run.lemke.init(lcp.view(), options) == Status::running);
+  REQUIRE(run.lemke.step(last) == Status::running);
+  CHECK(last.changed == 1);
+  CHECK(run.lemke.last_pivot().leaving == slack(2));
+  CHECK(run.lemke.dictionary().values(2, 0) == 1);
+}
+
+TEST_CASE("a ring keeps the last entries in the caller's memory, the oldest first") {
+  const DenseLcp<double> lcp = textbook("murty_2_8");
+  const VectorX<double> ones = VectorX<double>::Ones(4);
+  TraceEntry<double> all_memory[40], few_memory[3];
+  TraceRing<double> all({all_memory, 40}), few({few_memory, 3});
+  for (TraceRing<double>* ring : {&all, &few}) {
+    LemkeRun<double> run(4);
+    REQUIRE(run.lemke.init(lcp.view(), by_the_book(ones, TieRule::lexicographic)) ==
+            Status::running);
+    REQUIRE(run.lemke.solve(*ring) == Status::solved);
+    CHECK(ring->seen() == run.lemke.pivots());
+  }
+  REQUIRE(all.size() == all.seen());
+  REQUIRE(few.size() == 3);
+  CHECK(all[0].entering == artificial(4));
+  CHECK(all[all.size() - 1].leaving == artificial(4));
+  CHECK(all[all.size() - 1].status == Status::solved);
+  CHECK(all[all.size() - 1].measure == 0);
+  CHECK(all[0].measure == 9); // -min q, as every cover is 1
+  for (Index k = 0; k < 3; ++k) {
+    const TraceEntry<double>& same = all[all.size() - 3 + k];
+    CHECK(few[k].number == same.number);
+    CHECK(few[k].entering == same.entering);
+    CHECK(few[k].leaving == same.leaving);
+    CHECK(few[k].tied == same.tied);
+  }
+}
+
+TEST_CASE("a ring without memory only counts") {
+  TraceRing<double> ring({nullptr, 0});
+  const DenseLcp<double> lcp = textbook("cps_4_4_7");
+  LemkeRun<double> run(3);
+  REQUIRE(run.lemke.init(lcp.view()) == Status::running);
+  REQUIRE(run.lemke.solve(ring) == Status::solved);
+  CHECK(ring.seen() == run.lemke.pivots());
+  CHECK(ring.size() == 0);
+}
+
+TEST_CASE("a ring keeps checks of sweeps") {
+  const DenseLcp<double> lcp{MatrixX<double>::Identity(3, 3) * 2, VectorX<double>::Constant(3, -1)};
+  TraceEntry<double> memory[8];
+  TraceRing<double> ring({memory, 8});
+  CheckedSweeps<double> checked;
+  SweepRun<double> run(3), again(3);
+  (void)run.sweeps.init(lcp.view(), {}, ring);
+  REQUIRE(run.sweeps.solve(ring) == Status::solved);
+  (void)again.sweeps.init(lcp.view(), {}, checked);
+  REQUIRE(again.sweeps.solve(checked) == Status::solved);
+  REQUIRE(ring.size() == static_cast<Index>(checked.sweeps.size()));
+  for (Index k = 0; k < ring.size(); ++k)
+    CHECK(ring[k].number == checked.sweeps[static_cast<std::size_t>(k)]);
+  CHECK(ring[ring.size() - 1].measure == run.sweeps.residual().residual);
+  CHECK(ring[0].entering == -1);
+}
