@@ -145,7 +145,6 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
   trace.status = lemke.init(problem, book);
   while (trace.status == Status::running && !trace.cycle) {
     trace.status = lemke.step(teacher);
-    teacher.stepped(lemke);
   }
   trace.last = teacher.tableau(lemke.dictionary());
   if (trace.status == Status::solved) take_solution(given, lemke, trace);

@@ -43,7 +43,8 @@ template <class Use> Status Push::with_rounds(const PushOptions& options, const 
   if (options.solver == Solver::gauss_seidel) return use(sweeps);
   sweeps.options.tolerance = near;
   sweeps.options.max_sweeps = few;
-  return use(HybridRounds<double, Watcher>{sweeps, {pivots(), options.lemke, listener}});
+  return use(HybridRounds<double, Watcher>{
+      sweeps, LemkeRounds<double, Watcher>{pivots(), options.lemke, listener}});
 }
 
 } // namespace lcpush::host

@@ -146,10 +146,8 @@ TEST_CASE("[T.8] compliance hides a jam: the pads alone press on without end") {
   }
   scene.bodies.back().acceleration[0] = 0.1;
   SolvedPush<double> push(scene);
-  LemkeRounds<double> rounds{push.lemke};
-  CHECK(solve_pad(push.assembly, rounds, push.memory.work.pressure, {}, false, push.run) !=
-        Status::solved);
-  CHECK(push.memory.work.pressure.z[push.assembly.layout().normal(0)] > 100);
   CHECK(push.solve() == Status::ray);
+  // What the last round that was solved has left.
+  CHECK(push.memory.work.pressure.z[push.assembly.layout().normal(0)] > 100);
   CHECK(push.run.jammed);
 }

@@ -99,12 +99,16 @@ public:
                             const unsigned char* active, Guess guess = Guess::basis);
 
   /// At most one pivot. Post: running, or how the run ended. Solved means that the check was
-  /// passed. The observer (trace.hpp) outlives the call.
+  /// passed; after a failure the other generic covers are tried before it is reported.
+  /// The observer (trace.hpp) outlives the call.
   template <class Observer> [[nodiscard]] Status step(Observer& observer);
   [[nodiscard]] Status step() { return step(unobserved); }
 
-  /// Steps to the end. A failure makes it try the other generic covers before it is reported.
-  template <class Observer> [[nodiscard]] Status solve(Observer& observer);
+  /// Steps to the end.
+  template <class Observer> [[nodiscard]] Status solve(Observer& observer) {
+    while (step(observer) == Status::running) continue;
+    return status_;
+  }
   [[nodiscard]] Status solve() { return solve(unobserved); }
 
   Status status() const { return status_; }
@@ -114,7 +118,8 @@ public:
   const Pivot& last_pivot() const { return last_; }
   const Dictionary<S>& dictionary() const { return dictionary_; }
   S artificial_value() const;
-  /// A finite value of z_i, or w_i, in the dictionary times this is the one of the problem as given.
+  /// A finite value of z_i, or w_i, in the dictionary times this is the one of the problem as
+  /// given.
   S unknown_unit(Index i) const { return level_scale_[finite_level()] * column_scale_[i]; }
   S slack_unit(Index i) const { return level_scale_[finite_level()] / row_scale_[i]; }
 
@@ -147,6 +152,8 @@ private:
   bool fresh_ = false; // no pivot since the basis was last factored from the problem as given
   Status status_ = Status::bad_input;
   Reason reason_ = Reason::none;
+  Status worst_ = Status::running; // of the covers that have failed
+  Reason worst_reason_ = Reason::none;
   Pivot last_;
   WorstRow<S> residual_;
   S valid_to_{-1};
@@ -195,6 +202,8 @@ private:
   void scaled_product(const S* z_scaled, S* out);
   template <class Observer> void pivot(const Turn& turn, Observer& observer);
   template <class Observer> Status start(Observer& observer);
+  template <class Observer> Status advance(Observer& observer);
+  Status turn_to_next_cover();
   Status accept();
   void refine(Index level);
   WorstRow<S> referee(const S* q, const S* z);

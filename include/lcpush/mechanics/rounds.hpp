@@ -1,10 +1,11 @@
 // The solvers that a pressure law's rounds may use: Lemke's pivots, block Gauss-Seidel, or the one
 // finished by the other. Each solves one problem after the other, cold or from the last answer:
 //
-//     Status solve(problem, warm, memory, run)
+//     void begin(problem, warm, memory)
+//     Status step(memory, run)     running; solved, and memory.z holds the unknowns; or why not
 //
-// Post: solved, and memory.z holds the unknowns; or why not. The observer (lcp/trace.hpp) sees
-// every pivot and every check of sweeps, of all rounds.
+// A step is at most one pivot; sweeps are made all at once. The observer (lcp/trace.hpp) sees every
+// pivot and every check of sweeps, of all rounds.
 #pragma once
 
 #include "lcpush/lcp/block_gauss_seidel.hpp"
@@ -34,20 +35,37 @@ template <class S> struct PressureMemory {
 /// Lemke's pivots: cold under its covers, warm from the last basis.
 template <class S, class Observer = const Unobserved> struct LemkeRounds {
   Lemke<S>& lemke;
-  LemkeOptions<S> options{};
-  Observer& observer = unobserved;
+  LemkeOptions<S> options;
+  Observer& observer;
   static constexpr bool carries_push = true; ///< solves for the limit of a vanishing push exactly
 
-  Status solve(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory,
-               PressureRun& run) {
-    if (!warm) return finish(lemke.init(problem, options), problem, memory, run);
+  explicit LemkeRounds(Lemke<S>& solver, const LemkeOptions<S>& its_options = {},
+                       Observer& its_observer = unobserved)
+      : lemke(solver), options(its_options), observer(its_observer) {}
+
+  void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
+    if (warm)
+      begin_near(problem, memory, Guess::basis, options.covers);
+    else
+      begin_cold(problem);
+  }
+
+  Status step(const PressureMemory<S>& memory, PressureRun& run) {
+    const Status status = lemke.status() == Status::running ? lemke.step(observer) : lemke.status();
+    if (status == Status::running) return status;
+    run.pivots += lemke.pivots();
+    run.reason = lemke.reason();
+    if (status == Status::solved) {
+      for (Index i = 0; i < problem_.size; ++i) {
+        memory.z[i] = lemke.z()[i];
+        memory.active[i] = lemke.is_basic(i) ? 1 : 0;
+      }
+      return status;
+    }
+    if (covers_left_ == 0) return status;
     // Copositivity does not protect a warm start: try it under each cover.
-    LemkeOptions<S> single = options;
-    single.covers = 1;
-    Status status = Status::ray;
-    for (Index k = 0; k < options.covers && status != Status::solved; ++k, ++single.first_cover)
-      status = finish(lemke.init(problem, single, memory.active.data), problem, memory, run);
-    return status;
+    start_near(memory, covers_left_);
+    return Status::running;
   }
 
   /// Other covers from now on.
@@ -55,44 +73,71 @@ template <class S, class Observer = const Unobserved> struct LemkeRounds {
   LemkeRounds& pivots() { return *this; }
   void demand(const S&) {} // pivots end at rounding anyway
 
-  Status finish(Status status, const Problem<S>& problem, const PressureMemory<S>& memory,
-                PressureRun& run) {
-    if (status == Status::running) status = lemke.solve(observer);
-    run.pivots += lemke.pivots();
-    run.reason = lemke.reason();
-    if (status != Status::solved) return status;
-    for (Index i = 0; i < problem.size; ++i) {
-      memory.z[i] = lemke.z()[i];
-      memory.active[i] = lemke.is_basic(i) ? 1 : 0;
-    }
-    return status;
+  void begin_cold(const Problem<S>& problem) {
+    problem_ = problem;
+    covers_left_ = 0;
+    (void)lemke.init(problem, options);
+  }
+
+  /// From memory.active, under `covers` covers one after the other, each of at most `limit` pivots
+  /// (0: the solver's own limit).
+  void begin_near(const Problem<S>& problem, const PressureMemory<S>& memory, Guess guess,
+                  Index covers, Index limit = 0) {
+    problem_ = problem;
+    guess_ = guess;
+    single_ = options;
+    single_.covers = 1;
+    if (limit > 0) single_.max_pivots = limit;
+    start_near(memory, covers);
+  }
+
+private:
+  Problem<S> problem_{};
+  LemkeOptions<S> single_{};
+  Guess guess_ = Guess::basis;
+  Index covers_left_ = 0;
+
+  void start_near(const PressureMemory<S>& memory, Index covers) {
+    covers_left_ = covers - 1;
+    (void)lemke.init(problem_, single_, memory.active.data, guess_);
+    ++single_.first_cover;
   }
 };
 
 /// Block Gauss-Seidel: cold from even shares, warm from the last forces.
 template <class S, class Observer = const Unobserved> struct SweepRounds {
   BlockGaussSeidel<S>& sweeps;
-  SweepOptions<S> options{};
-  Observer& observer = unobserved;
+  SweepOptions<S> options;
+  Observer& observer;
   static constexpr bool carries_push = false;
 
-  Status solve(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory,
-               PressureRun& run) {
-    Status status = sweeps.init(problem, options, warm ? memory.z.data : nullptr, observer);
-    if (status == Status::running) status = sweeps.solve(observer);
+  explicit SweepRounds(BlockGaussSeidel<S>& solver, const SweepOptions<S>& its_options = {},
+                       Observer& its_observer = unobserved)
+      : sweeps(solver), options(its_options), observer(its_observer) {}
+
+  void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
+    size_ = problem.size;
+    (void)sweeps.init(problem, options, warm ? memory.z.data : nullptr, observer);
+  }
+
+  Status step(const PressureMemory<S>& memory, PressureRun& run) {
+    Status status = sweeps.solve(observer);
     run.sweeps += sweeps.sweeps();
     run.reason = Reason::none;
     // Asked for more than rounding allows: what the referee lets pass is an answer all the same.
     const bool passes = sweeps.residual().residual <= Tolerances<S>().residual;
     if (status != Status::solved && passes && !sweeps.runs_away()) status = Status::solved;
     if (status != Status::solved) return status;
-    for (Index i = 0; i < problem.size; ++i) memory.z[i] = sweeps.z()[i];
+    for (Index i = 0; i < size_; ++i) memory.z[i] = sweeps.z()[i];
     return status;
   }
 
   void vary() {} // the same input takes the same path
   /// Answers have to be this good, as far as the solver gets.
   void demand(const S& tolerance) { options.tolerance = tolerance; }
+
+private:
+  Index size_ = 0;
 };
 
 /// A few sweeps, their positive unknowns as Lemke's first basis, and the pivots that remain. Warm
@@ -102,27 +147,51 @@ template <class S, class Observer = const Unobserved> struct HybridRounds {
   LemkeRounds<S, Observer> then;
   static constexpr bool carries_push = true;
 
-  Status solve(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory,
-               PressureRun& run) {
-    if (warm) return then.solve(problem, true, memory, run);
-    const S positive = S(1) / S(10000); // forces are of order 1 in the scene's units
-    if (first.solve(problem, false, memory, run) == Status::solved) {
-      for (Index i = 0; i < problem.size; ++i)
-        memory.active[i] = i >= problem.free_begin || memory.z[i] > positive ? 1 : 0;
-      LemkeOptions<S> single = then.options;
-      single.covers = 1;
-      single.max_pivots =
-          problem.size; // a start that leads astray shall not cost more than a cold one
-      const Status status = then.finish(
-          then.lemke.init(problem, single, memory.active.data, Guess::near), problem, memory, run);
-      if (status == Status::solved) return status;
-    }
-    return then.solve(problem, false, memory, run);
+  HybridRounds(const SweepRounds<S, Observer>& sweeps, const LemkeRounds<S, Observer>& last)
+      : first(sweeps), then(last) {}
+
+  void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
+    problem_ = problem;
+    phase_ = warm ? Phase::pivots : Phase::sweeps;
+    if (warm)
+      then.begin(problem, true, memory);
+    else
+      first.begin(problem, false, memory);
+  }
+
+  Status step(const PressureMemory<S>& memory, PressureRun& run) {
+    if (phase_ == Phase::sweeps) return guess(first.step(memory, run), memory);
+    const Status status = then.step(memory, run);
+    if (phase_ == Phase::pivots || status == Status::running || status == Status::solved)
+      return status;
+    return pivot_from_nothing();
   }
 
   void vary() { then.vary(); }
   LemkeRounds<S, Observer>& pivots() { return then; }
   void demand(const S&) {}
+
+private:
+  enum class Phase { sweeps, guess, pivots };
+  Problem<S> problem_{};
+  Phase phase_ = Phase::pivots;
+
+  Status guess(Status swept, const PressureMemory<S>& memory) {
+    if (swept != Status::solved) return pivot_from_nothing();
+    const S positive = S(1) / S(10000); // forces are of order 1 in the scene's units
+    for (Index i = 0; i < problem_.size; ++i)
+      memory.active[i] = i >= problem_.free_begin || memory.z[i] > positive ? 1 : 0;
+    phase_ = Phase::guess;
+    // A start that leads astray shall not cost more than a cold one.
+    then.begin_near(problem_, memory, Guess::near, 1, problem_.size);
+    return Status::running;
+  }
+
+  Status pivot_from_nothing() {
+    phase_ = Phase::pivots;
+    then.begin_cold(problem_);
+    return Status::running;
+  }
 };
 
 } // namespace lcpush

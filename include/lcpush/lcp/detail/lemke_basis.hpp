@@ -41,7 +41,8 @@ Status Lemke<S>::prepare(const Problem<S>& problem, const LemkeOptions<S>& optio
   cover_ = pivots_ = pivots_of_cover_ = repairs_ = 0;
   tie_tolerance_ = options.tolerances.tie;
   status_ = Status::running;
-  reason_ = Reason::none;
+  reason_ = worst_reason_ = Reason::none;
+  worst_ = Status::running;
   if (!carve()) return end(Status::bad_input, Reason::memory_too_small);
 
   MatrixMap<S> M(dictionary_.table.data(), n_, n_);

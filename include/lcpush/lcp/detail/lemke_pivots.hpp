@@ -35,8 +35,7 @@ void Lemke<S>::pivot(const Turn& turn, Observer& observer) {
   fresh_ = false;
 }
 
-template <class S> template <class Observer> Status Lemke<S>::step(Observer& observer) {
-  if (status_ != Status::running) return status_;
+template <class S> template <class Observer> Status Lemke<S>::advance(Observer& observer) {
   if (entering_ < 0) return start(observer);
   if (pivots_of_cover_ >= limit()) return end(Status::pivot_limit);
   if (pivots_of_cover_ % 64 == 63 && drifted() && !refactorise())
@@ -53,26 +52,26 @@ template <class S> template <class Observer> Status Lemke<S>::step(Observer& obs
   return status_;
 }
 
-template <class S> template <class Observer> Status Lemke<S>::solve(Observer& observer) {
-  Status worst = Status::running;
-  Reason reason = Reason::none;
-  for (;;) {
-    while (status_ == Status::running) {
-      (void)step(observer);
-      observer.stepped(*this);
-    }
-    if (status_ == Status::solved || status_ == Status::bad_input) return status_;
-    // A verified ray says most about a failure: keep it even if later covers end otherwise.
-    if (worst != Status::ray) {
-      worst = status_;
-      reason = reason_;
-    }
-    if (options_.cover != nullptr || cover_ + 1 >= options_.covers) return end(worst, reason);
-    ++cover_;
-    load();
-    cover_cold();
-    status_ = Status::running;
+template <class S> template <class Observer> Status Lemke<S>::step(Observer& observer) {
+  if (status_ != Status::running) return status_;
+  (void)advance(observer);
+  observer.stepped(*this);
+  if (status_ == Status::running || status_ == Status::solved) return status_;
+  return turn_to_next_cover();
+}
+
+/// This cover has failed: a generic one that has not been tried may do better. If none is left, the
+/// failure that says most is reported: a verified ray, else the last.
+template <class S> Status Lemke<S>::turn_to_next_cover() {
+  if (worst_ != Status::ray) {
+    worst_ = status_;
+    worst_reason_ = reason_;
   }
+  if (options_.cover != nullptr || cover_ + 1 >= options_.covers) return end(worst_, worst_reason_);
+  ++cover_;
+  load();
+  cover_cold();
+  return status_ = Status::running;
 }
 
 /// z0 has left (or was never needed): refine the answer on the problem as given and check it. One
