@@ -1,4 +1,5 @@
 // lcpush pivots: every pivot, and what it means.
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <tuple>
@@ -18,11 +19,13 @@ namespace lcpush::cli {
 namespace {
 
 constexpr Index most_unknowns = 1000; // every pivot keeps its ratios; the page draws every row
-constexpr Index most_exact = 150;     // fractions grow with every pivot
+constexpr Index most_exact = 300;     // fractions grow with every pivot
+constexpr Index always_exact = 60;    // then ties are ties, not rounding's
 
-/// What is pivoted: a scene or two matrices, each as it is and exactly.
+/// What is pivoted: a scene or two matrices.
 struct Subject {
   host::ExactProblem problem;
+  bool is_short = false; ///< so small that it is pivoted in fractions even if decimals are shown
   std::unique_ptr<host::SceneFile> scene;
   std::unique_ptr<host::Push> push;
   std::unique_ptr<host::Story> story;
@@ -71,6 +74,15 @@ SceneText scene_text(const Arguments& arguments) {
   return {host::read_text_file(arguments.files()[0], most_bytes), arguments.files()[0]};
 }
 
+/// Is the work in fractions over in about a second?
+bool is_short(const host::ExactProblem& problem) {
+  constexpr std::size_t most_bits = 3000; // of the last tableau's determinants
+  std::size_t longest = 1;
+  for (const host::Rational& x : problem.M.values) longest = std::max(longest, x.bit_length());
+  const auto n = static_cast<std::size_t>(problem.M.rows);
+  return problem.M.rows <= always_exact && n * longest <= most_bits;
+}
+
 Subject scene_subject(const Arguments& arguments) {
   const auto [text, path] = scene_text(arguments);
   const bool as_solved = arguments.has("--as-solved"), is_exact = arguments.has("--exact");
@@ -83,15 +95,18 @@ Subject scene_subject(const Arguments& arguments) {
   }
   if (file.pressure == Pressure::even && file.parallel_jaws)
     throw UsageError("--pressure even does not go with parallel jaws: no point's share is known");
-  refuse_size(path, size_of(file.view()).unknowns(), is_exact);
-  if (is_exact) {
+  const Index n = size_of(file.view()).unknowns();
+  refuse_size(path, n, is_exact);
+  if (is_exact || (!as_solved && n <= always_exact)) {
     host::SceneOf<host::Rational> exact = host::parse_scene_exactly(text, path);
     exact.facets = file.facets;
     exact.pressure = file.pressure;
-    subject.notes = exact.inexact;
+    std::vector<std::string> rounded = exact.inexact;
     for (const std::string& sentence : host::irrational_directions(exact))
-      subject.notes.push_back(sentence);
+      rounded.push_back(sentence);
     subject.problem = host::exact_problem(exact);
+    subject.is_short = is_short(subject.problem);
+    if (is_exact) subject.notes = rounded;
   } else if (!as_solved) {
     subject.problem = host::exact_problem(file);
   }
@@ -112,6 +127,7 @@ Subject raw_subject(const Arguments& arguments) {
   const Index n = subject.problem.M.rows;
   refuse_size(arguments.files().empty() ? "--M" : arguments.files()[0], n,
               arguments.has("--exact"));
+  subject.is_short = is_short(subject.problem);
   subject.story = std::make_unique<host::RawStory>(n);
   return subject;
 }
@@ -165,7 +181,10 @@ host::PivotTrace trace(Subject& subject, const Arguments& arguments) {
     raw.free.assign(static_cast<std::size_t>(raw.M.rows), 0);
     return host::trace_solve(raw, options, *subject.story);
   }
-  options.is_exact = arguments.has("--exact");
+  options.is_exact = arguments.has("--exact") || subject.is_short;
+  // The page can show both.
+  options.keeps_fractions =
+      arguments.has("--exact") || arguments.value("--format") == std::string("html");
   options.rule = arguments.has("--first-row") ? TieRule::first_row : TieRule::lexicographic;
   options.z0_wins_ties = !arguments.has("--z0-last");
   options.cover = read_cover(arguments, subject.problem.M.rows);
@@ -186,6 +205,7 @@ int run(const Arguments& arguments) {
   host::PivotTrace traced = trace(subject, arguments);
   traced.title = subject.title;
   traced.notes = subject.notes;
+  traced.prefers_decimals = traced.has_fractions && !arguments.has("--exact");
   std::string text;
   if (format == "json")
     text = host::pivots_json(traced, subject.push.get());

@@ -7,8 +7,10 @@
 
 namespace lcpush::host {
 
-inline TraceNumber traced(double x) { return {x, {}}; }
-inline TraceNumber traced(const Rational& x) { return {x.value(), x.text()}; }
+inline TraceNumber traced(const PivotTrace&, double x) { return {x, {}}; }
+inline TraceNumber traced(const PivotTrace& trace, const Rational& x) {
+  return {x.value(), trace.has_fractions ? x.text() : std::string()};
+}
 
 template <class S> class Recorder {
 public:
@@ -71,8 +73,9 @@ public:
     TracedPivot& pivot = trace_.pivots.back();
     const Dictionary<S>& d = lemke.dictionary();
     pivot.basis.assign(d.basic.begin(), d.basic.end());
-    pivot.sentence = story_.sentence(pivot.entering, pivot.leaving, basic_);
+    pivot.sentence = story_.sentence(pivot, basic_);
     const Index z0_row = d.row_of(artificial(n()));
+    pivot.z0.finite = traced(trace_, S(0));
     if (z0_row >= 0) pivot.z0 = value(d, z0_row);
     std::vector<Index> key = pivot.basis;
     std::sort(key.begin(), key.end());
@@ -89,7 +92,7 @@ public:
     t.entries.reserve(static_cast<std::size_t>(d.size() * (d.size() + 1)));
     for (Index i = 0; i < d.size(); ++i) {
       t.values.push_back(value(d, i));
-      for (Index j = 0; j <= d.size(); ++j) t.entries.push_back(traced(d.table(i, j)));
+      for (Index j = 0; j <= d.size(); ++j) t.entries.push_back(traced(trace_, d.table(i, j)));
     }
     return t;
   }
@@ -109,8 +112,8 @@ private:
 
   TraceValue value(const Dictionary<S>& d, Index row) const {
     TraceValue v;
-    if (has_S()) v.times_S = traced(d.values(row, 0));
-    v.finite = traced(d.values(row, has_S() ? 1 : 0));
+    if (has_S()) v.times_S = traced(trace_, d.values(row, 0));
+    v.finite = traced(trace_, d.values(row, has_S() ? 1 : 0));
     return v;
   }
 
@@ -120,8 +123,8 @@ private:
     const S& rate = d.table(row, turn.column);
     if (turn.repairs ? !(S(0) < rate) || !is_negative(d, row) : !(rate < S(0))) return {};
     TraceValue v;
-    if (has_S()) v.times_S = traced(S(-d.values(row, 0) / rate));
-    v.finite = traced(S(-d.values(row, has_S() ? 1 : 0) / rate));
+    if (has_S()) v.times_S = traced(trace_, S(-d.values(row, 0) / rate));
+    v.finite = traced(trace_, S(-d.values(row, has_S() ? 1 : 0) / rate));
     return v;
   }
 

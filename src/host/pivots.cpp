@@ -42,9 +42,10 @@ bool solves_exactly(const ExactProblem&, const std::vector<double>&, const std::
   return false; // doubles prove nothing
 }
 
-template <class S> std::vector<TraceNumber> all_traced(const std::vector<S>& numbers) {
+template <class S>
+std::vector<TraceNumber> all_traced(const PivotTrace& trace, const std::vector<S>& numbers) {
   std::vector<TraceNumber> result;
-  for (const S& x : numbers) result.push_back(traced(x));
+  for (const S& x : numbers) result.push_back(traced(trace, x));
   return result;
 }
 
@@ -57,12 +58,12 @@ void take_solution(const ExactProblem& problem, const Lemke<S>& lemke, PivotTrac
     for (Index i = 0; i < n; ++i)
       w[static_cast<std::size_t>(i)] +=
           M[static_cast<std::size_t>(j * n + i)] * z[static_cast<std::size_t>(j)];
-  trace.is_proved = solves_exactly(problem, z, w);
+  trace.is_proved = trace.has_fractions && solves_exactly(problem, z, w);
   // Of doubles: what a basis makes zero is zero.
-  for (Index i = 0; i < n && !trace.is_exact; ++i)
+  for (Index i = 0; i < n && std::is_same_v<S, double>; ++i)
     if (lemke.is_basic(i)) w[static_cast<std::size_t>(i)] = S(0);
-  trace.z = all_traced(z);
-  trace.w = all_traced(w);
+  trace.z = all_traced(trace, z);
+  trace.w = all_traced(trace, w);
 }
 
 template <class S> void take_ray(const Lemke<S>& lemke, const Story& story, PivotTrace& trace) {
@@ -71,10 +72,10 @@ template <class S> void take_ray(const Lemke<S>& lemke, const Story& story, Pivo
                                       : complement(trace.pivots.back().leaving, trace.size);
   std::vector<double> v;
   for (Index i = 0; i < trace.size; ++i) {
-    ray.v.push_back(traced(lemke.ray()[i]));
+    ray.v.push_back(traced(trace, lemke.ray()[i]));
     v.push_back(ray.v.back().value);
   }
-  ray.v0 = traced(lemke.ray_artificial());
+  ray.v0 = traced(trace, lemke.ray_artificial());
   ray.words = story.ray_sentence(ray.entering, v);
   trace.ray = ray;
 }
@@ -84,8 +85,12 @@ std::string reason_of(const PivotTrace& trace, Reason reason) {
     return "the basis after pivot " + std::to_string(trace.cycle->first) + " comes back " +
            std::to_string(trace.cycle->length) + " pivots later: this rule repeats it for ever";
   if (trace.status == Status::pivot_limit) return "the limit of pivots was reached";
-  if (trace.status == Status::ray)
-    return "a secondary ray: a variable grows without end, and z0 never reaches zero";
+  if (trace.status == Status::ray) {
+    const TraceValue& z0 = trace.pivots.back().z0;
+    const bool passed = !z0.has_S() && z0.finite.value == 0;
+    return passed ? "a secondary ray, although z0 is 0: the run has passed a solution"
+                  : "a secondary ray: a variable grows without end, and z0 never reaches zero";
+  }
   return reason_text(reason);
 }
 
@@ -120,7 +125,7 @@ template <class S>
 PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, const Story& story) {
   const Index n = given.M.rows;
   PivotTrace trace = empty_trace(n, given.free_count, story);
-  trace.is_exact = std::is_same_v<S, Rational>;
+  trace.has_fractions = options.is_exact && options.keeps_fractions;
   trace.rule = options.rule;
 
   const std::vector<S> M = converted<S>(given.M.values), q = converted<S>(given.q.values);
@@ -181,6 +186,18 @@ PivotTrace real_trace(Index n, Index free_count, const Story& story) {
   return trace;
 }
 
+/// z from the last tableau, in the problem's units.
+void take_basic_z(PivotTrace& trace) {
+  trace.z.assign(static_cast<std::size_t>(trace.size), TraceNumber{});
+  for (std::size_t i = 0; i < trace.last->rows.size(); ++i) {
+    const Index variable = trace.last->rows[i];
+    if (variable < trace.size || variable == artificial(trace.size)) continue;
+    trace.z[static_cast<std::size_t>(variable - trace.size)].value =
+        trace.last->values[i].finite.value *
+        trace.runs.back().unit[static_cast<std::size_t>(variable)];
+  }
+}
+
 } // namespace
 
 PivotTrace trace_pivots(const ExactProblem& problem, const PivotOptions& options,
@@ -204,6 +221,7 @@ PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& sto
       run.unit[static_cast<std::size_t>(slack(i))] *= row_unit(layout, i);
       run.unit[static_cast<std::size_t>(unknown(i, layout.size))] *= unknown_unit(layout, i);
     }
+  if (report.status == Status::solved) take_basic_z(trace);
   if (report.status == Status::ray) {
     TracedRay ray;
     ray.entering = complement(trace.pivots.back().leaving, layout.size);
@@ -211,7 +229,7 @@ PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& sto
     for (Index i = 0; i < layout.size; ++i)
       for (const NamedValue& entry : report.ray)
         if (entry.name == push.variable_name(i))
-          ray.v[static_cast<std::size_t>(i)] = traced(entry.value);
+          ray.v[static_cast<std::size_t>(i)] = traced(trace, entry.value);
     for (const std::string& sentence : jam_sentences(push.file(), report.jam))
       ray.words += (ray.words.empty() ? "" : "\n") + sentence;
     trace.ray = ray;
@@ -226,12 +244,12 @@ PivotTrace trace_solve(const RawProblem& problem, const PivotOptions& options, c
   solving.watcher = &watcher;
   const RawAnswer answer = solve_raw(problem, solving);
   trace.status = answer.status;
-  for (const double x : answer.z) trace.z.push_back(traced(x));
-  for (const double x : answer.w) trace.w.push_back(traced(x));
+  for (const double x : answer.z) trace.z.push_back(traced(trace, x));
+  for (const double x : answer.w) trace.w.push_back(traced(trace, x));
   if (answer.status == Status::ray) {
     TracedRay ray;
     ray.entering = complement(trace.pivots.back().leaving, trace.size);
-    for (const double x : answer.ray) ray.v.push_back(traced(x));
+    for (const double x : answer.ray) ray.v.push_back(traced(trace, x));
     ray.words = story.ray_sentence(ray.entering, answer.ray);
     trace.ray = ray;
   }

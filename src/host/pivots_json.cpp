@@ -35,7 +35,8 @@ public:
     json.member("status", trace_.cycle ? "cycle" : status_text(trace_.status));
     json.key("reason");
     trace_.reason.empty() ? json.value(nullptr) : json.value(trace_.reason);
-    json.member("arithmetic", trace_.is_exact ? "fractions" : "decimals");
+    json.member("arithmetic", trace_.has_fractions ? "fractions" : "decimals");
+    if (!tableaus) json.member("prefers_decimals", trace_.prefers_decimals); // the page asks
     json.member("rule", rule()).member("title", trace_.title);
     json.member("as_solved", trace_.is_as_solved).member("proved", trace_.is_proved);
     json.member("size", trace_.size).member("free", trace_.free_count);

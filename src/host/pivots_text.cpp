@@ -23,8 +23,9 @@ std::string rule_text(const PivotTrace& trace) {
 
 std::string header(const PivotTrace& trace) {
   std::string text = trace.title.empty() ? "" : trace.title + "\n";
-  text += std::to_string(trace.size) + " unknowns; tie rule: " + rule_text(trace) + "; " +
-          (trace.is_exact ? "exact fractions" : "decimals") + ".\n";
+  text += std::to_string(trace.size) + (trace.size == 1 ? " unknown" : " unknowns") +
+          "; tie rule: " + rule_text(trace) + "; " +
+          (trace.has_fractions ? "exact fractions" : "decimals") + ".\n";
   if (trace.free_count > 0)
     text += "S stands for a number larger than all others: actuators retreat at most at S.\n";
   for (const std::string& note : trace.notes) text += note + "\n";
@@ -71,6 +72,17 @@ std::string pivot_line(const PivotTrace& trace, std::size_t k) {
   return text + "  " + pivot.sentence + "\n";
 }
 
+bool is_free(const PivotTrace& trace, std::size_t i) {
+  return static_cast<Index>(i) >= trace.size - trace.free_count;
+}
+
+/// A free unknown is counted from its bound -S.
+std::string unknown_text(const PivotTrace& trace, std::size_t i) {
+  TraceValue value{{}, trace.z[i]};
+  if (is_free(trace, i)) value.times_S = {1, trace.has_fractions ? "1" : ""};
+  return value_text(value);
+}
+
 std::string ending(const PivotTrace& trace) {
   std::string text = "\n";
   const std::string count =
@@ -78,8 +90,8 @@ std::string ending(const PivotTrace& trace) {
   if (trace.status == Status::solved) {
     text += "Solved after " + count + (trace.is_proved ? ", proved in fractions" : "") + ".\n";
     for (std::size_t i = 0; i < trace.z.size(); ++i)
-      if (!is_zero(trace.z[i]))
-        text += "  z" + std::to_string(i + 1) + " = " + number_text(trace.z[i]) +
+      if (!is_zero(trace.z[i]) || is_free(trace, i))
+        text += "  z" + std::to_string(i + 1) + " = " + unknown_text(trace, i) +
                 (is_physical(trace)
                      ? "  " + trace.variables[i + static_cast<std::size_t>(trace.size)].meaning
                      : "") +
@@ -113,7 +125,7 @@ std::string value_text(const TraceValue& value) {
 }
 
 const char* tie_break_text(const TracedPivot& pivot) {
-  if (pivot.chosen) return "chosen against the rule";
+  if (pivot.chosen) return "chosen, not by the rule";
   switch (pivot.decided_by) {
   case TieBreak::artificial: return "z0 wins every tie, as a solution is reached";
   case TieBreak::lexicographic: return "the lexicographic rule decides";

@@ -43,7 +43,7 @@ std::string PushStory::meaning(Index variable) const {
   case Meaning::normal: return "separation of " + point(name) + " (m/s^2)";
   case Meaning::pull: return "approach of " + point(name) + " (m/s^2)";
   case Meaning::friction:
-    return "slip of " + point(name) + " in excess of its motion" + along(name, -1) + " (m/s^2)";
+    return "slip of " + point(name) + " minus the motion" + along(name, -1) + " (m/s^2)";
   case Meaning::slip: return "friction left unused in the cone of " + point(name) + " (N)";
   case Meaning::closing:
     return "force of " + push_.actuator_name(name.of) + " beyond its set force";
@@ -100,7 +100,7 @@ std::string PushStory::ends(Index variable, const std::vector<bool>& basic) cons
     return is_unknown ? point(name) + " pulls no more" : point(name) + " is held and may be pulled";
   case Meaning::friction:
     return is_unknown ? "the friction of " + point(name) + along(name, 1) + " has faded away"
-                      : point(name) + " moves" + along(name, -1) +
+                      : "the object moves" + along(name, -1) + " at " + point(name) +
                             " as fast as it slips, so that friction" + along(name, 1) + " may act";
   case Meaning::slip:
     return is_unknown ? point(name) + " stops sliding and sticks"
@@ -113,8 +113,8 @@ std::string PushStory::ends(Index variable, const std::vector<bool>& basic) cons
   return {};
 }
 
-std::string PushStory::sentence(Index entering, Index leaving,
-                                const std::vector<bool>& basic) const {
+std::string PushStory::sentence(const TracedPivot& pivot, const std::vector<bool>& basic) const {
+  const Index entering = pivot.entering, leaving = pivot.leaving;
   std::string text;
   if (entering == artificial(size())) {
     text = "The cushion z0 enters, just large enough for every law to hold with its help; " +

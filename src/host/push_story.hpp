@@ -12,8 +12,7 @@ public:
   explicit PushStory(const Push& push) : push_(push) {}
 
   std::string meaning(Index variable) const override;
-  std::string sentence(Index entering, Index leaving,
-                       const std::vector<bool>& basic) const override;
+  std::string sentence(const TracedPivot& pivot, const std::vector<bool>& basic) const override;
   std::string ray_sentence(Index entering, const std::vector<double>& v) const override;
 
 private:

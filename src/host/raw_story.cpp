@@ -1,4 +1,5 @@
 #include "lcpush/host/pivots.hpp"
+#include "message.hpp"
 
 namespace lcpush::host {
 
@@ -13,14 +14,21 @@ std::string RawStory::meaning(Index variable) const {
   return variable < n_ ? "slack of row " + number : "unknown " + number;
 }
 
-std::string RawStory::sentence(Index entering, Index leaving, const std::vector<bool>&) const {
-  const std::string in = variable_name(entering, n_), out = variable_name(leaving, n_);
-  if (entering == artificial(n_))
-    return "z0 enters, just large enough to make every value >= 0; " + out + " needs it most.";
-  if (leaving == artificial(n_))
-    return "As " + in + " grows, z0 falls to zero first: this basis solves the problem.";
-  return "As " + in + " grows, " + out + " falls to zero first; its complement " +
-         variable_name(complement(leaving, n_), n_) + " enters next.";
+std::string RawStory::sentence(const TracedPivot& pivot, const std::vector<bool>&) const {
+  const std::string in = variable_name(pivot.entering, n_), out = variable_name(pivot.leaving, n_);
+  std::vector<std::string> tied;
+  for (const Index variable : pivot.ties) tied.push_back(variable_name(variable, n_));
+  if (pivot.entering == artificial(n_)) {
+    const std::string enters = "z0 enters, just large enough to make every value >= 0; ";
+    if (tied.empty()) return enters + out + " needs it most.";
+    return enters + listed(tied, "and") + " need it most, and " + out + " leaves.";
+  }
+  std::string text = "As " + in + " grows, ";
+  text += tied.empty() ? out + " falls to zero first"
+                       : listed(tied, "and") + " fall to zero together, and " + out + " leaves";
+  if (pivot.leaving == artificial(n_)) return text + ": this basis solves the problem.";
+  return text + "; its complement " + variable_name(complement(pivot.leaving, n_), n_) +
+         " enters next.";
 }
 
 std::string RawStory::ray_sentence(Index entering, const std::vector<double>&) const {

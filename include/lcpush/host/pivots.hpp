@@ -81,7 +81,8 @@ struct Variable {
 struct PivotTrace {
   std::string title;
   Index size = 0, free_count = 0; ///< n, and how many of the last unknowns are free
-  bool is_exact = false;
+  bool has_fractions = false;     ///< numbers are exact and written as fractions
+  bool prefers_decimals = false;  ///< on the page, which can show both
   TieRule rule = TieRule::lexicographic;
   bool is_as_solved = false; ///< the real run: scaled, under generic covers, its warm rounds
   Status status = Status::running;
@@ -103,10 +104,9 @@ public:
   virtual ~Story() = default;
   /// Of variable w_i, z_i or z0.
   virtual std::string meaning(Index variable) const = 0;
-  /// What a pivot means. `basic` says which variables are basic while `entering` grows, itself
-  /// included.
-  virtual std::string sentence(Index entering, Index leaving,
-                               const std::vector<bool>& basic) const = 0;
+  /// What a pivot means. `basic` says which variables are basic while the entering one grows,
+  /// itself included.
+  virtual std::string sentence(const TracedPivot& pivot, const std::vector<bool>& basic) const = 0;
   /// What it means that nothing blocks `entering`, v is the ray.
   virtual std::string ray_sentence(Index entering, const std::vector<double>& v) const = 0;
 };
@@ -116,8 +116,7 @@ class RawStory : public Story {
 public:
   explicit RawStory(Index n) : n_(n) {}
   std::string meaning(Index variable) const override;
-  std::string sentence(Index entering, Index leaving,
-                       const std::vector<bool>& basic) const override;
+  std::string sentence(const TracedPivot& pivot, const std::vector<bool>& basic) const override;
   std::string ray_sentence(Index entering, const std::vector<double>& v) const override;
 
 private:
@@ -125,7 +124,8 @@ private:
 };
 
 struct PivotOptions {
-  bool is_exact = false;
+  bool is_exact = false;                 ///< pivots in fractions
+  bool keeps_fractions = true;           ///< and writes them; false: as decimals
   TieRule rule = TieRule::lexicographic; ///< or first_row
   std::vector<Rational> cover;           ///< n numbers > 0; empty: ones
   bool z0_wins_ties = true;              ///< false shows what goes wrong without

@@ -9,7 +9,7 @@
       this.recorded = explorer.Path.recorded(this.problem);
       this.path = this.recorded;
       this.frame = 0;
-      this.as_fractions = this.problem.exact;
+      this.as_fractions = this.problem.exact && !trace.prefers_decimals;
       this.branch_rule = 'lexicographic';
       this.show_large = true;
       this.covers = new Map();

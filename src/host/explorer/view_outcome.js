@@ -31,7 +31,7 @@
     const line = (holds, words) =>
       h('li', {}, h('strong', {}, holds ? 'holds: ' : 'fails: '), words);
     return [
-      ray.words && h('p', {}, ray.words),
+      ray.words && h('p', { class: 'lines' }, ray.words),
       h('p', {}, 'Along the ray the unknowns grow in these proportions, for ever:'),
       h('div', { class: 'scroll tall', tabindex: 0, role: 'region', 'aria-label': 'Ray' },
         h('table', { class: 'solution' },
