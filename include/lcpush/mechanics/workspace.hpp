@@ -18,17 +18,24 @@ public:
   explicit Arena(Span<unsigned char> bytes) : rest_(bytes) {}
 
   template <class T> Span<T> take(Index count) {
+    const Span<unsigned char> bytes = take_bytes(count * static_cast<Index>(sizeof(T)), alignof(T));
+    if (bytes.data == nullptr) return {};
+    T* const first = reinterpret_cast<T*>(bytes.data);
+    for (Index i = 0; i < count; ++i) new (first + i) T();
+    return {first, count};
+  }
+
+  /// Raw bytes at an address that `alignment` divides; none if fewer are left.
+  Span<unsigned char> take_bytes(Index count, std::size_t alignment) {
     const auto address = reinterpret_cast<std::uintptr_t>(rest_.data);
-    const Index skip = static_cast<Index>((alignof(T) - address % alignof(T)) % alignof(T));
-    const Index length = skip + count * static_cast<Index>(sizeof(T));
-    if (length > rest_.size) {
+    const Index skip = static_cast<Index>((alignment - address % alignment) % alignment);
+    if (skip + count > rest_.size) {
       exhausted_ = true;
       return {};
     }
-    T* const first = reinterpret_cast<T*>(rest_.data + skip);
-    for (Index i = 0; i < count; ++i) new (first + i) T();
-    rest_ = {rest_.data + length, rest_.size - length};
-    return {first, count};
+    const Span<unsigned char> taken{rest_.data + skip, count};
+    rest_ = {rest_.data + skip + count, rest_.size - skip - count};
+    return taken;
   }
 
   bool exhausted() const { return exhausted_; }
@@ -99,14 +106,17 @@ template <class S> constexpr Index push_bytes(const AssemblySize& size) {
 }
 
 /// Cuts a workspace for scenes of at most this size, to be solved by Lemke's pivots.
-template <class S>
-Workspace<S> make_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
-  Arena arena(bytes);
+template <class S> Workspace<S> make_workspace(Arena& arena, const AssemblySize& size) {
   Workspace<S> w = detail::take_common<S>(arena, size);
   w.lemke_scalars = arena.take<S>(lemke_scalars(size.unknowns()));
   w.lemke_integers = arena.take<int>(lemke_integers(size.unknowns()));
   w.complete = !arena.exhausted();
   return w;
+}
+template <class S>
+Workspace<S> make_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
+  Arena arena(bytes);
+  return make_workspace<S>(arena, size);
 }
 
 /// Bytes that make_sweep_workspace takes: O(unknowns), and (6 + actuators)^2 Scalars.
@@ -119,15 +129,18 @@ template <class S> constexpr Index sweep_bytes(const AssemblySize& size) {
 }
 
 /// Cuts a workspace for scenes of at most this size, to be solved by block Gauss-Seidel.
-template <class S>
-Workspace<S> make_sweep_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
-  Arena arena(bytes);
+template <class S> Workspace<S> make_sweep_workspace(Arena& arena, const AssemblySize& size) {
   Workspace<S> w = detail::take_common<S>(arena, size);
   const Index n = size.unknowns(), couplings = size.couplings(), actuators = size.actuators;
   w.sweep_scalars = arena.take<S>(block_gauss_seidel_scalars(n, couplings, actuators));
   w.sweep_integers = arena.take<int>(block_gauss_seidel_integers(n, couplings, actuators));
   w.complete = !arena.exhausted();
   return w;
+}
+template <class S>
+Workspace<S> make_sweep_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
+  Arena arena(bytes);
+  return make_sweep_workspace<S>(arena, size);
 }
 
 /// The size of one scene, spread evenly if it is to be.

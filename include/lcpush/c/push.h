@@ -1,0 +1,114 @@
+/* The part of lcpush.h that comes once a precision; include lcpush.h, not this. */
+
+/* The object; the inertia about its centre of mass, row by row. */
+typedef struct LCPUSH_NAME(object) {
+  LCPUSH_REAL mass;       /* kg, > 0 */
+  LCPUSH_REAL inertia[9]; /* kg m^2, symmetric positive definite */
+} LCPUSH_NAME(object);
+
+/* A rigid body that touches the object at points that share one normal. */
+typedef struct LCPUSH_NAME(body) {
+  lcpush_role role;
+  LCPUSH_REAL normal[3];       /* from the body into the object; any length but 0 */
+  LCPUSH_REAL tangent[3];      /* first friction direction; all 0: chosen from the normal */
+  LCPUSH_REAL friction;        /* Coulomb's mu, >= 0 */
+  LCPUSH_REAL torsion_radius;  /* m; > 0 makes a single point a soft contact */
+  int bilateral;               /* not 0: holds its normal motion, pulling if it must */
+  int first_point, point_count;
+  LCPUSH_REAL acceleration[6]; /* prescribed part of its twist, [m/s^2; rad/s^2] */
+} LCPUSH_NAME(body);
+
+/* A force-controlled degree of freedom of the hand. */
+typedef struct LCPUSH_NAME(actuator) {
+  LCPUSH_REAL force;   /* N, the force that it holds */
+  LCPUSH_REAL inertia; /* kg, >= 0; 0: the force is held exactly */
+} LCPUSH_NAME(actuator);
+
+/* `actuator` moves `body` with `twist` per unit, positive = closing. */
+typedef struct LCPUSH_NAME(drive) {
+  int body, actuator;
+  LCPUSH_REAL twist[6];
+} LCPUSH_NAME(drive);
+
+typedef struct LCPUSH_NAME(scene) {
+  LCPUSH_NAME(object) object;
+  LCPUSH_REAL gravity[3]; /* m/s^2 */
+  int facets;             /* sides of a friction pyramid: even, 4..256 */
+  lcpush_pressure pressure;
+  int planar; /* not 0: motion in the x-y plane only */
+  const LCPUSH_NAME(body) * bodies;
+  int body_count;
+  const LCPUSH_REAL (*points)[3]; /* m, from the centre of mass, body by body */
+  int point_count;
+  const LCPUSH_NAME(actuator) * actuators;
+  int actuator_count;
+  const LCPUSH_NAME(drive) * drives;
+  int drive_count;
+} LCPUSH_NAME(scene);
+
+/* What a contact point does. */
+typedef struct LCPUSH_NAME(contact) {
+  int body;                        /* of the scene */
+  lcpush_mode mode;
+  LCPUSH_REAL normal_force;        /* N, on the object; < 0 where a bilateral body pulls */
+  LCPUSH_REAL friction_force[3];   /* N, on the object */
+  LCPUSH_REAL torsion;             /* N m about the normal, soft contacts only */
+  LCPUSH_REAL acceleration[3];     /* m/s^2, of the object's point relative to its body */
+} LCPUSH_NAME(contact);
+
+/* The push that just moves the object in the grip. */
+typedef struct LCPUSH_NAME(breaking) {
+  LCPUSH_REAL break_force; /* N, the pusher's normal forces */
+  LCPUSH_REAL wrench[6];   /* the pusher's, [N; N m] */
+  LCPUSH_REAL inertia[6];  /* what a push of 1 m/s^2 adds to it */
+  LCPUSH_REAL twist[6];    /* the object's, per m/s^2 of push */
+  LCPUSH_REAL rest[6];     /* the object's acceleration before the push */
+} LCPUSH_NAME(breaking);
+
+typedef struct LCPUSH_NAME(push) LCPUSH_NAME(push);
+
+/* A push in `memory`, which stays the caller's, aligned as a double, and must not move while the
+ * push is used. NULL if `bytes` are too few for `size`. */
+LCPUSH_NAME(push) * LCPUSH_NAME(make)(void* memory, size_t bytes, const lcpush_size* size,
+                                      lcpush_solver solver);
+
+/* Copies and checks the scene, which may go away afterwards, and assembles its equations.
+ * RUNNING (ready to solve), or BAD_INPUT with lcpush_why. Cost: O(forces drives). */
+lcpush_status LCPUSH_NAME(describe)(LCPUSH_NAME(push) * push, const LCPUSH_NAME(scene) * scene);
+
+/* New grip forces and prescribed accelerations for the same contacts, without another check of the
+ * rest: for control loops. Pointers may be NULL: as they were. Arrays as in the scene. */
+lcpush_status LCPUSH_NAME(command)(LCPUSH_NAME(push) * push, const LCPUSH_REAL* forces,
+                                   const LCPUSH_REAL (*accelerations)[6]);
+
+/* At most `pivots` steps of one pivot each, the first call after describe or command starts; a push
+ * made for GAUSS_SEIDEL solves all at once. RUNNING, or how the solve ended. Cost of a step: O(n^2).
+ * At the end of a round of the pad law, or when a basis is factored afresh, O(n^2 basic unknowns). */
+lcpush_status LCPUSH_NAME(step)(LCPUSH_NAME(push) * push, int pivots);
+
+/* Steps to the end. */
+lcpush_status LCPUSH_NAME(solve)(LCPUSH_NAME(push) * push);
+
+/* The force that breaks the grasp, of body `pusher`. SOLVED, DOES_NOT_HOLD or a failure. The contacts
+ * are then those of a small push. */
+lcpush_status LCPUSH_NAME(break_grasp)(LCPUSH_NAME(push) * push, int pusher,
+                                       LCPUSH_NAME(breaking) * breaking);
+
+/* The most pivots a solve may take altogether; 0, the default: each run's own limit alone. */
+void LCPUSH_NAME(limit)(LCPUSH_NAME(push) * push, int pivots);
+
+/* After SOLVED; otherwise zeros. */
+void LCPUSH_NAME(acceleration)(const LCPUSH_NAME(push) * push, LCPUSH_REAL out[6]);
+void LCPUSH_NAME(contact_at)(const LCPUSH_NAME(push) * push, int point,
+                             LCPUSH_NAME(contact) * out);
+void LCPUSH_NAME(wrench_of)(const LCPUSH_NAME(push) * push, int body, LCPUSH_REAL out[6]);
+LCPUSH_REAL LCPUSH_NAME(closing_of)(const LCPUSH_NAME(push) * push, int actuator);
+
+/* The largest scaled violation of any law, by a check that shares nothing with the solver. */
+LCPUSH_REAL LCPUSH_NAME(residual)(const LCPUSH_NAME(push) * push);
+
+lcpush_status LCPUSH_NAME(status_of)(const LCPUSH_NAME(push) * push);
+lcpush_mistake LCPUSH_NAME(why)(const LCPUSH_NAME(push) * push); /* after BAD_INPUT */
+int LCPUSH_NAME(pivots)(const LCPUSH_NAME(push) * push);
+int LCPUSH_NAME(sweeps)(const LCPUSH_NAME(push) * push);
+int LCPUSH_NAME(rounds)(const LCPUSH_NAME(push) * push); /* of the pad law */

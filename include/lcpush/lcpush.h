@@ -1,0 +1,104 @@
+/* lcpush for C99: what happens when a grasped object is pushed against its environment.
+ *
+ * The caller owns the memory: LCPUSH_BYTES says how much, lcpush_make cuts a push out of it. Nothing
+ * is allocated, nothing is hidden in globals, nothing is printed; same input, same bits. Every
+ * function comes twice: lcpush_... on double, lcpushf_... on float (with types of the same prefix).
+ *
+ *     static double memory[LCPUSH_BYTES(double, 3, 4, 2, 2) / sizeof(double) + 1];
+ *     lcpush_push* push = lcpush_make(memory, sizeof memory, &size);
+ *     lcpush_describe(push, &scene);
+ *     while (lcpush_step(push, 10) == LCPUSH_RUNNING) other_work();       or lcpush_solve(push)
+ *     lcpush_contact_at(push, 0, &contact);
+ *
+ * SI units; positions from the object's centre of mass; scene axes, fixed to the hand. A twist is
+ * [linear ; angular] and a wrench [force ; moment], both at the centre of mass. Push, size and scene
+ * belong to one thread at a time.
+ */
+#ifndef LCPUSH_H
+#define LCPUSH_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How a call ended; the order is that of lcpush::Status. */
+typedef enum lcpush_status {
+  LCPUSH_RUNNING,             /* not finished: step again */
+  LCPUSH_SOLVED,              /* an answer was found and passed the check of every law */
+  LCPUSH_DOES_NOT_HOLD,       /* break: the object moves before it is pushed */
+  LCPUSH_RAY,                 /* no answer by this model: most often a jam */
+  LCPUSH_PIVOT_LIMIT,         /* the allowed number of pivots was used up */
+  LCPUSH_SWEEP_LIMIT,         /* the allowed number of sweeps was used up */
+  LCPUSH_STAGNATED,           /* the sweeps make no more progress */
+  LCPUSH_NUMERICAL_BREAKDOWN, /* an answer or a ray was reached, but it fails its check */
+  LCPUSH_BAD_INPUT            /* see lcpush_mistake_text */
+} lcpush_status;
+
+/* What is wrong with the input. */
+typedef enum lcpush_mistake {
+  LCPUSH_NO_MISTAKE,
+  LCPUSH_MEMORY_TOO_SMALL,     /* more than lcpush_size says, or than the bytes given hold */
+  LCPUSH_NOT_FINITE,           /* a number is NaN or infinite, or overflows when scaled */
+  LCPUSH_BAD_MASS,             /* mass <= 0, or an inertia that is not positive definite */
+  LCPUSH_BAD_FACETS,           /* not even, or outside of 4..256 */
+  LCPUSH_BAD_DIRECTION,        /* a zero normal, or a tangent along it */
+  LCPUSH_BAD_FRICTION,         /* friction or torsion radius < 0 */
+  LCPUSH_BAD_INDEX,            /* a body without points, or an index outside of its array */
+  LCPUSH_BAD_ACTUATOR,         /* force or inertia < 0, or nothing that it drives */
+  LCPUSH_UNSUPPORTED,          /* a soft contact of several points; even with a shared actuator */
+  LCPUSH_NOTHING_MOVES,        /* break: no pusher has an acceleration */
+  LCPUSH_NOT_DESCRIBED         /* lcpush_describe was not called, or has failed */
+} lcpush_mistake;
+
+typedef enum lcpush_role { LCPUSH_FINGER, LCPUSH_PUSHER } lcpush_role;
+typedef enum lcpush_pressure { LCPUSH_PAD, LCPUSH_EVEN, LCPUSH_RIGID } lcpush_pressure;
+typedef enum lcpush_mode { LCPUSH_STICK, LCPUSH_SLIDE, LCPUSH_SEPARATE } lcpush_mode;
+typedef enum lcpush_solver { LCPUSH_LEMKE, LCPUSH_GAUSS_SEIDEL } lcpush_solver;
+
+/* Constant text, never NULL. */
+const char* lcpush_status_text(lcpush_status status);
+const char* lcpush_mistake_text(lcpush_mistake mistake);
+const char* lcpush_mode_text(lcpush_mode mode);
+
+/* The most that a push will have to hold. `facets` is g; a soft contact (torsion_radius > 0) takes
+ * 5 g + 2. Under even pressure every driven point counts as a body, an actuator and a drive. */
+typedef struct lcpush_size {
+  int bodies, points, facets, actuators, drives;
+  int pulls; /* points of bilateral bodies */
+} lcpush_size;
+
+/* Unknowns n: a normal, g frictions and a slip a point, and a closing an actuator. */
+#define LCPUSH_UNKNOWNS(points, facets, actuators) ((points) * ((facets) + 2) + (actuators))
+
+/* Bytes of memory, aligned as a double, that lcpush_make needs for `real` (double or float) without
+ * pulls; a constant expression. Lemke's table, n (n + 1) numbers, is most of it. */
+#define LCPUSH_BYTES(real, points, facets, actuators, drives) \
+  (LCPUSH_COMMON_BYTES_(real, points, (points) * ((facets) + 1), actuators, drives) + \
+   LCPUSH_LEMKE_BYTES_(real, LCPUSH_UNKNOWNS(points, facets, actuators)))
+
+/* The same for a push that is to be solved by sweeps alone: O(n). */
+#define LCPUSH_SWEEP_BYTES(real, points, facets, actuators, drives) \
+  (LCPUSH_COMMON_BYTES_(real, points, (points) * ((facets) + 1), actuators, drives) + \
+   LCPUSH_SWEEPS_BYTES_(real, LCPUSH_UNKNOWNS(points, facets, actuators), \
+                        (points) * ((facets) + 1) * ((drives) > 0 ? (drives) : 1), actuators))
+
+#include "lcpush/c/bytes.h"
+
+#define LCPUSH_REAL double
+#define LCPUSH_NAME(name) lcpush_##name
+#include "lcpush/c/push.h"
+#undef LCPUSH_REAL
+#undef LCPUSH_NAME
+
+#define LCPUSH_REAL float
+#define LCPUSH_NAME(name) lcpushf_##name
+#include "lcpush/c/push.h"
+#undef LCPUSH_REAL
+#undef LCPUSH_NAME
+
+#ifdef __cplusplus
+}
+#endif
+#endif

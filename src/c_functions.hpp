@@ -1,0 +1,95 @@
+// The functions of lcpush.h for one precision; included by c_interface.cpp once for each.
+
+struct LCPUSH_NAME(push) : lcpush::c::CPush<LCPUSH_REAL> {
+  using CPush::CPush;
+};
+
+LCPUSH_NAME(push) *
+    LCPUSH_NAME(make)(void* memory, size_t bytes, const lcpush_size* size, lcpush_solver solver) {
+  using namespace lcpush;
+  if (memory == nullptr || size == nullptr) return nullptr;
+  for (const int count :
+       {size->bodies, size->points, size->facets, size->actuators, size->drives, size->pulls})
+    if (count < 0) return nullptr;
+  Arena arena({static_cast<unsigned char*>(memory), static_cast<Index>(bytes)});
+  const Span<unsigned char> place =
+      arena.take_bytes(static_cast<Index>(sizeof(LCPUSH_NAME(push))), alignof(LCPUSH_NAME(push)));
+  if (place.data == nullptr) return nullptr;
+  const c::Most most{size->bodies,    size->points, size->facets,
+                     size->actuators, size->drives, size->pulls};
+  LCPUSH_NAME(push)* const push =
+      new (place.data) LCPUSH_NAME(push)(arena, most, solver == LCPUSH_GAUSS_SEIDEL);
+  return push->complete() ? push : nullptr;
+}
+
+lcpush_status LCPUSH_NAME(describe)(LCPUSH_NAME(push) * push, const LCPUSH_NAME(scene) * scene) {
+  return lcpush::c::as_c(lcpush::c::describe(*push, *scene));
+}
+
+lcpush_status LCPUSH_NAME(command)(LCPUSH_NAME(push) * push, const LCPUSH_REAL* forces,
+                                   const LCPUSH_REAL (*accelerations)[6]) {
+  return lcpush::c::as_c(lcpush::c::command(*push, forces, accelerations));
+}
+
+lcpush_status LCPUSH_NAME(step)(LCPUSH_NAME(push) * push, int pivots) {
+  return lcpush::c::as_c(push->step(pivots));
+}
+
+lcpush_status LCPUSH_NAME(solve)(LCPUSH_NAME(push) * push) {
+  return lcpush::c::as_c(push->solve());
+}
+
+lcpush_status LCPUSH_NAME(break_grasp)(LCPUSH_NAME(push) * push, int pusher,
+                                       LCPUSH_NAME(breaking) * out) {
+  lcpush::Breaking<LCPUSH_REAL> breaking;
+  const lcpush::Status status = push->break_grasp(pusher, breaking);
+  out->break_force = breaking.break_force;
+  lcpush::c::write(breaking.force, out->wrench);
+  lcpush::c::write(breaking.inertia, out->inertia);
+  lcpush::c::write(breaking.twist, out->twist);
+  lcpush::c::write(breaking.rest, out->rest);
+  return lcpush::c::as_c(status);
+}
+
+void LCPUSH_NAME(limit)(LCPUSH_NAME(push) * push, int pivots) { push->limit(pivots); }
+
+void LCPUSH_NAME(acceleration)(const LCPUSH_NAME(push) * push, LCPUSH_REAL out[6]) {
+  for (int i = 0; i < 6; ++i) out[i] = push->has_answer() ? push->answer().acceleration[i] : 0;
+}
+
+void LCPUSH_NAME(contact_at)(const LCPUSH_NAME(push) * push, int point,
+                             LCPUSH_NAME(contact) * out) {
+  *out = LCPUSH_NAME(contact)();
+  if (!push->has_answer() || point < 0 || point >= push->answer().contacts.size) return;
+  const lcpush::ContactAnswer<LCPUSH_REAL>& contact = push->answer().contacts[point];
+  out->body = static_cast<int>(lcpush::c::described_body(*push, point));
+  out->mode = static_cast<lcpush_mode>(contact.mode);
+  out->normal_force = contact.normal_force;
+  lcpush::c::write(contact.friction_force, out->friction_force);
+  out->torsion = contact.torsion;
+  lcpush::c::write(contact.acceleration, out->acceleration);
+}
+
+void LCPUSH_NAME(wrench_of)(const LCPUSH_NAME(push) * push, int body, LCPUSH_REAL out[6]) {
+  lcpush::c::write(lcpush::c::wrench_of(*push, body), out);
+}
+
+LCPUSH_REAL LCPUSH_NAME(closing_of)(const LCPUSH_NAME(push) * push, int actuator) {
+  return lcpush::c::closing_of(*push, actuator);
+}
+
+LCPUSH_REAL LCPUSH_NAME(residual)(const LCPUSH_NAME(push) * push) { return push->residual(); }
+
+lcpush_status LCPUSH_NAME(status_of)(const LCPUSH_NAME(push) * push) {
+  return lcpush::c::as_c(push->status());
+}
+lcpush_mistake LCPUSH_NAME(why)(const LCPUSH_NAME(push) * push) {
+  return static_cast<lcpush_mistake>(push->mistake());
+}
+int LCPUSH_NAME(pivots)(const LCPUSH_NAME(push) * push) { return static_cast<int>(push->pivots()); }
+int LCPUSH_NAME(sweeps)(const LCPUSH_NAME(push) * push) {
+  return static_cast<int>(push->run().sweeps);
+}
+int LCPUSH_NAME(rounds)(const LCPUSH_NAME(push) * push) {
+  return static_cast<int>(push->run().rounds);
+}

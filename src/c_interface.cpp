@@ -1,0 +1,145 @@
+// The C interface: lcpush.h on top of the templates, once a precision.
+#include "lcpush/lcpush.h"
+
+#include "c_push.hpp"
+
+namespace lcpush::c {
+namespace {
+
+// The enumerations of lcpush.h count as ours do.
+static_assert(static_cast<int>(Status::bad_input) == LCPUSH_BAD_INPUT, "");
+static_assert(static_cast<int>(Status::ray) == LCPUSH_RAY, "");
+static_assert(static_cast<int>(Mistake::not_described) == LCPUSH_NOT_DESCRIBED, "");
+static_assert(static_cast<int>(Mistake::index) == LCPUSH_BAD_INDEX, "");
+static_assert(static_cast<int>(Mode::separate) == LCPUSH_SEPARATE, "");
+static_assert(static_cast<int>(Pressure::rigid) == LCPUSH_RIGID, "");
+static_assert(static_cast<int>(Role::pusher) == LCPUSH_PUSHER, "");
+
+lcpush_status as_c(Status status) { return static_cast<lcpush_status>(status); }
+
+template <class S, int n> Eigen::Matrix<S, n, 1> vector(const S (&numbers)[n]) {
+  return Eigen::Map<const Eigen::Matrix<S, n, 1>>(numbers);
+}
+template <class S, int n> void write(const Eigen::Matrix<S, n, 1>& vector, S* out) {
+  for (Index i = 0; i < n; ++i) out[i] = vector[i];
+}
+
+template <class S, class CBody> Body<S> body_from(const CBody& given) {
+  Body<S> body;
+  body.role = given.role == LCPUSH_PUSHER ? Role::pusher : Role::finger;
+  const Vector3<S> normal = vector(given.normal), tangent = vector(given.tangent);
+  // A zero normal stays zero, and find_mistake says so.
+  const S length = normal.norm();
+  body.normal = length > S(0) ? Vector3<S>(normal / length) : normal;
+  const bool is_chosen = tangent.squaredNorm() > S(0);
+  body.tangent = is_chosen ? tangent_along(body.normal, tangent) : default_tangent(body.normal);
+  body.friction = given.friction;
+  body.torsion_radius = given.torsion_radius;
+  body.bilateral = given.bilateral != 0;
+  body.first_point = given.first_point;
+  body.point_count = given.point_count;
+  body.acceleration = vector(given.acceleration);
+  return body;
+}
+
+/// The scene over the push's own arrays; nothing is allocated.
+template <class S, class CScene> Status describe(CPush<S>& push, const CScene& given) {
+  const Span<Body<S>> bodies = push.bodies(given.body_count);
+  const Span<Vector3<S>> points = push.points(given.point_count);
+  const Span<Actuator<S>> actuators = push.actuators(given.actuator_count);
+  const Span<Drive<S>> drives = push.drives(given.drive_count);
+  if (bodies.size < 0 || points.size < 0 || actuators.size < 0 || drives.size < 0)
+    return push.refuse(Mistake::memory_too_small);
+  for (Index b = 0; b < bodies.size; ++b) bodies[b] = body_from<S>(given.bodies[b]);
+  for (Index i = 0; i < points.size; ++i) points[i] = vector(given.points[i]);
+  for (Index a = 0; a < actuators.size; ++a)
+    actuators[a] = {given.actuators[a].force, given.actuators[a].inertia};
+  for (Index d = 0; d < drives.size; ++d)
+    drives[d] = {given.drives[d].body, given.drives[d].actuator, vector(given.drives[d].twist)};
+
+  Scene<S> scene{};
+  scene.object.mass = given.object.mass;
+  for (Index i = 0; i < 9; ++i) scene.object.inertia(i / 3, i % 3) = given.object.inertia[i];
+  scene.object.center_of_mass.setZero();
+  scene.gravity = vector(given.gravity);
+  scene.facets = given.facets;
+  if (given.pressure < LCPUSH_PAD || given.pressure > LCPUSH_RIGID)
+    return push.refuse(Mistake::unsupported);
+  scene.pressure = static_cast<Pressure>(given.pressure);
+  scene.planar = given.planar != 0;
+  scene.bodies = {bodies.data, bodies.size};
+  scene.points = {points.data, points.size};
+  scene.actuators = {actuators.data, actuators.size};
+  scene.drives = {drives.data, drives.size};
+  return push.accept(scene);
+}
+
+template <class S> Status command(CPush<S>& push, const S* forces, const S (*accelerations)[6]) {
+  if (push.mistake() != Mistake::none) return push.refuse(Mistake::not_described);
+  const Scene<S>& scene = push.given();
+  const Span<Actuator<S>> actuators = push.actuators(scene.actuators.size);
+  const Span<Body<S>> bodies = push.bodies(scene.bodies.size);
+  for (Index a = 0; forces != nullptr && a < actuators.size; ++a) actuators[a].force = forces[a];
+  for (Index b = 0; accelerations != nullptr && b < bodies.size; ++b)
+    bodies[b].acceleration = vector(accelerations[b]);
+  return push.assemble();
+}
+
+/// The body of the scene as it was described: under even pressure every point is a body of its own.
+template <class S> Index described_body(const CPush<S>& push, Index point) {
+  Index b = 0;
+  for (const Body<S>& body : push.given().bodies) {
+    if (point < body.first_point + body.point_count) return b;
+    ++b;
+  }
+  return b;
+}
+
+template <class S> Vector6<S> wrench_of(const CPush<S>& push, Index body) {
+  if (!push.has_answer() || body < 0 || body >= push.given().bodies.size) return Vector6<S>::Zero();
+  return body_wrench(push.given(), push.answer(), push.given().bodies[body]);
+}
+
+/// The mean over an actuator's shares.
+template <class S> S closing_of(const CPush<S>& push, Index actuator) {
+  if (!push.has_answer() || actuator < 0 || actuator >= push.given().actuators.size) return S(0);
+  if (push.given().pressure != Pressure::even) return push.answer().closing[actuator];
+  S sum(0);
+  Index shares = 0, share = 0;
+  for (const Body<S>& body : push.given().bodies) {
+    const Index b = &body - push.given().bodies.data;
+    for (Index i = 0; is_driven(push.given(), b) && i < body.point_count; ++i)
+      for (const Drive<S>& drive : push.given().drives) {
+        if (drive.body != b) continue;
+        if (drive.actuator == actuator) {
+          sum += push.answer().closing[share];
+          ++shares;
+        }
+        ++share;
+      }
+  }
+  return shares > 0 ? S(sum / S(shares)) : S(0);
+}
+
+} // namespace
+} // namespace lcpush::c
+
+const char* lcpush_status_text(lcpush_status status) {
+  return lcpush::status_text(static_cast<lcpush::Status>(status));
+}
+const char* lcpush_mistake_text(lcpush_mistake mistake) {
+  return lcpush::mistake_text(static_cast<lcpush::Mistake>(mistake));
+}
+const char* lcpush_mode_text(lcpush_mode mode) {
+  return lcpush::mode_text(static_cast<lcpush::Mode>(mode));
+}
+
+#define LCPUSH_REAL double
+#define LCPUSH_NAME(name) lcpush_##name
+#include "c_functions.hpp"
+#undef LCPUSH_REAL
+#undef LCPUSH_NAME
+
+#define LCPUSH_REAL float
+#define LCPUSH_NAME(name) lcpushf_##name
+#include "c_functions.hpp"

@@ -1,0 +1,236 @@
+/* The C interface, compiled as C99 with -pedantic -Werror. Exit 0: all held. */
+#include "slide.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static int faults = 0;
+
+static void check(int holds, const char* what, int line) {
+  if (holds) return;
+  printf("line %d: %s\n", line, what);
+  ++faults;
+}
+#define CHECK(condition) check(condition, #condition, __LINE__)
+
+SLIDE_SCENE(lcpush, double, slide_d);
+SLIDE_SCENE(lcpushf, float, slide_f);
+
+static const lcpush_size size = {3, 3, 4, 2, 2, 0};
+static double memory_d[LCPUSH_BYTES(double, 3, 4, 2, 2) / sizeof(double) + 1];
+static double memory_f[LCPUSH_BYTES(float, 3, 4, 2, 2) / sizeof(double) + 1];
+static double sweep_memory[LCPUSH_SWEEP_BYTES(double, 3, 4, 2, 2) / sizeof(double) + 1];
+
+static int near(double x, double y, double tolerance) { return fabs(x - y) <= tolerance; }
+
+static void solves_in_double(void) {
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size, LCPUSH_LEMKE);
+  lcpush_contact contact;
+  double a[6], wrench[6];
+  CHECK(push != NULL);
+  if (push == NULL) return;
+  CHECK(lcpush_solve(push) == LCPUSH_BAD_INPUT && lcpush_why(push) == LCPUSH_NOT_DESCRIBED);
+  CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING);
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+  CHECK(lcpush_status_of(push) == LCPUSH_SOLVED);
+  lcpush_acceleration(push, a);
+  CHECK(near(a[0], 0.1, 1e-12) && near(a[1], 0, 1e-12) && near(a[5], 0, 1e-10));
+  lcpush_contact_at(push, 2, &contact);
+  CHECK(contact.body == 2 && near(contact.normal_force, 20.02, 1e-9));
+  CHECK(contact.mode == LCPUSH_STICK);
+  lcpush_contact_at(push, 0, &contact);
+  CHECK(near(contact.normal_force, 20, 1e-9) && near(contact.friction_force[0], -10, 1e-9));
+  CHECK(contact.mode == LCPUSH_SLIDE);
+  lcpush_wrench_of(push, 2, wrench);
+  CHECK(near(wrench[0], 20.02, 1e-9));
+  CHECK(near(lcpush_closing_of(push, 0), 0, 1e-9));
+  CHECK(lcpush_residual(push) < 1e-10 && lcpush_pivots(push) > 3);
+  lcpush_contact_at(push, 99, &contact);
+  CHECK(contact.normal_force == 0);
+}
+
+static void solves_in_float(void) {
+  lcpushf_push* push = lcpushf_make(memory_f, sizeof memory_f, &size, LCPUSH_LEMKE);
+  lcpushf_contact contact;
+  CHECK(push != NULL);
+  if (push == NULL) return;
+  CHECK(lcpushf_describe(push, &slide_f) == LCPUSH_RUNNING);
+  CHECK(lcpushf_solve(push) == LCPUSH_SOLVED);
+  lcpushf_contact_at(push, 2, &contact);
+  CHECK(near(contact.normal_force, 20.02, 2e-3));
+  CHECK(lcpushf_residual(push) < 1e-4f);
+}
+
+static void steps_as_it_solves(void) {
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size, LCPUSH_LEMKE);
+  lcpush_contact whole, stepped;
+  int pivots, calls = 0;
+  (void)lcpush_describe(push, &slide_d);
+  (void)lcpush_solve(push);
+  lcpush_contact_at(push, 0, &whole);
+  pivots = lcpush_pivots(push);
+  (void)lcpush_describe(push, &slide_d);
+  while (lcpush_step(push, 1) == LCPUSH_RUNNING) ++calls;
+  CHECK(calls + 1 >= pivots && calls < pivots + 40);
+  CHECK(lcpush_pivots(push) == pivots);
+  lcpush_contact_at(push, 0, &stepped);
+  CHECK(memcmp(&whole, &stepped, sizeof whole) == 0);
+}
+
+static void obeys_commands(void) {
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size, LCPUSH_LEMKE);
+  const double forces[2] = {30, 30};
+  const double faster[3][6] = {{0}, {0}, {0.5, 0, 0, 0, 0, 0}};
+  lcpush_contact contact;
+  CHECK(lcpush_command(push, forces, NULL) == LCPUSH_BAD_INPUT);
+  (void)lcpush_describe(push, &slide_d);
+  (void)lcpush_solve(push);
+  CHECK(lcpush_command(push, forces, faster) == LCPUSH_RUNNING);
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+  lcpush_contact_at(push, 2, &contact);
+  CHECK(near(contact.normal_force, 30 + 0.2 * 0.5, 1e-9));
+  lcpush_limit(push, 2);
+  CHECK(lcpush_command(push, NULL, NULL) == LCPUSH_RUNNING);
+  CHECK(lcpush_solve(push) == LCPUSH_PIVOT_LIMIT);
+  lcpush_contact_at(push, 2, &contact);
+  CHECK(contact.normal_force == 0);
+}
+
+static void breaks_the_grasp(void) {
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size, LCPUSH_LEMKE);
+  lcpush_breaking breaking;
+  (void)lcpush_describe(push, &slide_d);
+  CHECK(lcpush_break_grasp(push, 2, &breaking) == LCPUSH_SOLVED);
+  CHECK(near(breaking.break_force, 20, 1e-6) && near(breaking.twist[0], 1, 1e-6));
+  CHECK(near(breaking.inertia[0], 0.2, 1e-5));
+  CHECK(lcpush_break_grasp(push, 7, &breaking) == LCPUSH_BAD_INPUT);
+  CHECK(lcpush_why(push) == LCPUSH_BAD_INDEX);
+}
+
+static void sweeps_agree(void) {
+  lcpush_push* push = lcpush_make(sweep_memory, sizeof sweep_memory, &size, LCPUSH_GAUSS_SEIDEL);
+  lcpush_contact contact;
+  CHECK(push != NULL);
+  if (push == NULL) return;
+  (void)lcpush_describe(push, &slide_d);
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+  CHECK(lcpush_sweeps(push) > 0 && lcpush_pivots(push) == 0);
+  lcpush_contact_at(push, 2, &contact);
+  CHECK(near(contact.normal_force, 20.02, 1e-6));
+}
+
+static void even_pressure_spreads(void) {
+  /* A line finger of two points, by their shares; every driven point counts as an actuator. */
+  static const double points[4][3] = {{-0.01, 0, 0.005}, {0.01, 0, 0.005}, {0, 0, -0.005},
+                                      {-0.05, 0, 0}};
+  static const lcpush_size even_size = {4, 4, 4, 3, 3, 0};
+  static double memory[LCPUSH_BYTES(double, 4, 4, 3, 3) / sizeof(double) + 1];
+  lcpush_body bodies[3];
+  lcpush_scene scene = slide_d;
+  lcpush_push* push = lcpush_make(memory, sizeof memory, &even_size, LCPUSH_LEMKE);
+  lcpush_contact contact;
+  double wrench[6];
+  CHECK(push != NULL);
+  if (push == NULL) return;
+  memcpy(bodies, slide_d_bodies, sizeof bodies);
+  bodies[0].point_count = 2;
+  bodies[1].first_point = 2;
+  bodies[2].first_point = 3;
+  scene.bodies = bodies;
+  scene.points = points;
+  scene.point_count = 4;
+  scene.pressure = LCPUSH_EVEN;
+  scene.planar = 1;
+  CHECK(lcpush_describe(push, &scene) == LCPUSH_RUNNING);
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+  lcpush_contact_at(push, 1, &contact);
+  CHECK(contact.body == 0 && near(contact.normal_force, 10, 1e-9));
+  lcpush_contact_at(push, 3, &contact);
+  CHECK(contact.body == 2 && near(contact.normal_force, 20.02, 1e-9));
+  lcpush_wrench_of(push, 0, wrench);
+  CHECK(near(wrench[2], -20, 1e-9));
+  CHECK(near(lcpush_closing_of(push, 0), 0, 1e-9));
+}
+
+static void refuses(lcpush_scene scene, lcpush_mistake mistake, int line) {
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size, LCPUSH_LEMKE);
+  check(lcpush_describe(push, &scene) == LCPUSH_BAD_INPUT, "refused", line);
+  check(lcpush_why(push) == mistake, lcpush_mistake_text(lcpush_why(push)), line);
+  check(strlen(lcpush_mistake_text(mistake)) > 10, "has words", line);
+  check(lcpush_step(push, 1) == LCPUSH_BAD_INPUT, "does not solve", line);
+}
+#define REFUSES(mistake) refuses(scene, mistake, __LINE__)
+
+static void refuses_nonsense(void) {
+  lcpush_scene scene = slide_d;
+  lcpush_body bodies[3];
+  lcpush_actuator actuators[2] = {{20, 0}, {-1, 0}};
+  lcpush_drive drives[2];
+  memcpy(drives, slide_d_drives, sizeof drives);
+  scene.object.mass = 0;
+  REFUSES(LCPUSH_BAD_MASS);
+  scene.object.mass = NAN;
+  REFUSES(LCPUSH_NOT_FINITE);
+  scene = slide_d;
+  scene.object.inertia[4] = -1;
+  REFUSES(LCPUSH_BAD_MASS);
+  scene = slide_d;
+  scene.facets = 5;
+  REFUSES(LCPUSH_BAD_FACETS);
+  scene.facets = 8; /* more than the size says */
+  REFUSES(LCPUSH_MEMORY_TOO_SMALL);
+  scene = slide_d;
+  scene.point_count = 4;
+  REFUSES(LCPUSH_MEMORY_TOO_SMALL);
+  scene = slide_d;
+  scene.pressure = (lcpush_pressure)9;
+  REFUSES(LCPUSH_UNSUPPORTED);
+  scene = slide_d;
+  scene.bodies = bodies;
+  memcpy(bodies, slide_d_bodies, sizeof bodies);
+  bodies[1].normal[2] = 0;
+  REFUSES(LCPUSH_BAD_DIRECTION);
+  memcpy(bodies, slide_d_bodies, sizeof bodies);
+  bodies[1].tangent[0] = 0;
+  bodies[1].tangent[2] = 1; /* along the normal */
+  REFUSES(LCPUSH_BAD_DIRECTION);
+  memcpy(bodies, slide_d_bodies, sizeof bodies);
+  bodies[1].friction = -0.5;
+  REFUSES(LCPUSH_BAD_FRICTION);
+  memcpy(bodies, slide_d_bodies, sizeof bodies);
+  bodies[2].first_point = 1;
+  REFUSES(LCPUSH_BAD_INDEX);
+  scene = slide_d;
+  scene.actuators = actuators;
+  REFUSES(LCPUSH_BAD_ACTUATOR);
+  scene = slide_d;
+  scene.drives = drives;
+  drives[1].actuator = 2;
+  REFUSES(LCPUSH_BAD_INDEX);
+}
+
+static void wants_enough_memory(void) {
+  const lcpush_size negative = {3, -3, 4, 2, 2, 0};
+  CHECK(lcpush_make(NULL, 100000, &size, LCPUSH_LEMKE) == NULL);
+  CHECK(lcpush_make(memory_d, 100, &size, LCPUSH_LEMKE) == NULL);
+  CHECK(lcpush_make(memory_d, sizeof memory_d / 2, &size, LCPUSH_LEMKE) == NULL);
+  CHECK(lcpush_make(memory_d, sizeof memory_d, &negative, LCPUSH_LEMKE) == NULL);
+}
+
+int main(void) {
+  solves_in_double();
+  solves_in_float();
+  steps_as_it_solves();
+  obeys_commands();
+  breaks_the_grasp();
+  sweeps_agree();
+  even_pressure_spreads();
+  refuses_nonsense();
+  wants_enough_memory();
+  CHECK(strcmp(lcpush_status_text(LCPUSH_RAY), "ray") == 0);
+  CHECK(strcmp(lcpush_mode_text(LCPUSH_SLIDE), "slide") == 0);
+  if (faults == 0) printf("the C interface holds; %u bytes in double, %u in float\n",
+                          (unsigned)sizeof memory_d, (unsigned)sizeof memory_f);
+  return faults == 0 ? 0 : 1;
+}
