@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-root = pathlib.Path(sys.argv[1])
+root = pathlib.Path(sys.argv[1]).resolve()
 page = (root / "docs/embedding.md").read_text()
 [program] = re.findall(r"```c\n(.*?)```", page, flags=re.S)
 shell = [block for block in re.findall(r"```sh\n(.*?)```", page, flags=re.S) if "./push" in block]
