@@ -15,6 +15,20 @@ static_assert(static_cast<int>(Mode::separate) == LCPUSH_SEPARATE, "");
 static_assert(static_cast<int>(Pressure::rigid) == LCPUSH_RIGID, "");
 static_assert(static_cast<int>(Role::pusher) == LCPUSH_PUSHER, "");
 
+// The bounds of lcpush/c/bytes.h hold here: for a push, and for what its arena gives out.
+template <class S, class CPushStruct>
+constexpr bool covers(std::size_t bytes, Index points, Index facets, Index actuators, Index drives,
+                      bool by_sweeps) {
+  constexpr Index alignment_slack = 9 * static_cast<Index>(alignof(std::max_align_t));
+  const AssemblySize size{points, points * facets, actuators, drives};
+  const Index structs = points * static_cast<Index>(2 * sizeof(Body<S>) + sizeof(Vector3<S>)) +
+                        2 * actuators * static_cast<Index>(sizeof(Actuator<S>)) +
+                        2 * drives * static_cast<Index>(sizeof(Drive<S>));
+  const Index work = by_sweeps ? sweep_bytes<S>(size) : push_bytes<S>(size);
+  return static_cast<Index>(bytes) >=
+         static_cast<Index>(sizeof(CPushStruct)) + structs + work + alignment_slack;
+}
+
 lcpush_status as_c(Status status) { return static_cast<lcpush_status>(status); }
 
 template <class S, int n> Eigen::Matrix<S, n, 1> vector(const S (&numbers)[n]) {
@@ -143,3 +157,34 @@ const char* lcpush_mode_text(lcpush_mode mode) {
 #define LCPUSH_REAL float
 #define LCPUSH_NAME(name) lcpushf_##name
 #include "c_functions.hpp"
+
+namespace lcpush::c {
+namespace {
+
+/// All sizes of a small grid: the bounds are polynomials, and their terms grow one by one.
+template <class S, class CPushStruct> constexpr bool all_covered() {
+  for (std::size_t p : {1, 2, 7, 40})
+    for (std::size_t g : {4, 8, 42})
+      for (std::size_t a : {0, 1, 9})
+        for (std::size_t d : {0, 1, 2, 9}) {
+          const Index points = static_cast<Index>(p), facets = static_cast<Index>(g);
+          const Index actuators = static_cast<Index>(a), drives = static_cast<Index>(d);
+          if (!covers<S, CPushStruct>(LCPUSH_BYTES(S, p, g, a, d), points, facets, actuators,
+                                      drives, false) ||
+              !covers<S, CPushStruct>(LCPUSH_SWEEP_BYTES(S, p, g, a, d), points, facets, actuators,
+                                      drives, true))
+            return false;
+        }
+  return true;
+}
+static_assert(all_covered<double, lcpush_push>(), "LCPUSH_BYTES is too small");
+static_assert(all_covered<float, lcpushf_push>(), "LCPUSH_BYTES is too small");
+static_assert(sizeof(lcpush_push) <= LCPUSH_STATE_BYTES_(double), "");
+static_assert(sizeof(lcpushf_push) <= LCPUSH_STATE_BYTES_(float), "");
+static_assert(sizeof(Body<double>) <= LCPUSH_BODY_BYTES_(double), "");
+static_assert(sizeof(Body<float>) <= LCPUSH_BODY_BYTES_(float), "");
+static_assert(sizeof(Drive<double>) <= LCPUSH_DRIVE_BYTES_(double), "");
+static_assert(sizeof(Drive<float>) <= LCPUSH_DRIVE_BYTES_(float), "");
+
+} // namespace
+} // namespace lcpush::c

@@ -3,7 +3,7 @@
 
 #define LCPUSH_WORD_ sizeof(ptrdiff_t)
 /* A push itself, a body, a drive, a contact and what its assembly keeps. */
-#define LCPUSH_STATE_BYTES_(real) (360 * LCPUSH_WORD_ + 130 * sizeof(real))
+#define LCPUSH_STATE_BYTES_(real) (340 * LCPUSH_WORD_ + 170 * sizeof(real))
 #define LCPUSH_BODY_BYTES_(real) (16 * sizeof(real) + 2 * LCPUSH_WORD_ + 32)
 #define LCPUSH_DRIVE_BYTES_(real) (6 * sizeof(real) + 2 * LCPUSH_WORD_ + 16)
 #define LCPUSH_POINT_BYTES_(real) (18 * sizeof(real) + 7 * LCPUSH_WORD_ + 16)
