@@ -60,14 +60,11 @@ static uint32_t ticks(void) { return 0xFFFFFFFFu - REGISTER(0x40000004); }
 #define PAINT 0xDEADBEEFu
 
 __attribute__((noinline)) cost measure(void (*work)(void)) {
-  cost result;
-  volatile uint32_t* top = (volatile uint32_t*)__builtin_frame_address(0);
   volatile uint32_t* word;
+  uint32_t* top;
   uint32_t before;
-  /* Below this function's own frame nothing is alive. */
-  uint32_t* here;
-  __asm__ volatile("mov %0, sp" : "=r"(here));
-  top = here;
+  cost result;
+  __asm__ volatile("mov %0, sp" : "=r"(top)); /* below it nothing is alive */
   for (word = stack_begin; word < top; ++word) *word = PAINT;
   start_clock();
   before = ticks();

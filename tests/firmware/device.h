@@ -1,4 +1,5 @@
-/* What the programs need from the machine they run on: device.c on the boards, desktop.c elsewhere. */
+/* What the programs need from the machine they run on: device.c on the boards, desktop.c elsewhere.
+ */
 #ifndef DEVICE_H
 #define DEVICE_H
 

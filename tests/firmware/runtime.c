@@ -46,10 +46,9 @@ float sqrtf(float x) {
     fraction <<= 1;
     --exponent;
   }
-  /* 25 bits of the root of fraction * 2^25: 24 and one to round by. */
+  /* The root of fraction * 2^25 has 25 bits: 24, and one to round by. */
   for (i = 24; i >= 0; --i) {
-    const uint32_t two = i >= 12 ? fraction >> (2 * (i - 12)) & 3 : 0;
-    /* fraction has 25 bits: the pairs above come from it, the ones below are zeros. */
+    const uint32_t two = (uint32_t)((uint64_t)fraction << 25 >> 2 * i) & 3;
     rest = rest << 2 | two;
     root <<= 1;
     if (rest >= (root << 1 | 1)) {
@@ -57,7 +56,6 @@ float sqrtf(float x) {
       root |= 1;
     }
   }
-  (void)rest;
   root = (root + 1) >> 1; /* an exact tie cannot happen */
   u.bits = ((uint32_t)(exponent / 2 + 127) << 23) + (root - 0x800000u);
   return u.number;

@@ -1,5 +1,5 @@
-/* Shipped scenes (fixtures/scenes) as tables in flash, in the precision that device.h chooses. A test
- * compares their answers with those of the files. */
+/* Shipped scenes (fixtures/scenes) as tables in flash, in the precision that device.h chooses. A
+ * test compares their answers with those of the files. */
 #ifndef SCENES_H
 #define SCENES_H
 
@@ -50,11 +50,11 @@ static const LCPUSH(scene) soft_fingers = {{R(0.2), BOX(0.2, 0.1, 0.03, 0.01)},
                                            2};
 
 /* straight_slide.toml: fingertips of four points, a straight edge pushes. */
-static const REAL slide_points[10][3] = {
-    {R(0.005), 0, R(0.005)},      {0, R(0.005), R(0.005)},     {R(-0.005), 0, R(0.005)},
-    {0, R(-0.005), R(0.005)},     {R(0.005), 0, R(-0.005)},    {0, R(0.005), R(-0.005)},
-    {R(-0.005), 0, R(-0.005)},    {0, R(-0.005), R(-0.005)},   {R(-0.05), R(-0.015), 0},
-    {R(-0.05), R(0.015), 0}};
+static const REAL slide_points[10][3] = {{R(0.005), 0, R(0.005)},   {0, R(0.005), R(0.005)},
+                                         {R(-0.005), 0, R(0.005)},  {0, R(-0.005), R(0.005)},
+                                         {R(0.005), 0, R(-0.005)},  {0, R(0.005), R(-0.005)},
+                                         {R(-0.005), 0, R(-0.005)}, {0, R(-0.005), R(-0.005)},
+                                         {R(-0.05), R(-0.015), 0},  {R(-0.05), R(0.015), 0}};
 static const LCPUSH(body) slide_bodies[3] = {
     {LCPUSH_FINGER, {0, 0, -1}, {1, 0, 0}, R(0.5), 0, 0, 0, 4, {0, 0, 0, 0, 0, 0}},
     {LCPUSH_FINGER, {0, 0, 1}, {1, 0, 0}, R(0.5), 0, 0, 4, 4, {0, 0, 0, 0, 0, 0}},
@@ -74,9 +74,9 @@ static const LCPUSH(scene) straight_slide = {{R(0.2), BOX(0.2, 0.1, 0.03, 0.01)}
                                              2};
 
 /* rolling.toml: a cylinder in a parallel jaw, one actuator for both fingers, on a sheet. */
-static const REAL rolling_points[6][3] = {
-    {R(-0.02), 0, R(-0.02)}, {R(-0.02), 0, R(0.02)}, {R(0.02), 0, R(-0.02)},
-    {R(0.02), 0, R(0.02)},   {0, R(-0.02), R(-0.02)}, {0, R(-0.02), R(0.02)}};
+static const REAL rolling_points[6][3] = {{R(-0.02), 0, R(-0.02)}, {R(-0.02), 0, R(0.02)},
+                                          {R(0.02), 0, R(-0.02)},  {R(0.02), 0, R(0.02)},
+                                          {0, R(-0.02), R(-0.02)}, {0, R(-0.02), R(0.02)}};
 static const LCPUSH(body) rolling_bodies[3] = {
     {LCPUSH_FINGER, {1, 0, 0}, {0, 0, 0}, R(0.3), 0, 0, 0, 2, {0, 0, 0, 0, 0, 0}},
     {LCPUSH_FINGER, {-1, 0, 0}, {0, 0, 0}, R(0.3), 0, 0, 2, 2, {0, 0, 0, 0, 0, 0}},
