@@ -128,9 +128,10 @@ def figures(programs, program, target, like=None):
     for name, run in programs.runs(program, target).items():
         found[name] = {"status": run["status"], "instructions": instructions(run["ticks"]),
                        "stack": int(run["stack"])}
-        if "describe_ticks" in run:
-            found[name]["describe_instructions"] = instructions(run["describe_ticks"])
-            found[name]["describe_stack"] = int(run["describe_stack"])
+        for part in ("describe", "last"):
+            if f"{part}_ticks" in run:
+                found[name][f"{part}_instructions"] = instructions(run[f"{part}_ticks"])
+                found[name][f"{part}_stack"] = int(run[f"{part}_stack"])
     return found
 
 

@@ -118,6 +118,37 @@ void push() {
   result.path = path.hash;
 }
 
+Lemke<REAL>* running;
+void step() { result.status = running->step(); }
+
+/// Lemke's steps on the literal problem, one by one: what those that pivot take, and the last one,
+/// which refines the answer and has it checked.
+void report_steps(const char* name, const LCPUSH(scene) & scene) {
+  copy.take(scene, Pressure::rigid);
+  Workspace<REAL> work = make_workspace<REAL>({memory, sizeof memory}, size_of(copy.scene));
+  Assembly<REAL> assembly(work.assembly);
+  Lemke<REAL> lemke(work.lemke_scalars, work.lemke_integers);
+  running = &lemke;
+  cost most{0, 0}, last{0, 0};
+  result.status = assembly.assemble(copy.scene);
+  if (result.status == Status::running) result.status = lemke.init(assembly.problem());
+  while (result.status == Status::running) {
+    if (last.ticks > most.ticks) most.ticks = last.ticks;
+    if (last.stack > most.stack) most.stack = last.stack;
+    last = measure(step);
+  }
+  put("run ");
+  put(name);
+  put(" status ");
+  put(status_text(result.status));
+  put_number(" pivots ", static_cast<std::uint32_t>(lemke.pivots()));
+  put_number(" ticks ", most.ticks);
+  put_number(" stack ", most.stack);
+  put_number(" last_ticks ", last.ticks);
+  put_number(" last_stack ", last.stack);
+  put("\n");
+}
+
 void report(const char* name, const LCPUSH(scene) & scene, Pressure law, bool breaks) {
   given = &scene;
   pressure = law;
@@ -147,6 +178,9 @@ int main() {
   report("straight_slide.even.break_path", straight_slide, Pressure::even, true);
   report("straight_slide.pad.break_path", straight_slide, Pressure::pad, true);
   report("rolling.pad.path", rolling, Pressure::pad, false);
+  report_steps("squeeze.lemke", squeeze);
+  report_steps("soft_fingers.lemke", soft_fingers);
+  report_steps("straight_slide.lemke", straight_slide);
   put_number("memory ", sizeof memory);
   put("\nend\n");
   return 0;
