@@ -114,7 +114,8 @@ public:
   const Pivot& last_pivot() const { return last_; }
   const Dictionary<S>& dictionary() const { return dictionary_; }
   S artificial_value() const;
-  /// A finite value of z_i, or w_i, in the dictionary times this is the one of the problem as given.
+  /// A finite value of z_i, or w_i, in the dictionary times this is the one of the problem as
+  /// given.
   S unknown_unit(Index i) const { return level_scale_[finite_level()] * column_scale_[i]; }
   S slack_unit(Index i) const { return level_scale_[finite_level()] / row_scale_[i]; }
 
