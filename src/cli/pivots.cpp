@@ -20,7 +20,7 @@ namespace {
 
 constexpr Index most_unknowns = 1000; // every pivot keeps its ratios; the page draws every row
 constexpr Index most_exact = 300;     // fractions grow with every pivot
-constexpr Index always_exact = 60;    // then ties are ties, not rounding's
+constexpr Index always_exact = 150;   // then ties are ties, not rounding's
 
 /// What is pivoted: a scene or two matrices.
 struct Subject {
@@ -74,9 +74,9 @@ SceneText scene_text(const Arguments& arguments) {
   return {host::read_text_file(arguments.files()[0], most_bytes), arguments.files()[0]};
 }
 
-/// Is the work in fractions over in about a second?
+/// Is the work in fractions over in a few seconds?
 bool is_short(const host::ExactProblem& problem) {
-  constexpr std::size_t most_bits = 3000; // of the last tableau's determinants
+  constexpr std::size_t most_bits = 32000; // of the last tableau's determinants, about
   std::size_t longest = 1;
   for (const host::Rational& x : problem.M.values) longest = std::max(longest, x.bit_length());
   const auto n = static_cast<std::size_t>(problem.M.rows);
@@ -162,8 +162,10 @@ void refuse_combinations(const Arguments& arguments, bool is_scene) {
       if (arguments.has(option))
         throw UsageError(std::string("--as-solved replays what `lcpush solve` does, and ") +
                          option + " would change that; use one of them");
-  if (arguments.has("--first-row") && arguments.has("--choose"))
-    throw UsageError("--choose asks you for every row; --first-row does not go with it");
+  for (const char* option : {"--first-row", "--z0-last"})
+    if (arguments.has("--choose") && arguments.has(option))
+      throw UsageError("--choose asks you for every row; " + std::string(option) +
+                       " does not go with it");
   for (const char* option : {"--facets", "--pressure"})
     if (!is_scene && arguments.has(option))
       throw UsageError(std::string(option) + " is about scenes");
@@ -182,9 +184,11 @@ host::PivotTrace trace(Subject& subject, const Arguments& arguments) {
     return host::trace_solve(raw, options, *subject.story);
   }
   options.is_exact = arguments.has("--exact") || subject.is_short;
-  // The page can show both.
+  // The page can show both, where its own fractions are quick.
+  constexpr Index quick = 64;
   options.keeps_fractions =
-      arguments.has("--exact") || arguments.value("--format") == std::string("html");
+      arguments.has("--exact") ||
+      (arguments.value("--format") == std::string("html") && subject.problem.M.rows <= quick);
   options.rule = arguments.has("--first-row") ? TieRule::first_row : TieRule::lexicographic;
   options.z0_wins_ties = !arguments.has("--z0-last");
   options.cover = read_cover(arguments, subject.problem.M.rows);

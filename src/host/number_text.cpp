@@ -53,13 +53,13 @@ template <> NumberText read_finite_number<double>(std::string_view word) {
 
 template <> NumberTextOf<Rational> read_finite_number<Rational>(std::string_view word) {
   NumberTextOf<Rational> number;
-  number.error = read_finite_number<double>(word).error;
-  if (number.error) return number;
   const auto exact = Rational::parse(word);
-  if (exact)
-    number.value = *exact;
-  else
-    number.error = quoted(word) + " has too many digits or too large an exponent";
+  if (exact && word.find('/') == std::string_view::npos) {
+    number.value = *exact; // beyond a double's range too
+    return number;
+  }
+  number.error = read_finite_number<double>(word).error;
+  if (!number.error) number.error = quoted(word) + " has too many digits or too large an exponent";
   return number;
 }
 

@@ -1,6 +1,7 @@
 // The observer that writes a PivotTrace, for doubles and for fractions.
 #pragma once
 
+#include <cmath>
 #include <map>
 
 #include "lcpush/host/pivots.hpp"
@@ -9,7 +10,8 @@ namespace lcpush::host {
 
 inline TraceNumber traced(const PivotTrace&, double x) { return {x, {}}; }
 inline TraceNumber traced(const PivotTrace& trace, const Rational& x) {
-  return {x.value(), trace.has_fractions ? x.text() : std::string()};
+  const double value = x.value();
+  return {value, trace.has_fractions || !std::isfinite(value) ? x.text() : std::string()};
 }
 
 template <class S> class Recorder {

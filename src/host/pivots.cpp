@@ -2,6 +2,7 @@
 #include "lcpush/host/pivots.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pivot_recorder.hpp"
 
@@ -121,6 +122,19 @@ private:
   }
 };
 
+/// In doubles rounding decides ties: then even the lexicographic rule may come back to a basis.
+void distrust(const PivotOptions& options, PivotTrace& trace) {
+  if (!trace.cycle || options.rule != TieRule::lexicographic || options.choose) return;
+  trace.cycle.reset();
+  trace.status = Status::numerical_breakdown;
+  trace.reason = "a basis came back, as rounding has decided ties; --exact decides them truly";
+}
+
+bool all_finite(const std::vector<TraceNumber>& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(),
+                     [](const TraceNumber& x) { return std::isfinite(x.value); });
+}
+
 template <class S>
 PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, const Story& story) {
   const Index n = given.M.rows;
@@ -151,10 +165,13 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
   while (trace.status == Status::running && !trace.cycle) {
     trace.status = lemke.step(teacher);
   }
+  if constexpr (std::is_same_v<S, double>) distrust(options, trace);
   trace.last = teacher.tableau(lemke.dictionary());
   if (trace.status == Status::solved) take_solution(given, lemke, trace);
   if (trace.status == Status::ray) take_ray(lemke, story, trace);
-  if (trace.status != Status::solved) trace.reason = reason_of(trace, lemke.reason());
+  if (std::is_same_v<S, double> && !all_finite(trace.z)) trace.status = Status::numerical_breakdown;
+  if (trace.status != Status::solved && trace.reason.empty())
+    trace.reason = reason_of(trace, lemke.reason());
   return trace;
 }
 

@@ -17,8 +17,11 @@ std::string number_latex(const TraceNumber& x) {
 std::string value_latex(const TraceValue& value) {
   if (!value.has_S()) return number_latex(value.finite);
   const std::string rest = number_latex(value.finite);
-  return number_latex(value.times_S) + "S" +
-         (value.finite.value == 0 ? "" : (rest[0] == '-' ? rest : "+" + rest));
+  const std::string times = number_latex(value.times_S);
+  return (times == "1"    ? ""
+          : times == "-1" ? "-"
+                          : times) +
+         "S" + (value.finite.value == 0 ? "" : (rest[0] == '-' ? rest : "+" + rest));
 }
 
 std::string name_latex(const PivotTrace& trace, Index variable) {

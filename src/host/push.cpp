@@ -41,10 +41,17 @@ std::string Push::variable_name(Index i) const {
   }
   const Body<double>& body = assembly_.scene().bodies[layout().body[name.of]];
   const Generator<double> d = generator(body, name.generator, file_.facets);
-  std::string text = "friction of " + point_name(file_, name.of);
-  if (!d.force.isZero(0)) text += " along " + direction_text(d.force);
-  if (d.torque != 0) text += " with torque " + shown(d.torque) + " m";
-  return text;
+  return "friction of " + point_name(file_, name.of) + generator_text(d, body.torsion_radius);
+}
+
+std::string generator_text(const Generator<double>& generator, double torsion_radius) {
+  const auto rounded = [](double x) { return shown(std::round(x * 1000) / 1000 + 0.0); };
+  const double slide = generator.force.norm();
+  std::string text;
+  if (slide > 0) text = " along " + direction_text(generator.force / slide);
+  if (generator.torque == 0) return text;
+  if (slide > 0) text += " times " + rounded(slide) + " and";
+  return text + " twisting by " + rounded(generator.torque / torsion_radius);
 }
 
 std::string Push::actuator_name(Index actuator) const {

@@ -15,18 +15,11 @@ std::string capitalised(std::string text) {
 
 } // namespace
 
-Vector3<double> PushStory::generator_force(const Name& name) const {
-  const Body<double>& body = push_.scene().bodies[push_.layout().body[name.of]];
-  return generator(body, name.generator, push_.file().facets).force;
-}
-
-/// " along +x"; for a generator that only twists, which way round.
+/// generator_text of `sign` times the generator.
 std::string PushStory::along(const Name& name, double sign) const {
-  const Vector3<double> force = generator_force(name);
-  if (!force.isZero(0)) return " along " + direction_text(sign * force);
   const Body<double>& body = push_.scene().bodies[push_.layout().body[name.of]];
-  const double torque = sign * generator(body, name.generator, push_.file().facets).torque;
-  return torque > 0 ? " about its normal" : " against its normal";
+  const Generator<double> d = generator(body, name.generator, push_.file().facets);
+  return generator_text({sign * d.force, sign * d.torque}, body.torsion_radius);
 }
 
 std::string PushStory::meaning(Index variable) const {
@@ -51,16 +44,23 @@ std::string PushStory::meaning(Index variable) const {
   return {};
 }
 
-/// The way a point slides: against the friction that acts on it.
+/// The way a point slides: towards the side against which its friction acts. A facet of the pyramid
+/// leaves a sector open.
 std::string PushStory::sliding(Index at, const std::vector<bool>& basic) const {
-  Vector3<double> friction = Vector3<double>::Zero();
+  Generator<double> friction{Vector3<double>::Zero(), 0};
   for (Index j = 0; j < push_.layout().cones[at].generators; ++j) {
     const Index variable = unknown(push_.layout().friction(at, j), size());
-    if (basic[static_cast<std::size_t>(variable)])
-      friction += generator_force({Meaning::friction, at, j});
+    if (!basic[static_cast<std::size_t>(variable)]) continue;
+    const Body<double>& body = push_.scene().bodies[push_.layout().body[at]];
+    const Generator<double> d = generator(body, j, push_.file().facets);
+    friction.force += d.force;
+    friction.torque += d.torque;
   }
-  if (friction.norm() < 1e-9) return {};
-  return " along " + direction_text(-friction.normalized());
+  const double slide = friction.force.norm();
+  std::string text;
+  if (slide > 1e-9) text = " towards " + direction_text(-friction.force / slide);
+  if (friction.torque != 0) text += text.empty() ? " by turning" : ", turning";
+  return text;
 }
 
 /// What the entering variable's growth is.
@@ -80,7 +80,7 @@ std::string PushStory::grows(Index variable) const {
                       : "the friction of " + point(name) + " draws back from its cone";
   case Meaning::closing:
     return is_unknown
-               ? push_.actuator_name(name.of) + " retreats less and less"
+               ? push_.actuator_name(name.of) + " closes faster or retreats less"
                : "the force of " + push_.actuator_name(name.of) + " grows beyond its set force";
   }
   return {};
@@ -95,7 +95,7 @@ std::string PushStory::ends(Index variable, const std::vector<bool>& basic) cons
   switch (name.meaning) {
   case Meaning::normal:
     return is_unknown ? point(name) + " presses no more and may separate"
-                      : point(name) + " stays in touch and may press";
+                      : point(name) + " touches and may press";
   case Meaning::pull:
     return is_unknown ? point(name) + " pulls no more" : point(name) + " is held and may be pulled";
   case Meaning::friction:

@@ -22,7 +22,6 @@ private:
   std::string grows(Index variable) const;
   std::string ends(Index variable, const std::vector<bool>& basic) const;
   std::string point(const Name& name) const { return point_name(push_.file(), name.of); }
-  Vector3<double> generator_force(const Name& name) const;
   std::string along(const Name& name, double sign) const;
   std::string sliding(Index point, const std::vector<bool>& basic) const;
 };

@@ -214,6 +214,26 @@ const wide = { viewport: { width: 1280, height: 900 } };
 const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true,
   deviceScaleFactor: 2 };
 
+/// A finger over the words: left is forward, right is back, and the browser does not leave the page.
+async function check_swipes(page) {
+  const devtools = await page.context().newCDPSession(page);
+  const touch = (type, points) =>
+    devtools.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+  const swipe = async (from, to) => {
+    const box = await page.locator('#words').boundingBox();
+    const y = box.y + 60;
+    await touch('touchStart', [{ x: from, y }]);
+    for (const part of [0.25, 0.5, 0.75, 1])
+      await touch('touchMove', [{ x: from + (to - from) * part, y }]);
+    await touch('touchEnd', []);
+    await page.waitForTimeout(200);
+    return page.evaluate(() => window.lcpush && window.lcpush.state().step);
+  };
+  await go(page, 0);
+  assert.equal(await swipe(300, 60), 1, 'a swipe to the left');
+  assert.equal(await swipe(60, 300), 0, 'a swipe to the right');
+}
+
 async function check_problem(browser, problem) {
   const { name } = problem;
   const json = run_tool(name, problem.arguments, 'json');
@@ -232,6 +252,7 @@ async function check_problem(browser, problem) {
         branches = await check_branch(page, trace);
       }
       const { last } = await page.evaluate(() => window.lcpush.state());
+      if (label.endsWith('phone_light') && last > 0) await check_swipes(page);
       for (const step of new Set([0, Math.floor(last / 2), last])) {
         await go(page, step);
         await check_layout(page, `${label}, step ${step}`, device.viewport.width);

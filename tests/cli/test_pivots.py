@@ -163,6 +163,13 @@ assert len(t["pivots"]) == solved["pivots"] and t["as_solved"] and t["rule"] == 
 t = trace("fixtures/textbook/cps_4_4_7.M.mtx", "fixtures/textbook/cps_4_4_7.q.mtx", "--as-solved")
 assert [round(z, 9) for z in t["final"]["z"]] == [0, 1, 3]
 
+# Doubles never blame the rule for a basis that comes back, and call nothing solved that is infinite.
+t = trace("fixtures/scenes/screw_driving.toml", "--facets", "8")
+assert t["status"] == "solved" and len(t["pivots"]) == 64
+big = trace("--M", "1e-300", "--q=-1e300")
+assert big["final"]["z"] == ["1" + "0" * 600], big["final"]
+assert trace("--M", "1", "--q=-1e-400", "--exact")["final"]["z"] == ["1/1" + "0" * 400]
+
 # Choosing: wrong rows are explained, ties may be taken, the end of the input leaves it to the rule.
 result = run("--M", "2 1; 1 2", "--q", "-5 -6", "--choose", "--json", typed="w1\nz9\nw2\nz0\nw1\nz0\n")
 said = result.stderr
@@ -185,9 +192,11 @@ assert trace("--M", "2 1; 1 2", "--q", "-5 -6", "--cover", "1/2,3", "--exact")["
 
 # Mistakes.
 coin = "fixtures/scenes/coin.toml"
+
 for words, message in [
     ([], "name a scene"),
     (["--M", "1"], "--M and --q go together"),
+    ([coin, "--z0-last", "--choose"], "does not go with it"),
     (["--M", "1/0", "--q", "1"], "is not a fraction"),
     (["--M", "1", "--q", "1", "--cover", "0"], "numbers > 0"),
     (["--M", "1", "--q", "1", "--cover", "1,2"], "wants 1 numbers"),

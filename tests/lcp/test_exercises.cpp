@@ -118,14 +118,17 @@ TEST_CASE("exercise 5: covers that keep Kostreva's example from cycling under th
 }
 
 TEST_CASE("exercise 6: on a rougher table the coin needs 10 mu + 1 N and never jams") {
-  for (const auto& [mu, force] : {std::pair("0.1", "2"), std::pair("0.5", "6"),
-                                  std::pair("0.75", "17/2"), std::pair("5", "51")}) {
-    CAPTURE(mu);
+  struct Push {
+    std::string mu, force;
+  };
+  for (const Push& push :
+       {Push{"0.1", "2"}, Push{"0.5", "6"}, Push{"0.75", "17/2"}, Push{"5", "51"}}) {
+    CAPTURE(push.mu);
     const ExactProblem problem =
-        scene("scenes/coin.toml", "friction = 0.5", std::string("friction = ") + mu);
+        scene("scenes/coin.toml", "friction = 0.5", "friction = " + push.mu);
     const PivotTrace trace = pivoted(problem);
     REQUIRE(trace.status == Status::solved);
-    CHECK(trace.z[6].fraction == force);
+    CHECK(trace.z[6].fraction == push.force);
   }
 }
 

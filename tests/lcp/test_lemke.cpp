@@ -161,7 +161,6 @@ TEST_CASE("step by step is the same run as solve, one pivot a step") {
   CHECK(single.lemke.pivots() == steps);
 }
 
-
 TEST_CASE("every basis on the way keeps all values >= 0 and exactly one pair open") {
   const DenseLcp<double> lcp = positive_definite(9, 10);
   LemkeRun<double> run(10);

@@ -129,14 +129,15 @@ TEST_CASE("a ring keeps the last entries in the caller's memory, the oldest firs
     REQUIRE(run.lemke.init(lcp.view(), by_the_book(ones, TieRule::lexicographic)) ==
             Status::running);
     REQUIRE(run.lemke.solve(*ring) == Status::solved);
-    CHECK(ring->seen() == run.lemke.pivots());
+    CHECK(static_cast<Index>(ring->seen()) == run.lemke.pivots());
   }
-  REQUIRE(all.size() == all.seen());
+  REQUIRE(all.size() == static_cast<Index>(all.seen()));
   REQUIRE(few.size() == 3);
   CHECK(all[0].entering == artificial(4));
   CHECK(all[all.size() - 1].leaving == artificial(4));
   CHECK(all[all.size() - 1].status == Status::solved);
   CHECK(all[all.size() - 1].measure == 0);
+  CHECK(all[0].ratio == 9);
   CHECK(all[0].measure == 9); // -min q, as every cover is 1
   for (Index k = 0; k < 3; ++k) {
     const TraceEntry<double>& same = all[all.size() - 3 + k];
@@ -153,7 +154,7 @@ TEST_CASE("a ring without memory only counts") {
   LemkeRun<double> run(3);
   REQUIRE(run.lemke.init(lcp.view()) == Status::running);
   REQUIRE(run.lemke.solve(ring) == Status::solved);
-  CHECK(ring.seen() == run.lemke.pivots());
+  CHECK(static_cast<Index>(ring.seen()) == run.lemke.pivots());
   CHECK(ring.size() == 0);
 }
 
@@ -172,4 +173,6 @@ TEST_CASE("a ring keeps checks of sweeps") {
     CHECK(ring[k].number == checked.sweeps[static_cast<std::size_t>(k)]);
   CHECK(ring[ring.size() - 1].measure == run.sweeps.residual().residual);
   CHECK(ring[0].entering == -1);
+  CHECK(ring[0].status == Status::running);
+  CHECK(ring[ring.size() - 1].status == Status::solved);
 }

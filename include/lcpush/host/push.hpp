@@ -24,6 +24,9 @@ struct NamedValue {
 std::string point_name(const SceneFile& file, Index point);
 /// "+x" or "-z" along an axis, else "(0.707, 0.707, 0)".
 std::string direction_text(const Vector3<double>& direction);
+/// " along +x"; of a soft point " along +x times 0.866 and twisting by 0.5", positive about its
+/// normal; " twisting by 1" for a pure torque.
+std::string generator_text(const Generator<double>& generator, double torsion_radius);
 /// Sweeps end at their own scaled residual; the laws, in SI units, are to pass theirs as well.
 constexpr SweepOptions<double> strict_sweeps() {
   SweepOptions<double> options;

@@ -89,7 +89,8 @@ private:
   void recover_multipliers();
   S squeeze() const;
   bool passes() const;
-  template <class Observer> Status check(Observer& observer);
+  template <class Observer> Status check(Observer& observer, bool last = false);
+  Status judge();
   template <class Observer> Status finish(Observer& observer);
 };
 

@@ -56,7 +56,8 @@ private:
   Span<S> z_, w_, unit_, check_w_, check_scratch_;
 
   S diagonal(Index i) const { return problem_.matrix[i * problem_.size + i]; }
-  template <class Observer> Status check(Observer& observer);
+  template <class Observer> Status check(Observer& observer, bool last = false);
+  Status judge();
 };
 
 template <class S>
@@ -101,18 +102,24 @@ template <class S> template <class Observer> Status GaussSeidel<S>::sweep(Observ
   ++sweeps_;
   const bool last = sweeps_ >= options_.max_sweeps;
   if (!last && sweeps_ % options_.check_every != 0) return status_;
-  if (check(observer) == Status::running && last) status_ = Status::sweep_limit;
+  return check(observer, last);
+}
+
+template <class S>
+template <class Observer>
+Status GaussSeidel<S>::check(Observer& observer, bool last) {
+  if (judge() == Status::running && last) status_ = Status::sweep_limit;
+  observer.checked(*this);
   return status_;
 }
 
 /// The referee's word; w_ is taken from it, as rounding has piled up in ours.
-template <class S> template <class Observer> Status GaussSeidel<S>::check(Observer& observer) {
+template <class S> Status GaussSeidel<S>::judge() {
   constexpr Index patience = 1000; // sweeps without a better residual
   residual_ = natural_residual(
       problem_, problem_.q, z_.data, unit_.data, [&](Index i) { return i >= problem_.free_begin; },
       check_w_.data, check_scratch_.data);
   for (Index i = 0; i < problem_.size; ++i) w_[i] = check_w_[i];
-  observer.checked(*this);
   if (residual_.residual <= options_.tolerance) return status_ = Status::solved;
   const bool better = sweeps_ == 0 || residual_.residual < best_residual_;
   if (better) {

@@ -118,6 +118,11 @@ public:
   const Pivot& last_pivot() const { return last_; }
   const Dictionary<S>& dictionary() const { return dictionary_; }
   S artificial_value() const;
+  /// How far the finite value of a row lets the variable of a column grow, as the dictionary is
+  /// scaled.
+  S ratio(Index row, Index column) const {
+    return -dictionary_.values(row, finite_level()) / dictionary_.table(row, column);
+  }
   /// A finite value of z_i, or w_i, in the dictionary times this is the one of the problem as
   /// given.
   S unknown_unit(Index i) const { return level_scale_[finite_level()] * column_scale_[i]; }

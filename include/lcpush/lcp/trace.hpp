@@ -10,6 +10,8 @@
 //                                                  sweeps(), z() and residual()
 #pragma once
 
+#include <cstdint>
+
 #include "lcpush/lcp/ratio_test.hpp"
 #include "lcpush/status.hpp"
 
@@ -34,12 +36,15 @@ struct Unobserved {
 };
 inline constexpr Unobserved unobserved{};
 
-/// One line of a trace: a pivot, or a check of sweeps (entering and leaving are -1).
+/// One line of a trace: a pivot, or a check of sweeps (entering and leaving are -1). The bases
+/// follow from the first one by the exchanges; what more there is to see, an observer of one's own
+/// can keep.
 template <class S> struct TraceEntry {
   Index number = 0; ///< of pivots or sweeps so far, this one included
   Index entering = -1, leaving = -1;
   Index tied = 0;
   TieBreak decided_by = TieBreak::none;
+  S ratio{0};   ///< at which the leaving variable blocks
   S measure{0}; ///< z0 after the pivot, or the residual
   Status status = Status::running;
 };
@@ -50,16 +55,20 @@ public:
   explicit TraceRing(Span<TraceEntry<S>> memory) : memory_(memory) {}
 
   /// Entries kept: all that came, or as many as the memory holds.
-  Index size() const { return count_ < memory_.size ? count_ : memory_.size; }
-  Index seen() const { return count_; }
+  Index size() const { return size_; }
+  /// All that came; it counts on from zero after 2^32.
+  std::uint32_t seen() const { return seen_; }
   /// Entry k of those kept, the oldest first. Precondition: 0 <= k < size().
   const TraceEntry<S>& operator[](Index k) const {
-    return memory_[(count_ - size() + k) % memory_.size];
+    const Index at = next_ - size_ + k;
+    return memory_[at < 0 ? at + memory_.size : at];
   }
 
   template <class L> void starts(const L&) {}
-  template <class L> Index leaves(const L&, const Turn& turn) {
-    turn_ = turn;
+  template <class L> Index leaves(const L& lemke, const Turn& turn) {
+    tied_ = turn.tied.size;
+    decided_by_ = turn.blocking.decided_by;
+    ratio_ = lemke.ratio(turn.blocking.row, turn.column);
     pivots_now_ = true;
     return turn.blocking.row;
   }
@@ -69,8 +78,9 @@ public:
     if (pivots_now_) {
       entry.entering = lemke.last_pivot().entering;
       entry.leaving = lemke.last_pivot().leaving;
-      entry.tied = turn_.tied.size;
-      entry.decided_by = turn_.blocking.decided_by;
+      entry.tied = tied_;
+      entry.decided_by = decided_by_;
+      entry.ratio = ratio_;
     }
     pivots_now_ = false;
     entry.measure = lemke.artificial_value();
@@ -81,18 +91,24 @@ public:
     TraceEntry<S> entry;
     entry.number = solver.sweeps();
     entry.measure = solver.residual().residual;
+    entry.status = solver.status();
     keep(entry);
   }
 
 private:
   Span<TraceEntry<S>> memory_;
-  Index count_ = 0;
-  Turn turn_{};
+  Index next_ = 0, size_ = 0, tied_ = 0;
+  std::uint32_t seen_ = 0;
+  TieBreak decided_by_ = TieBreak::none;
+  S ratio_{0};
   bool pivots_now_ = false;
 
   void keep(const TraceEntry<S>& entry) {
-    if (memory_.size > 0) memory_[count_ % memory_.size] = entry;
-    ++count_;
+    ++seen_;
+    if (memory_.size == 0) return;
+    memory_[next_] = entry;
+    next_ = next_ + 1 < memory_.size ? next_ + 1 : 0;
+    if (size_ < memory_.size) ++size_;
   }
 };
 

@@ -26,7 +26,7 @@
       const title = trace.title || 'Lemke\u2019s method, pivot by pivot';
       document.title = `${title} \u2013 lcpush`;
       by_id('title').textContent = title;
-      by_id('summary').textContent = [`${problem.size} unknowns`,
+      by_id('summary').textContent = [words.many(problem.size, 'unknown'),
         words.many(trace.pivots.length, 'pivot'), words.status_words[trace.status] || trace.status,
         `in ${trace.arithmetic}`, words.rule_words[trace.rule] || trace.rule].join(' \u00b7 ');
       const notes = trace.notes || [];
@@ -99,6 +99,7 @@
       this.controls.stop();
       this.path = this.path.branch_at(this.frame, row, rule);
       this.go(this.frame + 1);
+      by_id('return').focus(); // the button that was pressed is gone
     }
 
     return_to_recorded() {
@@ -144,8 +145,11 @@
       if (!step) return false;
       this.path = this.recorded;
       const branches = /&branch=(\d+):(\d+):(lexicographic|first_row)/g;
-      for (const [, frame, row, rule] of hash.matchAll(branches))
+      for (const [, frame, row, rule] of hash.matchAll(branches)) {
+        // A link that was typed or cut may lead nowhere; then it leads to the recorded path.
+        if (!this.path.can_branch(Number(frame), Number(row))) break;
         this.path = this.path.branch_at(Number(frame), Number(row), rule);
+      }
       this.controls.stop();
       this.go(Number(step[1]));
       return true;

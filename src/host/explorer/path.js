@@ -148,6 +148,14 @@
     }
 
     /// A new path: this one up to the frame, then `row` leaves and the rule decides.
+    /// Is that a row that ties there, and not the one that leaves anyway?
+    can_branch(frame_number, row) {
+      const frame = this.frames[frame_number];
+      const pivot = frame && frame.pivot !== null ? this.pivots[frame.pivot] : null;
+      const variable = pivot ? this.dictionary(frame_number).rows[row] : undefined;
+      return variable !== undefined && pivot.ties.includes(variable) && variable !== pivot.leaving;
+    }
+
     branch_at(frame_number, row, rule, limit = 500) {
       const frame = this.frames[frame_number];
       const { lemke } = explorer;

@@ -45,7 +45,7 @@
     const times = large ? ' S' : '';
     return h('div', { class: 'scroll' }, h('table', { class: 'contacts' },
       h('caption', {}, `What the picture shows${large ? ', in units of S' : ''}`),
-      h('thead', {}, h('tr', {}, ['contact', 'now', 'normal', 'friction'].map((text) =>
+      h('thead', {}, h('tr', {}, ['contact', 'in this basis', 'normal', 'friction'].map((text) =>
         h('th', { scope: 'col' }, text)))),
       h('tbody', {}, scene.points.map((point, i) => h('tr', {},
         h('th', { scope: 'row' }, point.name),

@@ -35,7 +35,7 @@
     const tied = ties.length > 1 ? `, tied with ${many(ties.length - 1, 'other')},` : '';
     if (entering === problem.artificial)
       return `z0 enters${to}: just enough to lift every value to 0 or above. `
-        + `${name(leaving)} is the most negative${tied ? tied.slice(0, -1) : ''} and leaves.`;
+        + `${name(leaving)} needs z0 most${tied} and leaves.`;
     if (leaving === problem.artificial)
       return `${name(entering)} enters${to}. z0 falls to 0${tied} and leaves: a solution.`;
     return still ? `${name(entering)} enters${to}: ${name(leaving)} is 0 already${tied} and leaves.`
@@ -52,7 +52,7 @@
       return `${problem.names[ray.entering]} enters, and nothing blocks it: a ray. `
         + 'This path ends without an answer.';
     if (status === 'cycle')
-      return `The basis after pivot ${cycle.from_pivot + 1} has come back `
+      return `The basis after pivot ${cycle.from_pivot} has come back `
         + `${many(cycle.length, 'pivot')} later: from here the method would turn in a circle.`;
     if (status === 'pivot_limit') return 'The limit of pivots is reached, without an end in sight.';
     return `Numerical breakdown${reason ? `: ${reason}` : ''}.`;

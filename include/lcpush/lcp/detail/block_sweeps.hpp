@@ -192,8 +192,7 @@ template <class S> template <class Observer> Status BlockGaussSeidel<S>::sweep(O
   if (!last && sweeps_ % options_.check_every != 0) return status_;
   refresh();
   recover_multipliers();
-  if (check(observer) == Status::running && last) status_ = Status::sweep_limit;
-  return status_;
+  return check(observer, last);
 }
 
 /// xi and s of the present forces.
@@ -218,12 +217,19 @@ template <class S> void BlockGaussSeidel<S>::recover_multipliers() {
   }
 }
 
-template <class S> template <class Observer> Status BlockGaussSeidel<S>::check(Observer& observer) {
+template <class S>
+template <class Observer>
+Status BlockGaussSeidel<S>::check(Observer& observer, bool last) {
+  if (judge() == Status::running && last) status_ = Status::sweep_limit;
+  observer.checked(*this);
+  return status_;
+}
+
+template <class S> Status BlockGaussSeidel<S>::judge() {
   constexpr Index patience = 2000; // sweeps without a better residual
   residual_ = natural_residual(
       problem_, problem_.q, z_.data, unit_.data, [&](Index i) { return i >= problem_.free_begin; },
       check_w_.data, check_scratch_.data);
-  observer.checked(*this);
   if (runs_away()) return status_ = Status::stagnated;
   if (passes()) return status_ = Status::solved;
   if (sweeps_ == 0 || residual_.residual < best_residual_) {
@@ -278,7 +284,7 @@ Status BlockGaussSeidel<S>::finish(Observer& observer) {
     } else {
       newton_.recover(z_.data);
       eps = Eigen::numext::maxi(least_eps, S(factor * eps));
-      (void)check(observer);
+      (void)check(observer, sweeps_ >= options_.max_sweeps);
     }
     if (status_ == Status::running && sweeps_ >= options_.max_sweeps) status_ = Status::sweep_limit;
   }
