@@ -87,11 +87,7 @@ public:
   Status step(int pivots) {
     if (!described_) return refuse(Mistake::not_described);
     if (status_ != Status::running) return status_;
-    if (by_sweeps_) {
-      status_ = solve_pressure(assembly_, SweepRounds<S>{sweeps_}, work_.pressure,
-                               PressureOptions<S>(), run_);
-      return conclude();
-    }
+    if (by_sweeps_) return sweep();
     if (solve_.get() == nullptr) {
       assembly_.push_by(S(1));
       PivotSolve& solve = solve_.make(assembly_, LemkeRounds<S>{lemke_, options_}, work_.pressure,
@@ -180,6 +176,21 @@ private:
 
   template <class T> static Span<T> cut(const Span<T>& whole, Index count) {
     return count < 0 || count > whole.size ? Span<T>{nullptr, -1} : Span<T>{whole.data, count};
+  }
+
+  /// Sweeps stop at a residual that large forces make look small: the laws may ask for more.
+  Status sweep() {
+    SweepOptions<S> options;
+    Index sweeps = 0;
+    for (;;) {
+      status_ = solve_pressure(assembly_, SweepRounds<S>{sweeps_, options}, work_.pressure,
+                               PressureOptions<S>(), run_);
+      run_.sweeps += sweeps;
+      sweeps = run_.sweeps;
+      const bool refused = conclude() == Status::numerical_breakdown;
+      if (!refused || options.tolerance < S(64) * Eigen::NumTraits<S>::epsilon()) return status_;
+      options.tolerance /= S(16);
+    }
   }
 
   /// What the solver calls solved is read, and the laws are asked as well.

@@ -77,6 +77,15 @@ def gate_kernel_stack(programs, target, program="kernel"):
         yield f"a pivot takes {sorted(deepest)} bytes of stack, allowed one number <= {allowed}"
 
 
+def gate_step_stack(programs, target):
+    """A step of Lemke's method that pivots; the last one refines and checks as well."""
+    steps = {name: int(run["stack"]) for name, run in programs.runs("pivots", target).items()
+             if "last_stack" in run}
+    allowed = KERNEL_STACK[PRECISION[target]]
+    if len(set(steps.values())) != 1 or max(steps.values()) > allowed:
+        yield f"steps take {steps} bytes of stack, allowed one number <= {allowed}"
+
+
 def gate_static_stack(programs, name, target):
     """No frame depends on the input."""
     for line in programs.stack_usage(name, target):
@@ -198,6 +207,7 @@ def check(programs, target, args):
         yield from gate_ram(programs, program, target)
     yield from gate_kernel(programs, target)
     yield from gate_kernel_stack(programs, target)
+    yield from gate_step_stack(programs, target)
     for name in ("core", "pivots", "kernel", "push"):
         yield from gate_static_stack(programs, name, target)
     yield from gate_limit(programs, "push", target)
