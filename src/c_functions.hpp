@@ -27,7 +27,7 @@ lcpush_status LCPUSH_NAME(describe)(LCPUSH_NAME(push) * push, const LCPUSH_NAME(
 }
 
 lcpush_status LCPUSH_NAME(command)(LCPUSH_NAME(push) * push, const LCPUSH_REAL* forces,
-                                   const LCPUSH_REAL (*accelerations)[6]) {
+                                   const LCPUSH_REAL* accelerations) {
   return lcpush::c::as_c(lcpush::c::command(*push, forces, accelerations));
 }
 

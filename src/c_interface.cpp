@@ -65,7 +65,8 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   if (bodies.size < 0 || points.size < 0 || actuators.size < 0 || drives.size < 0)
     return push.refuse(Mistake::memory_too_small);
   for (Index b = 0; b < bodies.size; ++b) bodies[b] = body_from<S>(given.bodies[b]);
-  for (Index i = 0; i < points.size; ++i) points[i] = vector(given.points[i]);
+  for (Index i = 0; i < points.size; ++i)
+    points[i] = {given.points[i].x, given.points[i].y, given.points[i].z};
   for (Index a = 0; a < actuators.size; ++a)
     actuators[a] = {given.actuators[a].force, given.actuators[a].inertia};
   for (Index d = 0; d < drives.size; ++d)
@@ -88,14 +89,14 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   return push.accept(scene);
 }
 
-template <class S> Status command(CPush<S>& push, const S* forces, const S (*accelerations)[6]) {
+template <class S> Status command(CPush<S>& push, const S* forces, const S* accelerations) {
   if (push.mistake() != Mistake::none) return push.refuse(Mistake::not_described);
   const Scene<S>& scene = push.given();
   const Span<Actuator<S>> actuators = push.actuators(scene.actuators.size);
   const Span<Body<S>> bodies = push.bodies(scene.bodies.size);
   for (Index a = 0; forces != nullptr && a < actuators.size; ++a) actuators[a].force = forces[a];
   for (Index b = 0; accelerations != nullptr && b < bodies.size; ++b)
-    bodies[b].acceleration = vector(accelerations[b]);
+    bodies[b].acceleration = Eigen::Map<const Vector6<S>>(accelerations + 6 * b);
   return push.assemble();
 }
 

@@ -14,6 +14,6 @@ float push_force(const Scene<float>& scene, Index pusher) {
   if (solve_pressure(assembly, lemke, work.pressure, {}, run) != Status::solved) return -1;
   read_answer(assembly, work.pressure.z.data, work.answer, 1.0F);
   const Residuals<float> residual = check(scene, assembly.layout().scales, work.answer, 1.0F);
-  if (!(residual.max() < 1e-3F)) return -1;
+  if (!(residual.max() <= Tolerances<float>().residual)) return -1;
   return normal_sum(work.answer, scene.bodies[pusher]);
 }

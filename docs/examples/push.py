@@ -27,10 +27,14 @@ class Drive(Structure):
     _fields_ = [("body", c_int), ("actuator", c_int), ("twist", Vec6)]
 
 
+class Point(Structure):
+    _fields_ = [(axis, c_double) for axis in "xyz"]
+
+
 class Scene(Structure):
     _fields_ = [("object", Object), ("gravity", Vec3), ("facets", c_int), ("pressure", c_int),
                 ("planar", c_int), ("bodies", POINTER(Body)), ("body_count", c_int),
-                ("points", POINTER(Vec3)), ("point_count", c_int),
+                ("points", POINTER(Point)), ("point_count", c_int),
                 ("actuators", POINTER(Actuator)), ("actuator_count", c_int),
                 ("drives", POINTER(Drive)), ("drive_count", c_int)]
 
@@ -52,7 +56,7 @@ lib.lcpush_why.argtypes = [c_void_p]
 lib.lcpush_mistake_text.restype = lib.lcpush_status_text.restype = c_char_p
 
 # Two point fingers hold a bar of 0.2 kg; a smooth point pushes it with 0.1 m/s^2.
-points = (Vec3 * 3)((0, 0, 0.005), (0, 0, -0.005), (-0.05, 0, 0))
+points = (Point * 3)((0, 0, 0.005), (0, 0, -0.005), (-0.05, 0, 0))
 bodies = (Body * 3)(
     Body(FINGER, (0, 0, -1), (1, 0, 0), 0.5, 0, 0, 0, 1),
     Body(FINGER, (0, 0, 1), (1, 0, 0), 0.5, 0, 0, 1, 1),

@@ -1,8 +1,9 @@
 /* lcpush for C99: what happens when a grasped object is pushed against its environment.
  *
- * The caller owns the memory: LCPUSH_BYTES says how much, lcpush_make cuts a push out of it. Nothing
- * is allocated, nothing is hidden in globals, nothing is printed; same input, same bits. Every
- * function comes twice: lcpush_... on double, lcpushf_... on float (with types of the same prefix).
+ * The caller owns the memory: LCPUSH_BYTES says how much, lcpush_make cuts a push out of it.
+ * Nothing is allocated, nothing is hidden in globals, nothing is printed; same input, same bits.
+ * Every function comes twice: lcpush_... on double, lcpushf_... on float (with types of the same
+ * prefix).
  *
  *     static double memory[LCPUSH_BYTES(double, 3, 4, 2, 2) / sizeof(double) + 1];
  *     lcpush_push* push = lcpush_make(memory, sizeof memory, &size);
@@ -11,8 +12,8 @@
  *     lcpush_contact_at(push, 0, &contact);
  *
  * SI units; positions from the object's centre of mass; scene axes, fixed to the hand. A twist is
- * [linear ; angular] and a wrench [force ; moment], both at the centre of mass. Push, size and scene
- * belong to one thread at a time.
+ * [linear ; angular] and a wrench [force ; moment], both at the centre of mass. Push, size and
+ * scene belong to one thread at a time.
  */
 #ifndef LCPUSH_H
 #define LCPUSH_H
@@ -39,17 +40,17 @@ typedef enum lcpush_status {
 /* What is wrong with the input. */
 typedef enum lcpush_mistake {
   LCPUSH_NO_MISTAKE,
-  LCPUSH_MEMORY_TOO_SMALL,     /* more than lcpush_size says, or than the bytes given hold */
-  LCPUSH_NOT_FINITE,           /* a number is NaN or infinite, or overflows when scaled */
-  LCPUSH_BAD_MASS,             /* mass <= 0, or an inertia that is not positive definite */
-  LCPUSH_BAD_FACETS,           /* not even, or outside of 4..256 */
-  LCPUSH_BAD_DIRECTION,        /* a zero normal, or a tangent along it */
-  LCPUSH_BAD_FRICTION,         /* friction or torsion radius < 0 */
-  LCPUSH_BAD_INDEX,            /* a body without points, or an index outside of its array */
-  LCPUSH_BAD_ACTUATOR,         /* force or inertia < 0, or nothing that it drives */
-  LCPUSH_UNSUPPORTED,          /* a soft contact of several points; even with a shared actuator */
-  LCPUSH_NOTHING_MOVES,        /* break: no pusher has an acceleration */
-  LCPUSH_NOT_DESCRIBED         /* lcpush_describe was not called, or has failed */
+  LCPUSH_MEMORY_TOO_SMALL, /* more than lcpush_size says, or than the bytes given hold */
+  LCPUSH_NOT_FINITE,       /* a number is NaN or infinite, or overflows when scaled */
+  LCPUSH_BAD_MASS,         /* mass <= 0, or an inertia that is not positive definite */
+  LCPUSH_BAD_FACETS,       /* not even, or outside of 4..256 */
+  LCPUSH_BAD_DIRECTION,    /* a zero normal, or a tangent along it */
+  LCPUSH_BAD_FRICTION,     /* friction or torsion radius < 0 */
+  LCPUSH_BAD_INDEX,        /* a body without points, or an index outside of its array */
+  LCPUSH_BAD_ACTUATOR,     /* force or inertia < 0, or nothing that it drives */
+  LCPUSH_UNSUPPORTED,      /* a soft contact of several points; even with a shared actuator */
+  LCPUSH_NOTHING_MOVES,    /* break: no pusher has an acceleration */
+  LCPUSH_NOT_DESCRIBED     /* lcpush_describe was not called, or has failed */
 } lcpush_mistake;
 
 typedef enum lcpush_role { LCPUSH_FINGER, LCPUSH_PUSHER } lcpush_role;
@@ -74,15 +75,19 @@ typedef struct lcpush_size {
 
 /* Bytes of memory, aligned as a double, that lcpush_make needs for `real` (double or float) without
  * pulls; a constant expression. Lemke's table, n (n + 1) numbers, is most of it. */
-#define LCPUSH_BYTES(real, points, facets, actuators, drives) \
-  (LCPUSH_COMMON_BYTES_(real, points, (points) * ((facets) + 1), actuators, drives) + \
-   LCPUSH_LEMKE_BYTES_(real, LCPUSH_UNKNOWNS(points, facets, actuators)))
+#define LCPUSH_BYTES(real, points, facets, actuators, drives)                                      \
+  (LCPUSH_COMMON_BYTES_(real, (size_t)(points), (size_t)(points) * ((size_t)(facets) + 1),         \
+                        (size_t)(actuators), (size_t)(drives)) +                                   \
+   LCPUSH_LEMKE_BYTES_(real, (size_t)LCPUSH_UNKNOWNS(points, facets, actuators)))
 
 /* The same for a push that is to be solved by sweeps alone: O(n). */
-#define LCPUSH_SWEEP_BYTES(real, points, facets, actuators, drives) \
-  (LCPUSH_COMMON_BYTES_(real, points, (points) * ((facets) + 1), actuators, drives) + \
-   LCPUSH_SWEEPS_BYTES_(real, LCPUSH_UNKNOWNS(points, facets, actuators), \
-                        (points) * ((facets) + 1) * ((drives) > 0 ? (drives) : 1), actuators))
+#define LCPUSH_SWEEP_BYTES(real, points, facets, actuators, drives)                                \
+  (LCPUSH_COMMON_BYTES_(real, (size_t)(points), (size_t)(points) * ((size_t)(facets) + 1),         \
+                        (size_t)(actuators), (size_t)(drives)) +                                   \
+   LCPUSH_SWEEPS_BYTES_(real, (size_t)LCPUSH_UNKNOWNS(points, facets, actuators),                  \
+                        (size_t)(points) * ((size_t)(facets) + 1) *                                \
+                            ((drives) > 0 ? (size_t)(drives) : 1),                                 \
+                        (size_t)(actuators)))
 
 #include "lcpush/c/bytes.h"
 

@@ -86,7 +86,7 @@ static void obeys_commands(void) {
   CHECK(lcpush_command(push, forces, NULL) == LCPUSH_BAD_INPUT);
   (void)lcpush_describe(push, &slide_d);
   (void)lcpush_solve(push);
-  CHECK(lcpush_command(push, forces, faster) == LCPUSH_RUNNING);
+  CHECK(lcpush_command(push, forces, faster[0]) == LCPUSH_RUNNING);
   CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
   lcpush_contact_at(push, 2, &contact);
   CHECK(near(contact.normal_force, 30 + 0.2 * 0.5, 1e-9));
@@ -122,7 +122,7 @@ static void sweeps_agree(void) {
 
 static void even_pressure_spreads(void) {
   /* A line finger of two points, by their shares; every driven point counts as an actuator. */
-  static const double points[4][3] = {{-0.01, 0, 0.005}, {0.01, 0, 0.005}, {0, 0, -0.005},
+  static const lcpush_point points[4] = {{-0.01, 0, 0.005}, {0.01, 0, 0.005}, {0, 0, -0.005},
                                       {-0.05, 0, 0}};
   static const lcpush_size even_size = {4, 4, 4, 3, 3, 0};
   static double memory[LCPUSH_BYTES(double, 4, 4, 3, 3) / sizeof(double) + 1];

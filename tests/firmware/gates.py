@@ -6,6 +6,9 @@
     gates.py --build DIR planted               every gate fails where a fault was planted
     gates.py --build DIR --tool lcpush --fixtures DIR scenes
                                                the programs answer as the shipped files do
+    gates.py --build DIR --page FILE page      the page's tables are those of this build
+    gates.py --build DIR --page FILE --record page
+                                               writes them into the page
 """
 import argparse
 import json
@@ -16,7 +19,7 @@ import sys
 
 from programs import MACHINE, PRECISION, Programs, instructions, number, table
 
-PROGRAMS = ("push", "pivots", "kernel")
+PROGRAMS = ("push", "sizes", "pivots", "kernel")
 
 KERNEL_BYTES = 2048  # a pivot: ratio test, exchange, bookkeeping
 KERNEL_STACK = {"float": 512, "double": 768}
@@ -24,6 +27,7 @@ REST_OF_RAM = {"push": 512, "pivots": 4096}  # beside the block of memory; pivot
 GROWTH = 1.03  # over what is recorded
 # Instructions of a pivot, at most, by n (n + 2) for n unknowns: soft float takes ten times as many.
 PER_ENTRY = {"m3": 140, "m4f": 14, "m7d": 14}
+SET_UP = 20  # pivots that set-up and final check take as much as
 SLIDE_UNKNOWNS = 10 * (8 + 2) + 2
 
 FORBIDDEN = re.compile(
@@ -114,6 +118,9 @@ def gate_limit(programs, program, target):
         if run["status"] != "pivot_limit":
             yield f"{program}: limit_{limit} ends with {run['status']}"
     most = PER_ENTRY[target] * SLIDE_UNKNOWNS * (SLIDE_UNKNOWNS + 2)
+    rest = instructions(runs[10]["ticks"]) - 10 * most
+    if rest > SET_UP * most:
+        yield f"{program}: {rest} instructions beside the pivots, allowed {SET_UP * most}"
     for few, many in ((10, 20), (20, 40)):
         took = instructions(runs[many]["ticks"]) - instructions(runs[few]["ticks"])
         if not 0 < took <= most * (many - few):
@@ -257,6 +264,66 @@ def scenes(programs, args):
             yield f"{precision}: only {compared} runs have an answer to compare"
 
 
+def size_table(programs):
+    """Memory, steps and instructions by points and facets."""
+    yield "| points | facets | unknowns | solver | RAM float / double | steps | M3, soft float | M4F, float | M7, double |"
+    yield "|---|---|---|---|---|---|---|---|---|"
+    runs = {target: programs.runs("sizes", target) for target in MACHINE}
+    for name, run in runs["m4f"].items():
+        points, facets, law, solver = name.split(".")
+        there = [runs[target][name] for target in MACHINE]
+        instructions_of = [
+            f"{instructions(int(r['describe_ticks']) + int(r['ticks'])) / 1e6:.1f} M"
+            if r["status"] == "solved" else r["status"] for r in there]
+        steps = dict.fromkeys((run["steps"], runs["m7d"][name]["steps"]))
+        yield " | ".join(["| " + points[1:], facets[1:], run["unknowns"],
+                          f"{solver}, `{law}`", f"{run['bytes']} / {runs['m7d'][name]['bytes']}",
+                          " / ".join(steps), *instructions_of]) + " |"
+
+
+def code_table(programs):
+    """Bytes of code, and the stack."""
+    yield "| | M3, soft float | M4F, float | M7, double |"
+    yield "|---|---|---|---|"
+    rows = {
+        "code and constants of the library, B": lambda t: programs.code_of("push", t, "core"),
+        "of these, a pivot, B": lambda t: programs.code_of("kernel", t, "kernel"),
+        "stack of a pivot, B": lambda t: max(int(run["stack"])
+                                             for run in programs.runs("kernel", t).values()),
+        "stack of a step that pivots, B": lambda t: max(
+            int(run["stack"]) for run in programs.runs("pivots", t).values()
+            if "last_stack" in run),
+        "stack of `solve`, B": lambda t: max(int(run["stack"])
+                                             for run in programs.runs("sizes", t).values()),
+        "stack of `describe`, B": lambda t: max(int(run["describe_stack"])
+                                                for run in programs.runs("sizes", t).values()),
+        "stack of `break_grasp`, B": lambda t: max(
+            int(run["stack"]) for name, run in programs.runs("push", t).items()
+            if name.endswith("break")),
+    }
+    for name, figure in rows.items():
+        yield " | ".join([f"| {name}", *(str(figure(target)) for target in MACHINE)]) + " |"
+
+
+def page(programs, args):
+    """The tables between markers in a page."""
+    path = pathlib.Path(args.page)
+    text = written = path.read_text()
+    for name, lines in (("sizes", size_table(programs)), ("code", code_table(programs))):
+        begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->\n"
+        before, rest = written.split(begin)
+        written = before + begin + "".join(f"{line}\n" for line in lines) + end + rest.split(end)[1]
+    _, compiler = read_record(args.recorded)
+    if args.record:
+        path.write_text(written)
+    elif compiler != versions(programs):
+        print(f"recorded with {compiler}, not {versions(programs)}: figures are not compared")
+    else:
+        for old, new in zip(text.splitlines(), written.splitlines()):
+            if old != new:
+                yield f"{path.name} says {old!r}, this build {new!r}"
+
+
 def planted(programs, args):
     """Yields the faults that no gate has seen."""
     recorded, _ = read_record(args.recorded)
@@ -303,7 +370,7 @@ def planted(programs, args):
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", nargs="+", choices=[*MACHINE, "scenes", "planted"])
+    parser.add_argument("what", nargs="+", choices=[*MACHINE, "scenes", "planted", "page"])
     parser.add_argument("--build", required=True)
     parser.add_argument("--qemu", default="qemu-system-arm")
     parser.add_argument("--recorded", type=pathlib.Path,
@@ -311,11 +378,12 @@ def main():
     parser.add_argument("--record", action="store_true")
     parser.add_argument("--tool")
     parser.add_argument("--fixtures")
+    parser.add_argument("--page")
     args = parser.parse_args()
     programs = Programs(args)
     wrong = []
     for what in args.what:
-        command = {"scenes": scenes, "planted": planted}.get(what)
+        command = {"scenes": scenes, "planted": planted, "page": page}.get(what)
         try:
             wrong += command(programs, args) if command else check(programs, what, args)
         except RuntimeError as error:

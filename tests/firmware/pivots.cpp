@@ -56,7 +56,8 @@ template <class S> struct Copy {
       body.point_count = from.point_count;
       body.acceleration = vector(from.acceleration);
     }
-    for (Index i = 0; i < given.point_count; ++i) points[i] = vector(given.points[i]);
+    for (Index i = 0; i < given.point_count; ++i)
+      points[i] = {given.points[i].x, given.points[i].y, given.points[i].z};
     for (Index a = 0; a < given.actuator_count; ++a)
       actuators[a] = {given.actuators[a].force, given.actuators[a].inertia};
     for (Index d = 0; d < given.drive_count; ++d)

@@ -6,7 +6,7 @@
 #include "device.h"
 
 /* squeeze.toml: a box between a thumb that moves and a finger that presses, no friction. */
-static const REAL squeeze_points[2][3] = {{R(0.02), 0, 0}, {R(-0.02), 0, 0}};
+static const LCPUSH(point) squeeze_points[2] = {{R(0.02), 0, 0}, {R(-0.02), 0, 0}};
 static const LCPUSH(body) squeeze_bodies[2] = {
     {LCPUSH_FINGER, {-1, 0, 0}, {0, 1, 0}, 0, 0, 0, 0, 1, {0, 0, 0, 0, 0, 0}},
     {LCPUSH_PUSHER, {1, 0, 0}, {0, 1, 0}, 0, 0, 0, 1, 1, {1, 0, 0, 0, 0, 0}}};
@@ -27,7 +27,7 @@ static const LCPUSH(scene) squeeze = {{1, BOX(1, 0.04, 0.02, 0.02)},
                                       1};
 
 /* soft_fingers.toml: two point fingers that also resist twisting, a rod off their axis. */
-static const REAL soft_points[3][3] = {
+static const LCPUSH(point) soft_points[3] = {
     {0, 0, R(0.005)}, {0, 0, R(-0.005)}, {R(-0.05), R(0.00346410161513775), 0}};
 static const LCPUSH(body) soft_bodies[3] = {
     {LCPUSH_FINGER, {0, 0, -1}, {1, 0, 0}, R(0.5), R(0.006), 0, 0, 1, {0, 0, 0, 0, 0, 0}},
@@ -50,11 +50,11 @@ static const LCPUSH(scene) soft_fingers = {{R(0.2), BOX(0.2, 0.1, 0.03, 0.01)},
                                            2};
 
 /* straight_slide.toml: fingertips of four points, a straight edge pushes. */
-static const REAL slide_points[10][3] = {{R(0.005), 0, R(0.005)},   {0, R(0.005), R(0.005)},
-                                         {R(-0.005), 0, R(0.005)},  {0, R(-0.005), R(0.005)},
-                                         {R(0.005), 0, R(-0.005)},  {0, R(0.005), R(-0.005)},
-                                         {R(-0.005), 0, R(-0.005)}, {0, R(-0.005), R(-0.005)},
-                                         {R(-0.05), R(-0.015), 0},  {R(-0.05), R(0.015), 0}};
+static const LCPUSH(point) slide_points[10] = {{R(0.005), 0, R(0.005)},   {0, R(0.005), R(0.005)},
+                                               {R(-0.005), 0, R(0.005)},  {0, R(-0.005), R(0.005)},
+                                               {R(0.005), 0, R(-0.005)},  {0, R(0.005), R(-0.005)},
+                                               {R(-0.005), 0, R(-0.005)}, {0, R(-0.005), R(-0.005)},
+                                               {R(-0.05), R(-0.015), 0},  {R(-0.05), R(0.015), 0}};
 static const LCPUSH(body) slide_bodies[3] = {
     {LCPUSH_FINGER, {0, 0, -1}, {1, 0, 0}, R(0.5), 0, 0, 0, 4, {0, 0, 0, 0, 0, 0}},
     {LCPUSH_FINGER, {0, 0, 1}, {1, 0, 0}, R(0.5), 0, 0, 4, 4, {0, 0, 0, 0, 0, 0}},
@@ -74,9 +74,9 @@ static const LCPUSH(scene) straight_slide = {{R(0.2), BOX(0.2, 0.1, 0.03, 0.01)}
                                              2};
 
 /* rolling.toml: a cylinder in a parallel jaw, one actuator for both fingers, on a sheet. */
-static const REAL rolling_points[6][3] = {{R(-0.02), 0, R(-0.02)}, {R(-0.02), 0, R(0.02)},
-                                          {R(0.02), 0, R(-0.02)},  {R(0.02), 0, R(0.02)},
-                                          {0, R(-0.02), R(-0.02)}, {0, R(-0.02), R(0.02)}};
+static const LCPUSH(point) rolling_points[6] = {{R(-0.02), 0, R(-0.02)}, {R(-0.02), 0, R(0.02)},
+                                                {R(0.02), 0, R(-0.02)},  {R(0.02), 0, R(0.02)},
+                                                {0, R(-0.02), R(-0.02)}, {0, R(-0.02), R(0.02)}};
 static const LCPUSH(body) rolling_bodies[3] = {
     {LCPUSH_FINGER, {1, 0, 0}, {0, 0, 0}, R(0.3), 0, 0, 0, 2, {0, 0, 0, 0, 0, 0}},
     {LCPUSH_FINGER, {-1, 0, 0}, {0, 0, 0}, R(0.3), 0, 0, 2, 2, {0, 0, 0, 0, 0, 0}},

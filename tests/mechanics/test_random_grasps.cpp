@@ -64,7 +64,8 @@ TEST_CASE("200 random grasps under rigid: all solved, all checked") {
   CHECK(solved_of<double>(2000, 200, Pressure::rigid, 1e-9) == 200);
 }
 
-// What a microcontroller is given: at most twelve points, four facets. docs/embedding.md quotes this.
+// What a microcontroller is given: at most twelve points, four facets. docs/embedding.md quotes
+// this.
 TEST_CASE("1,000 firmware-sized random grasps in float: at least 995 solved, all checked to 1e-4") {
   for (const Pressure pressure : {Pressure::pad, Pressure::rigid}) {
     CAPTURE(static_cast<int>(pressure));

@@ -8,17 +8,17 @@
 #define LCPUSH_DRIVE_BYTES_(real) (6 * sizeof(real) + 2 * LCPUSH_WORD_ + 16)
 #define LCPUSH_POINT_BYTES_(real) (18 * sizeof(real) + 7 * LCPUSH_WORD_ + 16)
 
-#define LCPUSH_COMMON_BYTES_(real, points, friction_forces, actuators, drives) \
-  (LCPUSH_STATE_BYTES_(real) + (points) * LCPUSH_BODY_BYTES_(real) * 2 + \
-   (drives) * LCPUSH_DRIVE_BYTES_(real) * 2 + (points) * LCPUSH_POINT_BYTES_(real) + \
-   (friction_forces) * 7 * sizeof(real) + \
-   ((friction_forces) + (points) + (actuators)) * (4 * sizeof(real) + 1) + \
-   (friction_forces) * ((drives) > 0 ? (drives) : 1) * (sizeof(real) + sizeof(int)) + \
+#define LCPUSH_COMMON_BYTES_(real, points, friction_forces, actuators, drives)                     \
+  (LCPUSH_STATE_BYTES_(real) + (points)*LCPUSH_BODY_BYTES_(real) * 2 +                             \
+   (drives)*LCPUSH_DRIVE_BYTES_(real) * 2 + (points)*LCPUSH_POINT_BYTES_(real) +                   \
+   (friction_forces)*7 * sizeof(real) +                                                            \
+   ((friction_forces) + (points) + (actuators)) * (4 * sizeof(real) + 1) +                         \
+   (friction_forces) * ((drives) > 0 ? (drives) : 1) * (sizeof(real) + sizeof(int)) +              \
    (actuators) * (8 * sizeof(real) + 2 * LCPUSH_WORD_) + 512)
 
-#define LCPUSH_LEMKE_BYTES_(real, n) \
+#define LCPUSH_LEMKE_BYTES_(real, n)                                                               \
   (((n) * ((n) + 1) + 22 * (n)) * sizeof(real) + (4 * (n) + 1) * sizeof(int))
 
-#define LCPUSH_SWEEPS_BYTES_(real, n, couplings, actuators) \
-  ((10 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) + \
+#define LCPUSH_SWEEPS_BYTES_(real, n, couplings, actuators)                                        \
+  ((10 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) +              \
    (4 * (n) + 1 + (couplings) + (actuators)) * sizeof(int))

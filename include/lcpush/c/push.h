@@ -6,14 +6,19 @@ typedef struct LCPUSH_NAME(object) {
   LCPUSH_REAL inertia[9]; /* kg m^2, symmetric positive definite */
 } LCPUSH_NAME(object);
 
+/* A position, m from the centre of mass. */
+typedef struct LCPUSH_NAME(point) {
+  LCPUSH_REAL x, y, z;
+} LCPUSH_NAME(point);
+
 /* A rigid body that touches the object at points that share one normal. */
 typedef struct LCPUSH_NAME(body) {
   lcpush_role role;
-  LCPUSH_REAL normal[3];       /* from the body into the object; any length but 0 */
-  LCPUSH_REAL tangent[3];      /* first friction direction; all 0: chosen from the normal */
-  LCPUSH_REAL friction;        /* Coulomb's mu, >= 0 */
-  LCPUSH_REAL torsion_radius;  /* m; > 0 makes a single point a soft contact */
-  int bilateral;               /* not 0: holds its normal motion, pulling if it must */
+  LCPUSH_REAL normal[3];      /* from the body into the object; any length but 0 */
+  LCPUSH_REAL tangent[3];     /* first friction direction; all 0: chosen from the normal */
+  LCPUSH_REAL friction;       /* Coulomb's mu, >= 0 */
+  LCPUSH_REAL torsion_radius; /* m; > 0 makes a single point a soft contact */
+  int bilateral;              /* not 0: holds its normal motion, pulling if it must */
   int first_point, point_count;
   LCPUSH_REAL acceleration[6]; /* prescribed part of its twist, [m/s^2; rad/s^2] */
 } LCPUSH_NAME(body);
@@ -38,7 +43,7 @@ typedef struct LCPUSH_NAME(scene) {
   int planar; /* not 0: motion in the x-y plane only */
   const LCPUSH_NAME(body) * bodies;
   int body_count;
-  const LCPUSH_REAL (*points)[3]; /* m, from the centre of mass, body by body */
+  const LCPUSH_NAME(point) * points; /* body by body */
   int point_count;
   const LCPUSH_NAME(actuator) * actuators;
   int actuator_count;
@@ -48,12 +53,12 @@ typedef struct LCPUSH_NAME(scene) {
 
 /* What a contact point does. */
 typedef struct LCPUSH_NAME(contact) {
-  int body;                        /* of the scene */
+  int body; /* of the scene */
   lcpush_mode mode;
-  LCPUSH_REAL normal_force;        /* N, on the object; < 0 where a bilateral body pulls */
-  LCPUSH_REAL friction_force[3];   /* N, on the object */
-  LCPUSH_REAL torsion;             /* N m about the normal, soft contacts only */
-  LCPUSH_REAL acceleration[3];     /* m/s^2, of the object's point relative to its body */
+  LCPUSH_REAL normal_force;      /* N, on the object; < 0 where a bilateral body pulls */
+  LCPUSH_REAL friction_force[3]; /* N, on the object */
+  LCPUSH_REAL torsion;           /* N m about the normal, soft contacts only */
+  LCPUSH_REAL acceleration[3];   /* m/s^2, of the object's point relative to its body */
 } LCPUSH_NAME(contact);
 
 /* The push that just moves the object in the grip. */
@@ -69,28 +74,30 @@ typedef struct LCPUSH_NAME(push) LCPUSH_NAME(push);
 
 /* A push in `memory`, which stays the caller's, aligned as a double, and must not move while the
  * push is used. NULL if `bytes` are too few for `size`. */
-LCPUSH_NAME(push) * LCPUSH_NAME(make)(void* memory, size_t bytes, const lcpush_size* size,
-                                      lcpush_solver solver);
+LCPUSH_NAME(push) *
+    LCPUSH_NAME(make)(void* memory, size_t bytes, const lcpush_size* size, lcpush_solver solver);
 
 /* Copies and checks the scene, which may go away afterwards, and assembles its equations.
  * RUNNING (ready to solve), or BAD_INPUT with lcpush_why. Cost: O(forces drives). */
 lcpush_status LCPUSH_NAME(describe)(LCPUSH_NAME(push) * push, const LCPUSH_NAME(scene) * scene);
 
 /* New grip forces and prescribed accelerations for the same contacts, without another check of the
- * rest: for control loops. Pointers may be NULL: as they were. Arrays as in the scene. */
+ * rest: for control loops. A force an actuator, six numbers of acceleration a body, in the scene's
+ * order; either may be NULL: as they were. */
 lcpush_status LCPUSH_NAME(command)(LCPUSH_NAME(push) * push, const LCPUSH_REAL* forces,
-                                   const LCPUSH_REAL (*accelerations)[6]);
+                                   const LCPUSH_REAL* accelerations);
 
 /* At most `pivots` steps of one pivot each, the first call after describe or command starts; a push
- * made for GAUSS_SEIDEL solves all at once. RUNNING, or how the solve ended. Cost of a step: O(n^2).
- * At the end of a round of the pad law, or when a basis is factored afresh, O(n^2 basic unknowns). */
+ * made for GAUSS_SEIDEL solves all at once. RUNNING, or how the solve ended. Cost of a step:
+ * O(n^2). At the end of a round of the pad law, or when a basis is factored afresh, O(n^2 basic
+ * unknowns). */
 lcpush_status LCPUSH_NAME(step)(LCPUSH_NAME(push) * push, int pivots);
 
 /* Steps to the end. */
 lcpush_status LCPUSH_NAME(solve)(LCPUSH_NAME(push) * push);
 
-/* The force that breaks the grasp, of body `pusher`. SOLVED, DOES_NOT_HOLD or a failure. The contacts
- * are then those of a small push. */
+/* The force that breaks the grasp, of body `pusher`. SOLVED, DOES_NOT_HOLD or a failure. The
+ * contacts are then those of a small push. */
 lcpush_status LCPUSH_NAME(break_grasp)(LCPUSH_NAME(push) * push, int pusher,
                                        LCPUSH_NAME(breaking) * breaking);
 
@@ -99,8 +106,7 @@ void LCPUSH_NAME(limit)(LCPUSH_NAME(push) * push, int pivots);
 
 /* After SOLVED; otherwise zeros. */
 void LCPUSH_NAME(acceleration)(const LCPUSH_NAME(push) * push, LCPUSH_REAL out[6]);
-void LCPUSH_NAME(contact_at)(const LCPUSH_NAME(push) * push, int point,
-                             LCPUSH_NAME(contact) * out);
+void LCPUSH_NAME(contact_at)(const LCPUSH_NAME(push) * push, int point, LCPUSH_NAME(contact) * out);
 void LCPUSH_NAME(wrench_of)(const LCPUSH_NAME(push) * push, int body, LCPUSH_REAL out[6]);
 LCPUSH_REAL LCPUSH_NAME(closing_of)(const LCPUSH_NAME(push) * push, int actuator);
 

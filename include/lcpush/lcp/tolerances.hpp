@@ -13,7 +13,8 @@ template <class S> struct Tolerances {
   S tie{0};      ///< basic values within this of the smallest ratio are tied (Harris)
   S residual{0}; ///< the largest scaled natural residual of an answer called solved
   S settled{0};  ///< the scaled change between two rounds of an outer iteration that ends it
-  S noise{0};    ///< residual * noise is what rounding may leave of the largest unknowns (64 eps; float: 48)
+  S noise{0};    ///< residual * noise is what rounding may leave of the largest unknowns (64 eps;
+                 ///< float: 48)
 };
 
 template <> struct Tolerances<double> {
@@ -25,10 +26,10 @@ template <> struct Tolerances<double> {
 };
 
 template <> struct Tolerances<float> {
-  float pivot = 0x1p10F * std::numeric_limits<float>::epsilon();    // 1.2e-4
-  float tie = 0x1p4F * std::numeric_limits<float>::epsilon();       // 1.9e-6
+  float pivot = 0x1p10F * std::numeric_limits<float>::epsilon();     // 1.2e-4
+  float tie = 0x1p4F * std::numeric_limits<float>::epsilon();        // 1.9e-6
   float residual = 0x1.8p9F * std::numeric_limits<float>::epsilon(); // 9.2e-5
-  float settled = 0x1p9F * std::numeric_limits<float>::epsilon();   // 6.1e-5
+  float settled = 0x1p9F * std::numeric_limits<float>::epsilon();    // 6.1e-5
   float noise = 0x1p-4F;
 };
 
