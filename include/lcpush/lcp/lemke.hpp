@@ -8,8 +8,7 @@
 // one more right-hand side, compared before q. An infinitesimal push is one more, compared after.
 #pragma once
 
-#include "lcpush/lcp/dictionary.hpp"
-#include "lcpush/lcp/equilibrate.hpp"
+#include "lcpush/lcp/detail/dense_basis.hpp"
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/problem.hpp"
 #include "lcpush/lcp/ratio_test.hpp"
@@ -23,6 +22,7 @@ namespace lcpush {
 enum class Reason {
   none,
   memory_too_small, ///< bad_input: see lemke_scalars and lemke_integers
+  unsupported_problem, ///< bad_input: a dense matrix, or a tie rule, for the structured basis
   unsupported,      ///< bad_input: a pressure law or contact model that the scene's patches exclude
   not_finite,       ///< bad_input: a number of M or q is NaN or infinite
   residual,         ///< numerical_breakdown: the answer reached fails its residual check
@@ -36,6 +36,8 @@ constexpr const char* reason_text(Reason reason) {
   switch (reason) {
   case Reason::none: return "";
   case Reason::memory_too_small: return "the solver's memory is too small for this problem";
+  case Reason::unsupported_problem:
+    return "the structured basis takes factored problems and generic tie columns only";
   case Reason::unsupported:
     return "a soft contact of several points, or even pressure that was not spread over its points";
   case Reason::not_finite: return "a number of M or q is not finite, or overflows when scaled";
@@ -84,7 +86,9 @@ constexpr Index lemke_vectors = max_levels + tie_columns // right-hand sides in 
 constexpr Index lemke_scalars(Index n) { return n * (n + 1) + n * detail::lemke_vectors; }
 constexpr Index lemke_integers(Index n) { return 4 * n + 1; }
 
-template <class S> class Lemke {
+/// The method over a basis: DenseBasis stores the whole dictionary, n^2 numbers; StructuredBasis
+/// (structured_lemke.hpp) computes the entering column of a factored problem, in O(n).
+template <class S, class B = DenseBasis<S>> class Lemke {
 public:
   /// Memory of at least lemke_scalars(n) and lemke_integers(n) elements; it is the caller's.
   Lemke(Span<S> scalars, Span<int> integers) : scalars_(scalars), integers_(integers) {}
@@ -116,12 +120,14 @@ public:
   Index pivots() const { return pivots_; } ///< of all covers together
   Index covers_tried() const { return cover_ + 1; }
   const Pivot& last_pivot() const { return last_; }
-  const Dictionary<S>& dictionary() const { return dictionary_; }
+  /// Its `table` holds what the basis stores: at least the entering column, Turn::column.
+  const Dictionary<S>& dictionary() const { return basis_.dictionary; }
+  const B& basis() const { return basis_; }
   S artificial_value() const;
   /// How far the finite value of a row lets the variable of a column grow, as the dictionary is
   /// scaled.
   S ratio(Index row, Index column) const {
-    return -dictionary_.values(row, finite_level()) / dictionary_.table(row, column);
+    return -basis_.dictionary.values(row, finite_level()) / basis_.dictionary.table(row, column);
   }
   /// A finite value of z_i, or w_i, in the dictionary times this is the one of the problem as
   /// given.
@@ -131,7 +137,7 @@ public:
   /// After solved: z (free unknowns at their finite value) and dz/dsigma of the push.
   const S* z() const { return solution_.col(finite_level()).data(); }
   const S* z_push() const { return solution_.col(finite_level() + 1).data(); }
-  bool is_basic(Index i) const { return dictionary_.row_of(unknown(i, n_)) >= 0; }
+  bool is_basic(Index i) const { return basis_.is_basic(unknown(i, n_)); }
   const WorstRow<S>& residual() const { return residual_; }
   /// After solved with a push: the answer is z + sigma z_push for 0 <= sigma <= valid_to(),
   /// the basis' own range; < 0 stands for no bound.
@@ -166,7 +172,7 @@ private:
   S ray_artificial_{0};
   S level_scale_[detail::max_levels] = {};
 
-  Dictionary<S> dictionary_;
+  B basis_;
   MatrixMap<S> cover_columns_{nullptr, 0, 0}; // as given: d, then the tie columns, scaled rows
   MatrixMap<S> solution_{nullptr, 0, 0};
   VectorMap<S> row_scale_{nullptr, 0}, column_scale_{nullptr, 0}, rowsum_{nullptr, 0};
@@ -200,8 +206,6 @@ private:
   void load();
   void cover_cold();
   void cover_here();
-  Index factor_target(const S& smallest_pivot);
-  bool drop_pairs(Index left, const S& smallest_pivot);
   bool refactorise();
   bool drifted();
   void scaled_product(const S* z_scaled, S* out);

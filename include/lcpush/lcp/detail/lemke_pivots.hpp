@@ -5,14 +5,14 @@
 
 namespace lcpush {
 
-template <class S> template <class Observer> Status Lemke<S>::start(Observer& observer) {
+template <class S, class B> template <class Observer> Status Lemke<S, B>::start(Observer& observer) {
   observer.starts(*this);
   if (n_ == 0) return accept();
-  const Index cover = dictionary_.column_of(artificial(n_));
-  RatioTest<S> test(dictionary_, levels_, options_.tie_rule, ratio_tolerances(), candidates_);
+  const Index cover = basis_.enter(artificial(n_));
+  RatioTest<S> test(basis_.dictionary, levels_, options_.tie_rule, ratio_tolerances(), candidates_);
   const Blocking worst = test.most_violated_row(cover);
   for (Index k = 0; k < levels_; ++k) {
-    const S value = dictionary_.values(worst.row, k);
+    const S value = basis_.dictionary.values(worst.row, k);
     if (value > tie_tolerance_) return accept();
     if (value < -tie_tolerance_) {
       pivot({artificial(n_), cover, worst, test.tied_rows(), true}, observer);
@@ -23,26 +23,27 @@ template <class S> template <class Observer> Status Lemke<S>::start(Observer& ob
   return accept();
 }
 
-template <class S>
+template <class S, class B>
 template <class Observer>
-void Lemke<S>::pivot(const Turn& turn, Observer& observer) {
+void Lemke<S, B>::pivot(const Turn& turn, Observer& observer) {
   const Index row = observer.leaves(*this, turn);
-  last_ = {turn.entering, dictionary_.basic[row], turn.blocking};
+  last_ = {turn.entering, basis_.dictionary.basic[row], turn.blocking};
   last_.blocking.row = row;
-  dictionary_.exchange(row, turn.column, scratch_);
+  basis_.exchange(row, turn.column, turn.entering, scratch_);
   ++pivots_;
   ++pivots_of_cover_;
   fresh_ = false;
 }
 
-template <class S> template <class Observer> Status Lemke<S>::advance(Observer& observer) {
+template <class S, class B> template <class Observer> Status Lemke<S, B>::advance(Observer& observer) {
   if (entering_ < 0) return start(observer);
   if (pivots_of_cover_ >= limit()) return end(Status::pivot_limit);
-  if (pivots_of_cover_ % 64 == 63 && drifted() && !refactorise())
+  const bool look = pivots_of_cover_ % 64 == 63 && !fresh_;
+  if ((basis_.is_long() || (look && drifted())) && !refactorise())
     return end(Status::numerical_breakdown, Reason::singular_basis);
 
-  const Index c = dictionary_.column_of(entering_);
-  RatioTest<S> test(dictionary_, levels_, options_.tie_rule, ratio_tolerances(), candidates_);
+  const Index c = basis_.enter(entering_);
+  RatioTest<S> test(basis_.dictionary, levels_, options_.tie_rule, ratio_tolerances(), candidates_);
   const Blocking blocking = test.blocking_row(c);
   if (blocking.row < 0) return conclude_ray(c);
 
@@ -52,7 +53,7 @@ template <class S> template <class Observer> Status Lemke<S>::advance(Observer& 
   return status_;
 }
 
-template <class S> template <class Observer> Status Lemke<S>::step(Observer& observer) {
+template <class S, class B> template <class Observer> Status Lemke<S, B>::step(Observer& observer) {
   if (status_ != Status::running) return status_;
   (void)advance(observer);
   observer.stepped(*this);
@@ -62,14 +63,13 @@ template <class S> template <class Observer> Status Lemke<S>::step(Observer& obs
 
 /// This cover has failed: a generic one that has not been tried may do better. If none is left, the
 /// failure that says most is reported: a verified ray, else the last.
-template <class S> Status Lemke<S>::turn_to_next_cover() {
+template <class S, class B> Status Lemke<S, B>::turn_to_next_cover() {
   if (worst_ != Status::ray) {
     worst_ = status_;
     worst_reason_ = reason_;
   }
   if (options_.cover != nullptr || cover_ + 1 >= options_.covers) return end(worst_, worst_reason_);
   ++cover_;
-  load();
   cover_cold();
   return status_ = Status::running;
 }
@@ -77,7 +77,7 @@ template <class S> Status Lemke<S>::turn_to_next_cover() {
 /// z0 has left (or was never needed): refine the answer on the problem as given and check it. One
 /// that passes barely sits on a basis with a small violation, that a tie has hidden: look closer
 /// once, unless no other cover is left if that fails.
-template <class S> Status Lemke<S>::accept() {
+template <class S, class B> Status Lemke<S, B>::accept() {
   for (Index k = 0; k < levels_; ++k) refine(k);
   if (!passes_check()) return reject();
   const bool barely = residual_.residual > options_.tolerances.residual / S(16);
@@ -88,7 +88,7 @@ template <class S> Status Lemke<S>::accept() {
 
 /// The check failed: factor the basis afresh, look closer (what was tied at zero may be a small
 /// violation) and cover what is left; the next step pivots on from here.
-template <class S> Status Lemke<S>::reject() {
+template <class S, class B> Status Lemke<S, B>::reject() {
   constexpr Index repairs_allowed = 3;
   if (repairs_ >= repairs_allowed || !refactorise())
     return end(Status::numerical_breakdown, reason_);
@@ -101,7 +101,7 @@ template <class S> Status Lemke<S>::reject() {
 
 /// Nothing blocks the entering variable. Believe it only from a fresh factorisation, and only with
 /// its certificate: v >= 0, u = M v + d v0 >= 0, v_i u_i = 0, all on the problem as given.
-template <class S> Status Lemke<S>::conclude_ray(Index column) {
+template <class S, class B> Status Lemke<S, B>::conclude_ray(Index column) {
   if (!fresh_) {
     if (!refactorise()) return end(Status::numerical_breakdown, Reason::singular_basis);
     return status_;
@@ -117,7 +117,7 @@ template <class S> Status Lemke<S>::conclude_ray(Index column) {
       trial_[variable - n] = rate;
   };
   record(entering_, S(1));
-  for (Index i = 0; i < n; ++i) record(dictionary_.basic[i], dictionary_.table(i, column));
+  for (Index i = 0; i < n; ++i) record(basis_.dictionary.basic[i], basis_.dictionary.table(i, column));
 
   const S largest = trial_.cwiseAbs().maxCoeff();
   if (!(largest > S(0))) return end(Status::numerical_breakdown, Reason::false_ray);
