@@ -1,0 +1,165 @@
+// Factoring a structured basis from the problem as given. Included by structured_basis.hpp.
+#pragma once
+
+#include "lcpush/lcp/detail/structured_basis.hpp"
+
+namespace lcpush {
+
+/// What the local form does not hold of the basis: rows that leave, slots that enter.
+template <class S>
+void StructuredBasis<S>::list_exchanges(Span<int> target, Span<int> flags) {
+  constexpr int has_slack = 1, has_unknown = 2;
+  bool has_artificial = false;
+  for (Index i = 0; i < n_; ++i) flags[i] = 0;
+  for (const int variable : target) {
+    if (variable == artificial(n_))
+      has_artificial = true;
+    else
+      flags[slot_of(variable)] |= variable < n_ ? has_slack : has_unknown;
+  }
+  form_.pivot_locally([&](Index slot) { return (flags[slot] & has_unknown) != 0; });
+  Index leaves = 0, enters = 0;
+  const auto list = [&](Span<int> which, Index& count, Index i) {
+    if (count < capacity_) which[count] = static_cast<int>(i);
+    ++count;
+  };
+  for (Index i = 0; i < n_; ++i) {
+    const bool flipped = form_.is_flipped(i);
+    if ((flags[i] & (flipped ? has_unknown : has_slack)) == 0) list(out_, leaves, i);
+    if ((flags[i] & (flipped ? has_slack : has_unknown)) != 0) list(in_, enters, i);
+  }
+  if (has_artificial) list(in_, enters, n_);
+  t_ = leaves;
+}
+
+/// K^-1 in place of K by complete pivoting. Returns how many rows are left without a pivot above
+/// `smallest_pivot`; they and as many slots come last.
+template <class S> Index StructuredBasis<S>::invert(const S& smallest_pivot) {
+  auto K = inverse_.topLeftCorner(t_, t_);
+  const auto swap = [](Span<int> list, Index i, Index j) {
+    const int other = list[i];
+    list[i] = list[j];
+    list[j] = other;
+  };
+  for (Index k = 0; k < t_; ++k) {
+    S largest = smallest_pivot;
+    Index row = -1, column = -1;
+    for (Index j = k; j < t_; ++j)
+      for (Index i = k; i < t_; ++i) {
+        const S size = Eigen::numext::abs(S(K(i, j)));
+        if (!(size > largest)) continue;
+        largest = size;
+        row = i;
+        column = j;
+      }
+    if (row < 0) return t_ - k;
+    if (row != k) K.row(row).swap(K.row(k));
+    if (column != k) K.col(column).swap(K.col(k));
+    // Row i < k now belongs to slot in_[i], column j < k to row out_[j].
+    swap(out_, row, k);
+    swap(in_, column, k);
+    const S pivot = K(k, k);
+    auto entering = along_column_.head(t_);
+    entering = K.col(k);
+    for (Index j = 0; j < t_; ++j) {
+      if (j == k || K(k, j) == S(0)) continue;
+      const S solved = -K(k, j) / pivot;
+      K.col(j) += solved * entering;
+      K(k, j) = solved;
+    }
+    K.col(k) = entering / pivot;
+    K(k, k) = S(1) / pivot;
+  }
+  return 0;
+}
+
+template <class S>
+Index StructuredBasis<S>::factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
+                                 VectorMap<S> /*scratch*/) {
+  list_exchanges(target, candidates);
+  if (t_ > capacity_) return t_;
+  for (Index k = 0; k < t_; ++k) {
+    form_.begin_column(in_[k]);
+    for (Index i = 0; i < t_; ++i) inverse_(i, k) = form_.entry_of_column(out_[i], in_[k]);
+  }
+  const Index left = invert(smallest_pivot);
+  t_ -= left;
+  for (Index i = 0; i < n_; ++i) dictionary.basic[i] = static_cast<int>(base_variable(i));
+  for (Index k = 0; k < t_; ++k) place(k, out_[k], in_[k]);
+  find_values();
+  constexpr Index room = 48; // exchanges until factoring afresh pays
+  long_ = t_ + room;
+  return left;
+}
+
+/// The right-hand sides of the problem as given become the values of this basis.
+template <class S> void StructuredBasis<S>::find_values() {
+  for (Index level = 0; level < dictionary.values.cols(); ++level) {
+    auto values = dictionary.values.col(level);
+    form_.evaluate(values);
+    auto rates = rates_.head(t_);
+    rates.setZero();
+    for (Index k = 0; k < t_; ++k)
+      if (values[out_[k]] != S(0)) rates -= inverse_.col(k).head(t_) * values[out_[k]];
+    add_entered(dictionary.table.col(0), -1, S(0));
+    values += dictionary.table.col(0);
+    for (Index k = 0; k < t_; ++k) values[out_[k]] = rates_[k];
+  }
+}
+
+/// out = how the basic variables respond to nonbasic w_j = r_j. Returns the largest |r_j|.
+template <class S> S StructuredBasis<S>::respond(const VectorMap<S>& r, VectorMap<S> out) {
+  S largest(0);
+  for (Index i = 0; i < n_; ++i)
+    if (!is_basic(slack(i))) largest = Eigen::numext::maxi(largest, S(Eigen::numext::abs(S(r[i]))));
+  form_.multiply(
+      [&](auto visit) {
+        for (Index i = 0; i < n_; ++i)
+          if (form_.is_flipped(i) && in_at_[i] < 0 && r[i] != S(0)) visit(i, S(r[i]));
+      },
+      out);
+  auto rates = rates_.head(t_);
+  rates.setZero();
+  for (Index k = 0; k < t_; ++k) {
+    const S wanted = form_.is_flipped(out_[k]) ? S(0) : S(r[out_[k]]);
+    rates += inverse_.col(k).head(t_) * (wanted - out[out_[k]]);
+  }
+  add_entered(dictionary.table.col(0), -1, S(0));
+  out += dictionary.table.col(0);
+  for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
+  return largest;
+}
+
+/// After factor has left some: see DenseBasis.
+template <class S>
+bool StructuredBasis<S>::drop_pairs(Index left, Span<int> target, Span<int> candidates,
+                                    const S& smallest_pivot, VectorMap<S> scratch) {
+  if (t_ > capacity_) return false;
+  // In the base and still there, while its complement has entered; and neither of both.
+  Index both = 0, neither = 0;
+  for (Index k = t_; k < t_ + left; ++k) {
+    if (in_at_[out_[k]] >= 0) candidates[both++] = out_[k];
+    if (out_at_[in_[k]] >= 0) target[neither++] = in_[k];
+  }
+  for (; both > 0; --both) {
+    S largest = smallest_pivot;
+    Index at = -1, to = -1;
+    for (Index k = 0; k < both; ++k)
+      for (Index l = 0; l < neither; ++l) {
+        const S size =
+            Eigen::numext::abs(S(inverse_(in_at_[candidates[k]], out_at_[target[l]])));
+        if (!(size > largest)) continue;
+        largest = size;
+        at = k;
+        to = l;
+      }
+    if (at < 0) return false;
+    const Index returns = base_variable(target[to]);
+    exchange(out_[in_at_[candidates[at]]], enter(returns), returns, scratch);
+    candidates[at] = candidates[both - 1];
+    target[to] = target[--neither];
+  }
+  return true;
+}
+
+} // namespace lcpush
