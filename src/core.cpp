@@ -1,10 +1,12 @@
 // The one compiled copy of the core for float and double.
 #include "lcpush/lcp/block_gauss_seidel.hpp"
-#include "lcpush/lcp/lemke.hpp"
+#include "lcpush/lcp/structured_lemke.hpp"
 
 namespace lcpush {
 template class Lemke<float>;
 template class Lemke<double>;
+template class Lemke<float, StructuredBasis<float>>;
+template class Lemke<double, StructuredBasis<double>>;
 template class ProximalNewton<float>;
 template class ProximalNewton<double>;
 template class BlockGaussSeidel<float>;

@@ -19,12 +19,15 @@ public:
   }
 
   void stepped(const Lemke<double>& lemke) override {
+    progressed(lemke.dictionary().size(), lemke.covers_tried());
+  }
+
+  void progressed(Index unknowns, Index covers) override {
     ++pivots_;
     const long seconds = second();
     if (seconds < 0) return;
     std::fprintf(stderr, "%slcpush: %ld s, %ld pivots, %td unknowns, cover %td%s",
-                 terminal_ ? "\r\033[K" : "", seconds, pivots_, lemke.dictionary().size(),
-                 lemke.covers_tried(), terminal_ ? "" : "\n");
+                 terminal_ ? "\r\033[K" : "", seconds, pivots_, unknowns, covers, terminal_ ? "" : "\n");
     std::fflush(stderr);
   }
 

@@ -229,6 +229,7 @@ PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& sto
   RecordingWatcher watcher(trace, story, options);
   PushOptions pushing;
   pushing.other_covers = 0;
+  pushing.dense = true; // to show the dictionary
   pushing.watcher = &watcher;
   const PushReport report = push.solve(pushing);
   trace.status = report.status;

@@ -82,6 +82,27 @@ Lemke<double>& Push::pivots() {
   return lemke_;
 }
 
+/// From this many unknowns on the structured basis is the faster one (docs/numerics.md).
+bool Push::takes_structure(const PushOptions& options) const {
+  constexpr Index smallest = 200;
+  return !options.dense && layout().size >= smallest &&
+         StructuredBasis<double>::supports(assembly_.problem(), options.lemke.tie_rule);
+}
+
+StructuredLemke<double>& Push::structured_pivots() {
+  if (structured_scalars_.empty()) {
+    const Index n = layout().size, points = layout().points;
+    const Index shared = detail::shared_actuators(assembly_.factored());
+    structured_scalars_.resize(
+        static_cast<std::size_t>(structured_lemke_scalars(n, points, shared)));
+    structured_integers_.resize(static_cast<std::size_t>(structured_lemke_integers(n, points)));
+    structured_ = StructuredLemke<double>(
+        {structured_scalars_.data(), static_cast<Index>(structured_scalars_.size())},
+        {structured_integers_.data(), static_cast<Index>(structured_integers_.size())});
+  }
+  return structured_;
+}
+
 void Push::record(Index sweep, const double* z) {
   const bool new_round = !history_.empty() && swept_before_ + sweep < history_.back().sweep;
   if (new_round) swept_before_ = history_.back().sweep;
@@ -128,7 +149,7 @@ void Push::name_file_bodies() {
 std::string Push::explain(Status status, const PressureRun& run) const {
   bool squeezes = false;
   for (Index i = 0; status == Status::ray && i < layout().points; ++i)
-    squeezes = squeezes || lemke_.ray()[layout().normal(i)] > ray_noise;
+    squeezes = squeezes || ray()[layout().normal(i)] > ray_noise;
   switch (status) {
   case Status::ray:
     return squeezes ? "a ray: forces that squeeze the object and that nothing relieves"
@@ -156,15 +177,15 @@ std::string Push::explain(Status status, const PressureRun& run) const {
 /// Trying what would free a jam costs a solve each: not where solves are long.
 Jam Push::read_jam(const PushOptions& options) const {
   constexpr Index largest_tried = 1000; // unknowns
-  return explain_jam(file_, assembly_, lemke_.ray(),
+  return explain_jam(file_, assembly_, ray(),
                      options.explain_jams && layout().size <= largest_tried);
 }
 
 std::vector<NamedValue> Push::named_ray() const {
-  std::vector<NamedValue> ray;
+  std::vector<NamedValue> named;
   for (Index i = 0; i < layout().size; ++i)
-    if (lemke_.ray()[i] > ray_noise) ray.push_back({variable_name(i), lemke_.ray()[i]});
-  return ray;
+    if (ray()[i] > ray_noise) named.push_back({variable_name(i), ray()[i]});
+  return named;
 }
 
 /// The object's acceleration and the total wrench of all pushers.

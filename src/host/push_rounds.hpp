@@ -25,26 +25,59 @@ public:
     if (to_ != nullptr) to_->swept(sweep, z, residual);
   }
 
+  void progressed(Index unknowns, Index covers) override {
+    if (to_ != nullptr) to_->progressed(unknowns, covers);
+  }
+
 private:
   Push& push_;
   Watcher* to_;
   bool records_;
 };
 
-/// Calls `use` with the rounds of the solver asked for. A warm start for pivots is near enough
-/// where sweeps agree to six digits.
+/// Watches the structured pivots.
+struct Push::Meter {
+  Watcher& to;
+
+  template <class L> void starts(const L&) const {}
+  template <class L> Index leaves(const L&, const Turn& turn) const { return turn.blocking.row; }
+  template <class L> void stepped(const L& lemke) const {
+    to.progressed(lemke.dictionary().size(), lemke.covers_tried());
+  }
+  template <class Sweeps> void checked(const Sweeps& solver) const { to.checked(solver); }
+};
+
+/// Calls `use` with the rounds of the solver asked for: by pivots on the structured basis where
+/// that is faster, and once more on the whole dictionary if that gives up.
 template <class Use> Status Push::with_rounds(const PushOptions& options, const Use& use) {
+  Listener listener(*this, options);
+  last_structured_ = options.solver != Solver::gauss_seidel && takes_structure(options);
+  if (last_structured_) {
+    constexpr Index largest_dense = 2000; // unknowns; beyond, the dictionary takes minutes
+    const Status status = with_pivots(options, structured_pivots(), Meter{listener}, use);
+    const bool gave_up = status == Status::numerical_breakdown || status == Status::pivot_limit ||
+                         status == Status::bad_input;
+    if (!gave_up || layout().size > largest_dense) return status;
+    last_structured_ = false;
+  }
+  if (options.solver == Solver::gauss_seidel)
+    return use(SweepRounds<double, Watcher>{sweeps_, options.sweeps, listener});
+  return with_pivots<Watcher&>(options, pivots(), listener, use);
+}
+
+/// A warm start for pivots is near enough where sweeps agree to six digits.
+template <class Observer, class Pivots, class Use>
+Status Push::with_pivots(const PushOptions& options, Pivots& pivots, Observer&& observer,
+                         const Use& use) {
+  using Watching = std::remove_reference_t<Observer>;
   constexpr double near = 1e-6;
   constexpr Index few = 200; // sweeps before the pivots take over
-  Listener listener(*this, options);
-  if (options.solver == Solver::lemke)
-    return use(LemkeRounds<double, Watcher>{pivots(), options.lemke, listener});
-  SweepRounds<double, Watcher> sweeps{sweeps_, options.sweeps, listener};
-  if (options.solver == Solver::gauss_seidel) return use(sweeps);
+  const LemkeRounds<double, Watching, Pivots> by_pivots{pivots, options.lemke, observer};
+  if (options.solver == Solver::lemke) return use(by_pivots);
+  SweepRounds<double, Watching> sweeps{sweeps_, options.sweeps, observer};
   sweeps.options.tolerance = near;
   sweeps.options.max_sweeps = few;
-  return use(HybridRounds<double, Watcher>{
-      sweeps, LemkeRounds<double, Watcher>{pivots(), options.lemke, listener}});
+  return use(HybridRounds<double, Watching, Pivots>{sweeps, by_pivots});
 }
 
 } // namespace lcpush::host

@@ -57,6 +57,10 @@ public:
     multiplications_ += n * n + overhead;
     if (given_.watcher != nullptr) given_.watcher->stepped(lemke);
   }
+  void progressed(Index unknowns, Index covers) override {
+    multiplications_ += 64 * static_cast<double>(unknowns) + overhead;
+    if (given_.watcher != nullptr) given_.watcher->progressed(unknowns, covers);
+  }
 
 private:
   PushOptions given_, counting_;

@@ -47,6 +47,7 @@ struct PushOptions {
   bool record_history = false; ///< PushReport::history; costs a check of the laws each time
   Index other_covers = 3;      ///< covers tried in search of another answer
   bool explain_jams = true;    ///< solve again with each change that might free a jam
+  bool dense = false;          ///< pivots on the whole dictionary, whatever the size
   Watcher* watcher = nullptr;  ///< told of all pivots and sweeps of the answer; not of the search
                                ///< for others
 };
@@ -148,14 +149,25 @@ private:
   std::vector<double> pivot_scalars_; // see pivots()
   std::vector<int> pivot_integers_;
   Lemke<double> lemke_{{}, {}};
+  std::vector<double> structured_scalars_; // see structured_pivots()
+  std::vector<int> structured_integers_;
+  StructuredLemke<double> structured_{{}, {}};
+  bool last_structured_ = false; ///< did they pivot last?
   std::vector<SweepRecord> history_;
   Index swept_before_ = 0; // in the rounds that are over
   BlockGaussSeidel<double> sweeps_;
 
   class Listener;
+  struct Meter;
   Lemke<double>& pivots();
+  StructuredLemke<double>& structured_pivots();
+  bool takes_structure(const PushOptions& options) const;
+  const double* ray() const { return last_structured_ ? structured_.ray() : lemke_.ray(); }
   void record(Index sweep, const double* z);
   template <class Use> Status with_rounds(const PushOptions& options, const Use& use);
+  template <class Observer, class Pivots, class Use>
+  Status with_pivots(const PushOptions& options, Pivots& pivots, Observer&& observer,
+                     const Use& use);
   Status run(const PushOptions& options, double sigma, PressureRun& run);
   void name_file_bodies();
   Outcome<double> outcome() const;

@@ -12,6 +12,8 @@ public:
   virtual void starts(const Lemke<double>&) {}
   virtual Index leaves(const Lemke<double>&, const Turn& turn) { return turn.blocking.row; }
   virtual void stepped(const Lemke<double>&) {}
+  /// After a step of StructuredLemke, which has no dictionary to show.
+  virtual void progressed(Index /*unknowns*/, Index /*covers*/) {}
   virtual void swept(Index /*sweep*/, const double* /*z*/, double /*residual*/) {}
 
   template <class Sweeps> void checked(const Sweeps& solver) {

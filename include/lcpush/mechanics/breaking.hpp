@@ -50,11 +50,12 @@ namespace detail {
 template <class S> constexpr S smallest_push() { return S(256) * Tolerances<S>().residual; }
 
 /// `rigid` and `even`: the push is one more right-hand side, so the limit is exact.
-template <class S, class Observer>
-Status break_exactly(Assembly<S>& assembly, LemkeRounds<S, Observer>& rounds, Workspace<S>& work,
-                     const Body<S>& pusher, S unit, Breaking<S>& breaking, PressureRun& run) {
+template <class S, class Observer, class Pivots>
+Status break_exactly(Assembly<S>& assembly, LemkeRounds<S, Observer, Pivots>& rounds,
+                     Workspace<S>& work, const Body<S>& pusher, S unit, Breaking<S>& breaking,
+                     PressureRun& run) {
   const Scene<S>& scene = assembly.scene();
-  Lemke<S>& lemke = rounds.lemke;
+  Pivots& lemke = rounds.lemke;
   Status status = lemke.init(assembly.breaking_problem(), rounds.options);
   if (status == Status::running) status = lemke.solve(rounds.observer);
   run.pivots += lemke.pivots();

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "lcpush/lcp/block_gauss_seidel.hpp"
-#include "lcpush/lcp/lemke.hpp"
+#include "lcpush/lcp/structured_lemke.hpp"
 
 namespace lcpush {
 
@@ -32,14 +32,15 @@ template <class S> struct PressureMemory {
   Span<unsigned char> active; ///< unknowns: its basis
 };
 
-/// Lemke's pivots: cold under its covers, warm from the last basis.
-template <class S, class Observer = const Unobserved> struct LemkeRounds {
-  Lemke<S>& lemke;
+/// Lemke's pivots: cold under its covers, warm from the last basis. `Pivots` is Lemke over either
+/// basis.
+template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> struct LemkeRounds {
+  Pivots& lemke;
   LemkeOptions<S> options;
   Observer& observer;
   static constexpr bool carries_push = true; ///< solves for the limit of a vanishing push exactly
 
-  explicit LemkeRounds(Lemke<S>& solver, const LemkeOptions<S>& its_options = {},
+  explicit LemkeRounds(Pivots& solver, const LemkeOptions<S>& its_options = {},
                        Observer& its_observer = unobserved)
       : lemke(solver), options(its_options), observer(its_observer) {}
 
@@ -142,12 +143,12 @@ private:
 
 /// A few sweeps, their positive unknowns as Lemke's first basis, and the pivots that remain. Warm
 /// rounds, and whatever fails, are Lemke's: it is never less reliable.
-template <class S, class Observer = const Unobserved> struct HybridRounds {
+template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> struct HybridRounds {
   SweepRounds<S, Observer> first;
-  LemkeRounds<S, Observer> then;
+  LemkeRounds<S, Observer, Pivots> then;
   static constexpr bool carries_push = true;
 
-  HybridRounds(const SweepRounds<S, Observer>& sweeps, const LemkeRounds<S, Observer>& last)
+  HybridRounds(const SweepRounds<S, Observer>& sweeps, const LemkeRounds<S, Observer, Pivots>& last)
       : first(sweeps), then(last) {}
 
   void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
@@ -168,7 +169,7 @@ template <class S, class Observer = const Unobserved> struct HybridRounds {
   }
 
   void vary() { then.vary(); }
-  LemkeRounds<S, Observer>& pivots() { return then; }
+  LemkeRounds<S, Observer, Pivots>& pivots() { return then; }
   void demand(const S&) {}
 
 private:

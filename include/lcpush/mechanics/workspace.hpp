@@ -119,6 +119,31 @@ Workspace<S> make_workspace(Span<unsigned char> bytes, const AssemblySize& size)
   return make_workspace<S>(arena, size);
 }
 
+/// Bytes that make_structured_workspace takes: O(unknowns). `shared` is the number of actuators
+/// that drive more than one point, at most all of them; under `even` pressure there is none.
+template <class S> constexpr Index structured_bytes(const AssemblySize& size, Index shared) {
+  return detail::common_bytes<S>(size) +
+         structured_lemke_scalars(size.unknowns(), size.points, shared) *
+             static_cast<Index>(sizeof(S)) +
+         structured_lemke_integers(size.unknowns(), size.points) * static_cast<Index>(sizeof(int));
+}
+
+/// Cuts a workspace for scenes of at most this size, to be solved by StructuredLemke.
+template <class S>
+Workspace<S> make_structured_workspace(Arena& arena, const AssemblySize& size, Index shared) {
+  Workspace<S> w = detail::take_common<S>(arena, size);
+  w.lemke_scalars = arena.take<S>(structured_lemke_scalars(size.unknowns(), size.points, shared));
+  w.lemke_integers = arena.take<int>(structured_lemke_integers(size.unknowns(), size.points));
+  w.complete = !arena.exhausted();
+  return w;
+}
+template <class S>
+Workspace<S> make_structured_workspace(Span<unsigned char> bytes, const AssemblySize& size,
+                                       Index shared) {
+  Arena arena(bytes);
+  return make_structured_workspace<S>(arena, size, shared);
+}
+
 /// Bytes that make_sweep_workspace takes: O(unknowns), and (6 + actuators)^2 Scalars.
 template <class S> constexpr Index sweep_bytes(const AssemblySize& size) {
   return detail::common_bytes<S>(size) +

@@ -17,7 +17,10 @@ void StructuredBasis<S>::list_exchanges(Span<int> target, Span<int> flags) {
     else
       flags[slot_of(variable)] |= variable < n_ ? has_slack : has_unknown;
   }
-  form_.pivot_locally([&](Index slot) { return (flags[slot] & has_unknown) != 0; });
+  if (!form_.pivot_locally([&](Index slot) { return (flags[slot] & has_unknown) != 0; })) {
+    t_ = capacity_ + 1;
+    return;
+  }
   Index leaves = 0, enters = 0;
   const auto list = [&](Span<int> which, Index& count, Index i) {
     if (count < capacity_) which[count] = static_cast<int>(i);
