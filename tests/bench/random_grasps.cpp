@@ -1,4 +1,5 @@
-// Reliability on seeded random grasps: `random_grasps [FROM] [TO]` (default 0 10000).
+// Reliability on seeded random grasps: `random_grasps [FROM] [TO] [structured]` (default 0
+// 10000, on the dense basis).
 // One line a pressure law and family: how many were solved, the worst residual of
 // mechanics/check.hpp, pivots, and on how many of every tenth grasp four covers agree on the
 // motion. Then the force of breaking on the first thousand.
@@ -6,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <vector>
 
 #include "lcpush/lcpush.hpp"
@@ -22,11 +24,12 @@ struct Solved {
   Vector6<double> acceleration;
 };
 
+template <class Pivots>
 Solved solve(const Scene<double>& scene, Workspace<double>& work, Index first_cover) {
   Assembly<double> assembly(work.assembly);
   assembly.assemble(scene);
-  Lemke<double> lemke(work.lemke_scalars, work.lemke_integers);
-  LemkeRounds<double> rounds{lemke};
+  Pivots lemke(work.lemke_scalars, work.lemke_integers);
+  LemkeRounds<double, const Unobserved, Pivots> rounds{lemke};
   rounds.options.first_cover = first_cover;
   Solved solved{};
   solved.status = solve_pressure(assembly, rounds, work.pressure, {}, solved.run);
@@ -38,6 +41,7 @@ Solved solve(const Scene<double>& scene, Workspace<double>& work, Index first_co
   return solved;
 }
 
+template <class Pivots>
 void run_law(const char* name, test::Family family, Pressure pressure, unsigned from, unsigned to) {
   unsigned solved_count = 0, wrong = 0, compared = 0, agreeing = 0;
   double worst = 0;
@@ -49,8 +53,8 @@ void run_law(const char* name, test::Family family, Pressure pressure, unsigned 
     owned.base.pressure = pressure;
     owned = owned.spread();
     const Scene<double> scene = owned.view();
-    test::OwnedWorkspace<double> memory(size_of(scene));
-    const Solved first = solve(scene, memory.work, 0);
+    auto memory = test::workspace_for<Pivots>(scene);
+    const Solved first = solve<Pivots>(scene, memory.work, 0);
     if (first.status != Status::solved) {
       std::printf("  seed %u: %s\n", seed, status_text(first.status));
       continue;
@@ -64,7 +68,7 @@ void run_law(const char* name, test::Family family, Pressure pressure, unsigned 
     if (seed % 10 != 0) continue;
     bool agree = true;
     for (Index cover = 1; cover < 4 && agree; ++cover) {
-      const Solved other = solve(scene, memory.work, 20 * cover);
+      const Solved other = solve<Pivots>(scene, memory.work, 20 * cover);
       agree = other.status == Status::solved && (other.acceleration - first.acceleration).norm() <=
                                                     1e-5 * std::max(1.0, first.acceleration.norm());
     }
@@ -119,6 +123,23 @@ void run_breaking(const char* name, Pressure pressure, unsigned from, unsigned t
               held > 0 ? line_error.back() : 0.0);
 }
 
+/// All of it on one of the two bases.
+template <class Pivots> void run_laws(unsigned from, unsigned to) {
+  using lcpush::test::Family;
+  const auto law = [](const char* name, Family family, Pressure pressure, unsigned first,
+                      unsigned last) { run_law<Pivots>(name, family, pressure, first, last); };
+  law("rigid", Family::plain, Pressure::rigid, from, to);
+  law("pad", Family::plain, Pressure::pad, from, to);
+  law("even, planar", Family::even, Pressure::even, from, to);
+  const unsigned fewer = from + (to - from) / 10;
+  law("soft points, pad", Family::soft, Pressure::pad, from, fewer);
+  law("parallel jaw, pad", Family::parallel, Pressure::pad, from, fewer);
+  law("crooked drives, pad", Family::jacobian, Pressure::pad, from, fewer);
+  law("bilateral, pad", Family::bilateral, Pressure::pad, from, fewer);
+  law("two pushers, pad", Family::two_pushers, Pressure::pad, from, fewer);
+  law("with a stop, pad", Family::stop, Pressure::pad, from, fewer);
+}
+
 } // namespace
 
 int main(int count, char** words) {
@@ -127,17 +148,11 @@ int main(int count, char** words) {
   };
   const unsigned from = argument(1, 0), to = argument(2, 10000);
   using lcpush::Pressure;
-  using lcpush::test::Family;
-  run_law("rigid", Family::plain, Pressure::rigid, from, to);
-  run_law("pad", Family::plain, Pressure::pad, from, to);
-  run_law("even, planar", Family::even, Pressure::even, from, to);
-  const unsigned fewer = from + (to - from) / 10;
-  run_law("soft points, pad", Family::soft, Pressure::pad, from, fewer);
-  run_law("parallel jaw, pad", Family::parallel, Pressure::pad, from, fewer);
-  run_law("crooked drives, pad", Family::jacobian, Pressure::pad, from, fewer);
-  run_law("bilateral, pad", Family::bilateral, Pressure::pad, from, fewer);
-  run_law("two pushers, pad", Family::two_pushers, Pressure::pad, from, fewer);
-  run_law("with a stop, pad", Family::stop, Pressure::pad, from, fewer);
+  if (count > 3 && std::strcmp(words[3], "structured") == 0) {
+    run_laws<lcpush::StructuredLemke<double>>(from, to);
+    return 0;
+  }
+  run_laws<lcpush::Lemke<double>>(from, to);
   const unsigned to_break = std::min(to, from + 1000);
   run_breaking("rigid", Pressure::rigid, from, to_break);
   run_breaking("pad", Pressure::pad, from, to_break);

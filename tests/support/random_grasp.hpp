@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
+#include "lcpush/lcp/structured_lemke.hpp"
 #include "lcpush/mechanics/workspace.hpp"
 
 namespace lcpush::test {
@@ -149,6 +151,18 @@ template <class S> struct OwnedWorkspace {
   explicit OwnedWorkspace(const AssemblySize& size)
       : bytes(static_cast<std::size_t>(push_bytes<S>(size))),
         work(make_workspace<S>({bytes.data(), static_cast<Index>(bytes.size())}, size)) {}
+  OwnedWorkspace(const AssemblySize& size, Index shared)
+      : bytes(static_cast<std::size_t>(structured_bytes<S>(size, shared))),
+        work(make_structured_workspace<S>({bytes.data(), static_cast<Index>(bytes.size())}, size,
+                                          shared)) {}
 };
+
+/// Memory for one of Lemke's two bases.
+template <class Pivots, class S> OwnedWorkspace<S> workspace_for(const Scene<S>& scene) {
+  if constexpr (std::is_same_v<Pivots, StructuredLemke<S>>)
+    return {size_of(scene), scene.pressure == Pressure::even ? Index(0) : scene.actuators.size};
+  else
+    return OwnedWorkspace<S>(size_of(scene));
+}
 
 } // namespace lcpush::test

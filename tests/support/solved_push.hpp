@@ -6,19 +6,19 @@
 
 namespace lcpush::test {
 
-template <class S> struct SolvedPush {
+template <class S, class Pivots = Lemke<S>> struct SolvedPush {
   OwnedScene<S> owned;
   Scene<S> scene;
   OwnedWorkspace<S> memory;
   Assembly<S> assembly;
-  Lemke<S> lemke;
+  Pivots lemke;
   PressureOptions<S> options{};
   PressureRun run;
   Status status = Status::bad_input;
   Residuals<S> residuals;
 
   explicit SolvedPush(const OwnedScene<S>& given)
-      : owned(given.spread()), scene(owned.view()), memory(size_of(scene)),
+      : owned(given.spread()), scene(owned.view()), memory(workspace_for<Pivots>(scene)),
         assembly(memory.work.assembly),
         lemke(memory.work.lemke_scalars, memory.work.lemke_integers) {
     assembly.assemble(scene);

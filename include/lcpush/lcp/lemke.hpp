@@ -206,6 +206,7 @@ private:
   void load();
   void cover_cold();
   void cover_here();
+  void bound_level();
   bool refactorise();
   bool drifted();
   void scaled_product(const S* z_scaled, S* out);

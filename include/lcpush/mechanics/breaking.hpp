@@ -200,11 +200,11 @@ template <class S, class Rounds>
 }
 
 /// The same by Lemke's pivots with their usual options.
-template <class S>
-[[nodiscard]] Status find_breaking(Assembly<S>& assembly, Lemke<S>& lemke, Workspace<S>& work,
+template <class S, class B>
+[[nodiscard]] Status find_breaking(Assembly<S>& assembly, Lemke<S, B>& lemke, Workspace<S>& work,
                                    const Body<S>& pusher, const PressureOptions<S>& options,
                                    Breaking<S>& breaking, PressureRun& run) {
-  return find_breaking(assembly, LemkeRounds<S>{lemke}, work, pusher, options, breaking, run);
+  return find_breaking(assembly, LemkeRounds<S, const Unobserved, Lemke<S, B>>{lemke}, work, pusher, options, breaking, run);
 }
 
 } // namespace lcpush

@@ -85,6 +85,10 @@ public:
     return largest;
   }
 
+  /// After factoring: what is known exactly of the level of the symbolic bound S. Elimination has
+  /// kept it exact.
+  void set_bound_level(Index, const VectorMap<S>&, const S&) {}
+
   Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
                VectorMap<S> scratch);
   bool drop_pairs(Index left, Span<int> target, Span<int> candidates, const S& smallest_pivot,

@@ -124,12 +124,19 @@ template <class S, class B> void Lemke<S, B>::scaled_product(const S* z_scaled, 
   for (Index i = 0; i < n_; ++i) out[i] *= row_scale_[i];
 }
 
+template <class S, class B> void Lemke<S, B>::bound_level() {
+  if (finite_level() > 0)
+    basis_.set_bound_level(problem_.free_begin, column_scale_, level_scale_[0]);
+}
+
 /// The present basis, factored afresh from the problem as given.
 template <class S, class B> bool Lemke<S, B>::refactorise() {
   for (Index i = 0; i < n_; ++i) target_[i] = basis_.dictionary.basic[i];
   load();
   const S smallest = options_.tolerances.pivot * options_.tolerances.tie;
-  return fresh_ = basis_.factor(target_, candidates_, smallest, scratch_) == 0;
+  fresh_ = basis_.factor(target_, candidates_, smallest, scratch_) == 0;
+  if (fresh_) bound_level();
+  return fresh_;
 }
 
 /// Has rounding in the dictionary moved the finite basic values away from w = q + M z + d z0?
@@ -272,6 +279,7 @@ Status Lemke<S, B>::init(const Problem<S>& problem, const LemkeOptions<S>& optio
   };
   if (left > 0 && (guess == Guess::basis || !drop()))
     return end(Status::numerical_breakdown, Reason::singular_basis);
+  bound_level();
   cover_here();
   entering_ = -1;
   return status_;

@@ -58,7 +58,9 @@ public:
     return at_base(variable) ? out_at_[i] < 0 : in_at_[i] >= 0;
   }
   bool is_long() const { return t_ + 1 >= capacity_ || t_ >= long_; }
+  /// See DenseBasis.
   S respond(const VectorMap<S>& r, VectorMap<S> out);
+  void set_bound_level(Index free_begin, const VectorMap<S>& column_scale, const S& level_scale);
 
   Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
                VectorMap<S> scratch);
@@ -107,6 +109,8 @@ private:
   void list_exchanges(Span<int> target, Span<int> flags);
   Index invert(const S& smallest_pivot);
   void find_values();
+  template <class Value, class Column> void respond_to(Value value, Column&& out);
+  template <class Column, class Entered> void multiply_entered(Column&& out, const Entered& x);
   template <class Column> void add_entered(Column&& out, Index more, const S& x);
 };
 

@@ -95,42 +95,89 @@ Index StructuredBasis<S>::factor(Span<int> target, Span<int> candidates, const S
   return left;
 }
 
-/// The right-hand sides of the problem as given become the values of this basis.
+/// The right-hand sides of the problem as given become the values of this basis: the unknowns that
+/// make the rows that have left 0, corrected for what rounding in K^-1 leaves there.
 template <class S> void StructuredBasis<S>::find_values() {
+  constexpr int corrections = 2;
+  auto column = dictionary.table.col(0);
+  auto rates = rates_.head(t_), entered = along_row_.head(t_);
   for (Index level = 0; level < dictionary.values.cols(); ++level) {
     auto values = dictionary.values.col(level);
     form_.evaluate(values);
-    auto rates = rates_.head(t_);
-    rates.setZero();
-    for (Index k = 0; k < t_; ++k)
-      if (values[out_[k]] != S(0)) rates -= inverse_.col(k).head(t_) * values[out_[k]];
-    add_entered(dictionary.table.col(0), -1, S(0));
-    values += dictionary.table.col(0);
-    for (Index k = 0; k < t_; ++k) values[out_[k]] = rates_[k];
+    entered.setZero();
+    for (int pass = 0; pass <= corrections && t_ > 0; ++pass) {
+      for (Index k = 0; k < t_; ++k) along_column_[k] = values[out_[k]];
+      if (pass > 0) {
+        multiply_entered(column, entered);
+        for (Index k = 0; k < t_; ++k) along_column_[k] += column[out_[k]];
+      }
+      rates.setZero();
+      for (Index k = 0; k < t_; ++k)
+        if (along_column_[k] != S(0)) rates -= inverse_.col(k).head(t_) * along_column_[k];
+      entered += rates;
+    }
+    multiply_entered(column, entered);
+    values += column;
+    for (Index k = 0; k < t_; ++k) values[out_[k]] = entered[k];
   }
 }
 
-/// out = how the basic variables respond to nonbasic w_j = r_j. Returns the largest |r_j|.
-template <class S> S StructuredBasis<S>::respond(const VectorMap<S>& r, VectorMap<S> out) {
-  S largest(0);
-  for (Index i = 0; i < n_; ++i)
-    if (!is_basic(slack(i))) largest = Eigen::numext::maxi(largest, S(Eigen::numext::abs(S(r[i]))));
+/// out = M x for x on the slots that have entered.
+template <class S>
+template <class Column, class Entered>
+void StructuredBasis<S>::multiply_entered(Column&& out, const Entered& x) {
   form_.multiply(
       [&](auto visit) {
-        for (Index i = 0; i < n_; ++i)
-          if (form_.is_flipped(i) && in_at_[i] < 0 && r[i] != S(0)) visit(i, S(r[i]));
+        for (Index k = 0; k < t_; ++k)
+          if (x[k] != S(0)) visit(Index(in_[k]), S(x[k]));
+      },
+      out);
+}
+
+/// out = the basic variables where every nonbasic one is at value(variable) and q = 0.
+template <class S>
+template <class Value, class Column>
+void StructuredBasis<S>::respond_to(Value value, Column&& out) {
+  form_.multiply(
+      [&](auto visit) {
+        for (Index i = 0; i < n_; ++i) {
+          if (in_at_[i] >= 0) continue;
+          const S x = value(other_variable(i));
+          if (x != S(0)) visit(i, x);
+        }
       },
       out);
   auto rates = rates_.head(t_);
   rates.setZero();
   for (Index k = 0; k < t_; ++k) {
-    const S wanted = form_.is_flipped(out_[k]) ? S(0) : S(r[out_[k]]);
+    const S wanted = value(base_variable(out_[k]));
     rates += inverse_.col(k).head(t_) * (wanted - out[out_[k]]);
   }
   add_entered(dictionary.table.col(0), -1, S(0));
   out += dictionary.table.col(0);
   for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
+}
+
+template <class S> S StructuredBasis<S>::respond(const VectorMap<S>& r, VectorMap<S> out) {
+  S largest(0);
+  for (Index i = 0; i < n_; ++i)
+    if (!is_basic(slack(i))) largest = Eigen::numext::maxi(largest, S(Eigen::numext::abs(S(r[i]))));
+  respond_to([&](Index variable) { return variable < n_ ? S(r[variable]) : S(0); }, out);
   return largest;
+}
+
+/// Free unknowns that are basic are at S exactly and nothing else is: rounding in a solve would
+/// leave noise where the ratio test looks first.
+template <class S>
+void StructuredBasis<S>::set_bound_level(Index free_begin, const VectorMap<S>& column_scale,
+                                         const S& level_scale) {
+  auto values = dictionary.values.col(0);
+  const auto bound = [&](Index variable) {
+    const bool is_free = variable >= unknown(free_begin, n_) && variable < artificial(n_);
+    return is_free ? S(S(1) / (column_scale[variable - n_] * level_scale)) : S(0);
+  };
+  respond_to([&](Index variable) { return S(-bound(variable)); }, values);
+  for (Index i = 0; i < n_; ++i) values[i] += bound(dictionary.basic[i]);
 }
 
 /// After factor has left some: see DenseBasis.
