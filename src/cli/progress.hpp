@@ -27,7 +27,8 @@ public:
     const long seconds = second();
     if (seconds < 0) return;
     std::fprintf(stderr, "%slcpush: %ld s, %ld pivots, %td unknowns, cover %td%s",
-                 terminal_ ? "\r\033[K" : "", seconds, pivots_, unknowns, covers, terminal_ ? "" : "\n");
+                 terminal_ ? "\r\033[K" : "", seconds, pivots_, unknowns, covers,
+                 terminal_ ? "" : "\n");
     std::fflush(stderr);
   }
 

@@ -13,7 +13,7 @@ using namespace lcpush::test;
 namespace {
 
 /// How many of the grasps are solved; every one that is called solved is checked.
-template <class S>
+template <class S, class Pivots = Lemke<S>>
 int solved_of(std::uint64_t first, std::uint64_t count, Pressure pressure, S tolerance,
               Family family = Family::plain) {
   int solved = 0;
@@ -21,7 +21,7 @@ int solved_of(std::uint64_t first, std::uint64_t count, Pressure pressure, S tol
     CAPTURE(seed);
     OwnedScene<S> scene = grasp_of<S>(family, seed);
     scene.base.pressure = pressure;
-    SolvedPush<S> push(scene);
+    SolvedPush<S, Pivots> push(scene);
     if (push.solve() != Status::solved) {
       MESSAGE("seed " << seed << ": " << std::string(status_text(push.status)) << " "
                       << std::string(reason_text(push.run.reason)));
@@ -37,6 +37,18 @@ int solved_of(std::uint64_t first, std::uint64_t count, Pressure pressure, S tol
 
 TEST_CASE("200 random grasps under pad: all solved, all checked") {
   CHECK(solved_of<double>(1000, 200, Pressure::pad, 1e-9) == 200);
+}
+
+TEST_CASE("random grasps on the structured basis: all solved, all checked") {
+  using Pivots = StructuredLemke<double>;
+  CHECK(solved_of<double, Pivots>(1000, 300, Pressure::pad, 1e-9) == 300);
+  CHECK(solved_of<double, Pivots>(2000, 300, Pressure::rigid, 1e-9) == 300);
+  CHECK(solved_of<double, Pivots>(5000, 200, Pressure::even, 1e-9, Family::even) == 200);
+  for (const Family family : {Family::planar, Family::soft, Family::parallel, Family::jacobian}) {
+    CAPTURE(static_cast<int>(family));
+    CHECK(solved_of<double, Pivots>(3000, 60, Pressure::pad, 1e-9, family) == 60);
+    CHECK(solved_of<double, Pivots>(4000, 60, Pressure::rigid, 1e-9, family) == 60);
+  }
 }
 
 TEST_CASE("planar, soft, parallel and crookedly driven random grasps: all solved, all checked") {

@@ -21,14 +21,14 @@ namespace lcpush {
 /// Why a run did not end in a solution, beyond its Status.
 enum class Reason {
   none,
-  memory_too_small, ///< bad_input: see lemke_scalars and lemke_integers
+  memory_too_small,    ///< bad_input: see lemke_scalars and lemke_integers
   unsupported_problem, ///< bad_input: a dense matrix, or a tie rule, for the structured basis
-  unsupported,      ///< bad_input: a pressure law or contact model that the scene's patches exclude
-  not_finite,       ///< bad_input: a number of M or q is NaN or infinite
-  residual,         ///< numerical_breakdown: the answer reached fails its residual check
-  false_ray,        ///< numerical_breakdown: the ray reached fails its certificate
-  singular_basis,   ///< numerical_breakdown: the basis cannot be factored
-  retreat,          ///< a free unknown ended at its symbolic bound -S: it runs away
+  unsupported,    ///< bad_input: a pressure law or contact model that the scene's patches exclude
+  not_finite,     ///< bad_input: a number of M or q is NaN or infinite
+  residual,       ///< numerical_breakdown: the answer reached fails its residual check
+  false_ray,      ///< numerical_breakdown: the ray reached fails its certificate
+  singular_basis, ///< numerical_breakdown: the basis cannot be factored
+  retreat,        ///< a free unknown ended at its symbolic bound -S: it runs away
 };
 
 /// The reason as a sentence for people.

@@ -204,7 +204,8 @@ template <class S, class B>
 [[nodiscard]] Status find_breaking(Assembly<S>& assembly, Lemke<S, B>& lemke, Workspace<S>& work,
                                    const Body<S>& pusher, const PressureOptions<S>& options,
                                    Breaking<S>& breaking, PressureRun& run) {
-  return find_breaking(assembly, LemkeRounds<S, const Unobserved, Lemke<S, B>>{lemke}, work, pusher, options, breaking, run);
+  return find_breaking(assembly, LemkeRounds<S, const Unobserved, Lemke<S, B>>{lemke}, work, pusher,
+                       options, breaking, run);
 }
 
 } // namespace lcpush

@@ -106,7 +106,8 @@ template <class S, class B>
 [[nodiscard]] Status solve_pressure(Assembly<S>& assembly, Lemke<S, B>& lemke,
                                     const PressureMemory<S>& memory,
                                     const PressureOptions<S>& options, PressureRun& run) {
-  return solve_pressure(assembly, LemkeRounds<S, const Unobserved, Lemke<S, B>>{lemke}, memory, options, run);
+  return solve_pressure(assembly, LemkeRounds<S, const Unobserved, Lemke<S, B>>{lemke}, memory,
+                        options, run);
 }
 
 namespace detail {

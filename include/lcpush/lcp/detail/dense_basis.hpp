@@ -103,7 +103,7 @@ private:
 /// end: then candidates holds the w that should have left, target the z that should have entered.
 template <class S>
 Index DenseBasis<S>::factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
-                           VectorMap<S> scratch) {
+                            VectorMap<S> scratch) {
   const Index n = dictionary.size();
   // candidates: rows whose w is to leave; target: columns whose variable is to enter.
   Index wanted = 0, leaving = 0;
@@ -156,7 +156,7 @@ bool DenseBasis<S>::drop_pairs(Index left, Span<int> target, Span<int> candidate
     for (Index k = 0; k < both; ++k)
       for (Index l = 0; l < both; ++l) {
         const S x = dictionary.table(dictionary.row_of(unknown(candidates[k], n)),
-                                      dictionary.column_of(slack(target[l])));
+                                     dictionary.column_of(slack(target[l])));
         const S size = x < S(0) ? S(-x) : x;
         if (!(size > largest)) continue;
         largest = size;
@@ -165,7 +165,7 @@ bool DenseBasis<S>::drop_pairs(Index left, Span<int> target, Span<int> candidate
       }
     if (at < 0) return false;
     dictionary.exchange(dictionary.row_of(unknown(candidates[at], n)),
-                         dictionary.column_of(slack(target[to])), scratch);
+                        dictionary.column_of(slack(target[to])), scratch);
     candidates[at] = candidates[both - 1];
     target[to] = target[both - 1];
   }

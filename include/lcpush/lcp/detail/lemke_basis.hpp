@@ -157,7 +157,8 @@ template <class S, class B> bool Lemke<S, B>::drifted() {
   for (Index i = 0; i < n; ++i)
     product_[i] += problem_.q[i] * row_scale_[i] / level_scale_[k] + cover_columns_(i, 0) * z0;
   for (Index i = 0; i < n; ++i)
-    if (basis_.dictionary.basic[i] < n) product_[basis_.dictionary.basic[i]] -= basis_.dictionary.values(i, k);
+    if (basis_.dictionary.basic[i] < n)
+      product_[basis_.dictionary.basic[i]] -= basis_.dictionary.values(i, k);
   const S allowed = S(100) * options_.tolerances.tie * largest;
   return !(product_.cwiseAbs().maxCoeff() <= allowed);
 }
@@ -253,7 +254,8 @@ template <class S, class B> bool Lemke<S, B>::passes_check() {
 
 template <class S, class B> S Lemke<S, B>::artificial_value() const {
   const Index row = basis_.dictionary.row_of(artificial(n_));
-  return row < 0 ? S(0) : S(basis_.dictionary.values(row, finite_level()) * level_scale_[finite_level()]);
+  return row < 0 ? S(0)
+                 : S(basis_.dictionary.values(row, finite_level()) * level_scale_[finite_level()]);
 }
 
 template <class S, class B>
@@ -264,7 +266,7 @@ Status Lemke<S, B>::init(const Problem<S>& problem, const LemkeOptions<S>& optio
 
 template <class S, class B>
 Status Lemke<S, B>::init(const Problem<S>& problem, const LemkeOptions<S>& options,
-                      const unsigned char* active, Guess guess) {
+                         const unsigned char* active, Guess guess) {
   if (prepare(problem, options) != Status::running) return status_;
   cover_columns_.setOnes();
   load();

@@ -5,7 +5,9 @@
 
 namespace lcpush {
 
-template <class S, class B> template <class Observer> Status Lemke<S, B>::start(Observer& observer) {
+template <class S, class B>
+template <class Observer>
+Status Lemke<S, B>::start(Observer& observer) {
   observer.starts(*this);
   if (n_ == 0) return accept();
   const Index cover = basis_.enter(artificial(n_));
@@ -35,7 +37,9 @@ void Lemke<S, B>::pivot(const Turn& turn, Observer& observer) {
   fresh_ = false;
 }
 
-template <class S, class B> template <class Observer> Status Lemke<S, B>::advance(Observer& observer) {
+template <class S, class B>
+template <class Observer>
+Status Lemke<S, B>::advance(Observer& observer) {
   if (entering_ < 0) return start(observer);
   if (pivots_of_cover_ >= limit()) return end(Status::pivot_limit);
   const bool look = pivots_of_cover_ % 64 == 63 && !fresh_;
@@ -117,7 +121,8 @@ template <class S, class B> Status Lemke<S, B>::conclude_ray(Index column) {
       trial_[variable - n] = rate;
   };
   record(entering_, S(1));
-  for (Index i = 0; i < n; ++i) record(basis_.dictionary.basic[i], basis_.dictionary.table(i, column));
+  for (Index i = 0; i < n; ++i)
+    record(basis_.dictionary.basic[i], basis_.dictionary.table(i, column));
 
   const S largest = trial_.cwiseAbs().maxCoeff();
   if (!(largest > S(0))) return end(Status::numerical_breakdown, Reason::false_ray);

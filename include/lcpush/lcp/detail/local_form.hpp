@@ -52,8 +52,8 @@ public:
     find_velocity();
   }
   S entry_of_column(Index row, Index slot) const {
-    const S felt = role_[row] == shared_role ? shared_row(row)
-                                             : S(directions_.row(row).dot(v_.transpose()));
+    const S felt =
+        role_[row] == shared_role ? shared_row(row) : S(directions_.row(row).dot(v_.transpose()));
     return felt + local(row, slot);
   }
   void begin_row(Index row);
@@ -76,7 +76,7 @@ private:
   MatrixMap<S> directions_{nullptr, 0, 0}; // n x width, row i: h_i
   VectorMap<S> cover_{nullptr, 0}, cover_force_{nullptr, 0}, force_{nullptr, 0};
   VectorMap<S> v_{nullptr, 0}, cause_{nullptr, 0};
-  VectorMap<S> held_{nullptr, 0}, cover_held_{nullptr, 0}; // of shared actuators: s, or w at C
+  VectorMap<S> held_{nullptr, 0}, cover_held_{nullptr, 0};    // of shared actuators: s, or w at C
   MatrixMap<S> springs_{nullptr, 0, 0}, core_{nullptr, 0, 0}; // sum of g h' / c, and C
   bool has_springs_ = false;
   Span<S> friction_, compliance_, own_coupling_, inertia_;
@@ -177,10 +177,12 @@ S LocalForm<S>::scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> co
     S slips(0);
     for (Index k = cone.normals; k < cone.forces(); ++k)
       slips = Eigen::numext::maxi(slips, diagonal(cone.force + k));
-    const S normal = equilibrates ? reciprocal_root(S(diagonal(cone.force) + cone.compliance)) : S(1);
+    const S normal =
+        equilibrates ? reciprocal_root(S(diagonal(cone.force) + cone.compliance)) : S(1);
     const S slip = equilibrates ? reciprocal_root(slips) : S(1);
     for (Index k = 0; k < cone.forces(); ++k) {
-      row_scale[cone.variable + k] = column_scale[cone.variable + k] = k < cone.normals ? normal : slip;
+      row_scale[cone.variable + k] = column_scale[cone.variable + k] =
+          k < cone.normals ? normal : slip;
       total += f.wrenches[cone.force + k].cwiseAbs() * column_scale[cone.variable + k];
     }
     if (cone.generators > 0) row_scale[cone.slip()] = column_scale[cone.slip()] = S(1) / slip;
@@ -317,9 +319,7 @@ template <class S> void LocalForm<S>::press(Index c) {
 
 /// Are there so many loaded springs that they do not fit among the exchanges? Few do, and then
 /// nothing is divided by a compliance.
-template <class S>
-template <class IsBasic>
-bool LocalForm<S>::has_springs(IsBasic is_basic) const {
+template <class S> template <class IsBasic> bool LocalForm<S>::has_springs(IsBasic is_basic) const {
   constexpr Index many = 24;
   Index loaded = 0;
   for (Index c = 0; c < problem_->cones.size; ++c)
@@ -441,8 +441,7 @@ void LocalForm<S>::transform(Column& rhs, VectorMap<S>& force, VectorMap<S>& hel
       rhs[normal] = -yields * compliance_[c];
       force += directions_.row(normal).transpose() * yields;
       if (cone.generators == 0) continue;
-      if (slides(c))
-        force += directions_.row(cone.slip()).transpose() * (friction_[c] * yields);
+      if (slides(c)) force += directions_.row(cone.slip()).transpose() * (friction_[c] * yields);
       rhs[slip_[c]] -= friction_[c] * yields;
     }
   }
@@ -528,8 +527,7 @@ template <class S> S LocalForm<S>::local(Index row, Index slot) const {
     if (role == normal_role) return row == slot ? compliance_[c] : S(-compliance_[c]);
     return role == own_role ? S(-own_coupling_[c]) : S(0);
   case generator_role: return role == slip_role ? S(1) : S(0);
-  case slip_role:
-    return role == normal_role ? friction_[c] : role == generator_role ? S(-1) : S(0);
+  case slip_role: return role == normal_role ? friction_[c] : role == generator_role ? S(-1) : S(0);
   default: return role == normal_role ? own_coupling_[c] : S(0);
   }
 }

@@ -6,8 +6,7 @@
 namespace lcpush {
 
 /// What the local form does not hold of the basis: rows that leave, slots that enter.
-template <class S>
-void StructuredBasis<S>::list_exchanges(Span<int> target, Span<int> flags) {
+template <class S> void StructuredBasis<S>::list_exchanges(Span<int> target, Span<int> flags) {
   constexpr int has_slack = 1, has_unknown = 2;
   bool has_artificial = false;
   for (Index i = 0; i < n_; ++i) flags[i] = 0;
@@ -196,8 +195,7 @@ bool StructuredBasis<S>::drop_pairs(Index left, Span<int> target, Span<int> cand
     Index at = -1, to = -1;
     for (Index k = 0; k < both; ++k)
       for (Index l = 0; l < neither; ++l) {
-        const S size =
-            Eigen::numext::abs(S(inverse_(in_at_[candidates[k]], out_at_[target[l]])));
+        const S size = Eigen::numext::abs(S(inverse_(in_at_[candidates[k]], out_at_[target[l]])));
         if (!(size > largest)) continue;
         largest = size;
         at = k;
