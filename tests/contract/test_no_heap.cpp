@@ -204,6 +204,17 @@ TEST_CASE_TEMPLATE("a whole push allocates nothing: workspace, assembly, rounds,
   }
 }
 
+TEST_CASE_TEMPLATE("pivots on the structured basis allocate nothing", S, float, double) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    OwnedScene<S> owned = random_grasp<S>(seed);
+    owned.base.pressure = seed % 2 == 0 ? Pressure::rigid : Pressure::pad;
+    SolvedPush<S, StructuredLemke<S>> push(owned);
+    Status status = Status::running;
+    CHECK(heap_calls_of([&] { status = push.solve(); }) == 0);
+    if (sizeof(S) == sizeof(double)) CHECK(status == Status::solved);
+  }
+}
+
 TEST_CASE("the instant of breaking allocates nothing") {
   for (const Pressure pressure : {Pressure::pad, Pressure::rigid}) {
     OwnedScene<double> owned = straight_slide();

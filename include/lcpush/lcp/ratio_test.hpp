@@ -118,6 +118,9 @@ private:
   /// Harris: a bound on the step with the tolerance, then everything at or below that bound. What
   /// is dropped stays behind the rest: tied_rows() shows it.
   template <class Rate, class Value> void keep_smallest(Rate rate, Value value) {
+    Index first = 0; // the bound level is zero almost everywhere: no need to divide
+    while (first < count_ && value(candidates_[first]) == S(0)) ++first;
+    if (first == count_) return;
     S bound = (value(candidates_[0]) + tolerances_.tie) / rate(candidates_[0]);
     for (Index k = 1; k < count_; ++k) {
       const S step = (value(candidates_[k]) + tolerances_.tie) / rate(candidates_[k]);

@@ -140,7 +140,8 @@ void StructuredBasis<S>::load(const VectorMap<S>& row_scale, const VectorMap<S>&
                               const Column& cover) {
   form_.load(row_scale, column_scale, cover);
   t_ = 0;
-  long_ = capacity_;
+  constexpr Index few = 64; // a small answer has no more: then nothing is factored on the way
+  long_ = few;
   for (Index i = 0; i < n_; ++i) {
     out_at_[i] = in_at_[i] = -1;
     dictionary.basic[i] = static_cast<int>(slack(i));
