@@ -4,6 +4,7 @@
 //     | assemble     one function a law of the paper                     mechanics/laws.hpp
 //   FactoredProblem  w = M z + q,  0 <= z _|_ w >= 0                      lcp/problem.hpp
 //     | solve        Lemke's pivots, under a pressure law                lcp/lemke.hpp
+//     |              the same with O(n) a pivot                          lcp/structured_lemke.hpp
 //     |                                                                  mechanics/pressure.hpp
 //   z
 //     | read_answer  forces, motion, contact modes, in SI units          mechanics/read_answer.hpp

@@ -21,7 +21,8 @@ namespace lcpush {
 /// Why a run did not end in a solution, beyond its Status.
 enum class Reason {
   none,
-  memory_too_small,    ///< bad_input: see lemke_scalars and lemke_integers
+  memory_too_small,    ///< bad_input: see lemke_scalars and lemke_integers; numerical_breakdown:
+                       ///< the structured basis holds no more exchanges
   unsupported_problem, ///< bad_input: a dense matrix, or a tie rule, for the structured basis
   unsupported,    ///< bad_input: a pressure law or contact model that the scene's patches exclude
   not_finite,     ///< bad_input: a number of M or q is NaN or infinite
@@ -198,6 +199,11 @@ private:
   Status end(Status status, Reason reason = Reason::none) {
     reason_ = reason;
     return status_ = status;
+  }
+
+  Status end_unfactored() {
+    return end(Status::numerical_breakdown,
+               basis_.is_too_long() ? Reason::memory_too_small : Reason::singular_basis);
   }
 
   bool carve();

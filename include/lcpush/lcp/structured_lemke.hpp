@@ -1,4 +1,4 @@
-// Lemke's method on a factored problem with pivots in O(n): for grasps of thousands of points.
+// Lemke's method on a factored problem with pivots in O(n): for thousands of cones.
 // Same rules, same observers and checks as the dense one; the dictionary is never formed.
 #pragma once
 

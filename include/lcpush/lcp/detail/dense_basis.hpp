@@ -70,6 +70,7 @@ public:
   bool is_basic(Index variable) const { return dictionary.row_of(variable) >= 0; }
   /// Has the basis grown so that factoring it afresh pays?
   bool is_long() const { return false; }
+  bool is_too_long() const { return false; }
 
   /// out = how the basic variables respond to nonbasic w_j = r_j. Returns the largest |r_j|.
   S respond(const VectorMap<S>& r, VectorMap<S> out) const {

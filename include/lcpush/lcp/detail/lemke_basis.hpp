@@ -279,8 +279,7 @@ Status Lemke<S, B>::init(const Problem<S>& problem, const LemkeOptions<S>& optio
   const auto drop = [&] {
     return basis_.drop_pairs(left, target_, candidates_, smallest, scratch_);
   };
-  if (left > 0 && (guess == Guess::basis || !drop()))
-    return end(Status::numerical_breakdown, Reason::singular_basis);
+  if (left > 0 && (guess == Guess::basis || !drop())) return end_unfactored();
   bound_level();
   cover_here();
   entering_ = -1;

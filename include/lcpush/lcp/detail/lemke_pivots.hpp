@@ -43,8 +43,7 @@ Status Lemke<S, B>::advance(Observer& observer) {
   if (entering_ < 0) return start(observer);
   if (pivots_of_cover_ >= limit()) return end(Status::pivot_limit);
   const bool look = pivots_of_cover_ % 64 == 63 && !fresh_;
-  if ((basis_.is_long() || (look && drifted())) && !refactorise())
-    return end(Status::numerical_breakdown, Reason::singular_basis);
+  if ((basis_.is_long() || (look && drifted())) && !refactorise()) return end_unfactored();
 
   const Index c = basis_.enter(entering_);
   RatioTest<S> test(basis_.dictionary, levels_, options_.tie_rule, ratio_tolerances(), candidates_);
@@ -107,7 +106,7 @@ template <class S, class B> Status Lemke<S, B>::reject() {
 /// its certificate: v >= 0, u = M v + d v0 >= 0, v_i u_i = 0, all on the problem as given.
 template <class S, class B> Status Lemke<S, B>::conclude_ray(Index column) {
   if (!fresh_) {
-    if (!refactorise()) return end(Status::numerical_breakdown, Reason::singular_basis);
+    if (!refactorise()) return end_unfactored();
     return status_;
   }
   const Index n = n_;

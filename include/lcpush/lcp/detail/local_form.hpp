@@ -1,18 +1,18 @@
 // A factored problem, scaled, in a form that principal pivots inside a cone leave alone: every
-// unknown has a *role*, a direction in the space that all cones share, and local coefficients. A
-// sliding point, whose slip and one friction force are basic, is such a pivot: unknowns swap roles
-// and directions change, the form does not. So a basis of thousands of sliding points is as cheap
-// as one of a few.
+// unknown has a *role*, a direction in the space that all cones share, and local coefficients.
+// Where the slip and one friction force are basic, the cone *slides*: that is such a pivot, the
+// unknowns swap roles and directions change, the form does not. So a basis with thousands of
+// sliding cones is as cheap as one with a few.
 //
 //     row i = h_i' v + local terms,   v = C (A F_0..5, -s),   F = sum_j g_j x_j
 //
 // h_i has 6 + k entries: the wrench, and the couplings to the k actuators that several forces
-// share. g_j = h_j, but of a normal force h_j plus mu times the direction in which its point
+// share. g_j = h_j, but of a normal force h_j plus mu times the direction in which its cone
 // slides. x_j is the variable of slot j that is not basic at x = 0, row j its complement.
 //
-// Compliant points that are loaded are pivoted too, each on its own compliance c: their forces
-// answer v as springs, lambda = (w - h'v - q) / c, and all of them together change C, a matrix of
-// 6 + k rows; without them it is the identity.
+// Compliant cones with a basic normal force are pivoted too, each on its own compliance c: their
+// forces answer v as springs, lambda = (w - h'v - q) / c, and all of them together change C, a
+// matrix of 6 + k rows; without them it is the identity.
 #pragma once
 
 #include "lcpush/lcp/equilibrate.hpp"
@@ -121,7 +121,7 @@ private:
 /// Is this sum group one normal force's own affair? Then its unknown and that force can be pivoted
 /// on their coupling.
 template <class S> Index own_cone(const FactoredProblem<S>& problem, const SumGroup<S>& sum) {
-  if (sum.count != 1 || sum.inertia != S(0)) return -1;
+  if (sum.count != 1 || sum.inertia != S(0) || problem.coupling[sum.first] == S(0)) return -1;
   const Index variable = problem.coupled_variable[sum.first];
   Index low = 0, high = problem.cones.size;
   while (high - low > 1) {
@@ -351,7 +351,7 @@ template <class S> template <class IsBasic> bool LocalForm<S>::press_springs(IsB
 /// Gauss-Jordan with row pivoting, in place, on rows of largest entry 1.
 template <class S> bool LocalForm<S>::invert_core() {
   const Index size = width();
-  constexpr int most = 6 + 32; // actuators that many points share
+  constexpr int most = 6 + 32; // few actuators are shared by many cones
   if (size > most) return false;
   Index from[most];
   for (Index i = 0; i < size; ++i) {

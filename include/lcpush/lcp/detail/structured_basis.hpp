@@ -4,7 +4,7 @@
 //     K = M(rows that have left, slots that have entered),   K^-1 stored and updated.
 //
 // The entering column follows from K^-1 and one product with the local form. Cost of a pivot:
-// O(n + t^2) for t exchanges; when t has grown, the basis is factored afresh, and the points that
+// O(n + t^2) for t exchanges; when t has grown, the basis is factored afresh, and the cones that
 // slide go to the local form.
 #pragma once
 
@@ -57,6 +57,8 @@ public:
     const Index i = slot_of(variable);
     return at_base(variable) ? out_at_[i] < 0 : in_at_[i] >= 0;
   }
+  /// Has the basis outgrown the memory, however it is factored?
+  bool is_too_long() const { return t_ > capacity_; }
   bool is_long() const { return t_ + 1 >= capacity_ || t_ >= long_; }
   /// See DenseBasis.
   S respond(const VectorMap<S>& r, VectorMap<S> out);
