@@ -48,16 +48,17 @@ struct Push::Meter {
 };
 
 /// Calls `use` with the rounds of the solver asked for: by pivots on the structured basis where
-/// that is faster, and once more on the whole dictionary if that gives up.
+/// that is faster, and once more on the whole dictionary if that finds no answer.
 template <class Use> Status Push::with_rounds(const PushOptions& options, const Use& use) {
   Listener listener(*this, options);
   last_structured_ = options.solver != Solver::gauss_seidel && takes_structure(options);
   if (last_structured_) {
-    constexpr Index largest_dense = 2000; // unknowns; beyond, the dictionary takes minutes
+    // Unknowns; beyond, the dictionary takes minutes. A ray has been verified: it gets less time.
+    constexpr Index largest_after_ray = 600, largest_dense = 2000;
     const Status status = with_pivots(options, structured_pivots(), Meter{listener}, use);
-    const bool gave_up = status == Status::numerical_breakdown || status == Status::pivot_limit ||
-                         status == Status::bad_input;
-    if (!gave_up || layout().size > largest_dense) return status;
+    const bool ended = status == Status::solved || status == Status::does_not_hold;
+    const Index largest = status == Status::ray ? largest_after_ray : largest_dense;
+    if (ended || layout().size > largest) return status;
     last_structured_ = false;
   }
   if (options.solver == Solver::gauss_seidel)
