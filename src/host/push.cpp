@@ -1,6 +1,7 @@
 #include "lcpush/host/push.hpp"
 
 #include <cmath>
+#include <new>
 
 #include "message.hpp"
 #include "push_rounds.hpp"
@@ -89,14 +90,17 @@ bool Push::takes_structure(const PushOptions& options) const {
          StructuredBasis<double>::supports(assembly_.problem(), options.lemke.tie_rule);
 }
 
+/// Sized for the largest problem so far: the scene is also solved without its pushers.
 StructuredLemke<double>& Push::structured_pivots() {
-  if (structured_scalars_.empty()) {
-    const Index n = layout().size, points = layout().points;
-    const Index shared = detail::shared_actuators(assembly_.factored());
-    structured_scalars_.resize(
-        static_cast<std::size_t>(structured_lemke_scalars(n, points, shared)));
-    structured_integers_.resize(static_cast<std::size_t>(structured_lemke_integers(n, points)));
-    structured_ = StructuredLemke<double>(
+  const Index n = layout().size, points = layout().points;
+  const Index shared = detail::shared_actuators(assembly_.factored());
+  const auto scalars = static_cast<std::size_t>(structured_lemke_scalars(n, points, shared));
+  const auto integers = static_cast<std::size_t>(structured_lemke_integers(n, points));
+  if (structured_scalars_.size() < scalars || structured_integers_.size() < integers) {
+    structured_scalars_.resize(scalars);
+    structured_integers_.resize(integers);
+    // Assigning would copy through its views of the old memory.
+    new (&structured_) StructuredLemke<double>(
         {structured_scalars_.data(), static_cast<Index>(structured_scalars_.size())},
         {structured_integers_.data(), static_cast<Index>(structured_integers_.size())});
   }
