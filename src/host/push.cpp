@@ -91,10 +91,7 @@ void Push::record(Index sweep, const double* z) {
 }
 
 Status Push::run(const PushOptions& options, double sigma, PressureRun& spent) {
-  PressureOptions<double> pressure;
-  // A slow push moves everything slowly: what is left of [T.2] must be small against that.
-  const double push = sigma * push_size(scene_) / layout().scales.acceleration;
-  if (push > 0 && push < 1) pressure.tolerance *= std::max(push, 1e-4);
+  const PressureOptions<double> pressure = pressure_options(scene_, layout().scales, sigma);
   assembly_.push_by(sigma);
   const Status status = with_rounds(options, [&](const auto& rounds) {
     return solve_pressure(assembly_, rounds, work_.pressure, pressure, spent);
