@@ -14,6 +14,8 @@ namespace {
 
 constexpr double together = 1e-9; // of the range: cuts nearer than this are one
 constexpr double jump = 1e-6;     // relative: a larger step of the answer is a jump
+constexpr double blurred = 1e-5;  // of the range: what bisection leaves between two ways
+constexpr double branches = 1e-5; // relative: farther apart, two answers are on different branches
 
 /// Both quantities along the range, each in its own pieces.
 struct Tracks {
@@ -43,7 +45,7 @@ private:
   const Tracks& tracks_;
 
   std::vector<double> cuts() const;
-  std::string change(const std::vector<Piece>& pieces, double t, bool& jumps) const;
+  std::string change(Quantity quantity, double t, bool& jumps) const;
 };
 
 std::vector<double> Merger::cuts() const {
@@ -59,8 +61,14 @@ std::vector<double> Merger::cuts() const {
   return cuts;
 }
 
+/// Of the instant of breaking only the force is shown.
+bool shown_differ(const Outputs& a, const Outputs& b, Quantity quantity, double tolerance) {
+  return quantity == Quantity::push ? differ(a, b, tolerance) : normals_differ(a, b, tolerance);
+}
+
 /// What changes in one track at t, if anything.
-std::string Merger::change(const std::vector<Piece>& pieces, double t, bool& jumps) const {
+std::string Merger::change(Quantity quantity, double t, bool& jumps) const {
+  const std::vector<Piece>& pieces = quantity == Quantity::push ? tracks_.push : tracks_.breaking;
   std::string text;
   for (std::size_t i = 1; i < pieces.size(); ++i) {
     const Piece& before = pieces[i - 1];
@@ -76,7 +84,7 @@ std::string Merger::change(const std::vector<Piece>& pieces, double t, bool& jum
       words = change_text(file_, before.at_to, after.at_from);
     const bool steps = after.kind != SegmentKind::unsolved &&
                        before.kind != SegmentKind::unsolved &&
-                       differ(before.at_to, after.at_from, jump);
+                       shown_differ(before.at_to, after.at_from, quantity, jump);
     jumps = jumps || steps;
     if (steps)
       words += before.why.empty() ? "; the answer jumps" : "; the answer jumps: " + before.why;
@@ -107,8 +115,8 @@ std::vector<SweepSegment> Merger::segments() const {
     segment.at_from = at(from);
     segment.at_to = at(to);
     if (to < 1) {
-      const std::string pushed = change(tracks_.push, to, segment.jumps);
-      const std::string broken = change(tracks_.breaking, to, segment.jumps);
+      const std::string pushed = change(Quantity::push, to, segment.jumps);
+      const std::string broken = change(Quantity::breaking, to, segment.jumps);
       if (pushed == broken || broken.empty())
         segment.change = pushed;
       else
@@ -132,9 +140,12 @@ Tracks find_tracks(SweepSolver& solver, bool exact, const ParameterSweepOptions&
   const auto find = exact ? exact_pieces : bisected_pieces;
   Tracks tracks;
   tracks.push = joined(find(solver, Quantity::push, options.most_segments, report(0)), tolerance);
-  // A range that begins or ends at rest has a push in between.
-  solver.go_to(value_at(solver.variations().front(), 0.5));
-  if (push_size(solver.point().scene) > 0)
+  bool pushes = false; // somewhere in the range
+  for (const double t : {0.0, 0.3, 1.0}) {
+    solver.go_to(value_at(solver.variations().front(), t));
+    pushes = pushes || solver.has(Quantity::breaking);
+  }
+  if (pushes)
     tracks.breaking =
         joined(find(solver, Quantity::breaking, options.most_segments, report(0.5)), tolerance);
   return tracks;
@@ -147,7 +158,7 @@ Variation reversed(Variation variation) {
 
 /// Where the way there and the way back disagree, as shares of the range.
 std::vector<BistableRange> disagreements(const Tracks& there, const Tracks& back,
-                                         const Variation& variation) {
+                                         const Variation& variation, double shortest) {
   std::vector<double> cuts = {0, 1};
   for (const std::vector<Piece>* pieces : {&there.push, &there.breaking})
     for (const Piece& piece : *pieces) cuts.push_back(piece.to);
@@ -156,16 +167,17 @@ std::vector<BistableRange> disagreements(const Tracks& there, const Tracks& back
   std::sort(cuts.begin(), cuts.end());
   std::vector<BistableRange> ranges;
   for (std::size_t i = 1; i < cuts.size(); ++i) {
-    if (cuts[i] - cuts[i - 1] <= 4 * together) continue;
+    if (cuts[i] - cuts[i - 1] <= shortest) continue;
     const double t = (cuts[i] + cuts[i - 1]) / 2;
     bool same = true;
-    for (const auto& [a, b] :
-         {std::pair(&there.push, &back.push), std::pair(&there.breaking, &back.breaking)}) {
-      const Piece* const first = piece_at(*a, t);
-      const Piece* const second = piece_at(*b, 1 - t);
+    for (const Quantity quantity : {Quantity::push, Quantity::breaking}) {
+      const bool is_push = quantity == Quantity::push;
+      const Piece* const first = piece_at(is_push ? there.push : there.breaking, t);
+      const Piece* const second = piece_at(is_push ? back.push : back.breaking, 1 - t);
       if (first == nullptr || second == nullptr) continue;
       if (first->kind == SegmentKind::unsolved || second->kind == SegmentKind::unsolved) continue;
-      same = same && !differ(piece_value(*first, t), piece_value(*second, 1 - t), 1e-5);
+      same = same &&
+             !shown_differ(piece_value(*first, t), piece_value(*second, 1 - t), quantity, branches);
     }
     if (same) continue;
     const double from = value_at(variation, cuts[i - 1]), to = value_at(variation, cuts[i]);
@@ -187,7 +199,7 @@ void find_segments(const VariedScene& scene, SweepSolver& solver, bool exact,
   if (options.both_ways) {
     SweepSolver backwards(scene, {reversed(variation)}, solver.pusher());
     const Tracks back = find_tracks(backwards, exact, options, share, share);
-    sweep.bistable = disagreements(there, back, variation);
+    sweep.bistable = disagreements(there, back, variation, exact ? 4 * together : blurred);
     if (!sweep.bistable.empty()) sweep.back = Merger(file, reversed(variation), back).segments();
     sweep.cold += backwards.cold();
     sweep.warm += backwards.warm();

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double on_the_line = 1e-6; // relative
 constexpr double sharpest = 1e-6;    // of the range
+constexpr double blurred = 1e-4;     // of the range
 constexpr double first_stride = 1.0 / 256;
 
 struct At {
@@ -103,13 +104,15 @@ Piece BisectedWalk::grow(const At& start, At& next) {
 }
 
 /// Where two lines meet, if they do so next to where the one ends and the other begins.
-void sharpen(Piece& before, Piece& after) {
+void sharpen(Quantity quantity, Piece& before, Piece& after, double nearest) {
   if (before.kind != SegmentKind::bisected || after.kind != SegmentKind::bisected) return;
   if (before.at_to.status != after.at_from.status) return;
   const double at = before.to;
-  const auto values = [](const Outputs& o) {
-    Eigen::Matrix<double, 10, 1> v;
-    v << o.normal, o.force, o.twist;
+  // At breaking the motion need not go on where the force does.
+  const auto values = [&](const Outputs& o) {
+    Eigen::Matrix<double, 10, 1> v = Eigen::Matrix<double, 10, 1>::Zero();
+    v[0] = o.normal;
+    if (quantity == Quantity::push) v.tail<9>() << o.force, o.twist;
     return v;
   };
   const auto slope = [&](const Piece& piece) {
@@ -127,10 +130,31 @@ void sharpen(Piece& before, Piece& after) {
   Index largest = 0;
   if (!(scaled_kink.cwiseAbs().maxCoeff(&largest) > 0)) return;
   const double t = at + scaled_off[largest] / scaled_kink[largest];
-  if (!(std::abs(t - at) <= 2 * sharpest)) return;
+  if (!(std::abs(t - at) <= nearest)) return;
   before.at_to = on_line(before.at_from, before.from, before.at_to, before.to, t);
   after.at_from = on_line(after.at_from, after.from, after.at_to, after.to, t);
   before.to = after.from = t;
+}
+
+/// Next to a change of mode the small pushes that breaking is extrapolated from lie on both sides
+/// of it: what looks like a short piece there is blur. The pieces beside it meet in its middle.
+std::vector<Piece> without_slivers(const std::vector<Piece>& pieces, double shortest) {
+  std::vector<Piece> list;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    Piece piece = pieces[i];
+    const bool is_sliver = piece.to - piece.from < shortest && piece.from > 0 && piece.to < 1;
+    if (is_sliver && !list.empty() && list.back().kind == SegmentKind::bisected) continue;
+    if (!list.empty() && list.back().to < piece.from) {
+      Piece& last = list.back();
+      const double middle = (last.to + piece.from) / 2;
+      last.at_to = on_line(last.at_from, last.from, last.at_to, last.to, middle);
+      if (piece.kind == SegmentKind::bisected)
+        piece.at_from = on_line(piece.at_from, piece.from, piece.at_to, piece.to, middle);
+      last.to = piece.from = middle;
+    }
+    list.push_back(std::move(piece));
+  }
+  return list;
 }
 
 } // namespace
@@ -152,8 +176,11 @@ std::vector<Piece> bisected_pieces(SweepSolver& solver, Quantity quantity, Index
     rest.kind = SegmentKind::unsolved;
     pieces.push_back(rest);
   }
-  for (std::size_t i = 1; i < pieces.size(); ++i) sharpen(pieces[i - 1], pieces[i]);
-  return pieces;
+  const double blur = quantity == Quantity::breaking ? blurred : 0;
+  std::vector<Piece> list = without_slivers(pieces, blur);
+  for (std::size_t i = 1; i < list.size(); ++i)
+    sharpen(quantity, list[i - 1], list[i], 2 * sharpest + blur);
+  return list;
 }
 
 } // namespace lcpush::host

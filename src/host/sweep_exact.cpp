@@ -32,7 +32,8 @@ private:
 
   Basis basis_;
   Status failure_ = Status::bad_input; // of the last cold solve that failed
-  double t_ = 0, reference_ = 0;       // where the present piece begins; where Lemke stands
+  double astray_ = -1;           // where a fresh start has been made because a piece was no answer
+  double t_ = 0, reference_ = 0; // where the present piece begins; where Lemke stands
 
   void go_to(double t) { solver_.go_to(value_at(solver_.variations().front(), t)); }
   Assembly<double>& assembly() { return solver_.point().assembly; }
@@ -56,9 +57,15 @@ void ExactWalk::measure_directions() {
         F * Eigen::Map<const Eigen::VectorXd>(problem.push, problem.size));
   };
   const auto first = levels(0), last = levels(1);
-  rest_step_ = last.first - first.first;
-  push_step_ = last.second - first.second;
-  moves_push_ = quantity_ == Quantity::breaking && push_step_.cwiseAbs().maxCoeff() > 0;
+  const auto step = [](const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+    const double rounding = 64 * Eigen::NumTraits<double>::epsilon() * from.cwiseAbs().maxCoeff();
+    Eigen::VectorXd by = to - from;
+    if (by.cwiseAbs().maxCoeff() <= rounding) by.setZero();
+    return by;
+  };
+  rest_step_ = step(first.first, last.first);
+  push_step_ = step(first.second, last.second);
+  moves_push_ = quantity_ == Quantity::breaking && !push_step_.isZero(0);
 }
 
 /// From where Lemke stands.
@@ -78,7 +85,7 @@ ParametricPath<double> ExactWalk::path() {
 
 bool ExactWalk::start_at(double t) {
   go_to(t);
-  if (quantity_ == Quantity::breaking && !(push_size(solver_.point().scene) > 0)) return false;
+  if (!solver_.has(quantity_)) return false;
   const Status status = solver_.solve_cold(quantity_, basis_);
   if (status != Status::solved) {
     failure_ = status;
@@ -167,9 +174,13 @@ bool ExactWalk::step() {
   const double end = step.end == PathEnd::unbounded ? 1 : std::min(1.0, reference_ + step.until);
   std::string why;
   if (end - t_ > least && !add_piece(end)) {
-    // Rounding has led the path astray: what was found is not believed.
-    if (!start_beyond() && !find_later_start()) return false;
-    return true;
+    // Rounding has led the path astray, and what it found is not believed: start afresh, once.
+    if (t_ != astray_ && start_beyond()) {
+      astray_ = t_;
+      return true;
+    }
+    failure_ = Status::numerical_breakdown;
+    return find_later_start();
   }
   if (end >= 1 - least) return false;
   t_ = std::max(t_, end);
@@ -185,7 +196,7 @@ bool ExactWalk::step() {
       basis_ = next;
       reference_ = middle;
       if (!pieces_.empty() && step.jumps)
-        pieces_.back().why = "the answer moves while the parameter stands still";
+        pieces_.back().why = "all answers in between are answers here";
       return true;
     }
   } else if (step.end == PathEnd::turned_back) {

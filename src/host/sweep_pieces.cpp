@@ -3,29 +3,53 @@
 #include <algorithm>
 #include <cmath>
 
+#include "message.hpp"
+
 namespace lcpush::host {
 namespace {
 
-std::string slip_text(const Vector3<double>& slip) {
-  return slip.norm() > 0 ? " along " + direction_text(slip) : "";
-}
+/// A change as one contact makes it, and as several do: "wall.1 sticks", "wall.1 and wall.2 stick".
+struct Words {
+  std::string one, many;
+  bool operator==(const Words& other) const { return one == other.one; }
+};
 
-/// What one contact does from here on that it did not do before.
-std::string change_of(const std::string& name, const ContactState& before,
-                      const ContactState& after) {
+/// What a contact does from here on that it did not do before; no words if nothing.
+Words change_of(const ContactState& before, const ContactState& after) {
   if (before.mode != after.mode) {
+    const std::string along =
+        after.slip.norm() > 0 ? " along " + direction_text(after.slip) : std::string();
+    const bool touches = before.mode == Mode::separate;
     switch (after.mode) {
-    case Mode::separate: return name + " separates";
+    case Mode::separate: return {"separates", "separate"};
     case Mode::stick:
-      return name + (before.mode == Mode::separate ? " touches and sticks" : " sticks");
+      return touches ? Words{"touches and sticks", "touch and stick"} : Words{"sticks", "stick"};
     case Mode::slide: break;
     }
-    return name + (before.mode == Mode::separate ? " touches and slides" : " starts to slide") +
-           slip_text(after.slip);
+    return touches ? Words{"touches and slides" + along, "touch and slide" + along}
+                   : Words{"starts to slide" + along, "start to slide" + along};
   }
   if (before.pressed != after.pressed)
-    return name + (after.pressed ? " takes load" : " is relieved of its load");
-  return "";
+    return after.pressed ? Words{"takes load", "take load"}
+                         : Words{"is relieved of its load", "are relieved of their load"};
+  return {};
+}
+
+/// The points that do this: a body's name where all of its points do.
+std::string sentence(const SceneFile& file, const std::vector<std::size_t>& points,
+                     const Words& words) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < points.size();) {
+    const Index b = file.body_of(static_cast<Index>(points[k]));
+    const Body<double>& body = file.bodies[static_cast<std::size_t>(b)];
+    const auto count = static_cast<std::size_t>(body.point_count);
+    const bool whole = static_cast<Index>(points[k]) == body.first_point &&
+                       k + count <= points.size() && points[k + count - 1] == points[k] + count - 1;
+    names.push_back(whole && count > 1 ? file.body_names[static_cast<std::size_t>(b)]
+                                       : point_name(file, static_cast<Index>(points[k])));
+    k += whole ? count : 1;
+  }
+  return listed(names, "and") + " " + (names.size() > 1 ? words.many : words.one);
 }
 
 double force_size(const Outputs& a) { return std::max(std::abs(a.normal), a.force.norm()); }
@@ -50,12 +74,18 @@ Outputs on_line(const Outputs& first, double t0, const Outputs& second, double t
 }
 
 bool differ(const Outputs& a, const Outputs& b, double tolerance) {
-  if (a.status != b.status) return true;
-  const double force = std::max(force_size(a), force_size(b));
-  const double motion = std::max(a.twist.norm(), b.twist.norm());
-  return std::abs(a.normal - b.normal) > tolerance * force ||
-         (a.force - b.force).norm() > tolerance * force ||
-         (a.twist - b.twist).norm() > tolerance * motion;
+  if (normals_differ(a, b, tolerance)) return true;
+  const double force =
+      tolerance * std::max(force_size(a), force_size(b)) + std::max(a.force_noise, b.force_noise);
+  const double motion = tolerance * std::max(a.twist.norm(), b.twist.norm()) +
+                        std::max(a.motion_noise, b.motion_noise);
+  return (a.force - b.force).norm() > force || (a.twist - b.twist).norm() > motion;
+}
+
+bool normals_differ(const Outputs& a, const Outputs& b, double tolerance) {
+  const double force = tolerance * std::max(std::abs(a.normal), std::abs(b.normal)) +
+                       std::max(a.force_noise, b.force_noise);
+  return a.status != b.status || std::abs(a.normal - b.normal) > force;
 }
 
 std::vector<Piece> joined(const std::vector<Piece>& pieces, double tolerance) {
@@ -99,12 +129,29 @@ std::string change_text(const SceneFile& file, const Outputs& before, const Outp
     if (before.status == Status::does_not_hold && after.is_solved())
       add("the grasp holds the object");
   }
-  for (std::size_t i = 0; i < before.contacts.size() && i < after.contacts.size(); ++i)
-    add(change_of(point_name(file, static_cast<Index>(i)), before.contacts[i], after.contacts[i]));
-  if (!text.empty()) return text;
-  for (std::size_t i = 0; i < before.contacts.size() && i < after.contacts.size(); ++i)
+  const std::size_t contacts = std::min(before.contacts.size(), after.contacts.size());
+  std::vector<Words> seen;
+  std::vector<std::vector<std::size_t>> points; // of each of these
+  const auto note = [&](std::size_t contact, const Words& words) {
+    if (words.one.empty()) return;
+    const auto at = std::find(seen.begin(), seen.end(), words) - seen.begin();
+    if (at == static_cast<std::ptrdiff_t>(seen.size())) {
+      seen.push_back(words);
+      points.emplace_back();
+    }
+    points[static_cast<std::size_t>(at)].push_back(contact);
+  };
+  for (std::size_t i = 0; i < contacts; ++i)
+    note(i, change_of(before.contacts[i], after.contacts[i]));
+  std::vector<std::size_t> turned;
+  for (std::size_t i = 0; i < contacts && seen.empty() && text.empty(); ++i)
     if (after.contacts[i].mode == Mode::slide && before.contacts[i].rubs != after.contacts[i].rubs)
-      add("the friction of " + point_name(file, static_cast<Index>(i)) + " turns");
+      turned.push_back(i);
+  if (!turned.empty())
+    add(sentence(
+        file, turned,
+        {"slides with friction in another direction", "slide with friction in another direction"}));
+  for (std::size_t k = 0; k < seen.size(); ++k) add(sentence(file, points[k], seen[k]));
   return text.empty() ? "forces are shared in another way" : text;
 }
 

@@ -1,6 +1,7 @@
 // One quantity along one parameter: pieces on which it is a straight line.
 #pragma once
 
+#include <cmath>
 #include <functional>
 
 #include "sweep_solver.hpp"
@@ -31,17 +32,21 @@ Outputs on_line(const Outputs& first, double t0, const Outputs& second, double t
 /// Do two answers differ by more than what rounding leaves?
 bool differ(const Outputs& a, const Outputs& b, double tolerance);
 
+/// The same of the pusher's normal force alone.
+bool normals_differ(const Outputs& a, const Outputs& b, double tolerance);
+
 /// Pieces that go on in one line in the same modes become one.
 std::vector<Piece> joined(const std::vector<Piece>& pieces, double tolerance);
 
 /// "right.2 starts to slide along +x, wall.1 separates"; empty if the modes are the same.
 std::string change_text(const SceneFile& file, const Outputs& before, const Outputs& after);
 
-/// The parameter's value at t.
+/// The parameter's value at t; what rounding leaves of a zero is zero.
 inline double value_at(const Variation& variation, double t) {
-  return t <= 0   ? variation.from
-         : t >= 1 ? variation.to
-                  : variation.from + t * (variation.to - variation.from);
+  if (t <= 0) return variation.from;
+  if (t >= 1) return variation.to;
+  const double range = variation.to - variation.from, value = variation.from + t * range;
+  return std::abs(value) <= 1e-12 * std::abs(range) ? 0 : value;
 }
 
 } // namespace lcpush::host

@@ -64,6 +64,7 @@ bool SweepSolver::stand_on(Quantity quantity, const Basis& basis) {
 }
 
 Outputs SweepSolver::on_basis(Quantity quantity, const Basis& basis) {
+  if (!has(quantity)) return {};
   BasisSolution solution;
   if (!solve_on_basis(point_->problem(quantity), basis, solution)) {
     // The small system may be worse conditioned than the dictionary.
@@ -81,7 +82,10 @@ Outputs SweepSolver::on_basis(Quantity quantity, const Basis& basis) {
 /// The states of work.answer's contacts.
 Outputs SweepSolver::read_contacts(Outputs outputs) const {
   const Answer<double>& answer = point_->work.answer;
-  const double pressed = 1000 * Tolerances<double>().tie * point_->assembly.layout().scales.force;
+  const Scales<double>& scales = point_->assembly.layout().scales;
+  const double pressed = 1000 * Tolerances<double>().tie * scales.force;
+  outputs.force_noise = 1e-11 * scales.force;
+  outputs.motion_noise = 1e-11 * scales.acceleration;
   Index entry = 0;
   for (Index i = 0; i < answer.contacts.size; ++i) {
     const ContactAnswer<double>& contact = answer.contacts[i];
@@ -124,7 +128,9 @@ Outputs SweepSolver::judge_breaking(Status status, const Breaking<double>& break
   outputs.force = breaking.force.head<3>();
   outputs.twist = breaking.twist;
   outputs.residual = breaking.residuals.max();
-  return read_contacts(std::move(outputs));
+  outputs = read_contacts(std::move(outputs));
+  outputs.motion_noise /= push_size(point_->scene); // of a unit push
+  return outputs;
 }
 
 Outputs SweepSolver::read_breaking(const BasisSolution& solution) {
@@ -143,7 +149,7 @@ Outputs SweepSolver::read_breaking(const BasisSolution& solution) {
 }
 
 Outputs SweepSolver::solve(Quantity quantity, RoundBases& bases) {
-  if (quantity == Quantity::breaking && !(push_size(point_->scene) > 0)) return {};
+  if (!has(quantity)) return {};
   if (point_->scene.pressure == Pressure::pad) return solve_pad(quantity, bases);
   if (!bases.empty()) {
     Outputs outputs = on_basis(quantity, bases.front());

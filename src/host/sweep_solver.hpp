@@ -29,6 +29,7 @@ struct Outputs {
   Vector3<double> force = Vector3<double>::Zero(); ///< N, the pusher's
   Vector6<double> twist = Vector6<double>::Zero(); ///< as prescribed, or of a unit push
   double residual = 0;
+  double force_noise = 0, motion_noise = 0; ///< N, m/s^2: less is rounding's
   std::vector<ContactState> contacts;
 
   bool is_solved() const { return status == Status::solved; }
@@ -66,6 +67,10 @@ public:
   const std::vector<Variation>& variations() const { return variations_; }
   Index pusher() const { return pusher_; }
 
+  /// Is there anything to ask? Without a prescribed motion nothing breaks.
+  bool has(Quantity quantity) const {
+    return quantity == Quantity::push || push_size(point_->scene) > 0;
+  }
   /// The answer by the scene's pressure law, from `bases` if there are any, which receive its own.
   Outputs solve(Quantity quantity, RoundBases& bases);
   Index cold() const { return cold_; }
