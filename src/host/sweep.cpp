@@ -61,11 +61,6 @@ std::vector<double> Merger::cuts() const {
   return cuts;
 }
 
-/// Of the instant of breaking only the force is shown.
-bool shown_differ(const Outputs& a, const Outputs& b, Quantity quantity, double tolerance) {
-  return quantity == Quantity::push ? differ(a, b, tolerance) : normals_differ(a, b, tolerance);
-}
-
 /// What changes in one track at t, if anything.
 std::string Merger::change(Quantity quantity, double t, bool& jumps) const {
   const std::vector<Piece>& pieces = quantity == Quantity::push ? tracks_.push : tracks_.breaking;
@@ -84,7 +79,7 @@ std::string Merger::change(Quantity quantity, double t, bool& jumps) const {
       words = change_text(file_, before.at_to, after.at_from);
     const bool steps = after.kind != SegmentKind::unsolved &&
                        before.kind != SegmentKind::unsolved &&
-                       shown_differ(before.at_to, after.at_from, quantity, jump);
+                       differ(before.at_to, after.at_from, quantity, jump);
     jumps = jumps || steps;
     if (steps)
       words += before.why.empty() ? "; the answer jumps" : "; the answer jumps: " + before.why;
@@ -139,15 +134,16 @@ Tracks find_tracks(SweepSolver& solver, bool exact, const ParameterSweepOptions&
   const double tolerance = exact ? 1e-10 : 1e-6;
   const auto find = exact ? exact_pieces : bisected_pieces;
   Tracks tracks;
-  tracks.push = joined(find(solver, Quantity::push, options.most_segments, report(0)), tolerance);
+  tracks.push = joined(find(solver, Quantity::push, options.most_segments, report(0)),
+                       Quantity::push, tolerance);
   bool pushes = false; // somewhere in the range
   for (const double t : {0.0, 0.3, 1.0}) {
     solver.go_to(value_at(solver.variations().front(), t));
     pushes = pushes || solver.has(Quantity::breaking);
   }
   if (pushes)
-    tracks.breaking =
-        joined(find(solver, Quantity::breaking, options.most_segments, report(0.5)), tolerance);
+    tracks.breaking = joined(find(solver, Quantity::breaking, options.most_segments, report(0.5)),
+                             Quantity::breaking, 10 * tolerance);
   return tracks;
 }
 
@@ -176,12 +172,13 @@ std::vector<BistableRange> disagreements(const Tracks& there, const Tracks& back
       const Piece* const second = piece_at(is_push ? back.push : back.breaking, 1 - t);
       if (first == nullptr || second == nullptr) continue;
       if (first->kind == SegmentKind::unsolved || second->kind == SegmentKind::unsolved) continue;
-      same = same &&
-             !shown_differ(piece_value(*first, t), piece_value(*second, 1 - t), quantity, branches);
+      same =
+          same && !differ(piece_value(*first, t), piece_value(*second, 1 - t), quantity, branches);
     }
     if (same) continue;
     const double from = value_at(variation, cuts[i - 1]), to = value_at(variation, cuts[i]);
-    if (!ranges.empty() && ranges.back().to == from)
+    const double near = 2 * shortest * std::abs(variation.to - variation.from);
+    if (!ranges.empty() && std::abs(ranges.back().to - from) <= near)
       ranges.back().to = to;
     else
       ranges.push_back({from, to});

@@ -9,9 +9,11 @@
 namespace lcpush::host {
 namespace {
 
-constexpr double on_the_line = 1e-6; // relative
-constexpr double sharpest = 1e-6;    // of the range
-constexpr double blurred = 1e-4;     // of the range
+constexpr double on_the_line = 1e-6; // relative; of breaking ten times that
+constexpr Index most_solves = 600;   // then samples have to do
+constexpr Index samples = 32;
+constexpr double sharpest = 1e-6; // of the range
+constexpr double blurred = 1e-4;  // of the range
 constexpr double first_stride = 1.0 / 256;
 
 struct At {
@@ -26,14 +28,18 @@ public:
   /// The piece that begins with `start`; `next` receives the first answer beyond it, if any.
   Piece grow(const At& start, At& next);
   At solve(double t) {
+    ++solves_;
     solver_.go_to(value_at(solver_.variations().front(), t));
     RoundBases none; // fresh, so that the path here does not matter
     return {t, solver_.solve(quantity_, none)};
   }
 
+  bool is_used_up() const { return solves_ >= most_solves; }
+
 private:
   SweepSolver& solver_;
   Quantity quantity_;
+  Index solves_ = 0;
 };
 
 bool same_kind(const Outputs& a, const Outputs& b) {
@@ -55,7 +61,8 @@ Piece BisectedWalk::grow(const At& start, At& next) {
     if (!is_known(start.outputs) || last.t == start.t) return true;
     const Outputs expected = on_line(start.outputs, start.t, last.outputs, last.t, candidate.t);
     const double reach = (candidate.t - start.t) / (last.t - start.t);
-    return !differ(expected, candidate.outputs, on_the_line * std::max(1.0, reach));
+    const double tolerance = on_the_line * (quantity_ == Quantity::breaking ? 10 : 1);
+    return !differ(expected, candidate.outputs, quantity_, tolerance * std::max(1.0, reach));
   };
   // Two answers always lie on a line: the first stride is halved until a third lies there too.
   while (is_known(start.outputs) && stride > sharpest && start.t < 1) {
@@ -164,17 +171,27 @@ std::vector<Piece> bisected_pieces(SweepSolver& solver, Quantity quantity, Index
   BisectedWalk walk(solver, quantity);
   std::vector<Piece> pieces;
   At start = walk.solve(0), next = start;
-  while (static_cast<Index>(pieces.size()) < most) {
+  while (static_cast<Index>(pieces.size()) < most && !walk.is_used_up()) {
     pieces.push_back(walk.grow(start, next));
     if (pieces.back().to >= 1 || next.t > 1) break;
     if (progress) progress(pieces.back().to);
     start = next;
   }
-  if (pieces.back().to < 1) {
-    Piece rest;
-    rest.from = pieces.back().to;
-    rest.kind = SegmentKind::unsolved;
-    pieces.push_back(rest);
+  start.t = std::min(start.t, 1.0);
+  // Where answers branch all the time there is no end to bisection.
+  const double begin = pieces.back().to;
+  for (Index k = 1; begin < 1 && k <= samples; ++k) {
+    At end = walk.solve(k == samples ? 1 : begin + (1 - begin) * static_cast<double>(k) / samples);
+    Piece stroke;
+    stroke.from = start.t;
+    stroke.to = end.t;
+    stroke.kind = is_known(start.outputs) && start.outputs.status == end.outputs.status
+                      ? SegmentKind::sampled
+                      : SegmentKind::unsolved;
+    stroke.at_from = start.outputs;
+    stroke.at_to = end.outputs;
+    pieces.push_back(std::move(stroke));
+    start = std::move(end);
   }
   const double blur = quantity == Quantity::breaking ? blurred : 0;
   std::vector<Piece> list = without_slivers(pieces, blur);

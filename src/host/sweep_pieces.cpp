@@ -73,22 +73,20 @@ Outputs on_line(const Outputs& first, double t0, const Outputs& second, double t
   return outputs;
 }
 
-bool differ(const Outputs& a, const Outputs& b, double tolerance) {
-  if (normals_differ(a, b, tolerance)) return true;
-  const double force =
-      tolerance * std::max(force_size(a), force_size(b)) + std::max(a.force_noise, b.force_noise);
+bool differ(const Outputs& a, const Outputs& b, Quantity quantity, double tolerance) {
+  if (a.status != b.status) return true;
+  const double noise = std::max(a.force_noise, b.force_noise);
+  if (std::abs(a.normal - b.normal) >
+      tolerance * std::max(std::abs(a.normal), std::abs(b.normal)) + noise)
+    return true;
+  if (quantity == Quantity::breaking) return false;
+  const double force = tolerance * std::max(force_size(a), force_size(b)) + noise;
   const double motion = tolerance * std::max(a.twist.norm(), b.twist.norm()) +
                         std::max(a.motion_noise, b.motion_noise);
   return (a.force - b.force).norm() > force || (a.twist - b.twist).norm() > motion;
 }
 
-bool normals_differ(const Outputs& a, const Outputs& b, double tolerance) {
-  const double force = tolerance * std::max(std::abs(a.normal), std::abs(b.normal)) +
-                       std::max(a.force_noise, b.force_noise);
-  return a.status != b.status || std::abs(a.normal - b.normal) > force;
-}
-
-std::vector<Piece> joined(const std::vector<Piece>& pieces, double tolerance) {
+std::vector<Piece> joined(const std::vector<Piece>& pieces, Quantity quantity, double tolerance) {
   std::vector<Piece> list;
   for (const Piece& piece : pieces) {
     if (!list.empty()) {
@@ -100,10 +98,10 @@ std::vector<Piece> joined(const std::vector<Piece>& pieces, double tolerance) {
         continue;
       }
       if (last.kind == piece.kind && same_states(last.at_from, piece.at_from) &&
-          !differ(last.at_to, piece.at_from, tolerance)) {
+          !differ(last.at_to, piece.at_from, quantity, tolerance)) {
         const Outputs straight = on_line(last.at_from, last.from, last.at_to, last.to, piece.to);
         // A short piece says little about the direction of a long one.
-        if (!differ(straight, piece.at_to,
+        if (!differ(straight, piece.at_to, quantity,
                     tolerance * std::max(1.0, (piece.to - last.from) / (last.to - last.from)))) {
           const double residual = std::max(last.at_to.residual, piece.at_to.residual);
           last.to = piece.to;

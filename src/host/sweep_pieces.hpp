@@ -29,14 +29,12 @@ std::vector<Piece> bisected_pieces(SweepSolver& solver, Quantity quantity, Index
 /// The straight line through two answers: at `t` if they are at t0 and t1.
 Outputs on_line(const Outputs& first, double t0, const Outputs& second, double t1, double t);
 
-/// Do two answers differ by more than what rounding leaves?
-bool differ(const Outputs& a, const Outputs& b, double tolerance);
-
-/// The same of the pusher's normal force alone.
-bool normals_differ(const Outputs& a, const Outputs& b, double tolerance);
+/// Do two answers differ by more than `tolerance` (relative) and what rounding leaves? Of the
+/// instant of breaking the normal force alone is compared: the first motion need not be continuous.
+bool differ(const Outputs& a, const Outputs& b, Quantity quantity, double tolerance);
 
 /// Pieces that go on in one line in the same modes become one.
-std::vector<Piece> joined(const std::vector<Piece>& pieces, double tolerance);
+std::vector<Piece> joined(const std::vector<Piece>& pieces, Quantity quantity, double tolerance);
 
 /// "right.2 starts to slide along +x, wall.1 separates"; empty if the modes are the same.
 std::string change_text(const SceneFile& file, const Outputs& before, const Outputs& after);

@@ -82,7 +82,8 @@ void Sampler::refine(const Sample& from, const Sample& to, std::vector<SweepPoin
     const std::string broken = change_text(file, low.breaking, high.breaking);
     if (broken != change) change += (change.empty() ? "at breaking: " : "; at breaking: ") + broken;
   }
-  const bool jumps = differ(low.push, high.push, 1e-3) || differ(low.breaking, high.breaking, 1e-3);
+  const bool jumps = differ(low.push, high.push, Quantity::push, 1e-3) ||
+                     differ(low.breaking, high.breaking, Quantity::breaking, 1e-3);
   if (jumps) change += "; the answer jumps";
   const Variation& variation = solver_.variations().front();
   if (low.t > from.t) {
@@ -122,12 +123,12 @@ bool agree(const SweepValue& a, const SweepValue& b) {
   second.force = b.force;
   first.twist = a.twist;
   second.twist = b.twist;
-  if (differ(first, second, same)) return false;
+  if (differ(first, second, Quantity::push, same)) return false;
   first.status = a.breaking;
   second.status = b.breaking;
   first.normal = a.break_force;
   second.normal = b.break_force;
-  return !differ(first, second, same);
+  return !differ(first, second, Quantity::breaking, same);
 }
 
 /// Steps at which the two ways disagree, as ranges.

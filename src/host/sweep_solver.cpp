@@ -130,6 +130,8 @@ Outputs SweepSolver::judge_breaking(Status status, const Breaking<double>& break
   outputs.residual = breaking.residuals.max();
   outputs = read_contacts(std::move(outputs));
   outputs.motion_noise /= push_size(point_->scene); // of a unit push
+  // What extrapolating from finite pushes leaves open.
+  outputs.force_noise += 10 * breaking.line_error * report.scales.force;
   return outputs;
 }
 

@@ -34,11 +34,13 @@ struct SweepValue {
 enum class SegmentKind {
   exact,    ///< one basis holds from end to end, found by parametric pivoting
   bisected, ///< solved afresh at several values that lie on a line; its ends by bisection
+  sampled,  ///< a straight stroke between two answers: what lies between is not known
   unsolved, ///< no answer was found between its ends
 };
 constexpr const char* segment_kind_text(SegmentKind kind) {
   return kind == SegmentKind::exact      ? "exact"
          : kind == SegmentKind::bisected ? "bisected"
+         : kind == SegmentKind::sampled  ? "sampled"
                                          : "unsolved";
 }
 
