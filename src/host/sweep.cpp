@@ -186,6 +186,13 @@ std::vector<BistableRange> disagreements(const Tracks& there, const Tracks& back
   return ranges;
 }
 
+bool is_known(Status status) { return status == Status::solved || status == Status::does_not_hold; }
+
+/// Where no pusher moves there is nothing to break.
+bool is_complete(const SweepValue& value) {
+  return is_known(value.push) && (is_known(value.breaking) || value.breaking == Status::bad_input);
+}
+
 void find_segments(const VariedScene& scene, SweepSolver& solver, bool exact,
                    const ParameterSweepOptions& options, Sweep& sweep) {
   const Variation& variation = sweep.variations.front();
@@ -202,7 +209,7 @@ void find_segments(const VariedScene& scene, SweepSolver& solver, bool exact,
     sweep.warm += backwards.warm();
   }
   for (const SweepSegment& segment : sweep.segments)
-    sweep.complete = sweep.complete && segment.kind != SegmentKind::unsolved;
+    sweep.complete = sweep.complete && is_complete(segment.at_from);
 }
 
 Index only_pusher(const SceneFile& file) {

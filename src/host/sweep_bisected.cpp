@@ -10,7 +10,7 @@ namespace lcpush::host {
 namespace {
 
 constexpr double on_the_line = 1e-6; // relative; of breaking ten times that
-constexpr Index most_solves = 600;   // then samples have to do
+constexpr Index most_solves = 300;   // then samples have to do
 constexpr Index samples = 32;
 constexpr double sharpest = 1e-6; // of the range
 constexpr double blurred = 1e-4;  // of the range
@@ -30,6 +30,9 @@ public:
   At solve(double t) {
     ++solves_;
     solver_.go_to(value_at(solver_.variations().front(), t));
+    constexpr double aside = 1e-7; // where a push vanishes, the limit from one side
+    if (!solver_.has(quantity_))
+      solver_.go_to(value_at(solver_.variations().front(), t < 0.75 ? t + aside : t - aside));
     RoundBases none; // fresh, so that the path here does not matter
     return {t, solver_.solve(quantity_, none)};
   }

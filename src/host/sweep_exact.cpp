@@ -150,7 +150,8 @@ bool ExactWalk::add_piece(double end) {
     go_to(t);
     return solver_.on_basis(quantity_, basis_);
   };
-  const Outputs a = at(first), b = at(last), middle = at(t_ + length / 2);
+  // Not the very middle: there a motion that changes its sign vanishes.
+  const Outputs a = at(first), b = at(last), middle = at(t_ + 0.487 * length);
   for (const Outputs* outputs : {&a, &b, &middle})
     if (!outputs->is_solved() && outputs->status != Status::does_not_hold) return false;
   Piece piece;

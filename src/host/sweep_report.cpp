@@ -105,11 +105,21 @@ std::optional<double> known(Status status, double value) {
 
 std::string status_of(const SweepValue& value) { return status_text(value.push); }
 
+/// null where no pusher moves, so that nothing breaks.
+void write_break_status(JsonWriter& json, Status status) {
+  json.key("break_status");
+  if (status == Status::bad_input)
+    json.value(nullptr);
+  else
+    json.value(status_text(status));
+}
+
 void write_segment(JsonWriter& json, const SweepSegment& segment) {
   const SweepValue &a = segment.at_from, &b = segment.at_to;
   json.begin_object().member("from", segment.from).member("to", segment.to);
   json.member("kind", segment_kind_text(segment.kind));
-  json.member("status", status_of(a)).member("break_status", status_text(a.breaking));
+  json.member("status", status_of(a));
+  write_break_status(json, a.breaking);
   json.key("break_force").begin_array();
   json.value(known(a.breaking, a.break_force)).value(known(b.breaking, b.break_force)).end_array();
   const auto pair = [&](const char* key, const double* first, const double* second, Index count) {
@@ -134,7 +144,8 @@ void write_segment(JsonWriter& json, const SweepSegment& segment) {
 void write_point(JsonWriter& json, const SweepPoint& point) {
   json.begin_object().member("value", point.value);
   if (point.second) json.member("second_value", *point.second);
-  json.member("status", status_of(point.at)).member("break_status", status_text(point.at.breaking));
+  json.member("status", status_of(point.at));
+  write_break_status(json, point.at.breaking);
   json.member("break_force", known(point.at.breaking, point.at.break_force));
   write_vector(json, "force", point.at.push, point.at.force.data(), 3);
   write_vector(json, "twist", point.at.push, point.at.twist.data(), 6);
