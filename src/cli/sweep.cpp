@@ -1,4 +1,5 @@
 // lcpush sweep: how the push changes with a number of the scene.
+#include <algorithm>
 #include <chrono>
 
 #include <unistd.h>
@@ -83,7 +84,14 @@ int run(const Arguments& arguments) {
     throw UsageError("--vary is given once, or twice for a map, not " +
                      std::to_string(varied.size()) + " times");
   const host::SceneFile file = read_scene_argument(arguments);
-  const host::VariedScene scene = host::VariedScene::read(arguments.files()[0]);
+  host::VariedScene scene = host::VariedScene::read(arguments.files()[0]);
+  if (const auto law = arguments.value("--pressure")) {
+    const std::vector<std::string> laws = {"pad", "even", "rigid"};
+    if (std::find(laws.begin(), laws.end(), *law) == laws.end())
+      throw UsageError("--pressure is " + host::listed(laws, "or") + ", not " + host::quoted(*law) +
+                       host::suggestion(*law, laws));
+    scene.set_pressure(*law);
+  }
   std::vector<host::Variation> variations;
   for (const std::string& text : varied) variations.push_back(read_variation(scene, text));
   host::ParameterSweepOptions options;
@@ -119,7 +127,8 @@ Command sweep_command() {
       "bisection) with their breakpoints in words; everything else is sampled, more closely where\n"
       "modes change.\n\n"
       "Examples:\n"
-      "  lcpush sweep fixtures/scenes/straight_slide.toml --vary \"*.grip_force=2:30\"\n"
+      "  lcpush sweep fixtures/scenes/straight_slide.toml --vary \"*.grip_force=2:30\" "
+      "--pressure rigid\n"
       "  lcpush sweep fixtures/scenes/pivot.toml --vary edge.shift[0]=0:0.03 --steps 31 "
       "--format svg -o pivot.svg\n",
       with_common_options(

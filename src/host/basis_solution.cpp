@@ -83,11 +83,7 @@ bool solve_on_basis(const Problem<double>& problem, const Basis& basis, BasisSol
     if (solution.valid_to < 0 || reach < solution.valid_to) solution.valid_to = reach;
   }
   const Eigen::Map<const VectorXd> q(problem.q, n);
-  if (!passes(problem, q, solution.z)) return false;
-  if (problem.push == nullptr) return true;
-  const double sigma = solution.valid_to < 0 ? 1 / push_size : solution.valid_to / 2;
-  const Eigen::Map<const VectorXd> push(problem.push, n);
-  return passes(problem, q + sigma * push, solution.z + sigma * solution.z_push);
+  return passes(problem, q, solution.z);
 }
 
 } // namespace lcpush::host

@@ -11,7 +11,7 @@ namespace {
 using Curve = std::vector<std::vector<std::pair<double, double>>>;
 
 std::string axis_label(const Parameter& parameter) {
-  return parameter.path + (parameter.unit.empty() ? "" : " / (" + parameter.unit + ")");
+  return parameter.path + (parameter.unit.empty() ? "" : " in " + parameter.unit);
 }
 
 /// Adds a point; after a gap a new piece begins.
@@ -70,7 +70,7 @@ std::string line_plot(const Sweep& sweep, const std::string& title) {
   Plot plot;
   plot.title = title;
   plot.x_label = axis_label(variation.parameter);
-  plot.y_label = "force by " + sweep.pusher + " / N";
+  plot.y_label = "force by " + sweep.pusher + " in N";
   plot.x_from = variation.from;
   plot.x_to = variation.to;
   PlotLine breaking{"breaking force (normal)", {}}, push{"push as prescribed (size)", {}};
@@ -104,7 +104,7 @@ std::string map_plot(const Sweep& sweep, const std::string& title) {
   plot.title = title;
   plot.x_label = axis_label(x.parameter);
   plot.y_label = axis_label(y.parameter);
-  plot.value_label = "breaking force by " + sweep.pusher + " / N";
+  plot.value_label = "breaking force by " + sweep.pusher + " in N";
   plot.x_from = x.from;
   plot.x_to = x.to;
   plot.y_from = y.from;

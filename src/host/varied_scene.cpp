@@ -235,6 +235,15 @@ VariedScene VariedScene::parse(std::string_view text, const std::string& file_na
   return VariedScene(std::move(document));
 }
 
+void VariedScene::set_pressure(const std::string& law) {
+  TomlValue* const value = value_of(document_.root, "pressure");
+  if (value != nullptr)
+    value->data = law;
+  else
+    document_.root.entries.push_back({"pressure", {document_.root.line, law, ""}});
+  (void)SceneBuilder<double>(document_).build();
+}
+
 /// Vectors that are zero where a file leaves them out can vary as well.
 void VariedScene::add_zeros() {
   const auto add = [](TomlTable& table, const char* key) {

@@ -39,6 +39,9 @@ public:
   static VariedScene read(const std::string& path);
   static VariedScene parse(std::string_view text, const std::string& file_name);
 
+  /// Another pressure law ("pad", "even" or "rigid") than the file's. Throws InputError.
+  void set_pressure(const std::string& law);
+
   /// The parameter called `path`: `left.friction`, `*.grip_force` (of every body that has one),
   /// `object.mass`, `gravity[1]`, `wall.ends[0][1]`, `wall.shift[1]` (m), `wall.turn` (degrees).
   /// Throws InputError with what is possible if there is none.
