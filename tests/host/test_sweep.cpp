@@ -215,8 +215,7 @@ TEST_CASE("rolling over the grip force: sharp at F*, and bistable where both mot
   CHECK(sharp.segments.front().change == "as prescribed: sheet starts to slide along -x");
 
   // At a sheet of 0.8 rolling goes on to F*, sliding begins earlier: the way back shows it.
-  const Sweep two =
-      swept(lcpush::test::with(text, "friction = 0.5", "friction = 0.8"), "*.grip_force", 7, 10);
+  const Sweep two = swept(scene_text("rolling_two_answers.toml"), "*.grip_force", 7, 10);
   const double up_to = (0.8 * g / (1 - 0.8 * 0.3) - inertia) / 0.6;
   CHECK(std::abs(breakpoint_near(two, up_to) - up_to) <= 1e-9);
   REQUIRE(two.bistable.size() >= 1);
@@ -314,6 +313,15 @@ TEST_CASE("two parameters make a map, row by row") {
   for (std::size_t i = 0; i < 3; ++i)
     CHECK(sweep.points[6 + i].at.break_force ==
           doctest::Approx(2 * sweep.points[i].at.break_force).epsilon(1e-6));
+}
+
+TEST_CASE("where no pusher moves there is a push to report, and no breaking") {
+  const std::string text = lcpush::test::with(
+      rigid(scene_text("tipping.toml")), "acceleration = [0.1, 0, 0]", "acceleration = [0, 0, 0]");
+  const Sweep sweep = swept(text, "tip.grip_force", 5, 10);
+  CHECK(sweep.segments[0].at_from.breaking == Status::bad_input); // nothing moves: not asked
+  CHECK(sweep.segments[0].at_from.push == Status::solved);
+  CHECK(sweep.complete);
 }
 
 TEST_CASE("a range that leaves what is a scene is refused before anything is solved") {
