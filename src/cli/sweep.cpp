@@ -134,6 +134,7 @@ Command sweep_command() {
       with_common_options(
           {{"--vary", "PATH=FROM:TO", "what varies, and how far; twice for a map", true},
            {"--steps", "N", "points evenly spread, ends included (51; a map 11 each way)"},
+           {"--pressure", "LAW", "pad, even or rigid instead of the scene's own"},
            {"--pusher", "NAME", "whose force is meant, among several"},
            {"--format", "FORMAT", "text (default), csv, json or svg; --json for short"}}),
       1,
