@@ -42,12 +42,15 @@ DenseProblem dense(const Problem<double>& problem) {
   return made;
 }
 
-double force_difference(const Answer<double>& a, const Answer<double>& b) {
+/// The largest difference among the contact forces that the file gives.
+double force_difference(const ForeignAnswer& given, const Answer<double>& a,
+                        const Answer<double>& b) {
   double most = 0;
-  for (Index i = 0; i < a.contacts.size; ++i) {
+  for (Index i = 0; i < static_cast<Index>(given.contacts.size()); ++i) {
+    const ForeignContact& contact = given.contacts[static_cast<std::size_t>(i)];
     const ContactAnswer<double>&x = a.contacts[i], &y = b.contacts[i];
-    most = std::max({most, std::abs(x.normal_force - y.normal_force),
-                     (x.friction_force - y.friction_force).norm()});
+    if (contact.normal_force) most = std::max(most, std::abs(x.normal_force - y.normal_force));
+    if (contact.friction_force) most = std::max(most, (x.friction_force - y.friction_force).norm());
   }
   return most;
 }
@@ -97,7 +100,7 @@ void Verification::refine(const DenseProblem& problem, const Eigen::VectorXd& z,
   const Answer<double> before = answer_.view();
   report_.refined.residual = check(push_.scene(), layout_.scales, view, 1.0).max();
   report_.refined.moved = (*point - z).cwiseAbs().maxCoeff();
-  report_.refined.force = force_difference(before, view);
+  report_.refined.force = force_difference(given_, before, view);
   report_.refined.acceleration = motion_difference(before, view, layout_.scales);
 }
 
@@ -143,7 +146,7 @@ void Verification::compare(OwnedAnswer& nearest) {
   report_.verdict = Verdict::other_solution;
   if (own.status != Status::solved) return;
   const Scales<double>& scales = layout_.scales;
-  report_.own.force = force_difference(mine, own.answer);
+  report_.own.force = force_difference(given_, mine, own.answer);
   report_.own.acceleration = motion_difference(mine, own.answer, scales);
   const double close = std::max(1e-6, 10 * report_.tolerance);
   double largest = scales.force;

@@ -48,14 +48,14 @@ struct RefinedAnswer {
   bool found = false;
   double residual = 0;     ///< largest scaled violation of what came out
   double moved = 0;        ///< in scaled units, the largest change of an unknown
-  double force = 0;        ///< N, the largest change of a force
+  double force = 0;        ///< N, the largest change of a force that is given
   double acceleration = 0; ///< m/s^2, the object's
 };
 
 /// Beside lcpush's own answer.
 struct OwnAnswer {
   Status status = Status::bad_input;
-  double force = 0;        ///< N, the largest difference of a contact's force
+  double force = 0;        ///< N, the largest difference of a contact's force that is given
   double acceleration = 0; ///< m/s^2, of the object
 };
 
