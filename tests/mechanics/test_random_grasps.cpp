@@ -89,7 +89,8 @@ double residual_in_double(const OwnedScene<double>& owned, const SolvedPush<floa
 
 // What a microcontroller is given: at most twelve points, four facets. As there, an answer counts
 // as solved when it has passed the check of the laws too. docs/embedding.md quotes this.
-TEST_CASE("1,000 firmware-sized random grasps in float: at least 995 solved, to 1e-4 in double") {
+TEST_CASE(
+    "a thousand firmware-sized random grasps in float: at least 995 solved, to 1e-4 in double") {
   for (const Pressure pressure : {Pressure::pad, Pressure::rigid}) {
     CAPTURE(static_cast<int>(pressure));
     int solved = 0, tried = 0;
