@@ -175,18 +175,13 @@ namespace {
 
 /// All sizes of a small grid: the bounds are polynomials, and their terms grow one by one.
 template <class S, class CPushStruct> constexpr bool all_covered() {
-  for (std::size_t p : {1, 2, 7, 40})
-    for (std::size_t g : {4, 8, 42})
-      for (std::size_t a : {0, 1, 9})
-        for (std::size_t d : {0, 1, 2, 9}) {
-          const Index points = static_cast<Index>(p), facets = static_cast<Index>(g);
-          const Index actuators = static_cast<Index>(a), drives = static_cast<Index>(d);
-          if (!covers<S, CPushStruct>(LCPUSH_BYTES(S, p, g, a, d), points, facets, actuators,
-                                      drives, false) ||
-              !covers<S, CPushStruct>(LCPUSH_SWEEP_BYTES(S, p, g, a, d), points, facets, actuators,
-                                      drives, true))
+  for (const int p : {1, 2, 7, 40})
+    for (const int g : {4, 8, 42})
+      for (const int a : {0, 1, 9})
+        for (const int d : {0, 1, 2, 9})
+          if (!covers<S, CPushStruct>(LCPUSH_BYTES(S, p, g, a, d), p, g, a, d, false) ||
+              !covers<S, CPushStruct>(LCPUSH_SWEEP_BYTES(S, p, g, a, d), p, g, a, d, true))
             return false;
-        }
   return true;
 }
 static_assert(all_covered<double, lcpush_push>(), "LCPUSH_BYTES is too small");
