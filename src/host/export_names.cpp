@@ -145,25 +145,37 @@ private:
     const std::string of = contact(name);
     const double scale = row_unit(layout_, i);
     switch (name.meaning) {
-    case Meaning::normal: return {"opening of " + of, "n'r", of, "[T.2]", "m/s^2", scale};
-    case Meaning::pull: return {"closing of the gap at " + of, "-n'r", of, "[T.2]", "m/s^2", scale};
+    case Meaning::normal: return {"separation of " + of, "n'r", of, "[T.2]", "m/s^2", scale};
+    case Meaning::pull: return {"approach of " + of, "-n'r", of, "[T.2]", "m/s^2", scale};
     case Meaning::friction:
-      return {"slip left beside " + push_.variable_name(i),
+      return {"slip of " + of + " minus the motion" + against(name),
               "d" + std::to_string(name.generator) + "'r + xi",
               of,
               "[T.3]",
               "m/s^2",
               scale};
     case Meaning::slip:
-      return {"friction left at " + of, "mu lambda - sum beta", of, "[T.4]", "N", scale};
+      return {"friction left unused in the cone of " + of,
+              "mu lambda - sum beta",
+              of,
+              "[T.4]",
+              "N",
+              scale};
     case Meaning::closing: break;
     }
-    return {"balance of " + push_.actuator_name(name.of),
-            "J'f + m s - tau",
+    return {"force of " + push_.actuator_name(name.of) + " beyond its set force",
+            "J'f + m_a s - tau",
             "",
             "[T.5]",
             force_unit(name.of),
             scale};
+  }
+
+  /// The motion that a generator acts against.
+  std::string against(const Name& name) const {
+    const Body<double>& body = scene_.bodies[layout_.body[name.of]];
+    const Generator<double> d = generator(body, name.generator, scene_.facets);
+    return generator_text({-d.force, -d.torque}, body.torsion_radius);
   }
 
   Quantity newton_row(Index k) const {

@@ -34,7 +34,7 @@ std::string octave_script() {
   if exist(target, 'file'), delete(target); end
 
   if exist('OCTAVE_VERSION', 'builtin'), rand('twister', 1); else, rng(1); end
-  fprintf('%s: %d unknowns\n', names.title, n);
+  fprintf('%s%d unknowns\n', [names.title repmat(': ', 1, ~isempty(names.title))], n);
   best = [];
   for start = 1:12
     cost = double(isfinite(p.lb));
