@@ -29,7 +29,7 @@ constexpr double no_bound = 1e30;
 ///   H = C + C', f = [q(1..c) ; 0],   C = [M(1..c, :) ; 0].
 struct PaperProgram {
   Index complementary = 0; ///< c
-  HostMatrix H;            ///< n x n, symmetric; indefinite as soon as a rubbing normal is unknown
+  HostMatrix H;            ///< n x n, symmetric, zero diagonal: convex on the constraints at best
   HostMatrix f;            ///< n x 1
   HostMatrix A;            ///< c x n
   HostMatrix b;            ///< c x 1
