@@ -11,5 +11,6 @@ Command break_command();
 Command export_command();
 Command matrices_command();
 Command pivots_command();
+Command spread_command();
 
 } // namespace lcpush::cli

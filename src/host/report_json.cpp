@@ -2,6 +2,7 @@
 
 #include "lcpush/host/json.hpp"
 #include "lcpush/host/report.hpp"
+#include "report_parts.hpp"
 
 namespace lcpush::host {
 namespace {
@@ -97,20 +98,6 @@ void write_jam(JsonWriter& json, const SceneFile& file, const Jam& jam) {
   json.end_array().end_object();
 }
 
-void write_failure(JsonWriter& json, const SceneFile& file, const std::string& reason,
-                   const std::vector<NamedValue>& ray, const Jam& jam) {
-  json.member("reason", reason).key("ray");
-  if (ray.empty()) {
-    json.value(nullptr);
-    return;
-  }
-  json.begin_array();
-  for (const NamedValue& entry : ray)
-    json.begin_object().member("name", entry.name).member("value", entry.value).end_object();
-  json.end_array();
-  write_jam(json, file, jam);
-}
-
 void write_holds(JsonWriter& json, const HoldReport& hold) {
   json.key("holds_without_push");
   if (hold.status == Status::solved)
@@ -135,6 +122,20 @@ void write_grip(JsonWriter& json, const std::string& key, const SmallestGrip& gr
 }
 
 } // namespace
+
+void write_failure(JsonWriter& json, const SceneFile& file, const std::string& reason,
+                   const std::vector<NamedValue>& ray, const Jam& jam) {
+  json.member("reason", reason).key("ray");
+  if (ray.empty()) {
+    json.value(nullptr);
+    return;
+  }
+  json.begin_array();
+  for (const NamedValue& entry : ray)
+    json.begin_object().member("name", entry.name).member("value", entry.value).end_object();
+  json.end_array();
+  write_jam(json, file, jam);
+}
 
 std::string solve_json(const SceneFile& file, const HoldReport& hold, const PushReport& report) {
   JsonWriter json;

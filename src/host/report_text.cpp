@@ -1,5 +1,6 @@
 #include "lcpush/host/report.hpp"
 #include "report_format.hpp"
+#include "report_parts.hpp"
 
 namespace lcpush::host {
 namespace {
@@ -8,10 +9,6 @@ Scene<double> scene_of(const SceneFile& file) { return file.view(); }
 
 /// Fingers come first.
 bool has_pusher(const SceneFile& file) { return file.bodies.back().role == Role::pusher; }
-
-std::string title_line(const SceneFile& file) {
-  return file.title.empty() ? "" : file.title + "\n\n";
-}
 
 /// "9.81 m/s^2 and 0 rad/s^2", without what rounding left of a zero.
 std::string acceleration_text(const Vector6<double>& a, double length) {
@@ -167,10 +164,6 @@ std::string torsion_lines(const SceneFile& file, const PushReport& report) {
   return text.empty() ? "" : "\nSoft contacts:\n" + text;
 }
 
-const char* pressure_name(Pressure pressure) {
-  return pressure == Pressure::pad ? "pad" : pressure == Pressure::even ? "even" : "rigid";
-}
-
 std::string run_line(const SceneFile& file, Solver solver, const PressureRun& run) {
   std::string text = solver == Solver::lemke    ? "Lemke: "
                      : solver == Solver::hybrid ? "Hybrid: "
@@ -183,18 +176,6 @@ std::string run_line(const SceneFile& file, Solver solver, const PressureRun& ru
   if (run.cold_restarts > 0) text += ", " + std::to_string(run.cold_restarts) + " restarted cold";
   return text + "; pressure law " + pressure_name(file.pressure) + "; " +
          std::to_string(file.facets) + " facets.\n";
-}
-
-std::string failure_text(const SceneFile& file, Status status, const std::string& reason,
-                         const std::vector<NamedValue>& ray, const Jam& jam) {
-  std::string text = std::string("NOT SOLVED (") + status_text(status) + "): " + reason + ".\n";
-  if (!ray.empty()) {
-    text += "\n";
-    for (const std::string& sentence : jam_sentences(file, jam)) text += sentence + "\n";
-    text += "\nThe ray, largest entry 1:\n";
-  }
-  for (const NamedValue& entry : ray) text += "  " + number(entry.value) + "  " + entry.name + "\n";
-  return text;
 }
 
 /// What one other cover has led to.
@@ -212,6 +193,26 @@ std::string break_unique_line(const BreakReport& report) {
 }
 
 } // namespace
+
+std::string title_line(const SceneFile& file) {
+  return file.title.empty() ? "" : file.title + "\n\n";
+}
+
+const char* pressure_name(Pressure pressure) {
+  return pressure == Pressure::pad ? "pad" : pressure == Pressure::even ? "even" : "rigid";
+}
+
+std::string failure_text(const SceneFile& file, Status status, const std::string& reason,
+                         const std::vector<NamedValue>& ray, const Jam& jam) {
+  std::string text = std::string("NOT SOLVED (") + status_text(status) + "): " + reason + ".\n";
+  if (!ray.empty()) {
+    text += "\n";
+    for (const std::string& sentence : jam_sentences(file, jam)) text += sentence + "\n";
+    text += "\nThe ray, largest entry 1:\n";
+  }
+  for (const NamedValue& entry : ray) text += "  " + number(entry.value) + "  " + entry.name + "\n";
+  return text;
+}
 
 std::string solve_text(const SceneFile& file, const HoldReport& hold, const PushReport& report) {
   std::string text = title_line(file) + hold_line(file, hold);
