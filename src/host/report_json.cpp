@@ -42,6 +42,11 @@ void write_contacts(JsonWriter& json, const SceneFile& file, const PushReport& r
   json.end_array();
 }
 
+void write_statement(JsonWriter& json, const char* key, const Statement& statement) {
+  json.key(key).begin_object().member("covered", statement.covered);
+  json.member("statement", statement.statement).member("reason", statement.reason).end_object();
+}
+
 const char* role_name(const Scene<double>& scene, Index body) {
   if (scene.bodies[body].role == Role::pusher) return "pusher";
   return is_driven(scene, body) ? "finger" : "stop";
@@ -145,10 +150,12 @@ std::string solve_json(const SceneFile& file, const HoldReport& hold, const Push
       .member("sweeps", report.run.sweeps)
       .member("rounds", report.run.rounds);
   write_holds(json, hold);
+  write_statement(json, "existence", existence_statement(file, report.existence));
   if (report.status != Status::solved) {
     write_failure(json, file, report.reason, report.ray, report.jam);
     return json.end_object().text();
   }
+  write_statement(json, "uniqueness", uniqueness_statement(report));
   json.key("unique").begin_object();
   write_unique(json, "motion", report.unique_motion);
   write_unique(json, "wrench", report.unique_wrench);

@@ -109,6 +109,27 @@ std::string unique_lines(const SceneFile& file, const PushReport& report) {
   return text + "\n";
 }
 
+/// "said: why", on two lines if it is long. What follows a semicolon is in the JSON, and above.
+std::string because(const std::string& said, const std::string& reason) {
+  const std::string why = reason.substr(0, reason.find("; "));
+  const bool fits = said.size() + why.size() <= 80;
+  return said + (fits ? ": " : ":\n                  ") + why;
+}
+
+/// Which theorem covers the scene.
+std::string theory_lines(const SceneFile& file, const PushReport& report) {
+  const Statement exists = existence_statement(file, report.existence);
+  std::string text =
+      "Theory            " +
+      because(exists.covered ? exists.statement : "no theorem promises an answer", exists.reason);
+  if (report.status != Status::solved) return text + "\n";
+  const Statement unique = uniqueness_statement(report);
+  return text + ";\n                  " +
+         because(unique.covered ? unique.statement : "no theorem says that it is the only one",
+                 unique.reason) +
+         "\n";
+}
+
 std::string contact_table(const SceneFile& file, const PushReport& report) {
   const Scene<double> scene = scene_of(file);
   const double zero_force = 1e-9 * report.scales.force;
@@ -217,11 +238,12 @@ std::string failure_text(const SceneFile& file, Status status, const std::string
 std::string solve_text(const SceneFile& file, const HoldReport& hold, const PushReport& report) {
   std::string text = title_line(file) + hold_line(file, hold);
   if (report.status != Status::solved) {
-    return text + failure_text(file, report.status, report.reason, report.ray, report.jam) + "\n" +
+    return text + theory_lines(file, report) +
+           failure_text(file, report.status, report.reason, report.ray, report.jam) + "\n" +
            run_line(file, report.solver, report.run);
   }
   text += wrench_lines(file, report) + motion_line(file, report.motion, report.scales.length);
-  text += unique_lines(file, report);
+  text += unique_lines(file, report) + theory_lines(file, report);
   if (file.pressure == Pressure::rigid)
     text += "                  (pressure = \"rigid\" leaves a patch's pressure open: one answer of "
             "a set)\n";

@@ -49,7 +49,7 @@ private:
   LiteralProblem problem_;
   SpreadReport report_;
   std::vector<Quantity> quantities_;
-  std::set<FaceModes> known_;
+  std::set<FaceModes> known_, studied_;
   std::deque<Waiting> waiting_;
   double work_ = 0, most_work_ = 0;
   Index most_faces_ = 0;
@@ -223,6 +223,7 @@ void Search::bound(Face& face, const FaceModes& modes, const Quantity& quantity,
 }
 
 void Search::study_bounds(Face& face, const FaceModes& modes) {
+  if (!studied_.insert(modes).second) return;
   ++report_.faces;
   for (const Quantity& quantity : quantities_)
     if (face.varies(quantity.f))
@@ -246,7 +247,7 @@ void Search::walk() {
   while (!waiting_.empty() && !is_used_up()) {
     const Waiting next = std::move(waiting_.front());
     waiting_.pop_front();
-    study(next);
+    if (studied_.count(next.modes) == 0) study(next);
   }
   report_.faces_left = static_cast<Index>(waiting_.size());
 }
@@ -269,7 +270,6 @@ void Search::decide(FaceModes& modes, Index next) {
       ++report_.failures;
       continue;
     }
-    known_.insert(modes);
     study_bounds(face, modes);
   }
   modes[static_cast<std::size_t>(next)] = {};
@@ -323,13 +323,15 @@ void Search::conclude() {
 
 SpreadReport Search::run() {
   solve_covers();
-  most_faces_ = options_.most_faces;
-  most_work_ = options_.most_work;
-  walk();
   if (options_.enumerate) {
-    most_faces_ = report_.faces + static_cast<Index>(more) * options_.most_faces;
-    most_work_ = work_ + more * options_.most_work;
+    most_faces_ = static_cast<Index>(more) * options_.most_faces;
+    most_work_ = more * options_.most_work;
     enumerate();
+  }
+  if (!report_.complete) {
+    most_faces_ = report_.faces + options_.most_faces;
+    most_work_ = work_ + options_.most_work;
+    walk();
   }
   if (report_.faces > 0 || report_.covers_solved > 0) {
     report_.status = Status::solved;
