@@ -1,8 +1,8 @@
 // lcpush spread: the answer as a set.
-#include "../host/number_text.hpp"
-#include "../host/message.hpp"
-#include "commands.hpp"
 #include "lcpush/host/spread.hpp"
+#include "../host/message.hpp"
+#include "../host/number_text.hpp"
+#include "commands.hpp"
 #include "progress.hpp"
 #include "scene_argument.hpp"
 
@@ -10,6 +10,7 @@ namespace lcpush::cli {
 namespace {
 
 constexpr std::uint64_t most_covers = 1000000;
+constexpr Index most_unknowns = 2000;
 
 Index chosen_covers(const Arguments& arguments, Index otherwise) {
   const std::optional<std::string> word = arguments.value("--covers");
@@ -27,6 +28,11 @@ int run(const Arguments& arguments) {
   options.covers = chosen_covers(arguments, options.covers);
   options.enumerate = arguments.has("--enumerate");
   const host::SceneFile file = read_scene_argument(arguments);
+  const Index unknowns = size_of(file.view()).unknowns();
+  if (unknowns > most_unknowns)
+    throw host::InputError(arguments.files()[0] + ": the scene has " + std::to_string(unknowns) +
+                           " unknowns, more than the " + std::to_string(most_unknowns) +
+                           " whose faces can be bounded; use fewer points or facets");
   host::SpreadReport report;
   {
     Progress progress;
@@ -41,20 +47,21 @@ int run(const Arguments& arguments) {
 } // namespace
 
 Command spread_command() {
-  return {"spread",
-          "SCENE.toml [OPTIONS]",
-          "the answer as a set: bounds of the push, the motion and the contact forces",
-          "Rigid contact often leaves forces open, and now and then the motion. This solves the\n"
-          "literal laws (pressure = \"rigid\", whatever the file says) under many covering vectors,\n"
-          "walks from each answer to the faces of answers next to it, and bounds every quantity\n"
-          "over each face by linear programs. With --enumerate it goes through all contact modes,\n"
-          "so that the bounds are those of every answer; without, of the answers that were reached.\n\n"
-          "Example:\n  lcpush spread fixtures/scenes/straight_slide.toml\n",
-          with_common_options(
-              {{"--covers", "N", "covering vectors of Lemke's method to start from (32)"},
-               {"--enumerate", "", "all contact modes: up to 16 points, while the work allows"}}),
-          1,
-          run};
+  return {
+      "spread",
+      "SCENE.toml [OPTIONS]",
+      "the answer as a set: bounds of the push, the motion and the contact forces",
+      "Rigid contact often leaves forces open, and now and then the motion. This solves the\n"
+      "literal laws (pressure = \"rigid\", whatever the file says) under many covering vectors,\n"
+      "walks from each answer to the faces of answers next to it, and bounds every quantity\n"
+      "over each face by linear programs. With --enumerate it goes through all contact modes,\n"
+      "so that the bounds are those of every answer; without, of the answers that were reached.\n\n"
+      "Example:\n  lcpush spread fixtures/scenes/straight_slide.toml\n",
+      with_common_options(
+          {{"--covers", "N", "covering vectors of Lemke's method to start from (32)"},
+           {"--enumerate", "", "all contact modes: up to 16 points, while the work allows"}}),
+      1,
+      run};
 }
 
 } // namespace lcpush::cli

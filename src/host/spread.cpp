@@ -13,9 +13,9 @@ namespace {
 using Kind = ContactMode::Kind;
 using Point = Eigen::VectorXd;
 
-constexpr double same = 1e-7;          // of the scale of forces, or of motions
-constexpr Index most_enumerated = 16;  // contact points
-constexpr double more = 10;            // work and faces that enumeration may take
+constexpr double same = 1e-7;         // of the scale of forces, or of motions
+constexpr Index most_enumerated = 16; // contact points
+constexpr double more = 10;           // work and faces that enumeration may take
 
 /// A quantity that bounds are asked for, as a functional of z.
 struct Quantity {
@@ -87,7 +87,8 @@ void Search::list_quantities() {
     Quantity twist{Quantity::Kind::twist, k, 0, blank()};
     for (const ConeGroup<double>& cone : layout.cones)
       for (Index j = 0; j < cone.forces(); ++j)
-        twist.f[cone.variable + j] = factored.mobility.row(k).dot(factored.wrenches[cone.force + j]);
+        twist.f[cone.variable + j] =
+            factored.mobility.row(k).dot(factored.wrenches[cone.force + j]);
     if (twist.f.norm() > 0) quantities_.push_back(twist);
   }
   for (Index i = 0; i < layout.points; ++i) {
@@ -194,8 +195,7 @@ void Search::solve_covers() {
     const Point z = Eigen::Map<const Point>(lemke.z(), n);
     const Eigen::VectorXd w = problem_.slacks(z);
     FaceModes modes;
-    for (Index i = 0; i < problem_.layout().points; ++i)
-      modes.push_back(problem_.mode_at(i, z, w));
+    for (Index i = 0; i < problem_.layout().points; ++i) modes.push_back(problem_.mode_at(i, z, w));
     if (!believe(z, modes)) {
       ++report_.failures;
       continue;
@@ -224,10 +224,14 @@ void Search::bound(Face& face, const FaceModes& modes, const Quantity& quantity,
 
 void Search::study_bounds(Face& face, const FaceModes& modes) {
   if (!studied_.insert(modes).second) return;
-  ++report_.faces;
-  for (const Quantity& quantity : quantities_)
-    if (face.varies(quantity.f))
-      for (const double sign : {1.0, -1.0}) bound(face, modes, quantity, sign);
+  bool in_time = true;
+  for (const Quantity& quantity : quantities_) {
+    if (!face.varies(quantity.f)) continue;
+    in_time = in_time && work_ + face.work() <= most_work_;
+    for (const double sign : {1.0, -1.0})
+      if (in_time) bound(face, modes, quantity, sign);
+  }
+  ++(in_time ? report_.faces : report_.faces_left);
   report_.programs += face.programs();
   work_ += face.work();
 }
@@ -236,7 +240,7 @@ void Search::study(const Waiting& waiting) {
   Face face(problem_, waiting.modes);
   work_ += 10 * std::pow(static_cast<double>(problem_.layout().size), 2);
   if (!face.start_at(waiting.z) || !believe(waiting.z, waiting.modes)) {
-      ++report_.failures;
+    ++report_.failures;
     return;
   }
   meet(waiting.z);
@@ -249,7 +253,9 @@ void Search::walk() {
     waiting_.pop_front();
     if (studied_.count(next.modes) == 0) study(next);
   }
-  report_.faces_left = static_cast<Index>(waiting_.size());
+  report_.faces_left += static_cast<Index>(
+      std::count_if(waiting_.begin(), waiting_.end(),
+                    [&](const Waiting& next) { return studied_.count(next.modes) == 0; }));
 }
 
 /// Contact by contact, every mode; what has no point with signs alone for the rest is left.
@@ -312,10 +318,9 @@ void Search::conclude() {
                  is_single(report_.twist[k], same_acceleration(report_) / (k < 3 ? 1 : length));
   const double force = same_force(report_);
   for (const ContactSpread& contact : report_.contacts)
-    one_force = one_force && is_single(contact.normal, force) &&
-                is_single(contact.tangential[0], force) &&
-                is_single(contact.tangential[1], force) &&
-                is_single(contact.torsion, force * length);
+    one_force =
+        one_force && is_single(contact.normal, force) && is_single(contact.tangential[0], force) &&
+        is_single(contact.tangential[1], force) && is_single(contact.torsion, force * length);
   report_.verdict = !one_motion  ? SpreadVerdict::ambiguous
                     : !one_force ? SpreadVerdict::same_motion
                                  : SpreadVerdict::unique;
@@ -333,7 +338,7 @@ SpreadReport Search::run() {
     most_work_ = work_ + options_.most_work;
     walk();
   }
-  if (report_.faces > 0 || report_.covers_solved > 0) {
+  if (report_.faces > 0 || report_.faces_left > 0 || report_.covers_solved > 0) {
     report_.status = Status::solved;
     conclude();
     return report_;

@@ -109,7 +109,8 @@ void Face::eliminate() {
     }
     signs_.row(r) /= length;
     constant_[r] /= length;
-    rows_.row(r) = (rows_.row(r).array().abs() > rounding * length).select(rows_.row(r) / length, 0);
+    rows_.row(r) =
+        (rows_.row(r).array().abs() > rounding * length).select(rows_.row(r) / length, 0);
   }
   look_around();
 }
@@ -155,7 +156,8 @@ void Face::dual(Eigen::MatrixXd& A, Eigen::VectorXd& c) const {
 }
 
 bool Face::start_at(const Eigen::VectorXd& z) {
-  for (std::size_t k = 0; k < unknowns_.size(); ++k) origin_[static_cast<Index>(k)] = z[unknowns_[k]];
+  for (std::size_t k = 0; k < unknowns_.size(); ++k)
+    origin_[static_cast<Index>(k)] = z[unknowns_[k]];
   const Eigen::VectorXd given = origin_;
   settle(origin_);
   look_around();
@@ -176,14 +178,15 @@ Eigen::VectorXd Face::whole(const Eigen::VectorXd& x) const {
 }
 
 /// min c x, A x = b, x >= 0, with prices nu: A' nu <= c and b nu = c x, or after a ray A' nu <= 0
-/// and b nu = 1. Where one cover fails others have a try, then costs a little larger, which part ties:
-/// the signs that hold such a corner hold the true one, and the referee sees what comes of it.
+/// and b nu = 1. Where one cover fails others have a try, then costs a little larger, which part
+/// ties: the signs that hold such a corner hold the true one, and the referee sees what comes of
+/// it.
 Status Face::minimise(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::VectorXd& c,
                       Eigen::VectorXd& x, Eigen::VectorXd& prices) {
   constexpr Index tries = 3;
   constexpr double apart = 1e-8;
   Eigen::VectorXd costs = c;
-  const LinearProgram<double> program{A.cols(), A.rows(), 0,         A.data(),
+  const LinearProgram<double> program{A.cols(), A.rows(), 0,           A.data(),
                                       b.data(), nullptr,  costs.data()};
   std::vector<double> scalars(
       static_cast<std::size_t>(linear_program_scalars(A.cols(), A.rows(), 0)));
@@ -217,7 +220,8 @@ Eigen::VectorXd Face::polished(const Eigen::VectorXd& t, const Eigen::VectorXd& 
   const double size = 1 + room.cwiseAbs().maxCoeff();
   std::vector<bool> held(static_cast<std::size_t>(room.size()), false);
   for (Index k = 0; k < prices.size(); ++k)
-    if (prices[k] > 1e-6) held[static_cast<std::size_t>(first_[static_cast<std::size_t>(k)])] = true;
+    if (prices[k] > 1e-6)
+      held[static_cast<std::size_t>(first_[static_cast<std::size_t>(k)])] = true;
   Eigen::VectorXd result = t;
   for (int turn = 0; turn < 2; ++turn) {
     const Eigen::VectorXd at = rows_ * result + room;

@@ -39,14 +39,14 @@ private:
   std::vector<Index> unknowns_; // which may differ from 0
   Eigen::MatrixXd equations_;   // E: E z = right_, z of unknowns_
   Eigen::VectorXd right_;
-  Eigen::MatrixXd signs_;       // C: C z + constant_ >= 0
+  Eigen::MatrixXd signs_; // C: C z + constant_ >= 0
   Eigen::VectorXd constant_;
   Eigen::MatrixXd basis_, triangle_; // of E', rank columns
   std::vector<Index> order_;
   Eigen::VectorXd origin_;
   Eigen::MatrixXd directions_;
-  Eigen::MatrixXd rows_; // signs_ * directions_, rows scaled to length 1
-  Eigen::VectorXd room_; // what the rows have at the origin, in the same scale
+  Eigen::MatrixXd rows_;     // signs_ * directions_, rows scaled to length 1
+  Eigen::VectorXd room_;     // what the rows have at the origin, in the same scale
   std::vector<Index> first_; // of rows_: those that may bind
   bool contradictory_ = false;
   Index programs_ = 0;

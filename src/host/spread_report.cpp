@@ -67,8 +67,8 @@ std::string verdict_line(const SpreadReport& report) {
 }
 
 std::string motion_table(const SpreadReport& report) {
-  const char* const names[] = {"linear x", "linear y", "linear z", "angular x", "angular y",
-                               "angular z"};
+  const char* const names[] = {"linear x",  "linear y",  "linear z",
+                               "angular x", "angular y", "angular z"};
   std::vector<std::vector<std::string>> rows{{"motion of the object", "", ""}};
   for (Index k = 0; k < 6; ++k) {
     const double zero = same_acceleration(report) / (k < 3 ? 1 : report.scales.length);
@@ -132,8 +132,9 @@ std::string spread_text(const SceneFile& file, const SpreadReport& report) {
     if (report.complete)
       return text + "\nNo solution: every assignment of contact modes was refuted.\n";
     return text + "\nNo solution was reached from " + counted(report.covers, "cover") + ".\n" +
-           (report.enumeration.empty() ? ""
-                                       : "Not enumerated to the end: " + report.enumeration + ".\n");
+           (report.enumeration.empty()
+                ? ""
+                : "Not enumerated to the end: " + report.enumeration + ".\n");
   }
   text += reach_lines(report) + verdict_line(report);
   for (const PusherSpread& pusher : report.pushers) {
@@ -143,8 +144,9 @@ std::string spread_text(const SceneFile& file, const SpreadReport& report) {
             " N, the sum of its normal forces\n";
   }
   text += "\n" + motion_table(report) + "\n" + contact_table(file, report);
-  return text + "\nBoth ends of each range belong to answers that were checked apart from the solver: "
-                "scaled\nresidual " +
+  return text +
+         "\nBoth ends of each range belong to answers that were checked apart from the solver: "
+         "scaled\nresidual " +
          residual_text(report.residual) + ". Not every value in between need belong to one. " +
          counted(report.programs, "linear program") + ".\n";
 }

@@ -63,18 +63,19 @@ ExistenceFound find_existence(const SceneFile& file, const Assembly<double>& ass
 Statement existence_statement(const SceneFile& file, const ExistenceFound& found) {
   const std::string who = listed(found.bodies, "and");
   const std::string pulls =
-      has_bilateral(file) ? "; bilateral pushers leave the common class, so their pulls were looked "
-                            "at too (5.7)"
-                          : "";
-  if (!found.studied)
-    return {false, "none", "not studied: the scene has too many unknowns"};
+      has_bilateral(file)
+          ? "; bilateral pushers leave the common class, so their pulls were looked "
+            "at too (5.7)"
+          : "";
+  if (!found.studied) return {false, "none", "not studied: the scene has too many unknowns"};
   switch (found.verdict) {
   case Existence::proved:
     return {true, "an answer exists, whatever the loads",
             "(H1) and (H2) of theory 5.3 hold" + pulls};
   case Existence::closes_on_nothing:
     return {false, "none",
-            "(H1) of theory 5.3 fails: the actuator of " + who + " can close on no contact" + pulls};
+            "(H1) of theory 5.3 fails: the actuator of " + who + " can close on no contact" +
+                pulls};
   case Existence::can_be_squeezed:
     return {false, "none",
             "(H2) of theory 5.3 fails: " + who +
@@ -91,8 +92,7 @@ Statement existence_statement(const SceneFile& file, const ExistenceFound& found
 
 Statement uniqueness_statement(const PushReport& report) {
   if (report.unique_motion == Uniqueness::yes)
-    return {true, "the motion is unique",
-            "every normal force with friction is known (theory 7)"};
+    return {true, "the motion is unique", "every normal force with friction is known (theory 7)"};
   const FinalBasis& basis = report.final_basis;
   const std::string why =
       report.undetermined.empty()

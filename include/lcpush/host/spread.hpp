@@ -1,5 +1,5 @@
-// The answer as a set: between which bounds do the push, the motion and the contact forces lie, over
-// all answers of the literal laws (pressure = "rigid") that are reached? docs/spread.md.
+// The answer as a set: between which bounds do the push, the motion and the contact forces lie,
+// over all answers of the literal laws (pressure = "rigid") that are reached? docs/spread.md.
 #pragma once
 
 #include <limits>
@@ -11,8 +11,8 @@
 namespace lcpush::host {
 
 /// Both ends belong to an answer that has passed the laws' referee. An infinite end: the quantity
-/// grows without end along answers, one of which, far out, has passed it. Not every value in between
-/// needs to belong to an answer: the set may have gaps.
+/// grows without end along answers, one of which, far out, has passed it. Not every value in
+/// between needs to belong to an answer: the set may have gaps.
 struct Interval {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -29,8 +29,8 @@ struct SpreadOptions {
   Index covers = 32;      ///< covering vectors 0, 1, .. of Lemke's method, each a path to an answer
   bool enumerate = false; ///< look at all assignments of contact modes, not only at those reached
   Index most_faces = 200; ///< faces studied; `enumerate`: ten times as many
-  double most_work = 2e9; ///< multiplications after which no further face is begun; `enumerate`: ten
-                           ///< times as many
+  double most_work = 2e9; ///< multiplications after which no further face is begun; `enumerate`:
+                          ///< ten times as many
   LemkeOptions<double> lemke{};
   Watcher* watcher = nullptr; ///< told of the covers' pivots
 };
@@ -67,7 +67,7 @@ struct SpreadReport {
   Interval twist[6]; ///< the object's acceleration, [m/s^2; rad/s^2]
   std::vector<ContactSpread> contacts;
   Scales<double> scales{};
-  double motion = 0;   ///< m/s^2, the largest |acceleration| reached or the push: the scale of `same`
+  double motion = 0; ///< m/s^2, the largest |acceleration| reached or the push: the scale of `same`
   double residual = 0; ///< the largest of the answers behind the bounds
 
   Index covers = 0;        ///< tried

@@ -4,7 +4,8 @@
 //   (H1) fails if   s' >= 0, sum s' = 1,   sum_a W(n_i)' J_a s'_a <= 0 at every contact
 //                   has a solution for the massless actuators;
 //   (H2) fails if   f >= 0 in the cones,   G f = 0,   Q_a(f) = 0,   P(f) = 1
-//                   has one: a squeeze that no actuator feels and that the prescribed motions tighten.
+//                   has one: a squeeze that no actuator feels and that the prescribed motions
+//                   tighten.
 //
 // Asked for contacts without compliance: that covers the literal laws and, as compliance only takes
 // squeezes away, every first round of the pads.
@@ -15,11 +16,11 @@
 namespace lcpush {
 
 enum class Existence {
-  not_known,          ///< a linear program failed, or the memory is too small
-  proved,             ///< an answer exists for every load and grip force
-  closes_on_nothing,  ///< (H1) fails
-  can_be_squeezed,    ///< (H2) fails
-  may_retreat,        ///< they hold, but an actuator could end at its bound (5.4)
+  not_known,         ///< a linear program failed, or the memory is too small
+  proved,            ///< an answer exists for every load and grip force
+  closes_on_nothing, ///< (H1) fails
+  can_be_squeezed,   ///< (H2) fails
+  may_retreat,       ///< they hold, but an actuator could end at its bound (5.4)
 };
 
 template <class S> struct ExistenceMemory {
@@ -146,9 +147,9 @@ template <class S> bool cannot_retreat(const Assembly<S>& assembly) {
   return true;
 }
 
-/// Reads the assembled scene's laws, not its loads. `witness`, of the larger of forces and actuators,
-/// receives what shows that (H1) or (H2) fails: closings per actuator, or forces per column. Cost:
-/// two linear programs, Lemke's on forces + points unknowns.
+/// Reads the assembled scene's laws, not its loads. `witness`, of the larger of forces and
+/// actuators, receives what shows that (H1) or (H2) fails: closings per actuator, or forces per
+/// column. Cost: two linear programs, Lemke's on forces + points unknowns.
 template <class S>
 [[nodiscard]] Existence study_existence(const Assembly<S>& assembly,
                                         const ExistenceMemory<S>& memory,
