@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "lcpush/host/report.hpp"
 #include "report_format.hpp"
 #include "report_parts.hpp"
@@ -109,11 +111,14 @@ std::string unique_lines(const SceneFile& file, const PushReport& report) {
   return text + "\n";
 }
 
-/// "said: why", on two lines if it is long. What follows a semicolon is in the JSON, and above.
-std::string because(const std::string& said, const std::string& reason) {
-  const std::string why = reason.substr(0, reason.find("; "));
-  const bool fits = said.size() + why.size() <= 80;
-  return said + (fits ? ": " : ":\n                  ") + why;
+const std::string next_line = "\n                  ";
+
+/// "said: why", on two lines if it is long. What follows a semicolon is a line of its own.
+std::string because(const std::string& said, std::string why) {
+  const bool fits = said.size() + std::min(why.size(), why.find("; ")) <= 80;
+  for (std::size_t at = why.find("; "); at != std::string::npos; at = why.find("; "))
+    why.replace(at, 2, ";" + next_line);
+  return said + (fits ? ": " : ":" + next_line) + why;
 }
 
 /// Which theorem covers the scene.
@@ -124,9 +129,10 @@ std::string theory_lines(const SceneFile& file, const PushReport& report) {
       because(exists.covered ? exists.statement : "no theorem promises an answer", exists.reason);
   if (report.status != Status::solved) return text + "\n";
   const Statement unique = uniqueness_statement(report);
-  return text + ";\n                  " +
+  const std::string why = unique.reason.substr(0, unique.reason.find("; ")); // more stands above
+  return text + ";" + next_line +
          because(unique.covered ? unique.statement : "no theorem says that it is the only one",
-                 unique.reason) +
+                 why) +
          "\n";
 }
 

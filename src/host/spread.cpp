@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <map>
 #include <set>
 
 #include "spread_face.hpp"
@@ -51,6 +52,7 @@ private:
   std::vector<Quantity> quantities_;
   std::set<FaceModes> known_, studied_;
   std::deque<Waiting> waiting_;
+  std::map<FaceModes, bool> possible_;
   double work_ = 0, most_work_ = 0;
   Index most_faces_ = 0;
 
@@ -67,6 +69,8 @@ private:
   void walk();
   bool is_used_up() const { return report_.faces >= most_faces_ || work_ > most_work_; }
   void enumerate();
+  bool can_be(const FaceModes& part);
+  bool goes_with_earlier(const FaceModes& modes, Index next);
   void decide(FaceModes& modes, Index next);
   void conclude();
 };
@@ -253,9 +257,36 @@ void Search::walk() {
     waiting_.pop_front();
     if (studied_.count(next.modes) == 0) study(next);
   }
-  report_.faces_left += static_cast<Index>(
-      std::count_if(waiting_.begin(), waiting_.end(),
-                    [&](const Waiting& next) { return studied_.count(next.modes) == 0; }));
+  report_.faces_left +=
+      static_cast<Index>(std::count_if(waiting_.begin(), waiting_.end(), [&](const Waiting& next) {
+        return studied_.count(next.modes) == 0;
+      }));
+}
+
+/// Has a face with these modes, signs alone where nothing is decided, a point? Remembered: the same
+/// pairs of modes come back in every branch.
+bool Search::can_be(const FaceModes& part) {
+  const auto known = possible_.find(part);
+  if (known != possible_.end()) return known->second;
+  Face face(problem_, part);
+  const bool possible = face.find_point() != Face::Point::none;
+  report_.programs += face.programs();
+  work_ += face.work() + std::pow(static_cast<double>(problem_.layout().size), 3);
+  possible_[part] = possible;
+  return possible;
+}
+
+/// Does the mode of contact `next` go with each earlier one, taken by itself?
+bool Search::goes_with_earlier(const FaceModes& modes, Index next) {
+  FaceModes pair(modes.size());
+  pair[static_cast<std::size_t>(next)] = modes[static_cast<std::size_t>(next)];
+  if (!can_be(pair)) return false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(next); ++i) {
+    pair[i] = modes[i];
+    if (!can_be(pair)) return false;
+    pair[i] = {};
+  }
+  return true;
 }
 
 /// Contact by contact, every mode; what has no point with signs alone for the rest is left.
@@ -263,8 +294,9 @@ void Search::decide(FaceModes& modes, Index next) {
   for (const ContactMode& mode : problem_.every_mode(next)) {
     if (is_used_up()) return;
     modes[static_cast<std::size_t>(next)] = mode;
-    Face face(problem_, modes);
     ++report_.assignments;
+    if (!goes_with_earlier(modes, next)) continue;
+    Face face(problem_, modes);
     const Face::Point point = face.find_point();
     work_ += face.work() + std::pow(static_cast<double>(problem_.layout().size), 3);
     if (point == Face::Point::none) continue;

@@ -132,7 +132,8 @@ TEST_CASE("[T.13] point fingers and a frictionless rod: one answer, by enumerati
   }
 }
 
-TEST_CASE("[T.13] four-point patches leave the push of a straight slide open, up to 2 mu F + m a") {
+TEST_CASE(
+    "[T.13] four-point patches leave the push of a straight slide open, from 2 mu F + m a down") {
   // With the force of a finger on one of its points the weight's moment decides how much of the
   // friction goes against the push; with even pressure all of it does.
   std::string text = with(scene_text("straight_slide.toml"), "grip_force = 20", "grip_force = 10");
@@ -143,7 +144,8 @@ TEST_CASE("[T.13] four-point patches leave the push of a straight slide open, up
   CHECK(report.faces_left == 0);
   CHECK(report.verdict == SpreadVerdict::ambiguous);
   const Interval push = report.pushers[0].force;
-  CHECK(push.high == doctest::Approx(10.02));
+  CHECK(push.high >= 10.02 - 1e-6); // more where the bar turns: its middle is faster then
+  CHECK(push.high < 10.03);
   CHECK(push.low < 9.8);
   CHECK(report.residual <= 1e-9);
   // Answers of covers that took no part lie within, and several differ.
@@ -263,7 +265,7 @@ TEST_CASE("[T.13] random grasps: every other cover's answer lies within the inte
   MESSAGE(outside << " of " << answers << " answers lie outside");
   CHECK(answers > 100);
   // Faces that no cover and no step reached may hold a few.
-  CHECK(outside * 20 <= answers);
+  CHECK(outside * 50 <= answers);
 }
 
 TEST_CASE("[T.13] a mirrored scene has the mirrored set") {

@@ -2,6 +2,8 @@
 // what the pivots end in.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "lcpush/mechanics/existence.hpp"
 #include "support/grasp_families.hpp"
 #include "support/scenes.hpp"
@@ -119,4 +121,29 @@ TEST_CASE("[T.8] a ray is never found where the lemma promises an answer") {
     }
   MESSAGE(covered << " covered, " << rays << " rays");
   CHECK(covered >= 60);
+}
+
+TEST_CASE("[T.8] a stop opposite the push: every ray is one where the lemma promises nothing") {
+  Index rays = 0, promised = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    CAPTURE(seed);
+    OwnedScene<double> scene = random_grasp<double>(seed);
+    const Vec3 at = scene.points.back();
+    scene.add_body(Role::finger, {-1, 0, 0}, 0.3, {{-at[0], at[1], at[2]}});
+    std::swap(scene.bodies[2], scene.bodies[3]); // points have to follow their bodies
+    std::rotate(scene.points.begin() + scene.bodies[3].first_point, scene.points.end() - 1,
+                scene.points.end());
+    scene.bodies[2].first_point = scene.bodies[3].first_point;
+    scene.bodies[3].first_point += 1;
+    scene.base.pressure = Pressure::rigid;
+    SolvedPush<double> push(scene);
+    const Existence known = study(push).verdict;
+    CHECK(known != Existence::not_known);
+    const Status status = push.solve();
+    if (status == Status::ray) ++rays;
+    if (known == Existence::proved) ++promised;
+    if (status == Status::ray) CHECK(known == Existence::can_be_squeezed);
+  }
+  MESSAGE(rays << " rays, " << promised << " promised");
+  CHECK(rays > 5);
 }
