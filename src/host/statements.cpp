@@ -63,10 +63,9 @@ ExistenceFound find_existence(const SceneFile& file, const Assembly<double>& ass
 Statement existence_statement(const SceneFile& file, const ExistenceFound& found) {
   const std::string who = listed(found.bodies, "and");
   const std::string pulls =
-      has_bilateral(file)
-          ? "; bilateral pushers leave the common class: their pulls were looked "
-            "at too (5.7)"
-          : "";
+      has_bilateral(file) ? "; bilateral pushers leave the common class: their pulls were looked "
+                            "at too (5.7)"
+                          : "";
   if (!found.studied) return {false, "none", "not studied: the scene has too many unknowns"};
   switch (found.verdict) {
   case Existence::proved:
