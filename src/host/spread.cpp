@@ -7,6 +7,7 @@
 #include <set>
 
 #include "spread_face.hpp"
+#include "spread_quantities.hpp"
 
 namespace lcpush::host {
 namespace {
@@ -18,14 +19,6 @@ constexpr double same = 1e-7;         // of the scale of forces, or of motions
 constexpr Index most_enumerated = 16; // contact points
 constexpr double more = 10;           // work and faces that enumeration may take
 
-/// A quantity that bounds are asked for, as a functional of z.
-struct Quantity {
-  enum class Kind { twist, normal, tangential, torsion, push } kind;
-  Index of = 0;   // component, point or pusher
-  Index axis = 0; // of tangential
-  Eigen::VectorXd f;
-};
-
 class Search {
 public:
   Search(const SceneFile& file, const SpreadOptions& options)
@@ -34,7 +27,7 @@ public:
     report_.contacts.resize(static_cast<std::size_t>(problem_.layout().points));
     for (Index b = 0; b < problem_.scene().bodies.size; ++b)
       if (problem_.scene().bodies[b].role == Role::pusher) report_.pushers.push_back({b, {}});
-    list_quantities();
+    quantities_ = list_quantities(problem_, report_.pushers);
   }
 
   SpreadReport run();
@@ -56,7 +49,6 @@ private:
   double work_ = 0, most_work_ = 0;
   Index most_faces_ = 0;
 
-  void list_quantities();
   void solve_covers();
   void meet(const Point& z);
   void propose(FaceModes modes, const Point& z);
@@ -74,48 +66,6 @@ private:
   void decide(FaceModes& modes, Index next);
   void conclude();
 };
-
-void Search::list_quantities() {
-  const Layout<double>& layout = problem_.layout();
-  const FactoredProblem<double>& factored = *problem_.problem().factored;
-  const auto blank = [&] { return Eigen::VectorXd(Eigen::VectorXd::Zero(layout.size)); };
-  for (std::size_t p = 0; p < report_.pushers.size(); ++p) {
-    Quantity push{Quantity::Kind::push, static_cast<Index>(p), 0, blank()};
-    for (Index i = 0; i < layout.points; ++i)
-      if (layout.body[i] == report_.pushers[p].body)
-        for (Index k = 0; k < layout.cones[i].normals; ++k)
-          push.f[layout.normal(i) + k] = k == 0 ? 1 : -1;
-    quantities_.push_back(push);
-  }
-  for (Index k = 0; k < 6; ++k) {
-    Quantity twist{Quantity::Kind::twist, k, 0, blank()};
-    for (const ConeGroup<double>& cone : layout.cones)
-      for (Index j = 0; j < cone.forces(); ++j)
-        twist.f[cone.variable + j] =
-            factored.mobility.row(k).dot(factored.wrenches[cone.force + j]);
-    if (twist.f.norm() > 0) quantities_.push_back(twist);
-  }
-  for (Index i = 0; i < layout.points; ++i) {
-    const Body<double>& body = problem_.scene().bodies[layout.body[i]];
-    Quantity normal{Quantity::Kind::normal, i, 0, blank()};
-    for (Index k = 0; k < layout.cones[i].normals; ++k)
-      normal.f[layout.normal(i) + k] = k == 0 ? 1 : -1;
-    quantities_.push_back(normal);
-    if (layout.cones[i].generators == 0) continue;
-    Quantity along{Quantity::Kind::tangential, i, 0, blank()};
-    Quantity across{Quantity::Kind::tangential, i, 1, blank()};
-    Quantity torsion{Quantity::Kind::torsion, i, 0, blank()};
-    for (Index j = 0; j < layout.cones[i].generators; ++j) {
-      const Generator<double> d = generator(body, j, problem_.scene().facets);
-      along.f[layout.friction(i, j)] = d.force.dot(body.tangent);
-      across.f[layout.friction(i, j)] = d.force.dot(cross(body.normal, body.tangent));
-      torsion.f[layout.friction(i, j)] = d.torque / layout.scales.length;
-    }
-    quantities_.push_back(along);
-    quantities_.push_back(across);
-    if (body.torsion_radius > 0) quantities_.push_back(torsion);
-  }
-}
 
 Interval& Search::interval_of(const Quantity& quantity) {
   const auto at = static_cast<std::size_t>(quantity.of);

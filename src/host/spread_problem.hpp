@@ -44,7 +44,7 @@ public:
   const Scene<double>& scene() const { return scene_; }
   const Layout<double>& layout() const { return assembly_.get().layout(); }
   Problem<double> problem() { return assembly_.get().problem(); }
-  const Assembly<double>& assembly() { return assembly_.get(); }
+  const FactoredProblem<double>& factored() const { return assembly_.get().factored(); }
   const Eigen::MatrixXd& M() const { return M_; }
   const Eigen::VectorXd& q() const { return q_; }
   Eigen::VectorXd slacks(const Eigen::VectorXd& z) const { return M_ * z + q_; }
