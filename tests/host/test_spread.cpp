@@ -180,6 +180,14 @@ TEST_CASE("[T.13] the vise: every squeeze from none to without end, held and fal
   }
 }
 
+TEST_CASE("[T.13] steps to neighbouring faces find the held block, which no cover's pivots do") {
+  const SpreadReport report = spread_of(scene_text("vise.toml"));
+  CHECK_FALSE(report.complete);
+  CHECK(report.verdict == SpreadVerdict::ambiguous);
+  check_interval(report.twist[1], -9.81, 0, 1);
+  CHECK(std::isinf(report.contacts[0].normal.high));
+}
+
 TEST_CASE(
     "[T.13] a bistable cylinder: rolling and held are found, as theory 8 says, and all else") {
   constexpr double weight = 0.3 * 9.81;
