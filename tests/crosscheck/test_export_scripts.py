@@ -70,6 +70,9 @@ def main():
                     if right:
                         answer = json.loads(path.read_text())
                         complaints = judge.complaints(answer)
+                        verdict = run([TOOL, "verify", scene, path])
+                        if verdict.returncode != 0:
+                            complaints["lcpush verify"] = verdict.stdout
                         right = not complaints and answer["status"] == "solved"
                         # The judge can say no.
                         answer["contacts"][-1]["normal_force"] += 1e-3 * judge.force
