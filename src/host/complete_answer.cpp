@@ -1,6 +1,6 @@
 #include "complete_answer.hpp"
 
-#include "nonnegative_least_squares.hpp"
+#include "answer_completer.hpp"
 #include "owned_program.hpp"
 
 #include <Eigen/QR>
@@ -10,8 +10,6 @@
 
 namespace lcpush::host {
 namespace {
-
-using Rows = std::vector<std::pair<Eigen::VectorXd, double>>;
 
 /// The x that all rows agree on; nothing if they leave a part of it open.
 std::optional<Eigen::VectorXd> least_squares(const Rows& rows, Index unknowns) {
@@ -28,75 +26,23 @@ std::optional<Eigen::VectorXd> least_squares(const Rows& rows, Index unknowns) {
   return Eigen::VectorXd(qr.solve(b));
 }
 
-class Completer {
-public:
-  Completer(Push& push, const ForeignAnswer& given, double tolerance, OwnedAnswer& answer)
-      : scene_(push.scene()), layout_(push.layout()), factored_(push.assembly().factored()),
-        given_(given), file_(push.file()), tolerance_(tolerance), out_(answer),
-        answer_(answer.view()) {}
-
-  Completion run();
-
-private:
-  const Scene<double>& scene_;
-  const Layout<double>& layout_;
-  const FactoredProblem<double>& factored_;
-  const ForeignAnswer& given_;
-  const SceneFile& file_;
-  double tolerance_;
-  OwnedAnswer& out_;
-  Answer<double> answer_;
-  Completion completion_;
-
-  const Body<double>& body_of(Index i) const { return scene_.bodies[layout_.body[i]]; }
-  ForeignContact contact_of(Index i) const {
-    return given_.contacts.empty() ? ForeignContact()
-                                   : given_.contacts[static_cast<std::size_t>(i)];
-  }
-  bool normal_known(Index i) const { return contact_of(i).normal_force.has_value(); }
-  bool has_friction(Index i) const { return layout_.cones[i].generators > 0; }
-  bool friction_known(Index i) const;
-  bool forces_known() const;
-  void take_given();
-
-  bool find_acceleration();
-  bool acceleration_from_points();
-  Rows point_rows(bool with_acceleration) const;
-  Eigen::VectorXd drive_speeds(Index point, const Vector3<double>& direction) const;
-  double opening(Index point) const;
-  void find_closings();
-  std::optional<Eigen::VectorXd> closings_given() const;
-  std::optional<Eigen::VectorXd> closings_from_forces() const;
-  std::optional<Eigen::VectorXd> closings_from_openings() const;
-  void find_slips();
-  double slides_against(Index point, Index j) const;
-  double gap(Index point) const;
-  struct ForceRows {
-    Eigen::MatrixXd A; // columns: the forces, then what each cone has left
-    Eigen::VectorXd b;
-  };
-  ForceRows force_rows();
-  void find_forces();
-  void split_friction(Index point, double* beta);
-  void split_soft(Index point, double* beta);
-  void find_motions();
-};
+} // namespace
 
 /// Of a soft point, force and torque.
-bool Completer::friction_known(Index i) const {
+bool AnswerCompleter::friction_known(Index i) const {
   const ForeignContact contact = contact_of(i);
   if (!has_friction(i)) return true;
   if (contact.normal_force && *contact.normal_force == 0 && !contact.friction_force) return true;
   return contact.friction_force && (!(body_of(i).torsion_radius > 0) || contact.torsion);
 }
 
-bool Completer::forces_known() const {
+bool AnswerCompleter::forces_known() const {
   for (Index i = 0; i < layout_.points; ++i)
     if (!normal_known(i) || !friction_known(i)) return false;
   return true;
 }
 
-void Completer::take_given() {
+void AnswerCompleter::take_given() {
   for (Index i = 0; i < layout_.points; ++i) {
     const ForeignContact given = contact_of(i);
     ContactAnswer<double>& contact = answer_.contacts[i];
@@ -108,7 +54,7 @@ void Completer::take_given() {
 }
 
 /// What a unit of each actuator moves the point of its body along `direction`.
-Eigen::VectorXd Completer::drive_speeds(Index point, const Vector3<double>& direction) const {
+Eigen::VectorXd AnswerCompleter::drive_speeds(Index point, const Vector3<double>& direction) const {
   Eigen::VectorXd speeds = Eigen::VectorXd::Zero(layout_.actuators);
   for (const Drive<double>& drive : scene_.drives)
     if (drive.body == layout_.body[point])
@@ -117,14 +63,14 @@ Eigen::VectorXd Completer::drive_speeds(Index point, const Vector3<double>& dire
 }
 
 /// Without what the actuators add, m/s^2.
-double Completer::opening(Index point) const {
+double AnswerCompleter::opening(Index point) const {
   const Body<double>& body = body_of(point);
   const Vector6<double> relative = out_.acceleration - body.acceleration;
   return acceleration_at<double>(scene_.points[point], relative).dot(body.normal);
 }
 
 /// r_i = (a - A_b - J s) at p_i, for the points whose motion is given: rows on [a; s] or on s.
-Rows Completer::point_rows(bool with_acceleration) const {
+Rows AnswerCompleter::point_rows(bool with_acceleration) const {
   Rows rows;
   const double L = layout_.scales.length;
   const Index before = with_acceleration ? 6 : 0;
@@ -147,7 +93,7 @@ Rows Completer::point_rows(bool with_acceleration) const {
   return rows;
 }
 
-bool Completer::acceleration_from_points() {
+bool AnswerCompleter::acceleration_from_points() {
   const auto found = least_squares(point_rows(true), 6 + layout_.actuators);
   if (!found) return false;
   out_.acceleration = found->head<6>();
@@ -155,7 +101,7 @@ bool Completer::acceleration_from_points() {
   return true;
 }
 
-bool Completer::find_acceleration() {
+bool AnswerCompleter::find_acceleration() {
   if (given_.acceleration) {
     out_.acceleration = *given_.acceleration;
     return true;
@@ -182,7 +128,7 @@ bool Completer::find_acceleration() {
 }
 
 /// As the file names them, or as its bodies or its points close.
-std::optional<Eigen::VectorXd> Completer::closings_given() const {
+std::optional<Eigen::VectorXd> AnswerCompleter::closings_given() const {
   const Index n = layout_.actuators;
   if (static_cast<Index>(given_.closing.size()) == n)
     return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(given_.closing.data(), n));
@@ -205,7 +151,7 @@ std::optional<Eigen::VectorXd> Completer::closings_given() const {
 }
 
 /// A pressed contact stays closed; what presses most counts most.
-std::optional<Eigen::VectorXd> Completer::closings_from_forces() const {
+std::optional<Eigen::VectorXd> AnswerCompleter::closings_from_forces() const {
   Rows rows;
   for (Index i = 0; i < layout_.points; ++i) {
     if (!normal_known(i)) continue;
@@ -227,7 +173,7 @@ std::optional<Eigen::VectorXd> Completer::closings_from_forces() const {
 }
 
 /// As far as the object lets the actuators close: maximise tau s while no contact is entered.
-std::optional<Eigen::VectorXd> Completer::closings_from_openings() const {
+std::optional<Eigen::VectorXd> AnswerCompleter::closings_from_openings() const {
   const Index n = layout_.actuators, points = layout_.points;
   double unit = 0;
   for (Index i = 0; i < points; ++i) unit = std::max(unit, std::abs(opening(i)));
@@ -250,7 +196,7 @@ std::optional<Eigen::VectorXd> Completer::closings_from_openings() const {
   return Eigen::VectorXd(unit * (x->head(n) - x->segment(n, n)));
 }
 
-void Completer::find_closings() {
+void AnswerCompleter::find_closings() {
   if (layout_.actuators == 0) return;
   std::optional<Eigen::VectorXd> s = closings_given();
   if (!s) {
@@ -266,7 +212,7 @@ void Completer::find_closings() {
 }
 
 /// d_j' r + xi, m/s^2.
-double Completer::slides_against(Index point, Index j) const {
+double AnswerCompleter::slides_against(Index point, Index j) const {
   const Body<double>& body = body_of(point);
   const Vector6<double> relative =
       out_.acceleration - body_twist(scene_, answer_, layout_.body[point], 1.0);
@@ -276,14 +222,14 @@ double Completer::slides_against(Index point, Index j) const {
 }
 
 /// n' r, m/s^2.
-double Completer::gap(Index point) const {
+double AnswerCompleter::gap(Index point) const {
   const Vector6<double> relative =
       out_.acceleration - body_twist(scene_, answer_, layout_.body[point], 1.0);
   return acceleration_at<double>(scene_.points[point], relative).dot(body_of(point).normal);
 }
 
 /// xi = max (0, - d_j' r): what [T.3] makes of the motion.
-void Completer::find_slips() {
+void AnswerCompleter::find_slips() {
   answer_.acceleration = out_.acceleration;
   for (Index i = 0; i < layout_.points; ++i) {
     double& slip = answer_.contacts[i].slip;
@@ -295,124 +241,8 @@ void Completer::find_slips() {
   }
 }
 
-/// Newton's law, the grip, the cones and what is given of a soft point's friction, as rows on the
-/// forces that this motion allows, scaled; then what sticking leaves of the cones.
-Completer::ForceRows Completer::force_rows() {
-  const Scales<double>& scales = layout_.scales;
-  const Index grips = layout_.actuators, points = layout_.points, cone_rows = 6 + grips;
-  const double least = tolerance_ * scales.acceleration;
-  ForceRows rows{Eigen::MatrixXd::Zero(cone_rows + 4 * points, layout_.forces + points),
-                 Eigen::VectorXd::Zero(cone_rows + 4 * points)};
-  rows.b.head<6>() << scene_.object.mass * (out_.acceleration.head<3>() - scene_.gravity) /
-                          scales.force,
-      scene_.object.inertia * out_.acceleration.tail<3>() / (scales.force * scales.length);
-  for (Index a = 0; a < grips; ++a)
-    rows.b[6 + a] = factored_.sums[a].target - factored_.sums[a].inertia * answer_.closing[a] *
-                                                   layout_.reach[a] / scales.acceleration;
-  Index entry = 0;
-  for (Index i = 0; i < points; ++i) {
-    const ConeGroup<double>& cone = layout_.cones[i];
-    const Index cone_row = cone_rows + i, given_row = cone_rows + points + 3 * i;
-    const bool friction_is_known = friction_known(i);
-    for (Index k = 0; k < cone.forces(); ++k) {
-      const bool is_normal = k < cone.normals;
-      Eigen::VectorXd column = Eigen::VectorXd::Zero(rows.b.size());
-      column.head<6>() = factored_.wrenches[cone.force + k];
-      for (const Drive<double>& drive : scene_.drives)
-        if (drive.body == layout_.body[i])
-          column[6 + drive.actuator] += laws::grip_coefficient(
-              drive, factored_.wrenches[cone.force + k], layout_.reach[drive.actuator], scales);
-      if (cone.generators > 0) column[cone_row] = is_normal ? cone.friction : -1;
-      if (!is_normal && !friction_is_known && contact_of(i).friction_force)
-        column.segment<3>(given_row) = generator(body_of(i), k - cone.normals, scene_.facets).force;
-      const double beta = is_normal ? 0 : answer_.friction[entry++];
-      const double lambda = (k == 0 ? 1 : -1) * answer_.contacts[i].normal_force;
-      if (is_normal ? normal_known(i) : friction_is_known)
-        rows.b -= std::max(is_normal ? lambda : beta, 0.0) / scales.force * column;
-      else if (is_normal ? gap(i) <= least : slides_against(i, k - cone.normals) <= least)
-        rows.A.col(cone.force + k) = column;
-    }
-    // What sliding leaves of the cone is nothing.
-    if (cone.generators > 0 && !(answer_.contacts[i].slip > least))
-      rows.A(cone_row, layout_.forces + i) = -1;
-    if (!friction_is_known && contact_of(i).friction_force)
-      rows.b.segment<3>(given_row) = *contact_of(i).friction_force / scales.force;
-  }
-  return rows;
-}
-
-/// Forces that were not given: those that leave the laws least to complain about.
-void Completer::find_forces() {
-  const ForceRows rows = force_rows();
-  const Eigen::VectorXd x = nonnegative_least_squares(rows.A, rows.b);
-  completion_.completed.emplace_back("forces that were not given, from the motion");
-  Index entry = 0;
-  for (Index i = 0; i < layout_.points; ++i) {
-    const ConeGroup<double>& cone = layout_.cones[i];
-    ContactAnswer<double>& contact = answer_.contacts[i];
-    const auto force = [&](Index k) { return x[cone.force + k] * layout_.scales.force; };
-    if (!normal_known(i)) contact.normal_force = force(0) - (cone.normals == 2 ? force(1) : 0);
-    if (friction_known(i)) {
-      entry += cone.generators;
-      continue;
-    }
-    contact.friction_force.setZero();
-    contact.torsion = 0;
-    for (Index j = 0; j < cone.generators; ++j) {
-      const double beta = force(cone.normals + j);
-      const Generator<double> d = generator(body_of(i), j, scene_.facets);
-      answer_.friction[entry++] = beta;
-      contact.friction_force += beta * d.force;
-      contact.torsion += beta * d.torque;
-    }
-  }
-}
-
-/// A friction force as generators with the least sum: two neighbours.
-void Completer::split_friction(Index point, double* beta) {
-  const Body<double>& body = body_of(point);
-  const Index g = layout_.cones[point].generators;
-  const Vector3<double>& f = answer_.contacts[point].friction_force;
-  for (Index j = 0; j < g; ++j) beta[j] = 0;
-  if (body.torsion_radius > 0) return split_soft(point, beta);
-  double best = -1;
-  for (Index j = 0; j < g; ++j) {
-    const Vector3<double> d = generator(body, j, g).force,
-                          e = generator(body, (j + 1) % g, g).force;
-    const double c = d.dot(e), determinant = 1 - c * c;
-    const double x = (f.dot(d) - c * f.dot(e)) / determinant;
-    const double y = (f.dot(e) - c * f.dot(d)) / determinant;
-    const double rounding = -1e-12 * f.norm();
-    if (x < rounding || y < rounding || (best >= 0 && x + y >= best)) continue;
-    for (Index k = 0; k < g; ++k) beta[k] = 0;
-    best = x + y;
-    beta[j] = std::max(x, 0.0);
-    beta[(j + 1) % g] = std::max(y, 0.0);
-  }
-}
-
-void Completer::split_soft(Index point, double* beta) {
-  const Body<double>& body = body_of(point);
-  const ContactAnswer<double>& contact = answer_.contacts[point];
-  const Index g = layout_.cones[point].generators;
-  const Vector3<double> o = cross(body.normal, body.tangent);
-  OwnedProgram program(g, 3);
-  program.b << contact.friction_force.dot(body.tangent), contact.friction_force.dot(o),
-      contact.torsion / body.torsion_radius;
-  const double size = program.b.norm();
-  if (!(size > 0)) return;
-  program.b /= size;
-  program.c.setOnes();
-  for (Index j = 0; j < g; ++j) {
-    const Generator<double> d = generator(body, j, scene_.facets);
-    program.A.col(j) << d.force.dot(body.tangent), d.force.dot(o), d.torque / body.torsion_radius;
-  }
-  if (const auto x = program.solve())
-    for (Index j = 0; j < g; ++j) beta[j] = (*x)[j] * size;
-}
-
 /// Every contact's motion, as given or as it follows.
-void Completer::find_motions() {
+void AnswerCompleter::find_motions() {
   for (Index i = 0; i < layout_.points; ++i) {
     const Body<double>& body = body_of(i);
     const Vector6<double> twist = body_twist(scene_, answer_, layout_.body[i], 1.0);
@@ -426,7 +256,7 @@ void Completer::find_motions() {
   }
 }
 
-Completion Completer::run() {
+Completion AnswerCompleter::run() {
   take_given();
   if (!find_acceleration()) return completion_;
   find_closings();
@@ -442,8 +272,6 @@ Completion Completer::run() {
   return completion_;
 }
 
-} // namespace
-
 OwnedAnswer::OwnedAnswer(const Layout<double>& layout)
     : contacts(static_cast<std::size_t>(layout.points)),
       closing(static_cast<std::size_t>(layout.actuators)) {
@@ -455,7 +283,7 @@ OwnedAnswer::OwnedAnswer(const Layout<double>& layout)
 
 Completion complete_answer(Push& push, const ForeignAnswer& given, double tolerance,
                            OwnedAnswer& answer) {
-  return Completer(push, given, tolerance, answer).run();
+  return AnswerCompleter(push, given, tolerance, answer).run();
 }
 
 } // namespace lcpush::host

@@ -117,7 +117,9 @@ void Verification::study_point() {
   refine(problem, z, nearest);
   const double tolerance = report_.tolerance;
   if (report_.residual <= tolerance) {
-    const bool closer = report_.refined.found && report_.refined.residual < report_.residual;
+    // Of an answer with few digits, the exact one next to it.
+    const bool closer = report_.residual > 1e-9 && report_.refined.found &&
+                        report_.refined.residual < report_.residual;
     compare(closer ? nearest : answer_);
     return;
   }
