@@ -22,6 +22,7 @@ struct OwnedAnswer {
 };
 
 struct Completion {
+  bool has_forces = false;            ///< were forces filled in?
   std::vector<std::string> completed; ///< a phrase for each thing that was not given
   std::string missing;                ///< what would have to be given as well; empty: it is whole
 };

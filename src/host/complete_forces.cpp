@@ -85,6 +85,7 @@ Eigen::VectorXd AnswerCompleter::fitting_forces(const ForceRows& rows) const {
 /// Forces that were not given: those that leave the laws least to complain about.
 void AnswerCompleter::find_forces() {
   const Eigen::VectorXd x = fitting_forces(force_rows());
+  completion_.has_forces = true;
   completion_.completed.emplace_back("forces that were not given, from the motion");
   Index entry = 0;
   for (Index i = 0; i < layout_.points; ++i) {

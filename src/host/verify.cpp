@@ -75,6 +75,7 @@ private:
   const Layout<double>& layout_;
   OwnedAnswer answer_;
   VerifyReport report_;
+  bool has_forces_ = false; // filled in
 
   void study_point();
   void refine(const DenseProblem& problem, const Eigen::VectorXd& z, OwnedAnswer& refined);
@@ -117,9 +118,9 @@ void Verification::study_point() {
   refine(problem, z, nearest);
   const double tolerance = report_.tolerance;
   if (report_.residual <= tolerance) {
-    // Of an answer with few digits, the exact one next to it.
-    const bool closer = report_.residual > 1e-9 && report_.refined.found &&
-                        report_.refined.residual < report_.residual;
+    // Of an answer with few digits, the exact one next to it; a motion alone stands as it is.
+    const bool closer =
+        !has_forces_ && report_.refined.found && report_.refined.residual < report_.residual;
     compare(closer ? nearest : answer_);
     return;
   }
@@ -171,6 +172,7 @@ VerifyReport Verification::run() {
   if (!completion.missing.empty())
     throw InputError(given_.file + ": what is given leaves the rest open; give also " +
                      completion.missing);
+  has_forces_ = completion.has_forces;
   report_.completed = completion.completed;
   report_.rows = broken_rows(push_, given_, answer_.view());
   report_.residual = worst_row().scaled;
