@@ -12,5 +12,7 @@ Command export_command();
 Command matrices_command();
 Command pivots_command();
 Command sweep_command();
+Command verify_command();
+Command spread_command();
 
 } // namespace lcpush::cli

@@ -187,7 +187,11 @@ void Push::conclude(PushReport& report, bool proved, bool same_motion, bool same
 
 void Push::search_others(const PushOptions& options, PushReport& report) {
   constexpr double tolerance = 1e-5;
-  const bool proved = motion_is_determined(scene_);
+  const Index open = undetermined_body(scene_);
+  const bool proved = open < 0;
+  if (!proved)
+    report.undetermined =
+        file_.body_names[static_cast<std::size_t>(file_.body_of(scene_.bodies[open].first_point))];
   constexpr Index largest_searched = 2000; // unknowns; beyond, a search costs minutes
   bool same_a = true, same_f = true;
   const Outcome<double> first = outcome();
@@ -213,6 +217,7 @@ PushReport Push::solve(const PushOptions& options) {
   report.solver = options.solver;
   assembly_.assemble(scene_);
   report.scales = layout().scales;
+  if (options.study_existence) report.existence = find_existence(file_, assembly_);
   history_.clear();
   swept_before_ = 0;
   report.status = run(options, 1.0, report.run);
