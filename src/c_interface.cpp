@@ -3,6 +3,9 @@
 
 #include "c_push.hpp"
 
+#include <cstring>
+#include <type_traits>
+
 namespace lcpush::c {
 namespace {
 
@@ -38,9 +41,16 @@ template <class S, int n> void write(const Eigen::Matrix<S, n, 1>& vector, S* ou
   for (Index i = 0; i < n; ++i) out[i] = vector[i];
 }
 
+/// C lets its callers write any number into an enum; here reading it as one would be undefined.
+template <class E> auto number_of(const E& e) {
+  std::underlying_type_t<E> number;
+  std::memcpy(&number, &e, sizeof number);
+  return number;
+}
+
 template <class S, class CBody> Body<S> body_from(const CBody& given) {
   Body<S> body;
-  body.role = given.role == LCPUSH_PUSHER ? Role::pusher : Role::finger;
+  body.role = number_of(given.role) == LCPUSH_PUSHER ? Role::pusher : Role::finger;
   const Vector3<S> normal = vector(given.normal), tangent = vector(given.tangent);
   // A zero normal stays zero, and find_mistake says so.
   const S length = normal.norm();
@@ -78,9 +88,10 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   scene.object.center_of_mass.setZero();
   scene.gravity = vector(given.gravity);
   scene.facets = given.facets;
-  if (given.pressure < LCPUSH_PAD || given.pressure > LCPUSH_RIGID)
+  const auto pressure = number_of(given.pressure);
+  if (pressure != LCPUSH_PAD && pressure != LCPUSH_EVEN && pressure != LCPUSH_RIGID)
     return push.refuse(Mistake::unsupported);
-  scene.pressure = static_cast<Pressure>(given.pressure);
+  scene.pressure = static_cast<Pressure>(pressure);
   scene.planar = given.planar != 0;
   scene.bodies = {bodies.data, bodies.size};
   scene.points = {points.data, points.size};
@@ -164,18 +175,13 @@ namespace {
 
 /// All sizes of a small grid: the bounds are polynomials, and their terms grow one by one.
 template <class S, class CPushStruct> constexpr bool all_covered() {
-  for (std::size_t p : {1, 2, 7, 40})
-    for (std::size_t g : {4, 8, 42})
-      for (std::size_t a : {0, 1, 9})
-        for (std::size_t d : {0, 1, 2, 9}) {
-          const Index points = static_cast<Index>(p), facets = static_cast<Index>(g);
-          const Index actuators = static_cast<Index>(a), drives = static_cast<Index>(d);
-          if (!covers<S, CPushStruct>(LCPUSH_BYTES(S, p, g, a, d), points, facets, actuators,
-                                      drives, false) ||
-              !covers<S, CPushStruct>(LCPUSH_SWEEP_BYTES(S, p, g, a, d), points, facets, actuators,
-                                      drives, true))
+  for (const int p : {1, 2, 7, 40})
+    for (const int g : {4, 8, 42})
+      for (const int a : {0, 1, 9})
+        for (const int d : {0, 1, 2, 9})
+          if (!covers<S, CPushStruct>(LCPUSH_BYTES(S, p, g, a, d), p, g, a, d, false) ||
+              !covers<S, CPushStruct>(LCPUSH_SWEEP_BYTES(S, p, g, a, d), p, g, a, d, true))
             return false;
-        }
   return true;
 }
 static_assert(all_covered<double, lcpush_push>(), "LCPUSH_BYTES is too small");

@@ -46,10 +46,10 @@ void Arguments::read_option(const Command& command, const std::vector<std::strin
   for (const Option& option : command.options) {
     known.push_back(option.name);
     if (option.name != name) continue;
-    if (values_.count(name) > 0) throw UsageError(name + " is given twice");
+    if (values_.count(name) > 0 && !option.repeats) throw UsageError(name + " is given twice");
     if (option.value.empty()) {
       if (inline_value) throw UsageError(name + " takes no value");
-      values_[name] = "";
+      values_[name] = {""};
       return;
     }
     if (!inline_value) {
@@ -57,7 +57,7 @@ void Arguments::read_option(const Command& command, const std::vector<std::strin
         throw UsageError(words[at] + " needs a value: " + words[at] + " " + option.value);
       inline_value = words[++at];
     }
-    values_[name] = *inline_value;
+    values_[name].push_back(*inline_value);
     return;
   }
   throw UsageError("unknown option " + host::quoted(words[at]) + host::suggestion(name, known));
@@ -81,6 +81,12 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
 std::optional<std::string> Arguments::value(const std::string& option) const {
   const auto found = values_.find(option);
   if (found == values_.end()) return std::nullopt;
+  return found->second.front();
+}
+
+std::vector<std::string> Arguments::values(const std::string& option) const {
+  const auto found = values_.find(option);
+  if (found == values_.end()) return {};
   return found->second;
 }
 

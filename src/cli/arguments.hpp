@@ -21,6 +21,7 @@ struct Option {
   std::string name;  ///< "--json"
   std::string value; ///< placeholder of its value, empty for a flag
   std::string help;
+  bool repeats = false; ///< may be given several times
 };
 
 struct Command {
@@ -41,13 +42,15 @@ public:
   const std::vector<std::string>& files() const { return files_; }
   bool has(const std::string& option) const { return values_.count(option) > 0; }
   std::optional<std::string> value(const std::string& option) const;
+  /// All of an option that repeats, in the order given.
+  std::vector<std::string> values(const std::string& option) const;
 
   /// "text" or "json", or another format that the command names.
   std::string format(const std::vector<std::string>& known) const;
 
 private:
   std::vector<std::string> files_;
-  std::map<std::string, std::string> values_;
+  std::map<std::string, std::vector<std::string>> values_;
 
   void read_option(const Command& command, const std::vector<std::string>& words, std::size_t& at);
 };

@@ -1,5 +1,5 @@
 // lcpush break: the force that just moves the object in the grip.
-#include "../host/message.hpp"
+#include "chosen_pusher.hpp"
 #include "commands.hpp"
 #include "lcpush/host/report.hpp"
 #include "progress.hpp"
@@ -8,26 +8,6 @@
 
 namespace lcpush::cli {
 namespace {
-
-/// The body of --pusher, or the only pusher.
-Index chosen_pusher(const Arguments& arguments, const host::SceneFile& file) {
-  std::vector<std::string> names;
-  Index pusher = -1;
-  const std::optional<std::string> wanted = arguments.value("--pusher");
-  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
-    if (file.bodies[b].role != Role::pusher) continue;
-    names.push_back(file.body_names[b]);
-    if (!wanted || *wanted == file.body_names[b]) pusher = static_cast<Index>(b);
-  }
-  if (names.empty()) throw UsageError("the scene has no [[pusher]]: nothing can break the grasp");
-  if (!wanted && names.size() > 1)
-    throw UsageError("the scene has several pushers: say which with --pusher " +
-                     host::listed(names, "or"));
-  if (pusher < 0)
-    throw UsageError("no pusher is named " + host::quoted(*wanted) +
-                     host::suggestion(*wanted, names));
-  return pusher;
-}
 
 int run(const Arguments& arguments) {
   const host::Solver solver = chosen_solver(arguments);

@@ -11,5 +11,8 @@ Command break_command();
 Command export_command();
 Command matrices_command();
 Command pivots_command();
+Command sweep_command();
+Command verify_command();
+Command spread_command();
 
 } // namespace lcpush::cli

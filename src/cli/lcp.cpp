@@ -3,7 +3,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <tuple>
 
 #include "../host/message.hpp"
 #include "../host/number_text.hpp"
@@ -18,35 +17,6 @@
 
 namespace lcpush::cli {
 namespace {
-
-/// "7,8" as 1-based rows; nothing is free if the option is not given.
-std::vector<unsigned char> read_free(const Arguments& arguments, Index n) {
-  std::vector<unsigned char> free(static_cast<std::size_t>(n), 0);
-  if (!arguments.has("--free")) return free;
-  const std::string list = *arguments.value("--free");
-  const char* at = list.data();
-  const char* const end = at + list.size();
-  for (;;) {
-    Index row = 0;
-    const auto [rest, error] = std::from_chars(at, end, row);
-    if (error != std::errc() || row < 1 || row > n)
-      throw UsageError("--free is a list of rows from 1 to " + std::to_string(n) +
-                       " such as 7,8, not " + host::quoted(list));
-    unsigned char& is_free = free[static_cast<std::size_t>(row - 1)];
-    if (is_free != 0) throw UsageError("--free names row " + std::to_string(row) + " twice");
-    is_free = 1;
-    if (rest == end) return free;
-    if (*rest != ',') throw UsageError("--free wants commas between rows: " + host::quoted(list));
-    at = rest + 1;
-  }
-}
-
-host::RawProblem read_problem(const Arguments& arguments) {
-  host::RawProblem problem;
-  std::tie(problem.M, problem.q) = read_matrices(arguments);
-  problem.free = read_free(arguments, problem.M.rows);
-  return problem;
-}
 
 /// --solver, --sweeps and --relaxation.
 host::RawOptions read_options(const Arguments& arguments) {
@@ -195,7 +165,7 @@ int run(const Arguments& arguments) {
   const std::string format = read_format(arguments);
   host::RawOptions options = read_options(arguments);
   const std::string solver = host::solver_text(options.solver);
-  const host::RawProblem problem = read_problem(arguments);
+  const host::RawProblem problem = read_raw_problem(arguments, arguments.files());
   host::RawAnswer answer;
   {
     Progress progress;

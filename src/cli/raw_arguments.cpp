@@ -1,6 +1,10 @@
 #include "raw_arguments.hpp"
 
+#include "../host/message.hpp"
 #include "lcpush/host/input_error.hpp"
+
+#include <charconv>
+#include <tuple>
 
 namespace lcpush::cli {
 namespace {
@@ -13,22 +17,21 @@ template <class S> struct Readers {
 };
 
 template <class S>
-std::pair<host::MatrixOf<S>, host::MatrixOf<S>> read(const Arguments& arguments,
-                                                     const Readers<S>& readers) {
+std::pair<host::MatrixOf<S>, host::MatrixOf<S>>
+read(const Arguments& arguments, const std::vector<std::string>& files, const Readers<S>& readers) {
   const auto M_text = arguments.value("--M"), q_text = arguments.value("--q");
   if (M_text.has_value() != q_text.has_value()) throw UsageError("--M and --q go together");
-  if (M_text && !arguments.files().empty())
-    throw UsageError("give either files or --M and --q, not both");
+  if (M_text && !files.empty()) throw UsageError("give either files or --M and --q, not both");
   host::MatrixOf<S> M, q;
   std::string of_M = "--M", of_q = "--q";
   if (M_text) {
     M = readers.matrix(*M_text, "--M");
     q = readers.vector(*q_text, "--q");
   } else {
-    if (arguments.files().size() != 2)
+    if (files.size() != 2)
       throw UsageError("two files are needed: M.mtx q.mtx (or --M \"2 1; 1 2\" --q \"-5 -6\")");
-    of_M = arguments.files()[0];
-    of_q = arguments.files()[1];
+    of_M = files[0];
+    of_q = files[1];
     M = readers.file(of_M);
     q = readers.file(of_q);
   }
@@ -43,17 +46,49 @@ std::pair<host::MatrixOf<S>, host::MatrixOf<S>> read(const Arguments& arguments,
   return {std::move(M), std::move(q)};
 }
 
+/// "7,8" as 1-based rows; nothing is free if the option is not given.
+std::vector<unsigned char> read_free(const Arguments& arguments, Index n) {
+  std::vector<unsigned char> free(static_cast<std::size_t>(n), 0);
+  if (!arguments.has("--free")) return free;
+  const std::string list = *arguments.value("--free");
+  const char* at = list.data();
+  const char* const end = at + list.size();
+  for (;;) {
+    Index row = 0;
+    const auto [rest, error] = std::from_chars(at, end, row);
+    if (error != std::errc() || row < 1 || row > n)
+      throw UsageError("--free is a list of rows from 1 to " + std::to_string(n) +
+                       " such as 7,8, not " + host::quoted(list));
+    unsigned char& is_free = free[static_cast<std::size_t>(row - 1)];
+    if (is_free != 0) throw UsageError("--free names row " + std::to_string(row) + " twice");
+    is_free = 1;
+    if (rest == end) return free;
+    if (*rest != ',') throw UsageError("--free wants commas between rows: " + host::quoted(list));
+    at = rest + 1;
+  }
+}
+
 } // namespace
 
-std::pair<host::HostMatrix, host::HostMatrix> read_matrices(const Arguments& arguments) {
+std::pair<host::HostMatrix, host::HostMatrix> read_matrices(const Arguments& arguments,
+                                                            const std::vector<std::string>& files) {
   return read<double>(
-      arguments, {host::parse_inline_matrix, host::parse_inline_vector, host::read_matrix_market});
+      arguments, files,
+      {host::parse_inline_matrix, host::parse_inline_vector, host::read_matrix_market});
 }
 
 std::pair<host::ExactMatrix, host::ExactMatrix> read_matrices_exactly(const Arguments& arguments) {
-  return read<host::Rational>(arguments,
+  return read<host::Rational>(arguments, arguments.files(),
                               {host::parse_inline_matrix_exactly, host::parse_inline_vector_exactly,
                                host::read_matrix_market_exactly});
+}
+
+host::RawProblem read_raw_problem(const Arguments& arguments,
+                                  const std::vector<std::string>& files) {
+  host::RawProblem problem;
+  std::tie(problem.M, problem.q) = read_matrices(arguments, files);
+  problem.free = read_free(arguments, problem.M.rows);
+  return problem;
 }
 
 } // namespace lcpush::cli

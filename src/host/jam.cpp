@@ -23,6 +23,7 @@ bool solves(const SceneFile& changed) {
   PushOptions options;
   options.other_covers = 0;
   options.explain_jams = false;
+  options.study_existence = false;
   return push.solve(options).status == Status::solved;
 }
 

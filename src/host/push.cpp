@@ -116,10 +116,7 @@ void Push::record(Index sweep, const double* z) {
 }
 
 Status Push::run(const PushOptions& options, double sigma, PressureRun& spent) {
-  PressureOptions<double> pressure;
-  // A slow push moves everything slowly: what is left of [T.2] must be small against that.
-  const double push = sigma * push_size(scene_) / layout().scales.acceleration;
-  if (push > 0 && push < 1) pressure.tolerance *= std::max(push, 1e-4);
+  const PressureOptions<double> pressure = pressure_options(scene_, layout().scales, sigma);
   assembly_.push_by(sigma);
   const Status status = with_rounds(options, [&](const auto& rounds) {
     return solve_pressure(assembly_, rounds, work_.pressure, pressure, spent);
@@ -215,7 +212,11 @@ void Push::conclude(PushReport& report, bool proved, bool same_motion, bool same
 
 void Push::search_others(const PushOptions& options, PushReport& report) {
   constexpr double tolerance = 1e-5;
-  const bool proved = motion_is_determined(scene_);
+  const Index open = undetermined_body(scene_);
+  const bool proved = open < 0;
+  if (!proved)
+    report.undetermined =
+        file_.body_names[static_cast<std::size_t>(file_.body_of(scene_.bodies[open].first_point))];
   constexpr Index largest_searched = 2000; // unknowns; beyond, a search costs minutes
   bool same_a = true, same_f = true;
   const Outcome<double> first = outcome();
@@ -241,6 +242,7 @@ PushReport Push::solve(const PushOptions& options) {
   report.solver = options.solver;
   assembly_.assemble(scene_);
   report.scales = layout().scales;
+  if (options.study_existence) report.existence = find_existence(file_, assembly_);
   history_.clear();
   swept_before_ = 0;
   report.status = run(options, 1.0, report.run);

@@ -1,4 +1,5 @@
 // Push: the grasp without a push, and the push that breaks it.
+#include "holding_verdict.hpp"
 #include "lcpush/host/smallest_grip.hpp"
 #include "push_rounds.hpp"
 
@@ -37,6 +38,15 @@ bool only_looks_falling(const SceneFile& file, const Scene<double>& scene,
 }
 
 } // namespace
+
+Status holding_verdict(const SceneFile& file, const Scene<double>& scene, const BreakReport& report,
+                       const PushOptions& options) {
+  if (report.status == Status::solved && falls_slowly(file, scene, report, options))
+    return Status::does_not_hold;
+  if (report.status == Status::does_not_hold && only_looks_falling(file, scene, report, options))
+    return Status::solved;
+  return report.status;
+}
 
 HoldReport Push::holds_without_push(const PushOptions& options) {
   const SceneFile alone = hand_at_rest(file_);
@@ -78,11 +88,7 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
                                  report.breaking, report.run);
   });
   report.history = history_;
-  if (report.status == Status::solved && falls_slowly(file_, scene_, report, options))
-    report.status = Status::does_not_hold;
-  else if (report.status == Status::does_not_hold &&
-           only_looks_falling(file_, scene_, report, options))
-    report.status = Status::solved;
+  report.status = holding_verdict(file_, scene_, report, options);
   if (report.status == Status::does_not_hold)
     report.reason = "the object moves before it is pushed: the grasp does not hold its load";
   else if (report.status == Status::bad_input && report.run.reason == Reason::none)

@@ -1,9 +1,20 @@
-// Push::with_rounds, shared by the files of Push.
+// What the solves of a push share: their rounds, and how far those go.
 #pragma once
+
+#include <algorithm>
 
 #include "lcpush/host/push.hpp"
 
 namespace lcpush::host {
+
+/// A slow push moves everything slowly: what is left of [T.2] must be small against that.
+inline PressureOptions<double> pressure_options(const Scene<double>& scene,
+                                                const Scales<double>& scales, double sigma) {
+  PressureOptions<double> options;
+  const double push = sigma * push_size(scene) / scales.acceleration;
+  if (push > 0 && push < 1) options.tolerance *= std::max(push, 1e-4);
+  return options;
+}
 
 /// Passes everything on, and has checks of sweeps recorded if the options ask for a history.
 class Push::Listener : public Watcher {

@@ -2,6 +2,7 @@
 
 #include "lcpush/host/json.hpp"
 #include "lcpush/host/report.hpp"
+#include "report_parts.hpp"
 
 namespace lcpush::host {
 namespace {
@@ -39,6 +40,11 @@ void write_contacts(JsonWriter& json, const SceneFile& file, const PushReport& r
     json.member("mode", mode_text(contact.mode)).end_object();
   }
   json.end_array();
+}
+
+void write_statement(JsonWriter& json, const char* key, const Statement& statement) {
+  json.key(key).begin_object().member("covered", statement.covered);
+  json.member("statement", statement.statement).member("reason", statement.reason).end_object();
 }
 
 const char* role_name(const Scene<double>& scene, Index body) {
@@ -97,20 +103,6 @@ void write_jam(JsonWriter& json, const SceneFile& file, const Jam& jam) {
   json.end_array().end_object();
 }
 
-void write_failure(JsonWriter& json, const SceneFile& file, const std::string& reason,
-                   const std::vector<NamedValue>& ray, const Jam& jam) {
-  json.member("reason", reason).key("ray");
-  if (ray.empty()) {
-    json.value(nullptr);
-    return;
-  }
-  json.begin_array();
-  for (const NamedValue& entry : ray)
-    json.begin_object().member("name", entry.name).member("value", entry.value).end_object();
-  json.end_array();
-  write_jam(json, file, jam);
-}
-
 void write_holds(JsonWriter& json, const HoldReport& hold) {
   json.key("holds_without_push");
   if (hold.status == Status::solved)
@@ -136,6 +128,20 @@ void write_grip(JsonWriter& json, const std::string& key, const SmallestGrip& gr
 
 } // namespace
 
+void write_failure(JsonWriter& json, const SceneFile& file, const std::string& reason,
+                   const std::vector<NamedValue>& ray, const Jam& jam) {
+  json.member("reason", reason).key("ray");
+  if (ray.empty()) {
+    json.value(nullptr);
+    return;
+  }
+  json.begin_array();
+  for (const NamedValue& entry : ray)
+    json.begin_object().member("name", entry.name).member("value", entry.value).end_object();
+  json.end_array();
+  write_jam(json, file, jam);
+}
+
 std::string solve_json(const SceneFile& file, const HoldReport& hold, const PushReport& report) {
   JsonWriter json;
   json.begin_object();
@@ -144,10 +150,12 @@ std::string solve_json(const SceneFile& file, const HoldReport& hold, const Push
       .member("sweeps", report.run.sweeps)
       .member("rounds", report.run.rounds);
   write_holds(json, hold);
+  write_statement(json, "existence", existence_statement(file, report.existence));
   if (report.status != Status::solved) {
     write_failure(json, file, report.reason, report.ray, report.jam);
     return json.end_object().text();
   }
+  write_statement(json, "uniqueness", uniqueness_statement(report));
   json.key("unique").begin_object();
   write_unique(json, "motion", report.unique_motion);
   write_unique(json, "wrench", report.unique_wrench);

@@ -1,5 +1,8 @@
+#include <algorithm>
+
 #include "lcpush/host/report.hpp"
 #include "report_format.hpp"
+#include "report_parts.hpp"
 
 namespace lcpush::host {
 namespace {
@@ -8,10 +11,6 @@ Scene<double> scene_of(const SceneFile& file) { return file.view(); }
 
 /// Fingers come first.
 bool has_pusher(const SceneFile& file) { return file.bodies.back().role == Role::pusher; }
-
-std::string title_line(const SceneFile& file) {
-  return file.title.empty() ? "" : file.title + "\n\n";
-}
 
 /// "9.81 m/s^2 and 0 rad/s^2", without what rounding left of a zero.
 std::string acceleration_text(const Vector6<double>& a, double length) {
@@ -112,6 +111,31 @@ std::string unique_lines(const SceneFile& file, const PushReport& report) {
   return text + "\n";
 }
 
+const std::string next_line = "\n                  ";
+
+/// "said: why", on two lines if it is long. What follows a semicolon is a line of its own.
+std::string because(const std::string& said, std::string why) {
+  const bool fits = said.size() + std::min(why.size(), why.find("; ")) <= 80;
+  for (std::size_t at = why.find("; "); at != std::string::npos; at = why.find("; "))
+    why.replace(at, 2, ";" + next_line);
+  return said + (fits ? ": " : ":" + next_line) + why;
+}
+
+/// Which theorem covers the scene.
+std::string theory_lines(const SceneFile& file, const PushReport& report) {
+  const Statement exists = existence_statement(file, report.existence);
+  std::string text =
+      "Theory            " +
+      because(exists.covered ? exists.statement : "no theorem promises an answer", exists.reason);
+  if (report.status != Status::solved) return text + "\n";
+  const Statement unique = uniqueness_statement(report);
+  const std::string why = unique.reason.substr(0, unique.reason.find("; ")); // more stands above
+  return text + ";" + next_line +
+         because(unique.covered ? unique.statement : "no theorem says that it is the only one",
+                 why) +
+         "\n";
+}
+
 std::string contact_table(const SceneFile& file, const PushReport& report) {
   const Scene<double> scene = scene_of(file);
   const double zero_force = 1e-9 * report.scales.force;
@@ -167,10 +191,6 @@ std::string torsion_lines(const SceneFile& file, const PushReport& report) {
   return text.empty() ? "" : "\nSoft contacts:\n" + text;
 }
 
-const char* pressure_name(Pressure pressure) {
-  return pressure == Pressure::pad ? "pad" : pressure == Pressure::even ? "even" : "rigid";
-}
-
 std::string run_line(const SceneFile& file, Solver solver, const PressureRun& run) {
   std::string text = solver == Solver::lemke    ? "Lemke: "
                      : solver == Solver::hybrid ? "Hybrid: "
@@ -183,18 +203,6 @@ std::string run_line(const SceneFile& file, Solver solver, const PressureRun& ru
   if (run.cold_restarts > 0) text += ", " + std::to_string(run.cold_restarts) + " restarted cold";
   return text + "; pressure law " + pressure_name(file.pressure) + "; " +
          std::to_string(file.facets) + " facets.\n";
-}
-
-std::string failure_text(const SceneFile& file, Status status, const std::string& reason,
-                         const std::vector<NamedValue>& ray, const Jam& jam) {
-  std::string text = std::string("NOT SOLVED (") + status_text(status) + "): " + reason + ".\n";
-  if (!ray.empty()) {
-    text += "\n";
-    for (const std::string& sentence : jam_sentences(file, jam)) text += sentence + "\n";
-    text += "\nThe ray, largest entry 1:\n";
-  }
-  for (const NamedValue& entry : ray) text += "  " + number(entry.value) + "  " + entry.name + "\n";
-  return text;
 }
 
 /// What one other cover has led to.
@@ -213,14 +221,35 @@ std::string break_unique_line(const BreakReport& report) {
 
 } // namespace
 
+std::string title_line(const SceneFile& file) {
+  return file.title.empty() ? "" : file.title + "\n\n";
+}
+
+const char* pressure_name(Pressure pressure) {
+  return pressure == Pressure::pad ? "pad" : pressure == Pressure::even ? "even" : "rigid";
+}
+
+std::string failure_text(const SceneFile& file, Status status, const std::string& reason,
+                         const std::vector<NamedValue>& ray, const Jam& jam) {
+  std::string text = std::string("NOT SOLVED (") + status_text(status) + "): " + reason + ".\n";
+  if (!ray.empty()) {
+    text += "\n";
+    for (const std::string& sentence : jam_sentences(file, jam)) text += sentence + "\n";
+    text += "\nThe ray, largest entry 1:\n";
+  }
+  for (const NamedValue& entry : ray) text += "  " + number(entry.value) + "  " + entry.name + "\n";
+  return text;
+}
+
 std::string solve_text(const SceneFile& file, const HoldReport& hold, const PushReport& report) {
   std::string text = title_line(file) + hold_line(file, hold);
   if (report.status != Status::solved) {
-    return text + failure_text(file, report.status, report.reason, report.ray, report.jam) + "\n" +
+    return text + theory_lines(file, report) +
+           failure_text(file, report.status, report.reason, report.ray, report.jam) + "\n" +
            run_line(file, report.solver, report.run);
   }
   text += wrench_lines(file, report) + motion_line(file, report.motion, report.scales.length);
-  text += unique_lines(file, report);
+  text += unique_lines(file, report) + theory_lines(file, report);
   if (file.pressure == Pressure::rigid)
     text += "                  (pressure = \"rigid\" leaves a patch's pressure open: one answer of "
             "a set)\n";

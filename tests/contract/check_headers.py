@@ -25,7 +25,8 @@ FORBIDDEN_CODE = [
 ]
 # The referees share no code with what they judge.
 REFEREES = ["lcp/residual.hpp", "mechanics/check.hpp"]
-SOLVERS = re.compile(r"^lcp/(lemke|dictionary|ratio_test|equilibrate|reduce|detail/.*)\b"
+SOLVERS = re.compile(r"^lcp/(lemke|dictionary|ratio_test|equilibrate|reduce|gauss_seidel|simplex|"
+                     r"block_gauss_seidel|proximal_newton|linear_program|small_solve|detail/.*)\b"
                      r"|^mechanics/(assemble|pressure|read_answer|workspace|breaking)\b")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

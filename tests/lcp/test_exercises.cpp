@@ -71,7 +71,8 @@ TEST_CASE("exercise 2: w2 leaves at 5, z3 has grown to 7/2") {
 
 TEST_CASE("exercise 3: rays of one unknown, with v0 = 0 and v0 = 1, neither feasible") {
   for (const auto& [M, v0] : {std::pair("0", "0"), std::pair("-1", "1")}) {
-    CAPTURE(M);
+    const std::string matrix = M;
+    CAPTURE(matrix);
     const ExactProblem problem = typed(M, "-1");
     const PivotTrace trace = pivoted(problem);
     CHECK(path_of(trace) == "z0 w1");

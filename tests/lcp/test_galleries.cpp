@@ -10,7 +10,8 @@ TEST_CASE("gallery of rays: those that prove it, by adding the ray's rows") {
   for (const auto& [book, v] :
        {std::pair("infeasible_psd", "1 1"), std::pair("infeasible_lp", "0 0 1 1"),
         std::pair("unbounded_lp", "1 0 0")}) {
-    CAPTURE(book);
+    const std::string name = book;
+    CAPTURE(name);
     const ExactProblem problem = textbook(book);
     check_ray(problem, pivoted(problem), v, "0");
     CHECK(proves_infeasible(problem, numbers(v)));
@@ -83,7 +84,8 @@ TEST_CASE("ideas switched off: a box instead of the cone holds with 6 N where 5 
 TEST_CASE("ideas switched off: without z0's preference a solution is passed, a ray reported") {
   for (const auto& [book, z, v] :
        {std::tuple("cps_4_4_16", "0 1", "1 1"), std::tuple("artificial_tie", "1 1 0", "0 1 0")}) {
-    CAPTURE(book);
+    const std::string name = book;
+    CAPTURE(name);
     const ExactProblem problem = textbook(book);
     check_solved(problem, pivoted(problem), z);
     const PivotTrace trace = pivoted(problem, z0_last);

@@ -8,6 +8,7 @@
 #include "lcpush/host/jam.hpp"
 #include "lcpush/host/scene_io.hpp"
 #include "lcpush/host/solver.hpp"
+#include "lcpush/host/statements.hpp"
 #include "lcpush/host/watcher.hpp"
 #include "lcpush/mechanics/breaking.hpp"
 #include "lcpush/mechanics/motion.hpp"
@@ -48,6 +49,7 @@ struct PushOptions {
   Index other_covers = 3;      ///< covers tried in search of another answer
   bool explain_jams = true;    ///< solve again with each change that might free a jam
   bool dense = false;          ///< pivots on the whole dictionary, whatever the size
+  bool study_existence = true; ///< ask the existence lemma's conditions: two linear programs
   Watcher* watcher = nullptr;  ///< told of all pivots and sweeps of the answer; not of the search
                                ///< for others
 };
@@ -65,6 +67,8 @@ struct PushReport {
   Uniqueness unique_wrench = Uniqueness::not_tested;
   Index covers_compared = 0; ///< other covers that led to an answer
   FinalBasis final_basis;    ///< other answers next to this one
+  std::string undetermined;  ///< a point or body with friction and no known normal force, or empty
+  ExistenceFound existence;  ///< does a theorem promise an answer?
   std::vector<SweepRecord> history;
   std::vector<NamedValue> ray; ///< entries that are not zero, largest 1
   Jam jam;                     ///< the ray, read

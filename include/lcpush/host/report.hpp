@@ -7,7 +7,7 @@ namespace lcpush::host {
 
 /// `solve`: the answer in words, then contacts and residuals.
 std::string solve_text(const SceneFile& file, const HoldReport& hold, const PushReport& report);
-/// `solve --json`: the keys of docs/formats.md.
+/// `solve --json`: one object.
 std::string solve_json(const SceneFile& file, const HoldReport& hold, const PushReport& report);
 
 std::string break_text(const SceneFile& file, const HoldReport& hold, const GripReport& grip,

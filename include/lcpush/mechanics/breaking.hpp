@@ -49,24 +49,19 @@ namespace detail {
 /// In units of F / m: a slower push drowns in what the residual check lets pass.
 template <class S> constexpr S smallest_push() { return S(256) * Tolerances<S>().residual; }
 
-/// `rigid` and `even`: the push is one more right-hand side, so the limit is exact.
-template <class S, class Observer, class Pivots>
-Status break_exactly(Assembly<S>& assembly, LemkeRounds<S, Observer, Pivots>& rounds,
+/// The limit z + sigma z_push, for 0 <= sigma <= valid_to (< 0: no bound), as forces and motions.
+/// Post: solved, or numerical_breakdown with run.reason; breaking.residuals is the check's word.
+template <class S>
+Status read_breaking(Assembly<S>& assembly, const S* z, const S* z_push, const S& valid_to,
                      Workspace<S>& work, const Body<S>& pusher, S unit, Breaking<S>& breaking,
                      PressureRun& run) {
   const Scene<S>& scene = assembly.scene();
-  Pivots& lemke = rounds.lemke;
-  Status status = lemke.init(assembly.breaking_problem(), rounds.options);
-  if (status == Status::running) status = lemke.solve(rounds.observer);
-  run.pivots += lemke.pivots();
-  run.reason = lemke.reason();
-  if (status != Status::solved) return status;
-  read_answer(assembly, lemke.z_push(), work.answer, S(1), false);
+  read_answer(assembly, z_push, work.answer, S(1), false);
   breaking.inertia = body_wrench(scene, work.answer, pusher) / unit;
   breaking.inertia_normal = normal_sum(work.answer, pusher) / unit;
   breaking.twist = work.answer.acceleration / unit;
-  breaking.valid_to = lemke.valid_to() < S(0) ? S(-1) : S(lemke.valid_to() * unit);
-  read_answer(assembly, lemke.z(), work.answer, S(0));
+  breaking.valid_to = valid_to < S(0) ? S(-1) : S(valid_to * unit);
+  read_answer(assembly, z, work.answer, S(0));
   breaking.rest = work.answer.acceleration;
   breaking.force = body_wrench(scene, work.answer, pusher);
   breaking.break_force = normal_sum(work.answer, pusher);
@@ -75,17 +70,31 @@ Status break_exactly(Assembly<S>& assembly, LemkeRounds<S, Observer, Pivots>& ro
   // The same answer a little later, to be checked while it moves.
   const S small = Eigen::numext::maxi(S(1e-4), smallest_push<S>());
   S sigma = small * assembly.layout().scales.acceleration / unit;
-  if (lemke.valid_to() >= S(0) && lemke.valid_to() < sigma) sigma = lemke.valid_to();
+  if (valid_to >= S(0) && valid_to < sigma) sigma = valid_to;
   if (sigma * unit < Tolerances<S>().residual * assembly.layout().scales.acceleration) {
     run.reason = Reason::residual; // so short a range that rounding may have made it
     return Status::numerical_breakdown;
   }
-  for (Index i = 0; i < assembly.layout().size; ++i)
-    work.pressure.z[i] = lemke.z()[i] + sigma * lemke.z_push()[i];
+  for (Index i = 0; i < assembly.layout().size; ++i) work.pressure.z[i] = z[i] + sigma * z_push[i];
   read_answer(assembly, work.pressure.z.data, work.answer, sigma);
   const Residuals<S> moving = check(scene, assembly.layout().scales, work.answer, sigma);
   if (!(moving.max() <= breaking.residuals.max())) breaking.residuals = moving;
-  return status;
+  return Status::solved;
+}
+
+/// `rigid` and `even`: the push is one more right-hand side, so the limit is exact.
+template <class S, class Observer, class Pivots>
+Status break_exactly(Assembly<S>& assembly, LemkeRounds<S, Observer, Pivots>& rounds,
+                     Workspace<S>& work, const Body<S>& pusher, S unit, Breaking<S>& breaking,
+                     PressureRun& run) {
+  Pivots& lemke = rounds.lemke;
+  Status status = lemke.init(assembly.breaking_problem(), rounds.options);
+  if (status == Status::running) status = lemke.solve(rounds.observer);
+  run.pivots += lemke.pivots();
+  run.reason = lemke.reason();
+  if (status != Status::solved) return status;
+  return read_breaking(assembly, lemke.z(), lemke.z_push(), lemke.valid_to(), work, pusher, unit,
+                       breaking, run);
 }
 
 /// What one small push does.

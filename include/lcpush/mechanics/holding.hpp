@@ -74,36 +74,46 @@ template <class S> void fill_loads(const Assembly<S>& assembly, HoldingProgram<S
   if (p.load > S(0)) p.b /= p.load;
 }
 
-/// A, H and c.
-template <class S> void fill_rows(const Assembly<S>& assembly, HoldingProgram<S>& p) {
-  const Scene<S>& scene = assembly.scene();
+/// G f in the first rows of A (in the plane only if the scene is planar), Q_a(f) in those after
+/// them, the room in the friction cones in H. Columns: the forces.
+template <class S> void fill_forces(const Assembly<S>& assembly, MatrixMap<S>& A, MatrixMap<S>& H) {
   const Layout<S>& layout = assembly.layout();
   const FactoredProblem<S>& factored = assembly.factored();
   constexpr Index planar_axes[] = {0, 1, 5};
-  const Index moving = scene.planar ? 3 : 6, phi = layout.forces;
-  p.A.setZero();
-  p.H.setZero();
-  p.c.setZero();
-  p.c[phi] = S(1);
+  const bool planar = assembly.scene().planar;
+  const Index moving = planar ? 3 : 6;
+  A.setZero();
+  H.setZero();
   for (Index j = 0; j < layout.forces; ++j)
     for (Index row = 0; row < moving; ++row)
-      p.A(row, j) = factored.wrenches[j][scene.planar ? planar_axes[row] : row];
+      A(row, j) = factored.wrenches[j][planar ? planar_axes[row] : row];
   for (Index a = 0; a < layout.actuators; ++a) {
     const SumGroup<S>& sum = factored.sums[a];
     for (Index k = sum.first; k < sum.first + sum.count; ++k) {
       const Index variable = factored.coupled_variable[k];
       const ConeGroup<S>& cone = layout.cones[name_of(layout, variable).of];
-      p.A(moving + a, cone.force + variable - cone.variable) += factored.coupling[k];
+      A(moving + a, cone.force + variable - cone.variable) += factored.coupling[k];
     }
-    if (grips(scene, a) && p.grip > S(0)) p.A(moving + a, phi) = -sum.target / p.grip;
   }
   Index row = 0;
   for (const ConeGroup<S>& cone : layout.cones) {
     if (cone.generators == 0) continue;
     for (Index k = 0; k < cone.forces(); ++k)
-      p.H(row, cone.force + k) = k < cone.normals ? cone.friction : S(-1);
+      H(row, cone.force + k) = k < cone.normals ? cone.friction : S(-1);
     ++row;
   }
+}
+
+/// A, H and c.
+template <class S> void fill_rows(const Assembly<S>& assembly, HoldingProgram<S>& p) {
+  const Scene<S>& scene = assembly.scene();
+  const Index moving = scene.planar ? 3 : 6, phi = assembly.layout().forces;
+  fill_forces(assembly, p.A, p.H);
+  p.c.setZero();
+  p.c[phi] = S(1);
+  for (Index a = 0; a < assembly.layout().actuators; ++a)
+    if (grips(scene, a) && p.grip > S(0))
+      p.A(moving + a, phi) = -assembly.factored().sums[a].target / p.grip;
 }
 
 } // namespace detail

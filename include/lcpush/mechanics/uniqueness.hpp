@@ -12,36 +12,45 @@ enum class Uniqueness {
   not_tested,
 };
 
-/// [T.9] The object's acceleration is unique if every contact with friction has a known normal
-/// force: a single point with an actuator of its own, without inertia, along its normal (and, if it
-/// is soft, without turning about it). The
-/// friction problem is then convex (docs/theory.md, "Uniqueness").
-template <class S> bool motion_is_determined(const Scene<S>& scene) {
-  for (Index b = 0; b < scene.bodies.size; ++b) {
-    const Body<S>& body = scene.bodies[b];
-    if (!(body.friction > S(0))) continue;
-    if (body.point_count > 1) return false;
-    Index drives = 0;
-    bool known = false;
-    for (const Drive<S>& drive : scene.drives) {
-      if (drive.body != b) continue;
-      ++drives;
-      Index shared = 0;
-      for (const Drive<S>& other : scene.drives)
-        if (other.actuator == drive.actuator) ++shared;
-      const Vector3<S> motion = acceleration_at(scene.points[body.first_point], drive.twist);
-      const S along = motion.dot(body.normal);
-      const S across = (motion - along * body.normal).norm();
-      // A soft point's friction torque must not load the actuator either.
-      const S turns =
-          body.torsion_radius * Eigen::numext::abs(drive.twist.template tail<3>().dot(body.normal));
-      known = shared == 1 && along > S(0) &&
-              across + turns <= S(16) * Eigen::NumTraits<S>::epsilon() * along &&
-              !(scene.actuators[drive.actuator].inertia > S(0));
-    }
-    if (drives != 1 || !known) return false;
+/// Is the body without friction, or its normal force known whatever the answer: a single point with
+/// an actuator of its own, without inertia, along its normal (and, if it is soft, without turning
+/// about it)?
+template <class S> bool has_known_friction(const Scene<S>& scene, Index b) {
+  const Body<S>& body = scene.bodies[b];
+  if (!(body.friction > S(0))) return true;
+  if (body.point_count > 1) return false;
+  Index drives = 0;
+  bool known = false;
+  for (const Drive<S>& drive : scene.drives) {
+    if (drive.body != b) continue;
+    ++drives;
+    Index shared = 0;
+    for (const Drive<S>& other : scene.drives)
+      if (other.actuator == drive.actuator) ++shared;
+    const Vector3<S> motion = acceleration_at(scene.points[body.first_point], drive.twist);
+    const S along = motion.dot(body.normal);
+    const S across = (motion - along * body.normal).norm();
+    // A soft point's friction torque must not load the actuator either.
+    const S turns =
+        body.torsion_radius * Eigen::numext::abs(drive.twist.template tail<3>().dot(body.normal));
+    known = shared == 1 && along > S(0) &&
+            across + turns <= S(16) * Eigen::NumTraits<S>::epsilon() * along &&
+            !(scene.actuators[drive.actuator].inertia > S(0));
   }
-  return true;
+  return drives == 1 && known;
+}
+
+/// The first body with friction under an unknown normal force, or -1.
+template <class S> Index undetermined_body(const Scene<S>& scene) {
+  for (Index b = 0; b < scene.bodies.size; ++b)
+    if (!has_known_friction(scene, b)) return b;
+  return -1;
+}
+
+/// [T.9] The object's acceleration is unique if every contact with friction has a known normal
+/// force: the friction problem is then convex (docs/theory.md, "Uniqueness").
+template <class S> bool motion_is_determined(const Scene<S>& scene) {
+  return undetermined_body(scene) < 0;
 }
 
 /// Object's acceleration and one body's wrench, for comparing answers.

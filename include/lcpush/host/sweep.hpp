@@ -1,0 +1,105 @@
+// How the push changes with a number of the scene: exactly, segment by segment between the
+// breakpoints where a contact changes its mode, and in samples.
+#pragma once
+
+#include "lcpush/host/varied_scene.hpp"
+#include "lcpush/mechanics/answer.hpp"
+#include "lcpush/status.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lcpush::host {
+
+/// One parameter and the range that it runs through.
+struct Variation {
+  Parameter parameter;
+  double from = 0, to = 0; ///< different; from may be the larger one
+};
+
+/// What is known of the scene at one value. What is not solved is zero.
+struct SweepValue {
+  Status push = Status::bad_input;     ///< of the push as prescribed
+  Status breaking = Status::bad_input; ///< of the instant of breaking; does_not_hold: the object
+                                       ///< moves before it is pushed
+  double break_force = 0;              ///< N, as in `break`; 0 unless solved
+  Vector3<double> force = Vector3<double>::Zero(); ///< N, the pusher's on the object, as prescribed
+  Vector6<double> twist = Vector6<double>::Zero(); ///< the object's acceleration, as prescribed
+  double residual = 0;                             ///< the worst law's, of both
+};
+
+/// How a segment was found.
+enum class SegmentKind {
+  exact,    ///< one basis holds from end to end, found by parametric pivoting
+  bisected, ///< solved afresh at several values that lie on a line; its ends by bisection
+  sampled,  ///< a straight stroke between two answers: what lies between is not known
+  unsolved, ///< no answer was found between its ends
+};
+constexpr const char* segment_kind_text(SegmentKind kind) {
+  return kind == SegmentKind::exact      ? "exact"
+         : kind == SegmentKind::bisected ? "bisected"
+         : kind == SegmentKind::sampled  ? "sampled"
+                                         : "unsolved";
+}
+
+struct SweepSegment {
+  double from = 0, to = 0; ///< in the sweep's direction
+  SegmentKind kind = SegmentKind::exact;
+  SweepValue at_from, at_to; ///< limits from inside
+  std::string change;        ///< what happens at `to`, in words; empty at the end of the sweep
+  bool jumps = false;        ///< the answer is discontinuous at `to`
+};
+
+struct SweepPoint {
+  double value = 0;
+  std::optional<double> second; ///< of the other parameter, in a map
+  SweepValue at;
+  std::vector<Mode> modes; ///< of every contact under the push as prescribed; empty if not solved
+  bool refined = false;    ///< added between two of the steps, where modes change
+  std::string change;      ///< refined: from this point to the next
+};
+
+/// A range in which sweeping up and sweeping down end in different answers.
+struct BistableRange {
+  double from, to;
+};
+
+struct Sweep {
+  std::vector<Variation> variations; ///< one, or two for a map
+  std::string pusher;
+  std::vector<std::string> contacts;
+  std::vector<SweepSegment> segments; ///< from variations[0].from to .to, without gaps
+  std::vector<SweepSegment> back;     ///< the same the other way; only where it differs somewhere
+  std::vector<SweepPoint> points;     ///< in the sweep's order; in a map row by row
+  std::vector<SweepPoint> points_back;
+  std::vector<BistableRange> bistable;
+  bool complete = true;     ///< every value was solved, or does not hold
+  Index cold = 0, warm = 0; ///< solves from nothing, and from a neighbour's basis
+
+  bool is_map() const { return variations.size() == 2; }
+};
+
+struct ParameterSweepOptions {
+  Index pusher = -1;     ///< body; -1: the only pusher
+  Index steps = 0;       ///< points evenly spread, ends included; 0: none where segments are found
+  bool both_ways = true; ///< sweep back as well, in search of other answers
+  bool warm = true;      ///< start from the neighbour's answer
+  Index most_segments = 1000;
+  std::function<void(double done)> progress; ///< 0 to 1
+};
+
+/// Sweeps one parameter, or two for a map. Where `rigid` or `even` pressure meets a parameter that
+/// is linear (Parameter::linear), the segments are exact; `pad`'s are bisected; everything else is
+/// sampled. Every answer has passed the referee (mechanics/check.hpp). Throws InputError if a value
+/// of the range is no scene, or the scene has no pusher to speak of.
+Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& variations,
+                      const ParameterSweepOptions& options);
+
+std::string sweep_text(const Sweep& sweep);
+std::string sweep_csv(const Sweep& sweep);
+std::string sweep_json(const Sweep& sweep);
+std::string sweep_svg(const Sweep& sweep, const std::string& title);
+
+} // namespace lcpush::host

@@ -1,0 +1,67 @@
+// lcpush spread: the answer as a set.
+#include "lcpush/host/spread.hpp"
+#include "../host/message.hpp"
+#include "../host/number_text.hpp"
+#include "commands.hpp"
+#include "progress.hpp"
+#include "scene_argument.hpp"
+
+namespace lcpush::cli {
+namespace {
+
+constexpr std::uint64_t most_covers = 1000000;
+constexpr Index most_unknowns = 2000;
+
+Index chosen_covers(const Arguments& arguments, Index otherwise) {
+  const std::optional<std::string> word = arguments.value("--covers");
+  if (!word) return otherwise;
+  const std::optional<std::uint64_t> covers = host::whole_number(*word);
+  if (!covers || *covers < 1 || *covers > most_covers)
+    throw UsageError("--covers is a whole number from 1 to " + std::to_string(most_covers) +
+                     ", not " + host::quoted(*word));
+  return static_cast<Index>(*covers);
+}
+
+int run(const Arguments& arguments) {
+  const std::string format = arguments.format({"text", "json"});
+  host::SpreadOptions options;
+  options.covers = chosen_covers(arguments, options.covers);
+  options.enumerate = arguments.has("--enumerate");
+  const host::SceneFile file = read_scene_argument(arguments);
+  const Index unknowns = size_of(file.view()).unknowns();
+  if (unknowns > most_unknowns)
+    throw host::InputError(arguments.files()[0] + ": the scene has " + std::to_string(unknowns) +
+                           " unknowns, more than the " + std::to_string(most_unknowns) +
+                           " whose faces can be bounded; use fewer points or facets");
+  host::SpreadReport report;
+  {
+    Progress progress;
+    options.watcher = &progress;
+    report = host::find_spread(file, options);
+  }
+  write_output(arguments, format == "json" ? host::spread_json(file, report)
+                                           : host::spread_text(file, report));
+  return report.status == Status::solved ? 0 : 1;
+}
+
+} // namespace
+
+Command spread_command() {
+  return {
+      "spread",
+      "SCENE.toml [OPTIONS]",
+      "the answer as a set: bounds of the push, the motion and the contact forces",
+      "Rigid contact often leaves forces open, and now and then the motion. This solves the\n"
+      "literal laws (pressure = \"rigid\", whatever the file says) under many covering vectors,\n"
+      "walks from each answer to the faces of answers next to it, and bounds every quantity\n"
+      "over each face by linear programs. With --enumerate it goes through all contact modes,\n"
+      "so that the bounds are those of every answer; without, of the answers that were reached.\n\n"
+      "Example:\n  lcpush spread fixtures/scenes/straight_slide.toml\n",
+      with_common_options(
+          {{"--covers", "N", "covering vectors of Lemke's method to start from (32)"},
+           {"--enumerate", "", "all contact modes: up to 16 points, while the work allows"}}),
+      1,
+      run};
+}
+
+} // namespace lcpush::cli

@@ -1,0 +1,93 @@
+// lcpush verify: is somebody else's answer right?
+#include "lcpush/host/verify.hpp"
+#include "../host/json_fields.hpp"
+#include "../host/message.hpp"
+#include "../host/number_text.hpp"
+#include "commands.hpp"
+#include "lcpush/host/text_file.hpp"
+#include "raw_arguments.hpp"
+#include "scene_argument.hpp"
+
+namespace lcpush::cli {
+namespace {
+
+host::VerifyOptions read_options(const Arguments& arguments) {
+  host::VerifyOptions options;
+  if (const auto text = arguments.value("--tolerance")) {
+    const host::NumberText number = host::read_finite_number(*text);
+    if (number.error || !(number.value > 0) || !(number.value < 1))
+      throw UsageError("--tolerance is a number between 0 and 1 such as 1e-6, not " +
+                       host::quoted(*text));
+    options.tolerance = number.value;
+  }
+  return options;
+}
+
+/// The z of `lcpush lcp --json`, or of an object that has nothing else.
+std::vector<double> read_z(const std::string& path) {
+  constexpr std::size_t most_bytes = 256U << 20U;
+  const host::JsonValue root = host::parse_json(host::read_text_file(path, most_bytes), path);
+  const host::JsonFields fields(path);
+  if (root.as<host::JsonObject>() == nullptr)
+    fields.refuse(root, std::string("an answer is a JSON object, got ") + root.type());
+  const auto z = fields.numbers(root, "z", -1);
+  if (!z) fields.refuse(root, "nothing to verify: give \"z\": [n numbers]");
+  return *z;
+}
+
+int verify_raw_problem(const Arguments& arguments, const std::string& format) {
+  std::vector<std::string> files = arguments.files();
+  if (files.empty())
+    throw UsageError("files are needed: M.mtx q.mtx ANSWER.json (or --M, --q and ANSWER.json)");
+  const std::string answer = files.back();
+  files.pop_back();
+  const host::RawProblem problem = read_raw_problem(arguments, files);
+  const host::RawVerifyReport report =
+      host::verify_raw(problem, read_z(answer), read_options(arguments));
+  write_output(arguments, format == "json" ? host::verify_json(report) : host::verify_text(report));
+  return is_valid(report.verdict) ? 0 : 1;
+}
+
+int run(const Arguments& arguments) {
+  const std::string format = arguments.format({"text", "json"});
+  if (arguments.has("--lcp") || arguments.has("--M")) return verify_raw_problem(arguments, format);
+  for (const char* option : {"--q", "--free"})
+    if (arguments.has(option)) throw UsageError(std::string(option) + " goes with --lcp");
+  if (arguments.files().size() != 2)
+    throw UsageError(arguments.files().size() == 3
+                         ? "three files are M.mtx q.mtx ANSWER.json: say --lcp"
+                         : "two files are needed: SCENE.toml ANSWER.json");
+  const host::VerifyOptions options = read_options(arguments);
+  const host::SceneFile file = read_scene_argument(arguments);
+  const host::ForeignAnswer answer = host::read_foreign_answer(arguments.files()[1], file);
+  const host::VerifyReport report = host::verify_answer(file, answer, options);
+  write_output(arguments,
+               format == "json" ? host::verify_json(report) : host::verify_text(file, report));
+  return is_valid(report.verdict) ? 0 : 1;
+}
+
+} // namespace
+
+Command verify_command() {
+  return {"verify",
+          "SCENE.toml ANSWER.json | --lcp M.mtx q.mtx ANSWER.json [OPTIONS]",
+          "is somebody else's answer right, and if not, why?",
+          "ANSWER.json has the shape of `lcpush solve --json`, or any part of it: the forces, or\n"
+          "the motion, alone; what follows is filled in. Every law is checked row by row, by code\n"
+          "that solves nothing, and the answer is compared with lcpush's own. With --lcp (or --M\n"
+          "and --q) it is the z of a raw problem. Here exit status 0 means valid, 1 not.\n\n"
+          "Example:\n"
+          "  lcpush solve fixtures/scenes/tipping.toml --json -o answer.json\n"
+          "  lcpush verify fixtures/scenes/tipping.toml answer.json\n",
+          with_common_options({
+              {"--tolerance", "T", "what a row may be off by, scaled (default 1e-6)"},
+              {"--lcp", "", "a raw problem: M.mtx q.mtx ANSWER.json"},
+              {"--M", "MATRIX", "rows by semicolons, numbers by blanks"},
+              {"--q", "VECTOR", "n numbers"},
+              {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
+          }),
+          3,
+          run};
+}
+
+} // namespace lcpush::cli

@@ -1,0 +1,45 @@
+// Line plots and maps as SVG that any browser shows, in light and in dark, and that screen readers
+// can read out.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lcpush::host {
+
+struct PlotLine {
+  std::string label;
+  /// Pieces that are drawn without a stroke in between, each a list of (x, y).
+  std::vector<std::vector<std::pair<double, double>>> pieces;
+  bool dots = false; ///< a mark at every point
+};
+
+struct PlotMark {
+  double x;
+  std::string text; ///< shown when pointed at
+  bool strong = false;
+};
+
+struct Plot {
+  std::string title, description, x_label, y_label;
+  double x_from = 0, x_to = 1;
+  std::vector<PlotLine> lines;
+  std::vector<PlotMark> marks; ///< vertical strokes
+};
+
+std::string plot_svg(const Plot& plot);
+
+/// A map: cells of equal size, row by row from below; a cell that is not finite stays empty.
+struct MapPlot {
+  std::string title, description, x_label, y_label, value_label;
+  double x_from = 0, x_to = 1, y_from = 0, y_to = 1;
+  std::size_t columns = 0;
+  std::vector<double> cells;
+  std::vector<std::string> texts; ///< shown when pointed at
+};
+
+std::string map_svg(const MapPlot& plot);
+
+} // namespace lcpush::host

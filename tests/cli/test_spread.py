@@ -1,0 +1,133 @@
+"""lcpush spread on the command line: exit codes, keys, words that claim no more than was done."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+SCENES = SOURCE / "fixtures/scenes"
+
+
+def run(*words):
+    return subprocess.run([TOOL, "spread", *map(str, words)], capture_output=True, text=True,
+                          timeout=120)
+
+
+class Spread(unittest.TestCase):
+    def test_json_has_every_promised_key(self):
+        result = run(SCENES / "straight_slide_point.toml", "--json")
+        self.assertEqual(result.returncode, 0)
+        answer = json.loads(result.stdout)
+        for key in ("status", "verdict", "laws", "pressure", "faces", "covers", "covers_solved",
+                    "complete", "enumeration", "faces_left", "failures", "residual", "push_force",
+                    "twist", "contacts"):
+            self.assertIn(key, answer)
+        self.assertEqual(answer["verdict"], "ambiguous")
+        self.assertFalse(answer["complete"])
+        self.assertEqual(answer["pressure"], "pad")
+        self.assertEqual(len(answer["twist"]), 6)
+        low, high = answer["push_force"]["wall"]
+        self.assertLess(low, high)
+        self.assertAlmostEqual(high, 20.02, 6)
+        for contact in answer["contacts"]:
+            self.assertEqual(set(contact), {"name", "body", "normal_force", "tangential_force",
+                                            "torsion"})
+            self.assertLessEqual(contact["normal_force"][0], contact["normal_force"][1])
+        self.assertLess(answer["residual"], 1e-9)
+
+    def test_the_answer_of_solve_lies_within(self):
+        for name in ("straight_slide", "straight_slide_point", "pivot", "rolling"):
+            with self.subTest(name):
+                spread = json.loads(run(SCENES / f"{name}.toml", "--json").stdout)
+                solved = json.loads(subprocess.run(
+                    [TOOL, "solve", SCENES / f"{name}.toml", "--json"], capture_output=True,
+                    text=True, check=True).stdout)
+                for bounds, contact in zip(spread["contacts"], solved["contacts"]):
+                    low, high = bounds["normal_force"]
+                    self.assertGreaterEqual(contact["normal_force"], low - 1e-5)
+                    self.assertLessEqual(contact["normal_force"], high + 1e-5)
+
+    def test_an_end_without_bound_is_null(self):
+        answer = json.loads(run(SCENES / "vise.toml", "--json", "--enumerate").stdout)
+        self.assertIs(answer["complete"], True)
+        self.assertIsNone(answer["contacts"][0]["normal_force"][1])
+        self.assertIn("no bound", run(SCENES / "vise.toml").stdout)
+
+    def test_every_solution_is_said_only_after_enumeration(self):
+        self.assertIn("every solution", run(SCENES / "coin.toml", "--enumerate").stdout)
+        reached = run(SCENES / "coin.toml", "--covers", "7").stdout
+        self.assertNotIn("every solution", reached)
+        self.assertIn("the solutions that were reached: 1 face from 7 covers", reached)
+        many = run(SCENES / "soft_fingers.toml", "--enumerate").stdout
+        self.assertNotIn("every solution", many)
+        self.assertIn("not enumerated to the end", many)
+
+    def test_the_file_s_other_pressure_law_is_named(self):
+        self.assertIn('the file\'s law "pad"', run(SCENES / "straight_slide.toml").stdout)
+        self.assertNotIn("the file's law", run(SCENES / "coin.toml").stdout)
+
+    def test_a_jam_is_exit_1_and_says_who_squeezes(self):
+        result = run(SCENES / "jam.toml")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("A jam: wall", result.stdout)
+        answer = json.loads(run(SCENES / "jam.toml", "--json").stdout)
+        self.assertEqual(answer["status"], "ray")
+        self.assertIsNone(answer["verdict"])
+        self.assertIn("jam", answer)
+
+    def test_bad_covers_are_refused(self):
+        for word in ("0", "-3", "many", "1.5", "99999999"):
+            result = run(SCENES / "coin.toml", f"--covers={word}")
+            self.assertEqual(result.returncode, 2, word)
+            self.assertIn("--covers is a whole number", result.stderr)
+            self.assertEqual(result.stdout, "")
+        self.assertEqual(run().returncode, 2)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "bad.toml"
+            file.write_text("facets = 7\n")
+            result = run(file)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("bad.toml:1", result.stderr)
+
+    def test_help_has_an_example(self):
+        self.assertIn("lcpush spread fixtures/scenes/straight_slide.toml", run("--help").stdout)
+
+
+class Theory(unittest.TestCase):
+    """What solve says of existence and uniqueness."""
+
+    def solved(self, path):
+        result = subprocess.run([TOOL, "solve", path, "--json"], capture_output=True, text=True)
+        return json.loads(result.stdout)
+
+    def test_covered_scenes_say_so(self):
+        answer = self.solved(SCENES / "soft_fingers.toml")
+        self.assertIs(answer["existence"]["covered"], True)
+        self.assertIs(answer["uniqueness"]["covered"], True)
+        answer = self.solved(SCENES / "straight_slide.toml")
+        self.assertIs(answer["existence"]["covered"], True)
+        self.assertIs(answer["uniqueness"]["covered"], False)
+        self.assertEqual(answer["uniqueness"]["statement"], "none")
+        self.assertIn("neighbourhood was studied (final basis)", answer["uniqueness"]["reason"])
+
+    def test_a_jam_names_who_squeezes_and_a_runaway_what_closes_on_nothing(self):
+        jam = self.solved(SCENES / "jam.toml")["existence"]
+        self.assertIs(jam["covered"], False)
+        self.assertRegex(jam["reason"], r"\(H2\).*stop and wall")
+        runaway = self.solved(SOURCE / "fixtures/rays/runaway.toml")["existence"]
+        self.assertRegex(runaway["reason"], r"\(H1\).*slider")
+
+    def test_a_bilateral_pusher_is_mentioned(self):
+        text = (SCENES / "straight_slide.toml").read_text().replace(
+            "acceleration = [0.1, 0, 0]", 'acceleration = [0.1, 0, 0]\nfollow = "bilateral"')
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "bilateral.toml"
+            file.write_text(text)
+            self.assertIn("bilateral pushers leave the common class",
+                          self.solved(file)["existence"]["reason"])
+
+
+
+unittest.main(argv=[sys.argv[0]], verbosity=1)

@@ -1,0 +1,188 @@
+"""lcpush verify: right answers pass, whole or in part; any one number changed is found and named.
+
+    test_verify.py TOOL SOURCE
+"""
+import copy
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+tool, source = sys.argv[1], pathlib.Path(sys.argv[2])
+scenes = source / "fixtures/scenes"
+folder = tempfile.TemporaryDirectory()
+answer_path = pathlib.Path(folder.name, "answer.json")
+
+
+def run(*words):
+    return subprocess.run([tool, *map(str, words)], capture_output=True, text=True)
+
+
+def verify(scene, answer, *options):
+    """Exit status and report (or message) of one answer."""
+    answer_path.write_text(answer if isinstance(answer, str) else json.dumps(answer))
+    result = run("verify", scene, answer_path, "--json", *options)
+    return result.returncode, json.loads(result.stdout) if result.stdout else result.stderr
+
+
+def own_answer(scene, *options):
+    result = run("solve", scene, "--json", *options)
+    if result.returncode != 0:
+        return None
+    answer = json.loads(result.stdout)
+    return {key: answer[key] for key in ("object", "contacts", "bodies")}
+
+
+def parts(answer):
+    """What somebody may send of an answer, by name."""
+    contacts = answer["contacts"]
+
+    def only(*keys):
+        return [{key: contact[key] for key in keys} for contact in contacts]
+
+    yield "all", answer
+    yield "no names", {"contacts": only("normal_force", "friction_force", "torsion", "acceleration")}
+    yield "forces", {"contacts": only("normal_force", "friction_force", "torsion")}
+    yield "motion", {"object": answer["object"]}
+    yield "motion and normals", {"object": answer["object"], "contacts": only("normal_force")}
+    yield "motion and friction", {"object": answer["object"], "contacts": only("friction_force")}
+    yield "names in another order", {"object": answer["object"], "contacts": contacts[::-1]}
+
+
+def numbers(value, path=()):
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            yield from numbers(inner, path + (key,))
+    elif isinstance(value, list):
+        for index, inner in enumerate(value):
+            yield from numbers(inner, path + (index,))
+    elif isinstance(value, (int, float)) and not isinstance(value, bool):
+        yield path
+
+
+def key_of(path):
+    return next(word for word in reversed(path) if isinstance(word, str))
+
+
+FAMILIES = {  # where a change of this number may show
+    "normal_force": {"newton", "grip", "normal", "cone", "given", "dissipation", "pusher"},
+    "friction_force": {"newton", "cone", "given", "dissipation", "grip"},
+    "torsion": {"newton", "cone", "given", "dissipation"},
+    "spin": {"given"}, "force": {"given"}, "moment": {"given"}, "closing_acceleration": None,
+    "acceleration": None, "position": None,
+}
+
+
+def check_mutations(name, answer):
+    """Every number, changed by a thousandth of the scene's unit for it."""
+    force = max(abs(contact["normal_force"]) for contact in answer["contacts"])
+    length = max(abs(x) for contact in answer["contacts"] for x in contact["position"])
+    mass = {"straight_slide": 0.2, "soft_fingers": 0.2, "rolling": 0.5, "dropped": 0.2}[name]
+    rate = max(force / mass, max(map(abs, answer["object"]["acceleration"][:3])))
+    unit = {"moment": force * length, "torsion": force * length, "spin": rate / length,
+            "acceleration": rate, "closing_acceleration": rate, "position": length}
+    count = 0
+    for path in list(numbers(answer)):
+        changed = copy.deepcopy(answer)
+        at = changed
+        for word in path[:-1]:
+            at = at[word]
+        key = key_of(path)
+        turns = path[0] == "object" and path[-1] >= 3
+        at[path[-1]] += 1e-3 * unit.get(key, force) * (1 / length if turns else 1)
+        status, report = verify(scenes / f"{name}.toml", changed)
+        assert status == 1, (name, path, report)
+        broken = {family for family, law in report.get("laws", {}).items() if not law["holds"]}
+        if key == "position":
+            assert report["verdict"] == "not this scene's data", (name, path, report)
+        else:
+            assert broken and report["because"].split(":")[0] in broken, (name, path, report)
+        if FAMILIES[key]:
+            assert broken <= FAMILIES[key], (name, path, broken)
+        count += 1
+    return count
+
+
+# Right answers, whole and in part, for every scene that has one.
+count = 0
+for scene in sorted(scenes.glob("*.toml")):
+    answer = own_answer(scene)
+    if answer is None:
+        continue
+    for part, given in parts(answer):
+        status, report = verify(scene, given)
+        assert status == 0 and report["verdict"] == "same solution", (scene.stem, part, report)
+        count += 1
+assert count > 100, count
+
+# Right answers of another road: sweeps; and rounded to six digits.
+for name in ("straight_slide", "rolling", "tipping"):
+    scene = scenes / f"{name}.toml"
+    status, report = verify(scene, own_answer(scene, "--solver", "gauss-seidel"))
+    assert status == 0, (name, report)
+    rounded = json.loads(json.dumps(own_answer(scene)), parse_float=lambda x: float(f"{float(x):.6g}"))
+    status, report = verify(scene, rounded, "--tolerance", "1e-4")
+    assert status == 0 and report["verdict"] == "same solution", (name, report)
+    assert report["basis"]["refined"] and report["basis"]["residual"] < max(1e-12, report["residual"]), (name, report)
+
+# Every number counts.
+mutations = sum(check_mutations(name, own_answer(scenes / f"{name}.toml"))
+                for name in ("straight_slide", "soft_fingers", "rolling", "dropped"))
+assert mutations > 300, mutations
+
+# The same motion with other forces: of the slide's patches the law `pad` picks one.
+slide = scenes / "straight_slide.toml"
+rigid = pathlib.Path(folder.name, "rigid.toml")
+text = slide.read_text()
+rigid.write_text(text.replace('pressure = "pad"', 'pressure = "rigid"') if "pressure" in text
+                 else 'pressure = "rigid"\n' + text)
+status, report = verify(slide, own_answer(rigid))
+assert status == 0 and report["verdict"] == "same motion, other forces", report
+assert report["own"]["force_difference"] > 0.1, report
+
+# Another scene's answer, and one with a point too few.
+status, report = verify(slide, own_answer(scenes / "tipping.toml"))
+assert status == 1 and report["verdict"] == "not this scene's data", report
+short = own_answer(slide)
+short["contacts"].pop()
+status, report = verify(slide, short)
+assert status == 1 and "9 contacts, the scene 10" in report["because"], report
+
+# Raw problems: two solutions, a wrong one, a stationary point of z'w that is none.
+def raw(M, q, z, *options):
+    answer_path.write_text(json.dumps({"z": z}))
+    result = run("verify", "--M", M, "--q", q, answer_path, "--json", *options)
+    return result.returncode, json.loads(result.stdout) if result.stdout else result.stderr
+
+two = ("1 2; 2 1", "-1 -1")  # (1, 0) and (0, 1) and (1/3, 1/3)
+verdicts = sorted(raw(*two, z)[1]["verdict"] for z in ([1, 0], [0, 1], [1 / 3, 1 / 3]))
+assert verdicts == ["another valid solution"] * 2 + ["same solution"], verdicts
+status, report = raw(*two, [1, 0.5])
+assert status == 1 and report["verdict"] == "not a solution" and report["row"] in (1, 2), report
+status, report = raw("0 1; -1 0", "-1 2", [1, 1])
+assert status == 1, report
+status, report = raw(*two, [1, 0, 0])
+assert status == 1 and report["verdict"] == "not this scene's data", report
+status, report = raw("1 0; 0 0", "-1 1", [1, 0], "--free", "2")
+assert status == 1, report
+
+# Bad input is exit 2, with file, line and what to do.
+for text, words in (("{", "expected a key"), ("[1]", "an answer is a JSON object, got an array"),
+                    ('{"status": "solved"}', "nothing to verify"),
+                    ('{"object": {"acceleration": [1, 2]}}', "array of 6 numbers, got 2"),
+                    ('{"object": {"acceleration": [1, 2, 3, 4, 5, NaN]}}', "NaN is no JSON"),
+                    ('{"contacts": [{"normal_force": "1"}]}', "must be a number, got a string"),
+                    ('{"a": 1, "a": 2}', '"a" comes twice'),
+                    ('{"contacts": [' + ", ".join(['{"normal_force": 1}'] * 10) + "]}",
+                     "give also the object's acceleration")):
+    status, message = verify(slide, text)
+    assert status == 2 and str(answer_path) in message and words in message, (text, message)
+status, message = verify(slide, "\n\n  [1,]")
+assert f"{answer_path}:3: " in message, message
+for words in (("verify", slide), ("verify", slide, answer_path, answer_path),
+              ("verify", slide, answer_path, "--tolerance", "2"),
+              ("verify", slide, answer_path, "--free", "1"), ("verify", slide, "no_such_file.json")):
+    result = run(*words)
+    assert result.returncode == 2 and result.stderr and not result.stdout, (words, result)
+print(f"verify: {count} right answers, {mutations} changed numbers: ok")
