@@ -6,6 +6,8 @@
 #include "lcpush/host/raw_problem.hpp"
 #include "lcpush/mechanics/check.hpp"
 
+#include <optional>
+
 namespace lcpush::host {
 
 enum class Verdict {
