@@ -64,7 +64,8 @@ std::string verify_json(const RawVerifyReport& report) {
   JsonWriter json;
   write_verdict(json, report.verdict, report.because, report.tolerance);
   if (report.verdict == Verdict::other_data) return json.end_object().text();
-  json.member("residual", report.residual).member("row", report.row + 1);
+  json.member("residual", report.residual);
+  json.member("row", report.row < 0 ? std::nullopt : std::optional(report.row + 1));
   json.member("z", report.z).member("w", report.w);
   write_metrics(json, report.metrics);
   json.key("basis").begin_object().member("refined", report.refined.found);

@@ -53,8 +53,10 @@ RawVerifyReport verify_raw(const RawProblem& problem, const std::vector<double>&
   const Eigen::VectorXd point = Eigen::Map<const Eigen::VectorXd>(z.data(), n);
   report.residual = residual_of(problem, z, &report.row);
   report.metrics = measure_point(dense, point);
-  report.z = point[report.row];
-  report.w = dense.w(point)[report.row];
+  if (report.row >= 0) {
+    report.z = point[report.row];
+    report.w = dense.w(point)[report.row];
+  }
   std::vector<double> nearest = z;
   if (const auto refined = refine_point(dense, point)) {
     report.refined.found = true;

@@ -95,8 +95,9 @@ std::string verify_text(const RawVerifyReport& report) {
   std::string text = headline(report.verdict, report.because);
   if (report.verdict == Verdict::other_data) return text;
   text += "\n" + tolerance_line(report.tolerance, report.residual);
-  text += "Worst row         " + std::to_string(report.row + 1) + ": z = " + number(report.z) +
-          ", w = " + number(report.w) + "\n";
+  if (report.row >= 0)
+    text += "Worst row         " + std::to_string(report.row + 1) + ": z = " + number(*report.z) +
+            ", w = " + number(*report.w) + "\n";
   if (report.refined.found)
     text += "Its basis         solved exactly moves z by " + short_number(report.refined.moved) +
             " and is off by " + residual_text(report.refined.residual) + "\n";

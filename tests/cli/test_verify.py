@@ -158,6 +158,8 @@ def raw(M, q, z, *options):
 two = ("1 2; 2 1", "-1 -1")  # (1, 0) and (0, 1) and (1/3, 1/3)
 verdicts = sorted(raw(*two, z)[1]["verdict"] for z in ([1, 0], [0, 1], [1 / 3, 1 / 3]))
 assert verdicts == ["another valid solution"] * 2 + ["same solution"], verdicts
+status, report = raw(*two, [1, 0])  # exact: no row is the worst
+assert report["residual"] == 0 and report["row"] is report["z"] is report["w"] is None, report
 status, report = raw(*two, [1, 0.5])
 assert status == 1 and report["verdict"] == "not a solution" and report["row"] in (1, 2), report
 status, report = raw("0 1; -1 0", "-1 2", [1, 1])

@@ -6,6 +6,8 @@
 #include "lcpush/host/raw_problem.hpp"
 #include "lcpush/mechanics/check.hpp"
 
+#include <optional>
+
 namespace lcpush::host {
 
 enum class Verdict {
@@ -82,9 +84,9 @@ struct RawVerifyReport {
   Verdict verdict = Verdict::other_data;
   std::string because;
   double tolerance = 0;
-  double residual = 0; ///< natural_residual
-  Index row = -1;      ///< where
-  double z = 0, w = 0; ///< of that row
+  double residual = 0;        ///< natural_residual
+  Index row = -1;             ///< where; -1: every row holds exactly
+  std::optional<double> z, w; ///< of that row
   ForeignMetrics metrics;
   RefinedAnswer refined;
   OwnAnswer own; ///< force: largest difference of a z_i
