@@ -1,0 +1,132 @@
+// The friction of each contact point in its contact plane, within the polygon of its generators.
+#include <algorithm>
+#include <cmath>
+
+#include "report_format.hpp"
+#include "scene_picture.hpp"
+
+namespace lcpush::host {
+namespace {
+
+constexpr Index columns = 3, most_cells = 48;
+constexpr double cell_width = 140, cell_height = 158, radius = 40; // the polygon's, in pixels
+
+/// Of a point that has friction, and how much it may have.
+struct Cell {
+  Index point;
+  const Body<double>* body;
+  double bound; ///< N, mu |lambda|
+};
+
+std::vector<Cell> cells_of(const Scene<double>& scene, const PushReport& report) {
+  std::vector<Cell> cells;
+  if (report.status != Status::solved) return cells;
+  for (const Body<double>& body : scene.bodies)
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      const double bound = body.friction * std::abs(report.answer.contacts[i].normal_force);
+      if (bound > 1e-9 * report.scales.force) cells.push_back({i, &body, bound});
+    }
+  return cells;
+}
+
+/// t to the right, o up, as seen along the normal from inside the object.
+Pixel in_plane(const Body<double>& body, const Vector3<double>& v) {
+  return {v.dot(body.tangent), -v.dot(cross(body.normal, body.tangent))};
+}
+
+std::string amounts(const Cell& cell, const PushReport& report) {
+  const double zero = 1e-9 * report.scales.force;
+  const double friction = report.answer.contacts[cell.point].friction_force.norm();
+  return (friction > zero ? rough_number(friction) : "0") + " of " + rough_number(cell.bound) +
+         " N";
+}
+
+std::string cell_elements(const SceneFile& file, const Cell& cell, const PushReport& report,
+                          const Pixel& corner) {
+  const Body<double>& body = *cell.body;
+  const ContactAnswer<double>& answer = report.answer.contacts[cell.point];
+  const Pixel center = corner + Pixel(cell_width / 2, 88);
+  const double scale = radius / cell.bound;
+  std::vector<Pixel> rim;
+  for (Index j = 0; j < file.facets; ++j)
+    rim.push_back(center + radius * in_plane(body, generator(body, j, file.facets).force));
+  const Vector3<double> other = cross(body.normal, body.tangent);
+  const std::string name = shortened(point_name(file, cell.point), 17);
+  std::string text =
+      text_element("strong small", corner + Pixel(cell_width / 2, 16), name, "middle") +
+      mode_mark(answer.mode, corner + Pixel(cell_width / 2 - 36, 28)) +
+      text_element("small", corner + Pixel(cell_width / 2 - 26, 32), mode_verb(answer.mode)) +
+      circle_element("coulomb", center, radius) + polygon_element("cone", rim) +
+      line_element("tick", center - Pixel(radius, 0), center + Pixel(radius, 0)) +
+      line_element("tick", center - Pixel(0, radius), center + Pixel(0, radius));
+  if (direction_text(body.tangent).size() < 4)
+    text +=
+        text_element("quiet small", center + Pixel(radius + 5, 4), direction_text(body.tangent));
+  if (direction_text(other).size() < 4)
+    text += text_element("quiet small", center + Pixel(5, -radius - 2), direction_text(other));
+  const Vector3<double> slip =
+      answer.acceleration - answer.acceleration.dot(body.normal) * body.normal;
+  if (answer.mode == Mode::slide && slip.norm() > 1e-9 * report.scales.acceleration)
+    text +=
+        arrow_element("motion thin", center,
+                      center + 0.8 * radius * in_plane(body, Vector3<double>(slip.normalized())));
+  text += arrow_element("force friction", center,
+                        center + scale * in_plane(body, answer.friction_force));
+  text += circle_element("center", center, 2);
+  return text + text_element("small", corner + Pixel(cell_width / 2, cell_height - 10),
+                             amounts(cell, report), "middle");
+}
+
+} // namespace
+
+std::vector<std::string> without_friction(const SceneFile& file, const PushReport& report) {
+  std::vector<std::string> list;
+  if (report.status != Status::solved) return list;
+  const Scene<double> scene = file.view();
+  const std::vector<Cell> cells = cells_of(scene, report);
+  for (std::size_t k = most_cells; k < cells.size(); ++k)
+    list.push_back(point_name(file, cells[k].point) + " (no room)");
+  for (const Body<double>& body : scene.bodies)
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      const bool drawn = std::any_of(cells.begin(), cells.end(),
+                                     [i](const Cell& cell) { return cell.point == i; });
+      if (!drawn)
+        list.push_back(point_name(file, i) +
+                       (body.friction > 0 ? " (no normal force)" : " (frictionless)"));
+    }
+  return list;
+}
+
+Drawing friction_picture(const SceneFile& file, const PushReport& report) {
+  const Scene<double> scene = file.view();
+  std::vector<Cell> cells = cells_of(scene, report);
+  if (cells.size() > static_cast<std::size_t>(most_cells)) cells.resize(most_cells);
+  const auto count = static_cast<Index>(cells.size());
+  const double rows = static_cast<double>(std::max<Index>(1, (count + columns - 1) / columns));
+  Drawing drawing{"friction",
+                  "Friction within its pyramid, point by point",
+                  "",
+                  columns * cell_width,
+                  rows * cell_height,
+                  ""};
+  if (cells.empty()) {
+    drawing.height = 50;
+    drawing.description = "No contact point has friction.";
+    drawing.elements = text_element("quiet", {16, 30}, drawing.description);
+    return drawing;
+  }
+  drawing.description = "The section of each friction pyramid at its normal force, seen along the "
+                        "normal from inside the object, and the friction force in it.";
+  for (Index k = 0; k < count; ++k) {
+    const Cell& cell = cells[static_cast<std::size_t>(k)];
+    const Pixel corner(cell_width * static_cast<double>(k % columns),
+                       cell_height * static_cast<double>(k / columns));
+    drawing.elements += cell_elements(file, cell, report, corner);
+    drawing.description += " " + point_name(file, cell.point) + " " +
+                           mode_verb(report.answer.contacts[cell.point].mode) + ", friction " +
+                           amounts(cell, report) + ".";
+  }
+  return drawing;
+}
+
+} // namespace lcpush::host

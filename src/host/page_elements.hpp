@@ -1,0 +1,26 @@
+// The few elements of HTML that pages are made of.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "markup.hpp"
+#include "report_words.hpp"
+
+namespace lcpush::host {
+
+std::string paragraph(const std::string& text, const std::string& kind = "");
+/// Escaped; lines stay lines.
+std::string with_breaks(const std::string& text);
+std::string facts_html(const std::vector<Fact>& facts);
+/// A box that scrolls by itself, also by the keyboard.
+std::string scrolling(const std::string& label, const std::string& inside);
+/// The first row holds the heads of the columns, the first column those of the rows; cells are
+/// HTML.
+std::string table_html(const std::string& caption,
+                       const std::vector<std::vector<std::string>>& rows);
+/// A little drawing beside words that say the same.
+std::string sample(const std::string& view_box, const std::string& elements);
+std::string figure(const Drawing& drawing, const std::string& caption);
+
+} // namespace lcpush::host
