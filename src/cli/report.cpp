@@ -61,7 +61,7 @@ int run(const Arguments& arguments) {
   const Index pusher = breaking_pusher(arguments, file);
   // Before anything is solved: what is typed wrong should not take long to say.
   std::vector<host::Sweep> sweeps = swept(arguments, scene, file);
-  host::Push breaks(file), push(file);
+  host::Push push(file);
   host::HoldReport hold;
   host::BreakReport breaking;
   host::GripReport grip;
@@ -72,7 +72,7 @@ int run(const Arguments& arguments) {
     options.watcher = &progress;
     hold = push.holds_without_push(options);
     if (pusher >= 0) {
-      breaking = breaks.find_breaking(pusher, options);
+      breaking = push.find_breaking(pusher, options);
       grip = host::find_smallest_grip(file, hold, breaking, options);
     }
     report = push.solve(options); // last: its answer lives in the Push

@@ -23,12 +23,11 @@ std::string palette(const std::string& selector) {
 
 std::string drawing_style() {
   return R"css(.drawing { display: block; background: var(--raised); color: var(--ink);
-  font: 13px system-ui, -apple-system, "Segoe UI", Roboto, Arial, "DejaVu Sans", sans-serif; }
+  font: 13.5px system-ui, -apple-system, "Segoe UI", Roboto, Arial, "DejaVu Sans", sans-serif; }
 .drawing text { fill: var(--ink); }
 .drawing .quiet { fill: var(--soft); }
 .drawing .strong { font-weight: 600; }
-.drawing .small { font-size: 12px; }
-.drawing .label { font-size: 12.5px; paint-order: stroke; stroke: var(--raised);
+.drawing .label { paint-order: stroke; stroke: var(--raised);
   stroke-width: 4px; stroke-linejoin: round; }
 .drawing .leader { stroke: var(--soft); stroke-width: 0.8; }
 .drawing .object { fill: var(--object); stroke: var(--ink); stroke-width: 1.3;

@@ -51,19 +51,18 @@ std::string cell_elements(const SceneFile& file, const Cell& cell, const PushRep
   for (Index j = 0; j < file.facets; ++j)
     rim.push_back(center + radius * in_plane(body, generator(body, j, file.facets).force));
   const Vector3<double> other = cross(body.normal, body.tangent);
-  const std::string name = shortened(point_name(file, cell.point), 17);
+  const std::string name = shortened(point_name(file, cell.point), 15);
   std::string text =
-      text_element("strong small", corner + Pixel(cell_width / 2, 16), name, "middle") +
+      text_element("strong", corner + Pixel(cell_width / 2, 16), name, "middle") +
       mode_mark(answer.mode, corner + Pixel(cell_width / 2 - 36, 28)) +
-      text_element("small", corner + Pixel(cell_width / 2 - 26, 32), mode_verb(answer.mode)) +
+      text_element("", corner + Pixel(cell_width / 2 - 26, 32), mode_verb(answer.mode)) +
       circle_element("coulomb", center, radius) + polygon_element("cone", rim) +
       line_element("tick", center - Pixel(radius, 0), center + Pixel(radius, 0)) +
       line_element("tick", center - Pixel(0, radius), center + Pixel(0, radius));
   if (direction_text(body.tangent).size() < 4)
-    text +=
-        text_element("quiet small", center + Pixel(radius + 5, 4), direction_text(body.tangent));
+    text += text_element("quiet", center + Pixel(radius + 5, 4), direction_text(body.tangent));
   if (direction_text(other).size() < 4)
-    text += text_element("quiet small", center + Pixel(5, -radius - 2), direction_text(other));
+    text += text_element("quiet", center + Pixel(5, -radius - 2), direction_text(other));
   const Vector3<double> slip =
       answer.acceleration - answer.acceleration.dot(body.normal) * body.normal;
   if (answer.mode == Mode::slide && slip.norm() > 1e-9 * report.scales.acceleration)
@@ -73,7 +72,7 @@ std::string cell_elements(const SceneFile& file, const Cell& cell, const PushRep
   text += arrow_element("force friction", center,
                         center + scale * in_plane(body, answer.friction_force));
   text += circle_element("center", center, 2);
-  return text + text_element("small", corner + Pixel(cell_width / 2, cell_height - 10),
+  return text + text_element("", corner + Pixel(cell_width / 2, cell_height - 10),
                              amounts(cell, report), "middle");
 }
 

@@ -7,12 +7,12 @@
 namespace lcpush::host {
 namespace {
 
-/// Of 12.5 px text in a wide face; fonts of the reader's own are narrower.
-double width_of(const std::string& text) {
+/// Of 13.5 px text in a wide face; fonts of the reader's own are narrower.
+double width_of(const std::string& text, bool is_bold) {
   double letters = 0;
   for (const char c : text)
     if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) ++letters; // of UTF-8
-  return 7.6 * letters;
+  return (is_bold ? 9 : 7.9) * letters;
 }
 
 double overlap(const Frame& a, const Frame& b) {
@@ -38,7 +38,8 @@ void LabelPlaces::block_line(const Pixel& from, const Pixel& to, double weight) 
 Frame LabelPlaces::place(const std::vector<std::string>& lines, const Pixel& at,
                          const Pixel& away) {
   double width = 0;
-  for (const std::string& line : lines) width = std::max(width, width_of(line) + 6);
+  for (const std::string& line : lines)
+    width = std::max(width, width_of(line, &line == lines.data()) + 6);
   const double height = line_height * static_cast<double>(lines.size()) + 2;
   Frame best{2, 2, 2 + width, 2 + height};
   double least = std::numeric_limits<double>::infinity();
@@ -53,7 +54,7 @@ Frame LabelPlaces::place(const std::vector<std::string>& lines, const Pixel& at,
       if (frame.left < 2 || frame.top < 2 || frame.right > width_ - 2 || frame.bottom > height_ - 2)
         continue;
       double cost =
-          0.6 * radius + 4 * std::abs(std::sin(angle)) + 12 * std::max(0.0, -away.dot(offset) - 40);
+          1.2 * radius + 4 * std::abs(std::sin(angle)) + 12 * std::max(0.0, -away.dot(offset) - 40);
       for (const Taken& other : taken_)
         if (const double area = overlap(frame, other.frame); area > 0)
           cost += (area + 20) * other.weight;
@@ -62,6 +63,7 @@ Frame LabelPlaces::place(const std::vector<std::string>& lines, const Pixel& at,
         best = frame;
       }
     }
+  cost_ += std::min(least, 1e9);
   block(best, 20);
   return best;
 }

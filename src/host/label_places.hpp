@@ -17,7 +17,7 @@ struct Frame {
 
 class LabelPlaces {
 public:
-  static constexpr double line_height = 15;
+  static constexpr double line_height = 16;
 
   LabelPlaces(double width, double height) : width_(width), height_(height) {}
 
@@ -29,12 +29,15 @@ public:
   /// Cost: O(what is blocked). The frame is blocked for later labels.
   Frame place(const std::vector<std::string>& lines, const Pixel& at, const Pixel& away);
 
+  /// What the labels placed so far cover, and how far away they stand.
+  double cost() const { return cost_; }
+
 private:
   struct Taken {
     Frame frame;
     double weight;
   };
-  double width_, height_;
+  double width_, height_, cost_ = 0;
   std::vector<Taken> taken_;
 };
 

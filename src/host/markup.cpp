@@ -77,9 +77,9 @@ std::string path_element(const std::string& kind, const std::string& strokes) {
 
 std::string text_element(const std::string& kind, const Pixel& at, const std::string& text,
                          const std::string& anchor) {
-  return "<text class=\"" + kind + "\"" + attribute("x", at.x()) + attribute("y", at.y()) +
-         (anchor == "start" ? "" : " text-anchor=\"" + anchor + "\"") + ">" + escaped(text) +
-         "</text>\n";
+  return (kind.empty() ? "<text" : "<text class=\"" + kind + "\"") + attribute("x", at.x()) +
+         attribute("y", at.y()) + (anchor == "start" ? "" : " text-anchor=\"" + anchor + "\"") +
+         ">" + escaped(text) + "</text>\n";
 }
 
 std::string arrow_element(const std::string& kind, const Pixel& from, const Pixel& to) {

@@ -1,6 +1,8 @@
 // The layers of a view that show forces and motions.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "message.hpp"
 #include "report_format.hpp"
@@ -9,8 +11,8 @@
 namespace lcpush::host {
 std::string rough_number(double x) {
   char text[40];
-  std::snprintf(text, sizeof text, "%.3g", x);
-  return text;
+  std::snprintf(text, sizeof text, "%.2e", x);
+  return number(std::strtod(text, nullptr)); // 1000 rather than 1e+03
 }
 
 std::string mode_verb(Mode mode) {
@@ -64,9 +66,10 @@ std::string ScenePainter::forces(const Body<double>& body, Index point) {
     for (Index j = 0; j < scene_.facets; ++j)
       rim.push_back(from(normal + body.friction * answer->normal_force *
                                       generator(body, j, scene_.facets).force));
-    for (const Pixel& corner : rim) places_.block_line(tip, corner, 0.8);
     rim.push_back(tip);
-    text += polygon_element(is_behind(body) ? "cone behind" : "cone", hull(rim));
+    const std::vector<Pixel> outline = hull(rim);
+    for (const Pixel& corner : outline) places_.block_line(tip, corner, 0.8);
+    text += polygon_element(is_behind(body) ? "cone behind" : "cone", outline);
   }
   text += normal_force(body, tip, from(normal), is_pressed);
   const Pixel tail = from(answer->friction_force);

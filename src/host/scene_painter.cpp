@@ -2,12 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "message.hpp"
 #include "report_format.hpp"
 
 namespace lcpush::host {
 namespace {
+
+/// Where a label's leader begins: the place of its frame that is next to `at`.
+Pixel leader_end(const Frame& frame, const Pixel& at) {
+  return {std::clamp(at.x(), frame.left, frame.right), std::clamp(at.y(), frame.top, frame.bottom)};
+}
 
 const char* axis_name(Index axis) { return axis == 0 ? "x" : axis == 1 ? "y" : "z"; }
 
@@ -129,7 +135,7 @@ std::string ScenePainter::weight() {
   const Pixel to = from + scales_.newtons * view_.flat(force);
   places_.block_line(from, to, 2);
   if ((to - from).norm() >= 2.5)
-    labels_.push_back({{"weight " + rough_number(force.norm()) + " N"}, to, to - from, to});
+    labels_.push_back({{"weight " + rough_number(force.norm()) + " N"}, to, Pixel::Zero(), to});
   return arrow_element("force weight", from, to);
 }
 
@@ -183,23 +189,44 @@ std::vector<std::string> ScenePainter::body_words(Index b) const {
   return words;
 }
 
-std::string ScenePainter::placed_labels() {
-  std::string text;
-  // Those that have a side of their own leave the least choice.
-  std::stable_sort(labels_.begin(), labels_.end(), [](const Label& a, const Label& b) {
-    return a.away.norm() > 0.5 && b.away.norm() < 0.5;
-  });
-  for (const Label& label : labels_) {
-    const Frame frame = places_.place(label.lines, label.at, label.away);
-    const Pixel near(std::clamp(label.at.x(), frame.left, frame.right),
-                     std::clamp(label.at.y(), frame.top, frame.bottom));
-    if ((near - label.target).norm() > 26) text += line_element("leader", near, label.target);
-    for (std::size_t k = 0; k < label.lines.size(); ++k)
-      text += text_element(
-          k == 0 ? "label strong" : "label",
-          {frame.left + 2, frame.top + (static_cast<double>(k) + 0.8) * LabelPlaces::line_height},
-          label.lines[k]);
+std::vector<Frame> ScenePainter::place_labels(const std::vector<std::size_t>& order,
+                                              double& cost) const {
+  LabelPlaces places = places_;
+  std::vector<Frame> frames(labels_.size());
+  for (const std::size_t k : order) {
+    const Label& label = labels_[k];
+    frames[k] = places.place(label.lines, label.at, label.away);
+    places.block_line(leader_end(frames[k], label.at), label.target, 1);
   }
+  cost = places.cost();
+  return frames;
+}
+
+/// In the order that gives them the best places, of those that let each be the first.
+std::string ScenePainter::placed_labels() const {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < labels_.size(); ++k) order.push_back(k);
+  std::vector<Frame> frames;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t turn = 0; turn < labels_.size(); ++turn) {
+    double cost = 0;
+    const std::vector<Frame> tried = place_labels(order, cost);
+    if (cost < least) frames = tried;
+    least = std::min(least, cost);
+    std::rotate(order.begin(), order.begin() + 1, order.end());
+  }
+  std::string text;
+  for (std::size_t k = 0; k < labels_.size(); ++k) {
+    const Label& label = labels_[k];
+    const Pixel near = leader_end(frames[k], label.at);
+    if ((near - label.target).norm() > 26) text += line_element("leader", near, label.target);
+  }
+  for (std::size_t k = 0; k < labels_.size(); ++k)
+    for (std::size_t line = 0; line < labels_[k].lines.size(); ++line)
+      text += text_element(line == 0 ? "label strong" : "label",
+                           {frames[k].left + 2, frames[k].top + (static_cast<double>(line) + 0.8) *
+                                                                    LabelPlaces::line_height},
+                           labels_[k].lines[line]);
   return text;
 }
 

@@ -18,7 +18,7 @@ struct PictureScales {
 
 class ScenePainter {
 public:
-  static constexpr double width = 420, margin = 92, margin_above = 108;
+  static constexpr double width = 420, margin = 96, margin_above = 112;
   static constexpr double longest_force = 72, fastest = 46; // pixels
 
   ScenePainter(const SceneFile& file, const PushReport& report, const View& view,
@@ -37,7 +37,7 @@ private:
   const Scene<double> scene_;
   const PushReport& report_;
   const View& view_;
-  const PictureScales& scales_;
+  const PictureScales scales_;
   Frame extent_;
   double height_;
   LabelPlaces places_;
@@ -65,7 +65,8 @@ private:
   std::string away_mark(const Pixel& center, double distance, std::string name);
   std::string body_motion(Index b);
   std::vector<std::string> body_words(Index b) const;
-  std::string placed_labels();
+  std::vector<Frame> place_labels(const std::vector<std::size_t>& order, double& cost) const;
+  std::string placed_labels() const;
   std::string axes();
   std::string scale_bars();
 };
