@@ -17,16 +17,40 @@ struct Section {
   std::string id, title, inside;
 };
 
+std::string list_html(const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return "";
+  std::string text = "<ul>\n";
+  for (const std::string& sentence : sentences) text += "<li>" + escaped(sentence) + "</li>\n";
+  return text + "</ul>\n";
+}
+
+/// Paragraphs; those that begin with a dash are a list.
+std::string sentences_html(const std::vector<std::string>& sentences) {
+  std::string text;
+  std::vector<std::string> items;
+  for (const std::string& sentence : sentences) {
+    if (sentence.rfind("- ", 0) == 0) {
+      items.push_back(sentence.substr(2));
+      continue;
+    }
+    text += list_html(items) + paragraph(sentence);
+    items.clear();
+  }
+  return text + list_html(items);
+}
+
+std::string failure_box(Status status, const std::string& reason, const std::string& more) {
+  return "<div class=\"failure\">\n<p><strong>NOT SOLVED (" + std::string(status_text(status)) +
+         ")</strong>: " + escaped(reason) + ".</p>\n" + more + "</div>\n";
+}
+
 std::string failure_html(const SceneFile& file, Status status, const std::string& reason,
                          const std::vector<NamedValue>& ray, const Jam& jam) {
-  std::string text = "<div class=\"failure\">\n<p><strong>NOT SOLVED (" +
-                     std::string(status_text(status)) + ")</strong>: " + escaped(reason) +
-                     ".</p>\n";
-  if (ray.empty()) return text + "</div>\n";
-  for (const std::string& sentence : jam_sentences(file, jam)) text += paragraph(sentence);
+  if (ray.empty()) return failure_box(status, reason, "");
   std::vector<std::vector<std::string>> rows{{"unknown", "value"}};
   for (const NamedValue& entry : ray) rows.push_back({escaped(entry.name), number(entry.value)});
-  return text + "</div>\n<details>\n<summary>The ray in numbers</summary>\n" +
+  return failure_box(status, reason, sentences_html(jam_sentences(file, jam))) +
+         "<details>\n<summary>The ray in numbers</summary>\n" +
          table_html("The ray, largest entry 1", rows) + "</details>\n";
 }
 
@@ -79,8 +103,8 @@ std::string verdict(const PageContent& content) {
     text =
         "<div class=\"failure\">\n" + paragraph(does_not_hold_text(*content.breaking)) + "</div>\n";
   return text +
-         paragraph("Solved. The largest scaled residual is " + residual_text(push.residuals.max()) +
-                       ", checked apart from the solver.",
+         paragraph("The push as prescribed is solved. The largest scaled residual is " +
+                       residual_text(push.residuals.max()) + ", checked apart from the solver.",
                    "verdict");
 }
 
@@ -119,13 +143,6 @@ Section friction_section(const PageContent& content) {
               figure(friction_picture(content.file, content.push), caption) + "</div>\n"};
 }
 
-std::string list_html(const std::vector<std::string>& sentences) {
-  if (sentences.empty()) return "";
-  std::string text = "<ul>\n";
-  for (const std::string& sentence : sentences) text += "<li>" + escaped(sentence) + "</li>\n";
-  return text + "</ul>\n";
-}
-
 Section contacts_section(const PageContent& content) {
   std::vector<std::vector<std::string>> rows = contact_rows(content.file, content.push);
   for (auto& row : rows)
@@ -149,6 +166,9 @@ Section breaking_section(const PageContent& content) {
   std::string text;
   if (report.status == Status::does_not_hold)
     text = "<div class=\"failure\">\n" + paragraph(does_not_hold_text(report)) + "</div>\n";
+  else if (report.status == content.push.status && report.status != Status::solved &&
+           jam_sentences(content.file, report.jam) == jam_sentences(content.file, content.push.jam))
+    text = failure_box(report.status, "it ends as the push itself does, above", "");
   else if (report.status != Status::solved)
     text = failure_html(content.file, report.status, report.reason, report.ray, report.jam);
   else

@@ -123,7 +123,9 @@ std::string ScenePainter::object_motion() {
     if (flat.norm() > scales_.still) {
       text += arrow_element("motion", center, tip);
       places_.block_line(center, tip, 3);
-      lines.push_back(rough_number(flat.norm()) + " m/s\u00B2");
+      const double whole = a.head<3>().norm();
+      lines.push_back(rough_number(flat.norm()) + " m/s\u00B2" +
+                      (flat.norm() < 0.995 * whole ? " of " + rough_number(whole) : ""));
     }
     const double spin = view_.toward_viewer(a.tail<3>());
     if (report_.scales.length * std::abs(spin) > scales_.still) {
@@ -145,7 +147,7 @@ std::string ScenePainter::object_motion() {
 /// Where the axis is when that is off the picture.
 std::string ScenePainter::away_mark(const Pixel& center, double distance, std::string name) {
   const Pixel middle(width / 2, height_ / 2), along = (center - middle).normalized();
-  const auto line = clipped_line(middle, along, width, height_);
+  const auto line = clipped_line(middle, along, width, height_ - 26); // above the scales
   if (!line) return "";
   const Pixel tip = line->second - 5 * along, tail = tip - 26 * along;
   name += ", " + rough_number(1000 * distance) + " mm from the centre of mass";

@@ -257,7 +257,8 @@ TEST_CASE("a jam's page says who squeezes and draws no force") {
   CHECK_FALSE(host::is_solved(page.content));
   const std::string html = page.html();
   for (const std::string& sentence : host::jam_sentences(page.file, page.report.jam))
-    CHECK(html.find(host::escaped(sentence)) != std::string::npos);
+    CHECK(html.find(host::escaped(sentence.substr(sentence.rfind("- ", 0) == 0 ? 2 : 0))) !=
+          std::string::npos);
   CHECK(count(html, "NOT SOLVED (ray)") == 1);
   CHECK(count(html, "id=\"contacts\"") == 0);
   CHECK(host::report_pictures(page.content).size() == 2);
