@@ -210,6 +210,23 @@ class Report(unittest.TestCase):
             for a, b in zip(used, shares):
                 self.assertAlmostEqual(a, b, delta=1e-3)
 
+    def test_friction_points_as_it_does_in_its_contact_plane(self):
+        # t and o = n x t of each body, as docs/theory.md defines them.
+        frames = {"left": ((1, 0, 0), (0, -1, 0)), "right": ((1, 0, 0), (0, 1, 0)),
+                  "wall": ((0, 1, 0), (0, 0, 1)), "edge": ((1, 0, 0), (0, 0, -1))}
+        for name in ("straight_slide", "pivot"):
+            scene = SCENES / f"{name}.toml"
+            contacts = [c for c in answer("solve", scene)["contacts"]
+                        if math.hypot(*c["friction_force"]) > 1e-6]
+            arrows = [tip_and_tail(e) for e in classed(self.picture(scene, "friction"), "friction")]
+            self.assertEqual(len(arrows), len(contacts))
+            for contact, (tip, tail) in zip(contacts, arrows):
+                bound = self.mu(scene, contact) * contact["normal_force"]
+                along, across = (sum(a * b for a, b in zip(contact["friction_force"], axis)) / bound
+                                 for axis in frames[contact["body"]])
+                self.assertAlmostEqual((tip[0] - tail[0]) / 40, along, delta=1e-3)
+                self.assertAlmostEqual((tip[1] - tail[1]) / 40, -across, delta=1e-3)
+
     def mu(self, scene, contact):
         part = scene.read_text().split(f'name = "{contact["body"]}"')[1]
         return float(re.search(r"friction = ([\d.]+)", part)[1])
@@ -307,6 +324,26 @@ class Report(unittest.TestCase):
         target = self.path / "page.html"
         result = run("report", scene, "--vary", "edge.frction=0:1", "-o", target)
         self.assertEqual((result.returncode, target.exists()), (2, False))
+
+    def test_picture_in_the_docs_is_what_its_command_draws(self):
+        # Labels may stand elsewhere where rounding decides between two places.
+        def drawn(svg):
+            return [e for e in svg.iter() if e.tag != f"{SVG}style"
+                    and not {"label", "leader"} & set(e.get("class", "").split())]
+
+        def numbers(text):
+            return [float(x) for x in re.findall(r"-?\d+\.?\d*", text)]
+
+        kept = ElementTree.parse(SOURCE / "docs/pivot_front.svg").getroot()
+        now = self.picture(SCENES / "pivot.toml", "front")
+        self.assertEqual(len(drawn(kept)), len(drawn(now)))
+        for a, b in zip(drawn(kept), drawn(now)):
+            self.assertEqual((a.tag, a.get("class"), a.text), (b.tag, b.get("class"), b.text))
+            for key in ("points", "d", "x", "y", "x1", "y1", "x2", "y2", "cx", "cy", "r"):
+                for p, q in zip(numbers(a.get(key, "")), numbers(b.get(key, ""))):
+                    self.assertAlmostEqual(p, q, delta=0.05)
+        self.assertEqual(sorted(e.text for e in classed(kept, "label")),
+                         sorted(e.text for e in classed(now, "label")))
 
     def test_help_has_an_example(self):
         text = run("report", "--help").stdout

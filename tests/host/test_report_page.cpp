@@ -75,7 +75,11 @@ TEST_CASE("a view keeps right hands right: right times up points at the viewer")
       CHECK(view.flat(cross<double>(right, up)).norm() == 0);
       CHECK(view.toward_viewer(right + up) == 0);
     }
-    CHECK(views[0].depth() != views[1].depth());
+    CHECK(views[0].flat(Vector(1, 0, 0)).isApprox(host::Pixel(1, 0)));
+    // The other view is from above, or from the right.
+    const Vector up = views[0].up_sign * Vector::Unit(views[0].up);
+    const Vector from = views[1].name == "top" ? up : Vector(1, 0, 0);
+    CHECK(views[1].toward_viewer(from) == 1);
   }
 }
 
@@ -232,6 +236,19 @@ TEST_CASE("names and titles stand on the page as text, whatever they hold") {
   CHECK(count(html, "w&lt;b&gt;&amp;&quot;&#39;") > 3);
   CHECK(count(html, "&lt;/title&gt;&lt;script&gt;&amp;\uFFFD") >= 2);
   CHECK(count(html, "\x07") == 0);
+}
+
+TEST_CASE("the arc turns as the object does") {
+  // A sweep flag of 1 is clockwise on a drawing, a turn about -z as z points at the viewer.
+  const Page pivot(scene_text("pivot.toml")), rolling(scene_text("rolling.toml"));
+  REQUIRE(pivot.report.answer.acceleration[5] < 0);
+  REQUIRE(rolling.report.answer.acceleration[5] > 0);
+  const auto arc = [](const std::string& svg) {
+    const std::size_t at = svg.find("<path class=\"arc\"");
+    return svg.substr(at, svg.find("/>", at) - at);
+  };
+  CHECK(count(arc(pivot.picture("front")), " 0 1 1 ") == 1);
+  CHECK(count(arc(rolling.picture("front")), " 0 1 0 ") == 1);
 }
 
 TEST_CASE("each contact has its mark: square, triangle or ring") {
