@@ -18,15 +18,30 @@ struct Cell {
   double bound; ///< N, mu |lambda|
 };
 
+bool has_friction(const Body<double>& body, Index point, const PushReport& report) {
+  return body.friction * std::abs(report.answer.contacts[point].normal_force) >
+         1e-9 * report.scales.force;
+}
+
+/// The first points of each body, as many of each as there is room for.
 std::vector<Cell> cells_of(const Scene<double>& scene, const PushReport& report) {
   std::vector<Cell> cells;
-  if (report.status != Status::solved) return cells;
-  for (const Body<double>& body : scene.bodies)
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-      const double bound = body.friction * std::abs(report.answer.contacts[i].normal_force);
-      if (bound > 1e-9 * report.scales.force) cells.push_back({i, &body, bound});
-    }
+  const Index room = std::max<Index>(columns, most_cells / scene.bodies.size);
+  for (const Body<double>& body : scene.bodies) {
+    Index drawn = 0;
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      if (has_friction(body, i, report) && drawn++ < room)
+        cells.push_back(
+            {i, &body, body.friction * std::abs(report.answer.contacts[i].normal_force)});
+  }
   return cells;
+}
+
+/// "left.3", the body's name cut where it is long.
+std::string cell_name(const SceneFile& file, Index point) {
+  const std::string name = point_name(file, point);
+  const std::string number = name.substr(name.rfind('.'));
+  return shortened(name.substr(0, name.rfind('.')), 15 - number.size()) + number;
 }
 
 /// t to the right, o up, as seen along the normal from inside the object.
@@ -51,7 +66,7 @@ std::string cell_elements(const SceneFile& file, const Cell& cell, const PushRep
   for (Index j = 0; j < file.facets; ++j)
     rim.push_back(center + radius * in_plane(body, generator(body, j, file.facets).force));
   const Vector3<double> other = cross(body.normal, body.tangent);
-  const std::string name = shortened(point_name(file, cell.point), 15);
+  const std::string name = cell_name(file, cell.point);
   std::string text =
       text_element("strong", corner + Pixel(cell_width / 2, 16), name, "middle") +
       mode_mark(answer.mode, corner + Pixel(cell_width / 2 - 36, 28)) +
@@ -79,27 +94,34 @@ std::string cell_elements(const SceneFile& file, const Cell& cell, const PushRep
 } // namespace
 
 std::vector<std::string> without_friction(const SceneFile& file, const PushReport& report) {
-  std::vector<std::string> list;
-  if (report.status != Status::solved) return list;
   const Scene<double> scene = file.view();
   const std::vector<Cell> cells = cells_of(scene, report);
-  for (std::size_t k = most_cells; k < cells.size(); ++k)
-    list.push_back(point_name(file, cells[k].point) + " (no room)");
-  for (const Body<double>& body : scene.bodies)
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-      const bool drawn = std::any_of(cells.begin(), cells.end(),
-                                     [i](const Cell& cell) { return cell.point == i; });
-      if (!drawn)
-        list.push_back(point_name(file, i) +
-                       (body.friction > 0 ? " (no normal force)" : " (frictionless)"));
+  const auto reason = [&](const Body<double>& body, Index i) -> std::string {
+    for (const Cell& cell : cells)
+      if (cell.point == i) return "";
+    return has_friction(body, i, report) ? "no room"
+           : body.friction > 0           ? "no normal force"
+                                         : "frictionless";
+  };
+  std::vector<std::string> list;
+  for (const Body<double>& body : scene.bodies) {
+    const Index end = body.first_point + body.point_count;
+    for (Index i = body.first_point; i < end;) {
+      const std::string why = reason(body, i);
+      Index last = i;
+      while (last + 1 < end && reason(body, last + 1) == why) ++last;
+      if (!why.empty())
+        list.push_back(point_name(file, i) + (last > i ? " to " + point_name(file, last) : "") +
+                       " (" + why + ")");
+      i = last + 1;
     }
+  }
   return list;
 }
 
 Drawing friction_picture(const SceneFile& file, const PushReport& report) {
   const Scene<double> scene = file.view();
-  std::vector<Cell> cells = cells_of(scene, report);
-  if (cells.size() > static_cast<std::size_t>(most_cells)) cells.resize(most_cells);
+  const std::vector<Cell> cells = cells_of(scene, report);
   const auto count = static_cast<Index>(cells.size());
   const double rows = static_cast<double>(std::max<Index>(1, (count + columns - 1) / columns));
   Drawing drawing{"friction",

@@ -113,7 +113,7 @@ Section answer_section(const PageContent& content) {
                                                                   *content.grip, *content.breaking)
                                                       : hold_fact(content.file, content.hold)};
   for (Fact& fact : push_facts(content.file, content.push)) facts.push_back(std::move(fact));
-  return {"answer", content.push.status == Status::solved ? "The answer" : "No answer",
+  return {"answer", content.push.status == Status::solved ? "The answer" : "No answer was found",
           verdict(content) + facts_html(facts)};
 }
 

@@ -161,7 +161,7 @@ std::vector<std::string> ScenePainter::body_words(Index b) const {
     for (const JamBody& squeezing : report_.jam.bodies)
       if (squeezing.body == b) words.emplace_back("squeezes");
     if (body_acceleration(body).norm() > 0)
-      words.push_back("pushes at " + rough_number(body_acceleration(body).norm()) + " m/s\u00B2");
+      words.push_back("moves at " + rough_number(body_acceleration(body).norm()) + " m/s\u00B2");
     return words;
   }
   Vector3<double> friction = Vector3<double>::Zero();
@@ -277,7 +277,7 @@ Drawing ScenePainter::draw() {
   drawing.elements += placed_labels();
   drawing.description = scales_.shows_forces
                             ? "The object, the bodies that touch it, forces and motions."
-                            : "The object and the bodies that touch it. There is no answer, so no "
+                            : "The object and the bodies that touch it. No answer was found, so no "
                               "forces are drawn.";
   for (const std::string& sentence : words_) drawing.description += " " + sentence;
   return drawing;

@@ -10,10 +10,12 @@ namespace lcpush::host {
 /// of a jam who squeezes.
 std::vector<Drawing> scene_pictures(const SceneFile& file, const PushReport& report);
 
-/// The friction of each contact point that has some, within its polygon of radius mu lambda.
+/// The friction of each contact point that has some, within its polygon of radius mu lambda; of
+/// large patches the first points. Precondition, here and below: the push is solved.
 Drawing friction_picture(const SceneFile& file, const PushReport& report);
 
-/// The points that friction_picture leaves out, with the reason: "wall.1 (no normal force)".
+/// The points that friction_picture leaves out, with the reason: "wall.1 (no normal force)",
+/// "left.3 to left.8 (no room)".
 std::vector<std::string> without_friction(const SceneFile& file, const PushReport& report);
 
 /// Each law's largest residual as a bar on a logarithmic scale, beside the tolerance.

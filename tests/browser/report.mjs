@@ -7,7 +7,7 @@
 // Exit 0: all held. chromium.mjs says where the browser and its driver come from.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { launch, open, phone, wide } from './chromium.mjs';
 import { root } from './engine.mjs';
@@ -21,6 +21,17 @@ const out = resolve(folder);
 mkdirSync(out, { recursive: true });
 
 const scene = (name, ...more) => ({ name, arguments: [`fixtures/scenes/${name}.toml`, ...more] });
+/// A fixture with other words in it.
+function changed(name, file, changes) {
+  let text = readFileSync(join(root, 'fixtures', 'scenes', `${file}.toml`), 'utf8');
+  for (const [from, to] of changes) {
+    assert.ok(text.includes(from), from);
+    text = text.replaceAll(from, to);
+  }
+  const path = join(out, `${name}.toml`);
+  writeFileSync(path, text);
+  return { name, arguments: [path] };
+}
 const regression = (name) => ({ name, arguments: [`fixtures/regressions/${name}.toml`] });
 const problems = [
   scene('straight_slide', '--pressure', 'rigid', '--vary', '*.grip_force=2:30', '--vary',
@@ -33,6 +44,11 @@ const problems = [
   { name: 'runaway', arguments: ['fixtures/rays/runaway.toml'], failure: 'NOT SOLVED' },
   regression('lost_warm_rounds'), regression('almost_feasible_basis'),
   regression('forces_of_the_push_alone'),
+  changed('names', 'straight_slide', [
+    ['"wall"', `"the_wall_with_${'a_name_that_does_not_end_'.repeat(6)}"`],
+    ['"left"', '"Zeigefinger \u00e4\u00f6\u00fc <links> & \\"vorn\\" \u6f22\u5b57"'],
+    ['title = "', `title = "${'Verylongword'.repeat(8)} `]]),
+  changed('many_points', 'ground', [['points = 6', 'points = 30']]),
 ];
 
 /// What the tool writes; a push that is not solved exits with 1 and still writes.

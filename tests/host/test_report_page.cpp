@@ -268,6 +268,20 @@ TEST_CASE("each contact has its mark: square, triangle or ring") {
   }
 }
 
+TEST_CASE("of large patches the first points are drawn, and every other one is accounted for") {
+  const Page page(with(scene_text("ground.toml"), "points = 6", "points = 30"));
+  REQUIRE(page.report.status == Status::solved);
+  const std::string svg = page.picture("friction");
+  CHECK(count(svg, "<polygon class=\"cone\"") == 16 + 16 + 4); // a third of 48, and all of four
+  CHECK(count(svg, ">left.16</text>") == 1);
+  CHECK(count(svg, ">left.17</text>") == 0);
+  CHECK(host::without_friction(page.file, page.report) ==
+        std::vector<std::string>{"left.17 to left.30 (no room)", "right.17 to right.30 (no room)"});
+  const Page soft(scene_text("soft_fingers.toml"));
+  CHECK(host::without_friction(soft.file, soft.report) ==
+        std::vector<std::string>{"rod.1 (frictionless)"});
+}
+
 TEST_CASE("a jam's page says who squeezes and draws no force") {
   const Page page(scene_text("jam.toml"));
   REQUIRE(page.report.status == Status::ray);
