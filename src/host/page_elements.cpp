@@ -24,6 +24,27 @@ std::string facts_html(const std::vector<Fact>& facts) {
   return text + "</dl>\n";
 }
 
+std::string list_html(const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return "";
+  std::string text = "<ul>\n";
+  for (const std::string& sentence : sentences) text += "<li>" + escaped(sentence) + "</li>\n";
+  return text + "</ul>\n";
+}
+
+std::string sentences_html(const std::vector<std::string>& sentences) {
+  std::string text;
+  std::vector<std::string> items;
+  for (const std::string& sentence : sentences) {
+    if (sentence.rfind("- ", 0) == 0) {
+      items.push_back(sentence.substr(2));
+      continue;
+    }
+    text += list_html(items) + paragraph(sentence);
+    items.clear();
+  }
+  return text + list_html(items);
+}
+
 std::string scrolling(const std::string& label, const std::string& inside) {
   return "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"" + escaped(label) +
          "\">\n" + inside + "</div>\n";
@@ -31,7 +52,8 @@ std::string scrolling(const std::string& label, const std::string& inside) {
 
 std::string table_html(const std::string& caption,
                        const std::vector<std::vector<std::string>>& rows) {
-  std::string text = "<table>\n<caption>" + escaped(caption) + "</caption>\n<thead>\n<tr>";
+  std::string text =
+      "<table>\n<caption><span>" + escaped(caption) + "</span></caption>\n<thead>\n<tr>";
   for (const std::string& cell : rows[0]) text += "<th scope=\"col\">" + cell + "</th>";
   text += "</tr>\n</thead>\n<tbody>\n";
   for (std::size_t r = 1; r < rows.size(); ++r) {

@@ -17,28 +17,6 @@ struct Section {
   std::string id, title, inside;
 };
 
-std::string list_html(const std::vector<std::string>& sentences) {
-  if (sentences.empty()) return "";
-  std::string text = "<ul>\n";
-  for (const std::string& sentence : sentences) text += "<li>" + escaped(sentence) + "</li>\n";
-  return text + "</ul>\n";
-}
-
-/// Paragraphs; those that begin with a dash are a list.
-std::string sentences_html(const std::vector<std::string>& sentences) {
-  std::string text;
-  std::vector<std::string> items;
-  for (const std::string& sentence : sentences) {
-    if (sentence.rfind("- ", 0) == 0) {
-      items.push_back(sentence.substr(2));
-      continue;
-    }
-    text += list_html(items) + paragraph(sentence);
-    items.clear();
-  }
-  return text + list_html(items);
-}
-
 std::string failure_box(Status status, const std::string& reason, const std::string& more) {
   return "<div class=\"failure\">\n<p><strong>NOT SOLVED (" + std::string(status_text(status)) +
          ")</strong>: " + escaped(reason) + ".</p>\n" + more + "</div>\n";
@@ -183,19 +161,30 @@ std::string sweep_title(const Sweep& sweep) {
   return title;
 }
 
+/// Where modes change, and where there are two answers.
+std::vector<std::string> sweep_changes(const Sweep& sweep) {
+  std::vector<std::string> list;
+  const auto add = [&list](double value, const std::string& change) {
+    if (!change.empty()) list.push_back("At " + number(value) + ": " + change);
+  };
+  for (const SweepSegment& segment : sweep.segments) add(segment.to, segment.change);
+  for (const SweepPoint& point : sweep.points) add(point.value, point.change);
+  for (const BistableRange& range : sweep.bistable)
+    list.push_back("Bistable from " + number(range.from) + " to " + number(range.to) +
+                   ": the way back ends in another answer there");
+  return list;
+}
+
 Section sweeps_section(const PageContent& content) {
   std::string text;
   for (const Sweep& sweep : content.sweeps) {
     const std::string title = sweep_title(sweep);
     text += "<h3>" + escaped(title) + "</h3>\n<figure>\n" +
             scrolling(title, sweep_svg(sweep, title)) + "</figure>\n";
-    std::vector<std::string> changes;
-    for (const SweepSegment& segment : sweep.segments)
-      if (!segment.change.empty())
-        changes.push_back("At " + number(segment.to) + ": " + segment.change);
-    text += list_html(changes);
     if (!sweep.complete)
-      text += paragraph("Some values have no answer; the table says which.", "verdict");
+      text += "<div class=\"failure\">\n" +
+              paragraph("Some values have no answer; the numbers below say which.") + "</div>\n";
+    text += list_html(sweep_changes(sweep));
     text +=
         "<details>\n<summary>The same in numbers</summary>\n" +
         scrolling(title + ", in numbers", "<pre>" + with_breaks(sweep_text(sweep)) + "</pre>\n") +

@@ -45,9 +45,12 @@ td .drawing { display: inline-block; width: 14px; height: 12px; margin-right: 6p
 .scroll .plot { min-width: 620px; max-width: 860px; }
 table { border-collapse: collapse; font-size: 15px; font-variant-numeric: tabular-nums; }
 caption { text-align: left; font-weight: 600; padding: 4px 0 6px; }
+caption span { display: block; position: sticky; left: 0; width: fit-content;
+  max-width: min(72ch, calc(100vw - 48px)); }
 th, td { padding: 5px 12px; text-align: right; border-bottom: 1px solid var(--line);
   white-space: nowrap; font-weight: 400; }
-th:first-child { text-align: left; padding-left: 0; }
+th:first-child { text-align: left; padding-left: 0; min-width: 6em; max-width: 22em;
+  white-space: normal; overflow-wrap: anywhere; }
 thead th { color: var(--soft); border-bottom-color: var(--faint); }
 .words { text-align: left; }
 pre { font: 13px/1.45 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; margin: 0; }

@@ -257,6 +257,23 @@ class Report(unittest.TestCase):
         lines = [e.get("points") for e in ElementTree.fromstring(result.stdout).iter(f"{SVG}polyline")]
         self.assertEqual([e.get("points") for e in alone.iter(f"{SVG}polyline")], lines)
 
+    def test_sweep_tells_of_sampled_changes_two_answers_and_values_without_one(self):
+        scene = SCENES / "rolling_two_answers.toml"
+        vary = ["--vary", "sheet.friction=0.3:0.8"]
+        swept = answer("sweep", scene, *vary)
+        text = words(element(self.page(scene, *vary), "sweeps"))
+        self.assertTrue(swept["bistable"])
+        for band in swept["bistable"]:
+            self.assertIn(f"Bistable from {band['from']:.6g} to {band['to']:.6g}", text)
+        for point in swept["points"]:
+            if point["change"]:
+                self.assertIn(f"At {point['value']:.6g}: {point['change']}", text)
+        vary = ["--vary", "wall.friction=0.1:0.5", "--steps", 3]
+        jam = self.page(SCENES / "jam.toml", *vary, code=1)
+        self.assertIn("Some values have no answer", words(element(jam, "sweeps")))
+        held = self.page(SCENES / "straight_slide.toml", *vary)
+        self.assertNotIn("have no answer", words(element(held, "sweeps")))
+
     def test_ray_says_who_squeezes_and_exits_1(self):
         scene = SCENES / "jam.toml"
         page = self.page(scene, code=1)
