@@ -1,5 +1,7 @@
 #include "page_elements.hpp"
 
+#include <string_view>
+
 namespace lcpush::host {
 
 std::string paragraph(const std::string& text, const std::string& kind) {
@@ -72,6 +74,23 @@ std::string sample(const std::string& view_box, const std::string& elements) {
 std::string figure(const Drawing& drawing, const std::string& caption) {
   return "<figure>\n" + svg_element(drawing) + "<figcaption>" + escaped(caption) +
          "</figcaption>\n</figure>\n";
+}
+
+std::string plot_image(const std::string& svg, const std::string& words) {
+  constexpr const char* digits = "0123456789ABCDEF";
+  std::string data;
+  for (const char c : svg) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') ||
+                          std::string_view("-_.~:/;=,()").find(c) != std::string_view::npos;
+    if (is_plain)
+      data += c;
+    else
+      (((data += '%') += digits[byte >> 4U]) += digits[byte & 15U]);
+  }
+  return "<img class=\"plot\" alt=\"" + escaped(words) + "\" src=\"data:image/svg+xml," + data +
+         "\"/>\n";
 }
 
 } // namespace lcpush::host

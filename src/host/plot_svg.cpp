@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "markup.hpp"
 #include "report_format.hpp"
 
 namespace lcpush::host {
@@ -15,6 +14,24 @@ namespace {
 constexpr double width = 760, height = 460;
 constexpr double left = 84, right = 24, top = 52, bottom = 64;
 constexpr std::size_t colours = 3;
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) switch (c) {
+    case '<': result += "&lt;"; break;
+    case '>': result += "&gt;"; break;
+    case '&': result += "&amp;"; break;
+    case '"': result += "&quot;"; break;
+    default: result += c;
+    }
+  return result;
+}
+
+std::string pixels(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", x);
+  return text;
+}
 
 /// Round numbers, about `count` of them, that cover the range.
 std::vector<double> ticks(double low, double high, int count) {
@@ -36,29 +53,28 @@ struct Axis {
 };
 
 std::string head(const std::string& title, const std::string& description) {
-  // Classes and no ids, so that several plots can stand on one page.
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 " + pixels(width) +
-         " " + pixels(height) + "\" role=\"img\">\n<title>" + escaped(title) + "</title>\n<desc>" +
-         escaped(description) +
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + pixels(width) + " " +
+         pixels(height) +
+         "\" role=\"img\" aria-labelledby=\"title description\">\n<title id=\"title\">" +
+         escaped(title) + "</title>\n<desc id=\"description\">" + escaped(description) +
          "</desc>\n"
          "<style>\n"
-         "  .plot { font: 13px system-ui, sans-serif; background: #ffffff; color: #1b1f24; }\n"
-         "  .plot text { fill: currentColor; }\n"
-         "  .plot .frame, .plot .tick { stroke: #8a929c; fill: none; }\n"
-         "  .plot .grid { stroke: #e3e6ea; }\n"
-         "  .plot .mark { stroke: #8a929c; stroke-dasharray: 4 4; }\n"
-         "  .plot .jump { stroke: #b3261e; }\n"
-         "  .plot .line { fill: none; stroke-width: 2; }\n"
-         "  .plot .c0 { stroke: #0b57a4; } .plot .c1 { stroke: #a8480a; stroke-dasharray: 8 3; }\n"
-         "  .plot .c2 { stroke: #386a20; stroke-dasharray: 2 3; }\n"
-         "  .plot .cell { fill: #0b57a4; }\n"
-         "  @media screen and (prefers-color-scheme: dark) {\n"
-         "    .plot { background: #14171b; color: #e6e9ed; }\n"
-         "    .plot .grid { stroke: #2c3239; }\n"
-         "    .plot .jump { stroke: #ff8a80; }\n"
-         "    .plot .c0 { stroke: #7cb8ff; } .plot .c1 { stroke: #ffb27a; } .plot .c2 { stroke: "
-         "#a5d68c; }\n"
-         "    .plot .cell { fill: #7cb8ff; }\n"
+         "  svg { font: 13px system-ui, sans-serif; background: #ffffff; color: #1b1f24; }\n"
+         "  text { fill: currentColor; }\n"
+         "  .frame, .tick { stroke: #8a929c; fill: none; }\n"
+         "  .grid { stroke: #e3e6ea; }\n"
+         "  .mark { stroke: #8a929c; stroke-dasharray: 4 4; }\n"
+         "  .jump { stroke: #b3261e; }\n"
+         "  .line { fill: none; stroke-width: 2; }\n"
+         "  .c0 { stroke: #0b57a4; } .c1 { stroke: #a8480a; stroke-dasharray: 8 3; }\n"
+         "  .c2 { stroke: #386a20; stroke-dasharray: 2 3; }\n"
+         "  .cell { fill: #0b57a4; }\n"
+         "  @media (prefers-color-scheme: dark) {\n"
+         "    svg { background: #14171b; color: #e6e9ed; }\n"
+         "    .grid { stroke: #2c3239; }\n"
+         "    .jump { stroke: #ff8a80; }\n"
+         "    .c0 { stroke: #7cb8ff; } .c1 { stroke: #ffb27a; } .c2 { stroke: #a5d68c; }\n"
+         "    .cell { fill: #7cb8ff; }\n"
          "  }\n"
          "</style>\n"
          "<text x=\"" +
@@ -66,7 +82,8 @@ std::string head(const std::string& title, const std::string& description) {
 }
 
 std::string line_element(const char* kind, double x1, double y1, double x2, double y2) {
-  return host::line_element(kind, Pixel(x1, y1), Pixel(x2, y2));
+  return std::string("<line class=\"") + kind + "\" x1=\"" + pixels(x1) + "\" y1=\"" + pixels(y1) +
+         "\" x2=\"" + pixels(x2) + "\" y2=\"" + pixels(y2) + "\"/>\n";
 }
 
 std::string axes(const Axis& x, const Axis& y, const std::string& x_label,

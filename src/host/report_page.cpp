@@ -179,12 +179,16 @@ Section sweeps_section(const PageContent& content) {
   std::string text;
   for (const Sweep& sweep : content.sweeps) {
     const std::string title = sweep_title(sweep);
+    const std::vector<std::string> changes = sweep_changes(sweep);
     text += "<h3>" + escaped(title) + "</h3>\n<figure>\n" +
-            scrolling(title, sweep_svg(sweep, title)) + "</figure>\n";
+            scrolling(title, plot_image(sweep_svg(sweep, title),
+                                        title + ", a plot; the same stands below in words and "
+                                                "numbers")) +
+            "</figure>\n";
     if (!sweep.complete)
       text += "<div class=\"failure\">\n" +
               paragraph("Some values have no answer; the numbers below say which.") + "</div>\n";
-    text += list_html(sweep_changes(sweep));
+    text += list_html(changes);
     text +=
         "<details>\n<summary>The same in numbers</summary>\n" +
         scrolling(title + ", in numbers", "<pre>" + with_breaks(sweep_text(sweep)) + "</pre>\n") +

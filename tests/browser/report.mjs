@@ -157,6 +157,9 @@ async function check_page(page, problem, where, device, scheme) {
     .filter((e) => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).overflowX === 'auto'
       && e.tabIndex < 0).length);
   assert.equal(boxes, 0, `${where}: a box that scrolls is reached by the keyboard`);
+  const broken = await page.evaluate(() => [...document.images]
+    .filter((image) => !image.complete || image.naturalWidth === 0).length);
+  assert.equal(broken, 0, `${where}: images`);
   const failures = await page.locator('.failure').allTextContents();
   assert.equal(failures.length > 0, Boolean(problem.failure), where);
   if (problem.failure) assert.ok(failures[0].includes(problem.failure), where);
@@ -169,10 +172,12 @@ async function check_names(page, where) {
   const images = nodes.filter(({ ignored, role }) =>
     !ignored && role && ['image', 'img'].includes(role.value));
   assert.ok(images.length >= 2, `${where}: ${images.length} pictures`);
-  for (const image of images) {
+  for (const image of images)
     assert.ok(image.name && image.name.value, `${where}: a picture without a name`);
-    assert.ok(image.description && image.description.value, `${where}: ${image.name.value}`);
-  }
+  const described = images.filter(({ description }) => description && description.value).length;
+  const drawn = await page.locator('svg[role=img]').count();
+  assert.equal(described, drawn, `${where}: every drawing has a description`);
+  assert.equal(images.length, drawn + await page.locator('img').count(), where);
   for (const role of ['banner', 'navigation', 'main', 'contentinfo'])
     assert.equal(nodes.filter((node) => node.role && node.role.value === role).length, 1,
       `${where}: ${role}`);
@@ -185,6 +190,19 @@ async function check_print(page, where) {
   assert.deepEqual(found, [], `${where}, printed`);
   assert.ok(paper > 0.8, `${where}: paper is light`);
   assert.ok(await page.locator('nav').isHidden(), `${where}: no links on paper`);
+}
+
+/// A sweep's plot, which stands on the page as an image of its own.
+async function check_plot(browser, problem) {
+  const file = run_tool(problem, join(out, `${problem.name}_sweep.svg`), '--format', 'svg',
+    '--picture', 'sweep1');
+  for (const colorScheme of ['light', 'dark']) {
+    const { page, faults, close } = await open(browser, file, { ...wide, colorScheme });
+    const { found, texts } = await page.evaluate(contrast_faults);
+    assert.deepEqual([...found, ...faults], [], `${problem.name}_sweep.svg, ${colorScheme}`);
+    assert.ok(texts > 10);
+    await close();
+  }
 }
 
 async function check_problem(browser, problem) {
@@ -204,6 +222,7 @@ async function check_problem(browser, problem) {
       await close();
     }
   }
+  if (problem.arguments.includes('--vary')) await check_plot(browser, problem);
   for (const colorScheme of ['light', 'dark']) {
     const file = run_tool(problem, join(out, `${name}.svg`), '--format', 'svg');
     const { page, faults, close } = await open(browser, file, { ...wide, colorScheme });

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import urllib.parse
 import xml.etree.ElementTree as ElementTree
 
 TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -88,8 +89,10 @@ class Report(unittest.TestCase):
                 text = result.stdout
                 page = ElementTree.fromstring(text)
                 self.assertEqual(re.findall(r"[a-z]+://[^\"'\s<]*", text.replace(NAMESPACE, "")), [])
-                self.assertNotRegex(text, r"<script|@import|url\(|<img|<iframe|<object |<link (?!rel="
+                self.assertNotRegex(text, r"<script|@import|url\(|<iframe|<object |<link (?!rel="
                                           r"\"icon\" href=\"data:,\")")
+                for image in page.iter("img"):
+                    self.assertTrue(image.get("src").startswith("data:image/svg+xml,"))
                 ids = [e.get("id") for e in page.iter() if e.get("id")]
                 self.assertEqual(len(ids), len(set(ids)))
                 for link in page.iter("a"):
@@ -118,6 +121,8 @@ class Report(unittest.TestCase):
             self.assertEqual(svg.get("role"), "img")
             self.assertTrue(svg[0].tag == f"{SVG}title" and svg[0].text)
             self.assertTrue(svg[1].tag == f"{SVG}desc" and svg[1].text)
+        self.assertTrue([image.get("alt") for image in page.iter("img")] and
+                        all(image.get("alt") for image in page.iter("img")))
         for sample in page.iter("svg"): # legend and table marks: words stand beside them
             self.assertEqual(sample.get("aria-hidden"), "true")
 
@@ -236,9 +241,13 @@ class Report(unittest.TestCase):
         sweep = ["--vary", "edge.friction=0:1", "--steps", 3]
         page = self.page(scene, *sweep)
         on_page = [svg.find(f"{SVG}desc").text for svg in page.iter(f"{SVG}svg")]
-        alone = [self.picture(scene, name, *sweep).find(f"{SVG}desc").text
-                 for name in ("front", "top", "friction", "sweep1", "residuals")]
+        alone = [self.picture(scene, name).find(f"{SVG}desc").text
+                 for name in ("front", "top", "friction", "residuals")]
         self.assertEqual(on_page, alone)
+        plots = [urllib.parse.unquote(image.get("src").split(",", 1)[1])
+                 for image in page.iter("img")]
+        words_ = ["--format", "svg", "--picture", "sweep1", *sweep]
+        self.assertEqual(plots, [run("report", scene, *words_).stdout])
         default = run("report", scene, "--format", "svg").stdout
         self.assertEqual(default, run("report", scene, "--format", "svg", "--picture",
                                       "front").stdout)
