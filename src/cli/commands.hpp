@@ -11,6 +11,7 @@ Command break_command();
 Command export_command();
 Command matrices_command();
 Command pivots_command();
+Command report_command();
 Command sweep_command();
 Command verify_command();
 Command spread_command();

@@ -69,8 +69,9 @@ int main(int count, char** words) {
   using namespace lcpush;
   try {
     return cli::run({cli::solve_command(), cli::break_command(), cli::lcp_command(),
-                     cli::sweep_command(), cli::pivots_command(), cli::verify_command(),
-                     cli::spread_command(), cli::export_command(), cli::matrices_command()},
+                     cli::report_command(), cli::sweep_command(), cli::pivots_command(),
+                     cli::verify_command(), cli::spread_command(), cli::export_command(),
+                     cli::matrices_command()},
                     std::vector<std::string>(words + 1, words + count));
   } catch (const host::InputError& error) {
     std::cerr << error.what() << "\n";

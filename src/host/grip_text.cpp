@@ -1,11 +1,9 @@
 // With which grip force a grasp holds, in words.
-#include "lcpush/host/report.hpp"
 #include "report_format.hpp"
+#include "report_words.hpp"
 
 namespace lcpush::host {
 namespace {
-
-constexpr const char* indent = "                  ";
 
 /// "1.962 N per finger (of 20 N)", "a force of 1.962 (of 20) of actuator hand": that may turn its
 /// bodies, so no unit is named.
@@ -29,24 +27,24 @@ std::string limit(const GripReport& report, const SmallestGrip& grip, bool holds
 
 /// The end of the line that says whether it holds.
 std::string ending(const GripReport& report, const SmallestGrip& grip, bool holds) {
-  const std::string next = holds ? "; " : std::string(".\n") + indent, it = holds ? "it" : "It";
+  const std::string next = holds ? "; " : std::string(".\n"), it = holds ? "it" : "It";
   switch (grip.source) {
-  case GripSource::no_grip: return next + (holds ? "no" : "No") + " grip force would hold it.\n";
-  case GripSource::not_searched: return next + it + "s smallest grip was not searched for.\n";
+  case GripSource::no_grip: return next + (holds ? "no" : "No") + " grip force would hold it.";
+  case GripSource::not_searched: return next + it + "s smallest grip was not searched for.";
   case GripSource::not_known:
     return next + it + "s smallest grip is not known" +
-           (grip.bound > 0 ? ", but more than " + amount(report, grip.bound) : "") + ".\n";
+           (grip.bound > 0 ? ", but more than " + amount(report, grip.bound) : "") + ".";
   case GripSource::statics:
   case GripSource::search: break;
   }
-  return next + it + " would " + limit(report, grip, holds) + ".\n";
+  return next + it + " would " + limit(report, grip, holds) + ".";
 }
 
 /// Where the pressure law, and not statics, sets the limit.
 std::string law_line(const GripReport& report, const SmallestGrip& grip) {
   if (grip.source != GripSource::search) return "";
-  return std::string(indent) + "That is this pressure law's limit; statics alone would allow " +
-         amount(report, grip.bound) + ".\n";
+  return "\nThat is this pressure law's limit; statics alone would allow " +
+         amount(report, grip.bound) + ".";
 }
 
 bool same_answer(const GripReport& report, bool holds_alone, bool holds_at_rest) {
@@ -57,20 +55,22 @@ bool same_answer(const GripReport& report, bool holds_alone, bool holds_at_rest)
 
 } // namespace
 
-std::string grip_text(const std::string& line, const HoldReport& hold, const GripReport& grip,
-                      const BreakReport& report) {
-  if (grip.force == 0) return line; // nothing grips
-  std::string text = line;
+Fact grip_fact(const SceneFile& file, const HoldReport& hold, const GripReport& grip,
+               const BreakReport& report) {
+  Fact fact = hold_fact(file, hold);
+  if (grip.force == 0) return fact; // nothing grips
+  std::string& text = fact.text;
   if (hold.status == Status::solved) {
-    text = line.substr(0, line.rfind('.')) + ending(grip, grip.alone, hold.holds);
+    text = text.substr(0, text.rfind('.')) + ending(grip, grip.alone, hold.holds);
     text += law_line(grip, grip.alone);
   }
   const bool holds = report.status == Status::solved;
-  if (!holds && report.status != Status::does_not_hold) return text;
-  if (hold.status == Status::solved && same_answer(grip, hold.holds, holds)) return text;
-  text += std::string(indent) + "With the pusher in place, at rest, it " +
+  if (!holds && report.status != Status::does_not_hold) return fact;
+  if (hold.status == Status::solved && same_answer(grip, hold.holds, holds)) return fact;
+  text += std::string("\nWith the pusher in place, at rest, it ") +
           (holds ? "holds" : "does NOT hold") + ending(grip, grip.at_rest, holds);
-  return text + law_line(grip, grip.at_rest);
+  text += law_line(grip, grip.at_rest);
+  return fact;
 }
 
 } // namespace lcpush::host

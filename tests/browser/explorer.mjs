@@ -3,15 +3,13 @@
 //
 //     node explorer.mjs TOOL OUTPUT_FOLDER [NAME..]
 //
-// playwright-core comes from LCPUSH_NODE_MODULES (a folder in which `npm install` was run) or from
-// here; the browser from CHROMIUM or /usr/bin/chromium. Exit 0: all held.
+// Exit 0: all held. chromium.mjs says where the browser and its driver come from.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { dirname, join, resolve } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { join, resolve } from 'node:path';
 import { check_after, check_marks, check_picture, check_pivot } from './checks.mjs';
+import { launch, open, phone, wide } from './chromium.mjs';
 import { root } from './engine.mjs';
 import { problems } from './problems.mjs';
 
@@ -20,8 +18,6 @@ if (!tool || !folder) {
   console.error('usage: node explorer.mjs TOOL OUTPUT_FOLDER [NAME..]');
   process.exit(2);
 }
-const modules = process.env.LCPUSH_NODE_MODULES || dirname(fileURLToPath(import.meta.url));
-const { chromium } = createRequire(join(resolve(modules), 'package.json'))('playwright-core');
 const out = resolve(folder);
 mkdirSync(out, { recursive: true });
 
@@ -36,23 +32,6 @@ function run_tool(name, args, format) {
       throw new Error(`${tool} ${call.join(' ')}: ${failure.stderr}`);
   }
   return file;
-}
-
-async function open(browser, file, options) {
-  const context = await browser.newContext(options);
-  const page = await context.newPage();
-  page.setDefaultTimeout(10000);
-  const faults = [];
-  page.on('console', (message) => {
-    if (['error', 'warning'].includes(message.type())) faults.push(message.text());
-  });
-  page.on('pageerror', (error) => faults.push(error.stack));
-  page.on('request', (request) => {
-    if (!request.url().startsWith('file:') && !request.url().startsWith('data:'))
-      faults.push(`request of ${request.url()}`);
-  });
-  await page.goto(pathToFileURL(file).href);
-  return { page, faults, close: () => context.close() };
 }
 
 const state_of = (page) => page.evaluate(() => {
@@ -210,10 +189,6 @@ async function check_layout(page, where, width) {
   assert.deepEqual(faults, [], where);
 }
 
-const wide = { viewport: { width: 1280, height: 900 } };
-const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true,
-  deviceScaleFactor: 2 };
-
 /// A finger over the words: left is forward, right is back, and the browser does not leave the page.
 async function check_swipes(page) {
   const devtools = await page.context().newCDPSession(page);
@@ -268,11 +243,7 @@ async function check_problem(browser, problem) {
     branches ? ', branch' : ''}`);
 }
 
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
-  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-    '--disable-background-networking', '--disable-component-update', '--disable-sync'],
-});
+const browser = await launch();
 let failures = 0;
 for (const problem of problems) {
   if (chosen.length > 0 && !chosen.includes(problem.name)) continue;

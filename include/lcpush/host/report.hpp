@@ -14,9 +14,5 @@ std::string break_text(const SceneFile& file, const HoldReport& hold, const Grip
                        const BreakReport& report);
 std::string break_json(const SceneFile& file, const HoldReport& hold, const GripReport& grip,
                        const BreakReport& report);
-/// "Before the push" for `break`: `line` says whether the fingers alone hold, this adds from which
-/// grip force on they do, and the same with the pusher in place.
-std::string grip_text(const std::string& line, const HoldReport& hold, const GripReport& grip,
-                      const BreakReport& report);
 
 } // namespace lcpush::host

@@ -1,0 +1,118 @@
+// lcpush report: a push as a page to look at.
+#include "chosen_pusher.hpp"
+#include "commands.hpp"
+#include "lcpush/host/report_page.hpp"
+#include "progress.hpp"
+#include "scene_argument.hpp"
+#include "varied_argument.hpp"
+
+namespace lcpush::cli {
+namespace {
+
+constexpr Index most_steps = 10000;
+
+/// Whose breaking force is asked for, or -1: nothing pushes, or nothing moves.
+Index breaking_pusher(const Arguments& arguments, const host::SceneFile& file) {
+  const bool has_pusher = file.bodies.back().role == Role::pusher;
+  const bool is_needed = arguments.has("--pusher") || arguments.has("--vary");
+  if (!has_pusher && !is_needed) return -1;
+  const Index pusher = chosen_pusher(arguments, file);
+  return push_size(file.view()) > 0 ? pusher : -1;
+}
+
+std::vector<host::Sweep> swept(const Arguments& arguments, const host::VariedScene& scene,
+                               const host::SceneFile& file) {
+  std::vector<host::Variation> variations;
+  for (const std::string& text : arguments.values("--vary"))
+    variations.push_back(read_variation(scene, text));
+  if (variations.empty() && arguments.has("--steps"))
+    throw UsageError("--steps goes with --vary PATH=FROM:TO");
+  host::ParameterSweepOptions options;
+  options.steps = read_steps(arguments, most_steps);
+  std::vector<host::Sweep> sweeps;
+  if (!variations.empty()) options.pusher = chosen_pusher(arguments, file);
+  for (const host::Variation& variation : variations) {
+    SweepMeter meter;
+    options.progress = [&meter](double done) { meter.show(done); };
+    sweeps.push_back(host::sweep_parameter(scene, {variation}, options));
+  }
+  return sweeps;
+}
+
+std::string one_picture(const Arguments& arguments, const host::PageContent& content) {
+  const std::string wanted = arguments.value("--picture").value_or("front");
+  std::vector<std::string> names;
+  for (const host::Picture& picture : host::report_pictures(content)) {
+    if (picture.name == wanted) return picture.svg;
+    names.push_back(picture.name);
+  }
+  throw UsageError("--picture is " + host::listed(names, "or") + " for this scene, not " +
+                   host::quoted(wanted) + host::suggestion(wanted, names));
+}
+
+int run(const Arguments& arguments) {
+  const std::string format = arguments.has("--format") ? arguments.format({"html", "svg"}) : "html";
+  if (arguments.has("--picture") && format != "svg")
+    throw UsageError("--picture goes with --format svg");
+  read_scene_argument(arguments); // refuses what no dense solver can take
+  host::VariedScene scene = host::VariedScene::read(arguments.files()[0]);
+  set_pressure(arguments, scene);
+  const host::SceneFile file = scene.as_given();
+  const Index pusher = breaking_pusher(arguments, file);
+  // Before anything is solved: what is typed wrong should not take long to say.
+  std::vector<host::Sweep> sweeps = swept(arguments, scene, file);
+  host::Push push(file);
+  host::HoldReport hold;
+  host::BreakReport breaking;
+  host::GripReport grip;
+  host::PushReport report;
+  {
+    Progress progress;
+    host::PushOptions options;
+    options.watcher = &progress;
+    hold = push.holds_without_push(options);
+    if (pusher >= 0) {
+      breaking = push.find_breaking(pusher, options);
+      grip = host::find_smallest_grip(file, hold, breaking, options);
+    }
+    report = push.solve(options); // last: its answer lives in the Push
+  }
+  const host::PageContent content{file,
+                                  hold,
+                                  report,
+                                  pusher >= 0 ? &breaking : nullptr,
+                                  pusher >= 0 ? &grip : nullptr,
+                                  std::move(sweeps)};
+  write_output(arguments,
+               format == "svg" ? one_picture(arguments, content) : host::report_html(content));
+  return host::is_solved(content) ? 0 : 1;
+}
+
+} // namespace
+
+Command report_command() {
+  return {
+      "report",
+      "SCENE.toml [OPTIONS]",
+      "one page to look at: the grasp in pictures, the answer in words, plots",
+      "Writes a page for a browser that needs nothing else: the grasp in two views with forces,\n"
+      "friction pyramids, contact modes and the axis that the object turns about; the answers of\n"
+      "`solve` and `break` in words; contacts, residuals, and a plot for each --vary (as in\n"
+      "`sweep`). A push without an answer gives a page that says why.\n\n"
+      "With --format svg one picture alone: front, top or side, friction, residuals, sweep1, ..\n\n"
+      "Examples:\n"
+      "  lcpush report fixtures/scenes/pivot.toml -o report.html\n"
+      "  lcpush report fixtures/scenes/pivot.toml --vary edge.friction=0:1 -o report.html\n"
+      "  lcpush report fixtures/scenes/pivot.toml --format svg --picture front -o front.svg\n",
+      with_common_options(
+          {{"--vary", "PATH=FROM:TO", "also a plot of a sweep; may be given several times", true},
+           {"--steps", "N", "points of the sweeps, evenly spread, ends included"},
+           pressure_option(),
+           {"--pusher", "NAME", "whose breaking force is meant, among several"},
+           {"--format", "FORMAT", "html (default), or svg for one picture"},
+           {"--picture", "NAME", "which one, with --format svg (front)"}}),
+      1,
+      run};
+}
+
+} // namespace lcpush::cli

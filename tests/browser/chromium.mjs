@@ -1,0 +1,36 @@
+// Headless Chromium for the tests of pages. playwright-core comes from LCPUSH_NODE_MODULES (a folder
+// in which `npm install` was run) or from here; the browser from CHROMIUM or /usr/bin/chromium.
+import { createRequire } from 'node:module';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const modules = process.env.LCPUSH_NODE_MODULES || dirname(fileURLToPath(import.meta.url));
+const { chromium } = createRequire(join(resolve(modules), 'package.json'))('playwright-core');
+
+export const launch = () => chromium.launch({
+  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
+  args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+    '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+});
+
+export const wide = { viewport: { width: 1280, height: 900 } };
+export const phone = { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true,
+  deviceScaleFactor: 2 };
+
+/// A page whose complaints and requests are collected in `faults`.
+export async function open(browser, file, options) {
+  const context = await browser.newContext(options);
+  const page = await context.newPage();
+  page.setDefaultTimeout(10000);
+  const faults = [];
+  page.on('console', (message) => {
+    if (['error', 'warning'].includes(message.type())) faults.push(message.text());
+  });
+  page.on('pageerror', (error) => faults.push(error.stack));
+  page.on('request', (request) => {
+    if (!request.url().startsWith('file:') && !request.url().startsWith('data:'))
+      faults.push(`request of ${request.url()}`);
+  });
+  await page.goto(pathToFileURL(file).href);
+  return { page, faults, close: () => context.close() };
+}

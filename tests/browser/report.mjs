@@ -1,0 +1,251 @@
+// Opens the pages and pictures that `lcpush report` writes in headless Chromium: nothing complains
+// or is fetched, nothing runs over the edge of a screen or a picture, labels stay apart, and text
+// and lines stand out from what is behind them, on a desktop and a phone, in light and in dark.
+//
+//     node report.mjs TOOL OUTPUT_FOLDER [NAME..]
+//
+// Exit 0: all held. chromium.mjs says where the browser and its driver come from.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { launch, open, phone, wide } from './chromium.mjs';
+import { root } from './engine.mjs';
+
+const [tool, folder, ...chosen] = process.argv.slice(2);
+if (!tool || !folder) {
+  console.error('usage: node report.mjs TOOL OUTPUT_FOLDER [NAME..]');
+  process.exit(2);
+}
+const out = resolve(folder);
+mkdirSync(out, { recursive: true });
+
+const scene = (name, ...more) => ({ name, arguments: [`fixtures/scenes/${name}.toml`, ...more] });
+/// A fixture with other words in it.
+function changed(name, file, changes) {
+  let text = readFileSync(join(root, 'fixtures', 'scenes', `${file}.toml`), 'utf8');
+  for (const [from, to] of changes) {
+    assert.ok(text.includes(from), from);
+    text = text.replaceAll(from, to);
+  }
+  const path = join(out, `${name}.toml`);
+  writeFileSync(path, text);
+  return { name, arguments: [path] };
+}
+const regression = (name) => ({ name, arguments: [`fixtures/regressions/${name}.toml`] });
+const problems = [
+  scene('straight_slide', '--pressure', 'rigid', '--vary', '*.grip_force=2:30', '--vary',
+    'object.mass=0.1:0.5', '--steps', '5'),
+  scene('pivot', '--vary', 'edge.shift[0]=0:0.03', '--steps', '5'),
+  scene('rolling'), scene('tipping'), scene('ground'), scene('coin'), scene('lever'),
+  scene('soft_fingers'), scene('three_finger_hand'), scene('screw_driving'), scene('vise'),
+  scene('straight_slide_point'), scene('two_pushers', '--pusher', 'upper'),
+  { ...scene('dropped'), failure: 'DOES NOT HOLD' }, { ...scene('jam'), failure: 'NOT SOLVED' },
+  { name: 'runaway', arguments: ['fixtures/rays/runaway.toml'], failure: 'NOT SOLVED' },
+  regression('lost_warm_rounds'), regression('almost_feasible_basis'),
+  regression('forces_of_the_push_alone'),
+  changed('names', 'straight_slide', [
+    ['"wall"', `"the_wall_with_${'a_name_that_does_not_end_'.repeat(6)}"`],
+    ['"left"', '"Zeigefinger \u00e4\u00f6\u00fc <links> & \\"vorn\\" \u6f22\u5b57"'],
+    ['title = "', `title = "${'Verylongword'.repeat(8)} `]]),
+  changed('many_points', 'ground', [['points = 6', 'points = 30']]),
+];
+
+/// What the tool writes; a push that is not solved exits with 1 and still writes.
+function run_tool(problem, file, ...more) {
+  const call = ['report', ...problem.arguments, ...more, '-o', file];
+  let code = 0;
+  try {
+    execFileSync(tool, call, { cwd: root, stdio: ['ignore', 'ignore', 'pipe'] });
+  } catch (failure) {
+    code = failure.status;
+    if (code !== 1 || !existsSync(file))
+      throw new Error(`${tool} ${call.join(' ')}: ${failure.stderr}`);
+  }
+  assert.equal(code, problem.failure ? 1 : 0, `${problem.name}: exit`);
+  return file;
+}
+
+/// Runs in the page: what lies outside its place, as sentences. `least`: pixels of text.
+function layout_faults({ viewport, least }) {
+  const found = [];
+  // Not innerWidth: a phone widens that to what it has to show.
+  if (document.documentElement.scrollWidth > viewport) found.push('scrolls sideways');
+  for (const text of document.querySelectorAll('svg text')) {
+    const drawing = text.ownerSVGElement;
+    const factor = drawing.getBoundingClientRect().width / drawing.viewBox.baseVal.width;
+    if (parseFloat(getComputedStyle(text).fontSize) * factor < least)
+      found.push(`small text in a drawing: ${text.textContent}`);
+    const [inner, outer] = [text.getBoundingClientRect(), drawing.getBoundingClientRect()];
+    if (inner.width > 0 && (inner.left < outer.left - 2 || inner.right > outer.right + 2
+      || inner.top < outer.top - 3 || inner.bottom > outer.bottom + 3))
+      found.push(`cut text in a drawing: ${text.textContent}`);
+  }
+  for (const drawing of document.querySelectorAll('svg.drawing')) {
+    const texts = [...drawing.querySelectorAll('text')]
+      .map((text) => [text.textContent, text.getBoundingClientRect()]);
+    const factor = drawing.getBoundingClientRect().width / drawing.viewBox.baseVal.width;
+    texts.forEach(([a, p], i) => texts.slice(i + 1).forEach(([b, q]) => {
+      const across = Math.min(p.right, q.right) - Math.max(p.left, q.left);
+      const down = Math.min(p.bottom, q.bottom) - Math.max(p.top, q.top);
+      if (across > 3 * factor && down > 4 * factor) found.push(`"${a}" covers "${b}"`);
+    }));
+  }
+  return found;
+}
+
+/// Runs in the page: colours that stand out too little, as sentences.
+function contrast_faults() {
+  const parse = (text) => {
+    const parts = text.match(/[\d.]+/g).map(Number);
+    return { rgb: parts.slice(0, 3), alpha: parts.length > 3 ? parts[3] : 1 };
+  };
+  const luminance = (rgb) => rgb.map((x) => x / 255)
+    .map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4))
+    .reduce((sum, x, k) => sum + x * [0.2126, 0.7152, 0.0722][k], 0);
+  const contrast = (a, b) => {
+    const [low, high] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+    return (high + 0.05) / (low + 0.05);
+  };
+  const background = (element) => {
+    for (let e = element; e; e = e.parentElement) {
+      const { rgb, alpha } = parse(getComputedStyle(e).backgroundColor);
+      if (alpha === 1) return rgb;
+    }
+    return [255, 255, 255];
+  };
+  const found = new Set();
+  let texts = 0;
+  let lines = 0;
+  for (const element of document.querySelectorAll('body *, svg text')) {
+    const own = [...element.childNodes].some((node) => node.nodeType === 3
+      && node.textContent.trim());
+    const style = getComputedStyle(element);
+    const drawing = element.ownerSVGElement;
+    if (own && !['STYLE', 'title', 'desc', 'style'].includes(element.tagName)
+      && element.getClientRects().length > 0) {
+      texts += 1;
+      const ratio = contrast(parse(drawing ? style.fill : style.color).rgb, background(element));
+      if (!(ratio >= 4.5)) found.add(`text "${element.textContent.slice(0, 30)}": ${ratio}`);
+    }
+    if (!drawing || !element.matches('.shaft, .head, .turning, .screw, .arc, .ring, .bar, .line'))
+      continue;
+    lines += 1;
+    const paint = element.matches('.head, .bar') ? style.fill : style.stroke;
+    const behind = [background(element)];
+    const object = drawing.querySelector('.object');
+    if (object) behind.push(parse(getComputedStyle(object).fill).rgb);
+    for (const under of behind) {
+      const ratio = contrast(parse(paint).rgb, under);
+      if (!(ratio >= 3)) found.add(`line of class ${element.getAttribute('class')}: ${ratio}`);
+    }
+  }
+  return { found: [...found], texts, lines, paper: luminance(background(document.body)) };
+}
+
+async function check_page(page, problem, where, device, scheme) {
+  const layout = { viewport: device.viewport.width, least: 10.4 };
+  assert.deepEqual(await page.evaluate(layout_faults, layout), [], where);
+  await page.evaluate(() => document.querySelectorAll('details')
+    .forEach((details) => { details.open = true; }));
+  assert.deepEqual(await page.evaluate(layout_faults, layout), [], `${where}, all opened`);
+  const { found, texts, lines, paper } = await page.evaluate(contrast_faults);
+  assert.deepEqual(found, [], where);
+  assert.ok(texts > 25 && lines > 3, `${where}: ${texts} texts, ${lines} lines`);
+  assert.ok(scheme === 'dark' ? paper < 0.05 : paper > 0.8, `${where}: the paper is ${paper}`);
+  const boxes = await page.evaluate(() => [...document.querySelectorAll('*')]
+    .filter((e) => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).overflowX === 'auto'
+      && e.tabIndex < 0).length);
+  assert.equal(boxes, 0, `${where}: a box that scrolls is reached by the keyboard`);
+  const broken = await page.evaluate(() => [...document.images]
+    .filter((image) => !image.complete || image.naturalWidth === 0).length);
+  assert.equal(broken, 0, `${where}: images`);
+  const failures = await page.locator('.failure').allTextContents();
+  assert.equal(failures.length > 0, Boolean(problem.failure), where);
+  if (problem.failure) assert.ok(failures[0].includes(problem.failure), where);
+}
+
+/// What a screen reader is told: every picture by name, and with a description.
+async function check_names(page, where) {
+  const devtools = await page.context().newCDPSession(page);
+  const { nodes } = await devtools.send('Accessibility.getFullAXTree');
+  const images = nodes.filter(({ ignored, role }) =>
+    !ignored && role && ['image', 'img'].includes(role.value));
+  assert.ok(images.length >= 2, `${where}: ${images.length} pictures`);
+  for (const image of images)
+    assert.ok(image.name && image.name.value, `${where}: a picture without a name`);
+  const described = images.filter(({ description }) => description && description.value).length;
+  const drawn = await page.locator('svg[role=img]').count();
+  assert.equal(described, drawn, `${where}: every drawing has a description`);
+  assert.equal(images.length, drawn + await page.locator('img').count(), where);
+  for (const role of ['banner', 'navigation', 'main', 'contentinfo'])
+    assert.equal(nodes.filter((node) => node.role && node.role.value === role).length, 1,
+      `${where}: ${role}`);
+}
+
+/// On paper the page is light, whatever the screen is.
+async function check_print(page, where) {
+  await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+  const { found, paper } = await page.evaluate(contrast_faults);
+  assert.deepEqual(found, [], `${where}, printed`);
+  assert.ok(paper > 0.8, `${where}: paper is light`);
+  assert.ok(await page.locator('nav').isHidden(), `${where}: no links on paper`);
+}
+
+/// A sweep's plot, which stands on the page as an image of its own.
+async function check_plot(browser, problem) {
+  const file = run_tool(problem, join(out, `${problem.name}_sweep.svg`), '--format', 'svg',
+    '--picture', 'sweep1');
+  for (const colorScheme of ['light', 'dark']) {
+    const { page, faults, close } = await open(browser, file, { ...wide, colorScheme });
+    const { found, texts } = await page.evaluate(contrast_faults);
+    assert.deepEqual([...found, ...faults], [], `${problem.name}_sweep.svg, ${colorScheme}`);
+    assert.ok(texts > 10);
+    await close();
+  }
+}
+
+async function check_problem(browser, problem) {
+  const { name } = problem;
+  const html = run_tool(problem, join(out, `${name}.html`));
+  for (const [size, device] of [['wide', wide], ['phone', phone]]) {
+    for (const colorScheme of ['light', 'dark']) {
+      const label = `${name}_${size}_${colorScheme}`;
+      const { page, faults, close } = await open(browser, html, { ...device, colorScheme });
+      await page.screenshot({ path: join(out, `${label}.png`), fullPage: true });
+      await check_page(page, problem, label, device, colorScheme);
+      if (label.endsWith('wide_dark')) {
+        await check_names(page, label);
+        await check_print(page, label);
+      }
+      assert.deepEqual(faults, [], label);
+      await close();
+    }
+  }
+  if (problem.arguments.includes('--vary')) await check_plot(browser, problem);
+  for (const colorScheme of ['light', 'dark']) {
+    const file = run_tool(problem, join(out, `${name}.svg`), '--format', 'svg');
+    const { page, faults, close } = await open(browser, file, { ...wide, colorScheme });
+    const paper = await page.evaluate(() =>
+      getComputedStyle(document.documentElement).backgroundColor);
+    assert.equal(paper, colorScheme === 'dark' ? 'rgb(31, 33, 36)' : 'rgb(255, 255, 255)',
+      `${name}.svg, ${colorScheme}`);
+    assert.deepEqual(faults, [], `${name}.svg`);
+    await close();
+  }
+  console.log(`${name}: ok`);
+}
+
+const browser = await launch();
+let failures = 0;
+for (const problem of problems) {
+  if (chosen.length > 0 && !chosen.includes(problem.name)) continue;
+  try {
+    await check_problem(browser, problem);
+  } catch (failure) {
+    failures += 1;
+    console.error(`${problem.name}: ${failure.stack}`);
+  }
+}
+await browser.close();
+if (failures > 0) process.exitCode = 1;
