@@ -1,4 +1,5 @@
 // Sweeps as text, CSV and JSON.
+#include <algorithm>
 #include <cmath>
 
 #include "lcpush/host/json.hpp"
@@ -149,6 +150,7 @@ void write_point(JsonWriter& json, const SweepPoint& point) {
   json.member("break_force", known(point.at.breaking, point.at.break_force));
   write_vector(json, "force", point.at.push, point.at.force.data(), 3);
   write_vector(json, "twist", point.at.push, point.at.twist.data(), 6);
+  write_vector(json, "break_twist", point.at.breaking, point.at.break_twist.data(), 6);
   std::vector<std::string> modes;
   for (const Mode mode : point.modes) modes.emplace_back(mode_text(mode));
   json.key("modes");
@@ -157,6 +159,7 @@ void write_point(JsonWriter& json, const SweepPoint& point) {
   else
     json.strings(modes);
   json.member("refined", point.refined);
+  if (point.second) json.member("bistable", point.bistable);
   json.key("change");
   if (point.change.empty())
     json.value(nullptr);
@@ -196,11 +199,42 @@ std::string csv_row(const std::vector<std::string>& cells) {
 
 } // namespace
 
-std::string sweep_text(const Sweep& sweep) {
-  std::string text = "How the push by " + sweep.pusher + " changes with ";
-  for (std::size_t k = 0; k < sweep.variations.size(); ++k)
-    text += (k > 0 ? " and " : "") + sweep.variations[k].parameter.path;
-  text += "\n\n";
+namespace {
+
+/// "the object's acceleration along x is zero from 1 to 2".
+std::string zero_text(const Sweep& sweep, const SweepZero& zero) {
+  const std::string path = sweep.variations[0].parameter.path;
+  const std::string what = std::string("  twist[") + std::to_string(zero.component) +
+                           "], the object's acceleration " +
+                           (zero.component < 3 ? "along " : "about ") + "xyz"[zero.component % 3];
+  const double range = std::abs(sweep.variations[0].to - sweep.variations[0].from);
+  const double small = 1e-9 * range;
+  if (zero.jumps)
+    return what + ", changes its sign by a jump at " + path + " = " + number(zero.to, small) + "\n";
+  return what + ", is zero " +
+         (zero.from == zero.to
+              ? "at " + path + " = " + number(zero.from, small)
+              : "from " + number(zero.from, small) + " to " + number(zero.to, small)) +
+         "\n";
+}
+
+std::string bistable_text(const BistableRange& range) {
+  return "\nBistable from " + number(range.from) + " to " + number(range.to) +
+         ": the way back ends in another answer there" +
+         (range.motion ? ", and in another motion.\n" : "; the motion is the same.\n");
+}
+
+std::string map_note(const Sweep& sweep) {
+  const auto count = std::count_if(sweep.points.begin(), sweep.points.end(),
+                                   [](const SweepPoint& point) { return point.bistable; });
+  return count == 0 ? ""
+                    : "\nBistable at " + std::to_string(count) +
+                          " of these: coming from the row's other end, the object moves in another "
+                          "way.\n";
+}
+
+std::string body_text(const Sweep& sweep) {
+  std::string text;
   if (!sweep.segments.empty()) {
     text += segment_table(sweep, sweep.segments);
     const std::string changes = change_lines(sweep.variations[0].parameter, sweep.segments);
@@ -208,54 +242,73 @@ std::string sweep_text(const Sweep& sweep) {
   }
   if (!sweep.points.empty())
     text += (sweep.segments.empty() ? "" : "\n") + point_table(sweep, sweep.points);
-  for (const BistableRange& range : sweep.bistable)
-    text += "\nBistable from " + number(range.from) + " to " + number(range.to) +
-            ": the way back ends in another answer there.\n";
+  if (!sweep.zeros.empty()) text += "\n";
+  for (const SweepZero& zero : sweep.zeros) text += zero_text(sweep, zero);
+  for (const BistableRange& range : sweep.bistable) text += bistable_text(range);
+  text += map_note(sweep);
   if (!sweep.back.empty())
     text += "\nThe way back:\n" + segment_table(sweep, sweep.back) + "\n" +
             change_lines(sweep.variations[0].parameter, sweep.back);
   if (!sweep.points_back.empty())
     text += "\nThe way back:\n" + point_table(sweep, sweep.points_back);
+  return text;
+}
+
+} // namespace
+
+std::string sweep_text(const std::vector<SweepCurve>& curves) {
+  const Sweep& first = curves.front().sweep;
+  std::string text = "How the push by " + first.pusher + " changes with ";
+  for (std::size_t k = 0; k < first.variations.size(); ++k)
+    text += (k > 0 ? " and " : "") + first.variations[k].parameter.path;
+  text += "\n";
+  for (const SweepCurve& curve : curves)
+    text += (curve.label.empty() ? "" : "\n" + curve.label + "\n") + "\n" + body_text(curve.sweep);
   text += "\nbreak: the force at which the object starts to move, as in `lcpush break`; push: the "
           "force for the\nmotion as prescribed, as in `lcpush solve`. Every answer has been "
           "checked apart from the solver.\n";
   return text;
 }
 
-std::string sweep_csv(const Sweep& sweep) {
-  std::vector<std::string> head{sweep.variations[0].parameter.path};
-  if (sweep.is_map()) head.push_back(sweep.variations[1].parameter.path);
+std::string sweep_csv(const std::vector<SweepCurve>& curves) {
+  const Sweep& only = curves.front().sweep;
+  std::vector<std::string> head;
+  if (curves.size() > 1) head.emplace_back("curve");
+  for (const Variation& variation : only.variations) head.push_back(variation.parameter.path);
   for (const char* name : {"break_force", "force_x", "force_y", "force_z", "twist_1", "twist_2",
                            "twist_3", "twist_4", "twist_5", "twist_6", "status", "change"})
     head.emplace_back(name);
   std::string text = csv_row(head);
-  const auto add = [&](double value, const std::optional<double>& second, const SweepValue& at,
-                       const std::string& change) {
-    std::vector<std::string> row{shown(value)};
-    if (second) row.push_back(shown(*second));
-    for (const std::string& cell : csv_numbers(at, is_solved(at.breaking), is_solved(at.push)))
-      row.push_back(cell);
-    row.push_back(status_of(at));
-    row.push_back(change);
-    text += csv_row(row);
-  };
-  if (!sweep.points.empty()) {
-    for (const SweepPoint& point : sweep.points)
+  for (const SweepCurve& curve : curves) {
+    const auto add = [&](double value, const std::optional<double>& second, const SweepValue& at,
+                         const std::string& change) {
+      std::vector<std::string> row;
+      if (curves.size() > 1) row.push_back(curve.label);
+      row.push_back(shown(value));
+      if (second) row.push_back(shown(*second));
+      for (const std::string& cell : csv_numbers(at, is_solved(at.breaking), is_solved(at.push)))
+        row.push_back(cell);
+      row.push_back(status_of(at));
+      row.push_back(change);
+      text += csv_row(row);
+    };
+    for (const SweepPoint& point : curve.sweep.points)
       add(point.value, point.second, point.at, point.change);
-    return text;
-  }
-  // The two ends of every segment: at a breakpoint two rows, before and after.
-  for (const SweepSegment& segment : sweep.segments) {
-    add(segment.from, std::nullopt, segment.at_from, "");
-    add(segment.to, std::nullopt, segment.at_to, segment.change);
+    if (!curve.sweep.points.empty()) continue;
+    // The two ends of every segment: at a breakpoint two rows, before and after.
+    for (const SweepSegment& segment : curve.sweep.segments) {
+      add(segment.from, std::nullopt, segment.at_from, "");
+      add(segment.to, std::nullopt, segment.at_to, segment.change);
+    }
   }
   return text;
 }
 
-std::string sweep_json(const Sweep& sweep) {
-  JsonWriter json;
+namespace {
+
+void write_sweep(JsonWriter& json, const Sweep& sweep) {
   const Variation& first = sweep.variations[0];
-  json.begin_object().member("parameter", first.parameter.path);
+  json.member("parameter", first.parameter.path);
   json.member("unit", first.parameter.unit).member("from", first.from).member("to", first.to);
   if (sweep.is_map()) {
     const Variation& second = sweep.variations[1];
@@ -270,10 +323,35 @@ std::string sweep_json(const Sweep& sweep) {
   write_list(json, "points", sweep.points, write_point);
   write_list(json, "points_back", sweep.points_back, write_point);
   write_list(json, "bistable", sweep.bistable, [](JsonWriter& to, const BistableRange& range) {
-    to.begin_object().member("from", range.from).member("to", range.to).end_object();
+    to.begin_object().member("from", range.from).member("to", range.to);
+    to.member("motion", range.motion).end_object();
+  });
+  write_list(json, "zeros", sweep.zeros, [](JsonWriter& to, const SweepZero& zero) {
+    to.begin_object().member("of", "twist[" + std::to_string(zero.component) + "]");
+    to.member("from", zero.from).member("to", zero.to).member("jumps", zero.jumps).end_object();
   });
   json.member("cold_solves", sweep.cold).member("warm_solves", sweep.warm);
-  return json.end_object().text();
+}
+
+} // namespace
+
+std::string sweep_json(const std::vector<SweepCurve>& curves) {
+  JsonWriter json;
+  json.begin_object();
+  if (curves.size() == 1) {
+    write_sweep(json, curves.front().sweep);
+    return json.end_object().text();
+  }
+  json.key("curves").begin_array();
+  for (const SweepCurve& curve : curves) {
+    json.begin_object().member("label", curve.label).member("scene", curve.scene);
+    json.member("each",
+                curve.each ? std::optional<std::string>(curve.each->parameter.path) : std::nullopt);
+    json.member("each_value", curve.each ? std::optional<double>(curve.each->from) : std::nullopt);
+    write_sweep(json, curve.sweep);
+    json.end_object();
+  }
+  return json.end_array().end_object().text();
 }
 
 } // namespace lcpush::host

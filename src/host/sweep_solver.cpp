@@ -86,6 +86,7 @@ Outputs SweepSolver::read_contacts(Outputs outputs) const {
   const double pressed = 1000 * Tolerances<double>().tie * scales.force;
   outputs.force_noise = 1e-11 * scales.force;
   outputs.motion_noise = 1e-11 * scales.acceleration;
+  outputs.turning_noise = outputs.motion_noise / scales.length;
   Index entry = 0;
   for (Index i = 0; i < answer.contacts.size; ++i) {
     const ContactAnswer<double>& contact = answer.contacts[i];

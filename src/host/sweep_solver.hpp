@@ -30,6 +30,7 @@ struct Outputs {
   Vector6<double> twist = Vector6<double>::Zero(); ///< as prescribed, or of a unit push
   double residual = 0;
   double force_noise = 0, motion_noise = 0; ///< N, m/s^2: less is rounding's
+  double turning_noise = 0;                 ///< rad/s^2, the same
   std::vector<ContactState> contacts;
 
   bool is_solved() const { return status == Status::solved; }
