@@ -11,7 +11,7 @@
 namespace lcpush::host {
 namespace {
 
-constexpr double width = 760, left = 96, right = 24;
+constexpr double width = 760, left = 96, right = 38;
 constexpr double line_height = 26; // of titles and legends, for letters as large as on a phone
 constexpr double axis_room = 64;   // below the last panel
 constexpr double panel_gap = 34;
@@ -87,9 +87,9 @@ const char* const style =
     "  .c4 { stroke: #00696d; stroke-dasharray: 5 5; } .c5 { stroke: #5d4037; stroke-dasharray: "
     "14 4; }\n"
     "  circle.line { stroke-dasharray: none; }\n"
-    "  .cell { fill: #0b57a4; }\n"
+    "  .cell { fill: #0b57a4; shape-rendering: crispEdges; }\n"
     "  .border, .hatch { stroke: #1b1f24; stroke-width: 2; fill: none; }\n"
-    "  .hatch { stroke-width: 1; }\n"
+    "  .hatch { stroke: #ff8f3f; }\n"
     "  @media (prefers-color-scheme: dark) {\n"
     "    svg { background: #14171b; color: #e6e9ed; }\n"
     "    .grid { stroke: #2c3239; }\n"
@@ -97,7 +97,7 @@ const char* const style =
     "    .c0 { stroke: #7cb8ff; } .c1 { stroke: #ffb27a; } .c2 { stroke: #a5d68c; }\n"
     "    .c3 { stroke: #d9a6f0; } .c4 { stroke: #6fd5d9; } .c5 { stroke: #d7b9a8; }\n"
     "    .cell { fill: #7cb8ff; }\n"
-    "    .border, .hatch { stroke: #e6e9ed; }\n"
+    "    .border { stroke: #e6e9ed; } .hatch { stroke: #d9480f; }\n"
     "  }\n"
     "  @media (max-width: 500px) { svg { font-size: 22px; } .odd { display: none; } }\n"
     "</style>\n";
@@ -125,7 +125,7 @@ std::string picture(const std::string& title, const std::string& description, do
 }
 
 double title_height(const std::string& title) {
-  return line_height * static_cast<double>(wrapped(title, title_letters).size()) + 12;
+  return line_height * static_cast<double>(wrapped(title, title_letters).size()) + 14;
 }
 
 std::string line_element(const char* kind, double x1, double y1, double x2, double y2) {
@@ -271,7 +271,7 @@ std::vector<std::string> map_notes(const MapPlot& plot, double low, double high)
 
 std::string map_legend(const MapPlot& plot, double low, double high) {
   std::string text;
-  double y = title_height(plot.title) + 5;
+  double y = title_height(plot.title) + 14;
   for (const std::string& note : map_notes(plot, low, high)) {
     text += text_element(12, y, note);
     y += line_height;
@@ -279,7 +279,7 @@ std::string map_legend(const MapPlot& plot, double low, double high) {
   return text;
 }
 double map_legend_height(const MapPlot& plot) {
-  return line_height * static_cast<double>(map_notes(plot, 0, 0).size());
+  return line_height * static_cast<double>(map_notes(plot, 0, 0).size()) + 10;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // Sweeps as SVG.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lcpush/host/input_error.hpp"
@@ -31,7 +32,11 @@ double value_of(const SweepQuantity& quantity, const SweepValue& at) {
   case Kind::break_force: return at.break_force;
   case Kind::force: return at.force.norm();
   case Kind::force_component: return at.force[quantity.component];
-  case Kind::twist: return at.twist[quantity.component];
+  case Kind::twist: {
+    const double value = at.twist[quantity.component];
+    const double noise = quantity.component < 3 ? at.motion_noise : at.turning_noise;
+    return std::abs(value) <= noise ? 0 : value;
+  }
   case Kind::break_twist: return at.break_twist[quantity.component];
   }
   return 0;
@@ -155,9 +160,13 @@ void LinePlot::add(PlotPanel& panel, std::size_t quantity, std::size_t curve,
   panel.lines.push_back(line);
   const bool has_back = segments ? !sweep.back.empty() : !sweep.points_back.empty();
   if (!has_back || (what.kind == Kind::break_force && !lone_quantity)) return;
+  // Among several curves only where the object moves in another way.
+  const bool moves = std::any_of(sweep.bistable.begin(), sweep.bistable.end(),
+                                 [](const BistableRange& range) { return range.motion; });
+  if (curves_.size() > 1 && !moves) return;
   line.pieces =
       segments ? curve_of_segments(what, sweep.back) : curve_of_points(what, sweep.points_back);
-  line.label = (label.empty() ? "" : label + ", ") + std::string("the way back");
+  line.label = label.empty() ? "the way back" : label + ", back";
   line.colour = panel.lines.size();
   panel.lines.push_back(line);
 }
@@ -183,9 +192,9 @@ Plot LinePlot::plot(const std::string& title) {
         mine.push_back(q);
         names.push_back(shown_[q].name());
       }
-    const bool forces = unit == "N" && mine.size() > 1;
-    panel.y_label = (forces ? "force by " + sweep.pusher : listed(names, "and")) +
-                    (unit.empty() ? "" : " in ") + unit;
+    // Of several the legend has the names.
+    const std::string what = mine.size() == 1 ? names.front() : unit == "N" ? "force" : "";
+    panel.y_label = what + (what.empty() || unit.empty() ? "" : " in ") + unit;
     for (std::size_t c = 0; c < curves_.size(); ++c)
       for (const std::size_t q : mine) add(panel, q, c, mine.size() == 1);
     plot.panels.push_back(std::move(panel));
@@ -221,7 +230,7 @@ MapPlot map_plot(const Sweep& sweep, const SweepQuantity& quantity, const std::s
     plot.hatched.push_back(point.bistable);
     any = any || point.bistable;
   }
-  if (any) plot.hatch_label = "hatched: bistable, coming from the right the object moves otherwise";
+  if (any) plot.hatch_label = "hatched: bistable, solved from nothing the object moves otherwise";
   for (std::size_t i = 0; i < sweep.points.size(); ++i) {
     const auto differs = [&](std::size_t other) {
       return other < sweep.points.size() && sweep.points[other].modes != sweep.points[i].modes;

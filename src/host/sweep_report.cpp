@@ -229,8 +229,7 @@ std::string map_note(const Sweep& sweep) {
                                    [](const SweepPoint& point) { return point.bistable; });
   return count == 0 ? ""
                     : "\nBistable at " + std::to_string(count) +
-                          " of these: coming from the row's other end, the object moves in another "
-                          "way.\n";
+                          " of these: solved from nothing, the object moves in another way.\n";
 }
 
 std::string body_text(const Sweep& sweep) {

@@ -211,13 +211,10 @@ void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep
       if (options.progress)
         options.progress(static_cast<double>(row * steps + k) / static_cast<double>(steps * steps));
     }
-    // Back from a fresh start: from the last answer one would only retrace one's steps.
-    const Sample* neighbour = nullptr;
-    for (Index k = steps - 1; options.both_ways && k >= 0; --k) {
-      last = at(k, row, neighbour);
-      neighbour = &last;
+    // Warm answers stay on their branch; from nothing another one may be found.
+    for (Index k = 0; options.both_ways && options.warm && k < steps; ++k) {
       SweepPoint& point = sweep.points[static_cast<std::size_t>(row * steps + k)];
-      point.bistable = moves_otherwise(point.at, point_of(last, first).at);
+      point.bistable = moves_otherwise(point.at, point_of(at(k, row, nullptr), first).at);
     }
   }
 }

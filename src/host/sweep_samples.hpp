@@ -11,7 +11,7 @@ void sample_line(const VariedScene& scene, SweepSolver& solver,
                  const ParameterSweepOptions& options, Sweep& sweep);
 
 /// Two parameters: rows of the second one, each from `from` to `to` of the first. With both_ways
-/// each row is run back too, and points are marked where that ends in another motion.
+/// each answer is compared with one from nothing, and marked where the object moves otherwise.
 void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep& sweep);
 
 /// Fills sweep.zeros: of segments from their ends, of points by bisection, which adds the zero and

@@ -60,7 +60,7 @@ struct SweepPoint {
   SweepValue at;
   std::vector<Mode> modes; ///< of every contact under the push as prescribed; empty if not solved
   bool refined = false;    ///< added between two of the steps, where modes change
-  bool bistable = false;   ///< of a map: the way back ends in another motion here
+  bool bistable = false;   ///< of a map: solved from nothing, the object moves in another way
   std::string change;      ///< refined: from this point to the next
 };
 
