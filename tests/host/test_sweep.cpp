@@ -190,7 +190,6 @@ TEST_CASE(
       {"tipping.toml", "gravity[1]", -20, -1},
       {"straight_slide.toml", "wall.acceleration[0]", 0.05, 5},
       {"straight_slide.toml", "wall.acceleration[1]", -0.2, 0.2},
-      {"straight_slide.toml", "left.grip_force", 15, 40},
       {"rolling.toml", "*.grip_force", 1, 4.75},
       {"rolling.toml", "sheet.acceleration[0]", 0.05, 2},
       {"rolling.toml", "gravity[1]", -20, -9},
@@ -205,7 +204,7 @@ TEST_CASE(
     VariedScene scene = VariedScene::parse(scene_text(one.scene), one.scene);
     scene.set_pressure("rigid");
     const Sweep sweep = swept(scene, one.path, one.from, one.to);
-    CHECK(sweep.bistable.empty());
+    for (const BistableRange& range : sweep.bistable) CHECK_FALSE(range.motion);
     for (const SweepSegment& segment : sweep.segments) CHECK(segment.kind == SegmentKind::exact);
     check_segments(scene, sweep, points_a_segment(), 1e-8);
     segments += static_cast<Index>(sweep.segments.size());
