@@ -5,6 +5,7 @@
 #include "basis_solution.hpp"
 #include "lcpush/host/push.hpp"
 #include "lcpush/host/sweep.hpp"
+#include "scene_series.hpp"
 
 #include <memory>
 #include <optional>
@@ -87,9 +88,8 @@ public:
   Outputs on_basis(Quantity quantity, const Basis& basis);
 
 private:
-  const VariedScene& scene_;
   std::vector<Variation> variations_;
-  std::vector<Parameter> parameters_;
+  SceneSeries series_;
   Index pusher_;
   std::unique_ptr<ScenePoint> point_;
   std::vector<double> scalars_;
