@@ -10,12 +10,74 @@ namespace lcpush::cli {
 namespace {
 
 constexpr Index most_steps = 1000000, most_map_steps = 1000;
+constexpr std::size_t most_curves = 16;
 
-std::string title_of(const host::Sweep& sweep, const std::string& scene) {
-  std::string title = scene.empty() ? "" : scene + ": ";
-  title += "push by " + sweep.pusher + " over " + sweep.variations[0].parameter.path;
-  if (sweep.is_map()) title += " and " + sweep.variations[1].parameter.path;
-  return title;
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ',')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+/// --each PATH=V,V,..: a variation a value, from = to.
+std::vector<host::Variation> read_each(const host::VariedScene& scene, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos)
+    throw UsageError("--each needs PATH=V,V,.. such as facets=4,8,16, not " + host::quoted(text));
+  const host::Parameter parameter = scene.find(text.substr(0, equals));
+  std::vector<host::Variation> list;
+  for (const std::string& part : split(text.substr(equals + 1))) {
+    const host::NumberText read = host::read_finite_number(part);
+    if (read.error) throw UsageError("--each " + host::quoted(text) + ": " + *read.error);
+    list.push_back({parameter, read.value, read.value});
+  }
+  return list;
+}
+
+std::string named(const std::string& title, const std::string& file) {
+  return title.empty() ? file : title;
+}
+
+/// All that is known before the first solve, so that bad input costs no time.
+std::vector<host::SweepCurve> read_curves(const Arguments& arguments,
+                                          std::vector<host::VariedScene>& scenes) {
+  std::vector<host::SweepCurve> curves;
+  const auto each = arguments.value("--each");
+  for (const std::string& path : arguments.files()) {
+    host::VariedScene scene = host::VariedScene::read(path);
+    set_pressure(arguments, scene);
+    const std::string title = named(scene.as_given().title, path);
+    const std::string mine = arguments.files().size() > 1 ? title : "";
+    if (!each) {
+      curves.push_back({mine, title, std::nullopt, {}});
+      scenes.push_back(scene);
+      continue;
+    }
+    for (const host::Variation& value : read_each(scene, *each)) {
+      const std::string label = value.parameter.path + " = " + host::shown(value.from) +
+                                (value.parameter.unit.empty() ? "" : " " + value.parameter.unit);
+      curves.push_back({mine.empty() ? label : mine + ", " + label, title, value, {}});
+      scenes.push_back(scene.with(value.parameter, value.from));
+    }
+  }
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    for (const std::string& text : arguments.values("--vary"))
+      curves[k].sweep.variations.push_back(read_variation(scenes[k], text));
+  return curves;
+}
+
+std::string title_of(const std::vector<host::SweepCurve>& curves) {
+  const host::Sweep& sweep = curves.front().sweep;
+  std::string over = sweep.variations[0].parameter.path;
+  if (sweep.is_map()) over += " and " + sweep.variations[1].parameter.path;
+  bool same = true;
+  for (const host::SweepCurve& curve : curves) same = same && curve.scene == curves.front().scene;
+  return (same ? curves.front().scene + ": push" : "Push") + " by " + sweep.pusher + " over " +
+         over;
 }
 
 int run(const Arguments& arguments) {
@@ -25,25 +87,38 @@ int run(const Arguments& arguments) {
   if (varied.size() > 2)
     throw UsageError("--vary is given once, or twice for a map, not " +
                      std::to_string(varied.size()) + " times");
-  const host::SceneFile file = read_scene_argument(arguments);
-  host::VariedScene scene = host::VariedScene::read(arguments.files()[0]);
-  set_pressure(arguments, scene);
-  std::vector<host::Variation> variations;
-  for (const std::string& text : varied) variations.push_back(read_variation(scene, text));
+  std::vector<host::SweepQuantity> shown;
+  if (const auto names = arguments.value("--show")) {
+    if (format != "svg")
+      throw UsageError("--show goes with --format svg; the other formats have everything");
+    for (const std::string& name : split(*names)) shown.push_back(host::sweep_quantity(name));
+  }
+  (void)read_scene_argument(arguments); // refuses what is too large
+  std::vector<host::VariedScene> scenes;
+  std::vector<host::SweepCurve> curves = read_curves(arguments, scenes);
+  if (varied.size() > 1 && curves.size() > 1)
+    throw UsageError("a map is of one scene: leave out the second --vary, or --each and the other "
+                     "scenes");
   host::ParameterSweepOptions options;
-  options.pusher = chosen_pusher(arguments, file);
   options.steps = read_steps(arguments, varied.size() > 1 ? most_map_steps : most_steps);
-  host::Sweep sweep;
+  bool complete = true;
   {
     SweepMeter meter;
-    options.progress = [&meter](double done) { meter.show(done); };
-    sweep = host::sweep_parameter(scene, variations, options);
+    const double count = static_cast<double>(curves.size());
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      options.progress = [&meter, count, k](double done) {
+        meter.show((static_cast<double>(k) + done) / count);
+      };
+      options.pusher = chosen_pusher(arguments, scenes[k].as_given());
+      curves[k].sweep = host::sweep_parameter(scenes[k], curves[k].sweep.variations, options);
+      complete = complete && curves[k].sweep.complete;
+    }
   }
-  write_output(arguments, format == "json"  ? host::sweep_json(sweep)
-                          : format == "csv" ? host::sweep_csv(sweep)
-                          : format == "svg" ? host::sweep_svg(sweep, title_of(sweep, file.title))
-                                            : host::sweep_text(sweep));
-  return sweep.complete ? 0 : 1;
+  write_output(arguments, format == "json"  ? host::sweep_json(curves)
+                          : format == "csv" ? host::sweep_csv(curves)
+                          : format == "svg" ? host::sweep_svg(curves, title_of(curves), shown)
+                                            : host::sweep_text(curves));
+  return complete ? 0 : 1;
 }
 
 } // namespace
@@ -51,13 +126,17 @@ int run(const Arguments& arguments) {
 Command sweep_command() {
   return {
       "sweep",
-      "SCENE.toml --vary PATH=FROM:TO [OPTIONS]",
+      "SCENE.toml.. --vary PATH=FROM:TO [OPTIONS]",
       "how the push changes with grip force, friction, place, motion, ..",
       "Varies one number of the scene, or two for a map. PATH is a name and a key of the file,\n"
       "vectors counted from [0]: left.grip_force, wall.ends[0][1], object.mass, gravity[1]; *.KEY\n"
       "of all bodies that have it; wall.shift[1] moves a body along an axis (m), wall.turn turns\n"
-      "its acceleration in the x-y plane (degrees). A path that does not exist lists those that "
-      "do.\n\n"
+      "its acceleration in the x-y plane, wall.tangent_turn its friction generators about the "
+      "normal\n"
+      "(degrees). A path that does not exist lists those that do. Several scenes, or several "
+      "values\n"
+      "with --each, give a curve each; what counts something (facets, points) varies there "
+      "alone.\n\n"
       "Forces and accelerations give exact segments (under pressure \"rigid\" or \"even\"; \"pad\" "
       "by\n"
       "bisection) with their breakpoints in words; everything else is sampled, more closely where\n"
@@ -66,14 +145,18 @@ Command sweep_command() {
       "  lcpush sweep fixtures/scenes/straight_slide.toml --vary \"*.grip_force=2:30\" "
       "--pressure rigid\n"
       "  lcpush sweep fixtures/scenes/pivot.toml --vary edge.shift[0]=0:0.03 --steps 31 "
-      "--format svg -o pivot.svg\n",
+      "--each facets=4,8,16 \\\n"
+      "    --show force,twist[5] --format svg -o pivot.svg\n",
       with_common_options(
           {{"--vary", "PATH=FROM:TO", "what varies, and how far; twice for a map", true},
+           {"--each", "PATH=V,V,..", "one curve for each of these values of another number"},
            {"--steps", "N", "points evenly spread, ends included (51; a map 11 each way)"},
            pressure_option(),
            {"--pusher", "NAME", "whose force is meant, among several"},
+           {"--show", "NAME,NAME,..",
+            "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
            {"--format", "FORMAT", "text (default), csv, json or svg; --json for short"}}),
-      1,
+      most_curves,
       run};
 }
 

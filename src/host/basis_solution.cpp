@@ -30,6 +30,59 @@ void solve_level(const Problem<double>& problem, const std::vector<Index>& rows,
   }
 }
 
+/// The rows and columns of M that are basic, straight from the factors: far fewer than M's.
+MatrixXd basic_block(const Problem<double>& problem, const std::vector<Index>& rows) {
+  const auto k = static_cast<Index>(rows.size());
+  MatrixXd K(k, k);
+  if (problem.factored == nullptr) {
+    for (Index j = 0; j < k; ++j)
+      for (Index i = 0; i < k; ++i)
+        K(i, j) = problem.matrix[rows[static_cast<std::size_t>(j)] * problem.size +
+                                 rows[static_cast<std::size_t>(i)]];
+    return K;
+  }
+  const FactoredProblem<double>& factors = *problem.factored;
+  std::vector<Index> place(static_cast<std::size_t>(problem.size), -1);
+  for (Index i = 0; i < k; ++i)
+    place[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])] = i;
+  Eigen::Matrix<double, 6, Eigen::Dynamic> G(6, k);
+  G.setZero();
+  for (const ConeGroup<double>& cone : factors.cones)
+    for (Index f = 0; f < cone.forces(); ++f) {
+      const Index at = place[static_cast<std::size_t>(cone.variable + f)];
+      if (at >= 0) G.col(at) = factors.wrenches[cone.force + f];
+    }
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> moved = factors.mobility * G;
+  K.noalias() = G.transpose() * moved;
+  const auto add = [&](Index row, Index column, double entry) {
+    const Index i = place[static_cast<std::size_t>(row)];
+    const Index j = place[static_cast<std::size_t>(column)];
+    if (i >= 0 && j >= 0) K(i, j) += entry;
+  };
+  for (const ConeGroup<double>& cone : factors.cones) {
+    const Index first = cone.variable;
+    for (Index i = 0; i < cone.normals; ++i)
+      for (Index j = 0; j < cone.normals; ++j)
+        add(first + i, first + j, i == j ? cone.compliance : -cone.compliance);
+    if (cone.generators == 0) continue;
+    for (Index i = 0; i < cone.normals; ++i) add(cone.slip(), first + i, cone.friction);
+    for (Index i = cone.normals; i < cone.forces(); ++i) {
+      add(first + i, cone.slip(), 1);
+      add(cone.slip(), first + i, -1);
+    }
+  }
+  for (Index a = 0; a < factors.sums.size; ++a) {
+    const SumGroup<double>& sum = factors.sums[a];
+    const Index actuator = problem.free_begin + a;
+    add(actuator, actuator, sum.inertia);
+    for (Index c = sum.first; c < sum.first + sum.count; ++c) {
+      add(actuator, factors.coupled_variable[c], factors.coupling[c]);
+      add(factors.coupled_variable[c], actuator, -factors.coupling[c]);
+    }
+  }
+  return K;
+}
+
 bool passes(const Problem<double>& problem, const VectorXd& q, const VectorXd& z) {
   const VectorXd unit = VectorXd::Ones(problem.size);
   VectorXd w(problem.size), scratch(2 * problem.size);
@@ -47,17 +100,7 @@ bool solve_on_basis(const Problem<double>& problem, const Basis& basis, BasisSol
   std::vector<Index> rows;
   for (Index i = 0; i < n; ++i)
     if (basis[static_cast<std::size_t>(i)] != 0) rows.push_back(i);
-  const auto k = static_cast<Index>(rows.size());
-  MatrixXd K(k, k);
-  VectorXd unit = VectorXd::Zero(n), column(n);
-  for (Index j = 0; j < k; ++j) {
-    const Index at = rows[static_cast<std::size_t>(j)];
-    unit[at] = 1;
-    multiply(problem, unit.data(), column.data());
-    unit[at] = 0;
-    for (Index i = 0; i < k; ++i) K(i, j) = column[rows[static_cast<std::size_t>(i)]];
-  }
-  const Eigen::PartialPivLU<MatrixXd> lu(K);
+  const Eigen::PartialPivLU<MatrixXd> lu(basic_block(problem, rows));
   VectorXd w, w_push;
   solve_level(problem, rows, problem.q, lu, solution.z, w);
   if (problem.push != nullptr)

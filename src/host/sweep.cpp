@@ -165,23 +165,25 @@ std::vector<BistableRange> disagreements(const Tracks& there, const Tracks& back
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     if (cuts[i] - cuts[i - 1] <= shortest) continue;
     const double t = (cuts[i] + cuts[i - 1]) / 2;
-    bool same = true;
+    bool same = true, moves = false;
     for (const Quantity quantity : {Quantity::push, Quantity::breaking}) {
       const bool is_push = quantity == Quantity::push;
       const Piece* const first = piece_at(is_push ? there.push : there.breaking, t);
       const Piece* const second = piece_at(is_push ? back.push : back.breaking, 1 - t);
       if (first == nullptr || second == nullptr) continue;
       if (first->kind == SegmentKind::unsolved || second->kind == SegmentKind::unsolved) continue;
-      same =
-          same && !differ(piece_value(*first, t), piece_value(*second, 1 - t), quantity, branches);
+      const Outputs one = piece_value(*first, t), other = piece_value(*second, 1 - t);
+      same = same && !differ(one, other, quantity, branches);
+      moves = moves || (is_push && other_motion(one, other, branches));
     }
     if (same) continue;
     const double from = value_at(variation, cuts[i - 1]), to = value_at(variation, cuts[i]);
     const double near = 2 * shortest * std::abs(variation.to - variation.from);
-    if (!ranges.empty() && std::abs(ranges.back().to - from) <= near)
+    if (!ranges.empty() && ranges.back().motion == moves &&
+        std::abs(ranges.back().to - from) <= near)
       ranges.back().to = to;
     else
-      ranges.push_back({from, to});
+      ranges.push_back({from, to, moves});
   }
   return ranges;
 }
@@ -234,12 +236,15 @@ SweepValue merged(const Outputs* push, const Outputs* breaking) {
       value.force = push->force;
       value.twist = push->twist;
       value.residual = push->residual;
+      value.motion_noise = push->motion_noise;
+      value.turning_noise = push->turning_noise;
     }
   }
   if (breaking != nullptr) {
     value.breaking = breaking->status;
     if (breaking->is_solved()) {
       value.break_force = breaking->normal;
+      value.break_twist = breaking->twist;
       value.residual = std::max(value.residual, breaking->residual);
     }
   }
@@ -260,10 +265,14 @@ Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& va
     sample_map(solver, options, sweep);
   } else {
     const Variation& variation = variations.front();
+    if (variation.parameter.whole)
+      throw InputError(variation.parameter.path + " counts something: it takes a list of whole "
+                                                  "numbers, not a range");
     for (const double value : {variation.from, variation.to}) solver.go_to(value);
     const bool linear = variation.parameter.linear;
     if (linear) find_segments(scene, solver, file.pressure != Pressure::pad, options, sweep);
     if (!linear || options.steps > 0) sample_line(scene, solver, options, sweep);
+    find_zeros(solver, options, sweep);
   }
   sweep.cold += solver.cold();
   sweep.warm += solver.warm();

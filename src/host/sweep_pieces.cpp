@@ -81,9 +81,13 @@ bool differ(const Outputs& a, const Outputs& b, Quantity quantity, double tolera
     return true;
   if (quantity == Quantity::breaking) return false;
   const double force = tolerance * std::max(force_size(a), force_size(b)) + noise;
+  return (a.force - b.force).norm() > force || other_motion(a, b, tolerance);
+}
+
+bool other_motion(const Outputs& a, const Outputs& b, double tolerance) {
   const double motion = tolerance * std::max(a.twist.norm(), b.twist.norm()) +
                         std::max(a.motion_noise, b.motion_noise);
-  return (a.force - b.force).norm() > force || (a.twist - b.twist).norm() > motion;
+  return (a.twist - b.twist).norm() > motion;
 }
 
 std::vector<Piece> joined(const std::vector<Piece>& pieces, Quantity quantity, double tolerance) {

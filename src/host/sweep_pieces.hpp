@@ -33,6 +33,9 @@ Outputs on_line(const Outputs& first, double t0, const Outputs& second, double t
 /// instant of breaking the normal force alone is compared: the first motion need not be continuous.
 bool differ(const Outputs& a, const Outputs& b, Quantity quantity, double tolerance);
 
+/// Does the object move in another way? Both are pushes as prescribed.
+bool other_motion(const Outputs& a, const Outputs& b, double tolerance);
+
 /// Pieces that go on in one line in the same modes become one.
 std::vector<Piece> joined(const std::vector<Piece>& pieces, Quantity quantity, double tolerance);
 

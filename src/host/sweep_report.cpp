@@ -1,5 +1,5 @@
-// Sweeps as text, CSV and JSON.
-#include <cmath>
+// Sweeps as CSV and JSON.
+#include <algorithm>
 
 #include "lcpush/host/json.hpp"
 #include "lcpush/host/sweep.hpp"
@@ -10,85 +10,6 @@ namespace lcpush::host {
 namespace {
 
 bool is_solved(Status status) { return status == Status::solved; }
-
-std::string with_unit(const Parameter& parameter) {
-  return parameter.path + (parameter.unit.empty() ? "" : " " + parameter.unit);
-}
-
-/// "20.02", or why there is none.
-std::string number_or(Status status, double value, double zero = 0) {
-  if (is_solved(status)) return number(value, zero);
-  return status == Status::does_not_hold ? "does not hold"
-         : status == Status::bad_input   ? "-"
-                                         : status_text(status);
-}
-
-double force_of(const SweepValue& value) { return value.force.norm(); }
-
-/// What rounding leaves of a zero, in the size of the largest answer.
-double force_noise(const Sweep& sweep) {
-  double largest = 0;
-  const auto see = [&](const SweepValue& value) {
-    largest = std::max(largest, std::max(std::abs(value.break_force), force_of(value)));
-  };
-  for (const SweepSegment& segment : sweep.segments) {
-    see(segment.at_from);
-    see(segment.at_to);
-  }
-  for (const SweepPoint& point : sweep.points) see(point.at);
-  return 1e-12 * largest;
-}
-
-std::string change_lines(const Parameter& parameter, const std::vector<SweepSegment>& segments) {
-  std::string text;
-  for (const SweepSegment& segment : segments)
-    if (!segment.change.empty())
-      text += "  at " + parameter.path + " = " + number(segment.to) + ": " + segment.change + "\n";
-  return text;
-}
-
-std::string segment_table(const Sweep& sweep, const std::vector<SweepSegment>& segments) {
-  const Parameter& parameter = sweep.variations[0].parameter;
-  const double zero = force_noise(sweep);
-  std::vector<std::vector<std::string>> rows{
-      {with_unit(parameter), "to", "break N", "to", "slope", "push N", "to", "found"}};
-  for (const SweepSegment& segment : segments) {
-    const SweepValue &a = segment.at_from, &b = segment.at_to;
-    const double rise = b.break_force - a.break_force;
-    const std::string slope =
-        is_solved(a.breaking)
-            ? number(std::abs(rise) <= zero ? 0 : rise / (segment.to - segment.from))
-            : "-";
-    rows.push_back(
-        {number(segment.from), number(segment.to), number_or(a.breaking, a.break_force, zero),
-         number_or(b.breaking, b.break_force, zero), slope, number_or(a.push, force_of(a), zero),
-         number_or(b.push, force_of(b), zero), segment_kind_text(segment.kind)});
-  }
-  return table_text(rows);
-}
-
-std::string point_table(const Sweep& sweep, const std::vector<SweepPoint>& points) {
-  const double zero = force_noise(sweep);
-  std::vector<std::vector<std::string>> rows{{with_unit(sweep.variations[0].parameter)}};
-  if (sweep.is_map()) rows[0].push_back(with_unit(sweep.variations[1].parameter));
-  for (const char* name : {"break N", "push N", "motion m/s^2", "rad/s^2"}) rows[0].push_back(name);
-  std::string changes;
-  for (const SweepPoint& point : points) {
-    std::vector<std::string> row{number(point.value)};
-    if (point.second) row.push_back(number(*point.second));
-    const SweepValue& at = point.at;
-    row.push_back(number_or(at.breaking, at.break_force, zero));
-    row.push_back(number_or(at.push, force_of(at), zero));
-    const double linear = at.twist.head<3>().norm(), angular = at.twist.tail<3>().norm();
-    row.push_back(number_or(at.push, linear, 1e-12 * angular));
-    row.push_back(number_or(at.push, angular, 1e-9 * linear));
-    rows.push_back(row);
-    if (!point.change.empty())
-      changes += "  at " + sweep.variations[0].parameter.path + " = " + number(point.value) + ": " +
-                 point.change + "\n";
-  }
-  return table_text(rows) + (changes.empty() ? "" : "\n" + changes);
-}
 
 void write_vector(JsonWriter& json, const char* key, Status status, const double* first,
                   Index count) {
@@ -149,6 +70,7 @@ void write_point(JsonWriter& json, const SweepPoint& point) {
   json.member("break_force", known(point.at.breaking, point.at.break_force));
   write_vector(json, "force", point.at.push, point.at.force.data(), 3);
   write_vector(json, "twist", point.at.push, point.at.twist.data(), 6);
+  write_vector(json, "break_twist", point.at.breaking, point.at.break_twist.data(), 6);
   std::vector<std::string> modes;
   for (const Mode mode : point.modes) modes.emplace_back(mode_text(mode));
   json.key("modes");
@@ -157,6 +79,7 @@ void write_point(JsonWriter& json, const SweepPoint& point) {
   else
     json.strings(modes);
   json.member("refined", point.refined);
+  if (point.second) json.member("bistable", point.bistable);
   json.key("change");
   if (point.change.empty())
     json.value(nullptr);
@@ -196,66 +119,45 @@ std::string csv_row(const std::vector<std::string>& cells) {
 
 } // namespace
 
-std::string sweep_text(const Sweep& sweep) {
-  std::string text = "How the push by " + sweep.pusher + " changes with ";
-  for (std::size_t k = 0; k < sweep.variations.size(); ++k)
-    text += (k > 0 ? " and " : "") + sweep.variations[k].parameter.path;
-  text += "\n\n";
-  if (!sweep.segments.empty()) {
-    text += segment_table(sweep, sweep.segments);
-    const std::string changes = change_lines(sweep.variations[0].parameter, sweep.segments);
-    if (!changes.empty()) text += "\n" + changes;
-  }
-  if (!sweep.points.empty())
-    text += (sweep.segments.empty() ? "" : "\n") + point_table(sweep, sweep.points);
-  for (const BistableRange& range : sweep.bistable)
-    text += "\nBistable from " + number(range.from) + " to " + number(range.to) +
-            ": the way back ends in another answer there.\n";
-  if (!sweep.back.empty())
-    text += "\nThe way back:\n" + segment_table(sweep, sweep.back) + "\n" +
-            change_lines(sweep.variations[0].parameter, sweep.back);
-  if (!sweep.points_back.empty())
-    text += "\nThe way back:\n" + point_table(sweep, sweep.points_back);
-  text += "\nbreak: the force at which the object starts to move, as in `lcpush break`; push: the "
-          "force for the\nmotion as prescribed, as in `lcpush solve`. Every answer has been "
-          "checked apart from the solver.\n";
-  return text;
-}
-
-std::string sweep_csv(const Sweep& sweep) {
-  std::vector<std::string> head{sweep.variations[0].parameter.path};
-  if (sweep.is_map()) head.push_back(sweep.variations[1].parameter.path);
+std::string sweep_csv(const std::vector<SweepCurve>& curves) {
+  const Sweep& only = curves.front().sweep;
+  std::vector<std::string> head;
+  if (curves.size() > 1) head.emplace_back("curve");
+  for (const Variation& variation : only.variations) head.push_back(variation.parameter.path);
   for (const char* name : {"break_force", "force_x", "force_y", "force_z", "twist_1", "twist_2",
                            "twist_3", "twist_4", "twist_5", "twist_6", "status", "change"})
     head.emplace_back(name);
   std::string text = csv_row(head);
-  const auto add = [&](double value, const std::optional<double>& second, const SweepValue& at,
-                       const std::string& change) {
-    std::vector<std::string> row{shown(value)};
-    if (second) row.push_back(shown(*second));
-    for (const std::string& cell : csv_numbers(at, is_solved(at.breaking), is_solved(at.push)))
-      row.push_back(cell);
-    row.push_back(status_of(at));
-    row.push_back(change);
-    text += csv_row(row);
-  };
-  if (!sweep.points.empty()) {
-    for (const SweepPoint& point : sweep.points)
+  for (const SweepCurve& curve : curves) {
+    const auto add = [&](double value, const std::optional<double>& second, const SweepValue& at,
+                         const std::string& change) {
+      std::vector<std::string> row;
+      if (curves.size() > 1) row.push_back(curve.label);
+      row.push_back(shown(value));
+      if (second) row.push_back(shown(*second));
+      for (const std::string& cell : csv_numbers(at, is_solved(at.breaking), is_solved(at.push)))
+        row.push_back(cell);
+      row.push_back(status_of(at));
+      row.push_back(change);
+      text += csv_row(row);
+    };
+    for (const SweepPoint& point : curve.sweep.points)
       add(point.value, point.second, point.at, point.change);
-    return text;
-  }
-  // The two ends of every segment: at a breakpoint two rows, before and after.
-  for (const SweepSegment& segment : sweep.segments) {
-    add(segment.from, std::nullopt, segment.at_from, "");
-    add(segment.to, std::nullopt, segment.at_to, segment.change);
+    if (!curve.sweep.points.empty()) continue;
+    // The two ends of every segment: at a breakpoint two rows, before and after.
+    for (const SweepSegment& segment : curve.sweep.segments) {
+      add(segment.from, std::nullopt, segment.at_from, "");
+      add(segment.to, std::nullopt, segment.at_to, segment.change);
+    }
   }
   return text;
 }
 
-std::string sweep_json(const Sweep& sweep) {
-  JsonWriter json;
+namespace {
+
+void write_sweep(JsonWriter& json, const Sweep& sweep) {
   const Variation& first = sweep.variations[0];
-  json.begin_object().member("parameter", first.parameter.path);
+  json.member("parameter", first.parameter.path);
   json.member("unit", first.parameter.unit).member("from", first.from).member("to", first.to);
   if (sweep.is_map()) {
     const Variation& second = sweep.variations[1];
@@ -270,10 +172,35 @@ std::string sweep_json(const Sweep& sweep) {
   write_list(json, "points", sweep.points, write_point);
   write_list(json, "points_back", sweep.points_back, write_point);
   write_list(json, "bistable", sweep.bistable, [](JsonWriter& to, const BistableRange& range) {
-    to.begin_object().member("from", range.from).member("to", range.to).end_object();
+    to.begin_object().member("from", range.from).member("to", range.to);
+    to.member("motion", range.motion).end_object();
+  });
+  write_list(json, "zeros", sweep.zeros, [](JsonWriter& to, const SweepZero& zero) {
+    to.begin_object().member("of", "twist[" + std::to_string(zero.component) + "]");
+    to.member("from", zero.from).member("to", zero.to).member("jumps", zero.jumps).end_object();
   });
   json.member("cold_solves", sweep.cold).member("warm_solves", sweep.warm);
-  return json.end_object().text();
+}
+
+} // namespace
+
+std::string sweep_json(const std::vector<SweepCurve>& curves) {
+  JsonWriter json;
+  json.begin_object();
+  if (curves.size() == 1) {
+    write_sweep(json, curves.front().sweep);
+    return json.end_object().text();
+  }
+  json.key("curves").begin_array();
+  for (const SweepCurve& curve : curves) {
+    json.begin_object().member("label", curve.label).member("scene", curve.scene);
+    json.member("each",
+                curve.each ? std::optional<std::string>(curve.each->parameter.path) : std::nullopt);
+    json.member("each_value", curve.each ? std::optional<double>(curve.each->from) : std::nullopt);
+    write_sweep(json, curve.sweep);
+    json.end_object();
+  }
+  return json.end_array().end_object().text();
 }
 
 } // namespace lcpush::host

@@ -12,22 +12,6 @@ constexpr Index default_steps = 51, default_map_steps = 11;
 constexpr double sharpest = 1e-6; // of the range
 constexpr double same = 1e-5;     // relative: answers of one branch agree that well
 
-/// Both answers at one value, and the bases that lead to the next.
-struct Sample {
-  double t = 0;
-  Outputs push, breaking;
-  RoundBases push_bases, breaking_bases;
-};
-
-SweepPoint point_of(const Sample& sample, const Variation& variation) {
-  SweepPoint point;
-  point.value = value_at(variation, sample.t);
-  point.at = merged(&sample.push, &sample.breaking);
-  if (sample.push.is_solved())
-    for (const ContactState& contact : sample.push.contacts) point.modes.push_back(contact.mode);
-  return point;
-}
-
 bool same_modes(const Outputs& a, const Outputs& b) {
   if (a.status != b.status || a.contacts.size() != b.contacts.size()) return false;
   for (std::size_t i = 0; i < a.contacts.size(); ++i)
@@ -39,21 +23,8 @@ class Sampler {
 public:
   Sampler(SweepSolver& solver, bool warm) : solver_(solver), warm_(warm) {}
 
-  /// At the solver's present value, from `neighbour`.
-  Sample solve(double t, const Sample* neighbour) {
-    Sample sample;
-    sample.t = t;
-    if (warm_ && neighbour != nullptr) {
-      sample.push_bases = neighbour->push_bases;
-      sample.breaking_bases = neighbour->breaking_bases;
-    }
-    sample.push = solver_.solve(Quantity::push, sample.push_bases);
-    sample.breaking = solver_.solve(Quantity::breaking, sample.breaking_bases);
-    return sample;
-  }
   Sample at(double t, const Sample* neighbour) {
-    solver_.go_to(value_at(solver_.variations().front(), t));
-    return solve(t, neighbour);
+    return sample_at(solver_, t, warm_ ? neighbour : nullptr);
   }
 
   std::vector<SweepPoint> line(Index steps, const Progress& progress);
@@ -131,6 +102,15 @@ bool agree(const SweepValue& a, const SweepValue& b) {
   return !differ(first, second, Quantity::breaking, same);
 }
 
+bool moves_otherwise(const SweepValue& a, const SweepValue& b) {
+  Outputs first, second;
+  first.twist = a.twist;
+  second.twist = b.twist;
+  first.motion_noise = a.motion_noise;
+  second.motion_noise = b.motion_noise;
+  return a.push == Status::solved && b.push == Status::solved && other_motion(first, second, same);
+}
+
 /// Steps at which the two ways disagree, as ranges.
 std::vector<BistableRange> disagreements(const std::vector<SweepPoint>& there,
                                          const std::vector<SweepPoint>& back) {
@@ -147,7 +127,9 @@ std::vector<BistableRange> disagreements(const std::vector<SweepPoint>& there,
       open = false;
       continue;
     }
-    if (!open) ranges.push_back({steps[i]->value, steps[i]->value});
+    const bool motion = moves_otherwise(steps[i]->at, other.at);
+    if (!open || ranges.back().motion != motion)
+      ranges.push_back({steps[i]->value, steps[i]->value, motion});
     ranges.back().to = steps[i]->value;
     open = true;
   }
@@ -157,6 +139,32 @@ std::vector<BistableRange> disagreements(const std::vector<SweepPoint>& there,
 bool is_known(Status status) { return status == Status::solved || status == Status::does_not_hold; }
 
 } // namespace
+
+SweepPoint point_of(const Sample& sample, const Variation& variation) {
+  SweepPoint point;
+  point.value = value_at(variation, sample.t);
+  point.at = merged(&sample.push, &sample.breaking);
+  if (sample.push.is_solved())
+    for (const ContactState& contact : sample.push.contacts) point.modes.push_back(contact.mode);
+  return point;
+}
+
+Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour) {
+  Sample sample;
+  sample.t = t;
+  if (neighbour != nullptr) {
+    sample.push_bases = neighbour->push_bases;
+    sample.breaking_bases = neighbour->breaking_bases;
+  }
+  sample.push = solver.solve(Quantity::push, sample.push_bases);
+  sample.breaking = solver.solve(Quantity::breaking, sample.breaking_bases);
+  return sample;
+}
+
+Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour) {
+  solver.go_to(value_at(solver.variations().front(), t));
+  return sample_here(solver, t, neighbour);
+}
 
 void sample_line(const VariedScene& scene, SweepSolver& solver,
                  const ParameterSweepOptions& options, Sweep& sweep) {
@@ -184,16 +192,18 @@ void sample_line(const VariedScene& scene, SweepSolver& solver,
 void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep& sweep) {
   const Index steps = options.steps > 0 ? options.steps : default_map_steps;
   const Variation &first = sweep.variations[0], &second = sweep.variations[1];
-  Sampler sampler(solver, options.warm);
-  Sample row_begin, last;
   const auto share = [&](Index k) {
     return static_cast<double>(k) / static_cast<double>(std::max<Index>(steps - 1, 1));
   };
-  for (Index row = 0; row < steps; ++row)
+  const auto at = [&](Index k, Index row, const Sample* neighbour) {
+    solver.go_to({value_at(first, share(k)), value_at(second, share(row))});
+    return sample_here(solver, share(k), options.warm ? neighbour : nullptr);
+  };
+  Sample row_begin, last;
+  for (Index row = 0; row < steps; ++row) {
     for (Index k = 0; k < steps; ++k) {
-      solver.go_to({value_at(first, share(k)), value_at(second, share(row))});
       const Sample* const neighbour = k > 0 ? &last : row > 0 ? &row_begin : nullptr;
-      last = sampler.solve(share(k), neighbour);
+      last = at(k, row, neighbour);
       if (k == 0) row_begin = last;
       sweep.points.push_back(point_of(last, first));
       sweep.points.back().second = value_at(second, share(row));
@@ -201,6 +211,12 @@ void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep
       if (options.progress)
         options.progress(static_cast<double>(row * steps + k) / static_cast<double>(steps * steps));
     }
+    // Warm answers stay on their branch; from nothing another one may be found.
+    for (Index k = 0; options.both_ways && options.warm && k < steps; ++k) {
+      SweepPoint& point = sweep.points[static_cast<std::size_t>(row * steps + k)];
+      point.bistable = moves_otherwise(point.at, point_of(at(k, row, nullptr), first).at);
+    }
+  }
 }
 
 } // namespace lcpush::host

@@ -1,7 +1,7 @@
 // Samples of a sweep, each started from its neighbour's answer.
 #pragma once
 
-#include "sweep_solver.hpp"
+#include "sweep_pieces.hpp"
 
 namespace lcpush::host {
 
@@ -10,8 +10,25 @@ namespace lcpush::host {
 void sample_line(const VariedScene& scene, SweepSolver& solver,
                  const ParameterSweepOptions& options, Sweep& sweep);
 
-/// Two parameters: rows of the second one, each from `from` to `to` of the first.
+/// Two parameters: rows of the second one, each from `from` to `to` of the first. With both_ways
+/// each answer is compared with one from nothing, and marked where the object moves otherwise.
 void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep& sweep);
+
+/// Fills sweep.zeros: of segments from their ends, of points by bisection, which adds the zero and
+/// its neighbours to the points.
+void find_zeros(SweepSolver& solver, const ParameterSweepOptions& options, Sweep& sweep);
+
+/// Both answers at one value, and the bases that lead to the next.
+struct Sample {
+  double t = 0; ///< 0 to 1 over the range
+  Outputs push, breaking;
+  RoundBases push_bases, breaking_bases;
+};
+/// At the solver's present value; from a neighbour's bases, or from nothing.
+Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour);
+/// The same at t of the only parameter.
+Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour);
+SweepPoint point_of(const Sample& sample, const Variation& variation);
 
 /// One answer to both questions.
 SweepValue merged(const Outputs* push, const Outputs* breaking);

@@ -13,6 +13,12 @@ Span<unsigned char> span(std::vector<unsigned char>& bytes) {
   return {bytes.data(), static_cast<Index>(bytes.size())};
 }
 
+std::vector<Parameter> parameters_of(const std::vector<Variation>& variations) {
+  std::vector<Parameter> parameters;
+  for (const Variation& variation : variations) parameters.push_back(variation.parameter);
+  return parameters;
+}
+
 } // namespace
 
 ScenePoint::ScenePoint(SceneFile given)
@@ -24,12 +30,12 @@ ScenePoint::ScenePoint(SceneFile given)
 
 SweepSolver::SweepSolver(const VariedScene& scene, const std::vector<Variation>& variations,
                          Index pusher)
-    : scene_(scene), variations_(variations), pusher_(pusher) {
-  for (const Variation& variation : variations) parameters_.push_back(variation.parameter);
-}
+    : variations_(variations),
+      series_(scene, parameters_of(variations), variations.front().from, variations.front().to),
+      pusher_(pusher) {}
 
 void SweepSolver::go_to(const std::vector<double>& values) {
-  point_ = std::make_unique<ScenePoint>(scene_.at(parameters_, values));
+  point_ = std::make_unique<ScenePoint>(series_.at(values));
 }
 
 /// Memory for as many unknowns as there are here.
@@ -86,6 +92,7 @@ Outputs SweepSolver::read_contacts(Outputs outputs) const {
   const double pressed = 1000 * Tolerances<double>().tie * scales.force;
   outputs.force_noise = 1e-11 * scales.force;
   outputs.motion_noise = 1e-11 * scales.acceleration;
+  outputs.turning_noise = outputs.motion_noise / scales.length;
   Index entry = 0;
   for (Index i = 0; i < answer.contacts.size; ++i) {
     const ContactAnswer<double>& contact = answer.contacts[i];

@@ -5,6 +5,7 @@
 #include "basis_solution.hpp"
 #include "lcpush/host/push.hpp"
 #include "lcpush/host/sweep.hpp"
+#include "scene_series.hpp"
 
 #include <memory>
 #include <optional>
@@ -30,6 +31,7 @@ struct Outputs {
   Vector6<double> twist = Vector6<double>::Zero(); ///< as prescribed, or of a unit push
   double residual = 0;
   double force_noise = 0, motion_noise = 0; ///< N, m/s^2: less is rounding's
+  double turning_noise = 0;                 ///< rad/s^2, the same
   std::vector<ContactState> contacts;
 
   bool is_solved() const { return status == Status::solved; }
@@ -86,9 +88,8 @@ public:
   Outputs on_basis(Quantity quantity, const Basis& basis);
 
 private:
-  const VariedScene& scene_;
   std::vector<Variation> variations_;
-  std::vector<Parameter> parameters_;
+  SceneSeries series_;
   Index pusher_;
   std::unique_ptr<ScenePoint> point_;
   std::vector<double> scalars_;

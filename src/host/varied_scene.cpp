@@ -3,14 +3,12 @@
 #include "lcpush/host/input_error.hpp"
 #include "lcpush/host/text_file.hpp"
 #include "message.hpp"
-#include "number_text.hpp"
 #include "scene_builder.hpp"
+#include "table_changes.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace lcpush::host {
@@ -21,14 +19,6 @@ using Kind = Parameter::Kind;
 
 constexpr std::size_t most_scene_bytes = std::size_t{64} << 20U;
 constexpr int root = -1;
-
-/// Whole numbers that count something do not vary.
-bool is_count(const std::string& key, const TomlValue& value) {
-  if (key == "facets") return true;
-  if (key != "points") return false;
-  const auto* const list = std::get_if<TomlArray>(&value.data);
-  return list == nullptr || list->empty() || !std::holds_alternative<TomlArray>(list->front().data);
-}
 
 std::string unit_of(const std::string& key) {
   static const std::map<std::string, std::string> units = {{"gravity", "m/s^2"},
@@ -51,7 +41,8 @@ std::string unit_of(const std::string& key) {
                                                            {"normal_force", "N"},
                                                            {"force", "N"},
                                                            {"shift", "m"},
-                                                           {"turn", "degrees"}};
+                                                           {"turn", "degrees"},
+                                                           {"tangent_turn", "degrees"}};
   const auto found = units.find(key);
   return found == units.end() ? "" : found->second;
 }
@@ -77,53 +68,9 @@ TomlTable& table_at(TomlDocument& document, const Place& place) {
       .tables[static_cast<std::size_t>(place.table)];
 }
 
-TomlValue* value_of(TomlTable& table, const std::string& key) {
-  for (TomlEntry& entry : table.entries)
-    if (entry.key == key) return &entry.value;
-  return nullptr;
-}
-
-std::optional<double> number_in(const TomlValue& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value.data))
-    return static_cast<double>(*whole);
-  if (const auto* real = std::get_if<double>(&value.data)) return *real;
-  return std::nullopt;
-}
-
-void set(TomlValue& value, double number) {
-  value.data = number;
-  value.digits = shown(number);
-}
-
 TomlValue zeros(int line) {
   const TomlValue zero{line, std::int64_t{0}, "0"};
   return {line, TomlArray{zero, zero, zero}};
-}
-
-/// Adds `by` to coordinate `axis` of a point, or of every point of a list.
-void shift(TomlValue& value, std::size_t axis, double by) {
-  auto* const list = std::get_if<TomlArray>(&value.data);
-  if (list == nullptr || list->empty()) return; // a count, or wrong: the builder says so
-  if (std::holds_alternative<TomlArray>(list->front().data)) {
-    for (TomlValue& point : *list) shift(point, axis, by);
-  } else if (axis < list->size()) {
-    if (const auto number = number_in((*list)[axis])) set((*list)[axis], *number + by);
-  }
-}
-
-/// Turns the first two coordinates; multiples of 90 degrees exactly.
-void turn(TomlValue& value, double degrees) {
-  auto* const list = std::get_if<TomlArray>(&value.data);
-  if (list == nullptr || list->size() != 3) return;
-  const auto x = number_in((*list)[0]), y = number_in((*list)[1]);
-  if (!x || !y) return;
-  const double quarters = std::floor(degrees / 90 + 0.5), rest = degrees - 90 * quarters;
-  const double radians = rest * (std::acos(-1.0) / 180);
-  double c = std::cos(radians), s = std::sin(radians);
-  for (int k = static_cast<int>(std::fmod(std::fmod(quarters, 4) + 4, 4)); k > 0; --k)
-    std::tie(c, s) = std::pair(-s, c);
-  set((*list)[0], c * *x - s * *y);
-  set((*list)[1], s * *x + c * *y);
 }
 
 struct Named {
@@ -150,11 +97,11 @@ void add_numbers(const TomlValue& value, Named& named, const std::string& key,
 void add_table(const TomlTable& table, const std::string& owner, int section, int index,
                std::vector<Named>& list) {
   for (const TomlEntry& entry : table.entries) {
-    if (is_count(entry.key, entry.value)) continue;
     Named named;
     named.owner = owner;
     named.parameter.places = {{section, index, entry.key, {}}};
-    named.parameter.unit = unit_of(entry.key);
+    named.parameter.whole = is_count(entry);
+    if (!named.parameter.whole) named.parameter.unit = unit_of(entry.key);
     named.parameter.linear = is_linear(entry.key);
     add_numbers(entry.value, named, entry.key, list);
   }
@@ -172,6 +119,10 @@ void add_motions(const TomlTable& table, const std::string& owner, int section, 
     named.rest = "shift[" + std::to_string(axis) + "]";
     list.push_back(named);
   }
+  named.parameter.unit = unit_of("tangent_turn");
+  named.parameter.kind = Kind::tangent_turn;
+  named.rest = "tangent_turn";
+  list.push_back(named);
   if (!table.find("acceleration")) return;
   named.parameter.kind = Kind::turn;
   named.parameter.unit = unit_of("turn");
@@ -206,7 +157,8 @@ std::vector<Named> all_parameters(const TomlDocument& document) {
     const Place& place = list[i].parameter.places.front();
     const bool of_body = place.section != root &&
                          is_body(document.sections[static_cast<std::size_t>(place.section)].name);
-    if (!of_body || list[i].parameter.kind != Kind::number) continue;
+    const Kind kind = list[i].parameter.kind;
+    if (!of_body || (kind != Kind::number && kind != Kind::tangent_turn)) continue;
     const auto same = std::find_if(list.begin() + static_cast<std::ptrdiff_t>(singles), list.end(),
                                    [&](const Named& other) { return other.rest == list[i].rest; });
     if (same != list.end()) {
@@ -223,7 +175,7 @@ std::vector<Named> all_parameters(const TomlDocument& document) {
 
 } // namespace
 
-VariedScene::VariedScene(TomlDocument document) : document_(std::move(document)) { add_zeros(); }
+VariedScene::VariedScene(TomlDocument document) : document_(std::move(document)) { add_defaults(); }
 
 VariedScene VariedScene::read(const std::string& path) {
   return parse(read_text_file(path, most_scene_bytes), path);
@@ -244,12 +196,15 @@ void VariedScene::set_pressure(const std::string& law) {
   (void)SceneBuilder<double>(document_).build();
 }
 
-/// Vectors that are zero where a file leaves them out can vary as well.
-void VariedScene::add_zeros() {
+/// Vectors that are zero where a file leaves them out can vary as well, and the number of facets.
+void VariedScene::add_defaults() {
   const auto add = [](TomlTable& table, const char* key) {
     if (table.find(key) == nullptr) table.entries.push_back({key, zeros(table.line)});
   };
   add(document_.root, "gravity");
+  if (document_.root.find("facets") == nullptr)
+    document_.root.entries.push_back(
+        {"facets", {document_.root.line, std::int64_t{SceneFile{}.facets}, "8"}});
   for (TomlSection& section : document_.sections)
     for (TomlTable& table : section.tables) {
       if (section.name == "object") add(table, "center_of_mass");
@@ -291,26 +246,31 @@ Parameter VariedScene::find(const std::string& path) const {
                    "; the numbers of this scene, vectors counted from [0]:" + choices());
 }
 
-SceneFile VariedScene::at(const std::vector<Parameter>& parameters,
-                          const std::vector<double>& values) const {
+TomlDocument VariedScene::changed(const std::vector<Parameter>& parameters,
+                                  const std::vector<double>& values) const {
   TomlDocument document = document_;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const Parameter& parameter = parameters[k];
     for (const Place& place : parameter.places) {
       TomlTable& table = table_at(document, place);
-      if (parameter.kind == Kind::turn) {
-        turn(*value_of(table, "acceleration"), values[k]);
-      } else if (parameter.kind == Kind::shift) {
-        for (const char* key : {"center", "ends", "points"})
-          if (TomlValue* const value = value_of(table, key))
-            shift(*value, static_cast<std::size_t>(parameter.axis), values[k]);
-      } else {
+      switch (parameter.kind) {
+      case Kind::turn: turn_acceleration(table, values[k]); break;
+      case Kind::tangent_turn: turn_tangent(table, values[k]); break;
+      case Kind::shift:
+        shift_points(table, static_cast<std::size_t>(parameter.axis), values[k]);
+        break;
+      case Kind::number:
         TomlValue* value = value_of(table, place.key);
         for (const std::size_t i : place.indices) value = &std::get<TomlArray>(value->data)[i];
-        set(*value, values[k]);
+        (parameter.whole ? set_count : set_number)(*value, values[k]);
       }
     }
   }
+  return document;
+}
+
+SceneFile VariedScene::built(const TomlDocument& document, const std::vector<Parameter>& parameters,
+                             const std::vector<double>& values) const {
   try {
     return SceneBuilder<double>(document).build();
   } catch (const InputError& error) {
@@ -319,6 +279,17 @@ SceneFile VariedScene::at(const std::vector<Parameter>& parameters,
       where += (k > 0 ? ", " : "") + parameters[k].path + " = " + shown(values[k]);
     throw InputError(std::string(error.what()) + (where.empty() ? "" : " (at " + where + ")"));
   }
+}
+
+SceneFile VariedScene::at(const std::vector<Parameter>& parameters,
+                          const std::vector<double>& values) const {
+  return built(changed(parameters, values), parameters, values);
+}
+
+VariedScene VariedScene::with(const Parameter& parameter, double value) const {
+  VariedScene scene(changed({parameter}, {value}));
+  (void)built(scene.document_, {parameter}, {value});
+  return scene;
 }
 
 } // namespace lcpush::host

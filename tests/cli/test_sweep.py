@@ -105,6 +105,46 @@ class Sweep(unittest.TestCase):
         self.assertEqual([(p["value"], p["second_value"]) for p in answer["points"]],
                          [(10, 0.4), (20, 0.4), (10, 0.5), (20, 0.5)])
 
+    def test_several_curves_are_one_object(self):
+        answer = self.answer(self.slide, "--vary", "wall.shift[1]=-0.005:0.005", "--each",
+                             "facets=4,8", "--steps", "3")
+        self.assertEqual(list(answer), ["curves"])
+        self.assertEqual([(c["each"], c["each_value"], c["label"]) for c in answer["curves"]],
+                         [("facets", 4, "facets = 4"), ("facets", 8, "facets = 8")])
+        answer = self.answer(self.slide, SCENES / "straight_slide_point.toml", "--vary",
+                             "wall.shift[1]=-0.005:0.005", "--steps", "3")
+        self.assertEqual([c["each"] for c in answer["curves"]], [None, None])
+        self.assertIn("point pusher", answer["curves"][1]["label"])
+        rows = list(csv.DictReader(io.StringIO(
+            run(self.slide, "--vary", "*.grip_force=20:30", "--each", "facets=4,8", "--format",
+                "csv").stdout)))
+        self.assertEqual({row["curve"] for row in rows}, {"facets = 4", "facets = 8"})
+
+    def test_zeros_of_the_motion_are_told_in_words_and_numbers(self):
+        words = (SCENES / "straight_slide_point.toml", "--vary", "wall.shift[1]=-0.008:0.004",
+                 "--steps", "13")
+        [zero] = [z for z in self.answer(*words)["zeros"] if z["of"] == "twist[5]"]
+        self.assertAlmostEqual(zero["from"], -0.05 * 1.962 / 20.02, 10)
+        self.assertEqual((zero["to"], zero["jumps"]), (zero["from"], False))
+        self.assertIn("twist[5], the object's acceleration about z, is zero at wall.shift[1] = "
+                      "-0.0049001\n", run(*words).stdout)
+
+    def test_show_chooses_what_is_drawn(self):
+        words = (self.slide, "--vary", "*.friction=0.3:0.9", "--steps", "5", "--format", "svg")
+        tree = ElementTree.fromstring(run(*words, "--show", "twist[0],force[1]").stdout)
+        texts = [e.text for e in tree.iter(SVG + "text")]
+        self.assertIn("twist[0] in m/s^2", texts)
+        self.assertIn("force[1] in N", texts)
+        self.assertEqual(len([e for e in tree.iter(SVG + "rect") if e.get("class") == "frame"]), 2)
+
+    def test_a_map_tells_where_another_motion_is_an_answer(self):
+        answer = self.answer(SCENES / "rolling_two_answers.toml", "--vary", "*.grip_force=7:10",
+                             "--vary", "sheet.friction=0.5:0.9", "--steps", "9")
+        marked = [(p["value"], p["second_value"]) for p in answer["points"] if p["bistable"]]
+        self.assertTrue(marked)
+        for grip, sheet in marked:  # 2 mu_f F between m g and T*
+            self.assertTrue(4.905 <= 0.6 * grip <= sheet * 4.905 / (1 - 0.3 * sheet))
+
     def test_text_names_the_breakpoints(self):
         text = run(self.slide, "--vary", "*.grip_force=6:8").stdout
         self.assertIn("at *.grip_force = 6.52: as prescribed: wall sticks", text)
@@ -141,6 +181,17 @@ class Sweep(unittest.TestCase):
                      "--vary", "*.friction=1:-1")
         self.refused(r"--pusher upper or lower", SCENES / "two_pushers.toml", "--vary",
                      "gravity[1]=0:1")
+        self.refused(r"--show goes with", self.slide, "--vary", "*.friction=0:1", "--show", "force")
+        self.refused(r'nothing to show is called "twits\[5\]" \(did you mean "twist\[5\]"\?\)',
+                     self.slide, "--vary", "*.friction=0:1", "--format", "svg", "--show", "twits[5]")
+        self.refused(r"break_twist\[5\] is known at points alone: add --steps", self.slide, "--vary",
+                     "*.grip_force=9:20", "--format", "svg", "--show", "break_twist[5]")
+        self.refused(r"--each needs", self.slide, "--vary", "*.friction=0:1", "--each", "facets")
+        self.refused(r"facets must be even", self.slide, "--vary", "*.friction=0:1", "--each",
+                     "facets=7")
+        self.refused(r"facets counts something", self.slide, "--vary", "facets=4:16")
+        self.refused(r"a map is of one scene", self.slide, "--vary", "*.friction=0:1", "--vary",
+                     "wall.turn=0:1", "--each", "facets=4,8")
         self.refused(r"--format is", self.slide, "--vary", "*.friction=0:1", "--format", "png")
 
 

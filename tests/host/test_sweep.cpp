@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 #include "fixture_push.hpp"
 #include "lcpush/host/input_error.hpp"
@@ -170,6 +171,47 @@ TEST_CASE("segments agree with fresh solves at 100 points in each and beside eve
   check_segments(scene, swept(scene, "gravity[1]", -20, 5), 100, 1e-9);
 }
 
+namespace {
+/// 10 random points a segment; LCPUSH_POINTS_A_SEGMENT=100 for more.
+Index points_a_segment() {
+  const char* const text = std::getenv("LCPUSH_POINTS_A_SEGMENT");
+  return text != nullptr ? std::atoi(text) : 10;
+}
+} // namespace
+
+TEST_CASE(
+    "every kind of linear parameter, on scenes whose motion is unique, against fresh solves") {
+  struct Case {
+    const char *scene, *path;
+    double from, to;
+  };
+  const Case cases[] = {
+      {"tipping.toml", "tip.grip_force", 1, 30},
+      {"tipping.toml", "gravity[1]", -20, -1},
+      {"straight_slide.toml", "wall.acceleration[0]", 0.05, 5},
+      {"straight_slide.toml", "wall.acceleration[1]", -0.2, 0.2},
+      {"rolling.toml", "*.grip_force", 1, 4.75},
+      {"rolling.toml", "sheet.acceleration[0]", 0.05, 2},
+      {"rolling.toml", "gravity[1]", -20, -9},
+      {"lever.toml", "*.grip_force", 1, 30},
+      {"coin.toml", "gravity[1]", -20, -1},
+      {"squeeze.toml", "*.grip_force", 1, 30},
+  };
+  Index segments = 0;
+  for (const Case& one : cases) {
+    CAPTURE(one.scene);
+    CAPTURE(one.path);
+    VariedScene scene = VariedScene::parse(scene_text(one.scene), one.scene);
+    scene.set_pressure("rigid");
+    const Sweep sweep = swept(scene, one.path, one.from, one.to);
+    for (const BistableRange& range : sweep.bistable) CHECK_FALSE(range.motion);
+    for (const SweepSegment& segment : sweep.segments) CHECK(segment.kind == SegmentKind::exact);
+    check_segments(scene, sweep, points_a_segment(), 1e-8);
+    segments += static_cast<Index>(sweep.segments.size());
+  }
+  CHECK(segments >= 15);
+}
+
 TEST_CASE("random grasps whose motion is unique: every linear parameter, against fresh solves") {
   Index breakpoints = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
@@ -180,7 +222,7 @@ TEST_CASE("random grasps whose motion is unique: every linear parameter, against
       const Sweep sweep = swept(scene, path, from, to);
       CHECK(sweep.bistable.empty());
       CHECK(sweep.complete);
-      check_segments(scene, sweep, 5, 1e-8);
+      check_segments(scene, sweep, points_a_segment(), 1e-8);
       breakpoints += static_cast<Index>(sweep.segments.size()) - 1;
     };
     check_one("f1.grip_force", 1, 40);
@@ -327,4 +369,62 @@ TEST_CASE("where no pusher moves there is a push to report, and no breaking") {
 TEST_CASE("a range that leaves what is a scene is refused before anything is solved") {
   CHECK_THROWS_AS(swept(rigid(scene_text("straight_slide.toml")), "*.grip_force", 5, -5),
                   InputError);
+}
+
+TEST_CASE("zeros of the motion: a point pusher keeps the bar straight at one height") {
+  // The weight's moment about the point, 50 mm from the grip, against the push of 20.02 N.
+  const double height = -0.05 * 1.962 / 20.02;
+  for (const char* law : {"rigid", "pad"}) {
+    CAPTURE(law);
+    const std::string text =
+        "pressure = \"" + std::string(law) + "\"\n" + scene_text("straight_slide_point.toml");
+    for (const bool downwards : {false, true}) {
+      ParameterSweepOptions options;
+      options.steps = 7;
+      const Sweep sweep = downwards ? swept(text, "wall.shift[1]", 0.003, -0.008, options)
+                                    : swept(text, "wall.shift[1]", -0.008, 0.003, options);
+      Index found = 0;
+      for (const SweepZero& zero : sweep.zeros) {
+        if (zero.component != 5 || zero.jumps) continue;
+        ++found;
+        CHECK(zero.from == zero.to);
+        if (std::string(law) == "pad") CHECK(std::abs(zero.from - height) <= 1e-9);
+      }
+      if (std::string(law) == "pad") CHECK(found == 1);
+      for (std::size_t i = 1; i < sweep.points.size(); ++i)
+        CHECK((sweep.points[i].value > sweep.points[i - 1].value) != downwards);
+    }
+  }
+}
+
+TEST_CASE("zeros of the motion: exact on segments, ranges where the bar stays straight") {
+  const Sweep sweep = swept(rigid(scene_text("straight_slide.toml")), "*.grip_force", 2, 30);
+  // From 6.52 N on the wall carries the weight, and the bar no longer slides down.
+  bool told = false;
+  for (const SweepZero& zero : sweep.zeros)
+    if (zero.component == 1) {
+      told = true;
+      CHECK(std::abs(zero.from - 6.52) <= 1e-9);
+      CHECK(zero.to == 30);
+    }
+  CHECK(told);
+  // The sheet's motion changes its sign, and the cylinder's rotation jumps with it.
+  const Sweep turned = swept(rigid(scene_text("rolling.toml")), "sheet.acceleration[0]", -1, 1);
+  bool crossed = false;
+  for (const SweepZero& zero : turned.zeros)
+    crossed = crossed || (zero.component == 5 && std::abs(zero.from) <= 1e-12);
+  CHECK(crossed);
+}
+
+TEST_CASE("bistable: other motions are told from other forces") {
+  const Sweep two = swept(scene_text("rolling_two_answers.toml"), "*.grip_force", 7, 10);
+  REQUIRE(two.bistable.size() == 2);
+  CHECK(two.bistable[0].motion);
+  CHECK(two.bistable[0].to == doctest::Approx(0.8 * 4.905 / (1 - 0.8 * 0.3) / 0.6));
+  CHECK_FALSE(two.bistable[1].motion); // held both ways
+}
+
+TEST_CASE("a count takes no range") {
+  const VariedScene scene = VariedScene::parse(scene_text("pivot.toml"), "pivot.toml");
+  CHECK_THROWS_AS(swept(scene, "facets", 4, 16), InputError);
 }

@@ -27,7 +27,9 @@ struct SweepValue {
   double break_force = 0;              ///< N, as in `break`; 0 unless solved
   Vector3<double> force = Vector3<double>::Zero(); ///< N, the pusher's on the object, as prescribed
   Vector6<double> twist = Vector6<double>::Zero(); ///< the object's acceleration, as prescribed
-  double residual = 0;                             ///< the worst law's, of both
+  Vector6<double> break_twist = Vector6<double>::Zero(); ///< at breaking, per unit push
+  double residual = 0;                                   ///< the worst law's, of both
+  double motion_noise = 0, turning_noise = 0; ///< m/s^2, rad/s^2: what rounding leaves of a twist
 };
 
 /// How a segment was found.
@@ -58,12 +60,21 @@ struct SweepPoint {
   SweepValue at;
   std::vector<Mode> modes; ///< of every contact under the push as prescribed; empty if not solved
   bool refined = false;    ///< added between two of the steps, where modes change
+  bool bistable = false;   ///< of a map: solved from nothing, the object moves in another way
   std::string change;      ///< refined: from this point to the next
 };
 
 /// A range in which sweeping up and sweeping down end in different answers.
 struct BistableRange {
   double from, to;
+  bool motion; ///< the object moves in another way; else the forces alone differ
+};
+
+/// Where a component of the object's acceleration is zero or changes its sign.
+struct SweepZero {
+  Index component; ///< of the twist: 0 to 5
+  double from, to; ///< the same for a single value
+  bool jumps;      ///< the sign changes without a zero
 };
 
 struct Sweep {
@@ -75,8 +86,9 @@ struct Sweep {
   std::vector<SweepPoint> points;     ///< in the sweep's order; in a map row by row
   std::vector<SweepPoint> points_back;
   std::vector<BistableRange> bistable;
-  bool complete = true;     ///< every value was solved, or does not hold
-  Index cold = 0, warm = 0; ///< solves from nothing, and from a neighbour's basis
+  std::vector<SweepZero> zeros; ///< component by component, in the sweep's order; not in a map
+  bool complete = true;         ///< every value was solved, or does not hold
+  Index cold = 0, warm = 0;     ///< solves from nothing, and from a neighbour's basis
 
   bool is_map() const { return variations.size() == 2; }
 };
@@ -97,9 +109,48 @@ struct ParameterSweepOptions {
 Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& variations,
                       const ParameterSweepOptions& options);
 
-std::string sweep_text(const Sweep& sweep);
-std::string sweep_csv(const Sweep& sweep);
-std::string sweep_json(const Sweep& sweep);
-std::string sweep_svg(const Sweep& sweep, const std::string& title);
+/// One of several sweeps that are shown together, such as one a number of facets.
+struct SweepCurve {
+  std::string label;             ///< "facets = 8"
+  std::string scene;             ///< its title or file
+  std::optional<Variation> each; ///< what tells it from the others: from = to = its value
+  Sweep sweep;
+};
+
+/// What a picture shows.
+struct SweepQuantity {
+  enum class Kind { break_force, force, force_component, twist, break_twist };
+  Kind kind = Kind::break_force;
+  Index component = 0;
+
+  std::string name() const; ///< "twist[5]"
+  std::string unit() const;
+};
+/// "break_force", "force" (its size), "force[0]" to "force[2]", "twist[0]" to "twist[5]",
+/// "break_twist[0]" to "break_twist[5]". Throws InputError with what is possible.
+SweepQuantity sweep_quantity(const std::string& name);
+
+// One sweep, or several over the same parameter. Of several, json is {"curves": [..]} and csv has
+// one column more.
+std::string sweep_text(const std::vector<SweepCurve>& curves);
+std::string sweep_csv(const std::vector<SweepCurve>& curves);
+std::string sweep_json(const std::vector<SweepCurve>& curves);
+/// The quantities, one panel a unit; none: both forces, of a map the breaking force. A map shows
+/// one. Throws InputError where one is not known.
+std::string sweep_svg(const std::vector<SweepCurve>& curves, const std::string& title,
+                      const std::vector<SweepQuantity>& shown = {});
+
+inline std::string sweep_text(const Sweep& sweep) {
+  return sweep_text(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}});
+}
+inline std::string sweep_csv(const Sweep& sweep) {
+  return sweep_csv(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}});
+}
+inline std::string sweep_json(const Sweep& sweep) {
+  return sweep_json(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}});
+}
+inline std::string sweep_svg(const Sweep& sweep, const std::string& title) {
+  return sweep_svg(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}}, title);
+}
 
 } // namespace lcpush::host

@@ -14,9 +14,10 @@ namespace lcpush::host {
 /// VariedScene::find.
 struct Parameter {
   enum class Kind {
-    number, ///< takes the parameter's value
-    shift,  ///< a body's points move by the value along an axis
-    turn,   ///< a pusher's acceleration turns by the value in the x-y plane
+    number,       ///< takes the parameter's value
+    shift,        ///< a body's points move by the value along an axis
+    turn,         ///< a pusher's acceleration turns by the value in the x-y plane
+    tangent_turn, ///< a body's friction generators turn by the value about its normal
   };
   /// Where in the document: the keys above the first header (section -1), or a section's table.
   struct Place {
@@ -30,6 +31,7 @@ struct Parameter {
   Index axis = 0;            ///< of a shift
   std::string unit;          ///< "N", "m/s^2", "" (a pure number), ..
   bool linear = false;       ///< enters the right-hand side alone, and linearly
+  bool whole = false;        ///< counts something: whole numbers alone
   double value = 0;          ///< in the file; of a shift or turn 0
 };
 
@@ -43,7 +45,8 @@ public:
   void set_pressure(const std::string& law);
 
   /// The parameter called `path`: `left.friction`, `*.grip_force` (of every body that has one),
-  /// `object.mass`, `gravity[1]`, `wall.ends[0][1]`, `wall.shift[1]` (m), `wall.turn` (degrees).
+  /// `object.mass`, `gravity[1]`, `wall.ends[0][1]`, `facets`, `wall.shift[1]` (m), `wall.turn`
+  /// (degrees), `*.tangent_turn` (degrees, about each body's own normal).
   /// Throws InputError with what is possible if there is none.
   Parameter find(const std::string& path) const;
 
@@ -54,12 +57,18 @@ public:
   /// no scene.
   SceneFile at(const std::vector<Parameter>& parameters, const std::vector<double>& values) const;
   SceneFile as_given() const { return at({}, {}); }
+  /// The same scene with one number changed for good. Throws InputError if that is no scene.
+  VariedScene with(const Parameter& parameter, double value) const;
 
 private:
-  TomlDocument document_; // with the zeros that a file may leave out
+  TomlDocument document_; // with what a file may leave out
 
   explicit VariedScene(TomlDocument document);
-  void add_zeros();
+  void add_defaults();
+  TomlDocument changed(const std::vector<Parameter>& parameters,
+                       const std::vector<double>& values) const;
+  SceneFile built(const TomlDocument& document, const std::vector<Parameter>& parameters,
+                  const std::vector<double>& values) const;
   std::string choices() const;
 };
 

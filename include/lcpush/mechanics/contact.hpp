@@ -24,12 +24,15 @@ template <class S> Vector3<S> acceleration_at(const Vector3<S>& p, const Vector6
 
 namespace detail {
 /// Taylor's series, exact to rounding for 0 <= x <= pi/4. Own code, because the bits of a libm
-/// differ between machines.
+/// differ between machines. Each term is less than a third of the one before, so that after one
+/// that changes nothing no other does.
 template <class S> S sine_series(const S& x, S term, int k) {
   S sum = term;
   for (; k < 26; k += 2) {
     term = -term * x * x / S(k * (k + 1));
-    sum += term;
+    const S next = sum + term;
+    if (next == sum) break;
+    sum = next;
   }
   return sum;
 }
@@ -75,12 +78,13 @@ template <class S> Generator<S> generator(const Body<S>& body, Index k, Index g)
   const Index angle = k / g;
   const S r = body.torsion_radius;
   if (angle == 5) return {Vector3<S>::Zero(), k == 5 * g ? r : S(-r)};
-  const S half = S(1) / S(2), cos_30 = circle_cosine<S>(1, 12);
-  const S cosine[] = {S(1), cos_30, cos_30, half, half};
-  const S sine[] = {S(0), half, S(-half), cos_30, S(-cos_30)};
   const Vector3<S> d = circle_cosine<S>(k, g) * body.tangent +
                        circle_sine<S>(k, g) * cross(body.normal, body.tangent);
-  return {cosine[angle] * d, sine[angle] * r};
+  if (angle == 0) return {d, S(0)};
+  const S half = S(1) / S(2), cos_30 = circle_cosine<S>(1, 12);
+  const S cosine[] = {cos_30, cos_30, half, half};
+  const S sine[] = {half, S(-half), cos_30, S(-cos_30)};
+  return {cosine[angle - 1] * d, sine[angle - 1] * r};
 }
 
 /// Friction generators of one point of this body: none without friction.
