@@ -71,9 +71,9 @@ std::string map_svg(const MapPlot& plot) {
     const double share = high > low && std::isfinite(cell) ? (cell - low) / (high - low) : 1;
     const double px = x.begin + w * static_cast<double>(i % plot.columns);
     const double py = y.begin - h * static_cast<double>(i / plot.columns + 1);
-    body += "<rect class=\"cell\" x=\"" + pixels(px) + "\" y=\"" + pixels(py) + "\" width=\"" +
-            pixels(w) + "\" height=\"" + pixels(h) + "\" fill-opacity=\"" +
-            pixels(std::isfinite(cell) ? 0.06 + 0.94 * share : 0) + "\"><title>" +
+    body += "<rect class=\"cell\" x=\"" + coordinate(px) + "\" y=\"" + coordinate(py) +
+            "\" width=\"" + coordinate(w) + "\" height=\"" + coordinate(h) + "\" fill-opacity=\"" +
+            coordinate(std::isfinite(cell) ? 0.06 + 0.94 * share : 0) + "\"><title>" +
             escaped(plot.texts[i]) + "</title></rect>\n";
     if (!plot.hatched.empty() && plot.hatched[i]) body += hatch(px, py, w, h);
     if (!plot.border_right.empty() && plot.border_right[i])

@@ -87,33 +87,21 @@ std::string tick_label(const char* anchor, std::size_t index, double x, double y
 
 } // namespace
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) switch (c) {
-    case '<': result += "&lt;"; break;
-    case '>': result += "&gt;"; break;
-    case '&': result += "&amp;"; break;
-    case '"': result += "&quot;"; break;
-    default: result += c;
-    }
-  return result;
-}
-
-std::string pixels(double x) {
+std::string coordinate(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3f", x);
   return text;
 }
 
 std::string text_element(double x, double y, const std::string& text, const char* attributes) {
-  return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\"" + attributes + ">" +
+  return "<text x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\"" + attributes + ">" +
          escaped(text) + "</text>\n";
 }
 
 std::string picture(const std::string& title, const std::string& description, double height,
                     const std::string& body) {
   std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 " +
-                     pixels(width) + " " + pixels(height) + "\" role=\"img\">\n<title>" +
+                     coordinate(width) + " " + coordinate(height) + "\" role=\"img\">\n<title>" +
                      escaped(title) + "</title>\n<desc>" + escaped(description) + "</desc>\n" +
                      style;
   double y = line_height;
@@ -129,8 +117,8 @@ double title_height(const std::string& title) {
 }
 
 std::string line_element(const char* kind, double x1, double y1, double x2, double y2) {
-  return std::string("<line class=\"") + kind + "\" x1=\"" + pixels(x1) + "\" y1=\"" + pixels(y1) +
-         "\" x2=\"" + pixels(x2) + "\" y2=\"" + pixels(y2) + "\"/>\n";
+  return std::string("<line class=\"") + kind + "\" x1=\"" + coordinate(x1) + "\" y1=\"" +
+         coordinate(y1) + "\" x2=\"" + coordinate(x2) + "\" y2=\"" + coordinate(y2) + "\"/>\n";
 }
 
 std::string axes(const Axis& x, const Axis& y, bool grid, bool numbered) {
@@ -147,16 +135,16 @@ std::string axes(const Axis& x, const Axis& y, bool grid, bool numbered) {
     text += line_element("tick", x.begin - 5, y.at(at), x.begin, y.at(at));
     text += tick_label("end", 0, x.begin - 9, y.at(at) + 4, at, std::abs(zero_y));
   }
-  return text + "<rect class=\"frame\" x=\"" + pixels(x.begin) + "\" y=\"" + pixels(y.end) +
-         "\" width=\"" + pixels(x.end - x.begin) + "\" height=\"" + pixels(y.begin - y.end) +
-         "\"/>\n";
+  return text + "<rect class=\"frame\" x=\"" + coordinate(x.begin) + "\" y=\"" + coordinate(y.end) +
+         "\" width=\"" + coordinate(x.end - x.begin) + "\" height=\"" +
+         coordinate(y.begin - y.end) + "\"/>\n";
 }
 
 std::string x_axis_label(const std::string& label, double y) {
   return text_element((left + width - right) / 2, y, label, " text-anchor=\"middle\"");
 }
 std::string y_axis_label(const std::string& label, const Axis& y) {
-  return "<text transform=\"translate(20 " + pixels((y.begin + y.end) / 2) +
+  return "<text transform=\"translate(20 " + coordinate((y.begin + y.end) / 2) +
          ") rotate(-90)\" text-anchor=\"middle\">" + escaped(label) + "</text>\n";
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "markup.hpp"
+
 namespace lcpush::host {
 
 namespace plot_size { // in the picture's own units
@@ -19,9 +21,8 @@ struct Axis {
   double at(double x) const { return begin + (x - low) / (high - low) * (end - begin); }
 };
 
-std::string escaped(const std::string& text);
 /// Three decimals.
-std::string pixels(double x);
+std::string coordinate(double x);
 std::string line_element(const char* kind, double x1, double y1, double x2, double y2);
 /// `attributes` begins with a space, or is empty.
 std::string text_element(double x, double y, const std::string& text, const char* attributes = "");

@@ -36,10 +36,10 @@ std::string curves(const PlotPanel& panel, const Axis& x, const Axis& y) {
     for (const auto& piece : line.pieces) {
       std::string points, dots;
       for (const auto& [px, py] : piece) {
-        points += (points.empty() ? "" : " ") + pixels(x.at(px)) + "," + pixels(y.at(py));
+        points += (points.empty() ? "" : " ") + coordinate(x.at(px)) + "," + coordinate(y.at(py));
         if (line.dots)
-          dots += "<circle class=\"line " + colour(line.colour) + "\" cx=\"" + pixels(x.at(px)) +
-                  "\" cy=\"" + pixels(y.at(py)) + "\" r=\"1.5\"/>\n";
+          dots += "<circle class=\"line " + colour(line.colour) + "\" cx=\"" +
+                  coordinate(x.at(px)) + "\" cy=\"" + coordinate(y.at(py)) + "\" r=\"1.5\"/>\n";
       }
       text += "<polyline class=\"line " + colour(line.colour) + "\" points=\"" + points + "\"/>\n" +
               dots;
