@@ -10,7 +10,7 @@
 namespace lcpush::host {
 namespace {
 
-using namespace plot_size;
+using namespace plot;
 
 /// Parallel strokes from below on the left to above on the right.
 std::string hatch(double x, double y, double w, double h) {

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "report_format.hpp"
 
-namespace lcpush::host {
+namespace lcpush::host::plot {
 namespace {
-
-using namespace plot_size;
 
 constexpr std::size_t title_letters = 58; // a line
 
@@ -148,4 +147,4 @@ std::string y_axis_label(const std::string& label, const Axis& y) {
          ") rotate(-90)\" text-anchor=\"middle\">" + escaped(label) + "</text>\n";
 }
 
-} // namespace lcpush::host
+} // namespace lcpush::host::plot

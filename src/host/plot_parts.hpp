@@ -2,19 +2,17 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "markup.hpp"
 
-namespace lcpush::host {
+namespace lcpush::host::plot {
 
-namespace plot_size { // in the picture's own units
+// In the picture's own units.
 constexpr double width = 760, left = 96, right = 38;
 constexpr double line_height = 26; // of titles and legends, for letters as large as on a phone
 constexpr double axis_room = 64;   // below the last panel
 constexpr double panel_gap = 34;
 constexpr double lone_panel = 340, one_of_many = 220;
-} // namespace plot_size
 
 struct Axis {
   double low, high, begin, end; ///< values, and where they stand
@@ -37,4 +35,4 @@ std::string picture(const std::string& title, const std::string& description, do
                     const std::string& body);
 double title_height(const std::string& title);
 
-} // namespace lcpush::host
+} // namespace lcpush::host::plot

@@ -8,7 +8,7 @@
 namespace lcpush::host {
 namespace {
 
-using namespace plot_size;
+using namespace plot;
 
 constexpr std::size_t colours = 6;
 

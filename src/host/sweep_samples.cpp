@@ -23,8 +23,8 @@ class Sampler {
 public:
   Sampler(SweepSolver& solver, bool warm) : solver_(solver), warm_(warm) {}
 
-  Sample at(double t, const Sample* neighbour) {
-    return sample_at(solver_, t, warm_ ? neighbour : nullptr);
+  Sample at(double t, const Sample* neighbour, const Sample* other = nullptr) {
+    return sample_at(solver_, t, warm_ ? neighbour : nullptr, other);
   }
 
   std::vector<SweepPoint> line(Index steps, const Progress& progress);
@@ -43,7 +43,7 @@ void Sampler::refine(const Sample& from, const Sample& to, std::vector<SweepPoin
     return same_modes(a.push, b.push) && same_modes(a.breaking, b.breaking);
   };
   while (high.t - low.t > sharpest) {
-    Sample middle = at((low.t + high.t) / 2, &low);
+    Sample middle = at((low.t + high.t) / 2, &low, &high);
     (alike(middle, low) ? low : high) = std::move(middle);
   }
   const SceneFile& file = solver_.point().file;
@@ -149,21 +149,24 @@ SweepPoint point_of(const Sample& sample, const Variation& variation) {
   return point;
 }
 
-Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour) {
+Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour, const Sample* other) {
   Sample sample;
   sample.t = t;
   if (neighbour != nullptr) {
     sample.push_bases = neighbour->push_bases;
     sample.breaking_bases = neighbour->breaking_bases;
   }
-  sample.push = solver.solve(Quantity::push, sample.push_bases);
-  sample.breaking = solver.solve(Quantity::breaking, sample.breaking_bases);
+  const bool both = neighbour != nullptr && other != nullptr;
+  sample.push =
+      solver.solve(Quantity::push, sample.push_bases, both ? &other->push_bases : nullptr);
+  sample.breaking = solver.solve(Quantity::breaking, sample.breaking_bases,
+                                 both ? &other->breaking_bases : nullptr);
   return sample;
 }
 
-Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour) {
+Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour, const Sample* other) {
   solver.go_to(value_at(solver.variations().front(), t));
-  return sample_here(solver, t, neighbour);
+  return sample_here(solver, t, neighbour, other);
 }
 
 void sample_line(const VariedScene& scene, SweepSolver& solver,

@@ -24,10 +24,13 @@ struct Sample {
   Outputs push, breaking;
   RoundBases push_bases, breaking_bases;
 };
-/// At the solver's present value; from a neighbour's bases, or from nothing.
-Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour);
+/// At the solver's present value; from a neighbour's bases (and those of the neighbour on the other
+/// side), or from nothing.
+Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour,
+                   const Sample* other = nullptr);
 /// The same at t of the only parameter.
-Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour);
+Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour,
+                 const Sample* other = nullptr);
 SweepPoint point_of(const Sample& sample, const Variation& variation);
 
 /// One answer to both questions.

@@ -69,12 +69,12 @@ bool SweepSolver::stand_on(Quantity quantity, const Basis& basis) {
   return lemke_->step() == Status::solved && lemke_->pivots() == 0;
 }
 
-Outputs SweepSolver::on_basis(Quantity quantity, const Basis& basis) {
+Outputs SweepSolver::on_basis(Quantity quantity, const Basis& basis, bool thorough) {
   if (!has(quantity)) return {};
   BasisSolution solution;
   if (!solve_on_basis(point_->problem(quantity), basis, solution)) {
     // The small system may be worse conditioned than the dictionary.
-    if (!stand_on(quantity, basis)) return {};
+    if (!thorough || !stand_on(quantity, basis)) return {};
     const Index n = point_->assembly.layout().size;
     solution.z = Eigen::Map<const Eigen::VectorXd>(lemke_->z(), n);
     if (quantity == Quantity::breaking) {
@@ -157,9 +157,18 @@ Outputs SweepSolver::read_breaking(const BasisSolution& solution) {
   return judge_breaking(status, breaking);
 }
 
-Outputs SweepSolver::solve(Quantity quantity, RoundBases& bases) {
+Outputs SweepSolver::solve(Quantity quantity, RoundBases& bases, const RoundBases* others) {
   if (!has(quantity)) return {};
   if (point_->scene.pressure == Pressure::pad) return solve_pad(quantity, bases);
+  if (others != nullptr && !others->empty() && !bases.empty()) {
+    for (const RoundBases* candidate : {static_cast<const RoundBases*>(&bases), others}) {
+      const Outputs outputs = on_basis(quantity, candidate->front(), false);
+      if (!outputs.is_solved() && outputs.status != Status::does_not_hold) continue;
+      ++warm_;
+      if (candidate == others) bases = *others;
+      return outputs;
+    }
+  }
   if (!bases.empty()) {
     Outputs outputs = on_basis(quantity, bases.front());
     if (outputs.is_solved() || outputs.status == Status::does_not_hold) {

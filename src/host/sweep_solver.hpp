@@ -74,7 +74,8 @@ public:
     return quantity == Quantity::push || push_size(point_->scene) > 0;
   }
   /// The answer by the scene's pressure law, from `bases` if there are any, which receive its own.
-  Outputs solve(Quantity quantity, RoundBases& bases);
+  /// `others` are tried next, before any pivot: those of a neighbour on the other side.
+  Outputs solve(Quantity quantity, RoundBases& bases, const RoundBases* others = nullptr);
   Index cold() const { return cold_; }
   Index warm() const { return warm_; }
 
@@ -84,8 +85,9 @@ public:
   /// Lemke stands at exactly this basis: it is the answer here.
   bool stand_on(Quantity quantity, const Basis& basis);
   Lemke<double>& lemke() { return *lemke_; }
-  /// The answer of one basis, checked.
-  Outputs on_basis(Quantity quantity, const Basis& basis);
+  /// The answer of one basis, checked; `thorough`: by the whole dictionary if the small system will
+  /// not do.
+  Outputs on_basis(Quantity quantity, const Basis& basis, bool thorough = true);
 
 private:
   std::vector<Variation> variations_;

@@ -110,7 +110,7 @@ Crossing ZeroSearch::between(const SweepPoint& first, const SweepPoint& second) 
     return std::abs(value(sample) - end.at.twist[k_]) <= whole / 10;
   };
   while (high.t - low.t > sharpest) {
-    Sample middle = sample_at(solver_, (low.t + high.t) / 2, warm_ ? &low : nullptr);
+    Sample middle = sample_at(solver_, (low.t + high.t) / 2, warm_ ? &low : nullptr, &high);
     if (!middle.push.is_solved()) break;
     const bool below = sign_of(value(middle), 0) * sign_of(value(low), 0) > 0;
     if (below && near(middle, first)) shoulder_low = middle;
