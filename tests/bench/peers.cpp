@@ -1,6 +1,6 @@
 // lcpush and the other libraries' solvers on the same problems, in one process:
 //
-//     peers [--quick] [--sizes K:G,K:G,...] [--seeds N] [--no-peers]
+//     peers [--quick] [--sizes K:G,K:G,...] [--seeds N] [--no-peers] [--only SOLVER]
 //
 // Two round fingers of K points, a line pusher, G facets (n unknowns, seeded variations), and the
 // paper's three primitives; each under `rigid` and in the first round of `pad`. The other libraries
@@ -34,6 +34,7 @@ constexpr double right = 1e-6; // the residual of an answer that counts as right
 
 struct Arguments {
   bool quick = false, peers = true;
+  std::string only; // of lcpush's own solvers; empty: all
   unsigned seeds = 4;
   std::vector<std::pair<Index, Index>> sizes = {{1, 4},   {2, 8},  {6, 8},  {20, 8},
                                                 {20, 16}, {50, 8}, {50, 16}};
@@ -428,6 +429,10 @@ private:
   Table table_;
   Growth growth_;
 
+  bool asks_for(const std::string& name) const {
+    return arguments_.only.empty() || arguments_.only == name;
+  }
+
   void run_discs(Index k, Index g, Pressure law, bool with_peers) {
     std::vector<test::OwnedScene<double>> scenes;
     for (unsigned seed = 0; seed < arguments_.seeds; ++seed)
@@ -453,14 +458,14 @@ private:
     for (const test::OwnedScene<double>& scene : scenes) {
       Instance instance(scene, with_peers);
       std::vector<Table::Row> rows;
-      if (instance.has_dense())
+      if (instance.has_dense() && asks_for("dense"))
         rows.push_back(table_.add("dense", instance, cold_dense(instance), budget));
       const std::pair<const char*, Run (*)(Instance&)> ours[] = {{"structured", cold_structured},
                                                                  {"warm", warm},
                                                                  {"hybrid", hybrid},
                                                                  {"Gauss-Seidel", gauss_seidel}};
       for (const auto& [name, make] : ours)
-        rows.push_back(table_.add(name, instance, make(instance), budget));
+        if (asks_for(name)) rows.push_back(table_.add(name, instance, make(instance), budget));
       for (PeerRun& peer : peers_)
         if (instance.has_dense() && peer.has_time()) rows.push_back(peer.run(instance, table_));
       table_.compare(rows, names_);
@@ -479,6 +484,8 @@ bool read(int count, char** words, Arguments& arguments) {
       arguments.seeds = 2;
     } else if (std::strcmp(words[i], "--no-peers") == 0) {
       arguments.peers = false;
+    } else if (std::strcmp(words[i], "--only") == 0 && i + 1 < count) {
+      arguments.only = words[++i];
     } else if (std::strcmp(words[i], "--seeds") == 0 && i + 1 < count) {
       arguments.seeds = static_cast<unsigned>(std::atoi(words[++i]));
     } else if (std::strcmp(words[i], "--sizes") == 0 && i + 1 < count) {
@@ -500,15 +507,16 @@ bool read(int count, char** words, Arguments& arguments) {
 } // namespace
 
 int main(int count, char** words) {
-  Arguments arguments;
-  if (!read(count, words, arguments)) {
-    std::fprintf(stderr, "usage: peers [--quick] [--sizes K:G,K:G,...] [--seeds N] [--no-peers]\n");
-    return 2;
-  }
   // One core for all: Siconos' linear algebra would start threads of its own.
   if (std::getenv("OPENBLAS_NUM_THREADS") == nullptr) {
     setenv("OPENBLAS_NUM_THREADS", "1", 1);
     execv("/proc/self/exe", words);
+  }
+  Arguments arguments;
+  if (!read(count, words, arguments)) {
+    std::fprintf(stderr, "usage: peers [--quick] [--sizes K:G,K:G,...] [--seeds N] [--no-peers]\n"
+                         "             [--only SOLVER]\n");
+    return 2;
   }
   Bench(arguments).run();
 }

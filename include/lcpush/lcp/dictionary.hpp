@@ -18,6 +18,12 @@ constexpr Index complement(Index variable, Index n) {
   return variable < n ? variable + n : variable - n;
 }
 
+/// Right-hand sides whose values a factorisation is asked for: from `first` on those before `exact`
+/// to rounding, those before `end` as they come.
+struct Wanted {
+  Index first, exact, end;
+};
+
 template <class S> class Dictionary {
 public:
   MatrixMap<S> table{nullptr, 0, 0};  ///< n x (n + 1)

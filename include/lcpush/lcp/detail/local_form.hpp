@@ -57,7 +57,7 @@ public:
     return felt + local(row, slot);
   }
   void begin_row(Index row);
-  S entry_of_row(Index row, Index slot);
+  S entry_of_row(Index row, Index slot) const;
 
   /// out = M x, x given by inputs(visit) calling visit(slot, x) for each entry that is not zero.
   /// Cost: O(n) and O(1) an input.
@@ -483,6 +483,7 @@ template <class S> void LocalForm<S>::find_velocity() {
   v_ = core_.lazyProduct(cause_);
 }
 
+/// v_ becomes what the row feels of each component of F, cause_ of each s.
 template <class S> void LocalForm<S>::begin_row(Index row) {
   v_ = directions_.row(row).transpose();
   if (role_[row] == shared_role && has_springs_) {
@@ -497,21 +498,34 @@ template <class S> void LocalForm<S>::begin_row(Index row) {
     cause_ = v_;
     v_ = core_.transpose().lazyProduct(cause_);
   }
+  cause_ = v_;
   const Vector6<S> direction = v_.template head<6>();
   v_.template head<6>() = problem_->mobility.lazyProduct(direction);
+  if (width() == 6) return;
+  v_.tail(width() - 6).setZero();
+  for (Index s = free_begin_; has_springs_ && s < n_; ++s)
+    if (role_[s] == shared_role && flipped_[s] != 0) v_[6 + group_[s]] = cause_[6 + group_[s]];
+  if (role_[row] == shared_role && flipped_[row] == 0) v_[6 + group_[row]] += S(1);
 }
 
-template <class S> S LocalForm<S>::entry_of_row(Index row, Index slot) {
-  force_.setZero();
-  held_.setZero();
-  add_force(slot, S(1));
-  S felt = force_.template head<6>().dot(v_.template head<6>());
-  for (Index k = 6; k < width(); ++k) felt -= v_[k] * held_[k - 6];
-  for (Index s = free_begin_; has_springs_ && s < n_; ++s)
-    if (role_[s] == shared_role && flipped_[s] != 0)
-      felt += v_[6 + group_[s]] * force_[6 + group_[s]];
-  if (role_[row] == shared_role && flipped_[row] == 0) felt += force_[6 + group_[row]];
-  return felt + local(row, slot);
+template <class S> S LocalForm<S>::entry_of_row(Index row, Index slot) const {
+  const auto felt = [&](Index i) { return S(directions_.row(i).dot(v_.transpose())); };
+  const S here = local(row, slot);
+  if (slot == n_) {
+    S sum = here + cover_force_.dot(v_);
+    for (Index k = 6; k < width(); ++k) sum -= cause_[k] * cover_held_[k - 6];
+    return sum;
+  }
+  const Index c = group_[slot];
+  switch (role_[slot]) {
+  case normal_role: {
+    const S presses = pressed_[c] != 0 ? S(here - felt(slot)) : S(here + felt(slot));
+    return slides(c) ? S(presses - felt(problem_->cones[c].slip()) * friction_[c]) : presses;
+  }
+  case generator_role: return here + felt(slot);
+  case shared_role: return here - cause_[6 + c];
+  default: return here;
+  }
 }
 
 /// The entry without what is felt through v.
