@@ -213,6 +213,15 @@ Run gauss_seidel(Instance& instance) {
   };
 }
 
+Run predicted(Instance& instance) {
+  return [&instance] {
+    using Pivots = StructuredLemke<double>;
+    using Rounds = LemkeRounds<double, const Unobserved, Pivots>;
+    return run_rounds(instance, PredictedRounds<double, const Unobserved, Pivots>{
+                                    instance.assembly(), Rounds{instance.structured()}});
+  };
+}
+
 /// What one solver did on all instances of a size and law.
 struct Tally {
   int tried = 0, right = 0, wrong = 0;
@@ -462,6 +471,7 @@ private:
         rows.push_back(table_.add("dense", instance, cold_dense(instance), budget));
       const std::pair<const char*, Run (*)(Instance&)> ours[] = {{"structured", cold_structured},
                                                                  {"warm", warm},
+                                                                 {"predicted", predicted},
                                                                  {"hybrid", hybrid},
                                                                  {"Gauss-Seidel", gauss_seidel}};
       for (const auto& [name, make] : ours)

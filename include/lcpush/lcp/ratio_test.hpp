@@ -35,9 +35,7 @@ public:
 
   /// Rows whose value falls as the variable of `column` grows; the smallest ratio blocks, and the
   /// artificial variable wins any tie, because then a solution is reached.
-  Blocking blocking_row(Index column) {
-    return select(column, S(-1), true);
-  }
+  Blocking blocking_row(Index column) { return select(column, S(-1), true); }
 
   /// The row that the artificial variable must repair: its pivot makes every value >= 0.
   Blocking most_violated_row(Index cover_column) { return select(cover_column, S(1), false); }
