@@ -19,6 +19,7 @@
 #include <map>
 #include <string>
 
+#include "bench/bandwidth.hpp"
 #include "bench/peers/peer.hpp"
 #include "bench/stopwatch.hpp"
 #include "bench/wide_grasp.hpp"
@@ -424,6 +425,8 @@ public:
       for (const auto& [k, g] : arguments_.wide) run_discs(k, g, law, false);
     }
     growth_.print();
+    std::printf("\nthe dense dictionary's pivots and the memory's speed:\n");
+    for (const auto& [k, g] : arguments_.sizes) bench::print_pivot_speed((2 * k + 2) * (g + 2));
     std::printf("\n");
     Table::header(names_);
     for (const Pressure law : {Pressure::rigid, Pressure::pad})

@@ -51,10 +51,10 @@ public:
   void exchange(Index r, Index c, VectorMap<S> entering) {
     entering = table.col(c);
     const S pivot = entering[r];
-    const S* const multiplied = entering.data();
+    const S* __restrict const multiplied = entering.data();
     // Dividing by the pivot, not multiplying with its reciprocal: 1/pivot may overflow.
     auto eliminate = [&](auto given) {
-      S* const column = given.data();
+      S* __restrict const column = given.data();
       if (column[r] == S(0)) return;
       const S solved = -column[r] / pivot;
       // A plain loop: in short columns, Eigen's spends more on reaching an aligned address.
