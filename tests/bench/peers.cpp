@@ -36,7 +36,7 @@ constexpr double right = 1e-6; // the residual of an answer that counts as right
 struct Arguments {
   bool quick = false, peers = true;
   std::string only; // of lcpush's own solvers; empty: all
-  unsigned seeds = 4;
+  unsigned seeds = 8;
   std::vector<std::pair<Index, Index>> sizes = {{1, 4},   {2, 8},  {6, 8},  {20, 8},
                                                 {20, 16}, {50, 8}, {50, 16}};
   std::vector<std::pair<Index, Index>> wide = {{100, 8}, {200, 8}, {500, 8}};
@@ -227,6 +227,7 @@ Run predicted(Instance& instance) {
 struct Tally {
   int tried = 0, right = 0, wrong = 0;
   std::vector<double> times, per_instance, pivots, us_a_pivot;
+  std::vector<double> tried_ms;                      // of all instances, right or not
   std::map<std::string, std::vector<double>> ratios; // to each peer
 };
 
@@ -256,8 +257,9 @@ public:
     ++tally.tried;
     tally.right += is_right ? 1 : 0;
     tally.wrong += outcome.solved && !is_right ? 1 : 0;
-    if (!is_right) return {name, bench::median(times), false};
     const double ms = bench::median(times);
+    tally.tried_ms.push_back(ms);
+    if (!is_right) return {name, ms, false};
     tally.times.insert(tally.times.end(), times.begin(), times.end());
     tally.per_instance.push_back(ms);
     tally.pivots.push_back(static_cast<double>(outcome.pivots));
@@ -340,9 +342,8 @@ public:
     expected_ = last_ms_ * std::pow(ratio, 3.0);
   }
   void end_size(Index n, const Tally& tally) {
-    if (tally.per_instance.empty()) return;
     last_n_ = n;
-    last_ms_ = bench::median(tally.per_instance);
+    last_ms_ = bench::median(tally.tried_ms);
   }
   bool has_time() const { return spent_ < limit_ && expected_ < limit_; }
   Table::Row run(Instance& instance, Table& table) {
@@ -370,7 +371,7 @@ private:
 std::vector<PeerRun> find_peers(const Arguments& arguments) {
   std::vector<PeerRun> peers;
   if (!arguments.peers) return peers;
-  const double limit = arguments.quick ? 2e3 : 60e3;
+  const double limit = arguments.quick ? 2e3 : 45e3;
   for (auto make : {bench::dart_lemke, bench::siconos_lexicographic, bench::siconos_pivot,
                     bench::bullet_lemke}) {
     std::unique_ptr<Peer> peer = make();

@@ -23,7 +23,8 @@ public:
   }
   bool solve(double* z) override {
     btLemkeAlgorithm lemke(M_, q_);
-    const btVectorXu answer = lemke.solve(static_cast<unsigned>(1000 + 50 * q_.size()));
+    // More would only be spent where it cycles.
+    const btVectorXu answer = lemke.solve(static_cast<unsigned>(100 + 4 * q_.size()));
     for (int i = 0; i < q_.size(); ++i) z[i] = i < answer.size() ? answer[i] : 0;
     return lemke.getInfo() == 0;
   }
