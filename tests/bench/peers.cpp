@@ -1,6 +1,7 @@
 // lcpush and the other libraries' solvers on the same problems, in one process:
 //
 //     peers [--quick] [--sizes K:G,K:G,...] [--seeds N] [--no-peers] [--only SOLVER]
+//           [--law rigid|pad] [--peer-seconds S]
 //
 // Two round fingers of K points, a line pusher, G facets (n unknowns, seeded variations), and the
 // paper's three primitives; each under `rigid` and in the first round of `pad`. The other libraries
@@ -35,7 +36,9 @@ constexpr double right = 1e-6; // the residual of an answer that counts as right
 
 struct Arguments {
   bool quick = false, peers = true;
-  std::string only; // of lcpush's own solvers; empty: all
+  std::string only;         // one of lcpush's own solvers; empty: all
+  std::string law;          // empty: both
+  double peer_seconds = 45; // of each library on each size
   unsigned seeds = 8;
   std::vector<std::pair<Index, Index>> sizes = {{1, 4},   {2, 8},  {6, 8},  {20, 8},
                                                 {20, 16}, {50, 8}, {50, 16}};
@@ -51,11 +54,7 @@ public:
         structured_(memory_.work.lemke_scalars, memory_.work.lemke_integers) {
     scene_ = owned_.view();
     assembly_.assemble(scene_);
-    if (scene_.pressure == Pressure::pad) {
-      pad_preload(assembly_, memory_.work.pressure);
-      detail::set_compliance(assembly_, memory_.work.pressure,
-                             PressureOptions<double>{}.first_compliance);
-    }
+    push_by(1);
     const Index n = problem().size;
     full_z.resize(static_cast<std::size_t>(n));
     if (dense) reduce(n);
@@ -67,6 +66,15 @@ public:
   }
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
+
+  /// The push scaled by sigma, under `pad` with the first round's compliance around its preload.
+  void push_by(double sigma) {
+    assembly_.push_by(sigma);
+    if (scene_.pressure != Pressure::pad) return;
+    pad_preload(assembly_, memory_.work.pressure);
+    detail::set_compliance(assembly_, memory_.work.pressure,
+                           PressureOptions<double>{}.first_compliance);
+  }
 
   Problem<double> problem() const { return assembly_.problem(); }
   Assembly<double>& assembly() { return assembly_; }
@@ -164,14 +172,14 @@ Run cold_structured(Instance& instance) {
 
 /// From the basis of the same scene with its pusher 1 % slower.
 Run warm(Instance& instance) {
-  instance.assembly().push_by(0.99);
+  instance.push_by(0.99);
   StructuredLemke<double>& lemke = instance.structured();
   (void)lemke.init(instance.problem());
   std::vector<unsigned char> active(instance.full_z.size(), 0);
   if (lemke.solve() == Status::solved)
     for (std::size_t i = 0; i < active.size(); ++i)
       active[i] = lemke.is_basic(static_cast<Index>(i)) ? 1 : 0;
-  instance.assembly().push_by(1);
+  instance.push_by(1);
   return [&instance, &lemke, active] {
     LemkeOptions<double> options;
     options.covers = 1;
@@ -371,7 +379,7 @@ private:
 std::vector<PeerRun> find_peers(const Arguments& arguments) {
   std::vector<PeerRun> peers;
   if (!arguments.peers) return peers;
-  const double limit = arguments.quick ? 2e3 : 45e3;
+  const double limit = 1e3 * arguments.peer_seconds;
   for (auto make : {bench::dart_lemke, bench::siconos_lexicographic, bench::siconos_pivot,
                     bench::bullet_lemke}) {
     std::unique_ptr<Peer> peer = make();
@@ -422,6 +430,7 @@ public:
   void run() {
     Table::header(names_);
     for (const Pressure law : {Pressure::rigid, Pressure::pad}) {
+      if (!asks_for(law)) continue;
       for (const auto& [k, g] : arguments_.sizes) run_discs(k, g, law, true);
       for (const auto& [k, g] : arguments_.wide) run_discs(k, g, law, false);
     }
@@ -432,7 +441,7 @@ public:
     Table::header(names_);
     for (const Pressure law : {Pressure::rigid, Pressure::pad})
       for (const auto& [k, g] : arguments_.sizes)
-        if (k > 1 && k <= 20) run_primitives(k, g, law);
+        if (asks_for(law) && k > 1 && k <= 20) run_primitives(k, g, law);
   }
 
 private:
@@ -442,6 +451,9 @@ private:
   Table table_;
   Growth growth_;
 
+  bool asks_for(Pressure law) const {
+    return arguments_.law.empty() || arguments_.law == text(law);
+  }
   bool asks_for(const std::string& name) const {
     return arguments_.only.empty() || arguments_.only == name;
   }
@@ -496,10 +508,15 @@ bool read(int count, char** words, Arguments& arguments) {
     if (std::strcmp(words[i], "--quick") == 0) {
       arguments.quick = true;
       arguments.seeds = 2;
+      arguments.peer_seconds = 2;
     } else if (std::strcmp(words[i], "--no-peers") == 0) {
       arguments.peers = false;
     } else if (std::strcmp(words[i], "--only") == 0 && i + 1 < count) {
       arguments.only = words[++i];
+    } else if (std::strcmp(words[i], "--law") == 0 && i + 1 < count) {
+      arguments.law = words[++i];
+    } else if (std::strcmp(words[i], "--peer-seconds") == 0 && i + 1 < count) {
+      arguments.peer_seconds = std::atof(words[++i]);
     } else if (std::strcmp(words[i], "--seeds") == 0 && i + 1 < count) {
       arguments.seeds = static_cast<unsigned>(std::atoi(words[++i]));
     } else if (std::strcmp(words[i], "--sizes") == 0 && i + 1 < count) {
@@ -529,7 +546,7 @@ int main(int count, char** words) {
   Arguments arguments;
   if (!read(count, words, arguments)) {
     std::fprintf(stderr, "usage: peers [--quick] [--sizes K:G,K:G,...] [--seeds N] [--no-peers]\n"
-                         "             [--only SOLVER]\n");
+                         "             [--only SOLVER] [--law rigid|pad] [--peer-seconds S]\n");
     return 2;
   }
   Bench(arguments).run();

@@ -186,7 +186,7 @@ template <class S, class B> void Lemke<S, B>::refine(Index level) {
       product_[j] = (product_[j] + right_hand_side(level)[j]) * row_scale_[j];
     for (const int variable : basis_.dictionary.basic) // what is left in a basic w is its value
       if (variable < n) product_[variable] = S(0);
-    const S largest = product_.cwiseAbs().maxCoeff();
+    const S largest = n > 0 ? S(product_.cwiseAbs().maxCoeff()) : S(0);
     if (!(largest > noise) || (before >= S(0) && !(largest < before))) return;
     before = largest;
     basis_.respond(product_, scratch_);
