@@ -21,6 +21,7 @@
 #include "lcpush/mechanics/check.hpp"
 #include "lcpush/mechanics/holding.hpp"
 #include "lcpush/mechanics/motion.hpp"
+#include "lcpush/mechanics/predicted_modes.hpp"
 #include "lcpush/mechanics/pressure.hpp"
 #include "lcpush/mechanics/read_answer.hpp"
 #include "lcpush/mechanics/uniqueness.hpp"

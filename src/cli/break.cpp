@@ -12,7 +12,7 @@ namespace {
 int run(const Arguments& arguments) {
   const host::Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
-  const host::SceneFile file = read_scene_argument(arguments, solver);
+  const host::SceneFile file = read_scene_argument(arguments, Needs::scene);
   const Index pusher = chosen_pusher(arguments, file);
   if (!(push_size(file.view()) > 0))
     throw UsageError("no body of the scene moves: give a pusher an acceleration");

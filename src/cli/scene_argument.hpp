@@ -9,19 +9,23 @@
 
 namespace lcpush::cli {
 
-/// Sweeps take any size; everything else holds a dense matrix.
+/// What a command does with a scene.
+enum class Needs {
+  matrix, ///< holds M, or a dictionary of it
+  scene,  ///< O(points): sweeps, or pivots on the structured basis
+};
+
 inline host::SceneFile read_scene_argument(const Arguments& arguments,
-                                           host::Solver solver = host::Solver::lemke) {
+                                           Needs needs = Needs::matrix) {
   if (arguments.files().empty())
     throw UsageError("a scene file is needed, such as fixtures/scenes/straight_slide.toml");
   const std::string& path = arguments.files()[0];
   host::SceneFile file = host::read_scene(path);
   const Index unknowns = size_of(file.view()).unknowns();
-  if (unknowns > host::largest_dimension && solver != host::Solver::gauss_seidel)
+  if (unknowns > host::largest_dimension && needs == Needs::matrix)
     throw host::InputError(path + ": the scene has " + std::to_string(unknowns) +
                            " unknowns, more than the " + std::to_string(host::largest_dimension) +
-                           " that a dense solver can take; use fewer points or facets, or --solver "
-                           "gauss-seidel");
+                           " whose matrix this command can hold; use fewer points or facets");
   return file;
 }
 

@@ -11,7 +11,7 @@ namespace {
 int run(const Arguments& arguments) {
   const host::Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
-  const host::SceneFile file = read_scene_argument(arguments, solver);
+  const host::SceneFile file = read_scene_argument(arguments, Needs::scene);
   host::Push push(file);
   host::HoldReport hold;
   host::PushReport report;

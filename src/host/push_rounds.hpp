@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lcpush/host/push.hpp"
+#include "lcpush/mechanics/predicted_modes.hpp"
 
 namespace lcpush::host {
 
@@ -85,7 +86,13 @@ Status Push::with_pivots(const PushOptions& options, Pivots& pivots, Observer&& 
   constexpr double near = 1e-6;
   constexpr Index few = 200; // sweeps before the pivots take over
   const LemkeRounds<double, Watching, Pivots> by_pivots{pivots, options.lemke, observer};
-  if (options.solver == Solver::lemke) return use(by_pivots);
+  if (options.solver == Solver::lemke) {
+    // Large problems: the first opinion from the modes that one expects, others from nothing.
+    if constexpr (std::is_same_v<Pivots, StructuredLemke<double>>)
+      if (options.lemke.first_cover == 0)
+        return use(PredictedRounds<double, Watching, Pivots>{assembly_, by_pivots});
+    return use(by_pivots);
+  }
   SweepRounds<double, Watching> sweeps{sweeps_, options.sweeps, observer};
   sweeps.options.tolerance = near;
   sweeps.options.max_sweeps = few;

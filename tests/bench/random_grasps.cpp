@@ -1,6 +1,6 @@
-// Reliability on seeded random grasps: `random_grasps [FROM] [TO] [structured]` (default 0
-// 10000, on the dense basis).
-// One line a pressure law and family: how many were solved, the worst residual of
+// Reliability on seeded random grasps: `random_grasps [FROM] [TO] [structured] [predicted]`
+// (default 0 10000, on the dense basis, cold; `predicted`: first rounds start from the predicted
+// modes). One line a pressure law and family: how many were solved, the worst residual of
 // mechanics/check.hpp, pivots, and on how many of every tenth grasp four covers agree on the
 // motion. Then the force of breaking on the first thousand.
 #include <algorithm>
@@ -24,6 +24,8 @@ struct Solved {
   Vector6<double> acceleration;
 };
 
+bool starts_predicted = false;
+
 template <class Pivots>
 Solved solve(const Scene<double>& scene, Workspace<double>& work, Index first_cover) {
   Assembly<double> assembly(work.assembly);
@@ -32,7 +34,11 @@ Solved solve(const Scene<double>& scene, Workspace<double>& work, Index first_co
   LemkeRounds<double, const Unobserved, Pivots> rounds{lemke};
   rounds.options.first_cover = first_cover;
   Solved solved{};
-  solved.status = solve_pressure(assembly, rounds, work.pressure, {}, solved.run);
+  using Predicted = PredictedRounds<double, const Unobserved, Pivots>;
+  solved.status =
+      starts_predicted
+          ? solve_pressure(assembly, Predicted{assembly, rounds}, work.pressure, {}, solved.run)
+          : solve_pressure(assembly, rounds, work.pressure, {}, solved.run);
   if (solved.status != Status::solved) return solved;
   read_answer(assembly, work.pressure.z.data, work.answer, 1.0);
   solved.residual = check(scene, assembly.layout().scales, work.answer, 1.0).max();
@@ -148,11 +154,16 @@ int main(int count, char** words) {
   };
   const unsigned from = argument(1, 0), to = argument(2, 10000);
   using lcpush::Pressure;
-  if (count > 3 && std::strcmp(words[3], "structured") == 0) {
-    run_laws<lcpush::StructuredLemke<double>>(from, to);
-    return 0;
+  bool structured = false;
+  for (int i = 3; i < count; ++i) {
+    structured = structured || std::strcmp(words[i], "structured") == 0;
+    starts_predicted = starts_predicted || std::strcmp(words[i], "predicted") == 0;
   }
-  run_laws<lcpush::Lemke<double>>(from, to);
+  if (structured)
+    run_laws<lcpush::StructuredLemke<double>>(from, to);
+  else
+    run_laws<lcpush::Lemke<double>>(from, to);
+  if (structured || starts_predicted) return 0;
   const unsigned to_break = std::min(to, from + 1000);
   run_breaking("rigid", Pressure::rigid, from, to_break);
   run_breaking("pad", Pressure::pad, from, to_break);

@@ -15,6 +15,7 @@
 #endif
 #include "lcpush/lcp/reduce.hpp"
 #include "lcpush/mechanics/full_form.hpp"
+#include "lcpush/mechanics/predicted_modes.hpp"
 #include "support/dense_lcp.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"
@@ -211,6 +212,23 @@ TEST_CASE_TEMPLATE("pivots on the structured basis allocate nothing", S, float, 
     SolvedPush<S, StructuredLemke<S>> push(owned);
     Status status = Status::running;
     CHECK(heap_calls_of([&] { status = push.solve(); }) == 0);
+    if (sizeof(S) == sizeof(double)) CHECK(status == Status::solved);
+  }
+}
+
+TEST_CASE_TEMPLATE("a start from predicted modes allocates nothing", S, float, double) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    OwnedScene<S> owned = random_grasp<S>(seed);
+    owned.base.pressure = seed % 2 == 0 ? Pressure::rigid : Pressure::pad;
+    using Pivots = StructuredLemke<S>;
+    SolvedPush<S, Pivots> push(owned);
+    Status status = Status::running;
+    CHECK(heap_calls_of([&] {
+            const LemkeRounds<S, const Unobserved, Pivots> pivots{push.lemke};
+            const PredictedRounds<S, const Unobserved, Pivots> rounds{push.assembly, pivots};
+            status = solve_pressure(push.assembly, rounds, push.memory.work.pressure, push.options,
+                                    push.run);
+          }) == 0);
     if (sizeof(S) == sizeof(double)) CHECK(status == Status::solved);
   }
 }

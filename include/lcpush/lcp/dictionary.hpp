@@ -18,6 +18,12 @@ constexpr Index complement(Index variable, Index n) {
   return variable < n ? variable + n : variable - n;
 }
 
+/// Right-hand sides whose values a factorisation is asked for: from `first` on those before `exact`
+/// to rounding, those before `end` as they come.
+struct Wanted {
+  Index first, exact, end;
+};
+
 template <class S> class Dictionary {
 public:
   MatrixMap<S> table{nullptr, 0, 0};  ///< n x (n + 1)
@@ -45,11 +51,15 @@ public:
   void exchange(Index r, Index c, VectorMap<S> entering) {
     entering = table.col(c);
     const S pivot = entering[r];
+    const S* __restrict const multiplied = entering.data();
     // Dividing by the pivot, not multiplying with its reciprocal: 1/pivot may overflow.
-    auto eliminate = [&](auto column) {
+    auto eliminate = [&](auto given) {
+      S* __restrict const column = given.data();
       if (column[r] == S(0)) return;
       const S solved = -column[r] / pivot;
-      column += solved * entering;
+      // A plain loop: in short columns, Eigen's spends more on reaching an aligned address.
+      const Index n = size();
+      for (Index i = 0; i < n; ++i) column[i] += solved * multiplied[i];
       column[r] = solved;
     };
     for (Index j = 0; j < table.cols(); ++j)

@@ -28,24 +28,34 @@ template <class S> S power_below(const S& x) {
 }
 
 /// Scales M in place so that the largest entry of every row and column comes near 1, and multiplies
-/// the factors into row_scale and column_scale (Ruiz's iteration). Cost: `passes` sweeps over M.
+/// the factors into row_scale and column_scale (Ruiz's iteration). Cost: at most `passes` times
+/// three sweeps over M; it ends when a pass changes nothing.
 template <class S>
 void equilibrate(MatrixMap<S> M, VectorMap<S> row_scale, VectorMap<S> column_scale,
                  VectorMap<S> scratch, int passes = 3) {
-  for (int pass = 0; pass < passes; ++pass) {
-    for (Index i = 0; i < M.rows(); ++i) scratch[i] = S(0);
+  bool changes = true;
+  for (int pass = 0; pass < passes && changes; ++pass) {
+    changes = false;
+    scratch.setZero();
     for (Index j = 0; j < M.cols(); ++j) {
       const S factor = reciprocal_root(S(M.col(j).cwiseAbs().maxCoeff()));
-      M.col(j) *= factor;
-      column_scale[j] *= factor;
+      if (factor != S(1)) {
+        M.col(j) *= factor;
+        column_scale[j] *= factor;
+        changes = true;
+      }
       scratch = scratch.cwiseMax(M.col(j).cwiseAbs());
     }
     // The columns have taken half of the exponent; the rows take what is left of theirs.
+    bool rows_change = false;
     for (Index i = 0; i < M.rows(); ++i) {
       const S factor = reciprocal_root(S(scratch[i]));
       scratch[i] = factor;
       row_scale[i] *= factor;
+      rows_change = rows_change || factor != S(1);
     }
+    if (!rows_change) continue;
+    changes = true;
     for (Index j = 0; j < M.cols(); ++j) M.col(j) = M.col(j).cwiseProduct(scratch);
   }
 }

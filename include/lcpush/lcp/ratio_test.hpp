@@ -35,12 +35,10 @@ public:
 
   /// Rows whose value falls as the variable of `column` grows; the smallest ratio blocks, and the
   /// artificial variable wins any tie, because then a solution is reached.
-  Blocking blocking_row(Index column) {
-    return select(column, S(-1), d_.row_of(artificial(d_.size())));
-  }
+  Blocking blocking_row(Index column) { return select(column, S(-1), true); }
 
   /// The row that the artificial variable must repair: its pivot makes every value >= 0.
-  Blocking most_violated_row(Index cover_column) { return select(cover_column, S(1), -1); }
+  Blocking most_violated_row(Index cover_column) { return select(cover_column, S(1), false); }
 
   /// After either: the rows that block at the same point, in no order.
   Span<const int> tied_rows() const { return {candidates_.data, tied_}; }
@@ -53,25 +51,28 @@ private:
   Span<int> candidates_;
   Index count_ = 0, tied_ = 0;
 
-  Blocking select(Index column, S direction, Index artificial_row) {
-    const auto rate = [&](Index row) { return direction * d_.table(row, column); };
-    const S largest = d_.table.col(column).cwiseAbs().maxCoeff();
+  Blocking select(Index column, S direction, bool prefers_artificial) {
+    const S* const entering = d_.table.col(column).data();
+    const auto rate = [&](Index row) { return S(direction * entering[row]); };
+    const S smallest = tolerances_.pivot * d_.table.col(column).cwiseAbs().maxCoeff();
     count_ = tied_ = 0;
-    for (Index i = 0; i < d_.size(); ++i)
-      if (rate(i) > tolerances_.pivot * largest) candidates_[count_++] = static_cast<int>(i);
+    for (Index i = 0; i < d_.size(); ++i) { // without a branch: half of them are taken
+      candidates_[count_] = static_cast<int>(i);
+      count_ += rate(i) > smallest ? 1 : 0;
+    }
     Blocking blocking;
     if (count_ == 0) return blocking;
     for (Index k = 0; k < levels_ && count_ > 1; ++k) {
       const Index before = count_;
-      keep_smallest(rate, [&](Index row) { return d_.values(row, k); });
+      keep_smallest(rate, d_.values.col(k).data());
       if (k > 0 && count_ < before) blocking.decided_by = TieBreak::right_hand_side;
     }
     blocking.tied = tied_ = count_;
     blocking.row = candidates_[0];
     if (count_ == 1) return blocking;
-    for (Index k = 0; k < count_; ++k) {
-      if (candidates_[k] != artificial_row) continue;
-      blocking.row = artificial_row;
+    for (Index k = 0; prefers_artificial && k < count_; ++k) {
+      if (d_.basic[candidates_[k]] != artificial(d_.size())) continue;
+      blocking.row = candidates_[k];
       blocking.decided_by = TieBreak::artificial;
       return blocking;
     }
@@ -88,7 +89,7 @@ private:
       return TieBreak::lexicographic;
     }
     for (Index k = levels_; k < d_.values.cols(); ++k) {
-      keep_smallest(rate, [&](Index row) { return d_.values(row, k); });
+      keep_smallest(rate, d_.values.col(k).data());
       if (count_ == 1) return TieBreak::tie_column;
     }
     Index best = 0;
@@ -115,6 +116,10 @@ private:
     candidates_[k] = other;
   }
 
+  template <class Rate> void keep_smallest(Rate rate, const S* values) {
+    keep_smallest(rate, [&](Index row) -> const S& { return values[row]; });
+  }
+
   /// Harris: a bound on the step with the tolerance, then everything at or below that bound. What
   /// is dropped stays behind the rest: tied_rows() shows it.
   template <class Rate, class Value> void keep_smallest(Rate rate, Value value) {
@@ -123,8 +128,8 @@ private:
     if (first == count_) return;
     S bound = (value(candidates_[0]) + tolerances_.tie) / rate(candidates_[0]);
     for (Index k = 1; k < count_; ++k) {
-      const S step = (value(candidates_[k]) + tolerances_.tie) / rate(candidates_[k]);
-      if (step < bound) bound = step;
+      const S reached = value(candidates_[k]) + tolerances_.tie, falls = rate(candidates_[k]);
+      if (reached < bound * falls) bound = reached / falls; // few divide
     }
     Index kept = 0;
     for (Index k = 0; k < count_; ++k)

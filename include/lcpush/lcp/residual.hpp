@@ -21,13 +21,15 @@ template <class S> S size_of(const S& x) { return x < S(0) ? S(-x) : x; }
 template <class S>
 void dense_rows(const Problem<S>& problem, const S* z, const S* y, S* w, S* sizes) {
   const Index n = problem.size;
-  for (Index i = 0; i < n; ++i) w[i] = sizes[i] = S(0);
-  for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i) {
-      const S& entry = problem.matrix[j * n + i];
-      w[i] += entry * z[j];
-      sizes[i] += size_of(entry) * y[j];
-    }
+  using Column = Eigen::Map<const Eigen::Matrix<S, Eigen::Dynamic, 1>>;
+  VectorMap<S> sum(w, n), size(sizes, n);
+  sum.setZero();
+  size.setZero();
+  for (Index j = 0; j < n; ++j) {
+    const Column column(problem.matrix + j * n, n);
+    sum += column * z[j];
+    size += column.cwiseAbs() * y[j];
+  }
 }
 
 template <class S>
@@ -98,7 +100,7 @@ void neighbour_sizes(const Problem<S>& problem, const S* z, const S* unit, S* ro
       if (problem.matrix[j * n + i] != S(0) && row_largest[i] < size) row_largest[i] = size;
   }
   for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i)
+    for (Index i = 0; i < n && out[j] < largest; ++i)
       if (problem.matrix[j * n + i] != S(0) && out[j] < row_largest[i]) out[j] = row_largest[i];
 }
 

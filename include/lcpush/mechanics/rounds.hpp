@@ -141,11 +141,47 @@ private:
   Index size_ = 0;
 };
 
+/// Lemke's pivots from a guessed active set, cold if that leads nowhere; warm rounds go on from the
+/// last answer. It is never less reliable than LemkeRounds.
+template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>>
+struct GuessedRounds {
+  LemkeRounds<S, Observer, Pivots> then;
+
+  explicit GuessedRounds(const LemkeRounds<S, Observer, Pivots>& pivots) : then(pivots) {}
+
+  void begin_warm(const Problem<S>& problem, const PressureMemory<S>& memory) {
+    guesses_ = false;
+    then.begin(problem, true, memory);
+  }
+  void begin_cold(const Problem<S>& problem) {
+    guesses_ = false;
+    then.begin_cold(problem);
+  }
+  /// From memory.active. A start that leads astray shall not cost more than a cold one.
+  void begin_guess(const Problem<S>& problem, const PressureMemory<S>& memory, Index covers,
+                   Index limit) {
+    problem_ = problem;
+    guesses_ = true;
+    then.begin_near(problem, memory, Guess::near, covers, limit);
+  }
+
+  Status step(const PressureMemory<S>& memory, PressureRun& run) {
+    const Status status = then.step(memory, run);
+    if (!guesses_ || status == Status::running || status == Status::solved) return status;
+    begin_cold(problem_);
+    return Status::running;
+  }
+
+private:
+  Problem<S> problem_{};
+  bool guesses_ = false;
+};
+
 /// A few sweeps, their positive unknowns as Lemke's first basis, and the pivots that remain. Warm
 /// rounds, and whatever fails, are Lemke's: it is never less reliable.
 template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> struct HybridRounds {
   SweepRounds<S, Observer> first;
-  LemkeRounds<S, Observer, Pivots> then;
+  GuessedRounds<S, Observer, Pivots> then;
   static constexpr bool carries_push = true;
 
   HybridRounds(const SweepRounds<S, Observer>& sweeps, const LemkeRounds<S, Observer, Pivots>& last)
@@ -153,46 +189,34 @@ template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> s
 
   void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
     problem_ = problem;
-    phase_ = warm ? Phase::pivots : Phase::sweeps;
+    sweeps_ = !warm;
     if (warm)
-      then.begin(problem, true, memory);
+      then.begin_warm(problem, memory);
     else
       first.begin(problem, false, memory);
   }
 
   Status step(const PressureMemory<S>& memory, PressureRun& run) {
-    if (phase_ == Phase::sweeps) return guess(first.step(memory, run), memory);
-    const Status status = then.step(memory, run);
-    if (phase_ == Phase::pivots || status == Status::running || status == Status::solved)
-      return status;
-    return pivot_from_nothing();
-  }
-
-  void vary() { then.vary(); }
-  LemkeRounds<S, Observer, Pivots>& pivots() { return then; }
-  void demand(const S&) {}
-
-private:
-  enum class Phase { sweeps, guess, pivots };
-  Problem<S> problem_{};
-  Phase phase_ = Phase::pivots;
-
-  Status guess(Status swept, const PressureMemory<S>& memory) {
-    if (swept != Status::solved) return pivot_from_nothing();
+    if (!sweeps_) return then.step(memory, run);
+    sweeps_ = false;
+    if (first.step(memory, run) != Status::solved) {
+      then.begin_cold(problem_);
+      return Status::running;
+    }
     const S positive = S(1) / S(10000); // forces are of order 1 in the scene's units
     for (Index i = 0; i < problem_.size; ++i)
       memory.active[i] = i >= problem_.free_begin || memory.z[i] > positive ? 1 : 0;
-    phase_ = Phase::guess;
-    // A start that leads astray shall not cost more than a cold one.
-    then.begin_near(problem_, memory, Guess::near, 1, problem_.size);
+    then.begin_guess(problem_, memory, 1, problem_.size);
     return Status::running;
   }
 
-  Status pivot_from_nothing() {
-    phase_ = Phase::pivots;
-    then.begin_cold(problem_);
-    return Status::running;
-  }
+  void vary() { then.then.vary(); }
+  LemkeRounds<S, Observer, Pivots>& pivots() { return then.then; }
+  void demand(const S&) {}
+
+private:
+  Problem<S> problem_{};
+  bool sweeps_ = false;
 };
 
 } // namespace lcpush

@@ -35,23 +35,23 @@ public:
     MatrixMap<S> M(dictionary.table.data(), n, n);
     fill_matrix(problem_, M);
     if (equilibrates) equilibrate(M, row_scale, column_scale, scratch);
-    S finite_sum(0);
+    holds_problem_ = true;
     rowsum.setZero();
-    for (Index j = 0; j < n; ++j) {
-      rowsum += M.col(j).cwiseAbs();
-      finite_sum += M.col(j).sum() - M.col(j).sum();
-    }
+    for (Index j = 0; j < n; ++j) rowsum += M.col(j).cwiseAbs();
     for (Index i = 0; i < n; ++i) rowsum[i] /= row_scale[i];
-    return finite_sum;
+    return n > 0 ? S(rowsum.sum() - rowsum.sum()) : S(0);
   }
 
   /// The basis of all w under a cover; its right-hand sides are there already.
   template <class Column>
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale, const Column& cover) {
     const Index n = dictionary.size();
-    fill_matrix(problem_, MatrixMap<S>(dictionary.table.data(), n, n));
-    for (Index j = 0; j < n; ++j)
-      dictionary.table.col(j) = dictionary.table.col(j).cwiseProduct(row_scale) * column_scale[j];
+    if (!holds_problem_) {
+      fill_matrix(problem_, MatrixMap<S>(dictionary.table.data(), n, n));
+      for (Index j = 0; j < n; ++j)
+        dictionary.table.col(j) = dictionary.table.col(j).cwiseProduct(row_scale) * column_scale[j];
+    }
+    holds_problem_ = false;
     dictionary.table.col(n) = cover;
     dictionary.reset_basis();
   }
@@ -72,18 +72,14 @@ public:
   bool is_long() const { return false; }
   bool is_too_long() const { return false; }
 
-  /// out = how the basic variables respond to nonbasic w_j = r_j. Returns the largest |r_j|.
-  S respond(const VectorMap<S>& r, VectorMap<S> out) const {
+  /// out = how the basic variables respond to nonbasic w_j = r_j; r is 0 where w_j is basic.
+  void respond(const VectorMap<S>& r, VectorMap<S> out) const {
     const Index n = dictionary.size();
-    S largest(0);
     out.setZero();
     for (Index c = 0; c <= n; ++c) {
       const Index j = dictionary.nonbasic[c];
-      if (j >= n) continue;
-      largest = r[j] > largest ? r[j] : -r[j] > largest ? S(-r[j]) : largest;
-      if (r[j] != S(0)) out += dictionary.table.col(c) * r[j];
+      if (j < n && r[j] != S(0)) out += dictionary.table.col(c) * r[j];
     }
-    return largest;
   }
 
   /// After factoring: what is known exactly of the level of the symbolic bound S. Elimination has
@@ -91,12 +87,13 @@ public:
   void set_bound_level(Index, const VectorMap<S>&, const S&) {}
 
   Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
-               VectorMap<S> scratch);
+               VectorMap<S> scratch, const Wanted& wanted);
   bool drop_pairs(Index left, Span<int> target, Span<int> candidates, const S& smallest_pivot,
                   VectorMap<S> scratch);
 
 private:
   Problem<S> problem_;
+  bool holds_problem_ = false; // the table is the scaled M, from scale() to the first load()
 };
 
 /// Gauss-Jordan with complete pivoting from the basis of all w to the one in target (basic
@@ -104,7 +101,7 @@ private:
 /// end: then candidates holds the w that should have left, target the z that should have entered.
 template <class S>
 Index DenseBasis<S>::factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
-                            VectorMap<S> scratch) {
+                            VectorMap<S> scratch, const Wanted& /*all come along*/) {
   const Index n = dictionary.size();
   // candidates: rows whose w is to leave; target: columns whose variable is to enter.
   Index wanted = 0, leaving = 0;

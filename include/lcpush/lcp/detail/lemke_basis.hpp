@@ -134,7 +134,9 @@ template <class S, class B> bool Lemke<S, B>::refactorise() {
   for (Index i = 0; i < n_; ++i) target_[i] = basis_.dictionary.basic[i];
   load();
   const S smallest = options_.tolerances.pivot * options_.tolerances.tie;
-  fresh_ = basis_.factor(target_, candidates_, smallest, scratch_) == 0;
+  // The bound level is written down, the tie columns are generic anyway.
+  const Wanted wanted{finite_level(), levels_, levels_ + detail::tie_columns};
+  fresh_ = basis_.factor(target_, candidates_, smallest, scratch_, wanted) == 0;
   if (fresh_) bound_level();
   return fresh_;
 }
@@ -175,14 +177,19 @@ template <class S, class B> void Lemke<S, B>::refine(Index level) {
       const Index j = basis_.dictionary.basic[i] - n;
       z[j] = basis_.dictionary.values(i, level) * scale * column_scale_[j];
     }
+  // Two eps: what the product itself loses to rounding.
+  const S noise = options_.tolerances.tie * scale / S(1 << 14);
   S before(-1);
   for (int round = 0; round < 4; ++round) {
     multiply(problem_, z.data(), product_.data());
     for (Index j = 0; j < n; ++j)
       product_[j] = (product_[j] + right_hand_side(level)[j]) * row_scale_[j];
-    const S largest = basis_.respond(product_, scratch_);
-    if (!(largest > S(0)) || (before >= S(0) && !(largest < before))) return;
+    for (const int variable : basis_.dictionary.basic) // what is left in a basic w is its value
+      if (variable < n) product_[variable] = S(0);
+    const S largest = n > 0 ? S(product_.cwiseAbs().maxCoeff()) : S(0);
+    if (!(largest > noise) || (before >= S(0) && !(largest < before))) return;
     before = largest;
+    basis_.respond(product_, scratch_);
     for (Index i = 0; i < n; ++i)
       if (basis_.dictionary.basic[i] >= n && basis_.dictionary.basic[i] < artificial(n)) {
         const Index j = basis_.dictionary.basic[i] - n;
@@ -275,7 +282,8 @@ Status Lemke<S, B>::init(const Problem<S>& problem, const LemkeOptions<S>& optio
   const Tolerances<S>& tolerances = options.tolerances;
   const S smallest =
       guess == Guess::basis ? S(tolerances.pivot * tolerances.tie) : tolerances.noise;
-  const Index left = basis_.factor(target_, candidates_, smallest, scratch_);
+  const Wanted wanted{finite_level(), levels_, levels_}; // cover_here brings the tie columns
+  const Index left = basis_.factor(target_, candidates_, smallest, scratch_, wanted);
   const auto drop = [&] {
     return basis_.drop_pairs(left, target_, candidates_, smallest, scratch_);
   };

@@ -61,11 +61,11 @@ public:
   bool is_too_long() const { return t_ > capacity_; }
   bool is_long() const { return t_ + 1 >= capacity_ || t_ >= long_; }
   /// See DenseBasis.
-  S respond(const VectorMap<S>& r, VectorMap<S> out);
+  void respond(const VectorMap<S>& r, VectorMap<S> out);
   void set_bound_level(Index free_begin, const VectorMap<S>& column_scale, const S& level_scale);
 
   Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
-               VectorMap<S> scratch);
+               VectorMap<S> scratch, const Wanted& wanted);
   bool drop_pairs(Index left, Span<int> target, Span<int> candidates, const S& smallest_pivot,
                   VectorMap<S> scratch);
 
@@ -110,7 +110,7 @@ private:
   void read_row(Index row);
   void list_exchanges(Span<int> target, Span<int> flags);
   Index invert(const S& smallest_pivot);
-  void find_values();
+  void find_values(const Wanted& wanted);
   template <class Value, class Column> void respond_to(Value value, Column&& out);
   template <class Column, class Entered> void multiply_entered(Column&& out, const Entered& x);
   template <class Column> void add_entered(Column&& out, Index more, const S& x);

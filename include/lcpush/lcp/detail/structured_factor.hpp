@@ -77,7 +77,7 @@ template <class S> Index StructuredBasis<S>::invert(const S& smallest_pivot) {
 
 template <class S>
 Index StructuredBasis<S>::factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
-                                 VectorMap<S> /*scratch*/) {
+                                 VectorMap<S> /*scratch*/, const Wanted& wanted) {
   list_exchanges(target, candidates);
   if (t_ > capacity_) return t_;
   for (Index k = 0; k < t_; ++k) {
@@ -88,34 +88,36 @@ Index StructuredBasis<S>::factor(Span<int> target, Span<int> candidates, const S
   t_ -= left;
   for (Index i = 0; i < n_; ++i) dictionary.basic[i] = static_cast<int>(base_variable(i));
   for (Index k = 0; k < t_; ++k) place(k, out_[k], in_[k]);
-  find_values();
+  find_values(wanted);
   constexpr Index room = 48; // exchanges until factoring afresh pays
   long_ = t_ + room;
   return left;
 }
 
 /// The right-hand sides of the problem as given become the values of this basis: the unknowns that
-/// make the rows that have left 0, corrected for what rounding in K^-1 leaves there.
-template <class S> void StructuredBasis<S>::find_values() {
+/// make the rows that have left 0. The exact ones are corrected for what rounding in K^-1 leaves
+/// there.
+template <class S> void StructuredBasis<S>::find_values(const Wanted& wanted) {
   constexpr int corrections = 2;
   auto column = dictionary.table.col(0);
-  auto rates = rates_.head(t_), entered = along_row_.head(t_);
-  for (Index level = 0; level < dictionary.values.cols(); ++level) {
+  auto rates = rates_.head(t_), entered = along_row_.head(t_), left = along_column_.head(t_);
+  for (Index level = wanted.first; level < wanted.end; ++level) {
     auto values = dictionary.values.col(level);
     form_.evaluate(values);
+    if (t_ == 0) continue;
+    const int passes = level < wanted.exact ? 1 + corrections : 1;
+    const S noise = Eigen::NumTraits<S>::epsilon() * values.cwiseAbs().maxCoeff();
     entered.setZero();
-    for (int pass = 0; pass <= corrections && t_ > 0; ++pass) {
-      for (Index k = 0; k < t_; ++k) along_column_[k] = values[out_[k]];
-      if (pass > 0) {
-        multiply_entered(column, entered);
-        for (Index k = 0; k < t_; ++k) along_column_[k] += column[out_[k]];
-      }
+    for (int pass = 0; pass < passes; ++pass) {
+      for (Index k = 0; k < t_; ++k)
+        left[k] = pass > 0 ? S(values[out_[k]] + column[out_[k]]) : S(values[out_[k]]);
+      if (pass > 0 && !(left.cwiseAbs().maxCoeff() > noise)) break;
       rates.setZero();
       for (Index k = 0; k < t_; ++k)
-        if (along_column_[k] != S(0)) rates -= inverse_.col(k).head(t_) * along_column_[k];
+        if (left[k] != S(0)) rates -= inverse_.col(k).head(t_) * left[k];
       entered += rates;
+      multiply_entered(column, entered);
     }
-    multiply_entered(column, entered);
     values += column;
     for (Index k = 0; k < t_; ++k) values[out_[k]] = entered[k];
   }
@@ -157,12 +159,8 @@ void StructuredBasis<S>::respond_to(Value value, Column&& out) {
   for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
 }
 
-template <class S> S StructuredBasis<S>::respond(const VectorMap<S>& r, VectorMap<S> out) {
-  S largest(0);
-  for (Index i = 0; i < n_; ++i)
-    if (!is_basic(slack(i))) largest = Eigen::numext::maxi(largest, S(Eigen::numext::abs(S(r[i]))));
+template <class S> void StructuredBasis<S>::respond(const VectorMap<S>& r, VectorMap<S> out) {
   respond_to([&](Index variable) { return variable < n_ ? S(r[variable]) : S(0); }, out);
-  return largest;
 }
 
 /// Free unknowns that are basic are at S exactly and nothing else is: rounding in a solve would
