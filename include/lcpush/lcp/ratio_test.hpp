@@ -35,10 +35,10 @@ public:
 
   /// Rows whose value falls as the variable of `column` grows; the smallest ratio blocks, and the
   /// artificial variable wins any tie, because then a solution is reached.
-  Blocking blocking_row(Index column) { return select(column, S(-1), true); }
+  Blocking blocking_row(Index column) { return select(column, S(-1), artificial(d_.size())); }
 
   /// The row that the artificial variable must repair: its pivot makes every value >= 0.
-  Blocking most_violated_row(Index cover_column) { return select(cover_column, S(1), false); }
+  Blocking most_violated_row(Index cover_column) { return select(cover_column, S(1), -1); }
 
   /// After either: the rows that block at the same point, in no order.
   Span<const int> tied_rows() const { return {candidates_.data, tied_}; }
@@ -50,10 +50,15 @@ private:
   Tolerances<S> tolerances_;
   Span<int> candidates_;
   Index count_ = 0, tied_ = 0;
+  const S* entering_ = nullptr;
+  S direction_{0};
 
-  Blocking select(Index column, S direction, bool prefers_artificial) {
-    const S* const entering = d_.table.col(column).data();
-    const auto rate = [&](Index row) { return S(direction * entering[row]); };
+  S rate(Index row) const { return direction_ * entering_[row]; }
+
+  /// `preferred`: the variable that wins ties, -1 for none.
+  Blocking select(Index column, S direction, Index preferred) {
+    entering_ = d_.table.col(column).data();
+    direction_ = direction;
     const S smallest = tolerances_.pivot * d_.table.col(column).cwiseAbs().maxCoeff();
     count_ = tied_ = 0;
     for (Index i = 0; i < d_.size(); ++i) { // without a branch: half of them are taken
@@ -64,32 +69,32 @@ private:
     if (count_ == 0) return blocking;
     for (Index k = 0; k < levels_ && count_ > 1; ++k) {
       const Index before = count_;
-      keep_smallest(rate, d_.values.col(k).data());
+      keep_smallest(d_.values.col(k).data());
       if (k > 0 && count_ < before) blocking.decided_by = TieBreak::right_hand_side;
     }
     blocking.tied = tied_ = count_;
     blocking.row = candidates_[0];
     if (count_ == 1) return blocking;
-    for (Index k = 0; prefers_artificial && k < count_; ++k) {
-      if (d_.basic[candidates_[k]] != artificial(d_.size())) continue;
+    for (Index k = 0; k < count_; ++k) {
+      if (d_.basic[candidates_[k]] != preferred) continue;
       blocking.row = candidates_[k];
       blocking.decided_by = TieBreak::artificial;
       return blocking;
     }
-    blocking.decided_by = break_tie(rate);
+    blocking.decided_by = break_tie();
     blocking.row = candidates_[0];
     return blocking;
   }
 
   /// Reduces the tied candidates to one.
-  template <class Rate> TieBreak break_tie(Rate rate) {
+  TieBreak break_tie() {
     if (rule_ == TieRule::first_row) return TieBreak::order;
     if (rule_ == TieRule::lexicographic) {
-      for (Index i = 0; i < d_.size() && count_ > 1; ++i) keep_lexicographic(rate, i);
+      for (Index i = 0; i < d_.size() && count_ > 1; ++i) keep_lexicographic(i);
       return TieBreak::lexicographic;
     }
     for (Index k = levels_; k < d_.values.cols(); ++k) {
-      keep_smallest(rate, d_.values.col(k).data());
+      keep_smallest(d_.values.col(k).data());
       if (count_ == 1) return TieBreak::tie_column;
     }
     Index best = 0;
@@ -100,13 +105,13 @@ private:
   }
 
   /// Column i of the basis inverse: w_i is perturbed by the i-th infinitesimal.
-  template <class Rate> void keep_lexicographic(Rate rate, Index i) {
+  void keep_lexicographic(Index i) {
     const Index column = d_.column_of(slack(i));
     if (column >= 0) {
-      keep_smallest(rate, [&](Index row) { return -d_.table(row, column); });
+      keep_smallest([&](Index row) { return -d_.table(row, column); });
     } else {
       const Index unit_row = d_.row_of(slack(i));
-      keep_smallest(rate, [&](Index row) { return row == unit_row ? S(1) : S(0); });
+      keep_smallest([&](Index row) { return row == unit_row ? S(1) : S(0); });
     }
   }
 
@@ -116,13 +121,13 @@ private:
     candidates_[k] = other;
   }
 
-  template <class Rate> void keep_smallest(Rate rate, const S* values) {
-    keep_smallest(rate, [&](Index row) -> const S& { return values[row]; });
+  void keep_smallest(const S* values) {
+    keep_smallest([&](Index row) -> const S& { return values[row]; });
   }
 
   /// Harris: a bound on the step with the tolerance, then everything at or below that bound. What
   /// is dropped stays behind the rest: tied_rows() shows it.
-  template <class Rate, class Value> void keep_smallest(Rate rate, Value value) {
+  template <class Value> void keep_smallest(Value value) {
     Index first = 0; // the bound level is zero almost everywhere: no need to divide
     while (first < count_ && value(candidates_[first]) == S(0)) ++first;
     if (first == count_) return;
