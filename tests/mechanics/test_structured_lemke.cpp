@@ -137,7 +137,8 @@ template <class B> struct Bare {
     for (Index i = 0; i < n; ++i)
       target.push_back(static_cast<int>(solved.lemke.is_basic(i) ? unknown(i, n) : slack(i)));
     candidates.resize(target.size());
-    CHECK(basis.factor({target.data(), n}, {candidates.data(), n}, tie, map(scratch), {0, 2, 2}) == 0);
+    CHECK(basis.factor({target.data(), n}, {candidates.data(), n}, tie, map(scratch), {0, 2, 2}) ==
+          0);
   }
   static VectorMap<double> map(Eigen::VectorXd& v) { return {v.data(), v.size()}; }
 };

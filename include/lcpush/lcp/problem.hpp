@@ -147,8 +147,10 @@ template <class S> void multiply(const Problem<S>& problem, const S* z, S* out) 
   for (Index i = 0; i < n; ++i) out[i] = S(0);
   for (Index j = 0; j < n; ++j) {
     if (z[j] == S(0)) continue;
-    const S* column = problem.matrix + j * n;
-    for (Index i = 0; i < n; ++i) out[i] += column[i] * z[j];
+    const S* __restrict const column = problem.matrix + j * n;
+    S* __restrict const sum = out;
+    const S by = z[j];
+    for (Index i = 0; i < n; ++i) sum[i] += column[i] * by;
   }
 }
 

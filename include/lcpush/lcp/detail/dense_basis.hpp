@@ -78,7 +78,11 @@ public:
     out.setZero();
     for (Index c = 0; c <= n; ++c) {
       const Index j = dictionary.nonbasic[c];
-      if (j < n && r[j] != S(0)) out += dictionary.table.col(c) * r[j];
+      if (j >= n || r[j] == S(0)) continue;
+      const S* __restrict const column = dictionary.table.col(c).data();
+      S* __restrict const sum = out.data();
+      const S by = r[j];
+      for (Index i = 0; i < n; ++i) sum[i] += column[i] * by;
     }
   }
 

@@ -177,8 +177,6 @@ template <class S, class B> void Lemke<S, B>::refine(Index level) {
       const Index j = basis_.dictionary.basic[i] - n;
       z[j] = basis_.dictionary.values(i, level) * scale * column_scale_[j];
     }
-  // Two eps: what the product itself loses to rounding.
-  const S noise = options_.tolerances.tie * scale / S(1 << 14);
   S before(-1);
   for (int round = 0; round < 4; ++round) {
     multiply(problem_, z.data(), product_.data());
@@ -187,7 +185,7 @@ template <class S, class B> void Lemke<S, B>::refine(Index level) {
     for (const int variable : basis_.dictionary.basic) // what is left in a basic w is its value
       if (variable < n) product_[variable] = S(0);
     const S largest = n > 0 ? S(product_.cwiseAbs().maxCoeff()) : S(0);
-    if (!(largest > noise) || (before >= S(0) && !(largest < before))) return;
+    if (!(largest > S(0)) || (before >= S(0) && !(largest < before))) return;
     before = largest;
     basis_.respond(product_, scratch_);
     for (Index i = 0; i < n; ++i)
