@@ -58,8 +58,9 @@ public:
       if (column[r] == S(0)) return;
       const S solved = -column[r] / pivot;
       // A plain loop: in short columns, Eigen's spends more on reaching an aligned address.
-      const Index n = size();
-      for (Index i = 0; i < n; ++i) column[i] += solved * multiplied[i];
+      const S* __restrict from = multiplied;
+      for (S* __restrict x = column, * const end = column + size(); x != end; ++x)
+        *x += solved * *from++;
       column[r] = solved;
     };
     for (Index j = 0; j < table.cols(); ++j)
