@@ -119,27 +119,30 @@ std::string ScenePainter::object_motion() {
     const Vector6<double>& a = report_.answer.acceleration;
     const Pixel flat = view_.flat(a.head<3>());
     const Pixel tip = center + scales_.accelerations * flat;
-    std::vector<std::string> lines{"object"};
+    std::vector<std::string> lines{"object"}, said;
     if (flat.norm() > scales_.still) {
       text += arrow_element("motion", center, tip);
       places_.block_line(center, tip, 3);
       const double whole = a.head<3>().norm();
       lines.push_back(rough_number(flat.norm()) + " m/s\u00B2" +
                       (flat.norm() < 0.995 * whole ? " of " + rough_number(whole) : ""));
+      said.push_back("accelerates by " + lines.back());
     }
     const double spin = view_.toward_viewer(a.tail<3>());
     if (report_.scales.length * std::abs(spin) > scales_.still) {
       text += turning_arc(spin);
       lines.push_back("turns " + rough_number(std::abs(spin)) + " rad/s\u00B2");
+      said.push_back(lines.back());
     }
     if (report_.motion.kind == MotionKind::rest)
       lines.emplace_back("stays");
     else if (lines.size() == 1)
       lines.emplace_back(a.head<3>().norm() > scales_.still ? "moves along the line of sight"
                                                             : "turns");
+    if (said.empty()) said.push_back(lines.back());
     const bool moves = flat.norm() > scales_.still;
     labels_.push_back({lines, moves ? tip : center, Pixel::Zero(), moves ? tip : center});
-    words_.push_back("The object " + listed({lines.begin() + 1, lines.end()}, "and") + ".");
+    words_.push_back("The object " + listed(said, "and") + ".");
   }
   return text + circle_element("center", center, 3);
 }

@@ -270,8 +270,11 @@ Drawing ScenePainter::draw() {
       contacts += forces(body, i);
     modes += marks(body);
   }
-  contacts += weight() + squeezes();
-  motions += object_motion() + turning_axis();
+  // One after the other: each leaves labels and words behind.
+  contacts += weight();
+  contacts += squeezes();
+  motions += object_motion();
+  motions += turning_axis();
   for (Index b = 0; b < scene_.bodies.size; ++b) motions += body_motion(b);
   drawing.elements = frame + bodies + contacts + modes + motions;
   drawing.elements += placed_labels();
