@@ -73,7 +73,7 @@ private:
   Index parameter() const { return artificial(dictionary_.size()); }
   bool carve(Index n);
   template <class Entry> void solve_basis(const Lemke<S>& lemke, Entry entry, Index column);
-  bool first_zero(S& t) const;
+  bool first_zero(const S& sign, S& distance) const;
   Blocking blocking_row(Index column);
   S largest_of(Index column) const { return dictionary_.table.col(column).cwiseAbs().maxCoeff(); }
   PathEnd follow(const S& least, PathStep<S>& step);
@@ -153,40 +153,31 @@ Status ParametricPath<S>::init(const Lemke<S>& lemke, const Problem<S>& problem,
   return Status::running;
 }
 
-/// Where growing t first brings a basic variable to zero.
-template <class S> bool ParametricPath<S>::first_zero(S& t) const {
+/// How far t can grow (sign = 1) or fall (sign = -1) until a basic variable comes to zero. False:
+/// without end.
+template <class S> bool ParametricPath<S>::first_zero(const S& sign, S& distance) const {
   const Index column = dictionary_.column_of(parameter());
   const S threshold =
       Eigen::numext::maxi(S(tolerances_.pivot * largest_of(column)), tolerances_.tie);
   bool found = false;
   for (Index i = 0; i < dictionary_.size(); ++i) {
-    const S rate = dictionary_.table(i, column);
-    if (is_free(i) || !(rate < -threshold)) continue;
+    const S falls = -sign * dictionary_.table(i, column);
+    if (is_free(i) || !(falls > threshold)) continue;
     // Below a larger value an infinitesimal change changes nothing.
     if (level_ == 2 && dictionary_.values(i, 1) > tolerances_.tie) continue;
     const S value = dictionary_.values(i, level_);
-    const S zero = value > S(0) ? S(value / -rate) : S(0);
-    if (!found || zero < t) t = zero;
+    const S zero = value > S(0) ? S(value / falls) : S(0);
+    if (!found || zero < distance) distance = zero;
     found = true;
   }
   return found;
 }
 
 template <class S> bool ParametricPath<S>::holds_back_to(S& t) const {
-  const Index column = dictionary_.column_of(parameter());
-  const S threshold =
-      Eigen::numext::maxi(S(tolerances_.pivot * largest_of(column)), tolerances_.tie);
-  bool found = false;
-  for (Index i = 0; i < dictionary_.size(); ++i) {
-    const S rate = dictionary_.table(i, column);
-    if (is_free(i) || !(rate > threshold)) continue;
-    if (level_ == 2 && dictionary_.values(i, 1) > tolerances_.tie) continue;
-    const S value = dictionary_.values(i, level_);
-    const S zero = value > S(0) ? S(-value / rate) : S(0);
-    if (!found || zero > t) t = zero;
-    found = true;
-  }
-  return found;
+  S distance(0);
+  if (!first_zero(S(-1), distance)) return false;
+  t = S(0) - distance; // no negative zero
+  return true;
 }
 
 /// Free unknowns never block.
@@ -201,7 +192,7 @@ template <class S> PathStep<S> ParametricPath<S>::advance(const S& least) {
   PathStep<S> step;
   const Index column = dictionary_.column_of(parameter());
   const Blocking first = blocking_row(column);
-  if (first.row < 0 || !first_zero(step.until)) {
+  if (first.row < 0 || !first_zero(S(1), step.until)) {
     step.end = PathEnd::unbounded;
     return step;
   }
