@@ -7,7 +7,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 const modules = process.env.LCPUSH_NODE_MODULES || dirname(fileURLToPath(import.meta.url));
 const { chromium } = createRequire(join(resolve(modules), 'package.json'))('playwright-core');
 
-export const launch = () => chromium.launch({
+const launch = () => chromium.launch({
   executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
   args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
     '--disable-background-networking', '--disable-component-update', '--disable-sync'],
@@ -33,4 +33,20 @@ export async function open(browser, file, options) {
   });
   await page.goto(pathToFileURL(file).href);
   return { page, faults, close: () => context.close() };
+}
+
+/// check(browser, problem) for each problem, or for those whose names are `chosen`. One that fails
+/// is told and does not keep the others from being checked.
+export async function check_all(problems, chosen, check) {
+  const browser = await launch();
+  for (const problem of problems) {
+    if (chosen.length > 0 && !chosen.includes(problem.name)) continue;
+    try {
+      await check(browser, problem);
+    } catch (failure) {
+      process.exitCode = 1;
+      console.error(`${problem.name}: ${failure.stack}`);
+    }
+  }
+  await browser.close();
 }

@@ -9,7 +9,7 @@ import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { check_after, check_marks, check_picture, check_pivot } from './checks.mjs';
-import { launch, open, phone, wide } from './chromium.mjs';
+import { check_all, open, phone, wide } from './chromium.mjs';
 import { root } from './engine.mjs';
 import { problems } from './problems.mjs';
 
@@ -243,16 +243,4 @@ async function check_problem(browser, problem) {
     branches ? ', branch' : ''}`);
 }
 
-const browser = await launch();
-let failures = 0;
-for (const problem of problems) {
-  if (chosen.length > 0 && !chosen.includes(problem.name)) continue;
-  try {
-    await check_problem(browser, problem);
-  } catch (failure) {
-    failures += 1;
-    console.error(`${problem.name}: ${failure.stack}`);
-  }
-}
-await browser.close();
-if (failures > 0) process.exitCode = 1;
+await check_all(problems, chosen, check_problem);
