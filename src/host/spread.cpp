@@ -254,7 +254,8 @@ void Search::decide(FaceModes& modes, Index next) {
       decide(modes, next + 1);
       continue;
     }
-    if (point == Face::Point::failed) {
+    // A face of a single point has no bounds to look for: the point itself is the answer.
+    if (point == Face::Point::failed || !believe(face.origin(), modes)) {
       ++report_.failures;
       continue;
     }

@@ -25,6 +25,7 @@ public:
   };
   /// Some point of the face becomes the origin.
   Point find_point();
+  Eigen::VectorXd origin() const { return whole(origin_); }
   /// Does the functional f z vary on the face's equations?
   bool varies(const Eigen::VectorXd& f) const;
   /// The point where f z is smallest, or a point far out in the direction that has no end.
