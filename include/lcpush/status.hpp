@@ -31,4 +31,36 @@ constexpr const char* status_text(Status status) {
   return "unknown";
 }
 
+/// Why a run did not end in a solution, beyond its Status.
+enum class Reason {
+  none,
+  memory_too_small,    ///< bad_input: see lemke_scalars and lemke_integers; numerical_breakdown:
+                       ///< the structured basis holds no more exchanges
+  unsupported_problem, ///< bad_input: a dense matrix, or a tie rule, for the structured basis
+  unsupported,    ///< bad_input: a pressure law or contact model that the scene's patches exclude
+  not_finite,     ///< bad_input: a number of M or q is NaN or infinite
+  residual,       ///< numerical_breakdown: the answer reached fails its residual check
+  false_ray,      ///< numerical_breakdown: the ray reached fails its certificate
+  singular_basis, ///< numerical_breakdown: the basis cannot be factored
+  retreat,        ///< a free unknown ended at its symbolic bound -S: it runs away
+};
+
+/// The reason as a sentence for people.
+constexpr const char* reason_text(Reason reason) {
+  switch (reason) {
+  case Reason::none: return "";
+  case Reason::memory_too_small: return "the solver's memory is too small for this problem";
+  case Reason::unsupported_problem:
+    return "the structured basis takes factored problems and generic tie columns only";
+  case Reason::unsupported:
+    return "a soft contact of several points, or even pressure that was not spread over its points";
+  case Reason::not_finite: return "a number of M or q is not finite, or overflows when scaled";
+  case Reason::residual: return "an answer was reached but fails the residual check";
+  case Reason::false_ray: return "nothing blocks, yet the ray fails its certificate";
+  case Reason::singular_basis: return "a basis is singular to working precision";
+  case Reason::retreat: return "a free unknown runs off to minus infinity";
+  }
+  return "";
+}
+
 } // namespace lcpush

@@ -1,4 +1,4 @@
-#include "arguments.hpp"
+#include "cli/arguments.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -8,8 +8,8 @@
 #include <iostream>
 #include <system_error>
 
-#include "../host/message.hpp"
-#include "lcpush/host/input_error.hpp"
+#include "lcpush/desktop/input_error.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 
@@ -24,8 +24,9 @@ bool is_option(const std::string& word) {
 }
 
 [[noreturn]] void refuse_writing(const std::string& path, int reason) {
-  throw host::InputError(path + ": cannot be written: " + std::generic_category().message(reason) +
-                         "; check the path and its permissions");
+  throw desktop::InputError(path +
+                            ": cannot be written: " + std::generic_category().message(reason) +
+                            "; check the path and its permissions");
 }
 
 } // namespace
@@ -60,7 +61,8 @@ void Arguments::read_option(const Command& command, const std::vector<std::strin
     values_[name].push_back(*inline_value);
     return;
   }
-  throw UsageError("unknown option " + host::quoted(words[at]) + host::suggestion(name, known));
+  throw UsageError("unknown option " + desktop::quoted(words[at]) +
+                   desktop::suggestion(name, known));
 }
 
 Arguments::Arguments(const Command& command, const std::vector<std::string>& words) {
@@ -73,7 +75,7 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
     } else {
       files_.push_back(words[at]);
       if (files_.size() > command.most_files)
-        throw UsageError("one file too many: " + host::quoted(words[at]));
+        throw UsageError("one file too many: " + desktop::quoted(words[at]));
     }
   }
 }
@@ -94,7 +96,8 @@ std::string Arguments::format(const std::vector<std::string>& known) const {
   const std::string format = value("--format").value_or("text");
   for (const std::string& name : known)
     if (name == format) return format;
-  throw UsageError("--format is " + host::listed(known, "or") + ", not " + host::quoted(format));
+  throw UsageError("--format is " + desktop::listed(known, "or") + ", not " +
+                   desktop::quoted(format));
 }
 
 std::vector<Option> with_common_options(std::vector<Option> own) {
@@ -129,7 +132,7 @@ void write_output(const Arguments& arguments, const std::string& text) {
   }
   std::error_code ignored;
   if (std::filesystem::is_directory(*path, ignored))
-    throw host::InputError(*path + ": is a directory; name a file inside it");
+    throw desktop::InputError(*path + ": is a directory; name a file inside it");
   // A device or a pipe cannot be renamed over.
   const bool direct =
       std::filesystem::exists(*path, ignored) && !std::filesystem::is_regular_file(*path, ignored);
@@ -155,14 +158,14 @@ Option solver_option() {
   return {"--solver", "NAME", "lemke (default), gauss-seidel (sweeps) or hybrid (both)"};
 }
 
-host::Solver chosen_solver(const Arguments& arguments) {
+desktop::Solver chosen_solver(const Arguments& arguments) {
   const std::string solver = arguments.value("--solver").value_or("lemke");
-  if (solver == "pgs") return host::Solver::gauss_seidel; // as many call it
-  for (const host::Solver known :
-       {host::Solver::lemke, host::Solver::gauss_seidel, host::Solver::hybrid})
-    if (solver == host::solver_text(known)) return known;
-  throw UsageError("--solver is lemke, gauss-seidel or hybrid, not " + host::quoted(solver) +
-                   host::suggestion(solver, {"lemke", "gauss-seidel", "hybrid"}));
+  if (solver == "pgs") return desktop::Solver::gauss_seidel; // as many call it
+  for (const desktop::Solver known :
+       {desktop::Solver::lemke, desktop::Solver::gauss_seidel, desktop::Solver::hybrid})
+    if (solver == desktop::solver_text(known)) return known;
+  throw UsageError("--solver is lemke, gauss-seidel or hybrid, not " + desktop::quoted(solver) +
+                   desktop::suggestion(solver, {"lemke", "gauss-seidel", "hybrid"}));
 }
 
 } // namespace lcpush::cli

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lcpush/host/solver.hpp"
+#include "lcpush/desktop/solver.hpp"
 
 namespace lcpush::cli {
 
@@ -64,7 +64,7 @@ std::string help_text(const Command& command);
 void write_output(const Arguments& arguments, const std::string& text);
 
 /// Refuses solvers that do not exist; returns the one asked for.
-host::Solver chosen_solver(const Arguments& arguments);
+desktop::Solver chosen_solver(const Arguments& arguments);
 /// The option --solver.
 Option solver_option();
 

@@ -1,29 +1,29 @@
-#include "choose.hpp"
+#include "cli/choose.hpp"
 
 #include <iostream>
 
-#include "../host/message.hpp"
-#include "../host/number_text.hpp"
+#include "formats/read_number.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-const std::string& name(const host::PivotTrace& trace, Index variable) {
+const std::string& name(const desktop::PivotTrace& trace, Index variable) {
   return trace.variables[static_cast<std::size_t>(variable)].name;
 }
 
 /// The row that a name or a number from 1 on stands for, or -1.
-Index row_of(const host::PivotTrace& trace, const std::vector<Index>& rows,
+Index row_of(const desktop::PivotTrace& trace, const std::vector<Index>& rows,
              const std::string& word) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (name(trace, rows[i]) == word) return static_cast<Index>(i);
-  const auto number = host::whole_number(word);
+  const auto number = desktop::whole_number(word);
   if (number && *number >= 1 && *number <= rows.size()) return static_cast<Index>(*number) - 1;
   return -1;
 }
 
 /// Why this row cannot leave.
-std::string objection(const host::PivotTrace& trace, const host::TracedPivot& pivot,
+std::string objection(const desktop::PivotTrace& trace, const desktop::TracedPivot& pivot,
                       const std::vector<Index>& rows, Index row) {
   const auto at = static_cast<std::size_t>(row), best = static_cast<std::size_t>(pivot.row);
   const std::string &enters = name(trace, pivot.entering), &it = name(trace, rows[at]);
@@ -34,8 +34,8 @@ std::string objection(const host::PivotTrace& trace, const host::TracedPivot& pi
     return it + " does not fall as " + enters + " grows (its entry in the column of " + enters +
            " is not negative), so it cannot block.";
   }
-  const std::string own = host::value_text(*pivot.ratios[at]);
-  const std::string right = host::value_text(*pivot.ratios[best]);
+  const std::string own = desktop::value_text(*pivot.ratios[at]);
+  const std::string right = desktop::value_text(*pivot.ratios[best]);
   if (pivot.entering == artificial(trace.size))
     return it + " needs only z0 = " + own + ", and " + name(trace, rows[best]) +
            " would still be "
@@ -53,15 +53,15 @@ bool contains(const std::vector<Index>& list, Index x) {
 
 } // namespace
 
-Index ask_for_row(const host::PivotTrace& trace) {
-  const host::TracedPivot& pivot = trace.pivots.back();
+Index ask_for_row(const desktop::PivotTrace& trace) {
+  const desktop::TracedPivot& pivot = trace.pivots.back();
   if (!pivot.before) return pivot.row;
-  const host::Tableau& before = *pivot.before;
+  const desktop::Tableau& before = *pivot.before;
   const Index z0 = artificial(trace.size);
   std::cerr << "Pivot " << trace.pivots.size() - 1 << ": " << name(trace, pivot.entering)
             << " enters (" << trace.variables[static_cast<std::size_t>(pivot.entering)].meaning
             << ").\n"
-            << host::tableau_text(trace, before, nullptr);
+            << desktop::tableau_text(trace, before, nullptr);
   std::string word;
   for (;;) {
     std::cerr << "Which variable leaves? " << std::flush;
@@ -72,7 +72,8 @@ Index ask_for_row(const host::PivotTrace& trace) {
     }
     const Index row = row_of(trace, before.rows, word);
     if (row < 0) {
-      std::cerr << host::quoted(word) << " is no row; type a name from the first column, such as "
+      std::cerr << desktop::quoted(word)
+                << " is no row; type a name from the first column, such as "
                 << name(trace, before.rows[0]) << ".\n";
       continue;
     }

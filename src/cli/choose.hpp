@@ -1,7 +1,7 @@
 // Asking a student for the row that leaves.
 #pragma once
 
-#include "lcpush/host/pivots.hpp"
+#include "lcpush/desktop/pivots.hpp"
 
 namespace lcpush::cli {
 
@@ -9,6 +9,6 @@ namespace lcpush::cli {
 /// the trace, and reads the name of a variable, or a row's number, from standard input until it is
 /// one that may leave; a wrong one is explained. At the end of the input the rule's own row is
 /// taken from then on.
-Index ask_for_row(const host::PivotTrace& trace);
+Index ask_for_row(const desktop::PivotTrace& trace);
 
 } // namespace lcpush::cli

@@ -1,14 +1,14 @@
 // --pusher: whose force is meant.
 #pragma once
 
-#include "../host/message.hpp"
-#include "arguments.hpp"
-#include "lcpush/host/scene_io.hpp"
+#include "cli/arguments.hpp"
+#include "lcpush/desktop/scene_io.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 
 /// The body of --pusher, or the only pusher.
-inline Index chosen_pusher(const Arguments& arguments, const host::SceneFile& file) {
+inline Index chosen_pusher(const Arguments& arguments, const desktop::SceneFile& file) {
   std::vector<std::string> names;
   Index pusher = -1;
   const std::optional<std::string> wanted = arguments.value("--pusher");
@@ -20,10 +20,10 @@ inline Index chosen_pusher(const Arguments& arguments, const host::SceneFile& fi
   if (names.empty()) throw UsageError("the scene has no [[pusher]]: nothing can break the grasp");
   if (!wanted && names.size() > 1)
     throw UsageError("the scene has several pushers: say which with --pusher " +
-                     host::listed(names, "or"));
+                     desktop::listed(names, "or"));
   if (pusher < 0)
-    throw UsageError("no pusher is named " + host::quoted(*wanted) +
-                     host::suggestion(*wanted, names));
+    throw UsageError("no pusher is named " + desktop::quoted(*wanted) +
+                     desktop::suggestion(*wanted, names));
   return pusher;
 }
 

@@ -1,7 +1,7 @@
 // One function a command, each in its own file.
 #pragma once
 
-#include "arguments.hpp"
+#include "cli/arguments.hpp"
 
 namespace lcpush::cli {
 

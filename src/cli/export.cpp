@@ -2,10 +2,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "commands.hpp"
-#include "lcpush/host/export.hpp"
-#include "lcpush/host/input_error.hpp"
-#include "scene_argument.hpp"
+#include "cli/commands.hpp"
+#include "cli/scene_argument.hpp"
+#include "lcpush/desktop/export.hpp"
+#include "lcpush/desktop/input_error.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -16,22 +16,23 @@ void write_file(const filesystem::path& path, const std::string& text) {
   std::error_code failure;
   filesystem::create_directories(path.parent_path(), failure);
   if (failure)
-    throw host::InputError(path.parent_path().string() + ": cannot be made: " + failure.message());
+    throw desktop::InputError(path.parent_path().string() +
+                              ": cannot be made: " + failure.message());
   std::ofstream stream(path, std::ios::binary);
   stream << text << std::flush;
   if (!stream)
-    throw host::InputError(path.string() +
-                           ": cannot be written; check the path and its permissions");
+    throw desktop::InputError(path.string() +
+                              ": cannot be written; check the path and its permissions");
 }
 
 int run(const Arguments& arguments) {
   const std::optional<std::string> directory = arguments.value("--output");
   if (!directory) throw UsageError("say where to: -o DIRECTORY");
-  const host::SceneFile file = read_scene_argument(arguments);
-  const host::Export result = host::export_scene(file);
+  const desktop::SceneFile file = read_scene_argument(arguments);
+  const desktop::Export result = desktop::export_scene(file);
   const filesystem::path into(*directory);
   const std::string prefix = (into / "").string();
-  for (const host::ExportFile& text : result.files) write_file(into / text.name, text.text);
+  for (const desktop::ExportFile& text : result.files) write_file(into / text.name, text.text);
   std::error_code nothing_there;
   for (const std::string& name : result.absent) filesystem::remove(into / name, nothing_there);
   std::printf("Wrote %sM.mtx, q.mtx and names.txt: %td unknowns, the literal laws, %s.\n",

@@ -1,17 +1,17 @@
-#include "history.hpp"
+#include "cli/history.hpp"
 
 #include <algorithm>
 
-#include "../host/message.hpp"
-#include "../host/report_format.hpp"
-#include "lcpush/host/json.hpp"
+#include "formats/json_writer.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
 
 std::string as_json(const std::string& solver, Status status,
                     const std::vector<std::string>& columns, const std::vector<HistoryRow>& rows) {
-  host::JsonWriter json;
+  desktop::JsonWriter json;
   json.begin_object().member("solver", solver).member("status", status_text(status));
   json.key("history").begin_array();
   for (const HistoryRow& row : rows) {
@@ -29,7 +29,7 @@ std::string as_csv(const std::vector<std::string>& columns, const std::vector<Hi
   text += "\n";
   for (const HistoryRow& row : rows) {
     text += std::to_string(row.sweep);
-    for (const double value : row.values) text += "," + host::shown(value);
+    for (const double value : row.values) text += "," + desktop::shown(value);
     text += "\n";
   }
   return text;
@@ -47,7 +47,7 @@ std::string as_table(const std::string& solver, Status status,
       table.back().push_back(number);
     }
   }
-  return "Solver " + solver + ", " + status_text(status) + ".\n\n" + host::table_text(table);
+  return "Solver " + solver + ", " + status_text(status) + ".\n\n" + desktop::table_text(table);
 }
 
 } // namespace

@@ -4,41 +4,41 @@
 #include <cmath>
 #include <cstdio>
 
-#include "../host/message.hpp"
-#include "../host/number_text.hpp"
-#include "../host/report_format.hpp"
-#include "commands.hpp"
-#include "history.hpp"
-#include "lcpush/host/input_error.hpp"
-#include "lcpush/host/json.hpp"
-#include "lcpush/host/raw_problem.hpp"
-#include "progress.hpp"
-#include "raw_arguments.hpp"
+#include "cli/commands.hpp"
+#include "cli/history.hpp"
+#include "cli/progress.hpp"
+#include "cli/raw_arguments.hpp"
+#include "formats/json_writer.hpp"
+#include "formats/read_number.hpp"
+#include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/raw_problem.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
 
 /// --solver, --sweeps and --relaxation.
-host::RawOptions read_options(const Arguments& arguments) {
-  host::RawOptions options;
+desktop::RawOptions read_options(const Arguments& arguments) {
+  desktop::RawOptions options;
   options.solver = chosen_solver(arguments);
   for (const char* option : {"--sweeps", "--relaxation", "--history"})
-    if (options.solver == host::Solver::lemke && arguments.has(option))
+    if (options.solver == desktop::Solver::lemke && arguments.has(option))
       throw UsageError(std::string(option) +
                        " is about sweeps: it goes with --solver gauss-seidel or hybrid");
   // Before pivots a few sweeps have to do: where they come near at all, they do so soon.
-  if (options.solver == host::Solver::hybrid) options.sweeps.max_sweeps = 200;
+  if (options.solver == desktop::Solver::hybrid) options.sweeps.max_sweeps = 200;
   if (const auto text = arguments.value("--sweeps")) {
     const char* const end = text->data() + text->size();
     const auto [rest, error] = std::from_chars(text->data(), end, options.sweeps.max_sweeps);
     if (error != std::errc() || rest != end || options.sweeps.max_sweeps < 1)
-      throw UsageError("--sweeps is a whole number from 1 on, not " + host::quoted(*text));
+      throw UsageError("--sweeps is a whole number from 1 on, not " + desktop::quoted(*text));
   }
   if (const auto text = arguments.value("--relaxation")) {
-    const host::NumberText number = host::read_finite_number(*text);
+    const desktop::NumberText number = desktop::read_finite_number(*text);
     if (number.error || !(number.value > 0) || !(number.value < 2))
       throw UsageError("--relaxation is a number between 0 and 2 (1: plain Gauss-Seidel), not " +
-                       host::quoted(*text));
+                       desktop::quoted(*text));
     options.sweeps.relaxation = number.value;
   }
   return options;
@@ -52,16 +52,16 @@ std::string read_format(const Arguments& arguments) {
   return arguments.format({"text", "json"});
 }
 
-[[noreturn]] void refuse_diagonal(const Arguments& arguments, const host::RawProblem& problem,
+[[noreturn]] void refuse_diagonal(const Arguments& arguments, const desktop::RawProblem& problem,
                                   Index row) {
   const std::string message = "--solver gauss-seidel needs a positive diagonal, but row " +
-                              std::to_string(row + 1) + " has " + host::shown(problem.M(row, row)) +
-                              "; use lemke or hybrid";
+                              std::to_string(row + 1) + " has " +
+                              desktop::shown(problem.M(row, row)) + "; use lemke or hybrid";
   if (arguments.files().empty()) throw UsageError(message);
-  throw host::InputError(arguments.files()[0] + ": " + message);
+  throw desktop::InputError(arguments.files()[0] + ": " + message);
 }
 
-std::string reason_of(const host::RawAnswer& answer) {
+std::string reason_of(const desktop::RawAnswer& answer) {
   char at[60];
   std::snprintf(at, sizeof at, " (the scaled residual is %.1e)", answer.residual);
   if (answer.status == Status::sweep_limit)
@@ -75,16 +75,16 @@ std::string reason_of(const host::RawAnswer& answer) {
   return reason_text(answer.reason);
 }
 
-std::vector<std::string> basis_of(const host::RawAnswer& answer) {
+std::vector<std::string> basis_of(const desktop::RawAnswer& answer) {
   std::vector<std::string> basis;
   for (std::size_t i = 0; i < answer.basic.size(); ++i)
     basis.push_back((answer.basic[i] != 0 ? "z" : "w") + std::to_string(i + 1));
   return basis;
 }
 
-std::string as_json(const host::RawAnswer& answer, const std::string& solver) {
+std::string as_json(const desktop::RawAnswer& answer, const std::string& solver) {
   const bool solved = answer.status == Status::solved;
-  host::JsonWriter json;
+  desktop::JsonWriter json;
   json.begin_object();
   json.member("status", status_text(answer.status)).member("solver", solver);
   json.member("pivots", answer.pivots)
@@ -114,14 +114,14 @@ std::string line(const char* format, double a, double b = 0) {
 }
 
 /// "12 sweeps and 3 pivots", without what was not tried.
-std::string effort_of(const host::RawAnswer& answer) {
+std::string effort_of(const desktop::RawAnswer& answer) {
   const std::string sweeps = std::to_string(answer.sweeps) + " sweeps";
   const std::string pivots = std::to_string(answer.pivots) + " pivots";
   if (answer.covers == 0) return sweeps;
   return answer.history.empty() ? pivots : sweeps + " and " + pivots;
 }
 
-std::string as_text(const host::RawProblem& problem, const host::RawAnswer& answer) {
+std::string as_text(const desktop::RawProblem& problem, const desktop::RawAnswer& answer) {
   const std::size_t n = problem.free.size();
   std::string text;
   if (answer.status != Status::solved) {
@@ -139,7 +139,7 @@ std::string as_text(const host::RawProblem& problem, const host::RawAnswer& answ
   }
   text = "Solved in " + effort_of(answer) +
          (answer.covers > 1 ? " under " + std::to_string(answer.covers) + " covers" : "") +
-         "; largest scaled residual " + host::residual_text(answer.residual) + ".\n";
+         "; largest scaled residual " + desktop::residual_text(answer.residual) + ".\n";
   for (const Index row : answer.redundant_rows)
     text += "Equality " + std::to_string(row + 1) + " follows from the others and was dropped.\n";
   text += "\n    i  basic" + std::string("                z                w\n");
@@ -153,28 +153,28 @@ std::string as_text(const host::RawProblem& problem, const host::RawAnswer& answ
   return text;
 }
 
-std::string history_of(const host::RawAnswer& answer, const std::string& format,
+std::string history_of(const desktop::RawAnswer& answer, const std::string& format,
                        const std::string& solver) {
   std::vector<HistoryRow> rows;
-  for (const host::SweepResidual& check : answer.history)
+  for (const desktop::SweepResidual& check : answer.history)
     rows.push_back({check.sweep, {check.residual}});
   return history_text(format, solver, answer.status, {"residual"}, rows);
 }
 
 int run(const Arguments& arguments) {
   const std::string format = read_format(arguments);
-  host::RawOptions options = read_options(arguments);
-  const std::string solver = host::solver_text(options.solver);
-  const host::RawProblem problem = read_raw_problem(arguments, arguments.files());
-  host::RawAnswer answer;
+  desktop::RawOptions options = read_options(arguments);
+  const std::string solver = desktop::solver_text(options.solver);
+  const desktop::RawProblem problem = read_raw_problem(arguments, arguments.files());
+  desktop::RawAnswer answer;
   {
     Progress progress;
     options.watcher = &progress;
-    answer = host::solve_raw(problem, options);
+    answer = desktop::solve_raw(problem, options);
   }
   if (answer.bad_diagonal >= 0) refuse_diagonal(arguments, problem, answer.bad_diagonal);
   if (answer.inconsistent_row >= 0)
-    throw host::InputError(
+    throw desktop::InputError(
         (arguments.files().empty() ? "--q" : arguments.files()[1]) + ": equality " +
         std::to_string(answer.inconsistent_row + 1) +
         " of --free cannot hold: what the others leave of it says 0 = something");

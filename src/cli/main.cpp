@@ -3,10 +3,10 @@
 #include <iostream>
 #include <new>
 
-#include "../host/message.hpp"
-#include "commands.hpp"
-#include "lcpush/host/input_error.hpp"
+#include "cli/commands.hpp"
+#include "lcpush/desktop/input_error.hpp"
 #include "lcpush/version.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -57,8 +57,8 @@ int run(const std::vector<Command>& commands, const std::vector<std::string>& wo
       return bad_input_or_usage;
     }
   }
-  std::cerr << "lcpush: unknown command " << host::quoted(words[0])
-            << host::suggestion(words[0], names) << "\nTry: lcpush --help\n";
+  std::cerr << "lcpush: unknown command " << desktop::quoted(words[0])
+            << desktop::suggestion(words[0], names) << "\nTry: lcpush --help\n";
   return bad_input_or_usage;
 }
 
@@ -73,7 +73,7 @@ int main(int count, char** words) {
                      cli::verify_command(), cli::spread_command(), cli::export_command(),
                      cli::matrices_command()},
                     std::vector<std::string>(words + 1, words + count));
-  } catch (const host::InputError& error) {
+  } catch (const desktop::InputError& error) {
     std::cerr << error.what() << "\n";
   } catch (const std::bad_alloc&) {
     std::cerr << "lcpush: out of memory; the problem is too large for this machine\n";

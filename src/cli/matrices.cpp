@@ -1,17 +1,17 @@
 // lcpush matrices: the paper's matrices of a scene.
-#include "lcpush/host/matrices.hpp"
-#include "commands.hpp"
-#include "scene_argument.hpp"
+#include "lcpush/desktop/matrices.hpp"
+#include "cli/commands.hpp"
+#include "cli/scene_argument.hpp"
 
 namespace lcpush::cli {
 namespace {
 
 int run(const Arguments& arguments) {
   const std::string format = arguments.format({"text", "json"});
-  const host::SceneFile file = read_scene_argument(arguments);
-  const host::PaperMatrices matrices = host::paper_matrices(file);
-  write_output(arguments, format == "json" ? host::matrices_json(matrices)
-                                           : host::matrices_text(file, matrices));
+  const desktop::SceneFile file = read_scene_argument(arguments);
+  const desktop::PaperMatrices matrices = desktop::paper_matrices(file);
+  write_output(arguments, format == "json" ? desktop::matrices_json(matrices)
+                                           : desktop::matrices_text(file, matrices));
   return 0;
 }
 

@@ -4,16 +4,16 @@
 #include <memory>
 #include <tuple>
 
-#include "../host/explorer/explorer_text.hpp"
-#include "../host/message.hpp"
-#include "../host/number_text.hpp"
-#include "../host/push_story.hpp"
-#include "choose.hpp"
-#include "commands.hpp"
-#include "lcpush/host/input_error.hpp"
-#include "lcpush/host/pivots.hpp"
-#include "lcpush/host/text_file.hpp"
-#include "raw_arguments.hpp"
+#include "cli/choose.hpp"
+#include "cli/commands.hpp"
+#include "cli/raw_arguments.hpp"
+#include "formats/read_number.hpp"
+#include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/pivots.hpp"
+#include "pivots/explorer_text.hpp"
+#include "pivots/push_story.hpp"
+#include "text/text_file.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -24,11 +24,11 @@ constexpr Index always_exact = 150;   // then ties are ties, not rounding's
 
 /// What is pivoted: a scene or two matrices.
 struct Subject {
-  host::ExactProblem problem;
+  desktop::ExactProblem problem;
   bool is_short = false; ///< so small that it is pivoted in fractions even if decimals are shown
-  std::unique_ptr<host::SceneFile> scene;
-  std::unique_ptr<host::Push> push;
-  std::unique_ptr<host::Story> story;
+  std::unique_ptr<desktop::SceneFile> scene;
+  std::unique_ptr<desktop::Push> push;
+  std::unique_ptr<desktop::Story> story;
   std::vector<std::string> notes;
   std::string title;
 };
@@ -39,7 +39,7 @@ Index read_facets(const Arguments& arguments) {
   Index facets = 0;
   const auto [rest, error] = std::from_chars(text->data(), text->data() + text->size(), facets);
   if (error != std::errc() || *rest != 0 || facets < 4 || facets > 256 || facets % 2 != 0)
-    throw UsageError("--facets is an even number from 4 to 256, not " + host::quoted(*text));
+    throw UsageError("--facets is an even number from 4 to 256, not " + desktop::quoted(*text));
   return facets;
 }
 
@@ -49,18 +49,18 @@ Pressure read_pressure(const Arguments& arguments, Pressure otherwise) {
   if (*text == "pad") return Pressure::pad;
   if (*text == "even") return Pressure::even;
   if (*text == "rigid") return Pressure::rigid;
-  throw UsageError("--pressure is pad, even or rigid, not " + host::quoted(*text));
+  throw UsageError("--pressure is pad, even or rigid, not " + desktop::quoted(*text));
 }
 
 void refuse_size(const std::string& what, Index n, bool is_exact) {
   if (n > most_unknowns)
-    throw host::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
-                           std::to_string(most_unknowns) +
-                           " whose pivots can be shown; use fewer points");
+    throw desktop::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
+                              std::to_string(most_unknowns) +
+                              " whose pivots can be shown; use fewer points");
   if (is_exact && n > most_exact)
-    throw host::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
-                           std::to_string(most_exact) +
-                           " that fractions can be pivoted for; leave --exact out");
+    throw desktop::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
+                              std::to_string(most_exact) +
+                              " that fractions can be pivoted for; leave --exact out");
 }
 
 /// The scene file of the command line; the example if it names none.
@@ -70,15 +70,15 @@ struct SceneText {
 
 SceneText scene_text(const Arguments& arguments) {
   constexpr std::size_t most_bytes = std::size_t{64} << 20U;
-  if (arguments.files().empty()) return {host::example_scene(), "the example"};
-  return {host::read_text_file(arguments.files()[0], most_bytes), arguments.files()[0]};
+  if (arguments.files().empty()) return {desktop::example_scene(), "the example"};
+  return {desktop::read_text_file(arguments.files()[0], most_bytes), arguments.files()[0]};
 }
 
 /// Is the work in fractions over in a few seconds?
-bool is_short(const host::ExactProblem& problem) {
+bool is_short(const desktop::ExactProblem& problem) {
   constexpr std::size_t most_bits = 32000; // of the last tableau's determinants, about
   std::size_t longest = 1;
-  for (const host::Rational& x : problem.M.values) longest = std::max(longest, x.bit_length());
+  for (const desktop::Rational& x : problem.M.values) longest = std::max(longest, x.bit_length());
   const auto n = static_cast<std::size_t>(problem.M.rows);
   return problem.M.rows <= always_exact && n * longest <= most_bits;
 }
@@ -87,8 +87,8 @@ Subject scene_subject(const Arguments& arguments) {
   const auto [text, path] = scene_text(arguments);
   const bool as_solved = arguments.has("--as-solved"), is_exact = arguments.has("--exact");
   Subject subject;
-  subject.scene = std::make_unique<host::SceneFile>(host::parse_scene(text, path));
-  host::SceneFile& file = *subject.scene;
+  subject.scene = std::make_unique<desktop::SceneFile>(desktop::parse_scene(text, path));
+  desktop::SceneFile& file = *subject.scene;
   if (!as_solved) {
     file.facets = read_facets(arguments);
     file.pressure = read_pressure(arguments, file.pressure);
@@ -98,20 +98,20 @@ Subject scene_subject(const Arguments& arguments) {
   const Index n = size_of(file.view()).unknowns();
   refuse_size(path, n, is_exact);
   if (is_exact || (!as_solved && n <= always_exact)) {
-    host::SceneOf<host::Rational> exact = host::parse_scene_exactly(text, path);
+    desktop::SceneOf<desktop::Rational> exact = desktop::parse_scene_exactly(text, path);
     exact.facets = file.facets;
     exact.pressure = file.pressure;
     std::vector<std::string> rounded = exact.inexact;
-    for (const std::string& sentence : host::irrational_directions(exact))
+    for (const std::string& sentence : desktop::irrational_directions(exact))
       rounded.push_back(sentence);
-    subject.problem = host::exact_problem(exact);
+    subject.problem = desktop::exact_problem(exact);
     subject.is_short = is_short(subject.problem);
     if (is_exact) subject.notes = rounded;
   } else if (!as_solved) {
-    subject.problem = host::exact_problem(file);
+    subject.problem = desktop::exact_problem(file);
   }
-  subject.push = std::make_unique<host::Push>(file);
-  subject.story = std::make_unique<host::PushStory>(*subject.push);
+  subject.push = std::make_unique<desktop::Push>(file);
+  subject.story = std::make_unique<desktop::PushStory>(*subject.push);
   subject.title = file.title;
   if (!as_solved && file.pressure == Pressure::pad)
     subject.notes.push_back("The first round of the pad law, in SI units, " +
@@ -128,30 +128,30 @@ Subject raw_subject(const Arguments& arguments) {
   refuse_size(arguments.files().empty() ? "--M" : arguments.files()[0], n,
               arguments.has("--exact"));
   subject.is_short = is_short(subject.problem);
-  subject.story = std::make_unique<host::RawStory>(n);
+  subject.story = std::make_unique<desktop::RawStory>(n);
   return subject;
 }
 
 /// --cover d1,d2,..
-std::vector<host::Rational> read_cover(const Arguments& arguments, Index n) {
+std::vector<desktop::Rational> read_cover(const Arguments& arguments, Index n) {
   const auto text = arguments.value("--cover");
   if (!text) return {};
-  const host::ExactMatrix cover = host::parse_inline_vector_exactly(*text, "--cover");
+  const desktop::ExactMatrix cover = desktop::parse_inline_vector_exactly(*text, "--cover");
   if (cover.rows != n)
     throw UsageError("--cover wants " + std::to_string(n) + " numbers, one a row, got " +
                      std::to_string(cover.rows));
-  for (const host::Rational& d : cover.values)
-    if (!(d > host::Rational(0))) throw UsageError("--cover wants numbers > 0, got " + d.text());
+  for (const desktop::Rational& d : cover.values)
+    if (!(d > desktop::Rational(0))) throw UsageError("--cover wants numbers > 0, got " + d.text());
   return cover.values;
 }
 
 Index read_limit(const Arguments& arguments) {
   const auto text = arguments.value("--max-pivots");
-  if (!text) return host::PivotOptions().max_pivots;
-  const auto number = host::whole_number(*text);
+  if (!text) return desktop::PivotOptions().max_pivots;
+  const auto number = desktop::whole_number(*text);
   if (!number || *number < 1 || *number > 1000000)
     throw UsageError("--max-pivots is a whole number from 1 to 1000000, not " +
-                     host::quoted(*text));
+                     desktop::quoted(*text));
   return static_cast<Index>(*number);
 }
 
@@ -171,17 +171,17 @@ void refuse_combinations(const Arguments& arguments, bool is_scene) {
       throw UsageError(std::string(option) + " is about scenes");
 }
 
-host::PivotTrace trace(Subject& subject, const Arguments& arguments) {
-  host::PivotOptions options;
+desktop::PivotTrace trace(Subject& subject, const Arguments& arguments) {
+  desktop::PivotOptions options;
   if (arguments.has("--as-solved")) {
-    if (subject.push) return host::trace_solve(*subject.push, options, *subject.story);
-    host::RawProblem raw;
+    if (subject.push) return desktop::trace_solve(*subject.push, options, *subject.story);
+    desktop::RawProblem raw;
     raw.M = {subject.problem.M.rows, subject.problem.M.cols, {}};
     raw.q = {subject.problem.q.rows, 1, {}};
-    for (const host::Rational& x : subject.problem.M.values) raw.M.values.push_back(x.value());
-    for (const host::Rational& x : subject.problem.q.values) raw.q.values.push_back(x.value());
+    for (const desktop::Rational& x : subject.problem.M.values) raw.M.values.push_back(x.value());
+    for (const desktop::Rational& x : subject.problem.q.values) raw.q.values.push_back(x.value());
     raw.free.assign(static_cast<std::size_t>(raw.M.rows), 0);
-    return host::trace_solve(raw, options, *subject.story);
+    return desktop::trace_solve(raw, options, *subject.story);
   }
   options.is_exact = arguments.has("--exact") || subject.is_short;
   // The page can show both, where its own fractions are quick.
@@ -194,7 +194,7 @@ host::PivotTrace trace(Subject& subject, const Arguments& arguments) {
   options.cover = read_cover(arguments, subject.problem.M.rows);
   options.max_pivots = read_limit(arguments);
   if (arguments.has("--choose")) options.choose = ask_for_row;
-  return host::trace_pivots(subject.problem, options, *subject.story);
+  return desktop::trace_pivots(subject.problem, options, *subject.story);
 }
 
 int run(const Arguments& arguments) {
@@ -206,19 +206,19 @@ int run(const Arguments& arguments) {
   const bool is_scene = is_example || (arguments.files().size() == 1 && !is_typed);
   refuse_combinations(arguments, is_scene);
   Subject subject = is_scene ? scene_subject(arguments) : raw_subject(arguments);
-  host::PivotTrace traced = trace(subject, arguments);
+  desktop::PivotTrace traced = trace(subject, arguments);
   traced.title = subject.title;
   traced.notes = subject.notes;
   traced.prefers_decimals = traced.has_fractions && !arguments.has("--exact");
   std::string text;
   if (format == "json")
-    text = host::pivots_json(traced, subject.push.get());
+    text = desktop::pivots_json(traced, subject.push.get());
   else if (format == "latex")
-    text = host::pivots_latex(traced);
+    text = desktop::pivots_latex(traced);
   else if (format == "html")
-    text = host::pivots_html(traced, subject.push.get());
+    text = desktop::pivots_html(traced, subject.push.get());
   else
-    text = host::pivots_text(traced);
+    text = desktop::pivots_text(traced);
   write_output(arguments, text);
   return traced.status == Status::solved ? 0 : 1;
 }
@@ -234,7 +234,7 @@ Command pivots_command() {
       "a\n"
       "scene it takes the first round of its pressure law, in SI units, with four facets. A row\n"
       "of a tableau says: basic variable = value + sum of entries times nonbasic variables.\n"
-      "--format html without a problem shows the example of docs/lemke_by_hand.md.\n\n"
+      "--format html without a problem shows the example of docs/teach/lemke_by_hand.md.\n\n"
       "Examples:\n  lcpush pivots --M \"2 1; 1 2\" --q \"-5 -6\" --exact\n"
       "  lcpush pivots fixtures/scenes/straight_slide_point.toml --format html -o pivots.html\n",
       with_common_options({

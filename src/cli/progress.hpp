@@ -7,12 +7,12 @@
 
 #include <unistd.h>
 
-#include "lcpush/host/watcher.hpp"
+#include "lcpush/desktop/watcher.hpp"
 
 namespace lcpush::cli {
 
 /// Watches Lemke's pivots, or sweeps. On a terminal the line is rewritten and wiped at the end.
-class Progress : public host::Watcher {
+class Progress : public desktop::Watcher {
 public:
   ~Progress() override {
     if (shown_ && terminal_) std::fprintf(stderr, "\r\033[K");

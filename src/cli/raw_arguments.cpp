@@ -1,7 +1,7 @@
-#include "raw_arguments.hpp"
+#include "cli/raw_arguments.hpp"
 
-#include "../host/message.hpp"
-#include "lcpush/host/input_error.hpp"
+#include "lcpush/desktop/input_error.hpp"
+#include "text/wording.hpp"
 
 #include <charconv>
 #include <tuple>
@@ -11,18 +11,18 @@ namespace {
 
 /// How to read a matrix or a vector that is typed in place, and a file.
 template <class S> struct Readers {
-  host::MatrixOf<S> (*matrix)(std::string_view text, const std::string& option);
-  host::MatrixOf<S> (*vector)(std::string_view text, const std::string& option);
-  host::MatrixOf<S> (*file)(const std::string& path);
+  desktop::MatrixOf<S> (*matrix)(std::string_view text, const std::string& option);
+  desktop::MatrixOf<S> (*vector)(std::string_view text, const std::string& option);
+  desktop::MatrixOf<S> (*file)(const std::string& path);
 };
 
 template <class S>
-std::pair<host::MatrixOf<S>, host::MatrixOf<S>>
+std::pair<desktop::MatrixOf<S>, desktop::MatrixOf<S>>
 read(const Arguments& arguments, const std::vector<std::string>& files, const Readers<S>& readers) {
   const auto M_text = arguments.value("--M"), q_text = arguments.value("--q");
   if (M_text.has_value() != q_text.has_value()) throw UsageError("--M and --q go together");
   if (M_text && !files.empty()) throw UsageError("give either files or --M and --q, not both");
-  host::MatrixOf<S> M, q;
+  desktop::MatrixOf<S> M, q;
   std::string of_M = "--M", of_q = "--q";
   if (M_text) {
     M = readers.matrix(*M_text, "--M");
@@ -37,12 +37,12 @@ read(const Arguments& arguments, const std::vector<std::string>& files, const Re
   }
   const Index n = M.rows;
   if (M.cols != n)
-    throw host::InputError(of_M + ": M must be square, but it is " + std::to_string(n) + " x " +
-                           std::to_string(M.cols));
+    throw desktop::InputError(of_M + ": M must be square, but it is " + std::to_string(n) + " x " +
+                              std::to_string(M.cols));
   if (q.cols != 1 || q.rows != n)
-    throw host::InputError(of_q + ": q must be " + std::to_string(n) +
-                           " x 1 like M's rows, but it is " + std::to_string(q.rows) + " x " +
-                           std::to_string(q.cols));
+    throw desktop::InputError(of_q + ": q must be " + std::to_string(n) +
+                              " x 1 like M's rows, but it is " + std::to_string(q.rows) + " x " +
+                              std::to_string(q.cols));
   return {std::move(M), std::move(q)};
 }
 
@@ -58,34 +58,37 @@ std::vector<unsigned char> read_free(const Arguments& arguments, Index n) {
     const auto [rest, error] = std::from_chars(at, end, row);
     if (error != std::errc() || row < 1 || row > n)
       throw UsageError("--free is a list of rows from 1 to " + std::to_string(n) +
-                       " such as 7,8, not " + host::quoted(list));
+                       " such as 7,8, not " + desktop::quoted(list));
     unsigned char& is_free = free[static_cast<std::size_t>(row - 1)];
     if (is_free != 0) throw UsageError("--free names row " + std::to_string(row) + " twice");
     is_free = 1;
     if (rest == end) return free;
-    if (*rest != ',') throw UsageError("--free wants commas between rows: " + host::quoted(list));
+    if (*rest != ',')
+      throw UsageError("--free wants commas between rows: " + desktop::quoted(list));
     at = rest + 1;
   }
 }
 
 } // namespace
 
-std::pair<host::HostMatrix, host::HostMatrix> read_matrices(const Arguments& arguments,
-                                                            const std::vector<std::string>& files) {
+std::pair<desktop::HostMatrix, desktop::HostMatrix>
+read_matrices(const Arguments& arguments, const std::vector<std::string>& files) {
   return read<double>(
       arguments, files,
-      {host::parse_inline_matrix, host::parse_inline_vector, host::read_matrix_market});
+      {desktop::parse_inline_matrix, desktop::parse_inline_vector, desktop::read_matrix_market});
 }
 
-std::pair<host::ExactMatrix, host::ExactMatrix> read_matrices_exactly(const Arguments& arguments) {
-  return read<host::Rational>(arguments, arguments.files(),
-                              {host::parse_inline_matrix_exactly, host::parse_inline_vector_exactly,
-                               host::read_matrix_market_exactly});
+std::pair<desktop::ExactMatrix, desktop::ExactMatrix>
+read_matrices_exactly(const Arguments& arguments) {
+  return read<desktop::Rational>(arguments, arguments.files(),
+                                 {desktop::parse_inline_matrix_exactly,
+                                  desktop::parse_inline_vector_exactly,
+                                  desktop::read_matrix_market_exactly});
 }
 
-host::RawProblem read_raw_problem(const Arguments& arguments,
-                                  const std::vector<std::string>& files) {
-  host::RawProblem problem;
+desktop::RawProblem read_raw_problem(const Arguments& arguments,
+                                     const std::vector<std::string>& files) {
+  desktop::RawProblem problem;
   std::tie(problem.M, problem.q) = read_matrices(arguments, files);
   problem.free = read_free(arguments, problem.M.rows);
   return problem;

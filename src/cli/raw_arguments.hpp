@@ -3,19 +3,20 @@
 
 #include <utility>
 
-#include "arguments.hpp"
-#include "lcpush/host/raw_problem.hpp"
+#include "cli/arguments.hpp"
+#include "lcpush/desktop/raw_problem.hpp"
 
 namespace lcpush::cli {
 
 /// M, n x n, and q, n x 1: of --M and --q, or of two files. Throws UsageError and InputError.
-std::pair<host::HostMatrix, host::HostMatrix> read_matrices(const Arguments& arguments,
-                                                            const std::vector<std::string>& files);
+std::pair<desktop::HostMatrix, desktop::HostMatrix>
+read_matrices(const Arguments& arguments, const std::vector<std::string>& files);
 /// The same with every number taken as typed.
-std::pair<host::ExactMatrix, host::ExactMatrix> read_matrices_exactly(const Arguments& arguments);
+std::pair<desktop::ExactMatrix, desktop::ExactMatrix>
+read_matrices_exactly(const Arguments& arguments);
 
 /// These, with the rows of --free.
-host::RawProblem read_raw_problem(const Arguments& arguments,
-                                  const std::vector<std::string>& files);
+desktop::RawProblem read_raw_problem(const Arguments& arguments,
+                                     const std::vector<std::string>& files);
 
 } // namespace lcpush::cli

@@ -1,10 +1,10 @@
 // lcpush report: a push as a page to look at.
-#include "chosen_pusher.hpp"
-#include "commands.hpp"
-#include "lcpush/host/report_page.hpp"
-#include "progress.hpp"
-#include "scene_argument.hpp"
-#include "varied_argument.hpp"
+#include "cli/chosen_pusher.hpp"
+#include "cli/commands.hpp"
+#include "cli/progress.hpp"
+#include "cli/scene_argument.hpp"
+#include "cli/varied_argument.hpp"
+#include "lcpush/desktop/report_page.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr Index most_steps = 10000;
 
 /// Whose breaking force is asked for, or -1: nothing pushes, or nothing moves.
-Index breaking_pusher(const Arguments& arguments, const host::SceneFile& file) {
+Index breaking_pusher(const Arguments& arguments, const desktop::SceneFile& file) {
   const bool has_pusher = file.bodies.back().role == Role::pusher;
   const bool is_needed = arguments.has("--pusher") || arguments.has("--vary");
   if (!has_pusher && !is_needed) return -1;
@@ -20,34 +20,34 @@ Index breaking_pusher(const Arguments& arguments, const host::SceneFile& file) {
   return push_size(file.view()) > 0 ? pusher : -1;
 }
 
-std::vector<host::Sweep> swept(const Arguments& arguments, const host::VariedScene& scene,
-                               const host::SceneFile& file) {
-  std::vector<host::Variation> variations;
+std::vector<desktop::Sweep> swept(const Arguments& arguments, const desktop::VariedScene& scene,
+                                  const desktop::SceneFile& file) {
+  std::vector<desktop::Variation> variations;
   for (const std::string& text : arguments.values("--vary"))
     variations.push_back(read_variation(scene, text));
   if (variations.empty() && arguments.has("--steps"))
     throw UsageError("--steps goes with --vary PATH=FROM:TO");
-  host::ParameterSweepOptions options;
+  desktop::ParameterSweepOptions options;
   options.steps = read_steps(arguments, most_steps);
-  std::vector<host::Sweep> sweeps;
+  std::vector<desktop::Sweep> sweeps;
   if (!variations.empty()) options.pusher = chosen_pusher(arguments, file);
-  for (const host::Variation& variation : variations) {
+  for (const desktop::Variation& variation : variations) {
     SweepMeter meter;
     options.progress = [&meter](double done) { meter.show(done); };
-    sweeps.push_back(host::sweep_parameter(scene, {variation}, options));
+    sweeps.push_back(desktop::sweep_parameter(scene, {variation}, options));
   }
   return sweeps;
 }
 
-std::string one_picture(const Arguments& arguments, const host::PageContent& content) {
+std::string one_picture(const Arguments& arguments, const desktop::PageContent& content) {
   const std::string wanted = arguments.value("--picture").value_or("front");
   std::vector<std::string> names;
-  for (const host::Picture& picture : host::report_pictures(content)) {
+  for (const desktop::Picture& picture : desktop::report_pictures(content)) {
     if (picture.name == wanted) return picture.svg;
     names.push_back(picture.name);
   }
-  throw UsageError("--picture is " + host::listed(names, "or") + " for this scene, not " +
-                   host::quoted(wanted) + host::suggestion(wanted, names));
+  throw UsageError("--picture is " + desktop::listed(names, "or") + " for this scene, not " +
+                   desktop::quoted(wanted) + desktop::suggestion(wanted, names));
 }
 
 int run(const Arguments& arguments) {
@@ -55,37 +55,37 @@ int run(const Arguments& arguments) {
   if (arguments.has("--picture") && format != "svg")
     throw UsageError("--picture goes with --format svg");
   read_scene_argument(arguments); // refuses what no dense solver can take
-  host::VariedScene scene = host::VariedScene::read(arguments.files()[0]);
+  desktop::VariedScene scene = desktop::VariedScene::read(arguments.files()[0]);
   set_pressure(arguments, scene);
-  const host::SceneFile file = scene.as_given();
+  const desktop::SceneFile file = scene.as_given();
   const Index pusher = breaking_pusher(arguments, file);
   // Before anything is solved: what is typed wrong should not take long to say.
-  std::vector<host::Sweep> sweeps = swept(arguments, scene, file);
-  host::Push push(file);
-  host::HoldReport hold;
-  host::BreakReport breaking;
-  host::GripReport grip;
-  host::PushReport report;
+  std::vector<desktop::Sweep> sweeps = swept(arguments, scene, file);
+  desktop::Push push(file);
+  desktop::HoldReport hold;
+  desktop::BreakReport breaking;
+  desktop::GripReport grip;
+  desktop::PushReport report;
   {
     Progress progress;
-    host::PushOptions options;
+    desktop::PushOptions options;
     options.watcher = &progress;
     hold = push.holds_without_push(options);
     if (pusher >= 0) {
       breaking = push.find_breaking(pusher, options);
-      grip = host::find_smallest_grip(file, hold, breaking, options);
+      grip = desktop::find_smallest_grip(file, hold, breaking, options);
     }
     report = push.solve(options); // last: its answer lives in the Push
   }
-  const host::PageContent content{file,
-                                  hold,
-                                  report,
-                                  pusher >= 0 ? &breaking : nullptr,
-                                  pusher >= 0 ? &grip : nullptr,
-                                  std::move(sweeps)};
+  const desktop::PageContent content{file,
+                                     hold,
+                                     report,
+                                     pusher >= 0 ? &breaking : nullptr,
+                                     pusher >= 0 ? &grip : nullptr,
+                                     std::move(sweeps)};
   write_output(arguments,
-               format == "svg" ? one_picture(arguments, content) : host::report_html(content));
-  return host::is_solved(content) ? 0 : 1;
+               format == "svg" ? one_picture(arguments, content) : desktop::report_html(content));
+  return desktop::is_solved(content) ? 0 : 1;
 }
 
 } // namespace

@@ -1,23 +1,23 @@
 // lcpush solve: the push that the scene prescribes.
-#include "commands.hpp"
-#include "lcpush/host/report.hpp"
-#include "progress.hpp"
-#include "scene_argument.hpp"
-#include "sweep_history.hpp"
+#include "cli/commands.hpp"
+#include "cli/progress.hpp"
+#include "cli/scene_argument.hpp"
+#include "cli/sweep_history.hpp"
+#include "lcpush/desktop/report.hpp"
 
 namespace lcpush::cli {
 namespace {
 
 int run(const Arguments& arguments) {
-  const host::Solver solver = chosen_solver(arguments);
+  const desktop::Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
-  const host::SceneFile file = read_scene_argument(arguments, Needs::scene);
-  host::Push push(file);
-  host::HoldReport hold;
-  host::PushReport report;
+  const desktop::SceneFile file = read_scene_argument(arguments, Needs::scene);
+  desktop::Push push(file);
+  desktop::HoldReport hold;
+  desktop::PushReport report;
   {
     Progress progress;
-    host::PushOptions options;
+    desktop::PushOptions options;
     options.solver = solver;
     options.record_history = arguments.has("--history");
     options.watcher = &progress;
@@ -28,8 +28,8 @@ int run(const Arguments& arguments) {
   if (arguments.has("--history"))
     text = push_history(format, solver, report.status, report.history);
   else
-    text = format == "json" ? host::solve_json(file, hold, report)
-                            : host::solve_text(file, hold, report);
+    text = format == "json" ? desktop::solve_json(file, hold, report)
+                            : desktop::solve_text(file, hold, report);
   write_output(arguments, text);
   return report.status == Status::solved ? 0 : 1;
 }

@@ -1,10 +1,10 @@
 // lcpush spread: the answer as a set.
-#include "lcpush/host/spread.hpp"
-#include "../host/message.hpp"
-#include "../host/number_text.hpp"
-#include "commands.hpp"
-#include "progress.hpp"
-#include "scene_argument.hpp"
+#include "lcpush/desktop/spread.hpp"
+#include "cli/commands.hpp"
+#include "cli/progress.hpp"
+#include "cli/scene_argument.hpp"
+#include "formats/read_number.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -15,32 +15,32 @@ constexpr Index most_unknowns = 2000;
 Index chosen_covers(const Arguments& arguments, Index otherwise) {
   const std::optional<std::string> word = arguments.value("--covers");
   if (!word) return otherwise;
-  const std::optional<std::uint64_t> covers = host::whole_number(*word);
+  const std::optional<std::uint64_t> covers = desktop::whole_number(*word);
   if (!covers || *covers < 1 || *covers > most_covers)
     throw UsageError("--covers is a whole number from 1 to " + std::to_string(most_covers) +
-                     ", not " + host::quoted(*word));
+                     ", not " + desktop::quoted(*word));
   return static_cast<Index>(*covers);
 }
 
 int run(const Arguments& arguments) {
   const std::string format = arguments.format({"text", "json"});
-  host::SpreadOptions options;
+  desktop::SpreadOptions options;
   options.covers = chosen_covers(arguments, options.covers);
   options.enumerate = arguments.has("--enumerate");
-  const host::SceneFile file = read_scene_argument(arguments);
+  const desktop::SceneFile file = read_scene_argument(arguments);
   const Index unknowns = size_of(file.view()).unknowns();
   if (unknowns > most_unknowns)
-    throw host::InputError(arguments.files()[0] + ": the scene has " + std::to_string(unknowns) +
-                           " unknowns, more than the " + std::to_string(most_unknowns) +
-                           " whose faces can be bounded; use fewer points or facets");
-  host::SpreadReport report;
+    throw desktop::InputError(arguments.files()[0] + ": the scene has " + std::to_string(unknowns) +
+                              " unknowns, more than the " + std::to_string(most_unknowns) +
+                              " whose faces can be bounded; use fewer points or facets");
+  desktop::SpreadReport report;
   {
     Progress progress;
     options.watcher = &progress;
-    report = host::find_spread(file, options);
+    report = desktop::find_spread(file, options);
   }
-  write_output(arguments, format == "json" ? host::spread_json(file, report)
-                                           : host::spread_text(file, report));
+  write_output(arguments, format == "json" ? desktop::spread_json(file, report)
+                                           : desktop::spread_text(file, report));
   return report.status == Status::solved ? 0 : 1;
 }
 

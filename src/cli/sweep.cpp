@@ -1,10 +1,10 @@
 // lcpush sweep: how the push changes with a number of the scene.
-#include "lcpush/host/sweep.hpp"
-#include "chosen_pusher.hpp"
-#include "commands.hpp"
-#include "lcpush/host/input_error.hpp"
-#include "scene_argument.hpp"
-#include "varied_argument.hpp"
+#include "lcpush/desktop/sweep.hpp"
+#include "cli/chosen_pusher.hpp"
+#include "cli/commands.hpp"
+#include "cli/scene_argument.hpp"
+#include "cli/varied_argument.hpp"
+#include "lcpush/desktop/input_error.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -24,15 +24,17 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 /// --each PATH=V,V,..: a variation a value, from = to.
-std::vector<host::Variation> read_each(const host::VariedScene& scene, const std::string& text) {
+std::vector<desktop::Variation> read_each(const desktop::VariedScene& scene,
+                                          const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
-    throw UsageError("--each needs PATH=V,V,.. such as facets=4,8,16, not " + host::quoted(text));
-  const host::Parameter parameter = scene.find(text.substr(0, equals));
-  std::vector<host::Variation> list;
+    throw UsageError("--each needs PATH=V,V,.. such as facets=4,8,16, not " +
+                     desktop::quoted(text));
+  const desktop::Parameter parameter = scene.find(text.substr(0, equals));
+  std::vector<desktop::Variation> list;
   for (const std::string& part : split(text.substr(equals + 1))) {
-    const host::NumberText read = host::read_finite_number(part);
-    if (read.error) throw UsageError("--each " + host::quoted(text) + ": " + *read.error);
+    const desktop::NumberText read = desktop::read_finite_number(part);
+    if (read.error) throw UsageError("--each " + desktop::quoted(text) + ": " + *read.error);
     list.push_back({parameter, read.value, read.value});
   }
   return list;
@@ -43,12 +45,12 @@ std::string named(const std::string& title, const std::string& file) {
 }
 
 /// All that is known before the first solve, so that bad input costs no time.
-std::vector<host::SweepCurve> read_curves(const Arguments& arguments,
-                                          std::vector<host::VariedScene>& scenes) {
-  std::vector<host::SweepCurve> curves;
+std::vector<desktop::SweepCurve> read_curves(const Arguments& arguments,
+                                             std::vector<desktop::VariedScene>& scenes) {
+  std::vector<desktop::SweepCurve> curves;
   const auto each = arguments.value("--each");
   for (const std::string& path : arguments.files()) {
-    host::VariedScene scene = host::VariedScene::read(path);
+    desktop::VariedScene scene = desktop::VariedScene::read(path);
     set_pressure(arguments, scene);
     const std::string title = named(scene.as_given().title, path);
     const std::string mine = arguments.files().size() > 1 ? title : "";
@@ -57,8 +59,8 @@ std::vector<host::SweepCurve> read_curves(const Arguments& arguments,
       scenes.push_back(scene);
       continue;
     }
-    for (const host::Variation& value : read_each(scene, *each)) {
-      const std::string label = value.parameter.path + " = " + host::shown(value.from) +
+    for (const desktop::Variation& value : read_each(scene, *each)) {
+      const std::string label = value.parameter.path + " = " + desktop::shown(value.from) +
                                 (value.parameter.unit.empty() ? "" : " " + value.parameter.unit);
       curves.push_back({mine.empty() ? label : mine + ", " + label, title, value, {}});
       scenes.push_back(scene.with(value.parameter, value.from));
@@ -70,12 +72,13 @@ std::vector<host::SweepCurve> read_curves(const Arguments& arguments,
   return curves;
 }
 
-std::string title_of(const std::vector<host::SweepCurve>& curves) {
-  const host::Sweep& sweep = curves.front().sweep;
+std::string title_of(const std::vector<desktop::SweepCurve>& curves) {
+  const desktop::Sweep& sweep = curves.front().sweep;
   std::string over = sweep.variations[0].parameter.path;
   if (sweep.is_map()) over += " and " + sweep.variations[1].parameter.path;
   bool same = true;
-  for (const host::SweepCurve& curve : curves) same = same && curve.scene == curves.front().scene;
+  for (const desktop::SweepCurve& curve : curves)
+    same = same && curve.scene == curves.front().scene;
   return (same ? curves.front().scene + ": push" : "Push") + " by " + sweep.pusher + " over " +
          over;
 }
@@ -87,19 +90,19 @@ int run(const Arguments& arguments) {
   if (varied.size() > 2)
     throw UsageError("--vary is given once, or twice for a map, not " +
                      std::to_string(varied.size()) + " times");
-  std::vector<host::SweepQuantity> shown;
+  std::vector<desktop::SweepQuantity> shown;
   if (const auto names = arguments.value("--show")) {
     if (format != "svg")
       throw UsageError("--show goes with --format svg; the other formats have everything");
-    for (const std::string& name : split(*names)) shown.push_back(host::sweep_quantity(name));
+    for (const std::string& name : split(*names)) shown.push_back(desktop::sweep_quantity(name));
   }
   (void)read_scene_argument(arguments); // refuses what is too large
-  std::vector<host::VariedScene> scenes;
-  std::vector<host::SweepCurve> curves = read_curves(arguments, scenes);
+  std::vector<desktop::VariedScene> scenes;
+  std::vector<desktop::SweepCurve> curves = read_curves(arguments, scenes);
   if (varied.size() > 1 && curves.size() > 1)
     throw UsageError("a map is of one scene: leave out the second --vary, or --each and the other "
                      "scenes");
-  host::ParameterSweepOptions options;
+  desktop::ParameterSweepOptions options;
   options.steps = read_steps(arguments, varied.size() > 1 ? most_map_steps : most_steps);
   bool complete = true;
   {
@@ -110,14 +113,14 @@ int run(const Arguments& arguments) {
         meter.show((static_cast<double>(k) + done) / count);
       };
       options.pusher = chosen_pusher(arguments, scenes[k].as_given());
-      curves[k].sweep = host::sweep_parameter(scenes[k], curves[k].sweep.variations, options);
+      curves[k].sweep = desktop::sweep_parameter(scenes[k], curves[k].sweep.variations, options);
       complete = complete && curves[k].sweep.complete;
     }
   }
-  write_output(arguments, format == "json"  ? host::sweep_json(curves)
-                          : format == "csv" ? host::sweep_csv(curves)
-                          : format == "svg" ? host::sweep_svg(curves, title_of(curves), shown)
-                                            : host::sweep_text(curves));
+  write_output(arguments, format == "json"  ? desktop::sweep_json(curves)
+                          : format == "csv" ? desktop::sweep_csv(curves)
+                          : format == "svg" ? desktop::sweep_svg(curves, title_of(curves), shown)
+                                            : desktop::sweep_text(curves));
   return complete ? 0 : 1;
 }
 

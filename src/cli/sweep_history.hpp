@@ -1,9 +1,9 @@
 // --history for pushes: what is left of each law after so many sweeps.
 #pragma once
 
-#include "arguments.hpp"
-#include "history.hpp"
-#include "lcpush/host/push.hpp"
+#include "cli/arguments.hpp"
+#include "cli/history.hpp"
+#include "lcpush/desktop/push.hpp"
 
 namespace lcpush::cli {
 
@@ -12,24 +12,24 @@ inline Option history_option() {
 }
 
 /// The format asked for; csv goes with --history, and --history with a solver that sweeps.
-inline std::string push_format(const Arguments& arguments, host::Solver solver) {
+inline std::string push_format(const Arguments& arguments, desktop::Solver solver) {
   if (!arguments.has("--history")) return arguments.format({"text", "json"});
-  if (solver == host::Solver::lemke)
+  if (solver == desktop::Solver::lemke)
     throw UsageError("--history goes with --solver gauss-seidel or hybrid; lemke has no sweeps");
   return arguments.format({"text", "csv", "json"});
 }
 
-inline std::string push_history(const std::string& format, host::Solver solver, Status status,
-                                const std::vector<host::SweepRecord>& records) {
+inline std::string push_history(const std::string& format, desktop::Solver solver, Status status,
+                                const std::vector<desktop::SweepRecord>& records) {
   std::vector<HistoryRow> rows;
-  for (const host::SweepRecord& record : records) {
+  for (const desktop::SweepRecord& record : records) {
     const Residuals<double>& r = record.residuals;
     rows.push_back(
         {record.sweep,
          {r.newton, r.normal, r.dissipation, r.cone, r.grip, r.rigidity, r.pusher, r.max()}});
   }
   return history_text(
-      format, host::solver_text(solver), status,
+      format, desktop::solver_text(solver), status,
       {"newton", "normal", "dissipation", "cone", "grip", "rigidity", "pusher", "max"}, rows);
 }
 

@@ -7,40 +7,41 @@
 
 #include <unistd.h>
 
-#include "../host/message.hpp"
-#include "../host/number_text.hpp"
-#include "arguments.hpp"
-#include "lcpush/host/sweep.hpp"
+#include "cli/arguments.hpp"
+#include "formats/read_number.hpp"
+#include "lcpush/desktop/sweep.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 
 /// PATH=FROM:TO.
-inline host::Variation read_variation(const host::VariedScene& scene, const std::string& text) {
+inline desktop::Variation read_variation(const desktop::VariedScene& scene,
+                                         const std::string& text) {
   const std::size_t equals = text.find('='), colon = text.rfind(':');
   if (equals == std::string::npos || colon == std::string::npos || colon < equals)
     throw UsageError("--vary needs PATH=FROM:TO, such as left.grip_force=5:40, not " +
-                     host::quoted(text));
-  host::Variation variation;
+                     desktop::quoted(text));
+  desktop::Variation variation;
   variation.parameter = scene.find(text.substr(0, equals));
   const auto number = [&](std::size_t begin, std::size_t end) {
-    const host::NumberText read = host::read_finite_number(text.substr(begin, end - begin));
-    if (read.error) throw UsageError("--vary " + host::quoted(text) + ": " + *read.error);
+    const desktop::NumberText read = desktop::read_finite_number(text.substr(begin, end - begin));
+    if (read.error) throw UsageError("--vary " + desktop::quoted(text) + ": " + *read.error);
     return read.value;
   };
   variation.from = number(equals + 1, colon);
   variation.to = number(colon + 1, text.size());
   if (variation.from == variation.to)
-    throw UsageError("--vary " + host::quoted(text) + ": from and to are the same");
+    throw UsageError("--vary " + desktop::quoted(text) + ": from and to are the same");
   return variation;
 }
 
 inline Index read_steps(const Arguments& arguments, Index most) {
   const std::optional<std::string> text = arguments.value("--steps");
   if (!text) return 0;
-  const auto steps = host::whole_number(*text);
+  const auto steps = desktop::whole_number(*text);
   if (!steps || *steps < 2 || *steps > static_cast<std::uint64_t>(most))
     throw UsageError("--steps is a whole number from 2 to " + std::to_string(most) + ", not " +
-                     host::quoted(*text));
+                     desktop::quoted(*text));
   return static_cast<Index>(*steps);
 }
 
@@ -49,13 +50,13 @@ inline Option pressure_option() {
 }
 
 /// The law of --pressure, if it is given.
-inline void set_pressure(const Arguments& arguments, host::VariedScene& scene) {
+inline void set_pressure(const Arguments& arguments, desktop::VariedScene& scene) {
   const auto law = arguments.value("--pressure");
   if (!law) return;
   const std::vector<std::string> laws = {"pad", "even", "rigid"};
   if (std::find(laws.begin(), laws.end(), *law) == laws.end())
-    throw UsageError("--pressure is " + host::listed(laws, "or") + ", not " + host::quoted(*law) +
-                     host::suggestion(*law, laws));
+    throw UsageError("--pressure is " + desktop::listed(laws, "or") + ", not " +
+                     desktop::quoted(*law) + desktop::suggestion(*law, laws));
   scene.set_pressure(*law);
 }
 

@@ -1,23 +1,23 @@
 // lcpush verify: is somebody else's answer right?
-#include "lcpush/host/verify.hpp"
-#include "../host/json_fields.hpp"
-#include "../host/message.hpp"
-#include "../host/number_text.hpp"
-#include "commands.hpp"
-#include "lcpush/host/text_file.hpp"
-#include "raw_arguments.hpp"
-#include "scene_argument.hpp"
+#include "lcpush/desktop/verify.hpp"
+#include "cli/commands.hpp"
+#include "cli/raw_arguments.hpp"
+#include "cli/scene_argument.hpp"
+#include "formats/json_fields.hpp"
+#include "formats/read_number.hpp"
+#include "text/text_file.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-host::VerifyOptions read_options(const Arguments& arguments) {
-  host::VerifyOptions options;
+desktop::VerifyOptions read_options(const Arguments& arguments) {
+  desktop::VerifyOptions options;
   if (const auto text = arguments.value("--tolerance")) {
-    const host::NumberText number = host::read_finite_number(*text);
+    const desktop::NumberText number = desktop::read_finite_number(*text);
     if (number.error || !(number.value > 0) || !(number.value < 1))
       throw UsageError("--tolerance is a number between 0 and 1 such as 1e-6, not " +
-                       host::quoted(*text));
+                       desktop::quoted(*text));
     options.tolerance = number.value;
   }
   return options;
@@ -26,9 +26,10 @@ host::VerifyOptions read_options(const Arguments& arguments) {
 /// The z of `lcpush lcp --json`, or of an object that has nothing else.
 std::vector<double> read_z(const std::string& path) {
   constexpr std::size_t most_bytes = 256U << 20U;
-  const host::JsonValue root = host::parse_json(host::read_text_file(path, most_bytes), path);
-  const host::JsonFields fields(path);
-  if (root.as<host::JsonObject>() == nullptr)
+  const desktop::JsonValue root =
+      desktop::parse_json(desktop::read_text_file(path, most_bytes), path);
+  const desktop::JsonFields fields(path);
+  if (root.as<desktop::JsonObject>() == nullptr)
     fields.refuse(root, std::string("an answer is a JSON object, got ") + root.type());
   const auto z = fields.numbers(root, "z", -1);
   if (!z) fields.refuse(root, "nothing to verify: give \"z\": [n numbers]");
@@ -41,10 +42,11 @@ int verify_raw_problem(const Arguments& arguments, const std::string& format) {
     throw UsageError("files are needed: M.mtx q.mtx ANSWER.json (or --M, --q and ANSWER.json)");
   const std::string answer = files.back();
   files.pop_back();
-  const host::RawProblem problem = read_raw_problem(arguments, files);
-  const host::RawVerifyReport report =
-      host::verify_raw(problem, read_z(answer), read_options(arguments));
-  write_output(arguments, format == "json" ? host::verify_json(report) : host::verify_text(report));
+  const desktop::RawProblem problem = read_raw_problem(arguments, files);
+  const desktop::RawVerifyReport report =
+      desktop::verify_raw(problem, read_z(answer), read_options(arguments));
+  write_output(arguments,
+               format == "json" ? desktop::verify_json(report) : desktop::verify_text(report));
   return is_valid(report.verdict) ? 0 : 1;
 }
 
@@ -57,12 +59,12 @@ int run(const Arguments& arguments) {
     throw UsageError(arguments.files().size() == 3
                          ? "three files are M.mtx q.mtx ANSWER.json: say --lcp"
                          : "two files are needed: SCENE.toml ANSWER.json");
-  const host::VerifyOptions options = read_options(arguments);
-  const host::SceneFile file = read_scene_argument(arguments);
-  const host::ForeignAnswer answer = host::read_foreign_answer(arguments.files()[1], file);
-  const host::VerifyReport report = host::verify_answer(file, answer, options);
-  write_output(arguments,
-               format == "json" ? host::verify_json(report) : host::verify_text(file, report));
+  const desktop::VerifyOptions options = read_options(arguments);
+  const desktop::SceneFile file = read_scene_argument(arguments);
+  const desktop::ForeignAnswer answer = desktop::read_foreign_answer(arguments.files()[1], file);
+  const desktop::VerifyReport report = desktop::verify_answer(file, answer, options);
+  write_output(arguments, format == "json" ? desktop::verify_json(report)
+                                           : desktop::verify_text(file, report));
   return is_valid(report.verdict) ? 0 : 1;
 }
 

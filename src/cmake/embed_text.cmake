@@ -49,7 +49,7 @@ definition(page_function explorer_template "${page}")
 definition(style_function explorer_style "${style}")
 definition(script_function explorer_script "${script}")
 file(WRITE "${OUTPUT}"
-     "// Made by src/cmake/embed_text.cmake from src/host/explorer; not to be edited.\n"
-     "#include \"explorer_text.hpp\"\n\nnamespace lcpush::host {\n"
+     "// Made by src/cmake/embed_text.cmake from src/pivots/explorer; not to be edited.\n"
+     "#include \"pivots/explorer_text.hpp\"\n\nnamespace lcpush::desktop {\n"
      "${page_function}${style_function}${script_function}${example_function}"
-     "} // namespace lcpush::host\n")
+     "} // namespace lcpush::desktop\n")

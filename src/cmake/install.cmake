@@ -6,7 +6,7 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/lcpush)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/lcpush ${PROJECT_BINARY_DIR}/include/lcpush
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(TARGETS lcpush lcpush_host lcpush_c EXPORT lcpushTargets
+install(TARGETS lcpush lcpush_desktop lcpush_c EXPORT lcpushTargets
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT lcpushTargets NAMESPACE lcpush:: DESTINATION ${package_dir})
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "bench/stopwatch.hpp"
-#include "lcpush/lcp/dictionary.hpp"
+#include "lcpush/lcp/pivots/dictionary.hpp"
 #include "support/random_grasp.hpp"
 
 namespace lcpush::bench {

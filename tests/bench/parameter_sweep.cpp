@@ -7,10 +7,10 @@
 #include <ctime>
 #include <exception>
 
-#include "lcpush/host/sweep.hpp"
+#include "lcpush/desktop/sweep.hpp"
 
 int main(int count, char** words) {
-  using namespace lcpush::host;
+  using namespace lcpush::desktop;
   if (count < 5) {
     std::fprintf(stderr, "Usage: parameter_sweep SCENE.toml PATH FROM TO [POINTS]\n");
     return 2;

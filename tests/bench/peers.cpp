@@ -6,7 +6,7 @@
 // Two round fingers of K points, a line pusher, G facets (n unknowns, seeded variations), and the
 // paper's three primitives; each under `rigid` and in the first round of `pad`. The other libraries
 // and lcpush's dense basis get the same n x n problem: the free unknowns are pivoted out
-// (lcp/reduce.hpp) and rows and columns scaled. The structured basis and the sweeps get the
+// (lcp/pivots/reduce.hpp) and rows and columns scaled. The structured basis and the sweeps get the
 // factored problem that it stands for. Every answer is brought back to that one and judged by
 // lcp/residual.hpp. Times are processor times; set-up and the final check included.
 #include <fcntl.h>
@@ -24,7 +24,7 @@
 #include "bench/peers/peer.hpp"
 #include "bench/stopwatch.hpp"
 #include "bench/wide_grasp.hpp"
-#include "lcpush/lcp/reduce.hpp"
+#include "lcpush/lcp/pivots/reduce.hpp"
 #include "lcpush/lcpush.hpp"
 
 namespace {
@@ -72,7 +72,7 @@ public:
     assembly_.push_by(sigma);
     if (scene_.pressure != Pressure::pad) return;
     pad_preload(assembly_, memory_.work.pressure);
-    detail::set_compliance(assembly_, memory_.work.pressure,
+    set_compliance(assembly_, memory_.work.pressure,
                            PressureOptions<double>{}.first_compliance);
   }
 

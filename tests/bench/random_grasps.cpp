@@ -1,7 +1,7 @@
 // Reliability on seeded random grasps: `random_grasps [FROM] [TO] [structured] [predicted]`
 // (default 0 10000, on the dense basis, cold; `predicted`: first rounds start from the predicted
 // modes). One line a pressure law and family: how many were solved, the worst residual of
-// mechanics/check.hpp, pivots, and on how many of every tenth grasp four covers agree on the
+// mechanics/model/check.hpp, pivots, and on how many of every tenth grasp four covers agree on the
 // motion. Then the force of breaking on the first thousand.
 #include <algorithm>
 #include <chrono>

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "lcpush/lcpush.hpp"
-#include "lcpush/mechanics/patch.hpp"
+#include "lcpush/mechanics/model/patch.hpp"
 #include "support/grasp_families.hpp"
 #include "support/owned_sweeps.hpp"
 

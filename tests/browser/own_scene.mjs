@@ -1,4 +1,4 @@
-// A grasp assembled by hand (docs/theory.md, 5.1), without compliance: two fingers of four points
+// A grasp assembled by hand (docs/theory/theory.md, 5.1), without compliance: two fingers of four points
 // with a force each, and a pusher; or the planar one: a box on a stop. In SI units.
 const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],

@@ -1,4 +1,4 @@
-"""The worked example of docs/embedding.md, pasted as a new user would.
+"""The worked example of docs/embed/embedding.md, pasted as a new user would.
 
 Usage: test_embedding.py REPO_ROOT
 """
@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 root = pathlib.Path(sys.argv[1]).resolve()
-page = (root / "docs/embedding.md").read_text()
+page = (root / "docs/embed/embedding.md").read_text()
 [program] = re.findall(r"```c\n(.*?)```", page, flags=re.S)
 shell = [block for block in re.findall(r"```sh\n(.*?)```", page, flags=re.S) if "./push" in block]
 [expected] = re.findall(r"```text\n(.*?)```", page, flags=re.S)
@@ -24,5 +24,5 @@ with tempfile.TemporaryDirectory() as folder:
     assert result.returncode == 0, result.stderr
     assert result.stderr == "", result.stderr
     if result.stdout != expected:
-        sys.exit(f"docs/embedding.md: the example prints now\n{result.stdout}")
-print("the example of docs/embedding.md: ok")
+        sys.exit(f"docs/embed/embedding.md: the example prints now\n{result.stdout}")
+print("the example of docs/embed/embedding.md: ok")

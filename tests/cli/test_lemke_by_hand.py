@@ -1,4 +1,4 @@
-"""docs/lemke_by_hand.md beyond its console blocks: typed answers, JSON keys, equations, exercises."""
+"""docs/teach/lemke_by_hand.md beyond its console blocks: typed answers, JSON keys, equations, exercises."""
 import itertools
 import json
 import pathlib
@@ -8,7 +8,7 @@ import sys
 from fractions import Fraction
 
 tool, source = sys.argv[1], pathlib.Path(sys.argv[2])
-page = (source / "docs/lemke_by_hand.md").read_text()
+page = (source / "docs/teach/lemke_by_hand.md").read_text()
 
 
 def run(*words, typed=""):
@@ -94,7 +94,7 @@ values = {"solved", "cycle", "pivot_limit", "numerical_breakdown", "fractions", 
 assert described - written <= values, described - written - values
 
 # Ten exercises, each with an answer that is a transcript and with a test.
-tests = (source / "tests/lcp/test_exercises.cpp").read_text()
+tests = (source / "tests/lcp/pivots/test_exercises.cpp").read_text()
 exercises = re.split(r"^\*\*Exercise (\d+): ", section("7 Ten exercises"), flags=re.M)[1:]
 assert exercises[::2] == [str(k) for k in range(1, 11)]
 for number, text in zip(exercises[::2], exercises[1::2]):

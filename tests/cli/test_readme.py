@@ -20,9 +20,10 @@ def must_show(what, text):
 
 must_show("the first answer", output(tool, "solve", "fixtures/scenes/straight_slide.toml"))
 must_show("lcpush lcp", output(tool, "lcp", "--M", "2 1; 1 2", "--q", "-5 -6"))
-for example, program in (("slide", "slide"), ("embedded", "embedded_main")):
-    must_show(f"docs/examples/{example}.cpp",
-              "```cpp\n" + (source / f"docs/examples/{example}.cpp").read_text().rstrip("\n") + "\n```")
+for folder, example, program in (("docs/guide", "slide", "slide"),
+                                 ("docs/embed", "embedded", "embedded_main")):
+    must_show(f"{folder}/{example}.cpp",
+              "```cpp\n" + (source / f"{folder}/{example}.cpp").read_text().rstrip("\n") + "\n```")
     must_show(f"the output of {program}", "```text\n" + output(build / f"example_{program}"))
 
 # Links inside the project lead somewhere, in the README and in docs/.

@@ -224,7 +224,7 @@ class Report(unittest.TestCase):
                 self.assertAlmostEqual(a, b, delta=1e-3)
 
     def test_friction_points_as_it_does_in_its_contact_plane(self):
-        # t and o = n x t of each body, as docs/theory.md defines them.
+        # t and o = n x t of each body, as docs/theory/theory.md defines them.
         frames = {"left": ((1, 0, 0), (0, -1, 0)), "right": ((1, 0, 0), (0, 1, 0)),
                   "wall": ((0, 1, 0), (0, 0, 1)), "edge": ((1, 0, 0), (0, 0, -1))}
         for name in ("straight_slide", "pivot"):
@@ -368,7 +368,7 @@ class Report(unittest.TestCase):
         def numbers(text):
             return [float(x) for x in re.findall(r"-?\d+\.?\d*", text)]
 
-        kept = ElementTree.parse(SOURCE / "docs/pivot_front.svg").getroot()
+        kept = ElementTree.parse(SOURCE / "docs/teach/pivot_front.svg").getroot()
         now = self.picture(SCENES / "pivot.toml", "front")
         self.assertEqual(len(drawn(kept)), len(drawn(now)))
         for a, b in zip(drawn(kept), drawn(now)):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every equation tag that the sources cite is a heading of docs/theory.md, and the other way round.
+"""Every equation tag that the sources cite is a heading of docs/theory/theory.md, and the other way round.
 
 Usage: test_equation_tags.py REPO_ROOT
 
@@ -15,7 +15,7 @@ from pathlib import Path
 TAG = re.compile(r"\[T\.(\d+)\]")
 HEADING = re.compile(r"#{1,6}\s")
 FENCE = re.compile(r"\s*(```|~~~)")
-THEORY = Path("docs/theory.md")
+THEORY = Path("docs/theory/theory.md")
 CITING = ("include", "src", "tests", "docs")
 MUST_CITE = ("include", "src")
 SUFFIXES = {".hpp", ".h", ".cpp", ".c", ".in", ".cmake", ".txt", ".py", ".toml", ".md", ".sh"}
@@ -74,7 +74,7 @@ def faults(root):
 def check_the_check():
     """Faults planted in a small tree must be found, each on its own, and a sound tree must pass."""
     sound = {
-        "docs/theory.md": f"# Theory\n\n## {tag(1)} One\n\n## {tag(2)} Two\n",
+        "docs/theory/theory.md": f"# Theory\n\n## {tag(1)} One\n\n## {tag(2)} Two\n",
         "include/a.hpp": f"// {tag(1)}\n",
         "src/b.cpp": f"// {tag(2)}\n",
         "tests/c.cpp": f"// {tag(2)}\n",
@@ -83,11 +83,12 @@ def check_the_check():
         ({}, []),
         ({"include/a.hpp": f"// {tag(1)}\n\n// {tag(3)}\n"}, ["include/a.hpp:3"]),
         ({"tests/c.cpp": f"// {tag(7)}\n"}, ["tests/c.cpp:1"]),
-        ({"src/b.cpp": "// nothing\n"}, ["docs/theory.md:5"]),  # a test alone does not cite
-        ({"docs/theory.md": sound["docs/theory.md"] + f"## {tag(1)} Again\n"}, ["docs/theory.md:3"]),
-        ({"docs/theory.md": f"## {tag(1)} One\n```\n## {tag(2)} in a listing\n```\n"},
-         ["src/b.cpp:1", "tests/c.cpp:1", "docs/theory.md:3"]),
-        ({"docs/theory.md": None}, ["docs/theory.md is missing"]),
+        ({"src/b.cpp": "// nothing\n"}, ["docs/theory/theory.md:5"]),  # a test alone does not cite
+        ({THEORY.as_posix(): sound[THEORY.as_posix()] + f"## {tag(1)} Again\n"},
+         ["docs/theory/theory.md:3"]),
+        ({"docs/theory/theory.md": f"## {tag(1)} One\n```\n## {tag(2)} in a listing\n```\n"},
+         ["src/b.cpp:1", "tests/c.cpp:1", "docs/theory/theory.md:3"]),
+        ({"docs/theory/theory.md": None}, ["docs/theory/theory.md is missing"]),
     ]
     for change, expected in planted:
         with tempfile.TemporaryDirectory() as folder:

@@ -13,9 +13,9 @@
 #define LCPUSH_TEST_ASAN 1
 #endif
 #endif
-#include "lcpush/lcp/reduce.hpp"
-#include "lcpush/mechanics/full_form.hpp"
-#include "lcpush/mechanics/predicted_modes.hpp"
+#include "lcpush/lcp/pivots/reduce.hpp"
+#include "lcpush/mechanics/paper/full_form.hpp"
+#include "lcpush/mechanics/solve/predicted_modes.hpp"
 #include "support/dense_lcp.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"

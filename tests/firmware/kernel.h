@@ -2,7 +2,7 @@
 #pragma once
 
 #include "device.h"
-#include "lcpush/lcp/ratio_test.hpp"
+#include "lcpush/lcp/pivots/ratio_test.hpp"
 
 /// Lets the variable `entering` into the basis and returns the one to enter next; -1: the
 /// artificial variable has left, a solution; -2: nothing blocks, a ray. `scratch`: n Scalars, n

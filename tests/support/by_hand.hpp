@@ -1,4 +1,4 @@
-// Problems pivoted as docs/lemke_by_hand.md does it, in fractions, and checks of the outcome that
+// Problems pivoted as docs/teach/lemke_by_hand.md does it, in fractions, and checks of the outcome that
 // share no arithmetic with the pivots.
 #pragma once
 
@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "lcpush/host/pivots.hpp"
+#include "lcpush/desktop/pivots.hpp"
 
 namespace lcpush::test::by_hand {
 
-using namespace lcpush::host;
+using namespace lcpush::desktop;
 
 inline const std::string fixtures = std::string(LCPUSH_SOURCE_DIR) + "/fixtures/";
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "lcpush/lcp/lemke.hpp"
+#include "lcpush/lcp/pivots/lemke.hpp"
 #include "support/random_grasp.hpp"
 
 namespace lcpush::test {

@@ -1,8 +1,8 @@
 // The full form of an assembled scene, built and eliminated, on the heap.
 #pragma once
 
-#include "lcpush/lcp/reduce.hpp"
-#include "lcpush/mechanics/full_form.hpp"
+#include "lcpush/lcp/pivots/reduce.hpp"
+#include "lcpush/mechanics/paper/full_form.hpp"
 #include "support/dense_lcp.hpp"
 
 namespace lcpush::test {

@@ -5,7 +5,7 @@
 #include <new>
 #include <vector>
 
-#include "lcpush/lcp/dictionary.hpp"
+#include "lcpush/lcp/pivots/dictionary.hpp"
 #include "support/dense_lcp.hpp"
 
 namespace lcpush::test {

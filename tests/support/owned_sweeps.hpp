@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lcpush/mechanics/workspace.hpp"
+#include "lcpush/mechanics/solve/workspace.hpp"
 
 namespace lcpush::test {
 

@@ -1,4 +1,4 @@
-// Seeded random grasps (docs/numerics.md, "Random grasps"): the family that the reliability
+// Seeded random grasps (docs/theory/numerics.md, "Random grasps"): the family that the reliability
 // figures speak of. Same seed, same grasp, on every machine.
 #pragma once
 
@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "lcpush/lcp/structured_lemke.hpp"
-#include "lcpush/mechanics/workspace.hpp"
+#include "lcpush/lcp/pivots/structured_lemke.hpp"
+#include "lcpush/mechanics/solve/workspace.hpp"
 
 namespace lcpush::test {
 

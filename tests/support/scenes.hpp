@@ -1,4 +1,4 @@
-// Scenes with closed forms (docs/theory.md, "Closed forms"), SI units.
+// Scenes with closed forms (docs/theory/theory.md, "Closed forms"), SI units.
 #pragma once
 
 #include "support/random_grasp.hpp"

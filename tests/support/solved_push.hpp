@@ -1,7 +1,7 @@
 // One push from scene to answer, everything owned: for tests that look at answers.
 #pragma once
 
-#include "lcpush/mechanics/breaking.hpp"
+#include "lcpush/mechanics/solve/breaking.hpp"
 #include "support/random_grasp.hpp"
 
 namespace lcpush::test {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "lcpush/lcp/block_gauss_seidel.hpp"
-#include "lcpush/lcp/gauss_seidel.hpp"
+#include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
+#include "lcpush/lcp/sweeps/gauss_seidel.hpp"
 #include "support/dense_lcp.hpp"
 
 namespace lcpush::test {

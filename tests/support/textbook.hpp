@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "lcpush/host/matrix_market.hpp"
+#include "lcpush/desktop/matrix_market.hpp"
 #include "support/dense_lcp.hpp"
 
 namespace lcpush::test {
 
 inline MatrixX<double> read_matrix(const std::string& path) {
-  const host::HostMatrix matrix = host::read_matrix_market(path);
+  const desktop::HostMatrix matrix = desktop::read_matrix_market(path);
   return Eigen::Map<const MatrixX<double>>(matrix.values.data(), matrix.rows, matrix.cols);
 }
 

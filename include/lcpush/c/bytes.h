@@ -1,5 +1,5 @@
 /* Bounds on the sizes of what a push keeps in its memory, for the macros of lcpush.h; include that,
- * not this. src/c_interface.cpp asserts that they hold on the target at hand. */
+ * not this. src/c/c_interface.cpp asserts that they hold on the target at hand. */
 
 #define LCPUSH_WORD_ sizeof(ptrdiff_t)
 /* A push itself, a body, a drive, a contact and what its assembly keeps. */

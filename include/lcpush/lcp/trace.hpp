@@ -12,7 +12,7 @@
 
 #include <cstdint>
 
-#include "lcpush/lcp/ratio_test.hpp"
+#include "lcpush/lcp/blocking.hpp"
 #include "lcpush/status.hpp"
 
 namespace lcpush {

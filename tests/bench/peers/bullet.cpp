@@ -1,5 +1,5 @@
 // Bullet's Lemke (Debian: libbullet-dev, the build for double).
-#include "peer.hpp"
+#include "bench/peers/peer.hpp"
 
 #ifdef LCPUSH_HAS_BULLET
 #define BT_USE_DOUBLE_PRECISION

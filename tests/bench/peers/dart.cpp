@@ -1,5 +1,5 @@
 // DART's Lemke (Debian: libdart-dev).
-#include "peer.hpp"
+#include "bench/peers/peer.hpp"
 
 #ifdef LCPUSH_HAS_DART
 #include <Eigen/Dense>

@@ -1,6 +1,6 @@
 // Siconos' Lemke with the lexicographic rule, and its pivoting solver (Debian:
 // libsiconos-numerics-dev).
-#include "peer.hpp"
+#include "bench/peers/peer.hpp"
 
 #ifdef LCPUSH_HAS_SICONOS
 #include <numerics/LCP_Solvers.h>

@@ -1,0 +1,86 @@
+// lcpush: a scene file (a strict subset of TOML) becomes a Scene.
+#pragma once
+
+#include "lcpush/desktop/rational.hpp"
+#include "lcpush/mechanics/model/scene.hpp"
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace lcpush::desktop {
+
+/// What the object looks like; for drawings only, nothing is computed from it.
+struct ObjectShape {
+  enum class Kind {
+    box,
+    cylinder,
+    unknown, ///< the file gives the inertia alone: drawn as the box with these principal moments
+  };
+  Kind kind = Kind::unknown;
+  Vector3<double> size = Vector3<double>::Zero(); ///< m, what encloses it, edge by edge
+  Index axis = 2;                                 ///< of a cylinder: 0, 1 or 2 for x, y or z
+};
+
+/// The arrays behind a Scene, and the names that the core does not need.
+/// Bodies are the file's fingers, then its pushers, each in the file's order.
+template <class S> struct SceneOf {
+  std::string title; ///< empty if the file has none
+  Object<S> object{};
+  ObjectShape shape;
+  Vector3<S> gravity = Vector3<S>::Zero(); ///< m/s^2
+  Index facets = 8;
+  Pressure pressure = Pressure::pad;
+  bool planar = false;
+  bool parallel_jaws = false; ///< [gripper] jaws = "parallel": one actuator of both grip forces
+  std::vector<Body<S>> bodies;
+  std::vector<Vector3<S>> points;    ///< m, from the centre of mass, body by body
+  std::vector<Vector3<S>> positions; ///< m, the same points in the scene's frame
+  std::vector<Actuator<S>> actuators;
+  std::vector<Drive<S>> drives;
+  std::vector<std::string> body_names;     ///< unique
+  std::vector<std::string> actuator_names; ///< of the body or the [[actuator]]; "jaws" if parallel
+  /// Of an exact scene: a sentence for each thing that is irrational, which therefore is not exact.
+  std::vector<std::string> inexact;
+
+  /// The scene over these arrays: valid while this object lives unchanged.
+  Scene<S> view() const {
+    const auto span_of = [](const auto& list) {
+      using T = typename std::decay_t<decltype(list)>::value_type;
+      return Span<const T>{list.data(), static_cast<Index>(list.size())};
+    };
+    return {object,         gravity,         facets,          pressure,
+            planar,         span_of(bodies), span_of(points), span_of(actuators),
+            span_of(drives)};
+  }
+
+  /// The body of a point of `points`. Cost: O(bodies).
+  Index body_of(Index point) const {
+    std::size_t b = 0;
+    while (point >= bodies[b].first_point + bodies[b].point_count) ++b;
+    return static_cast<Index>(b);
+  }
+};
+
+using SceneFile = SceneOf<double>;
+
+/// Reads the scene file at `path`. Every value of the result is finite and physical: unit normals
+/// and tangents, a positive definite inertia, at least one contact point, no coincident points in
+/// a patch. Throws InputError, with file and line, on anything else; it guesses nothing.
+SceneFile read_scene(const std::string& path);
+
+/// The same for a text in memory; `file_name` only names it in messages.
+SceneFile parse_scene(std::string_view text, const std::string& file_name);
+
+/// The same scenes with decimals taken as typed, so that 0.2 is 1/5. What no fraction can say (a
+/// normal that takes a root, points of discs, directions of eight facets) is taken as the exact
+/// value of its double and named in `inexact`. Checks and messages are read_scene's, and a number
+/// of more than 10,000 digits is refused.
+SceneOf<Rational> read_scene_exactly(const std::string& path);
+SceneOf<Rational> parse_scene_exactly(std::string_view text, const std::string& file_name);
+
+/// The same sentences for the friction directions, which depend on `facets` as it is now.
+std::vector<std::string> irrational_directions(const SceneOf<Rational>& scene);
+
+} // namespace lcpush::desktop

@@ -1,0 +1,62 @@
+// The smallest grip force that holds the object before it is pushed, with the pushers absent and
+// with them in place: statics' bound [T.12], and the scene's own pressure law.
+#pragma once
+
+#include "lcpush/desktop/push.hpp"
+#include "lcpush/mechanics/study/holding.hpp"
+
+namespace lcpush::desktop {
+
+enum class GripSource {
+  not_known,
+  not_searched, ///< too many unknowns
+  no_grip,      ///< proved: no factor on the grip forces holds
+  statics,      ///< proved smallest for every pressure law, and the scene's own law holds at it
+  search,       ///< the scene's law needs more than statics: where it starts to hold, by bisection
+};
+
+/// Does the scene still hold when it is gripped harder than it has to be?
+enum class MoreGrip {
+  not_known, ///< not asked, as it holds as it is; or with a little more, but not with twice as much
+  holds,     ///< at 1.01 times the smallest grip, and at twice
+  drops,     ///< not even at 1.01 times: only just that grip holds
+};
+
+struct SmallestGrip {
+  GripSource source = GripSource::not_known;
+  double factor = -1; ///< on all grip forces of the scene; < 0: none, or not known
+  double bound = -1;  ///< of statics: below it no pressure law holds; < 0: not known
+  MoreGrip more = MoreGrip::not_known;
+
+  bool is_known() const { return factor >= 0; }
+};
+
+struct GripReport {
+  SmallestGrip alone;   ///< pushers absent
+  SmallestGrip at_rest; ///< pushers in place, in the limit of a vanishing push
+  double force = 0;     ///< N, the scene's: of the first finger with a grip force, or of its
+                        ///< [[actuator]], N m if that turns it; 0: nothing grips
+  std::string of;       ///< whose force that is: "per finger", "at left", "of actuator hand", ..
+  bool of_actuator = false; ///< it is an [[actuator]]'s
+};
+
+/// `hold` and `broken` are the answers for the scene as it is.
+GripReport find_smallest_grip(const SceneFile& file, const HoldReport& hold,
+                              const BreakReport& broken, const PushOptions& options);
+
+/// The hand before any push: its fingers alone and at rest, with the actuators that drive one.
+SceneFile hand_at_rest(const SceneFile& file);
+
+/// [T.12] on a file.
+Status find_holding(const SceneFile& file, const PushOptions& options, Holding<double>& holding);
+
+/// What a solver leaves of the acceleration of an object at rest, relative.
+double rest_tolerance(Solver solver);
+/// Is the acceleration rounding's? Beside what the load would do, or, where that is little beside
+/// the grip, beside what the solver leaves of the grip.
+bool is_at_rest(const SceneFile& file, const Vector6<double>& acceleration,
+                const Scales<double>& scales, double tolerance);
+/// Would a fall stand out, so that is_at_rest means that the load is held?
+bool shows_a_fall(const SceneFile& file, const Scales<double>& scales, double tolerance);
+
+} // namespace lcpush::desktop

@@ -1,0 +1,102 @@
+// The answer as a set: between which bounds do the push, the motion and the contact forces lie,
+// over all answers of the literal laws (pressure = "rigid") that are reached? docs/guide/spread.md.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "lcpush/desktop/push.hpp"
+
+namespace lcpush::desktop {
+
+/// Both ends belong to an answer that has passed the laws' referee. An infinite end: the quantity
+/// grows without end along answers, one of which, far out, has passed it. Not every value in
+/// between needs to belong to an answer: the set may have gaps.
+struct Interval {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  bool is_empty() const { return !(low <= high); }
+  double width() const { return high - low; }
+  void include(double x) {
+    if (x < low) low = x;
+    if (x > high) high = x;
+  }
+};
+
+struct SpreadOptions {
+  Index covers = 32;      ///< covering vectors 0, 1, .. of Lemke's method, each a path to an answer
+  bool enumerate = false; ///< look at all assignments of contact modes, not only at those reached
+  Index most_faces = 200; ///< faces studied; `enumerate`: ten times as many
+  double most_work = 2e9; ///< multiplications after which no further face is begun; `enumerate`:
+                          ///< ten times as many
+  LemkeOptions<double> lemke{};
+  Watcher* watcher = nullptr; ///< told of the covers' pivots
+};
+
+enum class SpreadVerdict {
+  unique,      ///< one motion, one set of contact forces
+  same_motion, ///< one motion, several sets of forces
+  ambiguous,   ///< several motions
+};
+
+/// As `verdict` prints it.
+constexpr const char* verdict_text(SpreadVerdict verdict) {
+  return verdict == SpreadVerdict::unique        ? "unique"
+         : verdict == SpreadVerdict::same_motion ? "same_motion"
+                                                 : "ambiguous";
+}
+
+struct ContactSpread {
+  Interval normal;        ///< N
+  Interval tangential[2]; ///< N, friction along the body's tangent t and along o = n x t
+  Interval torsion;       ///< N m about the normal, soft points
+};
+
+struct PusherSpread {
+  Index body;     ///< of the scene file
+  Interval force; ///< N, sum of its normal forces
+};
+
+struct SpreadReport {
+  /// solved: a set was found. Else nothing is: as Push::solve ends on the literal laws.
+  Status status = Status::bad_input;
+  SpreadVerdict verdict = SpreadVerdict::unique;
+  std::vector<PusherSpread> pushers;
+  Interval twist[6]; ///< the object's acceleration, [m/s^2; rad/s^2]
+  std::vector<ContactSpread> contacts;
+  Scales<double> scales{};
+  double motion = 0; ///< m/s^2, the largest |acceleration| reached or the push: the scale of `same`
+  double residual = 0; ///< the largest of the answers behind the bounds
+
+  Index covers = 0;        ///< tried
+  Index covers_solved = 0; ///< that led to an answer; the others ended in a ray or a failure
+  Index faces = 0;         ///< studied: bounds over all of it
+  Index faces_left = 0;    ///< known, not studied: the limit was reached; their bounds may be wider
+  Index programs = 0;      ///< linear programs solved for bounds and points
+  Index failures = 0;      ///< bounds or faces that could not be settled: the set may be wider
+  Index assignments = 0;   ///< of contact modes, whole or in part, that enumeration has looked at
+  bool enumerated = false; ///< enumeration was asked for and possible: see `enumeration`
+  bool complete = false;   ///< every answer lies on a studied face: enumeration ended, no failure
+  std::string enumeration; ///< why it is not complete, empty otherwise
+
+  PushReport failure; ///< not solved: how Push::solve ends, with reason, ray and jam
+};
+
+/// [T.13] The set of answers under the literal laws, whatever pressure law `file` names. Cost: the
+/// covers' pivots, and some 6 + 3 points linear programs a face.
+SpreadReport find_spread(const SceneFile& file, const SpreadOptions& options);
+
+/// The interval as one number, if its ends agree to `tolerance`?
+inline bool is_single(const Interval& interval, double tolerance) {
+  return interval.width() <= tolerance;
+}
+/// What counts as the same force (N) and the same acceleration (m/s^2).
+double same_force(const SpreadReport& report);
+double same_acceleration(const SpreadReport& report);
+
+std::string spread_text(const SceneFile& file, const SpreadReport& report);
+std::string spread_json(const SceneFile& file, const SpreadReport& report);
+
+} // namespace lcpush::desktop

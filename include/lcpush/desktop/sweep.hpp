@@ -1,0 +1,156 @@
+// How the push changes with a number of the scene: exactly, segment by segment between the
+// breakpoints where a contact changes its mode, and in samples.
+#pragma once
+
+#include "lcpush/desktop/varied_scene.hpp"
+#include "lcpush/mechanics/model/answer.hpp"
+#include "lcpush/status.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lcpush::desktop {
+
+/// One parameter and the range that it runs through.
+struct Variation {
+  Parameter parameter;
+  double from = 0, to = 0; ///< different; from may be the larger one
+};
+
+/// What is known of the scene at one value. What is not solved is zero.
+struct SweepValue {
+  Status push = Status::bad_input;     ///< of the push as prescribed
+  Status breaking = Status::bad_input; ///< of the instant of breaking; does_not_hold: the object
+                                       ///< moves before it is pushed
+  double break_force = 0;              ///< N, as in `break`; 0 unless solved
+  Vector3<double> force = Vector3<double>::Zero(); ///< N, the pusher's on the object, as prescribed
+  Vector6<double> twist = Vector6<double>::Zero(); ///< the object's acceleration, as prescribed
+  Vector6<double> break_twist = Vector6<double>::Zero(); ///< at breaking, per unit push
+  double residual = 0;                                   ///< the worst law's, of both
+  double motion_noise = 0, turning_noise = 0; ///< m/s^2, rad/s^2: what rounding leaves of a twist
+};
+
+/// How a segment was found.
+enum class SegmentKind {
+  exact,    ///< one basis holds from end to end, found by parametric pivoting
+  bisected, ///< solved afresh at several values that lie on a line; its ends by bisection
+  sampled,  ///< a straight stroke between two answers: what lies between is not known
+  unsolved, ///< no answer was found between its ends
+};
+constexpr const char* segment_kind_text(SegmentKind kind) {
+  return kind == SegmentKind::exact      ? "exact"
+         : kind == SegmentKind::bisected ? "bisected"
+         : kind == SegmentKind::sampled  ? "sampled"
+                                         : "unsolved";
+}
+
+struct SweepSegment {
+  double from = 0, to = 0; ///< in the sweep's direction
+  SegmentKind kind = SegmentKind::exact;
+  SweepValue at_from, at_to; ///< limits from inside
+  std::string change;        ///< what happens at `to`, in words; empty at the end of the sweep
+  bool jumps = false;        ///< the answer is discontinuous at `to`
+};
+
+struct SweepPoint {
+  double value = 0;
+  std::optional<double> second; ///< of the other parameter, in a map
+  SweepValue at;
+  std::vector<Mode> modes; ///< of every contact under the push as prescribed; empty if not solved
+  bool refined = false;    ///< added between two of the steps, where modes change
+  bool bistable = false;   ///< of a map: solved from nothing, the object moves in another way
+  std::string change;      ///< refined: from this point to the next
+};
+
+/// A range in which sweeping up and sweeping down end in different answers.
+struct BistableRange {
+  double from, to;
+  bool motion; ///< the object moves in another way; else the forces alone differ
+};
+
+/// Where a component of the object's acceleration is zero or changes its sign.
+struct SweepZero {
+  Index component; ///< of the twist: 0 to 5
+  double from, to; ///< the same for a single value
+  bool jumps;      ///< the sign changes without a zero
+};
+
+struct Sweep {
+  std::vector<Variation> variations; ///< one, or two for a map
+  std::string pusher;
+  std::vector<std::string> contacts;
+  std::vector<SweepSegment> segments; ///< from variations[0].from to .to, without gaps
+  std::vector<SweepSegment> back;     ///< the same the other way; only where it differs somewhere
+  std::vector<SweepPoint> points;     ///< in the sweep's order; in a map row by row
+  std::vector<SweepPoint> points_back;
+  std::vector<BistableRange> bistable;
+  std::vector<SweepZero> zeros; ///< component by component, in the sweep's order; not in a map
+  bool complete = true;         ///< every value was solved, or does not hold
+  Index cold = 0, warm = 0;     ///< solves from nothing, and from a neighbour's basis
+
+  bool is_map() const { return variations.size() == 2; }
+};
+
+struct ParameterSweepOptions {
+  Index pusher = -1;     ///< body; -1: the only pusher
+  Index steps = 0;       ///< points evenly spread, ends included; 0: none where segments are found
+  bool both_ways = true; ///< sweep back as well, in search of other answers
+  bool warm = true;      ///< start from the neighbour's answer
+  Index most_segments = 1000;
+  std::function<void(double done)> progress; ///< 0 to 1
+};
+
+/// Sweeps one parameter, or two for a map. Where `rigid` or `even` pressure meets a parameter that
+/// is linear (Parameter::linear), the segments are exact; `pad`'s are bisected; everything else is
+/// sampled. Every answer has passed the referee (mechanics/model/check.hpp). Throws InputError if a value
+/// of the range is no scene, or the scene has no pusher to speak of.
+Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& variations,
+                      const ParameterSweepOptions& options);
+
+/// One of several sweeps that are shown together, such as one a number of facets.
+struct SweepCurve {
+  std::string label;             ///< "facets = 8"
+  std::string scene;             ///< its title or file
+  std::optional<Variation> each; ///< what tells it from the others: from = to = its value
+  Sweep sweep;
+};
+
+/// What a picture shows.
+struct SweepQuantity {
+  enum class Kind { break_force, force, force_component, twist, break_twist };
+  Kind kind = Kind::break_force;
+  Index component = 0;
+
+  std::string name() const; ///< "twist[5]"
+  std::string unit() const;
+};
+/// "break_force", "force" (its size), "force[0]" to "force[2]", "twist[0]" to "twist[5]",
+/// "break_twist[0]" to "break_twist[5]". Throws InputError with what is possible.
+SweepQuantity sweep_quantity(const std::string& name);
+
+// One sweep, or several over the same parameter. Of several, json is {"curves": [..]} and csv has
+// one column more.
+std::string sweep_text(const std::vector<SweepCurve>& curves);
+std::string sweep_csv(const std::vector<SweepCurve>& curves);
+std::string sweep_json(const std::vector<SweepCurve>& curves);
+/// The quantities, one panel a unit; none: both forces, of a map the breaking force. A map shows
+/// one. Throws InputError where one is not known.
+std::string sweep_svg(const std::vector<SweepCurve>& curves, const std::string& title,
+                      const std::vector<SweepQuantity>& shown = {});
+
+inline std::string sweep_text(const Sweep& sweep) {
+  return sweep_text(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}});
+}
+inline std::string sweep_csv(const Sweep& sweep) {
+  return sweep_csv(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}});
+}
+inline std::string sweep_json(const Sweep& sweep) {
+  return sweep_json(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}});
+}
+inline std::string sweep_svg(const Sweep& sweep, const std::string& title) {
+  return sweep_svg(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}}, title);
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,77 @@
+// lcpush: a scene file whose numbers can be given other values.
+#pragma once
+
+#include "lcpush/desktop/scene_io.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lcpush::desktop {
+
+struct TomlDocument;
+
+/// A number of the file, or of several bodies at once, or a motion of a body. Made by
+/// VariedScene::find.
+struct Parameter {
+  enum class Kind {
+    number,       ///< takes the parameter's value
+    shift,        ///< a body's points move by the value along an axis
+    turn,         ///< a pusher's acceleration turns by the value in the x-y plane
+    tangent_turn, ///< a body's friction generators turn by the value about its normal
+  };
+  /// Where in the document: the keys above the first header (section -1), or a section's table.
+  struct Place {
+    int section, table;
+    std::string key;
+    std::vector<std::size_t> indices;
+  };
+  std::string path; ///< as typed
+  Kind kind = Kind::number;
+  std::vector<Place> places; ///< of a shift or turn: its table alone
+  Index axis = 0;            ///< of a shift
+  std::string unit;          ///< "N", "m/s^2", "" (a pure number), ..
+  bool linear = false;       ///< enters the right-hand side alone, and linearly
+  bool whole = false;        ///< counts something: whole numbers alone
+  double value = 0;          ///< in the file; of a shift or turn 0
+};
+
+/// Cheap to copy: copies share the document, which never changes.
+class VariedScene {
+public:
+  /// Throws InputError as read_scene does.
+  static VariedScene read(const std::string& path);
+  static VariedScene parse(std::string_view text, const std::string& file_name);
+
+  /// Another pressure law ("pad", "even" or "rigid") than the file's. Throws InputError.
+  void set_pressure(const std::string& law);
+
+  /// The parameter called `path`: `left.friction`, `*.grip_force` (of every body that has one),
+  /// `object.mass`, `gravity[1]`, `wall.ends[0][1]`, `facets`, `wall.shift[1]` (m), `wall.turn`
+  /// (degrees), `*.tangent_turn` (degrees, about each body's own normal).
+  /// Throws InputError with what is possible if there is none.
+  Parameter find(const std::string& path) const;
+
+  /// Every path that find() knows, in the file's order.
+  std::vector<std::string> paths() const;
+
+  /// The scene with these parameters at these values, in this order. Throws InputError if that is
+  /// no scene.
+  SceneFile at(const std::vector<Parameter>& parameters, const std::vector<double>& values) const;
+  SceneFile as_given() const { return at({}, {}); }
+  /// The same scene with one number changed for good. Throws InputError if that is no scene.
+  VariedScene with(const Parameter& parameter, double value) const;
+
+private:
+  std::shared_ptr<const TomlDocument> document_; // with what a file may leave out
+
+  explicit VariedScene(TomlDocument document);
+  TomlDocument changed(const std::vector<Parameter>& parameters,
+                       const std::vector<double>& values) const;
+  SceneFile built(const TomlDocument& document, const std::vector<Parameter>& parameters,
+                  const std::vector<double>& values) const;
+  std::string choices() const;
+};
+
+} // namespace lcpush::desktop

@@ -1,0 +1,103 @@
+// lcpush: is somebody else's answer right, and if it is not, why?
+#pragma once
+
+#include "lcpush/desktop/final_basis.hpp"
+#include "lcpush/desktop/foreign_answer.hpp"
+#include "lcpush/desktop/raw_problem.hpp"
+#include "lcpush/mechanics/model/check.hpp"
+
+#include <optional>
+
+namespace lcpush::desktop {
+
+enum class Verdict {
+  same_solution,    ///< as lcpush's own
+  other_forces,     ///< a solution: the object moves as in lcpush's own, the forces differ
+  other_solution,   ///< a solution: the motion differs, or there is none to compare with
+  not_a_solution,   ///< a law is broken
+  spurious_minimum, ///< all linear constraints hold, the products do not vanish, and no step lowers
+                    ///< their sum: where the paper's quadratic program can get stuck
+  other_data,       ///< of another scene or problem
+};
+const char* verdict_text(Verdict verdict); ///< "same solution", ...
+constexpr bool is_valid(Verdict verdict) { return verdict <= Verdict::other_solution; }
+
+struct VerifyOptions {
+  /// What a row may be off by, in the scaled units that the report names.
+  double tolerance = 1e-6;
+};
+
+/// A row, by how much it is broken, and in which unit.
+struct BrokenRow {
+  std::string family; ///< law_text, or "given" for numbers of the file that contradict each other
+  std::string name;   ///< "wall.1 presses while it separates"
+  double scaled = 0;  ///< >= 0
+  double si = 0;      ///< the same in `unit`
+  std::string unit;
+};
+
+const char* law_text(Law law); ///< "newton", "normal", ...
+
+/// What outsiders measure on the complementarity problem 0 <= z _|_ w = M z + q >= 0, scaled.
+struct ForeignMetrics {
+  double natural_map = 0;        ///< max |min(z, w)|
+  double fischer_burmeister = 0; ///< 2-norm of sqrt(z^2 + w^2) - z - w
+  double products = 0;           ///< z'w
+};
+
+/// The answer's basis (z_i where it is larger than w_i), solved once.
+struct RefinedAnswer {
+  bool found = false;
+  double residual = 0;     ///< largest scaled violation of what came out
+  double moved = 0;        ///< in scaled units, the largest change of an unknown
+  double force = 0;        ///< N, the largest change of a force that is given
+  double acceleration = 0; ///< m/s^2, the object's
+};
+
+/// Beside lcpush's own answer.
+struct OwnAnswer {
+  Status status = Status::bad_input;
+  double force = 0;        ///< N, the largest difference of a contact's force that is given
+  double acceleration = 0; ///< m/s^2, of the object
+};
+
+struct VerifyReport {
+  Verdict verdict = Verdict::other_data;
+  std::string because; ///< the row, or what is not this scene's; empty for a solution
+  double tolerance = 0;
+  double residual = 0;         ///< the largest scaled violation
+  std::vector<BrokenRow> rows; ///< the worst of each law, then of "given"
+  std::vector<std::string> completed;
+  double objective = 0; ///< N m/s^2, what the paper's program minimises
+  ForeignMetrics metrics;
+  RefinedAnswer refined;
+  FinalBasis basis;           ///< other answers next to this one
+  bool motion_proved = false; ///< only one motion is possible
+  OwnAnswer own;
+};
+
+/// Throws InputError if the answer leaves open what it does not give.
+VerifyReport verify_answer(const SceneFile& file, const ForeignAnswer& answer,
+                           const VerifyOptions& options);
+
+struct RawVerifyReport {
+  Verdict verdict = Verdict::other_data;
+  std::string because;
+  double tolerance = 0;
+  double residual = 0;        ///< natural_residual
+  Index row = -1;             ///< where; -1: every row holds exactly
+  std::optional<double> z, w; ///< of that row
+  ForeignMetrics metrics;
+  RefinedAnswer refined;
+  OwnAnswer own; ///< force: largest difference of a z_i
+};
+
+RawVerifyReport verify_raw(const RawProblem& problem, const std::vector<double>& z,
+                           const VerifyOptions& options);
+
+std::string verify_text(const SceneFile& file, const VerifyReport& report);
+std::string verify_json(const VerifyReport& report);
+std::string verify_text(const RawVerifyReport& report);
+std::string verify_json(const RawVerifyReport& report);
+
+} // namespace lcpush::desktop

@@ -1,0 +1,177 @@
+// Lemke's basis as a dictionary: all n (n + 1) numbers of it, changed by every pivot.
+#pragma once
+
+#include "lcpush/lcp/memory.hpp"
+#include "lcpush/lcp/pivots/dictionary.hpp"
+#include "lcpush/lcp/pivots/equilibrate.hpp"
+#include "lcpush/lcp/pivots/ratio_test.hpp"
+#include "lcpush/lcp/problem.hpp"
+
+namespace lcpush {
+
+/// What Lemke asks of a basis. Everything is scaled; the right-hand sides are dictionary.values.
+template <class S> class DenseBasis {
+public:
+  Dictionary<S> dictionary;
+
+  static bool supports(const Problem<S>&, TieRule) { return true; }
+
+  void carve(const Problem<S>& problem, Index right_hand_sides, Block<S>& scalars,
+             Block<int>& integers) {
+    const Index n = problem.size;
+    problem_ = problem;
+    new (&dictionary.table) MatrixMap<S>(scalars.take(n * (n + 1)).data, n, n + 1);
+    new (&dictionary.values)
+        MatrixMap<S>(scalars.take(n * right_hand_sides).data, n, right_hand_sides);
+    dictionary.basic = integers.take(n);
+    dictionary.nonbasic = integers.take(n + 1);
+  }
+
+  /// Scales, and rowsum_i = sum_j |M_ij| column_scale_j. Returns 0, or NaN if a number of M is not
+  /// finite.
+  S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale, VectorMap<S> rowsum,
+          VectorMap<S> scratch) {
+    const Index n = dictionary.size();
+    MatrixMap<S> M(dictionary.table.data(), n, n);
+    fill_matrix(problem_, M);
+    if (equilibrates) equilibrate(M, row_scale, column_scale, scratch);
+    holds_problem_ = true;
+    rowsum.setZero();
+    for (Index j = 0; j < n; ++j) rowsum += M.col(j).cwiseAbs();
+    for (Index i = 0; i < n; ++i) rowsum[i] /= row_scale[i];
+    return n > 0 ? S(rowsum.sum() - rowsum.sum()) : S(0);
+  }
+
+  /// The basis of all w under a cover; its right-hand sides are there already.
+  template <class Column>
+  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale, const Column& cover) {
+    const Index n = dictionary.size();
+    if (!holds_problem_) {
+      fill_matrix(problem_, MatrixMap<S>(dictionary.table.data(), n, n));
+      for (Index j = 0; j < n; ++j)
+        dictionary.table.col(j) = dictionary.table.col(j).cwiseProduct(row_scale) * column_scale[j];
+    }
+    holds_problem_ = false;
+    dictionary.table.col(n) = cover;
+    dictionary.reset_basis();
+  }
+
+  /// Another cover: `as_given` in the basis of all w, here(row) in the present one.
+  template <class Column, class Here> void cover(const Column& /*as_given*/, Here here) {
+    auto column = dictionary.table.col(dictionary.column_of(artificial(dictionary.size())));
+    for (Index i = 0; i < dictionary.size(); ++i) column[i] = here(i);
+  }
+
+  /// The column of a nonbasic variable that is to enter.
+  Index enter(Index variable) const { return dictionary.column_of(variable); }
+  void exchange(Index row, Index column, Index /*entering*/, VectorMap<S> scratch) {
+    dictionary.exchange(row, column, scratch);
+  }
+  bool is_basic(Index variable) const { return dictionary.row_of(variable) >= 0; }
+  /// Has the basis grown so that factoring it afresh pays?
+  bool is_long() const { return false; }
+  bool is_too_long() const { return false; }
+
+  /// out = how the basic variables respond to nonbasic w_j = r_j; r is 0 where w_j is basic.
+  void respond(const VectorMap<S>& r, VectorMap<S> out) const {
+    const Index n = dictionary.size();
+    out.setZero();
+    for (Index c = 0; c <= n; ++c) {
+      const Index j = dictionary.nonbasic[c];
+      if (j >= n || r[j] == S(0)) continue;
+      const S* __restrict const column = dictionary.table.col(c).data();
+      S* __restrict const sum = out.data();
+      const S by = r[j];
+      for (Index i = 0; i < n; ++i) sum[i] += column[i] * by;
+    }
+  }
+
+  /// After factoring: what is known exactly of the level of the symbolic bound S. Elimination has
+  /// kept it exact.
+  void set_bound_level(Index, const VectorMap<S>&, const S&) {}
+
+  Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
+               VectorMap<S> scratch, const Wanted& wanted);
+  bool drop_pairs(Index left, Span<int> target, Span<int> candidates, const S& smallest_pivot,
+                  VectorMap<S> scratch);
+
+private:
+  Problem<S> problem_;
+  bool holds_problem_ = false; // the table is the scaled M, from scale() to the first load()
+};
+
+/// Gauss-Jordan with complete pivoting from the basis of all w to the one in target (basic
+/// variables in any order). Returns how many of its z are left when pivots above `smallest_pivot`
+/// end: then candidates holds the w that should have left, target the z that should have entered.
+template <class S>
+Index DenseBasis<S>::factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
+                            VectorMap<S> scratch, const Wanted& /*all come along*/) {
+  const Index n = dictionary.size();
+  // candidates: rows whose w is to leave; target: columns whose variable is to enter.
+  Index wanted = 0, leaving = 0;
+  for (Index i = 0; i < n; ++i) candidates[i] = 1;
+  for (Index k = 0; k < n; ++k)
+    if (target[k] < n) candidates[target[k]] = 0;
+  for (Index i = 0; i < n; ++i)
+    if (candidates[i] != 0) candidates[leaving++] = static_cast<int>(i);
+  for (Index k = 0; k < n; ++k)
+    if (target[k] >= n) target[wanted++] = target[k] - static_cast<int>(n);
+  for (; wanted > 0; --wanted) {
+    S largest = smallest_pivot;
+    Index row = -1, column = -1;
+    for (Index k = 0; k < wanted; ++k)
+      for (Index i = 0; i < wanted; ++i) {
+        const S x = dictionary.table(candidates[i], target[k]);
+        const S size = x < S(0) ? S(-x) : x;
+        if (!(size > largest)) continue;
+        largest = size;
+        row = i;
+        column = k;
+      }
+    if (row < 0) return wanted;
+    dictionary.exchange(candidates[row], target[column], scratch);
+    candidates[row] = candidates[wanted - 1];
+    target[column] = target[wanted - 1];
+  }
+  return 0;
+}
+
+/// After factor has left some: makes the basis complementary again, without them. Where w_i
+/// has stayed but z_i has entered, and z_j has not entered but w_j has left, z_i leaves for w_j.
+/// False if that is singular too.
+template <class S>
+bool DenseBasis<S>::drop_pairs(Index left, Span<int> target, Span<int> candidates,
+                               const S& smallest_pivot, VectorMap<S> scratch) {
+  const Index n = dictionary.size();
+  Index both = 0, neither = 0; // of a pair's two variables: basic
+  for (Index k = 0; k < left; ++k) {
+    const Index i = candidates[k];
+    if (dictionary.row_of(unknown(i, n)) >= 0) candidates[both++] = static_cast<int>(i);
+  }
+  for (Index k = 0; k < left; ++k) {
+    const Index j = target[k];
+    if (dictionary.column_of(slack(j)) >= 0) target[neither++] = static_cast<int>(j);
+  }
+  for (; both > 0; --both) {
+    S largest = smallest_pivot;
+    Index at = -1, to = -1;
+    for (Index k = 0; k < both; ++k)
+      for (Index l = 0; l < both; ++l) {
+        const S x = dictionary.table(dictionary.row_of(unknown(candidates[k], n)),
+                                     dictionary.column_of(slack(target[l])));
+        const S size = x < S(0) ? S(-x) : x;
+        if (!(size > largest)) continue;
+        largest = size;
+        at = k;
+        to = l;
+      }
+    if (at < 0) return false;
+    dictionary.exchange(dictionary.row_of(unknown(candidates[at], n)),
+                        dictionary.column_of(slack(target[to])), scratch);
+    candidates[at] = candidates[both - 1];
+    target[to] = target[both - 1];
+  }
+  return true;
+}
+
+} // namespace lcpush

@@ -1,0 +1,148 @@
+// Lemke's pivots: start, step, and what becomes of a solution or a ray. Included by lemke.hpp.
+#pragma once
+
+#include "lcpush/lcp/pivots/lemke.hpp"
+
+namespace lcpush {
+
+template <class S, class B>
+template <class Observer>
+Status Lemke<S, B>::start(Observer& observer) {
+  observer.starts(*this);
+  if (n_ == 0) return accept();
+  const Index cover = basis_.enter(artificial(n_));
+  RatioTest<S> test(basis_.dictionary, levels_, options_.tie_rule, ratio_tolerances(), candidates_);
+  const Blocking worst = test.most_violated_row(cover);
+  for (Index k = 0; k < levels_; ++k) {
+    const S value = basis_.dictionary.values(worst.row, k);
+    if (value > tie_tolerance_) return accept();
+    if (value < -tie_tolerance_) {
+      pivot({artificial(n_), cover, worst, test.tied_rows(), true}, observer);
+      entering_ = complement(last_.leaving, n_);
+      return status_;
+    }
+  }
+  return accept();
+}
+
+template <class S, class B>
+template <class Observer>
+void Lemke<S, B>::pivot(const Turn& turn, Observer& observer) {
+  const Index row = observer.leaves(*this, turn);
+  last_ = {turn.entering, basis_.dictionary.basic[row], turn.blocking};
+  last_.blocking.row = row;
+  basis_.exchange(row, turn.column, turn.entering, scratch_);
+  ++pivots_;
+  ++pivots_of_cover_;
+  fresh_ = false;
+}
+
+template <class S, class B>
+template <class Observer>
+Status Lemke<S, B>::advance(Observer& observer) {
+  if (entering_ < 0) return start(observer);
+  if (pivots_of_cover_ >= limit()) return end(Status::pivot_limit);
+  const bool look = pivots_of_cover_ % 64 == 63 && !fresh_;
+  if ((basis_.is_long() || (look && drifted())) && !refactorise()) return end_unfactored();
+
+  const Index c = basis_.enter(entering_);
+  RatioTest<S> test(basis_.dictionary, levels_, options_.tie_rule, ratio_tolerances(), candidates_);
+  const Blocking blocking = test.blocking_row(c);
+  if (blocking.row < 0) return conclude_ray(c);
+
+  pivot({entering_, c, blocking, test.tied_rows()}, observer);
+  if (last_.leaving == artificial(n_)) return accept();
+  entering_ = complement(last_.leaving, n_);
+  return status_;
+}
+
+template <class S, class B> template <class Observer> Status Lemke<S, B>::step(Observer& observer) {
+  if (status_ != Status::running) return status_;
+  (void)advance(observer);
+  observer.stepped(*this);
+  if (status_ == Status::running || status_ == Status::solved) return status_;
+  return turn_to_next_cover();
+}
+
+/// This cover has failed: a generic one that has not been tried may do better. If none is left, the
+/// failure that says most is reported: a verified ray, else the last.
+template <class S, class B> Status Lemke<S, B>::turn_to_next_cover() {
+  if (worst_ != Status::ray) {
+    worst_ = status_;
+    worst_reason_ = reason_;
+  }
+  if (options_.cover != nullptr || cover_ + 1 >= options_.covers) return end(worst_, worst_reason_);
+  ++cover_;
+  cover_cold();
+  return status_ = Status::running;
+}
+
+/// z0 has left (or was never needed): refine the answer on the problem as given and check it. One
+/// that passes barely sits on a basis with a small violation, that a tie has hidden: look closer
+/// once, unless no other cover is left if that fails.
+template <class S, class B> Status Lemke<S, B>::accept() {
+  for (Index k = 0; k < levels_; ++k) refine(k);
+  if (!passes_check()) return reject();
+  const bool barely = residual_.residual > options_.tolerances.residual / S(16);
+  const bool last_cover = options_.cover != nullptr || cover_ + 1 >= options_.covers;
+  if (barely && repairs_ == 0 && !last_cover) return reject();
+  return end(Status::solved);
+}
+
+/// The check failed: factor the basis afresh, look closer (what was tied at zero may be a small
+/// violation) and cover what is left; the next step pivots on from here.
+template <class S, class B> Status Lemke<S, B>::reject() {
+  constexpr Index repairs_allowed = 3;
+  if (repairs_ >= repairs_allowed || !refactorise())
+    return end(Status::numerical_breakdown, reason_);
+  ++repairs_;
+  tie_tolerance_ = repairs_ < repairs_allowed ? S(tie_tolerance_ / S(1024)) : S(0);
+  cover_here();
+  entering_ = -1;
+  return status_;
+}
+
+/// Nothing blocks the entering variable. Believe it only from a fresh factorisation, and only with
+/// its certificate: v >= 0, u = M v + d v0 >= 0, v_i u_i = 0, all on the problem as given.
+template <class S, class B> Status Lemke<S, B>::conclude_ray(Index column) {
+  if (!fresh_) {
+    if (!refactorise()) return end_unfactored();
+    return status_;
+  }
+  const Index n = n_;
+  // In trial_ until it is certified: an earlier cover's verified ray may stand in ray_.
+  trial_.setZero();
+  S v0 = entering_ == artificial(n) ? S(1) : S(0);
+  const auto record = [&](Index variable, const S& rate) {
+    if (variable == artificial(n))
+      v0 = rate;
+    else if (variable >= n)
+      trial_[variable - n] = rate;
+  };
+  record(entering_, S(1));
+  for (Index i = 0; i < n; ++i)
+    record(basis_.dictionary.basic[i], basis_.dictionary.table(i, column));
+
+  const S largest = trial_.cwiseAbs().maxCoeff();
+  if (!(largest > S(0))) return end(Status::numerical_breakdown, Reason::false_ray);
+  trial_ /= largest;
+  v0 /= largest;
+  scaled_product(trial_.data(), product_.data());
+  const S tolerance = options_.tolerances.residual;
+  bool certified = v0 >= -tolerance;
+  for (Index i = 0; i < n; ++i) {
+    const S u = product_[i] + cover_columns_(i, 0) * v0;
+    const S row_tolerance = tolerance * (S(1) + rowsum_[i] * row_scale_[i]);
+    certified = certified && trial_[i] >= -tolerance && u >= -row_tolerance &&
+                (trial_[i] <= tolerance || u <= row_tolerance);
+  }
+  if (!certified) return end(Status::numerical_breakdown, Reason::false_ray);
+  // In the problem's own units, largest entry 1.
+  ray_ = trial_.cwiseProduct(column_scale_).cwiseMax(S(0));
+  const S own_largest = ray_.maxCoeff();
+  ray_ /= own_largest;
+  ray_artificial_ = v0 / own_largest;
+  return end(Status::ray);
+}
+
+} // namespace lcpush

@@ -1,0 +1,211 @@
+// Lemke's method on the compact dictionary: init, step (one pivot), solve (a loop over step).
+//
+// The problem is covered as w = q + M z + d z0 with d > 0. z0 enters large enough to make every
+// value >= 0; from then on the complement of the variable that left enters, until z0 itself leaves
+// (a solution) or nothing blocks (a secondary ray). [Lemke 1965; Cottle, Pang, Stone 1992, 4.4]
+//
+// Free unknowns are bounded below by -S with a symbolic S larger than every number (theory [T.8]):
+// one more right-hand side, compared before q. An infinitesimal push is one more, compared after.
+#pragma once
+
+#include "lcpush/lcp/memory.hpp"
+#include "lcpush/lcp/pivots/detail/dense_basis.hpp"
+#include "lcpush/lcp/pivots/ratio_test.hpp"
+#include "lcpush/lcp/problem.hpp"
+#include "lcpush/lcp/residual.hpp"
+#include "lcpush/lcp/trace.hpp"
+#include "lcpush/status.hpp"
+
+namespace lcpush {
+
+template <class S> struct LemkeOptions {
+  TieRule tie_rule = TieRule::generic;
+  Tolerances<S> tolerances{};
+  Index max_pivots = 0;     ///< a cover; 0: 1000 + 50 n
+  Index first_cover = 0;    ///< number of the first generic cover
+  Index covers = 6;         ///< generic covers tried before a failure is reported
+  const S* cover = nullptr; ///< n numbers > 0 to use instead of generic ones, tried once
+  bool equilibrate = true;  ///< switch off for exact scalars and for teaching
+};
+
+/// What a start from given unknowns knows about them.
+enum class Guess {
+  basis, ///< exactly these are a basis, as after an earlier solve
+  near,  ///< these are positive in an answer nearby: as many of them as are independent
+};
+
+/// What one step() did.
+struct Pivot {
+  Index entering = -1; ///< variable numbers of dictionary.hpp
+  Index leaving = -1;
+  Blocking blocking;
+};
+
+namespace detail {
+constexpr Index max_levels = 3; // S, q, push
+constexpr Index tie_columns = 2;
+constexpr Index lemke_vectors = max_levels + tie_columns // right-hand sides in the dictionary
+                                + tie_columns + 1        // cover and tie columns as given
+                                + 4                      // scales, unit, row sums
+                                + max_levels + 2         // solution, ray
+                                + 5;                     // bound level, scratch
+} // namespace detail
+
+/// Scalars and ints that Lemke needs for n unknowns.
+constexpr Index lemke_scalars(Index n) { return n * (n + 1) + n * detail::lemke_vectors; }
+constexpr Index lemke_integers(Index n) { return 4 * n + 1; }
+
+/// The method over a basis: DenseBasis stores the whole dictionary, n^2 numbers; StructuredBasis
+/// (structured_lemke.hpp) computes the entering column of a factored problem, in O(n).
+template <class S, class B = DenseBasis<S>> class Lemke {
+public:
+  /// Memory of at least lemke_scalars(n) and lemke_integers(n) elements; it is the caller's.
+  Lemke(Span<S> scalars, Span<int> integers) : scalars_(scalars), integers_(integers) {}
+
+  /// Cold start at z = 0. `problem` must outlive the run. Cost: a few passes over M.
+  /// Post: running, or bad_input.
+  [[nodiscard]] Status init(const Problem<S>& problem, const LemkeOptions<S>& options = {});
+
+  /// Start from the complementary basis in which z_i is basic where active[i] is not 0.
+  /// Post: running; numerical_breakdown if that basis is singular; or bad_input.
+  [[nodiscard]] Status init(const Problem<S>& problem, const LemkeOptions<S>& options,
+                            const unsigned char* active, Guess guess = Guess::basis);
+
+  /// At most one pivot. Post: running, or how the run ended. Solved means that the check was
+  /// passed; after a failure the other generic covers are tried before it is reported.
+  /// The observer (trace.hpp) outlives the call.
+  template <class Observer> [[nodiscard]] Status step(Observer& observer);
+  [[nodiscard]] Status step() { return step(unobserved); }
+
+  /// Steps to the end.
+  template <class Observer> [[nodiscard]] Status solve(Observer& observer) {
+    while (step(observer) == Status::running) continue;
+    return status_;
+  }
+  [[nodiscard]] Status solve() { return solve(unobserved); }
+
+  Status status() const { return status_; }
+  Reason reason() const { return reason_; }
+  Index pivots() const { return pivots_; } ///< of all covers together
+  Index covers_tried() const { return cover_ + 1; }
+  const Pivot& last_pivot() const { return last_; }
+  /// Its `table` holds what the basis stores: at least the entering column, Turn::column.
+  const Dictionary<S>& dictionary() const { return basis_.dictionary; }
+  const B& basis() const { return basis_; }
+  S artificial_value() const;
+  /// How far the finite value of a row lets the variable of a column grow, as the dictionary is
+  /// scaled.
+  S ratio(Index row, Index column) const {
+    return -basis_.dictionary.values(row, finite_level()) / basis_.dictionary.table(row, column);
+  }
+  /// A finite value of z_i, or w_i, in the dictionary times this is the one of the problem as
+  /// given.
+  S unknown_unit(Index i) const { return level_scale_[finite_level()] * column_scale_[i]; }
+  S slack_unit(Index i) const { return level_scale_[finite_level()] / row_scale_[i]; }
+
+  /// After solved: z (free unknowns at their finite value) and dz/dsigma of the push.
+  const S* z() const { return solution_.col(finite_level()).data(); }
+  const S* z_push() const { return solution_.col(finite_level() + 1).data(); }
+  bool is_basic(Index i) const { return basis_.is_basic(unknown(i, n_)); }
+  const WorstRow<S>& residual() const { return residual_; }
+  /// After solved with a push: the answer is z + sigma z_push for 0 <= sigma <= valid_to(),
+  /// the basis' own range; < 0 stands for no bound.
+  S valid_to() const { return valid_to_; }
+
+  /// After ray: v >= 0 (n numbers, largest entry 1) and its artificial part v0, with
+  /// M v + d v0 >= 0 and complementary to v: the certificate, verified on the problem as given.
+  const S* ray() const { return ray_.data(); }
+  S ray_artificial() const { return ray_artificial_; }
+
+private:
+  Span<S> scalars_;
+  Span<int> integers_;
+  Problem<S> problem_;
+  LemkeOptions<S> options_;
+  Index n_ = 0;
+  Index levels_ = 1;
+  Index cover_ = 0;
+  Index pivots_ = 0;
+  Index pivots_of_cover_ = 0;
+  Index repairs_ = 0; // refactorisations since the cover began
+  Index entering_ = -1;
+  bool fresh_ = false; // no pivot since the basis was last factored from the problem as given
+  Status status_ = Status::bad_input;
+  Reason reason_ = Reason::none;
+  Status worst_ = Status::running; // of the covers that have failed
+  Reason worst_reason_ = Reason::none;
+  Pivot last_;
+  WorstRow<S> residual_;
+  S valid_to_{-1};
+  S tie_tolerance_{0}; // falls when an answer is rejected
+  S ray_artificial_{0};
+  S level_scale_[detail::max_levels] = {};
+
+  B basis_;
+  MatrixMap<S> cover_columns_{nullptr, 0, 0}; // as given: d, then the tie columns, scaled rows
+  MatrixMap<S> solution_{nullptr, 0, 0};
+  VectorMap<S> row_scale_{nullptr, 0}, column_scale_{nullptr, 0}, rowsum_{nullptr, 0};
+  VectorMap<S> unit_{nullptr, 0}, bound_{nullptr, 0}, ray_{nullptr, 0}, trial_{nullptr, 0};
+  VectorMap<S> scratch_{nullptr, 0}, product_{nullptr, 0};
+  Span<S> check_scratch_;
+  Span<int> candidates_, target_;
+
+  Index finite_level() const { return problem_.free_begin < n_ ? 1 : 0; }
+  Index limit() const { return options_.max_pivots > 0 ? options_.max_pivots : 1000 + 50 * n_; }
+
+  std::uint32_t seed(Index column) const {
+    return static_cast<std::uint32_t>((1 + detail::tie_columns) * (options_.first_cover + cover_) +
+                                      column);
+  }
+
+  Tolerances<S> ratio_tolerances() const {
+    Tolerances<S> tolerances = options_.tolerances;
+    tolerances.tie = tie_tolerance_;
+    return tolerances;
+  }
+
+  Status end(Status status, Reason reason = Reason::none) {
+    reason_ = reason;
+    return status_ = status;
+  }
+
+  Status end_unfactored() {
+    return end(Status::numerical_breakdown,
+               basis_.is_too_long() ? Reason::memory_too_small : Reason::singular_basis);
+  }
+
+  bool carve();
+  Status prepare(const Problem<S>& problem, const LemkeOptions<S>& options);
+  const S* right_hand_side(Index level) const;
+  void load();
+  void cover_cold();
+  void cover_here();
+  void bound_level();
+  bool refactorise();
+  bool drifted();
+  void scaled_product(const S* z_scaled, S* out);
+  template <class Observer> void pivot(const Turn& turn, Observer& observer);
+  template <class Observer> Status start(Observer& observer);
+  template <class Observer> Status advance(Observer& observer);
+  Status turn_to_next_cover();
+  Status accept();
+  void refine(Index level);
+  WorstRow<S> referee(const S* q, const S* z);
+  bool bound_is_slack() const;
+  bool find_range();
+  bool passes_check();
+  Status reject();
+  Status conclude_ray(Index column);
+};
+
+} // namespace lcpush
+
+#include "lcpush/lcp/pivots/detail/lemke_basis.hpp"
+#include "lcpush/lcp/pivots/detail/lemke_pivots.hpp"
+
+#ifdef LCPUSH_EXTERN_TEMPLATES
+namespace lcpush {
+extern template class Lemke<float>;
+extern template class Lemke<double>;
+} // namespace lcpush
+#endif

@@ -1,0 +1,125 @@
+// A factored problem, scaled, in a form that principal pivots inside a cone leave alone: every
+// unknown has a *role*, a direction in the space that all cones share, and local coefficients.
+// Where the slip and one friction force are basic, the cone *slides*: that is such a pivot, the
+// unknowns swap roles and directions change, the form does not. So a basis with thousands of
+// sliding cones is as cheap as one with a few.
+//
+//     row i = h_i' v + local terms,   v = C (A F_0..5, -s),   F = sum_j g_j x_j
+//
+// h_i has 6 + k entries: the wrench, and the couplings to the k actuators that several forces
+// share. g_j = h_j, but of a normal force h_j plus mu times the direction in which its cone
+// slides. x_j is the variable of slot j that is not basic at x = 0, row j its complement.
+//
+// Compliant cones with a basic normal force are pivoted too, each on its own compliance c: their
+// forces answer v as springs, lambda = (w - h'v - q) / c, and all of them together change C, a
+// matrix of 6 + k rows; without them it is the identity.
+#pragma once
+
+#include "lcpush/lcp/memory.hpp"
+#include "lcpush/lcp/pivots/equilibrate.hpp"
+#include "lcpush/lcp/problem.hpp"
+
+namespace lcpush::detail {
+
+enum LocalRole : int { normal_role, generator_role, slip_role, own_role, shared_role };
+
+template <class S> class LocalForm {
+public:
+  static constexpr Index scalars(Index n, Index cones, Index shared) {
+    return (n + 4 + 2 * (6 + shared)) * (6 + shared) + n + 3 * cones + 3 * shared;
+  }
+  static constexpr Index integers(Index n, Index cones) { return 3 * n + 4 * cones; }
+
+  void carve(const Problem<S>& problem, Block<S>& scalars, Block<int>& integers);
+  S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale,
+          VectorMap<S> rowsum) const;
+  template <class Column>
+  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale, const Column& cover);
+  template <class IsBasic> bool pivot_locally(IsBasic is_basic);
+  template <class Column> void set_cover(const Column& as_given) {
+    cover_ = as_given;
+    transform(cover_, cover_force_, cover_held_);
+  }
+
+  bool is_flipped(Index slot) const { return flipped_[slot] != 0; }
+
+  /// Entries (row, slot) of the matrix, slot n the cover: along one column after
+  /// begin_column(slot), along one row after begin_row(row). Cost: O(1).
+  void begin_column(Index slot) {
+    force_.setZero();
+    held_.setZero();
+    add_force(slot, S(1));
+    find_velocity();
+  }
+  S entry_of_column(Index row, Index slot) const {
+    const S felt =
+        role_[row] == shared_role ? shared_row(row) : S(directions_.row(row).dot(v_.transpose()));
+    return felt + local(row, slot);
+  }
+  void begin_row(Index row);
+  S entry_of_row(Index row, Index slot) const;
+
+  /// out = M x, x given by inputs(visit) calling visit(slot, x) for each entry that is not zero.
+  /// Cost: O(n) and O(1) an input.
+  template <class Inputs, class Column> void multiply(Inputs inputs, Column&& out);
+
+  /// A right-hand side of the problem as given becomes the rows' values at x = 0.
+  template <class Column> void evaluate(Column&& rhs) {
+    transform(rhs, force_, held_);
+    find_velocity();
+    add_felt(rhs);
+  }
+
+private:
+  const FactoredProblem<S>* problem_ = nullptr;
+  Index n_ = 0, free_begin_ = 0;
+  MatrixMap<S> directions_{nullptr, 0, 0}; // n x width, row i: h_i
+  VectorMap<S> cover_{nullptr, 0}, cover_force_{nullptr, 0}, force_{nullptr, 0};
+  VectorMap<S> v_{nullptr, 0}, cause_{nullptr, 0};
+  VectorMap<S> held_{nullptr, 0}, cover_held_{nullptr, 0};    // of shared actuators: s, or w at C
+  MatrixMap<S> springs_{nullptr, 0, 0}, core_{nullptr, 0, 0}; // sum of g h' / c, and C
+  bool has_springs_ = false;
+  Span<S> friction_, compliance_, own_coupling_, inertia_;
+  Span<int> role_, group_, flipped_; // of slots; group_: cone, or number of the shared actuator
+  Span<int> normal_, slip_, own_;    // of cones: the slots in these roles, -1 for none
+  Span<int> pressed_;                // of cones: is the normal force a spring's?
+
+  Index width() const { return directions_.cols(); }
+  bool pulls(Index cone) const { return problem_->cones[cone].normals == 2; }
+  /// Then row slip() of the directions is where its friction force points.
+  bool slides(Index c) const {
+    const ConeGroup<S>& cone = problem_->cones[c];
+    return cone.generators > 0 && flipped_[cone.slip()] != 0;
+  }
+  void swap_roles(Index i, Index j) {
+    const int role = role_[i];
+    role_[i] = role_[j];
+    role_[j] = role;
+    flipped_[i] = flipped_[j] = 1;
+  }
+  void add_force(Index slot, const S& x);
+  void find_velocity();
+  S local(Index row, Index slot) const;
+  template <class Column> void add_local(Index slot, const S& x, Column& out) const;
+  template <class Column> void add_felt(Column& out) const;
+  template <class Column>
+  void transform(Column& rhs, VectorMap<S>& force, VectorMap<S>& held) const;
+  /// What a shared actuator's row feels: its forces' sum, or its unknown.
+  S shared_row(Index row) const {
+    const Index k = 6 + group_[row];
+    if (flipped_[row] != 0) return -v_[k];
+    return has_springs_ ? S(force_[k] - springs_.row(k).dot(v_.transpose())) : force_[k];
+  }
+  template <class IsBasic> bool has_springs(IsBasic is_basic) const;
+  template <class IsBasic> bool press_springs(IsBasic is_basic);
+  void press(Index cone);
+  bool invert_core();
+  void press_by_own_actuator(Index cone);
+  void slide(Index cone, Index generator);
+};
+
+} // namespace lcpush::detail
+
+#include "lcpush/lcp/pivots/structured/local_pivots.hpp"
+#include "lcpush/lcp/pivots/structured/local_products.hpp"
+#include "lcpush/lcp/pivots/structured/local_setup.hpp"

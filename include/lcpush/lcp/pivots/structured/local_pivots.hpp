@@ -1,0 +1,186 @@
+// The local form: the principal pivots that stay inside a cone. Included by local_form.hpp.
+#pragma once
+
+#include "lcpush/lcp/pivots/structured/local_form.hpp"
+
+namespace lcpush::detail {
+
+/// The normal force of a cone and the unknown of its own actuator become basic.
+template <class S> void LocalForm<S>::press_by_own_actuator(Index c) {
+  const Index normal = normal_[c], own = own_[c];
+  const S inverse = S(1) / own_coupling_[c];
+  directions_.row(own) = directions_.row(normal) * inverse;
+  directions_.row(normal).setZero();
+  friction_[c] *= inverse;
+  compliance_[c] *= inverse * inverse;
+  own_coupling_[c] = inverse;
+  swap_roles(normal, own);
+  normal_[c] = static_cast<int>(own);
+  own_[c] = static_cast<int>(normal);
+}
+
+/// The slip and the friction force along one generator become basic.
+template <class S> void LocalForm<S>::slide(Index c, Index generator) {
+  const ConeGroup<S>& cone = problem_->cones[c];
+  const Index first = cone.variable + cone.normals, slip = cone.slip();
+  for (Index slot = first; slot < slip; ++slot)
+    if (slot != generator) directions_.row(slot) -= directions_.row(generator);
+  directions_.row(slip) = -directions_.row(generator);
+  directions_.row(generator).setZero();
+  swap_roles(slip, generator);
+  slip_[c] = static_cast<int>(generator);
+}
+
+/// The normal force of a compliant cone becomes basic. Precondition: it slides already if it is
+/// to.
+template <class S> void LocalForm<S>::press(Index c) {
+  const ConeGroup<S>& cone = problem_->cones[c];
+  const Index normal = normal_[c];
+  const S stiffness = S(1) / compliance_[c];
+  auto direction = directions_.row(normal);
+  v_ = direction.transpose(); // g
+  if (slides(c)) v_ -= directions_.row(cone.slip()).transpose() * friction_[c];
+  for (Index k = 0; k < width(); ++k) springs_.col(k) += v_ * (direction[k] * stiffness);
+  direction *= -stiffness;
+  if (slip_[c] >= 0) directions_.row(slip_[c]) = direction * friction_[c];
+  friction_[c] *= stiffness;
+  compliance_[c] = stiffness;
+  flipped_[normal] = pressed_[c] = 1;
+}
+
+/// Are there so many loaded springs that they do not fit among the exchanges? Few do, and then
+/// nothing is divided by a compliance.
+template <class S> template <class IsBasic> bool LocalForm<S>::has_springs(IsBasic is_basic) const {
+  constexpr Index many = 24;
+  Index loaded = 0;
+  for (Index c = 0; c < problem_->cones.size; ++c)
+    loaded += compliance_[c] > S(0) && is_basic(normal_[c]) ? 1 : 0;
+  return loaded >= many;
+}
+
+/// All of them, the actuators that they carry, and C. False if it is singular.
+template <class S> template <class IsBasic> bool LocalForm<S>::press_springs(IsBasic is_basic) {
+  has_springs_ = true;
+  springs_.setZero();
+  for (Index c = 0; c < problem_->cones.size; ++c)
+    if (compliance_[c] > S(0) && own_[c] < 0 && !pulls(c) && is_basic(normal_[c])) press(c);
+  for (Index s = free_begin_; s < n_; ++s)
+    if (role_[s] == shared_role && is_basic(s) && springs_(6 + group_[s], 6 + group_[s]) > S(0))
+      flipped_[s] = 1;
+  // (I + A T_aa) v_a + A T_as v_s = A F_a,   T_sa v_a + (T_ss + m) v_s = F_s - w_s.
+  core_.setIdentity();
+  core_.template topRows<6>() += problem_->mobility.lazyProduct(springs_.template topRows<6>());
+  for (Index s = free_begin_; s < n_; ++s) {
+    const Index k = 6 + group_[s];
+    if (role_[s] != shared_role || flipped_[s] == 0) continue;
+    core_.row(k) = springs_.row(k);
+    core_(k, k) += inertia_[group_[s]];
+  }
+  return invert_core();
+}
+
+/// Gauss-Jordan with row pivoting, in place, on rows of largest entry 1.
+template <class S> bool LocalForm<S>::invert_core() {
+  const Index size = width();
+  constexpr int most = 6 + 32; // few actuators are shared by many cones
+  if (size > most) return false;
+  Index from[most];
+  for (Index i = 0; i < size; ++i) {
+    from[i] = i;
+    cause_[i] = core_.row(i).cwiseAbs().maxCoeff();
+    if (!(cause_[i] > S(0))) return false;
+    core_.row(i) /= cause_[i];
+  }
+  for (Index k = 0; k < size; ++k) {
+    Index row = k;
+    core_.col(k).tail(size - k).cwiseAbs().maxCoeff(&row);
+    row = k + (row < size - k ? row : 0);
+    if (core_(row, k) == S(0)) return false;
+    if (row != k) {
+      core_.row(row).swap(core_.row(k));
+      Eigen::numext::swap(from[row], from[k]);
+      Eigen::numext::swap(cause_[row], cause_[k]);
+    }
+    const S pivot = core_(k, k);
+    core_(k, k) = S(1);
+    core_.row(k) /= pivot;
+    for (Index i = 0; i < size; ++i) {
+      if (i == k) continue;
+      const S factor = core_(i, k);
+      core_(i, k) = S(0);
+      core_.row(i) -= core_.row(k) * factor;
+    }
+  }
+  // Column k belongs to row from[k] of the scaled matrix.
+  for (Index k = 0; k < size; ++k) core_.col(k) /= cause_[k];
+  for (Index k = 0; k < size; ++k)
+    while (from[k] != k) {
+      const Index to = from[k];
+      core_.col(k).swap(core_.col(to));
+      Eigen::numext::swap(from[k], from[to]);
+    }
+  return true;
+}
+
+/// Principal pivots inside the cones towards a basis, is_basic(slot) for its z. Precondition: as
+/// loaded. False if they are singular together.
+template <class S> template <class IsBasic> bool LocalForm<S>::pivot_locally(IsBasic is_basic) {
+  const bool springs = has_springs(is_basic);
+  for (Index c = 0; c < problem_->cones.size; ++c) {
+    const ConeGroup<S>& cone = problem_->cones[c];
+    if (own_[c] >= 0 && is_basic(own_[c]) && is_basic(normal_[c])) press_by_own_actuator(c);
+    if (cone.generators == 0 || !is_basic(cone.slip())) continue;
+    for (Index slot = cone.variable + cone.normals; slot < cone.slip(); ++slot)
+      if (is_basic(slot)) {
+        slide(c, slot);
+        break;
+      }
+  }
+  if (springs && !press_springs(is_basic)) return false;
+  set_cover(VectorMap<S>(cover_));
+  return true;
+}
+
+/// What these pivots do to a right-hand side: the rows' part, and the force and what the shared
+/// actuators are held at, at x = 0.
+template <class S>
+template <class Column>
+void LocalForm<S>::transform(Column& rhs, VectorMap<S>& force, VectorMap<S>& held) const {
+  force.setZero();
+  held.setZero();
+  for (Index c = 0; c < problem_->cones.size; ++c) {
+    const ConeGroup<S>& cone = problem_->cones[c];
+    const Index normal = normal_[c];
+    if (flipped_[normal] != 0 && pressed_[c] == 0) {
+      const Index given = own_[c], own = normal;
+      const S target = rhs[own], pressed = -target * own_coupling_[c];
+      rhs[own] = rhs[given] * own_coupling_[c] - target * compliance_[c];
+      rhs[given] = pressed;
+      force -= directions_.row(own).transpose() * target;
+      if (cone.generators > 0) rhs[cone.slip()] -= friction_[c] * target;
+    }
+    if (slides(c)) {
+      const Index slip = cone.slip(), generator = slip_[c];
+      const S moves = rhs[generator], saturates = rhs[slip];
+      for (Index slot = cone.variable + cone.normals; slot < slip; ++slot) rhs[slot] -= moves;
+      rhs[slip] = -moves;
+      rhs[generator] = saturates;
+      force -= directions_.row(slip).transpose() * saturates;
+    }
+    if (pressed_[c] != 0) {
+      const S yields = rhs[normal];
+      rhs[normal] = -yields * compliance_[c];
+      force += directions_.row(normal).transpose() * yields;
+      if (cone.generators == 0) continue;
+      if (slides(c)) force += directions_.row(cone.slip()).transpose() * (friction_[c] * yields);
+      rhs[slip_[c]] -= friction_[c] * yields;
+    }
+  }
+  for (Index s = free_begin_; has_springs_ && s < n_; ++s)
+    if (role_[s] == shared_role && flipped_[s] != 0) {
+      held[group_[s]] = -rhs[s];
+      rhs[s] = S(0);
+    }
+}
+
+} // namespace lcpush::detail

@@ -1,0 +1,158 @@
+// The local form: entries, rows and columns of its matrix. Included by local_form.hpp.
+#pragma once
+
+#include "lcpush/lcp/pivots/structured/local_form.hpp"
+
+namespace lcpush::detail {
+
+/// force_ and held_ += what slot does at x.
+template <class S> void LocalForm<S>::add_force(Index slot, const S& x) {
+  if (slot == n_) {
+    force_ += cover_force_ * x;
+    held_ += cover_held_ * x;
+    return;
+  }
+  const Index c = group_[slot];
+  switch (role_[slot]) {
+  case normal_role:
+    force_ += directions_.row(slot).transpose() * (pressed_[c] != 0 ? S(-x) : x);
+    if (slides(c))
+      force_ -= directions_.row(problem_->cones[c].slip()).transpose() * (friction_[c] * x);
+    break;
+  case generator_role: force_ += directions_.row(slot).transpose() * x; break;
+  case shared_role: held_[c] += x; break;
+  default: break;
+  }
+}
+
+template <class S> void LocalForm<S>::find_velocity() {
+  const Vector6<S> wrench = force_.template head<6>();
+  VectorMap<S>& v = has_springs_ ? cause_ : v_;
+  v.template head<6>() = problem_->mobility.lazyProduct(wrench);
+  for (Index k = 6; k < width(); ++k) v[k] = -held_[k - 6];
+  if (!has_springs_) return;
+  for (Index s = free_begin_; s < n_; ++s)
+    if (role_[s] == shared_role && flipped_[s] != 0) v[6 + group_[s]] += force_[6 + group_[s]];
+  v_ = core_.lazyProduct(cause_);
+}
+
+/// v_ becomes what the row feels of each component of F, cause_ of each s.
+template <class S> void LocalForm<S>::begin_row(Index row) {
+  v_ = directions_.row(row).transpose();
+  if (role_[row] == shared_role && has_springs_) {
+    const Index k = 6 + group_[row];
+    v_ = -springs_.row(k).transpose();
+    if (flipped_[row] != 0) {
+      v_.setZero();
+      v_[k] = S(-1);
+    }
+  }
+  if (has_springs_) {
+    cause_ = v_;
+    v_ = core_.transpose().lazyProduct(cause_);
+  }
+  cause_ = v_;
+  const Vector6<S> direction = v_.template head<6>();
+  v_.template head<6>() = problem_->mobility.lazyProduct(direction);
+  if (width() == 6) return;
+  v_.tail(width() - 6).setZero();
+  for (Index s = free_begin_; has_springs_ && s < n_; ++s)
+    if (role_[s] == shared_role && flipped_[s] != 0) v_[6 + group_[s]] = cause_[6 + group_[s]];
+  if (role_[row] == shared_role && flipped_[row] == 0) v_[6 + group_[row]] += S(1);
+}
+
+template <class S> S LocalForm<S>::entry_of_row(Index row, Index slot) const {
+  const auto felt = [&](Index i) { return S(directions_.row(i).dot(v_.transpose())); };
+  const S here = local(row, slot);
+  if (slot == n_) {
+    S sum = here + cover_force_.dot(v_);
+    for (Index k = 6; k < width(); ++k) sum -= cause_[k] * cover_held_[k - 6];
+    return sum;
+  }
+  const Index c = group_[slot];
+  switch (role_[slot]) {
+  case normal_role: {
+    const S presses = pressed_[c] != 0 ? S(here - felt(slot)) : S(here + felt(slot));
+    return slides(c) ? S(presses - felt(problem_->cones[c].slip()) * friction_[c]) : presses;
+  }
+  case generator_role: return here + felt(slot);
+  case shared_role: return here - cause_[6 + c];
+  default: return here;
+  }
+}
+
+/// The entry without what is felt through v.
+template <class S> S LocalForm<S>::local(Index row, Index slot) const {
+  if (slot == n_) return cover_[row];
+  const int row_role = role_[row], role = role_[slot];
+  if (group_[row] != group_[slot]) return S(0);
+  const Index c = group_[slot];
+  if (row_role == shared_role || role == shared_role)
+    return row == slot && flipped_[row] == 0 ? inertia_[c] : S(0);
+  switch (row_role) {
+  case normal_role:
+    if (role == normal_role) return row == slot ? compliance_[c] : S(-compliance_[c]);
+    return role == own_role ? S(-own_coupling_[c]) : S(0);
+  case generator_role: return role == slip_role ? S(1) : S(0);
+  case slip_role: return role == normal_role ? friction_[c] : role == generator_role ? S(-1) : S(0);
+  default: return role == normal_role ? own_coupling_[c] : S(0);
+  }
+}
+
+/// The same for a whole column.
+template <class S>
+template <class Column>
+void LocalForm<S>::add_local(Index slot, const S& x, Column& out) const {
+  const Index c = group_[slot];
+  switch (role_[slot]) {
+  case normal_role:
+    out[slot] += compliance_[c] * x;
+    if (pulls(c)) {
+      const Index first = problem_->cones[c].variable;
+      out[slot == first ? first + 1 : first] -= compliance_[c] * x;
+    }
+    if (slip_[c] >= 0) out[slip_[c]] += friction_[c] * x;
+    if (own_[c] >= 0) out[own_[c]] += own_coupling_[c] * x;
+    break;
+  case generator_role: out[slip_[c]] -= x; break;
+  case slip_role: {
+    const ConeGroup<S>& cone = problem_->cones[c];
+    for (Index k = cone.variable + cone.normals; k <= cone.slip(); ++k)
+      if (k != slot) out[k] += x;
+    break;
+  }
+  case own_role: out[normal_[c]] -= own_coupling_[c] * x; break;
+  default:
+    if (flipped_[slot] == 0) out[slot] += inertia_[c] * x;
+  }
+}
+
+/// out += what the rows feel of v_ and force_.
+template <class S> template <class Column> void LocalForm<S>::add_felt(Column& out) const {
+  const auto& h = directions_;
+  out += h.col(0) * v_[0] + h.col(1) * v_[1] + h.col(2) * v_[2] + h.col(3) * v_[3] +
+         h.col(4) * v_[4] + h.col(5) * v_[5];
+  for (Index k = 6; k < width(); ++k)
+    if (v_[k] != S(0)) out += h.col(k) * v_[k];
+  for (Index s = free_begin_; s < n_; ++s)
+    if (role_[s] == shared_role) out[s] += shared_row(s);
+}
+
+template <class S>
+template <class Inputs, class Column>
+void LocalForm<S>::multiply(Inputs inputs, Column&& out) {
+  force_.setZero();
+  held_.setZero();
+  out.setZero();
+  inputs([&](Index slot, const S& x) {
+    add_force(slot, x);
+    if (slot == n_) out = cover_ * x;
+  });
+  find_velocity();
+  add_felt(out);
+  inputs([&](Index slot, const S& x) {
+    if (slot < n_) add_local(slot, x, out);
+  });
+}
+
+} // namespace lcpush::detail

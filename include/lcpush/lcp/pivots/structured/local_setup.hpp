@@ -1,0 +1,171 @@
+// The local form: its memory, its scales, and the problem as given. Included by local_form.hpp.
+#pragma once
+
+#include "lcpush/lcp/pivots/structured/local_form.hpp"
+
+namespace lcpush {
+namespace detail {
+
+/// Is this sum group one normal force's own affair? Then its unknown and that force can be pivoted
+/// on their coupling.
+template <class S> Index own_cone(const FactoredProblem<S>& problem, const SumGroup<S>& sum) {
+  if (sum.count != 1 || sum.inertia != S(0) || problem.coupling[sum.first] == S(0)) return -1;
+  const Index variable = problem.coupled_variable[sum.first];
+  Index low = 0, high = problem.cones.size;
+  while (high - low > 1) {
+    const Index middle = (low + high) / 2;
+    (problem.cones[middle].variable <= variable ? low : high) = middle;
+  }
+  const ConeGroup<S>& cone = problem.cones[low];
+  return cone.variable == variable && cone.normals == 1 ? low : -1;
+}
+
+} // namespace detail
+
+/// Actuators that drive more than one contact: each widens the border of the structured basis.
+template <class S> Index shared_actuators(const FactoredProblem<S>& problem) {
+  Index shared = 0;
+  for (const SumGroup<S>& sum : problem.sums) shared += detail::own_cone(problem, sum) < 0 ? 1 : 0;
+  return shared;
+}
+
+namespace detail {
+
+template <class S>
+void LocalForm<S>::carve(const Problem<S>& problem, Block<S>& scalars, Block<int>& integers) {
+  problem_ = problem.factored;
+  n_ = problem.size;
+  free_begin_ = problem.free_begin;
+  const Index shared = shared_actuators(*problem_), cones = problem_->cones.size;
+  const Index width = 6 + shared;
+  const auto vector = [&](VectorMap<S>& map, Index size) {
+    new (&map) VectorMap<S>(scalars.take(size).data, size);
+  };
+  new (&directions_) MatrixMap<S>(scalars.take(n_ * width).data, n_, width);
+  vector(cover_, n_);
+  for (VectorMap<S>* map : {&cover_force_, &force_, &v_, &cause_}) vector(*map, width);
+  for (VectorMap<S>* map : {&held_, &cover_held_}) vector(*map, shared);
+  for (MatrixMap<S>* map : {&springs_, &core_})
+    new (map) MatrixMap<S>(scalars.take(width * width).data, width, width);
+  for (Span<S>* span : {&friction_, &compliance_, &own_coupling_}) *span = scalars.take(cones);
+  inertia_ = scalars.take(shared);
+  for (Span<int>* span : {&role_, &group_, &flipped_}) *span = integers.take(n_);
+  for (Span<int>* span : {&normal_, &slip_, &own_, &pressed_}) *span = integers.take(cones);
+}
+
+/// Symmetric scales that bring the diagonal of G' A G near 1; then no entry of it is larger
+/// (Cauchy and Schwarz). One scale for the generators of a cone, its reciprocal for the slip, so
+/// that these entries stay 1. Returns 0, or NaN if a number is not finite.
+template <class S>
+S LocalForm<S>::scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale,
+                      VectorMap<S> rowsum) const {
+  const FactoredProblem<S>& f = *problem_;
+  S finite_sum = f.mobility.sum() - f.mobility.sum();
+  const auto diagonal = [&](Index force) {
+    const Vector6<S> moved = f.mobility.lazyProduct(f.wrenches[force]);
+    return S(f.wrenches[force].dot(moved));
+  };
+  Vector6<S> total = Vector6<S>::Zero();
+  for (const ConeGroup<S>& cone : f.cones) {
+    S slips(0);
+    for (Index k = cone.normals; k < cone.forces(); ++k)
+      slips = Eigen::numext::maxi(slips, diagonal(cone.force + k));
+    const S normal =
+        equilibrates ? reciprocal_root(S(diagonal(cone.force) + cone.compliance)) : S(1);
+    const S slip = equilibrates ? reciprocal_root(slips) : S(1);
+    for (Index k = 0; k < cone.forces(); ++k) {
+      row_scale[cone.variable + k] = column_scale[cone.variable + k] =
+          k < cone.normals ? normal : slip;
+      total += f.wrenches[cone.force + k].cwiseAbs() * column_scale[cone.variable + k];
+    }
+    if (cone.generators > 0) row_scale[cone.slip()] = column_scale[cone.slip()] = S(1) / slip;
+    finite_sum += (cone.friction - cone.friction) + (cone.compliance - cone.compliance);
+  }
+  finite_sum += total.sum() - total.sum();
+  const Vector6<S> moved = f.mobility.cwiseAbs().lazyProduct(total);
+  for (const ConeGroup<S>& cone : f.cones) {
+    S* const sum = &rowsum[cone.variable];
+    for (Index k = 0; k < cone.forces(); ++k)
+      sum[k] = f.wrenches[cone.force + k].cwiseAbs().dot(moved);
+    for (Index k = 0; k < cone.normals; ++k)
+      sum[k] += cone.compliance * column_scale[cone.variable] * S(static_cast<int>(cone.normals));
+    if (cone.generators == 0) continue;
+    S& slip = rowsum[cone.slip()];
+    slip = cone.friction * column_scale[cone.variable] * S(static_cast<int>(cone.normals));
+    for (Index k = cone.normals; k < cone.forces(); ++k) {
+      sum[k] += column_scale[cone.slip()];
+      slip += column_scale[cone.variable + k];
+    }
+  }
+  for (Index a = 0; a < f.sums.size; ++a) {
+    const SumGroup<S>& sum = f.sums[a];
+    const Index s = free_begin_ + a;
+    S largest(0);
+    rowsum[s] = S(0);
+    for (Index k = sum.first; k < sum.first + sum.count; ++k) {
+      const S size = Eigen::numext::abs(S(f.coupling[k])) * column_scale[f.coupled_variable[k]];
+      largest = Eigen::numext::maxi(largest, size);
+      rowsum[s] += size;
+    }
+    finite_sum += (rowsum[s] - rowsum[s]) + (sum.inertia - sum.inertia);
+    row_scale[s] = column_scale[s] = equilibrates ? S(S(1) / power_below(largest)) : S(1);
+    rowsum[s] += sum.inertia * column_scale[s];
+    for (Index k = sum.first; k < sum.first + sum.count; ++k)
+      rowsum[f.coupled_variable[k]] += Eigen::numext::abs(S(f.coupling[k])) * column_scale[s];
+  }
+  return finite_sum;
+}
+
+/// The problem as given, scaled, under a cover.
+template <class S>
+template <class Column>
+void LocalForm<S>::load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
+                        const Column& cover) {
+  const FactoredProblem<S>& f = *problem_;
+  directions_.setZero();
+  for (Index i = 0; i < n_; ++i) flipped_[i] = 0;
+  has_springs_ = false;
+  for (Index c = 0; c < f.cones.size; ++c) {
+    const ConeGroup<S>& cone = f.cones[c];
+    const Index slip = cone.generators > 0 ? cone.slip() : -1;
+    const S scale = row_scale[cone.variable];
+    normal_[c] = static_cast<int>(cone.variable);
+    slip_[c] = static_cast<int>(slip);
+    own_[c] = -1;
+    pressed_[c] = 0;
+    compliance_[c] = cone.compliance * scale * scale;
+    friction_[c] = slip < 0 ? S(0) : S(cone.friction * scale * row_scale[slip]);
+    for (Index k = 0; k < cone.forces(); ++k) {
+      const Index slot = cone.variable + k;
+      role_[slot] = k < cone.normals ? normal_role : generator_role;
+      for (Index d = 0; d < 6; ++d)
+        directions_(slot, d) = f.wrenches[cone.force + k][d] * row_scale[slot];
+    }
+    if (slip >= 0) role_[slip] = slip_role;
+    for (Index k = 0; k < cone.size(); ++k) group_[cone.variable + k] = static_cast<int>(c);
+  }
+  Index shared = 0;
+  for (Index a = 0; a < f.sums.size; ++a) {
+    const SumGroup<S>& sum = f.sums[a];
+    const Index s = free_begin_ + a, c = own_cone(f, sum);
+    if (c >= 0) {
+      role_[s] = own_role;
+      group_[s] = static_cast<int>(c);
+      own_[c] = static_cast<int>(s);
+      own_coupling_[c] = f.coupling[sum.first] * row_scale[s] * column_scale[f.cones[c].variable];
+      continue;
+    }
+    role_[s] = shared_role;
+    group_[s] = static_cast<int>(shared);
+    inertia_[shared] = sum.inertia * row_scale[s] * column_scale[s];
+    for (Index k = sum.first; k < sum.first + sum.count; ++k) {
+      const Index slot = f.coupled_variable[k];
+      directions_(slot, 6 + shared) += f.coupling[k] * row_scale[s] * column_scale[slot];
+    }
+    ++shared;
+  }
+  set_cover(cover);
+}
+
+} // namespace detail
+} // namespace lcpush

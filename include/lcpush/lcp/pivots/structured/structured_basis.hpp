@@ -1,0 +1,290 @@
+// Lemke's basis of a factored problem without its dictionary: a local form whose pivots cost
+// nothing, and on top of it the exchanges that it does not hold,
+//
+//     K = M(rows that have left, slots that have entered),   K^-1 stored and updated.
+//
+// The entering column follows from K^-1 and one product with the local form. Cost of a pivot:
+// O(n + t^2) for t exchanges; when t has grown, the basis is factored afresh, and the cones that
+// slide go to the local form.
+#pragma once
+
+#include "lcpush/lcp/pivots/dictionary.hpp"
+#include "lcpush/lcp/pivots/ratio_test.hpp"
+#include "lcpush/lcp/pivots/structured/local_form.hpp"
+
+namespace lcpush {
+namespace detail {
+/// The most exchanges that the memory holds.
+constexpr Index most_exchanges(Index n) { return n + 1 < 256 ? n + 1 : 256; }
+} // namespace detail
+
+/// The basis that Lemke works on; everything is scaled. DenseBasis has the same members.
+template <class S> class StructuredBasis {
+public:
+  Dictionary<S> dictionary; ///< its table: the entering column alone
+
+  static constexpr Index scalars(Index n, Index cones, Index shared, Index right_hand_sides) {
+    const Index t = detail::most_exchanges(n);
+    return detail::LocalForm<S>::scalars(n, cones, shared) + n * (1 + right_hand_sides) +
+           t * (t + 3);
+  }
+  static constexpr Index integers(Index n, Index cones) {
+    const Index t = detail::most_exchanges(n);
+    return detail::LocalForm<S>::integers(n, cones) + 3 * n + 2 + 2 * t;
+  }
+
+  static bool supports(const Problem<S>& problem, TieRule rule) {
+    return problem.factored != nullptr && rule != TieRule::lexicographic;
+  }
+
+  void carve(const Problem<S>& problem, Index right_hand_sides, Block<S>& scalars,
+             Block<int>& integers);
+  S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale, VectorMap<S> rowsum,
+          VectorMap<S> /*scratch*/) const {
+    return form_.scale(equilibrates, row_scale, column_scale, rowsum);
+  }
+  template <class Column>
+  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale, const Column& cover);
+  template <class Column, class Here> void cover(const Column& as_given, Here /*here*/) {
+    form_.set_cover(as_given);
+  }
+
+  /// Computes the column of a nonbasic variable. Cost: O(n + t^2).
+  Index enter(Index variable);
+  /// The variable of the column last computed enters, the one of `row` leaves.
+  void exchange(Index row, Index column, Index entering, VectorMap<S> scratch);
+  bool is_basic(Index variable) const {
+    const Index i = slot_of(variable);
+    return at_base(variable) ? out_at_[i] < 0 : in_at_[i] >= 0;
+  }
+  /// Has the basis outgrown the memory, however it is factored?
+  bool is_too_long() const { return t_ > capacity_; }
+  bool is_long() const { return t_ + 1 >= capacity_ || t_ >= long_; }
+  /// See DenseBasis.
+  void respond(const VectorMap<S>& r, VectorMap<S> out);
+  void set_bound_level(Index free_begin, const VectorMap<S>& column_scale, const S& level_scale);
+
+  Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
+               VectorMap<S> scratch, const Wanted& wanted);
+  bool drop_pairs(Index left, Span<int> target, Span<int> candidates, const S& smallest_pivot,
+                  VectorMap<S> scratch);
+
+private:
+  detail::LocalForm<S> form_;
+  Index n_ = 0, capacity_ = 0, t_ = 0, long_ = 0;
+  MatrixMap<S> inverse_{nullptr, 0, 0}; // t x t: rows as in_, columns as out_
+  VectorMap<S> rates_{nullptr, 0}, along_row_{nullptr, 0}, along_column_{nullptr, 0};
+  Span<int> out_, in_;       // k: a row whose base variable has left, and the slot now there
+  Span<int> out_at_, in_at_; // row, slot: their k, -1 for none
+
+  // The base is the basis of the local form: one variable of every complementary pair.
+  Index slot_of(Index variable) const {
+    return variable == artificial(n_) ? n_ : variable < n_ ? variable : variable - n_;
+  }
+  bool at_base(Index variable) const {
+    return variable != artificial(n_) && (variable >= n_) == form_.is_flipped(slot_of(variable));
+  }
+  Index base_variable(Index row) const {
+    return form_.is_flipped(row) ? unknown(row, n_) : slack(row);
+  }
+  Index other_variable(Index slot) const {
+    return slot == n_ ? artificial(n_) : form_.is_flipped(slot) ? slack(slot) : unknown(slot, n_);
+  }
+  void place(Index k, Index row, Index slot) {
+    out_[k] = static_cast<int>(row);
+    in_[k] = static_cast<int>(slot);
+    out_at_[row] = in_at_[slot] = static_cast<int>(k);
+    dictionary.basic[row] = static_cast<int>(other_variable(slot));
+  }
+  void swap_rows(Index i, Index j) {
+    for (Index k = 0; k < dictionary.values.cols(); ++k)
+      Eigen::numext::swap(dictionary.values(i, k), dictionary.values(j, k));
+    const int variable = dictionary.basic[i];
+    dictionary.basic[i] = dictionary.basic[j];
+    dictionary.basic[j] = variable;
+  }
+  void append(Index row, Index slot, const S& pivot);
+  void replace_slot(Index k, Index slot, const S& pivot);
+  void replace_row(Index k, Index row, const S& pivot);
+  void remove(Index k_row, Index k_slot);
+  void read_row(Index row);
+  void list_exchanges(Span<int> target, Span<int> flags);
+  Index invert(const S& smallest_pivot);
+  void find_values(const Wanted& wanted);
+  template <class Value, class Column> void respond_to(Value value, Column&& out);
+  template <class Column, class Entered> void multiply_entered(Column&& out, const Entered& x);
+  template <class Column> void add_entered(Column&& out, Index more, const S& x);
+};
+
+template <class S>
+void StructuredBasis<S>::carve(const Problem<S>& problem, Index right_hand_sides, Block<S>& scalars,
+                               Block<int>& integers) {
+  n_ = problem.size;
+  capacity_ = detail::most_exchanges(n_);
+  form_.carve(problem, scalars, integers);
+  new (&dictionary.table) MatrixMap<S>(scalars.take(n_).data, n_, 1);
+  new (&dictionary.values)
+      MatrixMap<S>(scalars.take(n_ * right_hand_sides).data, n_, right_hand_sides);
+  new (&inverse_) MatrixMap<S>(scalars.take(capacity_ * capacity_).data, capacity_, capacity_);
+  for (VectorMap<S>* map : {&rates_, &along_row_, &along_column_})
+    new (map) VectorMap<S>(scalars.take(capacity_).data, capacity_);
+  dictionary.basic = integers.take(n_);
+  dictionary.nonbasic = integers.take(1);
+  out_at_ = integers.take(n_);
+  in_at_ = integers.take(n_ + 1);
+  out_ = integers.take(capacity_);
+  in_ = integers.take(capacity_);
+}
+
+template <class S>
+template <class Column>
+void StructuredBasis<S>::load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
+                              const Column& cover) {
+  form_.load(row_scale, column_scale, cover);
+  t_ = 0;
+  constexpr Index few = 64; // a small answer has no more: then nothing is factored on the way
+  long_ = few;
+  for (Index i = 0; i < n_; ++i) {
+    out_at_[i] = in_at_[i] = -1;
+    dictionary.basic[i] = static_cast<int>(slack(i));
+  }
+  in_at_[n_] = -1;
+}
+
+/// out = M (rates_ on the slots that have entered, x on one more); then the rows that have left
+/// show the rates of what is there now.
+template <class S>
+template <class Column>
+void StructuredBasis<S>::add_entered(Column&& out, Index more, const S& x) {
+  form_.multiply(
+      [&](auto visit) {
+        if (more >= 0) visit(more, x);
+        for (Index k = 0; k < t_; ++k)
+          if (rates_[k] != S(0)) visit(Index(in_[k]), rates_[k]);
+      },
+      out);
+  for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
+}
+
+template <class S> Index StructuredBasis<S>::enter(Index variable) {
+  const Index slot = slot_of(variable);
+  dictionary.nonbasic[0] = static_cast<int>(variable);
+  auto rates = rates_.head(t_);
+  if (at_base(variable)) { // it left before: row out_at_ of M x is to grow by 1
+    rates = inverse_.col(out_at_[slot]).head(t_);
+    add_entered(dictionary.table.col(0), -1, S(0));
+    return 0;
+  }
+  form_.begin_column(slot);
+  for (Index k = 0; k < t_; ++k) along_column_[k] = form_.entry_of_column(out_[k], slot);
+  rates.setZero();
+  for (Index k = 0; k < t_; ++k)
+    if (along_column_[k] != S(0)) rates -= inverse_.col(k).head(t_) * along_column_[k];
+  add_entered(dictionary.table.col(0), slot, S(1));
+  return 0;
+}
+
+template <class S>
+void StructuredBasis<S>::exchange(Index row, Index column, Index entering,
+                                  VectorMap<S> /*scratch*/) {
+  const auto rates = dictionary.table.col(column);
+  const S pivot = rates[row];
+  for (Index k = 0; k < dictionary.values.cols(); ++k) {
+    auto values = dictionary.values.col(k);
+    if (values[row] == S(0)) continue;
+    const S step = -values[row] / pivot;
+    values += step * rates;
+    values[row] = step;
+  }
+  const Index slot = slot_of(entering), leaves_at = out_at_[row];
+  const bool returns = at_base(entering), leaves_base = leaves_at < 0;
+  dictionary.basic[row] = static_cast<int>(entering);
+  if (!returns) {
+    if (leaves_base)
+      append(row, slot, pivot);
+    else
+      replace_slot(leaves_at, slot, pivot);
+    return;
+  }
+  const Index home = slot, k = out_at_[home];
+  if (home != row) swap_rows(home, row);
+  if (leaves_base)
+    replace_row(k, row, pivot);
+  else
+    remove(k, leaves_at);
+}
+
+/// along_row_ = K^-1's response: (row of M on the slots that have entered) K^-1.
+template <class S> void StructuredBasis<S>::read_row(Index row) {
+  form_.begin_row(row);
+  for (Index k = 0; k < t_; ++k) along_column_[k] = form_.entry_of_row(row, in_[k]);
+  for (Index k = 0; k < t_; ++k)
+    along_row_[k] = inverse_.col(k).head(t_).dot(along_column_.head(t_));
+}
+
+/// K grows by a row and a slot; rates_ is -K^-1 times its new column.
+template <class S> void StructuredBasis<S>::append(Index row, Index slot, const S& pivot) {
+  read_row(row);
+  for (Index k = 0; k < t_; ++k) {
+    const S factor = along_row_[k] / pivot;
+    if (factor != S(0)) inverse_.col(k).head(t_) -= rates_.head(t_) * factor;
+    inverse_(t_, k) = -factor;
+  }
+  inverse_.col(t_).head(t_) = rates_.head(t_) / pivot;
+  inverse_(t_, t_) = S(1) / pivot;
+  place(t_, row, slot);
+  ++t_;
+}
+
+/// Another slot takes the place of in_[k].
+template <class S> void StructuredBasis<S>::replace_slot(Index k, Index slot, const S& pivot) {
+  for (Index j = 0; j < t_; ++j) {
+    const S solved = -inverse_(k, j) / pivot;
+    if (solved == S(0)) continue;
+    inverse_.col(j).head(t_) += rates_.head(t_) * solved;
+    inverse_(k, j) = solved;
+  }
+  in_at_[in_[k]] = -1;
+  place(k, out_[k], slot);
+}
+
+/// Another row leaves in the place of out_[k], whose base variable has come back.
+template <class S> void StructuredBasis<S>::replace_row(Index k, Index row, const S& pivot) {
+  read_row(row);
+  const auto replaced = rates_.head(t_); // the column k of K^-1
+  for (Index j = 0; j < t_; ++j)
+    if (j != k && along_row_[j] != S(0))
+      inverse_.col(j).head(t_) -= replaced * (along_row_[j] / pivot);
+  inverse_.col(k).head(t_) = replaced / pivot;
+  out_at_[out_[k]] = -1;
+  place(k, row, in_[k]);
+}
+
+/// K shrinks: the base variable of row out_[k_row] has come back, slot in_[k_slot] has left.
+template <class S> void StructuredBasis<S>::remove(Index k_row, Index k_slot) {
+  const S pivot = inverse_(k_slot, k_row);
+  auto column = along_column_.head(t_);
+  column = inverse_.col(k_row).head(t_);
+  for (Index j = 0; j < t_; ++j) {
+    const S factor = inverse_(k_slot, j) / pivot;
+    if (j != k_row && factor != S(0)) inverse_.col(j).head(t_) -= column * factor;
+  }
+  const Index last = t_ - 1, row_left = out_[k_slot], slot_left = in_[k_row];
+  out_at_[out_[k_row]] = -1;
+  in_at_[in_[k_slot]] = -1;
+  // Slot in_[k_row] moves to row out_[k_slot]; then the last pair fills the gap at k_row.
+  if (k_slot != k_row) {
+    inverse_.row(k_slot).head(t_) = inverse_.row(k_row).head(t_);
+    place(k_slot, row_left, slot_left);
+  }
+  if (k_row != last) {
+    inverse_.row(k_row).head(t_) = inverse_.row(last).head(t_);
+    inverse_.col(k_row).head(t_) = inverse_.col(last).head(t_);
+    place(k_row, out_[last], in_[last]);
+  }
+  --t_;
+}
+
+} // namespace lcpush
+
+#include "lcpush/lcp/pivots/structured/structured_factor.hpp"

@@ -1,0 +1,211 @@
+// Factoring a structured basis from the problem as given. Included by structured_basis.hpp.
+#pragma once
+
+#include "lcpush/lcp/pivots/structured/structured_basis.hpp"
+
+namespace lcpush {
+
+/// What the local form does not hold of the basis: rows that leave, slots that enter.
+template <class S> void StructuredBasis<S>::list_exchanges(Span<int> target, Span<int> flags) {
+  constexpr int has_slack = 1, has_unknown = 2;
+  bool has_artificial = false;
+  for (Index i = 0; i < n_; ++i) flags[i] = 0;
+  for (const int variable : target) {
+    if (variable == artificial(n_))
+      has_artificial = true;
+    else
+      flags[slot_of(variable)] |= variable < n_ ? has_slack : has_unknown;
+  }
+  if (!form_.pivot_locally([&](Index slot) { return (flags[slot] & has_unknown) != 0; })) {
+    t_ = capacity_ + 1;
+    return;
+  }
+  Index leaves = 0, enters = 0;
+  const auto list = [&](Span<int> which, Index& count, Index i) {
+    if (count < capacity_) which[count] = static_cast<int>(i);
+    ++count;
+  };
+  for (Index i = 0; i < n_; ++i) {
+    const bool flipped = form_.is_flipped(i);
+    if ((flags[i] & (flipped ? has_unknown : has_slack)) == 0) list(out_, leaves, i);
+    if ((flags[i] & (flipped ? has_slack : has_unknown)) != 0) list(in_, enters, i);
+  }
+  if (has_artificial) list(in_, enters, n_);
+  t_ = leaves;
+}
+
+/// K^-1 in place of K by complete pivoting. Returns how many rows are left without a pivot above
+/// `smallest_pivot`; they and as many slots come last.
+template <class S> Index StructuredBasis<S>::invert(const S& smallest_pivot) {
+  auto K = inverse_.topLeftCorner(t_, t_);
+  const auto swap = [](Span<int> list, Index i, Index j) {
+    const int other = list[i];
+    list[i] = list[j];
+    list[j] = other;
+  };
+  for (Index k = 0; k < t_; ++k) {
+    S largest = smallest_pivot;
+    Index row = -1, column = -1;
+    for (Index j = k; j < t_; ++j)
+      for (Index i = k; i < t_; ++i) {
+        const S size = Eigen::numext::abs(S(K(i, j)));
+        if (!(size > largest)) continue;
+        largest = size;
+        row = i;
+        column = j;
+      }
+    if (row < 0) return t_ - k;
+    if (row != k) K.row(row).swap(K.row(k));
+    if (column != k) K.col(column).swap(K.col(k));
+    // Row i < k now belongs to slot in_[i], column j < k to row out_[j].
+    swap(out_, row, k);
+    swap(in_, column, k);
+    const S pivot = K(k, k);
+    auto entering = along_column_.head(t_);
+    entering = K.col(k);
+    for (Index j = 0; j < t_; ++j) {
+      if (j == k || K(k, j) == S(0)) continue;
+      const S solved = -K(k, j) / pivot;
+      K.col(j) += solved * entering;
+      K(k, j) = solved;
+    }
+    K.col(k) = entering / pivot;
+    K(k, k) = S(1) / pivot;
+  }
+  return 0;
+}
+
+template <class S>
+Index StructuredBasis<S>::factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
+                                 VectorMap<S> /*scratch*/, const Wanted& wanted) {
+  list_exchanges(target, candidates);
+  if (t_ > capacity_) return t_;
+  for (Index k = 0; k < t_; ++k) {
+    form_.begin_column(in_[k]);
+    for (Index i = 0; i < t_; ++i) inverse_(i, k) = form_.entry_of_column(out_[i], in_[k]);
+  }
+  const Index left = invert(smallest_pivot);
+  t_ -= left;
+  for (Index i = 0; i < n_; ++i) dictionary.basic[i] = static_cast<int>(base_variable(i));
+  for (Index k = 0; k < t_; ++k) place(k, out_[k], in_[k]);
+  find_values(wanted);
+  constexpr Index room = 48; // exchanges until factoring afresh pays
+  long_ = t_ + room;
+  return left;
+}
+
+/// The right-hand sides of the problem as given become the values of this basis: the unknowns that
+/// make the rows that have left 0. The exact ones are corrected for what rounding in K^-1 leaves
+/// there.
+template <class S> void StructuredBasis<S>::find_values(const Wanted& wanted) {
+  constexpr int corrections = 2;
+  auto column = dictionary.table.col(0);
+  auto rates = rates_.head(t_), entered = along_row_.head(t_), left = along_column_.head(t_);
+  for (Index level = wanted.first; level < wanted.end; ++level) {
+    auto values = dictionary.values.col(level);
+    form_.evaluate(values);
+    if (t_ == 0) continue;
+    const int passes = level < wanted.exact ? 1 + corrections : 1;
+    const S noise = Eigen::NumTraits<S>::epsilon() * values.cwiseAbs().maxCoeff();
+    entered.setZero();
+    for (int pass = 0; pass < passes; ++pass) {
+      for (Index k = 0; k < t_; ++k)
+        left[k] = pass > 0 ? S(values[out_[k]] + column[out_[k]]) : S(values[out_[k]]);
+      if (pass > 0 && !(left.cwiseAbs().maxCoeff() > noise)) break;
+      rates.setZero();
+      for (Index k = 0; k < t_; ++k)
+        if (left[k] != S(0)) rates -= inverse_.col(k).head(t_) * left[k];
+      entered += rates;
+      multiply_entered(column, entered);
+    }
+    values += column;
+    for (Index k = 0; k < t_; ++k) values[out_[k]] = entered[k];
+  }
+}
+
+/// out = M x for x on the slots that have entered.
+template <class S>
+template <class Column, class Entered>
+void StructuredBasis<S>::multiply_entered(Column&& out, const Entered& x) {
+  form_.multiply(
+      [&](auto visit) {
+        for (Index k = 0; k < t_; ++k)
+          if (x[k] != S(0)) visit(Index(in_[k]), S(x[k]));
+      },
+      out);
+}
+
+/// out = the basic variables where every nonbasic one is at value(variable) and q = 0.
+template <class S>
+template <class Value, class Column>
+void StructuredBasis<S>::respond_to(Value value, Column&& out) {
+  form_.multiply(
+      [&](auto visit) {
+        for (Index i = 0; i < n_; ++i) {
+          if (in_at_[i] >= 0) continue;
+          const S x = value(other_variable(i));
+          if (x != S(0)) visit(i, x);
+        }
+      },
+      out);
+  auto rates = rates_.head(t_);
+  rates.setZero();
+  for (Index k = 0; k < t_; ++k) {
+    const S wanted = value(base_variable(out_[k]));
+    rates += inverse_.col(k).head(t_) * (wanted - out[out_[k]]);
+  }
+  add_entered(dictionary.table.col(0), -1, S(0));
+  out += dictionary.table.col(0);
+  for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
+}
+
+template <class S> void StructuredBasis<S>::respond(const VectorMap<S>& r, VectorMap<S> out) {
+  respond_to([&](Index variable) { return variable < n_ ? S(r[variable]) : S(0); }, out);
+}
+
+/// Free unknowns that are basic are at S exactly and nothing else is: rounding in a solve would
+/// leave noise where the ratio test looks first.
+template <class S>
+void StructuredBasis<S>::set_bound_level(Index free_begin, const VectorMap<S>& column_scale,
+                                         const S& level_scale) {
+  auto values = dictionary.values.col(0);
+  const auto bound = [&](Index variable) {
+    const bool is_free = variable >= unknown(free_begin, n_) && variable < artificial(n_);
+    return is_free ? S(S(1) / (column_scale[variable - n_] * level_scale)) : S(0);
+  };
+  respond_to([&](Index variable) { return S(-bound(variable)); }, values);
+  for (Index i = 0; i < n_; ++i) values[i] += bound(dictionary.basic[i]);
+}
+
+/// After factor has left some: see DenseBasis.
+template <class S>
+bool StructuredBasis<S>::drop_pairs(Index left, Span<int> target, Span<int> candidates,
+                                    const S& smallest_pivot, VectorMap<S> scratch) {
+  if (t_ > capacity_) return false;
+  // In the base and still there, while its complement has entered; and neither of both.
+  Index both = 0, neither = 0;
+  for (Index k = t_; k < t_ + left; ++k) {
+    if (in_at_[out_[k]] >= 0) candidates[both++] = out_[k];
+    if (out_at_[in_[k]] >= 0) target[neither++] = in_[k];
+  }
+  for (; both > 0; --both) {
+    S largest = smallest_pivot;
+    Index at = -1, to = -1;
+    for (Index k = 0; k < both; ++k)
+      for (Index l = 0; l < neither; ++l) {
+        const S size = Eigen::numext::abs(S(inverse_(in_at_[candidates[k]], out_at_[target[l]])));
+        if (!(size > largest)) continue;
+        largest = size;
+        at = k;
+        to = l;
+      }
+    if (at < 0) return false;
+    const Index returns = base_variable(target[to]);
+    exchange(out_[in_at_[candidates[at]]], enter(returns), returns, scratch);
+    candidates[at] = candidates[both - 1];
+    target[to] = target[--neither];
+  }
+  return true;
+}
+
+} // namespace lcpush

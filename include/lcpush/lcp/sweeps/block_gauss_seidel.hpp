@@ -1,0 +1,108 @@
+// Projected Gauss-Seidel on the groups of a factored problem: init, sweep, solve.
+//
+// xi and s have zeros on the diagonal, so that no row can be solved for them. Both are multipliers:
+// of the simplex { beta >= 0, sum beta <= mu lambda } of a cone group, and of the simplex
+// { lambda >= 0, sum coupling lambda = target } of a sum group. A sweep moves every group within
+// its set as far as the object's six accelerations ask for and never touches a multiplier; they
+// are recovered at the end. Everything couples through u = A G f, six numbers that every move
+// updates at once: a sweep costs O(forces), without a matrix.
+//
+// Plain sweeps slow down where forces are shared in many ways. `accelerate` goes on with
+// ProximalNewton from where the sweeps have come; what it finds is judged as everything is.
+#pragma once
+
+#include "lcpush/lcp/residual.hpp"
+#include "lcpush/lcp/sweeps/proximal_newton.hpp"
+#include "lcpush/lcp/sweeps/sweep_options.hpp"
+#include "lcpush/lcp/trace.hpp"
+#include "lcpush/status.hpp"
+
+namespace lcpush {
+
+constexpr Index block_gauss_seidel_scalars(Index n, Index couplings, Index sums) {
+  return 6 * n + proximal_scalars(n, couplings, sums);
+}
+constexpr Index block_gauss_seidel_integers(Index n, Index couplings, Index sums) {
+  return 2 * n + proximal_integers(n, couplings, sums);
+}
+
+template <class S> class BlockGaussSeidel {
+public:
+  /// Memory of at least block_gauss_seidel_scalars and block_gauss_seidel_integers elements.
+  BlockGaussSeidel(Span<S> scalars, Span<int> integers) : scalars_(scalars), integers_(integers) {}
+
+  /// `problem` is factored and outlives the run. Starts from the forces in `start` (n numbers), or
+  /// from each sum's even share. Post: running; or bad_input, with bad_sum() >= 0 if plain sweeps
+  /// cannot keep that sum group (it is no simplex: it couples friction or has inertia), -1 if the
+  /// memory is too small.
+  [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options = {},
+                            const S* start = nullptr) {
+    return init(problem, options, start, unobserved);
+  }
+  template <class Observer>
+  [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options,
+                            const S* start, Observer& observer);
+
+  /// One pass over all groups; post: running, or how the run ended. Cost: O(forces).
+  [[nodiscard]] Status sweep() { return sweep(unobserved); }
+  template <class Observer> [[nodiscard]] Status sweep(Observer& observer);
+
+  /// Sweeps to the end, accelerated if the options say so.
+  /// Post: solved (the check was passed), sweep_limit or stagnated.
+  [[nodiscard]] Status solve() { return solve(unobserved); }
+  template <class Observer> [[nodiscard]] Status solve(Observer& observer);
+
+  Status status() const { return status_; }
+  Index sweeps() const { return sweeps_; } ///< passes over all groups, of either kind
+  Index bad_sum() const { return bad_sum_; }
+  /// After stagnated: did the forces grow without bound, as in a jam?
+  bool runs_away() const;
+  const WorstRow<S>& residual() const { return residual_; }
+  const S* z() const { return z_.data; } ///< multipliers as of the last check
+
+private:
+  Span<S> scalars_;
+  Span<int> integers_;
+  Problem<S> problem_;
+  SweepOptions<S> options_;
+  ProximalNewton<S> newton_{{}, {}};
+  Status status_ = Status::bad_input;
+  Index sweeps_ = 0, bad_sum_ = -1, best_sweep_ = 0;
+  WorstRow<S> residual_;
+  S best_residual_{0};
+  Vector6<S> u_; // A G f
+  Span<S> z_, unit_, check_w_, check_scratch_, kept_;
+  Span<int> cone_of_, sum_of_; // by variable: the cone of a normal, its sum group or -1
+
+  const FactoredProblem<S>& factored() const { return *problem_.factored; }
+  bool carve();
+  void sort_groups();
+  void share_evenly();
+  S rate(Index force, Index variable) const {
+    return factored().wrenches[force].dot(u_) + problem_.q[variable];
+  }
+  void refresh() { u_ = factored().mobility.lazyProduct(contact_wrench(factored(), z_.data)); }
+  void exchange(const SumGroup<S>& sum, Index k, Index l);
+  void press(const ConeGroup<S>& cone);
+  void shrink_to_cone(const ConeGroup<S>& cone, const S& most);
+  void rub(const ConeGroup<S>& cone);
+  void recover_multipliers();
+  S squeeze() const;
+  bool passes() const;
+  template <class Observer> Status check(Observer& observer, bool last = false);
+  Status judge();
+  template <class Observer> Status finish(Observer& observer);
+};
+
+} // namespace lcpush
+
+#include "lcpush/lcp/sweeps/block_sweeps.hpp"
+
+#ifdef LCPUSH_EXTERN_TEMPLATES
+namespace lcpush {
+extern template class ProximalNewton<float>;
+extern template class ProximalNewton<double>;
+extern template class BlockGaussSeidel<float>;
+extern template class BlockGaussSeidel<double>;
+} // namespace lcpush
+#endif

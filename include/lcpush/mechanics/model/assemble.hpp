@@ -1,0 +1,225 @@
+// Assembly: from a scene to the factored complementarity problem, one law at a time, in the
+// caller's memory.
+#pragma once
+
+#include "lcpush/lcp/memory.hpp"
+#include "lcpush/mechanics/model/laws.hpp"
+#include "lcpush/status.hpp"
+
+namespace lcpush {
+
+/// How large a scene may be; everything else about memory follows. `generators` counts those of all
+/// points together (points times facets, or generator_count by generator_count), `drives` the
+/// (body, actuator) pairs, `pulls` the points of bilateral bodies.
+struct AssemblySize {
+  Index points, generators, actuators, drives, pulls = 0;
+  constexpr Index unknowns() const { return forces() + points + actuators; }
+  constexpr Index forces() const { return points + pulls + generators; }
+  constexpr Index couplings() const { return forces() * (drives > 0 ? drives : 1); }
+  constexpr Index scalars() const {
+    return 6 * forces() + couplings() + 3 * unknowns() + actuators;
+  }
+};
+
+/// The arrays that an assembly writes into; all of them the caller's.
+template <class S> struct AssemblyMemory {
+  Span<Vector6<S>> wrenches;
+  Span<ConeGroup<S>> cones;
+  Span<SumGroup<S>> sums;
+  Span<int> coupled_variable;
+  Span<S> coupling;
+  Span<Index> body;
+  Span<S> reach;
+  Span<S> rest, push, q; ///< n each
+};
+
+/// The problem with its meaning. `problem.q` = rest + sigma push, sigma set by push_by.
+template <class S> class Assembly {
+public:
+  explicit Assembly(const AssemblyMemory<S>& memory) : memory_(memory) {}
+
+  /// Post: running, and problem() and layout() describe the scene, pushed as prescribed (sigma =
+  /// 1); or bad_input if the memory is too small for it, and there is no problem to solve. Pre: the
+  /// scene outlives the assembly. Cost: O(forces (1 + drives)).
+  Status assemble(const Scene<S>& scene);
+
+  /// The same scene with its prescribed motions scaled by sigma.
+  void push_by(S sigma) {
+    sigma_ = sigma;
+    for (Index i = 0; i < layout_.size; ++i)
+      memory_.q[i] = memory_.rest[i] + sigma * memory_.push[i];
+  }
+
+  const Scene<S>& scene() const { return *scene_; }
+  const Layout<S>& layout() const { return layout_; }
+  S sigma() const { return sigma_; }
+
+  /// The problem of the present sigma.
+  Problem<S> problem() const {
+    Problem<S> p;
+    p.size = layout_.size;
+    p.free_begin = layout_.size - layout_.actuators;
+    p.factored = &factored_;
+    p.q = memory_.q.data;
+    return p;
+  }
+
+  /// The problem at rest with the push as an infinitesimal extra right-hand side.
+  Problem<S> breaking_problem() const {
+    Problem<S> p = problem();
+    p.q = memory_.rest.data;
+    p.push = memory_.push.data;
+    return p;
+  }
+
+  // What a pressure law changes: the compliance of a normal row and its right-hand side.
+  Span<ConeGroup<S>> cones() const { return {memory_.cones.data, layout_.points}; }
+  Span<S> q() const { return {memory_.q.data, layout_.size}; }
+  const FactoredProblem<S>& factored() const { return factored_; }
+
+private:
+  AssemblyMemory<S> memory_;
+  const Scene<S>* scene_ = nullptr;
+  Layout<S> layout_{};
+  FactoredProblem<S> factored_{};
+  S sigma_{1};
+
+  bool fits(const Scene<S>& scene) const;
+  void choose_scales();
+  void add_points();
+  void add_actuators();
+};
+
+/// F, L and F / m of a scene. Cost: O(points).
+template <class S> void Assembly<S>::choose_scales() {
+  using Eigen::numext::maxi;
+  const Scene<S>& scene = *scene_;
+  S length(0), push(0);
+  for (const Vector3<S>& p : scene.points) length = maxi(length, S(p.norm()));
+  if (!(length > S(0))) length = S(1);
+  for (Index a = 0; a < scene.actuators.size; ++a) memory_.reach[a] = S(0);
+  for (const Drive<S>& drive : scene.drives) {
+    const Body<S>& body = scene.bodies[drive.body];
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      memory_.reach[drive.actuator] = maxi(memory_.reach[drive.actuator],
+                                           S(acceleration_at(scene.points[i], drive.twist).norm()));
+  }
+  for (const Body<S>& body : scene.bodies)
+    push = maxi(push, maxi(S(body.acceleration.template head<3>().norm()),
+                           S(length * body.acceleration.template tail<3>().norm())));
+  S force = scene.object.mass * scene.gravity.norm();
+  for (Index a = 0; a < scene.actuators.size; ++a) {
+    if (!(memory_.reach[a] > S(0))) memory_.reach[a] = S(1);
+    const S tau = scene.actuators[a].force / memory_.reach[a];
+    force = maxi(force, tau < S(0) ? S(-tau) : tau);
+  }
+  // Against a push of a thousand times that, rounding is all that is left of the grip.
+  force = maxi(force, S(scene.object.mass * push / S(1000)));
+  if (!(force > S(0))) force = scene.object.mass * (push > S(0) ? push : S(1));
+  layout_.scales = {force, length, force / scene.object.mass};
+}
+
+/// [T.2], [T.3] and [T.4] of every point.
+template <class S> void Assembly<S>::add_points() {
+  const Scene<S>& scene = *scene_;
+  const Vector6<S> free_fall = factored_.mobility.lazyProduct(laws::weight(scene, layout_.scales));
+  Index force = 0, variable = 0;
+  const auto add_force = [&](Index row, const Vector6<S>& column, const Vector6<S>& A_b) {
+    memory_.wrenches[force++] = column;
+    memory_.rest[row] = column.dot(free_fall);
+    memory_.push[row] = -column.dot(A_b);
+  };
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const Body<S>& body = scene.bodies[b];
+    const Vector6<S> A_b = laws::prescribed(body, layout_.scales);
+    const Index g = generator_count(scene, body);
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      const Vector3<S>& p = scene.points[i];
+      const ConeGroup<S> cone = laws::friction_cone(body, g, force, variable);
+      memory_.cones[layout_.points] = cone;
+      memory_.body[layout_.points++] = b;
+      const Vector6<S> normal = laws::normal_direction(body, p, layout_.scales);
+      add_force(variable, normal, A_b);
+      if (cone.normals == 2) add_force(variable + 1, -normal, A_b);
+      for (Index j = 0; j < g; ++j)
+        add_force(variable + cone.normals + j,
+                  laws::friction_direction(body, p, j, scene.facets, layout_.scales), A_b);
+      if (g > 0) memory_.rest[cone.slip()] = memory_.push[cone.slip()] = S(0);
+      variable += cone.size();
+    }
+  }
+  layout_.forces = force;
+  layout_.size = variable;
+}
+
+/// [T.5] of every actuator.
+template <class S> void Assembly<S>::add_actuators() {
+  const Scene<S>& scene = *scene_;
+  Index entry = 0;
+  for (Index a = 0; a < scene.actuators.size; ++a) {
+    SumGroup<S> sum = laws::grip_force(scene, a, memory_.reach[a], layout_.scales);
+    sum.first = entry;
+    for (const Drive<S>& drive : scene.drives) {
+      if (drive.actuator != a) continue;
+      for (Index i = 0; i < layout_.points; ++i) {
+        if (memory_.body[i] != drive.body) continue;
+        const ConeGroup<S>& cone = memory_.cones[i];
+        for (Index k = 0; k < cone.forces(); ++k) {
+          const S coefficient = laws::grip_coefficient(drive, memory_.wrenches[cone.force + k],
+                                                       memory_.reach[a], layout_.scales);
+          // A force across the motion does no work on it: what is left of it is rounding.
+          using std::abs;
+          if (!(abs(coefficient) > S(16) * Eigen::NumTraits<S>::epsilon())) continue;
+          memory_.coupled_variable[entry] = static_cast<int>(cone.variable + k);
+          memory_.coupling[entry++] = coefficient;
+        }
+      }
+    }
+    sum.count = entry - sum.first;
+    memory_.sums[a] = sum;
+    memory_.rest[layout_.size] = -sum.target;
+    memory_.push[layout_.size++] = S(0);
+  }
+}
+
+template <class S> bool Assembly<S>::fits(const Scene<S>& scene) const {
+  Index forces = 0, unknowns = scene.actuators.size, couplings = 0;
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const Body<S>& body = scene.bodies[b];
+    const Index g = generator_count(scene, body);
+    const Index of_body = body.point_count * (g + (body.bilateral ? 2 : 1));
+    forces += of_body;
+    unknowns += of_body + (g > 0 ? body.point_count : 0);
+    for (const Drive<S>& drive : scene.drives)
+      if (drive.body == b) couplings += of_body;
+  }
+  const AssemblyMemory<S>& m = memory_;
+  return m.wrenches.size >= forces && m.cones.size >= scene.points.size &&
+         m.body.size >= scene.points.size && m.sums.size >= scene.actuators.size &&
+         m.reach.size >= scene.actuators.size && m.coupling.size >= couplings &&
+         m.coupled_variable.size >= couplings && m.q.size >= unknowns && m.rest.size >= unknowns &&
+         m.push.size >= unknowns;
+}
+
+template <class S> Status Assembly<S>::assemble(const Scene<S>& scene) {
+  scene_ = &scene;
+  layout_ = {};
+  if (!fits(scene)) return Status::bad_input;
+  choose_scales();
+  factored_.mobility = laws::newton(scene, layout_.scales);
+  add_points();
+  layout_.actuators = scene.actuators.size;
+  layout_.cones = {memory_.cones.data, layout_.points};
+  layout_.body = {memory_.body.data, layout_.points};
+  layout_.reach = {memory_.reach.data, layout_.actuators};
+  add_actuators();
+  factored_.wrenches = {memory_.wrenches.data, layout_.forces};
+  factored_.cones = layout_.cones;
+  factored_.sums = {memory_.sums.data, layout_.actuators};
+  factored_.coupled_variable = {memory_.coupled_variable.data, memory_.coupled_variable.size};
+  factored_.coupling = {memory_.coupling.data, memory_.coupling.size};
+  push_by(S(1));
+  return Status::running;
+}
+
+} // namespace lcpush

@@ -1,0 +1,96 @@
+// One contact point: wrench columns, friction generators, the acceleration it sees.
+#pragma once
+
+#include "lcpush/mechanics/model/scene.hpp"
+
+namespace lcpush {
+
+template <class S> Vector3<S> cross(const Vector3<S>& a, const Vector3<S>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// W(u) = [u ; p x u]: the wrench at the centre of mass of a unit force along u at p.
+template <class S> Vector6<S> wrench_column(const Vector3<S>& p, const Vector3<S>& u) {
+  Vector6<S> column;
+  column << u, cross(p, u);
+  return column;
+}
+
+/// The acceleration at p of a body that starts from rest with this twist.
+template <class S> Vector3<S> acceleration_at(const Vector3<S>& p, const Vector6<S>& twist) {
+  const Vector3<S> linear = twist.template head<3>(), angular = twist.template tail<3>();
+  return linear + cross(angular, p);
+}
+
+namespace detail {
+/// Taylor's series, exact to rounding for 0 <= x <= pi/4. Own code, because the bits of a libm
+/// differ between machines. Each term is less than a third of the one before, so that after one
+/// that changes nothing no other does.
+template <class S> S sine_series(const S& x, S term, int k) {
+  S sum = term;
+  for (; k < 26; k += 2) {
+    term = -term * x * x / S(k * (k + 1));
+    const S next = sum + term;
+    if (next == sum) break;
+    sum = next;
+  }
+  return sum;
+}
+template <class S> S first_octant_sine(Index j, Index g) {
+  const S x = S(6.283185307179586476925286766559L) * S(j) / S(g);
+  return sine_series(x, x, 2);
+}
+template <class S> S first_octant_cosine(Index j, Index g) {
+  const S x = S(6.283185307179586476925286766559L) * S(j) / S(g);
+  return sine_series(x, S(1), 1);
+}
+} // namespace detail
+
+/// cos(2 pi j / g) for g even, through the circle's symmetries: multiples of 90 degrees are exactly
+/// 0 and +-1, opposite directions exact negatives, mirrored ones the same bits.
+template <class S> S circle_cosine(Index j, Index g) {
+  j = ((j % g) + g) % g;
+  if (2 * j > g) j = g - j;
+  if (4 * j > g) return -circle_cosine<S>(g / 2 - j, g);
+  if (4 * j == g) return S(0);
+  if (8 * j <= g) return detail::first_octant_cosine<S>(j, g);
+  return detail::first_octant_sine<S>(g - 4 * j, 4 * g);
+}
+
+/// sin(2 pi j / g), in the same way.
+template <class S> S circle_sine(Index j, Index g) { return circle_cosine<S>(4 * j - g, 4 * g); }
+
+/// A unit of friction: a force in the contact plane and, at a soft point, a torque about the
+/// normal.
+template <class S> struct Generator {
+  Vector3<S> force; ///< 1
+  S torque;         ///< m, along the normal
+};
+
+/// Generators of a soft point: five angles between force and torque for each of the g directions,
+/// and the pure torques.
+constexpr Index soft_generators(Index g) { return 5 * g + 2; }
+
+/// Friction generator k of a body with g facets. The first g are the forces
+/// d_j = cos(2 pi j / g) t + sin(2 pi j / g) o, o = n x t. A soft point of torsion radius r goes on
+/// with [cos(psi) d_j ; r sin(psi)] for psi = 30, -30, 60, -60 degrees and ends with [0 ; +-r].
+template <class S> Generator<S> generator(const Body<S>& body, Index k, Index g) {
+  const Index angle = k / g;
+  const S r = body.torsion_radius;
+  if (angle == 5) return {Vector3<S>::Zero(), k == 5 * g ? r : S(-r)};
+  const Vector3<S> d = circle_cosine<S>(k, g) * body.tangent +
+                       circle_sine<S>(k, g) * cross(body.normal, body.tangent);
+  if (angle == 0) return {d, S(0)};
+  const S half = S(1) / S(2), cos_30 = circle_cosine<S>(1, 12);
+  const S cosine[] = {cos_30, cos_30, half, half};
+  const S sine[] = {half, S(-half), cos_30, S(-cos_30)};
+  return {cosine[angle - 1] * d, sine[angle - 1] * r};
+}
+
+/// Friction generators of one point of this body: none without friction.
+template <class S> Index generator_count(const Scene<S>& scene, const Body<S>& body) {
+  if (!(body.friction > S(0))) return 0;
+  return body.torsion_radius > S(0) ? soft_generators(scene.facets) : scene.facets;
+}
+
+} // namespace lcpush

@@ -1,0 +1,79 @@
+// Even pressure: every point of a driven patch becomes a force-controlled pad of its own.
+#pragma once
+
+#include "lcpush/mechanics/model/answer.hpp"
+#include "lcpush/status.hpp"
+
+namespace lcpush {
+
+/// How many bodies, actuators and drives the spread scene has.
+struct EvenSize {
+  Index bodies, actuators, drives;
+};
+
+/// Arrays of at least even_size's lengths; the caller's, and the spread scene lives in them.
+template <class S> struct EvenMemory {
+  Span<Body<S>> bodies;
+  Span<Actuator<S>> actuators;
+  Span<Drive<S>> drives;
+};
+
+template <class S> EvenSize even_size(const Scene<S>& scene) {
+  EvenSize size{0, 0, 0};
+  for (Index b = 0; b < scene.bodies.size; ++b)
+    size.bodies += is_driven(scene, b) ? scene.bodies[b].point_count : 1;
+  for (const Drive<S>& drive : scene.drives) size.drives += scene.bodies[drive.body].point_count;
+  size.actuators = size.drives;
+  return size;
+}
+
+/// Does an actuator drive several bodies? Then no point's share of its force is known.
+template <class S> bool shares_an_actuator(const Scene<S>& scene) {
+  for (Index k = 0; k < scene.drives.size; ++k)
+    for (Index l = 0; l < k; ++l)
+      if (scene.drives[k].actuator == scene.drives[l].actuator) return true;
+  return false;
+}
+
+/// [T.7] Even: a driven body of k points becomes k bodies of one point each; each of its actuators
+/// becomes k, with the k-th part of its force and inertia and the same twist. Other bodies stay.
+/// A scene of another pressure law comes back as it is. Points keep their order, bodies get new
+/// indices. Post: solved; or bad_input if the memory is too small or shares_an_actuator(scene).
+/// Cost: O(bodies drives + points).
+template <class S>
+[[nodiscard]] Status spread_evenly(const Scene<S>& scene, const EvenMemory<S>& memory,
+                                   Scene<S>& spread) {
+  spread = scene;
+  if (scene.pressure != Pressure::even) return Status::solved;
+  const EvenSize size = even_size(scene);
+  if (shares_an_actuator(scene) || memory.bodies.size < size.bodies ||
+      memory.actuators.size < size.actuators || memory.drives.size < size.drives)
+    return Status::bad_input;
+  Index bodies = 0, actuators = 0;
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const Index k = scene.bodies[b].point_count;
+    if (!is_driven(scene, b)) {
+      memory.bodies[bodies++] = scene.bodies[b];
+      continue;
+    }
+    for (Index i = 0; i < k; ++i) {
+      Body<S>& pad = memory.bodies[bodies++];
+      pad = scene.bodies[b];
+      pad.first_point += i;
+      pad.point_count = 1;
+      for (const Drive<S>& drive : scene.drives) {
+        if (drive.body != b) continue;
+        const Actuator<S>& whole = scene.actuators[drive.actuator];
+        memory.actuators[actuators] = {whole.force / S(k), whole.inertia / S(k)};
+        memory.drives[actuators] = {bodies - 1, actuators, drive.twist};
+        ++actuators;
+      }
+    }
+  }
+  spread.bodies = {memory.bodies.data, bodies};
+  spread.actuators = {memory.actuators.data, actuators};
+  spread.drives = {memory.drives.data, actuators};
+  return Status::solved;
+}
+
+} // namespace lcpush

@@ -1,0 +1,105 @@
+// The laws of prehensile pushing, in the paper's order: one law = one function = one equation of
+// docs/theory/theory.md = one test case. [P.n] is equation n of Chavan-Dafle & Rodriguez, IROS 2015.
+//
+//   unknowns   a object's acceleration   s closing of an actuator   lambda normal force
+//              beta friction force along a generator                xi slip acceleration
+//
+// Everything here is in the scaled units of Layout. To change the friction model, change
+// friction_direction (the generators) and friction_cone (what bounds them).
+#pragma once
+
+#include "lcpush/mechanics/model/layout.hpp"
+
+namespace lcpush {
+namespace laws {
+
+/// [T.1] Newton: M a = w + sum_i ( lambda_i W(n_i) + sum_j beta_ij W(d_ij) ).            [P.8]
+/// Solved for a: returns the mobility A = M^-1. In a planar scene nothing moves out of the plane.
+template <class S> Matrix6<S> newton(const Scene<S>& scene, const Scales<S>& scales) {
+  const S unit = scene.object.mass * scales.length * scales.length;
+  const Matrix3<S> I = scene.object.inertia / unit;
+  Matrix6<S> A = Matrix6<S>::Zero();
+  A(0, 0) = A(1, 1) = S(1);
+  if (scene.planar) {
+    A(5, 5) = S(1) / I(2, 2);
+    return A;
+  }
+  A(2, 2) = S(1);
+  const Vector3<S> x = I.col(0), y = I.col(1), z = I.col(2); // inverse = adjugate / determinant
+  const S determinant = x.dot(cross(y, z));
+  A.template block<1, 3>(3, 3) = cross(y, z).transpose() / determinant;
+  A.template block<1, 3>(4, 3) = cross(z, x).transpose() / determinant;
+  A.template block<1, 3>(5, 3) = cross(x, y).transpose() / determinant;
+  return A;
+}
+
+/// The load w of [T.1]: the object's weight, which has no moment about the centre of mass.
+template <class S> Vector6<S> weight(const Scene<S>& scene, const Scales<S>& scales) {
+  Vector6<S> w = Vector6<S>::Zero();
+  w.template head<3>() = scene.object.mass * scene.gravity / scales.force;
+  return w;
+}
+
+/// [T.2] Normal: 0 <= lambda_i _|_ W(n_i)' (a - A_b) >= 0.                               [P.VI-A]
+/// Returns W(n_i), which is both the force's column and the row's coefficients. A bilateral body
+/// has both signs: lambda = lambda+ - lambda-, and - W(n_i) for the second.
+template <class S>
+Vector6<S> normal_direction(const Body<S>& body, const Vector3<S>& p, const Scales<S>& scales) {
+  return wrench_column<S>(p / scales.length, body.normal);
+}
+
+/// [T.3] Dissipation: 0 <= beta_ij _|_ W(d_ij)' (a - A_b) + xi_i >= 0.                   [P.4]
+/// Returns W(d_ij) for generator j of a body with g facets.
+template <class S>
+Vector6<S> friction_direction(const Body<S>& body, const Vector3<S>& p, Index j, Index g,
+                              const Scales<S>& scales) {
+  const Generator<S> d = generator(body, j, g);
+  Vector6<S> column = wrench_column<S>(p / scales.length, d.force);
+  column.template tail<3>() += d.torque / scales.length * body.normal;
+  return column;
+}
+
+/// [T.4] Friction cone: 0 <= xi_i _|_ mu_i lambda_i - sum_j beta_ij >= 0.                [P.3]
+/// Returns the group of unknowns [lambda, beta.., xi] that this couples.
+template <class S>
+ConeGroup<S> friction_cone(const Body<S>& body, Index generators, Index force, Index variable) {
+  return {force, generators, variable, body.friction, S(0), body.bilateral ? 2 : 1};
+}
+
+/// [T.5] Grip force: s_a free, sum_b J_ba' f_b + m_a s_a - tau_a = 0.                    [P.6]
+/// Returns the row's own numbers; the coefficients J_ba' W(u) are grip_coefficient's.
+template <class S>
+SumGroup<S> grip_force(const Scene<S>& scene, Index actuator, S reach, const Scales<S>& scales) {
+  const Actuator<S>& a = scene.actuators[actuator];
+  return {0, 0, a.force / (scales.force * reach), a.inertia / (scene.object.mass * reach * reach)};
+}
+
+/// The coefficient of [T.5]: power of a unit force with this column per unit of the actuator. The
+/// same number, with a minus sign, is what the actuator's closing does to that force's row.
+template <class S>
+S grip_coefficient(const Drive<S>& drive, const Vector6<S>& column, S reach,
+                   const Scales<S>& scales) {
+  Vector6<S> twist = drive.twist / reach;
+  twist.template tail<3>() *= scales.length;
+  return column.dot(twist);
+}
+
+/// [T.6] Patch rigidity: the relative accelerations of a patch's points are one rigid motion. [P.5]
+/// Returns by how much two points of a patch fail it: the rate at which their distance changes,
+/// (r_i - r_j)' (p_i - p_j) / |p_i - p_j|, zero for every rigid motion.
+template <class S>
+S patch_rigidity(const Vector3<S>& p_i, const Vector3<S>& r_i, const Vector3<S>& p_j,
+                 const Vector3<S>& r_j) {
+  const Vector3<S> between = p_i - p_j;
+  return (r_i - r_j).dot(between) / between.norm();
+}
+
+/// The prescribed part A_b of a body's twist in scaled units.
+template <class S> Vector6<S> prescribed(const Body<S>& body, const Scales<S>& scales) {
+  Vector6<S> A_b = body.acceleration / scales.acceleration;
+  A_b.template tail<3>() *= scales.length;
+  return A_b;
+}
+
+} // namespace laws
+} // namespace lcpush

@@ -1,0 +1,72 @@
+// Layout: what each index of the complementarity problem means physically, and in which unit.
+#pragma once
+
+#include "lcpush/lcp/problem.hpp"
+#include "lcpush/mechanics/model/contact.hpp"
+
+namespace lcpush {
+
+/// The problem is solved in these units; SI value = scaled value times unit.
+template <class S> struct Scales {
+  S force;        ///< N: F, the largest of grip forces, weight and a thousandth of m * push
+  S length;       ///< m: the largest distance of a contact point from the centre of mass
+  S acceleration; ///< m/s^2: F / m
+};
+
+template <class S> struct Layout {
+  Scales<S> scales;
+  Index points = 0;               ///< contact points, in the scene's order
+  Index forces = 0;               ///< columns of G: normals and friction generators
+  Index actuators = 0;            ///< free unknowns s
+  Index size = 0;                 ///< n
+  Span<Index> body;               ///< per point: its body
+  Span<const ConeGroup<S>> cones; ///< per point: where its lambda, beta and xi stand
+  Span<S> reach;                  ///< per actuator: largest speed of a driven point per unit of s
+
+  Index normal(Index point) const { return cones[point].variable; }
+  Index friction(Index point, Index j) const {
+    return cones[point].variable + cones[point].normals + j;
+  }
+  Index slip(Index point) const { return cones[point].slip(); }
+  Index closing(Index actuator) const { return size - actuators + actuator; }
+};
+
+enum class Meaning { normal, pull, friction, slip, closing };
+
+/// The physical name of unknown i: which quantity, of which point (or actuator), which generator.
+struct Name {
+  Meaning meaning;
+  Index of;        ///< point, or actuator for `closing`
+  Index generator; ///< for `friction`
+};
+
+template <class S> Name name_of(const Layout<S>& layout, Index i) {
+  if (i >= layout.size - layout.actuators)
+    return {Meaning::closing, i - (layout.size - layout.actuators), 0};
+  Index low = 0, high = layout.points;
+  while (high - low > 1) {
+    const Index middle = (low + high) / 2;
+    (layout.normal(middle) <= i ? low : high) = middle;
+  }
+  const Index offset = i - layout.normal(low);
+  if (offset == 0) return {Meaning::normal, low, 0};
+  if (offset < layout.cones[low].normals) return {Meaning::pull, low, 0};
+  if (i == layout.slip(low)) return {Meaning::slip, low, 0};
+  return {Meaning::friction, low, offset - layout.cones[low].normals};
+}
+
+/// SI value of unknown i = its scaled value times this: N, m/s^2, or a unit of its actuator.
+template <class S> S unknown_unit(const Layout<S>& layout, Index i) {
+  const Name name = name_of(layout, i);
+  if (name.meaning == Meaning::closing) return layout.scales.acceleration / layout.reach[name.of];
+  return name.meaning == Meaning::slip ? layout.scales.acceleration : layout.scales.force;
+}
+
+/// The same for row i: m/s^2, N, or the actuator's generalised force.
+template <class S> S row_unit(const Layout<S>& layout, Index i) {
+  const Name name = name_of(layout, i);
+  if (name.meaning == Meaning::closing) return layout.scales.force * layout.reach[name.of];
+  return name.meaning == Meaning::slip ? layout.scales.force : layout.scales.acceleration;
+}
+
+} // namespace lcpush

@@ -1,0 +1,80 @@
+// From the unknowns of the complementarity problem to an answer in SI units.
+#pragma once
+
+#include "lcpush/lcp/tolerances.hpp"
+#include "lcpush/mechanics/model/answer.hpp"
+#include "lcpush/mechanics/model/assemble.hpp"
+
+namespace lcpush {
+
+/// Stick, slide or separate, by what is large: `tolerance` is relative to the scene's units. A soft
+/// point that spins slides.
+template <class S>
+Mode contact_mode(const ContactAnswer<S>& contact, const Body<S>& body, const Scales<S>& scales,
+                  S acceleration_unit, S tolerance) {
+  using Eigen::numext::abs;
+  const S opening = contact.acceleration.dot(body.normal);
+  const Vector3<S> tangential = contact.acceleration - opening * body.normal;
+  const bool pressed = abs(contact.normal_force) > tolerance * scales.force;
+  if (!pressed && opening > tolerance * acceleration_unit) return Mode::separate;
+  const S slip = tangential.norm() + body.torsion_radius * abs(contact.spin);
+  return slip > tolerance * acceleration_unit ? Mode::slide : Mode::stick;
+}
+
+/// Fills `answer` (spans of the lengths its fields say) from a solution z of assembly.problem().
+/// `with_weight` false reads z as a derivative by sigma instead: the weight drops out.
+template <class S>
+void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S sigma,
+                 bool with_weight = true) {
+  const Scene<S>& scene = assembly.scene();
+  const Layout<S>& layout = assembly.layout();
+  const Scales<S>& scales = layout.scales;
+  const FactoredProblem<S>& factored = assembly.factored();
+
+  Vector6<S> wrench = contact_wrench(factored, z);
+  if (with_weight) wrench += laws::weight(scene, scales);
+  answer.acceleration = factored.mobility.lazyProduct(wrench) * scales.acceleration;
+  answer.acceleration.template tail<3>() /= scales.length;
+  for (Index a = 0; a < layout.actuators; ++a)
+    answer.closing[a] = z[layout.closing(a)] * scales.acceleration / layout.reach[a];
+
+  S fastest(0);
+  Index entry = 0;
+  for (Index i = 0; i < layout.points; ++i) {
+    const Index b = layout.body[i], g = layout.cones[i].generators;
+    const Body<S>& body = scene.bodies[b];
+    const Vector6<S> twist = body_twist(scene, answer, b, sigma);
+    const Vector6<S> relative = answer.acceleration - twist;
+    ContactAnswer<S>& contact = answer.contacts[i];
+    contact = {};
+    contact.body = b;
+    contact.normal_force = layout.cones[i].normal_force(z) * scales.force;
+    contact.acceleration = acceleration_at(scene.points[i], relative);
+    contact.spin = relative.template tail<3>().dot(body.normal);
+    contact.closing =
+        acceleration_at<S>(scene.points[i], twist - sigma * body.acceleration).dot(body.normal);
+    for (Index j = 0; j < g; ++j) {
+      const Generator<S> d = generator(body, j, scene.facets);
+      const S beta = z[layout.friction(i, j)] * scales.force;
+      answer.friction[entry++] = beta;
+      contact.friction_force += beta * d.force;
+      contact.torsion += beta * d.torque;
+    }
+    if (g > 0) contact.slip = z[layout.slip(i)] * scales.acceleration;
+    if (contact.acceleration.norm() > fastest) fastest = contact.acceleration.norm();
+  }
+  // Motion counts against the fastest point: a slow push moves everything slowly. Below what
+  // rounding leaves of the loads, or of the object's own acceleration, there is no motion at all.
+  const S tolerance = S(1000) * Tolerances<S>().tie;
+  const S own = answer.acceleration.template head<3>().norm() +
+                scales.length * answer.acceleration.template tail<3>().norm();
+  const S rounding =
+      S(64) * Eigen::NumTraits<S>::epsilon() * (scales.acceleration + own) / tolerance;
+  const S unit = fastest > rounding ? fastest : rounding;
+  for (Index i = 0; i < layout.points; ++i) {
+    ContactAnswer<S>& contact = answer.contacts[i];
+    contact.mode = contact_mode<S>(contact, scene.bodies[contact.body], scales, unit, tolerance);
+  }
+}
+
+} // namespace lcpush

@@ -1,0 +1,67 @@
+// The scene: an object, the bodies that touch it, and what drives those bodies.
+// Plain structs over arrays that the caller owns; a file reader fills them on the desktop, a table
+// in flash on a microcontroller. Gripper's frame, SI units, scene axes; positions and twists are
+// taken at the object's centre of mass unless a field says otherwise.
+#pragma once
+
+#include "lcpush/types.hpp"
+
+namespace lcpush {
+
+enum class Role {
+  finger, ///< part of the hand: force-controlled, or a fixed stop if no actuator drives it
+  pusher, ///< part of the environment: moves as prescribed
+};
+
+/// How a patch shares its force over its points; docs/theory/theory.md, "Pressure laws".
+enum class Pressure {
+  pad,   ///< the literal equations, reached from an even preload through a thin elastic pad
+  even,  ///< every point is a pad of its own with its even share: see even_pressure.hpp
+  rigid, ///< the literal equations, solved once: one answer of a set
+};
+
+template <class S> struct Object {
+  S mass;                    ///< kg, > 0
+  Matrix3<S> inertia;        ///< kg m^2, about the centre of mass, symmetric positive definite
+  Vector3<S> center_of_mass; ///< m, in the scene's frame; used to print positions only
+};
+
+/// A rigid body that touches the object at one or more points sharing one normal.
+template <class S> struct Body {
+  Role role = Role::finger;
+  Vector3<S> normal = Vector3<S>::Zero();       ///< unit, from the body into the object
+  Vector3<S> tangent = Vector3<S>::Zero();      ///< unit, orthogonal to it: the first generator
+  S friction{0};                                ///< Coulomb's mu, >= 0; 0: a frictionless contact
+  S torsion_radius{0};                          ///< m; > 0 makes a single point a soft contact
+  bool bilateral = false;                       ///< holds its normal motion, pulling if it must
+  Index first_point = 0;                        ///< index of its first point in Scene::points
+  Index point_count = 0;                        ///< >= 1
+  Vector6<S> acceleration = Vector6<S>::Zero(); ///< prescribed part of its twist, [m/s^2; rad/s^2]
+};
+
+/// A force-controlled degree of freedom of the hand.
+template <class S> struct Actuator {
+  S force;   ///< tau, N: the force (or generalised force) it holds
+  S inertia; ///< m_a, kg, >= 0; 0 is the paper's exact equality
+};
+
+/// One column of the hand's Jacobian [P.9]: `actuator` moves `body` with `twist` per unit.
+template <class S> struct Drive {
+  Index body;
+  Index actuator;
+  Vector6<S> twist; ///< at the object's centre of mass
+};
+
+template <class S> struct Scene {
+  Object<S> object;
+  Vector3<S> gravity; ///< m/s^2
+  Index facets;       ///< g, sides of a friction pyramid: even, 4..256
+  Pressure pressure;
+  bool planar; ///< motion in the x-y plane only
+  Span<const Body<S>> bodies;
+  Span<const Vector3<S>> points; ///< m, from the centre of mass, body by body
+  Span<const Actuator<S>> actuators;
+  Span<const Drive<S>> drives;
+};
+
+} // namespace lcpush

@@ -1,0 +1,129 @@
+// Does a scene make sense? For scenes that no file reader has checked: a table in flash, a C
+// caller.
+#pragma once
+
+#include "lcpush/mechanics/model/even_pressure.hpp"
+
+namespace lcpush {
+
+enum class Mistake {
+  none,
+  memory_too_small, ///< more than was promised
+  not_finite,       ///< a number is NaN or infinite
+  mass,             ///< mass <= 0, or an inertia that is not symmetric positive definite
+  facets,           ///< not even, or outside of 4..256
+  direction,        ///< a normal or tangent that is no unit vector, or not orthogonal
+  friction,         ///< friction or torsion radius < 0
+  index,            ///< a body without points, or an index outside of its array
+  actuator,         ///< force or inertia < 0, or nothing that it drives
+  unsupported,      ///< a soft contact of several points; even pressure with a shared actuator
+  nothing_moves,    ///< break: no pusher has an acceleration
+  not_described,    ///< there is no scene yet
+};
+
+constexpr const char* mistake_text(Mistake mistake) {
+  switch (mistake) {
+  case Mistake::none: return "";
+  case Mistake::memory_too_small: return "the memory is too small for the scene";
+  case Mistake::not_finite: return "a number is not finite, or overflows when scaled";
+  case Mistake::mass: return "the mass is not positive, or the inertia not positive definite";
+  case Mistake::facets: return "facets must be even, from 4 to 256";
+  case Mistake::direction: return "a normal is zero, or a tangent lies along it";
+  case Mistake::friction: return "friction and torsion radius must be >= 0";
+  case Mistake::index: return "a body has no points, or an index is outside of its array";
+  case Mistake::actuator: return "an actuator has a negative force or inertia, or drives nothing";
+  case Mistake::unsupported:
+    return "a soft contact has several points, or even pressure shares an actuator";
+  case Mistake::nothing_moves: return "no pusher moves: give one an acceleration";
+  case Mistake::not_described: return "there is no scene: describe one first";
+  }
+  return "";
+}
+
+namespace detail {
+
+template <class S> bool is_finite(const S& x) { return x - x == S(0); }
+template <class V> bool all_finite(const V& v) {
+  for (Index i = 0; i < v.size(); ++i)
+    if (!is_finite(v[i])) return false;
+  return true;
+}
+
+/// Sylvester's criterion, relative to the largest entry.
+template <class S> bool is_positive_definite(const Matrix3<S>& I) {
+  const S scale = I.cwiseAbs().maxCoeff();
+  if (!(scale > S(0)) || !is_finite(scale)) return false;
+  const Matrix3<S> A = I / scale;
+  const S slack = S(16) * Eigen::NumTraits<S>::epsilon();
+  for (Index i = 0; i < 3; ++i)
+    for (Index j = 0; j < i; ++j)
+      if (!(Eigen::numext::abs(S(A(i, j) - A(j, i))) <= slack)) return false;
+  const Vector3<S> x = A.col(0), y = A.col(1), z = A.col(2);
+  return A(0, 0) > slack && A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0) > slack * slack &&
+         x.dot(cross(y, z)) > slack * slack * slack;
+}
+
+template <class S> Mistake mistake_of(const Body<S>& body, Index points) {
+  const S slack = S(1000) * Eigen::NumTraits<S>::epsilon();
+  const auto near = [&](const S& x, const S& y) { return Eigen::numext::abs(S(x - y)) <= slack; };
+  const bool finite = all_finite(body.normal) && all_finite(body.tangent) &&
+                      all_finite(body.acceleration) && is_finite(body.friction) &&
+                      is_finite(body.torsion_radius);
+  if (!finite) return Mistake::not_finite;
+  if (!near(body.normal.squaredNorm(), S(1)) || !near(body.tangent.squaredNorm(), S(1)) ||
+      !near(body.normal.dot(body.tangent), S(0)))
+    return Mistake::direction;
+  if (body.friction < S(0) || body.torsion_radius < S(0)) return Mistake::friction;
+  if (body.point_count < 1 || body.first_point < 0 || body.first_point > points ||
+      body.point_count > points - body.first_point)
+    return Mistake::index;
+  if (body.torsion_radius > S(0) && body.point_count > 1) return Mistake::unsupported;
+  return Mistake::none;
+}
+
+template <class S> Mistake mistake_of_drives(const Scene<S>& scene) {
+  for (const Drive<S>& drive : scene.drives) {
+    if (drive.body < 0 || drive.body >= scene.bodies.size || drive.actuator < 0 ||
+        drive.actuator >= scene.actuators.size)
+      return Mistake::index;
+    if (!all_finite(drive.twist)) return Mistake::not_finite;
+  }
+  for (Index a = 0; a < scene.actuators.size; ++a) {
+    const Actuator<S>& actuator = scene.actuators[a];
+    if (!is_finite(actuator.force) || !is_finite(actuator.inertia)) return Mistake::not_finite;
+    bool drives = false;
+    for (const Drive<S>& drive : scene.drives)
+      drives = drives || (drive.actuator == a && drive.twist.squaredNorm() > S(0));
+    if (actuator.force < S(0) || actuator.inertia < S(0) || !drives) return Mistake::actuator;
+  }
+  return Mistake::none;
+}
+
+} // namespace detail
+
+/// The first thing that is wrong with a scene, or none. Bodies have to cover the points one after
+/// the other, as everything in mechanics/ expects. Cost: O(points + drives actuators).
+template <class S> Mistake find_mistake(const Scene<S>& scene) {
+  using detail::all_finite;
+  if (!all_finite(scene.gravity) || !detail::is_finite(scene.object.mass))
+    return Mistake::not_finite;
+  if (!(scene.object.mass > S(0)) || !detail::is_positive_definite(scene.object.inertia))
+    return Mistake::mass;
+  if (scene.facets < 4 || scene.facets > 256 || scene.facets % 2 != 0) return Mistake::facets;
+  for (const Vector3<S>& p : scene.points)
+    if (!all_finite(p)) return Mistake::not_finite;
+  Index covered = 0;
+  for (const Body<S>& body : scene.bodies) {
+    const Mistake mistake = detail::mistake_of(body, scene.points.size);
+    if (mistake != Mistake::none) return mistake;
+    if (body.first_point != covered) return Mistake::index;
+    covered += body.point_count;
+  }
+  if (covered != scene.points.size || covered == 0) return Mistake::index;
+  const Mistake mistake = detail::mistake_of_drives(scene);
+  if (mistake != Mistake::none) return mistake;
+  if (scene.pressure == Pressure::even && shares_an_actuator(scene)) return Mistake::unsupported;
+  return Mistake::none;
+}
+
+} // namespace lcpush

@@ -1,0 +1,163 @@
+// The paper's matrices: grasp matrix G, its polyhedral form G-bar, hand Jacobian J, friction
+// generators D. Nothing in the solver needs them; they are for reading, exporting and comparing.
+//
+// SI units, scene axes, wrenches and twists at the object's centre of mass. A contact point has
+// three components, along n, t and o = n x t of its body; a soft point has a fourth, the rotation
+// about n. Components stand point by point in the scene's order. With f the contact forces in
+// components, forces along the generators in y, a twist A of the object, closings s of the
+// actuators and the bodies' prescribed twists A_b:
+//
+//   M a = w + G f                                                                         [P.8]
+//   f = E y, y >= 0,  so that G f = G-bar y, G-bar = G E, E = diag(n, D)                  [P.3]
+//   r = G' a - J s - (G' A_b, point by point)                                        [P.9, P.10]
+//
+// Every matrix is written into a view of exactly its shape, which the caller owns.
+#pragma once
+
+#include "lcpush/mechanics/model/contact.hpp"
+
+namespace lcpush {
+
+/// Components of the force or the acceleration at one point of this body: 3, or 4 at a soft point.
+template <class S> constexpr Index contact_components(const Body<S>& body) {
+  return body.torsion_radius > S(0) ? 4 : 3;
+}
+
+/// Rows of f and J, columns of G.
+template <class S> Index contact_components(const Scene<S>& scene) {
+  Index count = 0;
+  for (const Body<S>& body : scene.bodies) count += body.point_count * contact_components(body);
+  return count;
+}
+
+/// Normals of one point: 1, or 2 (n and -n) where a bilateral body may pull.
+template <class S> constexpr Index normal_count(const Body<S>& body) {
+  return body.bilateral ? 2 : 1;
+}
+
+/// Columns of G-bar: the forces of the complementarity problem, in its order.
+template <class S> Index force_count(const Scene<S>& scene) {
+  Index count = 0;
+  for (const Body<S>& body : scene.bodies)
+    count += body.point_count * (normal_count(body) + generator_count(scene, body));
+  return count;
+}
+
+/// Column c of the part of G that belongs to a point at p: W(n), W(t), W(o), and [0 ; n], the
+/// wrench of a unit moment about the normal. Times a twist it is that component of the point's
+/// acceleration, m/s^2, or of the spin, rad/s^2.
+template <class S>
+Vector6<S> contact_column(const Body<S>& body, const Vector3<S>& p, Index component) {
+  Vector6<S> column = Vector6<S>::Zero();
+  if (component == 3) {
+    column.template tail<3>() = body.normal;
+    return column;
+  }
+  if (component == 0) return wrench_column(p, body.normal);
+  if (component == 1) return wrench_column(p, body.tangent);
+  return wrench_column<S>(p, cross(body.normal, body.tangent));
+}
+
+/// The object's inertia: 6 x 6, [m I_3, 0 ; 0, inertia tensor], kg and kg m^2.
+template <class S> Matrix6<S> inertia_matrix(const Scene<S>& scene) {
+  Matrix6<S> M = Matrix6<S>::Zero();
+  for (Index k = 0; k < 3; ++k) M(k, k) = scene.object.mass;
+  M.template bottomRightCorner<3, 3>() = scene.object.inertia;
+  return M;
+}
+
+/// The load: the object's weight [N ; N m], which has no moment about the centre of mass.
+template <class S> Vector6<S> load(const Scene<S>& scene) {
+  Vector6<S> w = Vector6<S>::Zero();
+  w.template head<3>() = scene.object.mass * scene.gravity;
+  return w;
+}
+
+/// G: 6 x contact_components(scene). Column: the wrench of a unit component of contact force on the
+/// object; rows 1-3 without unit (1 for the torsion column: rows 4-6), rows 4-6 in m.
+template <class S> void grasp_matrix(const Scene<S>& scene, MatrixMap<S> G) {
+  Index column = 0;
+  for (const Body<S>& body : scene.bodies)
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      for (Index c = 0; c < contact_components(body); ++c)
+        G.col(column++) = contact_column(body, scene.points[i], c);
+}
+
+/// The wrench of a unit of force k at a point p: n, -n where the body may pull, then generators.
+template <class S>
+Vector6<S> polyhedral_column(const Scene<S>& scene, const Body<S>& body, const Vector3<S>& p,
+                             Index k) {
+  if (k < normal_count(body))
+    return k == 0 ? wrench_column(p, body.normal) : wrench_column<S>(p, -body.normal);
+  const Generator<S> d = generator(body, k - normal_count(body), scene.facets);
+  Vector6<S> column = wrench_column(p, d.force);
+  column.template tail<3>() += d.torque * body.normal;
+  return column;
+}
+
+/// G-bar: 6 x force_count(scene). Columns point by point: W(n), (-W(n) at bilateral bodies), then
+/// W(d_j) of each generator; units as in G. Force >= 0 along each column.
+template <class S> void polyhedral_grasp_matrix(const Scene<S>& scene, MatrixMap<S> G_bar) {
+  Index column = 0;
+  for (const Body<S>& body : scene.bodies)
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      for (Index k = 0; k < normal_count(body) + generator_count(scene, body); ++k)
+        G_bar.col(column++) = polyhedral_column(scene, body, scene.points[i], k);
+}
+
+/// J [P.9]: contact_components(scene) x actuators. Entry: acceleration of the *body's* point along
+/// a component (m/s^2; rad/s^2 for a spin) per unit of the actuator's closing acceleration.
+/// Positive closes along the component. J' f is the load that the contact forces put on the
+/// actuators, [T.5]: J' f + m_a s = tau.
+template <class S> void hand_jacobian(const Scene<S>& scene, MatrixMap<S> J) {
+  J.setZero();
+  Index row = 0;
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const Body<S>& body = scene.bodies[b];
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      for (Index c = 0; c < contact_components(body); ++c) {
+        for (const Drive<S>& drive : scene.drives)
+          if (drive.body == b)
+            J(row, drive.actuator) += contact_column(body, scene.points[i], c).dot(drive.twist);
+        ++row;
+      }
+  }
+}
+
+/// D of one point of this body: (contact_components(body) - 1) x generator_count(scene, body).
+/// Column: friction on the object per unit along a generator, in components t, o (1) and, at a soft
+/// point, the moment about n (m).
+template <class S>
+void friction_generators(const Scene<S>& scene, const Body<S>& body, MatrixMap<S> D) {
+  const Vector3<S> o = cross(body.normal, body.tangent);
+  for (Index j = 0; j < generator_count(scene, body); ++j) {
+    const Generator<S> d = generator(body, j, scene.facets);
+    D(0, j) = d.force.dot(body.tangent);
+    D(1, j) = d.force.dot(o);
+    if (contact_components(body) == 4) D(2, j) = d.torque;
+  }
+}
+
+/// E = diag(n, D): contact_components(scene) x force_count(scene), block diagonal, a block a point:
+/// [1, (-1), 0 ; 0, D]. It turns forces along generators into components, and G into G-bar = G E.
+template <class S> void contact_generators(const Scene<S>& scene, MatrixMap<S> E) {
+  E.setZero();
+  Index row = 0, column = 0;
+  for (const Body<S>& body : scene.bodies) {
+    const Vector3<S> o = cross(body.normal, body.tangent);
+    for (Index i = 0; i < body.point_count; ++i) {
+      E(row, column++) = S(1);
+      if (normal_count(body) == 2) E(row, column++) = S(-1);
+      for (Index j = 0; j < generator_count(scene, body); ++j) {
+        const Generator<S> d = generator(body, j, scene.facets);
+        E(row + 1, column) = d.force.dot(body.tangent);
+        E(row + 2, column) = d.force.dot(o);
+        if (contact_components(body) == 4) E(row + 3, column) = d.torque;
+        ++column;
+      }
+      row += contact_components(body);
+    }
+  }
+}
+
+} // namespace lcpush

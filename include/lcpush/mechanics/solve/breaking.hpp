@@ -1,0 +1,220 @@
+// [T.10] The instant of breaking: the force that just moves the object in the grip, and how it then
+// moves. It is the limit of an infinitesimal push, sigma -> 0+ (docs/theory/theory.md, "Breaking").
+#pragma once
+
+#include "lcpush/mechanics/model/check.hpp"
+#include "lcpush/mechanics/solve/workspace.hpp"
+
+namespace lcpush {
+
+/// "Unit push" stands for the prescribed motion scaled so that the fastest point of contact with a
+/// moving body accelerates at 1 m/s^2. Wrenches at the centre of mass, scene axes, on the object.
+template <class S> struct Breaking {
+  Vector6<S> rest = Vector6<S>::Zero(); ///< object's acceleration before the push, pusher in place,
+                                        ///< [m/s^2; rad/s^2]
+  Vector6<S> force =
+      Vector6<S>::Zero(); ///< the pusher's wrench at the instant of breaking, [N; N m]
+  Vector6<S> inertia = Vector6<S>::Zero(); ///< what a unit push adds to it, [N; N m] per m/s^2
+  Vector6<S> twist =
+      Vector6<S>::Zero(); ///< object's acceleration per unit push, [m/s^2; rad/s^2] per m/s^2
+  S break_force{0};       ///< N, its normal forces summed over the pusher's points
+  S inertia_normal{0};    ///< N per m/s^2, the same sum of what a unit push adds
+  S valid_to{-1};         ///< m/s^2, the largest push for which this holds exactly; -1: not known
+  S line_error{0};        ///< `pad`: how far a third push lies off the line through two, over F
+  Residuals<S> residuals;
+};
+
+/// The fastest point of contact with a body that moves as prescribed, m/s^2; 0: nothing moves.
+template <class S> S push_size(const Scene<S>& scene) {
+  S fastest(0);
+  for (const Body<S>& body : scene.bodies)
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      fastest = Eigen::numext::maxi(fastest,
+                                    S(acceleration_at(scene.points[i], body.acceleration).norm()));
+  return fastest;
+}
+
+/// |a| in units of F / m, rotations at the distance L.
+template <class S> S motion_size(const Vector6<S>& acceleration, const Scales<S>& scales) {
+  const S linear = acceleration.template head<3>().norm();
+  const S angular = scales.length * acceleration.template tail<3>().norm();
+  return Eigen::numext::maxi(linear, angular) / scales.acceleration;
+}
+
+/// Below this (in units of F / m) an acceleration counts as none.
+template <class S> constexpr S at_rest() { return S(1024) * Tolerances<S>().residual; }
+
+/// In units of F / m: a slower push drowns in what the residual check lets pass.
+template <class S> constexpr S smallest_push() { return S(256) * Tolerances<S>().residual; }
+
+/// The limit z + sigma z_push, for 0 <= sigma <= valid_to (< 0: no bound), as forces and motions.
+/// Post: solved, or numerical_breakdown with run.reason; breaking.residuals is the check's word.
+template <class S>
+Status read_breaking(Assembly<S>& assembly, const S* z, const S* z_push, const S& valid_to,
+                     Workspace<S>& work, const Body<S>& pusher, S unit, Breaking<S>& breaking,
+                     PressureRun& run) {
+  const Scene<S>& scene = assembly.scene();
+  read_answer(assembly, z_push, work.answer, S(1), false);
+  breaking.inertia = body_wrench(scene, work.answer, pusher) / unit;
+  breaking.inertia_normal = normal_sum(work.answer, pusher) / unit;
+  breaking.twist = work.answer.acceleration / unit;
+  breaking.valid_to = valid_to < S(0) ? S(-1) : S(valid_to * unit);
+  read_answer(assembly, z, work.answer, S(0));
+  breaking.rest = work.answer.acceleration;
+  breaking.force = body_wrench(scene, work.answer, pusher);
+  breaking.break_force = normal_sum(work.answer, pusher);
+  breaking.residuals = check(scene, assembly.layout().scales, work.answer, S(0));
+
+  // The same answer a little later, to be checked while it moves.
+  const S small = Eigen::numext::maxi(S(1e-4), smallest_push<S>());
+  S sigma = small * assembly.layout().scales.acceleration / unit;
+  if (valid_to >= S(0) && valid_to < sigma) sigma = valid_to;
+  if (sigma * unit < Tolerances<S>().residual * assembly.layout().scales.acceleration) {
+    run.reason = Reason::residual; // so short a range that rounding may have made it
+    return Status::numerical_breakdown;
+  }
+  for (Index i = 0; i < assembly.layout().size; ++i) work.pressure.z[i] = z[i] + sigma * z_push[i];
+  read_answer(assembly, work.pressure.z.data, work.answer, sigma);
+  const Residuals<S> moving = check(scene, assembly.layout().scales, work.answer, sigma);
+  if (!(moving.max() <= breaking.residuals.max())) breaking.residuals = moving;
+  return Status::solved;
+}
+
+namespace detail {
+
+/// `rigid` and `even`: the push is one more right-hand side, so the limit is exact.
+template <class S, class Observer, class Pivots>
+Status break_exactly(Assembly<S>& assembly, LemkeRounds<S, Observer, Pivots>& rounds,
+                     Workspace<S>& work, const Body<S>& pusher, S unit, Breaking<S>& breaking,
+                     PressureRun& run) {
+  Pivots& lemke = rounds.lemke;
+  Status status = lemke.init(assembly.breaking_problem(), rounds.options);
+  if (status == Status::running) status = lemke.solve(rounds.observer);
+  run.pivots += lemke.pivots();
+  run.reason = lemke.reason();
+  if (status != Status::solved) return status;
+  return read_breaking(assembly, lemke.z(), lemke.z_push(), lemke.valid_to(), work, pusher, unit,
+                       breaking, run);
+}
+
+/// What one small push does.
+template <class S> struct SmallPush {
+  S sigma, normal;
+  Vector6<S> wrench, acceleration;
+  Residuals<S> residuals;
+};
+
+/// Solves a push whose fastest point moves at `size` of F / m.
+template <class S, class Rounds>
+Status push_slowly(Assembly<S>& assembly, Rounds rounds, Workspace<S>& work, const Body<S>& pusher,
+                   PressureOptions<S> options, S unit, S size, SmallPush<S>& push,
+                   PressureRun& run) {
+  const Scene<S>& scene = assembly.scene();
+  const Scales<S>& scales = assembly.layout().scales;
+  push.sigma = size * scales.acceleration / unit;
+  options.tolerance = Eigen::numext::maxi(S(size * Tolerances<S>().residual),
+                                          S(512 * Eigen::NumTraits<S>::epsilon()));
+  assembly.push_by(push.sigma);
+  PressureRun one;
+  rounds.demand(options.tolerance);
+  const Status status = solve_pressure(assembly, rounds, work.pressure, options, one);
+  run.pivots += one.pivots;
+  run.sweeps += one.sweeps;
+  run.rounds += one.rounds;
+  run.cold_restarts += one.cold_restarts;
+  run.reason = one.reason;
+  run.jammed = one.jammed;
+  if (status != Status::solved) return status;
+  read_answer(assembly, work.pressure.z.data, work.answer, push.sigma);
+  push.wrench = body_wrench(scene, work.answer, pusher);
+  push.normal = normal_sum(work.answer, pusher);
+  push.acceleration = work.answer.acceleration;
+  push.residuals = check(scene, scales, work.answer, push.sigma);
+  return status;
+}
+
+/// The line through two pushes, judged by a third, smaller one.
+template <class S>
+Breaking<S> extrapolate(const SmallPush<S>* push, S unit, const Scales<S>& scales) {
+  Breaking<S> line;
+  const S span = (push[0].sigma - push[1].sigma) * unit, back = push[1].sigma * unit;
+  line.inertia = (push[0].wrench - push[1].wrench) / span;
+  line.inertia_normal = (push[0].normal - push[1].normal) / span;
+  line.force = push[1].wrench - back * line.inertia;
+  line.break_force = push[1].normal - back * line.inertia_normal;
+  line.twist = push[1].acceleration / back;
+  const S predicted = line.break_force + push[2].sigma * unit * line.inertia_normal;
+  line.line_error = Eigen::numext::abs(predicted - push[2].normal) / scales.force;
+  // What is left of the acceleration when the push is taken back to 0: nothing if it holds.
+  line.rest = push[2].acceleration - (push[1].acceleration - push[2].acceleration) *
+                                         (push[2].sigma / (push[1].sigma - push[2].sigma));
+  line.residuals = push[1].residuals;
+  for (const int k : {0, 2})
+    if (!(push[k].residuals.max() <= line.residuals.max())) line.residuals = push[k].residuals;
+  return line;
+}
+
+/// `pad`: compliance has to vanish before the push does, so finite small pushes are extrapolated;
+/// and so they are where the solver knows no infinitesimal ones. Where the third is off the line of
+/// the first two, a change of mode lies between: go smaller.
+template <class S, class Rounds>
+Status break_by_pushes(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>& work,
+                       const Body<S>& pusher, const PressureOptions<S>& options, S unit,
+                       Breaking<S>& breaking, PressureRun& run) {
+  constexpr int most_pushes = 5;
+  const S straight = S(1) / S(1000000);
+  SmallPush<S> push[most_pushes];
+  // Sweeps see less far down, and so does single precision.
+  S size = Rounds::carries_push ? S(1) / S(1000) : S(1) / S(100);
+  size = Eigen::numext::maxi(size, smallest_push<S>());
+  for (int k = 0; k < most_pushes; ++k, size /= S(10)) {
+    const Status status =
+        push_slowly(assembly, rounds, work, pusher, options, unit, size, push[k], run);
+    if (status != Status::solved) return k < 3 ? status : Status::solved;
+    if (k < 2) continue;
+    const Breaking<S> line = extrapolate(push + k - 2, unit, assembly.layout().scales);
+    if (k == 2 || line.line_error < breaking.line_error) breaking = line;
+    if (breaking.line_error <= straight) break;
+  }
+  return Status::solved;
+}
+
+} // namespace detail
+
+/// The push that `pusher` (a body of the scene) needs to move the object in the grip, by one of the
+/// solvers of rounds.hpp. Pre: push_size(scene) > 0. Post: solved; does_not_hold (breaking.rest is
+/// the motion without a push); or the solver's failure. work.answer is left at a small push: the
+/// modes at breaking.
+template <class S, class Rounds>
+[[nodiscard]] Status find_breaking(Assembly<S>& assembly, Rounds rounds, Workspace<S>& work,
+                                   const Body<S>& pusher, const PressureOptions<S>& options,
+                                   Breaking<S>& breaking, PressureRun& run) {
+  const S unit = push_size(assembly.scene());
+  breaking = {};
+  run = {};
+  if (!(unit > S(0)) || refuses(assembly, run)) return Status::bad_input;
+  Status status = Status::running;
+  if constexpr (Rounds::carries_push)
+    if (assembly.scene().pressure != Pressure::pad)
+      status = detail::break_exactly(assembly, rounds.pivots(), work, pusher, unit, breaking, run);
+  if (status == Status::running)
+    status = detail::break_by_pushes(assembly, rounds, work, pusher, options, unit, breaking, run);
+  if (status != Status::solved) return status;
+  if (!(breaking.residuals.max() <= Tolerances<S>().residual)) {
+    run.reason = Reason::residual;
+    return Status::numerical_breakdown;
+  }
+  const bool moves = motion_size(breaking.rest, assembly.layout().scales) > at_rest<S>();
+  return moves ? Status::does_not_hold : Status::solved;
+}
+
+/// The same by Lemke's pivots with their usual options.
+template <class S, class B>
+[[nodiscard]] Status find_breaking(Assembly<S>& assembly, Lemke<S, B>& lemke, Workspace<S>& work,
+                                   const Body<S>& pusher, const PressureOptions<S>& options,
+                                   Breaking<S>& breaking, PressureRun& run) {
+  return find_breaking(assembly, LemkeRounds<S, const Unobserved, Lemke<S, B>>{lemke}, work, pusher,
+                       options, breaking, run);
+}
+
+} // namespace lcpush

@@ -1,0 +1,87 @@
+// The modes that one expects before anything is solved, as a first basis for Lemke's pivots: the
+// object moves with its pusher and slides through the fingers.
+#pragma once
+
+#include "lcpush/mechanics/model/assemble.hpp"
+#include "lcpush/mechanics/solve/rounds.hpp"
+
+namespace lcpush {
+
+namespace detail {
+
+/// The body whose prescribed motion the object is expected to follow: the first pusher that moves;
+/// -1 for none.
+template <class S> Index leading_body(const Scene<S>& scene) {
+  for (Index b = 0; b < scene.bodies.size; ++b)
+    if (scene.bodies[b].role == Role::pusher && !scene.bodies[b].acceleration.isZero(S(0)))
+      return b;
+  return -1;
+}
+
+} // namespace detail
+
+/// active[i] = 1 where z_i is expected to be positive (n flags), if the object accelerates as its
+/// leading pusher does: the points of force-controlled bodies and of pushers press; where the
+/// former slip, the generator most opposed to the slip carries friction. The pushers' own friction
+/// is left to the pivots, closings are always basic. A guess: pivots from there end at an answer or
+/// say that they did not. Pre: `assembly` is of `scene`, pushed. Cost: O(forces).
+template <class S> void predict_modes(const Assembly<S>& assembly, Span<unsigned char> active) {
+  const Scene<S>& scene = assembly.scene();
+  const Problem<S> problem = assembly.problem();
+  const FactoredProblem<S>& factored = *problem.factored;
+  for (Index i = 0; i < problem.size; ++i) active[i] = i >= problem.free_begin ? 1 : 0;
+  const Index leader = detail::leading_body(scene);
+  if (leader < 0) return;
+  // q holds W(u)'(free fall - A_b) of every force.
+  const Scales<S>& scales = assembly.layout().scales;
+  const Vector6<S> falls = factored.mobility.lazyProduct(laws::weight(scene, scales));
+  const Vector6<S> follows = laws::prescribed(scene.bodies[leader], scales) * assembly.sigma();
+  const Vector6<S> by_forces = follows - falls;
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const Body<S>& body = scene.bodies[b];
+    const bool driven = is_driven(scene, b);
+    if (!driven && body.role != Role::pusher) continue;
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      const ConeGroup<S>& cone = factored.cones[i];
+      active[cone.variable] = 1;
+      S slip(0);
+      Index against = -1;
+      for (Index k = cone.normals; driven && k < cone.forces(); ++k) {
+        const S rate =
+            factored.wrenches[cone.force + k].dot(by_forces) + problem.q[cone.variable + k];
+        if (!(rate < slip)) continue;
+        slip = rate;
+        against = cone.variable + k;
+      }
+      if (against >= 0) active[against] = active[cone.slip()] = 1;
+    }
+  }
+}
+
+/// Lemke's pivots from the predicted modes. Warm rounds, and whatever fails, are as LemkeRounds'.
+template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>>
+struct PredictedRounds {
+  const Assembly<S>& assembly; ///< of the problems that the rounds solve
+  GuessedRounds<S, Observer, Pivots> then;
+  static constexpr bool carries_push = true;
+
+  PredictedRounds(const Assembly<S>& of, const LemkeRounds<S, Observer, Pivots>& pivots)
+      : assembly(of), then(pivots) {}
+
+  void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
+    if (warm) {
+      then.begin_warm(problem, memory);
+      return;
+    }
+    constexpr Index covers = 2;
+    predict_modes(assembly, memory.active);
+    then.begin_guess(problem, memory, covers, problem.size / 2 + 16);
+  }
+  Status step(const PressureMemory<S>& memory, PressureRun& run) { return then.step(memory, run); }
+
+  void vary() { then.then.vary(); }
+  LemkeRounds<S, Observer, Pivots>& pivots() { return then.then; }
+  void demand(const S&) {}
+};
+
+} // namespace lcpush

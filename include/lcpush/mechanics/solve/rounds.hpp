@@ -1,0 +1,222 @@
+// The solvers that a pressure law's rounds may use: Lemke's pivots, block Gauss-Seidel, or the one
+// finished by the other. Each solves one problem after the other, cold or from the last answer:
+//
+//     void begin(problem, warm, memory)
+//     Status step(memory, run)     running; solved, and memory.z holds the unknowns; or why not
+//
+// A step is at most one pivot; sweeps are made all at once. The observer (lcp/trace.hpp) sees every
+// pivot and every check of sweeps, of all rounds.
+#pragma once
+
+#include "lcpush/lcp/pivots/structured_lemke.hpp"
+#include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
+
+namespace lcpush {
+
+/// What a pressure solve did, for reports.
+struct PressureRun {
+  Index rounds = 0;
+  Index pivots = 0;
+  Index sweeps = 0;
+  Index cold_restarts = 0; ///< rounds that could not go on from the last basis
+  Reason reason = Reason::none;
+  bool jammed = false; ///< a ray of the problem without compliance: a squeeze, not a pad's failure
+};
+
+/// Memory beside the solver's: one Scalar a point for the last round's pressure, three a point and
+/// unknown for bookkeeping, one flag an unknown.
+template <class S> struct PressureMemory {
+  Span<S> preload;            ///< points: lambda of the last round
+  Span<S> compliance;         ///< points: c_i
+  Span<S> z;                  ///< unknowns: the last round's solution
+  Span<unsigned char> active; ///< unknowns: its basis
+};
+
+/// Lemke's pivots: cold under its covers, warm from the last basis. `Pivots` is Lemke over either
+/// basis.
+template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> struct LemkeRounds {
+  Pivots& lemke;
+  LemkeOptions<S> options;
+  Observer& observer;
+  static constexpr bool carries_push = true; ///< solves for the limit of a vanishing push exactly
+
+  explicit LemkeRounds(Pivots& solver, const LemkeOptions<S>& its_options = {},
+                       Observer& its_observer = unobserved)
+      : lemke(solver), options(its_options), observer(its_observer) {}
+
+  void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
+    if (warm)
+      begin_near(problem, memory, Guess::basis, options.covers);
+    else
+      begin_cold(problem);
+  }
+
+  Status step(const PressureMemory<S>& memory, PressureRun& run) {
+    const Status status = lemke.status() == Status::running ? lemke.step(observer) : lemke.status();
+    if (status == Status::running) return status;
+    run.pivots += lemke.pivots();
+    run.reason = lemke.reason();
+    if (status == Status::solved) {
+      for (Index i = 0; i < problem_.size; ++i) {
+        memory.z[i] = lemke.z()[i];
+        memory.active[i] = lemke.is_basic(i) ? 1 : 0;
+      }
+      return status;
+    }
+    if (covers_left_ == 0) return status;
+    // Copositivity does not protect a warm start: try it under each cover.
+    start_near(memory, covers_left_);
+    return Status::running;
+  }
+
+  /// Other covers from now on.
+  void vary() { options.first_cover += options.covers; }
+  LemkeRounds& pivots() { return *this; }
+  void demand(const S&) {} // pivots end at rounding anyway
+
+  void begin_cold(const Problem<S>& problem) {
+    problem_ = problem;
+    covers_left_ = 0;
+    (void)lemke.init(problem, options);
+  }
+
+  /// From memory.active, under `covers` covers one after the other, each of at most `limit` pivots
+  /// (0: the solver's own limit).
+  void begin_near(const Problem<S>& problem, const PressureMemory<S>& memory, Guess guess,
+                  Index covers, Index limit = 0) {
+    problem_ = problem;
+    guess_ = guess;
+    single_ = options;
+    single_.covers = 1;
+    if (limit > 0) single_.max_pivots = limit;
+    start_near(memory, covers);
+  }
+
+private:
+  Problem<S> problem_{};
+  LemkeOptions<S> single_{};
+  Guess guess_ = Guess::basis;
+  Index covers_left_ = 0;
+
+  void start_near(const PressureMemory<S>& memory, Index covers) {
+    covers_left_ = covers - 1;
+    (void)lemke.init(problem_, single_, memory.active.data, guess_);
+    ++single_.first_cover;
+  }
+};
+
+/// Block Gauss-Seidel: cold from even shares, warm from the last forces.
+template <class S, class Observer = const Unobserved> struct SweepRounds {
+  BlockGaussSeidel<S>& sweeps;
+  SweepOptions<S> options;
+  Observer& observer;
+  static constexpr bool carries_push = false;
+
+  explicit SweepRounds(BlockGaussSeidel<S>& solver, const SweepOptions<S>& its_options = {},
+                       Observer& its_observer = unobserved)
+      : sweeps(solver), options(its_options), observer(its_observer) {}
+
+  void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
+    size_ = problem.size;
+    (void)sweeps.init(problem, options, warm ? memory.z.data : nullptr, observer);
+  }
+
+  Status step(const PressureMemory<S>& memory, PressureRun& run) {
+    Status status = sweeps.solve(observer);
+    run.sweeps += sweeps.sweeps();
+    run.reason = Reason::none;
+    // Asked for more than rounding allows: what the referee lets pass is an answer all the same.
+    const bool passes = sweeps.residual().residual <= Tolerances<S>().residual;
+    if (status != Status::solved && passes && !sweeps.runs_away()) status = Status::solved;
+    if (status != Status::solved) return status;
+    for (Index i = 0; i < size_; ++i) memory.z[i] = sweeps.z()[i];
+    return status;
+  }
+
+  void vary() {} // the same input takes the same path
+  /// Answers have to be this good, as far as the solver gets.
+  void demand(const S& tolerance) { options.tolerance = tolerance; }
+
+private:
+  Index size_ = 0;
+};
+
+/// Lemke's pivots from a guessed active set, cold if that leads nowhere; warm rounds go on from the
+/// last answer. It is never less reliable than LemkeRounds.
+template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>>
+struct GuessedRounds {
+  LemkeRounds<S, Observer, Pivots> then;
+
+  explicit GuessedRounds(const LemkeRounds<S, Observer, Pivots>& pivots) : then(pivots) {}
+
+  void begin_warm(const Problem<S>& problem, const PressureMemory<S>& memory) {
+    guesses_ = false;
+    then.begin(problem, true, memory);
+  }
+  void begin_cold(const Problem<S>& problem) {
+    guesses_ = false;
+    then.begin_cold(problem);
+  }
+  /// From memory.active. A start that leads astray shall not cost more than a cold one.
+  void begin_guess(const Problem<S>& problem, const PressureMemory<S>& memory, Index covers,
+                   Index limit) {
+    problem_ = problem;
+    guesses_ = true;
+    then.begin_near(problem, memory, Guess::near, covers, limit);
+  }
+
+  Status step(const PressureMemory<S>& memory, PressureRun& run) {
+    const Status status = then.step(memory, run);
+    if (!guesses_ || status == Status::running || status == Status::solved) return status;
+    begin_cold(problem_);
+    return Status::running;
+  }
+
+private:
+  Problem<S> problem_{};
+  bool guesses_ = false;
+};
+
+/// A few sweeps, their positive unknowns as Lemke's first basis, and the pivots that remain. Warm
+/// rounds, and whatever fails, are Lemke's: it is never less reliable.
+template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> struct HybridRounds {
+  SweepRounds<S, Observer> first;
+  GuessedRounds<S, Observer, Pivots> then;
+  static constexpr bool carries_push = true;
+
+  HybridRounds(const SweepRounds<S, Observer>& sweeps, const LemkeRounds<S, Observer, Pivots>& last)
+      : first(sweeps), then(last) {}
+
+  void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
+    problem_ = problem;
+    sweeps_ = !warm;
+    if (warm)
+      then.begin_warm(problem, memory);
+    else
+      first.begin(problem, false, memory);
+  }
+
+  Status step(const PressureMemory<S>& memory, PressureRun& run) {
+    if (!sweeps_) return then.step(memory, run);
+    sweeps_ = false;
+    if (first.step(memory, run) != Status::solved) {
+      then.begin_cold(problem_);
+      return Status::running;
+    }
+    const S positive = S(1) / S(10000); // forces are of order 1 in the scene's units
+    for (Index i = 0; i < problem_.size; ++i)
+      memory.active[i] = i >= problem_.free_begin || memory.z[i] > positive ? 1 : 0;
+    then.begin_guess(problem_, memory, 1, problem_.size);
+    return Status::running;
+  }
+
+  void vary() { then.then.vary(); }
+  LemkeRounds<S, Observer, Pivots>& pivots() { return then.then; }
+  void demand(const S&) {}
+
+private:
+  Problem<S> problem_{};
+  bool sweeps_ = false;
+};
+
+} // namespace lcpush

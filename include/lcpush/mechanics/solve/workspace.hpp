@@ -1,0 +1,182 @@
+// One block of bytes, everything in it: what a push needs from scene to answer. The caller brings
+// the block (static on a microcontroller, a vector on the desktop); push_bytes says how long.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+
+#include "lcpush/mechanics/model/even_pressure.hpp"
+#include "lcpush/mechanics/model/read_answer.hpp"
+#include "lcpush/mechanics/solve/pressure.hpp"
+
+namespace lcpush {
+
+/// Cuts typed arrays off the front of a block of bytes.
+class Arena {
+public:
+  explicit Arena(Span<unsigned char> bytes) : rest_(bytes) {}
+
+  template <class T> Span<T> take(Index count) {
+    const Span<unsigned char> bytes = take_bytes(count * static_cast<Index>(sizeof(T)), alignof(T));
+    if (bytes.data == nullptr) return {};
+    T* const first = reinterpret_cast<T*>(bytes.data);
+    for (Index i = 0; i < count; ++i) new (first + i) T();
+    return {first, count};
+  }
+
+  /// Raw bytes at an address that `alignment` divides; none if fewer are left.
+  Span<unsigned char> take_bytes(Index count, std::size_t alignment) {
+    const auto address = reinterpret_cast<std::uintptr_t>(rest_.data);
+    const Index skip = static_cast<Index>((alignment - address % alignment) % alignment);
+    if (skip + count > rest_.size) {
+      exhausted_ = true;
+      return {};
+    }
+    const Span<unsigned char> taken{rest_.data + skip, count};
+    rest_ = {rest_.data + skip + count, rest_.size - skip - count};
+    return taken;
+  }
+
+  bool exhausted() const { return exhausted_; }
+
+private:
+  Span<unsigned char> rest_;
+  bool exhausted_ = false;
+};
+
+/// The arrays behind one push.
+template <class S> struct Workspace {
+  AssemblyMemory<S> assembly;
+  PressureMemory<S> pressure;
+  Span<S> lemke_scalars; ///< empty in a workspace for sweeps
+  Span<int> lemke_integers;
+  Span<S> sweep_scalars; ///< empty in a workspace for pivots
+  Span<int> sweep_integers;
+  Answer<S> answer;
+  bool complete = false; ///< false: the block was too small, use nothing of it
+};
+
+namespace detail {
+
+/// What every push needs, whatever solves it.
+template <class S> constexpr Index common_bytes(const AssemblySize& size) {
+  const Index n = size.unknowns(), p = size.points;
+  const Index scalars = 4 * n + size.couplings() + 2 * size.actuators + 2 * p + size.generators;
+  const Index structs = size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
+                        p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>)) +
+                        size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
+  constexpr Index alignment_slack = 20 * static_cast<Index>(alignof(std::max_align_t));
+  return scalars * static_cast<Index>(sizeof(S)) + structs +
+         size.couplings() * static_cast<Index>(sizeof(int)) +
+         p * static_cast<Index>(sizeof(Index)) + n + alignment_slack;
+}
+
+template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& size) {
+  const Index n = size.unknowns(), p = size.points;
+  Workspace<S> w;
+  w.assembly.wrenches = arena.take<Vector6<S>>(size.forces());
+  w.assembly.cones = arena.take<ConeGroup<S>>(p);
+  w.assembly.sums = arena.take<SumGroup<S>>(size.actuators);
+  w.assembly.coupled_variable = arena.take<int>(size.couplings());
+  w.assembly.coupling = arena.take<S>(size.couplings());
+  w.assembly.body = arena.take<Index>(p);
+  w.assembly.reach = arena.take<S>(size.actuators);
+  w.assembly.rest = arena.take<S>(n);
+  w.assembly.push = arena.take<S>(n);
+  w.assembly.q = arena.take<S>(n);
+  w.pressure.preload = arena.take<S>(p);
+  w.pressure.compliance = arena.take<S>(p);
+  w.pressure.z = arena.take<S>(n);
+  w.pressure.active = arena.take<unsigned char>(n);
+  w.answer.contacts = arena.take<ContactAnswer<S>>(p);
+  w.answer.friction = arena.take<S>(size.generators);
+  w.answer.closing = arena.take<S>(size.actuators);
+  return w;
+}
+
+} // namespace detail
+
+/// Bytes that make_workspace takes. constexpr, so that `static unsigned char memory[push_bytes..]`
+/// works. Lemke's dictionary is most of it: O(unknowns^2).
+template <class S> constexpr Index push_bytes(const AssemblySize& size) {
+  return detail::common_bytes<S>(size) +
+         lemke_scalars(size.unknowns()) * static_cast<Index>(sizeof(S)) +
+         lemke_integers(size.unknowns()) * static_cast<Index>(sizeof(int));
+}
+
+/// Cuts a workspace for scenes of at most this size, to be solved by Lemke's pivots.
+template <class S> Workspace<S> make_workspace(Arena& arena, const AssemblySize& size) {
+  Workspace<S> w = detail::take_common<S>(arena, size);
+  w.lemke_scalars = arena.take<S>(lemke_scalars(size.unknowns()));
+  w.lemke_integers = arena.take<int>(lemke_integers(size.unknowns()));
+  w.complete = !arena.exhausted();
+  return w;
+}
+template <class S>
+Workspace<S> make_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
+  Arena arena(bytes);
+  return make_workspace<S>(arena, size);
+}
+
+/// Bytes that make_structured_workspace takes: O(unknowns). `shared` is the number of actuators
+/// that drive more than one point, at most all of them; under `even` pressure there is none.
+template <class S> constexpr Index structured_bytes(const AssemblySize& size, Index shared) {
+  return detail::common_bytes<S>(size) +
+         structured_lemke_scalars(size.unknowns(), size.points, shared) *
+             static_cast<Index>(sizeof(S)) +
+         structured_lemke_integers(size.unknowns(), size.points) * static_cast<Index>(sizeof(int));
+}
+
+/// Cuts a workspace for scenes of at most this size, to be solved by StructuredLemke.
+template <class S>
+Workspace<S> make_structured_workspace(Arena& arena, const AssemblySize& size, Index shared) {
+  Workspace<S> w = detail::take_common<S>(arena, size);
+  w.lemke_scalars = arena.take<S>(structured_lemke_scalars(size.unknowns(), size.points, shared));
+  w.lemke_integers = arena.take<int>(structured_lemke_integers(size.unknowns(), size.points));
+  w.complete = !arena.exhausted();
+  return w;
+}
+template <class S>
+Workspace<S> make_structured_workspace(Span<unsigned char> bytes, const AssemblySize& size,
+                                       Index shared) {
+  Arena arena(bytes);
+  return make_structured_workspace<S>(arena, size, shared);
+}
+
+/// Bytes that make_sweep_workspace takes: O(unknowns), and (6 + actuators)^2 Scalars.
+template <class S> constexpr Index sweep_bytes(const AssemblySize& size) {
+  return detail::common_bytes<S>(size) +
+         block_gauss_seidel_scalars(size.unknowns(), size.couplings(), size.actuators) *
+             static_cast<Index>(sizeof(S)) +
+         block_gauss_seidel_integers(size.unknowns(), size.couplings(), size.actuators) *
+             static_cast<Index>(sizeof(int));
+}
+
+/// Cuts a workspace for scenes of at most this size, to be solved by block Gauss-Seidel.
+template <class S> Workspace<S> make_sweep_workspace(Arena& arena, const AssemblySize& size) {
+  Workspace<S> w = detail::take_common<S>(arena, size);
+  const Index n = size.unknowns(), couplings = size.couplings(), actuators = size.actuators;
+  w.sweep_scalars = arena.take<S>(block_gauss_seidel_scalars(n, couplings, actuators));
+  w.sweep_integers = arena.take<int>(block_gauss_seidel_integers(n, couplings, actuators));
+  w.complete = !arena.exhausted();
+  return w;
+}
+template <class S>
+Workspace<S> make_sweep_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
+  Arena arena(bytes);
+  return make_sweep_workspace<S>(arena, size);
+}
+
+/// The size of one scene, spread evenly if it is to be.
+template <class S> AssemblySize size_of(const Scene<S>& scene) {
+  AssemblySize size{scene.points.size, 0, scene.actuators.size, scene.drives.size};
+  if (scene.pressure == Pressure::even) size.actuators = size.drives = even_size(scene).actuators;
+  for (const Body<S>& body : scene.bodies) {
+    size.generators += body.point_count * generator_count(scene, body);
+    if (body.bilateral) size.pulls += body.point_count;
+  }
+  return size;
+}
+
+} // namespace lcpush

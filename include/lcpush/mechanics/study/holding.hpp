@@ -1,0 +1,160 @@
+// [T.12] Holding: the smallest factor on the grip forces at which statics lets the hand and its
+// environment, all at rest, hold the object. A linear program over the forces f and the factor phi:
+//
+//   minimise phi    G f + w = 0,   Q_a(f) = phi tau_a (actuators of fingers) or tau_a (others),
+//                   mu_i lambda_i - sum_j beta_ij >= 0,   f >= 0,   phi >= 0.
+//
+// Every state of rest under [T.1] to [T.5], whatever the pressure law, is a point of it.
+#pragma once
+
+#include "lcpush/lcp/pivots/linear_program.hpp"
+#include "lcpush/mechanics/model/assemble.hpp"
+
+namespace lcpush {
+
+template <class S> struct Holding {
+  S factor{0}; ///< phi: no smaller one holds
+  S unit{0};   ///< the factor that makes the largest grip force equal to the load; 0: there is none
+  Index pivots = 0;
+  Reason reason = Reason::none;
+};
+
+/// Sizes of the program: one column a force and one for phi, one equality a direction of motion and
+/// an actuator, one inequality a point.
+constexpr Index holding_columns(const AssemblySize& size) { return size.forces() + 1; }
+constexpr Index holding_rows(const AssemblySize& size) { return 6 + size.actuators; }
+constexpr Index holding_scalars(const AssemblySize& size) {
+  const Index columns = holding_columns(size), m = holding_rows(size), k = size.points;
+  return (m + k + 1) * columns + m + linear_program_scalars(columns, m, k);
+}
+constexpr Index holding_integers(const AssemblySize& size) {
+  return linear_program_integers(holding_columns(size), holding_rows(size), size.points);
+}
+
+template <class S> struct HoldingMemory {
+  Span<S> scalars;    ///< holding_scalars
+  Span<int> integers; ///< holding_integers
+};
+
+/// Does the actuator drive a finger, so that phi scales it?
+template <class S> bool grips(const Scene<S>& scene, Index actuator) {
+  for (const Drive<S>& drive : scene.drives)
+    if (drive.actuator == actuator && scene.bodies[drive.body].role == Role::finger) return true;
+  return false;
+}
+
+namespace detail {
+
+/// The program's arrays, and the units that make its numbers about 1: forces are measured in the
+/// load (in the assembly's units), phi in load over grip.
+template <class S> struct HoldingProgram {
+  LinearProgram<S> program;
+  MatrixMap<S> A{nullptr, 0, 0}, H{nullptr, 0, 0};
+  VectorMap<S> b{nullptr, 0}, c{nullptr, 0};
+  S load{0}, grip{0};
+};
+
+/// b in the assembly's units: minus the weight, and what actuators that drive no finger hold.
+template <class S> void fill_loads(const Assembly<S>& assembly, HoldingProgram<S>& p) {
+  using Eigen::numext::abs;
+  using Eigen::numext::maxi;
+  const Scene<S>& scene = assembly.scene();
+  const Vector6<S> weight = laws::weight(scene, assembly.layout().scales);
+  p.b.setZero();
+  const Index moving = scene.planar ? 3 : 6;
+  for (Index row = 0; row < (scene.planar ? 2 : 3); ++row) p.b[row] = -weight[row];
+  for (Index a = 0; a < assembly.layout().actuators; ++a) {
+    const S& target = assembly.factored().sums[a].target;
+    if (grips(scene, a))
+      p.grip = maxi(p.grip, S(abs(target)));
+    else
+      p.b[moving + a] = target;
+  }
+  for (Index row = 0; row < p.b.size(); ++row) p.load = maxi(p.load, S(abs(p.b[row])));
+  if (p.load > S(0)) p.b /= p.load;
+}
+
+/// G f in the first rows of A (in the plane only if the scene is planar), Q_a(f) in those after
+/// them, the room in the friction cones in H. Columns: the forces.
+template <class S> void fill_forces(const Assembly<S>& assembly, MatrixMap<S>& A, MatrixMap<S>& H) {
+  const Layout<S>& layout = assembly.layout();
+  const FactoredProblem<S>& factored = assembly.factored();
+  constexpr Index planar_axes[] = {0, 1, 5};
+  const bool planar = assembly.scene().planar;
+  const Index moving = planar ? 3 : 6;
+  A.setZero();
+  H.setZero();
+  for (Index j = 0; j < layout.forces; ++j)
+    for (Index row = 0; row < moving; ++row)
+      A(row, j) = factored.wrenches[j][planar ? planar_axes[row] : row];
+  for (Index a = 0; a < layout.actuators; ++a) {
+    const SumGroup<S>& sum = factored.sums[a];
+    for (Index k = sum.first; k < sum.first + sum.count; ++k) {
+      const Index variable = factored.coupled_variable[k];
+      const ConeGroup<S>& cone = layout.cones[name_of(layout, variable).of];
+      A(moving + a, cone.force + variable - cone.variable) += factored.coupling[k];
+    }
+  }
+  Index row = 0;
+  for (const ConeGroup<S>& cone : layout.cones) {
+    if (cone.generators == 0) continue;
+    for (Index k = 0; k < cone.forces(); ++k)
+      H(row, cone.force + k) = k < cone.normals ? cone.friction : S(-1);
+    ++row;
+  }
+}
+
+/// A, H and c.
+template <class S> void fill_rows(const Assembly<S>& assembly, HoldingProgram<S>& p) {
+  const Scene<S>& scene = assembly.scene();
+  const Index moving = scene.planar ? 3 : 6, phi = assembly.layout().forces;
+  fill_forces(assembly, p.A, p.H);
+  p.c.setZero();
+  p.c[phi] = S(1);
+  for (Index a = 0; a < assembly.layout().actuators; ++a)
+    if (grips(scene, a) && p.grip > S(0))
+      p.A(moving + a, phi) = -assembly.factored().sums[a].target / p.grip;
+}
+
+} // namespace detail
+
+/// The least factor on the forces of the actuators that drive a finger. Pushers of the assembled
+/// scene are at rest and bear what they must. Post: solved (no factor below holding.factor holds);
+/// does_not_hold (no factor holds at all); both proved, by prices that are checked on the program
+/// itself; bad_input (memory too small), or the pivots' failure: nothing is known.
+/// Cost: Lemke's on forces + points unknowns, and n^2 memory beside it.
+template <class S, class Observer = const Unobserved>
+[[nodiscard]] Status find_holding(const Assembly<S>& assembly, const HoldingMemory<S>& memory,
+                                  const LemkeOptions<S>& options, Holding<S>& holding,
+                                  Observer& observer = unobserved) {
+  const Layout<S>& layout = assembly.layout();
+  const Index columns = layout.forces + 1;
+  const Index m = (assembly.scene().planar ? 3 : 6) + layout.actuators;
+  Index k = 0;
+  for (const ConeGroup<S>& cone : layout.cones) k += cone.generators > 0 ? 1 : 0;
+  holding = {};
+  Block<S> scalars(memory.scalars);
+  detail::HoldingProgram<S> p;
+  new (&p.A) MatrixMap<S>(scalars.take(m * columns).data, m, columns);
+  new (&p.H) MatrixMap<S>(scalars.take(k * columns).data, k, columns);
+  new (&p.b) VectorMap<S>(scalars.take(m).data, m);
+  new (&p.c) VectorMap<S>(scalars.take(columns).data, columns);
+  const Span<S> rest = scalars.take(linear_program_scalars(columns, m, k));
+  holding.reason = Reason::memory_too_small;
+  if (scalars.exhausted()) return Status::bad_input;
+  holding.reason = Reason::none;
+  detail::fill_loads(assembly, p);
+  if (!(p.load > S(0))) return Status::solved; // nothing to hold
+  detail::fill_rows(assembly, p);
+  p.program = {columns, m, k, p.A.data(), p.b.data(), p.H.data(), p.c.data()};
+  LinearProgramSolver<S> solver(rest, memory.integers);
+  const Status status = solver.solve(p.program, options, observer);
+  holding.pivots = solver.pivots();
+  holding.reason = solver.reason();
+  if (p.grip > S(0)) holding.unit = p.load / p.grip;
+  if (status == Status::ray) return Status::does_not_hold;
+  if (status == Status::solved) holding.factor = solver.x()[layout.forces] * holding.unit;
+  return status;
+}
+
+} // namespace lcpush

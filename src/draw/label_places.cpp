@@ -1,0 +1,71 @@
+#include "draw/label_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lcpush::desktop {
+namespace {
+
+/// Of 13.5 px text in a wide face; fonts of the reader's own are narrower.
+double width_of(const std::string& text, bool is_bold) {
+  double letters = 0;
+  for (const char c : text)
+    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) ++letters; // of UTF-8
+  return (is_bold ? 9 : 7.9) * letters;
+}
+
+double overlap(const Frame& a, const Frame& b) {
+  const double across = std::min(a.right, b.right) - std::max(a.left, b.left);
+  const double down = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
+  return across > 0 && down > 0 ? across * down : 0;
+}
+
+} // namespace
+
+void LabelPlaces::block(const Frame& frame, double weight) { taken_.push_back({frame, weight}); }
+
+void LabelPlaces::block_line(const Pixel& from, const Pixel& to, double weight) {
+  const int pieces = std::max(1, static_cast<int>(std::ceil((to - from).norm() / 8)));
+  for (int k = 0; k < pieces; ++k) {
+    const Pixel a = from + (to - from) * k / pieces, b = from + (to - from) * (k + 1) / pieces;
+    block({std::min(a.x(), b.x()) - 2, std::min(a.y(), b.y()) - 2, std::max(a.x(), b.x()) + 2,
+           std::max(a.y(), b.y()) + 2},
+          weight);
+  }
+}
+
+Frame LabelPlaces::place(const std::vector<std::string>& lines, const Pixel& at,
+                         const Pixel& away) {
+  double width = 0;
+  for (const std::string& line : lines)
+    width = std::max(width, width_of(line, &line == lines.data()) + 6);
+  const double height = line_height * static_cast<double>(lines.size()) + 2;
+  Frame best{2, 2, 2 + width, 2 + height};
+  double least = std::numeric_limits<double>::infinity();
+  for (double radius = 12; radius <= 202; radius += 10)
+    for (int k = 0; k < 24; ++k) {
+      const double angle = 2 * 3.14159265358979 * (k + 0.5) / 24;
+      const Pixel offset(std::cos(angle) * (radius + width / 2),
+                         std::sin(angle) * (radius + height / 2));
+      const Pixel center = at + offset;
+      const Frame frame{center.x() - width / 2, center.y() - height / 2, center.x() + width / 2,
+                        center.y() + height / 2};
+      if (frame.left < 2 || frame.top < 2 || frame.right > width_ - 2 || frame.bottom > height_ - 2)
+        continue;
+      double cost =
+          1.2 * radius + 4 * std::abs(std::sin(angle)) + 12 * std::max(0.0, -away.dot(offset) - 40);
+      for (const Taken& other : taken_)
+        if (const double area = overlap(frame, other.frame); area > 0)
+          cost += (area + 20) * other.weight;
+      if (cost < least) {
+        least = cost;
+        best = frame;
+      }
+    }
+  cost_ += std::min(least, 1e9);
+  block(best, 20);
+  return best;
+}
+
+} // namespace lcpush::desktop

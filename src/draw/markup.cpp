@@ -1,0 +1,112 @@
+#include "draw/markup.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace lcpush::desktop {
+
+std::string escaped(const std::string& text) {
+  const std::string replacement = "\xEF\xBF\xBD";
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    switch (c) {
+    case '<': result += "&lt;"; continue;
+    case '>': result += "&gt;"; continue;
+    case '&': result += "&amp;"; continue;
+    case '"': result += "&quot;"; continue;
+    case '\'': result += "&#39;"; continue;
+    case '\n': result += "&#10;"; continue;
+    default: break;
+    }
+    const bool is_control = (c >= 0 && c < 0x20 && c != '\t') || c == 0x7F;
+    const std::string three = text.substr(i, 3);
+    const bool is_no_character = three == "\xEF\xBF\xBE" || three == "\xEF\xBF\xBF";
+    if (is_control || is_no_character) {
+      result += replacement;
+      if (is_no_character) i += 2;
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string shortened(const std::string& text, std::size_t most) {
+  std::size_t letters = 0, cut = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U) continue; // goes on with a letter
+    if (letters == most - 2) cut = i;
+    ++letters;
+  }
+  return letters > most ? text.substr(0, cut) + ".." : text;
+}
+
+std::string pixels(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", x);
+  return text;
+}
+
+namespace {
+std::string attribute(const char* name, double x) {
+  return std::string(" ") + name + "=\"" + pixels(x) + "\"";
+}
+} // namespace
+
+std::string line_element(const std::string& kind, const Pixel& from, const Pixel& to) {
+  return "<line class=\"" + kind + "\"" + attribute("x1", from.x()) + attribute("y1", from.y()) +
+         attribute("x2", to.x()) + attribute("y2", to.y()) + "/>\n";
+}
+
+std::string polygon_element(const std::string& kind, const std::vector<Pixel>& corners) {
+  std::string points;
+  for (const Pixel& p : corners)
+    points += (points.empty() ? "" : " ") + pixels(p.x()) + "," + pixels(p.y());
+  return "<polygon class=\"" + kind + "\" points=\"" + points + "\"/>\n";
+}
+
+std::string circle_element(const std::string& kind, const Pixel& center, double radius) {
+  return "<circle class=\"" + kind + "\"" + attribute("cx", center.x()) +
+         attribute("cy", center.y()) + attribute("r", radius) + "/>\n";
+}
+
+std::string path_element(const std::string& kind, const std::string& strokes) {
+  return "<path class=\"" + kind + "\" d=\"" + strokes + "\"/>\n";
+}
+
+std::string text_element(const std::string& kind, const Pixel& at, const std::string& text,
+                         const std::string& anchor) {
+  return (kind.empty() ? "<text" : "<text class=\"" + kind + "\"") + attribute("x", at.x()) +
+         attribute("y", at.y()) + (anchor == "start" ? "" : " text-anchor=\"" + anchor + "\"") +
+         ">" + escaped(text) + "</text>\n";
+}
+
+std::string arrow_element(const std::string& kind, const Pixel& from, const Pixel& to) {
+  const double size = (to - from).norm();
+  if (size < 2.5) return "";
+  const Pixel along = (to - from) / size, across(-along.y(), along.x());
+  const double head = std::min(9.0, 0.6 * size);
+  const Pixel back = to - head * along;
+  return "<g class=\"" + kind + "\">" + line_element("shaft", from, back) +
+         polygon_element("head", {to, back + 0.42 * head * across, back - 0.42 * head * across}) +
+         "</g>\n";
+}
+
+namespace {
+std::string written(const Drawing& drawing, const std::string& style) {
+  // A title and a description as children name the image; ids would have to differ on a page.
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" viewBox=\"0 0 " +
+         pixels(drawing.width) + " " + pixels(drawing.height) + "\" role=\"img\">\n<title>" +
+         escaped(drawing.title) + "</title>\n<desc>" + escaped(drawing.description) + "</desc>\n" +
+         style + drawing.elements + "</svg>\n";
+}
+} // namespace
+
+std::string svg_element(const Drawing& drawing) { return written(drawing, ""); }
+
+std::string svg_document(const Drawing& drawing) {
+  return written(drawing, "<style>\n" + palette(".drawing") + drawing_style() + "</style>\n");
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,58 @@
+// What the files of an export share: the full form with its memory, and names for its numbers.
+#pragma once
+
+#include "lcpush/desktop/export.hpp"
+#include "lcpush/desktop/push.hpp"
+#include "lcpush/mechanics/paper/full_form.hpp"
+
+namespace lcpush::desktop {
+
+inline HostMatrix zero_matrix(Index rows, Index cols) {
+  return {rows, cols, std::vector<double>(static_cast<std::size_t>(rows * cols))};
+}
+
+inline MatrixMap<double> map_of(HostMatrix& matrix) {
+  return {matrix.values.data(), matrix.rows, matrix.cols};
+}
+
+/// The full form of an assembly, which must outlive it.
+class OwnedFullForm {
+public:
+  explicit OwnedFullForm(const Assembly<double>& assembly)
+      : assembly_(assembly), patches_(static_cast<std::size_t>(assembly.scene().bodies.size)),
+        first_(patches_.size()),
+        weights_(static_cast<std::size_t>(most_references * assembly.scene().points.size)),
+        form_({span(patches_), span(first_), span(weights_)}) {
+    (void)form_.describe(assembly); // the memory is large enough
+  }
+  OwnedFullForm(const OwnedFullForm&) = delete;
+  OwnedFullForm& operator=(const OwnedFullForm&) = delete;
+
+  const FullForm<double>& form() const { return form_; }
+  const Assembly<double>& assembly() const { return assembly_; }
+  /// Unknowns that stand in a complementary pair; all others are free, their rows equalities.
+  Index complementary() const { return assembly_.layout().size - assembly_.layout().actuators; }
+
+private:
+  const Assembly<double>& assembly_;
+  std::vector<PatchReferences<double>> patches_;
+  std::vector<Index> first_;
+  std::vector<double> weights_;
+  FullForm<double> form_;
+
+  template <class T> static Span<T> span(std::vector<T>& list) {
+    return {list.data(), static_cast<Index>(list.size())};
+  }
+};
+
+/// The program of a full form.
+PaperProgram paper_program(const OwnedFullForm& full);
+
+/// names.json: what every column and row of the exported matrices is.
+std::string export_names(const Push& push, const OwnedFullForm& full);
+
+/// The scripts that solve the program; the same for every scene.
+std::string python_script();
+std::string octave_script();
+
+} // namespace lcpush::desktop

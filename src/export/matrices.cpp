@@ -1,0 +1,110 @@
+#include "lcpush/desktop/matrices.hpp"
+
+#include "lcpush/desktop/push.hpp"
+#include "lcpush/mechanics/paper/paper_matrices.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+const std::vector<std::string> wrench_rows = {"fx", "fy", "fz", "mx", "my", "mz"};
+
+NamedMatrix named(std::vector<std::string> rows, std::vector<std::string> columns) {
+  NamedMatrix matrix{std::move(rows), std::move(columns), {}};
+  matrix.values.rows = static_cast<Index>(matrix.rows.size());
+  matrix.values.cols = static_cast<Index>(matrix.columns.size());
+  matrix.values.values.resize(matrix.rows.size() * matrix.columns.size());
+  return matrix;
+}
+
+MatrixMap<double> map_of(NamedMatrix& matrix) {
+  return {matrix.values.values.data(), matrix.values.rows, matrix.values.cols};
+}
+
+std::vector<std::string> component_names(const SceneFile& file) {
+  static const std::vector<std::string> components = {" n", " t", " o", " torsion"};
+  std::vector<std::string> names;
+  for (const Body<double>& body : file.bodies)
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      for (Index c = 0; c < contact_components(body); ++c)
+        names.push_back(point_name(file, i) + components[static_cast<std::size_t>(c)]);
+  return names;
+}
+
+std::vector<std::string> generator_names(Index count) {
+  std::vector<std::string> names;
+  for (Index j = 0; j < count; ++j) names.push_back("d" + std::to_string(j));
+  return names;
+}
+
+std::vector<std::string> force_names(const SceneFile& file) {
+  const Scene<double> scene = file.view();
+  std::vector<std::string> names;
+  for (const Body<double>& body : file.bodies)
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      names.push_back(point_name(file, i) + " n");
+      if (normal_count(body) == 2) names.push_back(point_name(file, i) + " -n");
+      for (const std::string& d : generator_names(generator_count(scene, body)))
+        names.push_back(point_name(file, i) + " " + d);
+    }
+  return names;
+}
+
+BodyGenerators body_generators(const SceneFile& file, std::size_t b) {
+  const Scene<double> scene = file.view();
+  const Body<double>& body = file.bodies[b];
+  std::vector<std::string> rows = {"t", "o"};
+  if (contact_components(body) == 4) rows.push_back("torsion");
+  BodyGenerators generators{file.body_names[b],
+                            named(rows, generator_names(generator_count(scene, body)))};
+  friction_generators(scene, body, map_of(generators.D));
+  return generators;
+}
+
+PatchRigidity patch_rigidity(const SceneFile& file, std::size_t b) {
+  const Body<double>& body = file.bodies[b];
+  const Span<const Vector3<double>> points = patch_points(file.view(), body);
+  const PatchReferences<double> at = choose_references(points);
+  std::vector<double> alpha(static_cast<std::size_t>(most_references * points.size));
+  const Span<double> weights{alpha.data(), static_cast<Index>(alpha.size())};
+  interpolation_weights(points, at, weights);
+
+  PatchRigidity patch;
+  patch.body = file.body_names[b];
+  for (Index c = 0; c < at.count(); ++c)
+    patch.references.push_back(point_name(file, body.first_point + at.point[c]));
+  for (Index j = 0; j < points.size; ++j) {
+    patch.points.push_back(point_name(file, body.first_point + j));
+    const double* const own = &weights[most_references * j];
+    patch.weights.emplace_back(own, own + at.count());
+  }
+  patch.checked = points.size <= largest_checked_patch;
+  std::vector<double> memory;
+  if (patch.checked) memory.resize(static_cast<std::size_t>(rigidity_scalars(points.size)));
+  patch.check = check_rigidity<double>(points, at, {weights.data, weights.size},
+                                       {memory.data(), static_cast<Index>(memory.size())});
+  return patch;
+}
+
+} // namespace
+
+PaperMatrices paper_matrices(const SceneFile& file) {
+  const Scene<double> scene = file.view();
+  PaperMatrices matrices;
+  matrices.M = named(wrench_rows, {"ax", "ay", "az", "rx", "ry", "rz"});
+  map_of(matrices.M) = inertia_matrix(scene);
+  matrices.w = named(wrench_rows, {"w"});
+  map_of(matrices.w) = load(scene);
+  matrices.G = named(wrench_rows, component_names(file));
+  grasp_matrix(scene, map_of(matrices.G));
+  matrices.G_bar = named(wrench_rows, force_names(file));
+  polyhedral_grasp_matrix(scene, map_of(matrices.G_bar));
+  matrices.J = named(component_names(file), file.actuator_names);
+  hand_jacobian(scene, map_of(matrices.J));
+  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
+    matrices.D.push_back(body_generators(file, b));
+    matrices.rigidity.push_back(patch_rigidity(file, b));
+  }
+  return matrices;
+}
+
+} // namespace lcpush::desktop

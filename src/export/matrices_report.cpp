@@ -1,0 +1,171 @@
+#include <algorithm>
+
+#include "formats/json_writer.hpp"
+#include "lcpush/desktop/matrices.hpp"
+#include "text/format.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr std::size_t line_width = 100;
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// What rounding leaves of a zero in this matrix.
+double zero_of(const NamedMatrix& matrix) {
+  double largest = 0;
+  for (const double x : matrix.values.values) largest = std::max(largest, std::abs(x));
+  return 1e-14 * largest;
+}
+
+/// A table under its columns' names; cut into several, side by side columns, if it is too wide.
+std::string named_table(const std::vector<std::string>& rows,
+                        const std::vector<std::string>& columns, const Rows& cells) {
+  std::size_t name_width = 0;
+  for (const std::string& row : rows) name_width = std::max(name_width, row.size());
+  std::string text;
+  for (std::size_t begin = 0; begin < columns.size();) {
+    std::size_t end = begin, used = 2 + name_width;
+    while (end < columns.size()) {
+      std::size_t wide = columns[end].size();
+      for (const auto& row : cells) wide = std::max(wide, row[end].size());
+      if (end > begin && used + 2 + wide > line_width) break;
+      used += 2 + wide;
+      ++end;
+    }
+    const auto part = [&](std::string name, const std::vector<std::string>& all) {
+      std::vector<std::string> line{std::move(name)};
+      for (std::size_t c = begin; c < end; ++c) line.push_back(all[c]);
+      return line;
+    };
+    Rows table{part("", columns)};
+    for (std::size_t i = 0; i < rows.size(); ++i) table.push_back(part(rows[i], cells[i]));
+    text += (begin > 0 ? "\n" : "") + table_text(table);
+    begin = end;
+  }
+  return text;
+}
+
+std::string matrix_table(const NamedMatrix& matrix, bool transposed) {
+  const std::vector<std::string>& rows = transposed ? matrix.columns : matrix.rows;
+  const std::vector<std::string>& columns = transposed ? matrix.rows : matrix.columns;
+  const double zero = zero_of(matrix);
+  Rows cells;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    cells.emplace_back();
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      const auto row = static_cast<Index>(transposed ? j : i);
+      const auto column = static_cast<Index>(transposed ? i : j);
+      cells.back().push_back(number(matrix.values(row, column), zero));
+    }
+  }
+  return named_table(rows, columns, cells);
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string rigidity_text(const PatchRigidity& patch) {
+  const std::string name = "\n" + patch.body + ": ";
+  if (patch.points.size() == 1) return name + "a single point, nothing to keep rigid\n";
+  const Index k = static_cast<Index>(patch.points.size());
+  const Index m = static_cast<Index>(patch.references.size()) - 1;
+  std::string text = name + std::to_string(k) + " points, references " + joined(patch.references);
+  text += "\n  " + std::to_string(patch.check.count) + " conditions";
+  if (m <= 2)
+    text += " (3k - m - 4 with k = " + std::to_string(k) + ", m = " + std::to_string(m) + ")";
+  if (patch.checked)
+    text += ", rank found " + std::to_string(patch.check.rank) +
+            (patch.check.holds() ? ", met by every rigid motion" : ": NOT as it should be");
+  else
+    text += ", rank not looked for: more than " + std::to_string(largest_checked_patch) + " points";
+  Rows cells;
+  std::vector<std::string> followers;
+  for (std::size_t j = 0; j < patch.points.size(); ++j) {
+    if (std::count(patch.references.begin(), patch.references.end(), patch.points[j]) > 0) continue;
+    followers.push_back(patch.points[j]);
+    cells.emplace_back();
+    for (const double alpha : patch.weights[j]) cells.back().push_back(number(alpha, 1e-14));
+  }
+  return text + "\n" + (followers.empty() ? "" : named_table(followers, patch.references, cells));
+}
+
+void write_matrix(JsonWriter& json, const char* key, const NamedMatrix& matrix) {
+  if (key != nullptr) json.key(key).begin_object();
+  json.key("rows").strings(matrix.rows).key("columns").strings(matrix.columns);
+  json.key("values").begin_array();
+  for (Index i = 0; i < matrix.values.rows; ++i) {
+    std::vector<double> row;
+    for (Index j = 0; j < matrix.values.cols; ++j) row.push_back(matrix.values(i, j));
+    json.numbers(row);
+  }
+  json.end_array();
+  if (key != nullptr) json.end_object();
+}
+
+void write_rigidity(JsonWriter& json, const PatchRigidity& patch) {
+  json.begin_object().member("body", patch.body);
+  json.key("points").strings(patch.points).key("references").strings(patch.references);
+  json.member("count", patch.check.count);
+  if (patch.checked)
+    json.member("rank", patch.check.rank).member("holds", patch.check.holds());
+  else
+    json.member("rank", nullptr).member("holds", nullptr);
+  json.key("weights").begin_array();
+  for (const std::vector<double>& alpha : patch.weights) json.numbers(alpha);
+  json.end_array().end_object();
+}
+
+} // namespace
+
+std::string matrices_text(const SceneFile& file, const PaperMatrices& matrices) {
+  std::string text = file.title.empty() ? "" : file.title + "\n\n";
+  text += "SI units, scene axes; wrenches and twists at the object's centre of mass.\n"
+          "n, t, o are each contact's own axes, torsion is about n; d0, d1, .. its friction "
+          "generators.\n";
+  if (file.planar) text += "The scene is planar: it is solved without the rows fz, mx and my.\n";
+  text += "\nInertia M, kg and kg m^2\n" + matrix_table(matrices.M, false);
+  text += "\nLoad w, N and N m\n" + matrix_table(matrices.w, true);
+  text += "\nGrasp matrix G, transposed: the wrench of a unit force (of a unit moment: torsion)\n" +
+          matrix_table(matrices.G, true);
+  text +=
+      "\nPolyhedral grasp matrix G-bar, transposed: the wrench of a unit along each generator\n" +
+      matrix_table(matrices.G_bar, true);
+  text += "\nHand Jacobian J: acceleration of the body's point for a unit of an actuator\n";
+  text += matrices.J.columns.empty() ? "  none: no actuator is force-controlled\n"
+                                     : matrix_table(matrices.J, false);
+  text += "\nFriction generators D of a body's points, transposed: components of a unit of each\n";
+  for (const BodyGenerators& generators : matrices.D)
+    text += "\n" + generators.body +
+            (generators.D.columns.empty() ? ": no friction\n"
+                                          : "\n" + matrix_table(generators.D, true));
+  text += "\nPatch rigidity: references, the weights with which other points follow them, and the\n"
+          "number of independent conditions\n";
+  for (const PatchRigidity& patch : matrices.rigidity) text += rigidity_text(patch);
+  return text;
+}
+
+std::string matrices_json(const PaperMatrices& matrices) {
+  JsonWriter json;
+  json.begin_object();
+  write_matrix(json, "M", matrices.M);
+  write_matrix(json, "w", matrices.w);
+  write_matrix(json, "G", matrices.G);
+  write_matrix(json, "G_bar", matrices.G_bar);
+  write_matrix(json, "J", matrices.J);
+  json.key("D").begin_array();
+  for (const BodyGenerators& generators : matrices.D) {
+    json.begin_object().member("body", generators.body);
+    write_matrix(json, nullptr, generators.D);
+    json.end_object();
+  }
+  json.end_array().key("rigidity").begin_array();
+  for (const PatchRigidity& patch : matrices.rigidity) write_rigidity(json, patch);
+  json.end_array();
+  return json.end_object().text();
+}
+
+} // namespace lcpush::desktop

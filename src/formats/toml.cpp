@@ -1,0 +1,302 @@
+#include "formats/toml.hpp"
+
+#include "formats/toml_number.hpp"
+#include "lcpush/desktop/input_error.hpp"
+#include "text/utf8.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace lcpush::desktop {
+namespace {
+
+// Enough for a list of lists of vectors; parse_value and parse_array recurse no deeper than this.
+constexpr int deepest_array = 8;
+// Bounds the memory that a file can ask for: a value takes about thirty times its shortest text.
+constexpr std::size_t most_items = 1'000'000;
+
+bool is_bare_key_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '-';
+}
+
+class TomlParser {
+public:
+  TomlParser(std::string_view text, const std::string& file) : text_(text) {
+    document_.file = file;
+    document_.root.line = 1;
+  }
+
+  TomlDocument parse() {
+    check_characters();
+    for (skip_blank_lines(); !at_end(); skip_blank_lines()) {
+      if (peek() == '[') {
+        parse_header();
+      } else {
+        parse_entry();
+      }
+      expect_end_of_line();
+    }
+    return std::move(document_);
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& message) const { fail_at(line_, message); }
+  [[noreturn]] void fail_at(int line, const std::string& message) const {
+    throw InputError(document_.file, line, message);
+  }
+
+  // Past check_characters() there is no NUL in the text, so it can stand for the end.
+  bool at_end() const { return at_ == text_.size(); }
+  char peek() const { return at_end() ? '\0' : text_[at_]; }
+  bool next_is(std::string_view word) const { return text_.substr(at_, word.size()) == word; }
+  std::string found() const {
+    if (at_end()) return "the end of the file";
+    if (peek() == '\n' || peek() == '\r') return "the end of the line";
+    return quoted(text_.substr(at_, utf8_length(text_.substr(at_))));
+  }
+
+  void check_characters();
+  void skip_spaces();
+  void skip_comment();
+  void skip_blank_lines();
+  void expect_end_of_line();
+  void count_item();
+
+  void parse_header();
+  void open_table(const std::string& name, bool is_array, int line);
+  void parse_entry();
+  std::string parse_key();
+  TomlValue parse_value(int depth);
+  TomlArray parse_array(int depth);
+  std::string parse_string();
+  void parse_escape(std::string& result);
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+  std::size_t items_ = 0;
+  TomlDocument document_;
+  TomlTable* table_ = &document_.root;
+  std::map<std::string, int> key_lines_;                ///< of the current table
+  std::map<std::string, std::size_t> sections_by_name_; ///< indices into document_.sections
+};
+
+/// What TOML allows nowhere is refused first, so that the grammar below need not think of it.
+void TomlParser::check_characters() {
+  if (next_is("\xEF\xBB\xBF"))
+    fail("the file starts with a byte order mark; save it as UTF-8 without one");
+  int line = 1;
+  for (std::size_t i = 0; i < text_.size();) {
+    const std::string_view rest = text_.substr(i);
+    const std::size_t length = utf8_length(rest);
+    if (length == 0) fail_at(line, "not valid UTF-8; save the file as UTF-8 text");
+    const auto byte = static_cast<unsigned char>(rest[0]);
+    const bool is_line_end = byte == '\n' || rest.substr(0, 2) == "\r\n";
+    if ((byte < 0x20 && byte != '\t' && !is_line_end) || byte == 0x7F)
+      fail_at(line, "control character " + quoted(rest.substr(0, 1)) +
+                        "; remove it, or write it as an escape inside a string");
+    if (byte == '\n') ++line;
+    i += length;
+  }
+}
+
+void TomlParser::skip_spaces() {
+  while (peek() == ' ' || peek() == '\t') ++at_;
+}
+
+void TomlParser::skip_comment() {
+  if (peek() != '#') return;
+  at_ = std::min(text_.find('\n', at_), text_.size());
+}
+
+void TomlParser::skip_blank_lines() {
+  for (;;) {
+    skip_spaces();
+    skip_comment();
+    if (peek() == '\r') ++at_;
+    if (peek() != '\n') return;
+    ++at_;
+    ++line_;
+  }
+}
+
+void TomlParser::expect_end_of_line() {
+  skip_spaces();
+  skip_comment();
+  if (!at_end() && peek() != '\n' && peek() != '\r')
+    fail("unexpected " + found() + "; start a new line, or put # before a comment");
+}
+
+void TomlParser::count_item() {
+  if (++items_ > most_items)
+    fail("more than " + std::to_string(most_items) + " tables and values; split the file");
+}
+
+void TomlParser::parse_header() {
+  const int line = line_;
+  const bool is_array = next_is("[[");
+  const std::string_view closing = is_array ? "]]" : "]";
+  at_ += closing.size();
+  skip_spaces();
+  const std::string name = parse_key();
+  skip_spaces();
+  if (!next_is(closing))
+    fail("expected " + quoted(closing) + " after the table name " + quoted(name) + ", found " +
+         found());
+  at_ += closing.size();
+  open_table(name, is_array, line);
+}
+
+void TomlParser::open_table(const std::string& name, bool is_array, int line) {
+  count_item();
+  if (const TomlValue* value = document_.root.find(name))
+    fail(quoted(name) + " is already a key, on line " + std::to_string(value->line) +
+         "; rename one of them");
+  const auto [position, is_new] = sections_by_name_.emplace(name, document_.sections.size());
+  if (is_new) document_.sections.push_back({name, is_array, {}});
+  TomlSection& section = document_.sections[position->second];
+  if (!is_new && !(is_array && section.is_array)) {
+    const bool mixed = is_array != section.is_array;
+    fail("[" + name + "] is already defined on line " +
+         std::to_string(section.tables.front().line) +
+         (mixed ? "; write [[" + name + "]] in both places" : "; merge the two"));
+  }
+  section.tables.push_back({line, {}});
+  table_ = &section.tables.back();
+  key_lines_.clear();
+}
+
+void TomlParser::parse_entry() {
+  std::string key = parse_key();
+  const auto [first, is_new] = key_lines_.emplace(key, line_);
+  if (!is_new)
+    fail("duplicate key " + quoted(key) + ", first given on line " + std::to_string(first->second) +
+         "; remove one of them");
+  skip_spaces();
+  if (peek() != '=') fail("expected = after " + quoted(key) + ", found " + found());
+  ++at_;
+  skip_spaces();
+  TomlValue value = parse_value(0);
+  table_->entries.push_back({std::move(key), std::move(value)});
+}
+
+std::string TomlParser::parse_key() {
+  if (peek() == '"' || peek() == '\'') fail("quoted keys are not supported; write a bare key");
+  const std::size_t start = at_;
+  while (is_bare_key_character(peek())) ++at_;
+  if (at_ == start)
+    fail("expected a key or table name (letters, digits, _ and -), found " + found());
+  std::string key(text_.substr(start, at_ - start));
+  if (peek() == '.') fail("dotted keys are not supported; write " + quoted(key) + " as a table");
+  return key;
+}
+
+TomlValue TomlParser::parse_value(int depth) {
+  count_item();
+  const int line = line_;
+  switch (peek()) {
+  case '"': return {line, parse_string()};
+  case '[': return {line, parse_array(depth + 1)};
+  case '\'': fail("'literal' strings are not supported; use \"double quotes\"");
+  case '{': fail("inline tables are not supported; use a [table] of its own");
+  default: break;
+  }
+  const std::size_t end = std::min(text_.find_first_of(" \t\r\n,]#", at_), text_.size());
+  const std::string_view word = text_.substr(at_, end - at_);
+  if (word.empty()) fail("expected a value, found " + found());
+  at_ = end;
+  if (word == "true" || word == "false") {
+    if (depth > 0) fail("true and false are not supported in a list; use numbers or strings");
+    return {line, word == "true"};
+  }
+  TomlNumber number = read_toml_number(word);
+  if (number.error) fail(*number.error);
+  if (number.is_whole) return {line, number.whole, std::move(number.digits)};
+  return {line, number.real, std::move(number.digits)};
+}
+
+TomlArray TomlParser::parse_array(int depth) {
+  if (depth > deepest_array)
+    fail("lists are nested more than " + std::to_string(deepest_array) +
+         " deep; is a ] missing before?");
+  const int opened = line_;
+  TomlArray array;
+  ++at_;
+  for (skip_blank_lines(); peek() != ']'; skip_blank_lines()) {
+    if (at_end()) fail_at(opened, "this [ is never closed; add the missing ]");
+    array.push_back(parse_value(depth));
+    skip_blank_lines();
+    if (peek() == ',') {
+      ++at_;
+    } else if (!at_end() && peek() != ']') {
+      fail("expected , or ] in the list that starts on line " + std::to_string(opened) +
+           ", found " + found());
+    }
+  }
+  ++at_;
+  return array;
+}
+
+std::string TomlParser::parse_string() {
+  if (next_is("\"\"\"")) fail("multi-line strings are not supported; use one line and \\n");
+  ++at_;
+  std::string result;
+  while (peek() != '"') {
+    if (at_end() || peek() == '\n' || peek() == '\r')
+      fail("the string is not closed; add the missing \" on this line");
+    if (peek() == '\\') {
+      parse_escape(result);
+    } else {
+      result += text_[at_++];
+    }
+  }
+  ++at_;
+  return result;
+}
+
+void TomlParser::parse_escape(std::string& result) {
+  constexpr std::string_view letters = "btnfr\"\\";
+  constexpr std::string_view meanings = "\b\t\n\f\r\"\\";
+  ++at_;
+  const std::size_t which = at_end() ? std::string_view::npos : letters.find(peek());
+  if (which != std::string_view::npos) {
+    result += meanings[which];
+    ++at_;
+    return;
+  }
+  if (peek() != 'u' && peek() != 'U')
+    fail("unknown escape; use \\b \\t \\n \\f \\r \\\" \\\\ \\uXXXX or \\UXXXXXXXX");
+  const std::size_t digits = peek() == 'u' ? 4 : 8;
+  ++at_;
+  const std::optional<std::uint32_t> code = read_hexadecimal(text_.substr(at_, digits), digits);
+  if (!code || !is_unicode_scalar(*code))
+    fail("an escape needs " + std::to_string(digits) +
+         " hexadecimal digits that name a Unicode character");
+  append_utf8(result, *code);
+  at_ += digits;
+}
+
+} // namespace
+
+const TomlValue* TomlTable::find(std::string_view key) const {
+  const auto is_key = [key](const TomlEntry& entry) { return entry.key == key; };
+  const auto entry = std::find_if(entries.begin(), entries.end(), is_key);
+  return entry == entries.end() ? nullptr : &entry->value;
+}
+
+const TomlSection* TomlDocument::find(std::string_view name) const {
+  const auto is_name = [name](const TomlSection& section) { return section.name == name; };
+  const auto section = std::find_if(sections.begin(), sections.end(), is_name);
+  return section == sections.end() ? nullptr : &*section;
+}
+
+TomlDocument parse_toml(std::string_view text, const std::string& file_name) {
+  return TomlParser(text, file_name).parse();
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,16 @@
+// The explorer's files and its start example as text, embedded by src/cmake/embed_text.cmake.
+#pragma once
+
+#include <string>
+
+namespace lcpush::desktop {
+
+/// The page, with the places /*STYLE*/, /*SCRIPT*/ and /*TRACE*/ for the other two and the trace.
+std::string explorer_template();
+std::string explorer_style();
+std::string explorer_script();
+
+/// fixtures/scenes/coin.toml: what the page starts with if it is given nothing.
+std::string example_scene();
+
+} // namespace lcpush::desktop

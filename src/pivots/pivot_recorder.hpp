@@ -1,0 +1,148 @@
+// The observer that writes a PivotTrace, for doubles and for fractions.
+#pragma once
+
+#include <cmath>
+#include <map>
+
+#include "lcpush/desktop/pivots.hpp"
+
+namespace lcpush::desktop {
+
+inline TraceNumber traced(const PivotTrace&, double x) { return {x, {}}; }
+inline TraceNumber traced(const PivotTrace& trace, const Rational& x) {
+  const double value = x.value();
+  return {value, trace.has_fractions || !std::isfinite(value) ? x.text() : std::string()};
+}
+
+template <class S> class Recorder {
+public:
+  /// Both outlive the recorder. Tableaus are kept while all of them have at most `most_entries`.
+  Recorder(PivotTrace& trace, const Story& story, std::size_t most_entries)
+      : trace_(trace), story_(story), room_(most_entries) {}
+
+  void starts(const Lemke<S>& lemke) {
+    TracedRun run;
+    run.first_pivot = trace_.pivots.size();
+    run.title = title_of(lemke);
+    run.start = tableau(lemke.dictionary());
+    run.unit.assign(static_cast<std::size_t>(2 * n() + 1), 1.0);
+    for (Index i = 0; i < n(); ++i) {
+      run.unit[static_cast<std::size_t>(slack(i))] = to_double(lemke.slack_unit(i));
+      run.unit[static_cast<std::size_t>(unknown(i, n()))] = to_double(lemke.unknown_unit(i));
+    }
+    trace_.runs.push_back(run);
+    seen_.clear();
+  }
+
+  Index leaves(const Lemke<S>& lemke, const Turn& turn) {
+    const Dictionary<S>& d = lemke.dictionary();
+    TracedPivot pivot;
+    pivot.entering = turn.entering;
+    pivot.row = turn.blocking.row;
+    pivot.column = turn.column;
+    pivot.leaving = d.basic[pivot.row];
+    pivot.decided_by = turn.blocking.decided_by;
+    pivot.run = trace_.runs.size() - 1;
+    for (Index i = 0; i < d.size(); ++i) pivot.ratios.push_back(ratio(d, i, turn));
+    if (turn.tied.size > 1) {
+      for (const int row : turn.tied) pivot.ties.push_back(d.basic[row]);
+      std::sort(pivot.ties.begin(), pivot.ties.end());
+    }
+    const auto entries = static_cast<std::size_t>(d.size() * (d.size() + 1));
+    if (entries <= room_) {
+      room_ -= entries;
+      pivot.before = tableau(d);
+    }
+    basic_.assign(static_cast<std::size_t>(2 * n() + 1), false);
+    for (const int variable : d.basic) basic_[static_cast<std::size_t>(variable)] = true;
+    basic_[static_cast<std::size_t>(turn.entering)] = true;
+    trace_.pivots.push_back(pivot);
+    is_pivoting_ = true;
+    return pivot.row;
+  }
+
+  /// Another of the tied rows leaves than the rule said.
+  void choose(const Lemke<S>& lemke, Index row) {
+    TracedPivot& pivot = trace_.pivots.back();
+    pivot.row = row;
+    pivot.leaving = lemke.dictionary().basic[row];
+    pivot.chosen = true;
+  }
+
+  void stepped(const Lemke<S>& lemke) {
+    if (!is_pivoting_) return;
+    is_pivoting_ = false;
+    TracedPivot& pivot = trace_.pivots.back();
+    const Dictionary<S>& d = lemke.dictionary();
+    pivot.basis.assign(d.basic.begin(), d.basic.end());
+    pivot.sentence = story_.sentence(pivot, basic_);
+    const Index z0_row = d.row_of(artificial(n()));
+    pivot.z0.finite = traced(trace_, S(0));
+    if (z0_row >= 0) pivot.z0 = value(d, z0_row);
+    std::vector<Index> key = pivot.basis;
+    std::sort(key.begin(), key.end());
+    key.push_back(pivot.leaving); // its complement is the next to enter
+    const auto [earlier, is_new] = seen_.emplace(key, trace_.pivots.size() - 1);
+    if (!is_new && lemke.status() == Status::running)
+      trace_.cycle = Cycle{earlier->second, trace_.pivots.size() - 1 - earlier->second};
+  }
+
+  Tableau tableau(const Dictionary<S>& d) const {
+    Tableau t;
+    t.rows.assign(d.basic.begin(), d.basic.end());
+    t.columns.assign(d.nonbasic.begin(), d.nonbasic.end());
+    t.entries.reserve(static_cast<std::size_t>(d.size() * (d.size() + 1)));
+    for (Index i = 0; i < d.size(); ++i) {
+      t.values.push_back(value(d, i));
+      for (Index j = 0; j <= d.size(); ++j) t.entries.push_back(traced(trace_, d.table(i, j)));
+    }
+    return t;
+  }
+
+private:
+  PivotTrace& trace_;
+  const Story& story_;
+  std::size_t room_;
+  std::vector<bool> basic_; // while the entering variable grows
+  bool is_pivoting_ = false;
+  std::map<std::vector<Index>, std::size_t> seen_;
+
+  Index n() const { return trace_.size; }
+  bool has_S() const { return trace_.free_count > 0; }
+  static double to_double(double x) { return x; }
+  static double to_double(const Rational& x) { return x.value(); }
+
+  TraceValue value(const Dictionary<S>& d, Index row) const {
+    TraceValue v;
+    if (has_S()) v.times_S = traced(trace_, d.values(row, 0));
+    v.finite = traced(trace_, d.values(row, has_S() ? 1 : 0));
+    return v;
+  }
+
+  /// How far the entering variable may grow before this row blocks; for the entry of z0, how much
+  /// of it the row needs.
+  std::optional<TraceValue> ratio(const Dictionary<S>& d, Index row, const Turn& turn) const {
+    const S& rate = d.table(row, turn.column);
+    if (turn.repairs ? !(S(0) < rate) || !is_negative(d, row) : !(rate < S(0))) return {};
+    TraceValue v;
+    if (has_S()) v.times_S = traced(trace_, S(-d.values(row, 0) / rate));
+    v.finite = traced(trace_, S(-d.values(row, has_S() ? 1 : 0) / rate));
+    return v;
+  }
+
+  bool is_negative(const Dictionary<S>& d, Index row) const {
+    if (has_S() && !(d.values(row, 0) == S(0))) return d.values(row, 0) < S(0);
+    return d.values(row, has_S() ? 1 : 0) < S(0);
+  }
+
+  std::string title_of(const Lemke<S>& lemke) const {
+    Index z_basic = 0;
+    for (const int variable : lemke.dictionary().basic) z_basic += variable >= n() ? 1 : 0;
+    const std::string cover =
+        !trace_.is_as_solved ? std::string() : ", cover " + std::to_string(lemke.covers_tried());
+    if (z_basic == 0) return "from z = 0" + cover;
+    return "from a basis of " + std::to_string(z_basic) + " z" + cover;
+  }
+};
+
+} // namespace lcpush::desktop

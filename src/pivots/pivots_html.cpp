@@ -1,0 +1,37 @@
+// The explorer's page with a trace in it.
+#include "lcpush/desktop/pivots.hpp"
+#include "pivots/explorer_text.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+void put(std::string& page, const std::string& placeholder, const std::string& text) {
+  const std::size_t at = page.find(placeholder);
+  page.replace(at, placeholder.size(), text);
+}
+
+/// No "</script>" and no "<!--" may end the element that the JSON stands in.
+std::string escaped(const std::string& json) {
+  std::string text;
+  text.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
+  }
+  return text;
+}
+
+} // namespace
+
+std::string pivots_html(const PivotTrace& trace, const Push* push) {
+  std::string page = explorer_template();
+  // The trace last: what it says must not be taken for a placeholder.
+  put(page, "/*STYLE*/", explorer_style());
+  put(page, "/*SCRIPT*/", explorer_script());
+  put(page, "/*TRACE*/", escaped(pivots_json(trace, push, false)));
+  return page;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,203 @@
+#include "formats/json_writer.hpp"
+#include "lcpush/desktop/pivots.hpp"
+#include "pivots/explorer_scene.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+void write(JsonWriter& json, const TraceNumber& x) {
+  if (x.fraction.empty())
+    json.value(x.value);
+  else
+    json.value(x.fraction);
+}
+
+void write(JsonWriter& json, const TraceValue& value) {
+  if (!value.has_S()) return write(json, value.finite);
+  json.begin_array();
+  write(json, value.times_S);
+  write(json, value.finite);
+  json.end_array();
+}
+
+template <class T> void write_all(JsonWriter& json, const std::vector<T>& list) {
+  json.begin_array();
+  for (const T& x : list) write(json, x);
+  json.end_array();
+}
+
+class Writer {
+public:
+  explicit Writer(const PivotTrace& trace) : trace_(trace) {}
+
+  std::string write_trace(const Push* push, bool tableaus) {
+    json.begin_object();
+    json.member("status", trace_.cycle ? "cycle" : status_text(trace_.status));
+    json.key("reason");
+    trace_.reason.empty() ? json.value(nullptr) : json.value(trace_.reason);
+    json.member("arithmetic", trace_.has_fractions ? "fractions" : "decimals");
+    if (!tableaus) json.member("prefers_decimals", trace_.prefers_decimals); // the page asks
+    json.member("rule", rule()).member("title", trace_.title);
+    json.member("as_solved", trace_.is_as_solved).member("proved", trace_.is_proved);
+    json.member("size", trace_.size).member("free", trace_.free_count);
+    json.key("notes").strings(trace_.notes);
+    json.key("variables").begin_array();
+    for (const Variable& variable : trace_.variables)
+      json.begin_object()
+          .member("name", variable.name)
+          .member("meaning", variable.meaning)
+          .end_object();
+    json.end_array();
+    json.key("pivots").begin_array();
+    for (const TracedPivot& pivot : trace_.pivots) write_pivot(pivot, tableaus);
+    json.end_array();
+    write_runs();
+    write_end();
+    json.key("scene");
+    if (push == nullptr)
+      json.value(nullptr);
+    else
+      write_drawing(json, *push);
+    json.end_object();
+    return json.text();
+  }
+
+private:
+  const PivotTrace& trace_;
+  JsonWriter json;
+
+  const char* rule() const {
+    for (const TracedPivot& pivot : trace_.pivots)
+      if (pivot.chosen) return "chosen";
+    if (trace_.rule == TieRule::first_row) return "first_row";
+    return trace_.rule == TieRule::lexicographic ? "lexicographic" : "generic";
+  }
+
+  static const char* tie_break(const TracedPivot& pivot) {
+    if (pivot.chosen) return "chosen";
+    switch (pivot.decided_by) {
+    case TieBreak::artificial: return "artificial";
+    case TieBreak::lexicographic: return "lexicographic";
+    case TieBreak::order: return "first_row";
+    case TieBreak::tie_column: return "tie_column";
+    case TieBreak::size: return "largest_pivot";
+    case TieBreak::right_hand_side:
+    case TieBreak::none: break;
+    }
+    return "none";
+  }
+
+  const std::string& name(Index variable) const {
+    return trace_.variables[static_cast<std::size_t>(variable)].name;
+  }
+
+  std::vector<std::string> names(const std::vector<Index>& variables) const {
+    std::vector<std::string> result;
+    for (const Index variable : variables) result.push_back(name(variable));
+    return result;
+  }
+
+  void write_tableau(const Tableau& tableau, const TracedPivot* pivot) {
+    json.begin_object().key("rows").strings(names(tableau.rows));
+    json.key("columns").strings(names(tableau.columns));
+    json.key("values");
+    write_all(json, tableau.values);
+    json.key("entries").begin_array();
+    const std::size_t width = tableau.columns.size();
+    for (std::size_t i = 0; i < tableau.rows.size(); ++i) {
+      const auto first = tableau.entries.begin() + static_cast<std::ptrdiff_t>(i * width);
+      const std::vector<TraceNumber> row(first, first + static_cast<std::ptrdiff_t>(width));
+      if (row[0].fraction.empty()) {
+        std::vector<double> plain;
+        for (const TraceNumber& x : row) plain.push_back(x.value);
+        json.numbers(plain);
+      } else {
+        std::vector<std::string> fractions;
+        for (const TraceNumber& x : row) fractions.push_back(x.fraction);
+        json.strings(fractions);
+      }
+    }
+    json.end_array();
+    if (pivot != nullptr) json.member("row", pivot->row).member("column", pivot->column);
+    json.end_object();
+  }
+
+  void write_pivot(const TracedPivot& pivot, bool tableaus) {
+    json.begin_object();
+    json.member("entering", name(pivot.entering)).member("leaving", name(pivot.leaving));
+    json.key("ratios").begin_array();
+    for (const auto& ratio : pivot.ratios) {
+      if (ratio)
+        write(json, *ratio);
+      else
+        json.value(nullptr);
+    }
+    json.end_array();
+    json.key("ties").strings(names(pivot.ties)).member("tie_break", tie_break(pivot));
+    json.key("z0");
+    write(json, pivot.z0);
+    json.key("basis").strings(names(pivot.basis)).member("sentence", pivot.sentence);
+    json.member("run", pivot.run).key("tableau");
+    if (pivot.before && tableaus)
+      write_tableau(*pivot.before, &pivot);
+    else
+      json.value(nullptr);
+    json.end_object();
+  }
+
+  void write_runs() {
+    json.key("runs").begin_array();
+    for (const TracedRun& run : trace_.runs) {
+      json.begin_object().member("title", run.title).member("first_pivot", run.first_pivot);
+      json.key("units").numbers(run.unit).key("start");
+      write_tableau(run.start, nullptr);
+      json.end_object();
+    }
+    json.end_array();
+  }
+
+  void write_end() {
+    json.key("final");
+    if (trace_.last) {
+      json.begin_object().key("basis").strings(names(trace_.last->rows)).key("tableau");
+      write_tableau(*trace_.last, nullptr);
+      for (const bool is_z : {true, false}) {
+        const std::vector<TraceNumber>& numbers = is_z ? trace_.z : trace_.w;
+        json.key(is_z ? "z" : "w");
+        if (numbers.empty())
+          json.value(nullptr);
+        else
+          write_all(json, numbers);
+      }
+      json.end_object();
+    } else {
+      json.value(nullptr);
+    }
+    json.key("ray");
+    if (trace_.ray) {
+      json.begin_object().member("entering", name(trace_.ray->entering)).key("v");
+      write_all(json, trace_.ray->v);
+      json.key("v0");
+      write(json, trace_.ray->v0);
+      json.member("words", trace_.ray->words).end_object();
+    } else {
+      json.value(nullptr);
+    }
+    json.key("cycle");
+    if (trace_.cycle)
+      json.begin_object()
+          .member("from_pivot", trace_.cycle->first)
+          .member("length", trace_.cycle->length)
+          .end_object();
+    else
+      json.value(nullptr);
+  }
+};
+
+} // namespace
+
+std::string pivots_json(const PivotTrace& trace, const Push* push, bool tableaus) {
+  return Writer(trace).write_trace(push, tableaus);
+}
+
+} // namespace lcpush::desktop

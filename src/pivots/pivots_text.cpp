@@ -1,0 +1,180 @@
+#include "lcpush/desktop/pivots.hpp"
+#include "text/format.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr std::size_t widest = 100; // characters of a line that a terminal shows
+
+std::string number_text(const TraceNumber& x) {
+  return x.fraction.empty() ? number(x.value) : x.fraction;
+}
+
+bool is_zero(const TraceNumber& x) { return x.value == 0; }
+
+std::string name(const PivotTrace& trace, Index variable) {
+  return trace.variables[static_cast<std::size_t>(variable)].name;
+}
+
+std::string rule_text(const PivotTrace& trace) {
+  if (trace.is_as_solved) return "generic covers and tie columns, scaled";
+  return trace.rule == TieRule::first_row ? "first tied row" : "lexicographic";
+}
+
+std::string header(const PivotTrace& trace) {
+  std::string text = trace.title.empty() ? "" : trace.title + "\n";
+  text += std::to_string(trace.size) + (trace.size == 1 ? " unknown" : " unknowns") +
+          "; tie rule: " + rule_text(trace) + "; " +
+          (trace.has_fractions ? "exact fractions" : "decimals") + ".\n";
+  if (trace.free_count > 0)
+    text += "S stands for a number larger than all others: actuators retreat at most at S.\n";
+  for (const std::string& note : trace.notes) text += note + "\n";
+  return text;
+}
+
+bool is_physical(const PivotTrace& trace) {
+  return trace.variables[0].meaning.rfind("slack of row", 0) != 0;
+}
+
+/// What the variables mean, for scenes.
+std::string legend(const PivotTrace& trace) {
+  if (!is_physical(trace)) return {};
+  std::vector<std::vector<std::string>> rows;
+  for (Index i = 0; i < trace.size; ++i) {
+    const Variable& w = trace.variables[static_cast<std::size_t>(slack(i))];
+    const Variable& z = trace.variables[static_cast<std::size_t>(unknown(i, trace.size))];
+    rows.push_back({"  " + z.name, z.meaning, w.name, w.meaning});
+  }
+  std::vector<std::size_t> width(3, 0);
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < 3; ++c) width[c] = std::max(width[c], row[c].size());
+  std::string text = "\n";
+  for (auto& row : rows) {
+    for (std::size_t c = 0; c < 3; ++c) row[c].resize(width[c] + 2, ' ');
+    text += row[0] + row[1] + row[2] + row[3] + "\n";
+  }
+  return text;
+}
+
+std::string pivot_line(const PivotTrace& trace, std::size_t k) {
+  const TracedPivot& pivot = trace.pivots[k];
+  std::string text = "\nPivot " + std::to_string(k) + ": " + name(trace, pivot.entering) +
+                     " enters, " + name(trace, pivot.leaving) + " leaves";
+  const auto& ratio = pivot.ratios[static_cast<std::size_t>(pivot.row)];
+  if (ratio) text += " at " + value_text(*ratio);
+  text += "; z0 = " + value_text(pivot.z0) + "\n";
+  if (!pivot.ties.empty()) {
+    std::string tied;
+    for (const Index variable : pivot.ties)
+      tied += (tied.empty() ? "" : ", ") + name(trace, variable);
+    text += "  tied: " + tied + "; " + tie_break_text(pivot) + "\n";
+  }
+  return text + "  " + pivot.sentence + "\n";
+}
+
+bool is_free(const PivotTrace& trace, std::size_t i) {
+  return static_cast<Index>(i) >= trace.size - trace.free_count;
+}
+
+/// A free unknown is counted from its bound -S.
+std::string unknown_text(const PivotTrace& trace, std::size_t i) {
+  TraceValue value{{}, trace.z[i]};
+  if (is_free(trace, i)) value.times_S = {1, trace.has_fractions ? "1" : ""};
+  return value_text(value);
+}
+
+std::string ending(const PivotTrace& trace) {
+  std::string text = "\n";
+  const std::string count =
+      std::to_string(trace.pivots.size()) + (trace.pivots.size() == 1 ? " pivot" : " pivots");
+  if (trace.status == Status::solved) {
+    text += "Solved after " + count + (trace.is_proved ? ", proved in fractions" : "") + ".\n";
+    for (std::size_t i = 0; i < trace.z.size(); ++i)
+      if (!is_zero(trace.z[i]) || is_free(trace, i))
+        text += "  z" + std::to_string(i + 1) + " = " + unknown_text(trace, i) +
+                (is_physical(trace)
+                     ? "  " + trace.variables[i + static_cast<std::size_t>(trace.size)].meaning
+                     : "") +
+                "\n";
+    return text;
+  }
+  text += std::string("Not solved (") + (trace.cycle ? "cycle" : status_text(trace.status)) +
+          ") after " + count + ": " + trace.reason + ".\n";
+  if (!trace.ray) return text;
+  text += trace.ray->words +
+          "\nThe ray v >= 0 with M v + d v0 >= 0, v0 = " + number_text(trace.ray->v0) + ":\n";
+  for (std::size_t i = 0; i < trace.ray->v.size(); ++i)
+    if (!is_zero(trace.ray->v[i]))
+      text += "  v" + std::to_string(i + 1) + " = " + number_text(trace.ray->v[i]) +
+              (is_physical(trace)
+                   ? "  " + trace.variables[i + static_cast<std::size_t>(trace.size)].meaning
+                   : "") +
+              "\n";
+  return text;
+}
+
+} // namespace
+
+std::string value_text(const TraceValue& value) {
+  if (!value.has_S()) return number_text(value.finite);
+  std::string text = number_text(value.times_S);
+  text = text == "1" ? "S" : text == "-1" ? "-S" : text + " S";
+  if (is_zero(value.finite)) return text;
+  const std::string rest = number_text(value.finite);
+  return text + (rest[0] == '-' ? " - " + rest.substr(1) : " + " + rest);
+}
+
+const char* tie_break_text(const TracedPivot& pivot) {
+  if (pivot.chosen) return "chosen, not by the rule";
+  switch (pivot.decided_by) {
+  case TieBreak::artificial: return "z0 wins every tie, as a solution is reached";
+  case TieBreak::lexicographic: return "the lexicographic rule decides";
+  case TieBreak::order: return "the first row is taken";
+  case TieBreak::tie_column: return "a generic column decides";
+  case TieBreak::size: return "the largest pivot is taken";
+  case TieBreak::right_hand_side: return "a later right-hand side decides";
+  case TieBreak::none: break;
+  }
+  return "";
+}
+
+std::string tableau_text(const PivotTrace& trace, const Tableau& tableau,
+                         const TracedPivot* pivot) {
+  std::vector<std::vector<std::string>> rows;
+  rows.push_back({"", "value"});
+  for (const Index variable : tableau.columns) rows[0].push_back(name(trace, variable));
+  if (pivot != nullptr) rows[0].push_back("ratio");
+  for (std::size_t i = 0; i < tableau.rows.size(); ++i) {
+    std::vector<std::string> row = {name(trace, tableau.rows[i]), value_text(tableau.values[i])};
+    for (std::size_t j = 0; j < tableau.columns.size(); ++j) {
+      std::string cell = number_text(tableau.entry(i, j));
+      const bool is_pivot = pivot != nullptr && static_cast<Index>(i) == pivot->row &&
+                            static_cast<Index>(j) == pivot->column;
+      row.push_back(is_pivot ? "[" + cell + "]" : cell);
+    }
+    if (pivot != nullptr)
+      row.push_back(pivot->ratios[i] ? value_text(*pivot->ratios[i]) : std::string("-"));
+    rows.push_back(row);
+  }
+  return table_text(rows);
+}
+
+std::string pivots_text(const PivotTrace& trace) {
+  std::string text = header(trace) + legend(trace);
+  std::size_t run = 0;
+  const auto fits = [](const std::string& table) { return table.find('\n') <= widest; };
+  for (std::size_t k = 0; k < trace.pivots.size(); ++k) {
+    for (; run < trace.runs.size() && trace.runs[run].first_pivot == k; ++run)
+      if (trace.runs.size() > 1) text += "\nStart " + trace.runs[run].title + ".\n";
+    text += pivot_line(trace, k);
+    if (!trace.pivots[k].before) continue;
+    const std::string table = tableau_text(trace, *trace.pivots[k].before, &trace.pivots[k]);
+    if (fits(table)) text += table;
+  }
+  text += ending(trace);
+  if (!trace.last) return text;
+  const std::string table = tableau_text(trace, *trace.last, nullptr);
+  return fits(table) ? text + "\n" + table : text;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,144 @@
+#include "pivots/push_story.hpp"
+
+#include "lcpush/desktop/jam.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr const char* cushion = "the cushion z0";
+
+std::string capitalised(std::string text) {
+  // Names of points and bodies stay as they are.
+  if (text.rfind("the ", 0) == 0) text[0] = 'T';
+  return text;
+}
+
+} // namespace
+
+/// generator_text of `sign` times the generator.
+std::string PushStory::along(const Name& name, double sign) const {
+  const Body<double>& body = push_.scene().bodies[push_.layout().body[name.of]];
+  const Generator<double> d = generator(body, name.generator, push_.file().facets);
+  return generator_text({sign * d.force, sign * d.torque}, body.torsion_radius);
+}
+
+std::string PushStory::meaning(Index variable) const {
+  const Index n = size();
+  if (variable == artificial(n)) return "artificial variable: a cushion under every violated law";
+  if (variable >= n) {
+    const Meaning meaning = name_of(push_.layout(), variable - n).meaning;
+    const std::string name = push_.variable_name(variable - n);
+    if (meaning == Meaning::closing) return name + ", counted from its bound -S (m/s^2)";
+    return name + (meaning == Meaning::slip ? " (m/s^2)" : " (N)");
+  }
+  const Name name = name_of(push_.layout(), variable);
+  switch (name.meaning) {
+  case Meaning::normal: return "separation of " + point(name) + " (m/s^2)";
+  case Meaning::pull: return "approach of " + point(name) + " (m/s^2)";
+  case Meaning::friction:
+    return "slip of " + point(name) + " minus the motion" + along(name, -1) + " (m/s^2)";
+  case Meaning::slip: return "friction left unused in the cone of " + point(name) + " (N)";
+  case Meaning::closing:
+    return "force of " + push_.actuator_name(name.of) + " beyond its set force";
+  }
+  return {};
+}
+
+/// The way a point slides: towards the side against which its friction acts. A facet of the pyramid
+/// leaves a sector open.
+std::string PushStory::sliding(Index at, const std::vector<bool>& basic) const {
+  Generator<double> friction{Vector3<double>::Zero(), 0};
+  for (Index j = 0; j < push_.layout().cones[at].generators; ++j) {
+    const Index variable = unknown(push_.layout().friction(at, j), size());
+    if (!basic[static_cast<std::size_t>(variable)]) continue;
+    const Body<double>& body = push_.scene().bodies[push_.layout().body[at]];
+    const Generator<double> d = generator(body, j, push_.file().facets);
+    friction.force += d.force;
+    friction.torque += d.torque;
+  }
+  const double slide = friction.force.norm();
+  std::string text;
+  if (slide > 1e-9) text = " towards " + direction_text(-friction.force / slide);
+  if (friction.torque != 0) text += text.empty() ? " by turning" : ", turning";
+  return text;
+}
+
+/// What the entering variable's growth is.
+std::string PushStory::grows(Index variable) const {
+  const Index n = size();
+  if (variable == artificial(n)) return cushion + std::string(" grows");
+  const bool is_unknown = variable >= n;
+  const Name name = name_of(push_.layout(), is_unknown ? variable - n : variable);
+  switch (name.meaning) {
+  case Meaning::normal: return point(name) + (is_unknown ? " presses harder" : " separates faster");
+  case Meaning::pull: return point(name) + (is_unknown ? " pulls harder" : " approaches faster");
+  case Meaning::friction:
+    return is_unknown ? "friction of " + point(name) + along(name, 1) + " grows"
+                      : point(name) + " turns away from sliding" + along(name, -1);
+  case Meaning::slip:
+    return is_unknown ? point(name) + " slides faster"
+                      : "the friction of " + point(name) + " draws back from its cone";
+  case Meaning::closing:
+    return is_unknown
+               ? push_.actuator_name(name.of) + " closes faster or retreats less"
+               : "the force of " + push_.actuator_name(name.of) + " grows beyond its set force";
+  }
+  return {};
+}
+
+/// What has happened when the leaving variable is zero, and what may follow.
+std::string PushStory::ends(Index variable, const std::vector<bool>& basic) const {
+  const Index n = size();
+  if (variable == artificial(n)) return cushion + std::string(" is gone: every law holds");
+  const bool is_unknown = variable >= n;
+  const Name name = name_of(push_.layout(), is_unknown ? variable - n : variable);
+  switch (name.meaning) {
+  case Meaning::normal:
+    return is_unknown ? point(name) + " presses no more and may separate"
+                      : point(name) + " touches and may press";
+  case Meaning::pull:
+    return is_unknown ? point(name) + " pulls no more" : point(name) + " is held and may be pulled";
+  case Meaning::friction:
+    return is_unknown ? "the friction of " + point(name) + along(name, 1) + " has faded away"
+                      : "the object moves" + along(name, -1) + " at " + point(name) +
+                            " as fast as it slips, so that friction" + along(name, 1) + " may act";
+  case Meaning::slip:
+    return is_unknown ? point(name) + " stops sliding and sticks"
+                      : point(name) + " reaches its friction cone and starts to slide" +
+                            sliding(name.of, basic);
+  case Meaning::closing:
+    return is_unknown ? push_.actuator_name(name.of) + " retreats at its bound"
+                      : push_.actuator_name(name.of) + " holds its set force and may move";
+  }
+  return {};
+}
+
+std::string PushStory::sentence(const TracedPivot& pivot, const std::vector<bool>& basic) const {
+  const Index entering = pivot.entering, leaving = pivot.leaving;
+  std::string text;
+  if (entering == artificial(size())) {
+    text = "The cushion z0 enters, just large enough for every law to hold with its help; " +
+           ends(leaving, basic);
+  } else {
+    text = "As " + grows(entering) + ", " + ends(leaving, basic);
+  }
+  return capitalised(text) + ".";
+}
+
+std::string PushStory::ray_sentence(Index entering, const std::vector<double>& v) const {
+  std::string text = capitalised(grows(entering)) + " without end: nothing blocks.";
+  Push scaled(push_.file());
+  const Layout<double>& layout = scaled.layout();
+  std::vector<double> own(v.size());
+  double largest = 0;
+  for (Index i = 0; i < layout.size; ++i) {
+    own[static_cast<std::size_t>(i)] = v[static_cast<std::size_t>(i)] / unknown_unit(layout, i);
+    largest = std::max(largest, own[static_cast<std::size_t>(i)]);
+  }
+  for (double& x : own) x /= largest > 0 ? largest : 1;
+  const Jam jam = explain_jam(push_.file(), scaled.assembly(), own.data(), layout.size <= 200);
+  for (const std::string& sentence : jam_sentences(push_.file(), jam)) text += "\n" + sentence;
+  return text;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,47 @@
+// What the solvers of raw problems share.
+#pragma once
+
+#include "lcpush/desktop/raw_problem.hpp"
+
+namespace lcpush::desktop {
+
+template <class T> Span<T> span_of(std::vector<T>& vector) {
+  return {vector.data(), static_cast<Index>(vector.size())};
+}
+
+/// A Lemke run with its memory.
+struct OwnedLemke {
+  std::vector<double> scalars;
+  std::vector<int> integers;
+  Lemke<double> lemke;
+
+  explicit OwnedLemke(Index n)
+      : scalars(static_cast<std::size_t>(lemke_scalars(n))),
+        integers(static_cast<std::size_t>(lemke_integers(n))),
+        lemke(span_of(scalars), span_of(integers)) {}
+};
+
+/// Some rows and columns of the problem, in a given order.
+struct Submatrix {
+  std::vector<Index> rows, columns;
+  std::vector<double> M, q;
+  Problem<double> problem;
+
+  void cut(const RawProblem& from, Index free_begin) {
+    for (const Index j : columns)
+      for (const Index i : rows) M.push_back(from.M(i, j));
+    for (const Index i : rows) q.push_back(from.q(i, 0));
+    problem.size = static_cast<Index>(rows.size());
+    problem.free_begin = free_begin;
+    problem.matrix = M.data();
+    problem.q = q.data();
+  }
+};
+
+/// Lemke's pivots from zero. Precondition: options.watcher is set.
+RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options);
+
+/// w, and the residual of the whole problem in its own units.
+void measure(const RawProblem& problem, RawAnswer& answer);
+
+} // namespace lcpush::desktop

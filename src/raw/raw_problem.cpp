@@ -1,0 +1,153 @@
+#include "lcpush/desktop/raw_problem.hpp"
+
+#include "lcpush/lcp/pivots/reduce.hpp"
+#include "raw/raw_parts.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+bool contains(const Span<const int>& list, Index i) {
+  for (const int entry : list)
+    if (entry == i) return true;
+  return false;
+}
+
+void take_failure(const Lemke<double>& lemke, RawAnswer& answer) {
+  answer.status = lemke.status();
+  answer.reason = lemke.reason();
+}
+
+RawAnswer solve_standard(const RawProblem& problem, const RawOptions& options) {
+  const Index n = problem.M.rows;
+  RawAnswer answer;
+  OwnedLemke run(n);
+  Problem<double> given;
+  given.size = given.free_begin = n;
+  given.matrix = problem.M.values.data();
+  given.q = problem.q.values.data();
+  if (run.lemke.init(given, options.lemke) == Status::running)
+    (void)run.lemke.solve(*options.watcher);
+  take_failure(run.lemke, answer);
+  answer.pivots = run.lemke.pivots();
+  answer.covers = run.lemke.covers_tried();
+  if (answer.status == Status::ray) answer.ray.assign(run.lemke.ray(), run.lemke.ray() + n);
+  if (answer.status != Status::solved) return answer;
+  answer.z.assign(run.lemke.z(), run.lemke.z() + n);
+  for (Index i = 0; i < n; ++i) answer.basic.push_back(run.lemke.is_basic(i) ? 1 : 0);
+  return answer;
+}
+
+/// The basis that the reduced problem found, refined and checked on the problem as given: its
+/// complementary pairs first, then the equalities and free unknowns that are independent.
+bool certify(const RawProblem& problem, const Reduction<double>& reduction,
+             const RawOptions& options, RawAnswer& answer) {
+  const Index n = problem.M.rows;
+  Submatrix whole;
+  for (Index i = 0; i < n; ++i)
+    if (problem.free[static_cast<std::size_t>(i)] == 0) whole.rows.push_back(i);
+  whole.columns = whole.rows;
+  const Index pairs = static_cast<Index>(whole.rows.size());
+  for (Index i = 0; i < n; ++i) {
+    if (problem.free[static_cast<std::size_t>(i)] == 0) continue;
+    if (!contains(reduction.redundant_rows(), i)) whole.rows.push_back(i);
+    if (!contains(reduction.fixed_unknowns(), i)) whole.columns.push_back(i);
+  }
+  whole.cut(problem, pairs);
+  std::vector<unsigned char> active;
+  for (const Index j : whole.columns) active.push_back(answer.basic[static_cast<std::size_t>(j)]);
+  OwnedLemke run(whole.problem.size);
+  if (run.lemke.init(whole.problem, options.lemke, active.data()) != Status::running) return false;
+  if (run.lemke.solve(*options.watcher) != Status::solved) return false;
+  answer.pivots += run.lemke.pivots();
+  answer.z.assign(static_cast<std::size_t>(n), 0.0);
+  for (std::size_t k = 0; k < whole.columns.size(); ++k) {
+    const auto j = static_cast<std::size_t>(whole.columns[k]);
+    answer.z[j] = run.lemke.z()[k];
+    answer.basic[j] = run.lemke.is_basic(static_cast<Index>(k)) ? 1 : 0;
+  }
+  return true;
+}
+
+RawAnswer solve_mixed(const RawProblem& problem, const RawOptions& options,
+                      SingularBlock singular) {
+  const Index n = problem.M.rows;
+  RawAnswer answer;
+  std::vector<double> scalars(static_cast<std::size_t>(reduction_scalars(n)));
+  std::vector<int> integers(static_cast<std::size_t>(reduction_integers(n)));
+  Reduction<double> reduction(span_of(scalars), span_of(integers));
+  if (reduction.init(n, problem.M.values.data(), problem.q.values.data(), problem.free.data(),
+                     singular) != Status::solved) {
+    answer.inconsistent_row = reduction.inconsistent_row();
+    return answer;
+  }
+  for (const int row : reduction.redundant_rows()) answer.redundant_rows.push_back(row);
+
+  const Index m = reduction.problem().size;
+  OwnedLemke run(m);
+  if (run.lemke.init(reduction.problem(), options.lemke) == Status::running)
+    (void)run.lemke.solve(*options.watcher);
+  take_failure(run.lemke, answer);
+  answer.pivots = run.lemke.pivots();
+  answer.covers = run.lemke.covers_tried();
+  if (answer.status == Status::ray) {
+    answer.ray.resize(static_cast<std::size_t>(n));
+    reduction.recover_direction(run.lemke.ray(), answer.ray.data());
+  }
+  if (answer.status != Status::solved) return answer;
+  answer.z.resize(static_cast<std::size_t>(n));
+  reduction.recover(run.lemke.z(), answer.z.data());
+  answer.basic.assign(problem.free.begin(), problem.free.end());
+  for (const int j : reduction.fixed_unknowns()) answer.basic[static_cast<std::size_t>(j)] = 0;
+  for (Index k = 0; k < reduction.problem().free_begin; ++k) {
+    const ReducedUnknown pair = reduction.unknown_of(k);
+    answer.basic[static_cast<std::size_t>(pair.index)] =
+        run.lemke.is_basic(k) != pair.swapped ? 1 : 0;
+  }
+  if (!certify(problem, reduction, options, answer)) {
+    answer.status = Status::numerical_breakdown;
+    answer.reason = Reason::residual;
+  }
+  return answer;
+}
+
+/// Lemke's pivots from zero.
+RawAnswer solve_cold(const RawProblem& problem, const RawOptions& options) {
+  bool is_mixed = false;
+  for (const unsigned char is_free : problem.free) is_mixed = is_mixed || is_free != 0;
+  if (!is_mixed) return solve_standard(problem, options);
+  // Bounding keeps the class that Lemke is proved for; exchanging reaches what it leaves out.
+  RawAnswer answer = solve_mixed(problem, options, SingularBlock::bound);
+  if (answer.status == Status::solved || answer.inconsistent_row >= 0) return answer;
+  RawAnswer other = solve_mixed(problem, options, SingularBlock::exchange);
+  other.pivots += answer.pivots;
+  other.covers += answer.covers;
+  return other.status == Status::solved || answer.status != Status::ray ? other : answer;
+}
+
+} // namespace
+
+void measure(const RawProblem& problem, RawAnswer& answer) {
+  const auto n = static_cast<std::size_t>(problem.M.rows);
+  std::vector<double> unit(n, 1.0), scratch(2 * n);
+  answer.w.resize(n);
+  Problem<double> given;
+  given.size = given.free_begin = problem.M.rows;
+  given.matrix = problem.M.values.data();
+  const auto is_free = [&](Index i) { return problem.free[static_cast<std::size_t>(i)] != 0; };
+  answer.residual = natural_residual(given, problem.q.values.data(), answer.z.data(), unit.data(),
+                                     is_free, answer.w.data(), scratch.data())
+                        .residual;
+}
+
+RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options) {
+  RawAnswer answer = solve_cold(problem, options);
+  if (answer.status != Status::solved) return answer;
+  measure(problem, answer);
+  if (!(answer.residual <= options.lemke.tolerances.residual)) {
+    answer.status = Status::numerical_breakdown;
+    answer.reason = Reason::residual;
+  }
+  return answer;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,153 @@
+// The friction of each contact point in its contact plane, within the polygon of its generators.
+#include <algorithm>
+#include <cmath>
+
+#include "report/pictures.hpp"
+#include "text/format.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr Index columns = 3, most_cells = 48;
+constexpr double cell_width = 140, cell_height = 158, radius = 40; // the polygon's, in pixels
+
+/// Of a point that has friction, and how much it may have.
+struct Cell {
+  Index point;
+  const Body<double>* body;
+  double bound; ///< N, mu |lambda|
+};
+
+bool has_friction(const Body<double>& body, Index point, const PushReport& report) {
+  return body.friction * std::abs(report.answer.contacts[point].normal_force) >
+         1e-9 * report.scales.force;
+}
+
+/// The first points of each body, as many of each as there is room for.
+std::vector<Cell> cells_of(const Scene<double>& scene, const PushReport& report) {
+  std::vector<Cell> cells;
+  const Index room = std::max<Index>(columns, most_cells / scene.bodies.size);
+  for (const Body<double>& body : scene.bodies) {
+    Index drawn = 0;
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      if (has_friction(body, i, report) && drawn++ < room)
+        cells.push_back(
+            {i, &body, body.friction * std::abs(report.answer.contacts[i].normal_force)});
+  }
+  return cells;
+}
+
+/// "left.3", the body's name cut where it is long.
+std::string cell_name(const SceneFile& file, Index point) {
+  const std::string name = point_name(file, point);
+  const std::string number = name.substr(name.rfind('.'));
+  return shortened(name.substr(0, name.rfind('.')), 15 - number.size()) + number;
+}
+
+/// t to the right, o up, as seen along the normal from inside the object.
+Pixel in_plane(const Body<double>& body, const Vector3<double>& v) {
+  return {v.dot(body.tangent), -v.dot(cross(body.normal, body.tangent))};
+}
+
+std::string amounts(const Cell& cell, const PushReport& report) {
+  const double zero = 1e-9 * report.scales.force;
+  const double friction = report.answer.contacts[cell.point].friction_force.norm();
+  return (friction > zero ? rough_number(friction) : "0") + " of " + rough_number(cell.bound) +
+         " N";
+}
+
+std::string cell_elements(const SceneFile& file, const Cell& cell, const PushReport& report,
+                          const Pixel& corner) {
+  const Body<double>& body = *cell.body;
+  const ContactAnswer<double>& answer = report.answer.contacts[cell.point];
+  const Pixel center = corner + Pixel(cell_width / 2, 88);
+  const double scale = radius / cell.bound;
+  std::vector<Pixel> rim;
+  for (Index j = 0; j < file.facets; ++j)
+    rim.push_back(center + radius * in_plane(body, generator(body, j, file.facets).force));
+  const Vector3<double> other = cross(body.normal, body.tangent);
+  const std::string name = cell_name(file, cell.point);
+  std::string text =
+      text_element("strong", corner + Pixel(cell_width / 2, 16), name, "middle") +
+      mode_mark(answer.mode, corner + Pixel(cell_width / 2 - 36, 28)) +
+      text_element("", corner + Pixel(cell_width / 2 - 26, 32), mode_verb(answer.mode)) +
+      circle_element("coulomb", center, radius) + polygon_element("cone", rim) +
+      line_element("tick", center - Pixel(radius, 0), center + Pixel(radius, 0)) +
+      line_element("tick", center - Pixel(0, radius), center + Pixel(0, radius));
+  if (direction_text(body.tangent).size() < 4)
+    text += text_element("quiet", center + Pixel(radius + 5, 4), direction_text(body.tangent));
+  if (direction_text(other).size() < 4)
+    text += text_element("quiet", center + Pixel(5, -radius - 2), direction_text(other));
+  const Vector3<double> slip =
+      answer.acceleration - answer.acceleration.dot(body.normal) * body.normal;
+  if (answer.mode == Mode::slide && slip.norm() > 1e-9 * report.scales.acceleration)
+    text +=
+        arrow_element("motion thin", center,
+                      center + 0.8 * radius * in_plane(body, Vector3<double>(slip.normalized())));
+  text += arrow_element("force friction", center,
+                        center + scale * in_plane(body, answer.friction_force));
+  text += circle_element("center", center, 2);
+  return text + text_element("", corner + Pixel(cell_width / 2, cell_height - 10),
+                             amounts(cell, report), "middle");
+}
+
+} // namespace
+
+std::vector<std::string> without_friction(const SceneFile& file, const PushReport& report) {
+  const Scene<double> scene = file.view();
+  const std::vector<Cell> cells = cells_of(scene, report);
+  const auto reason = [&](const Body<double>& body, Index i) -> std::string {
+    for (const Cell& cell : cells)
+      if (cell.point == i) return "";
+    return has_friction(body, i, report) ? "no room"
+           : body.friction > 0           ? "no normal force"
+                                         : "frictionless";
+  };
+  std::vector<std::string> list;
+  for (const Body<double>& body : scene.bodies) {
+    const Index end = body.first_point + body.point_count;
+    for (Index i = body.first_point; i < end;) {
+      const std::string why = reason(body, i);
+      Index last = i;
+      while (last + 1 < end && reason(body, last + 1) == why) ++last;
+      if (!why.empty())
+        list.push_back(point_name(file, i) + (last > i ? " to " + point_name(file, last) : "") +
+                       " (" + why + ")");
+      i = last + 1;
+    }
+  }
+  return list;
+}
+
+Drawing friction_picture(const SceneFile& file, const PushReport& report) {
+  const Scene<double> scene = file.view();
+  const std::vector<Cell> cells = cells_of(scene, report);
+  const auto count = static_cast<Index>(cells.size());
+  const double rows = static_cast<double>(std::max<Index>(1, (count + columns - 1) / columns));
+  Drawing drawing{"friction",
+                  "Friction within its pyramid, point by point",
+                  "",
+                  columns * cell_width,
+                  rows * cell_height,
+                  ""};
+  if (cells.empty()) {
+    drawing.height = 50;
+    drawing.description = "No contact point has friction.";
+    drawing.elements = text_element("quiet", {16, 30}, drawing.description);
+    return drawing;
+  }
+  drawing.description = "The section of each friction pyramid at its normal force, seen along the "
+                        "normal from inside the object, and the friction force in it.";
+  for (Index k = 0; k < count; ++k) {
+    const Cell& cell = cells[static_cast<std::size_t>(k)];
+    const Pixel corner(cell_width * static_cast<double>(k % columns),
+                       cell_height * static_cast<double>(k / columns));
+    drawing.elements += cell_elements(file, cell, report, corner);
+    drawing.description += " " + point_name(file, cell.point) + " " +
+                           mode_verb(report.answer.contacts[cell.point].mode) + ", friction " +
+                           amounts(cell, report) + ".";
+  }
+  return drawing;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,96 @@
+#include "report/page_elements.hpp"
+
+#include <string_view>
+
+namespace lcpush::desktop {
+
+std::string paragraph(const std::string& text, const std::string& kind) {
+  return "<p" + (kind.empty() ? "" : " class=\"" + kind + "\"") + ">" + escaped(text) + "</p>\n";
+}
+
+std::string with_breaks(const std::string& text) {
+  std::string result;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
+    result += escaped(text.substr(begin, end - begin)) + "<br/>";
+    begin = end + 1;
+  }
+  return result + escaped(text.substr(begin));
+}
+
+std::string facts_html(const std::vector<Fact>& facts) {
+  std::string text = "<dl class=\"facts\">\n";
+  for (const Fact& fact : facts)
+    text +=
+        "<div><dt>" + escaped(fact.label) + "</dt><dd>" + with_breaks(fact.text) + "</dd></div>\n";
+  return text + "</dl>\n";
+}
+
+std::string list_html(const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return "";
+  std::string text = "<ul>\n";
+  for (const std::string& sentence : sentences) text += "<li>" + escaped(sentence) + "</li>\n";
+  return text + "</ul>\n";
+}
+
+std::string sentences_html(const std::vector<std::string>& sentences) {
+  std::string text;
+  std::vector<std::string> items;
+  for (const std::string& sentence : sentences) {
+    if (sentence.rfind("- ", 0) == 0) {
+      items.push_back(sentence.substr(2));
+      continue;
+    }
+    text += list_html(items) + paragraph(sentence);
+    items.clear();
+  }
+  return text + list_html(items);
+}
+
+std::string scrolling(const std::string& label, const std::string& inside) {
+  return "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"" + escaped(label) +
+         "\">\n" + inside + "</div>\n";
+}
+
+std::string table_html(const std::string& caption,
+                       const std::vector<std::vector<std::string>>& rows) {
+  std::string text =
+      "<table>\n<caption><span>" + escaped(caption) + "</span></caption>\n<thead>\n<tr>";
+  for (const std::string& cell : rows[0]) text += "<th scope=\"col\">" + cell + "</th>";
+  text += "</tr>\n</thead>\n<tbody>\n";
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    text += "<tr><th scope=\"row\">" + rows[r][0] + "</th>";
+    for (std::size_t c = 1; c < rows[r].size(); ++c) text += "<td>" + rows[r][c] + "</td>";
+    text += "</tr>\n";
+  }
+  return scrolling(caption, text + "</tbody>\n</table>\n");
+}
+
+std::string sample(const std::string& view_box, const std::string& elements) {
+  return "<svg class=\"drawing\" viewBox=\"" + view_box + "\" aria-hidden=\"true\">" + elements +
+         "</svg>";
+}
+
+std::string figure(const Drawing& drawing, const std::string& caption) {
+  return "<figure>\n" + svg_element(drawing) + "<figcaption>" + escaped(caption) +
+         "</figcaption>\n</figure>\n";
+}
+
+std::string plot_image(const std::string& svg, const std::string& words) {
+  constexpr const char* digits = "0123456789ABCDEF";
+  std::string data;
+  for (const char c : svg) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') ||
+                          std::string_view("-_.~:/;=,()").find(c) != std::string_view::npos;
+    if (is_plain)
+      data += c;
+    else
+      (((data += '%') += digits[byte >> 4U]) += digits[byte & 15U]);
+  }
+  return "<img class=\"plot\" alt=\"" + escaped(words) + "\" src=\"data:image/svg+xml," + data +
+         "\"/>\n";
+}
+
+} // namespace lcpush::desktop

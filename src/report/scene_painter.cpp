@@ -1,0 +1,289 @@
+#include "report/scene_painter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+/// Where a label's leader begins: the place of its frame that is next to `at`.
+Pixel leader_end(const Frame& frame, const Pixel& at) {
+  return {std::clamp(at.x(), frame.left, frame.right), std::clamp(at.y(), frame.top, frame.bottom)};
+}
+
+const char* axis_name(Index axis) { return axis == 0 ? "x" : axis == 1 ? "y" : "z"; }
+
+} // namespace
+
+ScenePainter::ScenePainter(const SceneFile& file, const PushReport& report, const View& view,
+                           const PictureScales& scales)
+    : file_(file), scene_(file.view()), report_(report), view_(view), scales_(scales),
+      extent_(extent(file, report, view)),
+      height_(std::round(extent_.height() * scales.meters + 2 * margin_above)),
+      places_(width, height_) {}
+
+Frame ScenePainter::extent(const SceneFile& file, const PushReport& report, const View& view) {
+  std::vector<Vector3<double>> points = object_corners(file);
+  points.insert(points.end(), file.positions.begin(), file.positions.end());
+  Frame frame{1e300, 1e300, -1e300, -1e300};
+  const auto include = [&frame](const Pixel& p) {
+    frame = {std::min(frame.left, p.x()), std::min(frame.top, p.y()), std::max(frame.right, p.x()),
+             std::max(frame.bottom, p.y())};
+  };
+  for (const Vector3<double>& point : points) include(view.flat(point));
+  if (report.status != Status::solved) return frame;
+  const auto turning = turning_mark(file, report.motion, view, report.scales.length);
+  if (!turning || !turning->is_point) return frame;
+  // Its centre too, unless that would make everything else small.
+  const Pixel center = view.flat(turning->at);
+  const double reach = 0.6 * std::max(frame.width(), frame.height());
+  if (center.x() > frame.left - reach && center.x() < frame.right + reach &&
+      center.y() > frame.top - reach && center.y() < frame.bottom + reach)
+    include(center);
+  return frame;
+}
+
+Pixel ScenePainter::place(const Vector3<double>& position) const {
+  const Pixel middle((extent_.left + extent_.right) / 2, (extent_.top + extent_.bottom) / 2);
+  return Pixel(width / 2, height_ / 2) + scales_.meters * (view_.flat(position) - middle);
+}
+
+const ContactAnswer<double>* ScenePainter::contact(Index point) const {
+  return scales_.shows_forces ? &report_.answer.contacts[point] : nullptr;
+}
+
+Vector3<double> ScenePainter::body_middle(const Body<double>& body) const {
+  Vector3<double> sum = Vector3<double>::Zero();
+  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    sum += file_.positions[static_cast<std::size_t>(i)];
+  return sum / static_cast<double>(body.point_count);
+}
+
+/// Of the middle of its points: what is prescribed, and what its actuators add.
+Vector3<double> ScenePainter::body_acceleration(const Body<double>& body) const {
+  Vector3<double> sum = Vector3<double>::Zero();
+  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    sum += scales_.shows_forces ? acceleration_at(scene_.points[i], report_.answer.acceleration) -
+                                      report_.answer.contacts[i].acceleration
+                                : acceleration_at(scene_.points[i], body.acceleration);
+  return sum / static_cast<double>(body.point_count);
+}
+
+bool ScenePainter::is_behind(const Body<double>& body) const {
+  return view_.toward_viewer(body.normal) > 0.5;
+}
+
+/// What lies behind is drawn first.
+std::vector<Index> ScenePainter::bodies_front_first() const {
+  std::vector<Index> order;
+  for (Index b = 0; b < scene_.bodies.size; ++b) order.push_back(b);
+  std::stable_sort(order.begin(), order.end(), [this](Index a, Index b) {
+    return view_.toward_viewer(scene_.bodies[a].normal) >
+           view_.toward_viewer(scene_.bodies[b].normal);
+  });
+  return order;
+}
+
+std::string ScenePainter::outline() {
+  const ObjectShape& shape = file_.shape;
+  std::vector<Pixel> corners;
+  for (const Vector3<double>& corner : object_corners(file_)) corners.push_back(place(corner));
+  const std::vector<Pixel> box = hull(corners);
+  Frame frame{1e300, 1e300, -1e300, -1e300};
+  for (const Pixel& p : box)
+    frame = {std::min(frame.left, p.x()), std::min(frame.top, p.y()), std::max(frame.right, p.x()),
+             std::max(frame.bottom, p.y())};
+  places_.block(frame, 0.6);
+  if (shape.kind == ObjectShape::Kind::cylinder && shape.axis == view_.depth())
+    return circle_element("object", place(file_.object.center_of_mass),
+                          scales_.meters * shape.size[view_.right] / 2);
+  return polygon_element(shape.kind == ObjectShape::Kind::unknown ? "object guessed" : "object",
+                         box);
+}
+
+/// A strip behind the points of a body, or a patch where it faces the viewer.
+std::string ScenePainter::pad(const Body<double>& body) {
+  const Pixel flat = view_.flat(body.normal);
+  const bool from_the_side = flat.norm() > 0.7;
+  std::vector<Pixel> around;
+  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+    const Pixel at = place(file_.positions[static_cast<std::size_t>(i)]);
+    places_.block({at.x() - 12, at.y() - 12, at.x() + 12, at.y() + 12}, 1.5);
+    if (from_the_side) {
+      const Pixel n = flat.normalized(), across(-n.y(), n.x());
+      for (const double side : {-6.0, 6.0})
+        for (const double back : {0.0, 9.0}) around.emplace_back(at + side * across - back * n);
+    } else {
+      for (int k = 0; k < 12; ++k)
+        around.emplace_back(at +
+                            9 * Pixel(circle_cosine<double>(k, 12), circle_sine<double>(k, 12)));
+    }
+  }
+  return polygon_element(std::string("pad ") + (body.role == Role::pusher ? "pusher" : "finger") +
+                             (is_behind(body) ? " behind" : ""),
+                         hull(around));
+}
+
+std::string ScenePainter::weight() {
+  const Vector3<double> force = file_.object.mass * file_.gravity;
+  if (!scales_.shows_forces || !(view_.flat(force).norm() > scales_.no_force)) return "";
+  const Pixel from = place(file_.object.center_of_mass);
+  const Pixel to = from + scales_.newtons * view_.flat(force);
+  places_.block_line(from, to, 2);
+  if ((to - from).norm() >= 2.5)
+    labels_.push_back({{"weight " + rough_number(force.norm()) + " N"}, to, Pixel::Zero(), to});
+  return arrow_element("force weight", from, to);
+}
+
+/// Without an answer: an arrow for each body of a jam, of no particular length.
+std::string ScenePainter::squeezes() {
+  std::string text;
+  for (const JamBody& squeezing : report_.jam.bodies) {
+    const Body<double>& body = scene_.bodies[squeezing.body];
+    const Pixel flat = view_.flat(body.normal);
+    if (flat.norm() < 0.3) continue;
+    const Pixel tip = place(body_middle(body)), tail = tip - 60 * flat;
+    places_.block_line(tail, tip, 2);
+    text += arrow_element("force normal", tail, tip);
+  }
+  return text;
+}
+
+/// "left", "normal 20 N", "friction 10 N", "4 slide".
+std::vector<std::string> ScenePainter::body_words(Index b) const {
+  const Body<double>& body = scene_.bodies[b];
+  std::vector<std::string> words{shortened(file_.body_names[static_cast<std::size_t>(b)], 24)};
+  if (!scales_.shows_forces) {
+    for (const JamBody& squeezing : report_.jam.bodies)
+      if (squeezing.body == b) words.emplace_back("squeezes");
+    if (body_acceleration(body).norm() > 0)
+      words.push_back("moves at " + rough_number(body_acceleration(body).norm()) + " m/s\u00B2");
+    return words;
+  }
+  Vector3<double> friction = Vector3<double>::Zero();
+  Index counts[3] = {0, 0, 0};
+  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+    friction += report_.answer.contacts[i].friction_force;
+    ++counts[static_cast<int>(report_.answer.contacts[i].mode)];
+  }
+  const double normal = normal_sum(report_.answer, body);
+  if (std::abs(normal) > scales_.no_force) words.push_back("normal " + rough_number(normal) + " N");
+  if (friction.norm() > scales_.no_force)
+    words.push_back("friction " + rough_number(friction.norm()) + " N");
+  if (words.size() == 1) words.emplace_back("no force");
+  std::vector<std::string> modes;
+  for (const Mode mode : {Mode::stick, Mode::slide, Mode::separate}) {
+    const Index count = counts[static_cast<int>(mode)];
+    if (count == 0) continue;
+    if (body.point_count == 1)
+      modes.push_back(mode_verb(mode));
+    else
+      modes.push_back((count == body.point_count ? "all " : "") + std::to_string(count) + " " +
+                      mode_text(mode));
+  }
+  words.push_back(listed(modes, "and"));
+  return words;
+}
+
+std::vector<Frame> ScenePainter::place_labels(const std::vector<std::size_t>& order,
+                                              double& cost) const {
+  LabelPlaces places = places_;
+  std::vector<Frame> frames(labels_.size());
+  for (const std::size_t k : order) {
+    const Label& label = labels_[k];
+    frames[k] = places.place(label.lines, label.at, label.away);
+    places.block_line(leader_end(frames[k], label.at), label.target, 1);
+  }
+  cost = places.cost();
+  return frames;
+}
+
+/// In the order that gives them the best places, of those that let each be the first.
+std::string ScenePainter::placed_labels() const {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < labels_.size(); ++k) order.push_back(k);
+  std::vector<Frame> frames;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t turn = 0; turn < labels_.size(); ++turn) {
+    double cost = 0;
+    const std::vector<Frame> tried = place_labels(order, cost);
+    if (cost < least) frames = tried;
+    least = std::min(least, cost);
+    std::rotate(order.begin(), order.begin() + 1, order.end());
+  }
+  std::string text;
+  for (std::size_t k = 0; k < labels_.size(); ++k) {
+    const Label& label = labels_[k];
+    const Pixel near = leader_end(frames[k], label.at);
+    if ((near - label.target).norm() > 26) text += line_element("leader", near, label.target);
+  }
+  for (std::size_t k = 0; k < labels_.size(); ++k)
+    for (std::size_t line = 0; line < labels_[k].lines.size(); ++line)
+      text += text_element(line == 0 ? "label strong" : "label",
+                           {frames[k].left + 2, frames[k].top + (static_cast<double>(line) + 0.8) *
+                                                                    LabelPlaces::line_height},
+                           labels_[k].lines[line]);
+  return text;
+}
+
+std::string ScenePainter::axes() {
+  const double across = 24 * view_.right_sign, up = 24 * view_.up_sign;
+  const Pixel origin(across < 0 ? 42 : 16, up < 0 ? 14 : 42);
+  places_.block({0, 0, 58, 54}, 30);
+  return arrow_element("axis", origin, origin + Pixel(across, 0)) +
+         arrow_element("axis", origin, origin - Pixel(0, up)) +
+         text_element("quiet", origin + Pixel(1.4 * across, 4), axis_name(view_.right), "middle") +
+         text_element("quiet", origin + Pixel(9, up > 0 ? -20 : 30), axis_name(view_.up));
+}
+
+std::string ScenePainter::scale_bars() {
+  const auto bar = [](double left, double y, double length) {
+    return path_element("scale",
+                        "M" + pixels(left) + " " + pixels(y) + "v6h" + pixels(length) + "v-6");
+  };
+  const double y = height_ - 14;
+  const double length = round_below(70 / scales_.meters);
+  places_.block({0, height_ - 24, 190, height_}, 30);
+  std::string text =
+      bar(12, y, length * scales_.meters) +
+      text_element("quiet", {18 + length * scales_.meters, y + 7}, number(1000 * length) + " mm");
+  if (!scales_.shows_forces || scales_.newtons == 0) return text;
+  const double force = round_below(longest_force / scales_.newtons);
+  const double size = force * scales_.newtons;
+  places_.block({width - 180, height_ - 24, width, height_}, 30);
+  return text + bar(width - 12 - size, y, size) +
+         text_element("quiet", {width - 18 - size, y + 7}, number(force) + " N", "end");
+}
+
+Drawing ScenePainter::draw() {
+  Drawing drawing{view_.name, view_.title, "", width, height_, ""};
+  std::string bodies, contacts, modes, motions;
+  const std::string frame = axes() + scale_bars() + outline();
+  for (const Index b : bodies_front_first()) {
+    const Body<double>& body = scene_.bodies[b];
+    bodies += pad(body);
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      contacts += forces(body, i);
+    modes += marks(body);
+  }
+  // One after the other: each leaves labels and words behind.
+  contacts += weight();
+  contacts += squeezes();
+  motions += object_motion();
+  motions += turning_axis();
+  for (Index b = 0; b < scene_.bodies.size; ++b) motions += body_motion(b);
+  drawing.elements = frame + bodies + contacts + modes + motions;
+  drawing.elements += placed_labels();
+  drawing.description = scales_.shows_forces
+                            ? "The object, the bodies that touch it, forces and motions."
+                            : "The object and the bodies that touch it. No answer was found, so no "
+                              "forces are drawn.";
+  for (const std::string& sentence : words_) drawing.description += " " + sentence;
+  return drawing;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,74 @@
+// One view of a grasp, layer by layer.
+#pragma once
+
+#include "draw/label_places.hpp"
+#include "report/pictures.hpp"
+
+namespace lcpush::desktop {
+
+/// Scales that all views of a scene share.
+struct PictureScales {
+  double meters = 1;         ///< pixels per metre
+  double newtons = 1;        ///< pixels per newton
+  double accelerations = 1;  ///< pixels per m/s^2
+  double no_force = 0;       ///< N, what counts as none
+  double still = 0;          ///< m/s^2, the same
+  bool shows_forces = false; ///< there is an answer
+};
+
+class ScenePainter {
+public:
+  static constexpr double width = 420, margin = 96, margin_above = 112;
+  static constexpr double longest_force = 72, fastest = 46; // pixels
+
+  ScenePainter(const SceneFile& file, const PushReport& report, const View& view,
+               const PictureScales& scales);
+  Drawing draw();
+
+  /// What a view has to show, in metres of the drawing: left, top, right, bottom.
+  static Frame extent(const SceneFile& file, const PushReport& report, const View& view);
+
+private:
+  struct Label {
+    std::vector<std::string> lines;
+    Pixel at, away, target;
+  };
+  const SceneFile& file_;
+  const Scene<double> scene_;
+  const PushReport& report_;
+  const View& view_;
+  const PictureScales scales_;
+  Frame extent_;
+  double height_;
+  LabelPlaces places_;
+  std::vector<Label> labels_;
+  std::vector<std::string> words_; // the description's sentences
+
+  Pixel place(const Vector3<double>& position) const;
+  const ContactAnswer<double>* contact(Index point) const;
+  Vector3<double> body_acceleration(const Body<double>& body) const;
+  Vector3<double> body_middle(const Body<double>& body) const;
+  bool is_behind(const Body<double>& body) const;
+  std::vector<Index> bodies_front_first() const;
+
+  std::string outline();
+  std::string pad(const Body<double>& body);
+  std::string forces(const Body<double>& body, Index point);
+  std::string normal_force(const Body<double>& body, const Pixel& tip, const Pixel& tail,
+                           bool is_pressed);
+  std::string marks(const Body<double>& body);
+  std::string weight();
+  std::string squeezes();
+  std::string object_motion();
+  std::string turning_arc(double spin);
+  std::string turning_axis();
+  std::string away_mark(const Pixel& center, double distance, std::string name);
+  std::string body_motion(Index b);
+  std::vector<std::string> body_words(Index b) const;
+  std::vector<Frame> place_labels(const std::vector<std::size_t>& order, double& cost) const;
+  std::string placed_labels() const;
+  std::string axes();
+  std::string scale_bars();
+};
+
+} // namespace lcpush::desktop

@@ -1,0 +1,256 @@
+// The layers of a view that show forces and motions.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "report/scene_painter.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::desktop {
+std::string rough_number(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.2e", x);
+  return number(std::strtod(text, nullptr)); // 1000 rather than 1e+03
+}
+
+std::string mode_verb(Mode mode) {
+  return mode == Mode::stick ? "sticks" : mode == Mode::slide ? "slides" : "separates";
+}
+
+std::string mode_mark(Mode mode, const Pixel& at) {
+  const std::string kind = std::string("mark ") + mode_text(mode);
+  switch (mode) {
+  case Mode::stick:
+    return polygon_element(kind, {at + Pixel(-3.6, -3.6), at + Pixel(3.6, -3.6),
+                                  at + Pixel(3.6, 3.6), at + Pixel(-3.6, 3.6)});
+  case Mode::slide:
+    return polygon_element(kind,
+                           {at + Pixel(0, -4.8), at + Pixel(4.6, 3.6), at + Pixel(-4.6, 3.6)});
+  case Mode::separate: break;
+  }
+  return circle_element(kind, at, 4.4);
+}
+
+/// An arrow, or, along the line of sight, a cross where it points away from the viewer (its tail)
+/// and a dot where it points at the viewer (its tip).
+std::string ScenePainter::normal_force(const Body<double>& body, const Pixel& tip,
+                                       const Pixel& tail, bool is_pressed) {
+  const std::string kind = std::string("force normal") + (is_behind(body) ? " behind" : "");
+  if (view_.flat(body.normal).norm() > 0.3) {
+    places_.block_line(tail, tip, 2);
+    return arrow_element(kind, tail, tip);
+  }
+  if (!is_pressed) return "";
+  const std::string x = pixels(tip.x() - 5), y = pixels(tip.y() - 5);
+  return "<g class=\"" + kind + "\">" + circle_element("ring", tip, is_behind(body) ? 10 : 7.5) +
+         (is_behind(body) ? "" : path_element("ring", "M" + x + " " + y + "l10 10m0 -10l-10 10")) +
+         "</g>\n";
+}
+
+/// Forces end at the contact; the cone opens where they come from.
+std::string ScenePainter::forces(const Body<double>& body, Index point) {
+  const ContactAnswer<double>* const answer = contact(point);
+  if (answer == nullptr) return "";
+  const Pixel tip = place(file_.positions[static_cast<std::size_t>(point)]);
+  places_.block({tip.x() - 10, tip.y() - 10, tip.x() + 10, tip.y() + 10}, 2);
+  const auto from = [&](const Vector3<double>& force) {
+    return Pixel(tip - scales_.newtons * view_.flat(force));
+  };
+  const Vector3<double> normal = answer->normal_force * body.normal;
+  std::string text;
+  const bool is_pressed = answer->normal_force > scales_.no_force;
+  if (is_pressed && body.friction > 0) {
+    std::vector<Pixel> rim;
+    for (Index j = 0; j < scene_.facets; ++j)
+      rim.push_back(from(normal + body.friction * answer->normal_force *
+                                      generator(body, j, scene_.facets).force));
+    rim.push_back(tip);
+    const std::vector<Pixel> outline = hull(rim);
+    for (const Pixel& corner : outline) places_.block_line(tip, corner, 0.8);
+    text += polygon_element(is_behind(body) ? "cone behind" : "cone", outline);
+  }
+  text += normal_force(body, tip, from(normal), is_pressed);
+  const Pixel tail = from(answer->friction_force);
+  places_.block_line(tail, tip, 2);
+  return text + arrow_element(std::string("force friction") + (is_behind(body) ? " behind" : ""),
+                              tail, tip);
+}
+
+std::string ScenePainter::marks(const Body<double>& body) {
+  std::string text;
+  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+    const Pixel at = place(file_.positions[static_cast<std::size_t>(i)]);
+    const ContactAnswer<double>* const answer = contact(i);
+    std::string said = point_name(file_, i);
+    if (answer != nullptr)
+      said += " " + mode_verb(answer->mode) + ", normal force " +
+              number(answer->normal_force, scales_.no_force) + " N, friction " +
+              number(answer->friction_force.norm(), scales_.no_force) + " N";
+    text += "<g><title>" + escaped(said) + "</title>" +
+            (answer != nullptr ? mode_mark(answer->mode, at) : circle_element("mark", at, 3)) +
+            "</g>\n";
+  }
+  return text;
+}
+
+/// Three quarters of a circle about the centre of mass that end at its top.
+std::string ScenePainter::turning_arc(double spin) {
+  const Pixel center = place(file_.object.center_of_mass);
+  constexpr double radius = 19;
+  const double along = spin < 0 ? 1 : -1; // clockwise: at the top it moves to the right
+  const Pixel tip = center - Pixel(0, radius);
+  const std::string r = pixels(radius);
+  places_.block({center.x() - 22, center.y() - 22, center.x() + 22, center.y() + 22}, 1.5);
+  return "<g class=\"motion\">" +
+         path_element("arc", "M" + pixels(center.x() + along * radius) + " " + pixels(center.y()) +
+                                 "A" + r + " " + r + " 0 1 " + (along > 0 ? "1 " : "0 ") +
+                                 pixels(tip.x()) + " " + pixels(tip.y())) +
+         polygon_element("head", {tip + Pixel(8 * along, 0), tip + Pixel(-2 * along, -4.5),
+                                  tip + Pixel(-2 * along, 4.5)}) +
+         "</g>\n";
+}
+
+std::string ScenePainter::object_motion() {
+  const Pixel center = place(file_.object.center_of_mass);
+  std::string text;
+  if (scales_.shows_forces) {
+    const Vector6<double>& a = report_.answer.acceleration;
+    const Pixel flat = view_.flat(a.head<3>());
+    const Pixel tip = center + scales_.accelerations * flat;
+    std::vector<std::string> lines{"object"}, said;
+    if (flat.norm() > scales_.still) {
+      text += arrow_element("motion", center, tip);
+      places_.block_line(center, tip, 3);
+      const double whole = a.head<3>().norm();
+      lines.push_back(rough_number(flat.norm()) + " m/s\u00B2" +
+                      (flat.norm() < 0.995 * whole ? " of " + rough_number(whole) : ""));
+      said.push_back("accelerates by " + lines.back());
+    }
+    const double spin = view_.toward_viewer(a.tail<3>());
+    if (report_.scales.length * std::abs(spin) > scales_.still) {
+      text += turning_arc(spin);
+      lines.push_back("turns " + rough_number(std::abs(spin)) + " rad/s\u00B2");
+      said.push_back(lines.back());
+    }
+    if (report_.motion.kind == MotionKind::rest)
+      lines.emplace_back("stays");
+    else if (lines.size() == 1)
+      lines.emplace_back(a.head<3>().norm() > scales_.still ? "moves along the line of sight"
+                                                            : "turns");
+    if (said.empty()) said.push_back(lines.back());
+    const bool moves = flat.norm() > scales_.still;
+    labels_.push_back({lines, moves ? tip : center, Pixel::Zero(), moves ? tip : center});
+    words_.push_back("The object " + listed(said, "and") + ".");
+  }
+  return text + circle_element("center", center, 3);
+}
+
+/// Where the axis is when that is off the picture.
+std::string ScenePainter::away_mark(const Pixel& center, double distance, std::string name) {
+  const Pixel middle(width / 2, height_ / 2), along = (center - middle).normalized();
+  const auto line = clipped_line(middle, along, width, height_ - 26); // above the scales
+  if (!line) return "";
+  const Pixel tip = line->second - 5 * along, tail = tip - 26 * along;
+  name += ", " + rough_number(1000 * distance) + " mm from the centre of mass";
+  words_.push_back("Off the picture: " + name + ".");
+  places_.block_line(tail, tip, 3);
+  const std::size_t comma = name.find(", ");
+  labels_.push_back({{name.substr(0, comma), rough_number(1000 * distance) + " mm away"},
+                     tail,
+                     Pixel(-along),
+                     tail});
+  return arrow_element("motion thin", tail, tip);
+}
+
+/// The instantaneous centre, or the axis as a line; of a screw with its pitch.
+std::string ScenePainter::turning_axis() {
+  if (!scales_.shows_forces) return "";
+  const auto mark = turning_mark(file_, report_.motion, view_, report_.scales.length);
+  if (!mark) return "";
+  const std::string pitch = "pitch " + rough_number(1000 * mark->pitch) + " mm/rad";
+  const Pixel at = place(mark->at);
+  if (mark->is_point) {
+    const std::string name = mark->is_screw ? "screw axis, " + pitch : "instantaneous centre";
+    if (at.x() < 8 || at.y() < 8 || at.x() > width - 8 || at.y() > height_ - 8)
+      return away_mark(at, report_.motion.axis_point.norm(), name);
+    places_.block({at.x() - 8, at.y() - 8, at.x() + 8, at.y() + 8}, 3);
+    labels_.push_back({{name}, at, Pixel::Zero(), at});
+    words_.push_back("It turns about the " + name + " at " +
+                     vector_text(mark->at, 1e-9 * report_.scales.length) + " m.");
+    return circle_element("turning", at, 5) +
+           path_element("turning", "M" + pixels(at.x() - 9) + " " + pixels(at.y()) + "h18M" +
+                                       pixels(at.x()) + " " + pixels(at.y() - 9) + "v18");
+  }
+  const std::string name = mark->is_screw ? "screw axis" : "axis of turning";
+  words_.push_back("Its " + name +
+                   (mark->is_screw ? " has " + pitch + "." : " lies in the picture."));
+  const auto line = clipped_line(at, view_.flat(mark->along), width, height_);
+  if (!line) return away_mark(at, report_.motion.axis_point.norm(), name);
+  places_.block_line(line->first, line->second, 1);
+  std::vector<std::string> lines{name};
+  if (mark->is_screw) lines.push_back(pitch);
+  const Pixel near = line->first + 0.85 * (line->second - line->first);
+  labels_.push_back({lines, near, Pixel::Zero(), near});
+  return line_element("screw", line->first, line->second);
+}
+
+std::string ScenePainter::body_motion(Index b) {
+  const Body<double>& body = scene_.bodies[b];
+  const Pixel flat = view_.flat(body.normal), start = place(body_middle(body));
+  const Pixel out = start - 22 * flat;
+  const Vector3<double> moves = body_acceleration(body);
+  std::string text;
+  if (view_.flat(moves).norm() > scales_.still) {
+    const Pixel tip = out + scales_.accelerations * view_.flat(moves);
+    places_.block_line(out, tip, 3);
+    text = arrow_element("motion thin", out, tip);
+  }
+  const std::vector<std::string> lines = body_words(b);
+  labels_.push_back({lines, start - 46 * flat, Pixel(-flat), start});
+  words_.push_back(lines[0] + ": " + listed({lines.begin() + 1, lines.end()}, "and") + ".");
+  return text;
+}
+
+std::vector<Drawing> scene_pictures(const SceneFile& file, const PushReport& report) {
+  const Scene<double> scene = file.view();
+  const std::vector<View> views = chosen_views(file);
+  PictureScales scales;
+  scales.shows_forces = report.status == Status::solved;
+  scales.meters = 1e300;
+  for (const View& view : views) {
+    const Frame frame = ScenePainter::extent(file, report, view);
+    const double room = ScenePainter::width - 2 * ScenePainter::margin;
+    scales.meters = std::min({scales.meters, room / std::max(frame.width(), 1e-9),
+                              200 / std::max(frame.height(), 1e-9)});
+  }
+  double most_force = 0, most_speed = 0;
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const Body<double>& body = scene.bodies[b];
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      Vector3<double> moves = acceleration_at(scene.points[i], body.acceleration);
+      if (scales.shows_forces) {
+        const ContactAnswer<double>& answer = report.answer.contacts[i];
+        most_force =
+            std::max({most_force, std::abs(answer.normal_force), answer.friction_force.norm()});
+        moves = acceleration_at(scene.points[i], report.answer.acceleration) - answer.acceleration;
+      }
+      most_speed = std::max(most_speed, moves.norm());
+    }
+  }
+  if (scales.shows_forces) {
+    most_force = std::max(most_force, (file.object.mass * file.gravity).norm());
+    most_speed = std::max(most_speed, report.answer.acceleration.head<3>().norm());
+    scales.no_force = 1e-9 * report.scales.force;
+    scales.still = std::max(1e-9 * most_speed, 1e-9 * report.scales.acceleration);
+  }
+  scales.newtons = most_force > 0 ? ScenePainter::longest_force / round_above(most_force) : 0;
+  scales.accelerations = most_speed > 0 ? ScenePainter::fastest / most_speed : 0;
+  std::vector<Drawing> drawings;
+  for (const View& view : views)
+    drawings.push_back(ScenePainter(file, report, view, scales).draw());
+  return drawings;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,50 @@
+#include "lcpush/desktop/scene_io.hpp"
+
+#include "formats/toml.hpp"
+#include "scenes/scene_builder.hpp"
+#include "text/text_file.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr std::size_t most_scene_bytes = std::size_t{64} << 20U;
+
+} // namespace
+
+SceneFile parse_scene(std::string_view text, const std::string& file_name) {
+  const TomlDocument document = parse_toml(text, file_name);
+  return SceneBuilder<double>(document).build();
+}
+
+SceneFile read_scene(const std::string& path) {
+  return parse_scene(read_text_file(path, most_scene_bytes), path);
+}
+
+SceneOf<Rational> parse_scene_exactly(std::string_view text, const std::string& file_name) {
+  const TomlDocument document = parse_toml(text, file_name);
+  return SceneBuilder<Rational>(document).build();
+}
+
+SceneOf<Rational> read_scene_exactly(const std::string& path) {
+  return parse_scene_exactly(read_text_file(path, most_scene_bytes), path);
+}
+
+std::vector<std::string> irrational_directions(const SceneOf<Rational>& scene) {
+  const std::string are_irrational = " are irrational: their 53-bit values are used";
+  std::vector<std::string> sentences;
+  bool rubs = false;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (!(scene.bodies[b].friction > Rational(0))) continue;
+    rubs = true;
+    if (scene.bodies[b].torsion_radius > Rational(0))
+      sentences.push_back("the soft generators of " + quoted(scene.body_names[b]) + are_irrational);
+  }
+  if (rubs && scene.facets != 4)
+    sentences.insert(sentences.begin(), "the friction directions of " +
+                                            std::to_string(scene.facets) + " facets" +
+                                            are_irrational);
+  return sentences;
+}
+
+} // namespace lcpush::desktop

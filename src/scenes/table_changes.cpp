@@ -1,0 +1,120 @@
+#include "scenes/table_changes.hpp"
+
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "lcpush/mechanics/model/contact.hpp"
+#include "lcpush/mechanics/model/contact_frame.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+/// `points` may be a count, a pair of counts, or a list of points.
+bool is_position(const TomlEntry& entry) {
+  return entry.key == "center" || entry.key == "ends" ||
+         (entry.key == "points" && !is_count(entry));
+}
+
+/// Adds `by` to coordinate `axis` of a point, or of every point of a list.
+void shift(TomlValue& value, std::size_t axis, double by) {
+  auto* const list = std::get_if<TomlArray>(&value.data);
+  if (list == nullptr || list->empty()) return; // a count, or wrong: the builder says so
+  if (std::holds_alternative<TomlArray>(list->front().data)) {
+    for (TomlValue& point : *list) shift(point, axis, by);
+  } else if (axis < list->size()) {
+    if (const auto number = number_in((*list)[axis])) set_number((*list)[axis], *number + by);
+  }
+}
+
+/// Cosine and sine; of multiples of 90 degrees exactly.
+std::pair<double, double> circle_point(double degrees) {
+  const double quarters = std::floor(degrees / 90 + 0.5), rest = degrees - 90 * quarters;
+  const double radians = rest * (std::acos(-1.0) / 180);
+  double c = std::cos(radians), s = std::sin(radians);
+  for (int k = static_cast<int>(std::fmod(std::fmod(quarters, 4) + 4, 4)); k > 0; --k)
+    std::tie(c, s) = std::pair(-s, c);
+  return {c, s};
+}
+
+/// Three numbers; none if the builder has something to say about them.
+std::optional<Vector3<double>> vector_in(const TomlValue* value) {
+  const auto* const list = value != nullptr ? std::get_if<TomlArray>(&value->data) : nullptr;
+  if (list == nullptr || list->size() != 3) return std::nullopt;
+  Vector3<double> vector;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto number = number_in((*list)[i]);
+    if (!number) return std::nullopt;
+    vector[static_cast<Index>(i)] = *number;
+  }
+  return vector;
+}
+
+void set_vector(TomlValue& value, const Vector3<double>& vector) {
+  value.data = TomlArray(3, TomlValue{value.line, 0.0, "0"});
+  for (std::size_t i = 0; i < 3; ++i)
+    set_number(std::get<TomlArray>(value.data)[i], vector[static_cast<Index>(i)]);
+}
+
+} // namespace
+
+TomlValue* value_of(TomlTable& table, const std::string& key) {
+  for (TomlEntry& entry : table.entries)
+    if (entry.key == key) return &entry.value;
+  return nullptr;
+}
+
+std::optional<double> number_in(const TomlValue& value) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value.data))
+    return static_cast<double>(*whole);
+  if (const auto* real = std::get_if<double>(&value.data)) return *real;
+  return std::nullopt;
+}
+
+void set_number(TomlValue& value, double number) {
+  value.data = number;
+  value.digits = shown(number);
+}
+
+void set_count(TomlValue& value, double number) {
+  set_number(value, number);
+  constexpr double largest = 1e15;
+  if (number == std::floor(number) && std::abs(number) < largest)
+    value.data = static_cast<std::int64_t>(number);
+}
+
+bool is_count(const TomlEntry& entry) {
+  if (entry.key == "facets") return true;
+  if (entry.key != "points") return false;
+  const auto* const list = std::get_if<TomlArray>(&entry.value.data);
+  return list == nullptr || list->empty() || !std::holds_alternative<TomlArray>(list->front().data);
+}
+
+void shift_points(TomlTable& table, std::size_t axis, double by) {
+  for (TomlEntry& entry : table.entries)
+    if (is_position(entry)) shift(entry.value, axis, by);
+}
+
+void turn_acceleration(TomlTable& table, double degrees) {
+  TomlValue& value = *value_of(table, "acceleration");
+  const auto v = vector_in(&value);
+  if (!v) return;
+  const auto [c, s] = circle_point(degrees);
+  set_vector(value, {c * (*v)[0] - s * (*v)[1], s * (*v)[0] + c * (*v)[1], (*v)[2]});
+}
+
+void turn_tangent(TomlTable& table, double degrees) {
+  const auto along = vector_in(value_of(table, "normal"));
+  if (!along || !(along->norm() > 0)) return;
+  const Vector3<double> n = along->normalized();
+  const auto given = vector_in(value_of(table, "tangent"));
+  const Vector3<double> t = given ? tangent_along<double>(n, *given) : default_tangent<double>(n);
+  const auto [c, s] = circle_point(degrees);
+  const Vector3<double> turned = c * t + s * cross<double>(n, t);
+  if (value_of(table, "tangent") == nullptr)
+    table.entries.push_back({"tangent", {table.line, TomlArray{}, ""}});
+  set_vector(*value_of(table, "tangent"), turned);
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,32 @@
+// What a sweep changes in the tables of a parsed scene.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "formats/toml.hpp"
+#include "lcpush/types.hpp"
+
+namespace lcpush::desktop {
+
+/// Null if the table has no such key.
+TomlValue* value_of(TomlTable& table, const std::string& key);
+
+std::optional<double> number_in(const TomlValue& value);
+void set_number(TomlValue& value, double number);
+/// As set_number; a whole number is kept as one.
+void set_count(TomlValue& value, double number);
+
+/// Whole numbers that count something: `facets`, and `points` unless it lists them.
+bool is_count(const TomlEntry& entry);
+
+/// A body's points move by so many m along an axis.
+void shift_points(TomlTable& table, std::size_t axis, double by);
+
+/// The acceleration turns in the x-y plane.
+void turn_acceleration(TomlTable& table, double degrees);
+
+/// The tangent turns about the normal, and with it every friction generator.
+void turn_tangent(TomlTable& table, double degrees);
+
+} // namespace lcpush::desktop

@@ -1,0 +1,226 @@
+#include "scenes/table_reader.hpp"
+
+#include "lcpush/desktop/input_error.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace lcpush::desktop {
+namespace {
+
+// Far outside any mechanism in SI units, far inside what double can multiply a few times.
+constexpr double largest_magnitude = 1e12;
+constexpr double smallest_positive = 1e-24;
+
+std::string described(const TomlValue& value) {
+  if (const auto* truth = std::get_if<bool>(&value.data)) return *truth ? "true" : "false";
+  if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return std::to_string(*whole);
+  if (const auto* real = std::get_if<double>(&value.data)) return shown(*real);
+  if (const auto* text = std::get_if<std::string>(&value.data)) return "the text " + quoted(*text);
+  return "a list";
+}
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
+
+std::string entry_of(const std::string& what, std::size_t index) {
+  return "entry " + std::to_string(index + 1) + " of " + what;
+}
+
+} // namespace
+
+TableReader::TableReader(const std::string& file, const TomlTable& table, std::string label,
+                         Schema schema)
+    : file_(file), table_(table), label_(std::move(label)), schema_(std::move(schema)) {
+  refuse_unknown_keys();
+}
+
+void TableReader::fail_at(int line, const std::string& message) const {
+  throw InputError(file_, line, label_.empty() ? message : label_ + ": " + message);
+}
+
+void TableReader::fail(const std::string& key, const std::string& message) const {
+  const TomlValue* value = table_.find(key);
+  fail_at(value ? value->line : table_.line, message);
+}
+
+void TableReader::refuse_unknown_keys() const {
+  std::vector<std::string> known;
+  for (const Key& key : schema_) known.push_back(key.name);
+  for (const TomlEntry& entry : table_.entries) {
+    if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
+    const std::string hint = suggestion(entry.key, known);
+    fail_at(entry.value.line,
+            "unknown key " + quoted(entry.key) +
+                (hint.empty() ? "; the keys here are " + listed(known, "and") : hint));
+  }
+}
+
+const TomlValue& TableReader::require(const std::string& key) const {
+  if (const TomlValue* value = table_.find(key)) return *value;
+  const auto is_key = [&key](const Key& known) { return known.name == key; };
+  const auto known = std::find_if(schema_.begin(), schema_.end(), is_key);
+  fail(key, "missing key " + quoted(key) + "; add for example " + known->example);
+}
+
+bool TableReader::boolean(const std::string& key) const {
+  const TomlValue& value = require(key);
+  if (const auto* truth = std::get_if<bool>(&value.data)) return *truth;
+  fail(key, key + " must be true or false, got " + described(value));
+}
+
+std::string TableReader::as_text(const std::string& what, const TomlValue& value) const {
+  const auto* text = std::get_if<std::string>(&value.data);
+  if (!text)
+    fail_at(value.line, what + " must be a text in \"double quotes\", got " + described(value));
+  if (text->empty()) fail_at(value.line, what + " must not be empty");
+  if (std::any_of(text->begin(), text->end(), is_control))
+    fail_at(value.line, what + " must not contain control characters, got " + quoted(*text));
+  return *text;
+}
+
+std::string TableReader::text(const std::string& key) const { return as_text(key, require(key)); }
+
+std::size_t TableReader::choice(const std::string& key,
+                                const std::vector<std::string>& choices) const {
+  const std::string word = text(key);
+  const auto found = std::find(choices.begin(), choices.end(), word);
+  if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
+  std::vector<std::string> in_quotes;
+  for (const std::string& one : choices) in_quotes.push_back(quoted(one));
+  fail(key, key + " must be " + listed(in_quotes, "or") + ", got " + quoted(word) +
+                suggestion(word, choices));
+}
+
+double TableReader::checked_number(const std::string& what, const TomlValue& value,
+                                   Sign sign) const {
+  double number = 0;
+  if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
+    number = static_cast<double>(*whole);
+  } else if (const auto* real = std::get_if<double>(&value.data)) {
+    number = *real;
+  } else {
+    fail_at(value.line, what + " must be a number, got " + described(value));
+  }
+  const auto require_that = [&](bool holds, const std::string& rule) {
+    if (!holds) fail_at(value.line, what + " must be " + rule + ", got " + described(value));
+  };
+  if (sign == Sign::positive) require_that(number > 0, "> 0");
+  if (sign == Sign::not_negative) require_that(number >= 0, ">= 0");
+  require_that(std::abs(number) <= largest_magnitude, "within 1e12 in SI units");
+  require_that(sign != Sign::positive || number >= smallest_positive, ">= 1e-24 in SI units");
+  return number;
+}
+
+template <class S>
+S TableReader::as_number(const std::string& what, const TomlValue& value, Sign sign) const {
+  const double number = checked_number(what, value, sign);
+  if constexpr (std::is_same_v<S, double>) {
+    return number;
+  } else {
+    if (std::optional<S> exact = S::parse(value.digits)) return std::move(*exact);
+    fail_at(value.line, what + " is too long to be read exactly, got " + described(value) +
+                            "; use exponents within +-1000 and at most 10,000 digits");
+  }
+}
+
+template <class S> S TableReader::number(const std::string& key, Sign sign) const {
+  return as_number<S>(key, require(key), sign);
+}
+
+Index TableReader::as_whole(const std::string& what, const TomlValue& value, Index smallest,
+                            Index largest) const {
+  const auto* whole = std::get_if<std::int64_t>(&value.data);
+  if (!whole || *whole < smallest || *whole > largest)
+    fail_at(value.line, what + " must be a whole number from " + std::to_string(smallest) + " to " +
+                            std::to_string(largest) + ", got " + described(value));
+  return static_cast<Index>(*whole);
+}
+
+Index TableReader::whole(const std::string& key, Index smallest, Index largest) const {
+  return as_whole(key, require(key), smallest, largest);
+}
+
+const TomlArray& TableReader::as_list(const std::string& what, const TomlValue& value,
+                                      const std::vector<std::size_t>& lengths) const {
+  const auto* list = std::get_if<TomlArray>(&value.data);
+  if (list && std::find(lengths.begin(), lengths.end(), list->size()) != lengths.end())
+    return *list;
+  std::vector<std::string> allowed;
+  for (const std::size_t length : lengths) allowed.push_back(std::to_string(length));
+  const std::string got = list ? "a list of " + std::to_string(list->size()) : described(value);
+  fail_at(value.line,
+          what + " must be a list of " + listed(allowed, "or") + " numbers, got " + got);
+}
+
+template <class S>
+std::vector<S> TableReader::as_numbers(const std::string& what, const TomlValue& value,
+                                       const std::vector<std::size_t>& lengths, Sign sign) const {
+  std::vector<S> result;
+  for (const TomlValue& element : as_list(what, value, lengths))
+    result.push_back(as_number<S>(entry_of(what, result.size()), element, sign));
+  return result;
+}
+
+template <class S>
+std::vector<S> TableReader::numbers(const std::string& key, const std::vector<std::size_t>& lengths,
+                                    Sign sign) const {
+  return as_numbers<S>(key, require(key), lengths, sign);
+}
+
+template <class S> Vector3<S> TableReader::vector3(const std::string& key, Sign sign) const {
+  const std::vector<S> list = numbers<S>(key, {3}, sign);
+  return {list[0], list[1], list[2]};
+}
+
+std::vector<Index> TableReader::wholes(const std::string& key, std::size_t size, Index smallest,
+                                       Index largest) const {
+  std::vector<Index> result;
+  for (const TomlValue& element : as_list(key, require(key), {size}))
+    result.push_back(as_whole(entry_of(key, result.size()), element, smallest, largest));
+  return result;
+}
+
+const TomlArray& TableReader::list(const std::string& key, std::size_t most) const {
+  const TomlValue& value = require(key);
+  const auto* array = std::get_if<TomlArray>(&value.data);
+  if (!array) fail(key, key + " must be a list, got " + described(value));
+  if (array->empty()) fail(key, key + " must not be empty");
+  if (array->size() > most)
+    fail(key, key + " must have at most " + std::to_string(most) + " entries, got " +
+                  std::to_string(array->size()));
+  return *array;
+}
+
+std::vector<std::string> TableReader::texts(const std::string& key, std::size_t most) const {
+  std::vector<std::string> result;
+  for (const TomlValue& element : list(key, most))
+    result.push_back(as_text(entry_of(key, result.size()), element));
+  return result;
+}
+
+template <class S>
+std::vector<std::vector<S>> TableReader::rows(const std::string& key, std::size_t width,
+                                              std::size_t most) const {
+  std::vector<std::vector<S>> result;
+  for (const TomlValue& element : list(key, most))
+    result.push_back(as_numbers<S>(entry_of(key, result.size()), element, {width}, Sign::any));
+  return result;
+}
+
+template double TableReader::number(const std::string&, Sign) const;
+template std::vector<double> TableReader::numbers(const std::string&,
+                                                  const std::vector<std::size_t>&, Sign) const;
+template Vector3<double> TableReader::vector3(const std::string&, Sign) const;
+template std::vector<std::vector<double>> TableReader::rows(const std::string&, std::size_t,
+                                                            std::size_t) const;
+template Rational TableReader::number(const std::string&, Sign) const;
+template std::vector<Rational> TableReader::numbers(const std::string&,
+                                                    const std::vector<std::size_t>&, Sign) const;
+template Vector3<Rational> TableReader::vector3(const std::string&, Sign) const;
+template std::vector<std::vector<Rational>> TableReader::rows(const std::string&, std::size_t,
+                                                              std::size_t) const;
+
+} // namespace lcpush::desktop

@@ -1,0 +1,84 @@
+// One TOML table of a scene file: typed, checked access to its keys.
+#pragma once
+
+#include "formats/toml.hpp"
+#include "lcpush/desktop/rational.hpp"
+#include "lcpush/types.hpp"
+
+#include <string>
+#include <vector>
+
+namespace lcpush::desktop {
+
+/// A key that a table may have, and a line that shows how to write it.
+struct Key {
+  std::string name;
+  std::string example;
+};
+using Schema = std::vector<Key>;
+
+/// Numbers beyond 1e12, and positive ones below 1e-24, are refused as slips of the unit.
+enum class Sign { any, not_negative, positive };
+
+/// Every reading function throws InputError, with file, line and the table's label, if the key is
+/// missing or its value is of another type, length or range. Optional keys: ask has() first.
+/// Numbers come as S = double, or as S = Rational exactly as typed; both pass the same checks.
+class TableReader {
+public:
+  /// Refuses keys that `schema` does not list. `label` starts every message, e.g. `finger "left"`;
+  /// it may be empty. `file` and `table` must outlive the reader.
+  TableReader(const std::string& file, const TomlTable& table, std::string label, Schema schema);
+
+  bool has(const std::string& key) const { return table_.find(key) != nullptr; }
+  int line() const { return table_.line; }
+  const std::string& label() const { return label_; }
+
+  bool boolean(const std::string& key) const;
+  /// Neither empty nor with control characters, so that every report can print it.
+  std::string text(const std::string& key) const;
+  /// The index of the text among `choices`.
+  std::size_t choice(const std::string& key, const std::vector<std::string>& choices) const;
+  template <class S = double> S number(const std::string& key, Sign sign) const;
+  Index whole(const std::string& key, Index smallest, Index largest) const;
+  /// A list whose length is one of `lengths`.
+  template <class S = double>
+  std::vector<S> numbers(const std::string& key, const std::vector<std::size_t>& lengths,
+                         Sign sign) const;
+  template <class S = double>
+  Vector3<S> vector3(const std::string& key, Sign sign = Sign::any) const;
+  /// A list of one to `most` texts.
+  std::vector<std::string> texts(const std::string& key, std::size_t most) const;
+  /// A list of one to `most` lists of `width` numbers each.
+  template <class S = double>
+  std::vector<std::vector<S>> rows(const std::string& key, std::size_t width,
+                                   std::size_t most) const;
+  /// A list of `size` whole numbers within the range.
+  std::vector<Index> wholes(const std::string& key, std::size_t size, Index smallest,
+                            Index largest) const;
+
+  /// Throws; the line is the key's if the table has it, else the table's.
+  [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+  [[noreturn]] void fail_at(int line, const std::string& message) const;
+
+private:
+  const TomlValue& require(const std::string& key) const;
+  void refuse_unknown_keys() const;
+  const TomlArray& list(const std::string& key, std::size_t most) const;
+  const TomlArray& as_list(const std::string& what, const TomlValue& value,
+                           const std::vector<std::size_t>& lengths) const;
+  std::string as_text(const std::string& what, const TomlValue& value) const;
+  double checked_number(const std::string& what, const TomlValue& value, Sign sign) const;
+  template <class S> S as_number(const std::string& what, const TomlValue& value, Sign sign) const;
+  Index as_whole(const std::string& what, const TomlValue& value, Index smallest,
+                 Index largest) const;
+  template <class S>
+  std::vector<S> as_numbers(const std::string& what, const TomlValue& value,
+                            const std::vector<std::size_t>& lengths, Sign sign) const;
+
+  const std::string& file_;
+  const TomlTable& table_;
+  std::string label_;
+  Schema schema_;
+};
+
+} // namespace lcpush::desktop

@@ -1,0 +1,299 @@
+#include "lcpush/desktop/varied_scene.hpp"
+
+#include "lcpush/desktop/input_error.hpp"
+#include "scenes/scene_builder.hpp"
+#include "scenes/table_changes.hpp"
+#include "text/text_file.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace lcpush::desktop {
+namespace {
+
+using Place = Parameter::Place;
+using Kind = Parameter::Kind;
+
+constexpr std::size_t most_scene_bytes = std::size_t{64} << 20U;
+constexpr int root = -1;
+
+std::string unit_of(const std::string& key) {
+  static const std::map<std::string, std::string> units = {{"gravity", "m/s^2"},
+                                                           {"mass", "kg"},
+                                                           {"box", "m"},
+                                                           {"cylinder_radius", "m"},
+                                                           {"cylinder_length", "m"},
+                                                           {"inertia", "kg m^2"},
+                                                           {"center_of_mass", "m"},
+                                                           {"center", "m"},
+                                                           {"ends", "m"},
+                                                           {"radius", "m"},
+                                                           {"size", "m"},
+                                                           {"points", "m"},
+                                                           {"torsion_radius", "m"},
+                                                           {"grip_force", "N"},
+                                                           {"acceleration", "m/s^2"},
+                                                           {"angular_acceleration", "rad/s^2"},
+                                                           {"about", "m"},
+                                                           {"normal_force", "N"},
+                                                           {"force", "N"},
+                                                           {"shift", "m"},
+                                                           {"turn", "degrees"},
+                                                           {"tangent_turn", "degrees"}};
+  const auto found = units.find(key);
+  return found == units.end() ? "" : found->second;
+}
+
+bool is_linear(const std::string& key) {
+  for (const char* name :
+       {"gravity", "grip_force", "acceleration", "angular_acceleration", "normal_force", "force"})
+    if (key == name) return true;
+  return false;
+}
+
+bool is_body(const std::string& section) { return section == "finger" || section == "pusher"; }
+
+std::string indexed(const std::string& name, const std::vector<std::size_t>& indices) {
+  std::string text = name;
+  for (const std::size_t i : indices) text += "[" + std::to_string(i) + "]";
+  return text;
+}
+
+TomlTable& table_at(TomlDocument& document, const Place& place) {
+  if (place.section == root) return document.root;
+  return document.sections[static_cast<std::size_t>(place.section)]
+      .tables[static_cast<std::size_t>(place.table)];
+}
+
+TomlValue zeros(int line) {
+  const TomlValue zero{line, std::int64_t{0}, "0"};
+  return {line, TomlArray{zero, zero, zero}};
+}
+
+struct Named {
+  Parameter parameter;
+  std::string owner, rest; ///< "left" and "points[0][1]"; both as in the path
+};
+
+void add_numbers(const TomlValue& value, Named& named, const std::string& key,
+                 std::vector<Named>& list) {
+  Place& place = named.parameter.places.front();
+  if (const auto number = number_in(value)) {
+    named.rest = indexed(key, place.indices);
+    named.parameter.value = *number;
+    list.push_back(named);
+  } else if (const auto* array = std::get_if<TomlArray>(&value.data)) {
+    for (std::size_t i = 0; i < array->size(); ++i) {
+      place.indices.push_back(i);
+      add_numbers((*array)[i], named, key, list);
+      place.indices.pop_back();
+    }
+  }
+}
+
+void add_table(const TomlTable& table, const std::string& owner, int section, int index,
+               std::vector<Named>& list) {
+  for (const TomlEntry& entry : table.entries) {
+    Named named;
+    named.owner = owner;
+    named.parameter.places = {{section, index, entry.key, {}}};
+    named.parameter.whole = is_count(entry);
+    if (!named.parameter.whole) named.parameter.unit = unit_of(entry.key);
+    named.parameter.linear = is_linear(entry.key);
+    add_numbers(entry.value, named, entry.key, list);
+  }
+}
+
+void add_motions(const TomlTable& table, const std::string& owner, int section, int index,
+                 std::vector<Named>& list) {
+  Named named;
+  named.owner = owner;
+  named.parameter.places = {{section, index, "", {}}};
+  named.parameter.kind = Kind::shift;
+  named.parameter.unit = unit_of("shift");
+  for (Index axis = 0; axis < 3; ++axis) {
+    named.parameter.axis = axis;
+    named.rest = "shift[" + std::to_string(axis) + "]";
+    list.push_back(named);
+  }
+  named.parameter.unit = unit_of("tangent_turn");
+  named.parameter.kind = Kind::tangent_turn;
+  named.rest = "tangent_turn";
+  list.push_back(named);
+  if (!table.find("acceleration")) return;
+  named.parameter.kind = Kind::turn;
+  named.parameter.unit = unit_of("turn");
+  named.rest = "turn";
+  list.push_back(named);
+}
+
+/// Each number that one path names, without those of `*`.
+std::vector<Named> single_parameters(const TomlDocument& document) {
+  std::vector<Named> list;
+  add_table(document.root, "", root, 0, list);
+  for (std::size_t s = 0; s < document.sections.size(); ++s) {
+    const TomlSection& section = document.sections[s];
+    for (std::size_t t = 0; t < section.tables.size(); ++t) {
+      const TomlTable& table = section.tables[t];
+      const TomlValue* const value = table.find("name");
+      const auto* const name = value ? std::get_if<std::string>(&value->data) : nullptr;
+      const std::string owner = name != nullptr ? *name : section.name;
+      add_table(table, owner, static_cast<int>(s), static_cast<int>(t), list);
+      if (is_body(section.name))
+        add_motions(table, owner, static_cast<int>(s), static_cast<int>(t), list);
+    }
+  }
+  return list;
+}
+
+/// And those of `*`: the same number of every body that has it.
+std::vector<Named> all_parameters(const TomlDocument& document) {
+  std::vector<Named> list = single_parameters(document);
+  const std::size_t singles = list.size();
+  for (std::size_t i = 0; i < singles; ++i) {
+    const Place& place = list[i].parameter.places.front();
+    const bool of_body = place.section != root &&
+                         is_body(document.sections[static_cast<std::size_t>(place.section)].name);
+    const Kind kind = list[i].parameter.kind;
+    if (!of_body || (kind != Kind::number && kind != Kind::tangent_turn)) continue;
+    const auto same = std::find_if(list.begin() + static_cast<std::ptrdiff_t>(singles), list.end(),
+                                   [&](const Named& other) { return other.rest == list[i].rest; });
+    if (same != list.end()) {
+      same->parameter.places.push_back(place);
+      continue;
+    }
+    list.push_back(list[i]);
+    list.back().owner = "*";
+  }
+  for (Named& named : list)
+    named.parameter.path = named.owner.empty() ? named.rest : named.owner + "." + named.rest;
+  return list;
+}
+
+/// Vectors that are zero where a file leaves them out can vary as well, and the number of facets.
+void add_defaults(TomlDocument& document) {
+  const auto add = [](TomlTable& table, const char* key) {
+    if (table.find(key) == nullptr) table.entries.push_back({key, zeros(table.line)});
+  };
+  add(document.root, "gravity");
+  if (document.root.find("facets") == nullptr)
+    document.root.entries.push_back(
+        {"facets", {document.root.line, std::int64_t{SceneFile{}.facets}, "8"}});
+  for (TomlSection& section : document.sections)
+    for (TomlTable& table : section.tables) {
+      if (section.name == "object") add(table, "center_of_mass");
+      if (section.name != "pusher") continue;
+      add(table, "acceleration");
+      add(table, "angular_acceleration");
+    }
+}
+
+} // namespace
+
+VariedScene::VariedScene(TomlDocument document) {
+  add_defaults(document);
+  document_ = std::make_shared<const TomlDocument>(std::move(document));
+}
+
+VariedScene VariedScene::read(const std::string& path) {
+  return parse(read_text_file(path, most_scene_bytes), path);
+}
+
+VariedScene VariedScene::parse(std::string_view text, const std::string& file_name) {
+  TomlDocument document = parse_toml(text, file_name);
+  (void)SceneBuilder<double>(document).build(); // as typed: complaints are about the file alone
+  return VariedScene(std::move(document));
+}
+
+void VariedScene::set_pressure(const std::string& law) {
+  TomlDocument document = *document_;
+  if (TomlValue* const value = value_of(document.root, "pressure"); value != nullptr)
+    value->data = law;
+  else
+    document.root.entries.push_back({"pressure", {document.root.line, law, ""}});
+  (void)SceneBuilder<double>(document).build();
+  *this = VariedScene(std::move(document));
+}
+
+std::vector<std::string> VariedScene::paths() const {
+  std::vector<std::string> paths;
+  for (const Named& named : all_parameters(*document_)) paths.push_back(named.parameter.path);
+  return paths;
+}
+
+/// What every owner has, an array's numbers as one.
+std::string VariedScene::choices() const {
+  std::vector<std::pair<std::string, std::vector<std::string>>> owners;
+  for (const Named& named : all_parameters(*document_)) {
+    if (owners.empty() || owners.back().first != named.owner) owners.push_back({named.owner, {}});
+    std::vector<std::string>& keys = owners.back().second;
+    const std::size_t bracket = named.rest.find('[');
+    const std::string key =
+        bracket == std::string::npos ? named.rest : named.rest.substr(0, bracket) + "[..]";
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  }
+  std::string text;
+  for (const auto& [owner, keys] : owners)
+    text += "\n  " + (owner.empty() ? "" : owner + ".  ") + listed(keys, "and");
+  return text;
+}
+
+Parameter VariedScene::find(const std::string& path) const {
+  const std::vector<Named> all = all_parameters(*document_);
+  for (const Named& named : all)
+    if (named.parameter.path == path) return named.parameter;
+  throw InputError(document_->file + ": nothing to vary is called " + quoted(path) +
+                   suggestion(path, paths()) +
+                   "; the numbers of this scene, vectors counted from [0]:" + choices());
+}
+
+TomlDocument VariedScene::changed(const std::vector<Parameter>& parameters,
+                                  const std::vector<double>& values) const {
+  TomlDocument document = *document_;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const Parameter& parameter = parameters[k];
+    for (const Place& place : parameter.places) {
+      TomlTable& table = table_at(document, place);
+      switch (parameter.kind) {
+      case Kind::turn: turn_acceleration(table, values[k]); break;
+      case Kind::tangent_turn: turn_tangent(table, values[k]); break;
+      case Kind::shift:
+        shift_points(table, static_cast<std::size_t>(parameter.axis), values[k]);
+        break;
+      case Kind::number:
+        TomlValue* value = value_of(table, place.key);
+        for (const std::size_t i : place.indices) value = &std::get<TomlArray>(value->data)[i];
+        (parameter.whole ? set_count : set_number)(*value, values[k]);
+      }
+    }
+  }
+  return document;
+}
+
+SceneFile VariedScene::built(const TomlDocument& document, const std::vector<Parameter>& parameters,
+                             const std::vector<double>& values) const {
+  try {
+    return SceneBuilder<double>(document).build();
+  } catch (const InputError& error) {
+    std::string where;
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+      where += (k > 0 ? ", " : "") + parameters[k].path + " = " + shown(values[k]);
+    throw InputError(std::string(error.what()) + (where.empty() ? "" : " (at " + where + ")"));
+  }
+}
+
+SceneFile VariedScene::at(const std::vector<Parameter>& parameters,
+                          const std::vector<double>& values) const {
+  return built(changed(parameters, values), parameters, values);
+}
+
+VariedScene VariedScene::with(const Parameter& parameter, double value) const {
+  VariedScene scene(changed({parameter}, {value}));
+  (void)built(*scene.document_, {parameter}, {value});
+  return scene;
+}
+
+} // namespace lcpush::desktop

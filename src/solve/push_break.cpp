@@ -1,0 +1,144 @@
+// Push: the grasp without a push, and the push that breaks it.
+#include "lcpush/desktop/smallest_grip.hpp"
+#include "solve/holding_verdict.hpp"
+#include "solve/push_rounds.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+/// The core calls rest what is slow beside the grip; beside the load it may be a fall. Where finite
+/// pushes were extrapolated, all of them far stronger than the load, only statics' word counts.
+bool falls_slowly(const SceneFile& file, const Scene<double>& scene, const BreakReport& report,
+                  const PushOptions& options) {
+  constexpr Index largest = 2000; // unknowns
+  constexpr double more = 1 + 1e-6;
+  const Breaking<double>& breaking = report.breaking;
+  const double tolerance = rest_tolerance(options.solver);
+  if (is_at_rest(file, breaking.rest, report.scales, tolerance)) return false;
+  const bool exact = file.pressure != Pressure::pad && options.solver != Solver::gauss_seidel;
+  if (exact) return motion_size(breaking.rest, report.scales) > 64 * breaking.residuals.max();
+  if (size_of(scene).unknowns() > largest) return false;
+  Holding<double> holding;
+  const Status status = find_holding(file, options, holding);
+  return status == Status::does_not_hold || (status == Status::solved && holding.factor > more);
+}
+
+/// The reverse: what is left when pushes far stronger than the load are taken back to none need not
+/// be a fall, where statics holds the load with room to spare.
+bool only_looks_falling(const SceneFile& file, const Scene<double>& scene,
+                        const BreakReport& report, const PushOptions& options) {
+  constexpr Index largest = 2000;
+  constexpr double room = 1 - 1e-3;
+  const double smallest_push = options.solver == Solver::gauss_seidel ? 1e-4 : 1e-5; // of F / m
+  const bool exact = file.pressure != Pressure::pad && options.solver != Solver::gauss_seidel;
+  if (exact || size_of(scene).unknowns() > largest) return false;
+  if (motion_size(report.breaking.rest, report.scales) > 2 * smallest_push) return false;
+  Holding<double> holding;
+  return find_holding(file, options, holding) == Status::solved && holding.factor < room;
+}
+
+} // namespace
+
+Status holding_verdict(const SceneFile& file, const Scene<double>& scene, const BreakReport& report,
+                       const PushOptions& options) {
+  if (report.status == Status::solved && falls_slowly(file, scene, report, options))
+    return Status::does_not_hold;
+  if (report.status == Status::does_not_hold && only_looks_falling(file, scene, report, options))
+    return Status::solved;
+  return report.status;
+}
+
+HoldReport Push::holds_without_push(const PushOptions& options) {
+  const SceneFile alone = hand_at_rest(file_);
+  HoldReport report;
+  report.length = layout().scales.length;
+  report.acceleration.head<3>() = scene_.gravity;
+  if (scene_.planar) report.acceleration[2] = 0;
+  if (alone.bodies.empty()) {
+    report.status = Status::solved;
+    report.holds = !(report.acceleration.norm() > 0);
+    return report;
+  }
+  const EvenScene even(alone.view());
+  assembly_.assemble(even.scene);
+  PressureRun ignored;
+  report.status = run(options, 0.0, ignored);
+  if (report.status == Status::solved) {
+    const double tolerance = rest_tolerance(options.solver);
+    report.acceleration = work_.answer.acceleration;
+    report.holds = is_at_rest(alone, report.acceleration, layout().scales, tolerance);
+    if (report.holds && !shows_a_fall(alone, layout().scales, tolerance))
+      report.status = Status::numerical_breakdown; // a fall would look the same
+  }
+  assembly_.assemble(scene_);
+  return report;
+}
+
+BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
+  BreakReport report;
+  report.solver = options.solver;
+  report.pusher = pusher;
+  assembly_.assemble(scene_);
+  report.scales = layout().scales;
+  history_.clear();
+  swept_before_ = 0;
+  report.status = with_rounds(options, [&](const auto& rounds) {
+    return lcpush::find_breaking(assembly_, rounds, work_,
+                                 file_.bodies[static_cast<std::size_t>(pusher)], {},
+                                 report.breaking, report.run);
+  });
+  report.history = history_;
+  report.status = holding_verdict(file_, scene_, report, options);
+  if (report.status == Status::does_not_hold)
+    report.reason = "the object moves before it is pushed: the grasp does not hold its load";
+  else if (report.status == Status::bad_input && report.run.reason == Reason::none)
+    report.reason = "no pusher moves: give one an acceleration";
+  else if (report.status != Status::solved)
+    report.reason = explain(report.status, report.run);
+  if (report.status == Status::ray) {
+    report.ray = named_ray();
+    report.jam = read_jam(options);
+  }
+  if (report.status != Status::solved) return report;
+  name_file_bodies();
+  Answer<double> moving = work_.answer;
+  moving.acceleration = report.breaking.twist;
+  report.motion = describe_motion(file_.view(), moving, report.scales.length, 1.0);
+  compare_covers(options, report);
+  return report;
+}
+
+/// The same under another cover: is this the only force that breaks the grasp?
+void Push::compare_covers(const PushOptions& options, BreakReport& report) {
+  constexpr double tolerance = 1e-5;
+  constexpr Index largest = 2000; // unknowns
+  if (options.other_covers <= 0 || layout().size > largest) return;
+  PushOptions other = options;
+  other.solver = Solver::lemke;
+  other.record_history = false;
+  other.watcher = nullptr;
+  other.lemke.first_cover += other.lemke.covers;
+  const Breaking<double>& first = report.breaking;
+  Breaking<double> second;
+  PressureRun ignored;
+  const Status status = with_rounds(other, [&](const auto& rounds) {
+    return lcpush::find_breaking(assembly_, rounds, work_,
+                                 file_.bodies[static_cast<std::size_t>(report.pusher)], {}, second,
+                                 ignored);
+  });
+  if (status != Status::solved && status != Status::does_not_hold) return;
+  const auto verdict = [](bool same) {
+    return same ? Uniqueness::none_other_found : Uniqueness::no;
+  };
+  // As in a solve, what the line through small pushes leaves open is no other answer.
+  const double slack = tolerance + 10 * std::max(first.line_error, second.line_error);
+  const double length = report.scales.length;
+  Vector6<double> turn = first.twist, off = first.twist - second.twist;
+  turn.tail<3>() *= length;
+  off.tail<3>() *= length;
+  report.unique_motion = verdict(off.norm() <= slack * std::max(1.0, turn.norm()));
+  report.unique_force = verdict(std::abs(first.break_force - second.break_force) <=
+                                slack * std::max(report.scales.force, first.break_force));
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,285 @@
+#include "solve/push_words.hpp"
+
+#include <algorithm>
+
+#include "solve/failure_words.hpp"
+#include "text/format.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+Scene<double> scene_of(const SceneFile& file) { return file.view(); }
+
+/// Fingers come first.
+bool has_pusher(const SceneFile& file) { return file.bodies.back().role == Role::pusher; }
+
+/// "9.81 m/s^2 and 0 rad/s^2", without what rounding left of a zero.
+std::string acceleration_text(const Vector6<double>& a, double length) {
+  const double linear = a.head<3>().norm(), angular = a.tail<3>().norm();
+  const double zero = 1e-9 * (linear + length * angular);
+  return number(linear, zero) + " m/s^2 and " + number(angular, zero / length) + " rad/s^2";
+}
+
+/// The force's size and direction.
+std::string force_words(const Vector3<double>& force, double zero) {
+  const double size = force.norm();
+  std::string text = number(size, zero) + " N";
+  if (size > zero) text += " along " + vector_text(force / size, 1e-9);
+  return text;
+}
+
+std::string moment_words(const Vector3<double>& moment, double zero) {
+  return "\nmoment about the centre of mass " + vector_text(moment, zero) + " N m";
+}
+
+void add_wrenches(const SceneFile& file, const PushReport& report, std::vector<Fact>& facts) {
+  const Scene<double> scene = scene_of(file);
+  const double zero = 1e-9 * report.scales.force;
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    if (scene.bodies[b].role != Role::pusher) continue;
+    const Vector6<double> wrench = body_wrench(scene, report.answer, scene.bodies[b]);
+    facts.push_back({"Push by " + file.body_names[static_cast<std::size_t>(b)],
+                     force_words(wrench.head<3>(), zero) +
+                         moment_words(wrench.tail<3>(), zero * report.scales.length)});
+  }
+}
+
+std::string motion_words(const SceneFile& file, const Motion<double>& motion, double length) {
+  const Vector3<double> at = file.object.center_of_mass + motion.axis_point;
+  const std::string axis = "about the axis " + vector_text(motion.axis, 1e-6) + " through " +
+                           vector_text(at, 1e-9 * length) + " m";
+  const std::string turning = number(motion.rotation) + " rad/s^2 " + axis;
+  std::string verb;
+  switch (motion.kind) {
+  case MotionKind::rest: return "the object does not move in the grip.";
+  case MotionKind::slide:
+    return "slides: " + number(motion.translation) + " m/s^2 along " +
+           vector_text(motion.direction, 1e-6);
+  case MotionKind::pivot: verb = "pivots in the grip: "; break;
+  case MotionKind::roll: verb = "rolls on the surface that carries it: "; break;
+  case MotionKind::turn: verb = "slides and turns: "; break;
+  }
+  std::string text = verb + turning;
+  if (std::abs(motion.pitch) > 1e-6 * length)
+    text += "\nadvancing " + number(motion.pitch) + " m per rad along it (a screw)";
+  return text;
+}
+
+std::string covers_words(Index covers) {
+  return std::to_string(covers) + (covers == 1 ? " other cover" : " other covers");
+}
+
+/// `open` and `isolated`: what the final basis says.
+std::string unique_words(Uniqueness unique, const PushReport& report, bool open, bool isolated) {
+  const Index covers = report.covers_compared, tied = report.final_basis.tied_contacts;
+  switch (unique) {
+  case Uniqueness::yes: return "unique (proved: every normal force with friction is known)";
+  case Uniqueness::no:
+    return open ? "NOT unique: the final basis leaves it open"
+                : "NOT unique: another cover leads to another answer";
+  case Uniqueness::not_tested: return "not tested";
+  case Uniqueness::none_other_found: break;
+  }
+  std::string text = "no other found";
+  if (covers > 0) text += " under " + covers_words(covers);
+  if (isolated) return text + (covers > 0 ? ", none next to it" : " next to it");
+  if (report.final_basis.studied && tied > 0)
+    text += "; " + std::to_string(tied) + (tied == 1 ? " contact is" : " contacts are") +
+            " between two modes";
+  return text;
+}
+
+std::string unique_text(const SceneFile& file, const PushReport& report) {
+  const FinalBasis& basis = report.final_basis;
+  std::string text = "motion " + unique_words(report.unique_motion, report, basis.motion_open,
+                                              basis.motion_isolated());
+  if (has_pusher(file))
+    text += ";\npush force " +
+            unique_words(report.unique_wrench, report, basis.wrench_open, basis.wrench_isolated());
+  return text;
+}
+
+/// "said: why", on two lines if it is long. What follows a semicolon is a line of its own.
+std::string because(const std::string& said, std::string why) {
+  const bool fits = said.size() + std::min(why.size(), why.find("; ")) <= 80;
+  for (std::size_t at = why.find("; "); at != std::string::npos; at = why.find("; "))
+    why.replace(at, 2, ";\n");
+  return said + (fits ? ": " : ":\n") + why;
+}
+
+/// Which theorem covers the scene.
+std::string theory_words(const SceneFile& file, const PushReport& report) {
+  const Statement exists = existence_statement(file, report.existence);
+  std::string text =
+      because(exists.covered ? exists.statement : "no theorem promises an answer", exists.reason);
+  if (report.status != Status::solved) return text;
+  const Statement unique = uniqueness_statement(report);
+  const std::string why = unique.reason.substr(0, unique.reason.find("; ")); // more stands above
+  text +=
+      ";\n" +
+      because(unique.covered ? unique.statement : "no theorem says that it is the only one", why);
+  if (file.pressure == Pressure::rigid)
+    text += "\n(pressure = \"rigid\" leaves a patch's pressure open: one answer of a set)";
+  if (file.pressure == Pressure::even && !file.planar)
+    text += "\n(pressure = \"even\" cannot resist tilting: trust it where nothing tilts)";
+  return text;
+}
+
+/// What one other cover has led to.
+std::string break_unique_words(const BreakReport& report) {
+  const bool same_force = report.unique_force != Uniqueness::no;
+  const bool same_motion = report.unique_motion != Uniqueness::no;
+  if (same_force && same_motion) return "no other found under 1 other cover";
+  return std::string("NOT unique: another cover leads to another ") + (same_motion ? "force"
+                                                                       : same_force
+                                                                           ? "motion"
+                                                                           : "force and motion");
+}
+
+} // namespace
+
+std::string facts_text(const std::vector<Fact>& facts) {
+  std::string all;
+  for (const Fact& fact : facts) {
+    std::string label = fact.label, text = fact.text;
+    label.resize(std::max<std::size_t>(label.size() + 1, 18), ' ');
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
+      text.insert(at + 1, 18, ' ');
+    all += label + text + "\n";
+  }
+  return all;
+}
+
+Fact hold_fact(const SceneFile& file, const HoldReport& hold) {
+  Fact fact{"Before the push", ""};
+  if (file.bodies.front().role == Role::pusher)
+    fact.text = "nothing grips the object.";
+  else if (!has_pusher(file))
+    fact = {"Pusher", "none: this is the grasp alone."};
+  else if (hold.status != Status::solved)
+    fact.text = std::string("not known: without the pusher the solve ended with \"") +
+                status_text(hold.status) + "\".";
+  else if (hold.holds)
+    fact.text = "the grasp holds the object.";
+  else
+    fact.text = "the grasp does NOT hold the object: it accelerates at " +
+                acceleration_text(hold.acceleration, hold.length) + ".";
+  return fact;
+}
+
+std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report) {
+  std::vector<Fact> facts;
+  if (report.status == Status::solved) {
+    add_wrenches(file, report, facts);
+    facts.push_back({"Motion", motion_words(file, report.motion, report.scales.length)});
+    facts.push_back({"Answer", unique_text(file, report)});
+  }
+  facts.push_back({"Theory", theory_words(file, report)});
+  return facts;
+}
+
+std::vector<Fact> break_facts(const SceneFile& file, const BreakReport& report) {
+  const Breaking<double>& b = report.breaking;
+  const std::string pusher = file.body_names[static_cast<std::size_t>(report.pusher)];
+  const double zero = 1e-9 * report.scales.force;
+  std::vector<Fact> facts;
+  facts.push_back({"Breaking force", number(b.break_force, zero) + " N, normal force of " + pusher +
+                                         " when the object starts to move in the grip"});
+  facts.push_back(
+      {"Whole force", force_words(b.force.head<3>(), zero) +
+                          moment_words(b.force.tail<3>(), zero * report.scales.length)});
+  facts.push_back({"Pushing faster", "adds " + number(b.inertia_normal, 1e-9 * file.object.mass) +
+                                         " N to the normal force per m/s^2 of the push"});
+  facts.push_back({"Motion", motion_words(file, report.motion, report.scales.length)});
+  if (report.motion.kind != MotionKind::rest)
+    facts.back().text += "\nper m/s^2 of the push";
+  else if (b.break_force > zero)
+    facts.back().text += "\nThe pusher slides past it, however weak the push.";
+  else
+    facts.back().text += "\nThe pusher only touches it, or moves away.";
+  if (report.unique_force != Uniqueness::not_tested)
+    facts.push_back({"Answer", break_unique_words(report)});
+  if (b.valid_to > 0)
+    facts.push_back({"Valid up to", "a push of " + number(b.valid_to) + " m/s^2"});
+  if (b.line_error > 1e-6)
+    facts.push_back({"Caution", "a third, smaller push lies " + number(b.line_error) +
+                                    " of the grip force off the line through two"});
+  return facts;
+}
+
+std::string does_not_hold_text(const BreakReport& report) {
+  return "DOES NOT HOLD: even with the pusher in place the object accelerates at " +
+         acceleration_text(report.breaking.rest, report.scales.length) +
+         " before it is pushed,\nso there is no force that just breaks the grasp.";
+}
+
+std::vector<std::vector<std::string>> contact_rows(const SceneFile& file,
+                                                   const PushReport& report) {
+  const Scene<double> scene = scene_of(file);
+  const double zero_force = 1e-9 * report.scales.force;
+  const double zero_motion = 1e-9 * report.scales.acceleration;
+  std::vector<std::vector<std::string>> rows{
+      {"contact", "mode", "normal N", "friction N", "along", "slip m/s^2", "opening m/s^2"}};
+  for (Index i = 0; i < report.answer.contacts.size; ++i) {
+    const ContactAnswer<double>& contact = report.answer.contacts[i];
+    const Vector3<double>& n = scene.bodies[contact.body].normal;
+    const double friction = contact.friction_force.norm(), opening = contact.acceleration.dot(n);
+    rows.push_back(
+        {point_name(file, i), mode_text(contact.mode), number(contact.normal_force, zero_force),
+         number(friction, zero_force),
+         friction > zero_force ? vector_text(contact.friction_force / friction, 1e-6) : "-",
+         number((contact.acceleration - opening * n).norm(), zero_motion),
+         number(opening, zero_motion)});
+  }
+  return rows;
+}
+
+std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report) {
+  const Scene<double> scene = scene_of(file);
+  std::vector<std::string> list;
+  const auto add = [&](const std::string& name, double s) {
+    if (std::abs(s) > 1e-9 * report.scales.acceleration)
+      list.push_back(name + (s > 0 ? " closes at " : " is forced open at ") + number(std::abs(s)) +
+                     " m/s^2");
+  };
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const Body<double>& body = scene.bodies[b];
+    if (scene.pressure != Pressure::even)
+      add(file.body_names[static_cast<std::size_t>(b)], closing(report.answer, body));
+    else
+      for (Index k = body.first_point; k < body.first_point + body.point_count; ++k)
+        add(point_name(file, k), report.answer.contacts[k].closing);
+  }
+  return list;
+}
+
+std::vector<std::string> torsion_sentences(const SceneFile& file, const PushReport& report) {
+  const Scene<double> scene = scene_of(file);
+  const double zero = 1e-9 * report.scales.force * report.scales.length;
+  std::vector<std::string> list;
+  for (Index i = 0; i < report.answer.contacts.size; ++i) {
+    const ContactAnswer<double>& contact = report.answer.contacts[i];
+    if (!(scene.bodies[contact.body].torsion_radius > 0)) continue;
+    list.push_back(point_name(file, i) + " twists the object with " +
+                   number(contact.torsion, zero) + " N m about its normal, against a spin of " +
+                   number(contact.spin, 1e-9 * report.scales.acceleration / report.scales.length) +
+                   " rad/s^2");
+  }
+  return list;
+}
+
+std::string run_words(const SceneFile& file, Solver solver, const PressureRun& run) {
+  std::string text = solver == Solver::lemke    ? "Lemke: "
+                     : solver == Solver::hybrid ? "Hybrid: "
+                                                : "Gauss-Seidel: ";
+  if (solver != Solver::lemke) text += std::to_string(run.sweeps) + " sweeps";
+  if (solver == Solver::hybrid) text += " and ";
+  if (solver != Solver::gauss_seidel) text += std::to_string(run.pivots) + " pivots";
+  if (run.rounds > 0)
+    text += " in " + std::to_string(run.rounds) + (run.rounds == 1 ? " round" : " rounds");
+  if (run.cold_restarts > 0) text += ", " + std::to_string(run.cold_restarts) + " restarted cold";
+  return text + "; pressure law " + pressure_name(file.pressure) + "; " +
+         std::to_string(file.facets) + " facets";
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,41 @@
+// What reports say, once for the text and the page: labelled facts, sentences, and table rows.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lcpush/desktop/smallest_grip.hpp"
+
+namespace lcpush::desktop {
+
+/// "Motion", and what is said about it: lines with '\n' between them, none at the end.
+struct Fact {
+  std::string label, text;
+};
+
+/// In two columns, the label's 18 wide.
+std::string facts_text(const std::vector<Fact>& facts);
+
+/// "Before the push".
+Fact hold_fact(const SceneFile& file, const HoldReport& hold);
+/// The same for `break`: also from which grip force on the fingers alone hold, and the same with
+/// the pusher in place.
+Fact grip_fact(const SceneFile& file, const HoldReport& hold, const GripReport& grip,
+               const BreakReport& report);
+/// The push of each pusher, the motion, uniqueness, theory; of a failure the theory alone.
+std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report);
+/// The breaking force and what follows it. Precondition: solved.
+std::vector<Fact> break_facts(const SceneFile& file, const BreakReport& report);
+/// Of a grasp that moves before it is pushed: a sentence, on two lines.
+std::string does_not_hold_text(const BreakReport& report);
+
+/// A head and a row for each contact.
+std::vector<std::vector<std::string>> contact_rows(const SceneFile& file, const PushReport& report);
+/// Soft points twist: their torque, and how fast they spin.
+std::vector<std::string> torsion_sentences(const SceneFile& file, const PushReport& report);
+/// Bodies whose actuators move them.
+std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report);
+/// How the answer was found, without a full stop or an end of line.
+std::string run_words(const SceneFile& file, Solver solver, const PressureRun& run);
+
+} // namespace lcpush::desktop

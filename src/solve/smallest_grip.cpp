@@ -1,0 +1,259 @@
+#include "lcpush/desktop/smallest_grip.hpp"
+
+#include <cmath>
+#include <functional>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr Index largest_alone = 2000;  // unknowns
+constexpr Index largest_at_rest = 600; // every question costs several pushes
+constexpr double nudge = 1e-6;         // statics' bound is the answer if this much more holds
+constexpr double stride = 16;          // of the excess over the bound, while nothing holds
+constexpr double roughest = 1e-3;      // a wider bracket is no answer
+
+bool grips(const SceneFile& file, std::size_t actuator) {
+  return grips(file.view(), static_cast<Index>(actuator));
+}
+
+SceneFile scaled(SceneFile file, double factor) {
+  for (std::size_t a = 0; a < file.actuators.size(); ++a)
+    if (grips(file, a)) file.actuators[a].force *= factor;
+  return file;
+}
+
+/// The largest acceleration that the loads could give the object, m/s^2.
+double load_acceleration(const SceneFile& file) {
+  double largest = file.planar ? file.gravity.head<2>().norm() : file.gravity.norm();
+  for (std::size_t a = 0; a < file.actuators.size(); ++a)
+    if (!grips(file, a))
+      largest = std::max(largest, std::abs(file.actuators[a].force) / file.object.mass);
+  return largest;
+}
+
+/// m/s^2: a slower object is at rest, as far as its solver can say.
+double rest_limit(const SceneFile& file, const Scales<double>& scales, double tolerance) {
+  return tolerance * std::max(load_acceleration(file), scales.acceleration / 16);
+}
+
+using Question = std::function<bool(double factor)>; // does the scene hold at this factor?
+
+/// Counts the pivots of everything that is asked, so that a search costs seconds and no more. A
+/// count and no clock: the same input gives the same bits.
+class Work : public Watcher {
+public:
+  explicit Work(const PushOptions& options) : given_(options), counting_(options) {
+    counting_.watcher = this;
+    counting_.other_covers = 0;
+  }
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+
+  const PushOptions& options() const { return counting_; }
+  bool is_used_up() const { return multiplications_ > most; }
+
+  void stepped(const Lemke<double>& lemke) override {
+    const auto n = static_cast<double>(lemke.dictionary().size());
+    multiplications_ += n * n + overhead;
+    if (given_.watcher != nullptr) given_.watcher->stepped(lemke);
+  }
+  void progressed(Index unknowns, Index covers) override {
+    multiplications_ += 64 * static_cast<double>(unknowns) + overhead;
+    if (given_.watcher != nullptr) given_.watcher->progressed(unknowns, covers);
+  }
+
+private:
+  PushOptions given_, counting_;
+  static constexpr double most = 1e10, overhead = 5e5; // overhead: what a small pivot costs
+  double multiplications_ = 0;
+};
+
+struct Precision {
+  double width;  ///< of the last bracket, relative
+  double growth; ///< largest excess over the bound that is tried, relative
+};
+
+/// From statics' bound to the law's own factor. `known` is a factor that holds, or 0.
+SmallestGrip search_upwards(const Holding<double>& holding, double known,
+                            const Precision& precision, const Work& work, const Question& holds) {
+  SmallestGrip grip;
+  grip.bound = holding.factor;
+  const double unit = std::max(grip.bound, holding.unit / 1000);
+  if (!(unit > 0) || holds(grip.bound + nudge * unit) || (grip.bound > 0 && holds(grip.bound))) {
+    grip.factor = grip.bound;
+    grip.source = GripSource::statics;
+    return grip;
+  }
+  double low = nudge, high = (known - grip.bound) / unit; // excesses over the bound
+  if (high <= low) high = -1;
+  for (double next = stride * nudge; high < 0 && next <= precision.growth; next *= stride) {
+    if (work.is_used_up()) return grip;
+    (holds(grip.bound + next * unit) ? high : low) = next;
+  }
+  if (high < 0) return grip;
+  const auto width = [&] { return (high - low) * unit / (grip.bound + high * unit); };
+  while (width() > precision.width && !work.is_used_up()) {
+    const double middle = high > stride * low ? std::sqrt(low * high) : (low + high) / 2;
+    (holds(grip.bound + middle * unit) ? high : low) = middle;
+  }
+  if (width() > roughest) return grip;
+  grip.factor = grip.bound + high * unit;
+  grip.source = GripSource::search;
+  return grip;
+}
+
+MoreGrip with_more(double factor, const Question& holds) {
+  if (!holds(1.01 * factor)) return MoreGrip::drops;
+  return holds(2 * factor) ? MoreGrip::holds : MoreGrip::not_known;
+}
+
+SmallestGrip smallest(const SceneFile& file, Index most_unknowns, const Work& work, double known,
+                      const Precision& precision, const Question& holds) {
+  SmallestGrip grip;
+  grip.source = GripSource::not_searched;
+  if (size_of(EvenScene(file.view()).scene).unknowns() > most_unknowns) return grip;
+  Holding<double> holding;
+  const Status status = find_holding(file, work.options(), holding);
+  if (status == Status::solved) {
+    grip = search_upwards(holding, known, precision, work, holds);
+    const bool holds_now = known > 0;
+    if (!holds_now && grip.factor > 0 && !work.is_used_up())
+      grip.more = with_more(grip.factor, holds);
+    return grip;
+  }
+  grip.source = status == Status::does_not_hold ? GripSource::no_grip : GripSource::not_known;
+  return grip;
+}
+
+/// The first body that an actuator with a force grips with.
+const Drive<double>* first_grip(const SceneFile& file) {
+  const Drive<double>* first = nullptr;
+  for (const Drive<double>& drive : file.drives) {
+    const auto actuator = static_cast<std::size_t>(drive.actuator);
+    const bool counts = grips(file, actuator) && file.actuators[actuator].force != 0;
+    if (counts && (first == nullptr || drive.body < first->body)) first = &drive;
+  }
+  return first;
+}
+
+/// The force that the report speaks of, and whose it is.
+void name_force(const SceneFile& file, GripReport& report) {
+  const Drive<double>* const first = first_grip(file);
+  if (first == nullptr) return;
+  const auto actuator = static_cast<std::size_t>(first->actuator);
+  const std::string& name = file.actuator_names[actuator];
+  report.force = file.actuators[actuator].force;
+  report.of = "per finger";
+  if (file.parallel_jaws) {
+    report.force /= 2;
+    return;
+  }
+  // Names are unique, so only a grip_force's actuator shares its body's.
+  report.of_actuator = name != file.body_names[static_cast<std::size_t>(first->body)];
+  bool same = true;
+  std::size_t forces = 0;
+  for (std::size_t a = 0; a < file.actuators.size(); ++a) {
+    if (!grips(file, a) || file.actuators[a].force == 0) continue;
+    ++forces;
+    same = same && file.actuators[a].force == report.force;
+  }
+  if (forces > 1 && same && !report.of_actuator) return;
+  report.of = (report.of_actuator ? "of actuator " : "at ") + name;
+  if (forces > 1) report.of += ", the others in proportion";
+}
+
+} // namespace
+
+SceneFile hand_at_rest(const SceneFile& file) {
+  SceneFile alone = file;
+  std::size_t bodies = 0, points = 0; // fingers come first
+  for (; bodies < file.bodies.size() && file.bodies[bodies].role == Role::finger; ++bodies) {
+    points += static_cast<std::size_t>(file.bodies[bodies].point_count);
+    alone.bodies[bodies].acceleration.setZero();
+  }
+  alone.bodies.resize(bodies);
+  alone.body_names.resize(bodies);
+  alone.points.resize(points);
+  alone.positions.resize(points);
+  alone.actuators.clear();
+  alone.actuator_names.clear();
+  alone.drives.clear();
+  for (std::size_t a = 0; a < file.actuators.size(); ++a) {
+    if (!grips(file, a)) continue;
+    for (Drive<double> drive : file.drives) {
+      if (static_cast<std::size_t>(drive.actuator) != a) continue;
+      if (static_cast<std::size_t>(drive.body) >= bodies) continue;
+      drive.actuator = static_cast<Index>(alone.actuators.size());
+      alone.drives.push_back(drive);
+    }
+    alone.actuators.push_back(file.actuators[a]);
+    alone.actuator_names.push_back(file.actuator_names[a]);
+  }
+  return alone;
+}
+
+Status find_holding(const SceneFile& file, const PushOptions& options, Holding<double>& holding) {
+  const EvenScene even(file.view());
+  const AssemblySize size = size_of(even.scene);
+  std::vector<unsigned char> bytes(static_cast<std::size_t>(push_bytes<double>(size)));
+  const Workspace<double> work =
+      make_workspace<double>({bytes.data(), static_cast<Index>(bytes.size())}, size);
+  Assembly<double> assembly(work.assembly);
+  if (assembly.assemble(even.scene) != Status::running) return Status::bad_input;
+  std::vector<double> scalars(static_cast<std::size_t>(holding_scalars(size)));
+  std::vector<int> integers(static_cast<std::size_t>(holding_integers(size)));
+  Watcher nobody;
+  return lcpush::find_holding(assembly,
+                              {{scalars.data(), static_cast<Index>(scalars.size())},
+                               {integers.data(), static_cast<Index>(integers.size())}},
+                              options.lemke, holding,
+                              options.watcher != nullptr ? *options.watcher : nobody);
+}
+
+double rest_tolerance(Solver solver) {
+  // Pivots end at rounding, sweeps do not.
+  const Tolerances<double> tolerances;
+  return 64 * (solver == Solver::gauss_seidel ? tolerances.residual : tolerances.settled);
+}
+
+bool is_at_rest(const SceneFile& file, const Vector6<double>& acceleration,
+                const Scales<double>& scales, double tolerance) {
+  return motion_size(acceleration, scales) * scales.acceleration <=
+         rest_limit(file, scales, tolerance);
+}
+
+bool shows_a_fall(const SceneFile& file, const Scales<double>& scales, double tolerance) {
+  const double load = load_acceleration(file);
+  return load == 0 || load >= 16 * rest_limit(file, scales, tolerance);
+}
+
+GripReport find_smallest_grip(const SceneFile& file, const HoldReport& hold,
+                              const BreakReport& broken, const PushOptions& options) {
+  GripReport report;
+  name_force(file, report);
+  if (report.force == 0) return report;
+  const SceneFile alone = hand_at_rest(file);
+  const bool holds_now = hold.status == Status::solved && hold.holds;
+  Work work(options);
+  report.alone =
+      smallest(alone, largest_alone, work, holds_now ? 1 : 0, {1e-9, 1e6}, [&](double factor) {
+        const SceneFile there = scaled(alone, factor);
+        Push push(there);
+        const HoldReport at = push.holds_without_push(work.options());
+        return at.status == Status::solved && at.holds;
+      });
+  if (broken.status != Status::solved && broken.status != Status::does_not_hold) return report;
+  Work pushed(options);
+  report.at_rest =
+      smallest(file, largest_at_rest, pushed, broken.status == Status::solved ? 1 : 0, {1e-6, 1e4},
+               [&](double factor) {
+                 const SceneFile there = scaled(file, factor);
+                 Push push(there);
+                 const BreakReport at = push.find_breaking(broken.pusher, pushed.options());
+                 return at.status == Status::solved &&
+                        is_at_rest(there, at.breaking.rest, at.scales, at_rest<double>());
+               });
+  return report;
+}
+
+} // namespace lcpush::desktop

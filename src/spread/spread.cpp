@@ -1,0 +1,350 @@
+#include "lcpush/desktop/spread.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <set>
+
+#include "spread/spread_face.hpp"
+#include "spread/spread_quantities.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+using Kind = ContactMode::Kind;
+using Point = Eigen::VectorXd;
+
+constexpr double same = 1e-7;         // of the scale of forces, or of motions
+constexpr Index most_enumerated = 16; // contact points
+constexpr double more = 10;           // work and faces that enumeration may take
+
+class Search {
+public:
+  Search(const SceneFile& file, const SpreadOptions& options)
+      : file_(file), options_(options), problem_(file) {
+    report_.scales = problem_.layout().scales;
+    report_.contacts.resize(static_cast<std::size_t>(problem_.layout().points));
+    for (Index b = 0; b < problem_.scene().bodies.size; ++b)
+      if (problem_.scene().bodies[b].role == Role::pusher) report_.pushers.push_back({b, {}});
+    quantities_ = list_quantities(problem_, report_.pushers);
+  }
+
+  SpreadReport run();
+
+private:
+  struct Waiting {
+    FaceModes modes;
+    Point z; // a point of the face
+  };
+
+  const SceneFile& file_;
+  SpreadOptions options_;
+  LiteralProblem problem_;
+  SpreadReport report_;
+  std::vector<Quantity> quantities_;
+  std::set<FaceModes> known_, studied_;
+  std::deque<Waiting> waiting_;
+  std::map<FaceModes, bool> possible_;
+  double work_ = 0, most_work_ = 0;
+  Index most_faces_ = 0;
+
+  void solve_covers();
+  void meet(const Point& z);
+  void propose(FaceModes modes, const Point& z);
+  bool believe(Point z, const FaceModes& modes);
+  void take(const Answer<double>& answer);
+  void study(const Waiting& waiting);
+  void study_bounds(Face& face, const FaceModes& modes);
+  void bound(Face& face, const FaceModes& modes, const Quantity& quantity, double sign);
+  Interval& interval_of(const Quantity& quantity);
+  void walk();
+  bool is_used_up() const { return report_.faces >= most_faces_ || work_ > most_work_; }
+  void enumerate();
+  bool can_be(const FaceModes& part);
+  bool goes_with_earlier(const FaceModes& modes, Index next);
+  void decide(FaceModes& modes, Index next);
+  void conclude();
+};
+
+Interval& Search::interval_of(const Quantity& quantity) {
+  const auto at = static_cast<std::size_t>(quantity.of);
+  switch (quantity.kind) {
+  case Quantity::Kind::twist: return report_.twist[at];
+  case Quantity::Kind::normal: return report_.contacts[at].normal;
+  case Quantity::Kind::tangential: return report_.contacts[at].tangential[quantity.axis];
+  case Quantity::Kind::torsion: return report_.contacts[at].torsion;
+  case Quantity::Kind::push: break;
+  }
+  return report_.pushers[at].force;
+}
+
+/// Widens all intervals by one answer.
+void Search::take(const Answer<double>& answer) {
+  const Scene<double>& scene = problem_.scene();
+  for (PusherSpread& pusher : report_.pushers)
+    pusher.force.include(normal_sum(answer, scene.bodies[pusher.body]));
+  for (Index k = 0; k < 6; ++k) report_.twist[k].include(answer.acceleration[k]);
+  for (Index i = 0; i < answer.contacts.size; ++i) {
+    const ContactAnswer<double>& contact = answer.contacts[i];
+    const Body<double>& body = scene.bodies[contact.body];
+    ContactSpread& spread = report_.contacts[static_cast<std::size_t>(i)];
+    spread.normal.include(contact.normal_force);
+    spread.tangential[0].include(contact.friction_force.dot(body.tangent));
+    spread.tangential[1].include(contact.friction_force.dot(cross(body.normal, body.tangent)));
+    spread.torsion.include(contact.torsion);
+  }
+}
+
+/// Takes z if the referee does.
+bool Search::believe(Point z, const FaceModes& modes) {
+  problem_.complete(modes, z);
+  const Answer<double>& answer = problem_.read(z);
+  const Residuals<double> residuals = problem_.residuals(answer);
+  if (!problem_.passes(residuals)) return false;
+  report_.residual = std::max(report_.residual, residuals.max());
+  take(answer);
+  return true;
+}
+
+void Search::propose(FaceModes modes, const Point& z) {
+  if (known_.insert(modes).second) waiting_.push_back({std::move(modes), z});
+}
+
+/// The faces next to an answer on a known face: one contact does something else that it may be said
+/// to do there.
+void Search::meet(const Point& z) {
+  const Eigen::VectorXd w = problem_.slacks(z);
+  FaceModes modes;
+  std::vector<std::vector<ContactMode>> others;
+  for (Index i = 0; i < problem_.layout().points; ++i) {
+    modes.push_back(problem_.mode_at(i, z, w));
+    others.push_back(problem_.modes_at(i, z, w));
+  }
+  propose(modes, z);
+  for (std::size_t i = 0; i < modes.size(); ++i)
+    for (const ContactMode& other : others[i]) {
+      FaceModes next = modes;
+      next[i] = other;
+      propose(std::move(next), z);
+    }
+}
+
+void Search::solve_covers() {
+  const Index n = problem_.layout().size;
+  std::vector<double> scalars(static_cast<std::size_t>(lemke_scalars(n)));
+  std::vector<int> integers(static_cast<std::size_t>(lemke_integers(n)));
+  Lemke<double> lemke({scalars.data(), static_cast<Index>(scalars.size())},
+                      {integers.data(), static_cast<Index>(integers.size())});
+  Watcher nobody;
+  for (Index k = 0; k < options_.covers; ++k) {
+    LemkeOptions<double> options = options_.lemke;
+    options.first_cover = k;
+    options.covers = 1;
+    ++report_.covers;
+    Status status = lemke.init(problem_.problem(), options);
+    if (status == Status::running)
+      status = lemke.solve(options_.watcher != nullptr ? *options_.watcher : nobody);
+    if (status != Status::solved) continue;
+    const Point z = Eigen::Map<const Point>(lemke.z(), n);
+    const Eigen::VectorXd w = problem_.slacks(z);
+    FaceModes modes;
+    for (Index i = 0; i < problem_.layout().points; ++i) modes.push_back(problem_.mode_at(i, z, w));
+    if (!believe(z, modes)) {
+      ++report_.failures;
+      continue;
+    }
+    ++report_.covers_solved;
+    propose(modes, z);
+  }
+}
+
+void Search::bound(Face& face, const FaceModes& modes, const Quantity& quantity, double sign) {
+  Point z;
+  const Face::Point found = face.lowest(sign * quantity.f, z);
+  const bool exists = found == Face::Point::found || found == Face::Point::unbounded;
+  if (!exists || !believe(z, modes)) {
+    ++report_.failures;
+    return;
+  }
+  if (found == Face::Point::unbounded) {
+    Interval& interval = interval_of(quantity);
+    (sign > 0 ? interval.low : interval.high) = -sign * std::numeric_limits<double>::infinity();
+    return;
+  }
+  problem_.complete(modes, z);
+  meet(z);
+}
+
+void Search::study_bounds(Face& face, const FaceModes& modes) {
+  if (!studied_.insert(modes).second) return;
+  bool in_time = true;
+  for (const Quantity& quantity : quantities_) {
+    if (!face.varies(quantity.f)) continue;
+    in_time = in_time && work_ + face.work() <= most_work_;
+    for (const double sign : {1.0, -1.0})
+      if (in_time) bound(face, modes, quantity, sign);
+  }
+  ++(in_time ? report_.faces : report_.faces_left);
+  report_.programs += face.programs();
+  work_ += face.work();
+}
+
+void Search::study(const Waiting& waiting) {
+  Face face(problem_, waiting.modes);
+  work_ += 10 * std::pow(static_cast<double>(problem_.layout().size), 2);
+  if (!face.start_at(waiting.z) || !believe(waiting.z, waiting.modes)) {
+    ++report_.failures;
+    return;
+  }
+  meet(waiting.z);
+  study_bounds(face, waiting.modes);
+}
+
+void Search::walk() {
+  while (!waiting_.empty() && !is_used_up()) {
+    const Waiting next = std::move(waiting_.front());
+    waiting_.pop_front();
+    if (studied_.count(next.modes) == 0) study(next);
+  }
+  report_.faces_left +=
+      static_cast<Index>(std::count_if(waiting_.begin(), waiting_.end(), [&](const Waiting& next) {
+        return studied_.count(next.modes) == 0;
+      }));
+}
+
+/// Has a face with these modes, signs alone where nothing is decided, a point? Remembered: the same
+/// pairs of modes come back in every branch.
+bool Search::can_be(const FaceModes& part) {
+  const auto known = possible_.find(part);
+  if (known != possible_.end()) return known->second;
+  Face face(problem_, part);
+  const bool possible = face.find_point() != Face::Point::none;
+  report_.programs += face.programs();
+  work_ += face.work() + std::pow(static_cast<double>(problem_.layout().size), 3);
+  possible_[part] = possible;
+  return possible;
+}
+
+/// Does the mode of contact `next` go with each earlier one, taken by itself?
+bool Search::goes_with_earlier(const FaceModes& modes, Index next) {
+  FaceModes pair(modes.size());
+  pair[static_cast<std::size_t>(next)] = modes[static_cast<std::size_t>(next)];
+  if (!can_be(pair)) return false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(next); ++i) {
+    pair[i] = modes[i];
+    if (!can_be(pair)) return false;
+    pair[i] = {};
+  }
+  return true;
+}
+
+/// Contact by contact, every mode; what has no point with signs alone for the rest is left.
+void Search::decide(FaceModes& modes, Index next) {
+  for (const ContactMode& mode : problem_.every_mode(next)) {
+    if (is_used_up()) return;
+    modes[static_cast<std::size_t>(next)] = mode;
+    ++report_.assignments;
+    if (!goes_with_earlier(modes, next)) continue;
+    Face face(problem_, modes);
+    const Face::Point point = face.find_point();
+    work_ += face.work() + std::pow(static_cast<double>(problem_.layout().size), 3);
+    if (point == Face::Point::none) continue;
+    if (next + 1 < problem_.layout().points) {
+      decide(modes, next + 1);
+      continue;
+    }
+    // A face of a single point has no bounds to look for: the point itself is the answer.
+    if (point == Face::Point::failed || !believe(face.origin(), modes)) {
+      ++report_.failures;
+      continue;
+    }
+    study_bounds(face, modes);
+  }
+  modes[static_cast<std::size_t>(next)] = {};
+}
+
+void Search::enumerate() {
+  const Index points = problem_.layout().points;
+  if (problem_.has_soft_points()) {
+    report_.enumeration = "soft contacts have too many modes to enumerate";
+    return;
+  }
+  if (points > most_enumerated) {
+    report_.enumeration = "more than " + std::to_string(most_enumerated) +
+                          " contact points have too many modes to enumerate";
+    return;
+  }
+  FaceModes modes(static_cast<std::size_t>(points));
+  report_.enumerated = true;
+  const Index before = report_.failures;
+  decide(modes, 0);
+  if (is_used_up())
+    report_.enumeration = "the limit of work was reached";
+  else if (report_.failures > before)
+    report_.enumeration = "some assignments of modes could not be settled";
+  else
+    report_.complete = true;
+}
+
+void Search::conclude() {
+  const double length = report_.scales.length;
+  for (Index k = 0; k < 6; ++k) {
+    const double lever = k < 3 ? 1 : length;
+    for (const double x : {report_.twist[k].low, report_.twist[k].high})
+      if (std::isfinite(x)) report_.motion = std::max(report_.motion, std::abs(x) * lever);
+  }
+  report_.motion = std::max(report_.motion, push_size(problem_.scene()));
+  bool one_motion = true, one_force = true;
+  for (Index k = 0; k < 6; ++k)
+    one_motion = one_motion &&
+                 is_single(report_.twist[k], same_acceleration(report_) / (k < 3 ? 1 : length));
+  const double force = same_force(report_);
+  for (const ContactSpread& contact : report_.contacts)
+    one_force =
+        one_force && is_single(contact.normal, force) && is_single(contact.tangential[0], force) &&
+        is_single(contact.tangential[1], force) && is_single(contact.torsion, force * length);
+  report_.verdict = !one_motion  ? SpreadVerdict::ambiguous
+                    : !one_force ? SpreadVerdict::same_motion
+                                 : SpreadVerdict::unique;
+}
+
+SpreadReport Search::run() {
+  solve_covers();
+  if (options_.enumerate) {
+    most_faces_ = static_cast<Index>(more) * options_.most_faces;
+    most_work_ = more * options_.most_work;
+    enumerate();
+  }
+  if (!report_.complete) {
+    most_faces_ = report_.faces + options_.most_faces;
+    most_work_ = work_ + options_.most_work;
+    walk();
+  }
+  if (report_.faces > 0 || report_.faces_left > 0 || report_.covers_solved > 0) {
+    report_.status = Status::solved;
+    conclude();
+    return report_;
+  }
+  SceneFile literal = file_;
+  literal.pressure = Pressure::rigid;
+  Push push(literal);
+  PushOptions options;
+  options.lemke = options_.lemke;
+  report_.failure = push.solve(options);
+  report_.failure.answer = {}; // its arrays go with the Push
+  report_.status = report_.failure.status == Status::solved ? Status::numerical_breakdown
+                                                            : report_.failure.status;
+  return report_;
+}
+
+} // namespace
+
+double same_force(const SpreadReport& report) { return same * report.scales.force; }
+double same_acceleration(const SpreadReport& report) { return same * report.motion; }
+
+SpreadReport find_spread(const SceneFile& file, const SpreadOptions& options) {
+  return Search(file, options).run();
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,306 @@
+#include "spread/spread_face.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lcpush/lcp/pivots/linear_program.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+using Kind = ContactMode::Kind;
+
+constexpr double dependent = 1e-10; // of the largest pivot: a row that follows from the others
+constexpr double contradicts = 1e-7, agrees = 1e-9; // what is left of an equation
+constexpr double flat = 1e-10;                      // of a row's size: does not vary
+constexpr double rounding = 1e-14;                  // of a row's size: nothing
+constexpr double far = 1000;                        // units of force, for what has no end
+
+} // namespace
+
+Face::Face(const LiteralProblem& problem, const FaceModes& modes) : problem_(problem) {
+  choose(modes);
+  eliminate();
+}
+
+/// Unknowns, equations and signs of the modes.
+void Face::choose(const FaceModes& modes) {
+  const Layout<double>& layout = problem_.layout();
+  const Index free_begin = layout.size - layout.actuators;
+  std::vector<Index> zero, sign;
+  for (Index i = 0; i < layout.points; ++i) {
+    const ConeGroup<double>& cone = layout.cones[i];
+    const ContactMode& mode = modes[static_cast<std::size_t>(i)];
+    const Index normal = cone.variable;
+    if (mode.kind == Kind::open) {
+      sign.push_back(normal);
+      continue;
+    }
+    const bool undecided = mode.kind == Kind::undecided;
+    (undecided && cone.normals == 1 ? sign : zero).push_back(normal);
+    if (undecided || !mode.pulls) unknowns_.push_back(normal);
+    if (cone.normals == 2 && (undecided || mode.pulls)) unknowns_.push_back(normal + 1);
+    if (cone.generators == 0) continue;
+    for (Index j = 0; j < cone.generators; ++j) {
+      const Index row = layout.friction(i, j);
+      const bool active = std::binary_search(mode.active.begin(), mode.active.end(), j);
+      if (mode.kind != Kind::slide || active) unknowns_.push_back(row);
+      (mode.kind == Kind::stick || active ? zero : sign).push_back(row);
+    }
+    if (mode.kind != Kind::stick) unknowns_.push_back(cone.slip());
+    (mode.kind == Kind::slide ? zero : sign).push_back(cone.slip());
+  }
+  const Index bounded = static_cast<Index>(unknowns_.size());
+  for (Index a = free_begin; a < layout.size; ++a) {
+    unknowns_.push_back(a);
+    zero.push_back(a);
+  }
+  const Index columns = static_cast<Index>(unknowns_.size());
+  const auto fill = [&](const std::vector<Index>& rows, Eigen::MatrixXd& A, Eigen::VectorXd& b) {
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      for (Index c = 0; c < columns; ++c)
+        A(static_cast<Index>(r), c) = problem_.M()(rows[r], unknowns_[static_cast<std::size_t>(c)]);
+      b[static_cast<Index>(r)] = problem_.q()[rows[r]];
+    }
+  };
+  equations_.resize(static_cast<Index>(zero.size()), columns);
+  right_.resize(static_cast<Index>(zero.size()));
+  fill(zero, equations_, right_);
+  right_ = -right_;
+  signs_ = Eigen::MatrixXd::Zero(static_cast<Index>(sign.size()) + bounded, columns);
+  constant_ = Eigen::VectorXd::Zero(signs_.rows());
+  fill(sign, signs_, constant_);
+  for (Index c = 0; c < bounded; ++c) signs_(static_cast<Index>(sign.size()) + c, c) = 1;
+}
+
+/// Origin and directions of E z = right, rows scaled to length 1.
+void Face::eliminate() {
+  for (Index r = 0; r < equations_.rows(); ++r) {
+    const double size = equations_.row(r).norm();
+    if (!(size > 0)) continue;
+    equations_.row(r) /= size;
+    right_[r] /= size;
+  }
+  const Index columns = equations_.cols();
+  directions_ = Eigen::MatrixXd::Identity(columns, columns);
+  if (equations_.size() > 0) {
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(equations_.transpose());
+    qr.setThreshold(dependent);
+    const Index rank = qr.rank();
+    const Eigen::MatrixXd Q = qr.householderQ() * directions_;
+    basis_ = Q.leftCols(rank);
+    directions_ = Q.rightCols(columns - rank);
+    triangle_ = qr.matrixR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>();
+    for (Index k = 0; k < rank; ++k) order_.push_back(qr.colsPermutation().indices()[k]);
+  }
+  origin_ = Eigen::VectorXd::Zero(columns);
+  settle(origin_);
+  const double size = 1 + right_.cwiseAbs().sum();
+  const Eigen::VectorXd off = equations_ * origin_ - right_;
+  contradictory_ = off.size() > 0 && off.cwiseAbs().maxCoeff() > contradicts * size;
+  rows_ = signs_ * directions_;
+  for (Index r = 0; r < rows_.rows(); ++r) {
+    const double length = rows_.row(r).norm(), own = signs_.row(r).norm();
+    if (length <= flat * own || !(length > 0)) {
+      rows_.row(r).setZero();
+      continue;
+    }
+    signs_.row(r) /= length;
+    constant_[r] /= length;
+    rows_.row(r) =
+        (rows_.row(r).array().abs() > rounding * length).select(rows_.row(r) / length, 0);
+  }
+  look_around();
+}
+
+/// The nearest point that solves the equations.
+void Face::settle(Eigen::VectorXd& x) const {
+  for (int turn = 0; turn < 2; ++turn) {
+    const Eigen::VectorXd off = right_ - equations_ * x;
+    Eigen::VectorXd picked(static_cast<Index>(order_.size()));
+    for (Index k = 0; k < picked.size(); ++k) picked[k] = off[order_[static_cast<std::size_t>(k)]];
+    if (picked.size() == 0) return;
+    x += basis_ * triangle_.transpose().triangularView<Eigen::Lower>().solve(picked);
+  }
+}
+
+/// The room at the origin, and which rows bind first: of several that are parallel one is enough,
+/// and linear programs are less degenerate without the others.
+void Face::look_around() {
+  room_ = signs_ * origin_ + constant_;
+  first_.clear();
+  for (Index r = 0; r < rows_.rows(); ++r) {
+    if (rows_.row(r).isZero(0)) continue;
+    bool new_row = true;
+    for (Index& other : first_) {
+      if ((rows_.row(r) - rows_.row(other)).cwiseAbs().maxCoeff() > 100 * rounding) continue;
+      if (room_[r] < room_[other]) other = r;
+      new_row = false;
+      break;
+    }
+    if (new_row) first_.push_back(r);
+  }
+}
+
+/// The columns of the dual: rows_ of first_, and their room as costs without rounding's digits.
+void Face::dual(Eigen::MatrixXd& A, Eigen::VectorXd& c) const {
+  const double size = 1 + room_.cwiseAbs().maxCoeff();
+  for (std::size_t k = 0; k < first_.size(); ++k) {
+    const auto column = static_cast<Index>(k);
+    A.col(column).head(dimension()) = rows_.row(first_[k]).transpose();
+    const double room = room_[first_[k]] / size;
+    c[column] = std::abs(room) <= rounding ? 0 : room;
+  }
+}
+
+bool Face::start_at(const Eigen::VectorXd& z) {
+  for (std::size_t k = 0; k < unknowns_.size(); ++k)
+    origin_[static_cast<Index>(k)] = z[unknowns_[k]];
+  const Eigen::VectorXd given = origin_;
+  settle(origin_);
+  look_around();
+  const double size = 1 + given.cwiseAbs().sum();
+  return (origin_ - given).cwiseAbs().maxCoeff() <= agrees * size &&
+         (equations_ * origin_ - right_).cwiseAbs().maxCoeff() <= agrees * size &&
+         (room_.size() == 0 || room_.minCoeff() >= -agrees * size);
+}
+
+Eigen::VectorXd Face::whole(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd z = Eigen::VectorXd::Zero(problem_.layout().size);
+  const Index free_begin = problem_.layout().size - problem_.layout().actuators;
+  for (std::size_t k = 0; k < unknowns_.size(); ++k) {
+    const double value = x[static_cast<Index>(k)];
+    z[unknowns_[k]] = unknowns_[k] < free_begin ? std::max(value, 0.0) : value;
+  }
+  return z;
+}
+
+/// min c x, A x = b, x >= 0, with prices nu: A' nu <= c and b nu = c x, or after a ray A' nu <= 0
+/// and b nu = 1. Where one cover fails others have a try, then costs a little larger, which part
+/// ties: the signs that hold such a corner hold the true one, and the referee sees what comes of
+/// it.
+Status Face::minimise(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::VectorXd& c,
+                      Eigen::VectorXd& x, Eigen::VectorXd& prices) {
+  constexpr Index tries = 3;
+  constexpr double apart = 1e-8;
+  Eigen::VectorXd costs = c;
+  const LinearProgram<double> program{A.cols(), A.rows(), 0,           A.data(),
+                                      b.data(), nullptr,  costs.data()};
+  std::vector<double> scalars(
+      static_cast<std::size_t>(linear_program_scalars(A.cols(), A.rows(), 0)));
+  std::vector<int> integers(
+      static_cast<std::size_t>(linear_program_integers(A.cols(), A.rows(), 0)));
+  LinearProgramSolver<double> solver({scalars.data(), static_cast<Index>(scalars.size())},
+                                     {integers.data(), static_cast<Index>(integers.size())});
+  Status status = Status::bad_input;
+  LemkeOptions<double> options;
+  ++programs_;
+  for (Index k = 0; k < 2 * tries; ++k) {
+    options.first_cover = k * options.covers;
+    for (Index j = 0; k >= tries && j < c.size(); ++j)
+      costs[j] = c[j] + apart * generic_number<double>(static_cast<std::uint32_t>(k), j);
+    status = solver.solve(program, options);
+    const auto n = static_cast<double>(A.cols());
+    work_ += n * n * static_cast<double>(solver.pivots() + 10) +
+             n * static_cast<double>(A.rows() * A.rows());
+    if (status == Status::solved || status == Status::ray) break;
+  }
+  if (status != Status::solved && status != Status::ray) return status;
+  prices = Eigen::Map<const Eigen::VectorXd>(solver.equality_prices(), A.rows());
+  if (status == Status::solved) x = Eigen::Map<const Eigen::VectorXd>(solver.x(), A.cols());
+  return status;
+}
+
+/// t moved onto the signs rows t + room >= 0 that bind it, so that the point is exact to rounding.
+/// `prices` > 0 marks those of first_ that the linear program holds it with. Room 0: a direction.
+Eigen::VectorXd Face::polished(const Eigen::VectorXd& t, const Eigen::VectorXd& room,
+                               const Eigen::VectorXd& prices) const {
+  const double size = 1 + room.cwiseAbs().maxCoeff();
+  std::vector<bool> held(static_cast<std::size_t>(room.size()), false);
+  for (Index k = 0; k < prices.size(); ++k)
+    if (prices[k] > 1e-6)
+      held[static_cast<std::size_t>(first_[static_cast<std::size_t>(k)])] = true;
+  Eigen::VectorXd result = t;
+  for (int turn = 0; turn < 2; ++turn) {
+    const Eigen::VectorXd at = rows_ * result + room;
+    std::vector<Index> binding;
+    for (const Index r : first_)
+      if (held[static_cast<std::size_t>(r)] || at[r] <= agrees * size) binding.push_back(r);
+    if (binding.empty()) return result;
+    Eigen::MatrixXd A(static_cast<Index>(binding.size()), rows_.cols());
+    Eigen::VectorXd b(A.rows());
+    for (Index k = 0; k < A.rows(); ++k) {
+      A.row(k) = rows_.row(binding[static_cast<std::size_t>(k)]);
+      b[k] = -at[binding[static_cast<std::size_t>(k)]];
+    }
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solve(A);
+    solve.setThreshold(dependent);
+    result += solve.solve(b);
+  }
+  return result;
+}
+
+bool Face::varies(const Eigen::VectorXd& f) const {
+  const Eigen::VectorXd own = restricted(f);
+  return (directions_.transpose() * own).norm() > flat * own.norm();
+}
+
+Eigen::VectorXd Face::restricted(const Eigen::VectorXd& f) const {
+  Eigen::VectorXd own(static_cast<Index>(unknowns_.size()));
+  for (std::size_t k = 0; k < unknowns_.size(); ++k) own[static_cast<Index>(k)] = f[unknowns_[k]];
+  return own;
+}
+
+/// The smallest r >= 0 with rows t + room + r >= 0: its dual is always solvable.
+Face::Point Face::find_point() {
+  if (contradictory_) return Point::none;
+  if (room_.size() == 0 || room_.minCoeff() >= 0) return Point::found;
+  const double size = 1 + room_.cwiseAbs().maxCoeff();
+  for (Index r = 0; r < room_.size(); ++r) // constant on the face
+    if (rows_.row(r).isZero(0) && room_[r] < -contradicts * size) return Point::none;
+  const Index K = static_cast<Index>(first_.size()), d = dimension();
+  if (K > 0) {
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(d + 1, K + 1);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(d + 1), c = Eigen::VectorXd::Zero(K + 1), y, nu;
+    dual(A, c);
+    A.row(d).setOnes();
+    b[d] = 1;
+    if (minimise(A, b, c, y, nu) != Status::solved) return Point::failed;
+    if (-nu[d] > contradicts) return Point::none;
+    if (-nu[d] > agrees) return Point::failed;
+    origin_ += directions_ * polished(-size * nu.head(d), room_, y.head(K));
+    settle(origin_);
+    look_around();
+  }
+  return room_.minCoeff() >= -agrees * size ? Point::found : Point::failed;
+}
+
+Face::Point Face::lowest(const Eigen::VectorXd& f, Eigen::VectorXd& z) {
+  const Index K = static_cast<Index>(first_.size());
+  const double size = 1 + room_.cwiseAbs().maxCoeff();
+  Eigen::VectorXd slope = directions_.transpose() * restricted(f);
+  slope /= slope.norm();
+  // min slope t over rows t + room >= 0 has the dual: min room y over rows' y = slope, y >= 0.
+  Eigen::MatrixXd A(dimension(), K);
+  Eigen::VectorXd c(K), y, nu;
+  dual(A, c);
+  c = c.cwiseMax(0);
+  const Status status = minimise(A, slope, c, y, nu);
+  Eigen::VectorXd x = origin_;
+  if (status == Status::solved) {
+    x += directions_ * polished(-size * nu, room_, y);
+    settle(x);
+    z = whole(x);
+    return Point::found;
+  }
+  if (status != Status::ray) return Point::failed;
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(room_.size());
+  x += far / nu.norm() * (directions_ * polished(-nu, none, Eigen::VectorXd()));
+  settle(x);
+  z = whole(x);
+  return Point::unbounded;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,50 @@
+#include "spread/spread_quantities.hpp"
+
+namespace lcpush::desktop {
+
+std::vector<Quantity> list_quantities(const LiteralProblem& problem,
+                                      const std::vector<PusherSpread>& pushers) {
+  std::vector<Quantity> quantities;
+  const Layout<double>& layout = problem.layout();
+  const FactoredProblem<double>& factored = problem.factored();
+  const auto blank = [&] { return Eigen::VectorXd(Eigen::VectorXd::Zero(layout.size)); };
+  for (std::size_t p = 0; p < pushers.size(); ++p) {
+    Quantity push{Quantity::Kind::push, static_cast<Index>(p), 0, blank()};
+    for (Index i = 0; i < layout.points; ++i)
+      if (layout.body[i] == pushers[p].body)
+        for (Index k = 0; k < layout.cones[i].normals; ++k)
+          push.f[layout.normal(i) + k] = k == 0 ? 1 : -1;
+    quantities.push_back(push);
+  }
+  for (Index k = 0; k < 6; ++k) {
+    Quantity twist{Quantity::Kind::twist, k, 0, blank()};
+    for (const ConeGroup<double>& cone : layout.cones)
+      for (Index j = 0; j < cone.forces(); ++j)
+        twist.f[cone.variable + j] =
+            factored.mobility.row(k).dot(factored.wrenches[cone.force + j]);
+    if (twist.f.norm() > 0) quantities.push_back(twist);
+  }
+  for (Index i = 0; i < layout.points; ++i) {
+    const Body<double>& body = problem.scene().bodies[layout.body[i]];
+    Quantity normal{Quantity::Kind::normal, i, 0, blank()};
+    for (Index k = 0; k < layout.cones[i].normals; ++k)
+      normal.f[layout.normal(i) + k] = k == 0 ? 1 : -1;
+    quantities.push_back(normal);
+    if (layout.cones[i].generators == 0) continue;
+    Quantity along{Quantity::Kind::tangential, i, 0, blank()};
+    Quantity across{Quantity::Kind::tangential, i, 1, blank()};
+    Quantity torsion{Quantity::Kind::torsion, i, 0, blank()};
+    for (Index j = 0; j < layout.cones[i].generators; ++j) {
+      const Generator<double> d = generator(body, j, problem.scene().facets);
+      along.f[layout.friction(i, j)] = d.force.dot(body.tangent);
+      across.f[layout.friction(i, j)] = d.force.dot(cross(body.normal, body.tangent));
+      torsion.f[layout.friction(i, j)] = d.torque / layout.scales.length;
+    }
+    quantities.push_back(along);
+    quantities.push_back(across);
+    if (body.torsion_radius > 0) quantities.push_back(torsion);
+  }
+  return quantities;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,20 @@
+// What bounds are asked for, each as a functional of the unknowns.
+#pragma once
+
+#include "lcpush/desktop/spread.hpp"
+#include "spread/spread_problem.hpp"
+
+namespace lcpush::desktop {
+
+struct Quantity {
+  enum class Kind { twist, normal, tangential, torsion, push } kind;
+  Index of = 0;   ///< component, point or pusher
+  Index axis = 0; ///< of tangential
+  Eigen::VectorXd f;
+};
+
+/// The push of each pusher first, then the twist, then point by point.
+std::vector<Quantity> list_quantities(const LiteralProblem& problem,
+                                      const std::vector<PusherSpread>& pushers);
+
+} // namespace lcpush::desktop

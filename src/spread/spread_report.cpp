@@ -1,0 +1,182 @@
+#include <cmath>
+#include <limits>
+
+#include "formats/json_writer.hpp"
+#include "lcpush/desktop/spread.hpp"
+#include "solve/failure_words.hpp"
+#include "text/format.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+std::string end_text(double x, double zero) {
+  return std::isfinite(x) ? number(x, zero) : x > 0 ? "no bound" : "no bound below";
+}
+
+/// "20.02", or "8.05 .. 10" if the ends differ by more than `same`.
+std::string interval_text(const Interval& interval, double same) {
+  if (is_single(interval, same)) return number((interval.low + interval.high) / 2, same);
+  return end_text(interval.low, same) + " .. " + end_text(interval.high, same);
+}
+
+std::string counted(Index count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string law_line(const SceneFile& file) {
+  const std::string label = "Laws              the paper's, literally (pressure = \"rigid\")";
+  if (file.pressure == Pressure::rigid) return label + "\n";
+  return label + ";\n                  the file's law \"" + pressure_name(file.pressure) +
+         (file.pressure == Pressure::pad ? "\" chooses one of these answers\n"
+                                         : "\" spreads each patch's force: other equations\n");
+}
+
+/// Which answers the bounds speak of.
+std::string reach_lines(const SpreadReport& report) {
+  const std::string label = "Answers           ", indent = "\n                  ";
+  std::string text = label;
+  if (report.complete) {
+    text += "every solution: all contact modes enumerated, " +
+            counted(report.faces, "complementary face");
+  } else {
+    text += "the solutions that were reached: " + counted(report.faces, "face") + " from " +
+            counted(report.covers, "cover");
+    if (report.covers_solved < report.covers)
+      text += " (" + std::to_string(report.covers - report.covers_solved) + " ended in none)";
+  }
+  if (!report.enumeration.empty())
+    text += indent + "not enumerated to the end: " + report.enumeration;
+  if (report.faces_left > 0 && !report.complete)
+    text += indent + counted(report.faces_left, "more face") +
+            " known but not studied (limit of work): the bounds may be wider";
+  if (report.failures > 0)
+    text += indent + counted(report.failures, "bound") +
+            " could not be settled: the set may be wider than printed";
+  return text + "\n";
+}
+
+std::string verdict_line(const SpreadReport& report) {
+  const std::string label = "Verdict           ", among = report.complete ? "" : " among these";
+  switch (report.verdict) {
+  case SpreadVerdict::unique: return label + "unique: one motion, one set of forces" + among + "\n";
+  case SpreadVerdict::same_motion:
+    return label + "same motion, other forces: the motion is one" + among + "\n";
+  case SpreadVerdict::ambiguous: break;
+  }
+  return label + "ambiguous: several motions\n";
+}
+
+std::string motion_table(const SpreadReport& report) {
+  const char* const names[] = {"linear x",  "linear y",  "linear z",
+                               "angular x", "angular y", "angular z"};
+  std::vector<std::vector<std::string>> rows{{"motion of the object", "", ""}};
+  for (Index k = 0; k < 6; ++k) {
+    const double zero = same_acceleration(report) / (k < 3 ? 1 : report.scales.length);
+    rows.push_back({names[k], interval_text(report.twist[k], zero), k < 3 ? "m/s^2" : "rad/s^2"});
+  }
+  return table_text(rows);
+}
+
+std::string contact_table(const SceneFile& file, const SpreadReport& report) {
+  const double zero = same_force(report);
+  std::vector<std::vector<std::string>> rows{
+      {"contact", "normal N", "friction along t N", "along o = n x t N"}};
+  for (std::size_t i = 0; i < report.contacts.size(); ++i) {
+    const ContactSpread& contact = report.contacts[i];
+    rows.push_back({point_name(file, static_cast<Index>(i)), interval_text(contact.normal, zero),
+                    interval_text(contact.tangential[0], zero),
+                    interval_text(contact.tangential[1], zero)});
+  }
+  return table_text(rows);
+}
+
+void write_interval(JsonWriter& json, const Interval& interval) {
+  const double ends[] = {interval.low, interval.high}; // infinite ends become null
+  json.numbers(ends, 2);
+}
+
+void write_set(JsonWriter& json, const SceneFile& file, const SpreadReport& report) {
+  json.key("push_force").begin_object();
+  for (const PusherSpread& pusher : report.pushers) {
+    json.key(file.body_names[static_cast<std::size_t>(pusher.body)]);
+    write_interval(json, pusher.force);
+  }
+  json.end_object().key("twist").begin_array();
+  for (const Interval& component : report.twist) write_interval(json, component);
+  json.end_array().key("contacts").begin_array();
+  for (std::size_t i = 0; i < report.contacts.size(); ++i) {
+    const ContactSpread& contact = report.contacts[i];
+    const auto point = static_cast<Index>(i);
+    json.begin_object().member("name", point_name(file, point));
+    json.member("body", file.body_names[static_cast<std::size_t>(file.body_of(point))]);
+    json.key("normal_force");
+    write_interval(json, contact.normal);
+    json.key("tangential_force").begin_array();
+    for (const Interval& along : contact.tangential) write_interval(json, along);
+    json.end_array().key("torsion");
+    write_interval(json, contact.torsion);
+    json.end_object();
+  }
+  json.end_array();
+}
+
+} // namespace
+
+std::string spread_text(const SceneFile& file, const SpreadReport& report) {
+  std::string text = title_line(file) + law_line(file);
+  if (report.status != Status::solved) {
+    text += failure_text(file, report.status,
+                         report.failure.reason.empty() ? "no answer was reached"
+                                                       : report.failure.reason,
+                         report.failure.ray, report.failure.jam);
+    if (report.complete)
+      return text + "\nNo solution: every assignment of contact modes was refuted.\n";
+    return text + "\nNo solution was reached from " + counted(report.covers, "cover") + ".\n" +
+           (report.enumeration.empty()
+                ? ""
+                : "Not enumerated to the end: " + report.enumeration + ".\n");
+  }
+  text += reach_lines(report) + verdict_line(report);
+  for (const PusherSpread& pusher : report.pushers) {
+    std::string label = "Push by " + file.body_names[static_cast<std::size_t>(pusher.body)];
+    label.resize(std::max<std::size_t>(label.size() + 1, 18), ' ');
+    text += label + interval_text(pusher.force, same_force(report)) +
+            " N, the sum of its normal forces\n";
+  }
+  text += "\n" + motion_table(report) + "\n" + contact_table(file, report);
+  return text +
+         "\nBoth ends of each range belong to answers that were checked apart from the solver: "
+         "scaled\nresidual " +
+         residual_text(report.residual) + ". Not every value in between need belong to one. " +
+         counted(report.programs, "linear program") + ".\n";
+}
+
+std::string spread_json(const SceneFile& file, const SpreadReport& report) {
+  const bool solved = report.status == Status::solved;
+  JsonWriter json;
+  json.begin_object().member("status", status_text(report.status));
+  json.key("verdict");
+  if (solved)
+    json.value(verdict_text(report.verdict));
+  else
+    json.value(nullptr);
+  json.member("laws", "rigid").member("pressure", pressure_name(file.pressure));
+  json.member("faces", report.faces).member("covers", report.covers);
+  json.member("covers_solved", report.covers_solved).member("complete", report.complete);
+  json.key("enumeration");
+  if (report.enumeration.empty())
+    json.value(nullptr);
+  else
+    json.value(report.enumeration);
+  json.member("faces_left", report.faces_left).member("failures", report.failures);
+  json.member("linear_programs", report.programs).member("assignments", report.assignments);
+  if (!solved) {
+    write_failure(json, file, report.failure.reason, report.failure.ray, report.failure.jam);
+    return json.end_object().text();
+  }
+  json.member("residual", report.residual);
+  write_set(json, file, report);
+  return json.end_object().text();
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,206 @@
+// Segments where no single problem describes the range: straight lines through fresh solves, their
+// ends by bisection.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sweep/sweep_pieces.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr double on_the_line = 1e-6; // relative; of breaking ten times that
+constexpr Index most_solves = 300;   // then samples have to do
+constexpr Index samples = 32;
+constexpr double sharpest = 1e-6; // of the range
+constexpr double blurred = 1e-4;  // of the range
+constexpr double first_stride = 1.0 / 256;
+
+struct At {
+  double t;
+  Outputs outputs;
+};
+
+class BisectedWalk {
+public:
+  BisectedWalk(SweepSolver& solver, Quantity quantity) : solver_(solver), quantity_(quantity) {}
+
+  /// The piece that begins with `start`; `next` receives the first answer beyond it, if any.
+  Piece grow(const At& start, At& next);
+  At solve(double t) {
+    ++solves_;
+    solver_.go_to(value_at(solver_.variations().front(), t));
+    constexpr double aside = 1e-7; // where a push vanishes, the limit from one side
+    if (!solver_.has(quantity_))
+      solver_.go_to(value_at(solver_.variations().front(), t < 0.75 ? t + aside : t - aside));
+    RoundBases none; // fresh, so that the path here does not matter
+    return {t, solver_.solve(quantity_, none)};
+  }
+
+  bool is_used_up() const { return solves_ >= most_solves; }
+
+private:
+  SweepSolver& solver_;
+  Quantity quantity_;
+  Index solves_ = 0;
+};
+
+bool same_kind(const Outputs& a, const Outputs& b) {
+  if (a.status != b.status || a.contacts.size() != b.contacts.size()) return false;
+  for (std::size_t i = 0; i < a.contacts.size(); ++i)
+    if (a.contacts[i].mode != b.contacts[i].mode) return false;
+  return true;
+}
+
+bool is_known(const Outputs& a) { return a.is_solved() || a.status == Status::does_not_hold; }
+
+/// Strides that double while the answers stay on one line, then bisection.
+Piece BisectedWalk::grow(const At& start, At& next) {
+  At last = start, middle = start; // the line goes through start and last
+  double stride = first_stride;
+  bool beyond = false;
+  const auto continues = [&](const At& candidate) {
+    if (!same_kind(start.outputs, candidate.outputs)) return false;
+    if (!is_known(start.outputs) || last.t == start.t) return true;
+    const Outputs expected = on_line(start.outputs, start.t, last.outputs, last.t, candidate.t);
+    const double reach = (candidate.t - start.t) / (last.t - start.t);
+    const double tolerance = on_the_line * (quantity_ == Quantity::breaking ? 10 : 1);
+    return !differ(expected, candidate.outputs, quantity_, tolerance * std::max(1.0, reach));
+  };
+  // Two answers always lie on a line: the first stride is halved until a third lies there too.
+  while (is_known(start.outputs) && stride > sharpest && start.t < 1) {
+    const double end = std::min(1.0, start.t + stride);
+    last = start;
+    const At far = solve(end), near = solve((start.t + end) / 2);
+    if (continues(near)) {
+      last = near;
+      if (continues(far)) {
+        middle = near;
+        last = far;
+        break;
+      }
+    }
+    next = far;
+    beyond = true;
+    last = start;
+    stride /= 4;
+  }
+  while (last.t < 1 && !(beyond && last.t == start.t)) {
+    const double limit = beyond ? next.t : 1;
+    double t = std::min(limit, last.t + stride);
+    if (beyond && t >= next.t - sharpest / 2) t = (last.t + next.t) / 2;
+    if (beyond && next.t - last.t <= sharpest) break;
+    At candidate = solve(t);
+    if (continues(candidate)) {
+      middle = std::exchange(last, std::move(candidate));
+      if (!beyond) stride *= 2;
+    } else {
+      next = std::move(candidate);
+      beyond = true;
+    }
+    if (beyond) stride = (next.t - last.t) / 2;
+  }
+  if (!beyond) next.t = 2;
+  Piece piece;
+  piece.from = start.t;
+  piece.to = beyond ? next.t : 1;
+  piece.kind = is_known(start.outputs) ? SegmentKind::bisected : SegmentKind::unsolved;
+  piece.at_from = start.outputs;
+  piece.at_to = last.t > start.t && is_known(start.outputs)
+                    ? on_line(start.outputs, start.t, last.outputs, last.t, piece.to)
+                    : start.outputs;
+  piece.at_from.contacts = piece.at_to.contacts = middle.outputs.contacts;
+  return piece;
+}
+
+/// Where two lines meet, if they do so next to where the one ends and the other begins.
+void sharpen(Quantity quantity, Piece& before, Piece& after, double nearest) {
+  if (before.kind != SegmentKind::bisected || after.kind != SegmentKind::bisected) return;
+  if (before.at_to.status != after.at_from.status) return;
+  const double at = before.to;
+  // At breaking the motion need not go on where the force does.
+  const auto values = [&](const Outputs& o) {
+    Eigen::Matrix<double, 10, 1> v = Eigen::Matrix<double, 10, 1>::Zero();
+    v[0] = o.normal;
+    if (quantity == Quantity::push) v.tail<9>() << o.force, o.twist;
+    return v;
+  };
+  const auto slope = [&](const Piece& piece) {
+    return Eigen::Matrix<double, 10, 1>((values(piece.at_to) - values(piece.at_from)) /
+                                        (piece.to - piece.from));
+  };
+  if (!(before.to > before.from) || !(after.to > after.from)) return;
+  const Eigen::Matrix<double, 10, 1> off = values(before.at_to) - values(after.at_from);
+  const Eigen::Matrix<double, 10, 1> kink = slope(after) - slope(before);
+  // Each quantity in its own size, so that forces do not drown motions.
+  const Eigen::Matrix<double, 10, 1> size =
+      values(before.at_to).cwiseAbs() + Eigen::Matrix<double, 10, 1>::Constant(1e-12);
+  const Eigen::Matrix<double, 10, 1> scaled_off = off.cwiseQuotient(size);
+  const Eigen::Matrix<double, 10, 1> scaled_kink = kink.cwiseQuotient(size);
+  Index largest = 0;
+  if (!(scaled_kink.cwiseAbs().maxCoeff(&largest) > 0)) return;
+  const double t = at + scaled_off[largest] / scaled_kink[largest];
+  if (!(std::abs(t - at) <= nearest)) return;
+  before.at_to = on_line(before.at_from, before.from, before.at_to, before.to, t);
+  after.at_from = on_line(after.at_from, after.from, after.at_to, after.to, t);
+  before.to = after.from = t;
+}
+
+/// Next to a change of mode the small pushes that breaking is extrapolated from lie on both sides
+/// of it: what looks like a short piece there is blur. The pieces beside it meet in its middle.
+std::vector<Piece> without_slivers(const std::vector<Piece>& pieces, double shortest) {
+  std::vector<Piece> list;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    Piece piece = pieces[i];
+    const bool is_sliver = piece.to - piece.from < shortest && piece.from > 0 && piece.to < 1;
+    if (is_sliver && !list.empty() && list.back().kind == SegmentKind::bisected) continue;
+    if (!list.empty() && list.back().to < piece.from) {
+      Piece& last = list.back();
+      const double middle = (last.to + piece.from) / 2;
+      last.at_to = on_line(last.at_from, last.from, last.at_to, last.to, middle);
+      if (piece.kind == SegmentKind::bisected)
+        piece.at_from = on_line(piece.at_from, piece.from, piece.at_to, piece.to, middle);
+      last.to = piece.from = middle;
+    }
+    list.push_back(std::move(piece));
+  }
+  return list;
+}
+
+} // namespace
+
+std::vector<Piece> bisected_pieces(SweepSolver& solver, Quantity quantity, Index most,
+                                   const Progress& progress) {
+  BisectedWalk walk(solver, quantity);
+  std::vector<Piece> pieces;
+  At start = walk.solve(0), next = start;
+  while (static_cast<Index>(pieces.size()) < most && !walk.is_used_up()) {
+    pieces.push_back(walk.grow(start, next));
+    if (pieces.back().to >= 1 || next.t > 1) break;
+    if (progress) progress(pieces.back().to);
+    start = next;
+  }
+  start.t = std::min(start.t, 1.0);
+  // Where answers branch all the time there is no end to bisection.
+  const double begin = pieces.back().to;
+  for (Index k = 1; begin < 1 && k <= samples; ++k) {
+    At end = walk.solve(k == samples ? 1 : begin + (1 - begin) * static_cast<double>(k) / samples);
+    Piece stroke;
+    stroke.from = start.t;
+    stroke.to = end.t;
+    stroke.kind = is_known(start.outputs) && start.outputs.status == end.outputs.status
+                      ? SegmentKind::sampled
+                      : SegmentKind::unsolved;
+    stroke.at_from = start.outputs;
+    stroke.at_to = end.outputs;
+    pieces.push_back(std::move(stroke));
+    start = std::move(end);
+  }
+  const double blur = quantity == Quantity::breaking ? blurred : 0;
+  std::vector<Piece> list = without_slivers(pieces, blur);
+  for (std::size_t i = 1; i < list.size(); ++i)
+    sharpen(quantity, list[i - 1], list[i], 2 * sharpest + blur);
+  return list;
+}
+
+} // namespace lcpush::desktop

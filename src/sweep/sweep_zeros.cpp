@@ -1,0 +1,173 @@
+// Where a component of the object's acceleration is zero.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "sweep/sweep_samples.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr double sharpest = 1e-10;  // of the range; then the line through both sides
+constexpr double negligible = 1e-9; // of the component's largest value
+constexpr double steepest = 1e-3;   // of a change of sign: what may be left of it there is no jump
+
+/// Below this a component counts as zero: rounding, or nothing compared with its largest value.
+std::array<double, 6> thresholds(const Sweep& sweep) {
+  std::array<double, 6> noise{}, largest{};
+  const auto see = [&](const SweepValue& value) {
+    if (value.push != Status::solved) return;
+    for (std::size_t k = 0; k < 6; ++k) {
+      noise[k] = std::max(noise[k], k < 3 ? value.motion_noise : value.turning_noise);
+      largest[k] = std::max(largest[k], std::abs(value.twist[static_cast<Index>(k)]));
+    }
+  };
+  for (const SweepSegment& segment : sweep.segments) {
+    see(segment.at_from);
+    see(segment.at_to);
+  }
+  for (const SweepPoint& point : sweep.points) see(point.at);
+  std::array<double, 6> result{};
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double zero = std::max(noise[k], negligible * largest[k]);
+    result[k] = largest[k] > zero ? zero : -1; // -1: zero everywhere, which is not worth a word
+  }
+  return result;
+}
+
+int sign_of(double value, double zero) { return value > zero ? 1 : value < -zero ? -1 : 0; }
+
+/// Joined with the last one where they touch.
+void add(std::vector<SweepZero>& zeros, const SweepZero& zero) {
+  if (!zeros.empty() && zeros.back().component == zero.component && zeros.back().to == zero.from &&
+      !zeros.back().jumps && !zero.jumps)
+    zeros.back().to = zero.to;
+  else
+    zeros.push_back(zero);
+}
+
+void add_of_segments(const std::vector<SweepSegment>& segments, Index k, double threshold,
+                     std::vector<SweepZero>& zeros) {
+  int before = 0; // the sign where the last segment ended
+  for (const SweepSegment& segment : segments) {
+    if (segment.at_from.push != Status::solved) {
+      before = 0;
+      continue;
+    }
+    const double a = segment.at_from.twist[k], b = segment.at_to.twist[k];
+    const int first = sign_of(a, threshold), last = sign_of(b, threshold);
+    if (before * first < 0) add(zeros, {k, segment.from, segment.from, true});
+    if (first == 0) add(zeros, {k, segment.from, last == 0 ? segment.to : segment.from, false});
+    if (first * last < 0) {
+      const double at = segment.from + a / (a - b) * (segment.to - segment.from);
+      add(zeros, {k, at, at, false});
+    }
+    if (first != 0 && last == 0) add(zeros, {k, segment.to, segment.to, false});
+    before = last;
+  }
+}
+
+/// A change of sign between two points, in bisection: what is found, and points that show it.
+struct Crossing {
+  SweepZero zero;
+  std::vector<SweepPoint> points; ///< between the two, in order
+};
+
+class ZeroSearch {
+public:
+  ZeroSearch(SweepSolver& solver, bool warm, Index component, double threshold)
+      : solver_(solver), warm_(warm), k_(component), threshold_(threshold) {}
+
+  Crossing between(const SweepPoint& first, const SweepPoint& second);
+
+private:
+  SweepSolver& solver_;
+  bool warm_;
+  Index k_;
+  double threshold_;
+
+  const Variation& variation() const { return solver_.variations().front(); }
+  double share_of(double value) const {
+    return (value - variation().from) / (variation().to - variation().from);
+  }
+  SweepPoint refined(const Sample& sample) const {
+    SweepPoint point = point_of(sample, variation());
+    point.refined = true;
+    return point;
+  }
+};
+
+Crossing ZeroSearch::between(const SweepPoint& first, const SweepPoint& second) {
+  const double whole = std::abs(second.at.twist[k_] - first.at.twist[k_]);
+  Sample low = sample_at(solver_, share_of(first.value), nullptr);
+  Sample high = sample_at(solver_, share_of(second.value), nullptr);
+  Sample shoulder_low = low, shoulder_high = high; // the last ones that are not yet on the slope
+  const auto value = [this](const Sample& sample) { return sample.push.twist[k_]; };
+  if (sign_of(value(low), 0) * sign_of(value(high), 0) != -1) // afresh, another branch is found
+    return {{k_, first.value, second.value, true}, {}};
+  const auto near = [&](const Sample& sample, const SweepPoint& end) {
+    return std::abs(value(sample) - end.at.twist[k_]) <= whole / 10;
+  };
+  while (high.t - low.t > sharpest) {
+    Sample middle = sample_at(solver_, (low.t + high.t) / 2, warm_ ? &low : nullptr, &high);
+    if (!middle.push.is_solved()) break;
+    const bool below = sign_of(value(middle), 0) * sign_of(value(low), 0) > 0;
+    if (below && near(middle, first)) shoulder_low = middle;
+    if (!below && near(middle, second)) shoulder_high = middle;
+    (below ? low : high) = std::move(middle);
+  }
+  Crossing crossing;
+  const double rise = value(high) - value(low);
+  crossing.zero.component = k_;
+  crossing.zero.jumps = std::abs(rise) > std::max(steepest * whole, 2 * threshold_);
+  const double t = crossing.zero.jumps ? high.t : low.t - value(low) / rise * (high.t - low.t);
+  crossing.zero.from = crossing.zero.to = value_at(variation(), t);
+  if (shoulder_low.t > share_of(first.value)) crossing.points.push_back(refined(shoulder_low));
+  if (!crossing.zero.jumps)
+    crossing.points.push_back(refined(sample_at(solver_, t, warm_ ? &low : nullptr)));
+  if (shoulder_high.t < share_of(second.value)) crossing.points.push_back(refined(shoulder_high));
+  return crossing;
+}
+
+void add_of_points(SweepSolver& solver, bool warm, Index k, double threshold,
+                   std::vector<SweepPoint>& points, std::vector<SweepZero>& zeros) {
+  ZeroSearch search(solver, warm, k, threshold);
+  const auto sign = [&](const SweepPoint& point) {
+    return point.at.push == Status::solved ? sign_of(point.at.twist[k], threshold) : 2;
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const int here = sign(points[i]);
+    const int next = i + 1 < points.size() ? sign(points[i + 1]) : 2;
+    if (here == 0) {
+      add(zeros, {k, points[i].value, next == 0 ? points[i + 1].value : points[i].value, false});
+      continue;
+    }
+    if (here * next != -1) continue;
+    if (points[i].change.find("jumps") != std::string::npos) {
+      add(zeros, {k, points[i].value, points[i + 1].value, true});
+      continue;
+    }
+    const Crossing crossing = search.between(points[i], points[i + 1]);
+    add(zeros, crossing.zero);
+    points.insert(points.begin() + static_cast<std::ptrdiff_t>(i) + 1, crossing.points.begin(),
+                  crossing.points.end());
+    i += crossing.points.size();
+  }
+}
+
+} // namespace
+
+void find_zeros(SweepSolver& solver, const ParameterSweepOptions& options, Sweep& sweep) {
+  const std::array<double, 6> threshold = thresholds(sweep);
+  for (Index k = 0; k < 6; ++k) {
+    const double zero = threshold[static_cast<std::size_t>(k)];
+    if (zero < 0) continue;
+    if (!sweep.segments.empty())
+      add_of_segments(sweep.segments, k, zero, sweep.zeros);
+    else
+      add_of_points(solver, options.warm, k, zero, sweep.points, sweep.zeros);
+  }
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,13 @@
+// lcpush: a whole file as text, or a message that says what to do.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace lcpush::desktop {
+
+/// The bytes of the file at `path`, unchanged. Throws InputError if it is a directory, cannot be
+/// read, or holds more than `max_bytes` (it stops reading there, so /dev/zero is harmless).
+std::string read_text_file(const std::string& path, std::size_t max_bytes);
+
+} // namespace lcpush::desktop

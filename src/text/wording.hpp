@@ -1,0 +1,23 @@
+// Wording shared by the messages about bad input.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lcpush::desktop {
+
+/// `text` in double quotes, fit for one line of a terminal: control characters become \xNN and a
+/// long text is cut.
+std::string quoted(std::string_view text);
+
+/// The shortest decimal number that reads back as `number`.
+std::string shown(double number);
+
+/// ` (did you mean "friction"?)` for the nearest of `known`, or nothing if none is near.
+std::string suggestion(std::string_view word, const std::vector<std::string>& known);
+
+/// `a, b and c`.
+std::string listed(const std::vector<std::string>& words, const std::string& conjunction);
+
+} // namespace lcpush::desktop

@@ -1,0 +1,69 @@
+// Fills in what a part of an answer determines; complete_answer.hpp says how.
+#pragma once
+
+#include "verify/complete_answer.hpp"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace lcpush::desktop {
+
+using Rows = std::vector<std::pair<Eigen::VectorXd, double>>;
+
+class AnswerCompleter {
+public:
+  AnswerCompleter(Push& push, const ForeignAnswer& given, double tolerance, OwnedAnswer& answer)
+      : scene_(push.scene()), layout_(push.layout()), factored_(push.assembly().factored()),
+        given_(given), file_(push.file()), tolerance_(tolerance), out_(answer),
+        answer_(answer.view()) {}
+
+  Completion run();
+
+private:
+  const Scene<double>& scene_;
+  const Layout<double>& layout_;
+  const FactoredProblem<double>& factored_;
+  const ForeignAnswer& given_;
+  const SceneFile& file_;
+  double tolerance_;
+  OwnedAnswer& out_;
+  Answer<double> answer_;
+  Completion completion_;
+
+  const Body<double>& body_of(Index i) const { return scene_.bodies[layout_.body[i]]; }
+  ForeignContact contact_of(Index i) const {
+    return given_.contacts.empty() ? ForeignContact()
+                                   : given_.contacts[static_cast<std::size_t>(i)];
+  }
+  bool normal_known(Index i) const { return contact_of(i).normal_force.has_value(); }
+  bool has_friction(Index i) const { return layout_.cones[i].generators > 0; }
+  bool friction_known(Index i) const;
+  bool forces_known() const;
+  void take_given();
+
+  bool find_acceleration();
+  bool acceleration_from_points();
+  Rows point_rows(bool with_acceleration) const;
+  Eigen::VectorXd drive_speeds(Index point, const Vector3<double>& direction) const;
+  double opening(Index point) const;
+  void find_closings();
+  std::optional<Eigen::VectorXd> closings_given() const;
+  std::optional<Eigen::VectorXd> closings_from_forces() const;
+  std::optional<Eigen::VectorXd> closings_from_openings() const;
+  void find_slips();
+  double slides_against(Index point, Index j) const;
+  double gap(Index point) const;
+  struct ForceRows {
+    Eigen::MatrixXd A; // columns: the forces, then what each cone has left
+    Eigen::VectorXd b;
+  };
+  ForceRows force_rows();
+  Eigen::VectorXd fitting_forces(const ForceRows& rows) const;
+  void find_forces();
+  void split_friction(Index point, double* beta);
+  void split_soft(Index point, double* beta);
+  void find_motions();
+};
+
+} // namespace lcpush::desktop

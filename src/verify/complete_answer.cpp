@@ -1,0 +1,289 @@
+#include "verify/complete_answer.hpp"
+
+#include "verify/answer_completer.hpp"
+#include "verify/owned_program.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+/// The x that all rows agree on; nothing if they leave a part of it open.
+std::optional<Eigen::VectorXd> least_squares(const Rows& rows, Index unknowns) {
+  if (static_cast<Index>(rows.size()) < unknowns) return std::nullopt;
+  Eigen::MatrixXd A(static_cast<Index>(rows.size()), unknowns);
+  Eigen::VectorXd b(A.rows());
+  for (Index k = 0; k < A.rows(); ++k) {
+    A.row(k) = rows[static_cast<std::size_t>(k)].first.transpose();
+    b[k] = rows[static_cast<std::size_t>(k)].second;
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
+  qr.setThreshold(1e-10);
+  if (qr.rank() < unknowns) return std::nullopt;
+  return Eigen::VectorXd(qr.solve(b));
+}
+
+} // namespace
+
+/// Of a soft point, force and torque.
+bool AnswerCompleter::friction_known(Index i) const {
+  const ForeignContact contact = contact_of(i);
+  if (!has_friction(i)) return true;
+  if (contact.normal_force && *contact.normal_force == 0 && !contact.friction_force) return true;
+  return contact.friction_force && (!(body_of(i).torsion_radius > 0) || contact.torsion);
+}
+
+bool AnswerCompleter::forces_known() const {
+  for (Index i = 0; i < layout_.points; ++i)
+    if (!normal_known(i) || !friction_known(i)) return false;
+  return true;
+}
+
+void AnswerCompleter::take_given() {
+  for (Index i = 0; i < layout_.points; ++i) {
+    const ForeignContact given = contact_of(i);
+    ContactAnswer<double>& contact = answer_.contacts[i];
+    contact.body = layout_.body[i];
+    contact.normal_force = given.normal_force.value_or(0);
+    contact.friction_force = given.friction_force.value_or(Vector3<double>::Zero());
+    contact.torsion = given.torsion.value_or(0);
+  }
+}
+
+/// What a unit of each actuator moves the point of its body along `direction`.
+Eigen::VectorXd AnswerCompleter::drive_speeds(Index point, const Vector3<double>& direction) const {
+  Eigen::VectorXd speeds = Eigen::VectorXd::Zero(layout_.actuators);
+  for (const Drive<double>& drive : scene_.drives)
+    if (drive.body == layout_.body[point])
+      speeds[drive.actuator] += acceleration_at(scene_.points[point], drive.twist).dot(direction);
+  return speeds;
+}
+
+/// Without what the actuators add, m/s^2.
+double AnswerCompleter::opening(Index point) const {
+  const Body<double>& body = body_of(point);
+  const Vector6<double> relative = out_.acceleration - body.acceleration;
+  return acceleration_at<double>(scene_.points[point], relative).dot(body.normal);
+}
+
+/// r_i = (a - A_b - J s) at p_i, for the points whose motion is given: rows on [a; s] or on s.
+Rows AnswerCompleter::point_rows(bool with_acceleration) const {
+  Rows rows;
+  const double L = layout_.scales.length;
+  const Index before = with_acceleration ? 6 : 0;
+  for (Index i = 0; i < layout_.points; ++i) {
+    const std::optional<Vector3<double>> r = contact_of(i).acceleration;
+    if (!r) continue;
+    for (Index k = 0; k < 3; ++k) {
+      const Vector3<double> axis = Vector3<double>::Unit(k);
+      const Vector6<double> W = wrench_column<double>(scene_.points[i], axis);
+      Eigen::VectorXd row(before + layout_.actuators);
+      double right = (*r)[k] + W.dot(body_of(i).acceleration);
+      if (with_acceleration)
+        row.head<6>() << W.head<3>(), W.tail<3>() / L;
+      else
+        right -= W.dot(out_.acceleration);
+      row.tail(layout_.actuators) = -drive_speeds(i, axis);
+      if (row.norm() > 0) rows.emplace_back(row, right);
+    }
+  }
+  return rows;
+}
+
+bool AnswerCompleter::acceleration_from_points() {
+  const auto found = least_squares(point_rows(true), 6 + layout_.actuators);
+  if (!found) return false;
+  out_.acceleration = found->head<6>();
+  out_.acceleration.tail<3>() /= layout_.scales.length;
+  return true;
+}
+
+bool AnswerCompleter::find_acceleration() {
+  if (given_.acceleration) {
+    out_.acceleration = *given_.acceleration;
+    return true;
+  }
+  if (forces_known()) {
+    const Scales<double>& scales = layout_.scales;
+    Vector6<double> wrench = laws::weight(scene_, scales);
+    for (const Body<double>& body : scene_.bodies) {
+      Vector6<double> force = body_wrench(scene_, answer_, body) / scales.force;
+      force.tail<3>() /= scales.length;
+      wrench += force;
+    }
+    out_.acceleration = factored_.mobility * wrench * scales.acceleration;
+    out_.acceleration.tail<3>() /= scales.length;
+    completion_.completed.emplace_back("the object's acceleration, from the forces");
+    return true;
+  }
+  if (acceleration_from_points()) {
+    completion_.completed.emplace_back("the object's acceleration, from its contact points'");
+    return true;
+  }
+  completion_.missing = "the object's acceleration, or every contact's normal and friction force";
+  return false;
+}
+
+/// As the file names them, or as its bodies or its points close.
+std::optional<Eigen::VectorXd> AnswerCompleter::closings_given() const {
+  const Index n = layout_.actuators;
+  if (static_cast<Index>(given_.closing.size()) == n)
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(given_.closing.data(), n));
+  Rows rows;
+  for (std::size_t b = 0; b < given_.bodies.size(); ++b) {
+    const std::vector<double>& closing = given_.bodies[b].closing;
+    const Index first = file_.bodies[b].first_point, count = file_.bodies[b].point_count;
+    const bool each = static_cast<Index>(closing.size()) == count;
+    if (closing.empty() || (!each && closing.size() != 1)) continue;
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(n);
+    for (Index k = 0; k < count; ++k) {
+      const Eigen::VectorXd speeds = drive_speeds(first + k, body_of(first + k).normal);
+      if (each && count > 1) rows.emplace_back(speeds, closing[static_cast<std::size_t>(k)]);
+      mean += speeds / static_cast<double>(count);
+    }
+    if (!each || count == 1) rows.emplace_back(mean, closing[0]);
+  }
+  if (const auto found = least_squares(rows, n)) return found;
+  return least_squares(point_rows(false), n);
+}
+
+/// A pressed contact stays closed; what presses most counts most.
+std::optional<Eigen::VectorXd> AnswerCompleter::closings_from_forces() const {
+  Rows rows;
+  for (Index i = 0; i < layout_.points; ++i) {
+    if (!normal_known(i)) continue;
+    const double weight = std::abs(answer_.contacts[i].normal_force) / layout_.scales.force;
+    const Eigen::VectorXd speeds = drive_speeds(i, body_of(i).normal);
+    if (weight > tolerance_ && speeds.norm() > 0)
+      rows.emplace_back(weight * speeds, weight * opening(i));
+  }
+  for (Index a = 0; a < layout_.actuators; ++a) {
+    const Actuator<double>& actuator = scene_.actuators[a];
+    if (!(actuator.inertia > 0) || !forces_known()) continue;
+    double rest = actuator.force;
+    for (const Drive<double>& drive : scene_.drives)
+      if (drive.actuator == a)
+        rest -= drive.twist.dot(body_wrench(scene_, answer_, scene_.bodies[drive.body]));
+    rows.emplace_back(Eigen::VectorXd::Unit(layout_.actuators, a), rest / actuator.inertia);
+  }
+  return least_squares(rows, layout_.actuators);
+}
+
+/// As far as the object lets the actuators close: maximise tau s while no contact is entered.
+std::optional<Eigen::VectorXd> AnswerCompleter::closings_from_openings() const {
+  const Index n = layout_.actuators, points = layout_.points;
+  double unit = 0;
+  for (Index i = 0; i < points; ++i) unit = std::max(unit, std::abs(opening(i)));
+  if (!(unit > 0)) unit = 1;
+  OwnedProgram program(2 * n + points, points);
+  for (Index a = 0; a < n; ++a) {
+    program.c[a] = -scene_.actuators[a].force / layout_.scales.force;
+    program.c[n + a] = -program.c[a];
+  }
+  for (Index i = 0; i < points; ++i) {
+    const Eigen::VectorXd speeds = drive_speeds(i, body_of(i).normal);
+    program.A.row(i).head(n) = speeds.transpose();
+    program.A.row(i).segment(n, n) = -speeds.transpose();
+    program.A(i, 2 * n + i) = 1;
+    // A body that no actuator moves sets no limit.
+    program.b[i] = speeds.norm() > 0 ? opening(i) / unit : 1;
+  }
+  const auto x = program.solve();
+  if (!x) return std::nullopt;
+  return Eigen::VectorXd(unit * (x->head(n) - x->segment(n, n)));
+}
+
+void AnswerCompleter::find_closings() {
+  if (layout_.actuators == 0) return;
+  std::optional<Eigen::VectorXd> s = closings_given();
+  if (!s) {
+    s = closings_from_forces();
+    if (!s) s = closings_from_openings();
+    if (!s) {
+      completion_.missing = "the closing accelerations (\"closing\", a number an actuator)";
+      return;
+    }
+    completion_.completed.emplace_back("how the actuators close, from the motion of the contacts");
+  }
+  std::copy(s->data(), s->data() + s->size(), out_.closing.begin());
+}
+
+/// d_j' r + xi, m/s^2.
+double AnswerCompleter::slides_against(Index point, Index j) const {
+  const Body<double>& body = body_of(point);
+  const Vector6<double> relative =
+      out_.acceleration - body_twist(scene_, answer_, layout_.body[point], 1.0);
+  const Generator<double> d = generator(body, j, scene_.facets);
+  return acceleration_at<double>(scene_.points[point], relative).dot(d.force) +
+         relative.tail<3>().dot(body.normal) * d.torque + answer_.contacts[point].slip;
+}
+
+/// n' r, m/s^2.
+double AnswerCompleter::gap(Index point) const {
+  const Vector6<double> relative =
+      out_.acceleration - body_twist(scene_, answer_, layout_.body[point], 1.0);
+  return acceleration_at<double>(scene_.points[point], relative).dot(body_of(point).normal);
+}
+
+/// xi = max (0, - d_j' r): what [T.3] makes of the motion.
+void AnswerCompleter::find_slips() {
+  answer_.acceleration = out_.acceleration;
+  for (Index i = 0; i < layout_.points; ++i) {
+    double& slip = answer_.contacts[i].slip;
+    slip = 0;
+    double most = 0;
+    for (Index j = 0; j < layout_.cones[i].generators; ++j)
+      most = std::max(most, -slides_against(i, j));
+    slip = most;
+  }
+}
+
+/// Every contact's motion, as given or as it follows.
+void AnswerCompleter::find_motions() {
+  for (Index i = 0; i < layout_.points; ++i) {
+    const Body<double>& body = body_of(i);
+    const Vector6<double> twist = body_twist(scene_, answer_, layout_.body[i], 1.0);
+    const Vector6<double> relative = out_.acceleration - twist;
+    ContactAnswer<double>& contact = answer_.contacts[i];
+    contact.acceleration =
+        contact_of(i).acceleration.value_or(acceleration_at<double>(scene_.points[i], relative));
+    contact.spin = relative.tail<3>().dot(body.normal);
+    contact.closing =
+        acceleration_at<double>(scene_.points[i], twist - body.acceleration).dot(body.normal);
+  }
+}
+
+Completion AnswerCompleter::run() {
+  take_given();
+  if (!find_acceleration()) return completion_;
+  find_closings();
+  if (!completion_.missing.empty()) return completion_;
+  find_slips();
+  std::size_t entry = 0;
+  for (Index i = 0; i < layout_.points; ++i) {
+    if (friction_known(i) && has_friction(i)) split_friction(i, &out_.friction[entry]);
+    entry += static_cast<std::size_t>(layout_.cones[i].generators);
+  }
+  if (!forces_known()) find_forces();
+  find_motions();
+  return completion_;
+}
+
+OwnedAnswer::OwnedAnswer(const Layout<double>& layout)
+    : contacts(static_cast<std::size_t>(layout.points)),
+      closing(static_cast<std::size_t>(layout.actuators)) {
+  std::size_t generators = 0;
+  for (const ConeGroup<double>& cone : layout.cones)
+    generators += static_cast<std::size_t>(cone.generators);
+  friction.resize(generators);
+}
+
+Completion complete_answer(Push& push, const ForeignAnswer& given, double tolerance,
+                           OwnedAnswer& answer) {
+  return AnswerCompleter(push, given, tolerance, answer).run();
+}
+
+} // namespace lcpush::desktop

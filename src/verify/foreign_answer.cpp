@@ -1,0 +1,151 @@
+#include "lcpush/desktop/foreign_answer.hpp"
+
+#include "formats/json_fields.hpp"
+#include "lcpush/desktop/push.hpp"
+#include "text/text_file.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr std::size_t most_bytes = 256U << 20U;
+
+/// Where each entry of the file belongs: by name if the names are exactly the scene's, else by
+/// order. `fault` receives why it fits neither way.
+std::vector<std::size_t> places(const std::vector<std::string>& given,
+                                const std::vector<std::string>& known, const char* what,
+                                std::string& fault) {
+  std::vector<std::size_t> place(given.size());
+  for (std::size_t k = 0; k < given.size(); ++k) place[k] = k;
+  if (given.size() != known.size()) {
+    fault = "it has " + std::to_string(given.size()) + " " + what + ", the scene " +
+            std::to_string(known.size());
+    return {};
+  }
+  std::vector<std::string> sorted = given, wanted = known;
+  std::sort(sorted.begin(), sorted.end());
+  std::sort(wanted.begin(), wanted.end());
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    if (sorted == wanted)
+      place[k] =
+          static_cast<std::size_t>(std::find(known.begin(), known.end(), given[k]) - known.begin());
+    else if (!given[k].empty() && given[k] != known[k]) {
+      fault = "number " + std::to_string(k + 1) + " of its " + what + " is called " +
+              quoted(given[k]) + ", the scene's " + quoted(known[k]);
+      return {};
+    }
+  }
+  return place;
+}
+
+ForeignContact read_contact(const JsonFields& fields, const JsonValue& value) {
+  ForeignContact contact;
+  contact.name = fields.text(value, "name");
+  contact.body = fields.text(value, "body");
+  contact.normal_force = fields.number(value, "normal_force");
+  contact.torsion = fields.number(value, "torsion");
+  contact.spin = fields.number(value, "spin");
+  contact.friction_force = fields.vector<3>(value, "friction_force");
+  contact.acceleration = fields.vector<3>(value, "acceleration");
+  contact.position = fields.vector<3>(value, "position");
+  return contact;
+}
+
+void read_contacts(const JsonFields& fields, const JsonArray& array, const SceneFile& file,
+                   ForeignAnswer& answer) {
+  std::vector<ForeignContact> read;
+  std::vector<std::string> given, known;
+  for (const JsonValue& value : array) {
+    read.push_back(read_contact(fields, value));
+    given.push_back(read.back().name);
+  }
+  for (std::size_t i = 0; i < file.points.size(); ++i)
+    known.push_back(point_name(file, static_cast<Index>(i)));
+  const std::vector<std::size_t> place = places(given, known, "contacts", answer.not_this_scene);
+  if (!answer.not_this_scene.empty()) return;
+  answer.contacts.resize(read.size());
+  for (std::size_t k = 0; k < read.size(); ++k) answer.contacts[place[k]] = read[k];
+  double size = 0;
+  for (const Vector3<double>& p : file.points) size = std::max(size, p.norm());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const ForeignContact& contact = answer.contacts[i];
+    const std::string& body =
+        file.body_names[static_cast<std::size_t>(file.body_of(static_cast<Index>(i)))];
+    if (!contact.body.empty() && contact.body != body)
+      answer.not_this_scene = "contact " + known[i] + " is of body " + quoted(contact.body) +
+                              ", the scene's of " + quoted(body);
+    if (contact.position && !((*contact.position - file.positions[i]).norm() <= 1e-6 * size))
+      answer.not_this_scene = "contact " + known[i] + " is at another place, " +
+                              shown((*contact.position - file.positions[i]).norm()) +
+                              " m from the scene's";
+    if (!answer.not_this_scene.empty()) return;
+  }
+}
+
+void read_bodies(const JsonFields& fields, const JsonArray& array, const SceneFile& file,
+                 ForeignAnswer& answer) {
+  std::vector<std::string> given;
+  for (const JsonValue& value : array) given.push_back(fields.text(value, "name"));
+  const std::vector<std::size_t> place =
+      places(given, file.body_names, "bodies", answer.not_this_scene);
+  if (!answer.not_this_scene.empty()) return;
+  answer.bodies.resize(array.size());
+  for (std::size_t k = 0; k < array.size(); ++k) {
+    ForeignBody& body = answer.bodies[place[k]];
+    body.force = fields.vector<3>(array[k], "force");
+    body.moment = fields.vector<3>(array[k], "moment");
+    body.normal_force = fields.number(array[k], "normal_force");
+    const JsonValue* const closing = array[k].find("closing_acceleration");
+    if (closing == nullptr) continue;
+    if (closing->as<JsonArray>() == nullptr)
+      body.closing = {*fields.number(array[k], "closing_acceleration")};
+    else if (const auto list = fields.numbers(array[k], "closing_acceleration", -1))
+      body.closing = *list;
+  }
+}
+
+bool says_something(const ForeignAnswer& answer) {
+  if (answer.acceleration) return true;
+  return std::any_of(answer.contacts.begin(), answer.contacts.end(), [](const ForeignContact& c) {
+    return c.normal_force || c.friction_force || c.acceleration || c.torsion;
+  });
+}
+
+} // namespace
+
+ForeignAnswer parse_foreign_answer(std::string_view text, const std::string& file_name,
+                                   const SceneFile& file) {
+  const JsonValue root = parse_json(text, file_name);
+  const JsonFields fields(file_name);
+  if (root.as<JsonObject>() == nullptr)
+    fields.refuse(root, std::string("an answer is a JSON object, got ") + root.type());
+  ForeignAnswer answer;
+  answer.file = file_name;
+  answer.status = fields.text(root, "status");
+  if (const JsonValue* const object = root.find("object")) {
+    if (object->as<JsonObject>() == nullptr)
+      fields.refuse(*object, std::string("\"object\" must be an object, got ") + object->type());
+    answer.acceleration = fields.vector<6>(*object, "acceleration");
+  }
+  if (const auto closing = fields.numbers(root, "closing", -1)) answer.closing = *closing;
+  if (const JsonArray* const contacts = fields.objects(root, "contacts"))
+    read_contacts(fields, *contacts, file, answer);
+  const JsonArray* const bodies = fields.objects(root, "bodies");
+  if (bodies != nullptr && answer.not_this_scene.empty())
+    read_bodies(fields, *bodies, file, answer);
+  if (answer.not_this_scene.empty() && !says_something(answer))
+    fields.refuse(root,
+                  "nothing to verify: give \"object\": {\"acceleration\": [6 numbers]} or "
+                  "\"contacts\": [{\"normal_force\": .., \"friction_force\": [..]}, ..]" +
+                      (answer.status.empty() ? std::string()
+                                             : ", not only \"status\": " + quoted(answer.status)));
+  return answer;
+}
+
+ForeignAnswer read_foreign_answer(const std::string& path, const SceneFile& file) {
+  return parse_foreign_answer(read_text_file(path, most_bytes), path, file);
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,90 @@
+#include "verify/foreign_point.hpp"
+
+#include "verify/owned_program.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+
+ForeignMetrics measure_point(const DenseProblem& problem, const Eigen::VectorXd& z) {
+  const Eigen::VectorXd w = problem.w(z);
+  ForeignMetrics metrics;
+  double squares = 0;
+  for (Index i = 0; i < z.size(); ++i) {
+    const bool is_free = problem.is_free(i);
+    const double natural = is_free ? w[i] : std::min(z[i], w[i]);
+    const double burmeister = is_free ? w[i] : std::hypot(z[i], w[i]) - z[i] - w[i];
+    metrics.natural_map = std::max(metrics.natural_map, std::abs(natural));
+    squares += burmeister * burmeister;
+    if (!is_free) metrics.products += z[i] * w[i];
+  }
+  metrics.fischer_burmeister = std::sqrt(squares);
+  return metrics;
+}
+
+std::optional<Eigen::VectorXd> refine_point(const DenseProblem& problem, const Eigen::VectorXd& z) {
+  constexpr Index most_unknowns = 2000;
+  if (z.size() > most_unknowns) return std::nullopt;
+  const Eigen::VectorXd w = problem.w(z);
+  std::vector<Index> basic;
+  for (Index i = 0; i < z.size(); ++i)
+    if (problem.is_free(i) || z[i] > w[i]) basic.push_back(i);
+  const auto k = static_cast<Index>(basic.size());
+  Eigen::MatrixXd B(k, k);
+  Eigen::VectorXd z_B(k), q_B(k);
+  for (Index c = 0; c < k; ++c) {
+    const Index j = basic[static_cast<std::size_t>(c)];
+    z_B[c] = z[j];
+    q_B[c] = problem.q[j];
+    for (Index r = 0; r < k; ++r) B(r, c) = problem.M(basic[static_cast<std::size_t>(r)], j);
+  }
+  Eigen::VectorXd refined = Eigen::VectorXd::Zero(z.size());
+  if (k > 0) {
+    // Where the basis leaves forces open, the least change.
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    decomposition.setThreshold(1e-11);
+    decomposition.compute(B);
+    for (int round = 0; round < 2; ++round) z_B -= decomposition.solve(B * z_B + q_B);
+  }
+  for (Index c = 0; c < k; ++c) refined[basic[static_cast<std::size_t>(c)]] = z_B[c];
+  if (!refined.allFinite()) return std::nullopt;
+  return refined;
+}
+
+bool is_stationary(const DenseProblem& problem, const Eigen::VectorXd& z) {
+  constexpr Index most_unknowns = 400;
+  const Index n = z.size();
+  if (n > most_unknowns) return false;
+  const Eigen::VectorXd w = problem.w(z);
+  Eigen::VectorXd products = z;
+  for (Index i = 0; i < n; ++i)
+    if (problem.is_free(i)) products[i] = 0;
+  Eigen::VectorXd gradient = problem.M.transpose() * products;
+  double objective = 0;
+  for (Index i = 0; i < n; ++i) {
+    if (problem.is_free(i)) continue;
+    gradient[i] += w[i];
+    objective += z[i] * w[i];
+  }
+  // Columns: z; minus z for what is free; w.
+  OwnedProgram program(3 * n, n);
+  program.A.leftCols(n) = problem.M;
+  program.b = -problem.q;
+  program.c.head(n) = gradient;
+  for (Index i = 0; i < n; ++i) {
+    if (problem.is_free(i)) {
+      program.A.col(n + i) = -problem.M.col(i);
+      program.c[n + i] = -gradient[i];
+    } else {
+      program.A(i, 2 * n + i) = -1;
+    }
+  }
+  const auto x = program.solve();
+  if (!x) return false;
+  return gradient.dot(z) - program.c.dot(*x) <= 0.01 * objective;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,202 @@
+#include "lcpush/desktop/verify.hpp"
+
+#include "lcpush/desktop/input_error.hpp"
+#include "text/wording.hpp"
+#include "verify/complete_answer.hpp"
+#include "verify/foreign_point.hpp"
+#include "verify/verify_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+/// The scaled unknowns of the assembly's problem that make this answer.
+Eigen::VectorXd unknowns_of(const Layout<double>& layout, const Answer<double>& answer) {
+  Eigen::VectorXd z(layout.size);
+  const double* beta = answer.friction.data;
+  for (Index i = 0; i < layout.points; ++i) {
+    const ConeGroup<double>& cone = layout.cones[i];
+    const double lambda = answer.contacts[i].normal_force / layout.scales.force;
+    z[cone.variable] = cone.normals == 2 ? std::max(lambda, 0.0) : lambda;
+    if (cone.normals == 2) z[cone.variable + 1] = std::max(-lambda, 0.0);
+    for (Index j = 0; j < cone.generators; ++j)
+      z[layout.friction(i, j)] = *beta++ / layout.scales.force;
+    if (cone.generators > 0)
+      z[layout.slip(i)] = answer.contacts[i].slip / layout.scales.acceleration;
+  }
+  for (Index a = 0; a < layout.actuators; ++a)
+    z[layout.closing(a)] = answer.closing[a] * layout.reach[a] / layout.scales.acceleration;
+  return z;
+}
+
+DenseProblem dense(const Problem<double>& problem) {
+  DenseProblem made;
+  made.M.resize(problem.size, problem.size);
+  fill_matrix(problem, MatrixMap<double>(made.M.data(), problem.size, problem.size));
+  made.q = Eigen::Map<const Eigen::VectorXd>(problem.q, problem.size);
+  made.free.assign(static_cast<std::size_t>(problem.size), 0);
+  for (Index i = problem.free_begin; i < problem.size; ++i)
+    made.free[static_cast<std::size_t>(i)] = 1;
+  return made;
+}
+
+/// The largest difference among the contact forces that the file gives.
+double force_difference(const ForeignAnswer& given, const Answer<double>& a,
+                        const Answer<double>& b) {
+  double most = 0;
+  for (Index i = 0; i < static_cast<Index>(given.contacts.size()); ++i) {
+    const ForeignContact& contact = given.contacts[static_cast<std::size_t>(i)];
+    const ContactAnswer<double>&x = a.contacts[i], &y = b.contacts[i];
+    if (contact.normal_force) most = std::max(most, std::abs(x.normal_force - y.normal_force));
+    if (contact.friction_force) most = std::max(most, (x.friction_force - y.friction_force).norm());
+  }
+  return most;
+}
+
+double motion_difference(const Answer<double>& a, const Answer<double>& b,
+                         const Scales<double>& scales) {
+  return motion_size<double>(a.acceleration - b.acceleration, scales) * scales.acceleration;
+}
+
+class Verification {
+public:
+  Verification(const SceneFile& file, const ForeignAnswer& given, const VerifyOptions& options)
+      : given_(given), push_(file), layout_(push_.layout()), answer_(layout_) {
+    report_.tolerance = options.tolerance;
+  }
+
+  VerifyReport run();
+
+private:
+  const ForeignAnswer& given_;
+  Push push_;
+  const Layout<double>& layout_;
+  OwnedAnswer answer_;
+  VerifyReport report_;
+  bool has_forces_ = false; // filled in
+
+  void study_point();
+  void refine(const DenseProblem& problem, const Eigen::VectorXd& z, OwnedAnswer& refined);
+  void compare(OwnedAnswer& nearest);
+  const BrokenRow& worst_row() const;
+};
+
+const BrokenRow& Verification::worst_row() const {
+  return *std::max_element(report_.rows.begin(), report_.rows.end(),
+                           [](const BrokenRow& a, const BrokenRow& b) {
+                             return !(b.scaled <= a.scaled); // NaN is the worst
+                           });
+}
+
+void Verification::refine(const DenseProblem& problem, const Eigen::VectorXd& z,
+                          OwnedAnswer& refined) {
+  const auto point = refine_point(problem, z);
+  if (!point) return;
+  report_.refined.found = true;
+  Answer<double> view = refined.view();
+  read_answer(push_.assembly(), point->data(), view, 1.0);
+  refined.acceleration = view.acceleration;
+  const Answer<double> before = answer_.view();
+  report_.refined.residual = check(push_.scene(), layout_.scales, view, 1.0).max();
+  report_.refined.moved = (*point - z).cwiseAbs().maxCoeff();
+  report_.refined.force = force_difference(given_, before, view);
+  report_.refined.acceleration = motion_difference(before, view, layout_.scales);
+}
+
+/// Everything that needs the literal problem, before a pressure law changes it.
+void Verification::study_point() {
+  const DenseProblem problem = dense(push_.assembly().problem());
+  Answer<double> view = answer_.view();
+  const Eigen::VectorXd z = unknowns_of(layout_, view);
+  report_.metrics = measure_point(problem, z);
+  report_.objective = report_.metrics.products * layout_.scales.force * layout_.scales.acceleration;
+  report_.basis = study_final_basis(push_.assembly(), view);
+  report_.motion_proved = motion_is_determined(push_.scene());
+  OwnedAnswer nearest(layout_);
+  refine(problem, z, nearest);
+  const double tolerance = report_.tolerance;
+  if (report_.residual <= tolerance) {
+    // Of an answer with few digits, the exact one next to it; a motion alone stands as it is.
+    const bool closer =
+        !has_forces_ && report_.refined.found && report_.refined.residual < report_.residual;
+    compare(closer ? nearest : answer_);
+    return;
+  }
+  report_.verdict = Verdict::not_a_solution;
+  report_.because = worst_row().family + ": " + worst_row().name;
+  bool feasible = z.allFinite();
+  const Eigen::VectorXd w = problem.w(z);
+  for (Index i = 0; i < z.size(); ++i)
+    feasible = feasible && (problem.is_free(i) ? std::abs(w[i]) <= tolerance
+                                               : std::min(z[i], w[i]) >= -tolerance);
+  for (const BrokenRow& row : report_.rows) {
+    const bool linear = row.family == "newton" || row.family == "grip" ||
+                        row.family == "rigidity" || row.family == "given";
+    feasible = feasible && !(linear && !(row.scaled <= tolerance));
+  }
+  if (feasible && is_stationary(problem, z)) report_.verdict = Verdict::spurious_minimum;
+}
+
+void Verification::compare(OwnedAnswer& nearest) {
+  const Answer<double> mine = nearest.view();
+  PushOptions options;
+  options.explain_jams = false;
+  options.other_covers = 0;
+  const PushReport own = push_.solve(options);
+  report_.own.status = own.status;
+  report_.verdict = Verdict::other_solution;
+  if (own.status != Status::solved) return;
+  const Scales<double>& scales = layout_.scales;
+  report_.own.force = force_difference(given_, mine, own.answer);
+  report_.own.acceleration = motion_difference(mine, own.answer, scales);
+  const double close = std::max(1e-6, 10 * report_.tolerance);
+  double largest = scales.force;
+  for (const ContactAnswer<double>& contact : own.answer.contacts)
+    largest = std::max(largest, std::abs(contact.normal_force));
+  const bool same_motion =
+      lcpush::same_motion<double>({mine.acceleration, {}}, {own.answer.acceleration, {}}, scales,
+                                  push_size(push_.scene()), close);
+  if (!same_motion) return;
+  report_.verdict =
+      report_.own.force <= close * largest ? Verdict::same_solution : Verdict::other_forces;
+}
+
+VerifyReport Verification::run() {
+  if (!given_.not_this_scene.empty()) {
+    report_.because = given_.not_this_scene;
+    return report_;
+  }
+  const Completion completion = complete_answer(push_, given_, report_.tolerance, answer_);
+  if (!completion.missing.empty())
+    throw InputError(given_.file + ": what is given leaves the rest open; give also " +
+                     completion.missing);
+  has_forces_ = completion.has_forces;
+  report_.completed = completion.completed;
+  report_.rows = broken_rows(push_, given_, answer_.view());
+  report_.residual = worst_row().scaled;
+  study_point();
+  return report_;
+}
+
+} // namespace
+
+const char* verdict_text(Verdict verdict) {
+  switch (verdict) {
+  case Verdict::same_solution: return "same solution";
+  case Verdict::other_forces: return "same motion, other forces";
+  case Verdict::other_solution: return "another valid solution";
+  case Verdict::not_a_solution: return "not a solution";
+  case Verdict::spurious_minimum: return "a spurious local minimum of the quadratic form";
+  case Verdict::other_data: return "not this scene's data";
+  }
+  return "";
+}
+
+VerifyReport verify_answer(const SceneFile& file, const ForeignAnswer& answer,
+                           const VerifyOptions& options) {
+  return Verification(file, answer, options).run();
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,84 @@
+#include "formats/json_writer.hpp"
+#include "lcpush/desktop/verify.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+void write_verdict(JsonWriter& json, Verdict verdict, const std::string& because,
+                   double tolerance) {
+  json.begin_object().member("verdict", verdict_text(verdict)).member("valid", is_valid(verdict));
+  json.key("because");
+  if (because.empty())
+    json.value(nullptr);
+  else
+    json.value(because);
+  json.member("tolerance", tolerance);
+}
+
+void write_metrics(JsonWriter& json, const ForeignMetrics& metrics) {
+  json.member("natural_map", metrics.natural_map)
+      .member("fischer_burmeister", metrics.fischer_burmeister)
+      .member("products", metrics.products);
+}
+
+} // namespace
+
+std::string verify_json(const VerifyReport& report) {
+  JsonWriter json;
+  write_verdict(json, report.verdict, report.because, report.tolerance);
+  if (report.verdict == Verdict::other_data) return json.end_object().text();
+  json.member("residual", report.residual);
+  json.key("laws").begin_object();
+  for (const BrokenRow& row : report.rows)
+    json.key(row.family)
+        .begin_object()
+        .member("scaled", row.scaled)
+        .member("si", row.si)
+        .member("unit", row.unit)
+        .member("holds", row.scaled <= report.tolerance)
+        .member("row", row.name)
+        .end_object();
+  json.end_object().key("completed").strings(report.completed);
+  write_metrics(json, report.metrics);
+  json.member("objective", report.objective);
+  json.key("basis").begin_object().member("refined", report.refined.found);
+  json.member("residual", report.refined.residual).member("moved_force", report.refined.force);
+  json.member("moved_acceleration", report.refined.acceleration).end_object();
+  json.key("unique").begin_object().member("motion_proved", report.motion_proved);
+  json.member("studied", report.basis.studied).member("motion_open", report.basis.motion_open);
+  json.member("wrench_open", report.basis.wrench_open);
+  json.member("tied_contacts", report.basis.tied_contacts).end_object();
+  json.key("own");
+  if (!is_valid(report.verdict))
+    json.value(nullptr);
+  else
+    json.begin_object()
+        .member("status", status_text(report.own.status))
+        .member("force_difference", report.own.force)
+        .member("acceleration_difference", report.own.acceleration)
+        .end_object();
+  return json.end_object().text();
+}
+
+std::string verify_json(const RawVerifyReport& report) {
+  JsonWriter json;
+  write_verdict(json, report.verdict, report.because, report.tolerance);
+  if (report.verdict == Verdict::other_data) return json.end_object().text();
+  json.member("residual", report.residual);
+  json.member("row", report.row < 0 ? std::nullopt : std::optional(report.row + 1));
+  json.member("z", report.z).member("w", report.w);
+  write_metrics(json, report.metrics);
+  json.key("basis").begin_object().member("refined", report.refined.found);
+  json.member("residual", report.refined.residual).member("moved", report.refined.moved);
+  json.end_object().key("own");
+  if (!is_valid(report.verdict))
+    json.value(nullptr);
+  else
+    json.begin_object()
+        .member("status", status_text(report.own.status))
+        .member("difference", report.own.force)
+        .end_object();
+  return json.end_object().text();
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,175 @@
+#include "verify/verify_rows.hpp"
+
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+/// Finds the words for a row of a law.
+class RowNames {
+public:
+  RowNames(const Push& push, const Answer<double>& answer)
+      : push_(push), scene_(push.scene()), answer_(answer) {}
+
+  std::string operator()(const Violation<double>& row) const {
+    const std::string point = row.law == Law::newton || row.law == Law::grip
+                                  ? std::string()
+                                  : point_name(push_.file(), row.of);
+    switch (row.law) {
+    case Law::newton: return newton(row.of);
+    case Law::normal: return normal(row, point);
+    case Law::dissipation: return dissipation(row, point);
+    case Law::cone: return cone(row, point);
+    case Law::grip: return "force of actuator " + push_.actuator_name(row.of);
+    case Law::rigidity: return rigidity(row, point);
+    case Law::pusher: return point + " presses and does not move with its pusher";
+    }
+    return {};
+  }
+
+  std::string unit(const Violation<double>& row) const {
+    const Scales<double>& scales = push_.layout().scales;
+    const bool turns = row.law == Law::newton && row.of >= 3;
+    if (row.law == Law::newton && scene_.planar && row.of >= 2 && row.of <= 4)
+      return turns ? "rad/s^2" : "m/s^2";
+    if (turns || (row.law == Law::cone && row.part == 3)) return "N m";
+    if (row.law == Law::newton || row.law == Law::grip) return "N";
+    if (row.law == Law::rigidity) return "m/s^2";
+    if (scales.force != scales.acceleration) return row.unit == scales.force ? "N" : "m/s^2";
+    return row.law == Law::cone && row.part >= 0 ? "N" : "N or m/s^2";
+  }
+
+private:
+  const Push& push_;
+  const Scene<double>& scene_;
+  const Answer<double>& answer_;
+
+  const Body<double>& body_of(Index point) const {
+    return scene_.bodies[push_.layout().body[point]];
+  }
+  std::string newton(Index axis) const {
+    const std::string name(1, "xyz"[axis % 3]);
+    if (scene_.planar && axis >= 2 && axis <= 4)
+      return axis == 2 ? "motion out of the plane along z"
+                       : "rotation out of the plane about " + name;
+    return axis < 3 ? "balance of forces along " + name : "balance of moments about " + name;
+  }
+  std::string normal(const Violation<double>& row, const std::string& point) const {
+    const ContactAnswer<double>& contact = answer_.contacts[row.of];
+    if (body_of(row.of).bilateral) return point + " leaves a pusher that holds it";
+    if (!(row.scaled < 0)) return point + " presses while it separates";
+    return contact.normal_force < 0 ? point + " pulls" : point + " moves into its body";
+  }
+  std::string dissipation(const Violation<double>& row, const std::string& point) const {
+    const Generator<double> d = generator(body_of(row.of), row.part, scene_.facets);
+    return "friction of " + point + generator_text(d, body_of(row.of).torsion_radius) +
+           (row.scaled < 0 ? " is negative or too slow a slip" : " does not oppose the slip");
+  }
+  std::string cone(const Violation<double>& row, const std::string& point) const {
+    if (row.part >= 0) return "friction of " + point + " is no force of its contact plane";
+    if (row.scaled < 0) return "friction of " + point + " exceeds its cone";
+    return point + " slides with friction inside its cone";
+  }
+  std::string rigidity(const Violation<double>& row, const std::string& point) const {
+    if (row.part < 3)
+      return "acceleration of " + point + " along " + std::string(1, "xyz"[row.part]) +
+             " is not the object's";
+    return point + " and " + point_name(push_.file(), row.part - 3) +
+           " do not move as one rigid body";
+  }
+};
+
+bool is_worse(double violation, double than) {
+  return !(std::abs(violation) <= than) && than == than;
+}
+
+/// Numbers of the file that follow from others.
+class GivenSums {
+public:
+  GivenSums(const Push& push, const ForeignAnswer& given, const Answer<double>& answer)
+      : file_(push.file()), scene_(push.file().view()), scales_(push.layout().scales),
+        given_(given), answer_(answer) {}
+
+  BrokenRow worst() {
+    worst_ = {"given", "sums and spins that the file states", 0, 0, "N"};
+    for (std::size_t b = 0; b < given_.bodies.size(); ++b) look_at(b);
+    for (std::size_t i = 0; i < given_.contacts.size(); ++i)
+      if (const auto& spin = given_.contacts[i].spin)
+        note(*spin - answer_.contacts[static_cast<Index>(i)].spin,
+             scales_.acceleration / scales_.length, "rad/s^2",
+             "spin of " + point_name(file_, static_cast<Index>(i)) + " is not the motion's");
+    return worst_;
+  }
+
+private:
+  const SceneFile& file_;
+  Scene<double> scene_;
+  const Scales<double>& scales_;
+  const ForeignAnswer& given_;
+  const Answer<double>& answer_;
+  BrokenRow worst_;
+
+  void note(double difference, double unit, const char* unit_name, const std::string& name) {
+    if (is_worse(difference / unit, worst_.scaled))
+      worst_ = {"given", name, std::abs(difference / unit), std::abs(difference), unit_name};
+  }
+
+  void look_at(std::size_t b) {
+    const ForeignBody& given = given_.bodies[b];
+    const Body<double>& body = scene_.bodies[static_cast<Index>(b)];
+    const std::string of = " of body " + file_.body_names[b];
+    const Vector6<double> wrench = body_wrench(scene_, answer_, body);
+    for (Index k = 0; k < 3; ++k) {
+      if (given.force)
+        note((*given.force)[k] - wrench[k], scales_.force, "N",
+             "force" + of + " is not its points' sum");
+      if (given.moment)
+        note((*given.moment)[k] - wrench[3 + k], scales_.force * scales_.length, "N m",
+             "moment" + of + " is not its points' sum");
+    }
+    if (given.normal_force)
+      note(*given.normal_force - normal_sum(answer_, body), scales_.force, "N",
+           "normal_force" + of + " is not its points' sum");
+    const std::string closes = "closing_acceleration" + of + " is not the motion's";
+    if (given.closing.size() == 1)
+      note(given.closing[0] - closing(answer_, body), scales_.acceleration, "m/s^2", closes);
+    for (std::size_t k = 0; given.closing.size() > 1 && k < given.closing.size(); ++k)
+      if (static_cast<Index>(given.closing.size()) == body.point_count)
+        note(given.closing[k] - answer_.contacts[body.first_point + static_cast<Index>(k)].closing,
+             scales_.acceleration, "m/s^2", closes);
+  }
+};
+
+} // namespace
+
+const char* law_text(Law law) {
+  static const char* const names[] = {"newton", "normal",   "dissipation", "cone",
+                                      "grip",   "rigidity", "pusher"};
+  return names[static_cast<int>(law)];
+}
+
+std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
+                                   const Answer<double>& answer) {
+  std::vector<Violation<double>> worst(static_cast<std::size_t>(law_count));
+  std::vector<bool> any(worst.size());
+  check_rows(push.scene(), push.layout().scales, answer, 1.0, [&](const Violation<double>& row) {
+    const auto law = static_cast<std::size_t>(row.law);
+    if (!any[law] || is_worse(row.scaled, std::abs(worst[law].scaled))) worst[law] = row;
+    any[law] = true;
+  });
+  const RowNames name(push, answer);
+  std::vector<BrokenRow> rows;
+  for (std::size_t law = 0; law < worst.size(); ++law) {
+    const Violation<double>& row = worst[law];
+    if (!any[law]) continue;
+    rows.push_back({law_text(row.law), name(row), std::abs(row.scaled),
+                    std::abs(row.scaled * row.unit), name.unit(row)});
+  }
+  rows.push_back(GivenSums(push, given, answer).worst());
+  return rows;
+}
+
+} // namespace lcpush::desktop

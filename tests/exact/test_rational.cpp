@@ -1,0 +1,241 @@
+// Exact fractions and the whole numbers under them. tests/exact/rational_fuzz.py has many more
+// numbers; here are those whose answer a person can see, and the corners.
+#include "lcpush/desktop/rational.hpp"
+#include "lcpush/lcp/pivots/lemke.hpp"
+#include "support/dense_lcp.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+using namespace lcpush;
+using desktop::BigInteger;
+using desktop::Rational;
+
+namespace {
+
+Rational fraction(int a, int b) { return Rational(a) / Rational(b); }
+Rational typed(const std::string& text) {
+  const std::optional<Rational> number = Rational::parse(text);
+  CAPTURE(text);
+  REQUIRE(number);
+  return *number;
+}
+BigInteger power_of_two(std::size_t exponent) { return BigInteger(1) << exponent; }
+
+/// Longer and longer fractions that share some divisors, of both signs.
+std::vector<Rational> samples() {
+  std::vector<Rational> list = {0, 1, -1, fraction(1, 3), fraction(-5, 6)};
+  for (int i = 0; i < 12; ++i)
+    list.push_back(list.back() * fraction(-999999937, 6 + i) * Rational(1 << i) + list[1]);
+  for (const std::size_t bits : {63U, 64U, 65U, 128U}) {
+    list.emplace_back(power_of_two(bits) - 1, BigInteger(3));
+    list.emplace_back(BigInteger(-7), power_of_two(bits));
+  }
+  return list;
+}
+
+bool is_lowest(const Rational& a) {
+  return a.denominator().sign() > 0 && gcd(a.numerator(), a.denominator()).is_one();
+}
+
+} // namespace
+
+TEST_CASE("fractions obey the laws of a field and stay in lowest terms") {
+  const std::vector<Rational> list = samples();
+  for (const Rational& a : list)
+    for (const Rational& b : list) {
+      CAPTURE(a.text());
+      CAPTURE(b.text());
+      CHECK(a + b == b + a);
+      CHECK(a * b == b * a);
+      CHECK((a + b) - b == a);
+      if (b != 0) CHECK((a / b) * b == a);
+      for (const Rational& c : list) REQUIRE(a * (b + c) == a * b + a * c);
+      CHECK(is_lowest(a + b));
+      CHECK(is_lowest(a - b));
+      CHECK(is_lowest(a * b));
+      CHECK((a < b) == ((a - b).sign() < 0));
+      CHECK((a <= b) == !(b < a));
+    }
+}
+
+TEST_CASE("the compound operators may have the same number on both sides") {
+  Rational a = fraction(2, 3);
+  const Rational& itself = a;
+  a += itself;
+  CHECK(a == fraction(4, 3));
+  a *= itself;
+  CHECK(a == fraction(16, 9));
+  a -= itself;
+  CHECK(a == 0);
+  a = fraction(-3, 7);
+  a /= itself;
+  CHECK(a == 1);
+  CHECK(-fraction(-3, 7) == abs(fraction(-3, 7)));
+}
+
+TEST_CASE("a moved-from number can be used again") {
+  BigInteger a = power_of_two(200);
+  const BigInteger b = std::move(a);
+  a = 5; // NOLINT: the point of the test
+  CHECK(a + 1 == 6);
+  CHECK(b.bit_length() == 201);
+}
+
+TEST_CASE("decimals are taken as typed, and fractions of whole numbers") {
+  CHECK(typed("0.2") == fraction(1, 5));
+  CHECK(typed("-1.5e-3") == fraction(-3, 2000));
+  CHECK(typed("+2") == 2);
+  CHECK(typed(".5") == fraction(1, 2));
+  CHECK(typed("5.") == 5);
+  CHECK(typed("2E+2") == 200);
+  CHECK(typed("-0") == 0);
+  CHECK(typed("-6/21") == fraction(-2, 7));
+  CHECK(typed("0.1").value() == 0.1);
+  for (const char* text : {"",        ".",
+                           "-",       "+-1",
+                           "--1",     "1e",
+                           "e5",      "1e+-5",
+                           "1 ",      " 1",
+                           "1/0",     "1/",
+                           "/3",      "1/-3",
+                           "0.5/3",   "1e5/3",
+                           "inf",     "nan",
+                           "0x1",     "1e1001",
+                           "1e-1001", "1e99999999999",
+                           "1..2",    "1.2.3",
+                           "1,5"}) {
+    CAPTURE(text);
+    CHECK_FALSE(Rational::parse(text));
+  }
+  CHECK(Rational::parse("1e1000"));
+  CHECK_FALSE(Rational::parse(std::string(10001, '1')));
+}
+
+TEST_CASE("text has the sign in front and no denominator of one") {
+  CHECK(fraction(4, -14).text() == "-2/7");
+  CHECK(Rational(3).text() == "3");
+  CHECK(Rational().text() == "0");
+  CHECK(Rational(std::numeric_limits<std::int64_t>::min()).text() == "-9223372036854775808");
+  CHECK(typed("1e19").text() == "10000000000000000000");
+  CHECK(typed("100000000000000000000000000000000000000.0e0").text() == "1" + std::string(38, '0'));
+  CHECK(typed("-123456789012345678901234567891/2").text() == "-123456789012345678901234567891/2");
+  std::ostringstream out;
+  out << fraction(1, 3) << ' ' << power_of_two(65);
+  CHECK(out.str() == "1/3 36893488147419103232");
+}
+
+TEST_CASE("a double's exact value comes back as the same double") {
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  const double huge = std::numeric_limits<double>::max();
+  for (const double x : {0.1, -1.0 / 3, 1e300, -1e-300, tiny, 3 * tiny, huge, -huge, 0x1p-1022, 0.0,
+                         6755399441055744.5})
+    CHECK(Rational(x).value() == x);
+  CHECK(Rational(0.1) != typed("0.1"));
+  CHECK(Rational(0.375F) == fraction(3, 8));
+  CHECK(Rational(-0.375L) == fraction(-3, 8));
+}
+
+TEST_CASE("value() is the nearest double: ties to even, subnormal, vanishing and overflowing") {
+  const Rational tiny(std::numeric_limits<double>::denorm_min());
+  CHECK((tiny / 2).value() == 0);
+  CHECK((tiny / 2 + tiny / typed("1e30")).value() == tiny.value());
+  CHECK((tiny * fraction(3, 2)).value() == 2 * tiny.value());
+  CHECK((tiny * fraction(5, 2)).value() == 2 * tiny.value());
+  CHECK((tiny / typed("1e1000")).value() == 0);
+  const Rational one_and_half_ulp = Rational(1) + Rational(0x1p-53);
+  CHECK(one_and_half_ulp.value() == 1);
+  CHECK((one_and_half_ulp + Rational(1) / typed("1e200")).value() == 1 + 0x1p-52);
+  CHECK((Rational(1) + Rational(3) * Rational(0x1p-53)).value() == 1 + 0x1p-51);
+  const Rational limit(power_of_two(1024), 1);
+  CHECK(std::isinf((-limit).value()));
+  CHECK((limit - Rational(power_of_two(970), 1)).value() == HUGE_VAL); // a tie, to even
+  CHECK((limit - Rational(power_of_two(970), 1) - 1).value() == std::numeric_limits<double>::max());
+  const Rational long_third(power_of_two(5000), BigInteger(3) * power_of_two(5000) - 1);
+  CHECK(long_third.value() == 1.0 / 3);
+}
+
+TEST_CASE("square roots are exact where they are fractions") {
+  CHECK(sqrt(fraction(9, 16)) == fraction(3, 4));
+  CHECK(sqrt(Rational(0)) == 0);
+  const Rational large = typed("123456789012345678901234567890/7");
+  CHECK(sqrt(large * large) == large);
+  CHECK(sqrt(Rational(2)) == Rational(std::sqrt(2.0)));
+  CHECK_FALSE(desktop::exact_root(fraction(4, 3)));
+}
+
+TEST_CASE("numbers grow and shrink across the limbs' boundaries") {
+  for (const std::size_t bits : {63U, 64U, 127U, 128U, 192U}) {
+    CAPTURE(bits);
+    const BigInteger x = power_of_two(bits);
+    CHECK(x.bit_length() == bits + 1);
+    CHECK((x - 1).bit_length() == bits);
+    CHECK((x - 1) + 1 == x);
+    CHECK(-x + x == 0);
+    CHECK((x - 1) * (x + 1) == x * x - 1);
+    CHECK((x >> bits) == 1);
+    CHECK(x * x / x == x);
+    CHECK((x * x + 5) % x == 5);
+    CHECK(gcd(x * 15, x * 21) == x * 3);
+  }
+}
+
+TEST_CASE("division puts back what an estimated digit took too much") {
+  // Knuth's step D6 on the limbs [0, 0, 2^63, 2^63 - 1] by [1, 0, 2^63].
+  const BigInteger half = power_of_two(63);
+  const BigInteger u = ((half - 1) << 192U) + (half << 128U);
+  const BigInteger v = (half << 128U) + 1;
+  BigInteger quotient, remainder;
+  BigInteger::divide(u, v, &quotient, &remainder);
+  CHECK(quotient == power_of_two(64) - 2);
+  CHECK(quotient * v + remainder == u);
+  CHECK(remainder >= 0);
+  CHECK(remainder < v);
+}
+
+TEST_CASE("the circle's directions are exact where fractions can say them") {
+  CHECK(circle_cosine<Rational>(0, 8) == 1);
+  CHECK(circle_cosine<Rational>(2, 8) == 0);
+  CHECK(circle_cosine<Rational>(4, 8) == -1);
+  CHECK(circle_cosine<Rational>(1, 6) == fraction(1, 2));
+  CHECK(circle_sine<Rational>(1, 12) == fraction(1, 2));
+  CHECK(circle_cosine<Rational>(4, 12) == fraction(-1, 2));
+  for (Index j = 0; j < 10; ++j) {
+    CHECK(circle_cosine<Rational>(j, 10) == Rational(circle_cosine<double>(j, 10)));
+    CHECK(circle_sine<Rational>(j, 10) == Rational(circle_sine<double>(j, 10)));
+  }
+}
+
+TEST_CASE("Lemke in fractions: w and z are exactly complementary on random problems") {
+  test::Random random(7);
+  for (int round = 0; round < 10; ++round) {
+    const Index n = 8;
+    const Eigen::MatrixXd A = test::random_matrix(random, n, n);
+    const Eigen::MatrixXd rounded = A * A.transpose();
+    test::MatrixX<Rational> M = rounded.cast<Rational>();
+    test::VectorX<Rational> q = Eigen::VectorXd(test::random_matrix(random, n, 1)).cast<Rational>();
+    std::vector<Rational> scalars(static_cast<std::size_t>(lemke_scalars(n)));
+    std::vector<int> integers(static_cast<std::size_t>(lemke_integers(n)));
+    Problem<Rational> problem;
+    problem.size = problem.free_begin = n;
+    problem.matrix = M.data();
+    problem.q = q.data();
+    LemkeOptions<Rational> options;
+    options.equilibrate = round % 2 == 1;
+    options.tie_rule = TieRule::lexicographic;
+    Lemke<Rational> lemke({scalars.data(), lemke_scalars(n)}, {integers.data(), lemke_integers(n)});
+    REQUIRE(lemke.init(problem, options) == Status::running);
+    REQUIRE(lemke.solve() == Status::solved);
+    const Eigen::Map<const test::VectorX<Rational>> z(lemke.z(), n);
+    const test::VectorX<Rational> w = M * z + q;
+    for (Index i = 0; i < n; ++i) {
+      CHECK(z[i] >= 0);
+      CHECK(w[i] >= 0);
+      CHECK(z[i] * w[i] == 0);
+    }
+    CHECK(lemke.residual().residual == 0);
+  }
+}

@@ -1,0 +1,387 @@
+// What `lcpush export` writes, read again: the same problem, bit for bit, and lcpush's own answer
+// solves it.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <map>
+
+#include <Eigen/Dense>
+
+#include "lcpush/desktop/export.hpp"
+#include "support/fixture_push.hpp"
+#include "support/full_elimination.hpp"
+
+using namespace lcpush;
+using namespace lcpush::test;
+
+namespace {
+
+// An edge, a soft point, a bilateral pusher, an actuator that turns a body and has inertia.
+const char* const mixed = R"(
+[object]
+mass = 0.5
+box = [0.1, 0.04, 0.02]
+[[finger]]
+name = "pad"
+shape = "rectangle"
+center = [0.01, 0, 0.01]
+normal = [0, 0, -1]
+size = [0.02, 0.01]
+points = [3, 2]
+friction = 0.4
+[[finger]]
+name = "tip"
+shape = "point"
+center = [0, 0, -0.01]
+normal = [0, 0, 1]
+friction = 0.6
+torsion_radius = 0.003
+[[pusher]]
+name = "wall"
+shape = "line"
+ends = [[-0.05, -0.01, 0], [-0.05, 0.01, 0]]
+points = 3
+normal = [1, 0, 0]
+friction = 0.3
+follow = "bilateral"
+acceleration = [0.1, 0, 0]
+[[actuator]]
+name = "tendon"
+bodies = ["pad", "tip"]
+twists = [[0, 0, -1, 0, 2, 0], [0, 0, 1, 0, 0, 0]]
+force = 20
+inertia = 0.05
+)";
+
+// A finger with inertia pushes an object that nothing else holds: the one that closes.
+const char* const pushed_free = R"(
+gravity = [0, 0, 0]
+[object]
+mass = 0.5
+box = [0.1, 0.04, 0.02]
+[[finger]]
+name = "thumb"
+shape = "point"
+center = [-0.05, 0.01, 0]
+normal = [1, 0, 0]
+friction = 0.3
+[[actuator]]
+name = "motor"
+bodies = ["thumb"]
+twists = [[2, 0, 0, 0, 0, 0]]
+force = 2
+inertia = 0.3
+)";
+
+// A cup pulls a bar through the grip of two fingers.
+const char* const pulled = R"(
+[object]
+mass = 0.5
+box = [0.1, 0.04, 0.02]
+[[finger]]
+name = "left"
+shape = "point"
+center = [0, 0, 0.01]
+normal = [0, 0, -1]
+friction = 0.4
+grip_force = 5
+[[finger]]
+name = "right"
+shape = "point"
+center = [0, 0, -0.01]
+normal = [0, 0, 1]
+friction = 0.4
+grip_force = 5
+[[pusher]]
+name = "cup"
+shape = "point"
+center = [-0.05, 0, 0]
+normal = [1, 0, 0]
+friction = 0.3
+follow = "bilateral"
+acceleration = [-0.1, 0, 0]
+)";
+
+struct Example {
+  std::string name;
+  desktop::SceneFile file;
+};
+
+std::vector<Example> examples() {
+  std::vector<Example> all;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(LCPUSH_SOURCE_DIR "/fixtures/scenes"))
+    if (entry.path().extension() == ".toml")
+      all.push_back({entry.path().stem().string(), desktop::read_scene(entry.path().string())});
+  std::sort(all.begin(), all.end(),
+            [](const Example& a, const Example& b) { return a.name < b.name; });
+  REQUIRE(all.size() >= 21);
+  all.push_back({"mixed", desktop::parse_scene(mixed, "mixed.toml")});
+  all.push_back({"pulled", desktop::parse_scene(pulled, "pulled.toml")});
+  all.push_back({"pushed_free", desktop::parse_scene(pushed_free, "pushed_free.toml")});
+  for (const char* change : {"pressure = \"even\"\n", "pressure = \"even\"\nplanar = true\n"})
+    all.push_back(
+        {change, desktop::parse_scene(change + scene_text("straight_slide.toml"), "even.toml")});
+  return all;
+}
+
+/// The matrices of an export, read from its texts.
+class ReadBack {
+public:
+  explicit ReadBack(const desktop::Export& result) {
+    for (const desktop::ExportFile& file : result.files) {
+      CHECK(texts_.emplace(file.name, file.text).second);
+      CHECK(file.text.size() > 0);
+    }
+  }
+  bool has(const std::string& name) const { return texts_.count(name + ".mtx") > 0; }
+  MatrixX<double> operator()(const std::string& name) const {
+    REQUIRE(has(name));
+    const desktop::HostMatrix read = desktop::parse_matrix_market(texts_.at(name + ".mtx"), name);
+    MatrixX<double> matrix(read.rows, read.cols);
+    for (Index j = 0; j < read.cols; ++j)
+      for (Index i = 0; i < read.rows; ++i) matrix(i, j) = read(i, j);
+    return matrix;
+  }
+
+private:
+  std::map<std::string, std::string> texts_;
+};
+
+/// The exported program, and M and q of the full form that it must come from.
+struct Program {
+  MatrixX<double> H, f, A, b, Aeq, beq, lb, ub, answer;
+  MatrixX<double> M, q;
+
+  explicit Program(const ReadBack& read)
+      : H(read("H")), f(read("f")), A(read("A")), b(read("b")), Aeq(read("Aeq")), beq(read("beq")),
+        lb(read("lb")), ub(read("ub")), answer(read("answer")), M(A.rows() + Aeq.rows(), A.cols()),
+        q(M.rows(), 1) {
+    M << -A, Aeq;
+    q << b, -beq;
+  }
+  Index complementary() const { return A.rows(); }
+  double objective(const VectorX<double>& x) const { return x.dot(H * x) / 2 + f.col(0).dot(x); }
+  double violation(const VectorX<double>& x) const {
+    double worst = (Aeq * x - beq).cwiseAbs().maxCoeff();
+    worst = larger(worst, (A * x - b).maxCoeff());
+    worst = larger(worst, (lb - x).maxCoeff());
+    return larger(worst, (x - ub).maxCoeff());
+  }
+};
+
+/// An answer in the unknowns of the full form, from its SI values alone.
+VectorX<double> full_unknowns(const desktop::Push& push, const FullForm<double>& form,
+                              const Answer<double>& answer) {
+  const Layout<double>& layout = push.layout();
+  const Scales<double>& scales = layout.scales;
+  VectorX<double> x = VectorX<double>::Zero(form.size());
+  Index entry = 0;
+  for (Index i = 0; i < layout.points; ++i) {
+    const Body<double>& body = push.scene().bodies[layout.body[i]];
+    const ContactAnswer<double>& contact = answer.contacts[i];
+    const double lambda = contact.normal_force / scales.force;
+    x[layout.normal(i)] = body.bilateral ? larger(lambda, 0) : lambda;
+    if (body.bilateral) x[layout.normal(i) + 1] = larger(-lambda, 0);
+    for (Index j = 0; j < layout.cones[i].generators; ++j)
+      x[layout.friction(i, j)] = answer.friction[entry++] / scales.force;
+    if (layout.cones[i].generators > 0) x[layout.slip(i)] = contact.slip / scales.acceleration;
+    const Vector3<double> r = contact.acceleration / scales.acceleration;
+    x[form.relative(i)] = r.dot(body.normal);
+    x[form.relative(i) + 1] = r.dot(body.tangent);
+    x[form.relative(i) + 2] = r.dot(cross(body.normal, body.tangent));
+    if (contact_components(body) == 4)
+      x[form.relative(i) + 3] = contact.spin * scales.length / scales.acceleration;
+  }
+  for (Index a = 0; a < layout.actuators; ++a)
+    x[layout.closing(a)] = answer.closing[a] * layout.reach[a] / scales.acceleration;
+  x.segment<3>(form.acceleration()) = answer.acceleration.head<3>() / scales.acceleration;
+  x.segment<3>(form.acceleration() + 3) =
+      answer.acceleration.tail<3>() * scales.length / scales.acceleration;
+  return x;
+}
+
+bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+double size_of_all(const MatrixX<double>& m) { return m.size() == 0 ? 0 : m.cwiseAbs().maxCoeff(); }
+
+} // namespace
+
+TEST_CASE("export: the complementarity problem reads back bit for bit") {
+  for (const Example& example : examples()) {
+    CAPTURE(example.name);
+    desktop::Push push(example.file);
+    const Problem<double> problem = push.assembly().problem();
+    const desktop::Export result = desktop::export_scene(example.file);
+    const ReadBack read(result);
+    const MatrixX<double> M = read("M"), q = read("q");
+    REQUIRE(M.rows() == problem.size);
+    CHECK(result.unknowns == problem.size);
+    MatrixX<double> own(problem.size, problem.size);
+    fill_matrix(problem, MatrixMap<double>(own.data(), problem.size, problem.size));
+    Index different = 0;
+    for (Index j = 0; j < problem.size; ++j) {
+      different += same_bits(q(j, 0), problem.q[j]) ? 0 : 1;
+      for (Index i = 0; i < problem.size; ++i) different += same_bits(M(i, j), own(i, j)) ? 0 : 1;
+    }
+    CHECK(different == 0);
+  }
+}
+
+TEST_CASE("export: the paper's program rebuilds the full form, number for number") {
+  for (const Example& example : examples()) {
+    CAPTURE(example.name);
+    desktop::Push push(example.file);
+    const FullElimination full(push.assembly());
+    const Program program((ReadBack(desktop::export_scene(example.file))));
+    const Index n = full.form.size(), c = program.complementary();
+    REQUIRE(program.M.rows() == n);
+    REQUIRE(program.M.cols() == n);
+    CHECK(c == push.layout().size - push.layout().actuators);
+    CHECK(program.M == full.M);
+    CHECK(program.q.col(0) == full.q);
+    MatrixX<double> C = full.M;
+    C.bottomRows(n - c).setZero();
+    CHECK(program.H == MatrixX<double>(C + C.transpose()));
+    CHECK(program.f.topRows(c) == full.q.head(c));
+    CHECK(program.f.bottomRows(n - c).isZero(0));
+    CHECK(program.lb.topRows(c).isZero(0));
+    CHECK((program.lb.bottomRows(n - c).array() == -desktop::no_bound).all());
+    CHECK((program.ub.array() == desktop::no_bound).all());
+  }
+}
+
+TEST_CASE("export: without accelerations, the paper's program is M and q") {
+  for (const Example& example : examples()) {
+    CAPTURE(example.name);
+    const ReadBack read(desktop::export_scene(example.file));
+    const Program program(read);
+    const MatrixX<double> M = read("M"), q = read("q");
+    const Index n = M.rows(), rest = program.M.rows() - n;
+    // a and r from their own rows: y = - inverse(B) (C z + d).
+    const Eigen::PartialPivLU<MatrixX<double>> B(program.M.bottomRightCorner(rest, rest));
+    const MatrixX<double> D = program.M.topRightCorner(n, rest);
+    const MatrixX<double> own_M =
+        program.M.topLeftCorner(n, n) - D * B.solve(program.M.bottomLeftCorner(rest, n));
+    const MatrixX<double> own_q = program.q.topRows(n) - D * B.solve(program.q.bottomRows(rest));
+    CHECK(size_of_all(own_M - M) <= 1e-12 * larger(1, size_of_all(M)));
+    CHECK(size_of_all(own_q - q) <= 1e-12 * larger(1, size_of_all(q)));
+  }
+}
+
+TEST_CASE("export: lcpush's own answers solve the paper's program, and no worse force does") {
+  Index solved = 0;
+  for (const Example& example : examples()) {
+    CAPTURE(example.name);
+    desktop::Push push(example.file);
+    const FullElimination full(push.assembly());
+    const Program program((ReadBack(desktop::export_scene(example.file))));
+    const desktop::PushReport report = push.solve({});
+    if (report.status != Status::solved) continue;
+    ++solved;
+    const Answer<double>& answer = report.answer;
+    VectorX<double> x = full_unknowns(push, full.form, answer);
+    if (example.name == "pulled") CHECK(answer.contacts[2].normal_force < -1);
+    const double size = larger(1, x.cwiseAbs().maxCoeff());
+    CHECK(program.violation(x) <= 1e-9 * size);
+    CHECK(absolute(program.objective(x)) <= 1e-9 * size * size);
+
+    // `answer` reads the SI values off.
+    const VectorX<double> y = program.answer * x;
+    const Index actuators = push.layout().actuators;
+    REQUIRE(y.size() == 6 + actuators + 8 * push.layout().points);
+    CHECK((y.head<6>() - answer.acceleration).norm() <= 1e-12 * larger(1, y.head<6>().norm()));
+    for (Index a = 0; a < actuators; ++a)
+      CHECK(y[6 + a] == doctest::Approx(answer.closing[a]).epsilon(1e-12));
+    const double force = push.layout().scales.force;
+    for (Index i = 0; i < push.layout().points; ++i) {
+      const auto contact = y.segment<8>(6 + actuators + 8 * i);
+      CHECK(absolute(contact[0] - answer.contacts[i].normal_force) <= 1e-12 * size * force);
+      CHECK((contact.segment<3>(1) - answer.contacts[i].friction_force).norm() <=
+            1e-12 * size * force);
+      CHECK(absolute(contact[4] - answer.contacts[i].torsion) <= 1e-12 * size * force);
+      CHECK((contact.tail<3>() - answer.contacts[i].acceleration).norm() <=
+            1e-12 * size * push.layout().scales.acceleration);
+    }
+
+    // A force more, anywhere, breaks a constraint.
+    x[push.layout().normal(0)] += 0.1;
+    CHECK(program.violation(x) > 1e-3);
+  }
+  CHECK(solved >= 24);
+}
+
+TEST_CASE("export: FCLIB's arrays give the same motion, and its cone holds up to the facets") {
+  Index sliding = 0, refused = 0;
+  for (const Example& example : examples()) {
+    CAPTURE(example.name);
+    const desktop::Export result = desktop::export_scene(example.file);
+    const ReadBack read(result);
+    if (!result.fclib_refusal.empty()) {
+      ++refused;
+      CHECK(result.absent.size() == 6);
+      CHECK_FALSE(read.has("fclib/W"));
+      continue;
+    }
+    desktop::Push push(example.file);
+    const Index k = push.layout().points, e = push.layout().actuators;
+    CHECK(result.absent.size() == (e > 0 ? 0 : 3));
+    const desktop::PushReport report = push.solve({});
+    if (report.status != Status::solved) continue;
+    const MatrixX<double> W = read("fclib/W"), mu = read("fclib/mu"), q = read("fclib/q");
+    const auto of_actuators = [&](const std::string& name, Index rows, Index cols) {
+      return e > 0 ? read(name) : MatrixX<double>(rows, cols);
+    };
+    const MatrixX<double> V = of_actuators("fclib/V", 3 * k, 0), R = of_actuators("fclib/R", 0, 0),
+                          s = of_actuators("fclib/s", 0, 1);
+    CHECK(W == MatrixX<double>(W.transpose()));
+    REQUIRE(V.cols() == e);
+    const double force = push.layout().scales.force, rate = push.layout().scales.acceleration;
+    VectorX<double> r(3 * k), u(3 * k), l(e);
+    for (Index i = 0; i < k; ++i) {
+      const ContactAnswer<double>& contact = report.answer.contacts[i];
+      const Body<double>& body = push.scene().bodies[push.layout().body[i]];
+      const Vector3<double> axes[] = {body.normal, body.tangent, cross(body.normal, body.tangent)};
+      for (Index c = 0; c < 3; ++c) {
+        r[3 * i + c] = axes[c].dot(contact.normal_force * body.normal + contact.friction_force);
+        u[3 * i + c] = axes[c].dot(contact.acceleration);
+      }
+    }
+    for (Index a = 0; a < e; ++a) l[a] = -report.answer.closing[a];
+    if (example.name == "pushed_free") CHECK(size_of_all(l) > 0.1); // R has something to say
+    const double size = larger(larger(1, size_of_all(r) / force), size_of_all(l) / rate);
+    CHECK(size_of_all(W * r + V * l + q.col(0) - u) <= 1e-9 * size * rate);
+    if (e > 0) CHECK(size_of_all(V.transpose() * r + R * l + s.col(0)) <= 1e-9 * size * force);
+    for (Index i = 0; i < k; ++i) {
+      const double friction = r.segment<2>(3 * i + 1).norm(), slip = u.segment<2>(3 * i + 1).norm();
+      const double bound = mu(i, 0) * r[3 * i];
+      CHECK(friction <= bound + 1e-9 * size * force);
+      // r in K and u + mu |u_t| n: zero product for the round cone.
+      const double gap = r.segment<3>(3 * i).dot(u.segment<3>(3 * i)) + bound * slip;
+      const double facets = 1 - std::cos(3.14159265358979 / double(push.scene().facets));
+      CHECK(gap >= -1e-9 * size * size * force * rate);
+      CHECK(gap <= facets * bound * slip + 1e-9 * size * size * force * rate);
+      if (slip > 1e-6 * rate && bound > 1e-6 * force) ++sliding;
+    }
+  }
+  CHECK(sliding > 20);
+  CHECK(refused >= 2); // soft_fingers, mixed
+}
+
+TEST_CASE("export: pad and rigid scenes have the same files, even ones are spread") {
+  const auto text = [](const std::string& pressure) {
+    const desktop::SceneFile file = desktop::parse_scene(
+        "pressure = \"" + pressure + "\"\n" + scene_text("straight_slide.toml"), "slide.toml");
+    return desktop::export_scene(file);
+  };
+  const desktop::Export pad = text("pad"), rigid = text("rigid"), even = text("even");
+  REQUIRE(pad.files.size() == rigid.files.size());
+  for (std::size_t i = 0; i < pad.files.size(); ++i) {
+    CHECK(pad.files[i].name == rigid.files[i].name);
+    CHECK(pad.files[i].text == rigid.files[i].text);
+  }
+  CHECK(std::count(pad.free.begin(), pad.free.end(), ',') == 1);
+  CHECK(std::count(even.free.begin(), even.free.end(), ',') == 7); // four points a finger
+}

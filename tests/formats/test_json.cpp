@@ -1,0 +1,129 @@
+#include "formats/json_writer.hpp"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Core>
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+
+namespace {
+
+using lcpush::desktop::JsonWriter;
+
+template <class T> std::string written(const T& data) {
+  std::string text = JsonWriter().value(data).text();
+  text.pop_back(); // the final newline
+  return text;
+}
+
+} // namespace
+
+TEST_CASE("scalars") {
+  CHECK(written(true) == "true");
+  CHECK(written(false) == "false");
+  CHECK(written(nullptr) == "null");
+  CHECK(written(-7) == "-7");
+  CHECK(written(std::size_t{0} - 1) == "18446744073709551615");
+  CHECK(written("text, not true") == "\"text, not true\"");
+  CHECK(written(std::optional<bool>()) == "null");
+  CHECK(written(std::optional<bool>(false)) == "false");
+  CHECK(written(std::optional<double>(0.5)) == "0.5");
+}
+
+TEST_CASE("numbers are the shortest that read back, others are null") {
+  CHECK(written(0.1) == "0.1");
+  CHECK(written(20.0) == "20");
+  CHECK(written(1e300) == "1e+300");
+  CHECK(written(-0.0) == "-0.0");
+  CHECK(written(5e-324) == "5e-324");
+  CHECK(written(std::numeric_limits<double>::infinity()) == "null");
+  CHECK(written(-std::numeric_limits<double>::infinity()) == "null");
+  CHECK(written(std::nan("")) == "null");
+}
+
+TEST_CASE("any finite double reads back bit for bit") {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 10000; ++i) {
+    const std::uint64_t bits = random();
+    double number = 0;
+    std::memcpy(&number, &bits, sizeof number);
+    if (!std::isfinite(number)) continue;
+    const std::string text = written(number);
+    double again = 0;
+    std::from_chars(text.data(), text.data() + text.size(), again);
+    CHECK(std::memcmp(&again, &number, sizeof number) == 0);
+  }
+}
+
+TEST_CASE("strings are escaped") {
+  CHECK(written("a\"b\\c") == R"("a\"b\\c")");
+  CHECK(written("\b\f\n\r\t") == R"("\b\f\n\r\t")");
+  CHECK(written(std::string("\0\x1f", 2)) == R"("\u0000\u001f")");
+  CHECK(written("\xC3\xA9 \xF0\x9F\x98\x80") == "\"\xC3\xA9 \xF0\x9F\x98\x80\"");
+}
+
+TEST_CASE("what is no UTF-8 is replaced, one character a byte") {
+  const std::string replaced = "\xEF\xBF\xBD";
+  CHECK(written("a\xFF"
+                "b") == "\"a" + replaced + "b\"");
+  CHECK(written("\xC0\x80") == "\"" + replaced + replaced + "\"");                // overlong
+  CHECK(written("\xED\xA0\x80") == "\"" + replaced + replaced + replaced + "\""); // surrogate
+  CHECK(written("\xC3") == "\"" + replaced + "\"");                               // cut off
+}
+
+TEST_CASE("objects and arrays are indented, short vectors stay on a line") {
+  const Eigen::Vector3d force(1, -2.5, 0);
+  JsonWriter json;
+  json.begin_object().member("status", "solved").key("force").numbers(force);
+  json.key("contacts").begin_array();
+  json.begin_object().member("name", "left").member("torsion", nullptr).end_object();
+  json.begin_object().end_object();
+  json.end_array().key("ray").begin_array().end_array();
+  json.key("basis").strings({"z1", "w\n"}).key("none").numbers(std::vector<double>{});
+  json.end_object();
+  CHECK(json.text() == R"({
+  "status": "solved",
+  "force": [1, -2.5, 0],
+  "contacts": [
+    {
+      "name": "left",
+      "torsion": null
+    },
+    {}
+  ],
+  "ray": [],
+  "basis": ["z1", "w\n"],
+  "none": []
+}
+)");
+}
+
+TEST_CASE("long vectors fill lines of at most 100 characters") {
+  const std::vector<double> numbers(200, -1.0 / 3.0);
+  const std::string text =
+      JsonWriter().begin_object().key("z").numbers(numbers).end_object().text();
+  std::size_t lines = 0;
+  for (std::size_t begin = 0; begin < text.size(); ++lines) {
+    const std::size_t end = text.find('\n', begin);
+    CHECK(end - begin <= 100);
+    CHECK(text[end - 1] != ' ');
+    begin = end + 1;
+  }
+  CHECK(lines == 2 + 2 + 50); // braces, brackets, four numbers a line
+}
+
+TEST_CASE("a vector stays on its line up to the hundredth character, its comma included") {
+  for (std::size_t length = 85; length <= 100; ++length) {
+    JsonWriter json;
+    json.begin_object().key("z").strings({std::string(length, 'x')}).member("y", 1).end_object();
+    const std::string& text = json.text();
+    const std::size_t vector_line = text.find('\n', 2) - 2;
+    CHECK(vector_line <= 100);
+    CHECK((vector_line > 50) == (length <= 88));
+  }
+}

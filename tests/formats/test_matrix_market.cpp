@@ -1,0 +1,218 @@
+#include "lcpush/desktop/matrix_market.hpp"
+
+#include "lcpush/desktop/input_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+namespace {
+
+using namespace lcpush::desktop;
+
+const std::string array_banner = "%%MatrixMarket matrix array real general\n";
+const std::string coordinate_banner = "%%MatrixMarket matrix coordinate real general\n";
+
+HostMatrix parse(const std::string& text) { return parse_matrix_market(text, "M.mtx"); }
+
+template <class Action> std::string refusal(Action&& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::string refusal_of(const std::string& text) {
+  return refusal([&text] { parse(text); });
+}
+
+void check_refused(const std::string& text, const std::string& location,
+                   const std::string& reason) {
+  const std::string message = refusal_of(text);
+  CAPTURE(message);
+  CHECK(message.rfind("M.mtx:" + location + ": ", 0) == 0);
+  CHECK(message.find(reason) != std::string::npos);
+}
+
+/// A file that is gone at the end of its test.
+struct ScratchFile {
+  std::string path;
+  explicit ScratchFile(const std::string& content)
+      : path((std::filesystem::temp_directory_path() /
+              ("lcpush_test_" + std::to_string(std::random_device()()) + ".mtx"))
+                 .string()) {
+    std::ofstream(path, std::ios::binary) << content;
+  }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  ~ScratchFile() { std::filesystem::remove(path); }
+};
+
+} // namespace
+
+TEST_CASE("an array is read column by column") {
+  const HostMatrix m = parse(array_banner + "% a comment\n\n2 3\n1\n2\n3\n4\n5\n6\n");
+  CHECK(m.rows == 2);
+  CHECK(m.cols == 3);
+  CHECK(m(1, 0) == 2);
+  CHECK(m(0, 2) == 5);
+}
+
+TEST_CASE("coordinates come in any order, what is not named is zero") {
+  const HostMatrix m = parse(coordinate_banner + "2 2 2\n2 1 -0.5\n1 1 +1e-3\n");
+  CHECK(m.values == std::vector<double>{1e-3, -0.5, 0, 0});
+  CHECK(parse(coordinate_banner + "1 1 0\n").values == std::vector<double>{0});
+}
+
+TEST_CASE("capitals, integers, CRLF, tabs and a missing last newline are fine") {
+  const HostMatrix m =
+      parse("%%matrixmarket MATRIX Array Integer GENERAL\r\n%\r\n\t2  1\r\n 7 \r\n-8");
+  CHECK(m.rows == 2);
+  CHECK(m.values == std::vector<double>{7, -8});
+}
+
+TEST_CASE("other kinds of Matrix Market are refused by name") {
+  const std::string start = "%%MatrixMarket ";
+  check_refused(start + "vector array real general\n", "1", "object \"vector\"");
+  check_refused(start + "matrix dense real general\n", "1", "format \"dense\"");
+  check_refused(start + "matrix array complex general\n", "1", "field \"complex\"");
+  check_refused(start + "matrix coordinate pattern general\n", "1", "field \"pattern\"");
+  check_refused(start + "matrix array real symmetric\n", "1", "symmetry \"symmetric\"");
+  check_refused(start + "matrix array real skew-symmetric\n", "1", "write every entry");
+  check_refused(start + "matrix array real\n", "1", "five words");
+}
+
+TEST_CASE("what is no Matrix Market at all says so") {
+  check_refused("", "1", "the file is empty");
+  check_refused("\n", "1", "not a Matrix Market file");
+  check_refused("2 2\n1\n", "1", "not a Matrix Market file");
+  check_refused(std::string("\x7F"
+                            "ELF\0\0\0",
+                            7),
+                "1", "not a Matrix Market file");
+  check_refused(std::string(100000, '\0'), "1", "longer than 1023 characters");
+}
+
+TEST_CASE("sizes are whole, positive, and within the limit") {
+  check_refused(array_banner, "1", "ends before its sizes");
+  check_refused(array_banner + "2\n", "2", "expected the sizes \"ROWS COLUMNS\"");
+  check_refused(array_banner + "2 2 4\n", "2", "expected the sizes");
+  check_refused(coordinate_banner + "2 2\n", "2", "\"ROWS COLUMNS ENTRIES\"");
+  check_refused(array_banner + "-2 2\n", "2", "\"-2\" is not a whole number");
+  check_refused(array_banner + "2.0 2\n", "2", "\"2.0\" is not a whole number");
+  check_refused(array_banner + "0 2\n", "2", "0 rows; a matrix needs at least 1");
+  check_refused(array_banner + "20001 1\n", "2", "20001 rows are too many");
+  check_refused(array_banner + "99999999999999999999 1\n", "2", "fits in 64 bits");
+}
+
+TEST_CASE("a size that the file is too short for is refused before it takes memory") {
+  check_refused(array_banner + "1000000000 1000000000\n1\n", "2", "too many; the limit is 20000");
+  check_refused(array_banner + "20000 20000\n1\n", "2", "ask for 400000000 entries");
+  check_refused(coordinate_banner + "20000 20000 400000000\n1 1 1\n", "2", "is it cut off?");
+  check_refused(coordinate_banner + "2 2 1000000000000000000\n", "2", "do not fit into 2 x 2");
+}
+
+TEST_CASE("too few and too many entries are refused") {
+  check_refused(array_banner + "2 1\n1\n", "3", "ends after 1 of 2 entries");
+  check_refused(array_banner + "1 1\n1\n2\n", "4", "here is more: \"2\"");
+  check_refused(array_banner + "2 2\n1 2\n3 4\n", "3", "one entry a line, column by column");
+  check_refused(coordinate_banner + "1 1 1\n% the end\n", "3", "ends after 0 of 1 entries");
+  check_refused(coordinate_banner + "2 2 1\n1 1 1\n2 2 2\n", "4", "here is more");
+  check_refused(coordinate_banner + "2 2 1\n1 1\n", "3", "\"ROW COLUMN VALUE\"");
+}
+
+TEST_CASE("places are inside of the matrix and taken once") {
+  check_refused(coordinate_banner + "2 2 1\n0 1 5\n", "3", "row 0 is outside of 1 to 2");
+  check_refused(coordinate_banner + "2 3 1\n1 4 5\n", "3", "column 4 is outside of 1 to 3");
+  check_refused(coordinate_banner + "2 2 1\n1.5 1 5\n", "3", "not a whole number");
+  check_refused(coordinate_banner + "2 2 3\n2 1 5\n1 1 1\n2 1 5\n", "5", "in line 3");
+}
+
+TEST_CASE("entries are finite numbers") {
+  for (const char* word : {"nan", "-inf", "Infinity"})
+    check_refused(array_banner + "1 1\n" + word + "\n", "3", "numbers must be finite");
+  check_refused(array_banner + "1 1\n1e999\n", "3", "too large or too small");
+  for (const char* word : {"one", "1x", "0x10", "1d5", "1,5", "+-1", "++1", "+", "--1", "1e", "."})
+    check_refused(array_banner + "1 1\n" + word + "\n", "3", "is not a number");
+  check_refused(array_banner + "1 1\n" + std::string("1\0", 2) + "\n", "3", "\"1\\x00\"");
+}
+
+TEST_CASE("a file is read like a text") {
+  const ScratchFile file(array_banner + "2 1\n0.1\n-3\n");
+  CHECK(read_matrix_market(file.path).values == std::vector<double>{0.1, -3});
+  const ScratchFile short_file(array_banner + "20000 20000\n1\n");
+  CHECK(refusal([&] { read_matrix_market(short_file.path); }).find(":2: the sizes ask for") !=
+        std::string::npos);
+  const ScratchFile empty("");
+  CHECK(refusal([&] { read_matrix_market(empty.path); }).find(":1: the file is empty") !=
+        std::string::npos);
+}
+
+TEST_CASE("paths that cannot be read are named with the reason") {
+  CHECK(refusal([] {
+          read_matrix_market("no/such.mtx");
+        }).rfind("no/such.mtx: cannot be read: No such file", 0) == 0);
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  const std::string message = refusal([&folder] { read_matrix_market(folder); });
+  CAPTURE(message);
+  CHECK(message.rfind(folder + ": cannot be read: Is a directory", 0) == 0);
+}
+
+TEST_CASE("what is written reads back bit for bit") {
+  std::mt19937_64 random(1);
+  HostMatrix m{40, 25, {0.0, -0.0, 5e-324, 1.7976931348623157e308, 1.0 / 3.0}};
+  while (m.values.size() < 1000) {
+    const std::uint64_t bits = random();
+    double number = 0;
+    std::memcpy(&number, &bits, sizeof number);
+    if (std::isfinite(number)) m.values.push_back(random() % 4 == 0 ? 0.0 : number);
+  }
+  for (const auto format : {MatrixMarketFormat::array, MatrixMarketFormat::coordinate}) {
+    const HostMatrix again = parse(write_matrix_market(m, format, "a comment"));
+    CHECK(again.rows == m.rows);
+    CHECK(again.cols == m.cols);
+    REQUIRE(again.values.size() == m.values.size());
+    CHECK(std::memcmp(again.values.data(), m.values.data(), 1000 * sizeof(double)) == 0);
+  }
+}
+
+TEST_CASE("the written text") {
+  const HostMatrix m{2, 1, {0, 0.5}};
+  CHECK(write_matrix_market(m, MatrixMarketFormat::array, "") == array_banner + "2 1\n0\n0.5\n");
+  CHECK(write_matrix_market(m, MatrixMarketFormat::coordinate, "made by hand") ==
+        coordinate_banner + "% made by hand\n2 1 1\n2 1 0.5\n");
+}
+
+TEST_CASE("inline matrices: rows by semicolons, numbers by blanks or commas") {
+  const HostMatrix m = parse_inline_matrix(" 2, 1 ;1\t+2e0; -3 ,4", "--M");
+  CHECK(m.rows == 3);
+  CHECK(m.cols == 2);
+  CHECK(m.values == std::vector<double>{2, 1, -3, 1, 2, 4});
+  for (const char* text : {"-5 -6", "-5,-6", "-5; -6"}) {
+    const HostMatrix q = parse_inline_vector(text, "--q");
+    CHECK(q.rows == 2);
+    CHECK(q.cols == 1);
+    CHECK(q.values == std::vector<double>{-5, -6});
+  }
+}
+
+TEST_CASE("malformed inline matrices name the option and the row") {
+  const auto refused = [](const char* text) {
+    return refusal([text] { parse_inline_matrix(text, "--M"); });
+  };
+  CHECK(refused("") == "--M: row 1: a number is missing in \"\"");
+  CHECK(refused("1 2;") == "--M: row 2: a number is missing in \"\"");
+  CHECK(refused("1,,2") == "--M: row 1: a number is missing in \"1,,2\"");
+  CHECK(refused("1 2; 3") == "--M: row 2: expected 2 numbers, as in row 1, got 1");
+  CHECK(refused("1 2; 3 nan") == "--M: row 2: \"nan\": numbers must be finite");
+  CHECK(refused("[1 2]").find("--M: row 1: \"[1\" is not a number") == 0);
+  CHECK(refusal([] { parse_inline_vector("1 2; 3 4", "--q"); }) ==
+        "--q: expected a vector like \"-5 -6\", got a matrix of 2 x 2");
+}

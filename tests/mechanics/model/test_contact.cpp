@@ -1,0 +1,100 @@
+// Friction generators: exact where a circle is exact.
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+#include "lcpush/mechanics/model/contact.hpp"
+#include "lcpush/mechanics/model/contact_frame.hpp"
+#include "support/dense_lcp.hpp"
+
+using namespace lcpush;
+using namespace lcpush::test;
+
+namespace {
+
+template <class S> Body<S> body_with(const Vector3<S>& normal) {
+  Body<S> body{};
+  body.normal = normal.normalized();
+  body.tangent = default_tangent<S>(body.normal);
+  body.friction = S(0.5);
+  return body;
+}
+
+} // namespace
+
+TEST_CASE_TEMPLATE("multiples of 90 degrees are exactly 0 and +-1", S, float, double) {
+  for (Index g = 4; g <= 256; g += 4)
+    for (Index quarter = 0; quarter < 4; ++quarter) {
+      const Index j = quarter * g / 4;
+      CHECK(circle_cosine<S>(j, g) == (quarter == 0 ? S(1) : quarter == 2 ? S(-1) : S(0)));
+      CHECK(circle_sine<S>(j, g) == (quarter == 1 ? S(1) : quarter == 3 ? S(-1) : S(0)));
+    }
+}
+
+TEST_CASE_TEMPLATE("opposite generators are exact negatives, for every even g", S, float, double) {
+  const Body<S> body = body_with<S>({S(1), S(-2), S(3)});
+  for (Index g = 4; g <= 256; g += 2)
+    for (Index j = 0; j < g / 2; ++j)
+      CHECK(generator(body, j, g).force == -generator(body, (j + g / 2) % g, g).force);
+}
+
+TEST_CASE_TEMPLATE("mirrored directions have the same bits", S, float, double) {
+  for (Index g = 4; g <= 64; g += 2)
+    for (Index j = 0; j < g; ++j) {
+      CHECK(circle_cosine<S>(j, g) == circle_cosine<S>(g - j, g));
+      CHECK(circle_sine<S>(j, g) == -circle_sine<S>(g - j, g));
+      CHECK(circle_cosine<S>(j + g, g) == circle_cosine<S>(j, g));
+    }
+}
+
+TEST_CASE_TEMPLATE("the circle agrees with the library's cosine and sine", S, float, double) {
+  const double rounding = 4 * double(Eigen::NumTraits<S>::epsilon());
+  for (Index g = 4; g <= 256; g += 2)
+    for (Index j = 0; j < g; ++j) {
+      const long double angle = 2 * 3.141592653589793238462643L * static_cast<long double>(j) /
+                                static_cast<long double>(g);
+      CHECK(absolute(double(circle_cosine<S>(j, g)) - double(std::cos(angle))) <= rounding);
+      CHECK(absolute(double(circle_sine<S>(j, g)) - double(std::sin(angle))) <= rounding);
+    }
+}
+
+TEST_CASE_TEMPLATE("generators are unit vectors in the contact plane, the first along t, turning "
+                   "towards o = n x t",
+                   S, float, double) {
+  const S rounding = S(8) * Eigen::NumTraits<S>::epsilon();
+  for (const Vector3<S>& n : {Vector3<S>(S(0), S(0), S(1)), Vector3<S>(S(-1), S(0), S(0)),
+                              Vector3<S>(S(1), S(-2), S(3))}) {
+    const Body<S> body = body_with<S>(n);
+    for (const Index g : {4, 6, 8, 14, 256}) {
+      for (Index j = 0; j < g; ++j) {
+        const Vector3<S> d = generator(body, j, g).force;
+        CHECK(std::abs(d.norm() - S(1)) <= rounding);
+        CHECK(std::abs(d.dot(body.normal)) <= rounding);
+      }
+      CHECK(generator(body, 0, g).force == body.tangent);
+      CHECK(generator(body, 1, g).force.dot(cross(body.normal, body.tangent)) > S(0));
+    }
+  }
+}
+
+TEST_CASE("a contact without friction has no generators") {
+  Scene<double> scene{};
+  scene.facets = 8;
+  Body<double> body = body_with<double>({0, 0, 1});
+  CHECK(generator_count(scene, body) == 8);
+  body.friction = 0;
+  CHECK(generator_count(scene, body) == 0);
+}
+
+TEST_CASE("a wrench column's power is the force along u times the point's acceleration") {
+  Random random(2);
+  for (int k = 0; k < 50; ++k) {
+    const Vector3<double> p = random_vector(random, 3), u = random_vector(random, 3);
+    const Vector6<double> twist = random_vector(random, 6);
+    CHECK(wrench_column<double>(p, u).dot(twist) ==
+          doctest::Approx(u.dot(acceleration_at(p, twist))));
+    CHECK((cross<double>(p, u) - p.cross(u)).norm() <= 1e-15);
+  }
+}

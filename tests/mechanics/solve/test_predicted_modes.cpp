@@ -1,0 +1,212 @@
+// Lemke's pivots from predicted modes, and from guesses that are wrong.
+#include <doctest/doctest.h>
+
+#include "lcpush/mechanics/solve/predicted_modes.hpp"
+#include "support/grasp_families.hpp"
+#include "support/scenes.hpp"
+#include "support/solved_push.hpp"
+
+using namespace lcpush;
+using namespace lcpush::test;
+
+namespace {
+
+/// A push solved by rounds that start from a guess.
+template <class S, class Pivots> struct GuessedPush : SolvedPush<S, Pivots> {
+  using Base = SolvedPush<S, Pivots>;
+  using Base::Base;
+  using Cold = LemkeRounds<S, const Unobserved, Pivots>;
+
+  template <class Rounds> Status by(const Rounds& rounds) {
+    this->status = solve_pressure(this->assembly, rounds, this->memory.work.pressure, this->options,
+                                  this->run);
+    if (this->status != Status::solved) return this->status;
+    read_answer(this->assembly, this->memory.work.pressure.z.data, this->memory.work.answer, S(1));
+    this->residuals = check(this->scene, this->scales(), this->answer(), S(1));
+    return this->status;
+  }
+  Status predicted() {
+    return by(PredictedRounds<S, const Unobserved, Pivots>{this->assembly, Cold{this->lemke}});
+  }
+};
+
+/// First rounds from any active set at all.
+template <class Pivots> struct RandomlyGuessedRounds {
+  Random* random;
+  GuessedRounds<double, const Unobserved, Pivots> then;
+  static constexpr bool carries_push = true;
+
+  void begin(const Problem<double>& problem, bool warm, const PressureMemory<double>& memory) {
+    if (warm) return then.begin_warm(problem, memory);
+    for (Index i = 0; i < problem.size; ++i)
+      memory.active[i] = static_cast<unsigned char>(random->integer(0, 1));
+    then.begin_guess(problem, memory, 1, problem.size);
+  }
+  Status step(const PressureMemory<double>& memory, PressureRun& run) {
+    return then.step(memory, run);
+  }
+  void vary() { then.then.vary(); }
+  auto& pivots() { return then.then; }
+  void demand(double) {}
+};
+
+OwnedScene<double> grasp_under(Pressure pressure, Family family, std::uint64_t seed) {
+  OwnedScene<double> scene = grasp_of<double>(family, seed);
+  scene.base.pressure = pressure;
+  return scene;
+}
+
+template <class A, class B> bool same_motion(const A& a, const B& b) {
+  Vector6<double> size = a.answer().acceleration, off = size - b.answer().acceleration;
+  size.template tail<3>() *= a.scales().length;
+  off.template tail<3>() *= a.scales().length;
+  return off.norm() <= 1e-5 * std::max(a.scales().acceleration, size.norm());
+}
+
+using Dense = Lemke<double>;
+using Structured = StructuredLemke<double>;
+
+} // namespace
+
+TEST_CASE_TEMPLATE("from predicted modes every random grasp is solved to 1e-9", Pivots, Dense,
+                   Structured) {
+  for (const Pressure pressure : {Pressure::rigid, Pressure::pad})
+    for (std::uint64_t seed = 0; seed < 250; ++seed) {
+      CAPTURE(seed);
+      GuessedPush<double, Pivots> push(grasp_under(pressure, Family::plain, seed));
+      REQUIRE(push.predicted() == Status::solved);
+      CHECK(push.residuals.max() <= 1e-9);
+    }
+}
+
+TEST_CASE_TEMPLATE("from predicted modes the other kinds of grasps are solved too", Pivots, Dense,
+                   Structured) {
+  for (const Family family : {Family::soft, Family::parallel, Family::even, Family::jacobian})
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      CAPTURE(static_cast<int>(family));
+      CAPTURE(seed);
+      const Pressure pressure = family == Family::even ? Pressure::even : Pressure::pad;
+      GuessedPush<double, Pivots> push(grasp_under(pressure, family, seed));
+      REQUIRE(push.predicted() == Status::solved);
+      CHECK(push.residuals.max() <= 1e-9);
+    }
+}
+
+TEST_CASE_TEMPLATE("from predicted modes bilateral pushers have no promise but few failures",
+                   Pivots, Dense, Structured) {
+  int solved = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    GuessedPush<double, Pivots> push(grasp_under(Pressure::pad, Family::bilateral, seed));
+    if (push.predicted() != Status::solved) continue;
+    ++solved;
+    CHECK(push.residuals.max() <= 1e-9);
+  }
+  CHECK(solved >= 38);
+}
+
+TEST_CASE("predicted or cold, on either basis: the same motion, with fewer pivots") {
+  int agree = 0;
+  Index cold_pivots = 0, predicted_pivots = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    const OwnedScene<double> scene = grasp_under(Pressure::pad, Family::plain, seed);
+    SolvedPush<double> cold(scene);
+    GuessedPush<double, Dense> dense(scene);
+    GuessedPush<double, Structured> structured(scene);
+    REQUIRE(cold.solve() == Status::solved);
+    REQUIRE(dense.predicted() == Status::solved);
+    REQUIRE(structured.predicted() == Status::solved);
+    if (same_motion(cold, dense) && same_motion(cold, structured)) ++agree;
+    cold_pivots += cold.run.pivots;
+    predicted_pivots += dense.run.pivots;
+  }
+  CHECK(agree >= 97); // some literal problems have several answers
+  CHECK(predicted_pivots < cold_pivots * 9 / 10);
+}
+
+TEST_CASE("where the motion is proved unique every start finds it") {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    CAPTURE(seed);
+    const OwnedScene<double> scene = determined_grasp(seed);
+    SolvedPush<double> cold(scene);
+    GuessedPush<double, Dense> dense(scene);
+    GuessedPush<double, Structured> structured(scene);
+    REQUIRE(cold.solve() == Status::solved);
+    REQUIRE(dense.predicted() == Status::solved);
+    REQUIRE(structured.predicted() == Status::solved);
+    CHECK(same_motion(cold, dense));
+    CHECK(same_motion(cold, structured));
+  }
+}
+
+TEST_CASE("a straight push: each finger point is predicted to slide against it, by hand") {
+  const Scene3 owned = straight_slide();
+  SolvedPush<double> push(owned);
+  push.assembly.push_by(1);
+  const Span<unsigned char> active = push.memory.work.pressure.active;
+  predict_modes(push.assembly, active);
+  const Layout<double>& layout = push.assembly.layout();
+  for (Index i = 0; i < layout.points; ++i) {
+    CAPTURE(i);
+    const Body<double>& body = push.scene.bodies[layout.body[i]];
+    const bool finger = body.role == Role::finger;
+    CHECK(active[layout.normal(i)] == 1);
+    CHECK(active[layout.slip(i)] == (finger ? 1 : 0));
+    for (Index j = 0; j < layout.cones[i].generators; ++j) {
+      const Generator<double> d = generator(body, j, push.scene.facets);
+      // The push goes along +x: friction on the object points to -x.
+      const bool opposes = finger && d.force[0] < -0.999;
+      CHECK(active[layout.friction(i, j)] == (opposes ? 1 : 0));
+    }
+  }
+  CHECK(active[layout.closing(0)] == 1);
+}
+
+TEST_CASE("without a pusher that moves nothing is predicted but the closings") {
+  Scene3 owned = straight_slide();
+  owned.bodies.back().acceleration.setZero();
+  GuessedPush<double, Structured> push(owned);
+  const Span<unsigned char> active = push.memory.work.pressure.active;
+  predict_modes(push.assembly, active);
+  Index count = 0;
+  for (const unsigned char flag : active) count += flag;
+  CHECK(count == push.assembly.layout().actuators);
+  CHECK(push.predicted() == Status::solved);
+}
+
+TEST_CASE_TEMPLATE("a random guess costs pivots and no answer", Pivots, Dense, Structured) {
+  Random random(5);
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    const Pressure pressure = seed % 2 == 0 ? Pressure::rigid : Pressure::pad;
+    using Push = GuessedPush<double, Pivots>;
+    Push push(grasp_under(pressure, Family::plain, seed));
+    const typename Push::Cold cold{push.lemke};
+    const GuessedRounds<double, const Unobserved, Pivots> rounds{cold};
+    REQUIRE(push.by(RandomlyGuessedRounds<Pivots>{&random, rounds}) == Status::solved);
+    CHECK(push.residuals.max() <= 1e-9);
+  }
+}
+
+TEST_CASE("in float what is called solved from predicted modes obeys the laws") {
+  int solved = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    CAPTURE(seed);
+    OwnedScene<float> scene = random_grasp<float>(seed);
+    scene.base.pressure = Pressure::rigid;
+    GuessedPush<float, StructuredLemke<float>> push(scene);
+    if (push.predicted() != Status::solved) continue;
+    ++solved;
+    CHECK(push.residuals.max() <= 4 * Tolerances<float>().residual);
+  }
+  CHECK(solved >= 90);
+}
+
+TEST_CASE("a wedge is a ray from predicted modes too") {
+  Scene3 scene = straight_slide();
+  scene.add_body(Role::finger, {-1, 0, 0}, 0.2, {{0.05, 0.01, 0}, {0.05, -0.01, 0}});
+  scene.base.pressure = Pressure::rigid;
+  GuessedPush<double, Structured> push(scene);
+  CHECK(push.predicted() == Status::ray);
+}

@@ -1,0 +1,211 @@
+// [T.12] Holding: the smallest factor on the grip forces, against closed forms and solved scenes.
+#include <doctest/doctest.h>
+
+#include "lcpush/mechanics/study/holding.hpp"
+#include "lcpush/mechanics/study/uniqueness.hpp"
+#include "support/scenes.hpp"
+#include "support/solved_push.hpp"
+
+using namespace lcpush;
+using namespace lcpush::test;
+
+namespace {
+
+struct Held {
+  Scene3 owned;
+  Scene<double> scene;
+  OwnedWorkspace<double> memory;
+  Assembly<double> assembly;
+  Holding<double> holding;
+  Status status = Status::bad_input;
+
+  explicit Held(const Scene3& given)
+      : owned(given), scene(owned.view()), memory(size_of(scene)), assembly(memory.work.assembly) {
+    REQUIRE(assembly.assemble(scene) == Status::running);
+    const AssemblySize size = size_of(scene);
+    std::vector<double> scalars(static_cast<std::size_t>(holding_scalars(size)));
+    std::vector<int> integers(static_cast<std::size_t>(holding_integers(size)));
+    status = find_holding<double>(
+        assembly,
+        {{scalars.data(), holding_scalars(size)}, {integers.data(), holding_integers(size)}}, {},
+        holding);
+  }
+  Held(const Held&) = delete;
+  Held& operator=(const Held&) = delete;
+};
+
+/// A cube of 1 kg pinched at its centre from z = +-1 cm.
+Scene3 pinched(const Vec3& gravity, double friction, double F,
+               const std::vector<Vec3>& pads = {Vec3::Zero()}) {
+  Scene3 scene = bare_scene(1, Vec3::Constant(1e-4), gravity);
+  add_pinch(scene, pads, 0.01, friction, F);
+  return scene;
+}
+
+void add_point(Scene3& scene, Role role, const Vec3& normal, double friction, const Vec3& at) {
+  scene.add_body(role, normal, friction, {at});
+}
+
+/// Does the scene itself, solved under its own law, stay at rest with this factor on all forces?
+bool stays(Scene3 scene, double factor) {
+  for (Actuator<double>& actuator : scene.actuators) actuator.force *= factor;
+  SolvedPush<double> push(scene);
+  REQUIRE(push.solve(0) == Status::solved);
+  return motion_size(push.answer().acceleration, push.scales()) <= 1e-9;
+}
+
+} // namespace
+
+TEST_CASE("[T.12] two opposite points hold m g across them with F = m g / (2 mu)") {
+  for (const double mu : {0.1, 0.5, 2.0})
+    for (const double F : {1e-3, 20.0, 1e5}) {
+      const Held held(pinched({0, -9.81, 0}, mu, F));
+      REQUIRE(held.status == Status::solved);
+      CHECK(held.holding.factor * F == doctest::Approx(9.81 / (2 * mu)).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("[T.12] between two generators the pyramid gives cos(pi / g) of the friction") {
+  const double angle = 3.14159265358979323846 / 8;
+  const Held held(pinched({9.81 * std::sin(angle), 9.81 * std::cos(angle), 0}, 0.5, 20));
+  REQUIRE(held.status == Status::solved);
+  CHECK(held.holding.factor * 20 == doctest::Approx(9.81 / std::cos(angle)).epsilon(1e-9));
+}
+
+TEST_CASE("[T.12] fingers of different force pull together, and only if a stop takes the rest") {
+  Scene3 scene = pinched({0, -9.81, 0}, 0.5, 20);
+  scene.actuators[0].force = 30;
+  CHECK(Held(scene).status == Status::does_not_hold); // 30 N against 20 N
+  add_point(scene, Role::finger, {0, 0, 1}, 0, {0, 0, -0.01});
+  // The moment wants equal friction on both sides: the weaker finger decides.
+  const Held held(scene);
+  REQUIRE(held.status == Status::solved);
+  CHECK(held.holding.factor == doctest::Approx(9.81 / (2 * 0.5 * 20)).epsilon(1e-9));
+}
+
+TEST_CASE("[T.12] what a stop carries needs no grip") {
+  Scene3 scene = pinched({0, -9.81, 0}, 0.5, 20);
+  add_point(scene, Role::finger, {0, 1, 0}, 0, {0, -0.01, 0});
+  const Held held(scene);
+  REQUIRE(held.status == Status::solved);
+  CHECK(held.holding.factor <= 1e-12);
+}
+
+TEST_CASE("[T.12] a stop at the side holds together with the grip: the moment shares them") {
+  // The stop lifts at x = -l; the pinch, at x = h, holds the rest and the moment: m g l / (l + h).
+  const double l = 0.03, h = 0.01, mu = 0.5, F = 20;
+  Scene3 scene = pinched({0, -9.81, 0}, mu, F, {{h, 0, 0}});
+  add_point(scene, Role::finger, {0, 1, 0}, 0, {-l, 0, 0});
+  for (const bool planar : {false, true}) {
+    scene.base.planar = planar;
+    const Held held(scene);
+    REQUIRE(held.status == Status::solved);
+    CHECK(held.holding.factor * F == doctest::Approx(9.81 * l / (l + h) / (2 * mu)).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("[T.12] no grip force holds without friction, or away from a one-sided contact") {
+  CHECK(Held(pinched({0, -9.81, 0}, 0, 20)).status == Status::does_not_hold);
+  Scene3 one = bare_scene(1, Vec3::Constant(1e-4), {0, -9.81, 0});
+  add_point(one, Role::finger, {0, -1, 0}, 0.5, {0, 0.01, 0});
+  one.drive_last_body(5);
+  CHECK(Held(one).status == Status::does_not_hold);
+  one.bodies.back().bilateral = true; // it pulls, but only with its own force
+  CHECK(Held(one).status == Status::does_not_hold);
+  one.actuators.back().force = -5;
+  const Held hung(one);
+  REQUIRE(hung.status == Status::solved);
+  CHECK(hung.holding.factor == doctest::Approx(9.81 / 5).epsilon(1e-9));
+}
+
+TEST_CASE(
+    "[T.12] weight along the squeeze cannot be held by equal forces, but in the plane it need "
+    "not be") {
+  Scene3 scene = pinched({0, -9.81, -5}, 0.5, 20);
+  CHECK(Held(scene).status == Status::does_not_hold);
+  scene.base.planar = true;
+  const Held held(scene);
+  REQUIRE(held.status == Status::solved);
+  CHECK(held.holding.factor * 20 == doctest::Approx(9.81).epsilon(1e-9));
+}
+
+TEST_CASE("[T.12] below the factor a patch slips too, whatever its pressure") {
+  const double r = 0.005, h = 0.02, mu = 0.5, F = 20;
+  std::vector<Vec3> pads = ring(4, r);
+  for (Vec3& p : pads) p[0] += h;
+  const Held held(pinched({0, -9.81, 0}, mu, F, pads));
+  REQUIRE(held.status == Status::solved);
+  CHECK(held.holding.factor * F > 9.81 / (2 * mu));
+  Scene3 scene = pinched({0, -9.81, 0}, mu, F, pads);
+  CHECK_FALSE(stays(scene, held.holding.factor * (1 - 1e-6)));
+}
+
+TEST_CASE("[T.12] a pusher at rest carries what it can; a force-controlled one is a load") {
+  Scene3 scene = pinched({0, -9.81, 0}, 0.5, 20);
+  add_point(scene, Role::pusher, {0, 1, 0}, 0, {0, -0.01, 0});
+  const Held carried(scene);
+  REQUIRE(carried.status == Status::solved);
+  CHECK(carried.holding.factor <= 1e-12);
+  scene.drive_last_body(15); // lifts with 15 N against 9.81 N
+  const Held lifted(scene);
+  REQUIRE(lifted.status == Status::solved);
+  CHECK(lifted.holding.factor * 20 == doctest::Approx(15 - 9.81).epsilon(1e-9));
+}
+
+TEST_CASE("[T.12] parallel jaws share the sum of their forces") {
+  Scene3 scene = pinched({0, 0, 0}, 0.5, 20);
+  scene.base.gravity = {0, -9.81, 3}; // 3 N along the squeeze, carried by the gear
+  scene.actuators = {{40, 0}};
+  for (Drive<double>& drive : scene.drives) drive.actuator = 0;
+  // The lighter side is left with (sum - 3) / 2, and equal friction on both holds the weight.
+  const Held held(scene);
+  REQUIRE(held.status == Status::solved);
+  CHECK(held.holding.factor * 40 == doctest::Approx(9.81 / 0.5 + 3).epsilon(1e-9));
+}
+
+TEST_CASE("[T.12] without a load nothing is needed") {
+  const Held held(pinched({0, 0, 0}, 0.5, 20));
+  REQUIRE(held.status == Status::solved);
+  CHECK(held.holding.factor == 0);
+}
+
+TEST_CASE("[T.12] too little memory is bad input") {
+  const Scene3 owned = pinched({0, -9.81, 0}, 0.5, 20);
+  const Scene<double> scene = owned.view();
+  OwnedWorkspace<double> memory(size_of(scene));
+  Assembly<double> assembly(memory.work.assembly);
+  REQUIRE(assembly.assemble(scene) == Status::running);
+  Holding<double> holding;
+  CHECK(find_holding<double>(assembly, {}, {}, holding) == Status::bad_input);
+  CHECK(holding.reason == Reason::memory_too_small);
+}
+
+TEST_CASE("[T.12] random grasps with known normal forces hold just above the factor, not below") {
+  Index compared = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    Vec3 down(random.uniform(-1, 1), random.uniform(-1, 1), 0);
+    Scene3 scene = pinched(9.81 * down, random.uniform(0.1, 1.2), random.uniform(1, 50));
+    scene.base.facets = 2 * random.integer(2, 8);
+    // A third finger across the pinch, and a fourth against it, a little off its line.
+    const double third = random.uniform(1, 50);
+    add_point(scene, Role::finger, {-1, 0, 0}, random.uniform(0.1, 1.2), {0.01, 0, 0});
+    scene.drive_last_body(third);
+    add_point(scene, Role::finger, {1, 0, 0}, random.uniform(0.1, 1.2),
+              {-0.01, random.uniform(-0.001, 0.001), 0});
+    scene.drive_last_body(third * random.uniform(0.8, 1.2));
+    scene.base.pressure = Pressure::rigid;
+    const Held held(scene);
+    if (held.status == Status::does_not_hold) { // then no multiple of the forces may stay
+      for (const double factor : {0.1, 1.0, 10.0, 1000.0}) CHECK_FALSE(stays(scene, factor));
+      continue;
+    }
+    REQUIRE(held.status == Status::solved);
+    REQUIRE(motion_is_determined(held.scene)); // by [T.9] the solve has no choice
+    CHECK(stays(scene, held.holding.factor * (1 + 1e-6)));
+    CHECK_FALSE(stays(scene, held.holding.factor * (1 - 1e-3)));
+    ++compared;
+  }
+  CHECK(compared >= 100);
+}

@@ -1,0 +1,294 @@
+// Scenes read exactly: decimals as typed, and what is not exact by name.
+#include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/scene_io.hpp"
+#include "lcpush/lcp/pivots/lemke.hpp"
+#include "lcpush/mechanics/model/assemble.hpp"
+#include "support/scene_text.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+using namespace lcpush;
+using namespace lcpush::desktop;
+using doctest::Approx;
+
+namespace {
+
+using Exact = SceneOf<Rational>;
+
+Exact exactly(const std::string& text) { return parse_scene_exactly(text, "s.toml"); }
+Rational typed(const std::string& text) { return *Rational::parse(text); }
+Vector3<Rational> typed(const std::string& x, const std::string& y, const std::string& z) {
+  return {typed(x), typed(y), typed(z)};
+}
+template <class T> auto length_of(const T& x) { return static_cast<Index>(x.size()); }
+
+std::vector<std::string> scene_paths() {
+  std::vector<std::string> paths;
+  const std::string folder = std::string(LCPUSH_SOURCE_DIR) + "/fixtures/scenes";
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".toml") paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// The largest difference between numbers of either scene, by their largest.
+template <class Exactly, class Rounded> double difference(const Exactly& a, const Rounded& b) {
+  double largest = 0, off = 0;
+  for (Index i = 0; i < b.size(); ++i) {
+    largest = std::max(largest, std::abs(b(i)));
+    off = std::max(off, std::abs((a(i) - Rational(b(i))).value()));
+  }
+  return largest > 0 ? off / largest : off;
+}
+
+/// An assembly with its memory, for any scalar.
+template <class S> struct OwnedAssembly {
+  std::vector<Vector6<S>> wrenches;
+  std::vector<ConeGroup<S>> cones;
+  std::vector<SumGroup<S>> sums;
+  std::vector<int> coupled;
+  std::vector<S> coupling, reach, rest, push, q;
+  std::vector<Index> body;
+  Scene<S> scene;
+  Assembly<S> assembly;
+
+  explicit OwnedAssembly(const SceneOf<S>& file) : scene(file.view()), assembly(memory(file)) {
+    REQUIRE(assembly.assemble(scene) == Status::running);
+  }
+
+  AssemblyMemory<S> memory(const SceneOf<S>& file) {
+    const std::size_t points = file.points.size(), actuators = file.actuators.size();
+    const std::size_t forces = points * static_cast<std::size_t>(soft_generators(file.facets) + 2);
+    const std::size_t couplings = forces * (file.drives.size() + 1);
+    const std::size_t n = forces + points + actuators;
+    wrenches.resize(forces);
+    cones.resize(points);
+    sums.resize(actuators);
+    coupled.resize(couplings);
+    coupling.resize(couplings);
+    reach.resize(actuators);
+    body.resize(points);
+    for (std::vector<S>* list : {&rest, &push, &q}) list->resize(n);
+    const auto all = [](auto& list) {
+      return Span<typename std::decay_t<decltype(list)>::value_type>{list.data(), length_of(list)};
+    };
+    return {all(wrenches), all(cones), all(sums), all(coupled), all(coupling),
+            all(body),     all(reach), all(rest), all(push),    all(q)};
+  }
+
+  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> M() {
+    const Index n = assembly.layout().size;
+    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> M(n, n);
+    fill_matrix(assembly.problem(), MatrixMap<S>(M.data(), n, n));
+    return M;
+  }
+  VectorMap<S> right_hand_side() { return {q.data(), assembly.layout().size}; }
+};
+
+} // namespace
+
+TEST_CASE("a decimal is taken as typed") {
+  const Exact scene = exactly(with(object_table, "mass = 0.2", "mass = +0.2_0") + finger_table);
+  CHECK(scene.object.mass == Rational(1) / 5);
+  CHECK(scene.object.mass != Rational(0.2));
+  CHECK(scene.bodies[0].friction == Rational(1) / 2);
+  CHECK(scene.points[0] == typed("0", "0", "1/200"));
+}
+
+TEST_CASE("the inertia of a box and of a cylinder are exact fractions") {
+  const Exact box = exactly(object_table + finger_table);
+  CHECK(box.object.inertia(0, 0) == Rational(1) / 60000);
+  CHECK(box.object.inertia(1, 1) == typed("0.0101") / 60);
+  CHECK(box.object.inertia(0, 1) == 0);
+  const Exact cylinder =
+      exactly(with_object("cylinder_radius = 0.1\ncylinder_length = 0.3\naxis = \"x\""));
+  CHECK(cylinder.object.inertia(0, 0) == typed("0.01"));
+  CHECK(cylinder.object.inertia(1, 1) == typed("0.02"));
+  CHECK(exactly(with_object("inertia = [0.1, 0.2, 0.2, 0.01, 0, 0]")).object.inertia(1, 0) ==
+        typed("0.01"));
+}
+
+TEST_CASE("points are seen from the centre of mass without rounding") {
+  const Exact scene = exactly(object_table + "center_of_mass = [0.1, 0, 0]\n" +
+                              with(finger_table, "center = [0, 0, 0.005]", "center = [0.3, 0, 0]"));
+  CHECK(scene.points[0][0] == Rational(1) / 5);
+  CHECK(0.3 - 0.1 != 0.2);
+  CHECK(scene.positions[0][0] == typed("0.3"));
+}
+
+TEST_CASE("the points of lines and rectangles are exact, and so are normals of a rational length") {
+  const std::string rectangle = "shape = \"rectangle\"\nsize = [0.3, 0.1]\ntangent = [1, 0, 0]";
+  const Exact flat = exactly(with_finger("shape = \"point\"", rectangle));
+  REQUIRE(flat.points.size() == 4);
+  // o = n x t = (0, -1, 0)
+  CHECK(flat.points[0] == typed("-0.15", "0.05", "0.005"));
+  CHECK(flat.points[3] == typed("0.15", "-0.05", "0.005"));
+  const Exact line =
+      exactly(with_finger("shape = \"point\"\ncenter = [0, 0, 0.005]",
+                          "shape = \"line\"\nends = [[0.1, 0, 0], [0.2, 0, 0.1]]\npoints = 4"));
+  CHECK(line.points[1] == typed("2/15", "0", "1/30"));
+  const Exact slope =
+      exactly("facets = 4\n" + with_finger("normal = [0, 0, -2]", "normal = [3, 4, 0]"));
+  CHECK(slope.bodies[0].normal == typed("3/5", "4/5", "0"));
+  CHECK(slope.bodies[0].tangent == typed("0", "0", "1"));
+  CHECK(slope.inexact.empty());
+  const Exact along =
+      exactly("facets = 4\n" +
+              with_finger("normal = [0, 0, -2]", "normal = [0.3, 0.4, 0]\ntangent = [1, 0, 0]"));
+  CHECK(along.bodies[0].tangent == typed("4/5", "-3/5", "0"));
+}
+
+TEST_CASE("a ring of four points is exact, other discs and rings stay in their plane") {
+  const std::string ring = "shape = \"ring\"\nradius = 0.1\npoints = ";
+  const Exact four = exactly("facets = 4\n" + with_finger("shape = \"point\"", ring + "4"));
+  CHECK(four.points[0] == typed("0.1", "0", "0.005"));
+  CHECK(four.inexact.empty());
+  const Exact five = exactly("facets = 4\n" + with_finger("shape = \"point\"", ring + "5"));
+  for (const Vector3<Rational>& p : five.points) CHECK(p[2] == typed("0.005"));
+  REQUIRE(five.inexact.size() == 1);
+  CHECK(five.inexact[0] ==
+        "the points of finger \"left\" are irrational: their 53-bit values are used");
+}
+
+TEST_CASE("what is irrational is named") {
+  const Exact tilted =
+      exactly("facets = 4\n" + with_finger("normal = [0, 0, -2]", "normal = [1, 1, 0]"));
+  REQUIRE(tilted.inexact.size() == 1);
+  CHECK(tilted.inexact[0] ==
+        "the normal of finger \"left\" is irrational: its 53-bit value is used");
+  CHECK(tilted.bodies[0].normal[0] == Rational(Vector3<double>(1, 1, 0).normalized()[0]));
+  CHECK(tilted.bodies[0].tangent == typed("0", "0", "1"));
+
+  const Exact thirds =
+      exactly("facets = 4\n" + with_finger("normal = [0, 0, -2]", "normal = [1, 2, 2]"));
+  CHECK(thirds.bodies[0].normal == typed("1/3", "2/3", "2/3"));
+  REQUIRE(thirds.inexact.size() == 1);
+  CHECK(thirds.inexact[0] ==
+        "the tangent of finger \"left\" is irrational: its 53-bit value is used");
+
+  const Exact eight = exactly(object_table + finger_table);
+  REQUIRE(irrational_directions(eight).size() == 1);
+  CHECK(irrational_directions(eight)[0] ==
+        "the friction directions of 8 facets are irrational: their 53-bit values are used");
+  CHECK(irrational_directions(exactly(with_finger("friction = 0.5", "friction = 0"))).empty());
+  CHECK(irrational_directions(exactly("facets = 6\n" + with_finger(""))).size() == 1);
+  CHECK(irrational_directions(
+            exactly(with_finger("friction = 0.5", "friction = 0\ntorsion_radius = 0.01")))
+            .empty());
+  const Exact soft = exactly("facets = 4\n" + with_finger("torsion_radius = 0.01\n"));
+  REQUIRE(irrational_directions(soft).size() == 1);
+  CHECK(irrational_directions(soft)[0] ==
+        "the soft generators of \"left\" are irrational: their 53-bit values are used");
+}
+
+TEST_CASE("an exact reading refuses what the other refuses, in the same words") {
+  for (const std::string& text :
+       {with_finger("friction = 0.5", "friction = -0.5"),
+        with_finger("normal = [0, 0, -2]", "normal = [0, 0, 0]"),
+        with_object("inertia = [1, -1, 1]"), with_finger("tangent = [0, 0, 1]\n"),
+        with_finger("center = [0, 0, 0.005]", "center = [0, 0, 1e13]"), object_table}) {
+    CAPTURE(text);
+    std::string message = "accepted";
+    try {
+      exactly(text);
+    } catch (const InputError& error) {
+      message = error.what();
+    }
+    CHECK(message == refusal(text));
+    CHECK(message != "accepted");
+  }
+}
+
+TEST_CASE("a number of too many digits is refused by name") {
+  const std::string digits = "0." + std::string(10001, '2');
+  CHECK_THROWS_WITH_AS(exactly(with(object_table, "mass = 0.2", "mass = " + digits) + finger_table),
+                       doctest::Contains("s.toml:2: object: mass is too long to be read exactly"),
+                       InputError);
+}
+
+TEST_CASE("the object's shape is kept for drawings") {
+  const ObjectShape box = parsed(object_table + finger_table).shape;
+  CHECK(box.kind == ObjectShape::Kind::box);
+  CHECK(box.size == Vector3<double>(0.1, 0.03, 0.01));
+  const ObjectShape rod =
+      parsed(with_object("cylinder_radius = 0.1\ncylinder_length = 0.3\naxis = \"y\"")).shape;
+  CHECK(rod.kind == ObjectShape::Kind::cylinder);
+  CHECK(rod.axis == 1);
+  CHECK(rod.size == Vector3<double>(0.2, 0.3, 0.2));
+  // The inertia of a box of 2 kg with edges 1, 2, 3 m.
+  const ObjectShape like = parsed(with_object("inertia = [13, 10, 5]\n")).shape;
+  CHECK(like.kind == ObjectShape::Kind::unknown);
+  for (Index i = 0; i < 3; ++i) {
+    const double moments = 2.0 / 12 * (like.size.squaredNorm() - like.size[i] * like.size[i]);
+    CHECK(moments == Approx(i == 0 ? 13.0 : i == 1 ? 10.0 : 5.0));
+  }
+  CHECK(parsed(with_object("inertia = [1, 1, 2.001]")).shape.size[2] == 0);
+  CHECK(exactly(object_table + finger_table).shape.size == box.size);
+}
+
+TEST_CASE("every fixture's exact scene is its double scene but for rounding") {
+  for (const std::string& path : scene_paths()) {
+    CAPTURE(path);
+    const Exact exact = read_scene_exactly(path);
+    const SceneFile rounded = read_scene(path);
+    constexpr double rounding = 1e-15;
+    CHECK(difference(exact.object.inertia, rounded.object.inertia) < rounding);
+    CHECK(difference(exact.gravity, rounded.gravity) < rounding);
+    CHECK(exact.object.mass.value() == rounded.object.mass);
+    REQUIRE(exact.points.size() == rounded.points.size());
+    for (std::size_t i = 0; i < exact.points.size(); ++i)
+      CHECK(difference(exact.positions[i], rounded.positions[i]) < rounding);
+    REQUIRE(exact.bodies.size() == rounded.bodies.size());
+    for (std::size_t b = 0; b < exact.bodies.size(); ++b) {
+      CHECK(difference(exact.bodies[b].normal, rounded.bodies[b].normal) < rounding);
+      CHECK(difference(exact.bodies[b].tangent, rounded.bodies[b].tangent) < rounding);
+      CHECK(difference(exact.bodies[b].acceleration, rounded.bodies[b].acceleration) < rounding);
+      CHECK(exact.bodies[b].friction.value() == rounded.bodies[b].friction);
+    }
+    REQUIRE(exact.drives.size() == rounded.drives.size());
+    for (std::size_t d = 0; d < exact.drives.size(); ++d)
+      CHECK(difference(exact.drives[d].twist, rounded.drives[d].twist) < rounding);
+    for (std::size_t a = 0; a < exact.actuators.size(); ++a)
+      CHECK(exact.actuators[a].force.value() == rounded.actuators[a].force);
+    CHECK(exact.body_names == rounded.body_names);
+    CHECK(rounded.inexact.empty());
+  }
+}
+
+TEST_CASE("every fixture's exact assembly is its double assembly but for rounding") {
+  for (const std::string& path : scene_paths()) {
+    CAPTURE(path);
+    const Exact exact_file = read_scene_exactly(path);
+    const SceneFile rounded_file = read_scene(path);
+    OwnedAssembly<Rational> exact(exact_file);
+    OwnedAssembly<double> rounded(rounded_file);
+    REQUIRE(exact.assembly.layout().size == rounded.assembly.layout().size);
+    CHECK(difference(exact.M().reshaped(), rounded.M().reshaped()) < 1e-12);
+    CHECK(difference(exact.right_hand_side(), rounded.right_hand_side()) < 1e-12);
+  }
+}
+
+TEST_CASE("a grasp with four facets is solved exactly") {
+  const std::string path =
+      std::string(LCPUSH_SOURCE_DIR) + "/fixtures/scenes/straight_slide_point.toml";
+  Exact file = read_scene_exactly(path);
+  file.facets = 4;
+  OwnedAssembly<Rational> exact(file);
+  const Problem<Rational> problem = exact.assembly.problem();
+  const Index n = problem.size;
+  std::vector<Rational> scalars(static_cast<std::size_t>(lemke_scalars(n)));
+  std::vector<Rational> ones(static_cast<std::size_t>(n), Rational(1));
+  std::vector<int> integers(static_cast<std::size_t>(lemke_integers(n)));
+  Lemke<Rational> lemke({scalars.data(), lemke_scalars(n)}, {integers.data(), lemke_integers(n)});
+  LemkeOptions<Rational> options;
+  options.tie_rule = TieRule::lexicographic;
+  options.equilibrate = false;
+  options.cover = ones.data();
+  REQUIRE(lemke.init(problem, options) == Status::running);
+  REQUIRE(lemke.solve() == Status::solved);
+  CHECK(lemke.residual().residual == 0);
+}

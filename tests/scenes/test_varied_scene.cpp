@@ -1,0 +1,232 @@
+// Numbers of a scene file by their paths.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/varied_scene.hpp"
+#include "scenes/scene_series.hpp"
+#include "support/fixture_push.hpp"
+
+using namespace lcpush;
+using namespace lcpush::desktop;
+using lcpush::test::scene_text;
+
+namespace {
+
+const VariedScene& slide() {
+  static const VariedScene scene =
+      VariedScene::parse(scene_text("straight_slide.toml"), "slide.toml");
+  return scene;
+}
+
+SceneFile slide_with(const std::string& path, double value) {
+  return slide().at({slide().find(path)}, {value});
+}
+
+std::string refusal(const std::string& path) {
+  try {
+    (void)slide().find(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "found";
+}
+
+} // namespace
+
+TEST_CASE("a path names one number of the file") {
+  CHECK(slide_with("object.mass", 0.7).object.mass == 0.7);
+  CHECK(slide_with("gravity[1]", -1.5).gravity == Vector3<double>(0, -1.5, 0));
+  CHECK(slide_with("right.grip_force", 7).actuators[1].force == 7);
+  CHECK(slide_with("right.grip_force", 7).actuators[0].force == 20);
+  CHECK(slide_with("wall.ends[1][2]", 0.001).positions[9][2] == 0.001);
+  CHECK(slide_with("wall.acceleration[1]", 0.3).bodies[2].acceleration[1] == 0.3);
+  CHECK(slide().find("left.grip_force").value == 20);
+  CHECK(slide().find("left.grip_force").unit == "N");
+}
+
+TEST_CASE("* names the same number of every body that has it") {
+  const SceneFile gripped = slide_with("*.grip_force", 3), rough = slide_with("*.friction", 0.9);
+  for (const Actuator<double>& actuator : gripped.actuators) CHECK(actuator.force == 3);
+  for (const Body<double>& body : rough.bodies) CHECK(body.friction == 0.9);
+}
+
+TEST_CASE("vectors that the file leaves out are zero, and vary") {
+  CHECK(slide_with("wall.angular_acceleration[2]", 2).bodies[2].acceleration[5] == 2);
+  CHECK(slide_with("object.center_of_mass[0]", 0.01).object.center_of_mass[0] == 0.01);
+  const VariedScene pivot = VariedScene::parse(scene_text("pivot.toml"), "pivot.toml");
+  CHECK(pivot.at({pivot.find("gravity[1]")}, {-9.81}).gravity[1] == -9.81);
+}
+
+TEST_CASE("shift moves every point of a body, and nothing else") {
+  const SceneFile given = slide().as_given();
+  for (Index axis = 0; axis < 3; ++axis) {
+    const SceneFile moved = slide_with("left.shift[" + std::to_string(axis) + "]", 0.002);
+    for (std::size_t i = 0; i < given.positions.size(); ++i) {
+      Vector3<double> by = moved.positions[i] - given.positions[i];
+      if (i < 4) by[axis] -= 0.002;
+      CHECK(by.norm() <= 1e-17);
+    }
+  }
+  const SceneFile wall = slide_with("wall.shift[1]", 0.01);
+  CHECK(wall.positions[8][1] == doctest::Approx(-0.005));
+  CHECK(wall.bodies[2].acceleration == given.bodies[2].acceleration);
+}
+
+TEST_CASE("turn turns the acceleration in the x-y plane, quarters exactly") {
+  const auto turned = [](double degrees) {
+    return Vector3<double>(slide_with("wall.turn", degrees).bodies[2].acceleration.head<3>());
+  };
+  CHECK(turned(90) == Vector3<double>(0, 0.1, 0));
+  CHECK(turned(-90) == Vector3<double>(0, -0.1, 0));
+  CHECK(turned(180) == Vector3<double>(-0.1, 0, 0));
+  CHECK(turned(450) == turned(90));
+  CHECK((turned(30) - Vector3<double>(0.1 * std::sqrt(0.75), 0.05, 0)).norm() <= 1e-16);
+}
+
+TEST_CASE("forces and accelerations are linear; mass, friction and places are not") {
+  for (const char* path :
+       {"*.grip_force", "gravity[0]", "wall.acceleration[2]", "wall.angular_acceleration[0]"})
+    CHECK(slide().find(path).linear);
+  for (const char* path : {"object.mass", "*.friction", "wall.shift[0]", "wall.turn",
+                           "object.box[0]", "wall.ends[0][0]"})
+    CHECK_FALSE(slide().find(path).linear);
+}
+
+TEST_CASE("what a path finds is what paths() lists") {
+  for (const std::string& path : slide().paths()) CHECK(slide().find(path).path == path);
+}
+
+TEST_CASE("what counts something is whole; facets vary even where the file leaves them out") {
+  CHECK(slide().find("facets").whole);
+  CHECK(slide().find("facets").value == 8);
+  CHECK(slide_with("facets", 16).facets == 16);
+  CHECK_FALSE(slide().find("left.points[0][1]").whole); // a list of points is no count
+  const VariedScene plate = VariedScene::parse(scene_text("planar_pusher.toml"), "plate.toml");
+  CHECK(plate.find("*.points").whole);
+  CHECK(plate.find("plate.points[1]").whole);
+  CHECK(plate.find("*.points").unit.empty());
+  CHECK(plate.at({plate.find("*.points")}, {12}).points.size() == 2 * 12 + 4);
+  CHECK(plate.at({plate.find("plate.points[0]")}, {5}).points.size() == 2 * 6 + 10);
+  CHECK_THROWS_AS((void)plate.at({plate.find("*.points")}, {2.5}), InputError);
+  CHECK_THROWS_AS((void)plate.at({plate.find("facets")}, {7}), InputError);
+}
+
+TEST_CASE("shift leaves a pair of counts alone") {
+  const VariedScene scene = VariedScene::parse(scene_text("planar_pusher.toml"), "plate.toml");
+  const SceneFile given = scene.as_given();
+  const SceneFile moved = scene.at({scene.find("plate.shift[1]")}, {0.003});
+  REQUIRE(moved.positions.size() == given.positions.size());
+  for (std::size_t i = 12; i < given.positions.size(); ++i)
+    CHECK((moved.positions[i] - given.positions[i] - Vector3<double>(0, 0.003, 0)).norm() <= 1e-17);
+}
+
+TEST_CASE("tangent_turn turns the first generator about the normal") {
+  const SceneFile given = slide().as_given();
+  const auto turned = [](const std::string& path, double degrees, std::size_t body) {
+    return slide_with(path, degrees).bodies[body].tangent;
+  };
+  for (std::size_t b = 0; b < 3; ++b) {
+    const Vector3<double> t = given.bodies[b].tangent, n = given.bodies[b].normal;
+    const Vector3<double> quarter = turned("*.tangent_turn", 90, b);
+    CHECK(quarter == cross<double>(n, t));
+    const Vector3<double> some = turned("*.tangent_turn", 30, b);
+    CHECK(some.dot(t) == doctest::Approx(std::sqrt(0.75)));
+    CHECK(cross<double>(some, t).dot(n) == doctest::Approx(-0.5));
+    CHECK(std::abs(some.dot(n)) <= 1e-16);
+  }
+  CHECK(turned("left.tangent_turn", 30, 1) == given.bodies[1].tangent);
+  // On top of a tangent that the file gives.
+  const VariedScene plate = VariedScene::parse(scene_text("planar_pusher.toml"), "plate.toml");
+  CHECK(plate.at({plate.find("plate.tangent_turn")}, {90}).bodies[2].tangent ==
+        Vector3<double>(0, 0, 1));
+}
+
+TEST_CASE("with() changes a number for good") {
+  const VariedScene rough = slide().with(slide().find("*.friction"), 0.9);
+  CHECK(rough.find("left.friction").value == 0.9);
+  CHECK(rough.at({rough.find("left.friction")}, {0.1}).bodies[1].friction == 0.9);
+  CHECK(slide().as_given().bodies[0].friction == 0.5);
+  CHECK_THROWS_AS((void)slide().with(slide().find("*.friction"), -1), InputError);
+}
+
+TEST_CASE("an unknown path is refused with what is possible, and with the nearest") {
+  CHECK(refusal("wall.fricton").find("(did you mean \"wall.friction\"?)") != std::string::npos);
+  CHECK(refusal("gravty[1]").find("(did you mean \"gravity[1]\"?)") != std::string::npos);
+  const std::string message = refusal("nonsense.altogether");
+  for (const char* part : {"slide.toml: nothing to vary is called \"nonsense.altogether\"",
+                           "gravity[..]", "wall.  ends[..]", "turn", "*.  "}) {
+    CAPTURE(message);
+    CHECK(message.find(part) != std::string::npos);
+  }
+  for (const char* path : {"", "gravity", "gravity[3]", "facets[0]", "left.points", "*.mass"})
+    CHECK(refusal(path).find("nothing to vary") != std::string::npos);
+}
+
+TEST_CASE("a value that is no scene is refused with line and value") {
+  try {
+    (void)slide_with("left.friction", -0.5);
+    FAIL("accepted");
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    CHECK(message.rfind("slide.toml:", 0) == 0);
+    CHECK(message.find("friction must be") != std::string::npos);
+    CHECK(message.find("(at left.friction = -0.5)") != std::string::npos);
+  }
+}
+
+TEST_CASE("a series of scenes has the bits of each scene made afresh, whatever varies") {
+  const auto same = [](const auto& a, const auto& b) {
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (a[i] != b[i]) return false;
+    return true;
+  };
+  Index series = 0;
+  for (const char* name : {"straight_slide.toml", "rolling.toml", "three_finger_hand.toml",
+                           "planar_pusher.toml", "soft_fingers.toml"}) {
+    CAPTURE(name);
+    const VariedScene scene = VariedScene::parse(scene_text(name), name);
+    for (const std::string& path : scene.paths()) {
+      CAPTURE(path);
+      const Parameter parameter = scene.find(path);
+      if (parameter.whole) continue;
+      const double from = parameter.value == 0 ? 0.001 : parameter.value;
+      const double to = from + 0.01 * std::abs(from);
+      std::vector<SceneFile> fresh;
+      const double values[] = {from, from + 0.3 * (to - from), from + 0.77 * (to - from), to};
+      try {
+        for (const double value : values) fresh.push_back(scene.at({parameter}, {value}));
+      } catch (const InputError&) {
+        continue; // one finger of a parallel jaw, for example
+      }
+      const SceneSeries all(scene, {parameter}, from, to);
+      ++series;
+      for (std::size_t k = 0; k < fresh.size(); ++k) {
+        const SceneFile a = all.at({values[k]});
+        const SceneFile& b = fresh[k];
+        CHECK(a.object.mass == b.object.mass);
+        CHECK(a.object.inertia == b.object.inertia);
+        CHECK(a.gravity == b.gravity);
+        CHECK(same(a.points, b.points));
+        CHECK(same(a.positions, b.positions));
+        for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+          CHECK(a.bodies[i].normal == b.bodies[i].normal);
+          CHECK(a.bodies[i].tangent == b.bodies[i].tangent);
+          CHECK(a.bodies[i].friction == b.bodies[i].friction);
+          CHECK(a.bodies[i].torsion_radius == b.bodies[i].torsion_radius);
+          CHECK(a.bodies[i].acceleration == b.bodies[i].acceleration);
+        }
+        for (std::size_t i = 0; i < a.actuators.size(); ++i) {
+          CHECK(a.actuators[i].force == b.actuators[i].force);
+          CHECK(a.actuators[i].inertia == b.actuators[i].inertia);
+        }
+        for (std::size_t i = 0; i < a.drives.size(); ++i)
+          CHECK(a.drives[i].twist == b.drives[i].twist);
+      }
+    }
+  }
+  CHECK(series >= 100);
+}

@@ -1,0 +1,134 @@
+// What the reports say about other answers, on scenes where theory knows.
+#include "support/fixture_push.hpp"
+
+#include "support/scenes.hpp"
+#include "support/solved_push.hpp"
+
+using namespace lcpush;
+using namespace lcpush::test;
+
+namespace {
+
+desktop::PushReport report_of(const std::string& name, const std::string& law = "pad") {
+  const desktop::SceneFile file = desktop::parse_scene(
+      with(scene_text(name), "\ntitle", "\npressure = \"" + law + "\"\ntitle"), "test.toml");
+  desktop::Push push(file);
+  desktop::PushReport report = push.solve({});
+  REQUIRE(report.status == Status::solved);
+  report.answer = {}; // its arrays go with the Push
+  return report;
+}
+
+} // namespace
+
+TEST_CASE("[T.9] where no contact is between two modes the final basis isolates the answer") {
+  for (const char* name : {"straight_slide.toml", "ground.toml", "tipping.toml", "rolling.toml"}) {
+    CAPTURE(name);
+    const desktop::PushReport report = report_of(name);
+    CHECK(report.final_basis.motion_isolated());
+    CHECK(report.final_basis.wrench_isolated());
+    CHECK(report.unique_motion == Uniqueness::none_other_found);
+    CHECK(report.covers_compared == 3);
+  }
+}
+
+TEST_CASE("[T.9] a held cylinder's push is open within the bounds of theory 8, its motion is not") {
+  const desktop::PushReport report = report_of("rolling_hard_grip.toml");
+  CHECK(report.final_basis.wrench_open);
+  CHECK_FALSE(report.final_basis.motion_open);
+  CHECK(report.unique_wrench == Uniqueness::no);
+  CHECK(report.unique_motion == Uniqueness::none_other_found);
+}
+
+TEST_CASE("[T.9] a plate that sticks to the disc shares side forces with the fingers as it likes") {
+  const desktop::PushReport report = report_of("three_finger_hand.toml");
+  CHECK(report.final_basis.wrench_open);
+  CHECK(report.final_basis.motion_isolated());
+}
+
+TEST_CASE("[T.9] under rigid a patch's open pressure shows as tied contacts or other answers") {
+  for (const char* name : {"pivot.toml", "two_pushers.toml"}) {
+    CAPTURE(name);
+    const desktop::PushReport report = report_of(name, "rigid");
+    CHECK(report.unique_motion == Uniqueness::no);
+    CHECK(report.final_basis.tied_contacts > 0);
+  }
+}
+
+TEST_CASE("[T.9] proved motions are called proved, and the final basis never contradicts a proof") {
+  CHECK(report_of("soft_fingers.toml").unique_motion == Uniqueness::yes);
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    CAPTURE(seed);
+    SolvedPush<double> push(determined_grasp(seed));
+    REQUIRE(push.solve() == Status::solved);
+    const desktop::FinalBasis basis = desktop::study_final_basis(push.assembly, push.answer());
+    CHECK(basis.studied);
+    CHECK_FALSE(basis.motion_open);
+  }
+}
+
+TEST_CASE("[T.9] an edge without friction: its force is what the slide needs, no more open") {
+  Scene3 scene = straight_slide();
+  scene.bodies.back().friction = 0;
+  scene.base.gravity.setZero();
+  scene.base.pressure = Pressure::rigid;
+  SolvedPush<double> push(scene);
+  REQUIRE(push.solve() == Status::solved);
+  const desktop::FinalBasis one = desktop::study_final_basis(push.assembly, push.answer());
+  CHECK_FALSE(one.wrench_open);
+}
+
+TEST_CASE("[T.9] the vise: found falling, called neither unique nor isolated") {
+  const desktop::PushReport report = report_of("vise.toml");
+  CHECK(report.unique_motion != Uniqueness::yes);
+  CHECK_FALSE(report.final_basis.motion_isolated());
+}
+
+TEST_CASE(
+    "rigid may hold more than pad: a vertex on the line of the push resists with all it has") {
+  const std::string bar = R"(planar = true
+facets = 16
+[object]
+mass = 0.2
+box = [0.1, 0.03, 0.01]
+[[finger]]
+name = "left"
+shape = "ring"
+center = [0, 0, 0.005]
+radius = 0.005
+normal = [0, 0, -1]
+friction = 0.5
+grip_force = 20
+[[finger]]
+name = "right"
+shape = "ring"
+center = [0, 0, -0.005]
+radius = 0.005
+normal = [0, 0, 1]
+friction = 0.5
+grip_force = 20
+[[pusher]]
+name = "rod"
+shape = "point"
+center = [-0.05, -0.004, 0]
+normal = [1, 0, 0]
+friction = 0
+acceleration = [0.1, 0, 0]
+)";
+  const double pad = break_force("pressure = \"pad\"\n" + bar);
+  CHECK(pad == doctest::Approx(13.9648).epsilon(1e-5));
+  CHECK(break_force("pressure = \"even\"\n" + bar) == doctest::Approx(pad).epsilon(1e-6));
+  CHECK(break_force("pressure = \"rigid\"\n" + bar) > 1.2 * pad);
+}
+
+TEST_CASE("[T.9] break says when another cover breaks the grasp in another way") {
+  const auto broken = [](const std::string& name, const std::string& law) {
+    const desktop::SceneFile file = desktop::parse_scene(
+        with(scene_text(name), "\ntitle", "\npressure = \"" + law + "\"\ntitle"), "test.toml");
+    return desktop::Push(file).find_breaking(static_cast<Index>(file.bodies.size()) - 1, {});
+  };
+  CHECK(broken("straight_slide.toml", "pad").unique_force == Uniqueness::none_other_found);
+  CHECK(broken("straight_slide.toml", "pad").unique_motion == Uniqueness::none_other_found);
+  CHECK(broken("straight_slide_point.toml", "rigid").unique_force == Uniqueness::no);
+  CHECK(broken("pivot.toml", "rigid").unique_motion == Uniqueness::no);
+}

@@ -1,0 +1,67 @@
+// The fixtures/scenes files, pushed: what their tests ask about.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "lcpush/desktop/push.hpp"
+
+namespace lcpush::test {
+
+inline std::string scene_text(const std::string& name, const std::string& folder = "scenes") {
+  std::ifstream stream(LCPUSH_SOURCE_DIR "/fixtures/" + folder + "/" + name);
+  std::stringstream text;
+  text << stream.rdbuf();
+  REQUIRE(!text.str().empty());
+  return text.str();
+}
+
+inline std::string with(std::string text, const std::string& old, const std::string& replacement) {
+  std::size_t at = text.find(old);
+  REQUIRE(at != std::string::npos);
+  for (; at != std::string::npos; at = text.find(old, at + replacement.size()))
+    text.replace(at, old.size(), replacement);
+  return text;
+}
+
+/// What a test asks about a push.
+struct Pushed {
+  desktop::SceneFile file;
+  desktop::Push push;
+  desktop::PushReport report;
+
+  explicit Pushed(const std::string& text)
+      : file(desktop::parse_scene(text, "test.toml")), push(file), report(push.solve({})) {
+    REQUIRE(report.status == Status::solved);
+    REQUIRE(report.residuals.max() <= 1e-9);
+  }
+
+  double normal_of(const std::string& body) const {
+    double sum = 0;
+    for (Index i = 0; i < report.answer.contacts.size; ++i)
+      if (file.body_names[static_cast<std::size_t>(report.answer.contacts[i].body)] == body)
+        sum += report.answer.contacts[i].normal_force;
+    return sum;
+  }
+  Mode mode_of(const std::string& point) const {
+    for (Index i = 0; i < report.answer.contacts.size; ++i)
+      if (desktop::point_name(file, i) == point) return report.answer.contacts[i].mode;
+    FAIL("no point " << point);
+    return Mode::stick;
+  }
+  double linear(int k) const { return report.answer.acceleration[k]; }
+  double angular(int k) const { return report.answer.acceleration[3 + k]; }
+};
+
+inline double break_force(const std::string& text) {
+  const desktop::SceneFile file = desktop::parse_scene(text, "test.toml");
+  desktop::Push push(file);
+  const desktop::BreakReport report =
+      push.find_breaking(static_cast<Index>(file.bodies.size()) - 1, {});
+  REQUIRE(report.status == Status::solved);
+  return report.breaking.break_force;
+}
+
+} // namespace lcpush::test
