@@ -13,14 +13,11 @@ std::string as_json(const std::string& solver, Status status,
                     const std::vector<std::string>& columns, const std::vector<HistoryRow>& rows) {
   desktop::JsonWriter json;
   json.begin_object().member("solver", solver).member("status", status_text(status));
-  json.key("history").begin_array();
-  for (const HistoryRow& row : rows) {
-    json.begin_object().member("sweep", row.sweep);
+  json.objects("history", rows, [&](const HistoryRow& row) {
+    json.member("sweep", row.sweep);
     for (std::size_t c = 0; c < columns.size(); ++c) json.member(columns[c], row.values[c]);
-    json.end_object();
-  }
-  json.end_array().end_object();
-  return json.text();
+  });
+  return json.end_object().text();
 }
 
 std::string as_csv(const std::vector<std::string>& columns, const std::vector<HistoryRow>& rows) {

@@ -87,24 +87,14 @@ std::string as_json(const desktop::RawAnswer& answer, const std::string& solver)
   desktop::JsonWriter json;
   json.begin_object();
   json.member("status", status_text(answer.status)).member("solver", solver);
-  json.member("pivots", answer.pivots)
-      .member("sweeps", answer.sweeps)
-      .member("covers", answer.covers);
-  if (solved) {
-    json.member("residual", answer.residual).key("z").numbers(answer.z);
-    json.key("w").numbers(answer.w).key("basis").strings(basis_of(answer));
-  } else {
-    json.member("residual", nullptr).member("z", nullptr).member("w", nullptr);
-    json.member("basis", nullptr).member("reason", reason_of(answer));
-    if (answer.ray.empty())
-      json.member("ray", nullptr);
-    else
-      json.key("ray").numbers(answer.ray);
-  }
-  json.key("redundant_rows").begin_array();
-  for (const Index row : answer.redundant_rows) json.value(row + 1);
-  json.end_array().end_object();
-  return json.text();
+  json.member("pivots", answer.pivots).member("sweeps", answer.sweeps);
+  json.member("covers", answer.covers).member("residual", desktop::when(solved, answer.residual));
+  json.member("z", desktop::when(solved, answer.z)).member("w", desktop::when(solved, answer.w));
+  json.member("basis", desktop::when(solved, basis_of(answer)));
+  if (!solved)
+    json.member("reason", reason_of(answer)).member("ray", desktop::unless_empty(answer.ray));
+  json.list("redundant_rows", answer.redundant_rows, [&](Index row) { json.value(row + 1); });
+  return json.end_object().text();
 }
 
 std::string line(const char* format, double a, double b = 0) {

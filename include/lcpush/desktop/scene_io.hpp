@@ -55,6 +55,10 @@ template <class S> struct SceneOf {
             span_of(drives)};
   }
 
+  const std::string& body_name(Index body) const {
+    return body_names[static_cast<std::size_t>(body)];
+  }
+
   /// The body of a point of `points`. Cost: O(bodies).
   Index body_of(Index point) const {
     std::size_t b = 0;
