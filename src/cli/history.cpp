@@ -56,4 +56,29 @@ std::string history_text(const std::string& format, const std::string& solver, S
   return format == "csv" ? as_csv(columns, rows) : as_table(solver, status, columns, rows);
 }
 
+Option history_option() {
+  return {"--history", "", "instead of the answer, each law's residual sweep by sweep (also csv)"};
+}
+
+std::string push_format(const Arguments& arguments, desktop::Solver solver) {
+  if (!arguments.has("--history")) return arguments.format();
+  if (solver == desktop::Solver::lemke)
+    throw UsageError("--history goes with --solver gauss-seidel or hybrid; lemke has no sweeps");
+  return arguments.format({"text", "csv", "json"});
+}
+
+std::string push_history(const std::string& format, desktop::Solver solver, Status status,
+                         const std::vector<desktop::SweepRecord>& records) {
+  std::vector<HistoryRow> rows;
+  for (const desktop::SweepRecord& record : records) {
+    const Residuals<double>& r = record.residuals;
+    rows.push_back(
+        {record.sweep,
+         {r.newton, r.normal, r.dissipation, r.cone, r.grip, r.rigidity, r.pusher, r.max()}});
+  }
+  return history_text(
+      format, desktop::solver_text(solver), status,
+      {"newton", "normal", "dissipation", "cone", "grip", "rigidity", "pusher", "max"}, rows);
+}
+
 } // namespace lcpush::cli

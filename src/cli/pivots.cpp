@@ -1,13 +1,11 @@
 // lcpush pivots: every pivot, and what it means.
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <tuple>
 
 #include "cli/choose.hpp"
 #include "cli/commands.hpp"
 #include "cli/raw_arguments.hpp"
-#include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/pivots.hpp"
 #include "pivots/explorer_text.hpp"
@@ -33,23 +31,13 @@ struct Subject {
   std::string title;
 };
 
-Index read_facets(const Arguments& arguments) {
-  const auto text = arguments.value("--facets");
-  if (!text) return 4;
-  Index facets = 0;
-  const auto [rest, error] = std::from_chars(text->data(), text->data() + text->size(), facets);
-  if (error != std::errc() || *rest != 0 || facets < 4 || facets > 256 || facets % 2 != 0)
-    throw UsageError("--facets is an even number from 4 to 256, not " + desktop::quoted(*text));
-  return facets;
-}
-
 Pressure read_pressure(const Arguments& arguments, Pressure otherwise) {
   const auto text = arguments.value("--pressure");
   if (!text) return otherwise;
   if (*text == "pad") return Pressure::pad;
   if (*text == "even") return Pressure::even;
   if (*text == "rigid") return Pressure::rigid;
-  throw UsageError("--pressure is pad, even or rigid, not " + desktop::quoted(*text));
+  refuse_value("--pressure", *text, "pad, even or rigid");
 }
 
 void refuse_size(const std::string& what, Index n, bool is_exact) {
@@ -90,7 +78,7 @@ Subject scene_subject(const Arguments& arguments) {
   subject.scene = std::make_unique<desktop::SceneFile>(desktop::parse_scene(text, path));
   desktop::SceneFile& file = *subject.scene;
   if (!as_solved) {
-    file.facets = read_facets(arguments);
+    file.facets = arguments.whole("--facets", {4, 256, true}).value_or(4);
     file.pressure = read_pressure(arguments, file.pressure);
   }
   if (file.pressure == Pressure::even && file.parallel_jaws)
@@ -145,16 +133,6 @@ std::vector<desktop::Rational> read_cover(const Arguments& arguments, Index n) {
   return cover.values;
 }
 
-Index read_limit(const Arguments& arguments) {
-  const auto text = arguments.value("--max-pivots");
-  if (!text) return desktop::PivotOptions().max_pivots;
-  const auto number = desktop::whole_number(*text);
-  if (!number || *number < 1 || *number > 1000000)
-    throw UsageError("--max-pivots is a whole number from 1 to 1000000, not " +
-                     desktop::quoted(*text));
-  return static_cast<Index>(*number);
-}
-
 void refuse_combinations(const Arguments& arguments, bool is_scene) {
   if (arguments.has("--as-solved"))
     for (const char* option : {"--exact", "--cover", "--first-row", "--z0-last", "--choose",
@@ -192,7 +170,7 @@ desktop::PivotTrace trace(Subject& subject, const Arguments& arguments) {
   options.rule = arguments.has("--first-row") ? TieRule::first_row : TieRule::lexicographic;
   options.z0_wins_ties = !arguments.has("--z0-last");
   options.cover = read_cover(arguments, subject.problem.M.rows);
-  options.max_pivots = read_limit(arguments);
+  options.max_pivots = arguments.whole("--max-pivots", {1, 1000000}).value_or(options.max_pivots);
   if (arguments.has("--choose")) options.choose = ask_for_row;
   return desktop::trace_pivots(subject.problem, options, *subject.story);
 }

@@ -6,17 +6,6 @@
 namespace lcpush::desktop {
 namespace {
 
-/// The parts of `text` between `separator`s: one more than there are separators.
-std::vector<std::string_view> split_at(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 template <class S> std::vector<S> read_row(std::string_view text, const std::string& where) {
   std::vector<S> row;
   for (const std::string_view part : split_at(text, ',')) {
