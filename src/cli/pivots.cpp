@@ -10,7 +10,6 @@
 #include "lcpush/desktop/pivots.hpp"
 #include "pivots/explorer_text.hpp"
 #include "pivots/push_story.hpp"
-#include "text/text_file.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
@@ -57,9 +56,8 @@ struct SceneText {
 };
 
 SceneText scene_text(const Arguments& arguments) {
-  constexpr std::size_t most_bytes = std::size_t{64} << 20U;
   if (arguments.files().empty()) return {desktop::example_scene(), "the example"};
-  return {desktop::read_text_file(arguments.files()[0], most_bytes), arguments.files()[0]};
+  return {desktop::read_scene_text(arguments.files()[0]), arguments.files()[0]};
 }
 
 /// Is the work in fractions over in a few seconds?
@@ -86,7 +84,7 @@ Subject scene_subject(const Arguments& arguments) {
   const Index n = size_of(file.view()).unknowns();
   refuse_size(path, n, is_exact);
   if (is_exact || (!as_solved && n <= always_exact)) {
-    desktop::SceneOf<desktop::Rational> exact = desktop::parse_scene_exactly(text, path);
+    desktop::SceneOf<desktop::Rational> exact = desktop::parse_scene<desktop::Rational>(text, path);
     exact.facets = file.facets;
     exact.pressure = file.pressure;
     std::vector<std::string> rounded = exact.inexact;
@@ -111,7 +109,8 @@ Subject scene_subject(const Arguments& arguments) {
 
 Subject raw_subject(const Arguments& arguments) {
   Subject subject;
-  std::tie(subject.problem.M, subject.problem.q) = read_matrices_exactly(arguments);
+  std::tie(subject.problem.M, subject.problem.q) =
+      read_matrices<desktop::Rational>(arguments, arguments.files());
   const Index n = subject.problem.M.rows;
   refuse_size(arguments.files().empty() ? "--M" : arguments.files()[0], n,
               arguments.has("--exact"));
@@ -124,7 +123,8 @@ Subject raw_subject(const Arguments& arguments) {
 std::vector<desktop::Rational> read_cover(const Arguments& arguments, Index n) {
   const auto text = arguments.value("--cover");
   if (!text) return {};
-  const desktop::ExactMatrix cover = desktop::parse_inline_vector_exactly(*text, "--cover");
+  const desktop::ExactMatrix cover =
+      desktop::parse_inline_vector<desktop::Rational>(*text, "--cover");
   if (cover.rows != n)
     throw UsageError("--cover wants " + std::to_string(n) + " numbers, one a row, got " +
                      std::to_string(cover.rows));
