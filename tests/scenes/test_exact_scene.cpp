@@ -91,6 +91,19 @@ template <class S> struct OwnedAssembly {
 
 } // namespace
 
+TEST_CASE("the circle's directions are exact where fractions can say them") {
+  CHECK(circle_cosine<Rational>(0, 8) == 1);
+  CHECK(circle_cosine<Rational>(2, 8) == 0);
+  CHECK(circle_cosine<Rational>(4, 8) == -1);
+  CHECK(circle_cosine<Rational>(1, 6) == typed("1/2"));
+  CHECK(circle_sine<Rational>(1, 12) == typed("1/2"));
+  CHECK(circle_cosine<Rational>(4, 12) == typed("-1/2"));
+  for (Index j = 0; j < 10; ++j) {
+    CHECK(circle_cosine<Rational>(j, 10) == Rational(circle_cosine<double>(j, 10)));
+    CHECK(circle_sine<Rational>(j, 10) == Rational(circle_sine<double>(j, 10)));
+  }
+}
+
 TEST_CASE("a decimal is taken as typed") {
   const Exact scene = exactly(with(object_table, "mass = 0.2", "mass = +0.2_0") + finger_table);
   CHECK(scene.object.mass == Rational(1) / 5);

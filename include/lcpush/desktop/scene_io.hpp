@@ -2,12 +2,19 @@
 #pragma once
 
 #include "lcpush/desktop/rational.hpp"
+#include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/scene.hpp"
 
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
+
+namespace lcpush {
+/// Of an exact scene's friction directions: 0, +-1/2 and +-1 exactly, else the value of the double,
+/// so that no series is summed in fractions.
+template <> desktop::Rational circle_cosine<desktop::Rational>(Index j, Index g);
+} // namespace lcpush
 
 namespace lcpush::desktop {
 
