@@ -10,6 +10,7 @@
 
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "text/text_file.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
@@ -22,12 +23,6 @@ std::string full_name(const std::string& word) { return word == "-o" ? "--output
 bool is_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' &&
          (word[1] == '-' || word == "-o" || word == "-h" || (word[1] >= 'A' && word[1] <= 'z'));
-}
-
-[[noreturn]] void refuse_writing(const std::string& path, int reason) {
-  throw desktop::InputError(path +
-                            ": cannot be written: " + std::generic_category().message(reason) +
-                            "; check the path and its permissions");
 }
 
 } // namespace
@@ -156,7 +151,7 @@ void write_output(const Arguments& arguments, const std::string& text) {
   errno = 0;
   if (!path) {
     std::cout << text << std::flush;
-    if (!std::cout) refuse_writing("standard output", errno);
+    if (!std::cout) desktop::refuse_file("standard output", "written", errno);
     return;
   }
   std::error_code ignored;
@@ -167,12 +162,12 @@ void write_output(const Arguments& arguments, const std::string& text) {
       std::filesystem::exists(*path, ignored) && !std::filesystem::is_regular_file(*path, ignored);
   const std::string partial = direct ? *path : *path + ".part";
   std::ofstream stream(partial, std::ios::binary);
-  if (!stream) refuse_writing(*path, errno);
+  if (!stream) desktop::refuse_file(*path, "written", errno);
   stream << text << std::flush;
   if (!stream) {
     const int reason = errno;
     if (!direct) std::remove(partial.c_str());
-    refuse_writing(*path, reason);
+    desktop::refuse_file(*path, "written", reason);
   }
   stream.close();
   if (direct) return;
@@ -180,7 +175,7 @@ void write_output(const Arguments& arguments, const std::string& text) {
   std::filesystem::rename(partial, *path, failure);
   if (!failure) return;
   std::remove(partial.c_str());
-  refuse_writing(*path, failure.value());
+  desktop::refuse_file(*path, "written", failure.value());
 }
 
 Option solver_option() {

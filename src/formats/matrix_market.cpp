@@ -2,6 +2,7 @@
 
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "text/text_file.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <sstream>
 #include <system_error>
 
@@ -216,11 +216,7 @@ private:
 } // namespace
 
 template <class S> MatrixOf<S> read_matrix_market(const std::string& path) {
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    throw InputError(path + ": cannot be read: " + std::generic_category().message(errno) +
-                     "; check the path and its permissions");
+  std::ifstream stream = open_file(path);
   const std::streamoff bytes = stream.seekg(0, std::ios::end).tellg();
   stream.clear();
   stream.seekg(0);
