@@ -130,8 +130,8 @@ void multiply_factored(const FactoredProblem<S>& problem, Index free_begin, cons
   }
 }
 
-template <class S>
-void fill_factored(const FactoredProblem<S>& problem, Index free_begin, MatrixMap<S> M) {
+/// M = G' A G, and zeros elsewhere.
+template <class S> void fill_mobility(const FactoredProblem<S>& problem, MatrixMap<S> M) {
   M.setZero();
   for (const ConeGroup<S>& acting : problem.cones)
     for (Index k = 0; k < acting.forces(); ++k) {
@@ -141,8 +141,6 @@ void fill_factored(const FactoredProblem<S>& problem, Index free_begin, MatrixMa
         for (Index j = 0; j < felt.forces(); ++j)
           column[felt.variable + j] = problem.wrenches[felt.force + j].dot(a);
     }
-  for_each_group_entry(problem, free_begin,
-                       [&](Index i, Index j, const S& entry) { M(i, j) += entry; });
 }
 
 } // namespace detail
@@ -167,7 +165,9 @@ template <class S> void multiply(const Problem<S>& problem, const S* z, S* out) 
 /// Writes M into an n x n view.
 template <class S> void fill_matrix(const Problem<S>& problem, MatrixMap<S> M) {
   if (problem.factored != nullptr) {
-    detail::fill_factored(*problem.factored, problem.free_begin, M);
+    detail::fill_mobility(*problem.factored, M);
+    for_each_group_entry(*problem.factored, problem.free_begin,
+                         [&](Index i, Index j, const S& entry) { M(i, j) += entry; });
     return;
   }
   const Index n = problem.size;

@@ -140,7 +140,7 @@ template <class S> void BlockGaussSeidel<S>::rub(const ConeGroup<S>& cone) {
   const Index first = cone.variable + cone.normals, force = cone.force + cone.normals;
   const Index rest = cone.generators; // stands for what the cone leaves unused
   const S lambda = cone.normal_force(z_.data);
-  const S most = cone.friction * (lambda < S(0) ? S(-lambda) : lambda);
+  const S most = cone.friction * Eigen::numext::abs(lambda);
   shrink_to_cone(cone, most);
   S unused = most;
   for (Index k = 0; k < cone.generators; ++k) unused -= z_[first + k];
