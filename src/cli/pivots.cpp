@@ -12,15 +12,14 @@
 #include "lcpush/desktop/pivots.hpp"
 #include "pivots/explorer_text.hpp"
 #include "pivots/push_story.hpp"
+#include "text/limits.hpp"
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-constexpr Index most_unknowns = 1000; // every pivot keeps its ratios; the page draws every row
-constexpr Index most_exact = 300;     // fractions grow with every pivot
-constexpr Index always_exact = 150;   // then ties are ties, not rounding's
+constexpr Index always_exact = 150; // then ties are ties, not rounding's
 
 /// What is pivoted: a scene or two matrices.
 struct Subject {
@@ -53,13 +52,13 @@ Pressure read_pressure(const Arguments& arguments, Pressure otherwise) {
 }
 
 void refuse_size(const std::string& what, Index n, bool is_exact) {
-  if (n > most_unknowns)
+  if (n > desktop::limits::unknowns_traced)
     throw desktop::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
-                              std::to_string(most_unknowns) +
+                              std::to_string(desktop::limits::unknowns_traced) +
                               " whose pivots can be shown; use fewer points");
-  if (is_exact && n > most_exact)
+  if (is_exact && n > desktop::limits::unknowns_exact)
     throw desktop::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
-                              std::to_string(most_exact) +
+                              std::to_string(desktop::limits::unknowns_exact) +
                               " that fractions can be pivoted for; leave --exact out");
 }
 
@@ -69,9 +68,9 @@ struct SceneText {
 };
 
 SceneText scene_text(const Arguments& arguments) {
-  constexpr std::size_t most_bytes = std::size_t{64} << 20U;
   if (arguments.files().empty()) return {desktop::example_scene(), "the example"};
-  return {desktop::read_text_file(arguments.files()[0], most_bytes), arguments.files()[0]};
+  return {desktop::read_text_file(arguments.files()[0], desktop::limits::scene_bytes),
+          arguments.files()[0]};
 }
 
 /// Is the work in fractions over in a few seconds?

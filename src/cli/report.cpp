@@ -5,11 +5,10 @@
 #include "cli/scene_argument.hpp"
 #include "cli/varied_argument.hpp"
 #include "lcpush/desktop/report_page.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::cli {
 namespace {
-
-constexpr Index most_steps = 10000;
 
 /// Whose breaking force is asked for, or -1: nothing pushes, or nothing moves.
 Index breaking_pusher(const Arguments& arguments, const desktop::SceneFile& file) {
@@ -28,7 +27,7 @@ std::vector<desktop::Sweep> swept(const Arguments& arguments, const desktop::Var
   if (variations.empty() && arguments.has("--steps"))
     throw UsageError("--steps goes with --vary PATH=FROM:TO");
   desktop::ParameterSweepOptions options;
-  options.steps = read_steps(arguments, most_steps);
+  options.steps = read_steps(arguments, desktop::limits::report_steps);
   std::vector<desktop::Sweep> sweeps;
   if (!variations.empty()) options.pusher = chosen_pusher(arguments, file);
   for (const desktop::Variation& variation : variations) {

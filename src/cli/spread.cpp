@@ -4,21 +4,19 @@
 #include "cli/progress.hpp"
 #include "cli/scene_argument.hpp"
 #include "formats/read_number.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-constexpr std::uint64_t most_covers = 1000000;
-constexpr Index most_unknowns = 2000;
-
 Index chosen_covers(const Arguments& arguments, Index otherwise) {
   const std::optional<std::string> word = arguments.value("--covers");
   if (!word) return otherwise;
   const std::optional<std::uint64_t> covers = desktop::whole_number(*word);
-  if (!covers || *covers < 1 || *covers > most_covers)
-    throw UsageError("--covers is a whole number from 1 to " + std::to_string(most_covers) +
-                     ", not " + desktop::quoted(*word));
+  if (!covers || *covers < 1 || *covers > desktop::limits::covers)
+    throw UsageError("--covers is a whole number from 1 to " +
+                     std::to_string(desktop::limits::covers) + ", not " + desktop::quoted(*word));
   return static_cast<Index>(*covers);
 }
 
@@ -29,9 +27,10 @@ int run(const Arguments& arguments) {
   options.enumerate = arguments.has("--enumerate");
   const desktop::SceneFile file = read_scene_argument(arguments);
   const Index unknowns = size_of(file.view()).unknowns();
-  if (unknowns > most_unknowns)
+  if (unknowns > desktop::limits::unknowns_spread)
     throw desktop::InputError(arguments.files()[0] + ": the scene has " + std::to_string(unknowns) +
-                              " unknowns, more than the " + std::to_string(most_unknowns) +
+                              " unknowns, more than the " +
+                              std::to_string(desktop::limits::unknowns_spread) +
                               " whose faces can be bounded; use fewer points or facets");
   desktop::SpreadReport report;
   {

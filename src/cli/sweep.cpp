@@ -5,12 +5,10 @@
 #include "cli/scene_argument.hpp"
 #include "cli/varied_argument.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::cli {
 namespace {
-
-constexpr Index most_steps = 1000000, most_map_steps = 1000;
-constexpr std::size_t most_curves = 16;
 
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts(1);
@@ -103,7 +101,8 @@ int run(const Arguments& arguments) {
     throw UsageError("a map is of one scene: leave out the second --vary, or --each and the other "
                      "scenes");
   desktop::ParameterSweepOptions options;
-  options.steps = read_steps(arguments, varied.size() > 1 ? most_map_steps : most_steps);
+  options.steps = read_steps(arguments, varied.size() > 1 ? desktop::limits::map_steps
+                                                          : desktop::limits::sweep_steps);
   bool complete = true;
   {
     SweepMeter meter;
@@ -159,7 +158,7 @@ Command sweep_command() {
            {"--show", "NAME,NAME,..",
             "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
            {"--format", "FORMAT", "text (default), csv, json or svg; --json for short"}}),
-      most_curves,
+      desktop::limits::curves,
       run};
 }
 

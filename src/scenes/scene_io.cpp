@@ -2,23 +2,18 @@
 
 #include "formats/toml.hpp"
 #include "scenes/scene_builder.hpp"
+#include "text/limits.hpp"
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
-namespace {
-
-constexpr std::size_t most_scene_bytes = std::size_t{64} << 20U;
-
-} // namespace
-
 SceneFile parse_scene(std::string_view text, const std::string& file_name) {
   const TomlDocument document = parse_toml(text, file_name);
   return SceneBuilder<double>(document).build();
 }
 
 SceneFile read_scene(const std::string& path) {
-  return parse_scene(read_text_file(path, most_scene_bytes), path);
+  return parse_scene(read_text_file(path, limits::scene_bytes), path);
 }
 
 SceneOf<Rational> parse_scene_exactly(std::string_view text, const std::string& file_name) {
@@ -27,7 +22,7 @@ SceneOf<Rational> parse_scene_exactly(std::string_view text, const std::string& 
 }
 
 SceneOf<Rational> read_scene_exactly(const std::string& path) {
-  return parse_scene_exactly(read_text_file(path, most_scene_bytes), path);
+  return parse_scene_exactly(read_text_file(path, limits::scene_bytes), path);
 }
 
 std::vector<std::string> irrational_directions(const SceneOf<Rational>& scene) {

@@ -3,6 +3,7 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "scenes/scene_builder.hpp"
 #include "scenes/table_changes.hpp"
+#include "text/limits.hpp"
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
 
@@ -17,7 +18,6 @@ namespace {
 using Place = Parameter::Place;
 using Kind = Parameter::Kind;
 
-constexpr std::size_t most_scene_bytes = std::size_t{64} << 20U;
 constexpr int root = -1;
 
 std::string unit_of(const std::string& key) {
@@ -199,7 +199,7 @@ VariedScene::VariedScene(TomlDocument document) {
 }
 
 VariedScene VariedScene::read(const std::string& path) {
-  return parse(read_text_file(path, most_scene_bytes), path);
+  return parse(read_text_file(path, limits::scene_bytes), path);
 }
 
 VariedScene VariedScene::parse(std::string_view text, const std::string& file_name) {
