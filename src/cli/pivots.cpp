@@ -10,14 +10,13 @@
 #include "lcpush/desktop/pivots.hpp"
 #include "pivots/explorer_text.hpp"
 #include "pivots/push_story.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-constexpr Index most_unknowns = 1000; // every pivot keeps its ratios; the page draws every row
-constexpr Index most_exact = 300;     // fractions grow with every pivot
-constexpr Index always_exact = 150;   // then ties are ties, not rounding's
+constexpr Index always_exact = 150; // then ties are ties, not rounding's
 
 /// What is pivoted: a scene or two matrices.
 struct Subject {
@@ -40,13 +39,13 @@ Pressure read_pressure(const Arguments& arguments, Pressure otherwise) {
 }
 
 void refuse_size(const std::string& what, Index n, bool is_exact) {
-  if (n > most_unknowns)
+  if (n > desktop::limits::unknowns_traced)
     throw desktop::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
-                              std::to_string(most_unknowns) +
+                              std::to_string(desktop::limits::unknowns_traced) +
                               " whose pivots can be shown; use fewer points");
-  if (is_exact && n > most_exact)
+  if (is_exact && n > desktop::limits::unknowns_exact)
     throw desktop::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
-                              std::to_string(most_exact) +
+                              std::to_string(desktop::limits::unknowns_exact) +
                               " that fractions can be pivoted for; leave --exact out");
 }
 

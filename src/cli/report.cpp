@@ -3,12 +3,11 @@
 #include "cli/progress.hpp"
 #include "cli/scene_arguments.hpp"
 #include "lcpush/desktop/report_page.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
-
-constexpr Index most_steps = 10000;
 
 /// Whose breaking force is asked for, or -1: nothing pushes, or nothing moves.
 Index breaking_pusher(const Arguments& arguments, const desktop::SceneFile& file) {
@@ -27,7 +26,7 @@ std::vector<desktop::Sweep> swept(const Arguments& arguments, const desktop::Var
   if (variations.empty() && arguments.has("--steps"))
     throw UsageError("--steps goes with --vary PATH=FROM:TO");
   desktop::ParameterSweepOptions options;
-  options.steps = arguments.whole("--steps", {2, most_steps}).value_or(0);
+  options.steps = arguments.whole("--steps", {2, desktop::limits::report_steps}).value_or(0);
   std::vector<desktop::Sweep> sweeps;
   if (!variations.empty()) options.pusher = chosen_pusher(arguments, file);
   for (const desktop::Variation& variation : variations) {

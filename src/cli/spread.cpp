@@ -3,20 +3,19 @@
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_arguments.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-constexpr Index most_covers = 1000000;
-constexpr Index most_unknowns = 2000;
-
 int run(const Arguments& arguments) {
   const std::string format = arguments.format();
   desktop::SpreadOptions options;
-  options.covers = arguments.whole("--covers", {1, most_covers}).value_or(options.covers);
+  options.covers =
+      arguments.whole("--covers", {1, desktop::limits::covers}).value_or(options.covers);
   options.enumerate = arguments.has("--enumerate");
   const desktop::SceneFile file = read_scene_argument(arguments);
-  refuse_unknowns(arguments, file, most_unknowns, "faces can be bounded");
+  refuse_unknowns(arguments, file, desktop::limits::unknowns_spread, "faces can be bounded");
   desktop::SpreadReport report;
   {
     Progress progress;

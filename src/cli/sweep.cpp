@@ -4,13 +4,11 @@
 #include "cli/progress.hpp"
 #include "cli/scene_arguments.hpp"
 #include "formats/read_number.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
-
-constexpr Index most_steps = 1000000, most_map_steps = 1000;
-constexpr std::size_t most_curves = 16;
 
 /// --each PATH=V,V,..: a variation a value, from = to.
 std::vector<desktop::Variation> read_each(const desktop::VariedScene& scene,
@@ -94,8 +92,10 @@ int run(const Arguments& arguments) {
     throw UsageError("a map is of one scene: leave out the second --vary, or --each and the other "
                      "scenes");
   desktop::ParameterSweepOptions options;
-  options.steps =
-      arguments.whole("--steps", {2, varied.size() > 1 ? most_map_steps : most_steps}).value_or(0);
+  options.steps = arguments
+                      .whole("--steps", {2, varied.size() > 1 ? desktop::limits::map_steps
+                                                              : desktop::limits::sweep_steps})
+                      .value_or(0);
   bool complete = true;
   {
     SweepMeter meter;
@@ -151,7 +151,7 @@ Command sweep_command() {
            {"--show", "NAME,NAME,..",
             "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
            {"--format", "FORMAT", "text (default), csv, json or svg; --json for short"}}),
-      most_curves,
+      desktop::limits::curves,
       run};
 }
 

@@ -4,6 +4,7 @@
 #include "cli/raw_arguments.hpp"
 #include "cli/scene_arguments.hpp"
 #include "formats/json_fields.hpp"
+#include "text/limits.hpp"
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
 
@@ -19,9 +20,8 @@ desktop::VerifyOptions read_options(const Arguments& arguments) {
 
 /// The z of `lcpush lcp --json`, or of an object that has nothing else.
 std::vector<double> read_z(const std::string& path) {
-  constexpr std::size_t most_bytes = 256U << 20U;
   const desktop::JsonValue root =
-      desktop::parse_json(desktop::read_text_file(path, most_bytes), path);
+      desktop::parse_json(desktop::read_text_file(path, desktop::limits::answer_bytes), path);
   const desktop::JsonFields fields(path);
   if (root.as<desktop::JsonObject>() == nullptr)
     fields.refuse(root, std::string("an answer is a JSON object, got ") + root.type());

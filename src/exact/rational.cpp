@@ -1,4 +1,5 @@
 #include "lcpush/desktop/rational.hpp"
+#include "text/limits.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -8,9 +9,6 @@
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr std::size_t most_characters = 10000;
-constexpr int most_exponent = 1000;
 
 /// numerator / 2^zeros, or numerator 2^-zeros.
 Rational scaled_by_two(BigInteger numerator, int exponent) {
@@ -63,7 +61,8 @@ std::optional<int> read_exponent(std::string_view text) {
   const char* const end = text.data() + text.size();
   const auto [stopped, outcome] = std::from_chars(text.data(), end, exponent);
   if (stopped != end || outcome != std::errc{}) return std::nullopt;
-  if (exponent > most_exponent || exponent < -most_exponent) return std::nullopt;
+  if (exponent > limits::fraction_exponent || exponent < -limits::fraction_exponent)
+    return std::nullopt;
   return exponent;
 }
 
@@ -131,7 +130,7 @@ Rational Rational::in_lowest_terms(BigInteger numerator, BigInteger denominator)
 }
 
 std::optional<Rational> Rational::parse(std::string_view text) {
-  if (text.size() > most_characters) return std::nullopt;
+  if (text.size() > limits::fraction_characters) return std::nullopt;
   const bool has_sign = !text.empty() && (text.front() == '-' || text.front() == '+');
   const bool is_negative = has_sign && text.front() == '-';
   if (has_sign) text.remove_prefix(1);

@@ -3,6 +3,7 @@
 #include "formats/read_number.hpp"
 #include "formats/text_cursor.hpp"
 #include "formats/toml_number.hpp"
+#include "text/limits.hpp"
 #include "text/utf8.hpp"
 #include "text/wording.hpp"
 
@@ -12,8 +13,6 @@
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr int most_levels = 100;
 
 class Reader : TextCursor {
 public:
@@ -45,7 +44,7 @@ private:
 };
 
 JsonValue Reader::read_value(int level) {
-  if (level > most_levels) fail("nested more than 100 levels deep");
+  if (level > limits::json_depth) fail("nested more than 100 levels deep");
   skip_blanks();
   JsonValue value;
   value.line = line_;

@@ -5,6 +5,7 @@
 #include "scenes/exact_frame.hpp"
 #include "scenes/scene_object.hpp"
 #include "scenes/scene_schema.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
@@ -15,8 +16,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr std::size_t most_points_in_scene = 100000;
-constexpr std::size_t most_bodies = 1000;
 // Rounding of a normal that no decimal number can give exactly.
 constexpr double direction_slack = 1e-9;
 
@@ -123,9 +122,9 @@ template <class S> void SceneBuilder<S>::read_bodies(Role role) {
   const std::string section = section_of(role);
   for (std::size_t i = 0; i < tables(section).size(); ++i) {
     const TableReader table = reader(section, i);
-    if (scene_.bodies.size() == most_bodies)
-      table.fail("",
-                 "more than " + std::to_string(most_bodies) + " bodies in the scene; use fewer");
+    if (scene_.bodies.size() == limits::scene_bodies)
+      table.fail("", "more than " + std::to_string(limits::scene_bodies) +
+                         " bodies in the scene; use fewer");
     read_body(role, table);
   }
 }
@@ -161,8 +160,8 @@ template <class S> void SceneBuilder<S>::read_body(Role role, const TableReader&
 
 template <class S>
 void SceneBuilder<S>::add_points(const TableReader& table, const Patch<S>& patch) {
-  if (scene_.points.size() + patch.positions.size() > most_points_in_scene)
-    table.fail("points", "more than " + std::to_string(most_points_in_scene) +
+  if (scene_.points.size() + patch.positions.size() > limits::scene_points)
+    table.fail("points", "more than " + std::to_string(limits::scene_points) +
                              " contact points in the scene; use fewer");
   for (const Vector3<S>& position : patch.positions) {
     scene_.positions.push_back(position);

@@ -2,13 +2,14 @@
 
 #include "formats/toml.hpp"
 #include "scenes/scene_builder.hpp"
+#include "text/limits.hpp"
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
 
 std::string read_scene_text(const std::string& path) {
-  return read_text_file(path, std::size_t{64} << 20U);
+  return read_text_file(path, limits::scene_bytes);
 }
 
 template <class S> SceneOf<S> parse_scene(std::string_view text, const std::string& file_name) {

@@ -3,6 +3,7 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "scenes/scene_builder.hpp"
 #include "scenes/table_changes.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
