@@ -11,6 +11,7 @@
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/text_file.hpp"
+#include "text/whole_number.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
@@ -97,15 +98,15 @@ std::string Arguments::format(const std::vector<std::string>& known) const {
 std::optional<Index> Arguments::whole(const std::string& option, const Range& range) const {
   const std::optional<std::string> word = value(option);
   if (!word) return std::nullopt;
-  const auto least = static_cast<std::uint64_t>(range.smallest);
-  const auto most = static_cast<std::uint64_t>(range.largest);
-  const std::optional<std::uint64_t> number = desktop::whole_number(*word);
-  if (!number || *number < least || *number > most || (range.even && *number % 2 != 0))
-    refuse_value(option, *word,
-                 (range.even ? "an even number from " : "a whole number from ") +
-                     std::to_string(least) +
-                     (range.largest < Range{0}.largest ? " to " + std::to_string(most) : " on"));
-  return static_cast<Index>(*number);
+  const std::optional<Index> number = desktop::whole_number<Index>(*word);
+  if (!number || *number < range.smallest || *number > range.largest ||
+      (range.even && *number % 2 != 0))
+    refuse_value(
+        option, *word,
+        (range.even ? "an even number from " : "a whole number from ") +
+            std::to_string(range.smallest) +
+            (range.largest < Range{0}.largest ? " to " + std::to_string(range.largest) : " on"));
+  return number;
 }
 
 std::optional<double> Arguments::number(const std::string& option, double end,

@@ -3,6 +3,7 @@
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/text_file.hpp"
+#include "text/whole_number.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
@@ -106,7 +107,7 @@ private:
   }
 
   std::uint64_t read_count(std::string_view word) const {
-    const auto count = whole_number(word);
+    const auto count = whole_number<std::uint64_t>(word);
     if (!count) refuse(quoted(word) + " is not a whole number >= 0 that fits in 64 bits");
     return *count;
   }
