@@ -17,9 +17,9 @@ struct Quantity {
   Unit unit;
 };
 
-const char* const axes[] = {"+x", "+y", "+z"};
+const char* const signed_axes[] = {"+x", "+y", "+z"};
 const char* const twist_symbols[] = {"ax", "ay", "az", "rx", "ry", "rz"};
-const char* const components[] = {"n", "t", "o", "spin"};
+const char* const row_names[] = {"n", "t", "o", "spin"};
 
 class Names {
 public:
@@ -33,7 +33,7 @@ public:
     for (Index k = 0; k < 6; ++k) {
       const std::string name =
           k < 3 ? "acceleration of the object along " : "angular acceleration of the object about ";
-      all.push_back({name + axes[k % 3], twist_symbols[k], "", "", motion(k >= 3)});
+      all.push_back({name + signed_axes[k % 3], twist_symbols[k], "", "", motion(k >= 3)});
     }
     for_each_component([&](Index point, Index c) { all.push_back(component(point, c, "", "")); });
     return all;
@@ -106,9 +106,9 @@ private:
     const Vector3<double> axis[] = {body.normal, body.tangent, cross(body.normal, body.tangent)};
     const std::string contact = point_name(push_.file(), point);
     const std::string name = c == 3 ? "spin of " + contact + " about n"
-                                    : "acceleration of " + contact + " along " + components[c] +
+                                    : "acceleration of " + contact + " along " + row_names[c] +
                                           " = " + direction_text(axis[c]);
-    return {name + says, std::string("r_") + components[c], contact, law, motion(c == 3)};
+    return {name + says, std::string("r_") + row_names[c], contact, law, motion(c == 3)};
   }
 
   std::string contact(const Name& name) const {
@@ -160,7 +160,7 @@ private:
   }
 
   Quantity newton_row(Index k) const {
-    const std::string axis = axes[k % 3];
+    const std::string axis = signed_axes[k % 3];
     if (scene_.planar && k >= 2 && k <= 4)
       return {k == 2 ? "no motion along +z: planar" : "no turn about " + axis + ": planar",
               twist_symbols[k], "", "[T.1]", motion(k >= 3)};
