@@ -8,7 +8,7 @@
 namespace lcpush::cli {
 namespace {
 
-int run(const Arguments& arguments) {
+int run_break(const Arguments& arguments) {
   const desktop::Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
   const desktop::SceneFile file = read_scene_argument(arguments, Needs::scene);
@@ -56,7 +56,7 @@ Command break_command() {
                            solver_option(),
                            history_option()}),
       1,
-      run};
+      run_break};
 }
 
 } // namespace lcpush::cli

@@ -140,7 +140,7 @@ std::string history_of(const desktop::RawAnswer& answer, const std::string& form
   return history_text(format, solver, answer.status, {"residual"}, rows);
 }
 
-int run(const Arguments& arguments) {
+int run_lcp(const Arguments& arguments) {
   const std::string format = read_format(arguments);
   desktop::RawOptions options = read_options(arguments);
   const std::string solver = desktop::solver_text(options.solver);
@@ -185,7 +185,7 @@ Command lcp_command() {
               {"--history", "", "the residual after each check instead; also --format csv"},
           }),
           2,
-          run};
+          run_lcp};
 }
 
 } // namespace lcpush::cli

@@ -8,7 +8,7 @@
 namespace lcpush::cli {
 namespace {
 
-int run(const Arguments& arguments) {
+int run_solve(const Arguments& arguments) {
   const desktop::Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
   const desktop::SceneFile file = read_scene_argument(arguments, Needs::scene);
@@ -45,7 +45,7 @@ Command solve_command() {
           "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
           with_common_options({solver_option(), history_option()}),
           1,
-          run};
+          run_solve};
 }
 
 } // namespace lcpush::cli

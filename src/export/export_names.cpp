@@ -12,9 +12,9 @@ struct Quantity {
   double scale;                                 ///< SI value = value in the files times this
 };
 
-const char* const axes[] = {"+x", "+y", "+z"};
+const char* const signed_axes[] = {"+x", "+y", "+z"};
 const char* const twist_symbols[] = {"ax", "ay", "az", "rx", "ry", "rz"};
-const char* const components[] = {"n", "t", "o", "spin"};
+const char* const row_names[] = {"n", "t", "o", "spin"};
 
 class Names {
 public:
@@ -28,11 +28,11 @@ public:
     for (Index k = 0; k < 6; ++k) {
       const std::string name =
           k < 3 ? "acceleration of the object along " : "angular acceleration of the object about ";
-      all.push_back({name + axes[k % 3], twist_symbols[k], "", "", motion_unit(k >= 3),
+      all.push_back({name + signed_axes[k % 3], twist_symbols[k], "", "", motion_unit(k >= 3),
                      motion_scale(k >= 3)});
     }
     each_component([&](Index point, Index c) {
-      all.push_back({component_name(point, c), std::string("r_") + components[c],
+      all.push_back({component_name(point, c), std::string("r_") + row_names[c],
                      point_name(push_.file(), point), "", motion_unit(c == 3),
                      motion_scale(c == 3)});
     });
@@ -50,7 +50,7 @@ public:
       const bool refers = patch.reference_of(point - body.first_point) >= 0;
       all.push_back({component_name(point, c) + (refers ? " follows from the object's"
                                                         : " follows the patch's references"),
-                     std::string("r_") + components[c], point_name(push_.file(), point),
+                     std::string("r_") + row_names[c], point_name(push_.file(), point),
                      refers ? "[P.10]" : "[T.6]", motion_unit(c == 3), motion_scale(c == 3)});
     });
     return all;
@@ -109,7 +109,7 @@ private:
     const Vector3<double> axis[] = {body.normal, body.tangent, cross(body.normal, body.tangent)};
     const std::string of = " of " + point_name(push_.file(), point);
     if (c == 3) return "spin" + of + " about n";
-    return "acceleration" + of + " along " + components[c] + " = " + direction_text(axis[c]);
+    return "acceleration" + of + " along " + row_names[c] + " = " + direction_text(axis[c]);
   }
 
   std::string symbol(const Name& name) const {
@@ -179,7 +179,7 @@ private:
   }
 
   Quantity newton_row(Index k) const {
-    const std::string axis = axes[k % 3];
+    const std::string axis = signed_axes[k % 3];
     if (scene_.planar && k >= 2 && k <= 4)
       return {k == 2 ? "no motion along +z: planar" : "no turn about " + axis + ": planar",
               twist_symbols[k],

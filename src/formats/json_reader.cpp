@@ -12,9 +12,9 @@
 namespace lcpush::desktop {
 namespace {
 
-class Reader {
+class JsonReader {
 public:
-  Reader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  JsonReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   JsonValue read_all() {
     JsonValue value = read_value(0);
@@ -61,7 +61,7 @@ private:
   }
 };
 
-JsonValue Reader::read_value(int level) {
+JsonValue JsonReader::read_value(int level) {
   if (level > limits::json_depth) fail("nested more than 100 levels deep");
   skip_blanks();
   JsonValue value;
@@ -83,7 +83,7 @@ JsonValue Reader::read_value(int level) {
   return value;
 }
 
-JsonArray Reader::read_array(int level) {
+JsonArray JsonReader::read_array(int level) {
   JsonArray array;
   take('[');
   skip_blanks();
@@ -96,7 +96,7 @@ JsonArray Reader::read_array(int level) {
   return array;
 }
 
-JsonObject Reader::read_object(int level) {
+JsonObject JsonReader::read_object(int level) {
   JsonObject object;
   take('{');
   skip_blanks();
@@ -116,7 +116,7 @@ JsonObject Reader::read_object(int level) {
   return object;
 }
 
-std::uint32_t Reader::read_hex() {
+std::uint32_t JsonReader::read_hex() {
   std::uint32_t code = 0;
   for (int k = 0; k < 4; ++k) {
     static const char digits[] = "0123456789abcdefABCDEF";
@@ -130,7 +130,7 @@ std::uint32_t Reader::read_hex() {
 }
 
 /// After \u: one code unit, or the two of a surrogate pair.
-std::uint32_t Reader::read_code_point() {
+std::uint32_t JsonReader::read_code_point() {
   const std::uint32_t first = read_hex();
   if (first < 0xD800 || first > 0xDFFF) return first;
   if (first > 0xDBFF || !take_word("\\u")) fail("half of a surrogate pair stands alone");
@@ -139,7 +139,7 @@ std::uint32_t Reader::read_code_point() {
   return 0x10000 + ((first - 0xD800) << 10) + (second - 0xDC00);
 }
 
-std::string Reader::read_string() {
+std::string JsonReader::read_string() {
   std::string text;
   take('"');
   while (!take('"')) {
@@ -163,7 +163,7 @@ std::string Reader::read_string() {
   return text;
 }
 
-double Reader::read_number() {
+double JsonReader::read_number() {
   const std::size_t start = at_;
   const auto digits = [&] {
     const std::size_t first = at_;
@@ -210,7 +210,7 @@ const char* JsonValue::type() const {
 }
 
 JsonValue parse_json(std::string_view text, const std::string& file_name) {
-  return Reader(text, file_name).read_all();
+  return JsonReader(text, file_name).read_all();
 }
 
 } // namespace lcpush::desktop

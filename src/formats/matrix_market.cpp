@@ -19,9 +19,9 @@ namespace {
 constexpr const char* expected_banner = "%%MatrixMarket matrix array real general";
 
 /// Reads one file from top to bottom.
-template <class S> class Reader {
+template <class S> class MatrixReader {
 public:
-  Reader(std::istream& stream, std::uintmax_t bytes, std::string file)
+  MatrixReader(std::istream& stream, std::uintmax_t bytes, std::string file)
       : stream_(stream), bytes_(bytes), file_(std::move(file)) {}
 
   MatrixOf<S> read() {
@@ -226,7 +226,7 @@ template <class S> MatrixOf<S> read_matrix_market(const std::string& path) {
   stream.seekg(0);
   stream.clear();
   // Pipes and devices have no size; then nothing is refused for its length.
-  return Reader<S>(stream, bytes > 0 ? static_cast<std::uintmax_t>(bytes) : UINTMAX_MAX, path)
+  return MatrixReader<S>(stream, bytes > 0 ? static_cast<std::uintmax_t>(bytes) : UINTMAX_MAX, path)
       .read();
 }
 
@@ -235,7 +235,7 @@ template ExactMatrix read_matrix_market(const std::string& path);
 
 HostMatrix parse_matrix_market(const std::string& text, const std::string& file_name) {
   std::istringstream stream(text);
-  return Reader<double>(stream, text.size(), file_name).read();
+  return MatrixReader<double>(stream, text.size(), file_name).read();
 }
 
 std::string write_matrix_market(const HostMatrix& matrix, MatrixMarketFormat format,

@@ -9,6 +9,8 @@
 
 namespace lcpush::desktop {
 
+class Rational;
+
 /// The parts of `line` between blanks (space, tab, carriage return).
 std::vector<std::string_view> split_words(std::string_view line);
 
@@ -29,6 +31,8 @@ using NumberText = NumberTextOf<double>;
 
 /// The whole of `word` as a finite decimal number: the nearest double, or exactly (S = Rational).
 template <class S = double> NumberTextOf<S> read_finite_number(std::string_view word);
+template <> NumberText read_finite_number<double>(std::string_view word);
+template <> NumberTextOf<Rational> read_finite_number<Rational>(std::string_view word);
 
 /// The same, and fractions of whole numbers such as 1/3.
 template <class S = double> NumberTextOf<S> read_number_or_fraction(std::string_view word);

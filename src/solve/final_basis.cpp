@@ -10,8 +10,8 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr double strict = 1e-6; // of the scene's units: farther than this from a limit
-constexpr double zero = 1e-9;   // of a direction's largest entry
+constexpr double strict = 1e-6;   // of the scene's units: farther than this from a limit
+constexpr double rounding = 1e-9; // of a direction's largest entry
 
 enum class Regime {
   open,   ///< no force, moving apart
@@ -201,8 +201,8 @@ FinalBasis Study::result() const {
     const Eigen::VectorXd x = kernel.col(k) / kernel.col(k).cwiseAbs().maxCoeff();
     // A row of small numbers counts as much as the others: believe what solves each.
     const Eigen::VectorXd size = K.cwiseAbs().rowwise().maxCoeff();
-    if (!(((K * x).cwiseAbs() - zero * size).maxCoeff() <= 0)) continue;
-    found.motion_open = found.motion_open || x.head<6>().norm() > zero + 10 * yields;
+    if (!(((K * x).cwiseAbs() - rounding * size).maxCoeff() <= 0)) continue;
+    found.motion_open = found.motion_open || x.head<6>().norm() > rounding + 10 * yields;
     Vector6<double> pushers = Vector6<double>::Zero();
     Index next = 6 + layout_.actuators;
     for (Index i = 0; i < layout_.points; ++i) {
@@ -225,7 +225,7 @@ FinalBasis Study::result() const {
         pushers.tail<3>() += x[next] * body.normal * (body.torsion_radius / layout_.scales.length);
       ++next;
     }
-    found.wrench_open = found.wrench_open || pushers.norm() > zero;
+    found.wrench_open = found.wrench_open || pushers.norm() > rounding;
   }
   return found;
 }
