@@ -32,13 +32,10 @@ int run_break(const Arguments& arguments) {
     if (!arguments.has("--history"))
       grip = desktop::find_smallest_grip(file, hold, report, options);
   }
-  std::string text;
-  if (arguments.has("--history"))
-    text = push_history(format, solver, report.status, report.history);
-  else
-    text = format == "json" ? desktop::break_json(file, hold, grip, report)
-                            : desktop::break_text(file, hold, grip, report);
-  write_output(arguments, text);
+  write_output(arguments, arguments.has("--history")
+                              ? push_history(format, solver, report.status, report.history)
+                          : format == "json" ? desktop::break_json(file, hold, grip, report)
+                                             : desktop::break_text(file, hold, grip, report));
   return report.status == Status::solved ? 0 : 1;
 }
 

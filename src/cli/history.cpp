@@ -38,11 +38,7 @@ std::string as_table(const std::string& solver, Status status,
   table[0].insert(table[0].end(), columns.begin(), columns.end());
   for (const HistoryRow& row : rows) {
     table.push_back({std::to_string(row.sweep)});
-    for (const double value : row.values) {
-      char number[40];
-      std::snprintf(number, sizeof number, "%.4e", value);
-      table.back().push_back(number);
-    }
+    for (const double value : row.values) table.back().push_back(desktop::printed("%.4e", value));
   }
   return "Solver " + solver + ", " + status_text(status) + ".\n\n" + desktop::table_text(table);
 }

@@ -24,13 +24,10 @@ int run_solve(const Arguments& arguments) {
     hold = push.holds_without_push(options);
     report = push.solve(options);
   }
-  std::string text;
-  if (arguments.has("--history"))
-    text = push_history(format, solver, report.status, report.history);
-  else
-    text = format == "json" ? desktop::solve_json(file, hold, report)
-                            : desktop::solve_text(file, hold, report);
-  write_output(arguments, text);
+  write_output(arguments, arguments.has("--history")
+                              ? push_history(format, solver, report.status, report.history)
+                          : format == "json" ? desktop::solve_json(file, hold, report)
+                                             : desktop::solve_text(file, hold, report));
   return report.status == Status::solved ? 0 : 1;
 }
 

@@ -2,6 +2,8 @@
 
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "text/text_file.hpp"
+#include "text/whole_number.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <sstream>
 #include <system_error>
 
@@ -106,7 +107,7 @@ private:
   }
 
   std::uint64_t read_count(std::string_view word) const {
-    const auto count = whole_number(word);
+    const auto count = whole_number<std::uint64_t>(word);
     if (!count) refuse(quoted(word) + " is not a whole number >= 0 that fits in 64 bits");
     return *count;
   }
@@ -216,11 +217,7 @@ private:
 } // namespace
 
 template <class S> MatrixOf<S> read_matrix_market(const std::string& path) {
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    throw InputError(path + ": cannot be read: " + std::generic_category().message(errno) +
-                     "; check the path and its permissions");
+  std::ifstream stream = open_file(path);
   const std::streamoff bytes = stream.seekg(0, std::ios::end).tellg();
   stream.clear();
   stream.seekg(0);

@@ -1,7 +1,6 @@
 // Words and numbers of matrices, in files and on the command line.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,9 +18,6 @@ std::vector<std::string_view> split_at(std::string_view text, char separator);
 
 /// ASCII letters only.
 std::string lower_case(std::string_view word);
-
-/// The whole of `word`, digits only.
-std::optional<std::uint64_t> whole_number(std::string_view word);
 
 template <class S> struct NumberTextOf {
   S value{0};
