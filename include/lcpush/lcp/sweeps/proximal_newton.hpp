@@ -165,14 +165,12 @@ template <class S> void ProximalNewton<S>::solve_normal(const ConeGroup<S>& cone
   }
   const S before = cone.normal_force(center_.data);
   const S lambda = (eps_ * before - rate_[i]) / (eps_ + cone.compliance);
-  force_[i] = lambda > S(0) ? lambda : S(0);
-  if (cone.normals == 2) force_[i + 1] = lambda < S(0) ? S(-lambda) : S(0);
+  cone.set_normal_force(force_.data, lambda);
 }
 
 template <class S> void ProximalNewton<S>::solve_friction(const ConeGroup<S>& cone) {
   const Index first = cone.variable + cone.normals, g = cone.generators;
-  const S lambda = cone.normal_force(force_.data);
-  const S most = cone.friction * Eigen::numext::abs(lambda);
+  const S most = cone.friction_limit(force_.data);
   S theta(0);
   for (Index i = first; i < first + g; ++i) wanted_[i] = center_[i] - rate_[i] / eps_;
   if (most > S(0)) theta = simplex_threshold(wanted_.data + first, g, most);
