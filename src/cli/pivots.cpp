@@ -45,10 +45,10 @@ Index read_facets(const Arguments& arguments) {
 Pressure read_pressure(const Arguments& arguments, Pressure otherwise) {
   const auto text = arguments.value("--pressure");
   if (!text) return otherwise;
-  if (*text == "pad") return Pressure::pad;
-  if (*text == "even") return Pressure::even;
-  if (*text == "rigid") return Pressure::rigid;
-  throw UsageError("--pressure is pad, even or rigid, not " + desktop::quoted(*text));
+  for (const Pressure pressure : pressures)
+    if (*text == pressure_text(pressure)) return pressure;
+  throw UsageError("--pressure is " + desktop::listed(desktop::pressure_names(), "or") + ", not " +
+                   desktop::quoted(*text));
 }
 
 void refuse_size(const std::string& what, Index n, bool is_exact) {

@@ -53,7 +53,7 @@ inline Option pressure_option() {
 inline void set_pressure(const Arguments& arguments, desktop::VariedScene& scene) {
   const auto law = arguments.value("--pressure");
   if (!law) return;
-  const std::vector<std::string> laws = {"pad", "even", "rigid"};
+  const std::vector<std::string> laws = desktop::pressure_names();
   if (std::find(laws.begin(), laws.end(), *law) == laws.end())
     throw UsageError("--pressure is " + desktop::listed(laws, "or") + ", not " +
                      desktop::quoted(*law) + desktop::suggestion(*law, laws));

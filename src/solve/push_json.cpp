@@ -44,7 +44,7 @@ void write_contacts(JsonWriter& json, const SceneFile& file, const PushReport& r
 
 void write_statement(JsonWriter& json, const char* key, const Statement& statement) {
   json.key(key).begin_object().member("covered", statement.covered);
-  json.member("statement", statement.statement).member("reason", statement.reason).end_object();
+  json.member("statement", statement.statement).member("reason", statement.reason()).end_object();
 }
 
 const char* role_name(const Scene<double>& scene, Index body) {
@@ -57,7 +57,7 @@ void write_closing(JsonWriter& json, const Scene<double>& scene, const Answer<do
                    Index b) {
   const Body<double>& body = scene.bodies[b];
   if (!is_driven(scene, b) || scene.pressure != Pressure::even) {
-    json.member("closing_acceleration", is_driven(scene, b) ? closing(answer, body) : unknown);
+    json.member("closing_acceleration", is_driven(scene, b) ? mean_closing(answer, body) : unknown);
     return;
   }
   std::vector<double> each;
@@ -128,18 +128,17 @@ void write_grip(JsonWriter& json, const std::string& key, const SmallestGrip& gr
 
 } // namespace
 
-void write_failure(JsonWriter& json, const SceneFile& file, const std::string& reason,
-                   const std::vector<NamedValue>& ray, const Jam& jam) {
-  json.member("reason", reason).key("ray");
-  if (ray.empty()) {
+void write_failure(JsonWriter& json, const SceneFile& file, const RunReport& report) {
+  json.member("reason", report.reason).key("ray");
+  if (report.ray.empty()) {
     json.value(nullptr);
     return;
   }
   json.begin_array();
-  for (const NamedValue& entry : ray)
+  for (const NamedValue& entry : report.ray)
     json.begin_object().member("name", entry.name).member("value", entry.value).end_object();
   json.end_array();
-  write_jam(json, file, jam);
+  write_jam(json, file, report.jam);
 }
 
 std::string solve_json(const SceneFile& file, const HoldReport& hold, const PushReport& report) {
@@ -152,7 +151,7 @@ std::string solve_json(const SceneFile& file, const HoldReport& hold, const Push
   write_holds(json, hold);
   write_statement(json, "existence", existence_statement(file, report.existence));
   if (report.status != Status::solved) {
-    write_failure(json, file, report.reason, report.ray, report.jam);
+    write_failure(json, file, report);
     return json.end_object().text();
   }
   write_statement(json, "uniqueness", uniqueness_statement(report));
@@ -191,7 +190,7 @@ std::string break_json(const SceneFile& file, const HoldReport& hold, const Grip
   json.member("solver", solver_text(report.solver)).member("pivots", report.run.pivots);
   json.member("sweeps", report.run.sweeps).member("rounds", report.run.rounds);
   if (!solved) {
-    write_failure(json, file, report.reason, report.ray, report.jam);
+    write_failure(json, file, report);
     if (report.status == Status::does_not_hold) json.key("rest_acceleration").numbers(b.rest);
     return json.end_object().text();
   }

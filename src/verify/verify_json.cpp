@@ -30,7 +30,7 @@ std::string verify_json(const VerifyReport& report) {
   json.member("residual", report.residual);
   json.key("laws").begin_object();
   for (const BrokenRow& row : report.rows)
-    json.key(row.family)
+    json.key(law_text(row))
         .begin_object()
         .member("scaled", row.scaled)
         .member("si", row.si)

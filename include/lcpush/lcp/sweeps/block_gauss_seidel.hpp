@@ -4,7 +4,7 @@
 // of the simplex { beta >= 0, sum beta <= mu lambda } of a cone group, and of the simplex
 // { lambda >= 0, sum coupling lambda = target } of a sum group. A sweep moves every group within
 // its set as far as the object's six accelerations ask for and never touches a multiplier; they
-// are recovered at the end. Everything couples through u = A G f, six numbers that every move
+// are recovered at the end. Everything couples through u = B G f, six numbers that every move
 // updates at once: a sweep costs O(forces), without a matrix.
 //
 // Plain sweeps slow down where forces are shared in many ways. `accelerate` goes on with
@@ -70,7 +70,7 @@ private:
   Index sweeps_ = 0, bad_sum_ = -1, best_sweep_ = 0;
   WorstRow<S> residual_;
   S best_residual_{0};
-  Vector6<S> u_; // A G f
+  Vector6<S> u_; // B G f
   Span<S> z_, unit_, check_w_, check_scratch_, kept_;
   Span<int> cone_of_, sum_of_; // by variable: the cone of a normal, its sum group or -1
 
@@ -83,9 +83,9 @@ private:
   }
   void refresh() { u_ = factored().mobility.lazyProduct(contact_wrench(factored(), z_.data)); }
   void exchange(const SumGroup<S>& sum, Index k, Index l);
-  void press(const ConeGroup<S>& cone);
+  void solve_normal(const ConeGroup<S>& cone);
   void shrink_to_cone(const ConeGroup<S>& cone, const S& most);
-  void rub(const ConeGroup<S>& cone);
+  void solve_friction(const ConeGroup<S>& cone);
   void recover_multipliers();
   S squeeze() const;
   bool passes() const;

@@ -102,7 +102,7 @@ template <class S> void BlockGaussSeidel<S>::exchange(const SumGroup<S>& sum, In
 }
 
 /// The normal force of a cone group that no sum holds, for its row alone: a closed form.
-template <class S> void BlockGaussSeidel<S>::press(const ConeGroup<S>& cone) {
+template <class S> void BlockGaussSeidel<S>::solve_normal(const ConeGroup<S>& cone) {
   const Index i = cone.variable;
   const Vector6<S>& W = factored().wrenches[cone.force];
   const Vector6<S> follows = factored().mobility.lazyProduct(W);
@@ -135,7 +135,7 @@ void BlockGaussSeidel<S>::shrink_to_cone(const ConeGroup<S>& cone, const S& most
 
 /// Friction on its simplex: moves from the generator that loses most to the one that gains most,
 /// the unused rest of the cone among them, until no move pays.
-template <class S> void BlockGaussSeidel<S>::rub(const ConeGroup<S>& cone) {
+template <class S> void BlockGaussSeidel<S>::solve_friction(const ConeGroup<S>& cone) {
   constexpr int most_moves = 6;
   const Index first = cone.variable + cone.normals, force = cone.force + cone.normals;
   const Index rest = cone.generators; // stands for what the cone leaves unused
@@ -184,8 +184,8 @@ template <class S> template <class Observer> Status BlockGaussSeidel<S>::sweep(O
       exchange(sum, k, (k + distance) % sum.count);
   }
   for (const ConeGroup<S>& cone : factored().cones) {
-    if (sum_of_[cone.variable] < 0) press(cone);
-    if (cone.generators > 0) rub(cone);
+    if (sum_of_[cone.variable] < 0) solve_normal(cone);
+    if (cone.generators > 0) solve_friction(cone);
   }
   ++sweeps_;
   const bool last = sweeps_ >= options_.max_sweeps;
