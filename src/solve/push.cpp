@@ -185,7 +185,7 @@ Jam Push::read_jam(const PushOptions& options) const {
 std::vector<NamedValue> Push::named_ray() const {
   std::vector<NamedValue> named;
   for (Index i = 0; i < layout().size; ++i)
-    if (ray()[i] > ray_noise) named.push_back({variable_name(i), ray()[i]});
+    if (ray()[i] > ray_noise) named.push_back({variable_name(i), ray()[i], i});
   return named;
 }
 

@@ -19,6 +19,7 @@ namespace lcpush::desktop {
 struct NamedValue {
   std::string name;
   double value;
+  Index unknown = -1; ///< of the layout
 };
 
 /// "left.3": point 3 (counted from 1) of body "left".
@@ -142,6 +143,7 @@ public:
   const Scene<double>& scene() const { return scene_; } ///< as solved: even pressure is spread
   const Layout<double>& layout() const { return assembly_.layout(); }
   Assembly<double>& assembly() { return assembly_; }
+  const Assembly<double>& assembly() const { return assembly_; }
 
 private:
   const SceneFile& file_;
