@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lcpush/desktop/owned.hpp"
 #include "pivots/pivot_recorder.hpp"
 
 namespace lcpush::desktop {
@@ -130,10 +131,7 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
   book.tie_rule = options.rule;
   book.max_pivots = options.max_pivots;
 
-  std::vector<S> scalars(static_cast<std::size_t>(lemke_scalars(n)));
-  std::vector<int> integers(static_cast<std::size_t>(lemke_integers(n)));
-  Lemke<S> lemke({scalars.data(), static_cast<Index>(scalars.size())},
-                 {integers.data(), static_cast<Index>(integers.size())});
+  OwnedLemke<S> lemke(n);
   Recorder<S> recorder(trace, story, options);
   trace.status = lemke.init(problem, book);
   while (trace.status == Status::running && !trace.cycle) trace.status = lemke.step(recorder);

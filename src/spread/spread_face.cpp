@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lcpush/desktop/owned.hpp"
 #include "lcpush/lcp/pivots/linear_program.hpp"
 
 namespace lcpush::desktop {
@@ -188,12 +189,8 @@ Status Face::minimise(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const 
   Eigen::VectorXd costs = c;
   const LinearProgram<double> program{A.cols(), A.rows(), 0,           A.data(),
                                       b.data(), nullptr,  costs.data()};
-  std::vector<double> scalars(
-      static_cast<std::size_t>(linear_program_scalars(A.cols(), A.rows(), 0)));
-  std::vector<int> integers(
-      static_cast<std::size_t>(linear_program_integers(A.cols(), A.rows(), 0)));
-  LinearProgramSolver<double> solver({scalars.data(), static_cast<Index>(scalars.size())},
-                                     {integers.data(), static_cast<Index>(integers.size())});
+  Owned<LinearProgramSolver<double>> solver(linear_program_scalars(A.cols(), A.rows(), 0),
+                                            linear_program_integers(A.cols(), A.rows(), 0));
   Status status = Status::bad_input;
   LemkeOptions<double> options;
   ++programs_;

@@ -5,10 +5,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "lcpush/desktop/assembled_scene.hpp"
 #include "lcpush/desktop/scene_io.hpp"
 #include "lcpush/mechanics/model/check.hpp"
 #include "lcpush/mechanics/model/read_answer.hpp"
-#include "solve/owned_assembly.hpp"
 
 namespace lcpush::desktop {
 
@@ -41,10 +41,10 @@ public:
   LiteralProblem(const LiteralProblem&) = delete;
   LiteralProblem& operator=(const LiteralProblem&) = delete;
 
-  const Scene<double>& scene() const { return scene_; }
-  const Layout<double>& layout() const { return assembly_.get().layout(); }
-  Problem<double> problem() { return assembly_.get().problem(); }
-  const FactoredProblem<double>& factored() const { return assembly_.get().factored(); }
+  const Scene<double>& scene() const { return assembled_.scene; }
+  const Layout<double>& layout() const { return assembled_.assembly.layout(); }
+  Problem<double> problem() { return assembled_.assembly.problem(); }
+  const FactoredProblem<double>& factored() const { return assembled_.assembly.factored(); }
   const Eigen::MatrixXd& M() const { return M_; }
   const Eigen::VectorXd& q() const { return q_; }
   Eigen::VectorXd slacks(const Eigen::VectorXd& z) const { return M_ * z + q_; }
@@ -68,13 +68,9 @@ public:
 
 private:
   SceneFile file_;
-  Scene<double> scene_;
-  mutable OwnedAssembly<double> assembly_;
+  AssembledScene assembled_;
   Eigen::MatrixXd M_;
   Eigen::VectorXd q_;
-  std::vector<ContactAnswer<double>> contacts_;
-  std::vector<double> friction_, closing_;
-  Answer<double> answer_;
 
   struct Look;
   Look look(Index i, const Eigen::VectorXd& z, const Eigen::VectorXd& w) const;

@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "sweep/sweep_pieces.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
 constexpr double on_the_line = 1e-6; // relative; of breaking ten times that
-constexpr Index most_solves = 300;   // then samples have to do
 constexpr Index samples = 32;
 constexpr double sharpest = 1e-6; // of the range
 constexpr double blurred = 1e-4;  // of the range
@@ -37,7 +37,7 @@ public:
     return {t, solver_.solve(quantity_, none)};
   }
 
-  bool is_used_up() const { return solves_ >= most_solves; }
+  bool is_used_up() const { return solves_ >= limits::bisection_solves; }
 
 private:
   SweepSolver& solver_;

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace lcpush::desktop {
 
@@ -38,18 +39,14 @@ struct Outputs {
 };
 
 /// The scene at one value, assembled.
-class ScenePoint {
-public:
-  explicit ScenePoint(SceneFile file);
-  ScenePoint(const ScenePoint&) = delete;
-  ScenePoint& operator=(const ScenePoint&) = delete;
-
+struct ScenePoint {
   SceneFile file;
-  EvenScene even;
-  const Scene<double>& scene; ///< as solved
-  std::vector<unsigned char> bytes;
-  Workspace<double> work;
-  Assembly<double> assembly;
+  AssembledScene assembled{file.view()};
+  const Scene<double>& scene = assembled.scene; ///< as solved
+  Workspace<double>& work = assembled.work;
+  Assembly<double>& assembly = assembled.assembly;
+
+  explicit ScenePoint(SceneFile given) : file(std::move(given)) {}
 
   Problem<double> problem(Quantity quantity) const {
     return quantity == Quantity::push ? assembly.problem() : assembly.breaking_problem();
@@ -94,9 +91,7 @@ private:
   SceneSeries series_;
   Index pusher_;
   std::unique_ptr<ScenePoint> point_;
-  std::vector<double> scalars_;
-  std::vector<int> integers_;
-  std::optional<Lemke<double>> lemke_;
+  std::optional<OwnedLemke<double>> lemke_;
   Index cold_ = 0, warm_ = 0;
 
   const Body<double>& pusher_body() const {

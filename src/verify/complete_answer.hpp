@@ -14,10 +14,7 @@ struct OwnedAnswer {
 
   explicit OwnedAnswer(const Layout<double>& layout);
   Answer<double> view() {
-    return {acceleration,
-            {contacts.data(), static_cast<Index>(contacts.size())},
-            {friction.data(), static_cast<Index>(friction.size())},
-            {closing.data(), static_cast<Index>(closing.size())}};
+    return {acceleration, span_of(contacts), span_of(friction), span_of(closing)};
   }
 };
 

@@ -1,10 +1,10 @@
 // A linear program with its memory: minimise c x subject to A x = b, x >= 0.
 #pragma once
 
+#include "lcpush/desktop/owned.hpp"
 #include "lcpush/lcp/pivots/linear_program.hpp"
 
 #include <optional>
-#include <vector>
 
 namespace lcpush::desktop {
 
@@ -20,10 +20,8 @@ public:
   /// A cheapest x; nothing if there is none, or if it was not found.
   std::optional<Eigen::VectorXd> solve() const {
     const Index n = A.cols(), m = A.rows();
-    std::vector<double> scalars(static_cast<std::size_t>(linear_program_scalars(n, m, 0)));
-    std::vector<int> integers(static_cast<std::size_t>(linear_program_integers(n, m, 0)));
-    LinearProgramSolver<double> solver({scalars.data(), static_cast<Index>(scalars.size())},
-                                       {integers.data(), static_cast<Index>(integers.size())});
+    Owned<LinearProgramSolver<double>> solver(linear_program_scalars(n, m, 0),
+                                              linear_program_integers(n, m, 0));
     const LinearProgram<double> program{n, m, 0, A.data(), b.data(), nullptr, c.data()};
     if (solver.solve(program, LemkeOptions<double>()) != Status::solved) return std::nullopt;
     return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(solver.x(), n));

@@ -104,8 +104,8 @@ struct ParameterSweepOptions {
 
 /// Sweeps one parameter, or two for a map. Where `rigid` or `even` pressure meets a parameter that
 /// is linear (Parameter::linear), the segments are exact; `pad`'s are bisected; everything else is
-/// sampled. Every answer has passed the referee (mechanics/model/check.hpp). Throws InputError if a value
-/// of the range is no scene, or the scene has no pusher to speak of.
+/// sampled. Every answer has passed the referee (mechanics/model/check.hpp). Throws InputError if a
+/// value of the range is no scene, or the scene has no pusher to speak of.
 Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& variations,
                       const ParameterSweepOptions& options);
 
