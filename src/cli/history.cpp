@@ -67,14 +67,16 @@ std::string push_history(const std::string& format, desktop::Solver solver, Stat
                          const std::vector<desktop::SweepRecord>& records) {
   std::vector<HistoryRow> rows;
   for (const desktop::SweepRecord& record : records) {
-    const Residuals<double>& r = record.residuals;
-    rows.push_back(
-        {record.sweep,
-         {r.newton, r.normal, r.dissipation, r.cone, r.grip, r.rigidity, r.pusher, r.max()}});
+    Residuals<double> residuals = record.residuals;
+    HistoryRow row{record.sweep, {}};
+    for (Index k = 0; k < law_count; ++k) row.values.push_back(residuals[static_cast<Law>(k)]);
+    row.values.push_back(residuals.max());
+    rows.push_back(row);
   }
-  return history_text(
-      format, desktop::solver_text(solver), status,
-      {"newton", "normal", "dissipation", "cone", "grip", "rigidity", "pusher", "max"}, rows);
+  std::vector<std::string> names;
+  for (Index k = 0; k < law_count; ++k) names.emplace_back(law_text(static_cast<Law>(k)));
+  names.emplace_back("max");
+  return history_text(format, desktop::solver_text(solver), status, names, rows);
 }
 
 } // namespace lcpush::cli

@@ -32,10 +32,9 @@ struct Subject {
 Pressure read_pressure(const Arguments& arguments, Pressure otherwise) {
   const auto text = arguments.value("--pressure");
   if (!text) return otherwise;
-  if (*text == "pad") return Pressure::pad;
-  if (*text == "even") return Pressure::even;
-  if (*text == "rigid") return Pressure::rigid;
-  refuse_value("--pressure", *text, "pad, even or rigid");
+  for (const Pressure pressure : pressures)
+    if (*text == pressure_text(pressure)) return pressure;
+  refuse_value("--pressure", *text, desktop::listed(desktop::pressure_names(), "or"));
 }
 
 void refuse_size(const std::string& what, Index n, bool is_exact) {
