@@ -10,7 +10,7 @@
 namespace lcpush::desktop {
 namespace {
 
-/// numerator / 2^zeros, or numerator 2^-zeros.
+/// numerator 2^exponent.
 Rational scaled_by_two(BigInteger numerator, int exponent) {
   if (exponent >= 0) return {numerator << static_cast<std::size_t>(exponent), 1};
   return {std::move(numerator), BigInteger(1) << static_cast<std::size_t>(-exponent)};
