@@ -26,19 +26,8 @@ struct LiteralProblem::Look {
 };
 
 LiteralProblem::LiteralProblem(const SceneFile& file)
-    : file_(literal(file)), scene_(file_.view()), assembly_(scene_) {
-  const Problem<double> problem = assembly_.get().problem();
-  M_.resize(problem.size, problem.size);
-  fill_matrix(problem, MatrixMap<double>(M_.data(), problem.size, problem.size));
-  q_ = Eigen::Map<const Eigen::VectorXd>(problem.q, problem.size);
-  const AssemblySize size = size_of(scene_);
-  contacts_.resize(static_cast<std::size_t>(size.points));
-  friction_.resize(static_cast<std::size_t>(size.generators));
-  closing_.resize(static_cast<std::size_t>(size.actuators));
-  answer_.contacts = {contacts_.data(), size.points};
-  answer_.friction = {friction_.data(), size.generators};
-  answer_.closing = {closing_.data(), size.actuators};
-}
+    : file_(literal(file)), scene_(file_.view()), assembly_(scene_),
+      dense_(desktop::dense(assembly_.get().problem())), answer_(layout()) {}
 
 void LiteralProblem::complete(const FaceModes& modes, Eigen::VectorXd& z) const {
   for (Index i = 0; i < layout().points; ++i) {
@@ -48,15 +37,15 @@ void LiteralProblem::complete(const FaceModes& modes, Eigen::VectorXd& z) const 
     double needed = 0;
     for (Index j = 0; j < cone.generators; ++j) {
       const Index row = layout().friction(i, j);
-      needed = std::max(needed, -(M_.row(row).dot(z) + q_[row]));
+      needed = std::max(needed, -(dense_.M.row(row).dot(z) + dense_.q[row]));
     }
     z[cone.slip()] = needed;
   }
 }
 
 const Answer<double>& LiteralProblem::read(const Eigen::VectorXd& z) {
-  read_answer(assembly_.get(), z.data(), answer_, 1.0);
-  return answer_;
+  read_answer(assembly_.get(), z.data(), answer_.get(), 1.0);
+  return answer_.get();
 }
 
 Residuals<double> LiteralProblem::residuals(const Answer<double>& answer) const {
@@ -72,7 +61,7 @@ bool LiteralProblem::passes(const Residuals<double>& residuals) const {
 
 LiteralProblem::Look LiteralProblem::look(Index i, const Eigen::VectorXd& z,
                                           const Eigen::VectorXd& w) const {
-  const double terms = (M_.cwiseAbs() * z.cwiseAbs() + q_.cwiseAbs()).maxCoeff();
+  const double terms = (dense_.M.cwiseAbs() * z.cwiseAbs() + dense_.q.cwiseAbs()).maxCoeff();
   double force = 0, motion = 1e-5 * terms; // below it all motion is rounding's
   for (Index k = 0; k < layout().points; ++k) {
     const ConeGroup<double>& cone = layout().cones[k];
@@ -100,12 +89,18 @@ LiteralProblem::Look LiteralProblem::look(Index i, const Eigen::VectorXd& z,
   return look;
 }
 
-ContactMode LiteralProblem::mode_at(Index i, const Eigen::VectorXd& z,
-                                    const Eigen::VectorXd& w) const {
-  const Look at = look(i, z, w);
-  if (!at.gap_closed) return {Kind::open, false, {}};
-  if (layout().cones[i].generators == 0 || !at.slips) return {Kind::stick, at.pulls, {}};
-  return {Kind::slide, at.pulls, at.opposing};
+FaceModes LiteralProblem::face_of(const Eigen::VectorXd& z, const Eigen::VectorXd& w) const {
+  FaceModes modes;
+  for (Index i = 0; i < layout().points; ++i) {
+    const Look at = look(i, z, w);
+    if (!at.gap_closed)
+      modes.push_back({Kind::open, false, {}});
+    else if (layout().cones[i].generators == 0 || !at.slips)
+      modes.push_back({Kind::stick, at.pulls, {}});
+    else
+      modes.push_back({Kind::slide, at.pulls, at.opposing});
+  }
+  return modes;
 }
 
 bool LiteralProblem::has_soft_points() const {
