@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "formats/json_writer.hpp"
+#include "lcpush/desktop/push.hpp"
 #include "lcpush/desktop/sweep.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
@@ -9,25 +10,24 @@
 namespace lcpush::desktop {
 namespace {
 
-bool is_solved(Status status) { return status == Status::solved; }
-
-void write_vector(JsonWriter& json, const char* key, Status status, const double* first,
+void write_vector(JsonWriter& json, const char* key, const SweepAnswer& answer, const double* first,
                   Index count) {
   json.key(key);
-  if (is_solved(status))
+  if (answer.is_solved())
     json.numbers(first, count);
   else
     json.value(nullptr);
 }
 
-std::optional<double> known(Status status, double value) {
-  return is_solved(status) ? std::optional<double>(value) : std::nullopt;
+std::optional<double> break_force(const SweepValue& value) {
+  return value.breaking.is_solved() ? std::optional<double>(value.breaking.normal) : std::nullopt;
 }
 
-std::string status_of(const SweepValue& value) { return status_text(value.push); }
+std::string status_of(const SweepValue& value) { return status_text(value.push.status); }
 
 /// null where no pusher moves, so that nothing breaks.
-void write_break_status(JsonWriter& json, Status status) {
+void write_break_status(JsonWriter& json, const SweepValue& value) {
+  const Status status = value.breaking.status;
   json.key("break_status");
   if (status == Status::bad_input)
     json.value(nullptr);
@@ -35,42 +35,43 @@ void write_break_status(JsonWriter& json, Status status) {
     json.value(status_text(status));
 }
 
-void write_segment(JsonWriter& json, const SweepSegment& segment) {
+void write_change(JsonWriter& json, const std::string& change) {
+  json.member("change", change.empty() ? std::nullopt : std::optional(change));
+}
+
+void write_segment(JsonWriter& json, const Sweep& sweep, const SweepSegment& segment) {
   const SweepValue &a = segment.at_from, &b = segment.at_to;
   json.begin_object().member("from", segment.from).member("to", segment.to);
   json.member("kind", segment_kind_text(segment.kind));
   json.member("status", status_of(a));
-  write_break_status(json, a.breaking);
+  write_break_status(json, a);
   json.key("break_force").begin_array();
-  json.value(known(a.breaking, a.break_force)).value(known(b.breaking, b.break_force)).end_array();
+  json.value(break_force(a)).value(break_force(b)).end_array();
   const auto pair = [&](const char* key, const double* first, const double* second, Index count) {
     json.key(key);
-    if (!is_solved(a.push)) {
+    if (!a.push.is_solved()) {
       json.value(nullptr);
       return;
     }
     json.begin_array().numbers(first, count).numbers(second, count).end_array();
   };
-  pair("force", a.force.data(), b.force.data(), 3);
-  pair("twist", a.twist.data(), b.twist.data(), 6);
-  json.member("residual", std::max(a.residual, b.residual));
-  json.key("change");
-  if (segment.change.empty())
-    json.value(nullptr);
-  else
-    json.value(segment.change);
-  json.member("jumps", segment.jumps).end_object();
+  pair("force", a.push.force.data(), b.push.force.data(), 3);
+  pair("twist", a.push.twist.data(), b.push.twist.data(), 6);
+  json.member("residual", std::max(a.residual(), b.residual()));
+  write_change(json, change_text(sweep, segment));
+  json.member("jumps", segment.change.jumps).end_object();
 }
 
-void write_point(JsonWriter& json, const SweepPoint& point) {
+void write_point(JsonWriter& json, const Sweep& sweep, const SweepPoint& point) {
   json.begin_object().member("value", point.value);
   if (point.second) json.member("second_value", *point.second);
   json.member("status", status_of(point.at));
-  write_break_status(json, point.at.breaking);
-  json.member("break_force", known(point.at.breaking, point.at.break_force));
-  write_vector(json, "force", point.at.push, point.at.force.data(), 3);
-  write_vector(json, "twist", point.at.push, point.at.twist.data(), 6);
-  write_vector(json, "break_twist", point.at.breaking, point.at.break_twist.data(), 6);
+  const SweepAnswer &push = point.at.push, &breaking = point.at.breaking;
+  write_break_status(json, point.at);
+  json.member("break_force", break_force(point.at));
+  write_vector(json, "force", push, push.force.data(), 3);
+  write_vector(json, "twist", push, push.twist.data(), 6);
+  write_vector(json, "break_twist", breaking, breaking.twist.data(), 6);
   std::vector<std::string> modes;
   for (const Mode mode : point.modes) modes.emplace_back(mode_text(mode));
   json.key("modes");
@@ -80,11 +81,7 @@ void write_point(JsonWriter& json, const SweepPoint& point) {
     json.strings(modes);
   json.member("refined", point.refined);
   if (point.second) json.member("bistable", point.bistable);
-  json.key("change");
-  if (point.change.empty())
-    json.value(nullptr);
-  else
-    json.value(point.change);
+  write_change(json, change_text(sweep, point));
   json.end_object();
 }
 
@@ -95,11 +92,12 @@ void write_list(JsonWriter& json, const char* key, const List& list, Write write
   json.end_array();
 }
 
-std::vector<std::string> csv_numbers(const SweepValue& at, bool for_break, bool for_push) {
+std::vector<std::string> csv_numbers(const SweepValue& at) {
+  const bool pushed = at.push.is_solved();
   std::vector<std::string> cells;
-  cells.push_back(for_break ? shown(at.break_force) : "");
-  for (Index k = 0; k < 3; ++k) cells.push_back(for_push ? shown(at.force[k]) : "");
-  for (Index k = 0; k < 6; ++k) cells.push_back(for_push ? shown(at.twist[k]) : "");
+  cells.push_back(at.breaking.is_solved() ? shown(at.breaking.normal) : "");
+  for (Index k = 0; k < 3; ++k) cells.push_back(pushed ? shown(at.push.force[k]) : "");
+  for (Index k = 0; k < 6; ++k) cells.push_back(pushed ? shown(at.push.twist[k]) : "");
   return cells;
 }
 
@@ -135,19 +133,18 @@ std::string sweep_csv(const std::vector<SweepCurve>& curves) {
       if (curves.size() > 1) row.push_back(curve.label);
       row.push_back(shown(value));
       if (second) row.push_back(shown(*second));
-      for (const std::string& cell : csv_numbers(at, is_solved(at.breaking), is_solved(at.push)))
-        row.push_back(cell);
+      for (const std::string& cell : csv_numbers(at)) row.push_back(cell);
       row.push_back(status_of(at));
       row.push_back(change);
       text += csv_row(row);
     };
     for (const SweepPoint& point : curve.sweep.points)
-      add(point.value, point.second, point.at, point.change);
+      add(point.value, point.second, point.at, change_text(curve.sweep, point));
     if (!curve.sweep.points.empty()) continue;
     // The two ends of every segment: at a breakpoint two rows, before and after.
     for (const SweepSegment& segment : curve.sweep.segments) {
       add(segment.from, std::nullopt, segment.at_from, "");
-      add(segment.to, std::nullopt, segment.at_to, segment.change);
+      add(segment.to, std::nullopt, segment.at_to, change_text(curve.sweep, segment));
     }
   }
   return text;
@@ -166,11 +163,18 @@ void write_sweep(JsonWriter& json, const Sweep& sweep) {
     json.member("second_from", second.from).member("second_to", second.to);
   }
   json.member("pusher", sweep.pusher).member("complete", sweep.complete);
-  json.key("contacts").strings(sweep.contacts);
-  write_list(json, "segments", sweep.segments, write_segment);
-  write_list(json, "segments_back", sweep.back, write_segment);
-  write_list(json, "points", sweep.points, write_point);
-  write_list(json, "points_back", sweep.points_back, write_point);
+  std::vector<std::string> contacts;
+  for (std::size_t i = 0; i < sweep.scene.points.size(); ++i)
+    contacts.push_back(point_name(sweep.scene, static_cast<Index>(i)));
+  json.key("contacts").strings(contacts);
+  const auto segment = [&](JsonWriter& to, const SweepSegment& one) {
+    write_segment(to, sweep, one);
+  };
+  const auto point = [&](JsonWriter& to, const SweepPoint& one) { write_point(to, sweep, one); };
+  write_list(json, "segments", sweep.segments, segment);
+  write_list(json, "segments_back", sweep.back, segment);
+  write_list(json, "points", sweep.points, point);
+  write_list(json, "points_back", sweep.points_back, point);
   write_list(json, "bistable", sweep.bistable, [](JsonWriter& to, const BistableRange& range) {
     to.begin_object().member("from", range.from).member("to", range.to);
     to.member("motion", range.motion).end_object();

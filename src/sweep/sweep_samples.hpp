@@ -21,7 +21,7 @@ void find_zeros(SweepSolver& solver, const ParameterSweepOptions& options, Sweep
 /// Both answers at one value, and the bases that lead to the next.
 struct Sample {
   double t = 0; ///< 0 to 1 over the range
-  Outputs push, breaking;
+  DetailedAnswer push, breaking;
   RoundBases push_bases, breaking_bases;
 };
 /// At the solver's present value; from a neighbour's bases (and those of the neighbour on the other
@@ -32,8 +32,5 @@ Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour,
 Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour,
                  const Sample* other = nullptr);
 SweepPoint point_of(const Sample& sample, const Variation& variation);
-
-/// One answer to both questions.
-SweepValue merged(const Outputs* push, const Outputs* breaking);
 
 } // namespace lcpush::desktop
