@@ -111,15 +111,11 @@ std::vector<SweepSegment> Merger::segments() const {
 
 Tracks find_tracks(SweepSolver& solver, bool exact, const ParameterSweepOptions& options,
                    double begin, double share) {
-  const auto report = [&](double offset) {
-    return [&options, begin, share, offset](double done) {
-      if (options.progress) options.progress(begin + share * (offset + done / 2));
-    };
-  };
   const double tolerance = exact ? 1e-10 : 1e-6;
   const auto find = exact ? exact_pieces : bisected_pieces;
   Tracks tracks;
-  tracks.push = joined(find(solver, Question::push, options.most_segments, report(0)),
+  tracks.push = joined(find(solver, Question::push, options.most_segments,
+                            part_of(options.progress, begin, share / 2)),
                        Question::push, tolerance);
   bool pushes = false; // somewhere in the range
   for (const double t : {0.0, 0.3, 1.0}) {
@@ -127,7 +123,8 @@ Tracks find_tracks(SweepSolver& solver, bool exact, const ParameterSweepOptions&
     pushes = pushes || solver.has(Question::breaking);
   }
   if (pushes)
-    tracks.breaking = joined(find(solver, Question::breaking, options.most_segments, report(0.5)),
+    tracks.breaking = joined(find(solver, Question::breaking, options.most_segments,
+                                  part_of(options.progress, begin + share / 2, share / 2)),
                              Question::breaking, 10 * tolerance);
   return tracks;
 }
@@ -174,7 +171,7 @@ void find_segments(const VariedScene& scene, SweepSolver& solver, bool exact,
   sweep.asks_breaking = !there.breaking.empty();
   sweep.segments = Merger(variation, there).segments();
   if (options.both_ways) {
-    SweepSolver backwards(scene, {back_again}, solver.pusher());
+    SweepSolver backwards(scene, {back_again}, solver.pusher(), options.warm);
     const Tracks back = find_tracks(backwards, exact, options, share, share);
     sweep.bistable = disagreements(
         compared(there, back, variation, exact ? 4 * merge_distance : bisection_blur), true);
@@ -208,7 +205,7 @@ Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& va
   sweep.variations = variations;
   const Index pusher = options.pusher >= 0 ? options.pusher : only_pusher(file);
   sweep.pusher = file.body_names[static_cast<std::size_t>(pusher)];
-  SweepSolver solver(scene, variations, pusher);
+  SweepSolver solver(scene, variations, pusher, options.warm);
   if (sweep.is_map()) {
     sample_map(solver, options, sweep);
   } else {
@@ -220,7 +217,7 @@ Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& va
     const bool linear = variation.parameter.linear;
     if (linear) find_segments(scene, solver, file.pressure != Pressure::pad, options, sweep);
     if (!linear || options.steps > 0) sample_line(scene, solver, options, sweep);
-    find_zeros(solver, options, sweep);
+    find_zeros(solver, sweep);
   }
   sweep.cold += solver.cold();
   sweep.warm += solver.warm();

@@ -168,7 +168,7 @@ std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question, Index
   while (static_cast<Index>(pieces.size()) < most && !walk.is_used_up()) {
     pieces.push_back(walk.grow(start, next));
     if (pieces.back().to >= 1 || next.t > 1) break;
-    if (progress) progress(pieces.back().to);
+    progress(pieces.back().to);
     start = next;
   }
   start.t = std::min(start.t, 1.0);

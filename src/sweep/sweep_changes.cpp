@@ -18,15 +18,13 @@ Words words_of(const ContactChange& change) {
   const bool touches = change.from == Mode::separate;
   const std::string along =
       change.slip.norm() > 0 ? " along " + direction_text(change.slip) : std::string();
-  switch (change.kind) {
-  case ContactChange::Kind::load:
-    if (change.pressed) return {"takes load", "take load", {}};
+  if (change.from == change.to) {
+    if (change.was_pressed == change.is_pressed)
+      return {"slides with friction in another direction",
+              "slide with friction in another direction",
+              {}};
+    if (change.is_pressed) return {"takes load", "take load", {}};
     return {"is relieved of its load", "are relieved of their load", {}};
-  case ContactChange::Kind::friction:
-    return {"slides with friction in another direction",
-            "slide with friction in another direction",
-            {}};
-  case ContactChange::Kind::mode: break;
   }
   switch (change.to) {
   case Mode::separate: return {"separates", "separate", {}};

@@ -184,7 +184,7 @@ bool ExactWalk::step() {
   }
   if (end >= 1 - least) return false;
   t_ = std::max(t_, end);
-  if (progress_) progress_(t_);
+  progress_(t_);
   if (step.end == PathEnd::forward) {
     Basis next(basis_.size());
     for (std::size_t i = 0; i < next.size(); ++i)

@@ -91,24 +91,23 @@ AnswerChange change_between(const DetailedAnswer& before, const DetailedAnswer& 
   change.from = before.status;
   change.to = after.status;
   const std::size_t count = std::min(before.contacts.size(), after.contacts.size());
-  const auto note = [&](std::size_t i, ContactChange::Kind kind) {
-    const ContactState& now = after.contacts[i];
-    change.contacts.push_back(
-        {static_cast<Index>(i), kind, before.contacts[i].mode, now.mode, now.pressed, now.slip});
+  const auto note_where = [&](auto changes) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const ContactState &was = before.contacts[i], &is = after.contacts[i];
+      if (changes(was, is))
+        change.contacts.push_back(
+            {static_cast<Index>(i), was.mode, is.mode, was.pressed, is.pressed, is.slip});
+    }
   };
-  for (std::size_t i = 0; i < count; ++i) {
-    const ContactState &was = before.contacts[i], &is = after.contacts[i];
-    if (was.mode != is.mode)
-      note(i, ContactChange::Kind::mode);
-    else if (was.pressed != is.pressed)
-      note(i, ContactChange::Kind::load);
-  }
+  note_where([](const ContactState& was, const ContactState& is) {
+    return was.mode != is.mode || was.pressed != is.pressed;
+  });
   const auto holds = [](Status status) { return status != Status::does_not_hold; };
   // Friction that turns is worth a word only where nothing else happens.
-  if (!change.contacts.empty() || holds(change.from) != holds(change.to)) return change;
-  for (std::size_t i = 0; i < count; ++i)
-    if (after.contacts[i].mode == Mode::slide && before.contacts[i].rubs != after.contacts[i].rubs)
-      note(i, ContactChange::Kind::friction);
+  if (change.contacts.empty() && holds(change.from) == holds(change.to))
+    note_where([](const ContactState& was, const ContactState& is) {
+      return is.mode == Mode::slide && was.rubs != is.rubs;
+    });
   return change;
 }
 

@@ -24,6 +24,12 @@ struct Piece {
 };
 
 using Progress = std::function<void(double done)>;
+/// Tells of a part of the work as of `share` of the whole, from `begin` on.
+inline Progress part_of(const Progress& whole, double begin, double share) {
+  return [&whole, begin, share](double done) {
+    if (whole) whole(begin + share * done);
+  };
+}
 
 /// `rigid` and `even`, a linear parameter: by parametric pivoting.
 std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, Index most,

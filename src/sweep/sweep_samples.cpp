@@ -17,28 +17,12 @@ bool same_modes(const Sample& a, const Sample& b) {
   return same_modes(a.push, b.push) && same_modes(a.breaking, b.breaking);
 }
 
-class Sampler {
-public:
-  Sampler(SweepSolver& solver, bool warm) : solver_(solver), warm_(warm) {}
-
-  Sample at(double t, const Sample* neighbour, const Sample* other = nullptr) {
-    return sample_at(solver_, t, warm_ ? neighbour : nullptr, other);
-  }
-
-  std::vector<SweepPoint> line(Index steps, const Progress& progress);
-
-private:
-  SweepSolver& solver_;
-  bool warm_;
-
-  void refine(const Sample& from, const Sample& to, std::vector<SweepPoint>& points);
-};
-
 /// Between two neighbours of different modes: the two points closest to the change.
-void Sampler::refine(const Sample& from, const Sample& to, std::vector<SweepPoint>& points) {
+void refine(SweepSolver& solver, const Sample& from, const Sample& to,
+            std::vector<SweepPoint>& points) {
   Sample low = from, high = to;
   while (high.t - low.t > sharpest) {
-    Sample middle = at((low.t + high.t) / 2, &low, &high);
+    Sample middle = sample_at(solver, (low.t + high.t) / 2, &low, &high);
     (same_modes(middle, low) ? low : high) = std::move(middle);
   }
   SweepChange change;
@@ -47,7 +31,7 @@ void Sampler::refine(const Sample& from, const Sample& to, std::vector<SweepPoin
     change.breaking = {change_between(low.breaking, high.breaking)};
   change.jumps = differ(low.push, high.push, Question::push, jump) ||
                  differ(low.breaking, high.breaking, Question::breaking, jump);
-  const Variation& variation = solver_.variations().front();
+  const Variation& variation = solver.variations().front();
   if (low.t > from.t) {
     points.push_back(point_of(low, variation));
     points.back().refined = true;
@@ -57,20 +41,21 @@ void Sampler::refine(const Sample& from, const Sample& to, std::vector<SweepPoin
     points.push_back(point_of(high, variation));
     points.back().refined = true;
     // Several changes may lie between two steps.
-    if (!same_modes(high, to)) refine(high, to, points);
+    if (!same_modes(high, to)) refine(solver, high, to, points);
   }
 }
 
-std::vector<SweepPoint> Sampler::line(Index steps, const Progress& progress) {
+/// Each from its neighbour's answer, and more of them where modes change.
+std::vector<SweepPoint> sampled(SweepSolver& solver, Index steps, const Progress& progress) {
   std::vector<SweepPoint> points;
   Sample last;
   for (Index k = 0; k < steps; ++k) {
     const double t = static_cast<double>(k) / static_cast<double>(std::max<Index>(steps - 1, 1));
-    Sample sample = at(t, k > 0 ? &last : nullptr);
-    if (k > 0 && !same_modes(last, sample)) refine(last, sample, points);
-    points.push_back(point_of(sample, solver_.variations().front()));
+    Sample sample = sample_at(solver, t, k > 0 ? &last : nullptr);
+    if (k > 0 && !same_modes(last, sample)) refine(solver, last, sample, points);
+    points.push_back(point_of(sample, solver.variations().front()));
     last = std::move(sample);
-    if (progress) progress(t);
+    progress(t);
   }
   return points;
 }
@@ -106,6 +91,7 @@ SweepPoint point_of(const Sample& sample, const Variation& variation) {
 Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour, const Sample* other) {
   Sample sample;
   sample.t = t;
+  if (!solver.is_warm()) neighbour = nullptr;
   if (neighbour != nullptr) {
     sample.push_bases = neighbour->push_bases;
     sample.breaking_bases = neighbour->breaking_bases;
@@ -127,17 +113,13 @@ void sample_line(const VariedScene& scene, SweepSolver& solver,
                  const ParameterSweepOptions& options, Sweep& sweep) {
   const Index steps = options.steps > 0 ? options.steps : default_steps;
   const bool back = options.both_ways && sweep.segments.empty();
-  const auto report = [&](double offset) {
-    return [&options, back, offset](double done) {
-      if (options.progress) options.progress(back ? offset + done / 2 : done);
-    };
-  };
-  sweep.points = Sampler(solver, options.warm).line(steps, report(0));
+  sweep.points = sampled(solver, steps, part_of(options.progress, 0, back ? 0.5 : 1));
   for (const SweepPoint& point : sweep.points)
     sweep.complete = sweep.complete && point.at.push.is_known();
   if (!back) return;
-  SweepSolver backwards(scene, {reversed(sweep.variations.front())}, solver.pusher());
-  std::vector<SweepPoint> returning = Sampler(backwards, options.warm).line(steps, report(0.5));
+  SweepSolver backwards(scene, {reversed(sweep.variations.front())}, solver.pusher(), options.warm);
+  std::vector<SweepPoint> returning =
+      sampled(backwards, steps, part_of(options.progress, 0.5, 0.5));
   sweep.cold += backwards.cold();
   sweep.warm += backwards.warm();
   sweep.bistable = disagreements(compared(sweep.points, returning), false);
@@ -152,7 +134,7 @@ void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep
   };
   const auto at = [&](Index k, Index row, const Sample* neighbour) {
     solver.go_to({value_at(first, share(k)), value_at(second, share(row))});
-    return sample_here(solver, share(k), options.warm ? neighbour : nullptr);
+    return sample_here(solver, share(k), neighbour);
   };
   Sample row_begin, last;
   for (Index row = 0; row < steps; ++row) {

@@ -16,7 +16,7 @@ void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep
 
 /// Fills sweep.zeros: of segments from their ends, of points by bisection, which adds the zero and
 /// its neighbours to the points.
-void find_zeros(SweepSolver& solver, const ParameterSweepOptions& options, Sweep& sweep);
+void find_zeros(SweepSolver& solver, Sweep& sweep);
 
 /// Both answers at one value, and the bases that lead to the next.
 struct Sample {

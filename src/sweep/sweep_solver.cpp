@@ -29,10 +29,10 @@ ScenePoint::ScenePoint(SceneFile given)
 }
 
 SweepSolver::SweepSolver(const VariedScene& scene, const std::vector<Variation>& variations,
-                         Index pusher)
+                         Index pusher, bool warm)
     : variations_(variations),
       series_(scene, parameters_of(variations), variations.front().from, variations.front().to),
-      pusher_(pusher) {}
+      pusher_(pusher), is_warm_(warm) {}
 
 void SweepSolver::go_to(const std::vector<double>& values) {
   point_ = std::make_unique<ScenePoint>(series_.at(values));

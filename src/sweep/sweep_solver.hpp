@@ -53,13 +53,16 @@ using RoundBases = std::vector<Basis>;
 
 class SweepSolver {
 public:
-  SweepSolver(const VariedScene& scene, const std::vector<Variation>& variations, Index pusher);
+  /// `warm`: samples start from their neighbours' answers.
+  SweepSolver(const VariedScene& scene, const std::vector<Variation>& variations, Index pusher,
+              bool warm);
 
   void go_to(const std::vector<double>& values);
   void go_to(double value) { go_to(std::vector<double>{value}); }
   ScenePoint& point() { return *point_; }
   const std::vector<Variation>& variations() const { return variations_; }
   Index pusher() const { return pusher_; }
+  bool is_warm() const { return is_warm_; }
 
   /// Is there anything to ask? Without a prescribed motion nothing breaks.
   bool has(Question question) const {
@@ -85,6 +88,7 @@ private:
   std::vector<Variation> variations_;
   SceneSeries series_;
   Index pusher_;
+  bool is_warm_;
   std::unique_ptr<ScenePoint> point_;
   std::vector<double> scalars_;
   std::vector<int> integers_;

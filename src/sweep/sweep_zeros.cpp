@@ -70,14 +70,13 @@ struct Crossing {
 
 class ZeroSearch {
 public:
-  ZeroSearch(SweepSolver& solver, bool warm, Index component, double threshold)
-      : solver_(solver), warm_(warm), k_(component), threshold_(threshold) {}
+  ZeroSearch(SweepSolver& solver, Index component, double threshold)
+      : solver_(solver), k_(component), threshold_(threshold) {}
 
   Crossing between(const SweepPoint& first, const SweepPoint& second);
 
 private:
   SweepSolver& solver_;
-  bool warm_;
   Index k_;
   double threshold_;
 
@@ -104,7 +103,7 @@ Crossing ZeroSearch::between(const SweepPoint& first, const SweepPoint& second) 
     return std::abs(value(sample) - end.at.push.twist[k_]) <= whole / 10;
   };
   while (high.t - low.t > sharpest) {
-    Sample middle = sample_at(solver_, (low.t + high.t) / 2, warm_ ? &low : nullptr, &high);
+    Sample middle = sample_at(solver_, (low.t + high.t) / 2, &low, &high);
     if (!middle.push.is_solved()) break;
     const bool below = sign_of(value(middle), 0) * sign_of(value(low), 0) > 0;
     if (below && near(middle, first)) shoulder_low = middle;
@@ -118,15 +117,14 @@ Crossing ZeroSearch::between(const SweepPoint& first, const SweepPoint& second) 
   const double t = crossing.zero.jumps ? high.t : low.t - value(low) / rise * (high.t - low.t);
   crossing.zero.from = crossing.zero.to = value_at(variation(), t);
   if (shoulder_low.t > share_of(first.value)) crossing.points.push_back(refined(shoulder_low));
-  if (!crossing.zero.jumps)
-    crossing.points.push_back(refined(sample_at(solver_, t, warm_ ? &low : nullptr)));
+  if (!crossing.zero.jumps) crossing.points.push_back(refined(sample_at(solver_, t, &low)));
   if (shoulder_high.t < share_of(second.value)) crossing.points.push_back(refined(shoulder_high));
   return crossing;
 }
 
-void add_of_points(SweepSolver& solver, bool warm, Index k, double threshold,
-                   std::vector<SweepPoint>& points, std::vector<SweepZero>& zeros) {
-  ZeroSearch search(solver, warm, k, threshold);
+void add_of_points(SweepSolver& solver, Index k, double threshold, std::vector<SweepPoint>& points,
+                   std::vector<SweepZero>& zeros) {
+  ZeroSearch search(solver, k, threshold);
   const auto sign = [&](const SweepPoint& point) {
     return point.at.push.is_solved() ? sign_of(point.at.push.twist[k], threshold) : 2;
   };
@@ -152,7 +150,7 @@ void add_of_points(SweepSolver& solver, bool warm, Index k, double threshold,
 
 } // namespace
 
-void find_zeros(SweepSolver& solver, const ParameterSweepOptions& options, Sweep& sweep) {
+void find_zeros(SweepSolver& solver, Sweep& sweep) {
   const std::array<double, 6> threshold = thresholds(sweep);
   for (Index k = 0; k < 6; ++k) {
     const double zero = threshold[static_cast<std::size_t>(k)];
@@ -160,7 +158,7 @@ void find_zeros(SweepSolver& solver, const ParameterSweepOptions& options, Sweep
     if (!sweep.segments.empty())
       add_of_segments(sweep.segments, k, zero, sweep.zeros);
     else
-      add_of_points(solver, options.warm, k, zero, sweep.points, sweep.zeros);
+      add_of_points(solver, k, zero, sweep.points, sweep.zeros);
   }
 }
 

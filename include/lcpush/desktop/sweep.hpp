@@ -47,16 +47,10 @@ struct SweepValue {
 
 /// What a contact does from some value of the parameter on that it did not do before.
 struct ContactChange {
-  enum class Kind {
-    mode,     ///< it sticks, slides or separates
-    load,     ///< it is pressed, or no longer
-    friction, ///< it goes on sliding, with friction in another direction
-  };
   Index contact;
-  Kind kind;
-  Mode from, to;        ///< different only of a mode
-  bool pressed;         ///< from here on
-  Vector3<double> slip; ///< unit vector, or zero if the contact does not slide from here on
+  Mode from, to;
+  bool was_pressed, is_pressed; ///< all four the same: its friction takes another direction
+  Vector3<double> slip; ///< from here on: unit vector, or zero if the contact does not slide
 };
 
 /// Why the exact path of answers did not simply go on.
@@ -67,13 +61,10 @@ enum class PathBreak {
   ray,         ///< the path has no next answer
 };
 
-/// What happens to one of the two answers.
+/// What happens to one of the two answers: the contacts' modes change, or how they share their
+/// forces; or from here on no answer is found; or there is one again.
 struct AnswerChange {
-  enum class Kind {
-    modes, ///< the contacts' modes change, or how they share their forces
-    lost,  ///< from here on no answer is found
-    found, ///< from here on there is an answer again
-  };
+  enum class Kind { modes, lost, found };
   Kind kind = Kind::modes;
   Status from = Status::solved, to = Status::solved;
   std::vector<ContactChange> contacts; ///< in the scene's order; none: forces are shared otherwise
