@@ -2,6 +2,7 @@
 
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "text/limits.hpp"
 #include "text/utf8.hpp"
 #include "text/wording.hpp"
 
@@ -10,8 +11,6 @@
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr int most_levels = 100;
 
 class Reader {
 public:
@@ -63,7 +62,7 @@ private:
 };
 
 JsonValue Reader::read_value(int level) {
-  if (level > most_levels) fail("nested more than 100 levels deep");
+  if (level > limits::json_depth) fail("nested more than 100 levels deep");
   skip_blanks();
   JsonValue value;
   value.line = line_;

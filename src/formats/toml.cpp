@@ -2,6 +2,7 @@
 
 #include "formats/toml_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "text/limits.hpp"
 #include "text/utf8.hpp"
 #include "text/wording.hpp"
 
@@ -13,11 +14,6 @@
 
 namespace lcpush::desktop {
 namespace {
-
-// Enough for a list of lists of vectors; parse_value and parse_array recurse no deeper than this.
-constexpr int deepest_array = 8;
-// Bounds the memory that a file can ask for: a value takes about thirty times its shortest text.
-constexpr std::size_t most_items = 1'000'000;
 
 bool is_bare_key_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -133,8 +129,8 @@ void TomlParser::expect_end_of_line() {
 }
 
 void TomlParser::count_item() {
-  if (++items_ > most_items)
-    fail("more than " + std::to_string(most_items) + " tables and values; split the file");
+  if (++items_ > limits::toml_items)
+    fail("more than " + std::to_string(limits::toml_items) + " tables and values; split the file");
 }
 
 void TomlParser::parse_header() {
@@ -221,8 +217,8 @@ TomlValue TomlParser::parse_value(int depth) {
 }
 
 TomlArray TomlParser::parse_array(int depth) {
-  if (depth > deepest_array)
-    fail("lists are nested more than " + std::to_string(deepest_array) +
+  if (depth > limits::toml_list_depth)
+    fail("lists are nested more than " + std::to_string(limits::toml_list_depth) +
          " deep; is a ] missing before?");
   const int opened = line_;
   TomlArray array;
@@ -282,6 +278,17 @@ void TomlParser::parse_escape(std::string& result) {
 }
 
 } // namespace
+
+std::optional<double> TomlValue::number() const {
+  if (const auto* whole = std::get_if<std::int64_t>(&data)) return static_cast<double>(*whole);
+  if (const auto* real = std::get_if<double>(&data)) return *real;
+  return std::nullopt;
+}
+
+const std::string* TomlTable::name() const {
+  const TomlValue* const value = find("name");
+  return value != nullptr ? std::get_if<std::string>(&value->data) : nullptr;
+}
 
 const TomlValue* TomlTable::find(std::string_view key) const {
   const auto is_key = [key](const TomlEntry& entry) { return entry.key == key; };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lcpush/desktop/owned.hpp"
 #include "pivots/pivot_recorder.hpp"
 
 namespace lcpush::desktop {
@@ -156,10 +157,7 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
   book.tie_rule = options.rule;
   book.max_pivots = options.max_pivots;
 
-  std::vector<S> scalars(static_cast<std::size_t>(lemke_scalars(n)));
-  std::vector<int> integers(static_cast<std::size_t>(lemke_integers(n)));
-  Lemke<S> lemke({scalars.data(), static_cast<Index>(scalars.size())},
-                 {integers.data(), static_cast<Index>(integers.size())});
+  OwnedLemke<S> lemke(n);
   Teacher<S> teacher(trace, story, options);
   trace.status = lemke.init(problem, book);
   while (trace.status == Status::running && !trace.cycle) {
@@ -244,10 +242,8 @@ PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& sto
     TracedRay ray;
     ray.entering = complement(trace.pivots.back().leaving, layout.size);
     ray.v.resize(static_cast<std::size_t>(layout.size));
-    for (Index i = 0; i < layout.size; ++i)
-      for (const NamedValue& entry : report.ray)
-        if (entry.name == push.variable_name(i))
-          ray.v[static_cast<std::size_t>(i)] = traced(trace, entry.value);
+    for (const NamedValue& entry : report.ray)
+      ray.v[static_cast<std::size_t>(entry.unknown)] = traced(trace, entry.value);
     for (const std::string& sentence : jam_sentences(push.file(), report.jam))
       ray.words += (ray.words.empty() ? "" : "\n") + sentence;
     trace.ray = ray;

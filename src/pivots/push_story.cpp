@@ -136,7 +136,8 @@ std::string PushStory::ray_sentence(Index entering, const std::vector<double>& v
     largest = std::max(largest, own[static_cast<std::size_t>(i)]);
   }
   for (double& x : own) x /= largest > 0 ? largest : 1;
-  const Jam jam = explain_jam(push_.file(), scaled.assembly(), own.data(), layout.size <= 200);
+  const Jam jam = explain_jam(push_.file(), scaled.assembly(), own.data(),
+                              layout.size <= 200 ? has_answer : nullptr);
   for (const std::string& sentence : jam_sentences(push_.file(), jam)) text += "\n" + sentence;
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include "lcpush/mechanics/model/patch.hpp"
 #include "scenes/exact_frame.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr Index most_points = 10000;
 constexpr Index default_round_points = 8;
 // Points nearer than this, relative to the patch, are a slip, and make its equations singular.
 constexpr double coincidence = 1e-9;
@@ -83,7 +83,7 @@ template <class S> Span<Vector3<S>> resized(Patch<S>& patch, Index count) {
 }
 
 Index point_count(const TableReader& table, Index smallest, Index otherwise) {
-  return table.has("points") ? table.whole("points", smallest, most_points) : otherwise;
+  return table.has("points") ? table.whole("points", smallest, limits::patch_points) : otherwise;
 }
 
 template <class S> void sample_line_shape(const TableReader& table, Patch<S>& patch) {
@@ -107,10 +107,10 @@ template <class S> void sample_rectangle_shape(const TableReader& table, Patch<S
   const Vector3<S> o = cross(patch.normal, t);
   const std::vector<S> size = table.numbers<S>("size", {2}, Sign::positive);
   std::vector<Index> counts = {2, 2};
-  if (table.has("points")) counts = table.wholes("points", 2, 1, most_points);
+  if (table.has("points")) counts = table.wholes("points", 2, 1, limits::patch_points);
   const Index count = counts[0] * counts[1];
-  if (count > most_points)
-    table.fail("points", "points must make at most " + std::to_string(most_points) +
+  if (count > limits::patch_points)
+    table.fail("points", "points must make at most " + std::to_string(limits::patch_points) +
                              " altogether, got " + std::to_string(count));
   sample_rectangle<S>(center, t, o, size[0], size[1], counts[0], counts[1], resized(patch, count));
 }
@@ -125,7 +125,7 @@ void sample_shape(const TableReader& table, const std::string& shape, const Cont
   } else if (shape == "rectangle") {
     sample_rectangle_shape(table, patch);
   } else if (shape == "points") {
-    patch.positions = read_vectors<S>(table, "points", most_points);
+    patch.positions = read_vectors<S>(table, "points", limits::patch_points);
   } else {
     sample_round_shape(table, shape == "disc", frame, patch);
   }
@@ -147,20 +147,6 @@ void check_points(const TableReader& table, const std::string& key, const Patch<
 }
 
 } // namespace
-
-const Schema& patch_schema() {
-  static const Schema schema = {
-      {"shape", "shape = \"disc\""},
-      {"center", "center = [0, 0, 0.005]  # m"},
-      {"ends", "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]  # m"},
-      {"radius", "radius = 0.005  # m"},
-      {"size", "size = [0.01, 0.02]  # m"},
-      {"points", "points = [[0, 0, 0], [0.01, 0, 0]]  # m"},
-      {"normal", "normal = [0, 0, -1]"},
-      {"tangent", "tangent = [1, 0, 0]"},
-  };
-  return schema;
-}
 
 template <class S> Patch<S> read_patch(const TableReader& table) {
   const Shape& shape = read_shape(table);

@@ -1,4 +1,5 @@
 #include "lcpush/desktop/final_basis.hpp"
+#include "text/limits.hpp"
 
 #include <Eigen/LU>
 
@@ -9,7 +10,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr Index most_points = 600;
 constexpr double strict = 1e-6; // of the scene's units: farther than this from a limit
 constexpr double zero = 1e-9;   // of a direction's largest entry
 
@@ -233,7 +233,7 @@ FinalBasis Study::result() const {
 } // namespace
 
 FinalBasis study_final_basis(const Assembly<double>& assembly, const Answer<double>& answer) {
-  if (assembly.layout().points > most_points) return {};
+  if (assembly.layout().points > limits::points_final_basis) return {};
   return Study(assembly, answer).result();
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lcpush/desktop/push.hpp"
+#include "lcpush/desktop/naming.hpp"
+#include "lcpush/desktop/owned.hpp"
+#include "lcpush/mechanics/model/answer.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
@@ -17,15 +19,6 @@ std::string name_of_body(const SceneFile& file, Index body) {
 }
 
 bool moves(const Body<double>& body) { return body.acceleration.norm() > 0; }
-
-bool solves(const SceneFile& changed) {
-  Push push(changed);
-  PushOptions options;
-  options.other_covers = 0;
-  options.explain_jams = false;
-  options.study_existence = false;
-  return push.solve(options).status == Status::solved;
-}
 
 /// The scene with this body force-controlled along its normal.
 SceneFile with_force(const SceneFile& file, Index body, double force) {
@@ -64,10 +57,10 @@ Vector3<double> across(const Body<double>& body, const Vector3<double>& force, b
 }
 
 void find_remedies(const SceneFile& file, const Assembly<double>& assembly,
-                   const std::vector<Squeeze<double>>& bodies, bool try_them, Jam& jam) {
+                   const std::vector<Squeeze<double>>& bodies, const TryScene& solves, Jam& jam) {
   const double force = std::max(assembly.layout().scales.force, 1e-3 * file.object.mass);
   const auto add = [&](const std::string& text, const SceneFile& changed) {
-    jam.remedies.push_back({text, try_them, try_them && solves(changed)});
+    jam.remedies.push_back({text, solves != nullptr, solves != nullptr && solves(changed)});
   };
   for (const JamBody& squeezing : jam.bodies) {
     const Index b = squeezing.body;
@@ -173,11 +166,11 @@ std::vector<std::string> squeeze_sentences(const SceneFile& file, const Jam& jam
 } // namespace
 
 Jam explain_jam(const SceneFile& file, const Assembly<double>& assembly, const double* v,
-                bool try_remedies) {
+                const TryScene& solves) {
   const Scene<double>& scene = assembly.scene();
   const Layout<double>& layout = assembly.layout();
   std::vector<Squeeze<double>> parts(static_cast<std::size_t>(scene.bodies.size));
-  const RaySum<double> sum = read_ray(assembly, v, {parts.data(), scene.bodies.size});
+  const RaySum<double> sum = read_ray(assembly, v, span_of(parts));
   const std::vector<Squeeze<double>> bodies = by_file_body(file, scene, parts);
   double largest = 0;
   for (const Squeeze<double>& body : bodies) largest = std::max(largest, body.normal);
@@ -194,7 +187,7 @@ Jam explain_jam(const SceneFile& file, const Assembly<double>& assembly, const d
         {b, part.normal / largest, works ? part.power / largest : 0.0,
          pressed_points(file, file.bodies[static_cast<std::size_t>(b)], layout, v, sum.noise)});
   }
-  find_remedies(file, assembly, bodies, try_remedies, jam);
+  find_remedies(file, assembly, bodies, solves, jam);
   return jam;
 }
 

@@ -1,9 +1,8 @@
 // A linear program with its memory: minimise c x subject to A x = b, x >= 0.
 #pragma once
 
+#include "lcpush/desktop/owned.hpp"
 #include "lcpush/lcp/pivots/linear_program.hpp"
-
-#include <vector>
 
 namespace lcpush::desktop {
 
@@ -20,10 +19,8 @@ struct OwnedProgram {
 
   Status solve(const LemkeOptions<double>& options = {}) {
     const Index n = A.cols(), m = A.rows();
-    std::vector<double> scalars(static_cast<std::size_t>(linear_program_scalars(n, m, 0)));
-    std::vector<int> integers(static_cast<std::size_t>(linear_program_integers(n, m, 0)));
-    LinearProgramSolver<double> solver({scalars.data(), static_cast<Index>(scalars.size())},
-                                       {integers.data(), static_cast<Index>(integers.size())});
+    Owned<LinearProgramSolver<double>> solver(linear_program_scalars(n, m, 0),
+                                              linear_program_integers(n, m, 0));
     const LinearProgram<double> program{n, m, 0, A.data(), b.data(), nullptr, c.data()};
     const Status status = solver.solve(program, options);
     pivots = solver.pivots();

@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "lcpush/desktop/push.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-constexpr Index largest_studied = 2000; // unknowns; beyond, the programs cost as much as the solve
-constexpr double negligible = 1e-6;     // of the largest entry of a witness
+constexpr double negligible = 1e-6; // of the largest entry of a witness
 
 /// Names of the file's bodies that carry a part of the witness.
 std::vector<std::string> names_of(const SceneFile& file, const Assembly<double>& assembly,
@@ -47,15 +47,12 @@ bool has_bilateral(const SceneFile& file) {
 ExistenceFound find_existence(const SceneFile& file, const Assembly<double>& assembly) {
   ExistenceFound found;
   const AssemblySize size = size_of(assembly.scene());
-  if (size.unknowns() > largest_studied) return found;
-  std::vector<double> scalars(static_cast<std::size_t>(existence_scalars(size)));
-  std::vector<int> integers(static_cast<std::size_t>(existence_integers(size)));
+  if (size.unknowns() > limits::unknowns_existence) return found;
+  SolverMemory<double> memory(existence_scalars(size), existence_integers(size));
   std::vector<double> witness(static_cast<std::size_t>(size.forces() + size.actuators), 0.0);
   found.studied = true;
-  found.verdict = study_existence<double>(assembly,
-                                          {{scalars.data(), static_cast<Index>(scalars.size())},
-                                           {integers.data(), static_cast<Index>(integers.size())}},
-                                          {}, witness.data());
+  found.verdict = study_existence<double>(
+      assembly, {span_of(memory.scalars), span_of(memory.integers)}, {}, witness.data());
   found.bodies = names_of(file, assembly, found.verdict, witness);
   return found;
 }

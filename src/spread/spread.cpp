@@ -8,6 +8,7 @@
 
 #include "spread/spread_face.hpp"
 #include "spread/spread_quantities.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -16,7 +17,6 @@ using Kind = ContactMode::Kind;
 using Point = Eigen::VectorXd;
 
 constexpr double equal_answers = 1e-7;    // of the scale of forces, or of motions
-constexpr Index most_enumerated = 16;     // contact points
 constexpr double enumeration_factor = 10; // work and faces that enumeration may take
 
 class Search {
@@ -96,10 +96,7 @@ void Search::propose_adjacent_faces(const Point& z) {
 
 void Search::solve_covers() {
   const Index n = problem_.layout().size;
-  std::vector<double> scalars(static_cast<std::size_t>(lemke_scalars(n)));
-  std::vector<int> integers(static_cast<std::size_t>(lemke_integers(n)));
-  Lemke<double> lemke({scalars.data(), static_cast<Index>(scalars.size())},
-                      {integers.data(), static_cast<Index>(integers.size())});
+  OwnedLemke<double> lemke(n);
   Watcher nobody;
   for (Index k = 0; k < options_.covers; ++k) {
     LemkeOptions<double> options = options_.lemke;
@@ -232,8 +229,8 @@ void Search::enumerate() {
     report_.enumeration = "soft contacts have too many modes to enumerate";
     return;
   }
-  if (points > most_enumerated) {
-    report_.enumeration = "more than " + std::to_string(most_enumerated) +
+  if (points > limits::points_enumerated) {
+    report_.enumeration = "more than " + std::to_string(limits::points_enumerated) +
                           " contact points have too many modes to enumerate";
     return;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lcpush/mechanics/solve/breaking.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -26,8 +27,7 @@ struct LiteralProblem::Look {
 };
 
 LiteralProblem::LiteralProblem(const SceneFile& file)
-    : file_(literal(file)), scene_(file_.view()), assembly_(scene_),
-      dense_(desktop::dense(assembly_.get().problem())), answer_(layout()) {}
+    : file_(literal(file)), assembled_(file_.view()), dense_(desktop::dense(problem())) {}
 
 void LiteralProblem::complete(const FaceModes& modes, Eigen::VectorXd& z) const {
   for (Index i = 0; i < layout().points; ++i) {
@@ -44,17 +44,17 @@ void LiteralProblem::complete(const FaceModes& modes, Eigen::VectorXd& z) const 
 }
 
 const Answer<double>& LiteralProblem::read(const Eigen::VectorXd& z) {
-  read_answer(assembly_.get(), z.data(), answer_.get(), 1.0);
-  return answer_.get();
+  read_answer(assembled_.assembly, z.data(), assembled_.work.answer, 1.0);
+  return assembled_.work.answer;
 }
 
 Residuals<double> LiteralProblem::residuals(const Answer<double>& answer) const {
-  return check(scene_, layout().scales, answer, 1.0);
+  return check(scene(), layout().scales, answer, 1.0);
 }
 
 bool LiteralProblem::passes(const Residuals<double>& residuals) const {
   constexpr double smallest_part = 1e-5; // as for an answer of Push::solve
-  const double push = push_size(scene_) / layout().scales.acceleration;
+  const double push = push_size(scene()) / layout().scales.acceleration;
   const double worst = residuals.max();
   return worst <= Tolerances<double>().residual && (!(push > 0) || worst <= smallest_part * push);
 }
@@ -104,7 +104,7 @@ FaceModes LiteralProblem::face_of(const Eigen::VectorXd& z, const Eigen::VectorX
 }
 
 bool LiteralProblem::has_soft_points() const {
-  for (const Body<double>& body : scene_.bodies)
+  for (const Body<double>& body : scene().bodies)
     if (body.torsion_radius > 0 && body.friction > 0) return true;
   return false;
 }
@@ -128,7 +128,6 @@ std::vector<ContactMode> LiteralProblem::every_mode(Index i) const {
 
 std::vector<ContactMode> LiteralProblem::modes_at(Index i, const Eigen::VectorXd& z,
                                                   const Eigen::VectorXd& w) const {
-  constexpr std::size_t most_active = 6; // subsets are tried up to this many
   const Look at = look(i, z, w);
   const ConeGroup<double>& cone = layout().cones[i];
   std::vector<ContactMode> modes;
@@ -141,13 +140,13 @@ std::vector<ContactMode> LiteralProblem::modes_at(Index i, const Eigen::VectorXd
     if (pulls ? cone.normals == 1 || (at.pressed && !at.pulls) : at.pressed && at.pulls) continue;
     if (cone.generators == 0 || !at.slips) modes.push_back({Kind::stick, pulls, {}});
     if (cone.generators == 0 || !at.at_limit) continue;
-    if (!at.slips && scene_.bodies[layout().body[i]].torsion_radius > 0) {
+    if (!at.slips && scene().bodies[layout().body[i]].torsion_radius > 0) {
       if (!at.carrying.empty()) modes.push_back({Kind::slide, pulls, at.carrying});
     } else if (!at.slips) { // about to slide, any way that its friction allows
       for (ContactMode& mode : every_mode(i))
         if (mode.kind == Kind::slide && mode.pulls == pulls && carried_by(mode.active))
           modes.push_back(std::move(mode));
-    } else if (at.opposing.size() <= most_active) {
+    } else if (at.opposing.size() <= limits::generators_enumerated) {
       for (std::size_t set = 1; set < std::size_t{1} << at.opposing.size(); ++set) {
         std::vector<Index> active;
         for (std::size_t k = 0; k < at.opposing.size(); ++k)

@@ -4,12 +4,11 @@
 
 #include <vector>
 
+#include "lcpush/desktop/assembled_scene.hpp"
 #include "lcpush/desktop/scene_io.hpp"
 #include "lcpush/mechanics/model/check.hpp"
 #include "lcpush/mechanics/model/read_answer.hpp"
 #include "solve/dense_problem.hpp"
-#include "solve/owned_answer.hpp"
-#include "solve/owned_assembly.hpp"
 
 namespace lcpush::desktop {
 
@@ -42,10 +41,10 @@ public:
   LiteralProblem(const LiteralProblem&) = delete;
   LiteralProblem& operator=(const LiteralProblem&) = delete;
 
-  const Scene<double>& scene() const { return scene_; }
-  const Layout<double>& layout() const { return assembly_.get().layout(); }
-  Problem<double> problem() { return assembly_.get().problem(); }
-  const FactoredProblem<double>& factored() const { return assembly_.get().factored(); }
+  const Scene<double>& scene() const { return assembled_.scene; }
+  const Layout<double>& layout() const { return assembled_.assembly.layout(); }
+  Problem<double> problem() { return assembled_.assembly.problem(); }
+  const FactoredProblem<double>& factored() const { return assembled_.assembly.factored(); }
   const DenseProblem& dense() const { return dense_; }
 
   /// Gives the slips of open contacts, which are in no polyhedron, their smallest value.
@@ -67,10 +66,8 @@ public:
 
 private:
   SceneFile file_;
-  Scene<double> scene_;
-  mutable OwnedAssembly<double> assembly_;
+  AssembledScene assembled_;
   DenseProblem dense_;
-  OwnedAnswer answer_;
 
   struct Look;
   Look look(Index i, const Eigen::VectorXd& z, const Eigen::VectorXd& w) const;

@@ -5,15 +5,14 @@
 #include <utility>
 
 #include "sweep/sweep_pieces.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
 constexpr double on_the_line = 1e-6; // relative; of breaking ten times that
-constexpr Index most_solves = 300;   // then samples have to do
 constexpr Index samples = 32;
-constexpr double sharpest = 1e-6;       // of the range
-constexpr double bisection_blur = 1e-4; // of the range, at breaking
+constexpr double breaking_blur = 1e-4; // of the range, at breaking
 constexpr double first_stride = 1.0 / 256;
 
 struct At {
@@ -37,7 +36,7 @@ public:
     return {t, solver_.solve(question_, none)};
   }
 
-  bool is_used_up() const { return solves_ >= most_solves; }
+  bool is_used_up() const { return solves_ >= limits::bisection_solves; }
 
 private:
   SweepSolver& solver_;
@@ -60,7 +59,7 @@ Piece BisectedWalk::grow(const At& start, At& next) {
     return !differ(expected, candidate.answer, question_, tolerance * std::max(1.0, reach));
   };
   // Two answers always lie on a line: the first stride is halved until a third lies there too.
-  while (start.answer.is_known() && stride > sharpest && start.t < 1) {
+  while (start.answer.is_known() && stride > bisection_width && start.t < 1) {
     const double end = std::min(1.0, start.t + stride);
     last = start;
     const At far = solve(end), near = solve((start.t + end) / 2);
@@ -80,8 +79,8 @@ Piece BisectedWalk::grow(const At& start, At& next) {
   while (last.t < 1 && !(beyond && last.t == start.t)) {
     const double limit = beyond ? next.t : 1;
     double t = std::min(limit, last.t + stride);
-    if (beyond && t >= next.t - sharpest / 2) t = (last.t + next.t) / 2;
-    if (beyond && next.t - last.t <= sharpest) break;
+    if (beyond && t >= next.t - bisection_width / 2) t = (last.t + next.t) / 2;
+    if (beyond && next.t - last.t <= bisection_width) break;
     At candidate = solve(t);
     if (continues(candidate)) {
       middle = std::exchange(last, std::move(candidate));
@@ -187,10 +186,10 @@ std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question, Index
     pieces.push_back(std::move(stroke));
     start = std::move(end);
   }
-  const double blur = question == Question::breaking ? bisection_blur : 0;
+  const double blur = question == Question::breaking ? breaking_blur : 0;
   std::vector<Piece> list = without_slivers(pieces, blur);
   for (std::size_t i = 1; i < list.size(); ++i)
-    sharpen(question, list[i - 1], list[i], 2 * sharpest + blur);
+    sharpen(question, list[i - 1], list[i], 2 * bisection_width + blur);
   return list;
 }
 

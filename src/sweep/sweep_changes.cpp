@@ -1,7 +1,7 @@
 // What changes at a value of a sweep, in words.
 #include <algorithm>
 
-#include "lcpush/desktop/push.hpp"
+#include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/sweep.hpp"
 #include "text/wording.hpp"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "formats/json_writer.hpp"
-#include "lcpush/desktop/push.hpp"
+#include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/sweep.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
@@ -10,86 +10,46 @@
 namespace lcpush::desktop {
 namespace {
 
-void write_vector(JsonWriter& json, const char* key, const SweepAnswer& answer, const double* first,
-                  Index count) {
-  json.key(key);
-  if (answer.is_solved())
-    json.numbers(first, count);
-  else
-    json.value(nullptr);
-}
-
-std::optional<double> break_force(const SweepValue& value) {
-  return value.breaking.is_solved() ? std::optional<double>(value.breaking.normal) : std::nullopt;
-}
-
-std::string status_of(const SweepValue& value) { return status_text(value.push.status); }
-
 /// null where no pusher moves, so that nothing breaks.
-void write_break_status(JsonWriter& json, const SweepValue& value) {
-  const Status status = value.breaking.status;
-  json.key("break_status");
-  if (status == Status::bad_input)
-    json.value(nullptr);
-  else
-    json.value(status_text(status));
-}
-
-void write_change(JsonWriter& json, const std::string& change) {
-  json.member("change", change.empty() ? std::nullopt : std::optional(change));
+std::optional<std::string> break_status(const SweepValue& at) {
+  const Status status = at.breaking.status;
+  return when(status != Status::bad_input, std::string(status_text(status)));
 }
 
 void write_segment(JsonWriter& json, const Sweep& sweep, const SweepSegment& segment) {
   const SweepValue &a = segment.at_from, &b = segment.at_to;
-  json.begin_object().member("from", segment.from).member("to", segment.to);
-  json.member("kind", segment_kind_text(segment.kind));
-  json.member("status", status_of(a));
-  write_break_status(json, a);
-  json.key("break_force").begin_array();
-  json.value(break_force(a)).value(break_force(b)).end_array();
-  const auto pair = [&](const char* key, const double* first, const double* second, Index count) {
-    json.key(key);
-    if (!a.push.is_solved()) {
-      json.value(nullptr);
-      return;
-    }
-    json.begin_array().numbers(first, count).numbers(second, count).end_array();
+  json.member("from", segment.from).member("to", segment.to);
+  json.member("kind", segment_kind_text(segment.kind)).member("status", status_text(a.push.status));
+  json.member("break_status", break_status(a)).key("break_force").begin_array();
+  json.value(when(a.breaking.is_solved(), a.breaking.normal));
+  json.value(when(b.breaking.is_solved(), b.breaking.normal)).end_array();
+  const auto pair = [&](const char* key, const auto& first, const auto& second) {
+    if (a.push.is_solved())
+      json.key(key).begin_array().value(first).value(second).end_array();
+    else
+      json.member(key, nullptr);
   };
-  pair("force", a.push.force.data(), b.push.force.data(), 3);
-  pair("twist", a.push.twist.data(), b.push.twist.data(), 6);
+  pair("force", a.push.force, b.push.force);
+  pair("twist", a.push.twist, b.push.twist);
   json.member("residual", std::max(a.residual(), b.residual()));
-  write_change(json, change_text(sweep, segment));
-  json.member("jumps", segment.change.jumps).end_object();
+  json.member("change", unless_empty(change_text(sweep, segment)));
+  json.member("jumps", segment.change.jumps);
 }
 
 void write_point(JsonWriter& json, const Sweep& sweep, const SweepPoint& point) {
-  json.begin_object().member("value", point.value);
-  if (point.second) json.member("second_value", *point.second);
-  json.member("status", status_of(point.at));
   const SweepAnswer &push = point.at.push, &breaking = point.at.breaking;
-  write_break_status(json, point.at);
-  json.member("break_force", break_force(point.at));
-  write_vector(json, "force", push, push.force.data(), 3);
-  write_vector(json, "twist", push, push.twist.data(), 6);
-  write_vector(json, "break_twist", breaking, breaking.twist.data(), 6);
+  const bool pushed = push.is_solved(), broken = breaking.is_solved();
+  json.member("value", point.value);
+  if (point.second) json.member("second_value", *point.second);
+  json.member("status", status_text(push.status)).member("break_status", break_status(point.at));
+  json.member("break_force", when(broken, breaking.normal));
+  json.member("force", when(pushed, push.force)).member("twist", when(pushed, push.twist));
+  json.member("break_twist", when(broken, breaking.twist));
   std::vector<std::string> modes;
   for (const Mode mode : point.modes) modes.emplace_back(mode_text(mode));
-  json.key("modes");
-  if (modes.empty())
-    json.value(nullptr);
-  else
-    json.strings(modes);
-  json.member("refined", point.refined);
+  json.member("modes", unless_empty(modes)).member("refined", point.refined);
   if (point.second) json.member("bistable", point.bistable);
-  write_change(json, change_text(sweep, point));
-  json.end_object();
-}
-
-template <class List, class Write>
-void write_list(JsonWriter& json, const char* key, const List& list, Write write) {
-  json.key(key).begin_array();
-  for (const auto& entry : list) write(json, entry);
-  json.end_array();
+  json.member("change", unless_empty(change_text(sweep, point)));
 }
 
 std::vector<std::string> csv_numbers(const SweepValue& at) {
@@ -134,7 +94,7 @@ std::string sweep_csv(const std::vector<SweepCurve>& curves) {
       row.push_back(shown(value));
       if (second) row.push_back(shown(*second));
       for (const std::string& cell : csv_numbers(at)) row.push_back(cell);
-      row.push_back(status_of(at));
+      row.push_back(status_text(at.push.status));
       row.push_back(change);
       text += csv_row(row);
     };
@@ -166,22 +126,17 @@ void write_sweep(JsonWriter& json, const Sweep& sweep) {
   std::vector<std::string> contacts;
   for (std::size_t i = 0; i < sweep.scene.points.size(); ++i)
     contacts.push_back(point_name(sweep.scene, static_cast<Index>(i)));
-  json.key("contacts").strings(contacts);
-  const auto segment = [&](JsonWriter& to, const SweepSegment& one) {
-    write_segment(to, sweep, one);
-  };
-  const auto point = [&](JsonWriter& to, const SweepPoint& one) { write_point(to, sweep, one); };
-  write_list(json, "segments", sweep.segments, segment);
-  write_list(json, "segments_back", sweep.back, segment);
-  write_list(json, "points", sweep.points, point);
-  write_list(json, "points_back", sweep.points_back, point);
-  write_list(json, "bistable", sweep.bistable, [](JsonWriter& to, const BistableRange& range) {
-    to.begin_object().member("from", range.from).member("to", range.to);
-    to.member("motion", range.motion).end_object();
+  json.member("contacts", contacts);
+  const auto segment = [&](const SweepSegment& entry) { write_segment(json, sweep, entry); };
+  const auto point = [&](const SweepPoint& entry) { write_point(json, sweep, entry); };
+  json.objects("segments", sweep.segments, segment).objects("segments_back", sweep.back, segment);
+  json.objects("points", sweep.points, point).objects("points_back", sweep.points_back, point);
+  json.objects("bistable", sweep.bistable, [&](const BistableRange& range) {
+    json.member("from", range.from).member("to", range.to).member("motion", range.motion);
   });
-  write_list(json, "zeros", sweep.zeros, [](JsonWriter& to, const SweepZero& zero) {
-    to.begin_object().member("of", "twist[" + std::to_string(zero.component) + "]");
-    to.member("from", zero.from).member("to", zero.to).member("jumps", zero.jumps).end_object();
+  json.objects("zeros", sweep.zeros, [&](const SweepZero& zero) {
+    json.member("of", "twist[" + std::to_string(zero.component) + "]");
+    json.member("from", zero.from).member("to", zero.to).member("jumps", zero.jumps);
   });
   json.member("cold_solves", sweep.cold).member("warm_solves", sweep.warm);
 }
@@ -195,16 +150,13 @@ std::string sweep_json(const std::vector<SweepCurve>& curves) {
     write_sweep(json, curves.front().sweep);
     return json.end_object().text();
   }
-  json.key("curves").begin_array();
-  for (const SweepCurve& curve : curves) {
-    json.begin_object().member("label", curve.label).member("scene", curve.scene);
-    json.member("each",
-                curve.each ? std::optional<std::string>(curve.each->parameter.path) : std::nullopt);
-    json.member("each_value", curve.each ? std::optional<double>(curve.each->from) : std::nullopt);
+  json.objects("curves", curves, [&](const SweepCurve& curve) {
+    json.member("label", curve.label).member("scene", curve.scene);
+    json.member("each", curve.each ? std::optional(curve.each->parameter.path) : std::nullopt);
+    json.member("each_value", curve.each ? std::optional(curve.each->from) : std::nullopt);
     write_sweep(json, curve.sweep);
-    json.end_object();
-  }
-  return json.end_array().end_object().text();
+  });
+  return json.end_object().text();
 }
 
 } // namespace lcpush::desktop

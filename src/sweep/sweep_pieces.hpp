@@ -8,6 +8,9 @@
 
 namespace lcpush::desktop {
 
+/// Where bisection ends: this part of the range.
+constexpr double bisection_width = 1e-6;
+
 /// The straight line through two answers: at `t` if they are at t0 and t1.
 DetailedAnswer on_line(const DetailedAnswer& first, double t0, const DetailedAnswer& second,
                        double t1, double t);
@@ -35,7 +38,7 @@ inline Progress part_of(const Progress& whole, double begin, double share) {
 std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, Index most,
                                 const Progress& progress);
 
-/// Everything else: by bisection, down to 1e-6 of the range.
+/// Everything else: by bisection, down to bisection_width.
 std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question, Index most,
                                    const Progress& progress);
 

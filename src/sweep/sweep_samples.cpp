@@ -10,8 +10,7 @@ namespace lcpush::desktop {
 namespace {
 
 constexpr Index default_steps = 51, default_map_steps = 11;
-constexpr double sharpest = 1e-6; // of the range
-constexpr double jump = 1e-3;     // relative: a larger step over `sharpest` is a jump
+constexpr double sampled_jump = 1e-3; // relative: a larger step over bisection_width is a jump
 
 bool same_modes(const Sample& a, const Sample& b) {
   return same_modes(a.push, b.push) && same_modes(a.breaking, b.breaking);
@@ -21,7 +20,7 @@ bool same_modes(const Sample& a, const Sample& b) {
 void refine(SweepSolver& solver, const Sample& from, const Sample& to,
             std::vector<SweepPoint>& points) {
   Sample low = from, high = to;
-  while (high.t - low.t > sharpest) {
+  while (high.t - low.t > bisection_width) {
     Sample middle = sample_at(solver, (low.t + high.t) / 2, &low, &high);
     (same_modes(middle, low) ? low : high) = std::move(middle);
   }
@@ -29,8 +28,8 @@ void refine(SweepSolver& solver, const Sample& from, const Sample& to,
   if (!same_modes(low.push, high.push)) change.push = {change_between(low.push, high.push)};
   if (!same_modes(low.breaking, high.breaking))
     change.breaking = {change_between(low.breaking, high.breaking)};
-  change.jumps = differ(low.push, high.push, Question::push, jump) ||
-                 differ(low.breaking, high.breaking, Question::breaking, jump);
+  change.jumps = differ(low.push, high.push, Question::push, sampled_jump) ||
+                 differ(low.breaking, high.breaking, Question::breaking, sampled_jump);
   const Variation& variation = solver.variations().front();
   if (low.t > from.t) {
     points.push_back(point_of(low, variation));

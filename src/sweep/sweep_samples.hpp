@@ -5,8 +5,9 @@
 
 namespace lcpush::desktop {
 
-/// Fills sweep.points; where the modes of two neighbours differ, more points down to 1e-6 of the
-/// range. With both_ways also sweep.points_back and sweep.bistable, unless there are segments.
+/// Fills sweep.points; where the modes of two neighbours differ, more points down to
+/// bisection_width of the range. With both_ways also sweep.points_back and sweep.bistable, unless
+/// there are segments.
 void sample_line(const VariedScene& scene, SweepSolver& solver,
                  const ParameterSweepOptions& options, Sweep& sweep);
 

@@ -9,10 +9,6 @@
 namespace lcpush::desktop {
 namespace {
 
-Span<unsigned char> span(std::vector<unsigned char>& bytes) {
-  return {bytes.data(), static_cast<Index>(bytes.size())};
-}
-
 std::vector<Parameter> parameters_of(const std::vector<Variation>& variations) {
   std::vector<Parameter> parameters;
   for (const Variation& variation : variations) parameters.push_back(variation.parameter);
@@ -20,13 +16,6 @@ std::vector<Parameter> parameters_of(const std::vector<Variation>& variations) {
 }
 
 } // namespace
-
-ScenePoint::ScenePoint(SceneFile given)
-    : file(std::move(given)), even(file.view()), scene(even.scene),
-      bytes(static_cast<std::size_t>(sweep_bytes<double>(size_of(scene)))),
-      work(make_sweep_workspace<double>(span(bytes), size_of(scene))), assembly(work.assembly) {
-  assembly.assemble(scene);
-}
 
 SweepSolver::SweepSolver(const VariedScene& scene, const std::vector<Variation>& variations,
                          Index pusher, bool warm)
@@ -40,11 +29,8 @@ void SweepSolver::go_to(const std::vector<double>& values) {
 
 /// Memory for as many unknowns as there are here.
 void SweepSolver::make_lemke() {
-  const Index n = point_->assembly.layout().size;
-  scalars_.resize(static_cast<std::size_t>(lemke_scalars(n)));
-  integers_.resize(static_cast<std::size_t>(lemke_integers(n)));
-  lemke_.emplace(Span<double>{scalars_.data(), lemke_scalars(n)},
-                 Span<int>{integers_.data(), lemke_integers(n)});
+  if (const Index n = point_->assembly.layout().size; !lemke_ || lemke_->unknowns < n)
+    lemke_.emplace(n);
 }
 
 Status SweepSolver::solve_cold(Question question, Basis& basis) {

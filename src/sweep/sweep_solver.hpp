@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace lcpush::desktop {
 
@@ -30,18 +31,14 @@ struct DetailedAnswer : SweepAnswer {
 };
 
 /// The scene at one value, assembled.
-class ScenePoint {
-public:
-  explicit ScenePoint(SceneFile file);
-  ScenePoint(const ScenePoint&) = delete;
-  ScenePoint& operator=(const ScenePoint&) = delete;
-
+struct ScenePoint {
   SceneFile file;
-  EvenScene even;
-  const Scene<double>& scene; ///< as solved
-  std::vector<unsigned char> bytes;
-  Workspace<double> work;
-  Assembly<double> assembly;
+  AssembledScene assembled{file.view()};
+  const Scene<double>& scene = assembled.scene; ///< as solved
+  Workspace<double>& work = assembled.work;
+  Assembly<double>& assembly = assembled.assembly;
+
+  explicit ScenePoint(SceneFile given) : file(std::move(given)) {}
 
   Problem<double> problem(Question question) const {
     return question == Question::push ? assembly.problem() : assembly.breaking_problem();
@@ -90,9 +87,7 @@ private:
   Index pusher_;
   bool is_warm_;
   std::unique_ptr<ScenePoint> point_;
-  std::vector<double> scalars_;
-  std::vector<int> integers_;
-  std::optional<Lemke<double>> lemke_;
+  std::optional<OwnedLemke<double>> lemke_;
   Index cold_ = 0, warm_ = 0;
 
   const Body<double>& pusher_body() const {

@@ -9,9 +9,9 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr double sharpest = 1e-10;  // of the range; then the line through both sides
-constexpr double negligible = 1e-9; // of the component's largest value
-constexpr double steepest = 1e-3;   // of a change of sign: what may be left of it there is no jump
+constexpr double zero_width = 1e-10; // of the range; then the line through both sides
+constexpr double negligible = 1e-9;  // of the component's largest value
+constexpr double steepest = 1e-3;    // of a change of sign: what may be left of it there is no jump
 
 /// Below this a component counts as zero: rounding, or nothing compared with its largest value.
 std::array<double, 6> thresholds(const Sweep& sweep) {
@@ -102,7 +102,7 @@ Crossing ZeroSearch::between(const SweepPoint& first, const SweepPoint& second) 
   const auto near = [&](const Sample& sample, const SweepPoint& end) {
     return std::abs(value(sample) - end.at.push.twist[k_]) <= whole / 10;
   };
-  while (high.t - low.t > sharpest) {
+  while (high.t - low.t > zero_width) {
     Sample middle = sample_at(solver_, (low.t + high.t) / 2, &low, &high);
     if (!middle.push.is_solved()) break;
     const bool below = sign_of(value(middle), 0) * sign_of(value(low), 0) > 0;

@@ -1,5 +1,6 @@
 // The forces of an AnswerCompleter: from the motion, and as generators.
 #include "solve/owned_program.hpp"
+#include "text/limits.hpp"
 #include "verify/answer_completer.hpp"
 #include "verify/nonnegative_least_squares.hpp"
 
@@ -60,14 +61,13 @@ AnswerCompleter::ForceRows AnswerCompleter::force_rows() {
 /// Forces >= 0 that fit the rows best. A bilateral contact that pushed and pulled at once would
 /// widen its own cone: where the fit does that, every choice of one of the two is tried.
 Eigen::VectorXd AnswerCompleter::fitting_forces(const ForceRows& rows) const {
-  constexpr std::size_t most_choices = 8;
   Eigen::VectorXd best = nonnegative_least_squares(rows.A, rows.b);
   std::vector<Index> pulls; // the first of two columns
   for (Index i = 0; i < layout_.points; ++i)
     if (layout_.cones[i].normals == 2 && !normal_known(i)) pulls.push_back(layout_.cones[i].force);
   const bool splits = std::any_of(pulls.begin(), pulls.end(),
                                   [&](Index k) { return best[k] > 0 && best[k + 1] > 0; });
-  if (!splits || pulls.size() > most_choices) return best;
+  if (!splits || pulls.size() > limits::pulls_enumerated) return best;
   double least = -1;
   for (unsigned choice = 0; choice < 1U << pulls.size(); ++choice) {
     Eigen::MatrixXd A = rows.A;

@@ -1,9 +1,9 @@
 #include "lcpush/desktop/verify.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
-#include "solve/owned_answer.hpp"
 #include "verify/complete_answer.hpp"
 #include "verify/foreign_point.hpp"
+#include "verify/owned_answer.hpp"
 #include "verify/verify_rows.hpp"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // A ray in words: who squeezes the object against whom, and what would free it.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,13 @@ struct Jam {
   std::vector<Remedy> remedies;
 };
 
-/// Reads the ray v >= 0 of assembly.problem(), the scene of `file`. `try_remedies` solves each
-/// changed scene once. Cost: O(forces) and those solves.
+/// Does this changed scene have an answer?
+using TryScene = std::function<bool(const SceneFile&)>;
+
+/// Reads the ray v >= 0 of assembly.problem(), the scene of `file`. Each remedy's scene is tried by
+/// `solves`, or none if that is empty. Cost: O(forces) and those solves.
 Jam explain_jam(const SceneFile& file, const Assembly<double>& assembly, const double* v,
-                bool try_remedies);
+                const TryScene& solves = {});
 
 /// The jam in full sentences, a line each.
 std::vector<std::string> jam_sentences(const SceneFile& file, const Jam& jam);

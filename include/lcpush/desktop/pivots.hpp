@@ -157,8 +157,8 @@ PivotTrace trace_solve(const RawProblem& problem, const PivotOptions& options, c
 
 /// A line and a sentence a pivot; tableaus where they are narrow.
 std::string pivots_text(const PivotTrace& trace);
-/// One object; docs/teach/lemke_by_hand.md describes it. `push`, if there is one, adds what is drawn.
-/// Large traces come without a tableau a pivot; `tableaus` false leaves all of those out.
+/// One object; docs/teach/lemke_by_hand.md describes it. `push`, if there is one, adds what is
+/// drawn. Large traces come without a tableau a pivot; `tableaus` false leaves all of those out.
 std::string pivots_json(const PivotTrace& trace, const Push* push, bool tableaus = true);
 /// An array a basis, its pivot element boxed, for LaTeX with amsmath.
 std::string pivots_latex(const PivotTrace& trace);

@@ -67,8 +67,8 @@ private:
   void sort_couplings();
   S rate_at(Index variable, Index force, const S* x) const;
   void respond(const S* x);
-  void press(const ConeGroup<S>& cone);
-  void rub(const ConeGroup<S>& cone);
+  void solve_normal(const ConeGroup<S>& cone);
+  void solve_friction(const ConeGroup<S>& cone);
   S residual(const S* x);
   void fill_jacobian();
   void add_group(const ConeGroup<S>& cone, MatrixMap<S>& J);
@@ -157,7 +157,7 @@ template <class S> S ProximalNewton<S>::rate_at(Index variable, Index force, con
   return rate;
 }
 
-template <class S> void ProximalNewton<S>::press(const ConeGroup<S>& cone) {
+template <class S> void ProximalNewton<S>::solve_normal(const ConeGroup<S>& cone) {
   const Index i = cone.variable;
   if (held_[i] != 0) {
     force_[i] = center_[i];
@@ -169,10 +169,10 @@ template <class S> void ProximalNewton<S>::press(const ConeGroup<S>& cone) {
   if (cone.normals == 2) force_[i + 1] = lambda < S(0) ? S(-lambda) : S(0);
 }
 
-template <class S> void ProximalNewton<S>::rub(const ConeGroup<S>& cone) {
+template <class S> void ProximalNewton<S>::solve_friction(const ConeGroup<S>& cone) {
   const Index first = cone.variable + cone.normals, g = cone.generators;
   const S lambda = cone.normal_force(force_.data);
-  const S most = cone.friction * (lambda < S(0) ? S(-lambda) : lambda);
+  const S most = cone.friction * Eigen::numext::abs(lambda);
   S theta(0);
   for (Index i = first; i < first + g; ++i) wanted_[i] = center_[i] - rate_[i] / eps_;
   if (most > S(0)) theta = simplex_threshold(wanted_.data + first, g, most);
@@ -187,8 +187,8 @@ template <class S> void ProximalNewton<S>::respond(const S* x) {
   for (const ConeGroup<S>& cone : factored().cones) {
     for (Index k = 0; k < cone.forces(); ++k)
       rate_[cone.variable + k] = rate_at(cone.variable + k, cone.force + k, x);
-    press(cone);
-    if (cone.generators > 0) rub(cone);
+    solve_normal(cone);
+    if (cone.generators > 0) solve_friction(cone);
   }
 }
 

@@ -135,10 +135,10 @@ template <class S, class Observer = const Unobserved>
   holding = {};
   Block<S> scalars(memory.scalars);
   detail::HoldingProgram<S> p;
-  new (&p.A) MatrixMap<S>(scalars.take(m * columns).data, m, columns);
-  new (&p.H) MatrixMap<S>(scalars.take(k * columns).data, k, columns);
-  new (&p.b) VectorMap<S>(scalars.take(m).data, m);
-  new (&p.c) VectorMap<S>(scalars.take(columns).data, columns);
+  scalars.seat(p.A, m, columns);
+  scalars.seat(p.H, k, columns);
+  scalars.seat(p.b, m);
+  scalars.seat(p.c, columns);
   const Span<S> rest = scalars.take(linear_program_scalars(columns, m, k));
   holding.reason = Reason::memory_too_small;
   if (scalars.exhausted()) return Status::bad_input;

@@ -1,10 +1,9 @@
 // An Answer with its arrays.
 #pragma once
 
+#include "lcpush/desktop/owned.hpp"
 #include "lcpush/mechanics/model/answer.hpp"
 #include "lcpush/mechanics/model/layout.hpp"
-
-#include <vector>
 
 namespace lcpush::desktop {
 
@@ -13,12 +12,11 @@ public:
   explicit OwnedAnswer(const Layout<double>& layout)
       : contacts_(static_cast<std::size_t>(layout.points)),
         closing_(static_cast<std::size_t>(layout.actuators)) {
-    Index generators = 0;
-    for (const ConeGroup<double>& cone : layout.cones) generators += cone.generators;
-    friction_.resize(static_cast<std::size_t>(generators));
-    answer_.contacts = {contacts_.data(), layout.points};
-    answer_.friction = {friction_.data(), generators};
-    answer_.closing = {closing_.data(), layout.actuators};
+    std::size_t generators = 0;
+    for (const ConeGroup<double>& cone : layout.cones)
+      generators += static_cast<std::size_t>(cone.generators);
+    friction_.resize(generators);
+    answer_ = {Vector6<double>::Zero(), span_of(contacts_), span_of(friction_), span_of(closing_)};
   }
   OwnedAnswer(const OwnedAnswer&) = delete;
   OwnedAnswer& operator=(const OwnedAnswer&) = delete;
