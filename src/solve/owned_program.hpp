@@ -26,7 +26,7 @@ struct OwnedProgram {
     pivots = solver.pivots();
     if (status == Status::solved) x = Eigen::Map<const Eigen::VectorXd>(solver.x(), n);
     if (status == Status::solved || status == Status::ray)
-      multipliers = Eigen::Map<const Eigen::VectorXd>(solver.equality_prices(), m);
+      multipliers = Eigen::Map<const Eigen::VectorXd>(solver.equality_multipliers(), m);
     return status;
   }
 };
