@@ -8,12 +8,13 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem,
   const Layout<double>& layout = problem.layout();
   const FactoredProblem<double>& factored = problem.factored();
   const auto blank = [&] { return Eigen::VectorXd(Eigen::VectorXd::Zero(layout.size)); };
+  const auto add_normal = [&](Index i, Eigen::VectorXd& f) {
+    for (Index k = 0; k < layout.cones[i].normals; ++k) f[layout.normal(i) + k] = k == 0 ? 1 : -1;
+  };
   for (std::size_t p = 0; p < pushers.size(); ++p) {
     Quantity push{Quantity::Kind::push, static_cast<Index>(p), 0, blank()};
     for (Index i = 0; i < layout.points; ++i)
-      if (layout.body[i] == pushers[p].body)
-        for (Index k = 0; k < layout.cones[i].normals; ++k)
-          push.f[layout.normal(i) + k] = k == 0 ? 1 : -1;
+      if (layout.body[i] == pushers[p].body) add_normal(i, push.f);
     quantities.push_back(push);
   }
   for (Index k = 0; k < 6; ++k) {
@@ -27,8 +28,7 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem,
   for (Index i = 0; i < layout.points; ++i) {
     const Body<double>& body = problem.scene().bodies[layout.body[i]];
     Quantity normal{Quantity::Kind::normal, i, 0, blank()};
-    for (Index k = 0; k < layout.cones[i].normals; ++k)
-      normal.f[layout.normal(i) + k] = k == 0 ? 1 : -1;
+    add_normal(i, normal.f);
     quantities.push_back(normal);
     if (layout.cones[i].generators == 0) continue;
     Quantity along{Quantity::Kind::tangential, i, 0, blank()};

@@ -28,30 +28,22 @@ const Piece* piece_at(const std::vector<Piece>& pieces, double t) {
   return nullptr;
 }
 
-class Merger {
-public:
-  Merger(const Variation& variation, const Tracks& tracks)
-      : variation_(variation), tracks_(tracks) {}
+/// Where the pieces of both end.
+std::vector<double> ends_of(const Tracks& tracks) {
+  std::vector<double> ends;
+  for (const std::vector<Piece>* pieces : {&tracks.push, &tracks.breaking})
+    for (const Piece& piece : *pieces) ends.push_back(piece.to);
+  return ends;
+}
 
-  std::vector<SweepSegment> segments() const;
-
-private:
-  const Variation& variation_;
-  const Tracks& tracks_;
-
-  std::vector<double> cuts() const;
-  SweepChange change_at(double t) const;
-};
-
-std::vector<double> Merger::cuts() const {
-  std::vector<double> all = {1};
-  for (const std::vector<Piece>* pieces : {&tracks_.push, &tracks_.breaking})
-    for (const Piece& piece : *pieces)
-      if (piece.to < 1) all.push_back(piece.to);
-  std::sort(all.begin(), all.end());
+/// The ends of the segments.
+std::vector<double> merged_cuts(const Tracks& tracks) {
+  std::vector<double> ends = ends_of(tracks);
+  std::sort(ends.begin(), ends.end());
   std::vector<double> cuts = {0};
-  for (const double t : all)
-    if (t - cuts.back() > merge_distance) cuts.push_back(t);
+  for (const double t : ends)
+    if (t < 1 && t - cuts.back() > merge_distance) cuts.push_back(t);
+  if (1 - cuts.back() > merge_distance) cuts.push_back(1);
   cuts.back() = 1;
   return cuts;
 }
@@ -69,7 +61,7 @@ AnswerChange change_between(const Piece& before, const Piece& after, Question qu
   return change;
 }
 
-SweepChange Merger::change_at(double t) const {
+SweepChange change_at(const Tracks& tracks, double t) {
   const auto changes = [t](const std::vector<Piece>& pieces, Question question) {
     std::vector<AnswerChange> list;
     for (std::size_t i = 1; i < pieces.size(); ++i)
@@ -77,23 +69,24 @@ SweepChange Merger::change_at(double t) const {
         list.push_back(change_between(pieces[i - 1], pieces[i], question));
     return list;
   };
-  SweepChange change{changes(tracks_.push, Question::push),
-                     changes(tracks_.breaking, Question::breaking)};
+  SweepChange change{changes(tracks.push, Question::push),
+                     changes(tracks.breaking, Question::breaking)};
   for (const std::vector<AnswerChange>* list : {&change.push, &change.breaking})
     for (const AnswerChange& one : *list) change.jumps = change.jumps || one.jumps;
   return change;
 }
 
-std::vector<SweepSegment> Merger::segments() const {
+/// Both tracks together.
+std::vector<SweepSegment> segments_of(const Variation& variation, const Tracks& tracks) {
   std::vector<SweepSegment> list;
-  const std::vector<double> ends = cuts();
+  const std::vector<double> ends = merged_cuts(tracks);
   for (std::size_t k = 1; k < ends.size(); ++k) {
     const double from = ends[k - 1], to = ends[k], middle = (from + to) / 2;
-    const Piece* const push = piece_at(tracks_.push, middle);
-    const Piece* const breaking = piece_at(tracks_.breaking, middle);
+    const Piece* const push = piece_at(tracks.push, middle);
+    const Piece* const breaking = piece_at(tracks.breaking, middle);
     SweepSegment segment;
-    segment.from = value_at(variation_, from);
-    segment.to = value_at(variation_, to);
+    segment.from = value_at(variation, from);
+    segment.to = value_at(variation, to);
     segment.kind = SegmentKind::unsolved;
     for (const Piece* piece : {push, breaking})
       if (piece != nullptr && !piece->is_unsolved()) segment.kind = piece->kind;
@@ -103,7 +96,7 @@ std::vector<SweepSegment> Merger::segments() const {
     };
     segment.at_from = at(from);
     segment.at_to = at(to);
-    if (to < 1) segment.change = change_at(to);
+    if (to < 1) segment.change = change_at(tracks, to);
     list.push_back(std::move(segment));
   }
   return list;
@@ -132,11 +125,9 @@ Tracks find_tracks(SweepSolver& solver, bool exact, const ParameterSweepOptions&
 /// The two ways between all of their cuts; a question that one of them leaves open is left out.
 std::vector<TwoWays> compared(const Tracks& there, const Tracks& back, const Variation& variation,
                               double shortest) {
-  std::vector<double> cuts = {0, 1};
-  for (const std::vector<Piece>* pieces : {&there.push, &there.breaking})
-    for (const Piece& piece : *pieces) cuts.push_back(piece.to);
-  for (const std::vector<Piece>* pieces : {&back.push, &back.breaking})
-    for (const Piece& piece : *pieces) cuts.push_back(1 - piece.to);
+  std::vector<double> cuts = ends_of(there);
+  for (const double t : ends_of(back)) cuts.push_back(1 - t);
+  cuts.insert(cuts.end(), {0, 1});
   std::sort(cuts.begin(), cuts.end());
   std::vector<TwoWays> list;
   for (std::size_t i = 1; i < cuts.size(); ++i) {
@@ -169,13 +160,13 @@ void find_segments(const VariedScene& scene, SweepSolver& solver, bool exact,
   const double share = options.both_ways ? 0.5 : 1;
   const Tracks there = find_tracks(solver, exact, options, 0, share);
   sweep.asks_breaking = !there.breaking.empty();
-  sweep.segments = Merger(variation, there).segments();
+  sweep.segments = segments_of(variation, there);
   if (options.both_ways) {
     SweepSolver backwards(scene, {back_again}, solver.pusher(), options.warm);
     const Tracks back = find_tracks(backwards, exact, options, share, share);
     sweep.bistable = disagreements(
         compared(there, back, variation, exact ? 4 * merge_distance : bisection_blur), true);
-    if (!sweep.bistable.empty()) sweep.back = Merger(back_again, back).segments();
+    if (!sweep.bistable.empty()) sweep.back = segments_of(back_again, back);
     sweep.cold += backwards.cold();
     sweep.warm += backwards.warm();
   }

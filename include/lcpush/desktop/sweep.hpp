@@ -49,7 +49,7 @@ struct SweepValue {
 struct ContactChange {
   Index contact;
   Mode from, to;
-  bool was_pressed, is_pressed; ///< all four the same: its friction takes another direction
+  bool was_pressed, is_pressed; ///< neither pair differs: its friction turns
   Vector3<double> slip; ///< from here on: unit vector, or zero if the contact does not slide
 };
 
