@@ -165,8 +165,8 @@ std::vector<std::string> sweep_changes(const Sweep& sweep) {
   const auto add = [&list](double value, const std::string& change) {
     if (!change.empty()) list.push_back("At " + number(value) + ": " + change);
   };
-  for (const SweepSegment& segment : sweep.segments) add(segment.to, segment.change);
-  for (const SweepPoint& point : sweep.points) add(point.value, point.change);
+  for (const SweepSegment& segment : sweep.segments) add(segment.to, change_text(sweep, segment));
+  for (const SweepPoint& point : sweep.points) add(point.value, change_text(sweep, point));
   for (const BistableRange& range : sweep.bistable)
     list.push_back("Bistable from " + number(range.from) + " to " + number(range.to) +
                    ": the way back ends in another answer there");
