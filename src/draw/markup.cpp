@@ -1,5 +1,7 @@
 #include "draw/markup.hpp"
 
+#include "text/utf8.hpp"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -35,7 +37,7 @@ std::string escaped(const std::string& text) {
 std::string shortened(const std::string& text, std::size_t most) {
   std::size_t letters = 0, cut = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U) continue; // goes on with a letter
+    if (continues_character(text[i])) continue;
     if (letters == most - 2) cut = i;
     ++letters;
   }
