@@ -8,6 +8,7 @@
 #include <iostream>
 #include <system_error>
 
+#include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/wording.hpp"
 
@@ -81,9 +82,8 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
 }
 
 std::optional<std::string> Arguments::value(const std::string& option) const {
-  const auto found = values_.find(option);
-  if (found == values_.end()) return std::nullopt;
-  return found->second.front();
+  const std::vector<std::string> all = values(option);
+  return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
 std::vector<std::string> Arguments::values(const std::string& option) const {
@@ -96,8 +96,37 @@ std::string Arguments::format(const std::vector<std::string>& known) const {
   const std::string format = value("--format").value_or("text");
   for (const std::string& name : known)
     if (name == format) return format;
-  throw UsageError("--format is " + desktop::listed(known, "or") + ", not " +
-                   desktop::quoted(format));
+  refuse_value("--format", format, desktop::listed(known, "or"));
+}
+
+std::optional<Index> Arguments::whole(const std::string& option, const Range& range) const {
+  const std::optional<std::string> word = value(option);
+  if (!word) return std::nullopt;
+  const auto least = static_cast<std::uint64_t>(range.smallest);
+  const auto most = static_cast<std::uint64_t>(range.largest);
+  const std::optional<std::uint64_t> number = desktop::whole_number(*word);
+  if (!number || *number < least || *number > most || (range.even && *number % 2 != 0))
+    refuse_value(option, *word,
+                 (range.even ? "an even number from " : "a whole number from ") +
+                     std::to_string(least) +
+                     (range.largest < Range{0}.largest ? " to " + std::to_string(most) : " on"));
+  return static_cast<Index>(*number);
+}
+
+std::optional<double> Arguments::number(const std::string& option, double end,
+                                        const std::string& hint) const {
+  const std::optional<std::string> word = value(option);
+  if (!word) return std::nullopt;
+  const desktop::NumberText number = desktop::read_finite_number(*word);
+  if (number.error || !(number.value > 0) || !(number.value < end))
+    refuse_value(option, *word, "a number between 0 and " + desktop::shown(end) + hint);
+  return number.value;
+}
+
+void refuse_value(const std::string& option, const std::string& word, const std::string& rule,
+                  const std::vector<std::string>& known) {
+  throw UsageError(option + " is " + rule + ", not " + desktop::quoted(word) +
+                   desktop::suggestion(word, known));
 }
 
 std::vector<Option> with_common_options(std::vector<Option> own) {
@@ -164,8 +193,8 @@ desktop::Solver chosen_solver(const Arguments& arguments) {
   for (const desktop::Solver known :
        {desktop::Solver::lemke, desktop::Solver::gauss_seidel, desktop::Solver::hybrid})
     if (solver == desktop::solver_text(known)) return known;
-  throw UsageError("--solver is lemke, gauss-seidel or hybrid, not " + desktop::quoted(solver) +
-                   desktop::suggestion(solver, {"lemke", "gauss-seidel", "hybrid"}));
+  refuse_value("--solver", solver, "lemke, gauss-seidel or hybrid",
+               {"lemke", "gauss-seidel", "hybrid"});
 }
 
 } // namespace lcpush::cli

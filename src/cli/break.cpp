@@ -1,9 +1,8 @@
 // lcpush break: the force that just moves the object in the grip.
-#include "cli/chosen_pusher.hpp"
 #include "cli/commands.hpp"
+#include "cli/history.hpp"
 #include "cli/progress.hpp"
-#include "cli/scene_argument.hpp"
-#include "cli/sweep_history.hpp"
+#include "cli/scene_arguments.hpp"
 #include "lcpush/desktop/report.hpp"
 
 namespace lcpush::cli {

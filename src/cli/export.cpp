@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "cli/commands.hpp"
-#include "cli/scene_argument.hpp"
+#include "cli/scene_arguments.hpp"
 #include "lcpush/desktop/export.hpp"
 #include "lcpush/desktop/input_error.hpp"
 

@@ -1,6 +1,5 @@
 // lcpush lcp: raw linear complementarity problems.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -9,7 +8,6 @@
 #include "cli/progress.hpp"
 #include "cli/raw_arguments.hpp"
 #include "formats/json_writer.hpp"
-#include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/raw_problem.hpp"
 #include "text/format.hpp"
@@ -28,19 +26,10 @@ desktop::RawOptions read_options(const Arguments& arguments) {
                        " is about sweeps: it goes with --solver gauss-seidel or hybrid");
   // Before pivots a few sweeps have to do: where they come near at all, they do so soon.
   if (options.solver == desktop::Solver::hybrid) options.sweeps.max_sweeps = 200;
-  if (const auto text = arguments.value("--sweeps")) {
-    const char* const end = text->data() + text->size();
-    const auto [rest, error] = std::from_chars(text->data(), end, options.sweeps.max_sweeps);
-    if (error != std::errc() || rest != end || options.sweeps.max_sweeps < 1)
-      throw UsageError("--sweeps is a whole number from 1 on, not " + desktop::quoted(*text));
-  }
-  if (const auto text = arguments.value("--relaxation")) {
-    const desktop::NumberText number = desktop::read_finite_number(*text);
-    if (number.error || !(number.value > 0) || !(number.value < 2))
-      throw UsageError("--relaxation is a number between 0 and 2 (1: plain Gauss-Seidel), not " +
-                       desktop::quoted(*text));
-    options.sweeps.relaxation = number.value;
-  }
+  SweepOptions<double>& sweeps = options.sweeps;
+  sweeps.max_sweeps = arguments.whole("--sweeps", {1}).value_or(sweeps.max_sweeps);
+  sweeps.relaxation =
+      arguments.number("--relaxation", 2, " (1: plain Gauss-Seidel)").value_or(sweeps.relaxation);
   return options;
 }
 
@@ -49,7 +38,7 @@ std::string read_format(const Arguments& arguments) {
   if (arguments.has("--history")) return arguments.format({"text", "json", "csv"});
   if (arguments.value("--format") == "csv")
     throw UsageError("--format csv is for --history; an answer is text or json");
-  return arguments.format({"text", "json"});
+  return arguments.format();
 }
 
 [[noreturn]] void refuse_diagonal(const Arguments& arguments, const desktop::RawProblem& problem,
@@ -87,24 +76,14 @@ std::string as_json(const desktop::RawAnswer& answer, const std::string& solver)
   desktop::JsonWriter json;
   json.begin_object();
   json.member("status", status_text(answer.status)).member("solver", solver);
-  json.member("pivots", answer.pivots)
-      .member("sweeps", answer.sweeps)
-      .member("covers", answer.covers);
-  if (solved) {
-    json.member("residual", answer.residual).key("z").numbers(answer.z);
-    json.key("w").numbers(answer.w).key("basis").strings(basis_of(answer));
-  } else {
-    json.member("residual", nullptr).member("z", nullptr).member("w", nullptr);
-    json.member("basis", nullptr).member("reason", reason_of(answer));
-    if (answer.ray.empty())
-      json.member("ray", nullptr);
-    else
-      json.key("ray").numbers(answer.ray);
-  }
-  json.key("redundant_rows").begin_array();
-  for (const Index row : answer.redundant_rows) json.value(row + 1);
-  json.end_array().end_object();
-  return json.text();
+  json.member("pivots", answer.pivots).member("sweeps", answer.sweeps);
+  json.member("covers", answer.covers).member("residual", desktop::when(solved, answer.residual));
+  json.member("z", desktop::when(solved, answer.z)).member("w", desktop::when(solved, answer.w));
+  json.member("basis", desktop::when(solved, basis_of(answer)));
+  if (!solved)
+    json.member("reason", reason_of(answer)).member("ray", desktop::unless_empty(answer.ray));
+  json.list("redundant_rows", answer.redundant_rows, [&](Index row) { json.value(row + 1); });
+  return json.end_object().text();
 }
 
 std::string line(const char* format, double a, double b = 0) {

@@ -1,11 +1,10 @@
 // lcpush report: a push as a page to look at.
-#include "cli/chosen_pusher.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
-#include "cli/scene_argument.hpp"
-#include "cli/varied_argument.hpp"
+#include "cli/scene_arguments.hpp"
 #include "lcpush/desktop/report_page.hpp"
 #include "text/limits.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -27,7 +26,7 @@ std::vector<desktop::Sweep> swept(const Arguments& arguments, const desktop::Var
   if (variations.empty() && arguments.has("--steps"))
     throw UsageError("--steps goes with --vary PATH=FROM:TO");
   desktop::ParameterSweepOptions options;
-  options.steps = read_steps(arguments, desktop::limits::report_steps);
+  options.steps = arguments.whole("--steps", {2, desktop::limits::report_steps}).value_or(0);
   std::vector<desktop::Sweep> sweeps;
   if (!variations.empty()) options.pusher = chosen_pusher(arguments, file);
   for (const desktop::Variation& variation : variations) {
@@ -45,8 +44,7 @@ std::string one_picture(const Arguments& arguments, const desktop::PageContent& 
     if (picture.name == wanted) return picture.svg;
     names.push_back(picture.name);
   }
-  throw UsageError("--picture is " + desktop::listed(names, "or") + " for this scene, not " +
-                   desktop::quoted(wanted) + desktop::suggestion(wanted, names));
+  refuse_value("--picture", wanted, desktop::listed(names, "or") + " for this scene", names);
 }
 
 int run(const Arguments& arguments) {

@@ -1,8 +1,8 @@
 // lcpush solve: the push that the scene prescribes.
 #include "cli/commands.hpp"
+#include "cli/history.hpp"
 #include "cli/progress.hpp"
-#include "cli/scene_argument.hpp"
-#include "cli/sweep_history.hpp"
+#include "cli/scene_arguments.hpp"
 #include "lcpush/desktop/report.hpp"
 
 namespace lcpush::cli {

@@ -2,9 +2,8 @@
 #include "lcpush/desktop/verify.hpp"
 #include "cli/commands.hpp"
 #include "cli/raw_arguments.hpp"
-#include "cli/scene_argument.hpp"
+#include "cli/scene_arguments.hpp"
 #include "formats/json_fields.hpp"
-#include "formats/read_number.hpp"
 #include "text/limits.hpp"
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
@@ -14,13 +13,8 @@ namespace {
 
 desktop::VerifyOptions read_options(const Arguments& arguments) {
   desktop::VerifyOptions options;
-  if (const auto text = arguments.value("--tolerance")) {
-    const desktop::NumberText number = desktop::read_finite_number(*text);
-    if (number.error || !(number.value > 0) || !(number.value < 1))
-      throw UsageError("--tolerance is a number between 0 and 1 such as 1e-6, not " +
-                       desktop::quoted(*text));
-    options.tolerance = number.value;
-  }
+  options.tolerance =
+      arguments.number("--tolerance", 1, " such as 1e-6").value_or(options.tolerance);
   return options;
 }
 
@@ -51,7 +45,7 @@ int verify_raw_problem(const Arguments& arguments, const std::string& format) {
 }
 
 int run(const Arguments& arguments) {
-  const std::string format = arguments.format({"text", "json"});
+  const std::string format = arguments.format();
   if (arguments.has("--lcp") || arguments.has("--M")) return verify_raw_problem(arguments, format);
   for (const char* option : {"--q", "--free"})
     if (arguments.has(option)) throw UsageError(std::string(option) + " goes with --lcp");

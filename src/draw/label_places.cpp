@@ -25,6 +25,10 @@ double overlap(const Frame& a, const Frame& b) {
 
 void LabelPlaces::block(const Frame& frame, double weight) { taken_.push_back({frame, weight}); }
 
+void LabelPlaces::block_around(const Pixel& at, double reach, double weight) {
+  block({at.x() - reach, at.y() - reach, at.x() + reach, at.y() + reach}, weight);
+}
+
 void LabelPlaces::block_line(const Pixel& from, const Pixel& to, double weight) {
   const int pieces = std::max(1, static_cast<int>(std::ceil((to - from).norm() / 8)));
   for (int k = 0; k < pieces; ++k) {

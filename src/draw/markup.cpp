@@ -48,6 +48,8 @@ std::string pixels(double x) {
   return text;
 }
 
+std::string move_to(const Pixel& at) { return "M" + pixels(at.x()) + " " + pixels(at.y()); }
+
 namespace {
 std::string attribute(const char* name, double x) {
   return std::string(" ") + name + "=\"" + pixels(x) + "\"";

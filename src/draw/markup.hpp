@@ -11,14 +11,22 @@ namespace lcpush::desktop {
 /// A place on a drawing, y down.
 using Pixel = Eigen::Vector2d;
 
+struct Frame {
+  double left, top, right, bottom;
+  double width() const { return right - left; }
+  double height() const { return bottom - top; }
+};
+
 /// Fit for the text and the attributes of XML and HTML. What XML cannot hold becomes U+FFFD.
 std::string escaped(const std::string& text);
 
 /// At most so many letters, the last two dots if some are left out. Precondition: UTF-8.
 std::string shortened(const std::string& text, std::size_t most);
 
-/// A length on the drawing.
+/// A length on the drawing, two decimals.
 std::string pixels(double x);
+/// A stroke of a path that draws nothing: "M1.00 2.00".
+std::string move_to(const Pixel& at);
 
 std::string line_element(const std::string& kind, const Pixel& from, const Pixel& to);
 std::string polygon_element(const std::string& kind, const std::vector<Pixel>& corners);

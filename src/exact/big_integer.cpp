@@ -6,7 +6,6 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <ostream>
 
 namespace lcpush::desktop {
 namespace {
@@ -97,12 +96,6 @@ double BigInteger::value() const {
   return size_ < 0 ? -size : size;
 }
 
-BigInteger BigInteger::operator-() const {
-  BigInteger result = *this;
-  result.negate();
-  return result;
-}
-
 /// a + b, with b's sign as given.
 BigInteger BigInteger::sum(const BigInteger& a, const BigInteger& b, bool b_negative) {
   const BigInteger *large = &a, *small = &b;
@@ -143,8 +136,6 @@ BigInteger operator+(const BigInteger& a, const BigInteger& b) {
 BigInteger operator-(const BigInteger& a, const BigInteger& b) {
   return BigInteger::sum(a, b, b.size_ > 0);
 }
-BigInteger& BigInteger::operator+=(const BigInteger& b) { return *this = *this + b; }
-BigInteger& BigInteger::operator-=(const BigInteger& b) { return *this = *this - b; }
 
 BigInteger operator*(const BigInteger& a, const BigInteger& b) {
   BigInteger result;
@@ -257,7 +248,5 @@ int BigInteger::compare(const BigInteger& a, const BigInteger& b) {
   const int sizes = limbs::compare(a.limbs(), a.count(), b.limbs(), b.count());
   return a.size_ < 0 ? -sizes : sizes;
 }
-
-std::ostream& operator<<(std::ostream& out, const BigInteger& a) { return out << a.text(); }
 
 } // namespace lcpush::desktop

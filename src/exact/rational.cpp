@@ -5,7 +5,6 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <ostream>
 #include <utility>
 
 namespace lcpush::desktop {
@@ -137,7 +136,7 @@ std::optional<Rational> Rational::parse(std::string_view text) {
   if (has_sign) text.remove_prefix(1);
   if (text.empty() || !(is_digit(text.front()) || text.front() == '.')) return std::nullopt;
   std::optional<Rational> number = read_magnitude(text);
-  if (number && is_negative) number->negated();
+  if (number && is_negative) number->negate();
   return number;
 }
 
@@ -214,7 +213,7 @@ Rational operator/(const Rational& a, const Rational& b) {
   assert(b.sign() != 0);
   Rational result =
       Rational::product(a.numerator_, a.denominator_, b.denominator_, abs(b.numerator_));
-  if (b.sign() < 0) result.negated();
+  if (b.sign() < 0) result.negate();
   return result;
 }
 
@@ -244,19 +243,4 @@ Rational sqrt(const Rational& a) {
   return Rational(std::sqrt(a.value()));
 }
 
-std::ostream& operator<<(std::ostream& out, const Rational& a) { return out << a.text(); }
-
 } // namespace lcpush::desktop
-
-namespace lcpush {
-
-template <> desktop::Rational circle_cosine<desktop::Rational>(Index j, Index g) {
-  using desktop::Rational;
-  j = ((j % g) + g) % g;
-  if (2 * j > g) j = g - j; // now 0..180 degrees
-  if (4 * j > g) return -circle_cosine<Rational>(g / 2 - j, g);
-  if (6 * j == g) return Rational(1) / Rational(2);
-  return Rational(circle_cosine<double>(j, g));
-}
-
-} // namespace lcpush

@@ -198,23 +198,12 @@ private:
 /// One array; `count` of them from `first` on, numbered from 1.
 void write_quantities(JsonWriter& json, const char* key, const std::vector<Quantity>& all,
                       std::size_t first, std::size_t end) {
-  const auto text_or_null = [&](const char* name, const std::string& text) {
-    json.key(name);
-    if (text.empty())
-      json.value(nullptr);
-    else
-      json.value(text);
-  };
-  json.key(key).begin_array();
-  for (std::size_t i = first; i < end; ++i) {
-    const Quantity& q = all[i];
-    json.begin_object().member("index", i - first + 1).member("name", q.name);
-    json.member("symbol", q.symbol);
-    text_or_null("contact", q.contact);
-    text_or_null("law", q.law);
-    json.member("unit", q.unit).member("scale", q.scale).end_object();
-  }
-  json.end_array();
+  json.objects(key, static_cast<Index>(end - first), [&](Index i) {
+    const Quantity& q = all[first + static_cast<std::size_t>(i)];
+    json.member("index", i + 1).member("name", q.name).member("symbol", q.symbol);
+    json.member("contact", unless_empty(q.contact)).member("law", unless_empty(q.law));
+    json.member("unit", q.unit).member("scale", q.scale);
+  });
 }
 
 } // namespace

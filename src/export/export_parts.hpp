@@ -47,7 +47,9 @@ PaperProgram paper_program(const OwnedFullForm& full);
 /// names.json: what every column and row of the exported matrices is.
 std::string export_names(const Push& push, const OwnedFullForm& full);
 
-/// The scripts that solve the program; the same for every scene.
+/// solve_push.py and solve_push.m, which solve the program; the same for every scene. They are
+/// embedded by src/cmake/embed_text.cmake. Both are local solvers of a problem with false minima,
+/// so they start from several feasible points and call nothing solved but an objective of zero.
 std::string python_script();
 std::string octave_script();
 

@@ -213,7 +213,9 @@ private:
   std::vector<std::string_view> words_; ///< of line_text_
 };
 
-template <class S> MatrixOf<S> read_file(const std::string& path) {
+} // namespace
+
+template <class S> MatrixOf<S> read_matrix_market(const std::string& path) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
@@ -228,13 +230,8 @@ template <class S> MatrixOf<S> read_file(const std::string& path) {
       .read();
 }
 
-} // namespace
-
-HostMatrix read_matrix_market(const std::string& path) { return read_file<double>(path); }
-
-ExactMatrix read_matrix_market_exactly(const std::string& path) {
-  return read_file<Rational>(path);
-}
+template HostMatrix read_matrix_market(const std::string& path);
+template ExactMatrix read_matrix_market(const std::string& path);
 
 HostMatrix parse_matrix_market(const std::string& text, const std::string& file_name) {
   std::istringstream stream(text);

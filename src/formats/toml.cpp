@@ -279,6 +279,17 @@ void TomlParser::parse_escape(std::string& result) {
 
 } // namespace
 
+std::optional<double> TomlValue::number() const {
+  if (const auto* whole = std::get_if<std::int64_t>(&data)) return static_cast<double>(*whole);
+  if (const auto* real = std::get_if<double>(&data)) return *real;
+  return std::nullopt;
+}
+
+const std::string* TomlTable::name() const {
+  const TomlValue* const value = find("name");
+  return value != nullptr ? std::get_if<std::string>(&value->data) : nullptr;
+}
+
 const TomlValue* TomlTable::find(std::string_view key) const {
   const auto is_key = [key](const TomlEntry& entry) { return entry.key == key; };
   const auto entry = std::find_if(entries.begin(), entries.end(), is_key);

@@ -1,6 +1,7 @@
 #include "pivots/explorer_scene.hpp"
 
-#include <cmath>
+#include "draw/marks.hpp"
+#include "draw/view.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -55,18 +56,13 @@ void write_points(JsonWriter& json, const Push& push) {
     const Body<double>& body = scene.bodies[layout.body[i]];
     json.begin_object().member("name", point_name(push.file(), i)).member("body", layout.body[i]);
     json.key("position").numbers(push.file().positions[static_cast<std::size_t>(i)]);
-    json.member("normal", layout.normal(i)).key("pull");
-    if (cone.normals == 2)
-      json.value(layout.normal(i) + 1);
-    else
-      json.value(nullptr);
+    using OrNull = std::optional<Index>;
+    const Index normal = layout.normal(i);
+    json.member("normal", normal).member("pull", cone.normals == 2 ? OrNull(normal + 1) : OrNull());
     json.key("friction").begin_array();
     for (Index j = 0; j < cone.generators; ++j) json.value(layout.friction(i, j));
-    json.end_array().key("slip");
-    if (cone.generators > 0)
-      json.value(layout.slip(i));
-    else
-      json.value(nullptr);
+    json.end_array();
+    json.member("slip", cone.generators > 0 ? OrNull(layout.slip(i)) : OrNull());
     json.key("generators").begin_array();
     for (Index j = 0; j < cone.generators; ++j) {
       const Generator<double> d = generator(body, j, scene.facets);
@@ -77,13 +73,120 @@ void write_points(JsonWriter& json, const Push& push) {
   json.end_array();
 }
 
+template <class Vector> void write_list(JsonWriter& json, const std::vector<Vector>& list) {
+  json.begin_array();
+  for (const Vector& x : list) json.numbers(x);
+  json.end_array();
+}
+
+/// A body as a view shows it: its pad, corners as a place in metres with an offset in pixels, and
+/// its friction cone for a normal force of 1 N.
+void write_body_in_view(JsonWriter& json, const Push& push, const View& view, Index b) {
+  const Scene<double>& scene = push.scene();
+  const Body<double>& body = scene.bodies[b];
+  std::vector<Eigen::Vector4d> corners, pad;
+  std::vector<Pixel> around, cone{Pixel::Zero()};
+  // Which corners stand out does not depend on the scale: the pad is a sum of two convex sets.
+  const double any_scale = 200 / push.file().shape.size.norm();
+  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    for (const Pixel& offset : pad_rim(view, body.normal)) {
+      const Pixel at = view.flat(push.file().positions[static_cast<std::size_t>(i)]);
+      corners.emplace_back(at.x(), at.y(), offset.x(), offset.y());
+      around.emplace_back(any_scale * at + offset);
+    }
+  for (const std::size_t i : hull_corners(around)) pad.push_back(corners[i]);
+  for (Index j = 0; j < push.layout().cones[body.first_point].generators; ++j)
+    cone.push_back(
+        -view.flat(body.normal + body.friction * generator(body, j, scene.facets).force));
+  json.begin_object().member("body", b).member("behind", view.is_behind(body.normal)).key("pad");
+  write_list(json, pad);
+  json.key("cone");
+  write_list(json, cone.size() > 1 ? hull(cone) : std::vector<Pixel>());
+  json.end_object();
+}
+
+void write_view(JsonWriter& json, const Push& push, const View& view) {
+  const SceneFile& file = push.file();
+  Eigen::Matrix3d
+      axes; // rows: what to multiply a vector with for its part to the right, down, near
+  for (Index k = 0; k < 3; ++k) {
+    const Vector3<double> unit = Vector3<double>::Unit(k);
+    axes.col(k) << view.flat(unit).x(), view.flat(unit).y(), view.toward_viewer(unit);
+  }
+  axes.array() += 0.0; // no -0
+  json.begin_object().member("title", view.title).member("axes", axes_elements(view));
+  const char* const names[] = {"right", "down", "toward"};
+  for (Index k = 0; k < 3; ++k) json.key(names[k]).numbers(Vector3<double>(axes.row(k)));
+  std::vector<Pixel> box, shown;
+  for (const auto& corner : box_corners(file.object.center_of_mass, file.shape.size))
+    box.push_back(view.flat(corner));
+  shown = box;
+  for (const auto& position : file.positions) shown.push_back(view.flat(position));
+  const Frame frame = bounds(shown);
+  json.key("frame").numbers(Eigen::Vector4d(frame.left, frame.top, frame.right, frame.bottom));
+  json.key("outline");
+  write_list(json, hull(box));
+  const bool is_round =
+      file.shape.kind == ObjectShape::Kind::cylinder && file.shape.axis == view.depth();
+  json.member("radius", is_round ? file.shape.size[view.right] / 2 : 0.0);
+  json.key("bodies").begin_array();
+  for (const Index b : bodies_back_to_front(view, push.scene().bodies))
+    write_body_in_view(json, push, view, b);
+  json.end_array().end_object();
+}
+
+void write_marks(JsonWriter& json) {
+  const Pixel here(0, 0);
+  json.key("marks").begin_object();
+  json.member("stick", mark_element(Mark::square, "stick", here));
+  json.member("slide", mark_element(Mark::triangle, "slide", here));
+  json.member("separate", mark_element(Mark::ring, "separate", here));
+  json.member("touch", mark_element(Mark::small_ring, "touch", here));
+  json.member("sink", mark_element(Mark::cross, "sink", here));
+  json.member("clockwise", turning_arc(here, true));
+  json.member("counterclockwise", turning_arc(here, false));
+  json.member("turning_center", turning_center(here));
+  json.member("into", sight_ring(here, false)).member("out_of", sight_ring(here, true));
+  json.end_object();
+}
+
+std::string key() {
+  const auto mark = [](Mark kind, const char* mode) {
+    return sample("0 0 26 14", mark_element(kind, mode, {13, 7}));
+  };
+  const auto arrow = [](const char* kind) {
+    return sample("0 0 26 14", arrow_element(kind, {2, 7}, {25, 7}));
+  };
+  return key_html({{arrow("force normal"), "normal force"},
+                   {arrow("force friction"), "friction"},
+                   {arrow("motion"), "acceleration"},
+                   {sample("0 0 26 14", polygon_element("cone", {{24, 7}, {4, 1}, {4, 13}})),
+                    "friction pyramid"},
+                   {mark(Mark::square, "stick"), "sticks"},
+                   {mark(Mark::triangle, "slide"), "slides"},
+                   {mark(Mark::ring, "separate"), "opens"},
+                   {mark(Mark::small_ring, "touch"), "only touches"},
+                   {mark(Mark::cross, "sink"), "sinks in, on the cushion"},
+                   {sample("-17 -9 34 18", turning_center({0, 0})), "centre of turning"}});
+}
+
 } // namespace
 
-void write_drawing(JsonWriter& json, const Push& push) {
+void write_scene(JsonWriter& json, const Push& push, bool is_drawn) {
   json.begin_object();
   write_object(json, push.file());
   write_bodies(json, push);
   write_points(json, push);
+  if (is_drawn) {
+    std::vector<View> views = views_with_y_up(push.file().shape.size, push.file().bodies);
+    if (push.file().planar) views.resize(1);
+    json.key("views").begin_array();
+    for (const View& view : views) write_view(json, push, view);
+    json.end_array();
+    write_marks(json);
+    json.member("key", key());
+    json.member("longest_force", longest_force).member("fastest", fastest);
+  }
   json.end_object();
 }
 

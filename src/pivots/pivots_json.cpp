@@ -57,7 +57,7 @@ public:
     if (push == nullptr)
       json.value(nullptr);
     else
-      write_drawing(json, *push);
+      write_scene(json, *push, !tableaus);
     json.end_object();
     return json.text();
   }

@@ -66,11 +66,6 @@ std::string table_html(const std::string& caption,
   return scrolling(caption, text + "</tbody>\n</table>\n");
 }
 
-std::string sample(const std::string& view_box, const std::string& elements) {
-  return "<svg class=\"drawing\" viewBox=\"" + view_box + "\" aria-hidden=\"true\">" + elements +
-         "</svg>";
-}
-
 std::string figure(const Drawing& drawing, const std::string& caption) {
   return "<figure>\n" + svg_element(drawing) + "<figcaption>" + escaped(caption) +
          "</figcaption>\n</figure>\n";

@@ -23,8 +23,6 @@ std::string scrolling(const std::string& label, const std::string& inside);
 /// HTML.
 std::string table_html(const std::string& caption,
                        const std::vector<std::vector<std::string>>& rows);
-/// A little drawing beside words that say the same.
-std::string sample(const std::string& view_box, const std::string& elements);
 /// A plot that stands in its document's own style, which would reach the whole page otherwise.
 /// `words`: for those who do not see it.
 std::string plot_image(const std::string& svg, const std::string& words);

@@ -39,7 +39,7 @@ std::string legend(const SceneFile& file, const PushReport& push) {
     return sample(wide, arrow_element(kind, {1, 8}, {29, 8}));
   };
   const auto mark = [&](Mode mode) { return sample(wide, mode_mark(mode, {15, 8})); };
-  std::vector<std::pair<std::string, std::string>> items;
+  KeyItems items;
   const bool solved = push.status == Status::solved;
   if (solved)
     items = {{mark(Mode::stick), "square: the contact sticks"},
@@ -68,9 +68,7 @@ std::string legend(const SceneFile& file, const PushReport& push) {
     items.emplace_back(sample(wide, line_element("screw", {0, 8}, {30, 8})),
                        "axis that the object turns about");
   }
-  std::string text = "<ul class=\"key\">\n";
-  for (const auto& [drawn, words] : items) text += "<li>" + drawn + escaped(words) + "</li>\n";
-  return text + "</ul>\n";
+  return key_html(items);
 }
 
 std::string verdict(const PageContent& content) {

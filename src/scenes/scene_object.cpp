@@ -86,19 +86,6 @@ std::string shape_key(const TableReader& table) {
 
 } // namespace
 
-const Schema& object_schema() {
-  static const Schema schema = {
-      {"mass", "mass = 0.2  # kg"},
-      {"box", "box = [0.1, 0.03, 0.01]  # m"},
-      {"cylinder_radius", "cylinder_radius = 0.02  # m"},
-      {"cylinder_length", "cylinder_length = 0.1  # m"},
-      {"axis", "axis = \"z\""},
-      {"inertia", "inertia = [1e-4, 2e-4, 2e-4]  # kg m^2"},
-      {"center_of_mass", "center_of_mass = [0, 0, 0]  # m"},
-  };
-  return schema;
-}
-
 template <class S> Object<S> read_object(const TableReader& table, ObjectShape& shape) {
   Object<S> object;
   object.mass = table.number<S>("mass", Sign::positive);

@@ -148,20 +148,6 @@ void check_points(const TableReader& table, const std::string& key, const Patch<
 
 } // namespace
 
-const Schema& patch_schema() {
-  static const Schema schema = {
-      {"shape", "shape = \"disc\""},
-      {"center", "center = [0, 0, 0.005]  # m"},
-      {"ends", "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]  # m"},
-      {"radius", "radius = 0.005  # m"},
-      {"size", "size = [0.01, 0.02]  # m"},
-      {"points", "points = [[0, 0, 0], [0.01, 0, 0]]  # m"},
-      {"normal", "normal = [0, 0, -1]"},
-      {"tangent", "tangent = [1, 0, 0]"},
-  };
-  return schema;
-}
-
 template <class S> Patch<S> read_patch(const TableReader& table) {
   const Shape& shape = read_shape(table);
   const ContactFrame<S> frame = read_frame<S>(table);

@@ -1,6 +1,7 @@
 #include "scenes/table_changes.hpp"
 
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -24,7 +25,7 @@ void shift(TomlValue& value, std::size_t axis, double by) {
   if (std::holds_alternative<TomlArray>(list->front().data)) {
     for (TomlValue& point : *list) shift(point, axis, by);
   } else if (axis < list->size()) {
-    if (const auto number = number_in((*list)[axis])) set_number((*list)[axis], *number + by);
+    if (const auto number = (*list)[axis].number()) set_number((*list)[axis], *number + by);
   }
 }
 
@@ -44,7 +45,7 @@ std::optional<Vector3<double>> vector_in(const TomlValue* value) {
   if (list == nullptr || list->size() != 3) return std::nullopt;
   Vector3<double> vector;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto number = number_in((*list)[i]);
+    const auto number = (*list)[i].number();
     if (!number) return std::nullopt;
     vector[static_cast<Index>(i)] = *number;
   }
@@ -58,19 +59,6 @@ void set_vector(TomlValue& value, const Vector3<double>& vector) {
 }
 
 } // namespace
-
-TomlValue* value_of(TomlTable& table, const std::string& key) {
-  for (TomlEntry& entry : table.entries)
-    if (entry.key == key) return &entry.value;
-  return nullptr;
-}
-
-std::optional<double> number_in(const TomlValue& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value.data))
-    return static_cast<double>(*whole);
-  if (const auto* real = std::get_if<double>(&value.data)) return *real;
-  return std::nullopt;
-}
 
 void set_number(TomlValue& value, double number) {
   value.data = number;
@@ -97,7 +85,7 @@ void shift_points(TomlTable& table, std::size_t axis, double by) {
 }
 
 void turn_acceleration(TomlTable& table, double degrees) {
-  TomlValue& value = *value_of(table, "acceleration");
+  TomlValue& value = *table.find("acceleration");
   const auto v = vector_in(&value);
   if (!v) return;
   const auto [c, s] = circle_point(degrees);
@@ -105,16 +93,16 @@ void turn_acceleration(TomlTable& table, double degrees) {
 }
 
 void turn_tangent(TomlTable& table, double degrees) {
-  const auto along = vector_in(value_of(table, "normal"));
+  const auto along = vector_in(table.find("normal"));
   if (!along || !(along->norm() > 0)) return;
   const Vector3<double> n = along->normalized();
-  const auto given = vector_in(value_of(table, "tangent"));
+  const auto given = vector_in(table.find("tangent"));
   const Vector3<double> t = given ? tangent_along<double>(n, *given) : default_tangent<double>(n);
   const auto [c, s] = circle_point(degrees);
   const Vector3<double> turned = c * t + s * cross<double>(n, t);
-  if (value_of(table, "tangent") == nullptr)
+  if (table.find("tangent") == nullptr)
     table.entries.push_back({"tangent", {table.line, TomlArray{}, ""}});
-  set_vector(*value_of(table, "tangent"), turned);
+  set_vector(*table.find("tangent"), turned);
 }
 
 } // namespace lcpush::desktop

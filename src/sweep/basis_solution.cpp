@@ -54,32 +54,11 @@ MatrixXd basic_block(const Problem<double>& problem, const std::vector<Index>& r
     }
   const Eigen::Matrix<double, 6, Eigen::Dynamic> moved = factors.mobility * G;
   K.noalias() = G.transpose() * moved;
-  const auto add = [&](Index row, Index column, double entry) {
+  for_each_group_entry(factors, problem.free_begin, [&](Index row, Index column, double entry) {
     const Index i = place[static_cast<std::size_t>(row)];
     const Index j = place[static_cast<std::size_t>(column)];
     if (i >= 0 && j >= 0) K(i, j) += entry;
-  };
-  for (const ConeGroup<double>& cone : factors.cones) {
-    const Index first = cone.variable;
-    for (Index i = 0; i < cone.normals; ++i)
-      for (Index j = 0; j < cone.normals; ++j)
-        add(first + i, first + j, i == j ? cone.compliance : -cone.compliance);
-    if (cone.generators == 0) continue;
-    for (Index i = 0; i < cone.normals; ++i) add(cone.slip(), first + i, cone.friction);
-    for (Index i = cone.normals; i < cone.forces(); ++i) {
-      add(first + i, cone.slip(), 1);
-      add(cone.slip(), first + i, -1);
-    }
-  }
-  for (Index a = 0; a < factors.sums.size; ++a) {
-    const SumGroup<double>& sum = factors.sums[a];
-    const Index actuator = problem.free_begin + a;
-    add(actuator, actuator, sum.inertia);
-    for (Index c = sum.first; c < sum.first + sum.count; ++c) {
-      add(actuator, factors.coupled_variable[c], factors.coupling[c]);
-      add(factors.coupled_variable[c], actuator, -factors.coupling[c]);
-    }
-  }
+  });
   return K;
 }
 

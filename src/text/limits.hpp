@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "lcpush/types.hpp"
 
@@ -38,7 +37,7 @@ constexpr Index points_enumerated = 16;
 constexpr std::size_t generators_enumerated = 6, pulls_enumerated = 8;
 
 // What a command may be asked for.
-constexpr std::uint64_t covers = 1000000;
+constexpr Index covers = 1000000;
 constexpr Index sweep_steps = 1000000, map_steps = 1000, report_steps = 10000;
 constexpr std::size_t curves = 16; // more cannot be told apart
 constexpr Index bisection_solves = 300;

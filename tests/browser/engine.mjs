@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url));
 export const root = join(here, '..', '..');
-const folder = join(root, 'src', 'host', 'explorer');
+const folder = join(root, 'src', 'pivots', 'explorer');
 const read = (name) => readFileSync(join(folder, name), 'utf8');
 
 export const scripts = read('scripts.txt').split('\n').filter(Boolean);

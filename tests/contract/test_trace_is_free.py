@@ -16,9 +16,9 @@ import tempfile
 root, compiler, eigen = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 
 PROGRAM = """
-#include "lcpush/lcp/block_gauss_seidel.hpp"
-#include "lcpush/lcp/gauss_seidel.hpp"
-#include "lcpush/lcp/lemke.hpp"
+#include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
+#include "lcpush/lcp/sweeps/gauss_seidel.hpp"
+#include "lcpush/lcp/pivots/lemke.hpp"
 namespace lcpush {
 template class Lemke<float>;
 template class Lemke<double>;

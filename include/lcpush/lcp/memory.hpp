@@ -22,6 +22,12 @@ public:
     return taken;
   }
 
+  /// The next rows x columns elements become what `map` views. A Map cannot be assigned to:
+  /// Eigen's documented way to re-seat one is placement new.
+  template <class Map> void seat(Map& map, Index rows, Index columns = 1) {
+    new (&map) Map(take(rows * columns).data, rows, columns);
+  }
+
   bool exhausted() const { return exhausted_; }
 
 private:

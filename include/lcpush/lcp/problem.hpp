@@ -71,8 +71,35 @@ template <class S> Vector6<S> contact_wrench(const FactoredProblem<S>& problem, 
   return wrench;
 }
 
+/// visit(i, j, M_ij) for the entries that the groups add to G' A G in M: first all cones, then all
+/// sums. O(forces).
+template <class S, class Visit>
+void for_each_group_entry(const FactoredProblem<S>& problem, Index free_begin, Visit visit) {
+  for (const ConeGroup<S>& cone : problem.cones) {
+    const Index i = cone.variable;
+    for (Index j = 0; j < cone.normals; ++j)
+      for (Index k = 0; k < cone.normals; ++k)
+        visit(i + j, i + k, j == k ? cone.compliance : S(-cone.compliance));
+    if (cone.generators == 0) continue;
+    for (Index k = 0; k < cone.normals; ++k) visit(cone.slip(), i + k, cone.friction);
+    for (Index k = cone.normals; k < cone.forces(); ++k) {
+      visit(i + k, cone.slip(), S(1));
+      visit(cone.slip(), i + k, S(-1));
+    }
+  }
+  for (Index a = 0; a < problem.sums.size; ++a) {
+    const SumGroup<S>& sum = problem.sums[a];
+    visit(free_begin + a, free_begin + a, sum.inertia);
+    for (Index k = sum.first; k < sum.first + sum.count; ++k) {
+      visit(free_begin + a, Index(problem.coupled_variable[k]), problem.coupling[k]);
+      visit(Index(problem.coupled_variable[k]), free_begin + a, S(-problem.coupling[k]));
+    }
+  }
+}
+
 namespace detail {
 
+/// The same entries times z, every sum in a register: this product is in every check of an answer.
 template <class S>
 void multiply_factored(const FactoredProblem<S>& problem, Index free_begin, const S* z, S* out) {
   const Vector6<S> a = problem.mobility.lazyProduct(contact_wrench(problem, z));
@@ -103,10 +130,10 @@ void multiply_factored(const FactoredProblem<S>& problem, Index free_begin, cons
   }
 }
 
-template <class S>
-void fill_factored(const FactoredProblem<S>& problem, Index free_begin, MatrixMap<S> M) {
+/// M = G' A G, and zeros elsewhere.
+template <class S> void fill_mobility(const FactoredProblem<S>& problem, MatrixMap<S> M) {
   M.setZero();
-  for (const ConeGroup<S>& acting : problem.cones) {
+  for (const ConeGroup<S>& acting : problem.cones)
     for (Index k = 0; k < acting.forces(); ++k) {
       const Vector6<S> a = problem.mobility.lazyProduct(problem.wrenches[acting.force + k]);
       auto column = M.col(acting.variable + k);
@@ -114,25 +141,6 @@ void fill_factored(const FactoredProblem<S>& problem, Index free_begin, MatrixMa
         for (Index j = 0; j < felt.forces(); ++j)
           column[felt.variable + j] = problem.wrenches[felt.force + j].dot(a);
     }
-    const Index i = acting.variable;
-    for (Index j = 0; j < acting.normals; ++j)
-      for (Index k = 0; k < acting.normals; ++k)
-        M(i + j, i + k) += j == k ? acting.compliance : S(-acting.compliance);
-    if (acting.generators == 0) continue;
-    for (Index k = 0; k < acting.normals; ++k) M(acting.slip(), i + k) = acting.friction;
-    for (Index k = acting.normals; k < acting.forces(); ++k) {
-      M(i + k, acting.slip()) = S(1);
-      M(acting.slip(), i + k) = S(-1);
-    }
-  }
-  for (Index a = 0; a < problem.sums.size; ++a) {
-    const SumGroup<S>& sum = problem.sums[a];
-    M(free_begin + a, free_begin + a) = sum.inertia;
-    for (Index k = sum.first; k < sum.first + sum.count; ++k) {
-      M(free_begin + a, problem.coupled_variable[k]) += problem.coupling[k];
-      M(problem.coupled_variable[k], free_begin + a) -= problem.coupling[k];
-    }
-  }
 }
 
 } // namespace detail
@@ -157,7 +165,9 @@ template <class S> void multiply(const Problem<S>& problem, const S* z, S* out) 
 /// Writes M into an n x n view.
 template <class S> void fill_matrix(const Problem<S>& problem, MatrixMap<S> M) {
   if (problem.factored != nullptr) {
-    detail::fill_factored(*problem.factored, problem.free_begin, M);
+    detail::fill_mobility(*problem.factored, M);
+    for_each_group_entry(*problem.factored, problem.free_begin,
+                         [&](Index i, Index j, const S& entry) { M(i, j) += entry; });
     return;
   }
   const Index n = problem.size;

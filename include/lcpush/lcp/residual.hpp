@@ -14,8 +14,6 @@ template <class S> struct WorstRow {
 
 namespace detail {
 
-template <class S> S size_of(const S& x) { return x < S(0) ? S(-x) : x; }
-
 /// w_i = sum_j M_ij z_j, and sizes_i = how large its terms are: sum_j |M_ij| y_j for y >= 0, or for
 /// the factored form the bound |W_i|' |A| sum_j |W_j| y_j on it. The solvers' product is not used.
 template <class S>
@@ -34,6 +32,7 @@ void dense_rows(const Problem<S>& problem, const S* z, const S* y, S* w, S* size
 
 template <class S>
 void factored_rows(const Problem<S>& problem, const S* z, const S* y, S* w, S* sizes) {
+  using Eigen::numext::abs;
   const FactoredProblem<S>& f = *problem.factored;
   Vector6<S> wrench = Vector6<S>::Zero(), wrench_size = Vector6<S>::Zero();
   for (const ConeGroup<S>& cone : f.cones)
@@ -75,8 +74,8 @@ void factored_rows(const Problem<S>& problem, const S* z, const S* y, S* w, S* s
       const Index force = f.coupled_variable[k];
       w[s] += f.coupling[k] * z[force];
       w[force] -= f.coupling[k] * z[s];
-      sizes[s] += size_of(f.coupling[k]) * y[force];
-      sizes[force] += size_of(f.coupling[k]) * y[s];
+      sizes[s] += abs(f.coupling[k]) * y[force];
+      sizes[force] += abs(f.coupling[k]) * y[s];
     }
   }
 }
@@ -86,16 +85,17 @@ void factored_rows(const Problem<S>& problem, const S* z, const S* y, S* w, S* s
 /// all.
 template <class S>
 void neighbour_sizes(const Problem<S>& problem, const S* z, const S* unit, S* row_largest, S* out) {
+  using Eigen::numext::abs;
   const Index n = problem.size;
   S largest(0);
   for (Index j = 0; j < n; ++j) {
     row_largest[j] = S(0);
-    if (size_of(z[j]) > largest * unit[j]) largest = size_of(z[j]) / unit[j];
+    if (abs(z[j]) > largest * unit[j]) largest = abs(z[j]) / unit[j];
   }
   for (Index j = 0; j < n; ++j) out[j] = problem.matrix == nullptr ? largest : S(0);
   if (problem.matrix == nullptr) return;
   for (Index j = 0; j < n; ++j) {
-    const S size = size_of(z[j]) / unit[j];
+    const S size = abs(z[j]) / unit[j];
     for (Index i = 0; size > S(0) && i < n; ++i)
       if (problem.matrix[j * n + i] != S(0) && row_largest[i] < size) row_largest[i] = size;
   }
@@ -119,16 +119,16 @@ void neighbour_sizes(const Problem<S>& problem, const S* z, const S* unit, S* ro
 template <class S, class IsFree>
 WorstRow<S> natural_residual(const Problem<S>& problem, const S* q, const S* z, const S* unit,
                              IsFree is_free, S* w, S* scratch) {
-  using detail::size_of;
+  using Eigen::numext::abs;
   const Index n = problem.size;
   S z_max(0);
   for (Index i = 0; i < n; ++i)
-    if (size_of(z[i]) > z_max * unit[i]) z_max = size_of(z[i]) / unit[i];
+    if (abs(z[i]) > z_max * unit[i]) z_max = abs(z[i]) / unit[i];
   S* const sizes = scratch + n;
   detail::neighbour_sizes(problem, z, unit, sizes, scratch);
   for (Index i = 0; i < n; ++i) {
     const S noise = z[i] != S(0) ? S(scratch[i] * unit[i] * Tolerances<S>().noise) : S(0);
-    scratch[i] = size_of(z[i]) + noise;
+    scratch[i] = abs(z[i]) + noise;
   }
   if (problem.factored != nullptr)
     detail::factored_rows(problem, z, scratch, w, sizes);
@@ -137,11 +137,11 @@ WorstRow<S> natural_residual(const Problem<S>& problem, const S* q, const S* z, 
   WorstRow<S> worst;
   for (Index i = 0; i < n; ++i) {
     w[i] += q[i];
-    const S scale = size_of(q[i]) + sizes[i];
+    const S scale = abs(q[i]) + sizes[i];
     const S scaled_w = scale > S(0) ? S(w[i] / scale) : w[i];
     const S scaled_z = z_max > S(0) ? S(z[i] / (unit[i] * z_max)) : S(0);
     const bool row_counts = is_free(i) || scaled_w < scaled_z;
-    const S residual = size_of(row_counts ? scaled_w : scaled_z);
+    const S residual = abs(row_counts ? scaled_w : scaled_z);
     // x - x is 0 unless x is NaN or infinite, and then no other row can make up for it.
     const S not_finite = (z[i] - z[i]) + (scaled_w - scaled_w) + (scale - scale);
     if (!(not_finite == S(0))) return {not_finite, i};

@@ -18,6 +18,12 @@
   const svg = (tag, attributes, ...children) =>
     fill(document.createElementNS(drawing, tag), attributes, children);
 
+  /// Filled with markup that the tool wrote; never with anything that a user named.
+  function parsed(element, markup) {
+    element.innerHTML = markup;
+    return element;
+  }
+
   /// w12 with its number below; other names as they are.
   function name(text) {
     const match = /^([a-z])(\d+)$/.exec(text);
@@ -41,5 +47,5 @@
       svg('title', { id: ids[0] }, title), svg('desc', { id: ids[1] }, description), ...children);
   }
 
-  explorer.elements = { h, svg, name, by_id, replace, picture };
+  explorer.elements = { h, svg, parsed, name, by_id, replace, picture };
 })();

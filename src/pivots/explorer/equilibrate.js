@@ -14,12 +14,13 @@
 
   /// scale[variable] with: scaled value = value * scale, for the variables of a start tableau;
   /// level[k] divides the k-th right-hand side by its largest scaled value.
-  function equilibrate(rows, columns, table, values, artificial) {
+  function equilibrate(rows, columns, table, values) {
     const n = rows.length;
+    const artificial = 2 * n;
     const width = columns.length;
     const row_factor = new Float64Array(n).fill(1);
     const column_factor = new Float64Array(width).fill(1);
-    const size = (r, c) => Math.abs(table[r * width + c]) * row_factor[r] * column_factor[c];
+    const size = (r, c) => Math.abs(table[r][c]) * row_factor[r] * column_factor[c];
     const index = [...Array(n).keys()];
     for (let pass = 0; pass < 3; ++pass) {
       for (let c = 0; c < width; ++c) {

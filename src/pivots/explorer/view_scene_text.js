@@ -1,9 +1,9 @@
 // The panel around the drawing: which part is drawn, the cushion, and the same in words.
 (() => {
-  const { h, svg, replace, by_id, name } = explorer.elements;
+  const { h, parsed, replace, by_id, name } = explorer.elements;
   const { decimal } = explorer.number_text;
+  const { figures, modes } = explorer.view_scene;
   const { length, cross, scale, dot, add } = explorer.vectors;
-  let render = null;
 
   /// z and w of the present basis in SI units, by level [times S, finite], and the cushion d z0.
   function unknowns(app) {
@@ -49,7 +49,7 @@
         h('th', { scope: 'col' }, text)))),
       h('tbody', {}, scene.points.map((point, i) => h('tr', {},
         h('th', { scope: 'row' }, point.name),
-        h('td', {}, explorer.view_scene.modes[shown.modes[i]]),
+        h('td', {}, modes[shown.modes[i]]),
         h('td', {}, `${decimal(level.forces[i].normal, 4)}${times} N`),
         h('td', {}, `${decimal(length(level.forces[i].friction), 4)}${times} N`))))));
   }
@@ -104,35 +104,11 @@
       worst.length > 4 && h('li', {}, `and ${worst.length - 4} more`)));
   }
 
-  function legend() {
-    const sample = (...children) => svg('svg', { viewBox: '0 0 26 14', class: 'sample',
-      'aria-hidden': 'true' }, children);
-    const items = [
-      [sample(svg('g', { class: 'force normal' }, svg('line', { x1: 2, y1: 7, x2: 17, y2: 7 }),
-        svg('polygon', { class: 'head', points: '25,7 16,3 16,11' }))), 'normal force'],
-      [sample(svg('g', { class: 'force friction' }, svg('line', { x1: 2, y1: 7, x2: 17, y2: 7 }),
-        svg('polygon', { class: 'head', points: '25,7 16,3 16,11' }))), 'friction'],
-      [sample(svg('g', { class: 'motion object-motion' }, svg('line', { x1: 2, y1: 7, x2: 17,
-        y2: 7 }), svg('polygon', { class: 'head', points: '25,7 16,3 16,11' }))), 'acceleration'],
-      [sample(svg('polygon', { class: 'cone', points: '24,7 4,1 4,13' })), 'friction pyramid'],
-      [sample(svg('rect', { class: 'mark stick', x: 9, y: 3, width: 8, height: 8 })), 'sticks'],
-      [sample(svg('polygon', { class: 'mark slide', points: '13,2 18,11 8,11' })), 'slides'],
-      [sample(svg('circle', { class: 'mark separate', cx: 13, cy: 7, r: 4.5 })), 'opens'],
-      [sample(svg('circle', { class: 'mark touch', cx: 13, cy: 7, r: 2.4 })), 'only touches'],
-      [sample(svg('path', { class: 'mark sink', d: 'M9 3l8 8m0 -8l-8 8' })),
-        'sinks in, on the cushion'],
-      [sample(svg('g', { class: 'turning-centre' }, svg('circle', { cx: 13, cy: 7, r: 4 }),
-        svg('path', { d: 'M6 7h14M13 0v14' }))), 'centre of turning'],
-    ];
-    return h('ul', { class: 'key' }, items.map(([mark, text]) => h('li', {}, mark, text)));
-  }
-
   function update(app) {
     const { problem } = app;
     const { scene } = problem.trace;
     by_id('scene-panel').hidden = !scene;
     if (!scene) return;
-    render = render || explorer.view_scene.create(scene);
     const values = now(app);
     const { shown } = values;
     const large = shown.has_large && app.show_large;
@@ -145,8 +121,8 @@
       + 'have a part that is a multiple of S. Drawn here: the '
       + `${large ? 'part times S' : 'finite part'}.`);
     const width = Math.max(300, Math.min(480, by_id('scene').clientWidth || 440));
-    replace('scene', switcher, parts, render(shown, large, width).map(({ title, svg: view }) =>
-      h('figure', {}, view, h('figcaption', {}, title))), legend(), cushion_note(app, values),
+    replace('scene', switcher, parts, figures(scene, shown, large, width).map(({ title, svg: view }) =>
+      h('figure', {}, view, h('figcaption', {}, title))), parsed(h('div'), scene.key), cushion_note(app, values),
     motion_list(scene, shown, large), contact_table(scene, shown, large));
   }
 

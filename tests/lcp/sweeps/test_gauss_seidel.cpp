@@ -166,20 +166,18 @@ TEST_CASE("sweeps that grow without bound end stagnated, not solved") {
   CHECK(run.solve(lcp) == Status::stagnated);
 }
 
-TEST_CASE("a diagonal that is zero, negative or no number is refused by its row") {
+TEST_CASE("a diagonal that is zero, negative or no number is refused") {
   for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
     for (const Index row : {0, 3, 5}) {
       DenseLcp<double> lcp = positive_definite(2, 6);
       lcp.M(row, row) = bad;
       SweepRun<double> run(6);
       CHECK(run.solve(lcp) == Status::bad_input);
-      CHECK(run.sweeps.bad_row() == row);
     }
   for (const char* name : {"cps_4_4_7", "floudas_10_2_4", "murty_2_9", "murty_2_11"}) {
     const DenseLcp<double> lcp = textbook(name);
     SweepRun<double> run(lcp.size());
     CHECK(run.solve(lcp) == Status::bad_input);
-    CHECK(run.sweeps.bad_row() == 0);
   }
 }
 
@@ -263,7 +261,6 @@ TEST_CASE("memory of the stated length is enough, one element less is bad input"
     for (std::size_t i = 1; i <= guard; ++i) CHECK(scalars[scalars.size() - i] == 77.0);
     GaussSeidel<double> short_by_one({scalars.data(), length - 1});
     CHECK(short_by_one.init(lcp.view()) == Status::bad_input);
-    CHECK(short_by_one.bad_row() == -1);
   }
 }
 

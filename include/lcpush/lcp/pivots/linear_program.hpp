@@ -8,6 +8,7 @@
 // solution if there is one. [Cottle, Pang, Stone 1992, 1.2 and 4.4]
 #pragma once
 
+#include "lcpush/lcp/complete_pivoting.hpp"
 #include "lcpush/lcp/pivots/lemke.hpp"
 
 namespace lcpush {
@@ -72,12 +73,11 @@ private:
   using Map = Eigen::Map<const Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>>;
   Map A() const { return Map(program_.A, program_.equalities, program_.columns); }
   Map H() const { return Map(program_.H, program_.inequalities, program_.columns); }
-  static S absolute(const S& x) { return x < S(0) ? S(-x) : x; }
   /// a -= b, without what rounding leaves of a zero: a row of noise alone has no size to judge by.
   static void subtract(S& a, const S& b) {
-    const S terms = absolute(a) + absolute(b);
+    const S terms = Eigen::numext::abs(a) + Eigen::numext::abs(b);
     a -= b;
-    if (absolute(a) <= S(16) * Eigen::NumTraits<S>::epsilon() * terms) a = S(0);
+    if (Eigen::numext::abs(a) <= S(16) * Eigen::NumTraits<S>::epsilon() * terms) a = S(0);
   }
   /// What rounding may leave beside numbers near 1 and others up to `largest`.
   static S tolerance(const S& largest) {
@@ -103,12 +103,13 @@ template <class S> bool LinearProgramSolver<S>::carve() {
   const Index n = columns + k;
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
-  new (&table_) MatrixMap<S>(scalars.take(m * (columns + 1 + m)).data, m, columns + 1 + m);
-  new (&M_) MatrixMap<S>(scalars.take(n * n).data, n, n);
-  new (&q_) VectorMap<S>(scalars.take(n).data, n);
-  new (&x_) VectorMap<S>(scalars.take(columns).data, columns);
-  for (VectorMap<S>* map : {&nu_, &row_}) new (map) VectorMap<S>(scalars.take(m).data, m);
-  new (&y_) VectorMap<S>(scalars.take(k).data, k);
+  scalars.seat(table_, m, columns + 1 + m);
+  scalars.seat(M_, n, n);
+  scalars.seat(q_, n);
+  scalars.seat(x_, columns);
+  scalars.seat(nu_, m);
+  scalars.seat(row_, m);
+  scalars.seat(y_, k);
   lemke_scalars_ = scalars.take(lemke_scalars(n));
   basic_ = integers.take(m);
   for (Span<int>* span : {&place_, &nonbasic_}) *span = integers.take(columns);
@@ -126,16 +127,11 @@ template <class S> void LinearProgramSolver<S>::eliminate() {
     table_(i, columns + 1 + i) = S(1);
   }
   for (rank_ = 0; rank_ < m; ++rank_) {
-    Index row = -1, column = -1;
-    S largest = Tolerances<S>().pivot;
-    for (Index j = 0; j < columns; ++j)
-      for (Index i = rank_; i < m; ++i)
-        if (absolute(table_(i, j)) > largest) {
-          largest = absolute(table_(i, j));
-          row = i;
-          column = j;
-        }
-    if (row < 0) break;
+    const LargestEntry<S> largest =
+        largest_entry(m - rank_, columns, Tolerances<S>().pivot,
+                      [&](Index i, Index j) { return S(table_(rank_ + i, j)); });
+    if (largest.row < 0) break;
+    const Index row = rank_ + largest.row, column = largest.column;
     row_ = table_.col(column);
     const S pivot = row_[row];
     row_[row] = row_[rank_];
@@ -238,7 +234,7 @@ template <class S> bool LinearProgramSolver<S>::is_feasible() {
   for (Index i = 0; i < program_.equalities; ++i) row_[i] = -program_.b[i];
   for (Index j = 0; j < program_.columns; ++j) row_ += x_[j] * A().col(j);
   for (Index i = 0; i < program_.equalities; ++i)
-    if (!(absolute(row_[i]) <= allowed)) return false;
+    if (!(Eigen::numext::abs(row_[i]) <= allowed)) return false;
   for (Index i = 0; i < program_.inequalities; ++i) {
     S row(0);
     for (Index j = 0; j < program_.columns; ++j) row += H()(i, j) * x_[j];
@@ -251,12 +247,13 @@ template <class S> bool LinearProgramSolver<S>::is_feasible() {
 template <class S> bool LinearProgramSolver<S>::is_cheapest() const {
   using Eigen::numext::maxi;
   S largest(0);
-  for (Index i = 0; i < program_.equalities; ++i) largest = maxi(largest, absolute(nu_[i]));
+  for (Index i = 0; i < program_.equalities; ++i)
+    largest = maxi(largest, Eigen::numext::abs(nu_[i]));
   for (Index i = 0; i < program_.inequalities; ++i) largest = maxi(largest, y_[i]);
-  const S gap = absolute(cost_ - earnings());
+  const S gap = Eigen::numext::abs(cost_ - earnings());
   return overpriced(true) <= tolerance(largest) &&
          gap <= Tolerances<S>().residual *
-                    (absolute(cost_) + Tolerances<S>().noise * (S(1) + largest));
+                    (Eigen::numext::abs(cost_) + Tolerances<S>().noise * (S(1) + largest));
 }
 
 /// [Farkas] For x >= 0 with A x = b and H x >= 0: b nu <= (A' nu + H' y) x. Here the left is 1 and
@@ -271,14 +268,11 @@ template <class S> bool LinearProgramSolver<S>::refutes() {
 
 /// An equality without unknowns that says 0 = something.
 template <class S> bool LinearProgramSolver<S>::contradicts_itself() {
-  Index worst = -1;
-  S largest = Tolerances<S>().residual;
-  for (Index row = rank_; row < program_.equalities; ++row)
-    if (absolute(table_(row, program_.columns)) > largest) {
-      largest = absolute(table_(row, program_.columns));
-      worst = row;
-    }
-  if (worst < 0) return false;
+  const LargestEntry<S> largest =
+      largest_entry(program_.equalities - rank_, 1, Tolerances<S>().residual,
+                    [&](Index i, Index) { return S(table_(rank_ + i, program_.columns)); });
+  if (largest.row < 0) return false;
+  const Index worst = rank_ + largest.row;
   y_.setZero();
   for (Index i = 0; i < program_.equalities; ++i)
     nu_[i] = table_(worst, program_.columns + 1 + i) / table_(worst, program_.columns);

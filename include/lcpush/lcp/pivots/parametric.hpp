@@ -82,10 +82,9 @@ private:
 template <class S> bool ParametricPath<S>::carve(Index n) {
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
-  new (&dictionary_.table) MatrixMap<S>(scalars.take(n * (n + 1)).data, n, n + 1);
-  new (&dictionary_.values)
-      MatrixMap<S>(scalars.take(n * (levels_ + tie_columns)).data, n, levels_ + tie_columns);
-  new (&scratch_) VectorMap<S>(scalars.take(n).data, n);
+  scalars.seat(dictionary_.table, n, n + 1);
+  scalars.seat(dictionary_.values, n, levels_ + tie_columns);
+  scalars.seat(scratch_, n);
   dictionary_.basic = integers.take(n);
   dictionary_.nonbasic = integers.take(n + 1);
   candidates_ = integers.take(n);
@@ -135,8 +134,8 @@ Status ParametricPath<S>::init(const Lemke<S>& lemke, const Problem<S>& problem,
   if (levels_ == 3) {
     S largest(0);
     for (Index j = 0; j < n; ++j) {
-      const S x = problem.push[j] / lemke.slack_unit(j);
-      largest = x > largest ? x : -x > largest ? S(-x) : largest;
+      const S size = Eigen::numext::abs(S(problem.push[j] / lemke.slack_unit(j)));
+      largest = Eigen::numext::maxi(largest, size);
     }
     push_unit = power_below(largest);
     solve_basis(

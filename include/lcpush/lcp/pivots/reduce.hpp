@@ -2,6 +2,7 @@
 // free unknowns are pivoted into the basis, where they never block, and their rows drop out.
 #pragma once
 
+#include "lcpush/lcp/complete_pivoting.hpp"
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/pivots/dictionary.hpp"
 #include "lcpush/lcp/pivots/equilibrate.hpp"
@@ -89,7 +90,6 @@ private:
   S unit_of(Index variable) const {
     return variable < n_ ? S(1) / row_scale_[variable] : column_scale_[variable - n_];
   }
-  static S size_of(const S& x) { return x < S(0) ? S(-x) : x; }
   S smallest_pivot() const { return Tolerances<S>().pivot; }
 
   bool carve();
@@ -105,10 +105,9 @@ template <class S> bool Reduction<S>::carve() {
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
   const Index n = n_;
-  new (&dictionary_.table) MatrixMap<S>(scalars.take(n * n).data, n, n);
-  new (&dictionary_.values) MatrixMap<S>(scalars.take(n).data, n, 1);
-  for (VectorMap<S>* map : {&row_scale_, &column_scale_, &scratch_})
-    new (map) VectorMap<S>(scalars.take(n).data, n);
+  scalars.seat(dictionary_.table, n, n);
+  scalars.seat(dictionary_.values, n);
+  for (VectorMap<S>* map : {&row_scale_, &column_scale_, &scratch_}) scalars.seat(*map, n);
   matrix_ = scalars.take(n * n);
   q_ = scalars.take(n);
   for (Span<int>* span :
@@ -134,18 +133,11 @@ template <class S> void Reduction<S>::load(const S* M, const S* q) {
 
 /// One pivot on the largest entry of the block (equalities) x (free unknowns).
 template <class S> bool Reduction<S>::pivot_free_block() {
-  S largest = smallest_pivot();
-  Index row = -1, column = -1;
-  for (Index c = 0; c < n_; ++c)
-    for (Index i = 0; open_column(c) && i < n_; ++i)
-      if (open_row(i) && size_of(dictionary_.table(i, c)) > largest) {
-        largest = size_of(dictionary_.table(i, c));
-        row = i;
-        column = c;
-      }
-  if (row < 0) return false;
-  dictionary_.exchange(row, column, scratch_);
-  return true;
+  const LargestEntry<S> pivot = largest_entry(n_, n_, smallest_pivot(), [&](Index i, Index c) {
+    return open_row(i) && open_column(c) ? S(dictionary_.table(i, c)) : S(0);
+  });
+  if (pivot.row >= 0) dictionary_.exchange(pivot.row, pivot.column, scratch_);
+  return pivot.row >= 0;
 }
 
 /// The free block is exhausted: an equality i and a free unknown c leave together through a
@@ -159,7 +151,8 @@ template <class S> bool Reduction<S>::exchange_pair() {
       const Index l = dictionary_.column_of(complement(dictionary_.basic[k], n_));
       for (Index i = 0; i < n_; ++i) {
         if (!open_row(i)) continue;
-        const S a = size_of(dictionary_.table(i, l)), b = size_of(dictionary_.table(k, c));
+        const S a = Eigen::numext::abs(dictionary_.table(i, l)),
+                b = Eigen::numext::abs(dictionary_.table(k, c));
         const S smaller = a < b ? a : b;
         if (!(smaller > largest)) continue;
         largest = smaller;
@@ -176,7 +169,7 @@ template <class S> bool Reduction<S>::exchange_pair() {
 template <class S> bool Reduction<S>::drop_redundant_rows(const S* q) {
   S q_size(0);
   for (Index i = 0; i < n_; ++i) {
-    const S x = size_of(q[i] * row_scale_[i]);
+    const S x = Eigen::numext::abs(q[i] * row_scale_[i]);
     if (x > q_size) q_size = x;
   }
   redundant_count_ = 0;
@@ -185,11 +178,11 @@ template <class S> bool Reduction<S>::drop_redundant_rows(const S* q) {
     S largest(0);
     for (Index c = 0; c < n_; ++c) {
       const bool is_zero = dictionary_.nonbasic[c] < n_ && is_free_[dictionary_.nonbasic[c]] != 0;
-      if (!is_zero && size_of(dictionary_.table(i, c)) > largest)
-        largest = size_of(dictionary_.table(i, c));
+      if (!is_zero && Eigen::numext::abs(dictionary_.table(i, c)) > largest)
+        largest = Eigen::numext::abs(dictionary_.table(i, c));
     }
     if (largest > smallest_pivot()) continue;
-    if (size_of(dictionary_.values(i, 0)) > smallest_pivot() * q_size) {
+    if (Eigen::numext::abs(dictionary_.values(i, 0)) > smallest_pivot() * q_size) {
       inconsistent_row_ = dictionary_.basic[i];
       return false;
     }

@@ -11,11 +11,8 @@
 // ProximalNewton from where the sweeps have come; what it finds is judged as everything is.
 #pragma once
 
-#include "lcpush/lcp/residual.hpp"
+#include "lcpush/lcp/sweeps/judged_sweeps.hpp"
 #include "lcpush/lcp/sweeps/proximal_newton.hpp"
-#include "lcpush/lcp/sweeps/sweep_options.hpp"
-#include "lcpush/lcp/trace.hpp"
-#include "lcpush/status.hpp"
 
 namespace lcpush {
 
@@ -26,15 +23,14 @@ constexpr Index block_gauss_seidel_integers(Index n, Index couplings, Index sums
   return 2 * n + proximal_integers(n, couplings, sums);
 }
 
-template <class S> class BlockGaussSeidel {
+template <class S> class BlockGaussSeidel : public JudgedSweeps<S> {
 public:
   /// Memory of at least block_gauss_seidel_scalars and block_gauss_seidel_integers elements.
   BlockGaussSeidel(Span<S> scalars, Span<int> integers) : scalars_(scalars), integers_(integers) {}
 
   /// `problem` is factored and outlives the run. Starts from the forces in `start` (n numbers), or
-  /// from each sum's even share. Post: running; or bad_input, with bad_sum() >= 0 if plain sweeps
-  /// cannot keep that sum group (it is no simplex: it couples friction or has inertia), -1 if the
-  /// memory is too small.
+  /// from each sum's even share. Post: running; or bad_input if the memory is too small, or if
+  /// plain sweeps cannot keep a sum group (it is no simplex: it couples friction or has inertia).
   [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options = {},
                             const S* start = nullptr) {
     return init(problem, options, start, unobserved);
@@ -52,26 +48,19 @@ public:
   [[nodiscard]] Status solve() { return solve(unobserved); }
   template <class Observer> [[nodiscard]] Status solve(Observer& observer);
 
-  Status status() const { return status_; }
-  Index sweeps() const { return sweeps_; } ///< passes over all groups, of either kind
-  Index bad_sum() const { return bad_sum_; }
   /// After stagnated: did the forces grow without bound, as in a jam?
   bool runs_away() const;
-  const WorstRow<S>& residual() const { return residual_; }
-  const S* z() const { return z_.data; } ///< multipliers as of the last check
 
 private:
+  using Judged = JudgedSweeps<S>;
+  using Judged::problem_, Judged::options_, Judged::status_, Judged::sweeps_, Judged::residual_;
+  using Judged::z_, Judged::unit_, Judged::check_w_, Judged::check_scratch_;
   Span<S> scalars_;
   Span<int> integers_;
-  Problem<S> problem_;
-  SweepOptions<S> options_;
   ProximalNewton<S> newton_{{}, {}};
-  Status status_ = Status::bad_input;
-  Index sweeps_ = 0, bad_sum_ = -1, best_sweep_ = 0;
-  WorstRow<S> residual_;
-  S best_residual_{0};
-  Vector6<S> u_; // B G f
-  Span<S> z_, unit_, check_w_, check_scratch_, kept_;
+  bool keeps_all_sums_ = false; // plain sweeps do
+  Vector6<S> u_;                // B G f
+  Span<S> kept_;
   Span<int> cone_of_, sum_of_; // by variable: the cone of a normal, its sum group or -1
 
   const FactoredProblem<S>& factored() const { return *problem_.factored; }
@@ -89,7 +78,7 @@ private:
   void recover_multipliers();
   S squeeze() const;
   bool passes() const;
-  template <class Observer> Status check(Observer& observer, bool last = false);
+  template <class Observer> Status check(Observer& observer);
   Status judge();
   template <class Observer> Status finish(Observer& observer);
 };

@@ -26,7 +26,7 @@ template <class S> void BlockGaussSeidel<S>::sort_groups() {
   for (Index c = 0; c < factored().cones.size; ++c)
     if (factored().cones[c].normals == 1)
       cone_of_[factored().cones[c].variable] = static_cast<int>(c);
-  bad_sum_ = -1;
+  keeps_all_sums_ = true;
   for (Index a = 0; a < factored().sums.size; ++a) {
     const SumGroup<S>& sum = factored().sums[a];
     bool simplex = sum.count > 0 && !(sum.inertia > S(0));
@@ -35,7 +35,7 @@ template <class S> void BlockGaussSeidel<S>::sort_groups() {
       simplex = simplex && factored().coupling[k] > S(0) && cone_of_[i] >= 0 && sum_of_[i] < 0;
       sum_of_[i] = static_cast<int>(a);
     }
-    if (!simplex && bad_sum_ < 0) bad_sum_ = a;
+    keeps_all_sums_ = keeps_all_sums_ && simplex;
   }
 }
 
@@ -58,9 +58,7 @@ template <class S>
 template <class Observer>
 Status BlockGaussSeidel<S>::init(const Problem<S>& problem, const SweepOptions<S>& options,
                                  const S* start, Observer& observer) {
-  problem_ = problem;
-  options_ = options;
-  sweeps_ = best_sweep_ = 0;
+  this->begin(problem, options);
   if (problem.factored == nullptr || !carve()) return status_ = Status::bad_input;
   sort_groups();
   if (start == nullptr)
@@ -69,7 +67,7 @@ Status BlockGaussSeidel<S>::init(const Problem<S>& problem, const SweepOptions<S
     for (Index i = 0; i < problem.size; ++i) z_[i] = start[i];
   for (Index i = 0; i < problem.size; ++i) unit_[i] = S(1);
   refresh();
-  if (bad_sum_ >= 0 && !options.accelerate) return status_ = Status::bad_input;
+  if (!keeps_all_sums_ && !options.accelerate) return status_ = Status::bad_input;
   status_ = Status::running;
   recover_multipliers();
   return check(observer);
@@ -140,7 +138,7 @@ template <class S> void BlockGaussSeidel<S>::solve_friction(const ConeGroup<S>& 
   const Index first = cone.variable + cone.normals, force = cone.force + cone.normals;
   const Index rest = cone.generators; // stands for what the cone leaves unused
   const S lambda = cone.normal_force(z_.data);
-  const S most = cone.friction * (lambda < S(0) ? S(-lambda) : lambda);
+  const S most = cone.friction * Eigen::numext::abs(lambda);
   shrink_to_cone(cone, most);
   S unused = most;
   for (Index k = 0; k < cone.generators; ++k) unused -= z_[first + k];
@@ -176,7 +174,7 @@ template <class S> void BlockGaussSeidel<S>::solve_friction(const ConeGroup<S>& 
 
 template <class S> template <class Observer> Status BlockGaussSeidel<S>::sweep(Observer& observer) {
   if (status_ != Status::running) return status_;
-  if (bad_sum_ >= 0) return status_ = Status::bad_input;
+  if (!keeps_all_sums_) return status_ = Status::bad_input;
   for (const SumGroup<S>& sum : factored().sums) {
     // Neighbours at a distance that changes with the sweep, so that all pairs meet in time.
     const Index distance = sum.count > 1 ? 1 + sweeps_ % (sum.count - 1) : 0;
@@ -188,11 +186,10 @@ template <class S> template <class Observer> Status BlockGaussSeidel<S>::sweep(O
     if (cone.generators > 0) solve_friction(cone);
   }
   ++sweeps_;
-  const bool last = sweeps_ >= options_.max_sweeps;
-  if (!last && sweeps_ % options_.check_every != 0) return status_;
+  if (!this->is_check_due()) return status_;
   refresh();
   recover_multipliers();
-  return check(observer, last);
+  return check(observer);
 }
 
 /// xi and s of the present forces.
@@ -203,7 +200,7 @@ template <class S> void BlockGaussSeidel<S>::recover_multipliers() {
       xi = Eigen::numext::maxi(xi, S(-rate(cone.force + k, cone.variable + k)));
     if (cone.generators > 0) z_[cone.slip()] = xi;
   }
-  for (Index a = 0; a < factored().sums.size && bad_sum_ < 0; ++a) {
+  for (Index a = 0; keeps_all_sums_ && a < factored().sums.size; ++a) {
     const SumGroup<S>& sum = factored().sums[a];
     bool first = true;
     S& s = z_[problem_.free_begin + a];
@@ -217,28 +214,18 @@ template <class S> void BlockGaussSeidel<S>::recover_multipliers() {
   }
 }
 
-template <class S>
-template <class Observer>
-Status BlockGaussSeidel<S>::check(Observer& observer, bool last) {
-  if (judge() == Status::running && last) status_ = Status::sweep_limit;
+template <class S> template <class Observer> Status BlockGaussSeidel<S>::check(Observer& observer) {
+  if (judge() == Status::running && this->is_last()) status_ = Status::sweep_limit;
   observer.checked(*this);
   return status_;
 }
 
 template <class S> Status BlockGaussSeidel<S>::judge() {
   constexpr Index patience = 2000; // sweeps without a better residual
-  residual_ = natural_residual(
-      problem_, problem_.q, z_.data, unit_.data, [&](Index i) { return i >= problem_.free_begin; },
-      check_w_.data, check_scratch_.data);
+  this->ask_referee();
   if (runs_away()) return status_ = Status::stagnated;
   if (passes()) return status_ = Status::solved;
-  if (sweeps_ == 0 || residual_.residual < best_residual_) {
-    best_residual_ = residual_.residual;
-    best_sweep_ = sweeps_;
-  }
-  const bool finite = residual_.residual - residual_.residual == S(0);
-  if (!finite || sweeps_ - best_sweep_ > patience) status_ = Status::stagnated;
-  return status_;
+  return this->go_on(patience);
 }
 
 /// The residual is measured beside the largest unknown: under a coarse tolerance a squeeze that
@@ -284,9 +271,9 @@ Status BlockGaussSeidel<S>::finish(Observer& observer) {
     } else {
       newton_.recover(z_.data);
       eps = Eigen::numext::maxi(least_eps, S(factor * eps));
-      (void)check(observer, sweeps_ >= options_.max_sweeps);
+      (void)check(observer);
     }
-    if (status_ == Status::running && sweeps_ >= options_.max_sweeps) status_ = Status::sweep_limit;
+    if (status_ == Status::running && this->is_last()) status_ = Status::sweep_limit;
   }
   return status_;
 }
@@ -294,7 +281,7 @@ Status BlockGaussSeidel<S>::finish(Observer& observer) {
 template <class S> template <class Observer> Status BlockGaussSeidel<S>::solve(Observer& observer) {
   constexpr Index warming = 10; // sweeps that bring the forces near before Newton takes over
   while (status_ == Status::running && !(options_.accelerate && sweeps_ >= warming)) {
-    if (options_.accelerate && bad_sum_ >= 0) break;
+    if (options_.accelerate && !keeps_all_sums_) break;
     (void)sweep(observer);
   }
   return status_ == Status::running ? finish(observer) : status_;

@@ -6,24 +6,19 @@
 // problems of mechanics/ have zeros on it (xi and s): block_gauss_seidel.hpp is for those.
 #pragma once
 
-#include "lcpush/lcp/memory.hpp"
-#include "lcpush/lcp/problem.hpp"
-#include "lcpush/lcp/residual.hpp"
-#include "lcpush/lcp/sweeps/sweep_options.hpp"
-#include "lcpush/lcp/trace.hpp"
-#include "lcpush/status.hpp"
+#include "lcpush/lcp/sweeps/judged_sweeps.hpp"
 
 namespace lcpush {
 
 constexpr Index gauss_seidel_scalars(Index n) { return 6 * n; }
 
-template <class S> class GaussSeidel {
+template <class S> class GaussSeidel : public JudgedSweeps<S> {
 public:
   /// Memory of at least gauss_seidel_scalars(n) elements.
   explicit GaussSeidel(Span<S> scalars) : scalars_(scalars) {}
 
-  /// `problem` is dense and outlives the run; starts at z = 0. Post: running; or bad_input, with
-  /// bad_row() >= 0 if that row's diagonal is not positive, -1 if the memory is too small.
+  /// `problem` is dense and outlives the run; starts at z = 0. Post: running; or bad_input if the
+  /// diagonal is not positive or the memory is too small.
   template <class Observer = const Unobserved>
   [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options = {},
                             Observer& observer = unobserved);
@@ -39,24 +34,15 @@ public:
     return status_;
   }
 
-  Status status() const { return status_; }
-  Index sweeps() const { return sweeps_; }
-  Index bad_row() const { return bad_row_; }
-  const WorstRow<S>& residual() const { return residual_; }
-  const S* z() const { return z_.data; }
-
 private:
+  using Judged = JudgedSweeps<S>;
+  using Judged::problem_, Judged::options_, Judged::status_, Judged::sweeps_, Judged::residual_;
+  using Judged::z_, Judged::unit_, Judged::check_w_, Judged::check_scratch_;
   Span<S> scalars_;
-  Problem<S> problem_;
-  SweepOptions<S> options_;
-  Status status_ = Status::bad_input;
-  Index sweeps_ = 0, bad_row_ = -1, best_sweep_ = 0;
-  WorstRow<S> residual_;
-  S best_residual_{0};
-  Span<S> z_, w_, unit_, check_w_, check_scratch_;
+  Span<S> w_;
 
   S diagonal(Index i) const { return problem_.matrix[i * problem_.size + i]; }
-  template <class Observer> Status check(Observer& observer, bool last = false);
+  template <class Observer> Status check(Observer& observer);
   Status judge();
 };
 
@@ -65,20 +51,14 @@ template <class Observer>
 Status GaussSeidel<S>::init(const Problem<S>& problem, const SweepOptions<S>& options,
                             Observer& observer) {
   using Eigen::numext::sqrt;
-  problem_ = problem;
-  options_ = options;
-  sweeps_ = best_sweep_ = 0;
-  bad_row_ = -1;
+  this->begin(problem, options);
   const Index n = problem.size;
   Block<S> block(scalars_);
   for (Span<S>* span : {&z_, &w_, &unit_, &check_w_}) *span = block.take(n);
   check_scratch_ = block.take(2 * n);
   if (block.exhausted() || (n > 0 && problem.matrix == nullptr)) return status_ = Status::bad_input;
   for (Index i = 0; i < n; ++i) {
-    if (!(diagonal(i) > S(0))) {
-      bad_row_ = i;
-      return status_ = Status::bad_input;
-    }
+    if (!(diagonal(i) > S(0))) return status_ = Status::bad_input;
     unit_[i] = S(1) / sqrt(diagonal(i));
     z_[i] = S(0);
     w_[i] = problem.q[i];
@@ -100,15 +80,11 @@ template <class S> template <class Observer> Status GaussSeidel<S>::sweep(Observ
     for (Index k = 0; k < n; ++k) w_[k] += column[k] * change;
   }
   ++sweeps_;
-  const bool last = sweeps_ >= options_.max_sweeps;
-  if (!last && sweeps_ % options_.check_every != 0) return status_;
-  return check(observer, last);
+  return this->is_check_due() ? check(observer) : status_;
 }
 
-template <class S>
-template <class Observer>
-Status GaussSeidel<S>::check(Observer& observer, bool last) {
-  if (judge() == Status::running && last) status_ = Status::sweep_limit;
+template <class S> template <class Observer> Status GaussSeidel<S>::check(Observer& observer) {
+  if (judge() == Status::running && this->is_last()) status_ = Status::sweep_limit;
   observer.checked(*this);
   return status_;
 }
@@ -116,19 +92,10 @@ Status GaussSeidel<S>::check(Observer& observer, bool last) {
 /// The referee's word; w_ is taken from it, as rounding has piled up in ours.
 template <class S> Status GaussSeidel<S>::judge() {
   constexpr Index patience = 1000; // sweeps without a better residual
-  residual_ = natural_residual(
-      problem_, problem_.q, z_.data, unit_.data, [&](Index i) { return i >= problem_.free_begin; },
-      check_w_.data, check_scratch_.data);
+  this->ask_referee();
   for (Index i = 0; i < problem_.size; ++i) w_[i] = check_w_[i];
   if (residual_.residual <= options_.tolerance) return status_ = Status::solved;
-  const bool better = sweeps_ == 0 || residual_.residual < best_residual_;
-  if (better) {
-    best_residual_ = residual_.residual;
-    best_sweep_ = sweeps_;
-  }
-  const bool finite = residual_.residual - residual_.residual == S(0);
-  if (!finite || sweeps_ - best_sweep_ > patience) return status_ = Status::stagnated;
-  return status_;
+  return this->go_on(patience);
 }
 
 } // namespace lcpush

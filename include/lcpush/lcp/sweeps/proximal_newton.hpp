@@ -172,7 +172,7 @@ template <class S> void ProximalNewton<S>::solve_normal(const ConeGroup<S>& cone
 template <class S> void ProximalNewton<S>::solve_friction(const ConeGroup<S>& cone) {
   const Index first = cone.variable + cone.normals, g = cone.generators;
   const S lambda = cone.normal_force(force_.data);
-  const S most = cone.friction * (lambda < S(0) ? S(-lambda) : lambda);
+  const S most = cone.friction * Eigen::numext::abs(lambda);
   S theta(0);
   for (Index i = first; i < first + g; ++i) wanted_[i] = center_[i] - rate_[i] / eps_;
   if (most > S(0)) theta = simplex_threshold(wanted_.data + first, g, most);

@@ -111,7 +111,7 @@ template <class S> void Assembly<S>::choose_scales() {
   for (Index a = 0; a < scene.actuators.size; ++a) {
     if (!(memory_.reach[a] > S(0))) memory_.reach[a] = S(1);
     const S tau = scene.actuators[a].force / memory_.reach[a];
-    force = maxi(force, tau < S(0) ? S(-tau) : tau);
+    force = maxi(force, Eigen::numext::abs(tau));
   }
   // Against a push of a thousand times that, rounding is all that is left of the grip.
   force = maxi(force, S(scene.object.mass * push / S(1000)));

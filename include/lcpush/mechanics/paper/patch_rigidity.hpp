@@ -10,6 +10,7 @@
 // 1, 2 for the paper's vertex, edge and face; 3 for points that are not in one plane.
 #pragma once
 
+#include "lcpush/lcp/complete_pivoting.hpp"
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/tolerances.hpp"
 #include "lcpush/mechanics/model/laws.hpp"
@@ -171,19 +172,13 @@ template <class S> Index rank_of(MatrixMap<S> A) {
   const Index most = Eigen::numext::mini(A.rows(), A.cols());
   S zero(0);
   for (Index rank = 0; rank < most; ++rank) {
-    Index row = rank, column = rank;
-    S largest(0);
-    for (Index j = rank; j < A.cols(); ++j)
-      for (Index i = rank; i < A.rows(); ++i)
-        if (const S x = Eigen::numext::abs(A(i, j)); x > largest) {
-          largest = x;
-          row = i;
-          column = j;
-        }
-    if (rank == 0) zero = Tolerances<S>().pivot / S(8) * largest;
-    if (!(largest > zero)) return rank;
-    A.row(rank).swap(A.row(row));
-    A.col(rank).swap(A.col(column));
+    const LargestEntry<S> largest =
+        largest_entry(A.rows() - rank, A.cols() - rank, S(0),
+                      [&](Index i, Index j) { return A(rank + i, rank + j); });
+    if (rank == 0) zero = Tolerances<S>().pivot / S(8) * largest.size;
+    if (!(largest.size > zero)) return rank;
+    A.row(rank).swap(A.row(rank + largest.row));
+    A.col(rank).swap(A.col(rank + largest.column));
     for (Index j = rank + 1; j < A.cols(); ++j) {
       if (A(rank, j) == S(0)) continue;
       const S factor = A(rank, j) / A(rank, rank);

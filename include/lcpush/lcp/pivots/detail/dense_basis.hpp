@@ -1,6 +1,7 @@
 // Lemke's basis as a dictionary: all n (n + 1) numbers of it, changed by every pivot.
 #pragma once
 
+#include "lcpush/lcp/complete_pivoting.hpp"
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/pivots/dictionary.hpp"
 #include "lcpush/lcp/pivots/equilibrate.hpp"
@@ -20,9 +21,8 @@ public:
              Block<int>& integers) {
     const Index n = problem.size;
     problem_ = problem;
-    new (&dictionary.table) MatrixMap<S>(scalars.take(n * (n + 1)).data, n, n + 1);
-    new (&dictionary.values)
-        MatrixMap<S>(scalars.take(n * right_hand_sides).data, n, right_hand_sides);
+    scalars.seat(dictionary.table, n, n + 1);
+    scalars.seat(dictionary.values, n, right_hand_sides);
     dictionary.basic = integers.take(n);
     dictionary.nonbasic = integers.take(n + 1);
   }
@@ -116,24 +116,10 @@ Index DenseBasis<S>::factor(Span<int> target, Span<int> candidates, const S& sma
     if (candidates[i] != 0) candidates[leaving++] = static_cast<int>(i);
   for (Index k = 0; k < n; ++k)
     if (target[k] >= n) target[wanted++] = target[k] - static_cast<int>(n);
-  for (; wanted > 0; --wanted) {
-    S largest = smallest_pivot;
-    Index row = -1, column = -1;
-    for (Index k = 0; k < wanted; ++k)
-      for (Index i = 0; i < wanted; ++i) {
-        const S x = dictionary.table(candidates[i], target[k]);
-        const S size = x < S(0) ? S(-x) : x;
-        if (!(size > largest)) continue;
-        largest = size;
-        row = i;
-        column = k;
-      }
-    if (row < 0) return wanted;
-    dictionary.exchange(candidates[row], target[column], scratch);
-    candidates[row] = candidates[wanted - 1];
-    target[column] = target[wanted - 1];
-  }
-  return 0;
+  return exchange_largest(
+      candidates, target, wanted, smallest_pivot,
+      [&](Index row, Index column) -> const S& { return dictionary.table(row, column); },
+      [&](Index row, Index column) { dictionary.exchange(row, column, scratch); });
 }
 
 /// After factor has left some: makes the basis complementary again, without them. Where w_i
@@ -152,26 +138,12 @@ bool DenseBasis<S>::drop_pairs(Index left, Span<int> target, Span<int> candidate
     const Index j = target[k];
     if (dictionary.column_of(slack(j)) >= 0) target[neither++] = static_cast<int>(j);
   }
-  for (; both > 0; --both) {
-    S largest = smallest_pivot;
-    Index at = -1, to = -1;
-    for (Index k = 0; k < both; ++k)
-      for (Index l = 0; l < both; ++l) {
-        const S x = dictionary.table(dictionary.row_of(unknown(candidates[k], n)),
-                                     dictionary.column_of(slack(target[l])));
-        const S size = x < S(0) ? S(-x) : x;
-        if (!(size > largest)) continue;
-        largest = size;
-        at = k;
-        to = l;
-      }
-    if (at < 0) return false;
-    dictionary.exchange(dictionary.row_of(unknown(candidates[at], n)),
-                        dictionary.column_of(slack(target[to])), scratch);
-    candidates[at] = candidates[both - 1];
-    target[to] = target[both - 1];
-  }
-  return true;
+  const auto row = [&](Index i) { return dictionary.row_of(unknown(i, n)); };
+  const auto column = [&](Index j) { return dictionary.column_of(slack(j)); };
+  return exchange_largest(
+             target, candidates, both, smallest_pivot,
+             [&](Index j, Index i) -> const S& { return dictionary.table(row(i), column(j)); },
+             [&](Index j, Index i) { dictionary.exchange(row(i), column(j), scratch); }) == 0;
 }
 
 } // namespace lcpush

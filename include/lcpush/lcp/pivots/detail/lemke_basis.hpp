@@ -12,17 +12,12 @@ template <class S, class B> bool Lemke<S, B>::carve() {
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
   const Index n = n_;
-  // A Map cannot be assigned to: Eigen's documented way to re-seat one is placement new.
-  const auto matrix = [&](MatrixMap<S>& map, Index columns) {
-    new (&map) MatrixMap<S>(scalars.take(n * columns).data, n, columns);
-  };
-  const auto vector = [&](VectorMap<S>& map) { new (&map) VectorMap<S>(scalars.take(n).data, n); };
   basis_.carve(problem_, levels_ + tie_columns, scalars, integers);
-  matrix(cover_columns_, 1 + tie_columns);
-  matrix(solution_, max_levels);
+  scalars.seat(cover_columns_, n, 1 + tie_columns);
+  scalars.seat(solution_, n, max_levels);
   for (VectorMap<S>* map : {&row_scale_, &column_scale_, &unit_, &rowsum_, &bound_, &ray_, &trial_,
                             &scratch_, &product_})
-    vector(*map);
+    scalars.seat(*map, n);
   check_scratch_ = scalars.take(2 * n);
   candidates_ = integers.take(n);
   target_ = integers.take(n);
@@ -59,8 +54,8 @@ Status Lemke<S, B>::prepare(const Problem<S>& problem, const LemkeOptions<S>& op
   for (Index k = 0; k < levels_; ++k) {
     S largest(0);
     for (Index i = 0; i < n_; ++i) {
-      const S x = right_hand_side(k)[i] * row_scale_[i];
-      largest = x > largest ? x : -x > largest ? S(-x) : largest;
+      const S size = Eigen::numext::abs(S(right_hand_side(k)[i] * row_scale_[i]));
+      largest = Eigen::numext::maxi(largest, size);
     }
     level_scale_[k] = options_.equilibrate ? power_below(largest) : S(1);
   }
@@ -206,7 +201,7 @@ template <class S, class B> WorstRow<S> Lemke<S, B>::referee(const S* q, const S
 template <class S, class B> bool Lemke<S, B>::bound_is_slack() const {
   for (Index i = 0; i < n_ && finite_level() > 0; ++i) {
     const S off = solution_(i, 0) - (i >= problem_.free_begin ? S(1) : S(0));
-    if (!((off < S(0) ? S(-off) : off) <= options_.tolerances.residual)) return false;
+    if (!(Eigen::numext::abs(off) <= options_.tolerances.residual)) return false;
   }
   return true;
 }

@@ -38,15 +38,11 @@ void LocalForm<S>::carve(const Problem<S>& problem, Block<S>& scalars, Block<int
   free_begin_ = problem.free_begin;
   const Index shared = shared_actuators(*problem_), cones = problem_->cones.size;
   const Index width = 6 + shared;
-  const auto vector = [&](VectorMap<S>& map, Index size) {
-    new (&map) VectorMap<S>(scalars.take(size).data, size);
-  };
-  new (&directions_) MatrixMap<S>(scalars.take(n_ * width).data, n_, width);
-  vector(cover_, n_);
-  for (VectorMap<S>* map : {&cover_force_, &force_, &v_, &cause_}) vector(*map, width);
-  for (VectorMap<S>* map : {&held_, &cover_held_}) vector(*map, shared);
-  for (MatrixMap<S>* map : {&springs_, &core_})
-    new (map) MatrixMap<S>(scalars.take(width * width).data, width, width);
+  scalars.seat(directions_, n_, width);
+  scalars.seat(cover_, n_);
+  for (VectorMap<S>* map : {&cover_force_, &force_, &v_, &cause_}) scalars.seat(*map, width);
+  for (VectorMap<S>* map : {&held_, &cover_held_}) scalars.seat(*map, shared);
+  for (MatrixMap<S>* map : {&springs_, &core_}) scalars.seat(*map, width, width);
   for (Span<S>* span : {&friction_, &compliance_, &own_coupling_}) *span = scalars.take(cones);
   inertia_ = scalars.take(shared);
   for (Span<int>* span : {&role_, &group_, &flipped_}) *span = integers.take(n_);
@@ -103,7 +99,7 @@ S LocalForm<S>::scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> co
     S largest(0);
     rowsum[s] = S(0);
     for (Index k = sum.first; k < sum.first + sum.count; ++k) {
-      const S size = Eigen::numext::abs(S(f.coupling[k])) * column_scale[f.coupled_variable[k]];
+      const S size = Eigen::numext::abs(f.coupling[k]) * column_scale[f.coupled_variable[k]];
       largest = Eigen::numext::maxi(largest, size);
       rowsum[s] += size;
     }
@@ -111,7 +107,7 @@ S LocalForm<S>::scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> co
     row_scale[s] = column_scale[s] = equilibrates ? S(S(1) / power_below(largest)) : S(1);
     rowsum[s] += sum.inertia * column_scale[s];
     for (Index k = sum.first; k < sum.first + sum.count; ++k)
-      rowsum[f.coupled_variable[k]] += Eigen::numext::abs(S(f.coupling[k])) * column_scale[s];
+      rowsum[f.coupled_variable[k]] += Eigen::numext::abs(f.coupling[k]) * column_scale[s];
   }
   return finite_sum;
 }

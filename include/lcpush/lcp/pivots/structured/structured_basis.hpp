@@ -8,6 +8,7 @@
 // slide go to the local form.
 #pragma once
 
+#include "lcpush/lcp/complete_pivoting.hpp"
 #include "lcpush/lcp/pivots/dictionary.hpp"
 #include "lcpush/lcp/pivots/ratio_test.hpp"
 #include "lcpush/lcp/pivots/structured/local_form.hpp"
@@ -122,12 +123,10 @@ void StructuredBasis<S>::carve(const Problem<S>& problem, Index right_hand_sides
   n_ = problem.size;
   capacity_ = detail::most_exchanges(n_);
   form_.carve(problem, scalars, integers);
-  new (&dictionary.table) MatrixMap<S>(scalars.take(n_).data, n_, 1);
-  new (&dictionary.values)
-      MatrixMap<S>(scalars.take(n_ * right_hand_sides).data, n_, right_hand_sides);
-  new (&inverse_) MatrixMap<S>(scalars.take(capacity_ * capacity_).data, capacity_, capacity_);
-  for (VectorMap<S>* map : {&rates_, &along_row_, &along_column_})
-    new (map) VectorMap<S>(scalars.take(capacity_).data, capacity_);
+  scalars.seat(dictionary.table, n_);
+  scalars.seat(dictionary.values, n_, right_hand_sides);
+  scalars.seat(inverse_, capacity_, capacity_);
+  for (VectorMap<S>* map : {&rates_, &along_row_, &along_column_}) scalars.seat(*map, capacity_);
   dictionary.basic = integers.take(n_);
   dictionary.nonbasic = integers.take(1);
   out_at_ = integers.take(n_);

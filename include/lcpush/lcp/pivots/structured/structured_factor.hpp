@@ -44,17 +44,10 @@ template <class S> Index StructuredBasis<S>::invert(const S& smallest_pivot) {
     list[j] = other;
   };
   for (Index k = 0; k < t_; ++k) {
-    S largest = smallest_pivot;
-    Index row = -1, column = -1;
-    for (Index j = k; j < t_; ++j)
-      for (Index i = k; i < t_; ++i) {
-        const S size = Eigen::numext::abs(S(K(i, j)));
-        if (!(size > largest)) continue;
-        largest = size;
-        row = i;
-        column = j;
-      }
-    if (row < 0) return t_ - k;
+    const LargestEntry<S> largest = largest_entry(
+        t_ - k, t_ - k, smallest_pivot, [&](Index i, Index j) { return S(K(k + i, k + j)); });
+    if (largest.row < 0) return t_ - k;
+    const Index row = k + largest.row, column = k + largest.column;
     if (row != k) K.row(row).swap(K.row(k));
     if (column != k) K.col(column).swap(K.col(k));
     // Row i < k now belongs to slot in_[i], column j < k to row out_[j].
@@ -188,24 +181,14 @@ bool StructuredBasis<S>::drop_pairs(Index left, Span<int> target, Span<int> cand
     if (in_at_[out_[k]] >= 0) candidates[both++] = out_[k];
     if (out_at_[in_[k]] >= 0) target[neither++] = in_[k];
   }
-  for (; both > 0; --both) {
-    S largest = smallest_pivot;
-    Index at = -1, to = -1;
-    for (Index k = 0; k < both; ++k)
-      for (Index l = 0; l < neither; ++l) {
-        const S size = Eigen::numext::abs(S(inverse_(in_at_[candidates[k]], out_at_[target[l]])));
-        if (!(size > largest)) continue;
-        largest = size;
-        at = k;
-        to = l;
-      }
-    if (at < 0) return false;
-    const Index returns = base_variable(target[to]);
-    exchange(out_[in_at_[candidates[at]]], enter(returns), returns, scratch);
-    candidates[at] = candidates[both - 1];
-    target[to] = target[--neither];
-  }
-  return true;
+  const auto exchange_pairs = [&](Index j, Index i) {
+    const Index returns = base_variable(j);
+    exchange(out_[in_at_[i]], enter(returns), returns, scratch);
+  };
+  return exchange_largest(
+             target, candidates, both, smallest_pivot,
+             [&](Index j, Index i) -> const S& { return inverse_(in_at_[i], out_at_[j]); },
+             exchange_pairs) == 0;
 }
 
 } // namespace lcpush
