@@ -173,7 +173,7 @@ desktop::PivotTrace trace(Subject& subject, const Arguments& arguments) {
   return desktop::trace_pivots(subject.problem, options, *subject.story);
 }
 
-int run(const Arguments& arguments) {
+int run_pivots(const Arguments& arguments) {
   const std::string format = arguments.format({"text", "json", "latex", "html"});
   const bool is_typed = arguments.has("--M") || arguments.has("--q");
   const bool is_example = arguments.files().empty() && !is_typed;
@@ -228,7 +228,7 @@ Command pivots_command() {
           {"--format", "NAME", "text (default), json, latex or html; --json for short"},
       }),
       2,
-      run};
+      run_pivots};
 }
 
 } // namespace lcpush::cli

@@ -6,10 +6,11 @@
 namespace lcpush::desktop {
 
 std::vector<View> views_with_y_up(const Vector3<double>& size, bool is_touched_along_x) {
-  const View front{"front", "Front view, x and y", 0, 1, 1, 1};
+  const Vector3<double> x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const View front{"front", "Front view, x and y", x, y, z};
   if (is_touched_along_x || size.x() >= size.y())
-    return {front, {"top", "Top view, x and z", 0, 2, 1, -1}};
-  return {front, {"side", "Side view, z and y", 2, 1, -1, 1}};
+    return {front, {"top", "Top view, x and z", x, -z, y}};
+  return {front, {"side", "Side view, z and y", -z, y, x}};
 }
 
 std::vector<std::size_t> hull_corners(const std::vector<Pixel>& points) {
@@ -79,13 +80,15 @@ std::vector<Pixel> pad_rim(const View& view, const Vector3<double>& normal) {
 }
 
 std::string axes_elements(const View& view) {
-  const char* const names[] = {"x", "y", "z"};
-  const double across = 24 * view.right_sign, up = 24 * view.up_sign;
+  const auto name = [](const Vector3<double>& axis) {
+    return axis.x() != 0 ? "x" : axis.y() != 0 ? "y" : "z";
+  };
+  const double across = 24 * view.right.sum(), up = 24 * view.up.sum();
   const Pixel origin(across < 0 ? 42 : 16, up < 0 ? 14 : 42);
   return arrow_element("axis", origin, origin + Pixel(across, 0)) +
          arrow_element("axis", origin, origin - Pixel(0, up)) +
-         text_element("quiet", origin + Pixel(1.4 * across, 4), names[view.right], "middle") +
-         text_element("quiet", origin + Pixel(9, up > 0 ? -20 : 30), names[view.up]);
+         text_element("quiet", origin + Pixel(1.4 * across, 4), name(view.right), "middle") +
+         text_element("quiet", origin + Pixel(9, up > 0 ? -20 : 30), name(view.up));
 }
 
 double round_below(double x) {

@@ -15,23 +15,15 @@ namespace lcpush::desktop {
 constexpr double longest_force = 72; ///< pixels of a picture's longest force
 constexpr double fastest = 46;       ///< pixels of its largest acceleration
 
-/// Which of the axes point to the right and up on the drawing.
 struct View {
-  std::string name;  ///< "front", "top" or "side"
-  std::string title; ///< "Front view, x and y"
-  Index right = 0, up = 1;
-  double right_sign = 1, up_sign = 1;
+  std::string name;                  ///< "front", "top" or "side"
+  std::string title;                 ///< "Front view, x and y"
+  Vector3<double> right, up, toward; ///< along axes; the last at the viewer
 
-  Index depth() const { return 3 - right - up; }
   /// As drawn: to the right, and down.
-  Pixel flat(const Vector3<double>& v) const { return {right_sign * v[right], -up_sign * v[up]}; }
-  /// > 0 where a direction points at the viewer.
-  double toward_viewer(const Vector3<double>& v) const {
-    const double handed = (right + 1) % 3 == up ? 1 : -1;
-    return handed * right_sign * up_sign * v[depth()];
-  }
-  /// Does a body whose normal this is touch the far side?
-  bool is_behind(const Vector3<double>& normal) const { return toward_viewer(normal) > 0.5; }
+  Pixel flat(const Vector3<double>& v) const { return {right.dot(v), -up.dot(v)}; }
+  /// Does a body with this normal touch the far side?
+  bool is_behind(const Vector3<double>& normal) const { return toward.dot(normal) > 0.5; }
 };
 
 /// A front view with y up, and of the other two the one that shows more of a box of this size.
@@ -50,7 +42,7 @@ std::vector<Index> bodies_back_to_front(const View& view, const Bodies& bodies) 
   std::vector<Index> order(static_cast<std::size_t>(bodies.size));
   std::iota(order.begin(), order.end(), Index{0});
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return view.toward_viewer(bodies[a].normal) > view.toward_viewer(bodies[b].normal);
+    return view.toward.dot(bodies[a].normal) > view.toward.dot(bodies[b].normal);
   });
   return order;
 }

@@ -107,16 +107,9 @@ void write_body_in_view(JsonWriter& json, const Push& push, const View& view, In
 
 void write_view(JsonWriter& json, const Push& push, const View& view) {
   const SceneFile& file = push.file();
-  Eigen::Matrix3d
-      axes; // rows: what to multiply a vector with for its part to the right, down, near
-  for (Index k = 0; k < 3; ++k) {
-    const Vector3<double> unit = Vector3<double>::Unit(k);
-    axes.col(k) << view.flat(unit).x(), view.flat(unit).y(), view.toward_viewer(unit);
-  }
-  axes.array() += 0.0; // no -0
   json.begin_object().member("title", view.title).member("axes", axes_elements(view));
-  const char* const names[] = {"right", "down", "toward"};
-  for (Index k = 0; k < 3; ++k) json.key(names[k]).numbers(Vector3<double>(axes.row(k)));
+  json.key("right").numbers(view.right).key("toward").numbers(view.toward);
+  json.key("down").numbers(Vector3<double>(Vector3<double>::Zero() - view.up));
   std::vector<Pixel> box, shown;
   for (const auto& corner : box_corners(file.object.center_of_mass, file.shape.size))
     box.push_back(view.flat(corner));
@@ -127,47 +120,50 @@ void write_view(JsonWriter& json, const Push& push, const View& view) {
   json.key("outline");
   write_list(json, hull(box));
   const bool is_round =
-      file.shape.kind == ObjectShape::Kind::cylinder && file.shape.axis == view.depth();
-  json.member("radius", is_round ? file.shape.size[view.right] / 2 : 0.0);
+      file.shape.kind == ObjectShape::Kind::cylinder && view.toward[file.shape.axis] != 0;
+  json.member("radius", is_round ? std::abs(view.right.dot(file.shape.size)) / 2 : 0.0);
   json.key("bodies").begin_array();
   for (const Index b : bodies_back_to_front(view, push.scene().bodies))
     write_body_in_view(json, push, view, b);
   json.end_array().end_object();
 }
 
-void write_marks(JsonWriter& json) {
-  const Pixel here(0, 0);
-  json.key("marks").begin_object();
-  json.member("stick", mark_element(Mark::square, "stick", here));
-  json.member("slide", mark_element(Mark::triangle, "slide", here));
-  json.member("separate", mark_element(Mark::ring, "separate", here));
-  json.member("touch", mark_element(Mark::small_ring, "touch", here));
-  json.member("sink", mark_element(Mark::cross, "sink", here));
-  json.member("clockwise", turning_arc(here, true));
-  json.member("counterclockwise", turning_arc(here, false));
-  json.member("turning_center", turning_center(here));
-  json.member("into", sight_ring(here, false)).member("out_of", sight_ring(here, true));
-  json.end_object();
-}
+/// What a contact does in a basis, its mark, and the words of the table and of the key.
+struct ModeWords {
+  const char* mode;
+  Mark mark;
+  const char *verb, *in_key;
+};
+constexpr ModeWords mode_words[] = {
+    {"stick", Mark::square, "sticks", "sticks"},
+    {"slide", Mark::triangle, "slides", "slides"},
+    {"separate", Mark::ring, "opens", "opens"},
+    {"touch", Mark::small_ring, "touches", "only touches"},
+    {"sink", Mark::cross, "sinks in", "sinks in, on the cushion"},
+};
 
-std::string key() {
-  const auto mark = [](Mark kind, const char* mode) {
-    return sample("0 0 26 14", mark_element(kind, mode, {13, 7}));
-  };
-  const auto arrow = [](const char* kind) {
-    return sample("0 0 26 14", arrow_element(kind, {2, 7}, {25, 7}));
-  };
-  return key_html({{arrow("force normal"), "normal force"},
-                   {arrow("force friction"), "friction"},
-                   {arrow("motion"), "acceleration"},
-                   {sample("0 0 26 14", polygon_element("cone", {{24, 7}, {4, 1}, {4, 13}})),
-                    "friction pyramid"},
-                   {mark(Mark::square, "stick"), "sticks"},
-                   {mark(Mark::triangle, "slide"), "slides"},
-                   {mark(Mark::ring, "separate"), "opens"},
-                   {mark(Mark::small_ring, "touch"), "only touches"},
-                   {mark(Mark::cross, "sink"), "sinks in, on the cushion"},
-                   {sample("-17 -9 34 18", turning_center({0, 0})), "centre of turning"}});
+/// What is drawn about the origin, to be moved where it belongs; and the key that explains it.
+void write_marks(JsonWriter& json) {
+  const auto small = [](const std::string& elements) { return sample("0 0 26 14", elements); };
+  const auto arrow = [&](const char* kind) { return small(arrow_element(kind, {2, 7}, {25, 7})); };
+  KeyItems key{{arrow("force normal"), "normal force"},
+               {arrow("force friction"), "friction"},
+               {arrow("motion"), "acceleration"},
+               {small(polygon_element("cone", {{24, 7}, {4, 1}, {4, 13}})), "friction pyramid"}};
+  const Pixel origin(0, 0);
+  json.key("marks").begin_object();
+  for (const ModeWords& words : mode_words) {
+    json.member(words.mode, mark_element(words.mark, words.mode, origin));
+    key.emplace_back(small(mark_element(words.mark, words.mode, {13, 7})), words.in_key);
+  }
+  key.emplace_back(sample("-17 -9 34 18", turning_center(origin)), "centre of turning");
+  json.member("clockwise", turning_arc(origin, true));
+  json.member("counterclockwise", turning_arc(origin, false));
+  json.member("turning_center", turning_center(origin));
+  json.member("into", sight_ring(origin, false)).member("out_of", sight_ring(origin, true));
+  json.end_object().key("verbs").begin_object();
+  for (const ModeWords& words : mode_words) json.member(words.mode, words.verb);
+  json.end_object().member("key", key_html(key));
 }
 
 } // namespace
@@ -184,7 +180,6 @@ void write_scene(JsonWriter& json, const Push& push, bool is_drawn) {
     for (const View& view : views) write_view(json, push, view);
     json.end_array();
     write_marks(json);
-    json.member("key", key());
     json.member("longest_force", longest_force).member("fastest", fastest);
   }
   json.end_object();

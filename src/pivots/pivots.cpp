@@ -10,20 +10,21 @@
 namespace lcpush::desktop {
 namespace {
 
-double as(const Rational& x, double) { return x.value(); }
-const Rational& as(const Rational& x, const Rational&) { return x; }
-
 template <class S> std::vector<S> converted(const std::vector<Rational>& numbers) {
-  std::vector<S> result;
-  result.reserve(numbers.size());
-  for (const Rational& x : numbers) result.push_back(as(x, S()));
-  return result;
+  if constexpr (std::is_same_v<S, Rational>) {
+    return numbers;
+  } else {
+    std::vector<S> result;
+    for (const Rational& x : numbers) result.push_back(x.value());
+    return result;
+  }
 }
 
 PivotTrace empty_trace(Index n, Index free_count, const Story& story) {
   PivotTrace trace;
   trace.size = n;
   trace.free_count = free_count;
+  trace.is_physical = story.is_physical();
   for (Index variable = 0; variable <= artificial(n); ++variable)
     trace.variables.push_back({variable_name(variable, n), story.meaning(variable)});
   return trace;
@@ -96,33 +97,6 @@ std::string reason_of(const PivotTrace& trace, Reason reason) {
   return reason_text(reason);
 }
 
-/// Records, and lets the user choose among the ties.
-template <class S> class Teacher : public Recorder<S> {
-public:
-  Teacher(PivotTrace& trace, const Story& story, const PivotOptions& options)
-      : Recorder<S>(trace, story, options.most_entries), trace_(trace), options_(options) {}
-
-  Index leaves(const Lemke<S>& lemke, const Turn& turn) {
-    Index row = Recorder<S>::leaves(lemke, turn);
-    if (options_.choose) row = options_.choose(trace_);
-    if (!options_.z0_wins_ties && turn.blocking.decided_by == TieBreak::artificial)
-      row = first_other(turn);
-    if (row != turn.blocking.row) Recorder<S>::choose(lemke, row);
-    return row;
-  }
-
-private:
-  PivotTrace& trace_;
-  const PivotOptions& options_;
-
-  static Index first_other(const Turn& turn) {
-    Index first = -1;
-    for (const int row : turn.tied)
-      if (row != turn.blocking.row && (first < 0 || row < first)) first = row;
-    return first;
-  }
-};
-
 /// In doubles rounding decides ties: then even the lexicographic rule may come back to a basis.
 void distrust(const PivotOptions& options, PivotTrace& trace) {
   if (!trace.cycle || options.rule != TieRule::lexicographic || options.choose) return;
@@ -158,13 +132,11 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
   book.max_pivots = options.max_pivots;
 
   OwnedLemke<S> lemke(n);
-  Teacher<S> teacher(trace, story, options);
+  Recorder<S> recorder(trace, story, options);
   trace.status = lemke.init(problem, book);
-  while (trace.status == Status::running && !trace.cycle) {
-    trace.status = lemke.step(teacher);
-  }
+  while (trace.status == Status::running && !trace.cycle) trace.status = lemke.step(recorder);
   if constexpr (std::is_same_v<S, double>) distrust(options, trace);
-  trace.last = teacher.tableau(lemke.dictionary());
+  trace.last = recorder.tableau(lemke.dictionary());
   if (trace.status == Status::solved) take_solution(given, lemke, trace);
   if (trace.status == Status::ray) take_ray(lemke, story, trace);
   if (std::is_same_v<S, double> && !all_finite(trace.z)) trace.status = Status::numerical_breakdown;
@@ -173,11 +145,11 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
   return trace;
 }
 
-/// A recorder that the desktop's solvers can be given.
+/// The recorder as an observer that the desktop's solvers can be given.
 class RecordingWatcher : public Watcher {
 public:
   RecordingWatcher(PivotTrace& trace, const Story& story, const PivotOptions& options)
-      : trace_(trace), recorder_(trace, story, options.most_entries) {}
+      : trace_(trace), recorder_(trace, story, options) {}
 
   void starts(const Lemke<double>& lemke) override { recorder_.starts(lemke); }
   Index leaves(const Lemke<double>& lemke, const Turn& turn) override {

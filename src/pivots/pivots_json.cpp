@@ -20,7 +20,11 @@ void write(JsonWriter& json, const TraceValue& value) {
   json.end_array();
 }
 
-template <class T> void write_all(JsonWriter& json, const std::vector<T>& list) {
+template <class T> void write(JsonWriter& json, const std::optional<T>& data) {
+  data ? write(json, *data) : void(json.value(nullptr));
+}
+
+template <class T> void write(JsonWriter& json, const std::vector<T>& list) {
   json.begin_array();
   for (const T& x : list) write(json, x);
   json.end_array();
@@ -54,10 +58,7 @@ public:
     write_runs();
     write_end();
     json.key("scene");
-    if (push == nullptr)
-      json.value(nullptr);
-    else
-      write_scene(json, *push, !tableaus);
+    push != nullptr ? write_scene(json, *push, !tableaus) : null();
     json.end_object();
     return json.text();
   }
@@ -65,6 +66,8 @@ public:
 private:
   const PivotTrace& trace_;
   JsonWriter json;
+
+  void null() { json.value(nullptr); }
 
   const char* rule() const {
     for (const TracedPivot& pivot : trace_.pivots)
@@ -101,21 +104,16 @@ private:
     json.begin_object().key("rows").strings(names(tableau.rows));
     json.key("columns").strings(names(tableau.columns));
     json.key("values");
-    write_all(json, tableau.values);
+    write(json, tableau.values);
     json.key("entries").begin_array();
-    const std::size_t width = tableau.columns.size();
     for (std::size_t i = 0; i < tableau.rows.size(); ++i) {
-      const auto first = tableau.entries.begin() + static_cast<std::ptrdiff_t>(i * width);
-      const std::vector<TraceNumber> row(first, first + static_cast<std::ptrdiff_t>(width));
-      if (row[0].fraction.empty()) {
-        std::vector<double> plain;
-        for (const TraceNumber& x : row) plain.push_back(x.value);
-        json.numbers(plain);
-      } else {
-        std::vector<std::string> fractions;
-        for (const TraceNumber& x : row) fractions.push_back(x.fraction);
-        json.strings(fractions);
+      std::vector<double> values;
+      std::vector<std::string> fractions;
+      for (std::size_t j = 0; j < tableau.columns.size(); ++j) {
+        values.push_back(tableau.entry(i, j).value);
+        fractions.push_back(tableau.entry(i, j).fraction);
       }
+      fractions[0].empty() ? json.numbers(values) : json.strings(fractions);
     }
     json.end_array();
     if (pivot != nullptr) json.member("row", pivot->row).member("column", pivot->column);
@@ -125,23 +123,14 @@ private:
   void write_pivot(const TracedPivot& pivot, bool tableaus) {
     json.begin_object();
     json.member("entering", name(pivot.entering)).member("leaving", name(pivot.leaving));
-    json.key("ratios").begin_array();
-    for (const auto& ratio : pivot.ratios) {
-      if (ratio)
-        write(json, *ratio);
-      else
-        json.value(nullptr);
-    }
-    json.end_array();
+    json.key("ratios");
+    write(json, pivot.ratios);
     json.key("ties").strings(names(pivot.ties)).member("tie_break", tie_break(pivot));
     json.key("z0");
     write(json, pivot.z0);
     json.key("basis").strings(names(pivot.basis)).member("sentence", pivot.sentence);
     json.member("run", pivot.run).key("tableau");
-    if (pivot.before && tableaus)
-      write_tableau(*pivot.before, &pivot);
-    else
-      json.value(nullptr);
+    pivot.before&& tableaus ? write_tableau(*pivot.before, &pivot) : null();
     json.end_object();
   }
 
@@ -158,39 +147,34 @@ private:
 
   void write_end() {
     json.key("final");
-    if (trace_.last) {
-      json.begin_object().key("basis").strings(names(trace_.last->rows)).key("tableau");
-      write_tableau(*trace_.last, nullptr);
-      for (const bool is_z : {true, false}) {
-        const std::vector<TraceNumber>& numbers = is_z ? trace_.z : trace_.w;
-        json.key(is_z ? "z" : "w");
-        if (numbers.empty())
-          json.value(nullptr);
-        else
-          write_all(json, numbers);
-      }
-      json.end_object();
-    } else {
-      json.value(nullptr);
-    }
+    trace_.last ? write_final(*trace_.last) : null();
     json.key("ray");
-    if (trace_.ray) {
-      json.begin_object().member("entering", name(trace_.ray->entering)).key("v");
-      write_all(json, trace_.ray->v);
-      json.key("v0");
-      write(json, trace_.ray->v0);
-      json.member("words", trace_.ray->words).end_object();
-    } else {
-      json.value(nullptr);
-    }
+    trace_.ray ? write_ray(*trace_.ray) : null();
     json.key("cycle");
-    if (trace_.cycle)
-      json.begin_object()
-          .member("from_pivot", trace_.cycle->first)
-          .member("length", trace_.cycle->length)
-          .end_object();
-    else
-      json.value(nullptr);
+    trace_.cycle ? write_cycle(*trace_.cycle) : null();
+  }
+
+  void write_final(const Tableau& last) {
+    json.begin_object().key("basis").strings(names(last.rows)).key("tableau");
+    write_tableau(last, nullptr);
+    json.key("z");
+    trace_.z.empty() ? null() : write(json, trace_.z);
+    json.key("w");
+    trace_.w.empty() ? null() : write(json, trace_.w);
+    json.end_object();
+  }
+
+  void write_ray(const TracedRay& ray) {
+    json.begin_object().member("entering", name(ray.entering)).key("v");
+    write(json, ray.v);
+    json.key("v0");
+    write(json, ray.v0);
+    json.member("words", ray.words).end_object();
+  }
+
+  void write_cycle(const Cycle& cycle) {
+    json.begin_object().member("from_pivot", cycle.first).member("length", cycle.length);
+    json.end_object();
   }
 };
 

@@ -32,13 +32,9 @@ std::string header(const PivotTrace& trace) {
   return text;
 }
 
-bool is_physical(const PivotTrace& trace) {
-  return trace.variables[0].meaning.rfind("slack of row", 0) != 0;
-}
-
 /// What the variables mean, for scenes.
 std::string legend(const PivotTrace& trace) {
-  if (!is_physical(trace)) return {};
+  if (!trace.is_physical) return {};
   std::vector<std::vector<std::string>> rows;
   for (Index i = 0; i < trace.size; ++i) {
     const Variable& w = trace.variables[static_cast<std::size_t>(slack(i))];
@@ -76,6 +72,14 @@ bool is_free(const PivotTrace& trace, std::size_t i) {
   return static_cast<Index>(i) >= trace.size - trace.free_count;
 }
 
+/// "  z3 = 2  normal of left.1 (N)", for `letter` z.
+std::string unknown_line(const PivotTrace& trace, char letter, std::size_t i,
+                         const std::string& value) {
+  const Variable& z = trace.variables[i + static_cast<std::size_t>(trace.size)];
+  return std::string("  ") + letter + std::to_string(i + 1) + " = " + value +
+         (trace.is_physical ? "  " + z.meaning : "") + "\n";
+}
+
 /// A free unknown is counted from its bound -S.
 std::string unknown_text(const PivotTrace& trace, std::size_t i) {
   TraceValue value{{}, trace.z[i]};
@@ -91,11 +95,7 @@ std::string ending(const PivotTrace& trace) {
     text += "Solved after " + count + (trace.is_proved ? ", proved in fractions" : "") + ".\n";
     for (std::size_t i = 0; i < trace.z.size(); ++i)
       if (!is_zero(trace.z[i]) || is_free(trace, i))
-        text += "  z" + std::to_string(i + 1) + " = " + unknown_text(trace, i) +
-                (is_physical(trace)
-                     ? "  " + trace.variables[i + static_cast<std::size_t>(trace.size)].meaning
-                     : "") +
-                "\n";
+        text += unknown_line(trace, 'z', i, unknown_text(trace, i));
     return text;
   }
   text += std::string("Not solved (") + (trace.cycle ? "cycle" : status_text(trace.status)) +
@@ -105,11 +105,7 @@ std::string ending(const PivotTrace& trace) {
           "\nThe ray v >= 0 with M v + d v0 >= 0, v0 = " + number_text(trace.ray->v0) + ":\n";
   for (std::size_t i = 0; i < trace.ray->v.size(); ++i)
     if (!is_zero(trace.ray->v[i]))
-      text += "  v" + std::to_string(i + 1) + " = " + number_text(trace.ray->v[i]) +
-              (is_physical(trace)
-                   ? "  " + trace.variables[i + static_cast<std::size_t>(trace.size)].meaning
-                   : "") +
-              "\n";
+      text += unknown_line(trace, 'v', i, number_text(trace.ray->v[i]));
   return text;
 }
 

@@ -74,9 +74,9 @@ std::string ScenePainter::outline() {
   for (const auto& corner : box_corners(file_.object.center_of_mass, shape.size))
     corners.push_back(place(corner));
   places_.block(bounds(corners), 0.6);
-  if (shape.kind == ObjectShape::Kind::cylinder && shape.axis == view_.depth())
+  if (shape.kind == ObjectShape::Kind::cylinder && view_.toward[shape.axis] != 0)
     return circle_element("object", place(file_.object.center_of_mass),
-                          scales_.meters * shape.size[view_.right] / 2);
+                          scales_.meters * std::abs(view_.right.dot(shape.size)) / 2);
   return polygon_element(shape.kind == ObjectShape::Kind::unknown ? "object guessed" : "object",
                          hull(corners));
 }

@@ -98,7 +98,7 @@ std::string ScenePainter::object_motion() {
                       (flat.norm() < 0.995 * whole ? " of " + rough_number(whole) : ""));
       said.push_back("accelerates by " + lines.back());
     }
-    const double spin = view_.toward_viewer(a.tail<3>());
+    const double spin = view_.toward.dot(a.tail<3>());
     if (report_.scales.length * std::abs(spin) > scales_.still) {
       places_.block_around(center, 22, 1.5);
       text += turning_arc(center, spin < 0);

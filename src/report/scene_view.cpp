@@ -9,8 +9,9 @@ std::vector<View> chosen_views(const SceneFile& file) {
   const Vector3<double> pull = file.gravity.cwiseAbs();
   if (pull.z() > std::max(pull.x(), pull.y())) {
     const double up = file.gravity.z() < 0 ? 1 : -1;
-    return {{"front", "Front view, x and z", 0, 2, 1, up},
-            {"top", "View from above, x and y", 0, 1, 1, up}};
+    const Vector3<double> x(1, 0, 0), y(0, up, 0), z(0, 0, up);
+    return {{"front", "Front view, x and z", x, z, -y},
+            {"top", "View from above, x and y", x, y, z}};
   }
   return views_with_y_up(file.shape.size, file.bodies);
 }

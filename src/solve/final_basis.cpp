@@ -11,8 +11,8 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr double strict = 1e-6;  // of the scene's units: farther than this from a limit
-constexpr double no_part = 1e-9; // of a direction's largest entry
+constexpr double strict = 1e-6;   // of the scene's units: farther than this from a limit
+constexpr double rounding = 1e-9; // of a direction's largest entry
 
 enum class Regime {
   open,   ///< no force, moving apart
@@ -198,7 +198,7 @@ bool Study::opens_wrench(const Eigen::VectorXd& x) const {
     if (body_of(force.point).role == Role::pusher) pushers += x[next] * force.wrench;
     ++next;
   }
-  return pushers.norm() > no_part;
+  return pushers.norm() > rounding;
 }
 
 FinalBasis Study::result() const {
@@ -217,8 +217,8 @@ FinalBasis Study::result() const {
   const Eigen::MatrixXd kernel = lu.kernel();
   for (Index k = 0; k < kernel.cols(); ++k) {
     const Eigen::VectorXd x = kernel.col(k) / kernel.col(k).cwiseAbs().maxCoeff();
-    if (!(((K * x).cwiseAbs() - no_part * size).maxCoeff() <= 0)) continue;
-    found.motion_open = found.motion_open || x.head<6>().norm() > no_part + 10 * yields;
+    if (!(((K * x).cwiseAbs() - rounding * size).maxCoeff() <= 0)) continue;
+    found.motion_open = found.motion_open || x.head<6>().norm() > rounding + 10 * yields;
     found.wrench_open = found.wrench_open || opens_wrench(x);
   }
   return found;

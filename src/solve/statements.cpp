@@ -9,7 +9,7 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr double least_part = 1e-6; // of the largest entry of a witness
+constexpr double idle_entry = 1e-6; // of the largest entry of a witness
 
 /// Names of the file's bodies that carry a part of the witness.
 std::vector<std::string> names_of(const SceneFile& file, const Assembly<double>& assembly,
@@ -24,12 +24,12 @@ std::vector<std::string> names_of(const SceneFile& file, const Assembly<double>&
   };
   if (verdict == Existence::closes_on_nothing)
     for (const Drive<double>& drive : scene.drives)
-      if (witness[static_cast<std::size_t>(drive.actuator)] > least_part * largest)
+      if (witness[static_cast<std::size_t>(drive.actuator)] > idle_entry * largest)
         mark(drive.body);
   if (verdict == Existence::can_be_squeezed)
     for (Index i = 0; i < layout.points; ++i)
       for (Index k = 0; k < layout.cones[i].normals; ++k)
-        if (witness[static_cast<std::size_t>(layout.cones[i].force + k)] > least_part * largest)
+        if (witness[static_cast<std::size_t>(layout.cones[i].force + k)] > idle_entry * largest)
           mark(layout.body[i]);
   std::vector<std::string> names;
   for (std::size_t b = 0; b < takes_part.size(); ++b)

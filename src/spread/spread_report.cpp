@@ -19,10 +19,6 @@ std::string interval_text(const Interval& interval, double same) {
   return end_text(interval.low, same) + " .. " + end_text(interval.high, same);
 }
 
-std::string counted(Index count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 std::string law_line(const SceneFile& file) {
   const std::string label = "Laws              the paper's, literally (pressure = \"rigid\")";
   if (file.pressure == Pressure::rigid) return label + "\n";

@@ -84,6 +84,7 @@ struct PivotTrace {
   bool has_fractions = false;     ///< numbers are exact and written as fractions
   bool prefers_decimals = false;  ///< on the page, which can show both
   TieRule rule = TieRule::lexicographic;
+  bool is_physical = false;  ///< a scene's: variables mean forces and motions
   bool is_as_solved = false; ///< the real run: scaled, under generic covers, its warm rounds
   Status status = Status::running;
   std::string reason; ///< a sentence; empty when solved
@@ -102,6 +103,7 @@ struct PivotTrace {
 class Story {
 public:
   virtual ~Story() = default;
+  virtual bool is_physical() const { return false; }
   /// Of variable w_i, z_i or z0.
   virtual std::string meaning(Index variable) const = 0;
   /// What a pivot means. `basic` says which variables are basic while the entering one grows,

@@ -33,6 +33,7 @@ public:
   const Scene<double>& scene() const { return scene_; } ///< as solved: even pressure is spread
   const Layout<double>& layout() const { return assembly_.layout(); }
   Assembly<double>& assembly() { return assembly_; }
+  const Assembly<double>& assembly() const { return assembly_; }
 
 private:
   const SceneFile& file_;

@@ -30,6 +30,12 @@ template <class S> struct ConeGroup {
   S normal_force(const S* z) const {
     return normals == 2 ? S(z[variable] - z[variable + 1]) : z[variable];
   }
+  void set_normal_force(S* z, const S& lambda) const {
+    z[variable] = lambda > S(0) ? lambda : S(0);
+    if (normals == 2) z[variable + 1] = lambda < S(0) ? S(-lambda) : S(0);
+  }
+  /// mu |lambda|, what the friction forces may sum up to.
+  S friction_limit(const S* z) const { return friction * Eigen::numext::abs(normal_force(z)); }
 };
 
 /// Forces that share an actuator: row sum_k coupling_k z_k + inertia s - target = 0, s free.

@@ -5,8 +5,6 @@
   const { svg, picture, parsed } = explorer.elements;
   const { add, scale, subtract, dot, length, cross } = explorer.vectors;
   const { decimal } = explorer.number_text;
-  const modes = { stick: 'sticks', slide: 'slides', separate: 'opens', touch: 'touches',
-    sink: 'sinks in' };
 
   /// The largest of 1, 2, 5 times a power of ten that is not above x.
   function round_below(x) {
@@ -241,5 +239,5 @@
       svg: new Painter(scene, view, level, common).draw(shown.modes) }));
   }
 
-  explorer.view_scene = { figures, modes };
+  explorer.view_scene = { figures };
 })();

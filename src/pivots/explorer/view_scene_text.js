@@ -2,7 +2,7 @@
 (() => {
   const { h, parsed, replace, by_id, name } = explorer.elements;
   const { decimal } = explorer.number_text;
-  const { figures, modes } = explorer.view_scene;
+  const { figures } = explorer.view_scene;
   const { length, cross, scale, dot, add } = explorer.vectors;
 
   /// z and w of the present basis in SI units, by level [times S, finite], and the cushion d z0.
@@ -49,7 +49,7 @@
         h('th', { scope: 'col' }, text)))),
       h('tbody', {}, scene.points.map((point, i) => h('tr', {},
         h('th', { scope: 'row' }, point.name),
-        h('td', {}, modes[shown.modes[i]]),
+        h('td', {}, scene.verbs[shown.modes[i]]),
         h('td', {}, `${decimal(level.forces[i].normal, 4)}${times} N`),
         h('td', {}, `${decimal(length(level.forces[i].friction), 4)}${times} N`))))));
   }

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "lcpush/mechanics/paper/paper_matrices.hpp"
+#include "support/contact_generators.hpp"
 #include "support/dense_lcp.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"
@@ -72,12 +72,10 @@ struct Matrices {
 
   explicit Matrices(const Scene<double>& given)
       : scene(given), G(6, contact_components(scene)), G_bar(6, force_count(scene)),
-        J(contact_components(scene), scene.actuators.size),
-        E(contact_components(scene), force_count(scene)) {
+        J(contact_components(scene), scene.actuators.size), E(contact_generators(scene)) {
     grasp_matrix(scene, map_of(G));
     polyhedral_grasp_matrix(scene, map_of(G_bar));
     hand_jacobian(scene, map_of(J));
-    contact_generators(scene, map_of(E));
   }
 };
 

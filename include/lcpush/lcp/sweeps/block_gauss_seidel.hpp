@@ -31,22 +31,18 @@ public:
   /// `problem` is factored and outlives the run. Starts from the forces in `start` (n numbers), or
   /// from each sum's even share. Post: running; or bad_input if the memory is too small, or if
   /// plain sweeps cannot keep a sum group (it is no simplex: it couples friction or has inertia).
+  template <class Observer = const Unobserved>
   [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options = {},
-                            const S* start = nullptr) {
-    return init(problem, options, start, unobserved);
-  }
-  template <class Observer>
-  [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options,
-                            const S* start, Observer& observer);
+                            const S* start = nullptr, Observer& observer = unobserved);
 
   /// One pass over all groups; post: running, or how the run ended. Cost: O(forces).
-  [[nodiscard]] Status sweep() { return sweep(unobserved); }
-  template <class Observer> [[nodiscard]] Status sweep(Observer& observer);
+  template <class Observer = const Unobserved>
+  [[nodiscard]] Status sweep(Observer& observer = unobserved);
 
   /// Sweeps to the end, accelerated if the options say so.
   /// Post: solved (the check was passed), sweep_limit or stagnated.
-  [[nodiscard]] Status solve() { return solve(unobserved); }
-  template <class Observer> [[nodiscard]] Status solve(Observer& observer);
+  template <class Observer = const Unobserved>
+  [[nodiscard]] Status solve(Observer& observer = unobserved);
 
   /// After stagnated: did the forces grow without bound, as in a jam?
   bool runs_away() const;
