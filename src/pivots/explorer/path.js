@@ -44,7 +44,7 @@
       const plain = this.levels === 2 ? (x) => [0, x] : (x) => [x];
       const values = start.values.map((x) => (Array.isArray(x) ? x : plain(x)));
       return kind.from(start.rows.map((x) => this.variable(x)),
-        start.columns.map((x) => this.variable(x)), start.entries, values, this.levels);
+        start.columns.map((x) => this.variable(x)), start.entries, values);
     }
   }
 
