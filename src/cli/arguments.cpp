@@ -10,6 +10,8 @@
 
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "text/text_file.hpp"
+#include "text/whole_number.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
@@ -22,12 +24,6 @@ std::string full_name(const std::string& word) { return word == "-o" ? "--output
 bool is_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' &&
          (word[1] == '-' || word == "-o" || word == "-h" || (word[1] >= 'A' && word[1] <= 'z'));
-}
-
-[[noreturn]] void refuse_writing(const std::string& path, int reason) {
-  throw desktop::InputError(path +
-                            ": cannot be written: " + std::generic_category().message(reason) +
-                            "; check the path and its permissions");
 }
 
 } // namespace
@@ -102,15 +98,15 @@ std::string Arguments::format(const std::vector<std::string>& known) const {
 std::optional<Index> Arguments::whole(const std::string& option, const Range& range) const {
   const std::optional<std::string> word = value(option);
   if (!word) return std::nullopt;
-  const auto least = static_cast<std::uint64_t>(range.smallest);
-  const auto most = static_cast<std::uint64_t>(range.largest);
-  const std::optional<std::uint64_t> number = desktop::whole_number(*word);
-  if (!number || *number < least || *number > most || (range.even && *number % 2 != 0))
-    refuse_value(option, *word,
-                 (range.even ? "an even number from " : "a whole number from ") +
-                     std::to_string(least) +
-                     (range.largest < Range{0}.largest ? " to " + std::to_string(most) : " on"));
-  return static_cast<Index>(*number);
+  const std::optional<Index> number = desktop::whole_number<Index>(*word);
+  if (!number || *number < range.smallest || *number > range.largest ||
+      (range.even && *number % 2 != 0))
+    refuse_value(
+        option, *word,
+        (range.even ? "an even number from " : "a whole number from ") +
+            std::to_string(range.smallest) +
+            (range.largest < Range{0}.largest ? " to " + std::to_string(range.largest) : " on"));
+  return number;
 }
 
 std::optional<double> Arguments::number(const std::string& option, double end,
@@ -156,7 +152,7 @@ void write_output(const Arguments& arguments, const std::string& text) {
   errno = 0;
   if (!path) {
     std::cout << text << std::flush;
-    if (!std::cout) refuse_writing("standard output", errno);
+    if (!std::cout) desktop::refuse_file("standard output", "written", errno);
     return;
   }
   std::error_code ignored;
@@ -167,12 +163,12 @@ void write_output(const Arguments& arguments, const std::string& text) {
       std::filesystem::exists(*path, ignored) && !std::filesystem::is_regular_file(*path, ignored);
   const std::string partial = direct ? *path : *path + ".part";
   std::ofstream stream(partial, std::ios::binary);
-  if (!stream) refuse_writing(*path, errno);
+  if (!stream) desktop::refuse_file(*path, "written", errno);
   stream << text << std::flush;
   if (!stream) {
     const int reason = errno;
     if (!direct) std::remove(partial.c_str());
-    refuse_writing(*path, reason);
+    desktop::refuse_file(*path, "written", reason);
   }
   stream.close();
   if (direct) return;
@@ -180,7 +176,7 @@ void write_output(const Arguments& arguments, const std::string& text) {
   std::filesystem::rename(partial, *path, failure);
   if (!failure) return;
   std::remove(partial.c_str());
-  refuse_writing(*path, failure.value());
+  desktop::refuse_file(*path, "written", failure.value());
 }
 
 Option solver_option() {

@@ -1,7 +1,6 @@
 // lcpush lcp: raw linear complementarity problems.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "cli/commands.hpp"
 #include "cli/history.hpp"
@@ -51,15 +50,13 @@ std::string read_format(const Arguments& arguments) {
 }
 
 std::string reason_of(const desktop::RawAnswer& answer) {
-  char at[60];
-  std::snprintf(at, sizeof at, " (the scaled residual is %.1e)", answer.residual);
+  const std::string at = desktop::printed(" (the scaled residual is %.1e)", answer.residual);
   if (answer.status == Status::sweep_limit)
-    return "the limit of sweeps was reached" + std::string(at) + "; raise --sweeps";
+    return "the limit of sweeps was reached" + at + "; raise --sweeps";
   if (answer.status == Status::stagnated)
-    return "the sweeps make no more progress" + std::string(at) + "; use hybrid or lemke";
+    return "the sweeps make no more progress" + at + "; use hybrid or lemke";
   if (answer.status == Status::ray)
-    return "Lemke ended on a secondary ray under " + std::to_string(answer.covers) +
-           (answer.covers == 1 ? " cover" : " covers");
+    return "Lemke ended on a secondary ray under " + desktop::counted(answer.covers, "cover");
   if (answer.status == Status::pivot_limit) return "the limit of pivots was reached";
   return reason_text(answer.reason);
 }
@@ -86,12 +83,6 @@ std::string as_json(const desktop::RawAnswer& answer, const std::string& solver)
   return json.end_object().text();
 }
 
-std::string line(const char* format, double a, double b = 0) {
-  char text[120];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
-}
-
 /// "12 sweeps and 3 pivots", without what was not tried.
 std::string effort_of(const desktop::RawAnswer& answer) {
   const std::string sweeps = std::to_string(answer.sweeps) + " sweeps";
@@ -113,7 +104,7 @@ std::string as_text(const desktop::RawProblem& problem, const desktop::RawAnswer
     text += "\nThe ray v (v >= 0, M v >= 0 along it up to the cover, largest entry 1):\n";
     for (std::size_t i = 0; i < n; ++i)
       if (answer.ray[i] != 0)
-        text += "  v" + std::to_string(i + 1) + line(" = %.9g\n", answer.ray[i]);
+        text += "  v" + std::to_string(i + 1) + desktop::printed(" = %.9g\n", answer.ray[i]);
     return text;
   }
   text = "Solved in " + effort_of(answer) +
@@ -126,8 +117,9 @@ std::string as_text(const desktop::RawProblem& problem, const desktop::RawAnswer
     std::string row = std::to_string(i + 1);
     row.insert(0, row.size() < 5 ? 5 - row.size() : 0, ' ');
     row += answer.basic[i] != 0 ? "  z    " : "  w    ";
-    text += row + line("%17.9g", answer.z[i]) +
-            (problem.free[i] != 0 ? "             free\n" : line("%17.9g\n", answer.w[i]));
+    text +=
+        row + desktop::printed("%17.9g", answer.z[i]) +
+        (problem.free[i] != 0 ? "             free\n" : desktop::printed("%17.9g\n", answer.w[i]));
   }
   return text;
 }
@@ -140,7 +132,7 @@ std::string history_of(const desktop::RawAnswer& answer, const std::string& form
   return history_text(format, solver, answer.status, {"residual"}, rows);
 }
 
-int run(const Arguments& arguments) {
+int run_lcp(const Arguments& arguments) {
   const std::string format = read_format(arguments);
   desktop::RawOptions options = read_options(arguments);
   const std::string solver = desktop::solver_text(options.solver);
@@ -185,7 +177,7 @@ Command lcp_command() {
               {"--history", "", "the residual after each check instead; also --format csv"},
           }),
           2,
-          run};
+          run_lcp};
 }
 
 } // namespace lcpush::cli

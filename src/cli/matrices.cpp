@@ -6,7 +6,7 @@
 namespace lcpush::cli {
 namespace {
 
-int run(const Arguments& arguments) {
+int run_matrices(const Arguments& arguments) {
   const std::string format = arguments.format();
   const desktop::SceneFile file = read_scene_argument(arguments);
   const desktop::PaperMatrices matrices = desktop::paper_matrices(file);
@@ -28,7 +28,7 @@ Command matrices_command() {
           "Example:\n  lcpush matrices fixtures/scenes/straight_slide.toml\n",
           with_common_options({}),
           1,
-          run};
+          run_matrices};
 }
 
 } // namespace lcpush::cli

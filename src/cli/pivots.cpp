@@ -32,10 +32,9 @@ struct Subject {
 Pressure read_pressure(const Arguments& arguments, Pressure otherwise) {
   const auto text = arguments.value("--pressure");
   if (!text) return otherwise;
-  if (*text == "pad") return Pressure::pad;
-  if (*text == "even") return Pressure::even;
-  if (*text == "rigid") return Pressure::rigid;
-  refuse_value("--pressure", *text, "pad, even or rigid");
+  for (const Pressure pressure : pressures)
+    if (*text == pressure_text(pressure)) return pressure;
+  refuse_value("--pressure", *text, desktop::listed(desktop::pressure_names(), "or"));
 }
 
 void refuse_size(const std::string& what, Index n, bool is_exact) {
@@ -174,7 +173,7 @@ desktop::PivotTrace trace(Subject& subject, const Arguments& arguments) {
   return desktop::trace_pivots(subject.problem, options, *subject.story);
 }
 
-int run(const Arguments& arguments) {
+int run_pivots(const Arguments& arguments) {
   const std::string format = arguments.format({"text", "json", "latex", "html"});
   const bool is_typed = arguments.has("--M") || arguments.has("--q");
   const bool is_example = arguments.files().empty() && !is_typed;
@@ -229,7 +228,7 @@ Command pivots_command() {
           {"--format", "NAME", "text (default), json, latex or html; --json for short"},
       }),
       2,
-      run};
+      run_pivots};
 }
 
 } // namespace lcpush::cli

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "lcpush/desktop/watcher.hpp"
+#include "text/format.hpp"
 
 namespace lcpush::cli {
 
@@ -60,10 +61,9 @@ public:
   }
 
   void swept(Index sweep, const double*, double residual) override {
-    if (!line_.is_due()) return;
-    char size[40];
-    std::snprintf(size, sizeof size, "%.1e", residual);
-    line_.show(line_.seconds() + ", sweep " + std::to_string(sweep) + ", residual " + size);
+    if (line_.is_due())
+      line_.show(line_.seconds() + ", sweep " + std::to_string(sweep) +
+                 desktop::printed(", residual %.1e", residual));
   }
 
 private:

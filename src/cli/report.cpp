@@ -47,7 +47,7 @@ std::string one_picture(const Arguments& arguments, const desktop::PageContent& 
   refuse_value("--picture", wanted, desktop::listed(names, "or") + " for this scene", names);
 }
 
-int run(const Arguments& arguments) {
+int run_report(const Arguments& arguments) {
   const std::string format = arguments.has("--format") ? arguments.format({"html", "svg"}) : "html";
   if (arguments.has("--picture") && format != "svg")
     throw UsageError("--picture goes with --format svg");
@@ -109,7 +109,7 @@ Command report_command() {
            {"--format", "FORMAT", "html (default), or svg for one picture"},
            {"--picture", "NAME", "which one, with --format svg (front)"}}),
       1,
-      run};
+      run_report};
 }
 
 } // namespace lcpush::cli

@@ -53,7 +53,7 @@ Option pressure_option() {
 void set_pressure(const Arguments& arguments, desktop::VariedScene& scene) {
   const auto law = arguments.value("--pressure");
   if (!law) return;
-  const std::vector<std::string> laws = {"pad", "even", "rigid"};
+  const std::vector<std::string> laws = desktop::pressure_names();
   if (std::find(laws.begin(), laws.end(), *law) == laws.end())
     refuse_value("--pressure", *law, desktop::listed(laws, "or"), laws);
   scene.set_pressure(*law);

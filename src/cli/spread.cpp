@@ -8,7 +8,7 @@
 namespace lcpush::cli {
 namespace {
 
-int run(const Arguments& arguments) {
+int run_spread(const Arguments& arguments) {
   const std::string format = arguments.format();
   desktop::SpreadOptions options;
   options.covers =
@@ -44,7 +44,7 @@ Command spread_command() {
           {{"--covers", "N", "covering vectors of Lemke's method to start from (32)"},
            {"--enumerate", "", "all contact modes: up to 16 points, while the work allows"}}),
       1,
-      run};
+      run_spread};
 }
 
 } // namespace lcpush::cli

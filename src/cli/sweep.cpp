@@ -71,7 +71,7 @@ std::string title_of(const std::vector<desktop::SweepCurve>& curves) {
          over;
 }
 
-int run(const Arguments& arguments) {
+int run_sweep(const Arguments& arguments) {
   const std::string format = arguments.format({"text", "csv", "json", "svg"});
   const std::vector<std::string> varied = arguments.values("--vary");
   if (varied.empty()) throw UsageError("say what to vary: --vary PATH=FROM:TO");
@@ -152,7 +152,7 @@ Command sweep_command() {
             "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
            {"--format", "FORMAT", "text (default), csv, json or svg; --json for short"}}),
       desktop::limits::curves,
-      run};
+      run_sweep};
 }
 
 } // namespace lcpush::cli

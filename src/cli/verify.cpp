@@ -11,7 +11,7 @@
 namespace lcpush::cli {
 namespace {
 
-desktop::VerifyOptions read_options(const Arguments& arguments) {
+desktop::VerifyOptions verify_options(const Arguments& arguments) {
   desktop::VerifyOptions options;
   options.tolerance =
       arguments.number("--tolerance", 1, " such as 1e-6").value_or(options.tolerance);
@@ -38,13 +38,13 @@ int verify_raw_problem(const Arguments& arguments, const std::string& format) {
   files.pop_back();
   const desktop::RawProblem problem = read_raw_problem(arguments, files);
   const desktop::RawVerifyReport report =
-      desktop::verify_raw(problem, read_z(answer), read_options(arguments));
+      desktop::verify_raw(problem, read_z(answer), verify_options(arguments));
   write_output(arguments,
                format == "json" ? desktop::verify_json(report) : desktop::verify_text(report));
   return is_valid(report.verdict) ? 0 : 1;
 }
 
-int run(const Arguments& arguments) {
+int run_verify(const Arguments& arguments) {
   const std::string format = arguments.format();
   if (arguments.has("--lcp") || arguments.has("--M")) return verify_raw_problem(arguments, format);
   for (const char* option : {"--q", "--free"})
@@ -53,7 +53,7 @@ int run(const Arguments& arguments) {
     throw UsageError(arguments.files().size() == 3
                          ? "three files are M.mtx q.mtx ANSWER.json: say --lcp"
                          : "two files are needed: SCENE.toml ANSWER.json");
-  const desktop::VerifyOptions options = read_options(arguments);
+  const desktop::VerifyOptions options = verify_options(arguments);
   const desktop::SceneFile file = read_scene_argument(arguments);
   const desktop::ForeignAnswer answer = desktop::read_foreign_answer(arguments.files()[1], file);
   const desktop::VerifyReport report = desktop::verify_answer(file, answer, options);
@@ -83,7 +83,7 @@ Command verify_command() {
               {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
           }),
           3,
-          run};
+          run_verify};
 }
 
 } // namespace lcpush::cli

@@ -1,10 +1,10 @@
 #include "lcpush/desktop/big_integer.hpp"
 
 #include "exact/limbs.hpp"
+#include "text/whole_number.hpp"
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 
 namespace lcpush::desktop {
@@ -57,11 +57,9 @@ std::optional<BigInteger> BigInteger::parse(std::string_view text) {
     // The first part takes what makes the others equally long.
     const std::size_t part =
         text.size() % limb_digits == 0 ? limb_digits : text.size() % limb_digits;
-    Limb digits = 0;
-    const char* const end = text.data() + part;
-    const auto [stopped, outcome] = std::from_chars(text.data(), end, digits);
-    if (stopped != end || outcome != std::errc{}) return std::nullopt;
-    number = number * limb_power + digits;
+    const std::optional<Limb> digits = whole_number<Limb>(text.substr(0, part));
+    if (!digits) return std::nullopt;
+    number = number * limb_power + *digits;
     text.remove_prefix(part);
   }
   if (is_negative) number.negate();

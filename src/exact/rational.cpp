@@ -1,9 +1,9 @@
 #include "lcpush/desktop/rational.hpp"
 #include "text/limits.hpp"
+#include "text/whole_number.hpp"
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -57,11 +57,8 @@ std::optional<int> read_exponent(std::string_view text) {
     text.remove_prefix(1);
     if (text.empty() || !is_digit(text.front())) return std::nullopt;
   }
-  int exponent = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stopped, outcome] = std::from_chars(text.data(), end, exponent);
-  if (stopped != end || outcome != std::errc{}) return std::nullopt;
-  if (exponent > limits::fraction_exponent || exponent < -limits::fraction_exponent)
+  const std::optional<int> exponent = whole_number<int>(text);
+  if (!exponent || *exponent > limits::fraction_exponent || *exponent < -limits::fraction_exponent)
     return std::nullopt;
   return exponent;
 }

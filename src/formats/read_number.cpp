@@ -37,14 +37,6 @@ std::string lower_case(std::string_view word) {
   return result;
 }
 
-std::optional<std::uint64_t> whole_number(std::string_view word) {
-  std::uint64_t number = 0;
-  const char* const end = word.data() + word.size();
-  const auto [stopped, outcome] = std::from_chars(word.data(), end, number);
-  if (stopped != end || outcome != std::errc{}) return std::nullopt;
-  return number;
-}
-
 template <> NumberText read_finite_number<double>(std::string_view word) {
   std::string_view digits = word;
   // std::from_chars knows no plus sign; "+-1" must not pass for that reason.

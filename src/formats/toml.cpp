@@ -1,7 +1,7 @@
 #include "formats/toml.hpp"
 
+#include "formats/text_cursor.hpp"
 #include "formats/toml_number.hpp"
-#include "lcpush/desktop/input_error.hpp"
 #include "text/limits.hpp"
 #include "text/utf8.hpp"
 #include "text/wording.hpp"
@@ -20,9 +20,9 @@ bool is_bare_key_character(char c) {
          c == '-';
 }
 
-class TomlParser {
+class TomlParser : TextCursor {
 public:
-  TomlParser(std::string_view text, const std::string& file) : text_(text) {
+  TomlParser(std::string_view text, const std::string& file) : TextCursor(text, file) {
     document_.file = file;
     document_.root.line = 1;
   }
@@ -41,15 +41,7 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& message) const { fail_at(line_, message); }
-  [[noreturn]] void fail_at(int line, const std::string& message) const {
-    throw InputError(document_.file, line, message);
-  }
-
-  // Past check_characters() there is no NUL in the text, so it can stand for the end.
-  bool at_end() const { return at_ == text_.size(); }
-  char peek() const { return at_end() ? '\0' : text_[at_]; }
-  bool next_is(std::string_view word) const { return text_.substr(at_, word.size()) == word; }
+  // Past check_characters() there is no NUL in the text, so peek() alone tells the end.
   std::string found() const {
     if (at_end()) return "the end of the file";
     if (peek() == '\n' || peek() == '\r') return "the end of the line";
@@ -72,9 +64,6 @@ private:
   std::string parse_string();
   void parse_escape(std::string& result);
 
-  std::string_view text_;
-  std::size_t at_ = 0;
-  int line_ = 1;
   std::size_t items_ = 0;
   TomlDocument document_;
   TomlTable* table_ = &document_.root;
@@ -114,9 +103,8 @@ void TomlParser::skip_blank_lines() {
   for (;;) {
     skip_spaces();
     skip_comment();
-    if (peek() == '\r') ++at_;
-    if (peek() != '\n') return;
-    ++at_;
+    (void)take("\r");
+    if (!take("\n")) return;
     ++line_;
   }
 }
@@ -141,10 +129,9 @@ void TomlParser::parse_header() {
   skip_spaces();
   const std::string name = parse_key();
   skip_spaces();
-  if (!next_is(closing))
+  if (!take(closing))
     fail("expected " + quoted(closing) + " after the table name " + quoted(name) + ", found " +
          found());
-  at_ += closing.size();
   open_table(name, is_array, line);
 }
 
@@ -174,8 +161,7 @@ void TomlParser::parse_entry() {
     fail("duplicate key " + quoted(key) + ", first given on line " + std::to_string(first->second) +
          "; remove one of them");
   skip_spaces();
-  if (peek() != '=') fail("expected = after " + quoted(key) + ", found " + found());
-  ++at_;
+  if (!take("=")) fail("expected = after " + quoted(key) + ", found " + found());
   skip_spaces();
   TomlValue value = parse_value(0);
   table_->entries.push_back({std::move(key), std::move(value)});
@@ -227,12 +213,9 @@ TomlArray TomlParser::parse_array(int depth) {
     if (at_end()) fail_at(opened, "this [ is never closed; add the missing ]");
     array.push_back(parse_value(depth));
     skip_blank_lines();
-    if (peek() == ',') {
-      ++at_;
-    } else if (!at_end() && peek() != ']') {
+    if (!take(",") && !at_end() && peek() != ']')
       fail("expected , or ] in the list that starts on line " + std::to_string(opened) +
            ", found " + found());
-    }
   }
   ++at_;
   return array;

@@ -22,12 +22,13 @@ std::string failure_box(Status status, const std::string& reason, const std::str
          ")</strong>: " + escaped(reason) + ".</p>\n" + more + "</div>\n";
 }
 
-std::string failure_html(const SceneFile& file, Status status, const std::string& reason,
-                         const std::vector<NamedValue>& ray, const Jam& jam) {
-  if (ray.empty()) return failure_box(status, reason, "");
+std::string failure_html(const SceneFile& file, const RunReport& report) {
+  if (report.ray.empty()) return failure_box(report.status, report.reason, "");
   std::vector<std::vector<std::string>> rows{{"unknown", "value"}};
-  for (const NamedValue& entry : ray) rows.push_back({escaped(entry.name), number(entry.value)});
-  return failure_box(status, reason, sentences_html(jam_sentences(file, jam))) +
+  for (const NamedValue& entry : report.ray)
+    rows.push_back({escaped(entry.name), number(entry.value)});
+  return failure_box(report.status, report.reason,
+                     sentences_html(jam_sentences(file, report.jam))) +
          "<details>\n<summary>The ray in numbers</summary>\n" +
          table_html("The ray, largest entry 1", rows) + "</details>\n";
 }
@@ -72,8 +73,7 @@ std::string legend(const SceneFile& file, const PushReport& push) {
 
 std::string verdict(const PageContent& content) {
   const PushReport& push = content.push;
-  if (push.status != Status::solved)
-    return failure_html(content.file, push.status, push.reason, push.ray, push.jam);
+  if (push.status != Status::solved) return failure_html(content.file, push);
   std::string text;
   if (content.breaking != nullptr && content.breaking->status == Status::does_not_hold)
     text =
@@ -146,7 +146,7 @@ Section breaking_section(const PageContent& content) {
            jam_sentences(content.file, report.jam) == jam_sentences(content.file, content.push.jam))
     text = failure_box(report.status, "it ends as the push itself does, above", "");
   else if (report.status != Status::solved)
-    text = failure_html(content.file, report.status, report.reason, report.ray, report.jam);
+    text = failure_html(content.file, report);
   else
     text = facts_html(break_facts(content.file, report));
   return {"breaking", "The force that breaks the grasp",
@@ -281,8 +281,8 @@ std::string report_html(const PageContent& content) {
             section.inside + "</section>\n";
   }
   return page + "</ul>\n</nav>\n<main>\n" + main + "</main>\n<footer>\n<p>" +
-         escaped(run_words(content.file, content.push.solver, content.push.run)) +
-         ". Written by lcpush " + version_text + ".</p>\n</footer>\n</body>\n</html>\n";
+         escaped(run_words(content.file, content.push)) + ". Written by lcpush " + version_text +
+         ".</p>\n</footer>\n</body>\n</html>\n";
 }
 
 } // namespace lcpush::desktop

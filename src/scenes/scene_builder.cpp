@@ -114,7 +114,7 @@ template <class S> void SceneBuilder<S>::read_settings() {
   if (scene_.facets % 2 != 0)
     root.fail("facets", "facets must be even, got " + std::to_string(scene_.facets));
   if (root.has("pressure"))
-    scene_.pressure = static_cast<Pressure>(root.choice("pressure", {"pad", "even", "rigid"}));
+    scene_.pressure = static_cast<Pressure>(root.choice("pressure", pressure_names()));
   if (root.has("planar")) scene_.planar = root.boolean("planar");
 }
 

@@ -11,8 +11,6 @@ namespace {
 
 // Below this ratio of principal moments, rounding decides the sign of the smallest.
 constexpr double thinnest = 1e-12;
-// A thin plate has I_z = I_x + I_y; typed with three or four digits it may miss that by so much.
-constexpr double typing_slack = 1e-3;
 
 template <class S>
 Matrix3<S> box_inertia(const TableReader& table, const S& mass, ObjectShape& shape) {

@@ -15,8 +15,6 @@ namespace {
 constexpr Index default_round_points = 8;
 // Points nearer than this, relative to the patch, are a slip, and make its equations singular.
 constexpr double coincidence = 1e-9;
-// Typed with three or four digits, a point of the contact plane may miss it by so much.
-constexpr double typing_slack = 1e-3;
 constexpr double shortest_direction = 1e-24;
 
 struct Shape {

@@ -10,6 +10,10 @@
 
 namespace lcpush::desktop {
 
+/// What is typed with three or four digits may miss by so much what it has to satisfy: a thin plate
+/// I_z = I_x + I_y, a patch's points their plane.
+constexpr double typing_slack = 1e-3;
+
 /// Numbers beyond 1e12, and positive ones below 1e-24, are refused as slips of the unit.
 enum class Sign { any, not_negative, positive };
 

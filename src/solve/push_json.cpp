@@ -30,7 +30,7 @@ void write_contacts(JsonWriter& json, const SceneFile& file, const PushReport& r
 
 void write_statement(JsonWriter& json, const char* key, const Statement& statement) {
   json.key(key).begin_object().member("covered", statement.covered);
-  json.member("statement", statement.statement).member("reason", statement.reason).end_object();
+  json.member("statement", statement.statement).member("reason", statement.reason()).end_object();
 }
 
 const char* role_name(const Scene<double>& scene, Index body) {
@@ -44,7 +44,7 @@ void write_closing(JsonWriter& json, const Scene<double>& scene, const Answer<do
   const Body<double>& body = scene.bodies[b];
   json.key("closing_acceleration");
   if (!is_driven(scene, b) || scene.pressure != Pressure::even) {
-    json.value(when(is_driven(scene, b), closing(answer, body)));
+    json.value(when(is_driven(scene, b), mean_closing(answer, body)));
     return;
   }
   std::vector<double> each;
@@ -103,17 +103,16 @@ void write_grip(JsonWriter& json, const std::string& key, const SmallestGrip& gr
 
 } // namespace
 
-void write_failure(JsonWriter& json, const SceneFile& file, const std::string& reason,
-                   const std::vector<NamedValue>& ray, const Jam& jam) {
-  json.member("reason", reason);
-  if (ray.empty()) {
+void write_failure(JsonWriter& json, const SceneFile& file, const RunReport& report) {
+  json.member("reason", report.reason);
+  if (report.ray.empty()) {
     json.member("ray", nullptr);
     return;
   }
-  json.objects("ray", ray, [&](const NamedValue& entry) {
+  json.objects("ray", report.ray, [&](const NamedValue& entry) {
     json.member("name", entry.name).member("value", entry.value);
   });
-  write_jam(json, file, jam);
+  write_jam(json, file, report.jam);
 }
 
 std::string solve_json(const SceneFile& file, const HoldReport& hold, const PushReport& report) {
@@ -125,7 +124,7 @@ std::string solve_json(const SceneFile& file, const HoldReport& hold, const Push
   write_holds(json, hold);
   write_statement(json, "existence", existence_statement(file, report.existence));
   if (report.status != Status::solved) {
-    write_failure(json, file, report.reason, report.ray, report.jam);
+    write_failure(json, file, report);
     return json.end_object().text();
   }
   write_statement(json, "uniqueness", uniqueness_statement(report));
@@ -158,7 +157,7 @@ std::string break_json(const SceneFile& file, const HoldReport& hold, const Grip
   json.member("solver", solver_text(report.solver)).member("pivots", report.run.pivots);
   json.member("sweeps", report.run.sweeps).member("rounds", report.run.rounds);
   if (!solved) {
-    write_failure(json, file, report.reason, report.ray, report.jam);
+    write_failure(json, file, report);
     if (report.status == Status::does_not_hold) json.member("rest_acceleration", b.rest);
     return json.end_object().text();
   }

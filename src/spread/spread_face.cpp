@@ -205,7 +205,7 @@ Status Face::minimise(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const 
     if (status == Status::solved || status == Status::ray) break;
   }
   if (status != Status::solved && status != Status::ray) return status;
-  prices = Eigen::Map<const Eigen::VectorXd>(solver.equality_prices(), A.rows());
+  prices = Eigen::Map<const Eigen::VectorXd>(solver.equality_multipliers(), A.rows());
   if (status == Status::solved) x = Eigen::Map<const Eigen::VectorXd>(solver.x(), A.cols());
   return status;
 }

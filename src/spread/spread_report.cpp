@@ -19,14 +19,10 @@ std::string interval_text(const Interval& interval, double same) {
   return end_text(interval.low, same) + " .. " + end_text(interval.high, same);
 }
 
-std::string counted(Index count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 std::string law_line(const SceneFile& file) {
   const std::string label = "Laws              the paper's, literally (pressure = \"rigid\")";
   if (file.pressure == Pressure::rigid) return label + "\n";
-  return label + ";\n                  the file's law \"" + pressure_name(file.pressure) +
+  return label + ";\n                  the file's law \"" + pressure_text(file.pressure) +
          (file.pressure == Pressure::pad ? "\" chooses one of these answers\n"
                                          : "\" spreads each patch's force: other equations\n");
 }
@@ -113,10 +109,10 @@ void write_set(JsonWriter& json, const SceneFile& file, const SpreadReport& repo
 std::string spread_text(const SceneFile& file, const SpreadReport& report) {
   std::string text = title_line(file) + law_line(file);
   if (report.status != Status::solved) {
-    text += failure_text(file, report.status,
-                         report.failure.reason.empty() ? "no answer was reached"
-                                                       : report.failure.reason,
-                         report.failure.ray, report.failure.jam);
+    RunReport failure = report.failure;
+    failure.status = report.status;
+    if (failure.reason.empty()) failure.reason = "no answer was reached";
+    text += failure_text(file, failure);
     if (report.complete)
       return text + "\nNo solution: every assignment of contact modes was refuted.\n";
     return text + "\nNo solution was reached from " + counted(report.covers, "cover") + ".\n" +
@@ -144,14 +140,14 @@ std::string spread_json(const SceneFile& file, const SpreadReport& report) {
   JsonWriter json;
   json.begin_object().member("status", status_text(report.status));
   json.member("verdict", when(solved, verdict_text(report.verdict)));
-  json.member("laws", "rigid").member("pressure", pressure_name(file.pressure));
+  json.member("laws", "rigid").member("pressure", pressure_text(file.pressure));
   json.member("faces", report.faces).member("covers", report.covers);
   json.member("covers_solved", report.covers_solved).member("complete", report.complete);
   json.member("enumeration", unless_empty(report.enumeration));
   json.member("faces_left", report.faces_left).member("failures", report.failures);
   json.member("linear_programs", report.programs).member("assignments", report.assignments);
   if (!solved) {
-    write_failure(json, file, report.failure.reason, report.failure.ray, report.failure.jam);
+    write_failure(json, file, report.failure);
     return json.end_object().text();
   }
   json.member("residual", report.residual);

@@ -9,8 +9,6 @@
 namespace lcpush::desktop {
 namespace {
 
-bool is_solved(Status status) { return status == Status::solved; }
-
 /// null where no pusher moves, so that nothing breaks.
 std::optional<std::string> break_status(const SweepValue& at) {
   return when(at.breaking != Status::bad_input, std::string(status_text(at.breaking)));
@@ -21,10 +19,10 @@ void write_segment(JsonWriter& json, const SweepSegment& segment) {
   json.member("from", segment.from).member("to", segment.to);
   json.member("kind", segment_kind_text(segment.kind)).member("status", status_text(a.push));
   json.member("break_status", break_status(a)).key("break_force").begin_array();
-  json.value(when(is_solved(a.breaking), a.break_force));
-  json.value(when(is_solved(b.breaking), b.break_force)).end_array();
+  json.value(when(a.breaking == Status::solved, a.break_force));
+  json.value(when(b.breaking == Status::solved, b.break_force)).end_array();
   const auto pair = [&](const char* key, const auto& first, const auto& second) {
-    if (is_solved(a.push))
+    if (a.push == Status::solved)
       json.key(key).begin_array().value(first).value(second).end_array();
     else
       json.member(key, nullptr);
@@ -36,7 +34,7 @@ void write_segment(JsonWriter& json, const SweepSegment& segment) {
 }
 
 void write_point(JsonWriter& json, const SweepPoint& point) {
-  const bool pushed = is_solved(point.at.push), broken = is_solved(point.at.breaking);
+  const bool pushed = point.at.push == Status::solved, broken = point.at.breaking == Status::solved;
   json.member("value", point.value);
   if (point.second) json.member("second_value", *point.second);
   json.member("status", status_text(point.at.push)).member("break_status", break_status(point.at));
@@ -90,7 +88,8 @@ std::string sweep_csv(const std::vector<SweepCurve>& curves) {
       if (curves.size() > 1) row.push_back(curve.label);
       row.push_back(shown(value));
       if (second) row.push_back(shown(*second));
-      for (const std::string& cell : csv_numbers(at, is_solved(at.breaking), is_solved(at.push)))
+      for (const std::string& cell :
+           csv_numbers(at, at.breaking == Status::solved, at.push == Status::solved))
         row.push_back(cell);
       row.push_back(status_text(at.push));
       row.push_back(change);

@@ -125,15 +125,15 @@ void Verification::study_point() {
     return;
   }
   report_.verdict = Verdict::not_a_solution;
-  report_.because = worst_row().family + ": " + worst_row().name;
+  report_.because = std::string(law_text(worst_row())) + ": " + worst_row().name;
   bool feasible = z.allFinite();
   const Eigen::VectorXd w = problem.w(z);
   for (Index i = 0; i < z.size(); ++i)
     feasible = feasible && (problem.is_free(i) ? std::abs(w[i]) <= tolerance
                                                : std::min(z[i], w[i]) >= -tolerance);
   for (const BrokenRow& row : report_.rows) {
-    const bool linear = row.family == "newton" || row.family == "grip" ||
-                        row.family == "rigidity" || row.family == "given";
+    const bool linear =
+        !row.law || row.law == Law::newton || row.law == Law::grip || row.law == Law::rigidity;
     feasible = feasible && !(linear && !(row.scaled <= tolerance));
   }
   if (feasible && is_stationary(problem, z)) report_.verdict = Verdict::spurious_minimum;

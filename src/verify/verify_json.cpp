@@ -25,7 +25,7 @@ std::string verify_json(const VerifyReport& report) {
   json.member("residual", report.residual);
   json.key("laws").begin_object();
   for (const BrokenRow& row : report.rows) {
-    json.key(row.family).begin_object().member("scaled", row.scaled).member("si", row.si);
+    json.key(law_text(row)).begin_object().member("scaled", row.scaled).member("si", row.si);
     json.member("unit", row.unit).member("holds", row.scaled <= report.tolerance);
     json.member("row", row.name).end_object();
   }

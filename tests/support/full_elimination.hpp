@@ -1,6 +1,8 @@
 // The full form of an assembled scene, built and eliminated, on the heap.
 #pragma once
 
+#include <cmath>
+
 #include "lcpush/lcp/pivots/reduce.hpp"
 #include "lcpush/mechanics/paper/full_form.hpp"
 #include "support/dense_lcp.hpp"
@@ -59,8 +61,33 @@ struct FullElimination {
     for (Index k = 0; k < n; ++k)
       if (reduction.unknown_of(k).index != k || reduction.unknown_of(k).swapped) return false;
     reduced = {MatrixX<double>(n, n), VectorX<double>(n), assembly.layout().actuators};
-    reduction.write_unscaled(MatrixMap<double>(reduced.M.data(), n, n), reduced.q.data());
+    write_unscaled(reduction);
     return true;
+  }
+
+  /// The reduced problem without its scales, powers of two: a column's is the size that a unit of
+  /// its unknown recovers to, a row's what then is left between its largest entry and the same one
+  /// of M times what was recovered.
+  void write_unscaled(const Reduction<double>& reduction) {
+    const Problem<double>& problem = reduction.problem();
+    const Index n = problem.size;
+    const Eigen::Map<const MatrixX<double>> scaled(problem.matrix, n, n);
+    MatrixX<double> responses(form.size(), n);
+    for (Index j = 0; j < n; ++j) {
+      const VectorX<double> unit = VectorX<double>::Unit(n, j);
+      reduction.recover_direction(unit.data(), responses.col(j).data());
+      reduced.M.col(j) = scaled.col(j) / responses(j, j);
+      responses.col(j) /= responses(j, j);
+    }
+    const MatrixX<double> rows = M.topRows(n) * responses;
+    for (Index i = 0; i < n; ++i) {
+      Index j = 0;
+      const double largest = reduced.M.row(i).cwiseAbs().maxCoeff(&j);
+      const double unit =
+          largest > 0 ? std::exp2(std::round(std::log2(rows(i, j) / reduced.M(i, j)))) : 1;
+      reduced.M.row(i) *= unit;
+      reduced.q[i] = problem.q[i] * unit;
+    }
   }
 
   /// The largest difference to the assembly's own (M, q), M's against its largest entry (at least

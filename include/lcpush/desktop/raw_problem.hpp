@@ -6,7 +6,7 @@
 #include "lcpush/desktop/matrix_market.hpp"
 #include "lcpush/desktop/solver.hpp"
 #include "lcpush/desktop/watcher.hpp"
-#include "lcpush/lcp/sweeps/sweep_options.hpp"
+#include "lcpush/lcp/sweeps/judged_sweeps.hpp"
 
 namespace lcpush::desktop {
 

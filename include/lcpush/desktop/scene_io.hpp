@@ -76,6 +76,13 @@ template <class S> struct SceneOf {
 
 using SceneFile = SceneOf<double>;
 
+/// How a pressure law is spelled, in the order of the enumeration.
+inline std::vector<std::string> pressure_names() {
+  std::vector<std::string> names;
+  for (const Pressure pressure : pressures) names.emplace_back(pressure_text(pressure));
+  return names;
+}
+
 /// Reads the scene file at `path`. Every value of the result is finite and physical: unit normals
 /// and tangents, a positive definite inertia, at least one contact point, no coincident points in
 /// a patch. Throws InputError, with file and line, on anything else; it guesses nothing.

@@ -30,6 +30,12 @@ template <class S> struct ConeGroup {
   S normal_force(const S* z) const {
     return normals == 2 ? S(z[variable] - z[variable + 1]) : z[variable];
   }
+  void set_normal_force(S* z, const S& lambda) const {
+    z[variable] = lambda > S(0) ? lambda : S(0);
+    if (normals == 2) z[variable + 1] = lambda < S(0) ? S(-lambda) : S(0);
+  }
+  /// mu |lambda|, what the friction forces may sum up to.
+  S friction_limit(const S* z) const { return friction * Eigen::numext::abs(normal_force(z)); }
 };
 
 /// Forces that share an actuator: row sum_k coupling_k z_k + inertia s - target = 0, s free.
@@ -41,10 +47,10 @@ template <class S> struct SumGroup {
   S inertia; ///< m_a >= 0
 };
 
-/// M without its n^2 numbers: G' A G plus the groups' structure. Free unknowns (one a sum group)
+/// M without its n^2 numbers: G' B G plus the groups' structure. Free unknowns (one a sum group)
 /// come last. Size of everything: O(forces).
 template <class S> struct FactoredProblem {
-  Matrix6<S> mobility;              ///< A = M^-1 of the object, 6 x 6
+  Matrix6<S> mobility;              ///< B = M^-1 of the object, 6 x 6
   Span<const Vector6<S>> wrenches;  ///< G, one column a force
   Span<const ConeGroup<S>> cones;   ///< in the order of their variables
   Span<const SumGroup<S>> sums;     ///< variable of group a: free_begin + a

@@ -1,5 +1,5 @@
-// The three tolerances of the pivoting solver. They apply to equilibrated data (every row, column
-// and right-hand side scaled to 1), so they depend on the precision alone; docs/theory/numerics.md has
+// The five tolerances of the solvers. They apply to equilibrated data (every row, column and
+// right-hand side scaled to 1), so they depend on the precision alone; docs/theory/numerics.md has
 // the measurements behind the multiples of the machine epsilon.
 #pragma once
 

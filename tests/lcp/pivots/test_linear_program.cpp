@@ -74,8 +74,8 @@ TEST_CASE("inequalities H x >= 0 hold, and bind where they must") {
   const ProgramRun<double> run(p);
   REQUIRE(run.status == Status::solved);
   CHECK(run.solver.cost() == doctest::Approx(3));
-  CHECK(run.solver.equality_prices()[0] == doctest::Approx(1));
-  CHECK(run.solver.inequality_prices()[0] == doctest::Approx(1));
+  CHECK(run.solver.equality_multipliers()[0] == doctest::Approx(1));
+  CHECK(run.solver.inequality_multipliers()[0] == doctest::Approx(1));
 }
 
 TEST_CASE("equalities that follow from others, or say 0 = 0, do no harm") {
@@ -104,8 +104,8 @@ TEST_CASE("what is infeasible is proved so: by a contradiction, by signs, by ine
   for (const DenseProgram<double>& p : {contradiction, signs, inequalities}) {
     const ProgramRun<double> run(p);
     REQUIRE(run.status == Status::ray);
-    const Eigen::Map<const VectorX<double>> nu(run.solver.equality_prices(), p.b.size());
-    const Eigen::Map<const VectorX<double>> y(run.solver.inequality_prices(), p.H.rows());
+    const Eigen::Map<const VectorX<double>> nu(run.solver.equality_multipliers(), p.b.size());
+    const Eigen::Map<const VectorX<double>> y(run.solver.inequality_multipliers(), p.H.rows());
     CHECK(p.b.dot(nu) == doctest::Approx(1));
     CHECK((p.A.transpose() * nu + p.H.transpose() * y).maxCoeff() <= 1e-12);
     CHECK((y.size() == 0 || y.minCoeff() >= 0));
@@ -146,7 +146,7 @@ TEST_CASE("too little memory is bad input") {
   CHECK(solver.reason() == Reason::memory_too_small);
 }
 
-TEST_CASE("random programs with an optimum that is known from its prices") {
+TEST_CASE("random programs with an optimum that is known from its multipliers") {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     CAPTURE(seed);
     Random random(seed);

@@ -38,7 +38,7 @@ public:
   LinearProgramSolver(Span<S> scalars, Span<int> integers)
       : scalars_(scalars), integers_(integers) {}
 
-  /// Post: solved, x() is feasible and the prices prove that nothing is cheaper; ray, the prices
+  /// Post: solved, x() is feasible and the multipliers prove that nothing is cheaper; ray, they
   /// prove that nothing is feasible; bad_input (memory too small, numbers not finite); else the
   /// failure of the pivots or of a proof, also if the cost has no lower bound. Both proofs are
   /// read off the program as given. Cost: Lemke's on columns + inequalities unknowns.
@@ -50,8 +50,8 @@ public:
   S cost() const { return cost_; }
   /// After solved: nu and y >= 0 with A' nu + H' y <= c and b nu = c x. After ray: with
   /// A' nu + H' y <= 0 and b nu = 1.
-  const S* equality_prices() const { return nu_.data(); }
-  const S* inequality_prices() const { return y_.data(); }
+  const S* equality_multipliers() const { return nu_.data(); }
+  const S* inequality_multipliers() const { return y_.data(); }
   Index pivots() const { return pivots_; }
   Reason reason() const { return reason_; }
 
@@ -89,9 +89,9 @@ private:
   void condense();
   template <class Observer> Status pivot(const LemkeOptions<S>& options, Observer& observer);
   void take_point(const S* z);
-  void take_prices(const S* y, bool with_cost);
-  S overpriced(bool with_cost) const;
-  S earnings() const;
+  void take_multipliers(const S* y, bool with_cost);
+  S dual_infeasibility(bool with_cost) const;
+  S dual_objective() const;
   bool contradicts_itself();
   bool is_feasible();
   bool is_cheapest() const;
@@ -196,7 +196,7 @@ template <class S> void LinearProgramSolver<S>::take_point(const S* z) {
 }
 
 /// nu and y of the program as given from the multipliers of the condensed one.
-template <class S> void LinearProgramSolver<S>::take_prices(const S* y, bool with_cost) {
+template <class S> void LinearProgramSolver<S>::take_multipliers(const S* y, bool with_cost) {
   for (Index i = 0; i < program_.inequalities; ++i) y_[i] = Eigen::numext::maxi(y[rank_ + i], S(0));
   nu_.setZero();
   for (Index row = 0; row < rank_; ++row) {
@@ -208,19 +208,19 @@ template <class S> void LinearProgramSolver<S>::take_prices(const S* y, bool wit
 }
 
 /// The largest entry of A' nu + H' y - c (or without c).
-template <class S> S LinearProgramSolver<S>::overpriced(bool with_cost) const {
+template <class S> S LinearProgramSolver<S>::dual_infeasibility(bool with_cost) const {
   S worst(0);
   for (Index j = 0; j < program_.columns; ++j) {
-    S price = with_cost ? S(-program_.c[j]) : S(0);
-    for (Index i = 0; i < program_.equalities; ++i) price += A()(i, j) * nu_[i];
-    for (Index i = 0; i < program_.inequalities; ++i) price += H()(i, j) * y_[i];
-    if (!(price <= worst)) worst = price;
+    S excess = with_cost ? S(-program_.c[j]) : S(0);
+    for (Index i = 0; i < program_.equalities; ++i) excess += A()(i, j) * nu_[i];
+    for (Index i = 0; i < program_.inequalities; ++i) excess += H()(i, j) * y_[i];
+    if (!(excess <= worst)) worst = excess;
   }
   return worst;
 }
 
 /// b nu.
-template <class S> S LinearProgramSolver<S>::earnings() const {
+template <class S> S LinearProgramSolver<S>::dual_objective() const {
   S sum(0);
   for (Index i = 0; i < program_.equalities; ++i) sum += program_.b[i] * nu_[i];
   return sum;
@@ -243,15 +243,15 @@ template <class S> bool LinearProgramSolver<S>::is_feasible() {
   return true;
 }
 
-/// The prices allow no cost below c x.
+/// The multipliers allow no cost below c x.
 template <class S> bool LinearProgramSolver<S>::is_cheapest() const {
   using Eigen::numext::maxi;
   S largest(0);
   for (Index i = 0; i < program_.equalities; ++i)
     largest = maxi(largest, Eigen::numext::abs(nu_[i]));
   for (Index i = 0; i < program_.inequalities; ++i) largest = maxi(largest, y_[i]);
-  const S gap = Eigen::numext::abs(cost_ - earnings());
-  return overpriced(true) <= tolerance(largest) &&
+  const S gap = Eigen::numext::abs(cost_ - dual_objective());
+  return dual_infeasibility(true) <= tolerance(largest) &&
          gap <= Tolerances<S>().residual *
                     (Eigen::numext::abs(cost_) + Tolerances<S>().noise * (S(1) + largest));
 }
@@ -259,11 +259,11 @@ template <class S> bool LinearProgramSolver<S>::is_cheapest() const {
 /// [Farkas] For x >= 0 with A x = b and H x >= 0: b nu <= (A' nu + H' y) x. Here the left is 1 and
 /// the bracket at most the tolerance, so that x would have to be as large as its inverse.
 template <class S> bool LinearProgramSolver<S>::refutes() {
-  const S sum = earnings();
+  const S sum = dual_objective();
   if (!(sum > S(0))) return false;
   nu_ /= sum;
   y_ /= sum;
-  return overpriced(false) <= Tolerances<S>().residual;
+  return dual_infeasibility(false) <= Tolerances<S>().residual;
 }
 
 /// An equality without unknowns that says 0 = something.
@@ -294,14 +294,14 @@ Status LinearProgramSolver<S>::pivot(const LemkeOptions<S>& options, Observer& o
   reason_ = lemke.reason();
   const Index free = program_.columns - rank_;
   if (status == Status::ray) {
-    take_prices(lemke.ray() + free, false);
+    take_multipliers(lemke.ray() + free, false);
     if (refutes()) return Status::ray;
     reason_ = Reason::false_ray;
     return Status::numerical_breakdown;
   }
   if (status != Status::solved) return status;
   take_point(lemke.z());
-  take_prices(lemke.z() + free, true);
+  take_multipliers(lemke.z() + free, true);
   cost_ = S(0);
   for (Index j = 0; j < program_.columns; ++j) cost_ += program_.c[j] * x_[j];
   if (is_feasible() && is_cheapest()) return Status::solved;

@@ -46,7 +46,8 @@ private:
     direction_ = direction;
     const S smallest = tolerances_.pivot * d_.table.col(column).cwiseAbs().maxCoeff();
     count_ = tied_ = 0;
-    for (Index i = 0; i < d_.size(); ++i) { // without a branch: half of them are taken
+    // Without a branch: about half of the rows fall, and a processor cannot guess which.
+    for (Index i = 0; i < d_.size(); ++i) {
       candidates_[count_] = static_cast<int>(i);
       count_ += rate(i) > smallest ? 1 : 0;
     }
@@ -113,13 +114,14 @@ private:
   /// Harris: a bound on the step with the tolerance, then everything at or below that bound. What
   /// is dropped stays behind the rest: tied_rows() shows it.
   template <class Value> void keep_smallest(Value value) {
-    Index first = 0; // the bound level is zero almost everywhere: no need to divide
+    Index first =
+        0; // The level of the symbolic bound is zero almost everywhere: no need to divide.
     while (first < count_ && value(candidates_[first]) == S(0)) ++first;
     if (first == count_) return;
     S bound = (value(candidates_[0]) + tolerances_.tie) / rate(candidates_[0]);
     for (Index k = 1; k < count_; ++k) {
       const S reached = value(candidates_[k]) + tolerances_.tie, falls = rate(candidates_[k]);
-      if (reached < bound * falls) bound = reached / falls; // few divide
+      if (reached < bound * falls) bound = reached / falls; // few rows lower it: few divisions
     }
     Index kept = 0;
     for (Index k = 0; k < count_; ++k)

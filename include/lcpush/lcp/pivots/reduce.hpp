@@ -39,19 +39,8 @@ public:
   [[nodiscard]] Status init(Index n, const S* M, const S* q, const unsigned char* is_free,
                             SingularBlock singular);
 
+  /// The reduced problem, equilibrated by powers of two.
   const Problem<S>& problem() const { return problem_; }
-
-  /// The reduced problem in the units of the given one, problem().size of each: problem() itself is
-  /// equilibrated (by powers of two, so this rounds nothing).
-  void write_unscaled(MatrixMap<S> M, S* q) const {
-    for (Index i = 0; i < problem_.size; ++i) {
-      const S row_unit = unit_of(dictionary_.basic[kept_row_[i]]);
-      for (Index j = 0; j < problem_.size; ++j)
-        M(i, j) = row_unit * problem_.matrix[j * problem_.size + i] /
-                  unit_of(dictionary_.nonbasic[kept_column_[j]]);
-      q[i] = row_unit * problem_.q[i];
-    }
-  }
 
   /// All n unknowns from a solution of problem().
   void recover(const S* reduced, S* z) const { expand(reduced, true, z); }
@@ -85,10 +74,6 @@ private:
   }
   bool open_column(Index c) const {
     return dictionary_.nonbasic[c] >= n_ && is_free_[dictionary_.nonbasic[c] - n_] != 0;
-  }
-  /// Given value = unit times equilibrated value, of w_i or z_j.
-  S unit_of(Index variable) const {
-    return variable < n_ ? S(1) / row_scale_[variable] : column_scale_[variable - n_];
   }
   S smallest_pivot() const { return Tolerances<S>().pivot; }
 

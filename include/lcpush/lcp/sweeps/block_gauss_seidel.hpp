@@ -4,7 +4,7 @@
 // of the simplex { beta >= 0, sum beta <= mu lambda } of a cone group, and of the simplex
 // { lambda >= 0, sum coupling lambda = target } of a sum group. A sweep moves every group within
 // its set as far as the object's six accelerations ask for and never touches a multiplier; they
-// are recovered at the end. Everything couples through u = A G f, six numbers that every move
+// are recovered at the end. Everything couples through u = B G f, six numbers that every move
 // updates at once: a sweep costs O(forces), without a matrix.
 //
 // Plain sweeps slow down where forces are shared in many ways. `accelerate` goes on with
@@ -31,22 +31,18 @@ public:
   /// `problem` is factored and outlives the run. Starts from the forces in `start` (n numbers), or
   /// from each sum's even share. Post: running; or bad_input if the memory is too small, or if
   /// plain sweeps cannot keep a sum group (it is no simplex: it couples friction or has inertia).
+  template <class Observer = const Unobserved>
   [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options = {},
-                            const S* start = nullptr) {
-    return init(problem, options, start, unobserved);
-  }
-  template <class Observer>
-  [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options,
-                            const S* start, Observer& observer);
+                            const S* start = nullptr, Observer& observer = unobserved);
 
   /// One pass over all groups; post: running, or how the run ended. Cost: O(forces).
-  [[nodiscard]] Status sweep() { return sweep(unobserved); }
-  template <class Observer> [[nodiscard]] Status sweep(Observer& observer);
+  template <class Observer = const Unobserved>
+  [[nodiscard]] Status sweep(Observer& observer = unobserved);
 
   /// Sweeps to the end, accelerated if the options say so.
   /// Post: solved (the check was passed), sweep_limit or stagnated.
-  [[nodiscard]] Status solve() { return solve(unobserved); }
-  template <class Observer> [[nodiscard]] Status solve(Observer& observer);
+  template <class Observer = const Unobserved>
+  [[nodiscard]] Status solve(Observer& observer = unobserved);
 
   /// After stagnated: did the forces grow without bound, as in a jam?
   bool runs_away() const;
@@ -59,7 +55,7 @@ private:
   Span<int> integers_;
   ProximalNewton<S> newton_{{}, {}};
   bool keeps_all_sums_ = false; // plain sweeps do
-  Vector6<S> u_;                // A G f
+  Vector6<S> u_;                // B G f
   Span<S> kept_;
   Span<int> cone_of_, sum_of_; // by variable: the cone of a normal, its sum group or -1
 

@@ -101,17 +101,15 @@ template <class S> void BlockGaussSeidel<S>::exchange(const SumGroup<S>& sum, In
 
 /// The normal force of a cone group that no sum holds, for its row alone: a closed form.
 template <class S> void BlockGaussSeidel<S>::solve_normal(const ConeGroup<S>& cone) {
-  const Index i = cone.variable;
   const Vector6<S>& W = factored().wrenches[cone.force];
   const Vector6<S> follows = factored().mobility.lazyProduct(W);
   const S before = cone.normal_force(z_.data);
   const S curvature = W.dot(follows) + cone.compliance;
   if (!(curvature > S(0))) return; // nothing that this force does moves the object
-  S lambda = before - (rate(cone.force, i) + cone.compliance * before) / curvature;
+  S lambda = before - (rate(cone.force, cone.variable) + cone.compliance * before) / curvature;
   if (cone.normals == 1 && !(lambda > S(0))) lambda = S(0);
   u_ += follows * (lambda - before);
-  z_[i] = lambda > S(0) ? lambda : S(0);
-  if (cone.normals == 2) z_[i + 1] = lambda < S(0) ? S(-lambda) : S(0);
+  cone.set_normal_force(z_.data, lambda);
 }
 
 /// The normal force may have fallen below what friction rests on.
@@ -137,8 +135,7 @@ template <class S> void BlockGaussSeidel<S>::solve_friction(const ConeGroup<S>& 
   constexpr int most_moves = 6;
   const Index first = cone.variable + cone.normals, force = cone.force + cone.normals;
   const Index rest = cone.generators; // stands for what the cone leaves unused
-  const S lambda = cone.normal_force(z_.data);
-  const S most = cone.friction * Eigen::numext::abs(lambda);
+  const S most = cone.friction_limit(z_.data);
   shrink_to_cone(cone, most);
   S unused = most;
   for (Index k = 0; k < cone.generators; ++k) unused -= z_[first + k];

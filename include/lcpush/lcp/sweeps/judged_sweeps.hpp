@@ -4,11 +4,18 @@
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/problem.hpp"
 #include "lcpush/lcp/residual.hpp"
-#include "lcpush/lcp/sweeps/sweep_options.hpp"
 #include "lcpush/lcp/trace.hpp"
 #include "lcpush/status.hpp"
 
 namespace lcpush {
+
+template <class S> struct SweepOptions {
+  S tolerance = Tolerances<S>().residual; ///< scaled natural residual to stop at
+  Index max_sweeps = 5000;
+  Index check_every = 10; ///< sweeps between two residual checks
+  S relaxation{1};        ///< omega of SOR, 0 < omega < 2; component-wise sweeps only
+  bool accelerate = true; ///< block sweeps: go on with Newton's method on what the groups share
+};
 
 template <class S> class JudgedSweeps {
 public:

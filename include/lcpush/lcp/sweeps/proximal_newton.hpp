@@ -9,7 +9,7 @@
 //
 // What is left is a system of 6 + (sum groups) equations, piecewise linear in x = [u; s]:
 //
-//     u = A G f(x),      sum coupling f(x) + inertia s = target.
+//     u = B G f(x),      sum coupling f(x) + inertia s = target.
 //
 // Its solution becomes the next f^c, and eps falls. The proximal term vanishes where f = f^c, so a
 // limit solves the problem as given: nothing of a penalty is left in it. [Rockafellar 1976]
@@ -59,7 +59,7 @@ private:
   Span<S> x_, trial_, phi_, step_, settled_x_, normal_, tangent_, column_, jacobian_;
   Span<int> first_, sum_; // by variable: which sum groups
   Span<int> slot_;        // of a sum group in x; -1: it fixes one force, and has no unknown
-  Span<int> held_;        // by variable: 1 if such a sum group fixes it
+  Span<int> is_fixed_;    // by variable: 1 if such a sum group fixes it
 
   const FactoredProblem<S>& factored() const { return *problem_.factored; }
   bool carve(Index couplings, Index sums);
@@ -87,33 +87,33 @@ template <class S> bool ProximalNewton<S>::carve(Index couplings, Index sums) {
   first_ = integers.take(n_ + 1);
   sum_ = integers.take(couplings);
   slot_ = integers.take(sums);
-  held_ = integers.take(n_);
+  is_fixed_ = integers.take(n_);
   return !scalars.exhausted() && !integers.exhausted();
 }
 
 /// A sum of one normal force, without inertia, fixes that force: one unknown less.
 template <class S> void ProximalNewton<S>::sort_sums() {
-  for (Index i = 0; i < n_; ++i) held_[i] = 0;
+  for (Index i = 0; i < n_; ++i) is_fixed_[i] = 0;
   for (const ConeGroup<S>& cone : factored().cones)
-    if (cone.normals == 1) held_[cone.variable] = -1; // a candidate
+    if (cone.normals == 1) is_fixed_[cone.variable] = -1; // a candidate
   for (const SumGroup<S>& sum : factored().sums)
     for (Index k = sum.first; k < sum.first + sum.count; ++k) {
-      int& held = held_[factored().coupled_variable[k]];
-      held = held == -1 ? -2 : 0; // coupled once: still a candidate
+      int& fixed = is_fixed_[factored().coupled_variable[k]];
+      fixed = fixed == -1 ? -2 : 0; // coupled once: still a candidate
     }
   dimension_ = 6;
   for (Index a = 0; a < factored().sums.size; ++a) {
     const SumGroup<S>& sum = factored().sums[a];
     const Index i = sum.count == 1 ? factored().coupled_variable[sum.first] : -1;
-    const bool fixes =
-        i >= 0 && held_[i] == -2 && !(sum.inertia > S(0)) && factored().coupling[sum.first] > S(0);
+    const bool fixes = i >= 0 && is_fixed_[i] == -2 && !(sum.inertia > S(0)) &&
+                       factored().coupling[sum.first] > S(0);
     slot_[a] = fixes ? -1 : static_cast<int>(dimension_++);
     if (!fixes) continue;
-    held_[i] = 1;
+    is_fixed_[i] = 1;
     center_[i] = sum.target / factored().coupling[sum.first];
   }
   for (Index i = 0; i < n_; ++i)
-    if (held_[i] < 0) held_[i] = 0;
+    if (is_fixed_[i] < 0) is_fixed_[i] = 0;
 }
 
 /// The coupling entries of the sum groups with an unknown, variable by variable.
@@ -159,20 +159,18 @@ template <class S> S ProximalNewton<S>::rate_at(Index variable, Index force, con
 
 template <class S> void ProximalNewton<S>::solve_normal(const ConeGroup<S>& cone) {
   const Index i = cone.variable;
-  if (held_[i] != 0) {
+  if (is_fixed_[i] != 0) {
     force_[i] = center_[i];
     return;
   }
   const S before = cone.normal_force(center_.data);
   const S lambda = (eps_ * before - rate_[i]) / (eps_ + cone.compliance);
-  force_[i] = lambda > S(0) ? lambda : S(0);
-  if (cone.normals == 2) force_[i + 1] = lambda < S(0) ? S(-lambda) : S(0);
+  cone.set_normal_force(force_.data, lambda);
 }
 
 template <class S> void ProximalNewton<S>::solve_friction(const ConeGroup<S>& cone) {
   const Index first = cone.variable + cone.normals, g = cone.generators;
-  const S lambda = cone.normal_force(force_.data);
-  const S most = cone.friction * Eigen::numext::abs(lambda);
+  const S most = cone.friction_limit(force_.data);
   S theta(0);
   for (Index i = first; i < first + g; ++i) wanted_[i] = center_[i] - rate_[i] / eps_;
   if (most > S(0)) theta = simplex_threshold(wanted_.data + first, g, most);
@@ -228,9 +226,9 @@ template <class S> void ProximalNewton<S>::add_group(const ConeGroup<S>& cone, M
   const Index i = cone.variable, first = i + cone.normals;
   const S lambda = cone.normal_force(force_.data);
   if (lambda == S(0) && cone.normals == 1) return;
-  const S yields = held_[i] != 0 ? S(0) : S(1) / (eps_ + cone.compliance);
+  const S yields = is_fixed_[i] != 0 ? S(0) : S(1) / (eps_ + cone.compliance);
   extend(cone.force, i, normal_);
-  if (held_[i] == 0) add(normal_, normal_, yields);
+  if (is_fixed_[i] == 0) add(normal_, normal_, yields);
   if (cone.generators == 0) return;
   S support(0);
   for (Index k = 0; k < dimension_; ++k) tangent_[k] = S(0);

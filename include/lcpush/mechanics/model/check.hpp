@@ -19,6 +19,13 @@ template <class S> void keep_worst(S& worst, S violation) {
 enum class Law { newton, normal, dissipation, cone, grip, rigidity, pusher };
 constexpr Index law_count = 7;
 
+/// As reports and histories name its residual.
+constexpr const char* law_text(Law law) {
+  constexpr const char* names[] = {"newton", "normal",   "dissipation", "cone",
+                                   "grip",   "rigidity", "pusher"};
+  return names[static_cast<int>(law)];
+}
+
 /// One row of a law, and by how much an answer violates it.
 template <class S> struct Violation {
   Law law = Law::newton;
@@ -98,7 +105,8 @@ void check_friction(const Scene<S>& scene, const Scales<S>& scales, const Answer
   const ContactAnswer<S>& contact = answer.contacts[i];
   const Vector3<S> acceleration = acceleration_at<S>(scene.points[i], relative);
   const S spin = relative.template tail<3>().dot(body.normal);
-  const S lambda = body.bilateral ? Eigen::numext::abs(contact.normal_force) : contact.normal_force;
+  const S lambda =
+      body.bilateral ? S(Eigen::numext::abs(contact.normal_force)) : contact.normal_force;
   S room = body.friction * lambda;
   Vector3<S> friction = contact.friction_force;
   S torsion = contact.torsion;

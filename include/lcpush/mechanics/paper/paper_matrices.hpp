@@ -35,14 +35,6 @@ template <class S> constexpr Index normal_count(const Body<S>& body) {
   return body.bilateral ? 2 : 1;
 }
 
-/// Columns of G-bar: the forces of the complementarity problem, in its order.
-template <class S> Index force_count(const Scene<S>& scene) {
-  Index count = 0;
-  for (const Body<S>& body : scene.bodies)
-    count += body.point_count * (normal_count(body) + generator_count(scene, body));
-  return count;
-}
-
 /// Column c of the part of G that belongs to a point at p: W(n), W(t), W(o), and [0 ; n], the
 /// wrench of a unit moment about the normal. Times a twist it is that component of the point's
 /// acceleration, m/s^2, or of the spin, rad/s^2.
@@ -95,7 +87,7 @@ Vector6<S> polyhedral_column(const Scene<S>& scene, const Body<S>& body, const V
   return column;
 }
 
-/// G-bar: 6 x force_count(scene). Columns point by point: W(n), (-W(n) at bilateral bodies), then
+/// G-bar: 6 x forces. Columns point by point: W(n), (-W(n) at bilateral bodies), then
 /// W(d_j) of each generator; units as in G. Force >= 0 along each column.
 template <class S> void polyhedral_grasp_matrix(const Scene<S>& scene, MatrixMap<S> G_bar) {
   Index column = 0;
@@ -135,28 +127,6 @@ void friction_generators(const Scene<S>& scene, const Body<S>& body, MatrixMap<S
     D(0, j) = d.force.dot(body.tangent);
     D(1, j) = d.force.dot(o);
     if (contact_components(body) == 4) D(2, j) = d.torque;
-  }
-}
-
-/// E = diag(n, D): contact_components(scene) x force_count(scene), block diagonal, a block a point:
-/// [1, (-1), 0 ; 0, D]. It turns forces along generators into components, and G into G-bar = G E.
-template <class S> void contact_generators(const Scene<S>& scene, MatrixMap<S> E) {
-  E.setZero();
-  Index row = 0, column = 0;
-  for (const Body<S>& body : scene.bodies) {
-    const Vector3<S> o = cross(body.normal, body.tangent);
-    for (Index i = 0; i < body.point_count; ++i) {
-      E(row, column++) = S(1);
-      if (normal_count(body) == 2) E(row, column++) = S(-1);
-      for (Index j = 0; j < generator_count(scene, body); ++j) {
-        const Generator<S> d = generator(body, j, scene.facets);
-        E(row + 1, column) = d.force.dot(body.tangent);
-        E(row + 2, column) = d.force.dot(o);
-        if (contact_components(body) == 4) E(row + 3, column) = d.torque;
-        ++column;
-      }
-      row += contact_components(body);
-    }
   }
 }
 

@@ -13,6 +13,23 @@
 // Compliant cones with a basic normal force are pivoted too, each on its own compliance c: their
 // forces answer v as springs, lambda = (w - h'v - q) / c, and all of them together change C, a
 // matrix of 6 + k rows; without them it is the identity.
+//
+// Example, with one direction instead of six: mobility A = 1, one contact without friction, of
+// compliance c = 1/2, and an actuator of inertia 1 that drives it. With z = [lambda, s]
+//
+//     M = [ 3/2  -1 ]    slot 0: normal_role, h_0 = (1, 1), compliance_ 1/2
+//         [  1    1 ]    slot 1: shared_role, inertia_ 1
+//
+// At lambda = 2, s = 1: force_ = (2, 2) is lambda along h_0 (wrench, then coupling),
+// actuator_input_ = (1) is s, v_ = core_input_ = (A F_0, -s) = (2, -1). Row 0: h_0' v + lambda / 2
+// = 1 + 1; row 1: F_1 + s = 3. Now lambda becomes basic on its compliance (is_spring_): slot 0
+// stands for w_0, lambda = 2 (w_0 - h_0' v), so that h_0 becomes (-2, -2), compliance_ 2, springs_
+// [2 2; 2 2], I + A springs_ in the wrench's row [3 2; 0 1] and its inverse core_ [1/3 -2/3; 0 1].
+// At w_0 = 2, s = 1: force_ = (4, 4), core_input_ = (4, -1), v_ = core_ core_input_ = (2, -1) as
+// before, and row 0 says lambda = h_0' v + 2 w_0 = -2 + 4.
+//
+// Without inertia the actuator is the contact's own: own_actuator_ = (1), M = [3/2 -1; 1 0]. lambda
+// and s become basic together, and the inverse [0 1; -1 3/2] has the form of M, roles swapped.
 #pragma once
 
 #include "lcpush/lcp/memory.hpp"
@@ -38,7 +55,7 @@ public:
   template <class IsBasic> bool pivot_locally(IsBasic is_basic);
   template <class Column> void set_cover(const Column& as_given) {
     cover_ = as_given;
-    transform(cover_, cover_force_, cover_held_);
+    transform(cover_, cover_force_, cover_actuator_input_);
   }
 
   bool is_flipped(Index slot) const { return flipped_[slot] != 0; }
@@ -47,7 +64,7 @@ public:
   /// begin_column(slot), along one row after begin_row(row). Cost: O(1).
   void begin_column(Index slot) {
     force_.setZero();
-    held_.setZero();
+    actuator_input_.setZero();
     add_force(slot, S(1));
     find_velocity();
   }
@@ -65,7 +82,7 @@ public:
 
   /// A right-hand side of the problem as given becomes the rows' values at x = 0.
   template <class Column> void evaluate(Column&& rhs) {
-    transform(rhs, force_, held_);
+    transform(rhs, force_, actuator_input_);
     find_velocity();
     add_felt(rhs);
   }
@@ -75,14 +92,15 @@ private:
   Index n_ = 0, free_begin_ = 0;
   MatrixMap<S> directions_{nullptr, 0, 0}; // n x width, row i: h_i
   VectorMap<S> cover_{nullptr, 0}, cover_force_{nullptr, 0}, force_{nullptr, 0};
-  VectorMap<S> v_{nullptr, 0}, cause_{nullptr, 0};
-  VectorMap<S> held_{nullptr, 0}, cover_held_{nullptr, 0};    // of shared actuators: s, or w at C
+  VectorMap<S> v_{nullptr, 0}, core_input_{nullptr, 0};
+  // Of shared actuators, the variable that is not basic: s, or w once s is basic.
+  VectorMap<S> actuator_input_{nullptr, 0}, cover_actuator_input_{nullptr, 0};
   MatrixMap<S> springs_{nullptr, 0, 0}, core_{nullptr, 0, 0}; // sum of g h' / c, and C
   bool has_springs_ = false;
   Span<S> friction_, compliance_, own_coupling_, inertia_;
   Span<int> role_, group_, flipped_; // of slots; group_: cone, or number of the shared actuator
-  Span<int> normal_, slip_, own_;    // of cones: the slots in these roles, -1 for none
-  Span<int> pressed_;                // of cones: is the normal force a spring's?
+  Span<int> normal_, slip_, own_actuator_; // of cones: the slots in these roles, -1 for none
+  Span<int> is_spring_;                    // of cones: is the normal force basic on its compliance?
 
   Index width() const { return directions_.cols(); }
   bool pulls(Index cone) const { return problem_->cones[cone].normals == 2; }
@@ -103,7 +121,7 @@ private:
   template <class Column> void add_local(Index slot, const S& x, Column& out) const;
   template <class Column> void add_felt(Column& out) const;
   template <class Column>
-  void transform(Column& rhs, VectorMap<S>& force, VectorMap<S>& held) const;
+  void transform(Column& rhs, VectorMap<S>& force, VectorMap<S>& actuator_input) const;
   /// What a shared actuator's row feels: its forces' sum, or its unknown.
   S shared_row(Index row) const {
     const Index k = 6 + group_[row];
@@ -111,8 +129,8 @@ private:
     return has_springs_ ? S(force_[k] - springs_.row(k).dot(v_.transpose())) : force_[k];
   }
   template <class IsBasic> bool has_springs(IsBasic is_basic) const;
-  template <class IsBasic> bool press_springs(IsBasic is_basic);
-  void press(Index cone);
+  template <class IsBasic> bool load_springs(IsBasic is_basic);
+  void load_spring(Index cone);
   bool invert_core();
   void press_by_own_actuator(Index cone);
   void slide(Index cone, Index generator);

@@ -7,7 +7,7 @@ namespace lcpush::detail {
 
 /// The normal force of a cone and the unknown of its own actuator become basic.
 template <class S> void LocalForm<S>::press_by_own_actuator(Index c) {
-  const Index normal = normal_[c], own = own_[c];
+  const Index normal = normal_[c], own = own_actuator_[c];
   const S inverse = S(1) / own_coupling_[c];
   directions_.row(own) = directions_.row(normal) * inverse;
   directions_.row(normal).setZero();
@@ -16,7 +16,7 @@ template <class S> void LocalForm<S>::press_by_own_actuator(Index c) {
   own_coupling_[c] = inverse;
   swap_roles(normal, own);
   normal_[c] = static_cast<int>(own);
-  own_[c] = static_cast<int>(normal);
+  own_actuator_[c] = static_cast<int>(normal);
 }
 
 /// The slip and the friction force along one generator become basic.
@@ -33,7 +33,7 @@ template <class S> void LocalForm<S>::slide(Index c, Index generator) {
 
 /// The normal force of a compliant cone becomes basic. Precondition: it slides already if it is
 /// to.
-template <class S> void LocalForm<S>::press(Index c) {
+template <class S> void LocalForm<S>::load_spring(Index c) {
   const ConeGroup<S>& cone = problem_->cones[c];
   const Index normal = normal_[c];
   const S stiffness = S(1) / compliance_[c];
@@ -45,11 +45,11 @@ template <class S> void LocalForm<S>::press(Index c) {
   if (slip_[c] >= 0) directions_.row(slip_[c]) = direction * friction_[c];
   friction_[c] *= stiffness;
   compliance_[c] = stiffness;
-  flipped_[normal] = pressed_[c] = 1;
+  flipped_[normal] = is_spring_[c] = 1;
 }
 
-/// Are there so many loaded springs that they do not fit among the exchanges? Few do, and then
-/// nothing is divided by a compliance.
+/// Are there so many loaded springs that they do not fit among the exchanges? If not, nothing is
+/// divided by a compliance.
 template <class S> template <class IsBasic> bool LocalForm<S>::has_springs(IsBasic is_basic) const {
   constexpr Index many = 24;
   Index loaded = 0;
@@ -59,11 +59,12 @@ template <class S> template <class IsBasic> bool LocalForm<S>::has_springs(IsBas
 }
 
 /// All of them, the actuators that they carry, and C. False if it is singular.
-template <class S> template <class IsBasic> bool LocalForm<S>::press_springs(IsBasic is_basic) {
+template <class S> template <class IsBasic> bool LocalForm<S>::load_springs(IsBasic is_basic) {
   has_springs_ = true;
   springs_.setZero();
   for (Index c = 0; c < problem_->cones.size; ++c)
-    if (compliance_[c] > S(0) && own_[c] < 0 && !pulls(c) && is_basic(normal_[c])) press(c);
+    if (compliance_[c] > S(0) && own_actuator_[c] < 0 && !pulls(c) && is_basic(normal_[c]))
+      load_spring(c);
   for (Index s = free_begin_; s < n_; ++s)
     if (role_[s] == shared_role && is_basic(s) && springs_(6 + group_[s], 6 + group_[s]) > S(0))
       flipped_[s] = 1;
@@ -85,11 +86,12 @@ template <class S> bool LocalForm<S>::invert_core() {
   constexpr int most = 6 + 32; // few actuators are shared by many cones
   if (size > most) return false;
   Index from[most];
+  VectorMap<S>& row_size = core_input_; // free until the core is there
   for (Index i = 0; i < size; ++i) {
     from[i] = i;
-    cause_[i] = core_.row(i).cwiseAbs().maxCoeff();
-    if (!(cause_[i] > S(0))) return false;
-    core_.row(i) /= cause_[i];
+    row_size[i] = core_.row(i).cwiseAbs().maxCoeff();
+    if (!(row_size[i] > S(0))) return false;
+    core_.row(i) /= row_size[i];
   }
   for (Index k = 0; k < size; ++k) {
     Index row = k;
@@ -99,7 +101,7 @@ template <class S> bool LocalForm<S>::invert_core() {
     if (row != k) {
       core_.row(row).swap(core_.row(k));
       Eigen::numext::swap(from[row], from[k]);
-      Eigen::numext::swap(cause_[row], cause_[k]);
+      Eigen::numext::swap(row_size[row], row_size[k]);
     }
     const S pivot = core_(k, k);
     core_(k, k) = S(1);
@@ -112,7 +114,7 @@ template <class S> bool LocalForm<S>::invert_core() {
     }
   }
   // Column k belongs to row from[k] of the scaled matrix.
-  for (Index k = 0; k < size; ++k) core_.col(k) /= cause_[k];
+  for (Index k = 0; k < size; ++k) core_.col(k) /= row_size[k];
   for (Index k = 0; k < size; ++k)
     while (from[k] != k) {
       const Index to = from[k];
@@ -128,7 +130,8 @@ template <class S> template <class IsBasic> bool LocalForm<S>::pivot_locally(IsB
   const bool springs = has_springs(is_basic);
   for (Index c = 0; c < problem_->cones.size; ++c) {
     const ConeGroup<S>& cone = problem_->cones[c];
-    if (own_[c] >= 0 && is_basic(own_[c]) && is_basic(normal_[c])) press_by_own_actuator(c);
+    if (own_actuator_[c] >= 0 && is_basic(own_actuator_[c]) && is_basic(normal_[c]))
+      press_by_own_actuator(c);
     if (cone.generators == 0 || !is_basic(cone.slip())) continue;
     for (Index slot = cone.variable + cone.normals; slot < cone.slip(); ++slot)
       if (is_basic(slot)) {
@@ -136,7 +139,7 @@ template <class S> template <class IsBasic> bool LocalForm<S>::pivot_locally(IsB
         break;
       }
   }
-  if (springs && !press_springs(is_basic)) return false;
+  if (springs && !load_springs(is_basic)) return false;
   set_cover(VectorMap<S>(cover_));
   return true;
 }
@@ -145,17 +148,17 @@ template <class S> template <class IsBasic> bool LocalForm<S>::pivot_locally(IsB
 /// actuators are held at, at x = 0.
 template <class S>
 template <class Column>
-void LocalForm<S>::transform(Column& rhs, VectorMap<S>& force, VectorMap<S>& held) const {
+void LocalForm<S>::transform(Column& rhs, VectorMap<S>& force, VectorMap<S>& actuator_input) const {
   force.setZero();
-  held.setZero();
+  actuator_input.setZero();
   for (Index c = 0; c < problem_->cones.size; ++c) {
     const ConeGroup<S>& cone = problem_->cones[c];
     const Index normal = normal_[c];
-    if (flipped_[normal] != 0 && pressed_[c] == 0) {
-      const Index given = own_[c], own = normal;
-      const S target = rhs[own], pressed = -target * own_coupling_[c];
+    if (flipped_[normal] != 0 && is_spring_[c] == 0) {
+      const Index given = own_actuator_[c], own = normal;
+      const S target = rhs[own], normal_force = -target * own_coupling_[c];
       rhs[own] = rhs[given] * own_coupling_[c] - target * compliance_[c];
-      rhs[given] = pressed;
+      rhs[given] = normal_force;
       force -= directions_.row(own).transpose() * target;
       if (cone.generators > 0) rhs[cone.slip()] -= friction_[c] * target;
     }
@@ -167,7 +170,7 @@ void LocalForm<S>::transform(Column& rhs, VectorMap<S>& force, VectorMap<S>& hel
       rhs[generator] = saturates;
       force -= directions_.row(slip).transpose() * saturates;
     }
-    if (pressed_[c] != 0) {
+    if (is_spring_[c] != 0) {
       const S yields = rhs[normal];
       rhs[normal] = -yields * compliance_[c];
       force += directions_.row(normal).transpose() * yields;
@@ -178,7 +181,7 @@ void LocalForm<S>::transform(Column& rhs, VectorMap<S>& force, VectorMap<S>& hel
   }
   for (Index s = free_begin_; has_springs_ && s < n_; ++s)
     if (role_[s] == shared_role && flipped_[s] != 0) {
-      held[group_[s]] = -rhs[s];
+      actuator_input[group_[s]] = -rhs[s];
       rhs[s] = S(0);
     }
 }

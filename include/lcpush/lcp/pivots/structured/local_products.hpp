@@ -5,38 +5,38 @@
 
 namespace lcpush::detail {
 
-/// force_ and held_ += what slot does at x.
+/// force_ and actuator_input_ += what slot does at x.
 template <class S> void LocalForm<S>::add_force(Index slot, const S& x) {
   if (slot == n_) {
     force_ += cover_force_ * x;
-    held_ += cover_held_ * x;
+    actuator_input_ += cover_actuator_input_ * x;
     return;
   }
   const Index c = group_[slot];
   switch (role_[slot]) {
   case normal_role:
-    force_ += directions_.row(slot).transpose() * (pressed_[c] != 0 ? S(-x) : x);
+    force_ += directions_.row(slot).transpose() * (is_spring_[c] != 0 ? S(-x) : x);
     if (slides(c))
       force_ -= directions_.row(problem_->cones[c].slip()).transpose() * (friction_[c] * x);
     break;
   case generator_role: force_ += directions_.row(slot).transpose() * x; break;
-  case shared_role: held_[c] += x; break;
+  case shared_role: actuator_input_[c] += x; break;
   default: break;
   }
 }
 
 template <class S> void LocalForm<S>::find_velocity() {
   const Vector6<S> wrench = force_.template head<6>();
-  VectorMap<S>& v = has_springs_ ? cause_ : v_;
+  VectorMap<S>& v = has_springs_ ? core_input_ : v_;
   v.template head<6>() = problem_->mobility.lazyProduct(wrench);
-  for (Index k = 6; k < width(); ++k) v[k] = -held_[k - 6];
+  for (Index k = 6; k < width(); ++k) v[k] = -actuator_input_[k - 6];
   if (!has_springs_) return;
   for (Index s = free_begin_; s < n_; ++s)
     if (role_[s] == shared_role && flipped_[s] != 0) v[6 + group_[s]] += force_[6 + group_[s]];
-  v_ = core_.lazyProduct(cause_);
+  v_ = core_.lazyProduct(core_input_);
 }
 
-/// v_ becomes what the row feels of each component of F, cause_ of each s.
+/// v_ becomes what the row feels of each component of F, core_input_ of each s.
 template <class S> void LocalForm<S>::begin_row(Index row) {
   v_ = directions_.row(row).transpose();
   if (role_[row] == shared_role && has_springs_) {
@@ -48,16 +48,16 @@ template <class S> void LocalForm<S>::begin_row(Index row) {
     }
   }
   if (has_springs_) {
-    cause_ = v_;
-    v_ = core_.transpose().lazyProduct(cause_);
+    core_input_ = v_;
+    v_ = core_.transpose().lazyProduct(core_input_);
   }
-  cause_ = v_;
+  core_input_ = v_;
   const Vector6<S> direction = v_.template head<6>();
   v_.template head<6>() = problem_->mobility.lazyProduct(direction);
   if (width() == 6) return;
   v_.tail(width() - 6).setZero();
   for (Index s = free_begin_; has_springs_ && s < n_; ++s)
-    if (role_[s] == shared_role && flipped_[s] != 0) v_[6 + group_[s]] = cause_[6 + group_[s]];
+    if (role_[s] == shared_role && flipped_[s] != 0) v_[6 + group_[s]] = core_input_[6 + group_[s]];
   if (role_[row] == shared_role && flipped_[row] == 0) v_[6 + group_[row]] += S(1);
 }
 
@@ -66,17 +66,17 @@ template <class S> S LocalForm<S>::entry_of_row(Index row, Index slot) const {
   const S here = local(row, slot);
   if (slot == n_) {
     S sum = here + cover_force_.dot(v_);
-    for (Index k = 6; k < width(); ++k) sum -= cause_[k] * cover_held_[k - 6];
+    for (Index k = 6; k < width(); ++k) sum -= core_input_[k] * cover_actuator_input_[k - 6];
     return sum;
   }
   const Index c = group_[slot];
   switch (role_[slot]) {
   case normal_role: {
-    const S presses = pressed_[c] != 0 ? S(here - felt(slot)) : S(here + felt(slot));
+    const S presses = is_spring_[c] != 0 ? S(here - felt(slot)) : S(here + felt(slot));
     return slides(c) ? S(presses - felt(problem_->cones[c].slip()) * friction_[c]) : presses;
   }
   case generator_role: return here + felt(slot);
-  case shared_role: return here - cause_[6 + c];
+  case shared_role: return here - core_input_[6 + c];
   default: return here;
   }
 }
@@ -112,7 +112,7 @@ void LocalForm<S>::add_local(Index slot, const S& x, Column& out) const {
       out[slot == first ? first + 1 : first] -= compliance_[c] * x;
     }
     if (slip_[c] >= 0) out[slip_[c]] += friction_[c] * x;
-    if (own_[c] >= 0) out[own_[c]] += own_coupling_[c] * x;
+    if (own_actuator_[c] >= 0) out[own_actuator_[c]] += own_coupling_[c] * x;
     break;
   case generator_role: out[slip_[c]] -= x; break;
   case slip_role: {
@@ -142,7 +142,7 @@ template <class S>
 template <class Inputs, class Column>
 void LocalForm<S>::multiply(Inputs inputs, Column&& out) {
   force_.setZero();
-  held_.setZero();
+  actuator_input_.setZero();
   out.setZero();
   inputs([&](Index slot, const S& x) {
     add_force(slot, x);

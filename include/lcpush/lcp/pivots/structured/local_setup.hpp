@@ -40,23 +40,24 @@ void LocalForm<S>::carve(const Problem<S>& problem, Block<S>& scalars, Block<int
   const Index width = 6 + shared;
   scalars.seat(directions_, n_, width);
   scalars.seat(cover_, n_);
-  for (VectorMap<S>* map : {&cover_force_, &force_, &v_, &cause_}) scalars.seat(*map, width);
-  for (VectorMap<S>* map : {&held_, &cover_held_}) scalars.seat(*map, shared);
+  for (VectorMap<S>* map : {&cover_force_, &force_, &v_, &core_input_}) scalars.seat(*map, width);
+  for (VectorMap<S>* map : {&actuator_input_, &cover_actuator_input_}) scalars.seat(*map, shared);
   for (MatrixMap<S>* map : {&springs_, &core_}) scalars.seat(*map, width, width);
   for (Span<S>* span : {&friction_, &compliance_, &own_coupling_}) *span = scalars.take(cones);
   inertia_ = scalars.take(shared);
   for (Span<int>* span : {&role_, &group_, &flipped_}) *span = integers.take(n_);
-  for (Span<int>* span : {&normal_, &slip_, &own_, &pressed_}) *span = integers.take(cones);
+  for (Span<int>* span : {&normal_, &slip_, &own_actuator_, &is_spring_})
+    *span = integers.take(cones);
 }
 
-/// Symmetric scales that bring the diagonal of G' A G near 1; then no entry of it is larger
+/// Symmetric scales that bring the diagonal of G' B G near 1; then no entry of it is larger
 /// (Cauchy and Schwarz). One scale for the generators of a cone, its reciprocal for the slip, so
 /// that these entries stay 1. Returns 0, or NaN if a number is not finite.
 template <class S>
 S LocalForm<S>::scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale,
                       VectorMap<S> rowsum) const {
   const FactoredProblem<S>& f = *problem_;
-  S finite_sum = f.mobility.sum() - f.mobility.sum();
+  const S finite_sum = f.mobility.sum() - f.mobility.sum();
   const auto diagonal = [&](Index force) {
     const Vector6<S> moved = f.mobility.lazyProduct(f.wrenches[force]);
     return S(f.wrenches[force].dot(moved));
@@ -75,41 +76,26 @@ S LocalForm<S>::scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> co
       total += f.wrenches[cone.force + k].cwiseAbs() * column_scale[cone.variable + k];
     }
     if (cone.generators > 0) row_scale[cone.slip()] = column_scale[cone.slip()] = S(1) / slip;
-    finite_sum += (cone.friction - cone.friction) + (cone.compliance - cone.compliance);
-  }
-  finite_sum += total.sum() - total.sum();
-  const Vector6<S> moved = f.mobility.cwiseAbs().lazyProduct(total);
-  for (const ConeGroup<S>& cone : f.cones) {
-    S* const sum = &rowsum[cone.variable];
-    for (Index k = 0; k < cone.forces(); ++k)
-      sum[k] = f.wrenches[cone.force + k].cwiseAbs().dot(moved);
-    for (Index k = 0; k < cone.normals; ++k)
-      sum[k] += cone.compliance * column_scale[cone.variable] * S(static_cast<int>(cone.normals));
-    if (cone.generators == 0) continue;
-    S& slip = rowsum[cone.slip()];
-    slip = cone.friction * column_scale[cone.variable] * S(static_cast<int>(cone.normals));
-    for (Index k = cone.normals; k < cone.forces(); ++k) {
-      sum[k] += column_scale[cone.slip()];
-      slip += column_scale[cone.variable + k];
-    }
   }
   for (Index a = 0; a < f.sums.size; ++a) {
     const SumGroup<S>& sum = f.sums[a];
     const Index s = free_begin_ + a;
     S largest(0);
-    rowsum[s] = S(0);
     for (Index k = sum.first; k < sum.first + sum.count; ++k) {
       const S size = Eigen::numext::abs(f.coupling[k]) * column_scale[f.coupled_variable[k]];
       largest = Eigen::numext::maxi(largest, size);
-      rowsum[s] += size;
     }
-    finite_sum += (rowsum[s] - rowsum[s]) + (sum.inertia - sum.inertia);
     row_scale[s] = column_scale[s] = equilibrates ? S(S(1) / power_below(largest)) : S(1);
-    rowsum[s] += sum.inertia * column_scale[s];
-    for (Index k = sum.first; k < sum.first + sum.count; ++k)
-      rowsum[f.coupled_variable[k]] += Eigen::numext::abs(f.coupling[k]) * column_scale[s];
   }
-  return finite_sum;
+  const Vector6<S> moved = f.mobility.cwiseAbs().lazyProduct(total);
+  rowsum.setZero();
+  for (const ConeGroup<S>& cone : f.cones)
+    for (Index k = 0; k < cone.forces(); ++k)
+      rowsum[cone.variable + k] = f.wrenches[cone.force + k].cwiseAbs().dot(moved);
+  for_each_group_entry(f, free_begin_, [&](Index i, Index j, const S& entry) {
+    rowsum[i] += Eigen::numext::abs(entry) * column_scale[j];
+  });
+  return finite_sum + (rowsum.sum() - rowsum.sum());
 }
 
 /// The problem as given, scaled, under a cover.
@@ -127,8 +113,8 @@ void LocalForm<S>::load(const VectorMap<S>& row_scale, const VectorMap<S>& colum
     const S scale = row_scale[cone.variable];
     normal_[c] = static_cast<int>(cone.variable);
     slip_[c] = static_cast<int>(slip);
-    own_[c] = -1;
-    pressed_[c] = 0;
+    own_actuator_[c] = -1;
+    is_spring_[c] = 0;
     compliance_[c] = cone.compliance * scale * scale;
     friction_[c] = slip < 0 ? S(0) : S(cone.friction * scale * row_scale[slip]);
     for (Index k = 0; k < cone.forces(); ++k) {
@@ -147,7 +133,7 @@ void LocalForm<S>::load(const VectorMap<S>& row_scale, const VectorMap<S>& colum
     if (c >= 0) {
       role_[s] = own_role;
       group_[s] = static_cast<int>(c);
-      own_[c] = static_cast<int>(s);
+      own_actuator_[c] = static_cast<int>(s);
       own_coupling_[c] = f.coupling[sum.first] * row_scale[s] * column_scale[f.cones[c].variable];
       continue;
     }
