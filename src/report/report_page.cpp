@@ -28,7 +28,8 @@ std::string failure_html(const SceneFile& file, const RunReport& report) {
   for (const NamedValue& entry : report.ray)
     rows.push_back({escaped(entry.name), number(entry.value)});
   return failure_box(report.status, report.reason,
-                     sentences_html(jam_sentences(file, report.jam))) +
+                     paragraphs_html(jam_findings(file, report.jam)) +
+                         list_html(jam_remedies(report.jam))) +
          "<details>\n<summary>The ray in numbers</summary>\n" +
          table_html("The ray, largest entry 1", rows) + "</details>\n";
 }

@@ -86,13 +86,8 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent) {
 
 /// Points speak of the file's bodies, even where each is a body of its own.
 void Push::name_file_bodies() {
-  Index body = 0;
-  for (Index i = 0; i < work_.answer.contacts.size; ++i) {
-    while (i >= file_.bodies[static_cast<std::size_t>(body)].first_point +
-                    file_.bodies[static_cast<std::size_t>(body)].point_count)
-      ++body;
-    work_.answer.contacts[i].body = body;
-  }
+  for (Index i = 0; i < work_.answer.contacts.size; ++i)
+    work_.answer.contacts[i].body = file_.body_of(i);
 }
 
 std::string Push::explain(Status status, const PressureRun& run) const {
