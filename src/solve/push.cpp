@@ -141,8 +141,7 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
   const Index open = undetermined_body(scene_);
   const bool proved = open < 0;
   if (!proved)
-    report.undetermined =
-        file_.body_names[static_cast<std::size_t>(file_.body_of(scene_.bodies[open].first_point))];
+    report.undetermined = file_.body_name(file_.body_of(scene_.bodies[open].first_point));
   bool same_a = true, same_f = true;
   const Outcome<double> first = outcome();
   report.final_basis = study_final_basis(assembly_, work_.answer);

@@ -3,7 +3,7 @@
 
 #include "lcpush/desktop/solver.hpp"
 #include "lcpush/desktop/watcher.hpp"
-#include "lcpush/lcp/sweeps/sweep_options.hpp"
+#include "lcpush/lcp/sweeps/judged_sweeps.hpp"
 
 namespace lcpush::desktop {
 
