@@ -109,7 +109,7 @@ void write_rigidity(JsonWriter& json, const PatchRigidity& patch) {
   json.member("references", patch.references).member("count", patch.check.count);
   json.member("rank", when(patch.checked, patch.check.rank));
   json.member("holds", when(patch.checked, patch.check.holds()));
-  json.list("weights", patch.weights, [&](const auto& alpha) { json.value(alpha); });
+  json.member("weights", patch.weights);
 }
 
 } // namespace

@@ -30,10 +30,15 @@ public:
   JsonWriter& key(std::string_view name);
 
   /// A bool, a number, a string, nullptr; a vector of one of these (a std::vector, an Eigen vector
-  /// or map), which is an array on one line if it fits; or an optional of all that (empty: null).
-  /// Numbers read back as the same double; those that are not finite become null.
+  /// or map), which is an array on one line if it fits; a vector of vectors, one below the other;
+  /// or an optional of all that (empty: null). Numbers read back as the same double; those that are
+  /// not finite become null.
   template <class T> JsonWriter& value(const T& data) {
-    if constexpr (is_vector<T>::value) {
+    if constexpr (is_vector_of_vectors<T>::value) {
+      begin_array();
+      for (const auto& vector : data) value(vector);
+      return end_array();
+    } else if constexpr (is_vector<T>::value) {
       std::vector<std::string> literals;
       for (decltype(data.size()) i = 0; i < data.size(); ++i) literals.push_back(literal(data[i]));
       return scalars(literals);
@@ -76,9 +81,6 @@ public:
     return objects(name, numbers, write);
   }
 
-  template <class Vector> JsonWriter& numbers(const Vector& vector) { return value(vector); }
-  JsonWriter& strings(const std::vector<std::string>& texts) { return value(texts); }
-
   /// What was written so far; after the last end, the whole text with its final newline.
   const std::string& text() const { return text_; }
 
@@ -87,6 +89,11 @@ private:
   template <class T>
   struct is_vector<T, std::void_t<decltype(std::declval<const T&>().size())>>
       : std::bool_constant<!std::is_convertible_v<const T&, std::string_view>> {};
+
+  template <class T, class = void> struct is_vector_of_vectors : std::false_type {};
+  template <class T>
+  struct is_vector_of_vectors<T, std::void_t<typename T::value_type>>
+      : std::bool_constant<is_vector<T>::value && is_vector<typename T::value_type>::value> {};
 
   static std::string literal(double number);
   static std::string literal(std::string_view text);

@@ -9,74 +9,59 @@ namespace {
 void write_object(JsonWriter& json, const SceneFile& file) {
   const bool is_cylinder = file.shape.kind == ObjectShape::Kind::cylinder;
   json.member("title", file.title).member("planar", file.planar);
-  json.key("gravity").numbers(file.gravity).member("mass", file.object.mass);
-  json.key("center_of_mass").numbers(file.object.center_of_mass);
+  json.member("gravity", file.gravity).member("mass", file.object.mass);
+  json.member("center_of_mass", file.object.center_of_mass);
   json.key("shape").begin_object().member("kind", is_cylinder ? "cylinder" : "box");
-  json.key("size").numbers(file.shape.size).member("axis", file.shape.axis).end_object();
+  json.member("size", file.shape.size).member("axis", file.shape.axis).end_object();
   // In SI units: the scales of Layout, all 1.
   const Scene<double> scene = file.view();
   const Scales<double> si{file.object.mass, 1.0, 1.0};
   const Matrix6<double> mobility = laws::newton(scene, si) / file.object.mass;
   json.key("mobility").begin_array();
-  for (Index i = 0; i < 6; ++i) json.numbers(Vector6<double>(mobility.row(i)));
+  for (Index i = 0; i < 6; ++i) json.value(Vector6<double>(mobility.row(i)));
   json.end_array();
   Vector6<double> weight = Vector6<double>::Zero();
   weight.head<3>() = file.object.mass * file.gravity;
-  json.key("weight").numbers(weight).member("facets", file.facets);
+  json.member("weight", weight).member("facets", file.facets);
 }
 
 void write_bodies(JsonWriter& json, const Push& push) {
   const Scene<double>& scene = push.scene();
-  json.key("bodies").begin_array();
-  for (Index b = 0; b < scene.bodies.size; ++b) {
+  json.objects("bodies", scene.bodies.size, [&](Index b) {
     const Body<double>& body = scene.bodies[b];
     const Index of_file = push.file().body_of(body.first_point);
-    json.begin_object();
-    json.member("name", push.file().body_names[static_cast<std::size_t>(of_file)]);
+    json.member("name", push.file().body_name(of_file));
     json.member("role", body.role == Role::finger ? "finger" : "pusher");
-    json.key("normal").numbers(body.normal).key("tangent").numbers(body.tangent);
-    json.member("friction", body.friction).key("acceleration").numbers(body.acceleration);
+    json.member("normal", body.normal).member("tangent", body.tangent);
+    json.member("friction", body.friction).member("acceleration", body.acceleration);
     json.key("actuators").begin_array();
     for (const Drive<double>& drive : scene.drives) {
       if (drive.body != b) continue;
       json.begin_object().member("variable", push.layout().closing(drive.actuator));
-      json.key("twist").numbers(drive.twist).end_object();
+      json.member("twist", drive.twist).end_object();
     }
-    json.end_array().end_object();
-  }
-  json.end_array();
+    json.end_array();
+  });
 }
 
 void write_points(JsonWriter& json, const Push& push) {
   const Scene<double>& scene = push.scene();
   const Layout<double>& layout = push.layout();
-  json.key("points").begin_array();
-  for (Index i = 0; i < layout.points; ++i) {
+  json.objects("points", layout.points, [&](Index i) {
     const ConeGroup<double>& cone = layout.cones[i];
     const Body<double>& body = scene.bodies[layout.body[i]];
-    json.begin_object().member("name", point_name(push.file(), i)).member("body", layout.body[i]);
-    json.key("position").numbers(push.file().positions[static_cast<std::size_t>(i)]);
-    using OrNull = std::optional<Index>;
+    json.member("name", point_name(push.file(), i)).member("body", layout.body[i]);
+    json.member("position", push.file().positions[static_cast<std::size_t>(i)]);
     const Index normal = layout.normal(i);
-    json.member("normal", normal).member("pull", cone.normals == 2 ? OrNull(normal + 1) : OrNull());
+    json.member("normal", normal).member("pull", when(cone.normals == 2, normal + 1));
     json.key("friction").begin_array();
     for (Index j = 0; j < cone.generators; ++j) json.value(layout.friction(i, j));
-    json.end_array();
-    json.member("slip", cone.generators > 0 ? OrNull(layout.slip(i)) : OrNull());
-    json.key("generators").begin_array();
-    for (Index j = 0; j < cone.generators; ++j) {
+    json.end_array().member("slip", when(cone.generators > 0, layout.slip(i)));
+    json.objects("generators", cone.generators, [&](Index j) {
       const Generator<double> d = generator(body, j, scene.facets);
-      json.begin_object().key("force").numbers(d.force).member("torque", d.torque).end_object();
-    }
-    json.end_array().end_object();
-  }
-  json.end_array();
-}
-
-template <class Vector> void write_list(JsonWriter& json, const std::vector<Vector>& list) {
-  json.begin_array();
-  for (const Vector& x : list) json.numbers(x);
-  json.end_array();
+      json.member("force", d.force).member("torque", d.torque);
+    });
+  });
 }
 
 /// A body as a view shows it: its pad, corners as a place in metres with an offset in pixels, and
@@ -98,27 +83,24 @@ void write_body_in_view(JsonWriter& json, const Push& push, const View& view, In
   for (Index j = 0; j < push.layout().cones[body.first_point].generators; ++j)
     cone.push_back(
         -view.flat(body.normal + body.friction * generator(body, j, scene.facets).force));
-  json.begin_object().member("body", b).member("behind", view.is_behind(body.normal)).key("pad");
-  write_list(json, pad);
-  json.key("cone");
-  write_list(json, cone.size() > 1 ? hull(cone) : std::vector<Pixel>());
+  json.begin_object().member("body", b).member("behind", view.is_behind(body.normal));
+  json.member("pad", pad).member("cone", cone.size() > 1 ? hull(cone) : std::vector<Pixel>());
   json.end_object();
 }
 
 void write_view(JsonWriter& json, const Push& push, const View& view) {
   const SceneFile& file = push.file();
   json.begin_object().member("title", view.title).member("axes", axes_elements(view));
-  json.key("right").numbers(view.right).key("toward").numbers(view.toward);
-  json.key("down").numbers(Vector3<double>(Vector3<double>::Zero() - view.up));
+  json.member("right", view.right).member("toward", view.toward);
+  json.member("down", Vector3<double>(Vector3<double>::Zero() - view.up));
   std::vector<Pixel> box, shown;
   for (const auto& corner : box_corners(file.object.center_of_mass, file.shape.size))
     box.push_back(view.flat(corner));
   shown = box;
   for (const auto& position : file.positions) shown.push_back(view.flat(position));
   const Frame frame = bounds(shown);
-  json.key("frame").numbers(Eigen::Vector4d(frame.left, frame.top, frame.right, frame.bottom));
-  json.key("outline");
-  write_list(json, hull(box));
+  json.member("frame", Eigen::Vector4d(frame.left, frame.top, frame.right, frame.bottom));
+  json.member("outline", hull(box));
   const bool is_round =
       file.shape.kind == ObjectShape::Kind::cylinder && view.toward[file.shape.axis] != 0;
   json.member("radius", is_round ? std::abs(view.right.dot(file.shape.size)) / 2 : 0.0);

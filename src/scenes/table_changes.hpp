@@ -1,4 +1,4 @@
-// What a sweep changes in the tables of a parsed scene.
+// What a sweep changes in the tables of a scene that the builder has accepted.
 #pragma once
 
 #include "formats/toml.hpp"

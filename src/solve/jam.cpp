@@ -185,7 +185,7 @@ Jam explain_jam(const SceneFile& file, const Assembly<double>& assembly, const d
   return jam;
 }
 
-std::vector<std::string> jam_sentences(const SceneFile& file, const Jam& jam) {
+std::vector<std::string> jam_findings(const SceneFile& file, const Jam& jam) {
   if (jam.bodies.empty()) {
     if (jam.running_away.empty()) return {"Nothing is pressed, and no actuator runs away."};
     return {
@@ -198,11 +198,22 @@ std::vector<std::string> jam_sentences(const SceneFile& file, const Jam& jam) {
     sentences.push_back("The actuator of " + listed(jam.running_away, "and") +
                         " closes without end.");
   if (!jam.remedies.empty()) sentences.push_back("What may free it:");
+  return sentences;
+}
+
+std::vector<std::string> jam_remedies(const Jam& jam) {
+  std::vector<std::string> sentences;
+  if (jam.bodies.empty()) return sentences;
   for (const Remedy& remedy : jam.remedies)
-    sentences.push_back("- " + remedy.text +
-                        (!remedy.tried  ? ""
-                         : remedy.works ? ": tried, it does"
-                                        : ": tried, not by itself"));
+    sentences.push_back(remedy.text + (!remedy.tried  ? ""
+                                       : remedy.works ? ": tried, it does"
+                                                      : ": tried, not by itself"));
+  return sentences;
+}
+
+std::vector<std::string> jam_sentences(const SceneFile& file, const Jam& jam) {
+  std::vector<std::string> sentences = jam_findings(file, jam);
+  for (const std::string& remedy : jam_remedies(jam)) sentences.push_back("- " + remedy);
   return sentences;
 }
 

@@ -47,4 +47,43 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem,
   return quantities;
 }
 
+Interval& interval_of(const Quantity& quantity, SpreadReport& report) {
+  const auto at = static_cast<std::size_t>(quantity.of);
+  switch (quantity.kind) {
+  case Quantity::Kind::twist: return report.twist[at];
+  case Quantity::Kind::normal: return report.contacts[at].normal;
+  case Quantity::Kind::tangential: return report.contacts[at].tangential[quantity.axis];
+  case Quantity::Kind::torsion: return report.contacts[at].torsion;
+  case Quantity::Kind::push: break;
+  }
+  return report.pushers[at].force;
+}
+
+void include(const Answer<double>& answer, const Scene<double>& scene, SpreadReport& report) {
+  for (PusherSpread& pusher : report.pushers)
+    pusher.force.include(normal_sum(answer, scene.bodies[pusher.body]));
+  for (Index k = 0; k < 6; ++k) report.twist[k].include(answer.acceleration[k]);
+  for (Index i = 0; i < answer.contacts.size; ++i) {
+    const ContactAnswer<double>& contact = answer.contacts[i];
+    const Body<double>& body = scene.bodies[contact.body];
+    ContactSpread& spread = report.contacts[static_cast<std::size_t>(i)];
+    spread.normal.include(contact.normal_force);
+    spread.tangential[0].include(contact.friction_force.dot(body.tangent));
+    spread.tangential[1].include(contact.friction_force.dot(cross(body.normal, body.tangent)));
+    spread.torsion.include(contact.torsion);
+  }
+}
+
+SpreadVerdict verdict_on(const SpreadReport& report) {
+  const double length = report.scales.length, force = same_force(report);
+  for (Index k = 0; k < 6; ++k)
+    if (!is_single(report.twist[k], same_acceleration(report) / (k < 3 ? 1 : length)))
+      return SpreadVerdict::ambiguous;
+  for (const ContactSpread& contact : report.contacts)
+    if (!is_single(contact.normal, force) || !is_single(contact.tangential[0], force) ||
+        !is_single(contact.tangential[1], force) || !is_single(contact.torsion, force * length))
+      return SpreadVerdict::same_motion;
+  return SpreadVerdict::unique;
+}
+
 } // namespace lcpush::desktop

@@ -69,8 +69,8 @@ public:
 
   int sign() const { return size_ < 0 ? -1 : size_ > 0 ? 1 : 0; }
   bool is_zero() const { return size_ == 0; }
-  bool is_one() const { return size_ == 1 && limbs()[0] == 1; }
-  bool is_odd() const { return size_ != 0 && (limbs()[0] & 1U) != 0; }
+  bool is_one() const { return size_ == 1 && low() == 1; }
+  bool is_odd() const { return (low() & 1U) != 0; }
   /// Bits of the magnitude; 0 for 0.
   std::size_t bit_length() const;
 
@@ -107,6 +107,7 @@ private:
   const Limb* limbs() const { return heap_ ? heap_.get() : &small_; }
   Limb* limbs() { return heap_ ? heap_.get() : &small_; }
   std::size_t count() const { return static_cast<std::size_t>(size_ < 0 ? -size_ : size_); }
+  Limb low() const { return size_ == 0 ? 0 : limbs()[0]; } ///< of the magnitude
   void forget() {
     heap_.reset();
     capacity_ = 0;
@@ -115,6 +116,8 @@ private:
 
   Limb* room(std::size_t count);
   void finish(std::size_t count, bool is_negative);
+  /// `magnitude` is a number of 128 bits.
+  template <class Wide> static BigInteger of_two_limbs(Wide magnitude, bool is_negative);
   static BigInteger sum(const BigInteger& a, const BigInteger& b, bool b_negative);
 };
 
