@@ -122,7 +122,7 @@ std::string Push::explain(Status status, const PressureRun& run) const {
 /// are long.
 void Push::read_ray(const PushOptions& options, RunReport& report) const {
   for (Index i = 0; i < layout().size; ++i)
-    if (ray()[i] > ray_noise) report.ray.push_back({i, variable_name(i), ray()[i]});
+    if (ray()[i] > ray_noise) report.ray.push_back({variable_name(i), ray()[i], i});
   const bool tries = options.explain_jams && layout().size <= limits::unknowns_remedied;
   report.jam = explain_jam(file_, assembly_, ray(), tries ? has_answer : nullptr);
 }
