@@ -10,7 +10,8 @@ int main(int count, char** words) {
     const desktop::SceneFile file = desktop::read_scene(path);
     desktop::Push push(file);
     const desktop::PushReport report = push.solve({});
-    std::printf("%s %s\n", status_text(report.status), report.reason.c_str());
+    std::printf("%s%s%s\n", status_text(report.status), report.reason.empty() ? "" : ": ",
+                report.reason.c_str());
     if (report.status != Status::solved) return 1;
     for (Index i = 0; i < report.answer.contacts.size; ++i) {
       const ContactAnswer<double>& contact = report.answer.contacts[i];

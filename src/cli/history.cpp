@@ -38,7 +38,11 @@ std::string as_table(const std::string& solver, Status status,
   table[0].insert(table[0].end(), columns.begin(), columns.end());
   for (const HistoryRow& row : rows) {
     table.push_back({std::to_string(row.sweep)});
-    for (const double value : row.values) table.back().push_back(desktop::printed("%.4e", value));
+    for (const double value : row.values) {
+      char number[40];
+      std::snprintf(number, sizeof number, "%.4e", value);
+      table.back().push_back(number);
+    }
   }
   return "Solver " + solver + ", " + status_text(status) + ".\n\n" + desktop::table_text(table);
 }
@@ -68,15 +72,14 @@ std::string push_history(const std::string& format, desktop::Solver solver, Stat
   std::vector<HistoryRow> rows;
   for (const desktop::SweepRecord& record : records) {
     Residuals<double> residuals = record.residuals;
-    HistoryRow row{record.sweep, {}};
-    for (Index k = 0; k < law_count; ++k) row.values.push_back(residuals[static_cast<Law>(k)]);
-    row.values.push_back(residuals.max());
-    rows.push_back(row);
+    rows.push_back({record.sweep, {}});
+    for (const Law law : all_laws) rows.back().values.push_back(residuals[law]);
+    rows.back().values.push_back(residuals.max());
   }
-  std::vector<std::string> names;
-  for (Index k = 0; k < law_count; ++k) names.emplace_back(law_text(static_cast<Law>(k)));
-  names.emplace_back("max");
-  return history_text(format, desktop::solver_text(solver), status, names, rows);
+  std::vector<std::string> columns;
+  for (const Law law : all_laws) columns.emplace_back(law_text(law));
+  columns.emplace_back("max");
+  return history_text(format, desktop::solver_text(solver), status, columns, rows);
 }
 
 } // namespace lcpush::cli

@@ -44,23 +44,25 @@ std::string shortened(const std::string& text, std::size_t most) {
   return letters > most ? text.substr(0, cut) + ".." : text;
 }
 
-std::string pixels(double x) {
+std::string pixels(double x, int decimals) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2f", x);
+  std::snprintf(text, sizeof text, "%.*f", decimals, x);
   return text;
 }
 
 std::string move_to(const Pixel& at) { return "M" + pixels(at.x()) + " " + pixels(at.y()); }
 
 namespace {
-std::string attribute(const char* name, double x) {
-  return std::string(" ") + name + "=\"" + pixels(x) + "\"";
+std::string attribute(const char* name, double x, int decimals = 2) {
+  return std::string(" ") + name + "=\"" + pixels(x, decimals) + "\"";
 }
 } // namespace
 
-std::string line_element(const std::string& kind, const Pixel& from, const Pixel& to) {
-  return "<line class=\"" + kind + "\"" + attribute("x1", from.x()) + attribute("y1", from.y()) +
-         attribute("x2", to.x()) + attribute("y2", to.y()) + "/>\n";
+std::string line_element(const std::string& kind, const Pixel& from, const Pixel& to,
+                         int decimals) {
+  return "<line class=\"" + kind + "\"" + attribute("x1", from.x(), decimals) +
+         attribute("y1", from.y(), decimals) + attribute("x2", to.x(), decimals) +
+         attribute("y2", to.y(), decimals) + "/>\n";
 }
 
 std::string polygon_element(const std::string& kind, const std::vector<Pixel>& corners) {

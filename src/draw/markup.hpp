@@ -23,12 +23,13 @@ std::string escaped(const std::string& text);
 /// At most so many letters, the last two dots if some are left out. Precondition: UTF-8.
 std::string shortened(const std::string& text, std::size_t most);
 
-/// A length on the drawing, two decimals.
-std::string pixels(double x);
+/// A length on the drawing.
+std::string pixels(double x, int decimals = 2);
 /// A stroke of a path that draws nothing: "M1.00 2.00".
 std::string move_to(const Pixel& at);
 
-std::string line_element(const std::string& kind, const Pixel& from, const Pixel& to);
+std::string line_element(const std::string& kind, const Pixel& from, const Pixel& to,
+                         int decimals = 2);
 std::string polygon_element(const std::string& kind, const std::vector<Pixel>& corners);
 std::string circle_element(const std::string& kind, const Pixel& center, double radius);
 /// A path of one stroke after the other.

@@ -41,9 +41,6 @@ bool solves_exactly(const ExactProblem& problem, const std::vector<Rational>& z,
   }
   return true;
 }
-bool solves_exactly(const ExactProblem&, const std::vector<double>&, const std::vector<double>&) {
-  return false; // doubles prove nothing
-}
 
 template <class S>
 std::vector<TraceNumber> all_traced(const PivotTrace& trace, const std::vector<S>& numbers) {
@@ -61,10 +58,12 @@ void take_solution(const ExactProblem& problem, const Lemke<S>& lemke, PivotTrac
     for (Index i = 0; i < n; ++i)
       w[static_cast<std::size_t>(i)] +=
           M[static_cast<std::size_t>(j * n + i)] * z[static_cast<std::size_t>(j)];
-  trace.is_proved = trace.has_fractions && solves_exactly(problem, z, w);
-  // Of doubles: what a basis makes zero is zero.
-  for (Index i = 0; i < n && std::is_same_v<S, double>; ++i)
-    if (lemke.is_basic(i)) w[static_cast<std::size_t>(i)] = S(0);
+  if constexpr (std::is_same_v<S, Rational>) {
+    trace.is_proved = trace.has_fractions && solves_exactly(problem, z, w);
+  } else {
+    for (Index i = 0; i < n; ++i) // what a basis makes zero is zero
+      if (lemke.is_basic(i)) w[static_cast<std::size_t>(i)] = 0;
+  }
   trace.z = all_traced(trace, z);
   trace.w = all_traced(trace, w);
 }

@@ -70,27 +70,9 @@ private:
     return trace_.rule == TieRule::lexicographic ? "lexicographic" : "generic";
   }
 
-  static const char* tie_break(const TracedPivot& pivot) {
-    if (pivot.chosen) return "chosen";
-    switch (pivot.decided_by) {
-    case TieBreak::artificial: return "artificial";
-    case TieBreak::lexicographic: return "lexicographic";
-    case TieBreak::order: return "first_row";
-    case TieBreak::tie_column: return "tie_column";
-    case TieBreak::size: return "largest_pivot";
-    case TieBreak::right_hand_side:
-    case TieBreak::none: break;
-    }
-    return "none";
-  }
-
-  const std::string& name(Index variable) const {
-    return trace_.variables[static_cast<std::size_t>(variable)].name;
-  }
-
   std::vector<std::string> names(const std::vector<Index>& variables) const {
     std::vector<std::string> result;
-    for (const Index variable : variables) result.push_back(name(variable));
+    for (const Index variable : variables) result.push_back(trace_.name(variable));
     return result;
   }
 
@@ -115,10 +97,10 @@ private:
   }
 
   void write_pivot(const TracedPivot& pivot, bool tableaus) {
-    json.member("entering", name(pivot.entering)).member("leaving", name(pivot.leaving));
-    json.key("ratios");
+    json.member("entering", trace_.name(pivot.entering));
+    json.member("leaving", trace_.name(pivot.leaving)).key("ratios");
     write(json, pivot.ratios);
-    json.member("ties", names(pivot.ties)).member("tie_break", tie_break(pivot));
+    json.member("ties", names(pivot.ties)).member("tie_break", tie_words(pivot).name);
     json.key("z0");
     write(json, pivot.z0);
     json.member("basis", names(pivot.basis)).member("sentence", pivot.sentence);
@@ -152,7 +134,7 @@ private:
   }
 
   void write_ray(const TracedRay& ray) {
-    json.begin_object().member("entering", name(ray.entering)).key("v");
+    json.begin_object().member("entering", trace_.name(ray.entering)).key("v");
     write(json, ray.v);
     json.key("v0");
     write(json, ray.v0);

@@ -26,7 +26,4 @@ struct Submatrix {
 /// Lemke's pivots from zero. Precondition: options.watcher is set.
 RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options);
 
-/// w, and the residual of the whole problem in its own units.
-void measure(const RawProblem& problem, RawAnswer& answer);
-
 } // namespace lcpush::desktop

@@ -123,20 +123,20 @@ RawAnswer solve_cold(const RawProblem& problem, const RawOptions& options) {
 
 } // namespace
 
-void measure(const RawProblem& problem, RawAnswer& answer) {
-  const auto n = static_cast<std::size_t>(problem.M.rows);
+WorstRow<double> raw_residual(const RawProblem& problem, const std::vector<double>& z,
+                              std::vector<double>& w) {
+  const std::size_t n = z.size();
   std::vector<double> unit(n, 1.0), scratch(2 * n);
-  answer.w.resize(n);
+  w.resize(n);
   const auto is_free = [&](Index i) { return problem.free[static_cast<std::size_t>(i)] != 0; };
-  answer.residual = natural_residual(as_given(problem), problem.q.values.data(), answer.z.data(),
-                                     unit.data(), is_free, answer.w.data(), scratch.data())
-                        .residual;
+  return natural_residual(as_given(problem), problem.q.values.data(), z.data(), unit.data(),
+                          is_free, w.data(), scratch.data());
 }
 
 RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options) {
   RawAnswer answer = solve_cold(problem, options);
   if (answer.status != Status::solved) return answer;
-  measure(problem, answer);
+  answer.residual = raw_residual(problem, answer.z, answer.w).residual;
   if (!(answer.residual <= options.lemke.tolerances.residual)) {
     answer.status = Status::numerical_breakdown;
     answer.reason = Reason::residual;

@@ -35,7 +35,7 @@ void take(const RawProblem& problem, const Submatrix& sorted, const double* z, R
   answer.z.resize(sorted.rows.size());
   for (std::size_t k = 0; k < sorted.rows.size(); ++k)
     answer.z[static_cast<std::size_t>(sorted.rows[k])] = z[k];
-  measure(problem, answer);
+  answer.residual = raw_residual(problem, answer.z, answer.w).residual;
 }
 
 /// Sweeps until the residual of the problem as given is `tolerance`. The solver's own check knows

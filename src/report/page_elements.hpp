@@ -15,8 +15,7 @@ std::string with_breaks(const std::string& text);
 std::string facts_html(const std::vector<Fact>& facts);
 /// A list, or nothing.
 std::string list_html(const std::vector<std::string>& sentences);
-/// Paragraphs; those that begin with a dash are a list.
-std::string sentences_html(const std::vector<std::string>& sentences);
+std::string paragraphs_html(const std::vector<std::string>& sentences);
 /// A box that scrolls by itself, also by the keyboard.
 std::string scrolling(const std::string& label, const std::string& inside);
 /// The first row holds the heads of the columns, the first column those of the rows; cells are

@@ -28,7 +28,8 @@ std::string failure_html(const SceneFile& file, const RunReport& report) {
   for (const NamedValue& entry : report.ray)
     rows.push_back({escaped(entry.name), number(entry.value)});
   return failure_box(report.status, report.reason,
-                     sentences_html(jam_sentences(file, report.jam))) +
+                     paragraphs_html(jam_findings(file, report.jam)) +
+                         list_html(jam_remedies(report.jam))) +
          "<details>\n<summary>The ray in numbers</summary>\n" +
          table_html("The ray, largest entry 1", rows) + "</details>\n";
 }
@@ -165,8 +166,8 @@ std::vector<std::string> sweep_changes(const Sweep& sweep) {
   const auto add = [&list](double value, const std::string& change) {
     if (!change.empty()) list.push_back("At " + number(value) + ": " + change);
   };
-  for (const SweepSegment& segment : sweep.segments) add(segment.to, segment.change);
-  for (const SweepPoint& point : sweep.points) add(point.value, point.change);
+  for (const SweepSegment& segment : sweep.segments) add(segment.to, change_text(sweep, segment));
+  for (const SweepPoint& point : sweep.points) add(point.value, change_text(sweep, point));
   for (const BistableRange& range : sweep.bistable)
     list.push_back("Bistable from " + number(range.from) + " to " + number(range.to) +
                    ": the way back ends in another answer there");

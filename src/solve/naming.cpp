@@ -13,12 +13,8 @@ std::string rounded(double x) { return shown(std::round(x * 1000) / 1000 + 0.0);
 } // namespace
 
 std::string point_name(const SceneFile& file, Index point) {
-  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
-    const Index offset = point - file.bodies[b].first_point;
-    if (offset >= 0 && offset < file.bodies[b].point_count)
-      return file.body_names[b] + "." + std::to_string(offset + 1);
-  }
-  return "?";
+  const Index b = file.body_of(point);
+  return file.body_name(b) + "." + std::to_string(point - file.body(b).first_point + 1);
 }
 
 std::string direction_text(const Vector3<double>& direction) {

@@ -86,13 +86,8 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent) {
 
 /// Points speak of the file's bodies, even where each is a body of its own.
 void Push::name_file_bodies() {
-  Index body = 0;
-  for (Index i = 0; i < work_.answer.contacts.size; ++i) {
-    while (i >= file_.bodies[static_cast<std::size_t>(body)].first_point +
-                    file_.bodies[static_cast<std::size_t>(body)].point_count)
-      ++body;
-    work_.answer.contacts[i].body = body;
-  }
+  for (Index i = 0; i < work_.answer.contacts.size; ++i)
+    work_.answer.contacts[i].body = file_.body_of(i);
 }
 
 std::string Push::explain(Status status, const PressureRun& run) const {
@@ -127,7 +122,7 @@ std::string Push::explain(Status status, const PressureRun& run) const {
 /// are long.
 void Push::read_ray(const PushOptions& options, RunReport& report) const {
   for (Index i = 0; i < layout().size; ++i)
-    if (ray()[i] > ray_noise) report.ray.push_back({i, variable_name(i), ray()[i]});
+    if (ray()[i] > ray_noise) report.ray.push_back({variable_name(i), ray()[i], i});
   const bool tries = options.explain_jams && layout().size <= limits::unknowns_remedied;
   report.jam = explain_jam(file_, assembly_, ray(), tries ? has_answer : nullptr);
 }
@@ -146,8 +141,7 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
   const Index open = undetermined_body(scene_);
   const bool proved = open < 0;
   if (!proved)
-    report.undetermined =
-        file_.body_names[static_cast<std::size_t>(file_.body_of(scene_.bodies[open].first_point))];
+    report.undetermined = file_.body_name(file_.body_of(scene_.bodies[open].first_point));
   bool same_a = true, same_f = true;
   const Outcome<double> first = outcome();
   report.final_basis = study_final_basis(assembly_, work_.answer);

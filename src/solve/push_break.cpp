@@ -73,15 +73,18 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
   return report;
 }
 
+Status Push::break_grasp(const PushOptions& options, Index pusher, Breaking<double>& breaking,
+                         PressureRun& run) {
+  return with_rounds(options, [&](const auto& rounds) {
+    return lcpush::find_breaking(assembly_, rounds, work_, file_.body(pusher), {}, breaking, run);
+  });
+}
+
 BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   BreakReport report;
   begin(options, report);
   report.pusher = pusher;
-  report.status = with_rounds(options, [&](const auto& rounds) {
-    return lcpush::find_breaking(assembly_, rounds, work_,
-                                 file_.bodies[static_cast<std::size_t>(pusher)], {},
-                                 report.breaking, report.run);
-  });
+  report.status = break_grasp(options, pusher, report.breaking, report.run);
   report.history = history_;
   report.status = holding_verdict(file_, scene_, report, options);
   if (report.status == Status::does_not_hold)
@@ -107,11 +110,7 @@ void Push::compare_covers(const PushOptions& options, BreakReport& report) {
   const Breaking<double>& first = report.breaking;
   Breaking<double> second;
   PressureRun ignored;
-  const Status status = with_rounds(by_other_cover(options, 1), [&](const auto& rounds) {
-    return lcpush::find_breaking(assembly_, rounds, work_,
-                                 file_.bodies[static_cast<std::size_t>(report.pusher)], {}, second,
-                                 ignored);
-  });
+  const Status status = break_grasp(by_other_cover(options, 1), report.pusher, second, ignored);
   if (status != Status::solved && status != Status::does_not_hold) return;
   const auto verdict = [](bool same) {
     return same ? Uniqueness::none_other_found : Uniqueness::no;

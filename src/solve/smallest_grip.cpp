@@ -149,7 +149,7 @@ void name_force(const SceneFile& file, GripReport& report) {
     return;
   }
   // Names are unique, so only a grip_force's actuator shares its body's.
-  report.of_actuator = name != file.body_names[static_cast<std::size_t>(first->body)];
+  report.of_actuator = name != file.body_name(first->body);
   bool same = true;
   std::size_t forces = 0;
   for (std::size_t a = 0; a < file.actuators.size(); ++a) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lcpush/desktop/push.hpp"
+#include "text/format.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 
@@ -93,6 +94,10 @@ Statement existence_statement(const SceneFile& file, const ExistenceFound& found
   return said;
 }
 
+std::string tied_words(Index contacts) {
+  return counted(contacts, "contact") + (contacts == 1 ? " is" : " are") + " between two modes";
+}
+
 Statement uniqueness_statement(const PushReport& report) {
   if (report.unique_motion == Uniqueness::yes)
     return {true, "the motion is unique", {"every normal force with friction is known (theory 7)"}};
@@ -107,9 +112,7 @@ Statement uniqueness_statement(const PushReport& report) {
   else if (basis.motion_open)
     near += "other motions lie next to it";
   else if (basis.tied_contacts > 0)
-    near += std::to_string(basis.tied_contacts) +
-            (basis.tied_contacts == 1 ? " contact is" : " contacts are") +
-            " between two modes, which leaves it undecided";
+    near += tied_words(basis.tied_contacts) + ", which leaves it undecided";
   else
     near += "no other motion next to it";
   said.reasons.push_back(near);

@@ -27,12 +27,7 @@ struct LiteralProblem::Look {
 };
 
 LiteralProblem::LiteralProblem(const SceneFile& file)
-    : file_(literal(file)), assembled_(file_.view()) {
-  const Problem<double> given = problem();
-  M_.resize(given.size, given.size);
-  fill_matrix(given, MatrixMap<double>(M_.data(), given.size, given.size));
-  q_ = Eigen::Map<const Eigen::VectorXd>(given.q, given.size);
-}
+    : file_(literal(file)), assembled_(file_.view()), dense_(desktop::dense(problem())) {}
 
 void LiteralProblem::complete(const FaceModes& modes, Eigen::VectorXd& z) const {
   for (Index i = 0; i < layout().points; ++i) {
@@ -42,7 +37,7 @@ void LiteralProblem::complete(const FaceModes& modes, Eigen::VectorXd& z) const 
     double needed = 0;
     for (Index j = 0; j < cone.generators; ++j) {
       const Index row = layout().friction(i, j);
-      needed = std::max(needed, -(M_.row(row).dot(z) + q_[row]));
+      needed = std::max(needed, -(dense_.M.row(row).dot(z) + dense_.q[row]));
     }
     z[cone.slip()] = needed;
   }
@@ -66,7 +61,7 @@ bool LiteralProblem::passes(const Residuals<double>& residuals) const {
 
 LiteralProblem::Look LiteralProblem::look(Index i, const Eigen::VectorXd& z,
                                           const Eigen::VectorXd& w) const {
-  const double terms = (M_.cwiseAbs() * z.cwiseAbs() + q_.cwiseAbs()).maxCoeff();
+  const double terms = (dense_.M.cwiseAbs() * z.cwiseAbs() + dense_.q.cwiseAbs()).maxCoeff();
   double force = 0, motion = 1e-5 * terms; // below it all motion is rounding's
   for (Index k = 0; k < layout().points; ++k) {
     const ConeGroup<double>& cone = layout().cones[k];
@@ -94,12 +89,18 @@ LiteralProblem::Look LiteralProblem::look(Index i, const Eigen::VectorXd& z,
   return look;
 }
 
-ContactMode LiteralProblem::mode_at(Index i, const Eigen::VectorXd& z,
-                                    const Eigen::VectorXd& w) const {
-  const Look at = look(i, z, w);
-  if (!at.gap_closed) return {Kind::open, false, {}};
-  if (layout().cones[i].generators == 0 || !at.slips) return {Kind::stick, at.pulls, {}};
-  return {Kind::slide, at.pulls, at.opposing};
+FaceModes LiteralProblem::face_of(const Eigen::VectorXd& z, const Eigen::VectorXd& w) const {
+  FaceModes modes;
+  for (Index i = 0; i < layout().points; ++i) {
+    const Look at = look(i, z, w);
+    if (!at.gap_closed)
+      modes.push_back({Kind::open, false, {}});
+    else if (layout().cones[i].generators == 0 || !at.slips)
+      modes.push_back({Kind::stick, at.pulls, {}});
+    else
+      modes.push_back({Kind::slide, at.pulls, at.opposing});
+  }
+  return modes;
 }
 
 bool LiteralProblem::has_soft_points() const {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "formats/json_writer.hpp"
+#include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/sweep.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
@@ -11,48 +12,52 @@ namespace {
 
 /// null where no pusher moves, so that nothing breaks.
 std::optional<std::string> break_status(const SweepValue& at) {
-  return when(at.breaking != Status::bad_input, std::string(status_text(at.breaking)));
+  const Status status = at.breaking.status;
+  return when(status != Status::bad_input, std::string(status_text(status)));
 }
 
-void write_segment(JsonWriter& json, const SweepSegment& segment) {
+void write_segment(JsonWriter& json, const Sweep& sweep, const SweepSegment& segment) {
   const SweepValue &a = segment.at_from, &b = segment.at_to;
   json.member("from", segment.from).member("to", segment.to);
-  json.member("kind", segment_kind_text(segment.kind)).member("status", status_text(a.push));
+  json.member("kind", segment_kind_text(segment.kind)).member("status", status_text(a.push.status));
   json.member("break_status", break_status(a)).key("break_force").begin_array();
-  json.value(when(a.breaking == Status::solved, a.break_force));
-  json.value(when(b.breaking == Status::solved, b.break_force)).end_array();
+  json.value(when(a.breaking.is_solved(), a.breaking.normal));
+  json.value(when(b.breaking.is_solved(), b.breaking.normal)).end_array();
   const auto pair = [&](const char* key, const auto& first, const auto& second) {
-    if (a.push == Status::solved)
+    if (a.push.is_solved())
       json.key(key).begin_array().value(first).value(second).end_array();
     else
       json.member(key, nullptr);
   };
-  pair("force", a.force, b.force);
-  pair("twist", a.twist, b.twist);
-  json.member("residual", std::max(a.residual, b.residual));
-  json.member("change", unless_empty(segment.change)).member("jumps", segment.jumps);
+  pair("force", a.push.force, b.push.force);
+  pair("twist", a.push.twist, b.push.twist);
+  json.member("residual", std::max(a.residual(), b.residual()));
+  json.member("change", unless_empty(change_text(sweep, segment)));
+  json.member("jumps", segment.change.jumps);
 }
 
-void write_point(JsonWriter& json, const SweepPoint& point) {
-  const bool pushed = point.at.push == Status::solved, broken = point.at.breaking == Status::solved;
+void write_point(JsonWriter& json, const Sweep& sweep, const SweepPoint& point) {
+  const SweepAnswer &push = point.at.push, &breaking = point.at.breaking;
+  const bool pushed = push.is_solved(), broken = breaking.is_solved();
   json.member("value", point.value);
   if (point.second) json.member("second_value", *point.second);
-  json.member("status", status_text(point.at.push)).member("break_status", break_status(point.at));
-  json.member("break_force", when(broken, point.at.break_force));
-  json.member("force", when(pushed, point.at.force)).member("twist", when(pushed, point.at.twist));
-  json.member("break_twist", when(broken, point.at.break_twist));
+  json.member("status", status_text(push.status)).member("break_status", break_status(point.at));
+  json.member("break_force", when(broken, breaking.normal));
+  json.member("force", when(pushed, push.force)).member("twist", when(pushed, push.twist));
+  json.member("break_twist", when(broken, breaking.twist));
   std::vector<std::string> modes;
   for (const Mode mode : point.modes) modes.emplace_back(mode_text(mode));
   json.member("modes", unless_empty(modes)).member("refined", point.refined);
   if (point.second) json.member("bistable", point.bistable);
-  json.member("change", unless_empty(point.change));
+  json.member("change", unless_empty(change_text(sweep, point)));
 }
 
-std::vector<std::string> csv_numbers(const SweepValue& at, bool for_break, bool for_push) {
+std::vector<std::string> csv_numbers(const SweepValue& at) {
+  const bool pushed = at.push.is_solved();
   std::vector<std::string> cells;
-  cells.push_back(for_break ? shown(at.break_force) : "");
-  for (Index k = 0; k < 3; ++k) cells.push_back(for_push ? shown(at.force[k]) : "");
-  for (Index k = 0; k < 6; ++k) cells.push_back(for_push ? shown(at.twist[k]) : "");
+  cells.push_back(at.breaking.is_solved() ? shown(at.breaking.normal) : "");
+  for (Index k = 0; k < 3; ++k) cells.push_back(pushed ? shown(at.push.force[k]) : "");
+  for (Index k = 0; k < 6; ++k) cells.push_back(pushed ? shown(at.push.twist[k]) : "");
   return cells;
 }
 
@@ -88,20 +93,18 @@ std::string sweep_csv(const std::vector<SweepCurve>& curves) {
       if (curves.size() > 1) row.push_back(curve.label);
       row.push_back(shown(value));
       if (second) row.push_back(shown(*second));
-      for (const std::string& cell :
-           csv_numbers(at, at.breaking == Status::solved, at.push == Status::solved))
-        row.push_back(cell);
-      row.push_back(status_text(at.push));
+      for (const std::string& cell : csv_numbers(at)) row.push_back(cell);
+      row.push_back(status_text(at.push.status));
       row.push_back(change);
       text += csv_row(row);
     };
     for (const SweepPoint& point : curve.sweep.points)
-      add(point.value, point.second, point.at, point.change);
+      add(point.value, point.second, point.at, change_text(curve.sweep, point));
     if (!curve.sweep.points.empty()) continue;
     // The two ends of every segment: at a breakpoint two rows, before and after.
     for (const SweepSegment& segment : curve.sweep.segments) {
       add(segment.from, std::nullopt, segment.at_from, "");
-      add(segment.to, std::nullopt, segment.at_to, segment.change);
+      add(segment.to, std::nullopt, segment.at_to, change_text(curve.sweep, segment));
     }
   }
   return text;
@@ -120,9 +123,12 @@ void write_sweep(JsonWriter& json, const Sweep& sweep) {
     json.member("second_from", second.from).member("second_to", second.to);
   }
   json.member("pusher", sweep.pusher).member("complete", sweep.complete);
-  json.member("contacts", sweep.contacts);
-  const auto segment = [&](const SweepSegment& entry) { write_segment(json, entry); };
-  const auto point = [&](const SweepPoint& entry) { write_point(json, entry); };
+  std::vector<std::string> contacts;
+  for (std::size_t i = 0; i < sweep.scene.points.size(); ++i)
+    contacts.push_back(point_name(sweep.scene, static_cast<Index>(i)));
+  json.member("contacts", contacts);
+  const auto segment = [&](const SweepSegment& entry) { write_segment(json, sweep, entry); };
+  const auto point = [&](const SweepPoint& entry) { write_point(json, sweep, entry); };
   json.objects("segments", sweep.segments, segment).objects("segments_back", sweep.back, segment);
   json.objects("points", sweep.points, point).objects("points_back", sweep.points_back, point);
   json.objects("bistable", sweep.bistable, [&](const BistableRange& range) {

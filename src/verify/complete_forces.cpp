@@ -1,8 +1,8 @@
 // The forces of an AnswerCompleter: from the motion, and as generators.
+#include "solve/owned_program.hpp"
 #include "text/limits.hpp"
 #include "verify/answer_completer.hpp"
 #include "verify/nonnegative_least_squares.hpp"
-#include "verify/owned_program.hpp"
 
 #include <algorithm>
 
@@ -16,9 +16,9 @@ AnswerCompleter::ForceRows AnswerCompleter::force_rows() {
   const double least = tolerance_ * scales.acceleration;
   ForceRows rows{Eigen::MatrixXd::Zero(cone_rows + 4 * points, layout_.forces + points),
                  Eigen::VectorXd::Zero(cone_rows + 4 * points)};
-  rows.b.head<6>() << scene_.object.mass * (out_.acceleration.head<3>() - scene_.gravity) /
+  rows.b.head<6>() << scene_.object.mass * (answer_.acceleration.head<3>() - scene_.gravity) /
                           scales.force,
-      scene_.object.inertia * out_.acceleration.tail<3>() / (scales.force * scales.length);
+      scene_.object.inertia * answer_.acceleration.tail<3>() / (scales.force * scales.length);
   for (Index a = 0; a < grips; ++a)
     rows.b[6 + a] = factored_.sums[a].target - factored_.sums[a].inertia * answer_.closing[a] *
                                                    layout_.reach[a] / scales.acceleration;
@@ -148,8 +148,8 @@ void AnswerCompleter::split_soft(Index point, double* beta) {
     const Generator<double> d = generator(body, j, scene_.facets);
     program.A.col(j) << d.force.dot(body.tangent), d.force.dot(o), d.torque / body.torsion_radius;
   }
-  if (const auto x = program.solve())
-    for (Index j = 0; j < g; ++j) beta[j] = (*x)[j] * size;
+  if (program.solve() != Status::solved) return;
+  for (Index j = 0; j < g; ++j) beta[j] = program.x[j] * size;
 }
 
 } // namespace lcpush::desktop

@@ -1,7 +1,7 @@
 #include "verify/foreign_point.hpp"
 
+#include "solve/owned_program.hpp"
 #include "text/limits.hpp"
-#include "verify/owned_program.hpp"
 
 #include <Eigen/QR>
 
@@ -81,9 +81,8 @@ bool is_stationary(const DenseProblem& problem, const Eigen::VectorXd& z) {
       program.A(i, 2 * n + i) = -1;
     }
   }
-  const auto x = program.solve();
-  if (!x) return false;
-  return gradient.dot(z) - program.c.dot(*x) <= 0.01 * objective;
+  if (program.solve() != Status::solved) return false;
+  return gradient.dot(z) - program.c.dot(program.x) <= 0.01 * objective;
 }
 
 } // namespace lcpush::desktop

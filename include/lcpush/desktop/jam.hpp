@@ -41,7 +41,10 @@ using TryScene = std::function<bool(const SceneFile&)>;
 Jam explain_jam(const SceneFile& file, const Assembly<double>& assembly, const double* v,
                 const TryScene& solves = {});
 
-/// The jam in full sentences, a line each.
+/// The jam in full sentences, and the remedies that the last of them announces.
+std::vector<std::string> jam_findings(const SceneFile& file, const Jam& jam);
+std::vector<std::string> jam_remedies(const Jam& jam);
+/// Both, a line each; a remedy's begins with a dash.
 std::vector<std::string> jam_sentences(const SceneFile& file, const Jam& jam);
 
 } // namespace lcpush::desktop

@@ -97,6 +97,10 @@ struct PivotTrace {
   std::optional<TracedRay> ray;
   std::optional<Cycle> cycle;
   std::vector<std::string> notes; ///< for people: what was not as typed, what was left out
+
+  const std::string& name(Index variable) const {
+    return variables[static_cast<std::size_t>(variable)].name;
+  }
 };
 
 /// What variables are called and what pivots mean.
@@ -170,8 +174,11 @@ std::string pivots_html(const PivotTrace& trace, const Push* push);
 std::string tableau_text(const PivotTrace& trace, const Tableau& tableau, const TracedPivot* pivot);
 /// "3/7", "0.25", "2 S - 1".
 std::string value_text(const TraceValue& value);
-/// What decided between tied rows, in words.
-const char* tie_break_text(const TracedPivot& pivot);
+/// What decided between tied rows: as JSON names it, and in words.
+struct TieWords {
+  const char *name, *text;
+};
+TieWords tie_words(const TracedPivot& pivot);
 
 /// "w1", "z3", "z0", counted from 1.
 std::string variable_name(Index variable, Index n);

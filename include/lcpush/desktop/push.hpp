@@ -59,6 +59,8 @@ private:
   template <class Pivots, class Use>
   Status with_pivots(const PushOptions& options, Pivots& pivots, Watcher& watcher, const Use& use);
   Status run(const PushOptions& options, double sigma, PressureRun& run);
+  Status break_grasp(const PushOptions& options, Index pusher, Breaking<double>& breaking,
+                     PressureRun& run);
   void name_file_bodies();
   Outcome<double> outcome() const;
   std::string explain(Status status, const PressureRun& run) const;

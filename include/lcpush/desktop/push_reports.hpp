@@ -13,9 +13,9 @@ namespace lcpush::desktop {
 
 /// An unknown's value, in the solver's units.
 struct NamedValue {
-  Index unknown; ///< of Push::layout()
   std::string name;
   double value;
+  Index unknown = -1; ///< of Push::layout()
 };
 
 /// The literal laws' residuals after a number of sweeps.

@@ -62,10 +62,8 @@ template <class S> struct SceneOf {
             span_of(drives)};
   }
 
-  const std::string& body_name(Index body) const {
-    return body_names[static_cast<std::size_t>(body)];
-  }
-
+  const std::string& body_name(Index b) const { return body_names[static_cast<std::size_t>(b)]; }
+  const Body<S>& body(Index b) const { return bodies[static_cast<std::size_t>(b)]; }
   /// The body of a point of `points`. Cost: O(bodies).
   Index body_of(Index point) const {
     std::size_t b = 0;

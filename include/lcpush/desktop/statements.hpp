@@ -29,6 +29,9 @@ struct Statement {
 
 Statement existence_statement(const SceneFile& file, const ExistenceFound& found);
 
+/// "2 contacts are between two modes".
+std::string tied_words(Index contacts);
+
 struct PushReport;
 /// For a push that is solved.
 Statement uniqueness_statement(const PushReport& report);

@@ -14,13 +14,11 @@
     arithmetic = explorer.decimals;
 
     /// rows, columns: variable numbers; entries: rows of numbers; values: rows of level arrays.
-    static from(rows, columns, entries, values, levels) {
+    static from(rows, columns, entries, values) {
       const table = entries.map((row) => row.map(Number));
-      const columns_of_values = Array.from({ length: levels }, (_, k) =>
-        values.map((value) => Number(value[k])));
-      const dictionary = new DecimalDictionary(rows, columns, table, columns_of_values);
-      dictionary.scales = explorer.equilibrate(rows, columns, table, columns_of_values);
-      return dictionary;
+      const by_level = values[0].map((_, k) => values.map((value) => Number(value[k])));
+      return Object.assign(new DecimalDictionary(rows, columns, table, by_level),
+        explorer.equilibrate(rows, columns, table, by_level));
     }
 
     pivot(r, c) {
@@ -45,38 +43,22 @@
     }
 
     scaled_entry(r, c) {
-      const { scale } = this.scales;
-      return this.table[r][c] * scale[this.rows[r]] / scale[this.columns[c]];
+      return this.table[r][c] * this.scale[this.rows[r]] / this.scale[this.columns[c]];
     }
 
     scaled_value(r, level) {
-      return this.values[level][r] * this.scales.scale[this.rows[r]] * this.scales.level[level];
+      return this.values[level][r] * this.scale[this.rows[r]] * this.level[level];
     }
 
     entry(r, c) { return this.table[r][c]; }
     value(r) { return this.values.map((value) => value[r]); }
     is_noise(r, c) { return Math.abs(this.scaled_entry(r, c)) < noise; }
     is_value_noise(r, level) { return Math.abs(this.scaled_value(r, level)) < noise; }
-
-    // The ratio test: rates and values are scaled numbers.
-
-    largest_rate(c) {
-      let most = 0;
-      for (let r = 0; r < this.size; ++r) most = Math.max(most, Math.abs(this.scaled_entry(r, c)));
-      return most;
-    }
-
-    rates(c, direction) {
-      const least = pivot_tolerance * this.largest_rate(c);
-      return this.rows.map((_, r) => {
-        const rate = direction * this.scaled_entry(r, c);
-        return rate > least ? rate : null;
-      });
-    }
-
-    value_column(level) { return this.rows.map((_, r) => this.scaled_value(r, level)); }
-    table_column(c) { return this.rows.map((_, r) => -this.scaled_entry(r, c)); }
     unit_column(row) { return this.rows.map((_, r) => (r === row ? 1 : 0)); }
+    least_rate(c) {
+      return this.rows.reduce((most, _, r) => Math.max(most, pivot_tolerance
+        * Math.abs(this.scaled_entry(r, c))), 0);
+    }
 
     /// Harris: a bound on the step with the tolerance, then all at or below it.
     keep_smallest(candidates, rates, values) {
@@ -84,17 +66,8 @@
       return candidates.filter((r) => values[r] <= bound * rates[r]);
     }
 
-    is_negative(r) {
-      for (let k = 0; k < this.levels; ++k)
-        if (!this.is_value_noise(r, k)) return this.values[k][r] < 0;
-      return false;
-    }
-
-    /// value / rate, level by level, in the units shown.
-    ratio(r, c, direction) {
-      const rate = direction * this.entry(r, c);
-      return this.value(r).map((value) => value / rate + 0);
-    }
+    /// value / -entry, level by level, in the units shown.
+    ratio(r, c) { return this.value(r).map((value) => value / -this.entry(r, c) + 0); }
   }
 
   explorer.DecimalDictionary = DecimalDictionary;

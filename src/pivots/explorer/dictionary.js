@@ -36,6 +36,25 @@
       this.rows = [...rows];
       this.columns = [...columns];
     }
+
+    // The ratio test: on scaled numbers, if the arithmetic scales.
+
+    value_column(level) { return this.rows.map((_, r) => this.scaled_value(r, level)); }
+    table_column(c) { return this.rows.map((_, r) => -this.scaled_entry(r, c)); }
+
+    /// How fast each row falls as the column grows, or rises with `cover`; null: it cannot block.
+    rates(c, cover) {
+      const least = this.least_rate(c);
+      return this.table_column(c).map((fall) => (cover ? -fall : fall))
+        .map((rate) => (rate > least ? rate : null));
+    }
+
+    /// By its first level that is not zero.
+    is_negative(r) {
+      const k = this.values.findIndex((value, level) =>
+        value[r] && !this.is_value_noise(r, level));
+      return k >= 0 && this.values[k][r] < 0;
+    }
   }
 
   explorer.Dictionary = Dictionary;

@@ -31,6 +31,16 @@
     return h('span', { class: 'name' }, h('i', {}, match[1]), h('sub', {}, match[2]));
   }
 
+  /// heads: texts; rows: lists of cells, the first of them the row's head. `words`: a class for the
+  /// last column.
+  function table(kind, heads, rows, { caption, words } = {}) {
+    const cell = (x, c, row) => (c === 0 ? h('th', { scope: 'row' }, x)
+      : h('td', { class: c === row.length - 1 && words }, x));
+    return h('table', { class: kind }, caption && h('caption', {}, caption),
+      h('thead', {}, h('tr', {}, heads.map((text) => h('th', { scope: 'col' }, text)))),
+      h('tbody', {}, rows.map((row) => h('tr', {}, row.map(cell)))));
+  }
+
   const by_id = (id) => document.getElementById(id);
 
   function replace(id, ...children) {
@@ -47,5 +57,5 @@
       svg('title', { id: ids[0] }, title), svg('desc', { id: ids[1] }, description), ...children);
   }
 
-  explorer.elements = { h, svg, parsed, name, by_id, replace, picture };
+  explorer.elements = { h, svg, parsed, name, table, by_id, replace, picture };
 })();

@@ -8,10 +8,10 @@
   class FractionDictionary extends explorer.Dictionary {
     arithmetic = explorer.fractions;
 
-    static from(rows, columns, entries, values, levels) {
+    static from(rows, columns, entries, values) {
       const factor = Array(rows.length + columns.length).fill(1n);
       const table = [];
-      const right = Array.from({ length: levels }, () => []);
+      const right = values[0].map(() => []);
       rows.forEach((variable, r) => {
         const row = entries[r].map(parse);
         const value = values[r].map(parse);
@@ -60,21 +60,13 @@
       return this.values.map((value) => make(value[r], common));
     }
 
+    // A row's own factor cancels in every ratio: nothing is scaled.
+    scaled_entry(r, c) { return this.table[r][c]; }
+    scaled_value(r, level) { return this.values[level][r]; }
     is_noise() { return false; }
     is_value_noise() { return false; }
-
-    // The ratio test: a row's own factor cancels in every ratio.
-
-    rates(c, direction) {
-      return this.table.map((row) => {
-        const rate = direction < 0 ? -row[c] : row[c];
-        return rate > 0n ? rate : null;
-      });
-    }
-
-    value_column(level) { return this.values[level]; }
-    table_column(c) { return this.table.map((row) => -row[c]); }
     unit_column(row) { return this.rows.map((_, r) => (r === row ? this.denominator : 0n)); }
+    least_rate() { return 0n; }
 
     keep_smallest(candidates, rates, values) {
       let kept = [];
@@ -87,15 +79,9 @@
       return kept;
     }
 
-    is_negative(r) {
-      const leading = this.values.find((value) => value[r] !== 0n);
-      return leading !== undefined && leading[r] < 0n;
-    }
-
-    ratio(r, c, direction) {
-      const rate = BigInt(direction) * this.table[r][c];
-      const factor = this.factor[this.columns[c]];
-      return this.values.map((value) => make(value[r], rate * factor));
+    ratio(r, c) {
+      const rate = -this.table[r][c] * this.factor[this.columns[c]];
+      return this.values.map((value) => make(value[r], rate));
     }
   }
 

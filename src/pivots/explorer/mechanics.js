@@ -66,6 +66,7 @@
     const modes = scene.points.map((point) => mode_of(point, z, w));
     const size = (level) => Math.max(length(level.acceleration),
       ...level.forces.map(({ force }) => length(force)), ...level.bodies.map(length));
+    [levels[0].times, levels[1].times] = [' S', '']; // what a number's unit begins with
     return { large: levels[0], finite: levels[1], modes, has_large: size(levels[0]) > 1e-12 };
   }
 

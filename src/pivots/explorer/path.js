@@ -30,21 +30,17 @@
 
     scalar(x) { return this.arithmetic.parse(x); }
 
-    /// A VALUE of the trace as one scalar a level, the part times S first.
-    value(x) {
-      if (Array.isArray(x)) return x.map((part) => this.scalar(part));
-      return this.levels === 2 ? [this.scalar(0), this.scalar(x)] : [this.scalar(x)];
-    }
-
-    zero() { return Array.from({ length: this.levels }, () => this.scalar(0)); }
+    /// A VALUE of the trace as one part a level, the part times S first.
+    parts(x) { return Array.isArray(x) ? x : this.levels === 2 ? [0, x] : [x]; }
+    value(x) { return this.parts(x).map((part) => this.scalar(part)); }
+    zero() { return this.value(0); }
     number(scalar) { return this.arithmetic.number(scalar); }
 
     start_dictionary(start) {
       const kind = this.exact ? explorer.FractionDictionary : explorer.DecimalDictionary;
-      const plain = this.levels === 2 ? (x) => [0, x] : (x) => [x];
-      const values = start.values.map((x) => (Array.isArray(x) ? x : plain(x)));
+      const values = start.values.map((x) => this.parts(x));
       return kind.from(start.rows.map((x) => this.variable(x)),
-        start.columns.map((x) => this.variable(x)), start.entries, values, this.levels);
+        start.columns.map((x) => this.variable(x)), start.entries, values);
     }
   }
 

@@ -107,7 +107,7 @@
     }
 
     object_motion() {
-      const { level, scene, common: { still, still_turn, times } } = this;
+      const { level, scene, common: { still, still_turn }, level: { times } } = this;
       const center = this.place(scene.center_of_mass);
       const linear = level.acceleration.slice(0, 3);
       const [shaft, tip] = this.motion('motion', center, linear);
@@ -136,7 +136,7 @@
     }
 
     body_motion(body, b) {
-      const { scene, level, common: { times, tiny, still } } = this;
+      const { scene, level, common: { tiny, still }, level: { times } } = this;
       const of_body = [...scene.points.keys()].filter((i) => scene.points[i].body === b);
       if (of_body.length === 0) return null;
       const sum = of_body.map((i) => scene.points[i].position).reduce(add);
@@ -180,7 +180,7 @@
     }
 
     force_scale() {
-      const { newtons, times, empty } = this.common;
+      const { newtons, empty } = this.common;
       const unit = round_below(this.scene.longest_force / newtons);
       const size = unit * newtons;
       if (!Number.isFinite(size) || empty) return null;
@@ -188,10 +188,10 @@
       return [
         svg('path', { class: 'scale', d: `M${x - size} ${this.height - 12}v6h${size}v-6` }),
         svg('text', { class: 'quiet', x: x - size - 6, y: this.height - 5, 'text-anchor': 'end' },
-          `${decimal(unit, 3)}${times} N`)];
+          `${decimal(unit, 3)}${this.level.times} N`)];
     }
 
-    draw(shown_modes) {
+    draw(modes) {
       const { scene, view, width, height, places } = this;
       const outline = this.outline();
       places.block(0, 0, 56, 50, 30);
@@ -200,11 +200,11 @@
         .filter((i) => scene.points[i].body === seen.body).map((i) => [i, seen]));
       const contacts = points.map(([i, seen]) => this.contact(i, seen));
       const marks = points.map(([i]) =>
-        this.mark(shown_modes[i], this.place(scene.points[i].position)));
+        this.mark(modes[i], this.place(scene.points[i].position)));
       const motions = [this.object_motion(),
         scene.bodies.map((body, b) => this.body_motion(body, b))];
       return picture({ viewBox: `0 0 ${width} ${height}`, class: 'drawing view', width },
-        `${view.title}${this.common.times ? ', times S' : ''}`,
+        `${view.title}${this.level.times ? ', times S' : ''}`,
         'The object, its contacts, forces and motions; the list below says the same in words.',
         parsed(svg('g'), view.axes), outline, view.bodies.map((seen) => this.pad(seen)),
         contacts, marks, motions, this.labels.map((label) => this.label(label)),
@@ -232,11 +232,10 @@
   }
 
   /// A figure for each view.
-  function figures(scene, shown, large, width) {
-    const level = large ? shown.large : shown.finite;
-    const common = { ...common_scales(scene, level, width), times: large ? ' S' : '' };
+  function figures(scene, modes, level, width) {
+    const common = common_scales(scene, level, width);
     return scene.views.map((view) => ({ title: view.title,
-      svg: new Painter(scene, view, level, common).draw(shown.modes) }));
+      svg: new Painter(scene, view, level, common).draw(modes) }));
   }
 
   explorer.view_scene = { figures };

@@ -1,6 +1,6 @@
 // The panel around the drawing: which part is drawn, the cushion, and the same in words.
 (() => {
-  const { h, parsed, replace, by_id, name } = explorer.elements;
+  const { h, parsed, table, replace, by_id, name } = explorer.elements;
   const { decimal } = explorer.number_text;
   const { figures } = explorer.view_scene;
   const { length, cross, scale, dot, add } = explorer.vectors;
@@ -40,25 +40,19 @@
     return { ...values, shown };
   }
 
-  function contact_table(scene, shown, large) {
-    const level = large ? shown.large : shown.finite;
-    const times = large ? ' S' : '';
-    return h('div', { class: 'scroll' }, h('table', { class: 'contacts' },
-      h('caption', {}, `What the picture shows${large ? ', in units of S' : ''}`),
-      h('thead', {}, h('tr', {}, ['contact', 'in this basis', 'normal', 'friction'].map((text) =>
-        h('th', { scope: 'col' }, text)))),
-      h('tbody', {}, scene.points.map((point, i) => h('tr', {},
-        h('th', { scope: 'row' }, point.name),
-        h('td', {}, scene.verbs[shown.modes[i]]),
-        h('td', {}, `${decimal(level.forces[i].normal, 4)}${times} N`),
-        h('td', {}, `${decimal(length(level.forces[i].friction), 4)}${times} N`))))));
+  function contact_table(scene, modes, { forces, times }) {
+    return h('div', { class: 'scroll' }, table('contacts',
+      ['contact', 'in this basis', 'normal', 'friction'],
+      scene.points.map(({ name: point }, i) => [point, scene.verbs[modes[i]],
+        `${decimal(forces[i].normal, 4)}${times} N`,
+        `${decimal(length(forces[i].friction), 4)}${times} N`]),
+      { caption: `What the picture shows${times ? ', in units of S' : ''}` }));
   }
 
   const vector = (v) => `(${v.map((x) => decimal(Math.abs(x) < 1e-12 ? 0 : x, 3)).join(', ')})`;
 
-  function motion_list(scene, shown, large) {
-    const level = large ? shown.large : shown.finite;
-    const times = large ? ' S' : '';
+  function motion_list(scene, level) {
+    const { times } = level;
     const linear = level.acceleration.slice(0, 3);
     const spin = level.acceleration.slice(3);
     const reach = Math.max(...scene.points.map(({ position }) => length(position)));
@@ -112,6 +106,7 @@
     const values = now(app);
     const { shown } = values;
     const large = shown.has_large && app.show_large;
+    const level = large ? shown.large : shown.finite;
     const switcher = shown.has_large && h('div', { class: 'switch', role: 'group',
       'aria-label': 'Part of the values' }, [[true, 'part times S'], [false, 'finite part']].map(
       ([value, text]) => h('button', { type: 'button', 'aria-pressed': String(value === large),
@@ -121,9 +116,11 @@
       + 'have a part that is a multiple of S. Drawn here: the '
       + `${large ? 'part times S' : 'finite part'}.`);
     const width = Math.max(300, Math.min(480, by_id('scene').clientWidth || 440));
-    replace('scene', switcher, parts, figures(scene, shown, large, width).map(({ title, svg: view }) =>
-      h('figure', {}, view, h('figcaption', {}, title))), parsed(h('div'), scene.key), cushion_note(app, values),
-    motion_list(scene, shown, large), contact_table(scene, shown, large));
+    replace('scene', switcher, parts,
+      figures(scene, shown.modes, level, width).map(({ title, svg }) =>
+        h('figure', {}, svg, h('figcaption', {}, title))),
+      parsed(h('div'), scene.key), cushion_note(app, values), motion_list(scene, level),
+      contact_table(scene, shown.modes, level));
   }
 
   explorer.view_scene_text = { update, now };

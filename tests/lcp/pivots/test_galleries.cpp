@@ -31,9 +31,9 @@ TEST_CASE("gallery of rays: those that prove nothing") {
   const PivotTrace missed = pivoted(solvable);
   check_ray(solvable, missed, "0 1 0", "1");
   CHECK(solves(solvable, numbers("3/2 0 0")));
-  std::string cushion;
-  for (const TracedPivot& pivot : missed.pivots) cushion += value_text(pivot.z0) + " ";
-  CHECK(cushion == "4 4 1 25/7 1 ");
+  std::string z0_values;
+  for (const TracedPivot& pivot : missed.pivots) z0_values += value_text(pivot.z0) + " ";
+  CHECK(z0_values == "4 4 1 25/7 1 ");
 
   const ExactProblem game = textbook("rock_paper_scissors");
   check_ray(game, pivoted(game), "0 0 0 0 0 1", "0");

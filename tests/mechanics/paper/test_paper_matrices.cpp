@@ -13,36 +13,6 @@ using namespace lcpush::test;
 
 namespace {
 
-/// Columns of G-bar: the forces of the complementarity problem, in its order.
-template <class S> Index force_count(const Scene<S>& scene) {
-  Index count = 0;
-  for (const Body<S>& body : scene.bodies)
-    count += body.point_count * (normal_count(body) + generator_count(scene, body));
-  return count;
-}
-
-/// E = diag(n, D): contact_components(scene) x force_count(scene), block diagonal, a block a point:
-/// [1, (-1), 0 ; 0, D]. It turns forces along generators into components, and G into G-bar = G E.
-template <class S> void contact_generators(const Scene<S>& scene, MatrixMap<S> E) {
-  E.setZero();
-  Index row = 0, column = 0;
-  for (const Body<S>& body : scene.bodies) {
-    const Vector3<S> o = cross(body.normal, body.tangent);
-    for (Index i = 0; i < body.point_count; ++i) {
-      E(row, column++) = S(1);
-      if (normal_count(body) == 2) E(row, column++) = S(-1);
-      for (Index j = 0; j < generator_count(scene, body); ++j) {
-        const Generator<S> d = generator(body, j, scene.facets);
-        E(row + 1, column) = d.force.dot(body.tangent);
-        E(row + 2, column) = d.force.dot(o);
-        if (contact_components(body) == 4) E(row + 3, column) = d.torque;
-        ++column;
-      }
-      row += contact_components(body);
-    }
-  }
-}
-
 constexpr double rounding = 1e-12;
 
 MatrixMap<double> map_of(MatrixX<double>& A) { return {A.data(), A.rows(), A.cols()}; }

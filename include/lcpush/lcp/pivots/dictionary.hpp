@@ -6,7 +6,7 @@
 // right-hand sides are stored; basic columns are unit vectors and need no memory.
 #pragma once
 
-#include "lcpush/types.hpp"
+#include "lcpush/lcp/memory.hpp"
 
 namespace lcpush {
 
@@ -26,10 +26,17 @@ struct Wanted {
 
 template <class S> class Dictionary {
 public:
-  MatrixMap<S> table{nullptr, 0, 0};  ///< n x (n + 1)
+  MatrixMap<S> table{nullptr, 0, 0};  ///< n x (n + 1), or the columns that its owner needs
   MatrixMap<S> values{nullptr, 0, 0}; ///< n x levels, one column a right-hand side
   Span<int> basic;                    ///< n: the variable of each row
   Span<int> nonbasic;                 ///< n + 1: the variable of each column
+
+  void carve(Index n, Index columns, Index levels, Block<S>& scalars, Block<int>& integers) {
+    scalars.seat(table, n, columns);
+    scalars.seat(values, n, levels);
+    basic = integers.take(n);
+    nonbasic = integers.take(columns);
+  }
 
   Index size() const { return table.rows(); }
 

@@ -205,7 +205,6 @@ private:
 
 #ifdef LCPUSH_EXTERN_TEMPLATES
 namespace lcpush {
-extern template class Lemke<float>;
 extern template class Lemke<double>;
 } // namespace lcpush
 #endif

@@ -82,11 +82,8 @@ private:
 template <class S> bool ParametricPath<S>::carve(Index n) {
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
-  scalars.seat(dictionary_.table, n, n + 1);
-  scalars.seat(dictionary_.values, n, levels_ + tie_columns);
+  dictionary_.carve(n, n + 1, levels_ + tie_columns, scalars, integers);
   scalars.seat(scratch_, n);
-  dictionary_.basic = integers.take(n);
-  dictionary_.nonbasic = integers.take(n + 1);
   candidates_ = integers.take(n);
   return !scalars.exhausted() && !integers.exhausted();
 }

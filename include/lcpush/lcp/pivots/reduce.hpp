@@ -3,7 +3,6 @@
 #pragma once
 
 #include "lcpush/lcp/complete_pivoting.hpp"
-#include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/pivots/dictionary.hpp"
 #include "lcpush/lcp/pivots/equilibrate.hpp"
 #include "lcpush/lcp/problem.hpp"
@@ -90,13 +89,11 @@ template <class S> bool Reduction<S>::carve() {
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
   const Index n = n_;
-  scalars.seat(dictionary_.table, n, n);
-  scalars.seat(dictionary_.values, n);
+  dictionary_.carve(n, n, 1, scalars, integers);
   for (VectorMap<S>* map : {&row_scale_, &column_scale_, &scratch_}) scalars.seat(*map, n);
   matrix_ = scalars.take(n * n);
   q_ = scalars.take(n);
-  for (Span<int>* span :
-       {&dictionary_.basic, &dictionary_.nonbasic, &kept_row_, &kept_column_, &redundant_, &fixed_})
+  for (Span<int>* span : {&kept_row_, &kept_column_, &redundant_, &fixed_})
     *span = integers.take(n);
   return !scalars.exhausted() && !integers.exhausted();
 }
@@ -152,22 +149,19 @@ template <class S> bool Reduction<S>::exchange_pair() {
 
 /// False, with inconsistent_row_ set, if an equality without unknowns says 0 = something.
 template <class S> bool Reduction<S>::drop_redundant_rows(const S* q) {
+  using Eigen::numext::abs, Eigen::numext::maxi;
   S q_size(0);
-  for (Index i = 0; i < n_; ++i) {
-    const S x = Eigen::numext::abs(q[i] * row_scale_[i]);
-    if (x > q_size) q_size = x;
-  }
+  for (Index i = 0; i < n_; ++i) q_size = maxi(q_size, abs(S(q[i] * row_scale_[i])));
   redundant_count_ = 0;
   for (Index i = 0; i < n_; ++i) {
     if (!open_row(i)) continue;
     S largest(0);
     for (Index c = 0; c < n_; ++c) {
       const bool is_zero = dictionary_.nonbasic[c] < n_ && is_free_[dictionary_.nonbasic[c]] != 0;
-      if (!is_zero && Eigen::numext::abs(dictionary_.table(i, c)) > largest)
-        largest = Eigen::numext::abs(dictionary_.table(i, c));
+      if (!is_zero) largest = maxi(largest, abs(S(dictionary_.table(i, c))));
     }
     if (largest > smallest_pivot()) continue;
-    if (Eigen::numext::abs(dictionary_.values(i, 0)) > smallest_pivot() * q_size) {
+    if (abs(S(dictionary_.values(i, 0))) > smallest_pivot() * q_size) {
       inconsistent_row_ = dictionary_.basic[i];
       return false;
     }

@@ -21,7 +21,6 @@ constexpr Index structured_lemke_integers(Index n, Index cones) {
 }
 
 #ifdef LCPUSH_EXTERN_TEMPLATES
-extern template class Lemke<float, StructuredBasis<float>>;
 extern template class Lemke<double, StructuredBasis<double>>;
 #endif
 } // namespace lcpush

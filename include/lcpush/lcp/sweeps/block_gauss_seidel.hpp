@@ -85,9 +85,7 @@ private:
 
 #ifdef LCPUSH_EXTERN_TEMPLATES
 namespace lcpush {
-extern template class ProximalNewton<float>;
 extern template class ProximalNewton<double>;
-extern template class BlockGaussSeidel<float>;
 extern template class BlockGaussSeidel<double>;
 } // namespace lcpush
 #endif

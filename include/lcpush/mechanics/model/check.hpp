@@ -17,6 +17,8 @@ template <class S> void keep_worst(S& worst, S violation) {
 } // namespace detail
 
 enum class Law { newton, normal, dissipation, cone, grip, rigidity, pusher };
+constexpr Law all_laws[] = {Law::newton, Law::normal,   Law::dissipation, Law::cone,
+                            Law::grip,   Law::rigidity, Law::pusher};
 constexpr Index law_count = 7;
 
 /// As reports and histories name its residual.
@@ -105,8 +107,7 @@ void check_friction(const Scene<S>& scene, const Scales<S>& scales, const Answer
   const ContactAnswer<S>& contact = answer.contacts[i];
   const Vector3<S> acceleration = acceleration_at<S>(scene.points[i], relative);
   const S spin = relative.template tail<3>().dot(body.normal);
-  const S lambda =
-      body.bilateral ? S(Eigen::numext::abs(contact.normal_force)) : contact.normal_force;
+  const S lambda = body.bilateral ? Eigen::numext::abs(contact.normal_force) : contact.normal_force;
   S room = body.friction * lambda;
   Vector3<S> friction = contact.friction_force;
   S torsion = contact.torsion;

@@ -48,23 +48,23 @@ namespace detail {
 
 /// A program's arrays, cut off the front of a study's memory; `rest` is its solver's.
 template <class S> struct StudyProgram {
-  MatrixMap<S> A, H;
-  VectorMap<S> b, c;
+  MatrixMap<S> A{nullptr, 0, 0}, H{nullptr, 0, 0};
+  VectorMap<S> b{nullptr, 0}, c{nullptr, 0};
   Span<S> rest;
   bool fits;
 
-  StudyProgram(Span<S> memory, Index columns, Index equalities, Index inequalities)
-      : StudyProgram(Block<S>(memory), columns, equalities, inequalities) {}
-
+  StudyProgram(Span<S> memory, Index columns, Index equalities, Index inequalities) {
+    Block<S> scalars(memory);
+    scalars.seat(A, equalities, columns);
+    scalars.seat(H, inequalities, columns);
+    scalars.seat(b, equalities);
+    scalars.seat(c, columns);
+    rest = scalars.take(linear_program_scalars(columns, equalities, inequalities));
+    fits = !scalars.exhausted();
+  }
   LinearProgram<S> program() const {
     return {A.cols(), A.rows(), H.rows(), A.data(), b.data(), H.data(), c.data()};
   }
-
-private:
-  StudyProgram(Block<S> block, Index columns, Index m, Index k)
-      : A(block.take(m * columns).data, m, columns), H(block.take(k * columns).data, k, columns),
-        b(block.take(m).data, m), c(block.take(columns).data, columns),
-        rest(block.take(linear_program_scalars(columns, m, k))), fits(!block.exhausted()) {}
 };
 
 /// Points with friction: each has a row of H.

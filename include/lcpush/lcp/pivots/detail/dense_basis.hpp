@@ -2,7 +2,6 @@
 #pragma once
 
 #include "lcpush/lcp/complete_pivoting.hpp"
-#include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/pivots/dictionary.hpp"
 #include "lcpush/lcp/pivots/equilibrate.hpp"
 #include "lcpush/lcp/pivots/ratio_test.hpp"
@@ -19,12 +18,8 @@ public:
 
   void carve(const Problem<S>& problem, Index right_hand_sides, Block<S>& scalars,
              Block<int>& integers) {
-    const Index n = problem.size;
     problem_ = problem;
-    scalars.seat(dictionary.table, n, n + 1);
-    scalars.seat(dictionary.values, n, right_hand_sides);
-    dictionary.basic = integers.take(n);
-    dictionary.nonbasic = integers.take(n + 1);
+    dictionary.carve(problem.size, problem.size + 1, right_hand_sides, scalars, integers);
   }
 
   /// Scales, and rowsum_i = sum_j |M_ij| column_scale_j. Returns 0, or NaN if a number of M is not

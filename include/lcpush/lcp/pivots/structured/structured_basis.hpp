@@ -123,12 +123,9 @@ void StructuredBasis<S>::carve(const Problem<S>& problem, Index right_hand_sides
   n_ = problem.size;
   capacity_ = detail::most_exchanges(n_);
   form_.carve(problem, scalars, integers);
-  scalars.seat(dictionary.table, n_);
-  scalars.seat(dictionary.values, n_, right_hand_sides);
+  dictionary.carve(n_, 1, right_hand_sides, scalars, integers);
   scalars.seat(inverse_, capacity_, capacity_);
   for (VectorMap<S>* map : {&rates_, &along_row_, &along_column_}) scalars.seat(*map, capacity_);
-  dictionary.basic = integers.take(n_);
-  dictionary.nonbasic = integers.take(1);
   out_at_ = integers.take(n_);
   in_at_ = integers.take(n_ + 1);
   out_ = integers.take(capacity_);
