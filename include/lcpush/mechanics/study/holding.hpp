@@ -120,9 +120,9 @@ template <class S> void fill_rows(const Assembly<S>& assembly, HoldingProgram<S>
 
 /// The least factor on the forces of the actuators that drive a finger. Pushers of the assembled
 /// scene are at rest and bear what they must. Post: solved (no factor below holding.factor holds);
-/// does_not_hold (no factor holds at all); both proved, by multipliers that are checked on the program
-/// itself; bad_input (memory too small), or the pivots' failure: nothing is known.
-/// Cost: Lemke's on forces + points unknowns, and n^2 memory beside it.
+/// does_not_hold (no factor holds at all); both proved, by multipliers that are checked on the
+/// program itself; bad_input (memory too small), or the pivots' failure: nothing is known. Cost:
+/// Lemke's on forces + points unknowns, and n^2 memory beside it.
 template <class S, class Observer = const Unobserved>
 [[nodiscard]] Status find_holding(const Assembly<S>& assembly, const HoldingMemory<S>& memory,
                                   const LemkeOptions<S>& options, Holding<S>& holding,
