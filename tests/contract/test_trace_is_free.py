@@ -16,16 +16,18 @@ import tempfile
 root, compiler, eigen = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 
 PROGRAM = """
-#include "lcpush/lcp/block_gauss_seidel.hpp"
-#include "lcpush/lcp/gauss_seidel.hpp"
-#include "lcpush/lcp/lemke.hpp"
+#include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
+#include "lcpush/lcp/sweeps/gauss_seidel.hpp"
+#include "lcpush/lcp/pivots/lemke.hpp"
 namespace lcpush {
 template class Lemke<float>;
 template class Lemke<double>;
-template class BlockGaussSeidel<double>;
 Status run(Lemke<double>& lemke) { return lemke.solve(); }
 Status step(Lemke<float>& lemke) { return lemke.step(); }
 Status sweep(GaussSeidel<double>& sweeps) { return sweeps.solve(); }
+Status sweep(BlockGaussSeidel<double>& sweeps, const Problem<double>& problem) {
+  return sweeps.init(problem) == Status::running ? sweeps.solve() : sweeps.status();
+}
 } // namespace lcpush
 """
 
