@@ -1,14 +1,26 @@
 #include <cstdio>
+#include <lcpush/desktop/input_error.hpp>
 #include <lcpush/desktop/push.hpp>
 
-int main() {
-  using namespace lcpush;
-  const desktop::SceneFile file = desktop::read_scene("fixtures/scenes/straight_slide.toml");
-  desktop::Push push(file);
-  const desktop::PushReport report = push.solve({});
-  std::printf("%s, residual below 1e-9: %s\n", status_text(report.status),
-              report.residuals.max() < 1e-9 ? "yes" : "no");
-  for (Index i = 8; i < report.answer.contacts.size; ++i)
-    std::printf("%s  %.3f N  %s\n", desktop::point_name(file, i).c_str(),
-                report.answer.contacts[i].normal_force, mode_text(report.answer.contacts[i].mode));
+using namespace lcpush;
+
+int main(int count, char** words) {
+  const char* const path = count > 1 ? words[1] : "fixtures/scenes/straight_slide.toml";
+  try {
+    const desktop::SceneFile file = desktop::read_scene(path);
+    desktop::Push push(file);
+    const desktop::PushReport report = push.solve({});
+    std::printf("%s %s\n", status_text(report.status), report.reason.c_str());
+    if (report.status != Status::solved) return 1;
+    for (Index i = 0; i < report.answer.contacts.size; ++i) {
+      const ContactAnswer<double>& contact = report.answer.contacts[i];
+      if (file.bodies[file.body_of(i)].role == Role::pusher)
+        std::printf("%s  %.3f N  %s\n", desktop::point_name(file, i).c_str(), contact.normal_force,
+                    mode_text(contact.mode));
+    }
+    return 0;
+  } catch (const desktop::InputError& error) { // "FILE:LINE: what is wrong, and what to do"
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
 }

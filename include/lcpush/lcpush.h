@@ -6,7 +6,7 @@
  * prefix).
  *
  *     static double memory[LCPUSH_BYTES(double, 3, 4, 2, 2) / sizeof(double) + 1];
- *     lcpush_push* push = lcpush_make(memory, sizeof memory, &size);
+ *     lcpush_push* push = lcpush_make(memory, sizeof memory, &size, LCPUSH_LEMKE);
  *     lcpush_describe(push, &scene);
  *     while (lcpush_step(push, 10) == LCPUSH_RUNNING) other_work();       or lcpush_solve(push)
  *     lcpush_contact_at(push, 0, &contact);

@@ -4,21 +4,22 @@
 //     | assemble     one function a law of the paper                     mechanics/model/laws.hpp
 //   FactoredProblem  w = M z + q,  0 <= z _|_ w >= 0                      lcp/problem.hpp
 //     | solve        Lemke's pivots, under a pressure law                lcp/pivots/lemke.hpp
-//     |              the same with O(n) a pivot                          lcp/pivots/structured_lemke.hpp
-//     |                                                                  mechanics/solve/pressure.hpp
+//     |              the same with O(n) a pivot lcp/pivots/structured_lemke.hpp |
+//     mechanics/solve/pressure.hpp
 //   z
-//     | read_answer  forces, motion, contact modes, in SI units          mechanics/model/read_answer.hpp
+//     | read_answer  forces, motion, contact modes, in SI units mechanics/model/read_answer.hpp
 //   Answer
 //     | check        the laws again, by code that shares nothing above   mechanics/model/check.hpp
 //   Residuals
 //
 // All memory is the caller's: make_workspace cuts it from one block, push_bytes says how long
-// (mechanics/solve/workspace.hpp). Files, reports and the like are in host/.
+// (mechanics/solve/workspace.hpp). Files, reports and the like are in desktop/.
 #pragma once
 
 #include "lcpush/lcp/pivots/lemke.hpp"
 #include "lcpush/mechanics/model/check.hpp"
 #include "lcpush/mechanics/model/read_answer.hpp"
+#include "lcpush/mechanics/model/validate.hpp"
 #include "lcpush/mechanics/solve/breaking.hpp"
 #include "lcpush/mechanics/solve/predicted_modes.hpp"
 #include "lcpush/mechanics/solve/pressure.hpp"

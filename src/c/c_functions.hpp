@@ -15,8 +15,8 @@ LCPUSH_NAME(push) *
   const Span<unsigned char> place =
       arena.take_bytes(static_cast<Index>(sizeof(LCPUSH_NAME(push))), alignof(LCPUSH_NAME(push)));
   if (place.data == nullptr) return nullptr;
-  const c::Most most{size->bodies,    size->points, size->facets,
-                     size->actuators, size->drives, size->pulls};
+  const c::Capacity most{size->bodies,    size->points, size->facets,
+                         size->actuators, size->drives, size->pulls};
   LCPUSH_NAME(push)* const push =
       new (place.data) LCPUSH_NAME(push)(arena, most, solver == LCPUSH_GAUSS_SEIDEL);
   return push->complete() ? push : nullptr;

@@ -11,7 +11,7 @@
 namespace lcpush::c {
 
 /// A place for one object that comes later.
-template <class T> class Later {
+template <class T> class InPlace {
 public:
   template <class... Args> T& make(Args&&... args) {
     made_ = new (bytes_) T(static_cast<Args&&>(args)...);
@@ -26,7 +26,7 @@ private:
 };
 
 /// The most that a push holds, as lcpush_size says.
-struct Most {
+struct Capacity {
   Index bodies, points, facets, actuators, drives, pulls;
 };
 
@@ -35,7 +35,7 @@ public:
   using PivotSolve = PressureSolve<S, LemkeRounds<S>>;
 
   /// Cuts everything out of `arena`; complete() says whether it was enough.
-  CPush(Arena& arena, const Most& most, bool by_sweeps)
+  CPush(Arena& arena, const Capacity& most, bool by_sweeps)
       : most_(most), by_sweeps_(by_sweeps), bodies_(arena.take<Body<S>>(most.bodies)),
         points_(arena.take<Vector3<S>>(most.points)),
         actuators_(arena.take<Actuator<S>>(most.actuators)),
@@ -139,7 +139,7 @@ public:
   S residual() const { return residual_; }
 
 private:
-  Most most_;
+  Capacity most_;
   bool by_sweeps_, complete_ = false, described_ = false;
   Span<Body<S>> bodies_;
   Span<Vector3<S>> points_;
@@ -152,18 +152,18 @@ private:
   BlockGaussSeidel<S> sweeps_;
   LemkeOptions<S> options_{};
   Scene<S> given_{}, scene_{};
-  Later<PivotSolve> solve_;
+  InPlace<PivotSolve> solve_;
   PressureRun run_{};
   Status status_ = Status::bad_input;
   Mistake mistake_ = Mistake::not_described;
   Index limit_ = 0;
   S residual_{0};
 
-  static AssemblySize assembly_size(const Most& most) {
+  static AssemblySize assembly_size(const Capacity& most) {
     return {most.points, most.points * most.facets, most.actuators, most.drives, most.pulls};
   }
 
-  static Workspace<S> take_workspace(Arena& arena, const Most& most, bool by_sweeps) {
+  static Workspace<S> take_workspace(Arena& arena, const Capacity& most, bool by_sweeps) {
     return by_sweeps ? make_sweep_workspace<S>(arena, assembly_size(most))
                      : make_workspace<S>(arena, assembly_size(most));
   }

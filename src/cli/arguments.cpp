@@ -8,7 +8,10 @@
 #include <iostream>
 #include <system_error>
 
+#include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "text/text_file.hpp"
+#include "text/whole_number.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
@@ -21,12 +24,6 @@ std::string full_name(const std::string& word) { return word == "-o" ? "--output
 bool is_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' &&
          (word[1] == '-' || word == "-o" || word == "-h" || (word[1] >= 'A' && word[1] <= 'z'));
-}
-
-[[noreturn]] void refuse_writing(const std::string& path, int reason) {
-  throw desktop::InputError(path +
-                            ": cannot be written: " + std::generic_category().message(reason) +
-                            "; check the path and its permissions");
 }
 
 } // namespace
@@ -81,9 +78,8 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
 }
 
 std::optional<std::string> Arguments::value(const std::string& option) const {
-  const auto found = values_.find(option);
-  if (found == values_.end()) return std::nullopt;
-  return found->second.front();
+  const std::vector<std::string> all = values(option);
+  return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
 std::vector<std::string> Arguments::values(const std::string& option) const {
@@ -96,8 +92,37 @@ std::string Arguments::format(const std::vector<std::string>& known) const {
   const std::string format = value("--format").value_or("text");
   for (const std::string& name : known)
     if (name == format) return format;
-  throw UsageError("--format is " + desktop::listed(known, "or") + ", not " +
-                   desktop::quoted(format));
+  refuse_value("--format", format, desktop::listed(known, "or"));
+}
+
+std::optional<Index> Arguments::whole(const std::string& option, const Range& range) const {
+  const std::optional<std::string> word = value(option);
+  if (!word) return std::nullopt;
+  const std::optional<Index> number = desktop::whole_number<Index>(*word);
+  if (!number || *number < range.smallest || *number > range.largest ||
+      (range.even && *number % 2 != 0))
+    refuse_value(
+        option, *word,
+        (range.even ? "an even number from " : "a whole number from ") +
+            std::to_string(range.smallest) +
+            (range.largest < Range{0}.largest ? " to " + std::to_string(range.largest) : " on"));
+  return number;
+}
+
+std::optional<double> Arguments::number(const std::string& option, double end,
+                                        const std::string& hint) const {
+  const std::optional<std::string> word = value(option);
+  if (!word) return std::nullopt;
+  const desktop::NumberText number = desktop::read_finite_number(*word);
+  if (number.error || !(number.value > 0) || !(number.value < end))
+    refuse_value(option, *word, "a number between 0 and " + desktop::shown(end) + hint);
+  return number.value;
+}
+
+void refuse_value(const std::string& option, const std::string& word, const std::string& rule,
+                  const std::vector<std::string>& known) {
+  throw UsageError(option + " is " + rule + ", not " + desktop::quoted(word) +
+                   desktop::suggestion(word, known));
 }
 
 std::vector<Option> with_common_options(std::vector<Option> own) {
@@ -127,7 +152,7 @@ void write_output(const Arguments& arguments, const std::string& text) {
   errno = 0;
   if (!path) {
     std::cout << text << std::flush;
-    if (!std::cout) refuse_writing("standard output", errno);
+    if (!std::cout) desktop::refuse_file("standard output", "written", errno);
     return;
   }
   std::error_code ignored;
@@ -138,12 +163,12 @@ void write_output(const Arguments& arguments, const std::string& text) {
       std::filesystem::exists(*path, ignored) && !std::filesystem::is_regular_file(*path, ignored);
   const std::string partial = direct ? *path : *path + ".part";
   std::ofstream stream(partial, std::ios::binary);
-  if (!stream) refuse_writing(*path, errno);
+  if (!stream) desktop::refuse_file(*path, "written", errno);
   stream << text << std::flush;
   if (!stream) {
     const int reason = errno;
     if (!direct) std::remove(partial.c_str());
-    refuse_writing(*path, reason);
+    desktop::refuse_file(*path, "written", reason);
   }
   stream.close();
   if (direct) return;
@@ -151,7 +176,7 @@ void write_output(const Arguments& arguments, const std::string& text) {
   std::filesystem::rename(partial, *path, failure);
   if (!failure) return;
   std::remove(partial.c_str());
-  refuse_writing(*path, failure.value());
+  desktop::refuse_file(*path, "written", failure.value());
 }
 
 Option solver_option() {
@@ -164,8 +189,8 @@ desktop::Solver chosen_solver(const Arguments& arguments) {
   for (const desktop::Solver known :
        {desktop::Solver::lemke, desktop::Solver::gauss_seidel, desktop::Solver::hybrid})
     if (solver == desktop::solver_text(known)) return known;
-  throw UsageError("--solver is lemke, gauss-seidel or hybrid, not " + desktop::quoted(solver) +
-                   desktop::suggestion(solver, {"lemke", "gauss-seidel", "hybrid"}));
+  refuse_value("--solver", solver, "lemke, gauss-seidel or hybrid",
+               {"lemke", "gauss-seidel", "hybrid"});
 }
 
 } // namespace lcpush::cli

@@ -1,6 +1,7 @@
 // The command line: what a command takes, what the user typed, and where the output goes.
 #pragma once
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "lcpush/desktop/solver.hpp"
+#include "lcpush/types.hpp"
 
 namespace lcpush::cli {
 
@@ -45,8 +47,19 @@ public:
   /// All of an option that repeats, in the order given.
   std::vector<std::string> values(const std::string& option) const;
 
-  /// "text" or "json", or another format that the command names.
-  std::string format(const std::vector<std::string>& known) const;
+  /// The format asked for, one of `known`.
+  std::string format(const std::vector<std::string>& known = {"text", "json"}) const;
+
+  struct Range {
+    Index smallest;
+    Index largest = std::numeric_limits<Index>::max(); ///< or no limit
+    bool even = false;
+  };
+  /// The whole number of an option, if it is given.
+  std::optional<Index> whole(const std::string& option, const Range& range) const;
+  /// The number of an option, between 0 and `end` without the two; `hint` goes on with what it is.
+  std::optional<double> number(const std::string& option, double end,
+                               const std::string& hint) const;
 
 private:
   std::vector<std::string> files_;
@@ -54,6 +67,10 @@ private:
 
   void read_option(const Command& command, const std::vector<std::string>& words, std::size_t& at);
 };
+
+/// Throws a UsageError: the option is `rule`, not `word`; `known` are the words that it may be.
+[[noreturn]] void refuse_value(const std::string& option, const std::string& word,
+                               const std::string& rule, const std::vector<std::string>& known = {});
 
 /// Options that every command has.
 std::vector<Option> with_common_options(std::vector<Option> own);

@@ -1,15 +1,14 @@
 // lcpush break: the force that just moves the object in the grip.
-#include "cli/chosen_pusher.hpp"
 #include "cli/commands.hpp"
+#include "cli/history.hpp"
 #include "cli/progress.hpp"
-#include "cli/scene_argument.hpp"
-#include "cli/sweep_history.hpp"
+#include "cli/scene_arguments.hpp"
 #include "lcpush/desktop/report.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-int run(const Arguments& arguments) {
+int run_break(const Arguments& arguments) {
   const desktop::Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
   const desktop::SceneFile file = read_scene_argument(arguments, Needs::scene);
@@ -33,13 +32,10 @@ int run(const Arguments& arguments) {
     if (!arguments.has("--history"))
       grip = desktop::find_smallest_grip(file, hold, report, options);
   }
-  std::string text;
-  if (arguments.has("--history"))
-    text = push_history(format, solver, report.status, report.history);
-  else
-    text = format == "json" ? desktop::break_json(file, hold, grip, report)
-                            : desktop::break_text(file, hold, grip, report);
-  write_output(arguments, text);
+  write_output(arguments, arguments.has("--history")
+                              ? push_history(format, solver, report.status, report.history)
+                          : format == "json" ? desktop::break_json(file, hold, grip, report)
+                                             : desktop::break_text(file, hold, grip, report));
   return report.status == Status::solved ? 0 : 1;
 }
 
@@ -57,7 +53,7 @@ Command break_command() {
                            solver_option(),
                            history_option()}),
       1,
-      run};
+      run_break};
 }
 
 } // namespace lcpush::cli

@@ -1,8 +1,9 @@
 #include "cli/choose.hpp"
 
+#include <algorithm>
 #include <iostream>
 
-#include "formats/read_number.hpp"
+#include "text/whole_number.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
@@ -17,7 +18,7 @@ Index row_of(const desktop::PivotTrace& trace, const std::vector<Index>& rows,
              const std::string& word) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (name(trace, rows[i]) == word) return static_cast<Index>(i);
-  const auto number = desktop::whole_number(word);
+  const auto number = desktop::whole_number<std::size_t>(word);
   if (number && *number >= 1 && *number <= rows.size()) return static_cast<Index>(*number) - 1;
   return -1;
 }
@@ -45,12 +46,6 @@ std::string objection(const desktop::PivotTrace& trace, const desktop::TracedPiv
          " gets there first, at " + right + ", and would be negative.";
 }
 
-bool contains(const std::vector<Index>& list, Index x) {
-  for (const Index y : list)
-    if (y == x) return true;
-  return false;
-}
-
 } // namespace
 
 Index ask_for_row(const desktop::PivotTrace& trace) {
@@ -58,6 +53,9 @@ Index ask_for_row(const desktop::PivotTrace& trace) {
   if (!pivot.before) return pivot.row;
   const desktop::Tableau& before = *pivot.before;
   const Index z0 = artificial(trace.size);
+  const auto ties = [&pivot](Index variable) {
+    return std::find(pivot.ties.begin(), pivot.ties.end(), variable) != pivot.ties.end();
+  };
   std::cerr << "Pivot " << trace.pivots.size() - 1 << ": " << name(trace, pivot.entering)
             << " enters (" << trace.variables[static_cast<std::size_t>(pivot.entering)].meaning
             << ").\n"
@@ -78,10 +76,10 @@ Index ask_for_row(const desktop::PivotTrace& trace) {
       continue;
     }
     const Index leaving = before.rows[static_cast<std::size_t>(row)];
-    const bool may_leave = row == pivot.row || contains(pivot.ties, leaving);
+    const bool may_leave = row == pivot.row || ties(leaving);
     if (!may_leave) {
       std::cerr << "No: " << objection(trace, pivot, before.rows, row) << "\n";
-    } else if (leaving != z0 && contains(pivot.ties, z0)) {
+    } else if (leaving != z0 && ties(z0)) {
       std::cerr << "It ties with z0, and when z0 can leave the problem is solved: take z0.\n";
     } else {
       if (row != pivot.row)

@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "cli/commands.hpp"
-#include "cli/scene_argument.hpp"
+#include "cli/scene_arguments.hpp"
 #include "lcpush/desktop/export.hpp"
 #include "lcpush/desktop/input_error.hpp"
 
@@ -25,7 +25,7 @@ void write_file(const filesystem::path& path, const std::string& text) {
                               ": cannot be written; check the path and its permissions");
 }
 
-int run(const Arguments& arguments) {
+int run_export(const Arguments& arguments) {
   const std::optional<std::string> directory = arguments.value("--output");
   if (!directory) throw UsageError("say where to: -o DIRECTORY");
   const desktop::SceneFile file = read_scene_argument(arguments);
@@ -69,7 +69,7 @@ Command export_command() {
       "\nExample:\n  lcpush export fixtures/scenes/straight_slide.toml -o slide\n",
       {{"--output", "DIRECTORY", "made if missing, with its parents; -o for short"}},
       1,
-      run};
+      run_export};
 }
 
 } // namespace lcpush::cli

@@ -13,14 +13,11 @@ std::string as_json(const std::string& solver, Status status,
                     const std::vector<std::string>& columns, const std::vector<HistoryRow>& rows) {
   desktop::JsonWriter json;
   json.begin_object().member("solver", solver).member("status", status_text(status));
-  json.key("history").begin_array();
-  for (const HistoryRow& row : rows) {
-    json.begin_object().member("sweep", row.sweep);
+  json.objects("history", rows, [&](const HistoryRow& row) {
+    json.member("sweep", row.sweep);
     for (std::size_t c = 0; c < columns.size(); ++c) json.member(columns[c], row.values[c]);
-    json.end_object();
-  }
-  json.end_array().end_object();
-  return json.text();
+  });
+  return json.end_object().text();
 }
 
 std::string as_csv(const std::vector<std::string>& columns, const std::vector<HistoryRow>& rows) {
@@ -57,6 +54,32 @@ std::string history_text(const std::string& format, const std::string& solver, S
                          const std::vector<HistoryRow>& rows) {
   if (format == "json") return as_json(solver, status, columns, rows);
   return format == "csv" ? as_csv(columns, rows) : as_table(solver, status, columns, rows);
+}
+
+Option history_option() {
+  return {"--history", "", "instead of the answer, each law's residual sweep by sweep (also csv)"};
+}
+
+std::string push_format(const Arguments& arguments, desktop::Solver solver) {
+  if (!arguments.has("--history")) return arguments.format();
+  if (solver == desktop::Solver::lemke)
+    throw UsageError("--history goes with --solver gauss-seidel or hybrid; lemke has no sweeps");
+  return arguments.format({"text", "csv", "json"});
+}
+
+std::string push_history(const std::string& format, desktop::Solver solver, Status status,
+                         const std::vector<desktop::SweepRecord>& records) {
+  std::vector<HistoryRow> rows;
+  for (const desktop::SweepRecord& record : records) {
+    Residuals<double> residuals = record.residuals;
+    rows.push_back({record.sweep, {}});
+    for (const Law law : all_laws) rows.back().values.push_back(residuals[law]);
+    rows.back().values.push_back(residuals.max());
+  }
+  std::vector<std::string> columns;
+  for (const Law law : all_laws) columns.emplace_back(law_text(law));
+  columns.emplace_back("max");
+  return history_text(format, desktop::solver_text(solver), status, columns, rows);
 }
 
 } // namespace lcpush::cli

@@ -1,11 +1,8 @@
 // --history: how the residual fell, in the formats that tables are read in.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "lcpush/status.hpp"
-#include "lcpush/types.hpp"
+#include "cli/arguments.hpp"
+#include "lcpush/desktop/push.hpp"
 
 namespace lcpush::cli {
 
@@ -21,5 +18,12 @@ struct HistoryRow {
 std::string history_text(const std::string& format, const std::string& solver, Status status,
                          const std::vector<std::string>& columns,
                          const std::vector<HistoryRow>& rows);
+
+/// Of pushes: what is left of each law.
+Option history_option();
+/// The format asked for; csv goes with --history, and --history with a solver that sweeps.
+std::string push_format(const Arguments& arguments, desktop::Solver solver);
+std::string push_history(const std::string& format, desktop::Solver solver, Status status,
+                         const std::vector<desktop::SweepRecord>& records);
 
 } // namespace lcpush::cli

@@ -1,15 +1,12 @@
 // lcpush lcp: raw linear complementarity problems.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "cli/commands.hpp"
 #include "cli/history.hpp"
 #include "cli/progress.hpp"
 #include "cli/raw_arguments.hpp"
 #include "formats/json_writer.hpp"
-#include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/raw_problem.hpp"
 #include "text/format.hpp"
@@ -28,19 +25,10 @@ desktop::RawOptions read_options(const Arguments& arguments) {
                        " is about sweeps: it goes with --solver gauss-seidel or hybrid");
   // Before pivots a few sweeps have to do: where they come near at all, they do so soon.
   if (options.solver == desktop::Solver::hybrid) options.sweeps.max_sweeps = 200;
-  if (const auto text = arguments.value("--sweeps")) {
-    const char* const end = text->data() + text->size();
-    const auto [rest, error] = std::from_chars(text->data(), end, options.sweeps.max_sweeps);
-    if (error != std::errc() || rest != end || options.sweeps.max_sweeps < 1)
-      throw UsageError("--sweeps is a whole number from 1 on, not " + desktop::quoted(*text));
-  }
-  if (const auto text = arguments.value("--relaxation")) {
-    const desktop::NumberText number = desktop::read_finite_number(*text);
-    if (number.error || !(number.value > 0) || !(number.value < 2))
-      throw UsageError("--relaxation is a number between 0 and 2 (1: plain Gauss-Seidel), not " +
-                       desktop::quoted(*text));
-    options.sweeps.relaxation = number.value;
-  }
+  SweepOptions<double>& sweeps = options.sweeps;
+  sweeps.max_sweeps = arguments.whole("--sweeps", {1}).value_or(sweeps.max_sweeps);
+  sweeps.relaxation =
+      arguments.number("--relaxation", 2, " (1: plain Gauss-Seidel)").value_or(sweeps.relaxation);
   return options;
 }
 
@@ -49,7 +37,7 @@ std::string read_format(const Arguments& arguments) {
   if (arguments.has("--history")) return arguments.format({"text", "json", "csv"});
   if (arguments.value("--format") == "csv")
     throw UsageError("--format csv is for --history; an answer is text or json");
-  return arguments.format({"text", "json"});
+  return arguments.format();
 }
 
 [[noreturn]] void refuse_diagonal(const Arguments& arguments, const desktop::RawProblem& problem,
@@ -62,15 +50,13 @@ std::string read_format(const Arguments& arguments) {
 }
 
 std::string reason_of(const desktop::RawAnswer& answer) {
-  char at[60];
-  std::snprintf(at, sizeof at, " (the scaled residual is %.1e)", answer.residual);
+  const std::string at = desktop::printed(" (the scaled residual is %.1e)", answer.residual);
   if (answer.status == Status::sweep_limit)
-    return "the limit of sweeps was reached" + std::string(at) + "; raise --sweeps";
+    return "the limit of sweeps was reached" + at + "; raise --sweeps";
   if (answer.status == Status::stagnated)
-    return "the sweeps make no more progress" + std::string(at) + "; use hybrid or lemke";
+    return "the sweeps make no more progress" + at + "; use hybrid or lemke";
   if (answer.status == Status::ray)
-    return "Lemke ended on a secondary ray under " + std::to_string(answer.covers) +
-           (answer.covers == 1 ? " cover" : " covers");
+    return "Lemke ended on a secondary ray under " + desktop::counted(answer.covers, "cover");
   if (answer.status == Status::pivot_limit) return "the limit of pivots was reached";
   return reason_text(answer.reason);
 }
@@ -87,30 +73,14 @@ std::string as_json(const desktop::RawAnswer& answer, const std::string& solver)
   desktop::JsonWriter json;
   json.begin_object();
   json.member("status", status_text(answer.status)).member("solver", solver);
-  json.member("pivots", answer.pivots)
-      .member("sweeps", answer.sweeps)
-      .member("covers", answer.covers);
-  if (solved) {
-    json.member("residual", answer.residual).key("z").numbers(answer.z);
-    json.key("w").numbers(answer.w).key("basis").strings(basis_of(answer));
-  } else {
-    json.member("residual", nullptr).member("z", nullptr).member("w", nullptr);
-    json.member("basis", nullptr).member("reason", reason_of(answer));
-    if (answer.ray.empty())
-      json.member("ray", nullptr);
-    else
-      json.key("ray").numbers(answer.ray);
-  }
-  json.key("redundant_rows").begin_array();
-  for (const Index row : answer.redundant_rows) json.value(row + 1);
-  json.end_array().end_object();
-  return json.text();
-}
-
-std::string line(const char* format, double a, double b = 0) {
-  char text[120];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
+  json.member("pivots", answer.pivots).member("sweeps", answer.sweeps);
+  json.member("covers", answer.covers).member("residual", desktop::when(solved, answer.residual));
+  json.member("z", desktop::when(solved, answer.z)).member("w", desktop::when(solved, answer.w));
+  json.member("basis", desktop::when(solved, basis_of(answer)));
+  if (!solved)
+    json.member("reason", reason_of(answer)).member("ray", desktop::unless_empty(answer.ray));
+  json.list("redundant_rows", answer.redundant_rows, [&](Index row) { json.value(row + 1); });
+  return json.end_object().text();
 }
 
 /// "12 sweeps and 3 pivots", without what was not tried.
@@ -134,7 +104,7 @@ std::string as_text(const desktop::RawProblem& problem, const desktop::RawAnswer
     text += "\nThe ray v (v >= 0, M v >= 0 along it up to the cover, largest entry 1):\n";
     for (std::size_t i = 0; i < n; ++i)
       if (answer.ray[i] != 0)
-        text += "  v" + std::to_string(i + 1) + line(" = %.9g\n", answer.ray[i]);
+        text += "  v" + std::to_string(i + 1) + desktop::printed(" = %.9g\n", answer.ray[i]);
     return text;
   }
   text = "Solved in " + effort_of(answer) +
@@ -147,8 +117,9 @@ std::string as_text(const desktop::RawProblem& problem, const desktop::RawAnswer
     std::string row = std::to_string(i + 1);
     row.insert(0, row.size() < 5 ? 5 - row.size() : 0, ' ');
     row += answer.basic[i] != 0 ? "  z    " : "  w    ";
-    text += row + line("%17.9g", answer.z[i]) +
-            (problem.free[i] != 0 ? "             free\n" : line("%17.9g\n", answer.w[i]));
+    text +=
+        row + desktop::printed("%17.9g", answer.z[i]) +
+        (problem.free[i] != 0 ? "             free\n" : desktop::printed("%17.9g\n", answer.w[i]));
   }
   return text;
 }
@@ -161,7 +132,7 @@ std::string history_of(const desktop::RawAnswer& answer, const std::string& form
   return history_text(format, solver, answer.status, {"residual"}, rows);
 }
 
-int run(const Arguments& arguments) {
+int run_lcp(const Arguments& arguments) {
   const std::string format = read_format(arguments);
   desktop::RawOptions options = read_options(arguments);
   const std::string solver = desktop::solver_text(options.solver);
@@ -206,7 +177,7 @@ Command lcp_command() {
               {"--history", "", "the residual after each check instead; also --format csv"},
           }),
           2,
-          run};
+          run_lcp};
 }
 
 } // namespace lcpush::cli

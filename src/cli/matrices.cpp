@@ -1,13 +1,13 @@
 // lcpush matrices: the paper's matrices of a scene.
 #include "lcpush/desktop/matrices.hpp"
 #include "cli/commands.hpp"
-#include "cli/scene_argument.hpp"
+#include "cli/scene_arguments.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-int run(const Arguments& arguments) {
-  const std::string format = arguments.format({"text", "json"});
+int run_matrices(const Arguments& arguments) {
+  const std::string format = arguments.format();
   const desktop::SceneFile file = read_scene_argument(arguments);
   const desktop::PaperMatrices matrices = desktop::paper_matrices(file);
   write_output(arguments, format == "json" ? desktop::matrices_json(matrices)
@@ -28,7 +28,7 @@ Command matrices_command() {
           "Example:\n  lcpush matrices fixtures/scenes/straight_slide.toml\n",
           with_common_options({}),
           1,
-          run};
+          run_matrices};
 }
 
 } // namespace lcpush::cli

@@ -1,26 +1,22 @@
 // lcpush pivots: every pivot, and what it means.
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <tuple>
 
 #include "cli/choose.hpp"
 #include "cli/commands.hpp"
 #include "cli/raw_arguments.hpp"
-#include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/pivots.hpp"
 #include "pivots/explorer_text.hpp"
 #include "pivots/push_story.hpp"
-#include "text/text_file.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-constexpr Index most_unknowns = 1000; // every pivot keeps its ratios; the page draws every row
-constexpr Index most_exact = 300;     // fractions grow with every pivot
-constexpr Index always_exact = 150;   // then ties are ties, not rounding's
+constexpr Index always_exact = 150; // then ties are ties, not rounding's
 
 /// What is pivoted: a scene or two matrices.
 struct Subject {
@@ -33,33 +29,22 @@ struct Subject {
   std::string title;
 };
 
-Index read_facets(const Arguments& arguments) {
-  const auto text = arguments.value("--facets");
-  if (!text) return 4;
-  Index facets = 0;
-  const auto [rest, error] = std::from_chars(text->data(), text->data() + text->size(), facets);
-  if (error != std::errc() || *rest != 0 || facets < 4 || facets > 256 || facets % 2 != 0)
-    throw UsageError("--facets is an even number from 4 to 256, not " + desktop::quoted(*text));
-  return facets;
-}
-
 Pressure read_pressure(const Arguments& arguments, Pressure otherwise) {
   const auto text = arguments.value("--pressure");
   if (!text) return otherwise;
-  if (*text == "pad") return Pressure::pad;
-  if (*text == "even") return Pressure::even;
-  if (*text == "rigid") return Pressure::rigid;
-  throw UsageError("--pressure is pad, even or rigid, not " + desktop::quoted(*text));
+  for (const Pressure pressure : pressures)
+    if (*text == pressure_text(pressure)) return pressure;
+  refuse_value("--pressure", *text, desktop::listed(desktop::pressure_names(), "or"));
 }
 
 void refuse_size(const std::string& what, Index n, bool is_exact) {
-  if (n > most_unknowns)
+  if (n > desktop::limits::unknowns_traced)
     throw desktop::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
-                              std::to_string(most_unknowns) +
+                              std::to_string(desktop::limits::unknowns_traced) +
                               " whose pivots can be shown; use fewer points");
-  if (is_exact && n > most_exact)
+  if (is_exact && n > desktop::limits::unknowns_exact)
     throw desktop::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
-                              std::to_string(most_exact) +
+                              std::to_string(desktop::limits::unknowns_exact) +
                               " that fractions can be pivoted for; leave --exact out");
 }
 
@@ -69,9 +54,8 @@ struct SceneText {
 };
 
 SceneText scene_text(const Arguments& arguments) {
-  constexpr std::size_t most_bytes = std::size_t{64} << 20U;
   if (arguments.files().empty()) return {desktop::example_scene(), "the example"};
-  return {desktop::read_text_file(arguments.files()[0], most_bytes), arguments.files()[0]};
+  return {desktop::read_scene_text(arguments.files()[0]), arguments.files()[0]};
 }
 
 /// Is the work in fractions over in a few seconds?
@@ -90,7 +74,7 @@ Subject scene_subject(const Arguments& arguments) {
   subject.scene = std::make_unique<desktop::SceneFile>(desktop::parse_scene(text, path));
   desktop::SceneFile& file = *subject.scene;
   if (!as_solved) {
-    file.facets = read_facets(arguments);
+    file.facets = arguments.whole("--facets", {4, 256, true}).value_or(4);
     file.pressure = read_pressure(arguments, file.pressure);
   }
   if (file.pressure == Pressure::even && file.parallel_jaws)
@@ -98,7 +82,7 @@ Subject scene_subject(const Arguments& arguments) {
   const Index n = size_of(file.view()).unknowns();
   refuse_size(path, n, is_exact);
   if (is_exact || (!as_solved && n <= always_exact)) {
-    desktop::SceneOf<desktop::Rational> exact = desktop::parse_scene_exactly(text, path);
+    desktop::SceneOf<desktop::Rational> exact = desktop::parse_scene<desktop::Rational>(text, path);
     exact.facets = file.facets;
     exact.pressure = file.pressure;
     std::vector<std::string> rounded = exact.inexact;
@@ -123,7 +107,8 @@ Subject scene_subject(const Arguments& arguments) {
 
 Subject raw_subject(const Arguments& arguments) {
   Subject subject;
-  std::tie(subject.problem.M, subject.problem.q) = read_matrices_exactly(arguments);
+  std::tie(subject.problem.M, subject.problem.q) =
+      read_matrices<desktop::Rational>(arguments, arguments.files());
   const Index n = subject.problem.M.rows;
   refuse_size(arguments.files().empty() ? "--M" : arguments.files()[0], n,
               arguments.has("--exact"));
@@ -136,23 +121,14 @@ Subject raw_subject(const Arguments& arguments) {
 std::vector<desktop::Rational> read_cover(const Arguments& arguments, Index n) {
   const auto text = arguments.value("--cover");
   if (!text) return {};
-  const desktop::ExactMatrix cover = desktop::parse_inline_vector_exactly(*text, "--cover");
+  const desktop::ExactMatrix cover =
+      desktop::parse_inline_vector<desktop::Rational>(*text, "--cover");
   if (cover.rows != n)
     throw UsageError("--cover wants " + std::to_string(n) + " numbers, one a row, got " +
                      std::to_string(cover.rows));
   for (const desktop::Rational& d : cover.values)
     if (!(d > desktop::Rational(0))) throw UsageError("--cover wants numbers > 0, got " + d.text());
   return cover.values;
-}
-
-Index read_limit(const Arguments& arguments) {
-  const auto text = arguments.value("--max-pivots");
-  if (!text) return desktop::PivotOptions().max_pivots;
-  const auto number = desktop::whole_number(*text);
-  if (!number || *number < 1 || *number > 1000000)
-    throw UsageError("--max-pivots is a whole number from 1 to 1000000, not " +
-                     desktop::quoted(*text));
-  return static_cast<Index>(*number);
 }
 
 void refuse_combinations(const Arguments& arguments, bool is_scene) {
@@ -192,12 +168,12 @@ desktop::PivotTrace trace(Subject& subject, const Arguments& arguments) {
   options.rule = arguments.has("--first-row") ? TieRule::first_row : TieRule::lexicographic;
   options.z0_wins_ties = !arguments.has("--z0-last");
   options.cover = read_cover(arguments, subject.problem.M.rows);
-  options.max_pivots = read_limit(arguments);
+  options.max_pivots = arguments.whole("--max-pivots", {1, 1000000}).value_or(options.max_pivots);
   if (arguments.has("--choose")) options.choose = ask_for_row;
   return desktop::trace_pivots(subject.problem, options, *subject.story);
 }
 
-int run(const Arguments& arguments) {
+int run_pivots(const Arguments& arguments) {
   const std::string format = arguments.format({"text", "json", "latex", "html"});
   const bool is_typed = arguments.has("--M") || arguments.has("--q");
   const bool is_example = arguments.files().empty() && !is_typed;
@@ -252,7 +228,7 @@ Command pivots_command() {
           {"--format", "NAME", "text (default), json, latex or html; --json for short"},
       }),
       2,
-      run};
+      run_pivots};
 }
 
 } // namespace lcpush::cli

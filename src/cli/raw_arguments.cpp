@@ -9,43 +9,6 @@
 namespace lcpush::cli {
 namespace {
 
-/// How to read a matrix or a vector that is typed in place, and a file.
-template <class S> struct Readers {
-  desktop::MatrixOf<S> (*matrix)(std::string_view text, const std::string& option);
-  desktop::MatrixOf<S> (*vector)(std::string_view text, const std::string& option);
-  desktop::MatrixOf<S> (*file)(const std::string& path);
-};
-
-template <class S>
-std::pair<desktop::MatrixOf<S>, desktop::MatrixOf<S>>
-read(const Arguments& arguments, const std::vector<std::string>& files, const Readers<S>& readers) {
-  const auto M_text = arguments.value("--M"), q_text = arguments.value("--q");
-  if (M_text.has_value() != q_text.has_value()) throw UsageError("--M and --q go together");
-  if (M_text && !files.empty()) throw UsageError("give either files or --M and --q, not both");
-  desktop::MatrixOf<S> M, q;
-  std::string of_M = "--M", of_q = "--q";
-  if (M_text) {
-    M = readers.matrix(*M_text, "--M");
-    q = readers.vector(*q_text, "--q");
-  } else {
-    if (files.size() != 2)
-      throw UsageError("two files are needed: M.mtx q.mtx (or --M \"2 1; 1 2\" --q \"-5 -6\")");
-    of_M = files[0];
-    of_q = files[1];
-    M = readers.file(of_M);
-    q = readers.file(of_q);
-  }
-  const Index n = M.rows;
-  if (M.cols != n)
-    throw desktop::InputError(of_M + ": M must be square, but it is " + std::to_string(n) + " x " +
-                              std::to_string(M.cols));
-  if (q.cols != 1 || q.rows != n)
-    throw desktop::InputError(of_q + ": q must be " + std::to_string(n) +
-                              " x 1 like M's rows, but it is " + std::to_string(q.rows) + " x " +
-                              std::to_string(q.cols));
-  return {std::move(M), std::move(q)};
-}
-
 /// "7,8" as 1-based rows; nothing is free if the option is not given.
 std::vector<unsigned char> read_free(const Arguments& arguments, Index n) {
   std::vector<unsigned char> free(static_cast<std::size_t>(n), 0);
@@ -71,25 +34,42 @@ std::vector<unsigned char> read_free(const Arguments& arguments, Index n) {
 
 } // namespace
 
-std::pair<desktop::HostMatrix, desktop::HostMatrix>
+template <class S>
+std::pair<desktop::MatrixOf<S>, desktop::MatrixOf<S>>
 read_matrices(const Arguments& arguments, const std::vector<std::string>& files) {
-  return read<double>(
-      arguments, files,
-      {desktop::parse_inline_matrix, desktop::parse_inline_vector, desktop::read_matrix_market});
+  const auto M_text = arguments.value("--M"), q_text = arguments.value("--q");
+  if (M_text.has_value() != q_text.has_value()) throw UsageError("--M and --q go together");
+  if (M_text && !files.empty()) throw UsageError("give either files or --M and --q, not both");
+  desktop::MatrixOf<S> M, q;
+  std::string of_M = "--M", of_q = "--q";
+  if (M_text) {
+    M = desktop::parse_inline_matrix<S>(*M_text, "--M");
+    q = desktop::parse_inline_vector<S>(*q_text, "--q");
+  } else {
+    if (files.size() != 2)
+      throw UsageError("two files are needed: M.mtx q.mtx (or --M \"2 1; 1 2\" --q \"-5 -6\")");
+    of_M = files[0];
+    of_q = files[1];
+    M = desktop::read_matrix_market<S>(of_M);
+    q = desktop::read_matrix_market<S>(of_q);
+  }
+  const Index n = M.rows;
+  if (M.cols != n)
+    throw desktop::InputError(of_M + ": M must be square, but it is " + std::to_string(n) + " x " +
+                              std::to_string(M.cols));
+  if (q.cols != 1 || q.rows != n)
+    throw desktop::InputError(of_q + ": q must be " + std::to_string(n) +
+                              " x 1 like M's rows, but it is " + std::to_string(q.rows) + " x " +
+                              std::to_string(q.cols));
+  return {std::move(M), std::move(q)};
 }
-
-std::pair<desktop::ExactMatrix, desktop::ExactMatrix>
-read_matrices_exactly(const Arguments& arguments) {
-  return read<desktop::Rational>(arguments, arguments.files(),
-                                 {desktop::parse_inline_matrix_exactly,
-                                  desktop::parse_inline_vector_exactly,
-                                  desktop::read_matrix_market_exactly});
-}
+template std::pair<desktop::ExactMatrix, desktop::ExactMatrix>
+read_matrices(const Arguments& arguments, const std::vector<std::string>& files);
 
 desktop::RawProblem read_raw_problem(const Arguments& arguments,
                                      const std::vector<std::string>& files) {
   desktop::RawProblem problem;
-  std::tie(problem.M, problem.q) = read_matrices(arguments, files);
+  std::tie(problem.M, problem.q) = read_matrices<double>(arguments, files);
   problem.free = read_free(arguments, problem.M.rows);
   return problem;
 }

@@ -8,12 +8,11 @@
 
 namespace lcpush::cli {
 
-/// M, n x n, and q, n x 1: of --M and --q, or of two files. Throws UsageError and InputError.
-std::pair<desktop::HostMatrix, desktop::HostMatrix>
+/// M, n x n, and q, n x 1: of --M and --q, or of two files; S = Rational takes every number as
+/// typed. Throws UsageError and InputError.
+template <class S>
+std::pair<desktop::MatrixOf<S>, desktop::MatrixOf<S>>
 read_matrices(const Arguments& arguments, const std::vector<std::string>& files);
-/// The same with every number taken as typed.
-std::pair<desktop::ExactMatrix, desktop::ExactMatrix>
-read_matrices_exactly(const Arguments& arguments);
 
 /// These, with the rows of --free.
 desktop::RawProblem read_raw_problem(const Arguments& arguments,

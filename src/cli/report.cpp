@@ -1,15 +1,13 @@
 // lcpush report: a push as a page to look at.
-#include "cli/chosen_pusher.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
-#include "cli/scene_argument.hpp"
-#include "cli/varied_argument.hpp"
+#include "cli/scene_arguments.hpp"
 #include "lcpush/desktop/report_page.hpp"
+#include "text/limits.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
-
-constexpr Index most_steps = 10000;
 
 /// Whose breaking force is asked for, or -1: nothing pushes, or nothing moves.
 Index breaking_pusher(const Arguments& arguments, const desktop::SceneFile& file) {
@@ -28,7 +26,7 @@ std::vector<desktop::Sweep> swept(const Arguments& arguments, const desktop::Var
   if (variations.empty() && arguments.has("--steps"))
     throw UsageError("--steps goes with --vary PATH=FROM:TO");
   desktop::ParameterSweepOptions options;
-  options.steps = read_steps(arguments, most_steps);
+  options.steps = arguments.whole("--steps", {2, desktop::limits::report_steps}).value_or(0);
   std::vector<desktop::Sweep> sweeps;
   if (!variations.empty()) options.pusher = chosen_pusher(arguments, file);
   for (const desktop::Variation& variation : variations) {
@@ -46,11 +44,10 @@ std::string one_picture(const Arguments& arguments, const desktop::PageContent& 
     if (picture.name == wanted) return picture.svg;
     names.push_back(picture.name);
   }
-  throw UsageError("--picture is " + desktop::listed(names, "or") + " for this scene, not " +
-                   desktop::quoted(wanted) + desktop::suggestion(wanted, names));
+  refuse_value("--picture", wanted, desktop::listed(names, "or") + " for this scene", names);
 }
 
-int run(const Arguments& arguments) {
+int run_report(const Arguments& arguments) {
   const std::string format = arguments.has("--format") ? arguments.format({"html", "svg"}) : "html";
   if (arguments.has("--picture") && format != "svg")
     throw UsageError("--picture goes with --format svg");
@@ -112,7 +109,7 @@ Command report_command() {
            {"--format", "FORMAT", "html (default), or svg for one picture"},
            {"--picture", "NAME", "which one, with --format svg (front)"}}),
       1,
-      run};
+      run_report};
 }
 
 } // namespace lcpush::cli

@@ -1,14 +1,14 @@
 // lcpush solve: the push that the scene prescribes.
 #include "cli/commands.hpp"
+#include "cli/history.hpp"
 #include "cli/progress.hpp"
-#include "cli/scene_argument.hpp"
-#include "cli/sweep_history.hpp"
+#include "cli/scene_arguments.hpp"
 #include "lcpush/desktop/report.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-int run(const Arguments& arguments) {
+int run_solve(const Arguments& arguments) {
   const desktop::Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
   const desktop::SceneFile file = read_scene_argument(arguments, Needs::scene);
@@ -24,13 +24,10 @@ int run(const Arguments& arguments) {
     hold = push.holds_without_push(options);
     report = push.solve(options);
   }
-  std::string text;
-  if (arguments.has("--history"))
-    text = push_history(format, solver, report.status, report.history);
-  else
-    text = format == "json" ? desktop::solve_json(file, hold, report)
-                            : desktop::solve_text(file, hold, report);
-  write_output(arguments, text);
+  write_output(arguments, arguments.has("--history")
+                              ? push_history(format, solver, report.status, report.history)
+                          : format == "json" ? desktop::solve_json(file, hold, report)
+                                             : desktop::solve_text(file, hold, report));
   return report.status == Status::solved ? 0 : 1;
 }
 
@@ -45,7 +42,7 @@ Command solve_command() {
           "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
           with_common_options({solver_option(), history_option()}),
           1,
-          run};
+          run_solve};
 }
 
 } // namespace lcpush::cli

@@ -2,37 +2,20 @@
 #include "lcpush/desktop/spread.hpp"
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
-#include "cli/scene_argument.hpp"
-#include "formats/read_number.hpp"
-#include "text/wording.hpp"
+#include "cli/scene_arguments.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-constexpr std::uint64_t most_covers = 1000000;
-constexpr Index most_unknowns = 2000;
-
-Index chosen_covers(const Arguments& arguments, Index otherwise) {
-  const std::optional<std::string> word = arguments.value("--covers");
-  if (!word) return otherwise;
-  const std::optional<std::uint64_t> covers = desktop::whole_number(*word);
-  if (!covers || *covers < 1 || *covers > most_covers)
-    throw UsageError("--covers is a whole number from 1 to " + std::to_string(most_covers) +
-                     ", not " + desktop::quoted(*word));
-  return static_cast<Index>(*covers);
-}
-
-int run(const Arguments& arguments) {
-  const std::string format = arguments.format({"text", "json"});
+int run_spread(const Arguments& arguments) {
+  const std::string format = arguments.format();
   desktop::SpreadOptions options;
-  options.covers = chosen_covers(arguments, options.covers);
+  options.covers =
+      arguments.whole("--covers", {1, desktop::limits::covers}).value_or(options.covers);
   options.enumerate = arguments.has("--enumerate");
   const desktop::SceneFile file = read_scene_argument(arguments);
-  const Index unknowns = size_of(file.view()).unknowns();
-  if (unknowns > most_unknowns)
-    throw desktop::InputError(arguments.files()[0] + ": the scene has " + std::to_string(unknowns) +
-                              " unknowns, more than the " + std::to_string(most_unknowns) +
-                              " whose faces can be bounded; use fewer points or facets");
+  refuse_unknowns(arguments, file, desktop::limits::unknowns_spread, "faces can be bounded");
   desktop::SpreadReport report;
   {
     Progress progress;
@@ -61,7 +44,7 @@ Command spread_command() {
           {{"--covers", "N", "covering vectors of Lemke's method to start from (32)"},
            {"--enumerate", "", "all contact modes: up to 16 points, while the work allows"}}),
       1,
-      run};
+      run_spread};
 }
 
 } // namespace lcpush::cli

@@ -1,27 +1,14 @@
 // lcpush sweep: how the push changes with a number of the scene.
 #include "lcpush/desktop/sweep.hpp"
-#include "cli/chosen_pusher.hpp"
 #include "cli/commands.hpp"
-#include "cli/scene_argument.hpp"
-#include "cli/varied_argument.hpp"
-#include "lcpush/desktop/input_error.hpp"
+#include "cli/progress.hpp"
+#include "cli/scene_arguments.hpp"
+#include "formats/read_number.hpp"
+#include "text/limits.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
-
-constexpr Index most_steps = 1000000, most_map_steps = 1000;
-constexpr std::size_t most_curves = 16;
-
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == ',')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
 
 /// --each PATH=V,V,..: a variation a value, from = to.
 std::vector<desktop::Variation> read_each(const desktop::VariedScene& scene,
@@ -32,7 +19,8 @@ std::vector<desktop::Variation> read_each(const desktop::VariedScene& scene,
                      desktop::quoted(text));
   const desktop::Parameter parameter = scene.find(text.substr(0, equals));
   std::vector<desktop::Variation> list;
-  for (const std::string& part : split(text.substr(equals + 1))) {
+  for (const std::string_view part :
+       desktop::split_at(std::string_view(text).substr(equals + 1), ',')) {
     const desktop::NumberText read = desktop::read_finite_number(part);
     if (read.error) throw UsageError("--each " + desktop::quoted(text) + ": " + *read.error);
     list.push_back({parameter, read.value, read.value});
@@ -83,7 +71,7 @@ std::string title_of(const std::vector<desktop::SweepCurve>& curves) {
          over;
 }
 
-int run(const Arguments& arguments) {
+int run_sweep(const Arguments& arguments) {
   const std::string format = arguments.format({"text", "csv", "json", "svg"});
   const std::vector<std::string> varied = arguments.values("--vary");
   if (varied.empty()) throw UsageError("say what to vary: --vary PATH=FROM:TO");
@@ -94,7 +82,8 @@ int run(const Arguments& arguments) {
   if (const auto names = arguments.value("--show")) {
     if (format != "svg")
       throw UsageError("--show goes with --format svg; the other formats have everything");
-    for (const std::string& name : split(*names)) shown.push_back(desktop::sweep_quantity(name));
+    for (const std::string_view name : desktop::split_at(*names, ','))
+      shown.push_back(desktop::sweep_quantity(std::string(name)));
   }
   (void)read_scene_argument(arguments); // refuses what is too large
   std::vector<desktop::VariedScene> scenes;
@@ -103,7 +92,10 @@ int run(const Arguments& arguments) {
     throw UsageError("a map is of one scene: leave out the second --vary, or --each and the other "
                      "scenes");
   desktop::ParameterSweepOptions options;
-  options.steps = read_steps(arguments, varied.size() > 1 ? most_map_steps : most_steps);
+  options.steps = arguments
+                      .whole("--steps", {2, varied.size() > 1 ? desktop::limits::map_steps
+                                                              : desktop::limits::sweep_steps})
+                      .value_or(0);
   bool complete = true;
   {
     SweepMeter meter;
@@ -159,8 +151,8 @@ Command sweep_command() {
            {"--show", "NAME,NAME,..",
             "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
            {"--format", "FORMAT", "text (default), csv, json or svg; --json for short"}}),
-      most_curves,
-      run};
+      desktop::limits::curves,
+      run_sweep};
 }
 
 } // namespace lcpush::cli

@@ -2,32 +2,26 @@
 #include "lcpush/desktop/verify.hpp"
 #include "cli/commands.hpp"
 #include "cli/raw_arguments.hpp"
-#include "cli/scene_argument.hpp"
+#include "cli/scene_arguments.hpp"
 #include "formats/json_fields.hpp"
-#include "formats/read_number.hpp"
+#include "text/limits.hpp"
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-desktop::VerifyOptions read_options(const Arguments& arguments) {
+desktop::VerifyOptions verify_options(const Arguments& arguments) {
   desktop::VerifyOptions options;
-  if (const auto text = arguments.value("--tolerance")) {
-    const desktop::NumberText number = desktop::read_finite_number(*text);
-    if (number.error || !(number.value > 0) || !(number.value < 1))
-      throw UsageError("--tolerance is a number between 0 and 1 such as 1e-6, not " +
-                       desktop::quoted(*text));
-    options.tolerance = number.value;
-  }
+  options.tolerance =
+      arguments.number("--tolerance", 1, " such as 1e-6").value_or(options.tolerance);
   return options;
 }
 
 /// The z of `lcpush lcp --json`, or of an object that has nothing else.
 std::vector<double> read_z(const std::string& path) {
-  constexpr std::size_t most_bytes = 256U << 20U;
   const desktop::JsonValue root =
-      desktop::parse_json(desktop::read_text_file(path, most_bytes), path);
+      desktop::parse_json(desktop::read_text_file(path, desktop::limits::answer_bytes), path);
   const desktop::JsonFields fields(path);
   if (root.as<desktop::JsonObject>() == nullptr)
     fields.refuse(root, std::string("an answer is a JSON object, got ") + root.type());
@@ -44,14 +38,14 @@ int verify_raw_problem(const Arguments& arguments, const std::string& format) {
   files.pop_back();
   const desktop::RawProblem problem = read_raw_problem(arguments, files);
   const desktop::RawVerifyReport report =
-      desktop::verify_raw(problem, read_z(answer), read_options(arguments));
+      desktop::verify_raw(problem, read_z(answer), verify_options(arguments));
   write_output(arguments,
                format == "json" ? desktop::verify_json(report) : desktop::verify_text(report));
   return is_valid(report.verdict) ? 0 : 1;
 }
 
-int run(const Arguments& arguments) {
-  const std::string format = arguments.format({"text", "json"});
+int run_verify(const Arguments& arguments) {
+  const std::string format = arguments.format();
   if (arguments.has("--lcp") || arguments.has("--M")) return verify_raw_problem(arguments, format);
   for (const char* option : {"--q", "--free"})
     if (arguments.has(option)) throw UsageError(std::string(option) + " goes with --lcp");
@@ -59,7 +53,7 @@ int run(const Arguments& arguments) {
     throw UsageError(arguments.files().size() == 3
                          ? "three files are M.mtx q.mtx ANSWER.json: say --lcp"
                          : "two files are needed: SCENE.toml ANSWER.json");
-  const desktop::VerifyOptions options = read_options(arguments);
+  const desktop::VerifyOptions options = verify_options(arguments);
   const desktop::SceneFile file = read_scene_argument(arguments);
   const desktop::ForeignAnswer answer = desktop::read_foreign_answer(arguments.files()[1], file);
   const desktop::VerifyReport report = desktop::verify_answer(file, answer, options);
@@ -89,7 +83,7 @@ Command verify_command() {
               {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
           }),
           3,
-          run};
+          run_verify};
 }
 
 } // namespace lcpush::cli

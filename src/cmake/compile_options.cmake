@@ -17,3 +17,14 @@ function(lcpush_compile_options target)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   endif()
 endfunction()
+
+# A room is compiled in one go: its files share most of what they include and instantiate. With
+# LCPUSH_UNITY off, each file is compiled alone.
+function(lcpush_compile_rooms target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD "${LCPUSH_UNITY}" UNITY_BUILD_MODE GROUP)
+  foreach(source IN LISTS ARGN)
+    cmake_path(GET source PARENT_PATH room)
+    cmake_path(GET room FILENAME room)
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room})
+  endforeach()
+endfunction()

@@ -1,5 +1,6 @@
-# Turns the explorer's files and its start example into one C++ file of functions, so that the tool
-# carries its page with it. Run by `cmake -DFOLDER=.. -DEXAMPLE=.. -DOUTPUT=.. -P embed_text.cmake`.
+# Turns files into one C++ file of functions that return them, so that the tool carries the pivots'
+# explorer with its start example, and the scripts of an export, with it. Run by
+# `cmake -DSOURCES=.. -DFIXTURES=.. -DOUTPUT=.. -P embed_text.cmake`.
 #
 # The text goes into raw string literals of at most 12 kB, since some compilers take no longer ones;
 # they are cut at line ends, never inside a character.
@@ -23,33 +24,40 @@ function(literals variable text)
     string(SUBSTRING "${text}" 0 ${count} piece)
     string(SUBSTRING "${text}" ${count} -1 text)
     string(LENGTH "${text}" rest)
-    string(APPEND pieces "  text += R\"explorer(${piece})explorer\";\n")
+    string(APPEND pieces "  text += R\"embedded(${piece})embedded\";\n")
   endwhile()
   set(${variable} "${pieces}" PARENT_SCOPE)
 endfunction()
 
-function(definition variable name text)
+set(definitions "")
+# The function `name` returns `text`.
+function(embed name text)
   literals(pieces "${text}")
-  set(${variable} "std::string ${name}() {\n  std::string text;\n${pieces}  return text;\n}\n"
-      PARENT_SCOPE)
+  string(APPEND definitions
+         "std::string ${name}() {\n  std::string text;\n${pieces}  return text;\n}\n")
+  set(definitions "${definitions}" PARENT_SCOPE)
 endfunction()
 
-file(READ "${FOLDER}/explorer.html" page)
-file(READ "${FOLDER}/explorer.css" style)
-file(STRINGS "${FOLDER}/scripts.txt" names)
-set(script "")
-foreach(name IN LISTS names)
-  file(READ "${FOLDER}/${name}" part)
-  string(APPEND script "${part}\n")
+foreach(entry IN ITEMS
+        explorer_template=${SOURCES}/pivots/explorer/explorer.html
+        explorer_style=${SOURCES}/pivots/explorer/explorer.css
+        example_scene=${FIXTURES}/scenes/coin.toml
+        python_script=${SOURCES}/export/solve_push.py
+        octave_script=${SOURCES}/export/solve_push.m)
+  string(REGEX MATCH "^([a-z_]+)=(.*)$" found "${entry}")
+  file(READ "${CMAKE_MATCH_2}" text)
+  embed(${CMAKE_MATCH_1} "${text}")
 endforeach()
 
-file(READ "${EXAMPLE}" example)
-definition(example_function example_scene "${example}")
-definition(page_function explorer_template "${page}")
-definition(style_function explorer_style "${style}")
-definition(script_function explorer_script "${script}")
+file(STRINGS "${SOURCES}/pivots/explorer/scripts.txt" names)
+set(script "")
+foreach(name IN LISTS names)
+  file(READ "${SOURCES}/pivots/explorer/${name}" part)
+  string(APPEND script "${part}\n")
+endforeach()
+embed(explorer_script "${script}")
+
 file(WRITE "${OUTPUT}"
-     "// Made by src/cmake/embed_text.cmake from src/pivots/explorer; not to be edited.\n"
-     "#include \"pivots/explorer_text.hpp\"\n\nnamespace lcpush::desktop {\n"
-     "${page_function}${style_function}${script_function}${example_function}"
-     "} // namespace lcpush::desktop\n")
+     "// Made by src/cmake/embed_text.cmake; not to be edited.\n"
+     "#include \"export/export_parts.hpp\"\n#include \"pivots/explorer_text.hpp\"\n\n"
+     "namespace lcpush::desktop {\n${definitions}} // namespace lcpush::desktop\n")

@@ -1,5 +1,7 @@
 #include "draw/label_places.hpp"
 
+#include "text/utf8.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +13,7 @@ namespace {
 double width_of(const std::string& text, bool is_bold) {
   double letters = 0;
   for (const char c : text)
-    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) ++letters; // of UTF-8
+    if (!continues_character(c)) ++letters;
   return (is_bold ? 9 : 7.9) * letters;
 }
 
@@ -24,6 +26,10 @@ double overlap(const Frame& a, const Frame& b) {
 } // namespace
 
 void LabelPlaces::block(const Frame& frame, double weight) { taken_.push_back({frame, weight}); }
+
+void LabelPlaces::block_around(const Pixel& at, double reach, double weight) {
+  block({at.x() - reach, at.y() - reach, at.x() + reach, at.y() + reach}, weight);
+}
 
 void LabelPlaces::block_line(const Pixel& from, const Pixel& to, double weight) {
   const int pieces = std::max(1, static_cast<int>(std::ceil((to - from).norm() / 8)));

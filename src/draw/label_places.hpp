@@ -8,13 +8,6 @@
 
 namespace lcpush::desktop {
 
-/// left, top, right, bottom
-struct Frame {
-  double left, top, right, bottom;
-  double width() const { return right - left; }
-  double height() const { return bottom - top; }
-};
-
 class LabelPlaces {
 public:
   static constexpr double line_height = 16;
@@ -23,6 +16,8 @@ public:
 
   /// Something drawn that labels should stay clear of, the more the heavier.
   void block(const Frame& frame, double weight);
+  /// A square that reaches this far to each side.
+  void block_around(const Pixel& at, double reach, double weight);
   void block_line(const Pixel& from, const Pixel& to, double weight);
 
   /// Where lines of text near `at` cover least. `away`: the side on which they should lie, or zero.

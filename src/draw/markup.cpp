@@ -1,5 +1,7 @@
 #include "draw/markup.hpp"
 
+#include "text/utf8.hpp"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -35,28 +37,32 @@ std::string escaped(const std::string& text) {
 std::string shortened(const std::string& text, std::size_t most) {
   std::size_t letters = 0, cut = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U) continue; // goes on with a letter
+    if (continues_character(text[i])) continue;
     if (letters == most - 2) cut = i;
     ++letters;
   }
   return letters > most ? text.substr(0, cut) + ".." : text;
 }
 
-std::string pixels(double x) {
+std::string pixels(double x, int decimals) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2f", x);
+  std::snprintf(text, sizeof text, "%.*f", decimals, x);
   return text;
 }
 
+std::string move_to(const Pixel& at) { return "M" + pixels(at.x()) + " " + pixels(at.y()); }
+
 namespace {
-std::string attribute(const char* name, double x) {
-  return std::string(" ") + name + "=\"" + pixels(x) + "\"";
+std::string attribute(const char* name, double x, int decimals = 2) {
+  return std::string(" ") + name + "=\"" + pixels(x, decimals) + "\"";
 }
 } // namespace
 
-std::string line_element(const std::string& kind, const Pixel& from, const Pixel& to) {
-  return "<line class=\"" + kind + "\"" + attribute("x1", from.x()) + attribute("y1", from.y()) +
-         attribute("x2", to.x()) + attribute("y2", to.y()) + "/>\n";
+std::string line_element(const std::string& kind, const Pixel& from, const Pixel& to,
+                         int decimals) {
+  return "<line class=\"" + kind + "\"" + attribute("x1", from.x(), decimals) +
+         attribute("y1", from.y(), decimals) + attribute("x2", to.x(), decimals) +
+         attribute("y2", to.y(), decimals) + "/>\n";
 }
 
 std::string polygon_element(const std::string& kind, const std::vector<Pixel>& corners) {

@@ -11,6 +11,12 @@ namespace lcpush::desktop {
 /// A place on a drawing, y down.
 using Pixel = Eigen::Vector2d;
 
+struct Frame {
+  double left, top, right, bottom;
+  double width() const { return right - left; }
+  double height() const { return bottom - top; }
+};
+
 /// Fit for the text and the attributes of XML and HTML. What XML cannot hold becomes U+FFFD.
 std::string escaped(const std::string& text);
 
@@ -18,9 +24,12 @@ std::string escaped(const std::string& text);
 std::string shortened(const std::string& text, std::size_t most);
 
 /// A length on the drawing.
-std::string pixels(double x);
+std::string pixels(double x, int decimals = 2);
+/// A stroke of a path that draws nothing: "M1.00 2.00".
+std::string move_to(const Pixel& at);
 
-std::string line_element(const std::string& kind, const Pixel& from, const Pixel& to);
+std::string line_element(const std::string& kind, const Pixel& from, const Pixel& to,
+                         int decimals = 2);
 std::string polygon_element(const std::string& kind, const std::vector<Pixel>& corners);
 std::string circle_element(const std::string& kind, const Pixel& center, double radius);
 /// A path of one stroke after the other.

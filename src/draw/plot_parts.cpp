@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "text/format.hpp"
@@ -86,12 +85,6 @@ std::string tick_label(const char* anchor, std::size_t index, double x, double y
 
 } // namespace
 
-std::string coordinate(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f", x);
-  return text;
-}
-
 std::string text_element(double x, double y, const std::string& text, const char* attributes) {
   return "<text x=\"" + coordinate(x) + "\" y=\"" + coordinate(y) + "\"" + attributes + ">" +
          escaped(text) + "</text>\n";
@@ -113,11 +106,6 @@ std::string picture(const std::string& title, const std::string& description, do
 
 double title_height(const std::string& title) {
   return line_height * static_cast<double>(wrapped(title, title_letters).size()) + 14;
-}
-
-std::string line_element(const char* kind, double x1, double y1, double x2, double y2) {
-  return std::string("<line class=\"") + kind + "\" x1=\"" + coordinate(x1) + "\" y1=\"" +
-         coordinate(y1) + "\" x2=\"" + coordinate(x2) + "\" y2=\"" + coordinate(y2) + "\"/>\n";
 }
 
 std::string axes(const Axis& x, const Axis& y, bool grid, bool numbered) {

@@ -19,9 +19,10 @@ struct Axis {
   double at(double x) const { return begin + (x - low) / (high - low) * (end - begin); }
 };
 
-/// Three decimals.
-std::string coordinate(double x);
-std::string line_element(const char* kind, double x1, double y1, double x2, double y2);
+inline std::string coordinate(double x) { return pixels(x, 3); }
+inline std::string line_element(const char* kind, double x1, double y1, double x2, double y2) {
+  return desktop::line_element(kind, {x1, y1}, {x2, y2}, 3);
+}
 /// `attributes` begins with a space, or is empty.
 std::string text_element(double x, double y, const std::string& text, const char* attributes = "");
 

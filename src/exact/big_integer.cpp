@@ -1,12 +1,11 @@
 #include "lcpush/desktop/big_integer.hpp"
 
 #include "exact/limbs.hpp"
+#include "text/whole_number.hpp"
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
-#include <ostream>
 
 namespace lcpush::desktop {
 namespace {
@@ -35,6 +34,17 @@ void BigInteger::finish(std::size_t count, bool is_negative) {
   size_ = is_negative ? -size : size;
 }
 
+template <class Wide> BigInteger BigInteger::of_two_limbs(Wide magnitude, bool is_negative) {
+  const auto high = static_cast<Limb>(magnitude >> limb_bits);
+  const std::size_t count = high == 0 ? 1 : 2;
+  BigInteger result;
+  Limb* const out = result.room(count);
+  out[0] = static_cast<Limb>(magnitude);
+  if (high != 0) out[1] = high;
+  result.finish(count, is_negative);
+  return result;
+}
+
 BigInteger& BigInteger::operator=(const BigInteger& other) {
   if (this == &other) return *this;
   const std::size_t size = other.count();
@@ -58,11 +68,9 @@ std::optional<BigInteger> BigInteger::parse(std::string_view text) {
     // The first part takes what makes the others equally long.
     const std::size_t part =
         text.size() % limb_digits == 0 ? limb_digits : text.size() % limb_digits;
-    Limb digits = 0;
-    const char* const end = text.data() + part;
-    const auto [stopped, outcome] = std::from_chars(text.data(), end, digits);
-    if (stopped != end || outcome != std::errc{}) return std::nullopt;
-    number = number * limb_power + digits;
+    const std::optional<Limb> digits = whole_number<Limb>(text.substr(0, part));
+    if (!digits) return std::nullopt;
+    number = number * limb_power + *digits;
     text.remove_prefix(part);
   }
   if (is_negative) number.negate();
@@ -90,17 +98,11 @@ double BigInteger::value() const {
   if (length > 1024) return size_ < 0 ? -HUGE_VAL : HUGE_VAL;
   const std::size_t dropped = length > limb_bits ? length - limb_bits : 0;
   const BigInteger top = abs(*this) >> dropped;
-  Limb bits = top.size_ == 0 ? 0 : top.limbs()[0];
+  Limb bits = top.low();
   // The last bit is far below a double's: there it stands for everything that was dropped.
   if (dropped > 0 && compare(top << dropped, abs(*this)) != 0) bits |= 1U;
   const double size = std::ldexp(static_cast<double>(bits), static_cast<int>(dropped));
   return size_ < 0 ? -size : size;
-}
-
-BigInteger BigInteger::operator-() const {
-  BigInteger result = *this;
-  result.negate();
-  return result;
 }
 
 /// a + b, with b's sign as given.
@@ -121,16 +123,7 @@ BigInteger BigInteger::sum(const BigInteger& a, const BigInteger& b, bool b_nega
     result.finish(size, is_negative);
     return result;
   }
-  if (size <= 1) {
-    const Wide both =
-        Wide{size == 0 ? 0 : large->limbs()[0]} + (small->size_ == 0 ? 0 : small->limbs()[0]);
-    const auto carry = static_cast<Limb>(both >> limb_bits);
-    Limb* const out = result.room(carry == 0 ? 1 : 2);
-    out[0] = static_cast<Limb>(both);
-    if (carry != 0) out[1] = carry;
-    result.finish(carry == 0 ? 1 : 2, is_negative);
-    return result;
-  }
+  if (size <= 1) return of_two_limbs(Wide{large->low()} + small->low(), is_negative);
   Limb* const out = result.room(size + 1);
   out[size] = limbs::add(out, large->limbs(), size, small->limbs(), small->count());
   result.finish(size + 1, is_negative);
@@ -143,23 +136,14 @@ BigInteger operator+(const BigInteger& a, const BigInteger& b) {
 BigInteger operator-(const BigInteger& a, const BigInteger& b) {
   return BigInteger::sum(a, b, b.size_ > 0);
 }
-BigInteger& BigInteger::operator+=(const BigInteger& b) { return *this = *this + b; }
-BigInteger& BigInteger::operator-=(const BigInteger& b) { return *this = *this - b; }
 
 BigInteger operator*(const BigInteger& a, const BigInteger& b) {
   BigInteger result;
   if (a.size_ == 0 || b.size_ == 0) return result;
   const std::size_t na = a.count(), nb = b.count();
   const bool is_negative = (a.size_ < 0) != (b.size_ < 0);
-  if (na == 1 && nb == 1) {
-    const Wide product = Wide{a.limbs()[0]} * b.limbs()[0];
-    const auto high = static_cast<BigInteger::Limb>(product >> limb_bits);
-    BigInteger::Limb* const out = result.room(high == 0 ? 1 : 2);
-    out[0] = static_cast<BigInteger::Limb>(product);
-    if (high != 0) out[1] = high;
-    result.finish(high == 0 ? 1 : 2, is_negative);
-    return result;
-  }
+  if (na == 1 && nb == 1)
+    return BigInteger::of_two_limbs(Wide{a.limbs()[0]} * b.limbs()[0], is_negative);
   limbs::multiply(result.room(na + nb), a.limbs(), na, b.limbs(), nb);
   result.finish(na + nb, is_negative);
   return result;
@@ -257,7 +241,5 @@ int BigInteger::compare(const BigInteger& a, const BigInteger& b) {
   const int sizes = limbs::compare(a.limbs(), a.count(), b.limbs(), b.count());
   return a.size_ < 0 ? -sizes : sizes;
 }
-
-std::ostream& operator<<(std::ostream& out, const BigInteger& a) { return out << a.text(); }
 
 } // namespace lcpush::desktop

@@ -1,17 +1,14 @@
 #include "lcpush/desktop/rational.hpp"
+#include "text/limits.hpp"
+#include "text/whole_number.hpp"
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
-#include <ostream>
 #include <utility>
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr std::size_t most_characters = 10000;
-constexpr int most_exponent = 1000;
 
 /// numerator / 2^zeros, or numerator 2^-zeros.
 Rational scaled_by_two(BigInteger numerator, int exponent) {
@@ -60,11 +57,9 @@ std::optional<int> read_exponent(std::string_view text) {
     text.remove_prefix(1);
     if (text.empty() || !is_digit(text.front())) return std::nullopt;
   }
-  int exponent = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stopped, outcome] = std::from_chars(text.data(), end, exponent);
-  if (stopped != end || outcome != std::errc{}) return std::nullopt;
-  if (exponent > most_exponent || exponent < -most_exponent) return std::nullopt;
+  const std::optional<int> exponent = whole_number<int>(text);
+  if (!exponent || *exponent > limits::fraction_exponent || *exponent < -limits::fraction_exponent)
+    return std::nullopt;
   return exponent;
 }
 
@@ -132,13 +127,13 @@ Rational Rational::in_lowest_terms(BigInteger numerator, BigInteger denominator)
 }
 
 std::optional<Rational> Rational::parse(std::string_view text) {
-  if (text.size() > most_characters) return std::nullopt;
+  if (text.size() > limits::fraction_characters) return std::nullopt;
   const bool has_sign = !text.empty() && (text.front() == '-' || text.front() == '+');
   const bool is_negative = has_sign && text.front() == '-';
   if (has_sign) text.remove_prefix(1);
   if (text.empty() || !(is_digit(text.front()) || text.front() == '.')) return std::nullopt;
   std::optional<Rational> number = read_magnitude(text);
-  if (number && is_negative) number->negated();
+  if (number && is_negative) number->negate();
   return number;
 }
 
@@ -215,7 +210,7 @@ Rational operator/(const Rational& a, const Rational& b) {
   assert(b.sign() != 0);
   Rational result =
       Rational::product(a.numerator_, a.denominator_, b.denominator_, abs(b.numerator_));
-  if (b.sign() < 0) result.negated();
+  if (b.sign() < 0) result.negate();
   return result;
 }
 
@@ -245,19 +240,4 @@ Rational sqrt(const Rational& a) {
   return Rational(std::sqrt(a.value()));
 }
 
-std::ostream& operator<<(std::ostream& out, const Rational& a) { return out << a.text(); }
-
 } // namespace lcpush::desktop
-
-namespace lcpush {
-
-template <> desktop::Rational circle_cosine<desktop::Rational>(Index j, Index g) {
-  using desktop::Rational;
-  j = ((j % g) + g) % g;
-  if (2 * j > g) j = g - j; // now 0..180 degrees
-  if (4 * j > g) return -circle_cosine<Rational>(g / 2 - j, g);
-  if (6 * j == g) return Rational(1) / Rational(2);
-  return Rational(circle_cosine<double>(j, g));
-}
-
-} // namespace lcpush

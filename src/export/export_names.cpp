@@ -7,14 +7,19 @@
 namespace lcpush::desktop {
 namespace {
 
-struct Quantity {
-  std::string name, symbol, contact, law, unit; ///< contact and law may be empty
-  double scale;                                 ///< SI value = value in the files times this
+struct Unit {
+  const char* name;
+  double scale; ///< SI value = value in the files times this
 };
 
-const char* const axes[] = {"+x", "+y", "+z"};
+struct Quantity {
+  std::string name, symbol, contact, law; ///< contact and law may be empty
+  Unit unit;
+};
+
+const char* const signed_axes[] = {"+x", "+y", "+z"};
 const char* const twist_symbols[] = {"ax", "ay", "az", "rx", "ry", "rz"};
-const char* const components[] = {"n", "t", "o", "spin"};
+const char* const row_names[] = {"n", "t", "o", "spin"};
 
 class Names {
 public:
@@ -28,14 +33,9 @@ public:
     for (Index k = 0; k < 6; ++k) {
       const std::string name =
           k < 3 ? "acceleration of the object along " : "angular acceleration of the object about ";
-      all.push_back({name + axes[k % 3], twist_symbols[k], "", "", motion_unit(k >= 3),
-                     motion_scale(k >= 3)});
+      all.push_back({name + signed_axes[k % 3], twist_symbols[k], "", "", motion(k >= 3)});
     }
-    each_component([&](Index point, Index c) {
-      all.push_back({component_name(point, c), std::string("r_") + components[c],
-                     point_name(push_.file(), point), "", motion_unit(c == 3),
-                     motion_scale(c == 3)});
-    });
+    for_each_component([&](Index point, Index c) { all.push_back(component(point, c, "", "")); });
     return all;
   }
 
@@ -44,14 +44,11 @@ public:
     std::vector<Quantity> all;
     for (Index i = 0; i < layout_.size; ++i) all.push_back(reduced_row(i));
     for (Index k = 0; k < 6; ++k) all.push_back(newton_row(k));
-    each_component([&](Index point, Index c) {
-      const Body<double>& body = scene_.bodies[layout_.body[point]];
-      const PatchReferences<double>& patch = form_.patch(layout_.body[point]);
-      const bool refers = patch.reference_of(point - body.first_point) >= 0;
-      all.push_back({component_name(point, c) + (refers ? " follows from the object's"
-                                                        : " follows the patch's references"),
-                     std::string("r_") + components[c], point_name(push_.file(), point),
-                     refers ? "[P.10]" : "[T.6]", motion_unit(c == 3), motion_scale(c == 3)});
+    for_each_component([&](Index point, Index c) {
+      const Index first = scene_.bodies[layout_.body[point]].first_point;
+      const bool refers = form_.patch(layout_.body[point]).reference_of(point - first) >= 0;
+      all.push_back(refers ? component(point, c, " follows from the object's", "[P.10]")
+                           : component(point, c, " follows the patch's references", "[T.6]"));
     });
     return all;
   }
@@ -59,17 +56,17 @@ public:
   std::vector<Quantity> answer() const {
     std::vector<Quantity> all;
     for (Index k = 0; k < 6; ++k)
-      all.push_back({"object.acceleration", twist_symbols[k], "", "", motion_unit(k >= 3), 1});
+      all.push_back({"object.acceleration", twist_symbols[k], "", "", {motion(k >= 3).name, 1}});
     for (Index a = 0; a < layout_.actuators; ++a)
-      all.push_back({"closing", "s", "", "", closing_unit(a), 1});
+      all.push_back({"closing", "s", "", "", {closing_unit(a), 1}});
     for (Index i = 0; i < layout_.points; ++i) {
       const std::string contact = point_name(push_.file(), i);
-      all.push_back({"normal_force", "lambda", contact, "", "N", 1});
+      all.push_back({"normal_force", "lambda", contact, "", {"N", 1}});
       for (const char* axis : {"x", "y", "z"})
-        all.push_back({"friction_force", axis, contact, "", "N", 1});
-      all.push_back({"torsion", "n", contact, "", "N m", 1});
+        all.push_back({"friction_force", axis, contact, "", {"N", 1}});
+      all.push_back({"torsion", "n", contact, "", {"N m", 1}});
       for (const char* axis : {"x", "y", "z"})
-        all.push_back({"acceleration", axis, contact, "", "m/s^2", 1});
+        all.push_back({"acceleration", axis, contact, "", {"m/s^2", 1}});
     }
     return all;
   }
@@ -81,14 +78,14 @@ private:
   const Layout<double>& layout_;
   const Scene<double>& scene_;
 
-  template <class Use> void each_component(const Use& use) const {
+  template <class Use> void for_each_component(const Use& use) const {
     for (Index i = 0; i < layout_.points; ++i)
       for (Index c = 0; c < contact_components(scene_.bodies[layout_.body[i]]); ++c) use(i, c);
   }
 
-  const char* motion_unit(bool turns) const { return turns ? "rad/s^2" : "m/s^2"; }
-  double motion_scale(bool turns) const {
-    return layout_.scales.acceleration / (turns ? layout_.scales.length : 1);
+  Unit motion(bool turns) const {
+    const double scale = layout_.scales.acceleration;
+    return turns ? Unit{"rad/s^2", scale / layout_.scales.length} : Unit{"m/s^2", scale};
   }
 
   /// Does a unit of it move each body that it drives by 1 m, without a turn?
@@ -102,25 +99,16 @@ private:
   const char* closing_unit(Index actuator) const {
     return moves_by_metres(actuator) ? "m/s^2" : "1/s^2";
   }
-  const char* force_unit(Index actuator) const { return moves_by_metres(actuator) ? "N" : "J"; }
 
-  std::string component_name(Index point, Index c) const {
+  /// Acceleration c of a point relative to its body, and what a row says of it.
+  Quantity component(Index point, Index c, const char* says, const char* law) const {
     const Body<double>& body = scene_.bodies[layout_.body[point]];
     const Vector3<double> axis[] = {body.normal, body.tangent, cross(body.normal, body.tangent)};
-    const std::string of = " of " + point_name(push_.file(), point);
-    if (c == 3) return "spin" + of + " about n";
-    return "acceleration" + of + " along " + components[c] + " = " + direction_text(axis[c]);
-  }
-
-  std::string symbol(const Name& name) const {
-    switch (name.meaning) {
-    case Meaning::normal: return "lambda";
-    case Meaning::pull: return "lambda-";
-    case Meaning::friction: return "beta" + std::to_string(name.generator);
-    case Meaning::slip: return "xi";
-    case Meaning::closing: break;
-    }
-    return "s";
+    const std::string contact = point_name(push_.file(), point);
+    const std::string name = c == 3 ? "spin of " + contact + " about n"
+                                    : "acceleration of " + contact + " along " + row_names[c] +
+                                          " = " + direction_text(axis[c]);
+    return {name + says, std::string("r_") + row_names[c], contact, law, motion(c == 3)};
   }
 
   std::string contact(const Name& name) const {
@@ -129,46 +117,39 @@ private:
 
   Quantity reduced_unknown(Index i) const {
     const Name name = name_of(layout_, i);
-    const bool closes = name.meaning == Meaning::closing, slips = name.meaning == Meaning::slip;
-    return {push_.variable_name(i),
-            symbol(name),
-            contact(name),
-            "",
-            closes  ? closing_unit(name.of)
-            : slips ? "m/s^2"
-                    : "N",
-            unknown_unit(layout_, i)};
+    std::string symbol;
+    const char* unit = "N";
+    switch (name.meaning) {
+    case Meaning::normal: symbol = "lambda"; break;
+    case Meaning::pull: symbol = "lambda-"; break;
+    case Meaning::friction: symbol = "beta" + std::to_string(name.generator); break;
+    case Meaning::slip: symbol = "xi", unit = "m/s^2"; break;
+    case Meaning::closing: symbol = "s", unit = closing_unit(name.of); break;
+    }
+    return {push_.variable_name(i), symbol, contact(name), "", {unit, unknown_unit(layout_, i)}};
   }
 
   Quantity reduced_row(Index i) const {
     const Name name = name_of(layout_, i);
     const std::string of = contact(name);
-    const double scale = row_unit(layout_, i);
+    const Unit newtons{"N", row_unit(layout_, i)}, metres{"m/s^2", row_unit(layout_, i)};
     switch (name.meaning) {
-    case Meaning::normal: return {"separation of " + of, "n'r", of, "[T.2]", "m/s^2", scale};
-    case Meaning::pull: return {"approach of " + of, "-n'r", of, "[T.2]", "m/s^2", scale};
+    case Meaning::normal: return {"separation of " + of, "n'r", of, "[T.2]", metres};
+    case Meaning::pull: return {"approach of " + of, "-n'r", of, "[T.2]", metres};
     case Meaning::friction:
       return {"slip of " + of + " minus the motion" + against(name),
-              "d" + std::to_string(name.generator) + "'r + xi",
-              of,
-              "[T.3]",
-              "m/s^2",
-              scale};
+              "d" + std::to_string(name.generator) + "'r + xi", of, "[T.3]", metres};
     case Meaning::slip:
-      return {"friction left unused in the cone of " + of,
-              "mu lambda - sum beta",
-              of,
-              "[T.4]",
-              "N",
-              scale};
+      return {"friction left unused in the cone of " + of, "mu lambda - sum beta", of, "[T.4]",
+              newtons};
     case Meaning::closing: break;
     }
+    const char* const unit = moves_by_metres(name.of) ? "N" : "J";
     return {"force of " + push_.actuator_name(name.of) + " beyond its set force",
             "J'f + m_a s - tau",
             "",
             "[T.5]",
-            force_unit(name.of),
-            scale};
+            {unit, newtons.scale}};
   }
 
   /// The motion that a generator acts against.
@@ -179,42 +160,25 @@ private:
   }
 
   Quantity newton_row(Index k) const {
-    const std::string axis = axes[k % 3];
+    const std::string axis = signed_axes[k % 3];
     if (scene_.planar && k >= 2 && k <= 4)
       return {k == 2 ? "no motion along +z: planar" : "no turn about " + axis + ": planar",
-              twist_symbols[k],
-              "",
-              "[T.1]",
-              motion_unit(k >= 3),
-              motion_scale(k >= 3)};
+              twist_symbols[k], "", "[T.1]", motion(k >= 3)};
     const Scales<double>& scales = layout_.scales;
-    if (k < 3)
-      return {"force balance along " + axis, "Ma - w - Gf", "", "[T.1]", "N", scales.force};
-    return {"moment balance about " + axis, "Ma - w - Gf", "", "[T.1]", "N m",
-            scales.force * scales.length};
+    return {(k < 3 ? "force balance along " : "moment balance about ") + axis, "Ma - w - Gf", "",
+            "[T.1]", k < 3 ? Unit{"N", scales.force} : Unit{"N m", scales.force * scales.length}};
   }
 };
 
-/// One array; `count` of them from `first` on, numbered from 1.
+/// One array: those from `first` to before `end`, numbered from 1.
 void write_quantities(JsonWriter& json, const char* key, const std::vector<Quantity>& all,
                       std::size_t first, std::size_t end) {
-  const auto text_or_null = [&](const char* name, const std::string& text) {
-    json.key(name);
-    if (text.empty())
-      json.value(nullptr);
-    else
-      json.value(text);
-  };
-  json.key(key).begin_array();
-  for (std::size_t i = first; i < end; ++i) {
-    const Quantity& q = all[i];
-    json.begin_object().member("index", i - first + 1).member("name", q.name);
-    json.member("symbol", q.symbol);
-    text_or_null("contact", q.contact);
-    text_or_null("law", q.law);
-    json.member("unit", q.unit).member("scale", q.scale).end_object();
-  }
-  json.end_array();
+  json.objects(key, static_cast<Index>(end - first), [&](Index i) {
+    const Quantity& q = all[first + static_cast<std::size_t>(i)];
+    json.member("index", i + 1).member("name", q.name).member("symbol", q.symbol);
+    json.member("contact", unless_empty(q.contact)).member("law", unless_empty(q.law));
+    json.member("unit", q.unit.name).member("scale", q.unit.scale);
+  });
 }
 
 } // namespace

@@ -22,7 +22,7 @@ public:
       : assembly_(assembly), patches_(static_cast<std::size_t>(assembly.scene().bodies.size)),
         first_(patches_.size()),
         weights_(static_cast<std::size_t>(most_references * assembly.scene().points.size)),
-        form_({span(patches_), span(first_), span(weights_)}) {
+        form_({span_of(patches_), span_of(first_), span_of(weights_)}) {
     (void)form_.describe(assembly); // the memory is large enough
   }
   OwnedFullForm(const OwnedFullForm&) = delete;
@@ -39,10 +39,6 @@ private:
   std::vector<Index> first_;
   std::vector<double> weights_;
   FullForm<double> form_;
-
-  template <class T> static Span<T> span(std::vector<T>& list) {
-    return {list.data(), static_cast<Index>(list.size())};
-  }
 };
 
 /// The program of a full form.
@@ -51,7 +47,9 @@ PaperProgram paper_program(const OwnedFullForm& full);
 /// names.json: what every column and row of the exported matrices is.
 std::string export_names(const Push& push, const OwnedFullForm& full);
 
-/// The scripts that solve the program; the same for every scene.
+/// solve_push.py and solve_push.m, which solve the program; the same for every scene. They are
+/// embedded by src/cmake/embed_text.cmake. Both are local solvers of a problem with false minima,
+/// so they start from several feasible points and call nothing solved but an objective of zero.
 std::string python_script();
 std::string octave_script();
 

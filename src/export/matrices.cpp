@@ -1,5 +1,7 @@
 #include "lcpush/desktop/matrices.hpp"
 
+#include <utility>
+
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/mechanics/paper/paper_matrices.hpp"
 
@@ -65,8 +67,7 @@ PatchRigidity patch_rigidity(const SceneFile& file, std::size_t b) {
   const Span<const Vector3<double>> points = patch_points(file.view(), body);
   const PatchReferences<double> at = choose_references(points);
   std::vector<double> alpha(static_cast<std::size_t>(most_references * points.size));
-  const Span<double> weights{alpha.data(), static_cast<Index>(alpha.size())};
-  interpolation_weights(points, at, weights);
+  interpolation_weights(points, at, span_of(alpha));
 
   PatchRigidity patch;
   patch.body = file.body_names[b];
@@ -74,14 +75,13 @@ PatchRigidity patch_rigidity(const SceneFile& file, std::size_t b) {
     patch.references.push_back(point_name(file, body.first_point + at.point[c]));
   for (Index j = 0; j < points.size; ++j) {
     patch.points.push_back(point_name(file, body.first_point + j));
-    const double* const own = &weights[most_references * j];
+    const double* const own = &alpha[static_cast<std::size_t>(most_references * j)];
     patch.weights.emplace_back(own, own + at.count());
   }
   patch.checked = points.size <= largest_checked_patch;
   std::vector<double> memory;
   if (patch.checked) memory.resize(static_cast<std::size_t>(rigidity_scalars(points.size)));
-  patch.check = check_rigidity<double>(points, at, {weights.data, weights.size},
-                                       {memory.data(), static_cast<Index>(memory.size())});
+  patch.check = check_rigidity<double>(points, at, span_of(std::as_const(alpha)), span_of(memory));
   return patch;
 }
 

@@ -93,30 +93,23 @@ std::string rigidity_text(const PatchRigidity& patch) {
   return text + "\n" + (followers.empty() ? "" : named_table(followers, patch.references, cells));
 }
 
-void write_matrix(JsonWriter& json, const char* key, const NamedMatrix& matrix) {
-  if (key != nullptr) json.key(key).begin_object();
-  json.key("rows").strings(matrix.rows).key("columns").strings(matrix.columns);
+void write_matrix(JsonWriter& json, const NamedMatrix& matrix) {
+  json.member("rows", matrix.rows).member("columns", matrix.columns);
   json.key("values").begin_array();
   for (Index i = 0; i < matrix.values.rows; ++i) {
     std::vector<double> row;
     for (Index j = 0; j < matrix.values.cols; ++j) row.push_back(matrix.values(i, j));
-    json.numbers(row);
+    json.value(row);
   }
   json.end_array();
-  if (key != nullptr) json.end_object();
 }
 
 void write_rigidity(JsonWriter& json, const PatchRigidity& patch) {
-  json.begin_object().member("body", patch.body);
-  json.key("points").strings(patch.points).key("references").strings(patch.references);
-  json.member("count", patch.check.count);
-  if (patch.checked)
-    json.member("rank", patch.check.rank).member("holds", patch.check.holds());
-  else
-    json.member("rank", nullptr).member("holds", nullptr);
-  json.key("weights").begin_array();
-  for (const std::vector<double>& alpha : patch.weights) json.numbers(alpha);
-  json.end_array().end_object();
+  json.member("body", patch.body).member("points", patch.points);
+  json.member("references", patch.references).member("count", patch.check.count);
+  json.member("rank", when(patch.checked, patch.check.rank));
+  json.member("holds", when(patch.checked, patch.check.holds()));
+  json.member("weights", patch.weights);
 }
 
 } // namespace
@@ -151,20 +144,22 @@ std::string matrices_text(const SceneFile& file, const PaperMatrices& matrices) 
 std::string matrices_json(const PaperMatrices& matrices) {
   JsonWriter json;
   json.begin_object();
-  write_matrix(json, "M", matrices.M);
-  write_matrix(json, "w", matrices.w);
-  write_matrix(json, "G", matrices.G);
-  write_matrix(json, "G_bar", matrices.G_bar);
-  write_matrix(json, "J", matrices.J);
-  json.key("D").begin_array();
-  for (const BodyGenerators& generators : matrices.D) {
-    json.begin_object().member("body", generators.body);
-    write_matrix(json, nullptr, generators.D);
+  const std::pair<const char*, const NamedMatrix&> named[] = {{"M", matrices.M},
+                                                              {"w", matrices.w},
+                                                              {"G", matrices.G},
+                                                              {"G_bar", matrices.G_bar},
+                                                              {"J", matrices.J}};
+  for (const auto& [name, matrix] : named) {
+    json.key(name).begin_object();
+    write_matrix(json, matrix);
     json.end_object();
   }
-  json.end_array().key("rigidity").begin_array();
-  for (const PatchRigidity& patch : matrices.rigidity) write_rigidity(json, patch);
-  json.end_array();
+  json.objects("D", matrices.D, [&](const BodyGenerators& generators) {
+    json.member("body", generators.body);
+    write_matrix(json, generators.D);
+  });
+  json.objects("rigidity", matrices.rigidity,
+               [&](const PatchRigidity& patch) { write_rigidity(json, patch); });
   return json.end_object().text();
 }
 

@@ -6,17 +6,6 @@
 namespace lcpush::desktop {
 namespace {
 
-/// The parts of `text` between `separator`s: one more than there are separators.
-std::vector<std::string_view> split_at(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 template <class S> std::vector<S> read_row(std::string_view text, const std::string& where) {
   std::vector<S> row;
   for (const std::string_view part : split_at(text, ',')) {
@@ -31,7 +20,10 @@ template <class S> std::vector<S> read_row(std::string_view text, const std::str
   return row;
 }
 
-template <class S> MatrixOf<S> parse_matrix(std::string_view text, const std::string& option) {
+} // namespace
+
+template <class S>
+MatrixOf<S> parse_inline_matrix(std::string_view text, const std::string& option) {
   std::vector<std::vector<S>> rows;
   for (const std::string_view part : split_at(text, ';')) {
     const std::string where = option + ": row " + std::to_string(rows.size() + 1) + ": ";
@@ -46,27 +38,18 @@ template <class S> MatrixOf<S> parse_matrix(std::string_view text, const std::st
   return matrix;
 }
 
-template <class S> MatrixOf<S> parse_vector(std::string_view text, const std::string& option) {
-  MatrixOf<S> matrix = parse_matrix<S>(text, option);
+template <class S>
+MatrixOf<S> parse_inline_vector(std::string_view text, const std::string& option) {
+  MatrixOf<S> matrix = parse_inline_matrix<S>(text, option);
   if (matrix.rows != 1 && matrix.cols != 1)
     throw InputError(option + ": expected a vector like \"-5 -6\", got a matrix of " +
                      std::to_string(matrix.rows) + " x " + std::to_string(matrix.cols));
   return {matrix.rows * matrix.cols, 1, std::move(matrix.values)};
 }
 
-} // namespace
-
-HostMatrix parse_inline_matrix(std::string_view text, const std::string& option) {
-  return parse_matrix<double>(text, option);
-}
-HostMatrix parse_inline_vector(std::string_view text, const std::string& option) {
-  return parse_vector<double>(text, option);
-}
-ExactMatrix parse_inline_matrix_exactly(std::string_view text, const std::string& option) {
-  return parse_matrix<Rational>(text, option);
-}
-ExactMatrix parse_inline_vector_exactly(std::string_view text, const std::string& option) {
-  return parse_vector<Rational>(text, option);
-}
+template HostMatrix parse_inline_matrix(std::string_view text, const std::string& option);
+template HostMatrix parse_inline_vector(std::string_view text, const std::string& option);
+template ExactMatrix parse_inline_matrix(std::string_view text, const std::string& option);
+template ExactMatrix parse_inline_vector(std::string_view text, const std::string& option);
 
 } // namespace lcpush::desktop

@@ -9,32 +9,34 @@ void JsonFields::refuse(const JsonValue& value, const std::string& message) cons
   throw InputError(file_, value.line, message);
 }
 
-std::string JsonFields::text(const JsonValue& object, const char* key) const {
+template <class T>
+const T* JsonFields::find(const JsonValue& object, const char* key,
+                          const std::string& wanted) const {
   const JsonValue* const value = object.find(key);
-  if (value == nullptr) return {};
-  if (value->as<std::string>() == nullptr)
-    refuse(*value, quoted(key) + " must be a string, got " + value->type());
-  return *value->as<std::string>();
+  if (value != nullptr && value->as<T>() == nullptr)
+    refuse(*value, quoted(key) + " must be " + wanted + ", got " + value->type());
+  return value != nullptr ? value->as<T>() : nullptr;
+}
+
+std::string JsonFields::text(const JsonValue& object, const char* key) const {
+  const auto* const text = find<std::string>(object, key, "a string");
+  return text != nullptr ? *text : "";
 }
 
 std::optional<double> JsonFields::number(const JsonValue& object, const char* key) const {
-  const JsonValue* const value = object.find(key);
-  if (value == nullptr) return std::nullopt;
-  if (value->as<double>() == nullptr)
-    refuse(*value, quoted(key) + " must be a number, got " + value->type());
-  return *value->as<double>();
+  const auto* const number = find<double>(object, key, "a number");
+  return number != nullptr ? std::optional(*number) : std::nullopt;
 }
 
 std::optional<std::vector<double>> JsonFields::numbers(const JsonValue& object, const char* key,
                                                        Index count) const {
-  const JsonValue* const value = object.find(key);
-  if (value == nullptr) return std::nullopt;
-  const std::string wanted = quoted(key) + " must be an array of " +
-                             (count < 0 ? "" : std::to_string(count) + " ") + "numbers, got ";
-  const JsonArray* const array = value->as<JsonArray>();
-  if (array == nullptr) refuse(*value, wanted + value->type());
+  const std::string what =
+      "an array of " + (count < 0 ? "" : std::to_string(count) + " ") + "numbers";
+  const auto* const array = find<JsonArray>(object, key, what);
+  if (array == nullptr) return std::nullopt;
+  const std::string wanted = quoted(key) + " must be " + what + ", got ";
   if (count >= 0 && static_cast<Index>(array->size()) != count)
-    refuse(*value, wanted + std::to_string(array->size()));
+    refuse(*object.find(key), wanted + std::to_string(array->size()));
   std::vector<double> list;
   bool known = true;
   for (const JsonValue& entry : *array) {
@@ -49,10 +51,8 @@ std::optional<std::vector<double>> JsonFields::numbers(const JsonValue& object, 
 }
 
 const JsonArray* JsonFields::objects(const JsonValue& object, const char* key) const {
-  const JsonValue* const value = object.find(key);
-  if (value == nullptr) return nullptr;
-  const JsonArray* const array = value->as<JsonArray>();
-  if (array == nullptr) refuse(*value, quoted(key) + " must be an array, got " + value->type());
+  const auto* const array = find<JsonArray>(object, key, "an array");
+  if (array == nullptr) return nullptr;
   for (const JsonValue& entry : *array)
     if (entry.as<JsonObject>() == nullptr)
       refuse(entry, quoted(key) + " must hold objects, got " + entry.type());

@@ -33,6 +33,10 @@ public:
   [[noreturn]] void refuse(const JsonValue& value, const std::string& message) const;
 
 private:
+  /// nullptr if it is not there; refuses another type than the one `wanted`.
+  template <class T>
+  const T* find(const JsonValue& object, const char* key, const std::string& wanted) const;
+
   const std::string& file_;
 };
 

@@ -1,21 +1,22 @@
 #include "formats/json_reader.hpp"
 
 #include "formats/read_number.hpp"
-#include "lcpush/desktop/input_error.hpp"
+#include "formats/text_cursor.hpp"
+#include "formats/toml_number.hpp"
+#include "text/limits.hpp"
 #include "text/utf8.hpp"
 #include "text/wording.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
 namespace lcpush::desktop {
 namespace {
 
-constexpr int most_levels = 100;
-
-class Reader {
+class JsonReader : TextCursor {
 public:
-  Reader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  JsonReader(std::string_view text, const std::string& file) : TextCursor(text, file) {}
 
   JsonValue read_all() {
     JsonValue value = read_value(0);
@@ -25,23 +26,8 @@ public:
   }
 
 private:
-  std::string_view text_;
-  const std::string& file_;
-  std::size_t at_ = 0;
-  int line_ = 1;
-
-  [[noreturn]] void fail(const std::string& message) const {
-    throw InputError(file_, line_, message);
-  }
-  bool at_end() const { return at_ == text_.size(); }
-  char peek() const { return at_end() ? '\0' : text_[at_]; }
   std::string next_shown() const {
     return at_end() ? "the end of the file" : quoted(text_.substr(at_, 1));
-  }
-  bool take(char wanted) {
-    if (at_end() || text_[at_] != wanted) return false;
-    ++at_;
-    return true;
   }
   void skip_blanks() {
     for (; !at_end() && std::strchr(" \t\r\n", text_[at_]) != nullptr && text_[at_] != '\0'; ++at_)
@@ -55,15 +41,10 @@ private:
   std::uint32_t read_hex();
   std::uint32_t read_code_point();
   double read_number();
-  bool take_word(std::string_view word) {
-    if (text_.substr(at_, word.size()) != word) return false;
-    at_ += word.size();
-    return true;
-  }
 };
 
-JsonValue Reader::read_value(int level) {
-  if (level > most_levels) fail("nested more than 100 levels deep");
+JsonValue JsonReader::read_value(int level) {
+  if (level > limits::json_depth) fail("nested more than 100 levels deep");
   skip_blanks();
   JsonValue value;
   value.line = line_;
@@ -73,35 +54,35 @@ JsonValue Reader::read_value(int level) {
     value.data = read_array(level);
   else if (peek() == '"')
     value.data = read_string();
-  else if (take_word("true"))
+  else if (take("true"))
     value.data = true;
-  else if (take_word("false"))
+  else if (take("false"))
     value.data = false;
-  else if (take_word("null"))
+  else if (take("null"))
     value.data = nullptr;
   else
     value.data = read_number();
   return value;
 }
 
-JsonArray Reader::read_array(int level) {
+JsonArray JsonReader::read_array(int level) {
   JsonArray array;
-  take('[');
+  take("[");
   skip_blanks();
-  if (take(']')) return array;
+  if (take("]")) return array;
   do {
     array.push_back(read_value(level + 1));
     skip_blanks();
-  } while (take(','));
-  if (!take(']')) fail("expected , or ] in an array, found " + next_shown());
+  } while (take(","));
+  if (!take("]")) fail("expected , or ] in an array, found " + next_shown());
   return array;
 }
 
-JsonObject Reader::read_object(int level) {
+JsonObject JsonReader::read_object(int level) {
   JsonObject object;
-  take('{');
+  take("{");
   skip_blanks();
-  if (take('}')) return object;
+  if (take("}")) return object;
   do {
     skip_blanks();
     if (peek() != '"') fail("expected a key in double quotes, found " + next_shown());
@@ -109,50 +90,47 @@ JsonObject Reader::read_object(int level) {
     for (const auto& entry : object)
       if (entry.first == key) fail("key " + quoted(key) + " comes twice");
     skip_blanks();
-    if (!take(':')) fail("expected : after key " + quoted(key) + ", found " + next_shown());
+    if (!take(":")) fail("expected : after key " + quoted(key) + ", found " + next_shown());
     object.emplace_back(std::move(key), read_value(level + 1));
     skip_blanks();
-  } while (take(','));
-  if (!take('}')) fail("expected , or } in an object, found " + next_shown());
+  } while (take(","));
+  if (!take("}")) fail("expected , or } in an object, found " + next_shown());
   return object;
 }
 
-std::uint32_t Reader::read_hex() {
-  std::uint32_t code = 0;
-  for (int k = 0; k < 4; ++k) {
-    static const char digits[] = "0123456789abcdefABCDEF";
-    const char* const found = at_end() || peek() == '\0' ? nullptr : std::strchr(digits, peek());
-    if (found == nullptr) fail("\\u takes four hexadecimal digits, found " + next_shown());
-    const auto digit = static_cast<std::uint32_t>(found - digits);
-    code = 16 * code + (digit < 16 ? digit : digit - 6);
-    ++at_;
+std::uint32_t JsonReader::read_hex() {
+  const auto code = read_hexadecimal(text_.substr(at_, 4), 4);
+  if (!code) {
+    at_ = std::min(text_.find_first_not_of("0123456789abcdefABCDEF", at_), text_.size());
+    fail("\\u takes four hexadecimal digits, found " + next_shown());
   }
-  return code;
+  at_ += 4;
+  return *code;
 }
 
 /// After \u: one code unit, or the two of a surrogate pair.
-std::uint32_t Reader::read_code_point() {
+std::uint32_t JsonReader::read_code_point() {
   const std::uint32_t first = read_hex();
   if (first < 0xD800 || first > 0xDFFF) return first;
-  if (first > 0xDBFF || !take_word("\\u")) fail("half of a surrogate pair stands alone");
+  if (first > 0xDBFF || !take("\\u")) fail("half of a surrogate pair stands alone");
   const std::uint32_t second = read_hex();
   if (second < 0xDC00 || second > 0xDFFF) fail("half of a surrogate pair stands alone");
   return 0x10000 + ((first - 0xD800) << 10) + (second - 0xDC00);
 }
 
-std::string Reader::read_string() {
+std::string JsonReader::read_string() {
   std::string text;
-  take('"');
-  while (!take('"')) {
+  take("\"");
+  while (!take("\"")) {
     if (at_end()) fail("a string has no closing quote");
     if (static_cast<unsigned char>(peek()) < 0x20)
       fail("a string has a control character; write it as \\u00XX");
-    if (!take('\\')) {
+    if (!take("\\")) {
       text += text_[at_++];
       continue;
     }
     static const char escapes[] = "\"\\/bfnrt", meanings[] = "\"\\/\b\f\n\r\t";
-    if (take('u')) {
+    if (take("u")) {
       append_utf8(text, read_code_point());
       continue;
     }
@@ -164,26 +142,25 @@ std::string Reader::read_string() {
   return text;
 }
 
-double Reader::read_number() {
+double JsonReader::read_number() {
   const std::size_t start = at_;
   const auto digits = [&] {
     const std::size_t first = at_;
     while (!at_end() && peek() >= '0' && peek() <= '9') ++at_;
     return at_ - first;
   };
-  const bool minus = take('-');
+  const bool minus = take("-");
   const bool leading_zero = peek() == '0';
   const std::size_t whole = digits();
   bool valid = whole == 1 || (whole > 1 && !leading_zero);
-  if (valid && take('.')) valid = digits() > 0;
+  if (valid && take(".")) valid = digits() > 0;
   if (valid && (peek() == 'e' || peek() == 'E')) {
     ++at_;
-    if (!take('-')) take('+');
+    if (!take("-")) take("+");
     valid = digits() > 0;
   }
   for (const char* const word : {"NaN", "Infinity"})
-    if (take_word(word))
-      fail(std::string(word) + " is no JSON; leave the number out, or write null");
+    if (take(word)) fail(std::string(word) + " is no JSON; leave the number out, or write null");
   if (!valid && whole == 0 && !minus)
     fail("expected a value (an object, an array, a string, a number, true, false or null), found " +
          next_shown());
@@ -211,7 +188,7 @@ const char* JsonValue::type() const {
 }
 
 JsonValue parse_json(std::string_view text, const std::string& file_name) {
-  return Reader(text, file_name).read_all();
+  return JsonReader(text, file_name).read_all();
 }
 
 } // namespace lcpush::desktop

@@ -59,21 +59,6 @@ JsonWriter& JsonWriter::key(std::string_view name) {
   return *this;
 }
 
-JsonWriter& JsonWriter::numbers(const double* first, std::ptrdiff_t count) {
-  std::vector<std::string> literals;
-  literals.reserve(static_cast<std::size_t>(count));
-  for (const double* number = first; number != first + count; ++number)
-    literals.push_back(literal(*number));
-  return scalars(literals);
-}
-
-JsonWriter& JsonWriter::strings(const std::vector<std::string>& texts) {
-  std::vector<std::string> literals;
-  literals.reserve(texts.size());
-  for (const std::string& text : texts) literals.push_back(literal(text));
-  return scalars(literals);
-}
-
 JsonWriter& JsonWriter::scalar(const std::string& literal) {
   start_value();
   text_ += literal;

@@ -1,16 +1,18 @@
 // lcpush: writes JSON (RFC 8259), one value after the other.
 //
 //   JsonWriter json;
-//   json.begin_object().member("status", "solved").key("z").numbers(z);
+//   json.begin_object().member("status", "solved").member("z", z);
 //   json.key("object").begin_object().member("mass", 0.2).end_object().end_object();
 //   std::cout << json.text();
 #pragma once
 
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace lcpush::desktop {
@@ -27,36 +29,77 @@ public:
   /// U+FFFD.
   JsonWriter& key(std::string_view name);
 
-  /// A bool, a number, a string, nullptr, or an optional of one of these (empty: null).
-  /// Numbers read back as the same double; those that are not finite become null.
-  template <class T> JsonWriter& value(const T& data) { return scalar(literal(data)); }
+  /// A bool, a number, a string, nullptr; a vector of one of these (a std::vector, an Eigen vector
+  /// or map), which is an array on one line if it fits; a vector of vectors, one below the other;
+  /// or an optional of all that (empty: null). Numbers read back as the same double; those that are
+  /// not finite become null.
+  template <class T> JsonWriter& value(const T& data) {
+    if constexpr (is_vector_of_vectors<T>::value) {
+      begin_array();
+      for (const auto& vector : data) value(vector);
+      return end_array();
+    } else if constexpr (is_vector<T>::value) {
+      std::vector<std::string> literals;
+      for (decltype(data.size()) i = 0; i < data.size(); ++i) literals.push_back(literal(data[i]));
+      return scalars(literals);
+    } else {
+      return scalar(literal(data));
+    }
+  }
+  template <class T> JsonWriter& value(const std::optional<T>& data) {
+    return data ? value(*data) : value(nullptr);
+  }
 
   /// key() and value().
   template <class T> JsonWriter& member(std::string_view name, const T& data) {
     return key(name).value(data);
   }
 
-  /// An array of scalars, on one line if it fits.
-  JsonWriter& numbers(const double* first, std::ptrdiff_t count);
-  JsonWriter& strings(const std::vector<std::string>& texts);
-
-  /// The same for a contiguous vector of doubles (std::vector, an Eigen vector or map).
-  template <class Vector> JsonWriter& numbers(const Vector& vector) {
-    return numbers(vector.data(), static_cast<std::ptrdiff_t>(vector.size()));
+  /// key() and an array, entry below entry: `write(entry)` writes one value for each of `list`.
+  template <class List, class Write>
+  JsonWriter& list(std::string_view name, const List& list, const Write& write) {
+    key(name).begin_array();
+    for (const auto& entry : list) write(entry);
+    return end_array();
+  }
+  /// The same of objects: `write(entry)` writes the members of one.
+  template <class List, class Write>
+  JsonWriter& objects(std::string_view name, const List& list, const Write& write) {
+    key(name).begin_array();
+    for (const auto& entry : list) {
+      begin_object();
+      write(entry);
+      end_object();
+    }
+    return end_array();
+  }
+  /// The same of the numbers from 0 to count - 1.
+  template <class Write>
+  JsonWriter& objects(std::string_view name, std::ptrdiff_t count, const Write& write) {
+    std::vector<std::ptrdiff_t> numbers(static_cast<std::size_t>(count));
+    std::iota(numbers.begin(), numbers.end(), std::ptrdiff_t{0});
+    return objects(name, numbers, write);
   }
 
   /// What was written so far; after the last end, the whole text with its final newline.
   const std::string& text() const { return text_; }
 
 private:
+  template <class T, class = void> struct is_vector : std::false_type {};
+  template <class T>
+  struct is_vector<T, std::void_t<decltype(std::declval<const T&>().size())>>
+      : std::bool_constant<!std::is_convertible_v<const T&, std::string_view>> {};
+
+  template <class T, class = void> struct is_vector_of_vectors : std::false_type {};
+  template <class T>
+  struct is_vector_of_vectors<T, std::void_t<typename T::value_type>>
+      : std::bool_constant<is_vector<T>::value && is_vector<typename T::value_type>::value> {};
+
   static std::string literal(double number);
   static std::string literal(std::string_view text);
   static std::string literal(const std::string& text) { return literal(std::string_view(text)); }
   static std::string literal(const char* text) { return literal(std::string_view(text)); }
   static std::string literal(std::nullptr_t) { return "null"; }
-  template <class T> static std::string literal(const std::optional<T>& data) {
-    return data ? literal(*data) : "null";
-  }
   // A template, so that no pointer can turn into a bool.
   template <class T> static std::enable_if_t<std::is_integral_v<T>, std::string> literal(T number) {
     if constexpr (std::is_same_v<T, bool>)
@@ -79,5 +122,14 @@ private:
   bool is_first_ = true; ///< of its object or array
   bool after_key_ = false;
 };
+
+/// What is written as null while it is not known.
+template <class T> std::optional<std::decay_t<T>> when(bool is_known, const T& data) {
+  return is_known ? std::optional<std::decay_t<T>>(data) : std::nullopt;
+}
+/// A text or a list that is written as null if it is empty.
+template <class T> std::optional<T> unless_empty(const T& data) {
+  return when(!data.empty(), data);
+}
 
 } // namespace lcpush::desktop

@@ -2,6 +2,8 @@
 
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "text/text_file.hpp"
+#include "text/whole_number.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <sstream>
 #include <system_error>
 
@@ -19,9 +20,9 @@ namespace {
 constexpr const char* expected_banner = "%%MatrixMarket matrix array real general";
 
 /// Reads one file from top to bottom.
-template <class S> class Reader {
+template <class S> class MatrixReader {
 public:
-  Reader(std::istream& stream, std::uintmax_t bytes, std::string file)
+  MatrixReader(std::istream& stream, std::uintmax_t bytes, std::string file)
       : stream_(stream), bytes_(bytes), file_(std::move(file)) {}
 
   MatrixOf<S> read() {
@@ -106,7 +107,7 @@ private:
   }
 
   std::uint64_t read_count(std::string_view word) const {
-    const auto count = whole_number(word);
+    const auto count = whole_number<std::uint64_t>(word);
     if (!count) refuse(quoted(word) + " is not a whole number >= 0 that fits in 64 bits");
     return *count;
   }
@@ -213,32 +214,25 @@ private:
   std::vector<std::string_view> words_; ///< of line_text_
 };
 
-template <class S> MatrixOf<S> read_file(const std::string& path) {
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    throw InputError(path + ": cannot be read: " + std::generic_category().message(errno) +
-                     "; check the path and its permissions");
+} // namespace
+
+template <class S> MatrixOf<S> read_matrix_market(const std::string& path) {
+  std::ifstream stream = open_file(path);
   const std::streamoff bytes = stream.seekg(0, std::ios::end).tellg();
   stream.clear();
   stream.seekg(0);
   stream.clear();
   // Pipes and devices have no size; then nothing is refused for its length.
-  return Reader<S>(stream, bytes > 0 ? static_cast<std::uintmax_t>(bytes) : UINTMAX_MAX, path)
+  return MatrixReader<S>(stream, bytes > 0 ? static_cast<std::uintmax_t>(bytes) : UINTMAX_MAX, path)
       .read();
 }
 
-} // namespace
-
-HostMatrix read_matrix_market(const std::string& path) { return read_file<double>(path); }
-
-ExactMatrix read_matrix_market_exactly(const std::string& path) {
-  return read_file<Rational>(path);
-}
+template HostMatrix read_matrix_market(const std::string& path);
+template ExactMatrix read_matrix_market(const std::string& path);
 
 HostMatrix parse_matrix_market(const std::string& text, const std::string& file_name) {
   std::istringstream stream(text);
-  return Reader<double>(stream, text.size(), file_name).read();
+  return MatrixReader<double>(stream, text.size(), file_name).read();
 }
 
 std::string write_matrix_market(const HostMatrix& matrix, MatrixMarketFormat format,

@@ -20,19 +20,21 @@ std::vector<std::string_view> split_words(std::string_view line) {
   }
 }
 
+std::vector<std::string_view> split_at(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
 std::string lower_case(std::string_view word) {
   std::string result(word);
   for (char& c : result)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return result;
-}
-
-std::optional<std::uint64_t> whole_number(std::string_view word) {
-  std::uint64_t number = 0;
-  const char* const end = word.data() + word.size();
-  const auto [stopped, outcome] = std::from_chars(word.data(), end, number);
-  if (stopped != end || outcome != std::errc{}) return std::nullopt;
-  return number;
 }
 
 template <> NumberText read_finite_number<double>(std::string_view word) {

@@ -1,7 +1,6 @@
 // Words and numbers of matrices, in files and on the command line.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,14 +8,16 @@
 
 namespace lcpush::desktop {
 
+class Rational;
+
 /// The parts of `line` between blanks (space, tab, carriage return).
 std::vector<std::string_view> split_words(std::string_view line);
 
+/// The parts of `text` between `separator`s: one more than there are separators.
+std::vector<std::string_view> split_at(std::string_view text, char separator);
+
 /// ASCII letters only.
 std::string lower_case(std::string_view word);
-
-/// The whole of `word`, digits only.
-std::optional<std::uint64_t> whole_number(std::string_view word);
 
 template <class S> struct NumberTextOf {
   S value{0};
@@ -26,6 +27,8 @@ using NumberText = NumberTextOf<double>;
 
 /// The whole of `word` as a finite decimal number: the nearest double, or exactly (S = Rational).
 template <class S = double> NumberTextOf<S> read_finite_number(std::string_view word);
+template <> NumberText read_finite_number<double>(std::string_view word);
+template <> NumberTextOf<Rational> read_finite_number<Rational>(std::string_view word);
 
 /// The same, and fractions of whole numbers such as 1/3.
 template <class S = double> NumberTextOf<S> read_number_or_fraction(std::string_view word);

@@ -1,7 +1,8 @@
 #include "formats/toml.hpp"
 
+#include "formats/text_cursor.hpp"
 #include "formats/toml_number.hpp"
-#include "lcpush/desktop/input_error.hpp"
+#include "text/limits.hpp"
 #include "text/utf8.hpp"
 #include "text/wording.hpp"
 
@@ -14,19 +15,14 @@
 namespace lcpush::desktop {
 namespace {
 
-// Enough for a list of lists of vectors; parse_value and parse_array recurse no deeper than this.
-constexpr int deepest_array = 8;
-// Bounds the memory that a file can ask for: a value takes about thirty times its shortest text.
-constexpr std::size_t most_items = 1'000'000;
-
 bool is_bare_key_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
          c == '-';
 }
 
-class TomlParser {
+class TomlParser : TextCursor {
 public:
-  TomlParser(std::string_view text, const std::string& file) : text_(text) {
+  TomlParser(std::string_view text, const std::string& file) : TextCursor(text, file) {
     document_.file = file;
     document_.root.line = 1;
   }
@@ -45,15 +41,7 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& message) const { fail_at(line_, message); }
-  [[noreturn]] void fail_at(int line, const std::string& message) const {
-    throw InputError(document_.file, line, message);
-  }
-
-  // Past check_characters() there is no NUL in the text, so it can stand for the end.
-  bool at_end() const { return at_ == text_.size(); }
-  char peek() const { return at_end() ? '\0' : text_[at_]; }
-  bool next_is(std::string_view word) const { return text_.substr(at_, word.size()) == word; }
+  // Past check_characters() there is no NUL in the text, so peek() alone tells the end.
   std::string found() const {
     if (at_end()) return "the end of the file";
     if (peek() == '\n' || peek() == '\r') return "the end of the line";
@@ -76,9 +64,6 @@ private:
   std::string parse_string();
   void parse_escape(std::string& result);
 
-  std::string_view text_;
-  std::size_t at_ = 0;
-  int line_ = 1;
   std::size_t items_ = 0;
   TomlDocument document_;
   TomlTable* table_ = &document_.root;
@@ -118,9 +103,8 @@ void TomlParser::skip_blank_lines() {
   for (;;) {
     skip_spaces();
     skip_comment();
-    if (peek() == '\r') ++at_;
-    if (peek() != '\n') return;
-    ++at_;
+    (void)take("\r");
+    if (!take("\n")) return;
     ++line_;
   }
 }
@@ -133,8 +117,8 @@ void TomlParser::expect_end_of_line() {
 }
 
 void TomlParser::count_item() {
-  if (++items_ > most_items)
-    fail("more than " + std::to_string(most_items) + " tables and values; split the file");
+  if (++items_ > limits::toml_items)
+    fail("more than " + std::to_string(limits::toml_items) + " tables and values; split the file");
 }
 
 void TomlParser::parse_header() {
@@ -145,10 +129,9 @@ void TomlParser::parse_header() {
   skip_spaces();
   const std::string name = parse_key();
   skip_spaces();
-  if (!next_is(closing))
+  if (!take(closing))
     fail("expected " + quoted(closing) + " after the table name " + quoted(name) + ", found " +
          found());
-  at_ += closing.size();
   open_table(name, is_array, line);
 }
 
@@ -178,8 +161,7 @@ void TomlParser::parse_entry() {
     fail("duplicate key " + quoted(key) + ", first given on line " + std::to_string(first->second) +
          "; remove one of them");
   skip_spaces();
-  if (peek() != '=') fail("expected = after " + quoted(key) + ", found " + found());
-  ++at_;
+  if (!take("=")) fail("expected = after " + quoted(key) + ", found " + found());
   skip_spaces();
   TomlValue value = parse_value(0);
   table_->entries.push_back({std::move(key), std::move(value)});
@@ -221,8 +203,8 @@ TomlValue TomlParser::parse_value(int depth) {
 }
 
 TomlArray TomlParser::parse_array(int depth) {
-  if (depth > deepest_array)
-    fail("lists are nested more than " + std::to_string(deepest_array) +
+  if (depth > limits::toml_list_depth)
+    fail("lists are nested more than " + std::to_string(limits::toml_list_depth) +
          " deep; is a ] missing before?");
   const int opened = line_;
   TomlArray array;
@@ -231,12 +213,9 @@ TomlArray TomlParser::parse_array(int depth) {
     if (at_end()) fail_at(opened, "this [ is never closed; add the missing ]");
     array.push_back(parse_value(depth));
     skip_blank_lines();
-    if (peek() == ',') {
-      ++at_;
-    } else if (!at_end() && peek() != ']') {
+    if (!take(",") && !at_end() && peek() != ']')
       fail("expected , or ] in the list that starts on line " + std::to_string(opened) +
            ", found " + found());
-    }
   }
   ++at_;
   return array;
@@ -282,6 +261,17 @@ void TomlParser::parse_escape(std::string& result) {
 }
 
 } // namespace
+
+std::optional<double> TomlValue::number() const {
+  if (const auto* whole = std::get_if<std::int64_t>(&data)) return static_cast<double>(*whole);
+  if (const auto* real = std::get_if<double>(&data)) return *real;
+  return std::nullopt;
+}
+
+const std::string* TomlTable::name() const {
+  const TomlValue* const value = find("name");
+  return value != nullptr ? std::get_if<std::string>(&value->data) : nullptr;
+}
 
 const TomlValue* TomlTable::find(std::string_view key) const {
   const auto is_key = [key](const TomlEntry& entry) { return entry.key == key; };

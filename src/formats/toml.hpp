@@ -8,8 +8,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -23,6 +25,9 @@ struct TomlValue {
   std::variant<bool, std::int64_t, double, std::string, TomlArray> data;
   /// A number as typed, without plus sign and underscores; empty for everything else.
   std::string digits = {};
+
+  /// Nothing if it is no number.
+  std::optional<double> number() const;
 };
 
 struct TomlEntry {
@@ -36,6 +41,11 @@ struct TomlTable {
 
   /// The value of `key`, or nullptr.
   const TomlValue* find(std::string_view key) const;
+  TomlValue* find(std::string_view key) {
+    return const_cast<TomlValue*>(std::as_const(*this).find(key));
+  }
+  /// The text of the key "name", or nullptr if there is none or it is no text.
+  const std::string* name() const;
 };
 
 /// `[name]`, or every `[[name]]` of the file.

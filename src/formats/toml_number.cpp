@@ -1,5 +1,6 @@
 #include "formats/toml_number.hpp"
 
+#include "text/whole_number.hpp"
 #include "text/wording.hpp"
 
 #include <charconv>
@@ -100,11 +101,7 @@ TomlNumber read_toml_number(std::string_view word) {
 }
 
 std::optional<std::uint32_t> read_hexadecimal(std::string_view word, std::size_t digits) {
-  std::uint32_t code = 0;
-  const char* const end = word.data() + word.size();
-  const auto [stopped, outcome] = std::from_chars(word.data(), end, code, 16);
-  if (word.size() != digits || stopped != end || outcome != std::errc{}) return std::nullopt;
-  return code;
+  return word.size() == digits ? whole_number<std::uint32_t>(word, 16) : std::nullopt;
 }
 
 } // namespace lcpush::desktop

@@ -1,6 +1,7 @@
 #include "pivots/explorer_scene.hpp"
 
-#include <cmath>
+#include "draw/marks.hpp"
+#include "draw/view.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -8,82 +9,161 @@ namespace {
 void write_object(JsonWriter& json, const SceneFile& file) {
   const bool is_cylinder = file.shape.kind == ObjectShape::Kind::cylinder;
   json.member("title", file.title).member("planar", file.planar);
-  json.key("gravity").numbers(file.gravity).member("mass", file.object.mass);
-  json.key("center_of_mass").numbers(file.object.center_of_mass);
+  json.member("gravity", file.gravity).member("mass", file.object.mass);
+  json.member("center_of_mass", file.object.center_of_mass);
   json.key("shape").begin_object().member("kind", is_cylinder ? "cylinder" : "box");
-  json.key("size").numbers(file.shape.size).member("axis", file.shape.axis).end_object();
+  json.member("size", file.shape.size).member("axis", file.shape.axis).end_object();
   // In SI units: the scales of Layout, all 1.
   const Scene<double> scene = file.view();
   const Scales<double> si{file.object.mass, 1.0, 1.0};
   const Matrix6<double> mobility = laws::newton(scene, si) / file.object.mass;
   json.key("mobility").begin_array();
-  for (Index i = 0; i < 6; ++i) json.numbers(Vector6<double>(mobility.row(i)));
+  for (Index i = 0; i < 6; ++i) json.value(Vector6<double>(mobility.row(i)));
   json.end_array();
   Vector6<double> weight = Vector6<double>::Zero();
   weight.head<3>() = file.object.mass * file.gravity;
-  json.key("weight").numbers(weight).member("facets", file.facets);
+  json.member("weight", weight).member("facets", file.facets);
 }
 
 void write_bodies(JsonWriter& json, const Push& push) {
   const Scene<double>& scene = push.scene();
-  json.key("bodies").begin_array();
-  for (Index b = 0; b < scene.bodies.size; ++b) {
+  json.objects("bodies", scene.bodies.size, [&](Index b) {
     const Body<double>& body = scene.bodies[b];
     const Index of_file = push.file().body_of(body.first_point);
-    json.begin_object();
-    json.member("name", push.file().body_names[static_cast<std::size_t>(of_file)]);
+    json.member("name", push.file().body_name(of_file));
     json.member("role", body.role == Role::finger ? "finger" : "pusher");
-    json.key("normal").numbers(body.normal).key("tangent").numbers(body.tangent);
-    json.member("friction", body.friction).key("acceleration").numbers(body.acceleration);
+    json.member("normal", body.normal).member("tangent", body.tangent);
+    json.member("friction", body.friction).member("acceleration", body.acceleration);
     json.key("actuators").begin_array();
     for (const Drive<double>& drive : scene.drives) {
       if (drive.body != b) continue;
       json.begin_object().member("variable", push.layout().closing(drive.actuator));
-      json.key("twist").numbers(drive.twist).end_object();
+      json.member("twist", drive.twist).end_object();
     }
-    json.end_array().end_object();
-  }
-  json.end_array();
+    json.end_array();
+  });
 }
 
 void write_points(JsonWriter& json, const Push& push) {
   const Scene<double>& scene = push.scene();
   const Layout<double>& layout = push.layout();
-  json.key("points").begin_array();
-  for (Index i = 0; i < layout.points; ++i) {
+  json.objects("points", layout.points, [&](Index i) {
     const ConeGroup<double>& cone = layout.cones[i];
     const Body<double>& body = scene.bodies[layout.body[i]];
-    json.begin_object().member("name", point_name(push.file(), i)).member("body", layout.body[i]);
-    json.key("position").numbers(push.file().positions[static_cast<std::size_t>(i)]);
-    json.member("normal", layout.normal(i)).key("pull");
-    if (cone.normals == 2)
-      json.value(layout.normal(i) + 1);
-    else
-      json.value(nullptr);
+    json.member("name", point_name(push.file(), i)).member("body", layout.body[i]);
+    json.member("position", push.file().positions[static_cast<std::size_t>(i)]);
+    const Index normal = layout.normal(i);
+    json.member("normal", normal).member("pull", when(cone.normals == 2, normal + 1));
     json.key("friction").begin_array();
     for (Index j = 0; j < cone.generators; ++j) json.value(layout.friction(i, j));
-    json.end_array().key("slip");
-    if (cone.generators > 0)
-      json.value(layout.slip(i));
-    else
-      json.value(nullptr);
-    json.key("generators").begin_array();
-    for (Index j = 0; j < cone.generators; ++j) {
+    json.end_array().member("slip", when(cone.generators > 0, layout.slip(i)));
+    json.objects("generators", cone.generators, [&](Index j) {
       const Generator<double> d = generator(body, j, scene.facets);
-      json.begin_object().key("force").numbers(d.force).member("torque", d.torque).end_object();
+      json.member("force", d.force).member("torque", d.torque);
+    });
+  });
+}
+
+/// A body as a view shows it: its pad, corners as a place in metres with an offset in pixels, and
+/// its friction cone for a normal force of 1 N.
+void write_body_in_view(JsonWriter& json, const Push& push, const View& view, Index b) {
+  const Scene<double>& scene = push.scene();
+  const Body<double>& body = scene.bodies[b];
+  std::vector<Eigen::Vector4d> corners, pad;
+  std::vector<Pixel> around, cone{Pixel::Zero()};
+  // Which corners stand out does not depend on the scale: the pad is a sum of two convex sets.
+  const double any_scale = 200 / push.file().shape.size.norm();
+  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    for (const Pixel& offset : pad_rim(view, body.normal)) {
+      const Pixel at = view.flat(push.file().positions[static_cast<std::size_t>(i)]);
+      corners.emplace_back(at.x(), at.y(), offset.x(), offset.y());
+      around.emplace_back(any_scale * at + offset);
     }
-    json.end_array().end_object();
+  for (const std::size_t i : hull_corners(around)) pad.push_back(corners[i]);
+  for (Index j = 0; j < push.layout().cones[body.first_point].generators; ++j)
+    cone.push_back(
+        -view.flat(body.normal + body.friction * generator(body, j, scene.facets).force));
+  json.begin_object().member("body", b).member("behind", view.is_behind(body.normal));
+  json.member("pad", pad).member("cone", cone.size() > 1 ? hull(cone) : std::vector<Pixel>());
+  json.end_object();
+}
+
+void write_view(JsonWriter& json, const Push& push, const View& view) {
+  const SceneFile& file = push.file();
+  json.begin_object().member("title", view.title).member("axes", axes_elements(view));
+  json.member("right", view.right).member("toward", view.toward);
+  json.member("down", Vector3<double>(Vector3<double>::Zero() - view.up));
+  std::vector<Pixel> box, shown;
+  for (const auto& corner : box_corners(file.object.center_of_mass, file.shape.size))
+    box.push_back(view.flat(corner));
+  shown = box;
+  for (const auto& position : file.positions) shown.push_back(view.flat(position));
+  const Frame frame = bounds(shown);
+  json.member("frame", Eigen::Vector4d(frame.left, frame.top, frame.right, frame.bottom));
+  json.member("outline", hull(box));
+  const bool is_round =
+      file.shape.kind == ObjectShape::Kind::cylinder && view.toward[file.shape.axis] != 0;
+  json.member("radius", is_round ? std::abs(view.right.dot(file.shape.size)) / 2 : 0.0);
+  json.key("bodies").begin_array();
+  for (const Index b : bodies_back_to_front(view, push.scene().bodies))
+    write_body_in_view(json, push, view, b);
+  json.end_array().end_object();
+}
+
+/// What a contact does in a basis, its mark, and the words of the table and of the key.
+struct ModeWords {
+  const char* mode;
+  Mark mark;
+  const char *verb, *in_key;
+};
+constexpr ModeWords mode_words[] = {
+    {"stick", Mark::square, "sticks", "sticks"},
+    {"slide", Mark::triangle, "slides", "slides"},
+    {"separate", Mark::ring, "opens", "opens"},
+    {"touch", Mark::small_ring, "touches", "only touches"},
+    {"sink", Mark::cross, "sinks in", "sinks in, on the cushion"},
+};
+
+/// What is drawn about the origin, to be moved where it belongs; and the key that explains it.
+void write_marks(JsonWriter& json) {
+  const auto small = [](const std::string& elements) { return sample("0 0 26 14", elements); };
+  const auto arrow = [&](const char* kind) { return small(arrow_element(kind, {2, 7}, {25, 7})); };
+  KeyItems key{{arrow("force normal"), "normal force"},
+               {arrow("force friction"), "friction"},
+               {arrow("motion"), "acceleration"},
+               {small(polygon_element("cone", {{24, 7}, {4, 1}, {4, 13}})), "friction pyramid"}};
+  const Pixel origin(0, 0);
+  json.key("marks").begin_object();
+  for (const ModeWords& words : mode_words) {
+    json.member(words.mode, mark_element(words.mark, words.mode, origin));
+    key.emplace_back(small(mark_element(words.mark, words.mode, {13, 7})), words.in_key);
   }
-  json.end_array();
+  key.emplace_back(sample("-17 -9 34 18", turning_center(origin)), "centre of turning");
+  json.member("clockwise", turning_arc(origin, true));
+  json.member("counterclockwise", turning_arc(origin, false));
+  json.member("turning_center", turning_center(origin));
+  json.member("into", sight_ring(origin, false)).member("out_of", sight_ring(origin, true));
+  json.end_object().key("verbs").begin_object();
+  for (const ModeWords& words : mode_words) json.member(words.mode, words.verb);
+  json.end_object().member("key", key_html(key));
 }
 
 } // namespace
 
-void write_drawing(JsonWriter& json, const Push& push) {
+void write_scene(JsonWriter& json, const Push& push, bool is_drawn) {
   json.begin_object();
   write_object(json, push.file());
   write_bodies(json, push);
   write_points(json, push);
+  if (is_drawn) {
+    std::vector<View> views = views_with_y_up(push.file().shape.size, push.file().bodies);
+    if (push.file().planar) views.resize(1);
+    json.key("views").begin_array();
+    for (const View& view : views) write_view(json, push, view);
+    json.end_array();
+    write_marks(json);
+    json.member("longest_force", longest_force).member("fastest", fastest);
+  }
   json.end_object();
 }
 

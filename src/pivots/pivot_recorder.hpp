@@ -1,4 +1,4 @@
-// The observer that writes a PivotTrace, for doubles and for fractions.
+// The observer (lcp/trace.hpp) that writes a PivotTrace, for doubles and for fractions.
 #pragma once
 
 #include <cmath>
@@ -16,9 +16,9 @@ inline TraceNumber traced(const PivotTrace& trace, const Rational& x) {
 
 template <class S> class Recorder {
 public:
-  /// Both outlive the recorder. Tableaus are kept while all of them have at most `most_entries`.
-  Recorder(PivotTrace& trace, const Story& story, std::size_t most_entries)
-      : trace_(trace), story_(story), room_(most_entries) {}
+  /// All outlive the recorder.
+  Recorder(PivotTrace& trace, const Story& story, const PivotOptions& options)
+      : trace_(trace), story_(story), options_(options), room_(options.most_entries) {}
 
   void starts(const Lemke<S>& lemke) {
     TracedRun run;
@@ -58,15 +58,13 @@ public:
     basic_[static_cast<std::size_t>(turn.entering)] = true;
     trace_.pivots.push_back(pivot);
     is_pivoting_ = true;
-    return pivot.row;
-  }
-
-  /// Another of the tied rows leaves than the rule said.
-  void choose(const Lemke<S>& lemke, Index row) {
-    TracedPivot& pivot = trace_.pivots.back();
-    pivot.row = row;
-    pivot.leaving = lemke.dictionary().basic[row];
-    pivot.chosen = true;
+    const Index row = chosen_row(turn);
+    if (row != pivot.row) {
+      trace_.pivots.back().row = row;
+      trace_.pivots.back().leaving = d.basic[row];
+      trace_.pivots.back().chosen = true;
+    }
+    return row;
   }
 
   void stepped(const Lemke<S>& lemke) {
@@ -102,10 +100,21 @@ public:
 private:
   PivotTrace& trace_;
   const Story& story_;
-  std::size_t room_;
+  const PivotOptions& options_;
+  std::size_t room_;        // entries of tableaus that are still kept
   std::vector<bool> basic_; // while the entering variable grows
   bool is_pivoting_ = false;
   std::map<std::vector<Index>, std::size_t> seen_;
+
+  /// One of the tied rows: the rule's, or the user's.
+  Index chosen_row(const Turn& turn) const {
+    const Index row = options_.choose ? options_.choose(trace_) : turn.blocking.row;
+    if (options_.z0_wins_ties || turn.blocking.decided_by != TieBreak::artificial) return row;
+    Index first = -1;
+    for (const int other : turn.tied)
+      if (other != turn.blocking.row && (first < 0 || other < first)) first = other;
+    return first;
+  }
 
   Index n() const { return trace_.size; }
   bool has_S() const { return trace_.free_count > 0; }

@@ -4,25 +4,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lcpush/desktop/owned.hpp"
 #include "pivots/pivot_recorder.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-double as(const Rational& x, double) { return x.value(); }
-const Rational& as(const Rational& x, const Rational&) { return x; }
-
 template <class S> std::vector<S> converted(const std::vector<Rational>& numbers) {
-  std::vector<S> result;
-  result.reserve(numbers.size());
-  for (const Rational& x : numbers) result.push_back(as(x, S()));
-  return result;
+  if constexpr (std::is_same_v<S, Rational>) {
+    return numbers;
+  } else {
+    std::vector<S> result;
+    for (const Rational& x : numbers) result.push_back(x.value());
+    return result;
+  }
 }
 
 PivotTrace empty_trace(Index n, Index free_count, const Story& story) {
   PivotTrace trace;
   trace.size = n;
   trace.free_count = free_count;
+  trace.is_physical = story.is_physical();
   for (Index variable = 0; variable <= artificial(n); ++variable)
     trace.variables.push_back({variable_name(variable, n), story.meaning(variable)});
   return trace;
@@ -38,9 +40,6 @@ bool solves_exactly(const ExactProblem& problem, const std::vector<Rational>& z,
     if (i < pairs && (z[at] < Rational(0) || z[at] * w[at] != Rational(0))) return false;
   }
   return true;
-}
-bool solves_exactly(const ExactProblem&, const std::vector<double>&, const std::vector<double>&) {
-  return false; // doubles prove nothing
 }
 
 template <class S>
@@ -59,10 +58,12 @@ void take_solution(const ExactProblem& problem, const Lemke<S>& lemke, PivotTrac
     for (Index i = 0; i < n; ++i)
       w[static_cast<std::size_t>(i)] +=
           M[static_cast<std::size_t>(j * n + i)] * z[static_cast<std::size_t>(j)];
-  trace.is_proved = trace.has_fractions && solves_exactly(problem, z, w);
-  // Of doubles: what a basis makes zero is zero.
-  for (Index i = 0; i < n && std::is_same_v<S, double>; ++i)
-    if (lemke.is_basic(i)) w[static_cast<std::size_t>(i)] = S(0);
+  if constexpr (std::is_same_v<S, Rational>) {
+    trace.is_proved = trace.has_fractions && solves_exactly(problem, z, w);
+  } else {
+    for (Index i = 0; i < n; ++i) // what a basis makes zero is zero
+      if (lemke.is_basic(i)) w[static_cast<std::size_t>(i)] = 0;
+  }
   trace.z = all_traced(trace, z);
   trace.w = all_traced(trace, w);
 }
@@ -94,33 +95,6 @@ std::string reason_of(const PivotTrace& trace, Reason reason) {
   }
   return reason_text(reason);
 }
-
-/// Records, and lets the user choose among the ties.
-template <class S> class Teacher : public Recorder<S> {
-public:
-  Teacher(PivotTrace& trace, const Story& story, const PivotOptions& options)
-      : Recorder<S>(trace, story, options.most_entries), trace_(trace), options_(options) {}
-
-  Index leaves(const Lemke<S>& lemke, const Turn& turn) {
-    Index row = Recorder<S>::leaves(lemke, turn);
-    if (options_.choose) row = options_.choose(trace_);
-    if (!options_.z0_wins_ties && turn.blocking.decided_by == TieBreak::artificial)
-      row = first_other(turn);
-    if (row != turn.blocking.row) Recorder<S>::choose(lemke, row);
-    return row;
-  }
-
-private:
-  PivotTrace& trace_;
-  const PivotOptions& options_;
-
-  static Index first_other(const Turn& turn) {
-    Index first = -1;
-    for (const int row : turn.tied)
-      if (row != turn.blocking.row && (first < 0 || row < first)) first = row;
-    return first;
-  }
-};
 
 /// In doubles rounding decides ties: then even the lexicographic rule may come back to a basis.
 void distrust(const PivotOptions& options, PivotTrace& trace) {
@@ -156,17 +130,12 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
   book.tie_rule = options.rule;
   book.max_pivots = options.max_pivots;
 
-  std::vector<S> scalars(static_cast<std::size_t>(lemke_scalars(n)));
-  std::vector<int> integers(static_cast<std::size_t>(lemke_integers(n)));
-  Lemke<S> lemke({scalars.data(), static_cast<Index>(scalars.size())},
-                 {integers.data(), static_cast<Index>(integers.size())});
-  Teacher<S> teacher(trace, story, options);
+  OwnedLemke<S> lemke(n);
+  Recorder<S> recorder(trace, story, options);
   trace.status = lemke.init(problem, book);
-  while (trace.status == Status::running && !trace.cycle) {
-    trace.status = lemke.step(teacher);
-  }
+  while (trace.status == Status::running && !trace.cycle) trace.status = lemke.step(recorder);
   if constexpr (std::is_same_v<S, double>) distrust(options, trace);
-  trace.last = teacher.tableau(lemke.dictionary());
+  trace.last = recorder.tableau(lemke.dictionary());
   if (trace.status == Status::solved) take_solution(given, lemke, trace);
   if (trace.status == Status::ray) take_ray(lemke, story, trace);
   if (std::is_same_v<S, double> && !all_finite(trace.z)) trace.status = Status::numerical_breakdown;
@@ -175,11 +144,11 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
   return trace;
 }
 
-/// A recorder that the desktop's solvers can be given.
+/// The recorder as an observer that the desktop's solvers can be given.
 class RecordingWatcher : public Watcher {
 public:
   RecordingWatcher(PivotTrace& trace, const Story& story, const PivotOptions& options)
-      : trace_(trace), recorder_(trace, story, options.most_entries) {}
+      : trace_(trace), recorder_(trace, story, options) {}
 
   void starts(const Lemke<double>& lemke) override { recorder_.starts(lemke); }
   Index leaves(const Lemke<double>& lemke, const Turn& turn) override {
@@ -244,10 +213,8 @@ PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& sto
     TracedRay ray;
     ray.entering = complement(trace.pivots.back().leaving, layout.size);
     ray.v.resize(static_cast<std::size_t>(layout.size));
-    for (Index i = 0; i < layout.size; ++i)
-      for (const NamedValue& entry : report.ray)
-        if (entry.name == push.variable_name(i))
-          ray.v[static_cast<std::size_t>(i)] = traced(trace, entry.value);
+    for (const NamedValue& entry : report.ray)
+      ray.v[static_cast<std::size_t>(entry.unknown)] = traced(trace, entry.value);
     for (const std::string& sentence : jam_sentences(push.file(), report.jam))
       ray.words += (ray.words.empty() ? "" : "\n") + sentence;
     trace.ray = ray;

@@ -1,4 +1,5 @@
 // The explorer's page with a trace in it.
+#include "draw/markup.hpp"
 #include "lcpush/desktop/pivots.hpp"
 #include "pivots/explorer_text.hpp"
 
@@ -11,7 +12,7 @@ void put(std::string& page, const std::string& placeholder, const std::string& t
 }
 
 /// No "</script>" and no "<!--" may end the element that the JSON stands in.
-std::string escaped(const std::string& json) {
+std::string embedded(const std::string& json) {
   std::string text;
   text.reserve(json.size());
   for (const char c : json) {
@@ -28,9 +29,9 @@ std::string escaped(const std::string& json) {
 std::string pivots_html(const PivotTrace& trace, const Push* push) {
   std::string page = explorer_template();
   // The trace last: what it says must not be taken for a placeholder.
-  put(page, "/*STYLE*/", explorer_style());
+  put(page, "/*STYLE*/", palette(":root") + drawing_style() + explorer_style());
   put(page, "/*SCRIPT*/", explorer_script());
-  put(page, "/*TRACE*/", escaped(pivots_json(trace, push, false)));
+  put(page, "/*TRACE*/", embedded(pivots_json(trace, push, false)));
   return page;
 }
 

@@ -20,7 +20,11 @@ void write(JsonWriter& json, const TraceValue& value) {
   json.end_array();
 }
 
-template <class T> void write_all(JsonWriter& json, const std::vector<T>& list) {
+template <class T> void write(JsonWriter& json, const std::optional<T>& data) {
+  data ? write(json, *data) : void(json.value(nullptr));
+}
+
+template <class T> void write(JsonWriter& json, const std::vector<T>& list) {
   json.begin_array();
   for (const T& x : list) write(json, x);
   json.end_array();
@@ -33,31 +37,22 @@ public:
   std::string write_trace(const Push* push, bool tableaus) {
     json.begin_object();
     json.member("status", trace_.cycle ? "cycle" : status_text(trace_.status));
-    json.key("reason");
-    trace_.reason.empty() ? json.value(nullptr) : json.value(trace_.reason);
+    json.member("reason", unless_empty(trace_.reason));
     json.member("arithmetic", trace_.has_fractions ? "fractions" : "decimals");
     if (!tableaus) json.member("prefers_decimals", trace_.prefers_decimals); // the page asks
     json.member("rule", rule()).member("title", trace_.title);
     json.member("as_solved", trace_.is_as_solved).member("proved", trace_.is_proved);
     json.member("size", trace_.size).member("free", trace_.free_count);
-    json.key("notes").strings(trace_.notes);
-    json.key("variables").begin_array();
-    for (const Variable& variable : trace_.variables)
-      json.begin_object()
-          .member("name", variable.name)
-          .member("meaning", variable.meaning)
-          .end_object();
-    json.end_array();
-    json.key("pivots").begin_array();
-    for (const TracedPivot& pivot : trace_.pivots) write_pivot(pivot, tableaus);
-    json.end_array();
-    write_runs();
+    json.member("notes", trace_.notes);
+    json.objects("variables", trace_.variables, [&](const Variable& variable) {
+      json.member("name", variable.name).member("meaning", variable.meaning);
+    });
+    json.objects("pivots", trace_.pivots,
+                 [&](const TracedPivot& pivot) { write_pivot(pivot, tableaus); });
+    json.objects("runs", trace_.runs, [&](const TracedRun& run) { write_run(run); });
     write_end();
     json.key("scene");
-    if (push == nullptr)
-      json.value(nullptr);
-    else
-      write_drawing(json, *push);
+    push != nullptr ? write_scene(json, *push, !tableaus) : null();
     json.end_object();
     return json.text();
   }
@@ -66,6 +61,8 @@ private:
   const PivotTrace& trace_;
   JsonWriter json;
 
+  void null() { json.value(nullptr); }
+
   const char* rule() const {
     for (const TracedPivot& pivot : trace_.pivots)
       if (pivot.chosen) return "chosen";
@@ -73,49 +70,26 @@ private:
     return trace_.rule == TieRule::lexicographic ? "lexicographic" : "generic";
   }
 
-  static const char* tie_break(const TracedPivot& pivot) {
-    if (pivot.chosen) return "chosen";
-    switch (pivot.decided_by) {
-    case TieBreak::artificial: return "artificial";
-    case TieBreak::lexicographic: return "lexicographic";
-    case TieBreak::order: return "first_row";
-    case TieBreak::tie_column: return "tie_column";
-    case TieBreak::size: return "largest_pivot";
-    case TieBreak::right_hand_side:
-    case TieBreak::none: break;
-    }
-    return "none";
-  }
-
-  const std::string& name(Index variable) const {
-    return trace_.variables[static_cast<std::size_t>(variable)].name;
-  }
-
   std::vector<std::string> names(const std::vector<Index>& variables) const {
     std::vector<std::string> result;
-    for (const Index variable : variables) result.push_back(name(variable));
+    for (const Index variable : variables) result.push_back(trace_.name(variable));
     return result;
   }
 
   void write_tableau(const Tableau& tableau, const TracedPivot* pivot) {
-    json.begin_object().key("rows").strings(names(tableau.rows));
-    json.key("columns").strings(names(tableau.columns));
+    json.begin_object().member("rows", names(tableau.rows));
+    json.member("columns", names(tableau.columns));
     json.key("values");
-    write_all(json, tableau.values);
+    write(json, tableau.values);
     json.key("entries").begin_array();
-    const std::size_t width = tableau.columns.size();
     for (std::size_t i = 0; i < tableau.rows.size(); ++i) {
-      const auto first = tableau.entries.begin() + static_cast<std::ptrdiff_t>(i * width);
-      const std::vector<TraceNumber> row(first, first + static_cast<std::ptrdiff_t>(width));
-      if (row[0].fraction.empty()) {
-        std::vector<double> plain;
-        for (const TraceNumber& x : row) plain.push_back(x.value);
-        json.numbers(plain);
-      } else {
-        std::vector<std::string> fractions;
-        for (const TraceNumber& x : row) fractions.push_back(x.fraction);
-        json.strings(fractions);
+      std::vector<double> values;
+      std::vector<std::string> fractions;
+      for (std::size_t j = 0; j < tableau.columns.size(); ++j) {
+        values.push_back(tableau.entry(i, j).value);
+        fractions.push_back(tableau.entry(i, j).fraction);
       }
+      fractions[0].empty() ? json.value(values) : json.value(fractions);
     }
     json.end_array();
     if (pivot != nullptr) json.member("row", pivot->row).member("column", pivot->column);
@@ -123,74 +97,53 @@ private:
   }
 
   void write_pivot(const TracedPivot& pivot, bool tableaus) {
-    json.begin_object();
-    json.member("entering", name(pivot.entering)).member("leaving", name(pivot.leaving));
-    json.key("ratios").begin_array();
-    for (const auto& ratio : pivot.ratios) {
-      if (ratio)
-        write(json, *ratio);
-      else
-        json.value(nullptr);
-    }
-    json.end_array();
-    json.key("ties").strings(names(pivot.ties)).member("tie_break", tie_break(pivot));
+    json.member("entering", trace_.name(pivot.entering));
+    json.member("leaving", trace_.name(pivot.leaving)).key("ratios");
+    write(json, pivot.ratios);
+    json.member("ties", names(pivot.ties)).member("tie_break", tie_words(pivot).name);
     json.key("z0");
     write(json, pivot.z0);
-    json.key("basis").strings(names(pivot.basis)).member("sentence", pivot.sentence);
+    json.member("basis", names(pivot.basis)).member("sentence", pivot.sentence);
     json.member("run", pivot.run).key("tableau");
-    if (pivot.before && tableaus)
-      write_tableau(*pivot.before, &pivot);
-    else
-      json.value(nullptr);
-    json.end_object();
+    pivot.before&& tableaus ? write_tableau(*pivot.before, &pivot) : null();
   }
 
-  void write_runs() {
-    json.key("runs").begin_array();
-    for (const TracedRun& run : trace_.runs) {
-      json.begin_object().member("title", run.title).member("first_pivot", run.first_pivot);
-      json.key("units").numbers(run.unit).key("start");
-      write_tableau(run.start, nullptr);
-      json.end_object();
-    }
-    json.end_array();
+  void write_run(const TracedRun& run) {
+    json.member("title", run.title).member("first_pivot", run.first_pivot);
+    json.member("units", run.unit).key("start");
+    write_tableau(run.start, nullptr);
   }
 
   void write_end() {
     json.key("final");
-    if (trace_.last) {
-      json.begin_object().key("basis").strings(names(trace_.last->rows)).key("tableau");
-      write_tableau(*trace_.last, nullptr);
-      for (const bool is_z : {true, false}) {
-        const std::vector<TraceNumber>& numbers = is_z ? trace_.z : trace_.w;
-        json.key(is_z ? "z" : "w");
-        if (numbers.empty())
-          json.value(nullptr);
-        else
-          write_all(json, numbers);
-      }
-      json.end_object();
-    } else {
-      json.value(nullptr);
-    }
+    trace_.last ? write_final(*trace_.last) : null();
     json.key("ray");
-    if (trace_.ray) {
-      json.begin_object().member("entering", name(trace_.ray->entering)).key("v");
-      write_all(json, trace_.ray->v);
-      json.key("v0");
-      write(json, trace_.ray->v0);
-      json.member("words", trace_.ray->words).end_object();
-    } else {
-      json.value(nullptr);
-    }
+    trace_.ray ? write_ray(*trace_.ray) : null();
     json.key("cycle");
-    if (trace_.cycle)
-      json.begin_object()
-          .member("from_pivot", trace_.cycle->first)
-          .member("length", trace_.cycle->length)
-          .end_object();
-    else
-      json.value(nullptr);
+    trace_.cycle ? write_cycle(*trace_.cycle) : null();
+  }
+
+  void write_final(const Tableau& last) {
+    json.begin_object().member("basis", names(last.rows)).key("tableau");
+    write_tableau(last, nullptr);
+    json.key("z");
+    trace_.z.empty() ? null() : write(json, trace_.z);
+    json.key("w");
+    trace_.w.empty() ? null() : write(json, trace_.w);
+    json.end_object();
+  }
+
+  void write_ray(const TracedRay& ray) {
+    json.begin_object().member("entering", trace_.name(ray.entering)).key("v");
+    write(json, ray.v);
+    json.key("v0");
+    write(json, ray.v0);
+    json.member("words", ray.words).end_object();
+  }
+
+  void write_cycle(const Cycle& cycle) {
+    json.begin_object().member("from_pivot", cycle.first).member("length", cycle.length);
+    json.end_object();
   }
 };
 

@@ -25,7 +25,7 @@ std::string value_latex(const TraceValue& value) {
 }
 
 std::string name_latex(const PivotTrace& trace, Index variable) {
-  const std::string& name = trace.variables[static_cast<std::size_t>(variable)].name;
+  const std::string& name = trace.name(variable);
   return name.substr(0, 1) + "_{" + name.substr(1) + "}";
 }
 

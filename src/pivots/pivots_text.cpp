@@ -12,10 +12,6 @@ std::string number_text(const TraceNumber& x) {
 
 bool is_zero(const TraceNumber& x) { return x.value == 0; }
 
-std::string name(const PivotTrace& trace, Index variable) {
-  return trace.variables[static_cast<std::size_t>(variable)].name;
-}
-
 std::string rule_text(const PivotTrace& trace) {
   if (trace.is_as_solved) return "generic covers and tie columns, scaled";
   return trace.rule == TieRule::first_row ? "first tied row" : "lexicographic";
@@ -32,13 +28,9 @@ std::string header(const PivotTrace& trace) {
   return text;
 }
 
-bool is_physical(const PivotTrace& trace) {
-  return trace.variables[0].meaning.rfind("slack of row", 0) != 0;
-}
-
 /// What the variables mean, for scenes.
 std::string legend(const PivotTrace& trace) {
-  if (!is_physical(trace)) return {};
+  if (!trace.is_physical) return {};
   std::vector<std::vector<std::string>> rows;
   for (Index i = 0; i < trace.size; ++i) {
     const Variable& w = trace.variables[static_cast<std::size_t>(slack(i))];
@@ -58,22 +50,30 @@ std::string legend(const PivotTrace& trace) {
 
 std::string pivot_line(const PivotTrace& trace, std::size_t k) {
   const TracedPivot& pivot = trace.pivots[k];
-  std::string text = "\nPivot " + std::to_string(k) + ": " + name(trace, pivot.entering) +
-                     " enters, " + name(trace, pivot.leaving) + " leaves";
+  std::string text = "\nPivot " + std::to_string(k) + ": " + trace.name(pivot.entering) +
+                     " enters, " + trace.name(pivot.leaving) + " leaves";
   const auto& ratio = pivot.ratios[static_cast<std::size_t>(pivot.row)];
   if (ratio) text += " at " + value_text(*ratio);
   text += "; z0 = " + value_text(pivot.z0) + "\n";
   if (!pivot.ties.empty()) {
     std::string tied;
     for (const Index variable : pivot.ties)
-      tied += (tied.empty() ? "" : ", ") + name(trace, variable);
-    text += "  tied: " + tied + "; " + tie_break_text(pivot) + "\n";
+      tied += (tied.empty() ? "" : ", ") + trace.name(variable);
+    text += "  tied: " + tied + "; " + tie_words(pivot).text + "\n";
   }
   return text + "  " + pivot.sentence + "\n";
 }
 
 bool is_free(const PivotTrace& trace, std::size_t i) {
   return static_cast<Index>(i) >= trace.size - trace.free_count;
+}
+
+/// "  z3 = 2  normal of left.1 (N)", for `letter` z.
+std::string unknown_line(const PivotTrace& trace, char letter, std::size_t i,
+                         const std::string& value) {
+  const Variable& z = trace.variables[i + static_cast<std::size_t>(trace.size)];
+  return std::string("  ") + letter + std::to_string(i + 1) + " = " + value +
+         (trace.is_physical ? "  " + z.meaning : "") + "\n";
 }
 
 /// A free unknown is counted from its bound -S.
@@ -91,11 +91,7 @@ std::string ending(const PivotTrace& trace) {
     text += "Solved after " + count + (trace.is_proved ? ", proved in fractions" : "") + ".\n";
     for (std::size_t i = 0; i < trace.z.size(); ++i)
       if (!is_zero(trace.z[i]) || is_free(trace, i))
-        text += "  z" + std::to_string(i + 1) + " = " + unknown_text(trace, i) +
-                (is_physical(trace)
-                     ? "  " + trace.variables[i + static_cast<std::size_t>(trace.size)].meaning
-                     : "") +
-                "\n";
+        text += unknown_line(trace, 'z', i, unknown_text(trace, i));
     return text;
   }
   text += std::string("Not solved (") + (trace.cycle ? "cycle" : status_text(trace.status)) +
@@ -105,11 +101,7 @@ std::string ending(const PivotTrace& trace) {
           "\nThe ray v >= 0 with M v + d v0 >= 0, v0 = " + number_text(trace.ray->v0) + ":\n";
   for (std::size_t i = 0; i < trace.ray->v.size(); ++i)
     if (!is_zero(trace.ray->v[i]))
-      text += "  v" + std::to_string(i + 1) + " = " + number_text(trace.ray->v[i]) +
-              (is_physical(trace)
-                   ? "  " + trace.variables[i + static_cast<std::size_t>(trace.size)].meaning
-                   : "") +
-              "\n";
+      text += unknown_line(trace, 'v', i, number_text(trace.ray->v[i]));
   return text;
 }
 
@@ -124,28 +116,28 @@ std::string value_text(const TraceValue& value) {
   return text + (rest[0] == '-' ? " - " + rest.substr(1) : " + " + rest);
 }
 
-const char* tie_break_text(const TracedPivot& pivot) {
-  if (pivot.chosen) return "chosen, not by the rule";
+TieWords tie_words(const TracedPivot& pivot) {
+  if (pivot.chosen) return {"chosen", "chosen, not by the rule"};
   switch (pivot.decided_by) {
-  case TieBreak::artificial: return "z0 wins every tie, as a solution is reached";
-  case TieBreak::lexicographic: return "the lexicographic rule decides";
-  case TieBreak::order: return "the first row is taken";
-  case TieBreak::tie_column: return "a generic column decides";
-  case TieBreak::size: return "the largest pivot is taken";
-  case TieBreak::right_hand_side: return "a later right-hand side decides";
+  case TieBreak::artificial: return {"artificial", "z0 wins every tie, as a solution is reached"};
+  case TieBreak::lexicographic: return {"lexicographic", "the lexicographic rule decides"};
+  case TieBreak::order: return {"first_row", "the first row is taken"};
+  case TieBreak::tie_column: return {"tie_column", "a generic column decides"};
+  case TieBreak::size: return {"largest_pivot", "the largest pivot is taken"};
+  case TieBreak::right_hand_side: return {"none", "a later right-hand side decides"};
   case TieBreak::none: break;
   }
-  return "";
+  return {"none", ""};
 }
 
 std::string tableau_text(const PivotTrace& trace, const Tableau& tableau,
                          const TracedPivot* pivot) {
   std::vector<std::vector<std::string>> rows;
   rows.push_back({"", "value"});
-  for (const Index variable : tableau.columns) rows[0].push_back(name(trace, variable));
+  for (const Index variable : tableau.columns) rows[0].push_back(trace.name(variable));
   if (pivot != nullptr) rows[0].push_back("ratio");
   for (std::size_t i = 0; i < tableau.rows.size(); ++i) {
-    std::vector<std::string> row = {name(trace, tableau.rows[i]), value_text(tableau.values[i])};
+    std::vector<std::string> row = {trace.name(tableau.rows[i]), value_text(tableau.values[i])};
     for (std::size_t j = 0; j < tableau.columns.size(); ++j) {
       std::string cell = number_text(tableau.entry(i, j));
       const bool is_pivot = pivot != nullptr && static_cast<Index>(i) == pivot->row &&

@@ -3,18 +3,6 @@
 #include "lcpush/desktop/jam.hpp"
 
 namespace lcpush::desktop {
-namespace {
-
-constexpr const char* cushion = "the cushion z0";
-
-std::string capitalised(std::string text) {
-  // Names of points and bodies stay as they are.
-  if (text.rfind("the ", 0) == 0) text[0] = 'T';
-  return text;
-}
-
-} // namespace
-
 /// generator_text of `sign` times the generator.
 std::string PushStory::along(const Name& name, double sign) const {
   const Body<double>& body = push_.scene().bodies[push_.layout().body[name.of]];
@@ -64,9 +52,9 @@ std::string PushStory::sliding(Index at, const std::vector<bool>& basic) const {
 }
 
 /// What the entering variable's growth is.
-std::string PushStory::grows(Index variable) const {
+std::string PushStory::grows(Index variable, const std::string& the) const {
   const Index n = size();
-  if (variable == artificial(n)) return cushion + std::string(" grows");
+  if (variable == artificial(n)) return the + " cushion z0 grows";
   const bool is_unknown = variable >= n;
   const Name name = name_of(push_.layout(), is_unknown ? variable - n : variable);
   switch (name.meaning) {
@@ -77,11 +65,11 @@ std::string PushStory::grows(Index variable) const {
                       : point(name) + " turns away from sliding" + along(name, -1);
   case Meaning::slip:
     return is_unknown ? point(name) + " slides faster"
-                      : "the friction of " + point(name) + " draws back from its cone";
+                      : the + " friction of " + point(name) + " draws back from its cone";
   case Meaning::closing:
     return is_unknown
                ? push_.actuator_name(name.of) + " closes faster or retreats less"
-               : "the force of " + push_.actuator_name(name.of) + " grows beyond its set force";
+               : the + " force of " + push_.actuator_name(name.of) + " grows beyond its set force";
   }
   return {};
 }
@@ -89,7 +77,7 @@ std::string PushStory::grows(Index variable) const {
 /// What has happened when the leaving variable is zero, and what may follow.
 std::string PushStory::ends(Index variable, const std::vector<bool>& basic) const {
   const Index n = size();
-  if (variable == artificial(n)) return cushion + std::string(" is gone: every law holds");
+  if (variable == artificial(n)) return "the cushion z0 is gone: every law holds";
   const bool is_unknown = variable >= n;
   const Name name = name_of(push_.layout(), is_unknown ? variable - n : variable);
   switch (name.meaning) {
@@ -114,21 +102,16 @@ std::string PushStory::ends(Index variable, const std::vector<bool>& basic) cons
 }
 
 std::string PushStory::sentence(const TracedPivot& pivot, const std::vector<bool>& basic) const {
-  const Index entering = pivot.entering, leaving = pivot.leaving;
-  std::string text;
-  if (entering == artificial(size())) {
-    text = "The cushion z0 enters, just large enough for every law to hold with its help; " +
-           ends(leaving, basic);
-  } else {
-    text = "As " + grows(entering) + ", " + ends(leaving, basic);
-  }
-  return capitalised(text) + ".";
+  const std::string begin =
+      pivot.entering == artificial(size())
+          ? "The cushion z0 enters, just large enough for every law to hold with its help; "
+          : "As " + grows(pivot.entering, "the") + ", ";
+  return begin + ends(pivot.leaving, basic) + ".";
 }
 
 std::string PushStory::ray_sentence(Index entering, const std::vector<double>& v) const {
-  std::string text = capitalised(grows(entering)) + " without end: nothing blocks.";
-  Push scaled(push_.file());
-  const Layout<double>& layout = scaled.layout();
+  std::string text = grows(entering, "The") + " without end: nothing blocks.";
+  const Layout<double>& layout = push_.layout();
   std::vector<double> own(v.size());
   double largest = 0;
   for (Index i = 0; i < layout.size; ++i) {
@@ -136,7 +119,8 @@ std::string PushStory::ray_sentence(Index entering, const std::vector<double>& v
     largest = std::max(largest, own[static_cast<std::size_t>(i)]);
   }
   for (double& x : own) x /= largest > 0 ? largest : 1;
-  const Jam jam = explain_jam(push_.file(), scaled.assembly(), own.data(), layout.size <= 200);
+  const Jam jam = explain_jam(push_.file(), push_.assembly(), own.data(),
+                              layout.size <= 200 ? has_answer : nullptr);
   for (const std::string& sentence : jam_sentences(push_.file(), jam)) text += "\n" + sentence;
   return text;
 }

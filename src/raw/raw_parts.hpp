@@ -1,25 +1,10 @@
 // What the solvers of raw problems share.
 #pragma once
 
+#include "lcpush/desktop/owned.hpp"
 #include "lcpush/desktop/raw_problem.hpp"
 
 namespace lcpush::desktop {
-
-template <class T> Span<T> span_of(std::vector<T>& vector) {
-  return {vector.data(), static_cast<Index>(vector.size())};
-}
-
-/// A Lemke run with its memory.
-struct OwnedLemke {
-  std::vector<double> scalars;
-  std::vector<int> integers;
-  Lemke<double> lemke;
-
-  explicit OwnedLemke(Index n)
-      : scalars(static_cast<std::size_t>(lemke_scalars(n))),
-        integers(static_cast<std::size_t>(lemke_integers(n))),
-        lemke(span_of(scalars), span_of(integers)) {}
-};
 
 /// Some rows and columns of the problem, in a given order.
 struct Submatrix {
@@ -40,8 +25,5 @@ struct Submatrix {
 
 /// Lemke's pivots from zero. Precondition: options.watcher is set.
 RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options);
-
-/// w, and the residual of the whole problem in its own units.
-void measure(const RawProblem& problem, RawAnswer& answer);
 
 } // namespace lcpush::desktop

@@ -12,28 +12,33 @@ bool contains(const Span<const int>& list, Index i) {
   return false;
 }
 
-void take_failure(const Lemke<double>& lemke, RawAnswer& answer) {
+/// Runs the pivots; `answer` receives how they ended.
+void pivot(Lemke<double>& lemke, const Problem<double>& problem, const RawOptions& options,
+           RawAnswer& answer) {
+  if (lemke.init(problem, options.lemke) == Status::running) (void)lemke.solve(*options.watcher);
   answer.status = lemke.status();
   answer.reason = lemke.reason();
+  answer.pivots = lemke.pivots();
+  answer.covers = lemke.covers_tried();
+}
+
+Problem<double> as_given(const RawProblem& problem) {
+  Problem<double> given;
+  given.size = given.free_begin = problem.M.rows;
+  given.matrix = problem.M.values.data();
+  given.q = problem.q.values.data();
+  return given;
 }
 
 RawAnswer solve_standard(const RawProblem& problem, const RawOptions& options) {
   const Index n = problem.M.rows;
   RawAnswer answer;
-  OwnedLemke run(n);
-  Problem<double> given;
-  given.size = given.free_begin = n;
-  given.matrix = problem.M.values.data();
-  given.q = problem.q.values.data();
-  if (run.lemke.init(given, options.lemke) == Status::running)
-    (void)run.lemke.solve(*options.watcher);
-  take_failure(run.lemke, answer);
-  answer.pivots = run.lemke.pivots();
-  answer.covers = run.lemke.covers_tried();
-  if (answer.status == Status::ray) answer.ray.assign(run.lemke.ray(), run.lemke.ray() + n);
+  OwnedLemke<double> lemke(n);
+  pivot(lemke, as_given(problem), options, answer);
+  if (answer.status == Status::ray) answer.ray.assign(lemke.ray(), lemke.ray() + n);
   if (answer.status != Status::solved) return answer;
-  answer.z.assign(run.lemke.z(), run.lemke.z() + n);
-  for (Index i = 0; i < n; ++i) answer.basic.push_back(run.lemke.is_basic(i) ? 1 : 0);
+  answer.z.assign(lemke.z(), lemke.z() + n);
+  for (Index i = 0; i < n; ++i) answer.basic.push_back(lemke.is_basic(i) ? 1 : 0);
   return answer;
 }
 
@@ -55,15 +60,15 @@ bool certify(const RawProblem& problem, const Reduction<double>& reduction,
   whole.cut(problem, pairs);
   std::vector<unsigned char> active;
   for (const Index j : whole.columns) active.push_back(answer.basic[static_cast<std::size_t>(j)]);
-  OwnedLemke run(whole.problem.size);
-  if (run.lemke.init(whole.problem, options.lemke, active.data()) != Status::running) return false;
-  if (run.lemke.solve(*options.watcher) != Status::solved) return false;
-  answer.pivots += run.lemke.pivots();
+  OwnedLemke<double> lemke(whole.problem.size);
+  if (lemke.init(whole.problem, options.lemke, active.data()) != Status::running) return false;
+  if (lemke.solve(*options.watcher) != Status::solved) return false;
+  answer.pivots += lemke.pivots();
   answer.z.assign(static_cast<std::size_t>(n), 0.0);
   for (std::size_t k = 0; k < whole.columns.size(); ++k) {
     const auto j = static_cast<std::size_t>(whole.columns[k]);
-    answer.z[j] = run.lemke.z()[k];
-    answer.basic[j] = run.lemke.is_basic(static_cast<Index>(k)) ? 1 : 0;
+    answer.z[j] = lemke.z()[k];
+    answer.basic[j] = lemke.is_basic(static_cast<Index>(k)) ? 1 : 0;
   }
   return true;
 }
@@ -72,9 +77,7 @@ RawAnswer solve_mixed(const RawProblem& problem, const RawOptions& options,
                       SingularBlock singular) {
   const Index n = problem.M.rows;
   RawAnswer answer;
-  std::vector<double> scalars(static_cast<std::size_t>(reduction_scalars(n)));
-  std::vector<int> integers(static_cast<std::size_t>(reduction_integers(n)));
-  Reduction<double> reduction(span_of(scalars), span_of(integers));
+  Owned<Reduction<double>> reduction(reduction_scalars(n), reduction_integers(n));
   if (reduction.init(n, problem.M.values.data(), problem.q.values.data(), problem.free.data(),
                      singular) != Status::solved) {
     answer.inconsistent_row = reduction.inconsistent_row();
@@ -82,26 +85,20 @@ RawAnswer solve_mixed(const RawProblem& problem, const RawOptions& options,
   }
   for (const int row : reduction.redundant_rows()) answer.redundant_rows.push_back(row);
 
-  const Index m = reduction.problem().size;
-  OwnedLemke run(m);
-  if (run.lemke.init(reduction.problem(), options.lemke) == Status::running)
-    (void)run.lemke.solve(*options.watcher);
-  take_failure(run.lemke, answer);
-  answer.pivots = run.lemke.pivots();
-  answer.covers = run.lemke.covers_tried();
+  OwnedLemke<double> lemke(reduction.problem().size);
+  pivot(lemke, reduction.problem(), options, answer);
   if (answer.status == Status::ray) {
     answer.ray.resize(static_cast<std::size_t>(n));
-    reduction.recover_direction(run.lemke.ray(), answer.ray.data());
+    reduction.recover_direction(lemke.ray(), answer.ray.data());
   }
   if (answer.status != Status::solved) return answer;
   answer.z.resize(static_cast<std::size_t>(n));
-  reduction.recover(run.lemke.z(), answer.z.data());
+  reduction.recover(lemke.z(), answer.z.data());
   answer.basic.assign(problem.free.begin(), problem.free.end());
   for (const int j : reduction.fixed_unknowns()) answer.basic[static_cast<std::size_t>(j)] = 0;
   for (Index k = 0; k < reduction.problem().free_begin; ++k) {
     const ReducedUnknown pair = reduction.unknown_of(k);
-    answer.basic[static_cast<std::size_t>(pair.index)] =
-        run.lemke.is_basic(k) != pair.swapped ? 1 : 0;
+    answer.basic[static_cast<std::size_t>(pair.index)] = lemke.is_basic(k) != pair.swapped ? 1 : 0;
   }
   if (!certify(problem, reduction, options, answer)) {
     answer.status = Status::numerical_breakdown;
@@ -126,23 +123,20 @@ RawAnswer solve_cold(const RawProblem& problem, const RawOptions& options) {
 
 } // namespace
 
-void measure(const RawProblem& problem, RawAnswer& answer) {
-  const auto n = static_cast<std::size_t>(problem.M.rows);
+WorstRow<double> raw_residual(const RawProblem& problem, const std::vector<double>& z,
+                              std::vector<double>& w) {
+  const std::size_t n = z.size();
   std::vector<double> unit(n, 1.0), scratch(2 * n);
-  answer.w.resize(n);
-  Problem<double> given;
-  given.size = given.free_begin = problem.M.rows;
-  given.matrix = problem.M.values.data();
+  w.resize(n);
   const auto is_free = [&](Index i) { return problem.free[static_cast<std::size_t>(i)] != 0; };
-  answer.residual = natural_residual(given, problem.q.values.data(), answer.z.data(), unit.data(),
-                                     is_free, answer.w.data(), scratch.data())
-                        .residual;
+  return natural_residual(as_given(problem), problem.q.values.data(), z.data(), unit.data(),
+                          is_free, w.data(), scratch.data());
 }
 
 RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options) {
   RawAnswer answer = solve_cold(problem, options);
   if (answer.status != Status::solved) return answer;
-  measure(problem, answer);
+  answer.residual = raw_residual(problem, answer.z, answer.w).residual;
   if (!(answer.residual <= options.lemke.tolerances.residual)) {
     answer.status = Status::numerical_breakdown;
     answer.reason = Reason::residual;

@@ -35,7 +35,7 @@ void take(const RawProblem& problem, const Submatrix& sorted, const double* z, R
   answer.z.resize(sorted.rows.size());
   for (std::size_t k = 0; k < sorted.rows.size(); ++k)
     answer.z[static_cast<std::size_t>(sorted.rows[k])] = z[k];
-  measure(problem, answer);
+  answer.residual = raw_residual(problem, answer.z, answer.w).residual;
 }
 
 /// Sweeps until the residual of the problem as given is `tolerance`. The solver's own check knows
@@ -83,19 +83,19 @@ bool pivot_from(const RawProblem& problem, const Submatrix& sorted, const std::v
     const auto at = static_cast<std::size_t>(i);
     active.push_back(problem.free[at] != 0 || near[at] > near_enough * largest ? 1 : 0);
   }
-  OwnedLemke run(sorted.problem.size);
+  OwnedLemke<double> lemke(sorted.problem.size);
   LemkeOptions<double> single = options.lemke;
   single.covers = 1;
-  answer.status = run.lemke.init(sorted.problem, single, active.data(), Guess::near);
-  if (answer.status == Status::running) answer.status = run.lemke.solve(*options.watcher);
-  answer.pivots = run.lemke.pivots();
+  answer.status = lemke.init(sorted.problem, single, active.data(), Guess::near);
+  if (answer.status == Status::running) answer.status = lemke.solve(*options.watcher);
+  answer.pivots = lemke.pivots();
   if (answer.status != Status::solved) return false;
   answer.covers = 1;
-  take(problem, sorted, run.lemke.z(), answer);
+  take(problem, sorted, lemke.z(), answer);
   answer.basic.resize(active.size());
   for (std::size_t k = 0; k < active.size(); ++k)
     answer.basic[static_cast<std::size_t>(sorted.rows[k])] =
-        run.lemke.is_basic(static_cast<Index>(k)) ? 1 : 0;
+        lemke.is_basic(static_cast<Index>(k)) ? 1 : 0;
   return answer.residual <= options.lemke.tolerances.residual;
 }
 

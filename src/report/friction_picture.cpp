@@ -39,9 +39,9 @@ std::vector<Cell> cells_of(const Scene<double>& scene, const PushReport& report)
 
 /// "left.3", the body's name cut where it is long.
 std::string cell_name(const SceneFile& file, Index point) {
-  const std::string name = point_name(file, point);
-  const std::string number = name.substr(name.rfind('.'));
-  return shortened(name.substr(0, name.rfind('.')), 15 - number.size()) + number;
+  const auto body = static_cast<std::size_t>(file.body_of(point));
+  const std::string number = "." + std::to_string(point - file.bodies[body].first_point + 1);
+  return shortened(file.body_names[body], 15 - number.size()) + number;
 }
 
 /// t to the right, o up, as seen along the normal from inside the object.
@@ -74,10 +74,9 @@ std::string cell_elements(const SceneFile& file, const Cell& cell, const PushRep
       circle_element("coulomb", center, radius) + polygon_element("cone", rim) +
       line_element("tick", center - Pixel(radius, 0), center + Pixel(radius, 0)) +
       line_element("tick", center - Pixel(0, radius), center + Pixel(0, radius));
-  if (direction_text(body.tangent).size() < 4)
-    text += text_element("quiet", center + Pixel(radius + 5, 4), direction_text(body.tangent));
-  if (direction_text(other).size() < 4)
-    text += text_element("quiet", center + Pixel(5, -radius - 2), direction_text(other));
+  for (const auto& [at, along] : {std::pair(Pixel(radius + 5, 4), direction_text(body.tangent)),
+                                  std::pair(Pixel(5, -radius - 2), direction_text(other))})
+    if (along.size() < 4) text += text_element("quiet", center + at, along); // "+x" has room
   const Vector3<double> slip =
       answer.acceleration - answer.acceleration.dot(body.normal) * body.normal;
   if (answer.mode == Mode::slide && slip.norm() > 1e-9 * report.scales.acceleration)
@@ -94,25 +93,25 @@ std::string cell_elements(const SceneFile& file, const Cell& cell, const PushRep
 } // namespace
 
 std::vector<std::string> without_friction(const SceneFile& file, const PushReport& report) {
+  enum Reason : std::size_t { drawn, no_room, no_force, frictionless };
+  constexpr const char* words[] = {"", "no room", "no normal force", "frictionless"};
   const Scene<double> scene = file.view();
   const std::vector<Cell> cells = cells_of(scene, report);
-  const auto reason = [&](const Body<double>& body, Index i) -> std::string {
+  const auto reason = [&](const Body<double>& body, Index i) {
     for (const Cell& cell : cells)
-      if (cell.point == i) return "";
-    return has_friction(body, i, report) ? "no room"
-           : body.friction > 0           ? "no normal force"
-                                         : "frictionless";
+      if (cell.point == i) return drawn;
+    return has_friction(body, i, report) ? no_room : body.friction > 0 ? no_force : frictionless;
   };
   std::vector<std::string> list;
   for (const Body<double>& body : scene.bodies) {
     const Index end = body.first_point + body.point_count;
     for (Index i = body.first_point; i < end;) {
-      const std::string why = reason(body, i);
+      const Reason why = reason(body, i);
       Index last = i;
       while (last + 1 < end && reason(body, last + 1) == why) ++last;
-      if (!why.empty())
+      if (why != drawn)
         list.push_back(point_name(file, i) + (last > i ? " to " + point_name(file, last) : "") +
-                       " (" + why + ")");
+                       " (" + words[why] + ")");
       i = last + 1;
     }
   }

@@ -33,18 +33,10 @@ std::string list_html(const std::vector<std::string>& sentences) {
   return text + "</ul>\n";
 }
 
-std::string sentences_html(const std::vector<std::string>& sentences) {
+std::string paragraphs_html(const std::vector<std::string>& sentences) {
   std::string text;
-  std::vector<std::string> items;
-  for (const std::string& sentence : sentences) {
-    if (sentence.rfind("- ", 0) == 0) {
-      items.push_back(sentence.substr(2));
-      continue;
-    }
-    text += list_html(items) + paragraph(sentence);
-    items.clear();
-  }
-  return text + list_html(items);
+  for (const std::string& sentence : sentences) text += paragraph(sentence);
+  return text;
 }
 
 std::string scrolling(const std::string& label, const std::string& inside) {
@@ -64,11 +56,6 @@ std::string table_html(const std::string& caption,
     text += "</tr>\n";
   }
   return scrolling(caption, text + "</tbody>\n</table>\n");
-}
-
-std::string sample(const std::string& view_box, const std::string& elements) {
-  return "<svg class=\"drawing\" viewBox=\"" + view_box + "\" aria-hidden=\"true\">" + elements +
-         "</svg>";
 }
 
 std::string figure(const Drawing& drawing, const std::string& caption) {

@@ -15,16 +15,13 @@ std::string with_breaks(const std::string& text);
 std::string facts_html(const std::vector<Fact>& facts);
 /// A list, or nothing.
 std::string list_html(const std::vector<std::string>& sentences);
-/// Paragraphs; those that begin with a dash are a list.
-std::string sentences_html(const std::vector<std::string>& sentences);
+std::string paragraphs_html(const std::vector<std::string>& sentences);
 /// A box that scrolls by itself, also by the keyboard.
 std::string scrolling(const std::string& label, const std::string& inside);
 /// The first row holds the heads of the columns, the first column those of the rows; cells are
 /// HTML.
 std::string table_html(const std::string& caption,
                        const std::vector<std::vector<std::string>>& rows);
-/// A little drawing beside words that say the same.
-std::string sample(const std::string& view_box, const std::string& elements);
 /// A plot that stands in its document's own style, which would reach the whole page otherwise.
 /// `words`: for those who do not see it.
 std::string plot_image(const std::string& svg, const std::string& words);

@@ -2,6 +2,7 @@
 // motions, and the axis that the object turns about.
 #pragma once
 
+#include "draw/marks.hpp"
 #include "report/scene_view.hpp"
 
 namespace lcpush::desktop {

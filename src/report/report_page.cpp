@@ -22,12 +22,14 @@ std::string failure_box(Status status, const std::string& reason, const std::str
          ")</strong>: " + escaped(reason) + ".</p>\n" + more + "</div>\n";
 }
 
-std::string failure_html(const SceneFile& file, Status status, const std::string& reason,
-                         const std::vector<NamedValue>& ray, const Jam& jam) {
-  if (ray.empty()) return failure_box(status, reason, "");
+std::string failure_html(const SceneFile& file, const RunReport& report) {
+  if (report.ray.empty()) return failure_box(report.status, report.reason, "");
   std::vector<std::vector<std::string>> rows{{"unknown", "value"}};
-  for (const NamedValue& entry : ray) rows.push_back({escaped(entry.name), number(entry.value)});
-  return failure_box(status, reason, sentences_html(jam_sentences(file, jam))) +
+  for (const NamedValue& entry : report.ray)
+    rows.push_back({escaped(entry.name), number(entry.value)});
+  return failure_box(report.status, report.reason,
+                     paragraphs_html(jam_findings(file, report.jam)) +
+                         list_html(jam_remedies(report.jam))) +
          "<details>\n<summary>The ray in numbers</summary>\n" +
          table_html("The ray, largest entry 1", rows) + "</details>\n";
 }
@@ -38,7 +40,7 @@ std::string legend(const SceneFile& file, const PushReport& push) {
     return sample(wide, arrow_element(kind, {1, 8}, {29, 8}));
   };
   const auto mark = [&](Mode mode) { return sample(wide, mode_mark(mode, {15, 8})); };
-  std::vector<std::pair<std::string, std::string>> items;
+  KeyItems items;
   const bool solved = push.status == Status::solved;
   if (solved)
     items = {{mark(Mode::stick), "square: the contact sticks"},
@@ -67,15 +69,12 @@ std::string legend(const SceneFile& file, const PushReport& push) {
     items.emplace_back(sample(wide, line_element("screw", {0, 8}, {30, 8})),
                        "axis that the object turns about");
   }
-  std::string text = "<ul class=\"key\">\n";
-  for (const auto& [drawn, words] : items) text += "<li>" + drawn + escaped(words) + "</li>\n";
-  return text + "</ul>\n";
+  return key_html(items);
 }
 
 std::string verdict(const PageContent& content) {
   const PushReport& push = content.push;
-  if (push.status != Status::solved)
-    return failure_html(content.file, push.status, push.reason, push.ray, push.jam);
+  if (push.status != Status::solved) return failure_html(content.file, push);
   std::string text;
   if (content.breaking != nullptr && content.breaking->status == Status::does_not_hold)
     text =
@@ -148,7 +147,7 @@ Section breaking_section(const PageContent& content) {
            jam_sentences(content.file, report.jam) == jam_sentences(content.file, content.push.jam))
     text = failure_box(report.status, "it ends as the push itself does, above", "");
   else if (report.status != Status::solved)
-    text = failure_html(content.file, report.status, report.reason, report.ray, report.jam);
+    text = failure_html(content.file, report);
   else
     text = facts_html(break_facts(content.file, report));
   return {"breaking", "The force that breaks the grasp",
@@ -167,8 +166,8 @@ std::vector<std::string> sweep_changes(const Sweep& sweep) {
   const auto add = [&list](double value, const std::string& change) {
     if (!change.empty()) list.push_back("At " + number(value) + ": " + change);
   };
-  for (const SweepSegment& segment : sweep.segments) add(segment.to, segment.change);
-  for (const SweepPoint& point : sweep.points) add(point.value, point.change);
+  for (const SweepSegment& segment : sweep.segments) add(segment.to, change_text(sweep, segment));
+  for (const SweepPoint& point : sweep.points) add(point.value, change_text(sweep, point));
   for (const BistableRange& range : sweep.bistable)
     list.push_back("Bistable from " + number(range.from) + " to " + number(range.to) +
                    ": the way back ends in another answer there");
@@ -283,8 +282,8 @@ std::string report_html(const PageContent& content) {
             section.inside + "</section>\n";
   }
   return page + "</ul>\n</nav>\n<main>\n" + main + "</main>\n<footer>\n<p>" +
-         escaped(run_words(content.file, content.push.solver, content.push.run)) +
-         ". Written by lcpush " + version_text + ".</p>\n</footer>\n</body>\n</html>\n";
+         escaped(run_words(content.file, content.push)) + ". Written by lcpush " + version_text +
+         ".</p>\n</footer>\n</body>\n</html>\n";
 }
 
 } // namespace lcpush::desktop

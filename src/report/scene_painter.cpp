@@ -15,8 +15,6 @@ Pixel leader_end(const Frame& frame, const Pixel& at) {
   return {std::clamp(at.x(), frame.left, frame.right), std::clamp(at.y(), frame.top, frame.bottom)};
 }
 
-const char* axis_name(Index axis) { return axis == 0 ? "x" : axis == 1 ? "y" : "z"; }
-
 } // namespace
 
 ScenePainter::ScenePainter(const SceneFile& file, const PushReport& report, const View& view,
@@ -27,14 +25,11 @@ ScenePainter::ScenePainter(const SceneFile& file, const PushReport& report, cons
       places_(width, height_) {}
 
 Frame ScenePainter::extent(const SceneFile& file, const PushReport& report, const View& view) {
-  std::vector<Vector3<double>> points = object_corners(file);
-  points.insert(points.end(), file.positions.begin(), file.positions.end());
-  Frame frame{1e300, 1e300, -1e300, -1e300};
-  const auto include = [&frame](const Pixel& p) {
-    frame = {std::min(frame.left, p.x()), std::min(frame.top, p.y()), std::max(frame.right, p.x()),
-             std::max(frame.bottom, p.y())};
-  };
-  for (const Vector3<double>& point : points) include(view.flat(point));
+  std::vector<Pixel> shown;
+  for (const auto& corner : box_corners(file.object.center_of_mass, file.shape.size))
+    shown.push_back(view.flat(corner));
+  for (const auto& position : file.positions) shown.push_back(view.flat(position));
+  const Frame frame = bounds(shown);
   if (report.status != Status::solved) return frame;
   const auto turning = turning_mark(file, report.motion, view, report.scales.length);
   if (!turning || !turning->is_point) return frame;
@@ -43,8 +38,8 @@ Frame ScenePainter::extent(const SceneFile& file, const PushReport& report, cons
   const double reach = 0.6 * std::max(frame.width(), frame.height());
   if (center.x() > frame.left - reach && center.x() < frame.right + reach &&
       center.y() > frame.top - reach && center.y() < frame.bottom + reach)
-    include(center);
-  return frame;
+    shown.push_back(center);
+  return bounds(shown);
 }
 
 Pixel ScenePainter::place(const Vector3<double>& position) const {
@@ -73,58 +68,29 @@ Vector3<double> ScenePainter::body_acceleration(const Body<double>& body) const 
   return sum / static_cast<double>(body.point_count);
 }
 
-bool ScenePainter::is_behind(const Body<double>& body) const {
-  return view_.toward_viewer(body.normal) > 0.5;
-}
-
-/// What lies behind is drawn first.
-std::vector<Index> ScenePainter::bodies_front_first() const {
-  std::vector<Index> order;
-  for (Index b = 0; b < scene_.bodies.size; ++b) order.push_back(b);
-  std::stable_sort(order.begin(), order.end(), [this](Index a, Index b) {
-    return view_.toward_viewer(scene_.bodies[a].normal) >
-           view_.toward_viewer(scene_.bodies[b].normal);
-  });
-  return order;
-}
-
 std::string ScenePainter::outline() {
   const ObjectShape& shape = file_.shape;
   std::vector<Pixel> corners;
-  for (const Vector3<double>& corner : object_corners(file_)) corners.push_back(place(corner));
-  const std::vector<Pixel> box = hull(corners);
-  Frame frame{1e300, 1e300, -1e300, -1e300};
-  for (const Pixel& p : box)
-    frame = {std::min(frame.left, p.x()), std::min(frame.top, p.y()), std::max(frame.right, p.x()),
-             std::max(frame.bottom, p.y())};
-  places_.block(frame, 0.6);
-  if (shape.kind == ObjectShape::Kind::cylinder && shape.axis == view_.depth())
+  for (const auto& corner : box_corners(file_.object.center_of_mass, shape.size))
+    corners.push_back(place(corner));
+  places_.block(bounds(corners), 0.6);
+  if (shape.kind == ObjectShape::Kind::cylinder && view_.toward[shape.axis] != 0)
     return circle_element("object", place(file_.object.center_of_mass),
-                          scales_.meters * shape.size[view_.right] / 2);
+                          scales_.meters * std::abs(view_.right.dot(shape.size)) / 2);
   return polygon_element(shape.kind == ObjectShape::Kind::unknown ? "object guessed" : "object",
-                         box);
+                         hull(corners));
 }
 
-/// A strip behind the points of a body, or a patch where it faces the viewer.
 std::string ScenePainter::pad(const Body<double>& body) {
-  const Pixel flat = view_.flat(body.normal);
-  const bool from_the_side = flat.norm() > 0.7;
   std::vector<Pixel> around;
+  const std::vector<Pixel> rim = pad_rim(view_, body.normal);
   for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
     const Pixel at = place(file_.positions[static_cast<std::size_t>(i)]);
-    places_.block({at.x() - 12, at.y() - 12, at.x() + 12, at.y() + 12}, 1.5);
-    if (from_the_side) {
-      const Pixel n = flat.normalized(), across(-n.y(), n.x());
-      for (const double side : {-6.0, 6.0})
-        for (const double back : {0.0, 9.0}) around.emplace_back(at + side * across - back * n);
-    } else {
-      for (int k = 0; k < 12; ++k)
-        around.emplace_back(at +
-                            9 * Pixel(circle_cosine<double>(k, 12), circle_sine<double>(k, 12)));
-    }
+    places_.block_around(at, 12, 1.5);
+    for (const Pixel& offset : rim) around.emplace_back(at + offset);
   }
   return polygon_element(std::string("pad ") + (body.role == Role::pusher ? "pusher" : "finger") +
-                             (is_behind(body) ? " behind" : ""),
+                             (view_.is_behind(body.normal) ? " behind" : ""),
                          hull(around));
 }
 
@@ -231,19 +197,13 @@ std::string ScenePainter::placed_labels() const {
 }
 
 std::string ScenePainter::axes() {
-  const double across = 24 * view_.right_sign, up = 24 * view_.up_sign;
-  const Pixel origin(across < 0 ? 42 : 16, up < 0 ? 14 : 42);
   places_.block({0, 0, 58, 54}, 30);
-  return arrow_element("axis", origin, origin + Pixel(across, 0)) +
-         arrow_element("axis", origin, origin - Pixel(0, up)) +
-         text_element("quiet", origin + Pixel(1.4 * across, 4), axis_name(view_.right), "middle") +
-         text_element("quiet", origin + Pixel(9, up > 0 ? -20 : 30), axis_name(view_.up));
+  return axes_elements(view_);
 }
 
 std::string ScenePainter::scale_bars() {
   const auto bar = [](double left, double y, double length) {
-    return path_element("scale",
-                        "M" + pixels(left) + " " + pixels(y) + "v6h" + pixels(length) + "v-6");
+    return path_element("scale", move_to({left, y}) + "v6h" + pixels(length) + "v-6");
   };
   const double y = height_ - 14;
   const double length = round_below(70 / scales_.meters);
@@ -263,7 +223,7 @@ Drawing ScenePainter::draw() {
   Drawing drawing{view_.name, view_.title, "", width, height_, ""};
   std::string bodies, contacts, modes, motions;
   const std::string frame = axes() + scale_bars() + outline();
-  for (const Index b : bodies_front_first()) {
+  for (const Index b : bodies_back_to_front(view_, scene_.bodies)) {
     const Body<double>& body = scene_.bodies[b];
     bodies += pad(body);
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)

@@ -19,7 +19,6 @@ struct PictureScales {
 class ScenePainter {
 public:
   static constexpr double width = 420, margin = 96, margin_above = 112;
-  static constexpr double longest_force = 72, fastest = 46; // pixels
 
   ScenePainter(const SceneFile& file, const PushReport& report, const View& view,
                const PictureScales& scales);
@@ -48,8 +47,6 @@ private:
   const ContactAnswer<double>* contact(Index point) const;
   Vector3<double> body_acceleration(const Body<double>& body) const;
   Vector3<double> body_middle(const Body<double>& body) const;
-  bool is_behind(const Body<double>& body) const;
-  std::vector<Index> bodies_front_first() const;
 
   std::string outline();
   std::string pad(const Body<double>& body);
@@ -60,9 +57,8 @@ private:
   std::string weight();
   std::string squeezes();
   std::string object_motion();
-  std::string turning_arc(double spin);
   std::string turning_axis();
-  std::string away_mark(const Pixel& center, double distance, std::string name);
+  std::string away_mark(const Pixel& center, const std::string& name, const std::string& pitch);
   std::string body_motion(Index b);
   std::vector<std::string> body_words(Index b) const;
   std::vector<Frame> place_labels(const std::vector<std::size_t>& order, double& cost) const;

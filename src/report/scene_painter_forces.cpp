@@ -20,33 +20,19 @@ std::string mode_verb(Mode mode) {
 }
 
 std::string mode_mark(Mode mode, const Pixel& at) {
-  const std::string kind = std::string("mark ") + mode_text(mode);
-  switch (mode) {
-  case Mode::stick:
-    return polygon_element(kind, {at + Pixel(-3.6, -3.6), at + Pixel(3.6, -3.6),
-                                  at + Pixel(3.6, 3.6), at + Pixel(-3.6, 3.6)});
-  case Mode::slide:
-    return polygon_element(kind,
-                           {at + Pixel(0, -4.8), at + Pixel(4.6, 3.6), at + Pixel(-4.6, 3.6)});
-  case Mode::separate: break;
-  }
-  return circle_element(kind, at, 4.4);
+  return mark_element(mode == Mode::stick   ? Mark::square
+                      : mode == Mode::slide ? Mark::triangle
+                                            : Mark::ring,
+                      mode_text(mode), at);
 }
 
-/// An arrow, or, along the line of sight, a cross where it points away from the viewer (its tail)
-/// and a dot where it points at the viewer (its tip).
+/// An arrow, or a ring along the line of sight.
 std::string ScenePainter::normal_force(const Body<double>& body, const Pixel& tip,
                                        const Pixel& tail, bool is_pressed) {
-  const std::string kind = std::string("force normal") + (is_behind(body) ? " behind" : "");
-  if (view_.flat(body.normal).norm() > 0.3) {
-    places_.block_line(tail, tip, 2);
-    return arrow_element(kind, tail, tip);
-  }
-  if (!is_pressed) return "";
-  const std::string x = pixels(tip.x() - 5), y = pixels(tip.y() - 5);
-  return "<g class=\"" + kind + "\">" + circle_element("ring", tip, is_behind(body) ? 10 : 7.5) +
-         (is_behind(body) ? "" : path_element("ring", "M" + x + " " + y + "l10 10m0 -10l-10 10")) +
-         "</g>\n";
+  const bool is_behind = view_.is_behind(body.normal);
+  if (!(view_.flat(body.normal).norm() > 0.3)) return is_pressed ? sight_ring(tip, is_behind) : "";
+  places_.block_line(tail, tip, 2);
+  return arrow_element(is_behind ? "force normal behind" : "force normal", tail, tip);
 }
 
 /// Forces end at the contact; the cone opens where they come from.
@@ -54,7 +40,7 @@ std::string ScenePainter::forces(const Body<double>& body, Index point) {
   const ContactAnswer<double>* const answer = contact(point);
   if (answer == nullptr) return "";
   const Pixel tip = place(file_.positions[static_cast<std::size_t>(point)]);
-  places_.block({tip.x() - 10, tip.y() - 10, tip.x() + 10, tip.y() + 10}, 2);
+  places_.block_around(tip, 10, 2);
   const auto from = [&](const Vector3<double>& force) {
     return Pixel(tip - scales_.newtons * view_.flat(force));
   };
@@ -69,13 +55,14 @@ std::string ScenePainter::forces(const Body<double>& body, Index point) {
     rim.push_back(tip);
     const std::vector<Pixel> outline = hull(rim);
     for (const Pixel& corner : outline) places_.block_line(tip, corner, 0.8);
-    text += polygon_element(is_behind(body) ? "cone behind" : "cone", outline);
+    text += polygon_element(view_.is_behind(body.normal) ? "cone behind" : "cone", outline);
   }
   text += normal_force(body, tip, from(normal), is_pressed);
   const Pixel tail = from(answer->friction_force);
   places_.block_line(tail, tip, 2);
-  return text + arrow_element(std::string("force friction") + (is_behind(body) ? " behind" : ""),
-                              tail, tip);
+  return text +
+         arrow_element(view_.is_behind(body.normal) ? "force friction behind" : "force friction",
+                       tail, tip);
 }
 
 std::string ScenePainter::marks(const Body<double>& body) {
@@ -95,23 +82,6 @@ std::string ScenePainter::marks(const Body<double>& body) {
   return text;
 }
 
-/// Three quarters of a circle about the centre of mass that end at its top.
-std::string ScenePainter::turning_arc(double spin) {
-  const Pixel center = place(file_.object.center_of_mass);
-  constexpr double radius = 19;
-  const double along = spin < 0 ? 1 : -1; // clockwise: at the top it moves to the right
-  const Pixel tip = center - Pixel(0, radius);
-  const std::string r = pixels(radius);
-  places_.block({center.x() - 22, center.y() - 22, center.x() + 22, center.y() + 22}, 1.5);
-  return "<g class=\"motion\">" +
-         path_element("arc", "M" + pixels(center.x() + along * radius) + " " + pixels(center.y()) +
-                                 "A" + r + " " + r + " 0 1 " + (along > 0 ? "1 " : "0 ") +
-                                 pixels(tip.x()) + " " + pixels(tip.y())) +
-         polygon_element("head", {tip + Pixel(8 * along, 0), tip + Pixel(-2 * along, -4.5),
-                                  tip + Pixel(-2 * along, 4.5)}) +
-         "</g>\n";
-}
-
 std::string ScenePainter::object_motion() {
   const Pixel center = place(file_.object.center_of_mass);
   std::string text;
@@ -128,9 +98,10 @@ std::string ScenePainter::object_motion() {
                       (flat.norm() < 0.995 * whole ? " of " + rough_number(whole) : ""));
       said.push_back("accelerates by " + lines.back());
     }
-    const double spin = view_.toward_viewer(a.tail<3>());
+    const double spin = view_.toward.dot(a.tail<3>());
     if (report_.scales.length * std::abs(spin) > scales_.still) {
-      text += turning_arc(spin);
+      places_.block_around(center, 22, 1.5);
+      text += turning_arc(center, spin < 0);
       lines.push_back("turns " + rough_number(std::abs(spin)) + " rad/s\u00B2");
       said.push_back(lines.back());
     }
@@ -147,20 +118,18 @@ std::string ScenePainter::object_motion() {
   return text + circle_element("center", center, 3);
 }
 
-/// Where the axis is when that is off the picture.
-std::string ScenePainter::away_mark(const Pixel& center, double distance, std::string name) {
+/// Where the axis is when that is off the picture. `pitch`: of a screw, else empty.
+std::string ScenePainter::away_mark(const Pixel& center, const std::string& name,
+                                    const std::string& pitch) {
   const Pixel middle(width / 2, height_ / 2), along = (center - middle).normalized();
   const auto line = clipped_line(middle, along, width, height_ - 26); // above the scales
   if (!line) return "";
   const Pixel tip = line->second - 5 * along, tail = tip - 26 * along;
-  name += ", " + rough_number(1000 * distance) + " mm from the centre of mass";
-  words_.push_back("Off the picture: " + name + ".");
+  const std::string distance = rough_number(1000 * report_.motion.axis_point.norm()) + " mm";
+  words_.push_back("Off the picture: " + name + pitch + ", " + distance +
+                   " from the centre of mass.");
   places_.block_line(tail, tip, 3);
-  const std::size_t comma = name.find(", ");
-  labels_.push_back({{name.substr(0, comma), rough_number(1000 * distance) + " mm away"},
-                     tail,
-                     Pixel(-along),
-                     tail});
+  labels_.push_back({{name, distance + " away"}, tail, Pixel(-along), tail});
   return arrow_element("motion thin", tail, tip);
 }
 
@@ -172,22 +141,21 @@ std::string ScenePainter::turning_axis() {
   const std::string pitch = "pitch " + rough_number(1000 * mark->pitch) + " mm/rad";
   const Pixel at = place(mark->at);
   if (mark->is_point) {
-    const std::string name = mark->is_screw ? "screw axis, " + pitch : "instantaneous centre";
+    const std::string name = mark->is_screw ? "screw axis" : "instantaneous centre";
+    const std::string more = mark->is_screw ? ", " + pitch : "";
     if (at.x() < 8 || at.y() < 8 || at.x() > width - 8 || at.y() > height_ - 8)
-      return away_mark(at, report_.motion.axis_point.norm(), name);
-    places_.block({at.x() - 8, at.y() - 8, at.x() + 8, at.y() + 8}, 3);
-    labels_.push_back({{name}, at, Pixel::Zero(), at});
-    words_.push_back("It turns about the " + name + " at " +
+      return away_mark(at, name, more);
+    places_.block_around(at, 8, 3);
+    labels_.push_back({{name + more}, at, Pixel::Zero(), at});
+    words_.push_back("It turns about the " + name + more + " at " +
                      vector_text(mark->at, 1e-9 * report_.scales.length) + " m.");
-    return circle_element("turning", at, 5) +
-           path_element("turning", "M" + pixels(at.x() - 9) + " " + pixels(at.y()) + "h18M" +
-                                       pixels(at.x()) + " " + pixels(at.y() - 9) + "v18");
+    return turning_center(at);
   }
   const std::string name = mark->is_screw ? "screw axis" : "axis of turning";
   words_.push_back("Its " + name +
                    (mark->is_screw ? " has " + pitch + "." : " lies in the picture."));
   const auto line = clipped_line(at, view_.flat(mark->along), width, height_);
-  if (!line) return away_mark(at, report_.motion.axis_point.norm(), name);
+  if (!line) return away_mark(at, name, "");
   places_.block_line(line->first, line->second, 1);
   std::vector<std::string> lines{name};
   if (mark->is_screw) lines.push_back(pitch);
@@ -245,8 +213,8 @@ std::vector<Drawing> scene_pictures(const SceneFile& file, const PushReport& rep
     scales.no_force = 1e-9 * report.scales.force;
     scales.still = std::max(1e-9 * most_speed, 1e-9 * report.scales.acceleration);
   }
-  scales.newtons = most_force > 0 ? ScenePainter::longest_force / round_above(most_force) : 0;
-  scales.accelerations = most_speed > 0 ? ScenePainter::fastest / most_speed : 0;
+  scales.newtons = most_force > 0 ? longest_force / round_above(most_force) : 0;
+  scales.accelerations = most_speed > 0 ? fastest / most_speed : 0;
   std::vector<Drawing> drawings;
   for (const View& view : views)
     drawings.push_back(ScenePainter(file, report, view, scales).draw());

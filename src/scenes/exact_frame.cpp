@@ -1,5 +1,6 @@
 #include "scenes/exact_frame.hpp"
 
+#include "lcpush/desktop/scene_io.hpp"
 #include "lcpush/mechanics/model/contact_frame.hpp"
 #include "lcpush/mechanics/model/patch.hpp"
 
@@ -80,3 +81,16 @@ bool sample_round(bool is_disc, const Vector3<Rational>& center,
 }
 
 } // namespace lcpush::desktop
+
+namespace lcpush {
+
+template <> desktop::Rational circle_cosine<desktop::Rational>(Index j, Index g) {
+  using desktop::Rational;
+  j = ((j % g) + g) % g;
+  if (2 * j > g) j = g - j; // now 0..180 degrees
+  if (4 * j > g) return -circle_cosine<Rational>(g / 2 - j, g);
+  if (6 * j == g) return Rational(1) / Rational(2);
+  return Rational(circle_cosine<double>(j, g));
+}
+
+} // namespace lcpush

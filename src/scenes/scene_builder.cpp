@@ -5,6 +5,7 @@
 #include "scenes/exact_frame.hpp"
 #include "scenes/scene_object.hpp"
 #include "scenes/scene_schema.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
@@ -15,8 +16,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr std::size_t most_points_in_scene = 100000;
-constexpr std::size_t most_bodies = 1000;
 // Rounding of a normal that no decimal number can give exactly.
 constexpr double direction_slack = 1e-9;
 
@@ -42,13 +41,13 @@ const std::vector<TomlTable>& SceneBuilder<S>::tables(const std::string& section
 
 /// Labels a table `finger "left"`, or `finger 2` while it has no usable name.
 template <class S>
-TableReader SceneBuilder<S>::named_reader(const std::string& section, std::size_t index,
-                                          const Schema& schema) const {
-  const TomlTable& table = tables(section)[index];
-  const TomlValue* const value = table.find("name");
-  const auto* const name = value ? std::get_if<std::string>(&value->data) : nullptr;
-  const std::string label = name ? quoted(*name) : std::to_string(index + 1);
-  return TableReader(document_.file, table, section + " " + label, schema);
+TableReader SceneBuilder<S>::reader(const std::string& section, std::size_t index) const {
+  const TomlSection* const found = document_.find(section);
+  const TomlTable& table = found != nullptr ? found->tables[index] : document_.root;
+  std::string label = section;
+  if (found != nullptr && found->is_array)
+    label += " " + (table.name() ? quoted(*table.name()) : std::to_string(index + 1));
+  return TableReader(document_.file, table, label, schema_of(section));
 }
 
 template <class S> std::string SceneBuilder<S>::claim_name(const TableReader& table) {
@@ -69,19 +68,16 @@ template <class S> Index SceneBuilder<S>::body_called(const std::string& name) c
 template <class S> SceneOf<S> SceneBuilder<S>::build() {
   check_sections(document_);
   read_settings();
-  const TableReader object(document_.file, tables("object").front(), "object", object_schema());
-  scene_.object = read_object<S>(object, scene_.shape);
+  scene_.object = read_object<S>(reader("object"), scene_.shape);
   read_bodies(Role::finger);
   read_bodies(Role::pusher);
   if (scene_.bodies.empty())
     throw InputError(document_.file, 1,
                      "nothing touches the object; add at least one [[finger]] or [[pusher]]");
   drive_fingers();
-  for (std::size_t i = 0; i < tables("actuator").size(); ++i)
-    read_actuator(named_reader("actuator", i, actuator_schema()));
+  for (std::size_t i = 0; i < tables("actuator").size(); ++i) read_actuator(reader("actuator", i));
   for (std::size_t i = 0; i < tables("pusher").size(); ++i)
-    drive_pusher(named_reader("pusher", i, body_schema(Role::pusher)),
-                 static_cast<Index>(tables("finger").size() + i));
+    drive_pusher(reader("pusher", i), static_cast<Index>(tables("finger").size() + i));
   if (scene_.planar) refuse_squeezes_out_of_plane();
   return std::move(scene_);
 }
@@ -111,24 +107,24 @@ template <class S> void SceneBuilder<S>::refuse_squeezes_out_of_plane() const {
 }
 
 template <class S> void SceneBuilder<S>::read_settings() {
-  const TableReader root(document_.file, document_.root, "", root_schema());
+  const TableReader root = reader("");
   if (root.has("title")) scene_.title = root.text("title");
   if (root.has("gravity")) scene_.gravity = root.vector3<S>("gravity");
   if (root.has("facets")) scene_.facets = root.whole("facets", 4, 256);
   if (scene_.facets % 2 != 0)
     root.fail("facets", "facets must be even, got " + std::to_string(scene_.facets));
   if (root.has("pressure"))
-    scene_.pressure = static_cast<Pressure>(root.choice("pressure", {"pad", "even", "rigid"}));
+    scene_.pressure = static_cast<Pressure>(root.choice("pressure", pressure_names()));
   if (root.has("planar")) scene_.planar = root.boolean("planar");
 }
 
 template <class S> void SceneBuilder<S>::read_bodies(Role role) {
   const std::string section = section_of(role);
   for (std::size_t i = 0; i < tables(section).size(); ++i) {
-    const TableReader table = named_reader(section, i, body_schema(role));
-    if (scene_.bodies.size() == most_bodies)
-      table.fail("",
-                 "more than " + std::to_string(most_bodies) + " bodies in the scene; use fewer");
+    const TableReader table = reader(section, i);
+    if (scene_.bodies.size() == limits::scene_bodies)
+      table.fail("", "more than " + std::to_string(limits::scene_bodies) +
+                         " bodies in the scene; use fewer");
     read_body(role, table);
   }
 }
@@ -164,8 +160,8 @@ template <class S> void SceneBuilder<S>::read_body(Role role, const TableReader&
 
 template <class S>
 void SceneBuilder<S>::add_points(const TableReader& table, const Patch<S>& patch) {
-  if (scene_.points.size() + patch.positions.size() > most_points_in_scene)
-    table.fail("points", "more than " + std::to_string(most_points_in_scene) +
+  if (scene_.points.size() + patch.positions.size() > limits::scene_points)
+    table.fail("points", "more than " + std::to_string(limits::scene_points) +
                              " contact points in the scene; use fewer");
   for (const Vector3<S>& position : patch.positions) {
     scene_.positions.push_back(position);
@@ -201,8 +197,8 @@ template <class S> void SceneBuilder<S>::drive_along_normal(Index body, Index ac
 }
 
 template <class S> void SceneBuilder<S>::drive_fingers() {
-  if (const TomlSection* const section = document_.find("gripper")) {
-    const TableReader gripper(document_.file, section->tables.front(), "gripper", gripper_schema());
+  if (document_.find("gripper")) {
+    const TableReader gripper = reader("gripper");
     if (const TomlSection* const actuator = document_.find("actuator"))
       gripper.fail("", "[gripper] and the [[actuator]] on line " +
                            std::to_string(actuator->tables.front().line) +
@@ -211,7 +207,7 @@ template <class S> void SceneBuilder<S>::drive_fingers() {
       return drive_parallel_jaws(gripper);
   }
   for (std::size_t i = 0; i < tables("finger").size(); ++i) {
-    const TableReader finger = named_reader("finger", i, body_schema(Role::finger));
+    const TableReader finger = reader("finger", i);
     if (!finger.has("grip_force")) continue;
     const S force = finger.number<S>("grip_force", Sign::positive);
     if (document_.find("actuator"))
@@ -230,8 +226,8 @@ template <class S> void SceneBuilder<S>::drive_parallel_jaws(const TableReader& 
   if (count != 2)
     gripper.fail("jaws",
                  "parallel jaws need exactly two [[finger]]s, got " + std::to_string(count));
-  const TableReader first = named_reader("finger", 0, body_schema(Role::finger));
-  const TableReader second = named_reader("finger", 1, body_schema(Role::finger));
+  const TableReader first = reader("finger", 0);
+  const TableReader second = reader("finger", 1);
   const S force = first.number<S>("grip_force", Sign::positive);
   const S other = second.number<S>("grip_force", Sign::positive);
   if (force != other)
@@ -255,7 +251,7 @@ template <class S> void SceneBuilder<S>::drive_pusher(const TableReader& table, 
                                  "must have no part along it, got " +
                                      shown(along));
   }
-  const std::string& name = scene_.body_names[static_cast<std::size_t>(body)];
+  const std::string& name = scene_.body_name(body);
   drive_along_normal(body, add_actuator(name, force, S(0)));
 }
 

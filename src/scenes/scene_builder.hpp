@@ -22,8 +22,7 @@ public:
 
 private:
   const std::vector<TomlTable>& tables(const std::string& section) const;
-  TableReader named_reader(const std::string& section, std::size_t index,
-                           const Schema& schema) const;
+  TableReader reader(const std::string& section, std::size_t index = 0) const;
   std::string claim_name(const TableReader& table);
   Index body_called(const std::string& name) const;
 

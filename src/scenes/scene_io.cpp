@@ -2,33 +2,28 @@
 
 #include "formats/toml.hpp"
 #include "scenes/scene_builder.hpp"
+#include "text/limits.hpp"
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
-namespace {
 
-constexpr std::size_t most_scene_bytes = std::size_t{64} << 20U;
+std::string read_scene_text(const std::string& path) {
+  return read_text_file(path, limits::scene_bytes);
+}
 
-} // namespace
-
-SceneFile parse_scene(std::string_view text, const std::string& file_name) {
+template <class S> SceneOf<S> parse_scene(std::string_view text, const std::string& file_name) {
   const TomlDocument document = parse_toml(text, file_name);
-  return SceneBuilder<double>(document).build();
+  return SceneBuilder<S>(document).build();
 }
+template SceneOf<double> parse_scene(std::string_view text, const std::string& file_name);
+template SceneOf<Rational> parse_scene(std::string_view text, const std::string& file_name);
 
-SceneFile read_scene(const std::string& path) {
-  return parse_scene(read_text_file(path, most_scene_bytes), path);
+template <class S> SceneOf<S> read_scene(const std::string& path) {
+  return parse_scene<S>(read_scene_text(path), path);
 }
-
-SceneOf<Rational> parse_scene_exactly(std::string_view text, const std::string& file_name) {
-  const TomlDocument document = parse_toml(text, file_name);
-  return SceneBuilder<Rational>(document).build();
-}
-
-SceneOf<Rational> read_scene_exactly(const std::string& path) {
-  return parse_scene_exactly(read_text_file(path, most_scene_bytes), path);
-}
+template SceneOf<double> read_scene(const std::string& path);
+template SceneOf<Rational> read_scene(const std::string& path);
 
 std::vector<std::string> irrational_directions(const SceneOf<Rational>& scene) {
   const std::string are_irrational = " are irrational: their 53-bit values are used";

@@ -11,8 +11,6 @@ namespace {
 
 // Below this ratio of principal moments, rounding decides the sign of the smallest.
 constexpr double thinnest = 1e-12;
-// A thin plate has I_z = I_x + I_y; typed with three or four digits it may miss that by so much.
-constexpr double typing_slack = 1e-3;
 
 template <class S>
 Matrix3<S> box_inertia(const TableReader& table, const S& mass, ObjectShape& shape) {
@@ -85,19 +83,6 @@ std::string shape_key(const TableReader& table) {
 }
 
 } // namespace
-
-const Schema& object_schema() {
-  static const Schema schema = {
-      {"mass", "mass = 0.2  # kg"},
-      {"box", "box = [0.1, 0.03, 0.01]  # m"},
-      {"cylinder_radius", "cylinder_radius = 0.02  # m"},
-      {"cylinder_length", "cylinder_length = 0.1  # m"},
-      {"axis", "axis = \"z\""},
-      {"inertia", "inertia = [1e-4, 2e-4, 2e-4]  # kg m^2"},
-      {"center_of_mass", "center_of_mass = [0, 0, 0]  # m"},
-  };
-  return schema;
-}
 
 template <class S> Object<S> read_object(const TableReader& table, ObjectShape& shape) {
   Object<S> object;

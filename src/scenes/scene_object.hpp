@@ -6,8 +6,6 @@
 
 namespace lcpush::desktop {
 
-const Schema& object_schema();
-
 /// Mass, inertia about the centre of mass, and the centre of mass; what it looks like to `shape`.
 /// S is double or Rational.
 template <class S> Object<S> read_object(const TableReader& table, ObjectShape& shape);

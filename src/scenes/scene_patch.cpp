@@ -2,6 +2,7 @@
 
 #include "lcpush/mechanics/model/patch.hpp"
 #include "scenes/exact_frame.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
@@ -11,41 +12,10 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr Index most_points = 10000;
 constexpr Index default_round_points = 8;
 // Points nearer than this, relative to the patch, are a slip, and make its equations singular.
 constexpr double coincidence = 1e-9;
-// Typed with three or four digits, a point of the contact plane may miss it by so much.
-constexpr double typing_slack = 1e-3;
 constexpr double shortest_direction = 1e-24;
-
-struct Shape {
-  std::string name;
-  std::vector<std::string> keys;
-};
-
-const std::vector<Shape>& shapes() {
-  static const std::vector<Shape> list = {
-      {"point", {"center"}},
-      {"line", {"ends", "points"}},
-      {"disc", {"center", "radius", "points"}},
-      {"ring", {"center", "radius", "points"}},
-      {"rectangle", {"center", "size", "points"}},
-      {"points", {"points"}},
-  };
-  return list;
-}
-
-const Shape& read_shape(const TableReader& table) {
-  std::vector<std::string> names;
-  for (const Shape& shape : shapes()) names.push_back(shape.name);
-  const Shape& shape = shapes()[table.choice("shape", names)];
-  for (const char* key : {"center", "ends", "radius", "size", "points"})
-    if (table.has(key) && std::find(shape.keys.begin(), shape.keys.end(), key) == shape.keys.end())
-      table.fail(key, std::string(key) + " does not go with the shape " + quoted(shape.name) +
-                          ", which takes " + listed(shape.keys, "and"));
-  return shape;
-}
 
 /// The sentence that a report gives to something irrational.
 std::string irrational(const TableReader& table, const std::string& what, bool is_plural) {
@@ -83,18 +53,28 @@ template <class S> Span<Vector3<S>> resized(Patch<S>& patch, Index count) {
 }
 
 Index point_count(const TableReader& table, Index smallest, Index otherwise) {
-  return table.has("points") ? table.whole("points", smallest, most_points) : otherwise;
+  return table.has("points") ? table.whole("points", smallest, limits::patch_points) : otherwise;
 }
 
-template <class S> void sample_line_shape(const TableReader& table, Patch<S>& patch) {
+template <class S>
+void sample_point(const TableReader& table, const ContactFrame<S>&, Patch<S>& patch) {
+  patch.positions = {table.vector3<S>("center")};
+}
+
+template <class S>
+void sample_points(const TableReader& table, const ContactFrame<S>&, Patch<S>& patch) {
+  patch.positions = read_vectors<S>(table, "points", limits::patch_points);
+}
+
+template <class S>
+void sample_line_shape(const TableReader& table, const ContactFrame<S>&, Patch<S>& patch) {
   const std::vector<Vector3<S>> ends = read_vectors<S>(table, "ends", 2);
   if (ends.size() != 2) table.fail("ends", "ends must be a list of 2 points, got 1");
   sample_line<S>(ends[0], ends[1], resized(patch, point_count(table, 2, 2)));
 }
 
-template <class S>
-void sample_round_shape(const TableReader& table, bool is_disc, const ContactFrame<S>& frame,
-                        Patch<S>& patch) {
+template <class S, bool is_disc>
+void sample_round_shape(const TableReader& table, const ContactFrame<S>& frame, Patch<S>& patch) {
   const Vector3<S> center = table.vector3<S>("center");
   const S radius = table.number<S>("radius", Sign::positive);
   const Index count = point_count(table, is_disc ? 1 : 2, default_round_points);
@@ -102,33 +82,44 @@ void sample_round_shape(const TableReader& table, bool is_disc, const ContactFra
     patch.inexact.push_back(irrational(table, "points", true));
 }
 
-template <class S> void sample_rectangle_shape(const TableReader& table, Patch<S>& patch) {
+template <class S>
+void sample_rectangle_shape(const TableReader& table, const ContactFrame<S>&, Patch<S>& patch) {
   const Vector3<S> center = table.vector3<S>("center"), t = patch.tangent;
   const Vector3<S> o = cross(patch.normal, t);
   const std::vector<S> size = table.numbers<S>("size", {2}, Sign::positive);
   std::vector<Index> counts = {2, 2};
-  if (table.has("points")) counts = table.wholes("points", 2, 1, most_points);
+  if (table.has("points")) counts = table.wholes("points", 2, 1, limits::patch_points);
   const Index count = counts[0] * counts[1];
-  if (count > most_points)
-    table.fail("points", "points must make at most " + std::to_string(most_points) +
+  if (count > limits::patch_points)
+    table.fail("points", "points must make at most " + std::to_string(limits::patch_points) +
                              " altogether, got " + std::to_string(count));
   sample_rectangle<S>(center, t, o, size[0], size[1], counts[0], counts[1], resized(patch, count));
 }
 
-template <class S>
-void sample_shape(const TableReader& table, const std::string& shape, const ContactFrame<S>& frame,
-                  Patch<S>& patch) {
-  if (shape == "point") {
-    patch.positions = {table.vector3<S>("center")};
-  } else if (shape == "line") {
-    sample_line_shape(table, patch);
-  } else if (shape == "rectangle") {
-    sample_rectangle_shape(table, patch);
-  } else if (shape == "points") {
-    patch.positions = read_vectors<S>(table, "points", most_points);
-  } else {
-    sample_round_shape(table, shape == "disc", frame, patch);
-  }
+/// A shape of the scene file: the keys that it takes, and how its points are sampled.
+template <class S> struct Shape {
+  std::string name;
+  std::vector<std::string> keys;
+  void (*sample)(const TableReader& table, const ContactFrame<S>& frame, Patch<S>& patch);
+};
+
+template <class S> const Shape<S>& read_shape(const TableReader& table) {
+  static const std::vector<Shape<S>> shapes = {
+      {"point", {"center"}, sample_point<S>},
+      {"line", {"ends", "points"}, sample_line_shape<S>},
+      {"disc", {"center", "radius", "points"}, sample_round_shape<S, true>},
+      {"ring", {"center", "radius", "points"}, sample_round_shape<S, false>},
+      {"rectangle", {"center", "size", "points"}, sample_rectangle_shape<S>},
+      {"points", {"points"}, sample_points<S>},
+  };
+  std::vector<std::string> names;
+  for (const Shape<S>& shape : shapes) names.push_back(shape.name);
+  const Shape<S>& shape = shapes[table.choice("shape", names)];
+  for (const char* key : {"center", "ends", "radius", "size", "points"})
+    if (table.has(key) && std::find(shape.keys.begin(), shape.keys.end(), key) == shape.keys.end())
+      table.fail(key, std::string(key) + " does not go with the shape " + quoted(shape.name) +
+                          ", which takes " + listed(shape.keys, "and"));
+  return shape;
 }
 
 template <class S>
@@ -148,28 +139,14 @@ void check_points(const TableReader& table, const std::string& key, const Patch<
 
 } // namespace
 
-const Schema& patch_schema() {
-  static const Schema schema = {
-      {"shape", "shape = \"disc\""},
-      {"center", "center = [0, 0, 0.005]  # m"},
-      {"ends", "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]  # m"},
-      {"radius", "radius = 0.005  # m"},
-      {"size", "size = [0.01, 0.02]  # m"},
-      {"points", "points = [[0, 0, 0], [0.01, 0, 0]]  # m"},
-      {"normal", "normal = [0, 0, -1]"},
-      {"tangent", "tangent = [1, 0, 0]"},
-  };
-  return schema;
-}
-
 template <class S> Patch<S> read_patch(const TableReader& table) {
-  const Shape& shape = read_shape(table);
+  const Shape<S>& shape = read_shape<S>(table);
   const ContactFrame<S> frame = read_frame<S>(table);
   Patch<S> patch{frame.normal, frame.tangent, {}, {}};
   if (!frame.normal_exact) patch.inexact.push_back(irrational(table, "normal", false));
   if (!frame.tangent_exact) patch.inexact.push_back(irrational(table, "tangent", false));
-  sample_shape(table, shape.name, frame, patch);
-  check_points(table, shape.name == "line" ? "ends" : "points", patch);
+  shape.sample(table, frame, patch);
+  check_points(table, table.has("ends") ? "ends" : "points", patch);
   return patch;
 }
 

@@ -17,9 +17,6 @@ template <class S> struct Patch {
   std::vector<std::string> inexact; ///< as SceneOf has it
 };
 
-/// The keys of every shape, and of the contact frame.
-const Schema& patch_schema();
-
 /// Reads and samples the patch: one point or more, no two coincident, all in one contact plane.
 /// S is double or Rational.
 template <class S> Patch<S> read_patch(const TableReader& table);

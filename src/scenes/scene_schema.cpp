@@ -1,91 +1,114 @@
 #include "scenes/scene_schema.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
-#include "scenes/scene_patch.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
-#include <string>
 
 namespace lcpush::desktop {
 namespace {
 
-Schema joined(Schema first, const Schema& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
+struct Section {
+  std::string name;
+  bool is_array; ///< [[name]], as often as one likes
+  Schema keys;
+};
+
+/// The keys of every body, and those of its kind.
+Schema body_keys(const Schema& own) {
+  Schema keys = {
+      {"name", "\"left\""},
+      {"friction", "0.5"},
+      {"torsion_radius", "0.002", "m"},
+      {"shape", "\"disc\""},
+      {"center", "[0, 0, 0.005]", "m"},
+      {"ends", "[[-0.05, -0.015, 0], [-0.05, 0.015, 0]]", "m"},
+      {"radius", "0.005", "m"},
+      {"size", "[0.01, 0.02]", "m"},
+      {"points", "[[0, 0, 0], [0.01, 0, 0]]", "m"},
+      {"normal", "[0, 0, -1]"},
+      {"tangent", "[1, 0, 0]"},
+  };
+  keys.insert(keys.end(), own.begin(), own.end());
+  return keys;
 }
 
-Schema common_body_schema() {
-  return joined({{"name", "name = \"left\""},
-                 {"friction", "friction = 0.5"},
-                 {"torsion_radius", "torsion_radius = 0.002  # m"}},
-                patch_schema());
+const std::vector<Section>& sections() {
+  static const std::vector<Section> list = {
+      {"",
+       false,
+       {{"title", "\"Straight slide\""},
+        {"gravity", "[0, -9.81, 0]", "m/s^2", true},
+        {"facets", "8"},
+        {"pressure", "\"pad\""},
+        {"planar", "false"}}},
+      {"object",
+       false,
+       {{"mass", "0.2", "kg"},
+        {"box", "[0.1, 0.03, 0.01]", "m"},
+        {"cylinder_radius", "0.02", "m"},
+        {"cylinder_length", "0.1", "m"},
+        {"axis", "\"z\""},
+        {"inertia", "[1e-4, 2e-4, 2e-4]", "kg m^2"},
+        {"center_of_mass", "[0, 0, 0]", "m"}}},
+      {"gripper", false, {{"jaws", "\"parallel\""}}},
+      {"finger", true, body_keys({{"grip_force", "20", "N", true}})},
+      {"pusher", true,
+       body_keys({{"acceleration", "[0.1, 0, 0]", "m/s^2", true},
+                  {"angular_acceleration", "[0, 0, 1]", "rad/s^2", true},
+                  {"about", "[0, 0, 0]", "m"},
+                  {"follow", "\"unilateral\""},
+                  {"normal_force", "5", "N", true}})},
+      {"actuator",
+       true,
+       {{"name", "\"tendon\""},
+        {"bodies", "[\"left\", \"right\"]"},
+        {"twists", "[[1, 0, 0, 0, 0, 0]]  # linear at the scene's origin, angular"},
+        {"force", "20", "N", true},
+        {"acceleration", "0.1", "m/s^2", true},
+        {"inertia", "0.05", "kg"}}},
+  };
+  return list;
 }
 
 } // namespace
 
-const Schema& root_schema() {
-  static const Schema schema = {
-      {"title", "title = \"Straight slide\""},
-      {"gravity", "gravity = [0, -9.81, 0]  # m/s^2"},
-      {"facets", "facets = 8"},
-      {"pressure", "pressure = \"pad\""},
-      {"planar", "planar = false"},
-  };
-  return schema;
+const Schema& schema_of(const std::string& section) {
+  return std::find_if(sections().begin(), sections().end(),
+                      [&](const Section& known) { return known.name == section; })
+      ->keys;
 }
 
-const Schema& gripper_schema() {
-  static const Schema schema = {{"jaws", "jaws = \"parallel\""}};
-  return schema;
-}
-
-const Schema& actuator_schema() {
-  static const Schema schema = {
-      {"name", "name = \"tendon\""},
-      {"bodies", "bodies = [\"left\", \"right\"]"},
-      {"twists", "twists = [[1, 0, 0, 0, 0, 0]]  # linear at the scene's origin, angular"},
-      {"force", "force = 20  # N"},
-      {"acceleration", "acceleration = 0.1  # m/s^2"},
-      {"inertia", "inertia = 0.05  # kg"},
-  };
-  return schema;
-}
-
-const Schema& body_schema(Role role) {
-  static const Schema finger =
-      joined(common_body_schema(), {{"grip_force", "grip_force = 20  # N"}});
-  static const Schema pusher =
-      joined(common_body_schema(),
-             {{"acceleration", "acceleration = [0.1, 0, 0]  # m/s^2"},
-              {"angular_acceleration", "angular_acceleration = [0, 0, 1]  # rad/s^2"},
-              {"about", "about = [0, 0, 0]  # m"},
-              {"follow", "follow = \"unilateral\""},
-              {"normal_force", "normal_force = 5  # N"}});
-  return role == Role::finger ? finger : pusher;
+const Key* key_called(const std::string& name) {
+  for (const Section& section : sections())
+    for (const Key& key : section.keys)
+      if (key.name == name) return &key;
+  return nullptr;
 }
 
 void check_sections(const TomlDocument& document) {
-  const std::vector<std::string> singles = {"object", "gripper"};
-  const std::vector<std::string> arrays = {"finger", "pusher", "actuator"};
-  const auto contains = [](const std::vector<std::string>& list, const std::string& word) {
-    return std::find(list.begin(), list.end(), word) != list.end();
-  };
   for (const TomlSection& section : document.sections) {
     const std::string& name = section.name;
     const int line = section.tables.front().line;
-    if (contains(singles, name) && section.is_array)
-      throw InputError(document.file, line, "there is only one " + name + "; write [" + name + "]");
-    if (contains(arrays, name) && !section.is_array)
-      throw InputError(document.file, line,
-                       "there may be several; write [[" + name + "]] instead of [" + name + "]");
-    if (contains(singles, name) || contains(arrays, name)) continue;
-    std::vector<std::string> known = singles;
-    known.insert(known.end(), arrays.begin(), arrays.end());
-    const std::string hint = suggestion(name, known);
+    std::vector<std::string> names;
+    bool is_known = false;
+    for (const Section& known : sections()) {
+      if (known.name.empty()) continue;
+      names.push_back(known.name);
+      if (known.name != name) continue;
+      is_known = true;
+      if (section.is_array && !known.is_array)
+        throw InputError(document.file, line,
+                         "there is only one " + name + "; write [" + name + "]");
+      if (known.is_array && !section.is_array)
+        throw InputError(document.file, line,
+                         "there may be several; write [[" + name + "]] instead of [" + name + "]");
+    }
+    if (is_known) continue;
+    const std::string hint = suggestion(name, names);
     throw InputError(document.file, line,
                      "unknown table " + quoted(name) +
-                         (hint.empty() ? "; the tables are " + listed(known, "and") : hint));
+                         (hint.empty() ? "; the tables are " + listed(names, "and") : hint));
   }
   if (!document.find("object"))
     throw InputError(document.file, 1,

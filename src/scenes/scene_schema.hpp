@@ -1,17 +1,27 @@
-// What a scene file may contain besides [object] and the patches.
+// What a scene file may contain.
 #pragma once
 
 #include "formats/toml.hpp"
-#include "lcpush/mechanics/model/scene.hpp"
-#include "scenes/table_reader.hpp"
+
+#include <string>
+#include <vector>
 
 namespace lcpush::desktop {
 
-const Schema& root_schema();
-const Schema& gripper_schema();
-const Schema& actuator_schema();
-/// The keys of a [[finger]] or [[pusher]], its patch's among them.
-const Schema& body_schema(Role role);
+/// A key that a table may have.
+struct Key {
+  std::string name;
+  std::string example;    ///< a value that it may have
+  std::string unit = {};  ///< of its numbers
+  bool is_linear = false; ///< they enter the right-hand side alone, and linearly
+};
+using Schema = std::vector<Key>;
+
+/// The keys of [section], or of each [[section]]; "" stands for those above the first header.
+const Schema& schema_of(const std::string& section);
+
+/// The key called `name`, wherever it stands; nullptr if there is none.
+const Key* key_called(const std::string& name);
 
 /// Refuses unknown sections, [name] for [[name]] and the reverse, a missing [object].
 void check_sections(const TomlDocument& document);

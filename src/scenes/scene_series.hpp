@@ -1,4 +1,6 @@
 // Many scenes that differ in a number or two, built once where that number only stands somewhere.
+// A sweep of 1,000 points takes a quarter to a third longer under `rigid`, and a sixth under `pad`,
+// where every scene is built from the file's tables instead (straight_slide.toml over *.friction).
 #pragma once
 
 #include "lcpush/desktop/varied_scene.hpp"

@@ -19,13 +19,11 @@ bool is_position(const TomlEntry& entry) {
 
 /// Adds `by` to coordinate `axis` of a point, or of every point of a list.
 void shift(TomlValue& value, std::size_t axis, double by) {
-  auto* const list = std::get_if<TomlArray>(&value.data);
-  if (list == nullptr || list->empty()) return; // a count, or wrong: the builder says so
-  if (std::holds_alternative<TomlArray>(list->front().data)) {
-    for (TomlValue& point : *list) shift(point, axis, by);
-  } else if (axis < list->size()) {
-    if (const auto number = number_in((*list)[axis])) set_number((*list)[axis], *number + by);
-  }
+  auto& list = std::get<TomlArray>(value.data);
+  if (std::holds_alternative<TomlArray>(list.front().data))
+    for (TomlValue& point : list) shift(point, axis, by);
+  else
+    set_number(list[axis], *list[axis].number() + by);
 }
 
 /// Cosine and sine; of multiples of 90 degrees exactly.
@@ -38,17 +36,9 @@ std::pair<double, double> circle_point(double degrees) {
   return {c, s};
 }
 
-/// Three numbers; none if the builder has something to say about them.
-std::optional<Vector3<double>> vector_in(const TomlValue* value) {
-  const auto* const list = value != nullptr ? std::get_if<TomlArray>(&value->data) : nullptr;
-  if (list == nullptr || list->size() != 3) return std::nullopt;
-  Vector3<double> vector;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto number = number_in((*list)[i]);
-    if (!number) return std::nullopt;
-    vector[static_cast<Index>(i)] = *number;
-  }
-  return vector;
+Vector3<double> vector_in(const TomlValue& value) {
+  const auto& list = std::get<TomlArray>(value.data);
+  return {*list[0].number(), *list[1].number(), *list[2].number()};
 }
 
 void set_vector(TomlValue& value, const Vector3<double>& vector) {
@@ -58,19 +48,6 @@ void set_vector(TomlValue& value, const Vector3<double>& vector) {
 }
 
 } // namespace
-
-TomlValue* value_of(TomlTable& table, const std::string& key) {
-  for (TomlEntry& entry : table.entries)
-    if (entry.key == key) return &entry.value;
-  return nullptr;
-}
-
-std::optional<double> number_in(const TomlValue& value) {
-  if (const auto* whole = std::get_if<std::int64_t>(&value.data))
-    return static_cast<double>(*whole);
-  if (const auto* real = std::get_if<double>(&value.data)) return *real;
-  return std::nullopt;
-}
 
 void set_number(TomlValue& value, double number) {
   value.data = number;
@@ -97,24 +74,26 @@ void shift_points(TomlTable& table, std::size_t axis, double by) {
 }
 
 void turn_acceleration(TomlTable& table, double degrees) {
-  TomlValue& value = *value_of(table, "acceleration");
-  const auto v = vector_in(&value);
-  if (!v) return;
+  TomlValue& value = *table.find("acceleration");
+  const Vector3<double> v = vector_in(value);
   const auto [c, s] = circle_point(degrees);
-  set_vector(value, {c * (*v)[0] - s * (*v)[1], s * (*v)[0] + c * (*v)[1], (*v)[2]});
+  set_vector(value, {c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]});
 }
 
 void turn_tangent(TomlTable& table, double degrees) {
-  const auto along = vector_in(value_of(table, "normal"));
-  if (!along || !(along->norm() > 0)) return;
-  const Vector3<double> n = along->normalized();
-  const auto given = vector_in(value_of(table, "tangent"));
-  const Vector3<double> t = given ? tangent_along<double>(n, *given) : default_tangent<double>(n);
+  const Vector3<double> along = vector_in(*table.find("normal"));
+  if (!(along.norm() > 0)) return; // the builder refuses it
+  const Vector3<double> n = along.normalized();
+  TomlValue* tangent = table.find("tangent");
+  const Vector3<double> t =
+      tangent != nullptr ? tangent_along<double>(n, vector_in(*tangent)) : default_tangent(n);
   const auto [c, s] = circle_point(degrees);
   const Vector3<double> turned = c * t + s * cross<double>(n, t);
-  if (value_of(table, "tangent") == nullptr)
+  if (tangent == nullptr) {
     table.entries.push_back({"tangent", {table.line, TomlArray{}, ""}});
-  set_vector(*value_of(table, "tangent"), turned);
+    tangent = &table.entries.back().value;
+  }
+  set_vector(*tangent, turned);
 }
 
 } // namespace lcpush::desktop

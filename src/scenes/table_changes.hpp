@@ -1,18 +1,11 @@
-// What a sweep changes in the tables of a parsed scene.
+// What a sweep changes in the tables of a scene that the builder has accepted.
 #pragma once
-
-#include <optional>
-#include <string>
 
 #include "formats/toml.hpp"
 #include "lcpush/types.hpp"
 
 namespace lcpush::desktop {
 
-/// Null if the table has no such key.
-TomlValue* value_of(TomlTable& table, const std::string& key);
-
-std::optional<double> number_in(const TomlValue& value);
 void set_number(TomlValue& value, double number);
 /// As set_number; a whole number is kept as one.
 void set_count(TomlValue& value, double number);

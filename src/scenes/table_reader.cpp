@@ -32,8 +32,8 @@ std::string entry_of(const std::string& what, std::size_t index) {
 } // namespace
 
 TableReader::TableReader(const std::string& file, const TomlTable& table, std::string label,
-                         Schema schema)
-    : file_(file), table_(table), label_(std::move(label)), schema_(std::move(schema)) {
+                         const Schema& schema)
+    : file_(file), table_(table), label_(std::move(label)), schema_(schema) {
   refuse_unknown_keys();
 }
 
@@ -62,7 +62,8 @@ const TomlValue& TableReader::require(const std::string& key) const {
   if (const TomlValue* value = table_.find(key)) return *value;
   const auto is_key = [&key](const Key& known) { return known.name == key; };
   const auto known = std::find_if(schema_.begin(), schema_.end(), is_key);
-  fail(key, "missing key " + quoted(key) + "; add for example " + known->example);
+  fail(key, "missing key " + quoted(key) + "; add for example " + key + " = " + known->example +
+                (known->unit.empty() ? "" : "  # " + known->unit));
 }
 
 bool TableReader::boolean(const std::string& key) const {
@@ -96,14 +97,8 @@ std::size_t TableReader::choice(const std::string& key,
 
 double TableReader::checked_number(const std::string& what, const TomlValue& value,
                                    Sign sign) const {
-  double number = 0;
-  if (const auto* whole = std::get_if<std::int64_t>(&value.data)) {
-    number = static_cast<double>(*whole);
-  } else if (const auto* real = std::get_if<double>(&value.data)) {
-    number = *real;
-  } else {
-    fail_at(value.line, what + " must be a number, got " + described(value));
-  }
+  if (!value.number()) fail_at(value.line, what + " must be a number, got " + described(value));
+  const double number = *value.number();
   const auto require_that = [&](bool holds, const std::string& rule) {
     if (!holds) fail_at(value.line, what + " must be " + rule + ", got " + described(value));
   };

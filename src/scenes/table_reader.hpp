@@ -1,21 +1,18 @@
 // One TOML table of a scene file: typed, checked access to its keys.
 #pragma once
 
-#include "formats/toml.hpp"
 #include "lcpush/desktop/rational.hpp"
 #include "lcpush/types.hpp"
+#include "scenes/scene_schema.hpp"
 
 #include <string>
 #include <vector>
 
 namespace lcpush::desktop {
 
-/// A key that a table may have, and a line that shows how to write it.
-struct Key {
-  std::string name;
-  std::string example;
-};
-using Schema = std::vector<Key>;
+/// What is typed with three or four digits may miss by so much what it has to satisfy: a thin plate
+/// I_z = I_x + I_y, a patch's points their plane.
+constexpr double typing_slack = 1e-3;
 
 /// Numbers beyond 1e12, and positive ones below 1e-24, are refused as slips of the unit.
 enum class Sign { any, not_negative, positive };
@@ -26,8 +23,9 @@ enum class Sign { any, not_negative, positive };
 class TableReader {
 public:
   /// Refuses keys that `schema` does not list. `label` starts every message, e.g. `finger "left"`;
-  /// it may be empty. `file` and `table` must outlive the reader.
-  TableReader(const std::string& file, const TomlTable& table, std::string label, Schema schema);
+  /// it may be empty. `file`, `table` and `schema` must outlive the reader.
+  TableReader(const std::string& file, const TomlTable& table, std::string label,
+              const Schema& schema);
 
   bool has(const std::string& key) const { return table_.find(key) != nullptr; }
   int line() const { return table_.line; }
@@ -78,7 +76,7 @@ private:
   const std::string& file_;
   const TomlTable& table_;
   std::string label_;
-  Schema schema_;
+  const Schema& schema_;
 };
 
 } // namespace lcpush::desktop

@@ -3,11 +3,10 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "scenes/scene_builder.hpp"
 #include "scenes/table_changes.hpp"
-#include "text/text_file.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -17,42 +16,7 @@ namespace {
 using Place = Parameter::Place;
 using Kind = Parameter::Kind;
 
-constexpr std::size_t most_scene_bytes = std::size_t{64} << 20U;
 constexpr int root = -1;
-
-std::string unit_of(const std::string& key) {
-  static const std::map<std::string, std::string> units = {{"gravity", "m/s^2"},
-                                                           {"mass", "kg"},
-                                                           {"box", "m"},
-                                                           {"cylinder_radius", "m"},
-                                                           {"cylinder_length", "m"},
-                                                           {"inertia", "kg m^2"},
-                                                           {"center_of_mass", "m"},
-                                                           {"center", "m"},
-                                                           {"ends", "m"},
-                                                           {"radius", "m"},
-                                                           {"size", "m"},
-                                                           {"points", "m"},
-                                                           {"torsion_radius", "m"},
-                                                           {"grip_force", "N"},
-                                                           {"acceleration", "m/s^2"},
-                                                           {"angular_acceleration", "rad/s^2"},
-                                                           {"about", "m"},
-                                                           {"normal_force", "N"},
-                                                           {"force", "N"},
-                                                           {"shift", "m"},
-                                                           {"turn", "degrees"},
-                                                           {"tangent_turn", "degrees"}};
-  const auto found = units.find(key);
-  return found == units.end() ? "" : found->second;
-}
-
-bool is_linear(const std::string& key) {
-  for (const char* name :
-       {"gravity", "grip_force", "acceleration", "angular_acceleration", "normal_force", "force"})
-    if (key == name) return true;
-  return false;
-}
 
 bool is_body(const std::string& section) { return section == "finger" || section == "pusher"; }
 
@@ -81,7 +45,7 @@ struct Named {
 void add_numbers(const TomlValue& value, Named& named, const std::string& key,
                  std::vector<Named>& list) {
   Place& place = named.parameter.places.front();
-  if (const auto number = number_in(value)) {
+  if (const auto number = value.number()) {
     named.rest = indexed(key, place.indices);
     named.parameter.value = *number;
     list.push_back(named);
@@ -101,33 +65,27 @@ void add_table(const TomlTable& table, const std::string& owner, int section, in
     named.owner = owner;
     named.parameter.places = {{section, index, entry.key, {}}};
     named.parameter.whole = is_count(entry);
-    if (!named.parameter.whole) named.parameter.unit = unit_of(entry.key);
-    named.parameter.linear = is_linear(entry.key);
+    const Key& key = *key_called(entry.key);
+    if (!named.parameter.whole) named.parameter.unit = key.unit;
+    named.parameter.linear = key.is_linear;
     add_numbers(entry.value, named, entry.key, list);
   }
 }
 
 void add_motions(const TomlTable& table, const std::string& owner, int section, int index,
                  std::vector<Named>& list) {
-  Named named;
-  named.owner = owner;
-  named.parameter.places = {{section, index, "", {}}};
-  named.parameter.kind = Kind::shift;
-  named.parameter.unit = unit_of("shift");
-  for (Index axis = 0; axis < 3; ++axis) {
-    named.parameter.axis = axis;
-    named.rest = "shift[" + std::to_string(axis) + "]";
-    list.push_back(named);
-  }
-  named.parameter.unit = unit_of("tangent_turn");
-  named.parameter.kind = Kind::tangent_turn;
-  named.rest = "tangent_turn";
-  list.push_back(named);
-  if (!table.find("acceleration")) return;
-  named.parameter.kind = Kind::turn;
-  named.parameter.unit = unit_of("turn");
-  named.rest = "turn";
-  list.push_back(named);
+  const auto add = [&](Kind kind, const std::string& rest, const char* unit, Index axis) {
+    Parameter parameter;
+    parameter.kind = kind;
+    parameter.places = {{section, index, "", {}}};
+    parameter.axis = axis;
+    parameter.unit = unit;
+    list.push_back({parameter, owner, rest});
+  };
+  for (Index axis = 0; axis < 3; ++axis)
+    add(Kind::shift, "shift[" + std::to_string(axis) + "]", "m", axis);
+  add(Kind::tangent_turn, "tangent_turn", "degrees", 0);
+  if (table.find("acceleration")) add(Kind::turn, "turn", "degrees", 0);
 }
 
 /// Each number that one path names, without those of `*`.
@@ -138,9 +96,7 @@ std::vector<Named> single_parameters(const TomlDocument& document) {
     const TomlSection& section = document.sections[s];
     for (std::size_t t = 0; t < section.tables.size(); ++t) {
       const TomlTable& table = section.tables[t];
-      const TomlValue* const value = table.find("name");
-      const auto* const name = value ? std::get_if<std::string>(&value->data) : nullptr;
-      const std::string owner = name != nullptr ? *name : section.name;
+      const std::string owner = table.name() != nullptr ? *table.name() : section.name;
       add_table(table, owner, static_cast<int>(s), static_cast<int>(t), list);
       if (is_body(section.name))
         add_motions(table, owner, static_cast<int>(s), static_cast<int>(t), list);
@@ -199,7 +155,7 @@ VariedScene::VariedScene(TomlDocument document) {
 }
 
 VariedScene VariedScene::read(const std::string& path) {
-  return parse(read_text_file(path, most_scene_bytes), path);
+  return parse(read_scene_text(path), path);
 }
 
 VariedScene VariedScene::parse(std::string_view text, const std::string& file_name) {
@@ -210,7 +166,7 @@ VariedScene VariedScene::parse(std::string_view text, const std::string& file_na
 
 void VariedScene::set_pressure(const std::string& law) {
   TomlDocument document = *document_;
-  if (TomlValue* const value = value_of(document.root, "pressure"); value != nullptr)
+  if (TomlValue* const value = document.root.find("pressure"); value != nullptr)
     value->data = law;
   else
     document.root.entries.push_back({"pressure", {document.root.line, law, ""}});
@@ -264,7 +220,7 @@ TomlDocument VariedScene::changed(const std::vector<Parameter>& parameters,
         shift_points(table, static_cast<std::size_t>(parameter.axis), values[k]);
         break;
       case Kind::number:
-        TomlValue* value = value_of(table, place.key);
+        TomlValue* value = table.find(place.key);
         for (const std::size_t i : place.indices) value = &std::get<TomlArray>(value->data)[i];
         (parameter.whole ? set_count : set_number)(*value, values[k]);
       }

@@ -10,13 +10,9 @@
 namespace lcpush::desktop {
 
 /// "NOT SOLVED (ray): .." with the jam in words and the ray.
-std::string failure_text(const SceneFile& file, Status status, const std::string& reason,
-                         const std::vector<NamedValue>& ray, const Jam& jam);
+std::string failure_text(const SceneFile& file, const RunReport& report);
 /// The keys reason, ray and, of a ray, jam.
-void write_failure(JsonWriter& json, const SceneFile& file, const std::string& reason,
-                   const std::vector<NamedValue>& ray, const Jam& jam);
-/// As the scene file spells it.
-const char* pressure_name(Pressure pressure);
+void write_failure(JsonWriter& json, const SceneFile& file, const RunReport& report);
 /// The title and an empty line, or nothing.
 std::string title_line(const SceneFile& file);
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lcpush/desktop/push.hpp"
+#include "lcpush/desktop/naming.hpp"
+#include "lcpush/desktop/owned.hpp"
+#include "lcpush/mechanics/model/answer.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
@@ -12,29 +14,16 @@ namespace {
 
 constexpr double negligible = 1e-6; // of a motion or a force, beside the whole
 
-std::string name_of_body(const SceneFile& file, Index body) {
-  return file.body_names[static_cast<std::size_t>(body)];
-}
-
 bool moves(const Body<double>& body) { return body.acceleration.norm() > 0; }
-
-bool solves(const SceneFile& changed) {
-  Push push(changed);
-  PushOptions options;
-  options.other_covers = 0;
-  options.explain_jams = false;
-  options.study_existence = false;
-  return push.solve(options).status == Status::solved;
-}
 
 /// The scene with this body force-controlled along its normal.
 SceneFile with_force(const SceneFile& file, Index body, double force) {
   SceneFile changed = file;
   Vector6<double> along = Vector6<double>::Zero();
-  along.head<3>() = file.bodies[static_cast<std::size_t>(body)].normal;
+  along.head<3>() = file.body(body).normal;
   changed.drives.push_back({body, static_cast<Index>(changed.actuators.size()), along});
   changed.actuators.push_back({force, 0});
-  changed.actuator_names.push_back(name_of_body(file, body));
+  changed.actuator_names.push_back(file.body_name(body));
   return changed;
 }
 
@@ -64,15 +53,15 @@ Vector3<double> across(const Body<double>& body, const Vector3<double>& force, b
 }
 
 void find_remedies(const SceneFile& file, const Assembly<double>& assembly,
-                   const std::vector<Squeeze<double>>& bodies, bool try_them, Jam& jam) {
+                   const std::vector<Squeeze<double>>& bodies, const TryScene& solves, Jam& jam) {
   const double force = std::max(assembly.layout().scales.force, 1e-3 * file.object.mass);
   const auto add = [&](const std::string& text, const SceneFile& changed) {
-    jam.remedies.push_back({text, try_them, try_them && solves(changed)});
+    jam.remedies.push_back({text, solves != nullptr, solves != nullptr && solves(changed)});
   };
   for (const JamBody& squeezing : jam.bodies) {
     const Index b = squeezing.body;
-    const Body<double>& body = file.bodies[static_cast<std::size_t>(b)];
-    const std::string name = name_of_body(file, b);
+    const Body<double>& body = file.body(b);
+    const std::string name = file.body_name(b);
     if (!is_driven(file.view(), b))
       add(body.role == Role::finger ? name + " held by a force instead of fixed (grip_force)"
                                     : name + " pressing with a force instead of moving along its "
@@ -129,10 +118,9 @@ std::string described(const SceneFile& file, const Jam& jam, const JamBody& sque
                                  ? " (driven by a force)"
                                  : " (driven by a force that the squeeze does not load)";
   const std::string how = is_driven(file.view(), squeezing.body) ? driven
-                          : moves(file.bodies[static_cast<std::size_t>(squeezing.body)])
-                              ? " (moves as prescribed)"
-                              : " (fixed)";
-  return name_of_body(file, squeezing.body) + how + " at " + listed(squeezing.points, "and");
+                          : moves(file.body(squeezing.body))     ? " (moves as prescribed)"
+                                                                 : " (fixed)";
+  return file.body_name(squeezing.body) + how + " at " + listed(squeezing.points, "and");
 }
 
 /// Who squeezes whom, without a full stop. Some body does, and some motion tightens it.
@@ -173,11 +161,11 @@ std::vector<std::string> squeeze_sentences(const SceneFile& file, const Jam& jam
 } // namespace
 
 Jam explain_jam(const SceneFile& file, const Assembly<double>& assembly, const double* v,
-                bool try_remedies) {
+                const TryScene& solves) {
   const Scene<double>& scene = assembly.scene();
   const Layout<double>& layout = assembly.layout();
   std::vector<Squeeze<double>> parts(static_cast<std::size_t>(scene.bodies.size));
-  const RaySum<double> sum = read_ray(assembly, v, {parts.data(), scene.bodies.size});
+  const RaySum<double> sum = read_ray(assembly, v, span_of(parts));
   const std::vector<Squeeze<double>> bodies = by_file_body(file, scene, parts);
   double largest = 0;
   for (const Squeeze<double>& body : bodies) largest = std::max(largest, body.normal);
@@ -187,18 +175,17 @@ Jam explain_jam(const SceneFile& file, const Assembly<double>& assembly, const d
   jam.loads_actuators = sum.load > sum.noise;
   for (Index b = 0; b < static_cast<Index>(bodies.size()); ++b) {
     const Squeeze<double>& part = bodies[static_cast<std::size_t>(b)];
-    if (part.runs_away) jam.running_away.push_back(name_of_body(file, b));
+    if (part.runs_away) jam.running_away.push_back(file.body_name(b));
     if (!(part.normal > 0)) continue;
     const bool works = std::abs(part.power) > sum.noise * sum.motion;
-    jam.bodies.push_back(
-        {b, part.normal / largest, works ? part.power / largest : 0.0,
-         pressed_points(file, file.bodies[static_cast<std::size_t>(b)], layout, v, sum.noise)});
+    jam.bodies.push_back({b, part.normal / largest, works ? part.power / largest : 0.0,
+                          pressed_points(file, file.body(b), layout, v, sum.noise)});
   }
-  find_remedies(file, assembly, bodies, try_remedies, jam);
+  find_remedies(file, assembly, bodies, solves, jam);
   return jam;
 }
 
-std::vector<std::string> jam_sentences(const SceneFile& file, const Jam& jam) {
+std::vector<std::string> jam_findings(const SceneFile& file, const Jam& jam) {
   if (jam.bodies.empty()) {
     if (jam.running_away.empty()) return {"Nothing is pressed, and no actuator runs away."};
     return {
@@ -211,11 +198,22 @@ std::vector<std::string> jam_sentences(const SceneFile& file, const Jam& jam) {
     sentences.push_back("The actuator of " + listed(jam.running_away, "and") +
                         " closes without end.");
   if (!jam.remedies.empty()) sentences.push_back("What may free it:");
+  return sentences;
+}
+
+std::vector<std::string> jam_remedies(const Jam& jam) {
+  std::vector<std::string> sentences;
+  if (jam.bodies.empty()) return sentences;
   for (const Remedy& remedy : jam.remedies)
-    sentences.push_back("- " + remedy.text +
-                        (!remedy.tried  ? ""
-                         : remedy.works ? ": tried, it does"
-                                        : ": tried, not by itself"));
+    sentences.push_back(remedy.text + (!remedy.tried  ? ""
+                                       : remedy.works ? ": tried, it does"
+                                                      : ": tried, not by itself"));
+  return sentences;
+}
+
+std::vector<std::string> jam_sentences(const SceneFile& file, const Jam& jam) {
+  std::vector<std::string> sentences = jam_findings(file, jam);
+  for (const std::string& remedy : jam_remedies(jam)) sentences.push_back("- " + remedy);
   return sentences;
 }
 

@@ -2,10 +2,8 @@
 // need no destructor.
 #pragma once
 
-#include "lcpush/mechanics/model/assemble.hpp"
+#include "lcpush/desktop/owned.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
-
-#include <vector>
 
 namespace lcpush::desktop {
 
@@ -20,7 +18,7 @@ public:
 
   /// The first round of the pad law; nothing changes under the other laws.
   void enter_first_round(const S& compliance) {
-    const PressureMemory<S> memory{span(preload_), span(compliance_), {}, {}};
+    const PressureMemory<S> memory{span_of(preload_), span_of(compliance_), {}, {}};
     pad_preload(assembly_, memory);
     set_compliance(assembly_, memory, compliance);
   }
@@ -34,12 +32,9 @@ private:
   std::vector<S> coupling_, reach_, rest_, push_, q_, preload_, compliance_;
   Assembly<S> assembly_;
 
-  template <class T> static Span<T> span(std::vector<T>& list) {
-    return {list.data(), static_cast<Index>(list.size())};
-  }
   template <class T> static Span<T> resized(std::vector<T>& list, Index size) {
     list.resize(static_cast<std::size_t>(size));
-    return span(list);
+    return span_of(list);
   }
 
   OwnedAssembly(const Scene<S>& scene, const AssemblySize& size)

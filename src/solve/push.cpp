@@ -1,8 +1,3 @@
-#include "lcpush/desktop/push.hpp"
-
-#include <cmath>
-#include <new>
-
 #include "solve/push_rounds.hpp"
 #include "text/wording.hpp"
 
@@ -10,26 +5,6 @@ namespace lcpush::desktop {
 namespace {
 constexpr double ray_noise = 1e-9; // of its largest entry
 } // namespace
-
-std::string point_name(const SceneFile& file, Index point) {
-  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
-    const Index offset = point - file.bodies[b].first_point;
-    if (offset >= 0 && offset < file.bodies[b].point_count)
-      return file.body_names[b] + "." + std::to_string(offset + 1);
-  }
-  return "?";
-}
-
-std::string direction_text(const Vector3<double>& direction) {
-  constexpr double slack = 5e-4;
-  for (Index axis = 0; axis < 3; ++axis)
-    for (const double sign : {1.0, -1.0})
-      if ((direction - sign * Vector3<double>::Unit(axis)).norm() < slack)
-        return std::string(sign > 0 ? "+" : "-") + "xyz"[axis];
-  const auto rounded = [](double x) { return shown(std::round(x * 1000) / 1000 + 0.0); };
-  return "(" + rounded(direction[0]) + ", " + rounded(direction[1]) + ", " + rounded(direction[2]) +
-         ")";
-}
 
 std::string Push::variable_name(Index i) const {
   const Name name = name_of(layout(), i);
@@ -45,16 +20,6 @@ std::string Push::variable_name(Index i) const {
   return "friction of " + point_name(file_, name.of) + generator_text(d, body.torsion_radius);
 }
 
-std::string generator_text(const Generator<double>& generator, double torsion_radius) {
-  const auto rounded = [](double x) { return shown(std::round(x * 1000) / 1000 + 0.0); };
-  const double slide = generator.force.norm();
-  std::string text;
-  if (slide > 0) text = " along " + direction_text(generator.force / slide);
-  if (generator.torque == 0) return text;
-  if (slide > 0) text += " times " + rounded(slide) + " and";
-  return text + " twisting by " + rounded(generator.torque / torsion_radius);
-}
-
 std::string Push::actuator_name(Index actuator) const {
   if (file_.pressure != Pressure::even)
     return file_.actuator_names[static_cast<std::size_t>(actuator)];
@@ -63,24 +28,12 @@ std::string Push::actuator_name(Index actuator) const {
 }
 
 Push::Push(const SceneFile& file)
-    : file_(file), even_(file.view()), scene_(even_.scene),
-      bytes_(static_cast<std::size_t>(sweep_bytes<double>(size_of(scene_)))),
-      work_(make_sweep_workspace<double>({bytes_.data(), static_cast<Index>(bytes_.size())},
-                                         size_of(scene_))),
-      assembly_(work_.assembly), sweeps_(work_.sweep_scalars, work_.sweep_integers) {
-  assembly_.assemble(scene_);
-}
+    : file_(file), assembled_(file.view()), sweeps_(work_.sweep_scalars, work_.sweep_integers) {}
 
 /// The pivots' dictionary is large: only who pivots pays for it.
 Lemke<double>& Push::pivots() {
-  if (pivot_scalars_.empty()) {
-    const Index n = size_of(scene_).unknowns();
-    pivot_scalars_.resize(static_cast<std::size_t>(lemke_scalars(n)));
-    pivot_integers_.resize(static_cast<std::size_t>(lemke_integers(n)));
-    lemke_ = Lemke<double>({pivot_scalars_.data(), static_cast<Index>(pivot_scalars_.size())},
-                           {pivot_integers_.data(), static_cast<Index>(pivot_integers_.size())});
-  }
-  return lemke_;
+  if (!lemke_) lemke_.emplace(size_of(scene_).unknowns());
+  return *lemke_;
 }
 
 /// From this many unknowns on the structured basis is the faster one (docs/theory/numerics.md).
@@ -94,17 +47,12 @@ bool Push::takes_structure(const PushOptions& options) const {
 StructuredLemke<double>& Push::structured_pivots() {
   const Index n = layout().size, points = layout().points;
   const Index shared = shared_actuators(assembly_.factored());
-  const auto scalars = static_cast<std::size_t>(structured_lemke_scalars(n, points, shared));
-  const auto integers = static_cast<std::size_t>(structured_lemke_integers(n, points));
-  if (structured_scalars_.size() < scalars || structured_integers_.size() < integers) {
-    structured_scalars_.resize(scalars);
-    structured_integers_.resize(integers);
-    // Assigning would copy through its views of the old memory.
-    new (&structured_) StructuredLemke<double>(
-        {structured_scalars_.data(), static_cast<Index>(structured_scalars_.size())},
-        {structured_integers_.data(), static_cast<Index>(structured_integers_.size())});
-  }
-  return structured_;
+  const Index scalars = structured_lemke_scalars(n, points, shared);
+  const Index integers = structured_lemke_integers(n, points);
+  if (!structured_ || span_of(structured_->scalars).size < scalars ||
+      span_of(structured_->integers).size < integers)
+    structured_.emplace(scalars, integers);
+  return *structured_;
 }
 
 void Push::record(Index sweep, const double* z) {
@@ -138,13 +86,8 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent) {
 
 /// Points speak of the file's bodies, even where each is a body of its own.
 void Push::name_file_bodies() {
-  Index body = 0;
-  for (Index i = 0; i < work_.answer.contacts.size; ++i) {
-    while (i >= file_.bodies[static_cast<std::size_t>(body)].first_point +
-                    file_.bodies[static_cast<std::size_t>(body)].point_count)
-      ++body;
-    work_.answer.contacts[i].body = body;
-  }
+  for (Index i = 0; i < work_.answer.contacts.size; ++i)
+    work_.answer.contacts[i].body = file_.body_of(i);
 }
 
 std::string Push::explain(Status status, const PressureRun& run) const {
@@ -175,18 +118,13 @@ std::string Push::explain(Status status, const PressureRun& run) const {
   return reason_text(run.reason);
 }
 
-/// Trying what would free a jam costs a solve each: not where solves are long.
-Jam Push::read_jam(const PushOptions& options) const {
-  constexpr Index largest_tried = 1000; // unknowns
-  return explain_jam(file_, assembly_, ray(),
-                     options.explain_jams && layout().size <= largest_tried);
-}
-
-std::vector<NamedValue> Push::named_ray() const {
-  std::vector<NamedValue> named;
+/// Names the ray and reads the jam. Trying what would free one costs a solve each: not where solves
+/// are long.
+void Push::read_ray(const PushOptions& options, RunReport& report) const {
   for (Index i = 0; i < layout().size; ++i)
-    if (ray()[i] > ray_noise) named.push_back({variable_name(i), ray()[i]});
-  return named;
+    if (ray()[i] > ray_noise) report.ray.push_back({variable_name(i), ray()[i], i});
+  const bool tries = options.explain_jams && layout().size <= limits::unknowns_remedied;
+  report.jam = explain_jam(file_, assembly_, ray(), tries ? has_answer : nullptr);
 }
 
 /// The object's acceleration and the total wrench of all pushers.
@@ -198,68 +136,58 @@ Outcome<double> Push::outcome() const {
   return outcome;
 }
 
-/// What the tests together say: a proof, an answer next to this one, or other covers' answers.
-void Push::conclude(PushReport& report, bool proved, bool same_motion, bool same_wrench) {
+void Push::search_others(const PushOptions& options, PushReport& report) {
+  constexpr double tolerance = 1e-5;
+  const Index open = undetermined_body(scene_);
+  const bool proved = open < 0;
+  if (!proved)
+    report.undetermined = file_.body_name(file_.body_of(scene_.bodies[open].first_point));
+  bool same_a = true, same_f = true;
+  const Outcome<double> first = outcome();
+  report.final_basis = study_final_basis(assembly_, work_.answer);
+  const bool affordable = layout().size <= limits::unknowns_searched;
+  for (Index k = 1; affordable && k <= options.other_covers; ++k) {
+    PressureRun ignored;
+    if (run(by_other_cover(options, k), 1.0, ignored) != Status::solved) continue;
+    ++report.covers_compared;
+    const Outcome<double> second = outcome();
+    same_a = same_a && same_motion(first, second, report.scales, push_size(scene_), tolerance);
+    same_f = same_f && same_wrench(first, second, report.scales, tolerance);
+  }
+  // A proof, an answer next to this one, or other covers' answers.
   const bool searched = report.covers_compared > 0 || report.final_basis.studied;
   const auto verdict = [&](bool none_other) {
     if (!none_other) return Uniqueness::no;
     return searched ? Uniqueness::none_other_found : Uniqueness::not_tested;
   };
   report.unique_motion =
-      proved ? Uniqueness::yes : verdict(same_motion && !report.final_basis.motion_open);
-  report.unique_wrench = verdict(same_wrench && !report.final_basis.wrench_open);
+      proved ? Uniqueness::yes : verdict(same_a && !report.final_basis.motion_open);
+  report.unique_wrench = verdict(same_f && !report.final_basis.wrench_open);
 }
 
-void Push::search_others(const PushOptions& options, PushReport& report) {
-  constexpr double tolerance = 1e-5;
-  const Index open = undetermined_body(scene_);
-  const bool proved = open < 0;
-  if (!proved)
-    report.undetermined =
-        file_.body_names[static_cast<std::size_t>(file_.body_of(scene_.bodies[open].first_point))];
-  constexpr Index largest_searched = 2000; // unknowns; beyond, a search costs minutes
-  bool same_a = true, same_f = true;
-  const Outcome<double> first = outcome();
-  report.final_basis = study_final_basis(assembly_, work_.answer);
-  PushOptions other = options;
-  other.solver = Solver::lemke; // covers are its own; after sweeps they are a second opinion too
-  other.record_history = false;
-  other.watcher = nullptr;
-  for (Index k = 1; k <= options.other_covers && layout().size <= largest_searched; ++k) {
-    other.lemke.first_cover = options.lemke.first_cover + k * options.lemke.covers;
-    PressureRun ignored;
-    if (run(other, 1.0, ignored) != Status::solved) continue;
-    ++report.covers_compared;
-    const Outcome<double> second = outcome();
-    same_a = same_a && same_motion(first, second, report.scales, push_size(scene_), tolerance);
-    same_f = same_f && same_wrench(first, second, report.scales, tolerance);
-  }
-  conclude(report, proved, same_a, same_f);
+/// The scene as the file has it, and nothing known about it.
+void Push::begin(const PushOptions& options, RunReport& report) {
+  assembly_.assemble(scene_);
+  report.solver = options.solver;
+  report.scales = layout().scales;
+  history_.clear();
+  swept_before_ = 0;
 }
 
 PushReport Push::solve(const PushOptions& options) {
   PushReport report;
-  report.solver = options.solver;
-  assembly_.assemble(scene_);
-  report.scales = layout().scales;
+  begin(options, report);
   if (options.study_existence) report.existence = find_existence(file_, assembly_);
-  history_.clear();
-  swept_before_ = 0;
   report.status = run(options, 1.0, report.run);
   report.history = history_;
-  if (report.status == Status::solved) {
-    const std::vector<double> z(work_.pressure.z.begin(), work_.pressure.z.end());
-    search_others(options, report);
-    read_answer(assembly_, z.data(), work_.answer, 1.0); // the search has overwritten it
-  }
   if (report.status != Status::solved) {
     report.reason = explain(report.status, report.run);
-    if (report.status == Status::ray) {
-      report.ray = named_ray();
-      report.jam = read_jam(options);
-    }
+    if (report.status == Status::ray) read_ray(options, report);
     return report;
   }
+  const std::vector<double> z(work_.pressure.z.begin(), work_.pressure.z.end());
+  search_others(options, report);
+  read_answer(assembly_, z.data(), work_.answer, 1.0); // the search has overwritten it
   report.answer = work_.answer;
   report.residuals = check(scene_, report.scales, report.answer, 1.0);
   const double push = push_size(scene_);
@@ -281,6 +209,14 @@ PushReport Push::solve(const PushOptions& options) {
                     " kg) to be told from rounding; lcpush break gives the limit of slow pushes";
   }
   return report;
+}
+
+bool has_answer(const SceneFile& file) {
+  PushOptions options;
+  options.other_covers = 0;
+  options.explain_jams = false;
+  options.study_existence = false;
+  return Push(file).solve(options).status == Status::solved;
 }
 
 } // namespace lcpush::desktop

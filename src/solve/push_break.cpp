@@ -2,6 +2,7 @@
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/holding_verdict.hpp"
 #include "solve/push_rounds.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -10,14 +11,13 @@ namespace {
 /// pushes were extrapolated, all of them far stronger than the load, only statics' word counts.
 bool falls_slowly(const SceneFile& file, const Scene<double>& scene, const BreakReport& report,
                   const PushOptions& options) {
-  constexpr Index largest = 2000; // unknowns
   constexpr double more = 1 + 1e-6;
   const Breaking<double>& breaking = report.breaking;
   const double tolerance = rest_tolerance(options.solver);
   if (is_at_rest(file, breaking.rest, report.scales, tolerance)) return false;
   const bool exact = file.pressure != Pressure::pad && options.solver != Solver::gauss_seidel;
   if (exact) return motion_size(breaking.rest, report.scales) > 64 * breaking.residuals.max();
-  if (size_of(scene).unknowns() > largest) return false;
+  if (size_of(scene).unknowns() > limits::unknowns_holding) return false;
   Holding<double> holding;
   const Status status = find_holding(file, options, holding);
   return status == Status::does_not_hold || (status == Status::solved && holding.factor > more);
@@ -27,11 +27,10 @@ bool falls_slowly(const SceneFile& file, const Scene<double>& scene, const Break
 /// be a fall, where statics holds the load with room to spare.
 bool only_looks_falling(const SceneFile& file, const Scene<double>& scene,
                         const BreakReport& report, const PushOptions& options) {
-  constexpr Index largest = 2000;
   constexpr double room = 1 - 1e-3;
   const double smallest_push = options.solver == Solver::gauss_seidel ? 1e-4 : 1e-5; // of F / m
   const bool exact = file.pressure != Pressure::pad && options.solver != Solver::gauss_seidel;
-  if (exact || size_of(scene).unknowns() > largest) return false;
+  if (exact || size_of(scene).unknowns() > limits::unknowns_holding) return false;
   if (motion_size(report.breaking.rest, report.scales) > 2 * smallest_push) return false;
   Holding<double> holding;
   return find_holding(file, options, holding) == Status::solved && holding.factor < room;
@@ -74,19 +73,18 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
   return report;
 }
 
+Status Push::break_grasp(const PushOptions& options, Index pusher, Breaking<double>& breaking,
+                         PressureRun& run) {
+  return with_rounds(options, [&](const auto& rounds) {
+    return lcpush::find_breaking(assembly_, rounds, work_, file_.body(pusher), {}, breaking, run);
+  });
+}
+
 BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   BreakReport report;
-  report.solver = options.solver;
+  begin(options, report);
   report.pusher = pusher;
-  assembly_.assemble(scene_);
-  report.scales = layout().scales;
-  history_.clear();
-  swept_before_ = 0;
-  report.status = with_rounds(options, [&](const auto& rounds) {
-    return lcpush::find_breaking(assembly_, rounds, work_,
-                                 file_.bodies[static_cast<std::size_t>(pusher)], {},
-                                 report.breaking, report.run);
-  });
+  report.status = break_grasp(options, pusher, report.breaking, report.run);
   report.history = history_;
   report.status = holding_verdict(file_, scene_, report, options);
   if (report.status == Status::does_not_hold)
@@ -95,10 +93,7 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
     report.reason = "no pusher moves: give one an acceleration";
   else if (report.status != Status::solved)
     report.reason = explain(report.status, report.run);
-  if (report.status == Status::ray) {
-    report.ray = named_ray();
-    report.jam = read_jam(options);
-  }
+  if (report.status == Status::ray) read_ray(options, report);
   if (report.status != Status::solved) return report;
   name_file_bodies();
   Answer<double> moving = work_.answer;
@@ -111,21 +106,11 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
 /// The same under another cover: is this the only force that breaks the grasp?
 void Push::compare_covers(const PushOptions& options, BreakReport& report) {
   constexpr double tolerance = 1e-5;
-  constexpr Index largest = 2000; // unknowns
-  if (options.other_covers <= 0 || layout().size > largest) return;
-  PushOptions other = options;
-  other.solver = Solver::lemke;
-  other.record_history = false;
-  other.watcher = nullptr;
-  other.lemke.first_cover += other.lemke.covers;
+  if (options.other_covers <= 0 || layout().size > limits::unknowns_searched) return;
   const Breaking<double>& first = report.breaking;
   Breaking<double> second;
   PressureRun ignored;
-  const Status status = with_rounds(other, [&](const auto& rounds) {
-    return lcpush::find_breaking(assembly_, rounds, work_,
-                                 file_.bodies[static_cast<std::size_t>(report.pusher)], {}, second,
-                                 ignored);
-  });
+  const Status status = break_grasp(by_other_cover(options, 1), report.pusher, second, ignored);
   if (status != Status::solved && status != Status::does_not_hold) return;
   const auto verdict = [](bool same) {
     return same ? Uniqueness::none_other_found : Uniqueness::no;

@@ -6,8 +6,8 @@
 namespace lcpush::desktop {
 namespace {
 
-std::string run_line(const SceneFile& file, Solver solver, const PressureRun& run) {
-  return run_words(file, solver, run) + ".\n";
+std::string run_line(const SceneFile& file, const RunReport& report) {
+  return run_words(file, report) + ".\n";
 }
 
 std::string residual_line(const Residuals<double>& residuals) {
@@ -29,19 +29,16 @@ std::string title_line(const SceneFile& file) {
   return file.title.empty() ? "" : file.title + "\n\n";
 }
 
-const char* pressure_name(Pressure pressure) {
-  return pressure == Pressure::pad ? "pad" : pressure == Pressure::even ? "even" : "rigid";
-}
-
-std::string failure_text(const SceneFile& file, Status status, const std::string& reason,
-                         const std::vector<NamedValue>& ray, const Jam& jam) {
-  std::string text = std::string("NOT SOLVED (") + status_text(status) + "): " + reason + ".\n";
-  if (!ray.empty()) {
+std::string failure_text(const SceneFile& file, const RunReport& report) {
+  std::string text =
+      std::string("NOT SOLVED (") + status_text(report.status) + "): " + report.reason + ".\n";
+  if (!report.ray.empty()) {
     text += "\n";
-    for (const std::string& sentence : jam_sentences(file, jam)) text += sentence + "\n";
+    for (const std::string& sentence : jam_sentences(file, report.jam)) text += sentence + "\n";
     text += "\nThe ray, largest entry 1:\n";
   }
-  for (const NamedValue& entry : ray) text += "  " + number(entry.value) + "  " + entry.name + "\n";
+  for (const NamedValue& entry : report.ray)
+    text += "  " + number(entry.value) + "  " + entry.name + "\n";
   return text;
 }
 
@@ -49,24 +46,22 @@ std::string solve_text(const SceneFile& file, const HoldReport& hold, const Push
   std::string text =
       title_line(file) + facts_text({hold_fact(file, hold)}) + facts_text(push_facts(file, report));
   if (report.status != Status::solved)
-    return text + failure_text(file, report.status, report.reason, report.ray, report.jam) + "\n" +
-           run_line(file, report.solver, report.run);
+    return text + failure_text(file, report) + "\n" + run_line(file, report);
   text += "\n" + table_text(contact_rows(file, report));
   text += list_text("Soft contacts:", torsion_sentences(file, report));
   text += list_text("Bodies whose actuators move them:", closing_sentences(file, report));
-  return text + residual_line(report.residuals) + run_line(file, report.solver, report.run);
+  return text + residual_line(report.residuals) + run_line(file, report);
 }
 
 std::string break_text(const SceneFile& file, const HoldReport& hold, const GripReport& grip,
                        const BreakReport& report) {
   std::string text = title_line(file) + facts_text({grip_fact(file, hold, grip, report)});
   if (report.status == Status::does_not_hold)
-    return text + does_not_hold_text(report) + "\n\n" + run_line(file, report.solver, report.run);
+    return text + does_not_hold_text(report) + "\n\n" + run_line(file, report);
   if (report.status != Status::solved)
-    return text + failure_text(file, report.status, report.reason, report.ray, report.jam) + "\n" +
-           run_line(file, report.solver, report.run);
+    return text + failure_text(file, report) + "\n" + run_line(file, report);
   return text + facts_text(break_facts(file, report)) + residual_line(report.breaking.residuals) +
-         run_line(file, report.solver, report.run);
+         run_line(file, report);
 }
 
 } // namespace lcpush::desktop

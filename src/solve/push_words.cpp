@@ -38,7 +38,7 @@ void add_wrenches(const SceneFile& file, const PushReport& report, std::vector<F
   for (Index b = 0; b < scene.bodies.size; ++b) {
     if (scene.bodies[b].role != Role::pusher) continue;
     const Vector6<double> wrench = body_wrench(scene, report.answer, scene.bodies[b]);
-    facts.push_back({"Push by " + file.body_names[static_cast<std::size_t>(b)],
+    facts.push_back({"Push by " + file.body_name(b),
                      force_words(wrench.head<3>(), zero) +
                          moment_words(wrench.tail<3>(), zero * report.scales.length)});
   }
@@ -65,10 +65,6 @@ std::string motion_words(const SceneFile& file, const Motion<double>& motion, do
   return text;
 }
 
-std::string covers_words(Index covers) {
-  return std::to_string(covers) + (covers == 1 ? " other cover" : " other covers");
-}
-
 /// `open` and `isolated`: what the final basis says.
 std::string unique_words(Uniqueness unique, const PushReport& report, bool open, bool isolated) {
   const Index covers = report.covers_compared, tied = report.final_basis.tied_contacts;
@@ -81,11 +77,9 @@ std::string unique_words(Uniqueness unique, const PushReport& report, bool open,
   case Uniqueness::none_other_found: break;
   }
   std::string text = "no other found";
-  if (covers > 0) text += " under " + covers_words(covers);
+  if (covers > 0) text += " under " + counted(covers, "other cover");
   if (isolated) return text + (covers > 0 ? ", none next to it" : " next to it");
-  if (report.final_basis.studied && tied > 0)
-    text += "; " + std::to_string(tied) + (tied == 1 ? " contact is" : " contacts are") +
-            " between two modes";
+  if (report.final_basis.studied && tied > 0) text += "; " + tied_words(tied);
   return text;
 }
 
@@ -99,25 +93,24 @@ std::string unique_text(const SceneFile& file, const PushReport& report) {
   return text;
 }
 
-/// "said: why", on two lines if it is long. What follows a semicolon is a line of its own.
-std::string because(const std::string& said, std::string why) {
-  const bool fits = said.size() + std::min(why.size(), why.find("; ")) <= 80;
-  for (std::size_t at = why.find("; "); at != std::string::npos; at = why.find("; "))
-    why.replace(at, 2, ";\n");
-  return said + (fits ? ": " : ":\n") + why;
+/// "said: why", on two lines if it is long, and a line for each further reason.
+std::string because(const std::string& said, const std::vector<std::string>& reasons) {
+  const bool fits = said.size() + reasons.front().size() <= 80;
+  std::string text = said + (fits ? ": " : ":\n") + reasons.front();
+  for (std::size_t k = 1; k < reasons.size(); ++k) text += ";\n" + reasons[k];
+  return text;
 }
 
 /// Which theorem covers the scene.
 std::string theory_words(const SceneFile& file, const PushReport& report) {
   const Statement exists = existence_statement(file, report.existence);
   std::string text =
-      because(exists.covered ? exists.statement : "no theorem promises an answer", exists.reason);
+      because(exists.covered ? exists.statement : "no theorem promises an answer", exists.reasons);
   if (report.status != Status::solved) return text;
   const Statement unique = uniqueness_statement(report);
-  const std::string why = unique.reason.substr(0, unique.reason.find("; ")); // more stands above
   text +=
-      ";\n" +
-      because(unique.covered ? unique.statement : "no theorem says that it is the only one", why);
+      ";\n" + because(unique.covered ? unique.statement : "no theorem says that it is the only one",
+                      {unique.reasons.front()}); // more stands above
   if (file.pressure == Pressure::rigid)
     text += "\n(pressure = \"rigid\" leaves a patch's pressure open: one answer of a set)";
   if (file.pressure == Pressure::even && !file.planar)
@@ -180,7 +173,7 @@ std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report) {
 
 std::vector<Fact> break_facts(const SceneFile& file, const BreakReport& report) {
   const Breaking<double>& b = report.breaking;
-  const std::string pusher = file.body_names[static_cast<std::size_t>(report.pusher)];
+  const std::string pusher = file.body_name(report.pusher);
   const double zero = 1e-9 * report.scales.force;
   std::vector<Fact> facts;
   facts.push_back({"Breaking force", number(b.break_force, zero) + " N, normal force of " + pusher +
@@ -245,7 +238,7 @@ std::vector<std::string> closing_sentences(const SceneFile& file, const PushRepo
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<double>& body = scene.bodies[b];
     if (scene.pressure != Pressure::even)
-      add(file.body_names[static_cast<std::size_t>(b)], closing(report.answer, body));
+      add(file.body_name(b), mean_closing(report.answer, body));
     else
       for (Index k = body.first_point; k < body.first_point + body.point_count; ++k)
         add(point_name(file, k), report.answer.contacts[k].closing);
@@ -268,17 +261,18 @@ std::vector<std::string> torsion_sentences(const SceneFile& file, const PushRepo
   return list;
 }
 
-std::string run_words(const SceneFile& file, Solver solver, const PressureRun& run) {
+std::string run_words(const SceneFile& file, const RunReport& report) {
+  const PressureRun& run = report.run;
+  const Solver solver = report.solver;
   std::string text = solver == Solver::lemke    ? "Lemke: "
                      : solver == Solver::hybrid ? "Hybrid: "
                                                 : "Gauss-Seidel: ";
   if (solver != Solver::lemke) text += std::to_string(run.sweeps) + " sweeps";
   if (solver == Solver::hybrid) text += " and ";
   if (solver != Solver::gauss_seidel) text += std::to_string(run.pivots) + " pivots";
-  if (run.rounds > 0)
-    text += " in " + std::to_string(run.rounds) + (run.rounds == 1 ? " round" : " rounds");
+  if (run.rounds > 0) text += " in " + counted(run.rounds, "round");
   if (run.cold_restarts > 0) text += ", " + std::to_string(run.cold_restarts) + " restarted cold";
-  return text + "; pressure law " + pressure_name(file.pressure) + "; " +
+  return text + "; pressure law " + pressure_text(file.pressure) + "; " +
          std::to_string(file.facets) + " facets";
 }
 

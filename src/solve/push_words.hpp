@@ -36,6 +36,6 @@ std::vector<std::string> torsion_sentences(const SceneFile& file, const PushRepo
 /// Bodies whose actuators move them.
 std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report);
 /// How the answer was found, without a full stop or an end of line.
-std::string run_words(const SceneFile& file, Solver solver, const PressureRun& run);
+std::string run_words(const SceneFile& file, const RunReport& report);
 
 } // namespace lcpush::desktop

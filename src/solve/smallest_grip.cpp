@@ -1,4 +1,5 @@
 #include "lcpush/desktop/smallest_grip.hpp"
+#include "text/limits.hpp"
 
 #include <cmath>
 #include <functional>
@@ -6,11 +7,9 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr Index largest_alone = 2000;  // unknowns
-constexpr Index largest_at_rest = 600; // every question costs several pushes
-constexpr double nudge = 1e-6;         // statics' bound is the answer if this much more holds
-constexpr double stride = 16;          // of the excess over the bound, while nothing holds
-constexpr double roughest = 1e-3;      // a wider bracket is no answer
+constexpr double nudge = 1e-6;    // statics' bound is the answer if this much more holds
+constexpr double stride = 16;     // of the excess over the bound, while nothing holds
+constexpr double roughest = 1e-3; // a wider bracket is no answer
 
 bool grips(const SceneFile& file, std::size_t actuator) {
   return grips(file.view(), static_cast<Index>(actuator));
@@ -40,14 +39,14 @@ using Question = std::function<bool(double factor)>; // does the scene hold at t
 
 /// Counts the pivots of everything that is asked, so that a search costs seconds and no more. A
 /// count and no clock: the same input gives the same bits.
-class Work : public Watcher {
+class CountingWatcher : public Watcher {
 public:
-  explicit Work(const PushOptions& options) : given_(options), counting_(options) {
+  explicit CountingWatcher(const PushOptions& options) : given_(options), counting_(options) {
     counting_.watcher = this;
     counting_.other_covers = 0;
   }
-  Work(const Work&) = delete;
-  Work& operator=(const Work&) = delete;
+  CountingWatcher(const CountingWatcher&) = delete;
+  CountingWatcher& operator=(const CountingWatcher&) = delete;
 
   const PushOptions& options() const { return counting_; }
   bool is_used_up() const { return multiplications_ > most; }
@@ -75,7 +74,8 @@ struct Precision {
 
 /// From statics' bound to the law's own factor. `known` is a factor that holds, or 0.
 SmallestGrip search_upwards(const Holding<double>& holding, double known,
-                            const Precision& precision, const Work& work, const Question& holds) {
+                            const Precision& precision, const CountingWatcher& work,
+                            const Question& holds) {
   SmallestGrip grip;
   grip.bound = holding.factor;
   const double unit = std::max(grip.bound, holding.unit / 1000);
@@ -107,8 +107,8 @@ MoreGrip with_more(double factor, const Question& holds) {
   return holds(2 * factor) ? MoreGrip::holds : MoreGrip::not_known;
 }
 
-SmallestGrip smallest(const SceneFile& file, Index most_unknowns, const Work& work, double known,
-                      const Precision& precision, const Question& holds) {
+SmallestGrip smallest(const SceneFile& file, Index most_unknowns, const CountingWatcher& work,
+                      double known, const Precision& precision, const Question& holds) {
   SmallestGrip grip;
   grip.source = GripSource::not_searched;
   if (size_of(EvenScene(file.view()).scene).unknowns() > most_unknowns) return grip;
@@ -149,7 +149,7 @@ void name_force(const SceneFile& file, GripReport& report) {
     return;
   }
   // Names are unique, so only a grip_force's actuator shares its body's.
-  report.of_actuator = name != file.body_names[static_cast<std::size_t>(first->body)];
+  report.of_actuator = name != file.body_name(first->body);
   bool same = true;
   std::size_t forces = 0;
   for (std::size_t a = 0; a < file.actuators.size(); ++a) {
@@ -193,21 +193,13 @@ SceneFile hand_at_rest(const SceneFile& file) {
 }
 
 Status find_holding(const SceneFile& file, const PushOptions& options, Holding<double>& holding) {
-  const EvenScene even(file.view());
-  const AssemblySize size = size_of(even.scene);
-  std::vector<unsigned char> bytes(static_cast<std::size_t>(push_bytes<double>(size)));
-  const Workspace<double> work =
-      make_workspace<double>({bytes.data(), static_cast<Index>(bytes.size())}, size);
-  Assembly<double> assembly(work.assembly);
-  if (assembly.assemble(even.scene) != Status::running) return Status::bad_input;
-  std::vector<double> scalars(static_cast<std::size_t>(holding_scalars(size)));
-  std::vector<int> integers(static_cast<std::size_t>(holding_integers(size)));
+  const AssembledScene assembled(file.view());
+  const AssemblySize size = size_of(assembled.scene);
+  SolverMemory<double> memory(holding_scalars(size), holding_integers(size));
   Watcher nobody;
-  return lcpush::find_holding(assembly,
-                              {{scalars.data(), static_cast<Index>(scalars.size())},
-                               {integers.data(), static_cast<Index>(integers.size())}},
-                              options.lemke, holding,
-                              options.watcher != nullptr ? *options.watcher : nobody);
+  return lcpush::find_holding(assembled.assembly,
+                              {span_of(memory.scalars), span_of(memory.integers)}, options.lemke,
+                              holding, options.watcher != nullptr ? *options.watcher : nobody);
 }
 
 double rest_tolerance(Solver solver) {
@@ -234,19 +226,19 @@ GripReport find_smallest_grip(const SceneFile& file, const HoldReport& hold,
   if (report.force == 0) return report;
   const SceneFile alone = hand_at_rest(file);
   const bool holds_now = hold.status == Status::solved && hold.holds;
-  Work work(options);
-  report.alone =
-      smallest(alone, largest_alone, work, holds_now ? 1 : 0, {1e-9, 1e6}, [&](double factor) {
-        const SceneFile there = scaled(alone, factor);
-        Push push(there);
-        const HoldReport at = push.holds_without_push(work.options());
-        return at.status == Status::solved && at.holds;
-      });
+  CountingWatcher work(options);
+  report.alone = smallest(alone, limits::unknowns_holding, work, holds_now ? 1 : 0, {1e-9, 1e6},
+                          [&](double factor) {
+                            const SceneFile there = scaled(alone, factor);
+                            Push push(there);
+                            const HoldReport at = push.holds_without_push(work.options());
+                            return at.status == Status::solved && at.holds;
+                          });
   if (broken.status != Status::solved && broken.status != Status::does_not_hold) return report;
-  Work pushed(options);
+  CountingWatcher pushed(options);
   report.at_rest =
-      smallest(file, largest_at_rest, pushed, broken.status == Status::solved ? 1 : 0, {1e-6, 1e4},
-               [&](double factor) {
+      smallest(file, limits::unknowns_grip, pushed, broken.status == Status::solved ? 1 : 0,
+               {1e-6, 1e4}, [&](double factor) {
                  const SceneFile there = scaled(file, factor);
                  Push push(there);
                  const BreakReport at = push.find_breaking(broken.pusher, pushed.options());

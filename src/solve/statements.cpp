@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "lcpush/desktop/push.hpp"
+#include "text/format.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-constexpr Index largest_studied = 2000; // unknowns; beyond, the programs cost as much as the solve
-constexpr double negligible = 1e-6;     // of the largest entry of a witness
+constexpr double idle_entry = 1e-6; // of the largest entry of a witness
 
 /// Names of the file's bodies that carry a part of the witness.
 std::vector<std::string> names_of(const SceneFile& file, const Assembly<double>& assembly,
@@ -24,12 +25,12 @@ std::vector<std::string> names_of(const SceneFile& file, const Assembly<double>&
   };
   if (verdict == Existence::closes_on_nothing)
     for (const Drive<double>& drive : scene.drives)
-      if (witness[static_cast<std::size_t>(drive.actuator)] > negligible * largest)
+      if (witness[static_cast<std::size_t>(drive.actuator)] > idle_entry * largest)
         mark(drive.body);
   if (verdict == Existence::can_be_squeezed)
     for (Index i = 0; i < layout.points; ++i)
       for (Index k = 0; k < layout.cones[i].normals; ++k)
-        if (witness[static_cast<std::size_t>(layout.cones[i].force + k)] > negligible * largest)
+        if (witness[static_cast<std::size_t>(layout.cones[i].force + k)] > idle_entry * largest)
           mark(layout.body[i]);
   std::vector<std::string> names;
   for (std::size_t b = 0; b < takes_part.size(); ++b)
@@ -47,67 +48,75 @@ bool has_bilateral(const SceneFile& file) {
 ExistenceFound find_existence(const SceneFile& file, const Assembly<double>& assembly) {
   ExistenceFound found;
   const AssemblySize size = size_of(assembly.scene());
-  if (size.unknowns() > largest_studied) return found;
-  std::vector<double> scalars(static_cast<std::size_t>(existence_scalars(size)));
-  std::vector<int> integers(static_cast<std::size_t>(existence_integers(size)));
+  if (size.unknowns() > limits::unknowns_existence) return found;
+  SolverMemory<double> memory(existence_scalars(size), existence_integers(size));
   std::vector<double> witness(static_cast<std::size_t>(size.forces() + size.actuators), 0.0);
   found.studied = true;
-  found.verdict = study_existence<double>(assembly,
-                                          {{scalars.data(), static_cast<Index>(scalars.size())},
-                                           {integers.data(), static_cast<Index>(integers.size())}},
-                                          {}, witness.data());
+  found.verdict = study_existence<double>(
+      assembly, {span_of(memory.scalars), span_of(memory.integers)}, {}, witness.data());
   found.bodies = names_of(file, assembly, found.verdict, witness);
   return found;
 }
 
+std::string Statement::reason() const {
+  std::string all = reasons.front();
+  for (std::size_t k = 1; k < reasons.size(); ++k) all += "; " + reasons[k];
+  return all;
+}
+
 Statement existence_statement(const SceneFile& file, const ExistenceFound& found) {
+  if (!found.studied) return {false, "none", {"not studied: the scene has too many unknowns"}};
   const std::string who = listed(found.bodies, "and");
-  const std::string pulls =
-      has_bilateral(file) ? "; bilateral pushers leave the common class: their pulls were looked "
-                            "at too (5.7)"
-                          : "";
-  if (!found.studied) return {false, "none", "not studied: the scene has too many unknowns"};
+  Statement said{false, "none", {}};
   switch (found.verdict) {
   case Existence::proved:
-    return {true, "an answer exists, whatever the loads",
-            "(H1) and (H2) of theory 5.3 hold" + pulls};
+    said = {true, "an answer exists, whatever the loads", {"(H1) and (H2) of theory 5.3 hold"}};
+    break;
   case Existence::closes_on_nothing:
-    return {false, "none",
-            "(H1) of theory 5.3 fails: the actuator of " + who + " can close on no contact" +
-                pulls};
+    said.reasons = {"(H1) of theory 5.3 fails: the actuator of " + who +
+                    " can close on no contact"};
+    break;
   case Existence::can_be_squeezed:
-    return {false, "none",
-            "(H2) of theory 5.3 fails: " + who +
-                " can squeeze the object, and the prescribed motions tighten that" + pulls};
+    said.reasons = {"(H2) of theory 5.3 fails: " + who +
+                    " can squeeze the object, and the prescribed motions tighten that"};
+    break;
   case Existence::may_retreat:
-    return {false, "none",
-            "an actuator has no force, shares a body, or moves a contact along its plane "
-            "only (theory 5.4)" +
-                pulls};
-  case Existence::not_known: break;
+    said.reasons = {"an actuator has no force, shares a body, or moves a contact along its plane "
+                    "only (theory 5.4)"};
+    break;
+  case Existence::not_known:
+    return {false, "none", {"not known: a linear program for theory 5.3 was not settled"}};
   }
-  return {false, "none", "not known: a linear program for theory 5.3 was not settled"};
+  if (has_bilateral(file))
+    said.reasons.emplace_back(
+        "bilateral pushers leave the common class: their pulls were looked at "
+        "too (5.7)");
+  return said;
+}
+
+std::string tied_words(Index contacts) {
+  return counted(contacts, "contact") + (contacts == 1 ? " is" : " are") + " between two modes";
 }
 
 Statement uniqueness_statement(const PushReport& report) {
   if (report.unique_motion == Uniqueness::yes)
-    return {true, "the motion is unique", "every normal force with friction is known (theory 7)"};
+    return {true, "the motion is unique", {"every normal force with friction is known (theory 7)"}};
   const FinalBasis& basis = report.final_basis;
-  const std::string why =
-      report.undetermined.empty()
-          ? ""
-          : report.undetermined + " has friction and no known normal force (theory 7); ";
-  if (!basis.studied) return {false, "none", why + "this answer's neighbourhood was not studied"};
+  Statement said{false, "none", {}};
+  if (!report.undetermined.empty())
+    said.reasons.push_back(report.undetermined +
+                           " has friction and no known normal force (theory 7)");
   std::string near = "this answer's neighbourhood was studied (final basis): ";
-  if (basis.motion_open)
+  if (!basis.studied)
+    near = "this answer's neighbourhood was not studied";
+  else if (basis.motion_open)
     near += "other motions lie next to it";
   else if (basis.tied_contacts > 0)
-    near += std::to_string(basis.tied_contacts) +
-            (basis.tied_contacts == 1 ? " contact is" : " contacts are") +
-            " between two modes, which leaves it undecided";
+    near += tied_words(basis.tied_contacts) + ", which leaves it undecided";
   else
     near += "no other motion next to it";
-  return {false, "none", why + near};
+  said.reasons.push_back(near);
+  return said;
 }
 
 } // namespace lcpush::desktop

@@ -8,6 +8,7 @@
 
 #include "spread/spread_face.hpp"
 #include "spread/spread_quantities.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -15,9 +16,8 @@ namespace {
 using Kind = ContactMode::Kind;
 using Point = Eigen::VectorXd;
 
-constexpr double same = 1e-7;         // of the scale of forces, or of motions
-constexpr Index most_enumerated = 16; // contact points
-constexpr double more = 10;           // work and faces that enumeration may take
+constexpr double equal_answers = 1e-7;    // of the scale of forces, or of motions
+constexpr double enumeration_factor = 10; // work and faces that enumeration may take
 
 class Search {
 public:
@@ -50,60 +50,29 @@ private:
   Index most_faces_ = 0;
 
   void solve_covers();
-  void meet(const Point& z);
   void propose(FaceModes modes, const Point& z);
-  bool believe(Point z, const FaceModes& modes);
-  void take(const Answer<double>& answer);
+  void propose_adjacent_faces(const Point& z);
+  bool accept_if_checked(Point z, const FaceModes& modes);
   void study(const Waiting& waiting);
   void study_bounds(Face& face, const FaceModes& modes);
   void bound(Face& face, const FaceModes& modes, const Quantity& quantity, double sign);
-  Interval& interval_of(const Quantity& quantity);
   void walk();
   bool is_used_up() const { return report_.faces >= most_faces_ || work_ > most_work_; }
   void enumerate();
   bool can_be(const FaceModes& part);
   bool goes_with_earlier(const FaceModes& modes, Index next);
-  void decide(FaceModes& modes, Index next);
+  void enumerate_modes_from(Index next, FaceModes& modes);
   void conclude();
 };
 
-Interval& Search::interval_of(const Quantity& quantity) {
-  const auto at = static_cast<std::size_t>(quantity.of);
-  switch (quantity.kind) {
-  case Quantity::Kind::twist: return report_.twist[at];
-  case Quantity::Kind::normal: return report_.contacts[at].normal;
-  case Quantity::Kind::tangential: return report_.contacts[at].tangential[quantity.axis];
-  case Quantity::Kind::torsion: return report_.contacts[at].torsion;
-  case Quantity::Kind::push: break;
-  }
-  return report_.pushers[at].force;
-}
-
-/// Widens all intervals by one answer.
-void Search::take(const Answer<double>& answer) {
-  const Scene<double>& scene = problem_.scene();
-  for (PusherSpread& pusher : report_.pushers)
-    pusher.force.include(normal_sum(answer, scene.bodies[pusher.body]));
-  for (Index k = 0; k < 6; ++k) report_.twist[k].include(answer.acceleration[k]);
-  for (Index i = 0; i < answer.contacts.size; ++i) {
-    const ContactAnswer<double>& contact = answer.contacts[i];
-    const Body<double>& body = scene.bodies[contact.body];
-    ContactSpread& spread = report_.contacts[static_cast<std::size_t>(i)];
-    spread.normal.include(contact.normal_force);
-    spread.tangential[0].include(contact.friction_force.dot(body.tangent));
-    spread.tangential[1].include(contact.friction_force.dot(cross(body.normal, body.tangent)));
-    spread.torsion.include(contact.torsion);
-  }
-}
-
 /// Takes z if the referee does.
-bool Search::believe(Point z, const FaceModes& modes) {
+bool Search::accept_if_checked(Point z, const FaceModes& modes) {
   problem_.complete(modes, z);
   const Answer<double>& answer = problem_.read(z);
   const Residuals<double> residuals = problem_.residuals(answer);
   if (!problem_.passes(residuals)) return false;
   report_.residual = std::max(report_.residual, residuals.max());
-  take(answer);
+  include(answer, problem_.scene(), report_);
   return true;
 }
 
@@ -113,17 +82,12 @@ void Search::propose(FaceModes modes, const Point& z) {
 
 /// The faces next to an answer on a known face: one contact does something else that it may be said
 /// to do there.
-void Search::meet(const Point& z) {
-  const Eigen::VectorXd w = problem_.slacks(z);
-  FaceModes modes;
-  std::vector<std::vector<ContactMode>> others;
-  for (Index i = 0; i < problem_.layout().points; ++i) {
-    modes.push_back(problem_.mode_at(i, z, w));
-    others.push_back(problem_.modes_at(i, z, w));
-  }
+void Search::propose_adjacent_faces(const Point& z) {
+  const Eigen::VectorXd w = problem_.dense().w(z);
+  const FaceModes modes = problem_.face_of(z, w);
   propose(modes, z);
   for (std::size_t i = 0; i < modes.size(); ++i)
-    for (const ContactMode& other : others[i]) {
+    for (const ContactMode& other : problem_.modes_at(static_cast<Index>(i), z, w)) {
       FaceModes next = modes;
       next[i] = other;
       propose(std::move(next), z);
@@ -132,10 +96,7 @@ void Search::meet(const Point& z) {
 
 void Search::solve_covers() {
   const Index n = problem_.layout().size;
-  std::vector<double> scalars(static_cast<std::size_t>(lemke_scalars(n)));
-  std::vector<int> integers(static_cast<std::size_t>(lemke_integers(n)));
-  Lemke<double> lemke({scalars.data(), static_cast<Index>(scalars.size())},
-                      {integers.data(), static_cast<Index>(integers.size())});
+  OwnedLemke<double> lemke(n);
   Watcher nobody;
   for (Index k = 0; k < options_.covers; ++k) {
     LemkeOptions<double> options = options_.lemke;
@@ -147,15 +108,13 @@ void Search::solve_covers() {
       status = lemke.solve(options_.watcher != nullptr ? *options_.watcher : nobody);
     if (status != Status::solved) continue;
     const Point z = Eigen::Map<const Point>(lemke.z(), n);
-    const Eigen::VectorXd w = problem_.slacks(z);
-    FaceModes modes;
-    for (Index i = 0; i < problem_.layout().points; ++i) modes.push_back(problem_.mode_at(i, z, w));
-    if (!believe(z, modes)) {
+    FaceModes modes = problem_.face_of(z, problem_.dense().w(z));
+    if (!accept_if_checked(z, modes)) {
       ++report_.failures;
       continue;
     }
     ++report_.covers_solved;
-    propose(modes, z);
+    propose(std::move(modes), z);
   }
 }
 
@@ -163,17 +122,17 @@ void Search::bound(Face& face, const FaceModes& modes, const Quantity& quantity,
   Point z;
   const Face::Point found = face.lowest(sign * quantity.f, z);
   const bool exists = found == Face::Point::found || found == Face::Point::unbounded;
-  if (!exists || !believe(z, modes)) {
+  if (!exists || !accept_if_checked(z, modes)) {
     ++report_.failures;
     return;
   }
   if (found == Face::Point::unbounded) {
-    Interval& interval = interval_of(quantity);
+    Interval& interval = interval_of(quantity, report_);
     (sign > 0 ? interval.low : interval.high) = -sign * std::numeric_limits<double>::infinity();
     return;
   }
   problem_.complete(modes, z);
-  meet(z);
+  propose_adjacent_faces(z);
 }
 
 void Search::study_bounds(Face& face, const FaceModes& modes) {
@@ -193,11 +152,11 @@ void Search::study_bounds(Face& face, const FaceModes& modes) {
 void Search::study(const Waiting& waiting) {
   Face face(problem_, waiting.modes);
   work_ += 10 * std::pow(static_cast<double>(problem_.layout().size), 2);
-  if (!face.start_at(waiting.z) || !believe(waiting.z, waiting.modes)) {
+  if (!face.start_at(waiting.z) || !accept_if_checked(waiting.z, waiting.modes)) {
     ++report_.failures;
     return;
   }
-  meet(waiting.z);
+  propose_adjacent_faces(waiting.z);
   study_bounds(face, waiting.modes);
 }
 
@@ -240,7 +199,7 @@ bool Search::goes_with_earlier(const FaceModes& modes, Index next) {
 }
 
 /// Contact by contact, every mode; what has no point with signs alone for the rest is left.
-void Search::decide(FaceModes& modes, Index next) {
+void Search::enumerate_modes_from(Index next, FaceModes& modes) {
   for (const ContactMode& mode : problem_.every_mode(next)) {
     if (is_used_up()) return;
     modes[static_cast<std::size_t>(next)] = mode;
@@ -251,11 +210,11 @@ void Search::decide(FaceModes& modes, Index next) {
     work_ += face.work() + std::pow(static_cast<double>(problem_.layout().size), 3);
     if (point == Face::Point::none) continue;
     if (next + 1 < problem_.layout().points) {
-      decide(modes, next + 1);
+      enumerate_modes_from(next + 1, modes);
       continue;
     }
     // A face of a single point has no bounds to look for: the point itself is the answer.
-    if (point == Face::Point::failed || !believe(face.origin(), modes)) {
+    if (point == Face::Point::failed || !accept_if_checked(face.origin(), modes)) {
       ++report_.failures;
       continue;
     }
@@ -270,15 +229,15 @@ void Search::enumerate() {
     report_.enumeration = "soft contacts have too many modes to enumerate";
     return;
   }
-  if (points > most_enumerated) {
-    report_.enumeration = "more than " + std::to_string(most_enumerated) +
+  if (points > limits::points_enumerated) {
+    report_.enumeration = "more than " + std::to_string(limits::points_enumerated) +
                           " contact points have too many modes to enumerate";
     return;
   }
   FaceModes modes(static_cast<std::size_t>(points));
   report_.enumerated = true;
   const Index before = report_.failures;
-  decide(modes, 0);
+  enumerate_modes_from(0, modes);
   if (is_used_up())
     report_.enumeration = "the limit of work was reached";
   else if (report_.failures > before)
@@ -295,25 +254,14 @@ void Search::conclude() {
       if (std::isfinite(x)) report_.motion = std::max(report_.motion, std::abs(x) * lever);
   }
   report_.motion = std::max(report_.motion, push_size(problem_.scene()));
-  bool one_motion = true, one_force = true;
-  for (Index k = 0; k < 6; ++k)
-    one_motion = one_motion &&
-                 is_single(report_.twist[k], same_acceleration(report_) / (k < 3 ? 1 : length));
-  const double force = same_force(report_);
-  for (const ContactSpread& contact : report_.contacts)
-    one_force =
-        one_force && is_single(contact.normal, force) && is_single(contact.tangential[0], force) &&
-        is_single(contact.tangential[1], force) && is_single(contact.torsion, force * length);
-  report_.verdict = !one_motion  ? SpreadVerdict::ambiguous
-                    : !one_force ? SpreadVerdict::same_motion
-                                 : SpreadVerdict::unique;
+  report_.verdict = verdict_on(report_);
 }
 
 SpreadReport Search::run() {
   solve_covers();
   if (options_.enumerate) {
-    most_faces_ = static_cast<Index>(more) * options_.most_faces;
-    most_work_ = more * options_.most_work;
+    most_faces_ = static_cast<Index>(enumeration_factor) * options_.most_faces;
+    most_work_ = enumeration_factor * options_.most_work;
     enumerate();
   }
   if (!report_.complete) {
@@ -340,8 +288,8 @@ SpreadReport Search::run() {
 
 } // namespace
 
-double same_force(const SpreadReport& report) { return same * report.scales.force; }
-double same_acceleration(const SpreadReport& report) { return same * report.motion; }
+double same_force(const SpreadReport& report) { return equal_answers * report.scales.force; }
+double same_acceleration(const SpreadReport& report) { return equal_answers * report.motion; }
 
 SpreadReport find_spread(const SceneFile& file, const SpreadOptions& options) {
   return Search(file, options).run();

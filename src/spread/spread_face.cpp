@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lcpush/lcp/pivots/linear_program.hpp"
-
 namespace lcpush::desktop {
 namespace {
 
@@ -61,8 +59,9 @@ void Face::choose(const FaceModes& modes) {
   const auto fill = [&](const std::vector<Index>& rows, Eigen::MatrixXd& A, Eigen::VectorXd& b) {
     for (std::size_t r = 0; r < rows.size(); ++r) {
       for (Index c = 0; c < columns; ++c)
-        A(static_cast<Index>(r), c) = problem_.M()(rows[r], unknowns_[static_cast<std::size_t>(c)]);
-      b[static_cast<Index>(r)] = problem_.q()[rows[r]];
+        A(static_cast<Index>(r), c) =
+            problem_.dense().M(rows[r], unknowns_[static_cast<std::size_t>(c)]);
+      b[static_cast<Index>(r)] = problem_.dense().q[rows[r]];
     }
   };
   equations_.resize(static_cast<Index>(zero.size()), columns);
@@ -145,13 +144,13 @@ void Face::look_around() {
 }
 
 /// The columns of the dual: rows_ of first_, and their room as costs without rounding's digits.
-void Face::dual(Eigen::MatrixXd& A, Eigen::VectorXd& c) const {
+void Face::dual(OwnedProgram& program) const {
   const double size = 1 + room_.cwiseAbs().maxCoeff();
   for (std::size_t k = 0; k < first_.size(); ++k) {
     const auto column = static_cast<Index>(k);
-    A.col(column).head(dimension()) = rows_.row(first_[k]).transpose();
+    program.A.col(column).head(dimension()) = rows_.row(first_[k]).transpose();
     const double room = room_[first_[k]] / size;
-    c[column] = std::abs(room) <= rounding ? 0 : room;
+    program.c[column] = std::abs(room) <= rounding ? 0 : room;
   }
 }
 
@@ -177,50 +176,37 @@ Eigen::VectorXd Face::whole(const Eigen::VectorXd& x) const {
   return z;
 }
 
-/// min c x, A x = b, x >= 0, with prices nu: A' nu <= c and b nu = c x, or after a ray A' nu <= 0
-/// and b nu = 1. Where one cover fails others have a try, then costs a little larger, which part
-/// ties: the signs that hold such a corner hold the true one, and the referee sees what comes of
-/// it.
-Status Face::minimise(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::VectorXd& c,
-                      Eigen::VectorXd& x, Eigen::VectorXd& prices) {
+/// Where one cover fails others have a try, then costs a little larger, which part ties: the signs
+/// that hold such a corner hold the true one, and the referee sees what comes of it.
+Status Face::minimise(OwnedProgram& program) {
   constexpr Index tries = 3;
   constexpr double apart = 1e-8;
-  Eigen::VectorXd costs = c;
-  const LinearProgram<double> program{A.cols(), A.rows(), 0,           A.data(),
-                                      b.data(), nullptr,  costs.data()};
-  std::vector<double> scalars(
-      static_cast<std::size_t>(linear_program_scalars(A.cols(), A.rows(), 0)));
-  std::vector<int> integers(
-      static_cast<std::size_t>(linear_program_integers(A.cols(), A.rows(), 0)));
-  LinearProgramSolver<double> solver({scalars.data(), static_cast<Index>(scalars.size())},
-                                     {integers.data(), static_cast<Index>(integers.size())});
+  const Eigen::VectorXd costs = program.c;
+  const auto n = static_cast<double>(program.A.cols());
   Status status = Status::bad_input;
   LemkeOptions<double> options;
   ++programs_;
   for (Index k = 0; k < 2 * tries; ++k) {
     options.first_cover = k * options.covers;
-    for (Index j = 0; k >= tries && j < c.size(); ++j)
-      costs[j] = c[j] + apart * generic_number<double>(static_cast<std::uint32_t>(k), j);
-    status = solver.solve(program, options);
-    const auto n = static_cast<double>(A.cols());
-    work_ += n * n * static_cast<double>(solver.pivots() + 10) +
-             n * static_cast<double>(A.rows() * A.rows());
+    for (Index j = 0; k >= tries && j < costs.size(); ++j)
+      program.c[j] = costs[j] + apart * generic_number<double>(static_cast<std::uint32_t>(k), j);
+    status = program.solve(options);
+    work_ += n * n * static_cast<double>(program.pivots + 10) +
+             n * static_cast<double>(program.A.rows() * program.A.rows());
     if (status == Status::solved || status == Status::ray) break;
   }
-  if (status != Status::solved && status != Status::ray) return status;
-  prices = Eigen::Map<const Eigen::VectorXd>(solver.equality_multipliers(), A.rows());
-  if (status == Status::solved) x = Eigen::Map<const Eigen::VectorXd>(solver.x(), A.cols());
   return status;
 }
 
 /// t moved onto the signs rows t + room >= 0 that bind it, so that the point is exact to rounding.
-/// `prices` > 0 marks those of first_ that the linear program holds it with. Room 0: a direction.
+/// `multipliers` > 0 mark those of first_ that the linear program holds it with. Room 0: a
+/// direction.
 Eigen::VectorXd Face::polished(const Eigen::VectorXd& t, const Eigen::VectorXd& room,
-                               const Eigen::VectorXd& prices) const {
+                               const Eigen::VectorXd& multipliers) const {
   const double size = 1 + room.cwiseAbs().maxCoeff();
   std::vector<bool> held(static_cast<std::size_t>(room.size()), false);
-  for (Index k = 0; k < prices.size(); ++k)
-    if (prices[k] > 1e-6)
+  for (Index k = 0; k < multipliers.size(); ++k)
+    if (multipliers[k] > 1e-6)
       held[static_cast<std::size_t>(first_[static_cast<std::size_t>(k)])] = true;
   Eigen::VectorXd result = t;
   for (int turn = 0; turn < 2; ++turn) {
@@ -262,15 +248,15 @@ Face::Point Face::find_point() {
     if (rows_.row(r).isZero(0) && room_[r] < -contradicts * size) return Point::none;
   const Index K = static_cast<Index>(first_.size()), d = dimension();
   if (K > 0) {
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(d + 1, K + 1);
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(d + 1), c = Eigen::VectorXd::Zero(K + 1), y, nu;
-    dual(A, c);
-    A.row(d).setOnes();
-    b[d] = 1;
-    if (minimise(A, b, c, y, nu) != Status::solved) return Point::failed;
+    OwnedProgram program(K + 1, d + 1);
+    dual(program);
+    program.A.row(d).setOnes();
+    program.b[d] = 1;
+    if (minimise(program) != Status::solved) return Point::failed;
+    const Eigen::VectorXd& nu = program.multipliers;
     if (-nu[d] > contradicts) return Point::none;
     if (-nu[d] > agrees) return Point::failed;
-    origin_ += directions_ * polished(-size * nu.head(d), room_, y.head(K));
+    origin_ += directions_ * polished(-size * nu.head(d), room_, program.x.head(K));
     settle(origin_);
     look_around();
   }
@@ -278,19 +264,19 @@ Face::Point Face::find_point() {
 }
 
 Face::Point Face::lowest(const Eigen::VectorXd& f, Eigen::VectorXd& z) {
-  const Index K = static_cast<Index>(first_.size());
   const double size = 1 + room_.cwiseAbs().maxCoeff();
   Eigen::VectorXd slope = directions_.transpose() * restricted(f);
   slope /= slope.norm();
   // min slope t over rows t + room >= 0 has the dual: min room y over rows' y = slope, y >= 0.
-  Eigen::MatrixXd A(dimension(), K);
-  Eigen::VectorXd c(K), y, nu;
-  dual(A, c);
-  c = c.cwiseMax(0);
-  const Status status = minimise(A, slope, c, y, nu);
+  OwnedProgram program(static_cast<Index>(first_.size()), dimension());
+  dual(program);
+  program.b = slope;
+  program.c = program.c.cwiseMax(0);
+  const Status status = minimise(program);
+  const Eigen::VectorXd& nu = program.multipliers;
   Eigen::VectorXd x = origin_;
   if (status == Status::solved) {
-    x += directions_ * polished(-size * nu, room_, y);
+    x += directions_ * polished(-size * nu, room_, program.x);
     settle(x);
     z = whole(x);
     return Point::found;

@@ -2,6 +2,7 @@
 // here with its equations solved: z = origin + directions t, over which signs are all that is left.
 #pragma once
 
+#include "solve/owned_program.hpp"
 #include "spread/spread_problem.hpp"
 
 namespace lcpush::desktop {
@@ -10,8 +11,6 @@ class Face {
 public:
   Face(const LiteralProblem& problem, const FaceModes& modes);
 
-  /// Do the equations contradict each other?
-  bool is_contradictory() const { return contradictory_; }
   Index dimension() const { return directions_.cols(); }
 
   /// Moves the origin to z, a point of the face up to rounding. False if it is none.
@@ -57,13 +56,12 @@ private:
   void eliminate();
   void settle(Eigen::VectorXd& x) const;
   void look_around();
-  void dual(Eigen::MatrixXd& A, Eigen::VectorXd& c) const;
+  void dual(OwnedProgram& program) const;
   Eigen::VectorXd restricted(const Eigen::VectorXd& f) const;
   Eigen::VectorXd polished(const Eigen::VectorXd& t, const Eigen::VectorXd& room,
-                           const Eigen::VectorXd& prices) const;
+                           const Eigen::VectorXd& multipliers) const;
   Eigen::VectorXd whole(const Eigen::VectorXd& x) const;
-  Status minimise(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, const Eigen::VectorXd& c,
-                  Eigen::VectorXd& x, Eigen::VectorXd& prices);
+  Status minimise(OwnedProgram& program);
 };
 
 } // namespace lcpush::desktop

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lcpush/mechanics/solve/breaking.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -26,19 +27,7 @@ struct LiteralProblem::Look {
 };
 
 LiteralProblem::LiteralProblem(const SceneFile& file)
-    : file_(literal(file)), scene_(file_.view()), assembly_(scene_) {
-  const Problem<double> problem = assembly_.get().problem();
-  M_.resize(problem.size, problem.size);
-  fill_matrix(problem, MatrixMap<double>(M_.data(), problem.size, problem.size));
-  q_ = Eigen::Map<const Eigen::VectorXd>(problem.q, problem.size);
-  const AssemblySize size = size_of(scene_);
-  contacts_.resize(static_cast<std::size_t>(size.points));
-  friction_.resize(static_cast<std::size_t>(size.generators));
-  closing_.resize(static_cast<std::size_t>(size.actuators));
-  answer_.contacts = {contacts_.data(), size.points};
-  answer_.friction = {friction_.data(), size.generators};
-  answer_.closing = {closing_.data(), size.actuators};
-}
+    : file_(literal(file)), assembled_(file_.view()), dense_(desktop::dense(problem())) {}
 
 void LiteralProblem::complete(const FaceModes& modes, Eigen::VectorXd& z) const {
   for (Index i = 0; i < layout().points; ++i) {
@@ -48,31 +37,31 @@ void LiteralProblem::complete(const FaceModes& modes, Eigen::VectorXd& z) const 
     double needed = 0;
     for (Index j = 0; j < cone.generators; ++j) {
       const Index row = layout().friction(i, j);
-      needed = std::max(needed, -(M_.row(row).dot(z) + q_[row]));
+      needed = std::max(needed, -(dense_.M.row(row).dot(z) + dense_.q[row]));
     }
     z[cone.slip()] = needed;
   }
 }
 
 const Answer<double>& LiteralProblem::read(const Eigen::VectorXd& z) {
-  read_answer(assembly_.get(), z.data(), answer_, 1.0);
-  return answer_;
+  read_answer(assembled_.assembly, z.data(), assembled_.work.answer, 1.0);
+  return assembled_.work.answer;
 }
 
 Residuals<double> LiteralProblem::residuals(const Answer<double>& answer) const {
-  return check(scene_, layout().scales, answer, 1.0);
+  return check(scene(), layout().scales, answer, 1.0);
 }
 
 bool LiteralProblem::passes(const Residuals<double>& residuals) const {
   constexpr double smallest_part = 1e-5; // as for an answer of Push::solve
-  const double push = push_size(scene_) / layout().scales.acceleration;
+  const double push = push_size(scene()) / layout().scales.acceleration;
   const double worst = residuals.max();
   return worst <= Tolerances<double>().residual && (!(push > 0) || worst <= smallest_part * push);
 }
 
 LiteralProblem::Look LiteralProblem::look(Index i, const Eigen::VectorXd& z,
                                           const Eigen::VectorXd& w) const {
-  const double terms = (M_.cwiseAbs() * z.cwiseAbs() + q_.cwiseAbs()).maxCoeff();
+  const double terms = (dense_.M.cwiseAbs() * z.cwiseAbs() + dense_.q.cwiseAbs()).maxCoeff();
   double force = 0, motion = 1e-5 * terms; // below it all motion is rounding's
   for (Index k = 0; k < layout().points; ++k) {
     const ConeGroup<double>& cone = layout().cones[k];
@@ -100,16 +89,22 @@ LiteralProblem::Look LiteralProblem::look(Index i, const Eigen::VectorXd& z,
   return look;
 }
 
-ContactMode LiteralProblem::mode_at(Index i, const Eigen::VectorXd& z,
-                                    const Eigen::VectorXd& w) const {
-  const Look at = look(i, z, w);
-  if (!at.gap_closed) return {Kind::open, false, {}};
-  if (layout().cones[i].generators == 0 || !at.slips) return {Kind::stick, at.pulls, {}};
-  return {Kind::slide, at.pulls, at.opposing};
+FaceModes LiteralProblem::face_of(const Eigen::VectorXd& z, const Eigen::VectorXd& w) const {
+  FaceModes modes;
+  for (Index i = 0; i < layout().points; ++i) {
+    const Look at = look(i, z, w);
+    if (!at.gap_closed)
+      modes.push_back({Kind::open, false, {}});
+    else if (layout().cones[i].generators == 0 || !at.slips)
+      modes.push_back({Kind::stick, at.pulls, {}});
+    else
+      modes.push_back({Kind::slide, at.pulls, at.opposing});
+  }
+  return modes;
 }
 
 bool LiteralProblem::has_soft_points() const {
-  for (const Body<double>& body : scene_.bodies)
+  for (const Body<double>& body : scene().bodies)
     if (body.torsion_radius > 0 && body.friction > 0) return true;
   return false;
 }
@@ -133,7 +128,6 @@ std::vector<ContactMode> LiteralProblem::every_mode(Index i) const {
 
 std::vector<ContactMode> LiteralProblem::modes_at(Index i, const Eigen::VectorXd& z,
                                                   const Eigen::VectorXd& w) const {
-  constexpr std::size_t most_active = 6; // subsets are tried up to this many
   const Look at = look(i, z, w);
   const ConeGroup<double>& cone = layout().cones[i];
   std::vector<ContactMode> modes;
@@ -146,13 +140,13 @@ std::vector<ContactMode> LiteralProblem::modes_at(Index i, const Eigen::VectorXd
     if (pulls ? cone.normals == 1 || (at.pressed && !at.pulls) : at.pressed && at.pulls) continue;
     if (cone.generators == 0 || !at.slips) modes.push_back({Kind::stick, pulls, {}});
     if (cone.generators == 0 || !at.at_limit) continue;
-    if (!at.slips && scene_.bodies[layout().body[i]].torsion_radius > 0) {
+    if (!at.slips && scene().bodies[layout().body[i]].torsion_radius > 0) {
       if (!at.carrying.empty()) modes.push_back({Kind::slide, pulls, at.carrying});
     } else if (!at.slips) { // about to slide, any way that its friction allows
       for (ContactMode& mode : every_mode(i))
         if (mode.kind == Kind::slide && mode.pulls == pulls && carried_by(mode.active))
           modes.push_back(std::move(mode));
-    } else if (at.opposing.size() <= most_active) {
+    } else if (at.opposing.size() <= limits::generators_enumerated) {
       for (std::size_t set = 1; set < std::size_t{1} << at.opposing.size(); ++set) {
         std::vector<Index> active;
         for (std::size_t k = 0; k < at.opposing.size(); ++k)

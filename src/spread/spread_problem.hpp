@@ -2,13 +2,13 @@
 // what a contact can do in an answer to them.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
+#include "lcpush/desktop/assembled_scene.hpp"
 #include "lcpush/desktop/scene_io.hpp"
 #include "lcpush/mechanics/model/check.hpp"
 #include "lcpush/mechanics/model/read_answer.hpp"
-#include "solve/owned_assembly.hpp"
+#include "solve/dense_problem.hpp"
 
 namespace lcpush::desktop {
 
@@ -41,13 +41,11 @@ public:
   LiteralProblem(const LiteralProblem&) = delete;
   LiteralProblem& operator=(const LiteralProblem&) = delete;
 
-  const Scene<double>& scene() const { return scene_; }
-  const Layout<double>& layout() const { return assembly_.get().layout(); }
-  Problem<double> problem() { return assembly_.get().problem(); }
-  const FactoredProblem<double>& factored() const { return assembly_.get().factored(); }
-  const Eigen::MatrixXd& M() const { return M_; }
-  const Eigen::VectorXd& q() const { return q_; }
-  Eigen::VectorXd slacks(const Eigen::VectorXd& z) const { return M_ * z + q_; }
+  const Scene<double>& scene() const { return assembled_.scene; }
+  const Layout<double>& layout() const { return assembled_.assembly.layout(); }
+  Problem<double> problem() { return assembled_.assembly.problem(); }
+  const FactoredProblem<double>& factored() const { return assembled_.assembly.factored(); }
+  const DenseProblem& dense() const { return dense_; }
 
   /// Gives the slips of open contacts, which are in no polyhedron, their smallest value.
   void complete(const FaceModes& modes, Eigen::VectorXd& z) const;
@@ -57,9 +55,9 @@ public:
   /// No law broken by more than the tolerance, nor than a small part of the push.
   bool passes(const Residuals<double>& residuals) const;
 
-  /// What contact i does at the answer z with slacks w, ties resolved towards more unknowns.
-  ContactMode mode_at(Index i, const Eigen::VectorXd& z, const Eigen::VectorXd& w) const;
-  /// All that it may be said to do there: several at the limit of two modes.
+  /// What every contact does at the answer z with slacks w, ties resolved towards more unknowns.
+  FaceModes face_of(const Eigen::VectorXd& z, const Eigen::VectorXd& w) const;
+  /// All that contact i may be said to do there: several at the limit of two modes.
   std::vector<ContactMode> modes_at(Index i, const Eigen::VectorXd& z,
                                     const Eigen::VectorXd& w) const;
   /// All that it can do at all; not for soft points.
@@ -68,13 +66,8 @@ public:
 
 private:
   SceneFile file_;
-  Scene<double> scene_;
-  mutable OwnedAssembly<double> assembly_;
-  Eigen::MatrixXd M_;
-  Eigen::VectorXd q_;
-  std::vector<ContactAnswer<double>> contacts_;
-  std::vector<double> friction_, closing_;
-  Answer<double> answer_;
+  AssembledScene assembled_;
+  DenseProblem dense_;
 
   struct Look;
   Look look(Index i, const Eigen::VectorXd& z, const Eigen::VectorXd& w) const;

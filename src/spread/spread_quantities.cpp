@@ -8,12 +8,13 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem,
   const Layout<double>& layout = problem.layout();
   const FactoredProblem<double>& factored = problem.factored();
   const auto blank = [&] { return Eigen::VectorXd(Eigen::VectorXd::Zero(layout.size)); };
+  const auto add_normal = [&](Index i, Eigen::VectorXd& f) {
+    for (Index k = 0; k < layout.cones[i].normals; ++k) f[layout.normal(i) + k] = k == 0 ? 1 : -1;
+  };
   for (std::size_t p = 0; p < pushers.size(); ++p) {
     Quantity push{Quantity::Kind::push, static_cast<Index>(p), 0, blank()};
     for (Index i = 0; i < layout.points; ++i)
-      if (layout.body[i] == pushers[p].body)
-        for (Index k = 0; k < layout.cones[i].normals; ++k)
-          push.f[layout.normal(i) + k] = k == 0 ? 1 : -1;
+      if (layout.body[i] == pushers[p].body) add_normal(i, push.f);
     quantities.push_back(push);
   }
   for (Index k = 0; k < 6; ++k) {
@@ -27,8 +28,7 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem,
   for (Index i = 0; i < layout.points; ++i) {
     const Body<double>& body = problem.scene().bodies[layout.body[i]];
     Quantity normal{Quantity::Kind::normal, i, 0, blank()};
-    for (Index k = 0; k < layout.cones[i].normals; ++k)
-      normal.f[layout.normal(i) + k] = k == 0 ? 1 : -1;
+    add_normal(i, normal.f);
     quantities.push_back(normal);
     if (layout.cones[i].generators == 0) continue;
     Quantity along{Quantity::Kind::tangential, i, 0, blank()};
@@ -45,6 +45,45 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem,
     if (body.torsion_radius > 0) quantities.push_back(torsion);
   }
   return quantities;
+}
+
+Interval& interval_of(const Quantity& quantity, SpreadReport& report) {
+  const auto at = static_cast<std::size_t>(quantity.of);
+  switch (quantity.kind) {
+  case Quantity::Kind::twist: return report.twist[at];
+  case Quantity::Kind::normal: return report.contacts[at].normal;
+  case Quantity::Kind::tangential: return report.contacts[at].tangential[quantity.axis];
+  case Quantity::Kind::torsion: return report.contacts[at].torsion;
+  case Quantity::Kind::push: break;
+  }
+  return report.pushers[at].force;
+}
+
+void include(const Answer<double>& answer, const Scene<double>& scene, SpreadReport& report) {
+  for (PusherSpread& pusher : report.pushers)
+    pusher.force.include(normal_sum(answer, scene.bodies[pusher.body]));
+  for (Index k = 0; k < 6; ++k) report.twist[k].include(answer.acceleration[k]);
+  for (Index i = 0; i < answer.contacts.size; ++i) {
+    const ContactAnswer<double>& contact = answer.contacts[i];
+    const Body<double>& body = scene.bodies[contact.body];
+    ContactSpread& spread = report.contacts[static_cast<std::size_t>(i)];
+    spread.normal.include(contact.normal_force);
+    spread.tangential[0].include(contact.friction_force.dot(body.tangent));
+    spread.tangential[1].include(contact.friction_force.dot(cross(body.normal, body.tangent)));
+    spread.torsion.include(contact.torsion);
+  }
+}
+
+SpreadVerdict verdict_on(const SpreadReport& report) {
+  const double length = report.scales.length, force = same_force(report);
+  for (Index k = 0; k < 6; ++k)
+    if (!is_single(report.twist[k], same_acceleration(report) / (k < 3 ? 1 : length)))
+      return SpreadVerdict::ambiguous;
+  for (const ContactSpread& contact : report.contacts)
+    if (!is_single(contact.normal, force) || !is_single(contact.tangential[0], force) ||
+        !is_single(contact.tangential[1], force) || !is_single(contact.torsion, force * length))
+      return SpreadVerdict::same_motion;
+  return SpreadVerdict::unique;
 }
 
 } // namespace lcpush::desktop

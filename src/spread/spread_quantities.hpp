@@ -1,4 +1,4 @@
-// What bounds are asked for, each as a functional of the unknowns.
+// What bounds are asked for, each as a functional of the unknowns and as an interval of the report.
 #pragma once
 
 #include "lcpush/desktop/spread.hpp"
@@ -16,5 +16,13 @@ struct Quantity {
 /// The push of each pusher first, then the twist, then point by point.
 std::vector<Quantity> list_quantities(const LiteralProblem& problem,
                                       const std::vector<PusherSpread>& pushers);
+
+Interval& interval_of(const Quantity& quantity, SpreadReport& report);
+
+/// Widens all intervals by one answer.
+void include(const Answer<double>& answer, const Scene<double>& scene, SpreadReport& report);
+
+/// The verdict on the intervals; report.motion is known by then.
+SpreadVerdict verdict_on(const SpreadReport& report);
 
 } // namespace lcpush::desktop

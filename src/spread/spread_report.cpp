@@ -1,5 +1,5 @@
+#include <array>
 #include <cmath>
-#include <limits>
 
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/spread.hpp"
@@ -19,14 +19,10 @@ std::string interval_text(const Interval& interval, double same) {
   return end_text(interval.low, same) + " .. " + end_text(interval.high, same);
 }
 
-std::string counted(Index count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 std::string law_line(const SceneFile& file) {
   const std::string label = "Laws              the paper's, literally (pressure = \"rigid\")";
   if (file.pressure == Pressure::rigid) return label + "\n";
-  return label + ";\n                  the file's law \"" + pressure_name(file.pressure) +
+  return label + ";\n                  the file's law \"" + pressure_text(file.pressure) +
          (file.pressure == Pressure::pad ? "\" chooses one of these answers\n"
                                          : "\" spreads each patch's force: other equations\n");
 }
@@ -90,34 +86,22 @@ std::string contact_table(const SceneFile& file, const SpreadReport& report) {
   return table_text(rows);
 }
 
-void write_interval(JsonWriter& json, const Interval& interval) {
-  const double ends[] = {interval.low, interval.high}; // infinite ends become null
-  json.numbers(ends, 2);
-}
+/// Infinite ends become null.
+std::array<double, 2> ends_of(const Interval& interval) { return {interval.low, interval.high}; }
 
 void write_set(JsonWriter& json, const SceneFile& file, const SpreadReport& report) {
+  const auto write_ends = [&](const Interval& interval) { json.value(ends_of(interval)); };
   json.key("push_force").begin_object();
-  for (const PusherSpread& pusher : report.pushers) {
-    json.key(file.body_names[static_cast<std::size_t>(pusher.body)]);
-    write_interval(json, pusher.force);
-  }
-  json.end_object().key("twist").begin_array();
-  for (const Interval& component : report.twist) write_interval(json, component);
-  json.end_array().key("contacts").begin_array();
-  for (std::size_t i = 0; i < report.contacts.size(); ++i) {
-    const ContactSpread& contact = report.contacts[i];
-    const auto point = static_cast<Index>(i);
-    json.begin_object().member("name", point_name(file, point));
-    json.member("body", file.body_names[static_cast<std::size_t>(file.body_of(point))]);
-    json.key("normal_force");
-    write_interval(json, contact.normal);
-    json.key("tangential_force").begin_array();
-    for (const Interval& along : contact.tangential) write_interval(json, along);
-    json.end_array().key("torsion");
-    write_interval(json, contact.torsion);
-    json.end_object();
-  }
-  json.end_array();
+  for (const PusherSpread& pusher : report.pushers)
+    json.member(file.body_name(pusher.body), ends_of(pusher.force));
+  json.end_object().list("twist", report.twist, write_ends);
+  json.objects("contacts", static_cast<Index>(report.contacts.size()), [&](Index i) {
+    const ContactSpread& contact = report.contacts[static_cast<std::size_t>(i)];
+    json.member("name", point_name(file, i)).member("body", file.body_name(file.body_of(i)));
+    json.member("normal_force", ends_of(contact.normal));
+    json.list("tangential_force", contact.tangential, write_ends);
+    json.member("torsion", ends_of(contact.torsion));
+  });
 }
 
 } // namespace
@@ -125,10 +109,10 @@ void write_set(JsonWriter& json, const SceneFile& file, const SpreadReport& repo
 std::string spread_text(const SceneFile& file, const SpreadReport& report) {
   std::string text = title_line(file) + law_line(file);
   if (report.status != Status::solved) {
-    text += failure_text(file, report.status,
-                         report.failure.reason.empty() ? "no answer was reached"
-                                                       : report.failure.reason,
-                         report.failure.ray, report.failure.jam);
+    RunReport failure = report.failure;
+    failure.status = report.status;
+    if (failure.reason.empty()) failure.reason = "no answer was reached";
+    text += failure_text(file, failure);
     if (report.complete)
       return text + "\nNo solution: every assignment of contact modes was refuted.\n";
     return text + "\nNo solution was reached from " + counted(report.covers, "cover") + ".\n" +
@@ -138,7 +122,7 @@ std::string spread_text(const SceneFile& file, const SpreadReport& report) {
   }
   text += reach_lines(report) + verdict_line(report);
   for (const PusherSpread& pusher : report.pushers) {
-    std::string label = "Push by " + file.body_names[static_cast<std::size_t>(pusher.body)];
+    std::string label = "Push by " + file.body_name(pusher.body);
     label.resize(std::max<std::size_t>(label.size() + 1, 18), ' ');
     text += label + interval_text(pusher.force, same_force(report)) +
             " N, the sum of its normal forces\n";
@@ -155,23 +139,15 @@ std::string spread_json(const SceneFile& file, const SpreadReport& report) {
   const bool solved = report.status == Status::solved;
   JsonWriter json;
   json.begin_object().member("status", status_text(report.status));
-  json.key("verdict");
-  if (solved)
-    json.value(verdict_text(report.verdict));
-  else
-    json.value(nullptr);
-  json.member("laws", "rigid").member("pressure", pressure_name(file.pressure));
+  json.member("verdict", when(solved, verdict_text(report.verdict)));
+  json.member("laws", "rigid").member("pressure", pressure_text(file.pressure));
   json.member("faces", report.faces).member("covers", report.covers);
   json.member("covers_solved", report.covers_solved).member("complete", report.complete);
-  json.key("enumeration");
-  if (report.enumeration.empty())
-    json.value(nullptr);
-  else
-    json.value(report.enumeration);
+  json.member("enumeration", unless_empty(report.enumeration));
   json.member("faces_left", report.faces_left).member("failures", report.failures);
   json.member("linear_programs", report.programs).member("assignments", report.assignments);
   if (!solved) {
-    write_failure(json, file, report.failure.reason, report.failure.ray, report.failure.jam);
+    write_failure(json, file, report.failure);
     return json.end_object().text();
   }
   json.member("residual", report.residual);

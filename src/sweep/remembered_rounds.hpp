@@ -1,6 +1,8 @@
-// Rounds of a pressure law (mechanics/solve/rounds.hpp) that first try the bases in which the same rounds
-// ended at a neighbouring value.
+// Rounds of a pressure law (mechanics/solve/rounds.hpp) that first try the bases in which the same
+// rounds ended at a neighbouring value.
 #pragma once
+
+#include <algorithm>
 
 #include "lcpush/mechanics/solve/rounds.hpp"
 #include "sweep/basis_solution.hpp"
@@ -14,72 +16,66 @@ struct RoundMemory {
   Index cold = 0;            ///< rounds that began from nothing
 };
 
+/// A round's first basis is the one that it ended in at the neighbour.
+struct RememberedStart {
+  RoundMemory& memory;
+  std::size_t round = 0;
+
+  bool knows(Index size) const {
+    return round < memory.bases.size() && static_cast<Index>(basis().size()) == size;
+  }
+  const Basis& basis() const { return memory.bases[round]; }
+  void copy_to(const PressureMemory<double>& pressure) const {
+    std::copy(basis().begin(), basis().end(), pressure.active.data);
+  }
+  bool propose(const Problem<double>& problem, const PressureMemory<double>& pressure, PressureRun&,
+               FirstBasis& first) {
+    if (!knows(problem.size)) return false;
+    copy_to(pressure);
+    first = {Guess::basis, 1, problem.size};
+    return true;
+  }
+  void begins_cold() { ++memory.cold; }
+};
+
 class RememberedRounds {
 public:
   static constexpr bool carries_push = true;
 
-  RememberedRounds(Lemke<double>& lemke, RoundMemory& memory) : then_(lemke), memory_(memory) {}
+  RememberedRounds(Lemke<double>& lemke, RoundMemory& memory)
+      : then_(RememberedStart{memory}, LemkeRounds<double>(lemke)) {}
 
   void begin(const Problem<double>& problem, bool warm, const PressureMemory<double>& pressure) {
-    problem_ = problem;
-    round_ = memory_.next++;
-    const bool known = round_ < memory_.bases.size() &&
-                       static_cast<Index>(memory_.bases[round_].size()) == problem.size;
-    phase_ = Phase::pivots;
-    if (known && solve_on_basis(problem, memory_.bases[round_], solution_)) {
-      phase_ = Phase::remembered;
-    } else if (warm) {
-      then_.begin(problem, true, pressure);
-    } else if (known) {
-      phase_ = Phase::near;
-      for (Index i = 0; i < problem.size; ++i)
-        pressure.active[i] = memory_.bases[round_][static_cast<std::size_t>(i)];
-      then_.begin_near(problem, pressure, Guess::basis, 1, problem.size);
-    } else {
-      begin_cold();
-    }
+    RememberedStart& start = then_.start;
+    start.round = start.memory.next++;
+    holds_ = start.knows(problem.size) && solve_on_basis(problem, start.basis(), solution_);
+    if (!holds_) then_.begin(problem, warm, pressure);
   }
 
   Status step(const PressureMemory<double>& pressure, PressureRun& run) {
-    if (phase_ == Phase::remembered) {
-      for (Index i = 0; i < problem_.size; ++i) {
-        pressure.z[i] = solution_.z[i];
-        pressure.active[i] = memory_.bases[round_][static_cast<std::size_t>(i)];
-      }
+    const RememberedStart& start = then_.start;
+    if (holds_) {
+      std::copy(solution_.z.begin(), solution_.z.end(), pressure.z.data);
+      start.copy_to(pressure);
       run.reason = Reason::none;
       return Status::solved;
     }
     const Status status = then_.step(pressure, run);
-    if (status == Status::solved) keep(pressure);
-    if (status == Status::solved || status == Status::running || phase_ != Phase::near)
-      return status;
-    phase_ = Phase::pivots;
-    begin_cold();
-    return Status::running;
+    if (status != Status::solved) return status;
+    std::vector<Basis>& bases = start.memory.bases;
+    if (bases.size() <= start.round) bases.resize(start.round + 1);
+    bases[start.round].assign(pressure.active.begin(), pressure.active.end());
+    return status;
   }
 
   void vary() { then_.vary(); }
-  LemkeRounds<double>& pivots() { return then_; }
+  LemkeRounds<double>& pivots() { return then_.pivots(); }
   void demand(double) {}
 
 private:
-  enum class Phase { remembered, near, pivots };
-  LemkeRounds<double> then_;
-  RoundMemory& memory_;
-  Problem<double> problem_{};
+  StartedRounds<double, RememberedStart> then_;
   BasisSolution solution_;
-  std::size_t round_ = 0;
-  Phase phase_ = Phase::pivots;
-
-  void begin_cold() {
-    ++memory_.cold;
-    then_.begin_cold(problem_);
-  }
-
-  void keep(const PressureMemory<double>& pressure) {
-    if (memory_.bases.size() <= round_) memory_.bases.resize(round_ + 1);
-    memory_.bases[round_].assign(pressure.active.begin(), pressure.active.end());
-  }
+  bool holds_ = false; ///< is the remembered basis the answer itself?
 };
 
 } // namespace lcpush::desktop

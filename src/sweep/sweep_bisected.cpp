@@ -5,25 +5,24 @@
 #include <utility>
 
 #include "sweep/sweep_pieces.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
 constexpr double on_the_line = 1e-6; // relative; of breaking ten times that
-constexpr Index most_solves = 300;   // then samples have to do
 constexpr Index samples = 32;
-constexpr double sharpest = 1e-6; // of the range
-constexpr double blurred = 1e-4;  // of the range
+constexpr double breaking_blur = 1e-4; // of the range, at breaking
 constexpr double first_stride = 1.0 / 256;
 
 struct At {
   double t;
-  Outputs outputs;
+  DetailedAnswer answer;
 };
 
 class BisectedWalk {
 public:
-  BisectedWalk(SweepSolver& solver, Quantity quantity) : solver_(solver), quantity_(quantity) {}
+  BisectedWalk(SweepSolver& solver, Question question) : solver_(solver), question_(question) {}
 
   /// The piece that begins with `start`; `next` receives the first answer beyond it, if any.
   Piece grow(const At& start, At& next);
@@ -31,28 +30,19 @@ public:
     ++solves_;
     solver_.go_to(value_at(solver_.variations().front(), t));
     constexpr double aside = 1e-7; // where a push vanishes, the limit from one side
-    if (!solver_.has(quantity_))
+    if (!solver_.has(question_))
       solver_.go_to(value_at(solver_.variations().front(), t < 0.75 ? t + aside : t - aside));
     RoundBases none; // fresh, so that the path here does not matter
-    return {t, solver_.solve(quantity_, none)};
+    return {t, solver_.solve(question_, none)};
   }
 
-  bool is_used_up() const { return solves_ >= most_solves; }
+  bool is_used_up() const { return solves_ >= limits::bisection_solves; }
 
 private:
   SweepSolver& solver_;
-  Quantity quantity_;
+  Question question_;
   Index solves_ = 0;
 };
-
-bool same_kind(const Outputs& a, const Outputs& b) {
-  if (a.status != b.status || a.contacts.size() != b.contacts.size()) return false;
-  for (std::size_t i = 0; i < a.contacts.size(); ++i)
-    if (a.contacts[i].mode != b.contacts[i].mode) return false;
-  return true;
-}
-
-bool is_known(const Outputs& a) { return a.is_solved() || a.status == Status::does_not_hold; }
 
 /// Strides that double while the answers stay on one line, then bisection.
 Piece BisectedWalk::grow(const At& start, At& next) {
@@ -60,15 +50,16 @@ Piece BisectedWalk::grow(const At& start, At& next) {
   double stride = first_stride;
   bool beyond = false;
   const auto continues = [&](const At& candidate) {
-    if (!same_kind(start.outputs, candidate.outputs)) return false;
-    if (!is_known(start.outputs) || last.t == start.t) return true;
-    const Outputs expected = on_line(start.outputs, start.t, last.outputs, last.t, candidate.t);
+    if (!same_modes(start.answer, candidate.answer)) return false;
+    if (!start.answer.is_known() || last.t == start.t) return true;
+    const DetailedAnswer expected =
+        on_line(start.answer, start.t, last.answer, last.t, candidate.t);
     const double reach = (candidate.t - start.t) / (last.t - start.t);
-    const double tolerance = on_the_line * (quantity_ == Quantity::breaking ? 10 : 1);
-    return !differ(expected, candidate.outputs, quantity_, tolerance * std::max(1.0, reach));
+    const double tolerance = on_the_line * (question_ == Question::breaking ? 10 : 1);
+    return !differ(expected, candidate.answer, question_, tolerance * std::max(1.0, reach));
   };
   // Two answers always lie on a line: the first stride is halved until a third lies there too.
-  while (is_known(start.outputs) && stride > sharpest && start.t < 1) {
+  while (start.answer.is_known() && stride > bisection_width && start.t < 1) {
     const double end = std::min(1.0, start.t + stride);
     last = start;
     const At far = solve(end), near = solve((start.t + end) / 2);
@@ -88,8 +79,8 @@ Piece BisectedWalk::grow(const At& start, At& next) {
   while (last.t < 1 && !(beyond && last.t == start.t)) {
     const double limit = beyond ? next.t : 1;
     double t = std::min(limit, last.t + stride);
-    if (beyond && t >= next.t - sharpest / 2) t = (last.t + next.t) / 2;
-    if (beyond && next.t - last.t <= sharpest) break;
+    if (beyond && t >= next.t - bisection_width / 2) t = (last.t + next.t) / 2;
+    if (beyond && next.t - last.t <= bisection_width) break;
     At candidate = solve(t);
     if (continues(candidate)) {
       middle = std::exchange(last, std::move(candidate));
@@ -104,25 +95,25 @@ Piece BisectedWalk::grow(const At& start, At& next) {
   Piece piece;
   piece.from = start.t;
   piece.to = beyond ? next.t : 1;
-  piece.kind = is_known(start.outputs) ? SegmentKind::bisected : SegmentKind::unsolved;
-  piece.at_from = start.outputs;
-  piece.at_to = last.t > start.t && is_known(start.outputs)
-                    ? on_line(start.outputs, start.t, last.outputs, last.t, piece.to)
-                    : start.outputs;
-  piece.at_from.contacts = piece.at_to.contacts = middle.outputs.contacts;
+  piece.kind = start.answer.is_known() ? SegmentKind::bisected : SegmentKind::unsolved;
+  piece.at_from = start.answer;
+  piece.at_to = last.t > start.t && start.answer.is_known()
+                    ? on_line(start.answer, start.t, last.answer, last.t, piece.to)
+                    : start.answer;
+  piece.at_from.contacts = piece.at_to.contacts = middle.answer.contacts;
   return piece;
 }
 
 /// Where two lines meet, if they do so next to where the one ends and the other begins.
-void sharpen(Quantity quantity, Piece& before, Piece& after, double nearest) {
+void sharpen(Question question, Piece& before, Piece& after, double nearest) {
   if (before.kind != SegmentKind::bisected || after.kind != SegmentKind::bisected) return;
   if (before.at_to.status != after.at_from.status) return;
   const double at = before.to;
   // At breaking the motion need not go on where the force does.
-  const auto values = [&](const Outputs& o) {
+  const auto values = [&](const DetailedAnswer& o) {
     Eigen::Matrix<double, 10, 1> v = Eigen::Matrix<double, 10, 1>::Zero();
     v[0] = o.normal;
-    if (quantity == Quantity::push) v.tail<9>() << o.force, o.twist;
+    if (question == Question::push) v.tail<9>() << o.force, o.twist;
     return v;
   };
   const auto slope = [&](const Piece& piece) {
@@ -132,7 +123,7 @@ void sharpen(Quantity quantity, Piece& before, Piece& after, double nearest) {
   if (!(before.to > before.from) || !(after.to > after.from)) return;
   const Eigen::Matrix<double, 10, 1> off = values(before.at_to) - values(after.at_from);
   const Eigen::Matrix<double, 10, 1> kink = slope(after) - slope(before);
-  // Each quantity in its own size, so that forces do not drown motions.
+  // Each question in its own size, so that forces do not drown motions.
   const Eigen::Matrix<double, 10, 1> size =
       values(before.at_to).cwiseAbs() + Eigen::Matrix<double, 10, 1>::Constant(1e-12);
   const Eigen::Matrix<double, 10, 1> scaled_off = off.cwiseQuotient(size);
@@ -141,8 +132,8 @@ void sharpen(Quantity quantity, Piece& before, Piece& after, double nearest) {
   if (!(scaled_kink.cwiseAbs().maxCoeff(&largest) > 0)) return;
   const double t = at + scaled_off[largest] / scaled_kink[largest];
   if (!(std::abs(t - at) <= nearest)) return;
-  before.at_to = on_line(before.at_from, before.from, before.at_to, before.to, t);
-  after.at_from = on_line(after.at_from, after.from, after.at_to, after.to, t);
+  before.at_to = before.at(t);
+  after.at_from = after.at(t);
   before.to = after.from = t;
 }
 
@@ -157,9 +148,8 @@ std::vector<Piece> without_slivers(const std::vector<Piece>& pieces, double shor
     if (!list.empty() && list.back().to < piece.from) {
       Piece& last = list.back();
       const double middle = (last.to + piece.from) / 2;
-      last.at_to = on_line(last.at_from, last.from, last.at_to, last.to, middle);
-      if (piece.kind == SegmentKind::bisected)
-        piece.at_from = on_line(piece.at_from, piece.from, piece.at_to, piece.to, middle);
+      last.at_to = last.at(middle);
+      if (piece.kind == SegmentKind::bisected) piece.at_from = piece.at(middle);
       last.to = piece.from = middle;
     }
     list.push_back(std::move(piece));
@@ -169,15 +159,15 @@ std::vector<Piece> without_slivers(const std::vector<Piece>& pieces, double shor
 
 } // namespace
 
-std::vector<Piece> bisected_pieces(SweepSolver& solver, Quantity quantity, Index most,
+std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question, Index most,
                                    const Progress& progress) {
-  BisectedWalk walk(solver, quantity);
+  BisectedWalk walk(solver, question);
   std::vector<Piece> pieces;
   At start = walk.solve(0), next = start;
   while (static_cast<Index>(pieces.size()) < most && !walk.is_used_up()) {
     pieces.push_back(walk.grow(start, next));
     if (pieces.back().to >= 1 || next.t > 1) break;
-    if (progress) progress(pieces.back().to);
+    progress(pieces.back().to);
     start = next;
   }
   start.t = std::min(start.t, 1.0);
@@ -188,18 +178,18 @@ std::vector<Piece> bisected_pieces(SweepSolver& solver, Quantity quantity, Index
     Piece stroke;
     stroke.from = start.t;
     stroke.to = end.t;
-    stroke.kind = is_known(start.outputs) && start.outputs.status == end.outputs.status
+    stroke.kind = start.answer.is_known() && start.answer.status == end.answer.status
                       ? SegmentKind::sampled
                       : SegmentKind::unsolved;
-    stroke.at_from = start.outputs;
-    stroke.at_to = end.outputs;
+    stroke.at_from = start.answer;
+    stroke.at_to = end.answer;
     pieces.push_back(std::move(stroke));
     start = std::move(end);
   }
-  const double blur = quantity == Quantity::breaking ? blurred : 0;
+  const double blur = question == Question::breaking ? breaking_blur : 0;
   std::vector<Piece> list = without_slivers(pieces, blur);
   for (std::size_t i = 1; i < list.size(); ++i)
-    sharpen(quantity, list[i - 1], list[i], 2 * sharpest + blur);
+    sharpen(question, list[i - 1], list[i], 2 * bisection_width + blur);
   return list;
 }
 

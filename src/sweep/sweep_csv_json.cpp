@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "formats/json_writer.hpp"
+#include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/sweep.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
@@ -9,97 +10,54 @@
 namespace lcpush::desktop {
 namespace {
 
-bool is_solved(Status status) { return status == Status::solved; }
-
-void write_vector(JsonWriter& json, const char* key, Status status, const double* first,
-                  Index count) {
-  json.key(key);
-  if (is_solved(status))
-    json.numbers(first, count);
-  else
-    json.value(nullptr);
-}
-
-std::optional<double> known(Status status, double value) {
-  return is_solved(status) ? std::optional<double>(value) : std::nullopt;
-}
-
-std::string status_of(const SweepValue& value) { return status_text(value.push); }
-
 /// null where no pusher moves, so that nothing breaks.
-void write_break_status(JsonWriter& json, Status status) {
-  json.key("break_status");
-  if (status == Status::bad_input)
-    json.value(nullptr);
-  else
-    json.value(status_text(status));
+std::optional<std::string> break_status(const SweepValue& at) {
+  const Status status = at.breaking.status;
+  return when(status != Status::bad_input, std::string(status_text(status)));
 }
 
-void write_segment(JsonWriter& json, const SweepSegment& segment) {
+void write_segment(JsonWriter& json, const Sweep& sweep, const SweepSegment& segment) {
   const SweepValue &a = segment.at_from, &b = segment.at_to;
-  json.begin_object().member("from", segment.from).member("to", segment.to);
-  json.member("kind", segment_kind_text(segment.kind));
-  json.member("status", status_of(a));
-  write_break_status(json, a.breaking);
-  json.key("break_force").begin_array();
-  json.value(known(a.breaking, a.break_force)).value(known(b.breaking, b.break_force)).end_array();
-  const auto pair = [&](const char* key, const double* first, const double* second, Index count) {
-    json.key(key);
-    if (!is_solved(a.push)) {
-      json.value(nullptr);
-      return;
-    }
-    json.begin_array().numbers(first, count).numbers(second, count).end_array();
+  json.member("from", segment.from).member("to", segment.to);
+  json.member("kind", segment_kind_text(segment.kind)).member("status", status_text(a.push.status));
+  json.member("break_status", break_status(a)).key("break_force").begin_array();
+  json.value(when(a.breaking.is_solved(), a.breaking.normal));
+  json.value(when(b.breaking.is_solved(), b.breaking.normal)).end_array();
+  const auto pair = [&](const char* key, const auto& first, const auto& second) {
+    if (a.push.is_solved())
+      json.key(key).begin_array().value(first).value(second).end_array();
+    else
+      json.member(key, nullptr);
   };
-  pair("force", a.force.data(), b.force.data(), 3);
-  pair("twist", a.twist.data(), b.twist.data(), 6);
-  json.member("residual", std::max(a.residual, b.residual));
-  json.key("change");
-  if (segment.change.empty())
-    json.value(nullptr);
-  else
-    json.value(segment.change);
-  json.member("jumps", segment.jumps).end_object();
+  pair("force", a.push.force, b.push.force);
+  pair("twist", a.push.twist, b.push.twist);
+  json.member("residual", std::max(a.residual(), b.residual()));
+  json.member("change", unless_empty(change_text(sweep, segment)));
+  json.member("jumps", segment.change.jumps);
 }
 
-void write_point(JsonWriter& json, const SweepPoint& point) {
-  json.begin_object().member("value", point.value);
+void write_point(JsonWriter& json, const Sweep& sweep, const SweepPoint& point) {
+  const SweepAnswer &push = point.at.push, &breaking = point.at.breaking;
+  const bool pushed = push.is_solved(), broken = breaking.is_solved();
+  json.member("value", point.value);
   if (point.second) json.member("second_value", *point.second);
-  json.member("status", status_of(point.at));
-  write_break_status(json, point.at.breaking);
-  json.member("break_force", known(point.at.breaking, point.at.break_force));
-  write_vector(json, "force", point.at.push, point.at.force.data(), 3);
-  write_vector(json, "twist", point.at.push, point.at.twist.data(), 6);
-  write_vector(json, "break_twist", point.at.breaking, point.at.break_twist.data(), 6);
+  json.member("status", status_text(push.status)).member("break_status", break_status(point.at));
+  json.member("break_force", when(broken, breaking.normal));
+  json.member("force", when(pushed, push.force)).member("twist", when(pushed, push.twist));
+  json.member("break_twist", when(broken, breaking.twist));
   std::vector<std::string> modes;
   for (const Mode mode : point.modes) modes.emplace_back(mode_text(mode));
-  json.key("modes");
-  if (modes.empty())
-    json.value(nullptr);
-  else
-    json.strings(modes);
-  json.member("refined", point.refined);
+  json.member("modes", unless_empty(modes)).member("refined", point.refined);
   if (point.second) json.member("bistable", point.bistable);
-  json.key("change");
-  if (point.change.empty())
-    json.value(nullptr);
-  else
-    json.value(point.change);
-  json.end_object();
+  json.member("change", unless_empty(change_text(sweep, point)));
 }
 
-template <class List, class Write>
-void write_list(JsonWriter& json, const char* key, const List& list, Write write) {
-  json.key(key).begin_array();
-  for (const auto& entry : list) write(json, entry);
-  json.end_array();
-}
-
-std::vector<std::string> csv_numbers(const SweepValue& at, bool for_break, bool for_push) {
+std::vector<std::string> csv_numbers(const SweepValue& at) {
+  const bool pushed = at.push.is_solved();
   std::vector<std::string> cells;
-  cells.push_back(for_break ? shown(at.break_force) : "");
-  for (Index k = 0; k < 3; ++k) cells.push_back(for_push ? shown(at.force[k]) : "");
-  for (Index k = 0; k < 6; ++k) cells.push_back(for_push ? shown(at.twist[k]) : "");
+  cells.push_back(at.breaking.is_solved() ? shown(at.breaking.normal) : "");
+  for (Index k = 0; k < 3; ++k) cells.push_back(pushed ? shown(at.push.force[k]) : "");
+  for (Index k = 0; k < 6; ++k) cells.push_back(pushed ? shown(at.push.twist[k]) : "");
   return cells;
 }
 
@@ -135,19 +93,18 @@ std::string sweep_csv(const std::vector<SweepCurve>& curves) {
       if (curves.size() > 1) row.push_back(curve.label);
       row.push_back(shown(value));
       if (second) row.push_back(shown(*second));
-      for (const std::string& cell : csv_numbers(at, is_solved(at.breaking), is_solved(at.push)))
-        row.push_back(cell);
-      row.push_back(status_of(at));
+      for (const std::string& cell : csv_numbers(at)) row.push_back(cell);
+      row.push_back(status_text(at.push.status));
       row.push_back(change);
       text += csv_row(row);
     };
     for (const SweepPoint& point : curve.sweep.points)
-      add(point.value, point.second, point.at, point.change);
+      add(point.value, point.second, point.at, change_text(curve.sweep, point));
     if (!curve.sweep.points.empty()) continue;
     // The two ends of every segment: at a breakpoint two rows, before and after.
     for (const SweepSegment& segment : curve.sweep.segments) {
       add(segment.from, std::nullopt, segment.at_from, "");
-      add(segment.to, std::nullopt, segment.at_to, segment.change);
+      add(segment.to, std::nullopt, segment.at_to, change_text(curve.sweep, segment));
     }
   }
   return text;
@@ -166,18 +123,20 @@ void write_sweep(JsonWriter& json, const Sweep& sweep) {
     json.member("second_from", second.from).member("second_to", second.to);
   }
   json.member("pusher", sweep.pusher).member("complete", sweep.complete);
-  json.key("contacts").strings(sweep.contacts);
-  write_list(json, "segments", sweep.segments, write_segment);
-  write_list(json, "segments_back", sweep.back, write_segment);
-  write_list(json, "points", sweep.points, write_point);
-  write_list(json, "points_back", sweep.points_back, write_point);
-  write_list(json, "bistable", sweep.bistable, [](JsonWriter& to, const BistableRange& range) {
-    to.begin_object().member("from", range.from).member("to", range.to);
-    to.member("motion", range.motion).end_object();
+  std::vector<std::string> contacts;
+  for (std::size_t i = 0; i < sweep.scene.points.size(); ++i)
+    contacts.push_back(point_name(sweep.scene, static_cast<Index>(i)));
+  json.member("contacts", contacts);
+  const auto segment = [&](const SweepSegment& entry) { write_segment(json, sweep, entry); };
+  const auto point = [&](const SweepPoint& entry) { write_point(json, sweep, entry); };
+  json.objects("segments", sweep.segments, segment).objects("segments_back", sweep.back, segment);
+  json.objects("points", sweep.points, point).objects("points_back", sweep.points_back, point);
+  json.objects("bistable", sweep.bistable, [&](const BistableRange& range) {
+    json.member("from", range.from).member("to", range.to).member("motion", range.motion);
   });
-  write_list(json, "zeros", sweep.zeros, [](JsonWriter& to, const SweepZero& zero) {
-    to.begin_object().member("of", "twist[" + std::to_string(zero.component) + "]");
-    to.member("from", zero.from).member("to", zero.to).member("jumps", zero.jumps).end_object();
+  json.objects("zeros", sweep.zeros, [&](const SweepZero& zero) {
+    json.member("of", "twist[" + std::to_string(zero.component) + "]");
+    json.member("from", zero.from).member("to", zero.to).member("jumps", zero.jumps);
   });
   json.member("cold_solves", sweep.cold).member("warm_solves", sweep.warm);
 }
@@ -191,16 +150,13 @@ std::string sweep_json(const std::vector<SweepCurve>& curves) {
     write_sweep(json, curves.front().sweep);
     return json.end_object().text();
   }
-  json.key("curves").begin_array();
-  for (const SweepCurve& curve : curves) {
-    json.begin_object().member("label", curve.label).member("scene", curve.scene);
-    json.member("each",
-                curve.each ? std::optional<std::string>(curve.each->parameter.path) : std::nullopt);
-    json.member("each_value", curve.each ? std::optional<double>(curve.each->from) : std::nullopt);
+  json.objects("curves", curves, [&](const SweepCurve& curve) {
+    json.member("label", curve.label).member("scene", curve.scene);
+    json.member("each", curve.each ? std::optional(curve.each->parameter.path) : std::nullopt);
+    json.member("each_value", curve.each ? std::optional(curve.each->from) : std::nullopt);
     write_sweep(json, curve.sweep);
-    json.end_object();
-  }
-  return json.end_array().end_object().text();
+  });
+  return json.end_object().text();
 }
 
 } // namespace lcpush::desktop

@@ -14,14 +14,14 @@ constexpr Index probes = 64;    // where nothing was found, look in so many plac
 
 class ExactWalk {
 public:
-  ExactWalk(SweepSolver& solver, Quantity quantity, Index most, const Progress& progress)
-      : solver_(solver), quantity_(quantity), most_(most), progress_(progress) {}
+  ExactWalk(SweepSolver& solver, Question question, Index most, const Progress& progress)
+      : solver_(solver), question_(question), most_(most), progress_(progress) {}
 
   std::vector<Piece> run();
 
 private:
   SweepSolver& solver_;
-  Quantity quantity_;
+  Question question_;
   Index most_;
   const Progress& progress_;
   std::vector<Piece> pieces_;
@@ -65,19 +65,19 @@ void ExactWalk::measure_directions() {
   };
   rest_step_ = step(first.first, last.first);
   push_step_ = step(first.second, last.second);
-  moves_push_ = quantity_ == Quantity::breaking && !push_step_.isZero(0);
+  moves_push_ = question_ == Question::breaking && !push_step_.isZero(0);
 }
 
 /// From where Lemke stands.
 ParametricPath<double> ExactWalk::path() {
-  const Problem<double> problem = solver_.point().problem(quantity_);
+  const Problem<double> problem = solver_.point().problem(question_);
   const Index n = problem.size;
   scalars_.resize(static_cast<std::size_t>(parametric_scalars(n)));
   integers_.resize(static_cast<std::size_t>(parametric_integers(n)));
   ParametricPath<double> path({scalars_.data(), parametric_scalars(n)},
                               {integers_.data(), parametric_integers(n)});
   Eigen::VectorXd direction = moves_push_ ? push_step_ : rest_step_;
-  if (quantity_ == Quantity::push) direction += push_step_;
+  if (question_ == Question::push) direction += push_step_;
   direction /= assembly().layout().scales.force;
   (void)path.init(solver_.lemke(), problem, direction.data(), moves_push_);
   return path;
@@ -85,8 +85,8 @@ ParametricPath<double> ExactWalk::path() {
 
 bool ExactWalk::start_at(double t) {
   go_to(t);
-  if (!solver_.has(quantity_)) return false;
-  const Status status = solver_.solve_cold(quantity_, basis_);
+  if (!solver_.has(question_)) return false;
+  const Status status = solver_.solve_cold(question_, basis_);
   if (status != Status::solved) {
     failure_ = status;
     return false;
@@ -148,21 +148,21 @@ bool ExactWalk::add_piece(double end) {
   const double first = t_ + inside * length, last = end - inside * length;
   const auto at = [&](double t) {
     go_to(t);
-    return solver_.on_basis(quantity_, basis_);
+    return solver_.on_basis(question_, basis_);
   };
   // Not the very middle: there a motion that changes its sign vanishes.
-  const Outputs a = at(first), b = at(last), middle = at(t_ + 0.487 * length);
-  for (const Outputs* outputs : {&a, &b, &middle})
-    if (!outputs->is_solved() && outputs->status != Status::does_not_hold) return false;
+  const DetailedAnswer a = at(first), b = at(last), middle = at(t_ + 0.487 * length);
+  for (const DetailedAnswer* answer : {&a, &b, &middle})
+    if (!answer->is_known()) return false;
   Piece piece;
   piece.from = t_;
   piece.to = end;
   piece.at_from = on_line(a, first, b, last, t_);
   piece.at_to = on_line(a, first, b, last, end);
-  for (Outputs* outputs : {&piece.at_from, &piece.at_to}) {
-    outputs->status = middle.status;
-    outputs->contacts = middle.contacts;
-    outputs->residual = std::max(a.residual, std::max(b.residual, middle.residual));
+  for (DetailedAnswer* answer : {&piece.at_from, &piece.at_to}) {
+    answer->status = middle.status;
+    answer->contacts = middle.contacts;
+    answer->residual = std::max(a.residual, std::max(b.residual, middle.residual));
   }
   pieces_.push_back(std::move(piece));
   return true;
@@ -173,7 +173,6 @@ bool ExactWalk::step() {
   ParametricPath<double> path = this->path();
   const PathStep<double> step = path.advance(least);
   const double end = step.end == PathEnd::unbounded ? 1 : std::min(1.0, reference_ + step.until);
-  std::string why;
   if (end - t_ > least && !add_piece(end)) {
     // Rounding has led the path astray, and what it found is not believed: start afresh, once.
     if (t_ != astray_ && start_beyond()) {
@@ -185,7 +184,7 @@ bool ExactWalk::step() {
   }
   if (end >= 1 - least) return false;
   t_ = std::max(t_, end);
-  if (progress_) progress_(t_);
+  progress_(t_);
   if (step.end == PathEnd::forward) {
     Basis next(basis_.size());
     for (std::size_t i = 0; i < next.size(); ++i)
@@ -193,19 +192,17 @@ bool ExactWalk::step() {
     const double until = step.next_ends ? std::min(1.0, reference_ + step.next_until) : 1;
     const double middle = t_ + std::max((until - t_) / 2, least);
     go_to(middle);
-    if (solver_.stand_on(quantity_, next)) {
+    if (solver_.stand_on(question_, next)) {
       basis_ = next;
       reference_ = middle;
-      if (!pieces_.empty() && step.jumps)
-        pieces_.back().why = "all answers in between are answers here";
+      if (!pieces_.empty() && step.jumps) pieces_.back().path = PathBreak::jump;
       return true;
     }
-  } else if (step.end == PathEnd::turned_back) {
-    why = "the solution path turns back here";
-  } else if (step.end == PathEnd::ray) {
-    why = "the solution path ends here in a ray";
   }
-  if (!pieces_.empty()) pieces_.back().why = why;
+  if (!pieces_.empty())
+    pieces_.back().path = step.end == PathEnd::turned_back ? PathBreak::turned_back
+                          : step.end == PathEnd::ray       ? PathBreak::ray
+                                                           : PathBreak::none;
   return start_beyond() || find_later_start();
 }
 
@@ -226,9 +223,9 @@ std::vector<Piece> ExactWalk::run() {
 
 } // namespace
 
-std::vector<Piece> exact_pieces(SweepSolver& solver, Quantity quantity, Index most,
+std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, Index most,
                                 const Progress& progress) {
-  return ExactWalk(solver, quantity, most, progress).run();
+  return ExactWalk(solver, question, most, progress).run();
 }
 
 } // namespace lcpush::desktop

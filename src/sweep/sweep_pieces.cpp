@@ -3,158 +3,148 @@
 #include <algorithm>
 #include <cmath>
 
-#include "text/wording.hpp"
-
 namespace lcpush::desktop {
 namespace {
 
-/// A change as one contact makes it, and as several do: "wall.1 sticks", "wall.1 and wall.2 stick".
-struct Words {
-  std::string one, many;
-  bool operator==(const Words& other) const { return one == other.one; }
-};
+constexpr double equal_answers = 1e-5; // relative: answers of one branch agree that well
 
-/// What a contact does from here on that it did not do before; no words if nothing.
-Words change_of(const ContactState& before, const ContactState& after) {
-  if (before.mode != after.mode) {
-    const std::string along =
-        after.slip.norm() > 0 ? " along " + direction_text(after.slip) : std::string();
-    const bool touches = before.mode == Mode::separate;
-    switch (after.mode) {
-    case Mode::separate: return {"separates", "separate"};
-    case Mode::stick:
-      return touches ? Words{"touches and sticks", "touch and stick"} : Words{"sticks", "stick"};
-    case Mode::slide: break;
-    }
-    return touches ? Words{"touches and slides" + along, "touch and slide" + along}
-                   : Words{"starts to slide" + along, "start to slide" + along};
-  }
-  if (before.pressed != after.pressed)
-    return after.pressed ? Words{"takes load", "take load"}
-                         : Words{"is relieved of its load", "are relieved of their load"};
-  return {};
-}
+double force_size(const SweepAnswer& a) { return std::max(std::abs(a.normal), a.force.norm()); }
 
-/// The points that do this: a body's name where all of its points do.
-std::string sentence(const SceneFile& file, const std::vector<std::size_t>& points,
-                     const Words& words) {
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < points.size();) {
-    const Index b = file.body_of(static_cast<Index>(points[k]));
-    const Body<double>& body = file.bodies[static_cast<std::size_t>(b)];
-    const auto count = static_cast<std::size_t>(body.point_count);
-    const bool whole = static_cast<Index>(points[k]) == body.first_point &&
-                       k + count <= points.size() && points[k + count - 1] == points[k] + count - 1;
-    names.push_back(whole && count > 1 ? file.body_names[static_cast<std::size_t>(b)]
-                                       : point_name(file, static_cast<Index>(points[k])));
-    k += whole ? count : 1;
-  }
-  return listed(names, "and") + " " + (names.size() > 1 ? words.many : words.one);
-}
-
-double force_size(const Outputs& a) { return std::max(std::abs(a.normal), a.force.norm()); }
-
-bool same_states(const Outputs& a, const Outputs& b) {
-  for (std::size_t i = 0; i < a.contacts.size() && i < b.contacts.size(); ++i)
-    if (a.contacts[i].mode != b.contacts[i].mode || a.contacts[i].pressed != b.contacts[i].pressed)
-      return false;
-  return a.contacts.size() == b.contacts.size();
-}
-
-} // namespace
-
-Outputs on_line(const Outputs& first, double t0, const Outputs& second, double t1, double t) {
-  Outputs outputs = first;
-  const double share = (t - t0) / (t1 - t0);
-  outputs.normal += share * (second.normal - first.normal);
-  outputs.force += share * (second.force - first.force);
-  outputs.twist += share * (second.twist - first.twist);
-  outputs.residual = std::max(first.residual, second.residual);
-  return outputs;
-}
-
-bool differ(const Outputs& a, const Outputs& b, Quantity quantity, double tolerance) {
-  if (a.status != b.status) return true;
-  const double noise = std::max(a.force_noise, b.force_noise);
-  if (std::abs(a.normal - b.normal) >
-      tolerance * std::max(std::abs(a.normal), std::abs(b.normal)) + noise)
-    return true;
-  if (quantity == Quantity::breaking) return false;
-  const double force = tolerance * std::max(force_size(a), force_size(b)) + noise;
-  return (a.force - b.force).norm() > force || other_motion(a, b, tolerance);
-}
-
-bool other_motion(const Outputs& a, const Outputs& b, double tolerance) {
+bool other_motion(const SweepAnswer& a, const SweepAnswer& b, double tolerance) {
   const double motion = tolerance * std::max(a.twist.norm(), b.twist.norm()) +
                         std::max(a.motion_noise, b.motion_noise);
   return (a.twist - b.twist).norm() > motion;
 }
 
-std::vector<Piece> joined(const std::vector<Piece>& pieces, Quantity quantity, double tolerance) {
+template <class Same>
+bool same_contacts(const DetailedAnswer& a, const DetailedAnswer& b, Same same) {
+  return std::equal(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end(),
+                    same);
+}
+
+/// Does `piece` go on in the line and in the modes of `last`?
+bool goes_on(const Piece& last, const Piece& piece, Question question, double tolerance) {
+  const bool same_states =
+      same_contacts(last.at_from, piece.at_from, [](const ContactState& a, const ContactState& b) {
+        return a.mode == b.mode && a.pressed == b.pressed;
+      });
+  if (last.kind != piece.kind || !same_states ||
+      differ(last.at_to, piece.at_from, question, tolerance))
+    return false;
+  // A short piece says little about the direction of a long one.
+  const double reach = (piece.to - last.from) / (last.to - last.from);
+  return !differ(last.at(piece.to), piece.at_to, question, tolerance * std::max(1.0, reach));
+}
+
+} // namespace
+
+DetailedAnswer on_line(const DetailedAnswer& first, double t0, const DetailedAnswer& second,
+                       double t1, double t) {
+  DetailedAnswer answer = first;
+  const double share = (t - t0) / (t1 - t0);
+  answer.normal += share * (second.normal - first.normal);
+  answer.force += share * (second.force - first.force);
+  answer.twist += share * (second.twist - first.twist);
+  answer.residual = std::max(first.residual, second.residual);
+  return answer;
+}
+
+bool differ(const SweepAnswer& a, const SweepAnswer& b, Question question, double tolerance) {
+  if (a.status != b.status) return true;
+  const double noise = std::max(a.force_noise, b.force_noise);
+  if (std::abs(a.normal - b.normal) >
+      tolerance * std::max(std::abs(a.normal), std::abs(b.normal)) + noise)
+    return true;
+  if (question == Question::breaking) return false;
+  const double force = tolerance * std::max(force_size(a), force_size(b)) + noise;
+  return (a.force - b.force).norm() > force || other_motion(a, b, tolerance);
+}
+
+bool same_modes(const DetailedAnswer& a, const DetailedAnswer& b) {
+  return a.status == b.status &&
+         same_contacts(a, b, [](const ContactState& one, const ContactState& other) {
+           return one.mode == other.mode;
+         });
+}
+
+std::vector<Piece> joined(const std::vector<Piece>& pieces, Question question, double tolerance) {
   std::vector<Piece> list;
   for (const Piece& piece : pieces) {
-    if (!list.empty()) {
+    if (!list.empty() && list.back().is_unsolved() && piece.is_unsolved()) {
+      list.back().to = piece.to;
+    } else if (!list.empty() && goes_on(list.back(), piece, question, tolerance)) {
       Piece& last = list.back();
-      const bool both_unsolved =
-          last.kind == SegmentKind::unsolved && piece.kind == SegmentKind::unsolved;
-      if (both_unsolved) {
-        last.to = piece.to;
-        continue;
-      }
-      if (last.kind == piece.kind && same_states(last.at_from, piece.at_from) &&
-          !differ(last.at_to, piece.at_from, quantity, tolerance)) {
-        const Outputs straight = on_line(last.at_from, last.from, last.at_to, last.to, piece.to);
-        // A short piece says little about the direction of a long one.
-        if (!differ(straight, piece.at_to, quantity,
-                    tolerance * std::max(1.0, (piece.to - last.from) / (last.to - last.from)))) {
-          const double residual = std::max(last.at_to.residual, piece.at_to.residual);
-          last.to = piece.to;
-          last.at_to = piece.at_to;
-          last.why = piece.why;
-          last.at_from.residual = last.at_to.residual = residual;
-          continue;
-        }
-      }
+      const double residual = std::max(last.at_to.residual, piece.at_to.residual);
+      last.to = piece.to;
+      last.at_to = piece.at_to;
+      last.path = piece.path;
+      last.at_from.residual = last.at_to.residual = residual;
+    } else {
+      list.push_back(piece);
     }
-    list.push_back(piece);
   }
   return list;
 }
 
-std::string change_text(const SceneFile& file, const Outputs& before, const Outputs& after) {
-  std::string text;
-  const auto add = [&](const std::string& words) {
-    if (!words.empty()) text += (text.empty() ? "" : ", ") + words;
-  };
-  if (before.status != after.status) {
-    if (after.status == Status::does_not_hold) add("the grasp no longer holds the object");
-    if (before.status == Status::does_not_hold && after.is_solved())
-      add("the grasp holds the object");
-  }
-  const std::size_t contacts = std::min(before.contacts.size(), after.contacts.size());
-  std::vector<Words> seen;
-  std::vector<std::vector<std::size_t>> points; // of each of these
-  const auto note = [&](std::size_t contact, const Words& words) {
-    if (words.one.empty()) return;
-    const auto at = std::find(seen.begin(), seen.end(), words) - seen.begin();
-    if (at == static_cast<std::ptrdiff_t>(seen.size())) {
-      seen.push_back(words);
-      points.emplace_back();
+AnswerChange change_between(const DetailedAnswer& before, const DetailedAnswer& after) {
+  AnswerChange change;
+  change.from = before.status;
+  change.to = after.status;
+  const std::size_t count = std::min(before.contacts.size(), after.contacts.size());
+  const auto note_where = [&](auto changes) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const ContactState &was = before.contacts[i], &is = after.contacts[i];
+      if (changes(was, is))
+        change.contacts.push_back(
+            {static_cast<Index>(i), was.mode, is.mode, was.pressed, is.pressed, is.slip});
     }
-    points[static_cast<std::size_t>(at)].push_back(contact);
   };
-  for (std::size_t i = 0; i < contacts; ++i)
-    note(i, change_of(before.contacts[i], after.contacts[i]));
-  std::vector<std::size_t> turned;
-  for (std::size_t i = 0; i < contacts && seen.empty() && text.empty(); ++i)
-    if (after.contacts[i].mode == Mode::slide && before.contacts[i].rubs != after.contacts[i].rubs)
-      turned.push_back(i);
-  if (!turned.empty())
-    add(sentence(
-        file, turned,
-        {"slides with friction in another direction", "slide with friction in another direction"}));
-  for (std::size_t k = 0; k < seen.size(); ++k) add(sentence(file, points[k], seen[k]));
-  return text.empty() ? "forces are shared in another way" : text;
+  note_where([](const ContactState& was, const ContactState& is) {
+    return was.mode != is.mode || was.pressed != is.pressed;
+  });
+  const auto holds = [](Status status) { return status != Status::does_not_hold; };
+  // Friction that turns is worth a word only where nothing else happens.
+  if (change.contacts.empty() && holds(change.from) == holds(change.to))
+    note_where([](const ContactState& was, const ContactState& is) {
+      return is.mode == Mode::slide && was.rubs != is.rubs;
+    });
+  return change;
+}
+
+SweepValue told(const SweepAnswer& push, const SweepAnswer& breaking) {
+  const auto numbers = [](const SweepAnswer& answer) {
+    SweepAnswer status_alone;
+    status_alone.status = answer.status;
+    return answer.is_solved() ? answer : status_alone;
+  };
+  return {numbers(push), numbers(breaking)};
+}
+
+bool moves_otherwise(const SweepValue& a, const SweepValue& b) {
+  return a.push.is_solved() && b.push.is_solved() && other_motion(a.push, b.push, equal_answers);
+}
+
+std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, bool forgive_rounding) {
+  const auto same = [&](SweepAnswer a, SweepAnswer b, Question question) {
+    for (SweepAnswer* answer : {&a, &b}) {
+      if (forgive_rounding) break;
+      answer->force_noise = answer->motion_noise = 0;
+      if (question == Question::push) answer->normal = 0; // the force has it
+    }
+    return !differ(a, b, question, equal_answers);
+  };
+  std::vector<BistableRange> ranges;
+  bool disagreed = false;
+  for (const TwoWays& ways : list) {
+    const SweepValue &a = ways.there, &b = ways.back;
+    const bool before = disagreed, motion = moves_otherwise(a, b);
+    disagreed =
+        !same(a.push, b.push, Question::push) || !same(a.breaking, b.breaking, Question::breaking);
+    if (!disagreed) continue;
+    if (!before || ranges.back().motion != motion) ranges.push_back({ways.from, ways.to, motion});
+    ranges.back().to = ways.to;
+  }
+  return ranges;
 }
 
 } // namespace lcpush::desktop

@@ -1,4 +1,4 @@
-// One quantity along one parameter: pieces on which it is a straight line.
+// One question's answers along one parameter: pieces on which they are a straight line.
 #pragma once
 
 #include <cmath>
@@ -8,39 +8,72 @@
 
 namespace lcpush::desktop {
 
+/// Where bisection ends: this part of the range.
+constexpr double bisection_width = 1e-6;
+
+/// The straight line through two answers: at `t` if they are at t0 and t1.
+DetailedAnswer on_line(const DetailedAnswer& first, double t0, const DetailedAnswer& second,
+                       double t1, double t);
+
 /// t runs from 0 at the variation's `from` to 1 at its `to`.
 struct Piece {
   double from = 0, to = 1;
   SegmentKind kind = SegmentKind::exact;
-  Outputs at_from, at_to; ///< limits from inside; the contacts are those of the middle
-  std::string why;        ///< why the path did not simply go on at `to`
+  DetailedAnswer at_from, at_to;    ///< limits from inside; the contacts are those of the middle
+  PathBreak path = PathBreak::none; ///< at `to`
+
+  bool is_unsolved() const { return kind == SegmentKind::unsolved; }
+  DetailedAnswer at(double t) const { return on_line(at_from, from, at_to, to, t); }
 };
 
 using Progress = std::function<void(double done)>;
+/// Tells of a part of the work as of `share` of the whole, from `begin` on.
+inline Progress part_of(const Progress& whole, double begin, double share) {
+  return [&whole, begin, share](double done) {
+    if (whole) whole(begin + share * done);
+  };
+}
 
 /// `rigid` and `even`, a linear parameter: by parametric pivoting.
-std::vector<Piece> exact_pieces(SweepSolver& solver, Quantity quantity, Index most,
+std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, Index most,
                                 const Progress& progress);
 
-/// Everything else: by bisection, down to 1e-6 of the range.
-std::vector<Piece> bisected_pieces(SweepSolver& solver, Quantity quantity, Index most,
+/// Everything else: by bisection, down to bisection_width.
+std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question, Index most,
                                    const Progress& progress);
-
-/// The straight line through two answers: at `t` if they are at t0 and t1.
-Outputs on_line(const Outputs& first, double t0, const Outputs& second, double t1, double t);
 
 /// Do two answers differ by more than `tolerance` (relative) and what rounding leaves? Of the
 /// instant of breaking the normal force alone is compared: the first motion need not be continuous.
-bool differ(const Outputs& a, const Outputs& b, Quantity quantity, double tolerance);
+bool differ(const SweepAnswer& a, const SweepAnswer& b, Question question, double tolerance);
 
-/// Does the object move in another way? Both are pushes as prescribed.
-bool other_motion(const Outputs& a, const Outputs& b, double tolerance);
+/// Have both answers the same status, and their contacts the same modes?
+bool same_modes(const DetailedAnswer& a, const DetailedAnswer& b);
+
+/// What happens from the one answer to the other, without jumps.
+AnswerChange change_between(const DetailedAnswer& before, const DetailedAnswer& after);
 
 /// Pieces that go on in one line in the same modes become one.
-std::vector<Piece> joined(const std::vector<Piece>& pieces, Quantity quantity, double tolerance);
+std::vector<Piece> joined(const std::vector<Piece>& pieces, Question question, double tolerance);
 
-/// "right.2 starts to slide along +x, wall.1 separates"; empty if the modes are the same.
-std::string change_text(const SceneFile& file, const Outputs& before, const Outputs& after);
+/// What the sweep tells of two answers: of one that is not solved the status alone.
+SweepValue told(const SweepAnswer& push, const SweepAnswer& breaking);
+
+/// What the way there and the way back find in one part of the range, or at one value.
+struct TwoWays {
+  double from, to; ///< of the parameter
+  SweepValue there, back;
+};
+/// The ranges in which they find different answers; `list` follows the sweep. May answers differ by
+/// what rounding leaves of a zero?
+std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, bool forgive_rounding);
+
+/// Do both push the object as prescribed, and does it move in another way?
+bool moves_otherwise(const SweepValue& a, const SweepValue& b);
+
+/// The same range, the other way.
+inline Variation reversed(const Variation& variation) {
+  return {variation.parameter, variation.to, variation.from};
+}
 
 /// The parameter's value at t; what rounding leaves of a zero is zero.
 inline double value_at(const Variation& variation, double t) {

@@ -5,8 +5,9 @@
 
 namespace lcpush::desktop {
 
-/// Fills sweep.points; where the modes of two neighbours differ, more points down to 1e-6 of the
-/// range. With both_ways also sweep.points_back and sweep.bistable, unless there are segments.
+/// Fills sweep.points; where the modes of two neighbours differ, more points down to
+/// bisection_width of the range. With both_ways also sweep.points_back and sweep.bistable, unless
+/// there are segments.
 void sample_line(const VariedScene& scene, SweepSolver& solver,
                  const ParameterSweepOptions& options, Sweep& sweep);
 
@@ -16,12 +17,12 @@ void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep
 
 /// Fills sweep.zeros: of segments from their ends, of points by bisection, which adds the zero and
 /// its neighbours to the points.
-void find_zeros(SweepSolver& solver, const ParameterSweepOptions& options, Sweep& sweep);
+void find_zeros(SweepSolver& solver, Sweep& sweep);
 
 /// Both answers at one value, and the bases that lead to the next.
 struct Sample {
   double t = 0; ///< 0 to 1 over the range
-  Outputs push, breaking;
+  DetailedAnswer push, breaking;
   RoundBases push_bases, breaking_bases;
 };
 /// At the solver's present value; from a neighbour's bases (and those of the neighbour on the other
@@ -32,8 +33,5 @@ Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour,
 Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour,
                  const Sample* other = nullptr);
 SweepPoint point_of(const Sample& sample, const Variation& variation);
-
-/// One answer to both questions.
-SweepValue merged(const Outputs* push, const Outputs* breaking);
 
 } // namespace lcpush::desktop

@@ -9,10 +9,6 @@
 namespace lcpush::desktop {
 namespace {
 
-Span<unsigned char> span(std::vector<unsigned char>& bytes) {
-  return {bytes.data(), static_cast<Index>(bytes.size())};
-}
-
 std::vector<Parameter> parameters_of(const std::vector<Variation>& variations) {
   std::vector<Parameter> parameters;
   for (const Variation& variation : variations) parameters.push_back(variation.parameter);
@@ -21,18 +17,11 @@ std::vector<Parameter> parameters_of(const std::vector<Variation>& variations) {
 
 } // namespace
 
-ScenePoint::ScenePoint(SceneFile given)
-    : file(std::move(given)), even(file.view()), scene(even.scene),
-      bytes(static_cast<std::size_t>(sweep_bytes<double>(size_of(scene)))),
-      work(make_sweep_workspace<double>(span(bytes), size_of(scene))), assembly(work.assembly) {
-  assembly.assemble(scene);
-}
-
 SweepSolver::SweepSolver(const VariedScene& scene, const std::vector<Variation>& variations,
-                         Index pusher)
+                         Index pusher, bool warm)
     : variations_(variations),
       series_(scene, parameters_of(variations), variations.front().from, variations.front().to),
-      pusher_(pusher) {}
+      pusher_(pusher), is_warm_(warm) {}
 
 void SweepSolver::go_to(const std::vector<double>& values) {
   point_ = std::make_unique<ScenePoint>(series_.at(values));
@@ -40,27 +29,29 @@ void SweepSolver::go_to(const std::vector<double>& values) {
 
 /// Memory for as many unknowns as there are here.
 void SweepSolver::make_lemke() {
-  const Index n = point_->assembly.layout().size;
-  scalars_.resize(static_cast<std::size_t>(lemke_scalars(n)));
-  integers_.resize(static_cast<std::size_t>(lemke_integers(n)));
-  lemke_.emplace(Span<double>{scalars_.data(), lemke_scalars(n)},
-                 Span<int>{integers_.data(), lemke_integers(n)});
+  if (const Index n = point_->assembly.layout().size; !lemke_ || lemke_->unknowns < n)
+    lemke_.emplace(n);
 }
 
-Status SweepSolver::solve_cold(Quantity quantity, Basis& basis) {
+Status SweepSolver::solve_cold(Question question, Basis& basis) {
   ++cold_;
   make_lemke();
-  Status status = lemke_->init(point_->problem(quantity), LemkeOptions<double>{});
+  Status status = lemke_->init(point_->problem(question), LemkeOptions<double>{});
   if (status == Status::running) status = lemke_->solve();
   if (status != Status::solved) return status;
-  const Index n = point_->assembly.layout().size;
-  basis.resize(static_cast<std::size_t>(n));
-  for (Index i = 0; i < n; ++i) basis[static_cast<std::size_t>(i)] = lemke_->is_basic(i) ? 1 : 0;
+  take_basis(basis);
   return status;
 }
 
-bool SweepSolver::stand_on(Quantity quantity, const Basis& basis) {
-  const Problem<double> problem = point_->problem(quantity);
+/// The basis that Lemke has ended in.
+void SweepSolver::take_basis(Basis& basis) const {
+  basis.resize(static_cast<std::size_t>(point_->assembly.layout().size));
+  for (std::size_t i = 0; i < basis.size(); ++i)
+    basis[i] = lemke_->is_basic(static_cast<Index>(i)) ? 1 : 0;
+}
+
+bool SweepSolver::stand_on(Question question, const Basis& basis) {
+  const Problem<double> problem = point_->problem(question);
   if (static_cast<Index>(basis.size()) != problem.size) return false;
   make_lemke();
   LemkeOptions<double> options;
@@ -69,33 +60,33 @@ bool SweepSolver::stand_on(Quantity quantity, const Basis& basis) {
   return lemke_->step() == Status::solved && lemke_->pivots() == 0;
 }
 
-Outputs SweepSolver::on_basis(Quantity quantity, const Basis& basis, bool thorough) {
-  if (!has(quantity)) return {};
+DetailedAnswer SweepSolver::on_basis(Question question, const Basis& basis, bool thorough) {
+  if (!has(question)) return {};
   BasisSolution solution;
-  if (!solve_on_basis(point_->problem(quantity), basis, solution)) {
+  if (!solve_on_basis(point_->problem(question), basis, solution)) {
     // The small system may be worse conditioned than the dictionary.
-    if (!thorough || !stand_on(quantity, basis)) return {};
+    if (!thorough || !stand_on(question, basis)) return {};
     const Index n = point_->assembly.layout().size;
     solution.z = Eigen::Map<const Eigen::VectorXd>(lemke_->z(), n);
-    if (quantity == Quantity::breaking) {
+    if (question == Question::breaking) {
       solution.z_push = Eigen::Map<const Eigen::VectorXd>(lemke_->z_push(), n);
       solution.valid_to = lemke_->valid_to();
     }
   }
-  return quantity == Quantity::push ? read_push(solution.z.data()) : read_breaking(solution);
+  return question == Question::push ? read_push(solution.z.data()) : read_breaking(solution);
 }
 
 /// The states of work.answer's contacts.
-Outputs SweepSolver::read_contacts(Outputs outputs) const {
-  const Answer<double>& answer = point_->work.answer;
+DetailedAnswer SweepSolver::read_contacts(DetailedAnswer answer) const {
+  const Answer<double>& solved = point_->work.answer;
   const Scales<double>& scales = point_->assembly.layout().scales;
   const double pressed = 1000 * Tolerances<double>().tie * scales.force;
-  outputs.force_noise = 1e-11 * scales.force;
-  outputs.motion_noise = 1e-11 * scales.acceleration;
-  outputs.turning_noise = outputs.motion_noise / scales.length;
+  answer.force_noise = 1e-11 * scales.force;
+  answer.motion_noise = 1e-11 * scales.acceleration;
+  answer.turning_noise = answer.motion_noise / scales.length;
   Index entry = 0;
-  for (Index i = 0; i < answer.contacts.size; ++i) {
-    const ContactAnswer<double>& contact = answer.contacts[i];
+  for (Index i = 0; i < solved.contacts.size; ++i) {
+    const ContactAnswer<double>& contact = solved.contacts[i];
     const Vector3<double>& n = point_->scene.bodies[contact.body].normal;
     ContactState state;
     state.mode = contact.mode;
@@ -103,46 +94,46 @@ Outputs SweepSolver::read_contacts(Outputs outputs) const {
     const Vector3<double> slip = contact.acceleration - contact.acceleration.dot(n) * n;
     if (state.mode == Mode::slide && slip.norm() > 0) state.slip = slip.normalized();
     for (Index j = 0; j < point_->assembly.layout().cones[i].generators; ++j, ++entry)
-      if (answer.friction[entry] > pressed) state.rubs.push_back(j);
-    outputs.contacts.push_back(state);
+      if (solved.friction[entry] > pressed) state.rubs.push_back(j);
+    answer.contacts.push_back(state);
   }
-  return outputs;
+  return answer;
 }
 
-Outputs SweepSolver::read_push(const double* z) {
+DetailedAnswer SweepSolver::read_push(const double* z) {
   ScenePoint& p = *point_;
   read_answer(p.assembly, z, p.work.answer, 1.0);
-  Outputs outputs;
-  outputs.status = Status::solved;
-  outputs.normal = normal_sum(p.work.answer, pusher_body());
-  outputs.force = body_wrench(p.scene, p.work.answer, pusher_body()).head<3>();
-  outputs.twist = p.work.answer.acceleration;
-  outputs.residual = check(p.scene, p.assembly.layout().scales, p.work.answer, 1.0).max();
-  if (!(outputs.residual <= Tolerances<double>().residual))
-    outputs.status = Status::numerical_breakdown;
-  return read_contacts(std::move(outputs));
+  DetailedAnswer answer;
+  answer.status = Status::solved;
+  answer.normal = normal_sum(p.work.answer, pusher_body());
+  answer.force = body_wrench(p.scene, p.work.answer, pusher_body()).head<3>();
+  answer.twist = p.work.answer.acceleration;
+  answer.residual = check(p.scene, p.assembly.layout().scales, p.work.answer, 1.0).max();
+  if (!(answer.residual <= Tolerances<double>().residual))
+    answer.status = Status::numerical_breakdown;
+  return read_contacts(std::move(answer));
 }
 
-Outputs SweepSolver::judge_breaking(Status status, const Breaking<double>& breaking) {
+DetailedAnswer SweepSolver::judge_breaking(Status status, const Breaking<double>& breaking) {
   BreakReport report;
   report.status = status;
   report.breaking = breaking;
   report.scales = point_->assembly.layout().scales;
-  Outputs outputs;
-  outputs.status = holding_verdict(point_->file, point_->scene, report, {});
-  if (status != Status::solved && status != Status::does_not_hold) return outputs;
-  outputs.normal = breaking.break_force;
-  outputs.force = breaking.force.head<3>();
-  outputs.twist = breaking.twist;
-  outputs.residual = breaking.residuals.max();
-  outputs = read_contacts(std::move(outputs));
-  outputs.motion_noise /= push_size(point_->scene); // of a unit push
+  DetailedAnswer answer;
+  answer.status = holding_verdict(point_->file, point_->scene, report, {});
+  if (status != Status::solved && status != Status::does_not_hold) return answer;
+  answer.normal = breaking.break_force;
+  answer.force = breaking.force.head<3>();
+  answer.twist = breaking.twist;
+  answer.residual = breaking.residuals.max();
+  answer = read_contacts(std::move(answer));
+  answer.motion_noise /= push_size(point_->scene); // of a unit push
   // What extrapolating from finite pushes leaves open.
-  outputs.force_noise += 10 * breaking.line_error * report.scales.force;
-  return outputs;
+  answer.force_noise += 10 * breaking.line_error * report.scales.force;
+  return answer;
 }
 
-Outputs SweepSolver::read_breaking(const BasisSolution& solution) {
+DetailedAnswer SweepSolver::read_breaking(const BasisSolution& solution) {
   ScenePoint& p = *point_;
   Breaking<double> breaking;
   PressureRun run;
@@ -157,26 +148,26 @@ Outputs SweepSolver::read_breaking(const BasisSolution& solution) {
   return judge_breaking(status, breaking);
 }
 
-Outputs SweepSolver::solve(Quantity quantity, RoundBases& bases, const RoundBases* others) {
-  if (!has(quantity)) return {};
-  if (point_->scene.pressure == Pressure::pad) return solve_pad(quantity, bases);
+DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const RoundBases* others) {
+  if (!has(question)) return {};
+  if (point_->scene.pressure == Pressure::pad) return solve_pad(question, bases);
   if (others != nullptr && !others->empty() && !bases.empty()) {
     for (const RoundBases* candidate : {static_cast<const RoundBases*>(&bases), others}) {
-      const Outputs outputs = on_basis(quantity, candidate->front(), false);
-      if (!outputs.is_solved() && outputs.status != Status::does_not_hold) continue;
+      const DetailedAnswer answer = on_basis(question, candidate->front(), false);
+      if (!answer.is_known()) continue;
       ++warm_;
       if (candidate == others) bases = *others;
-      return outputs;
+      return answer;
     }
   }
   if (!bases.empty()) {
-    Outputs outputs = on_basis(quantity, bases.front());
-    if (outputs.is_solved() || outputs.status == Status::does_not_hold) {
+    DetailedAnswer answer = on_basis(question, bases.front());
+    if (answer.is_known()) {
       ++warm_;
-      return outputs;
+      return answer;
     }
     // A few pivots from there, if they lead anywhere.
-    const Problem<double> problem = point_->problem(quantity);
+    const Problem<double> problem = point_->problem(question);
     LemkeOptions<double> options;
     options.covers = 1;
     options.max_pivots = problem.size;
@@ -185,44 +176,43 @@ Outputs SweepSolver::solve(Quantity quantity, RoundBases& bases, const RoundBase
       Status status = lemke_->init(problem, options, bases.front().data());
       if (status == Status::running) status = lemke_->solve();
       if (status == Status::solved) {
-        for (Index i = 0; i < problem.size; ++i)
-          bases.front()[static_cast<std::size_t>(i)] = lemke_->is_basic(i) ? 1 : 0;
-        outputs = on_basis(quantity, bases.front());
+        take_basis(bases.front());
+        answer = on_basis(question, bases.front());
         ++warm_;
-        if (outputs.is_solved() || outputs.status == Status::does_not_hold) return outputs;
+        if (answer.is_known()) return answer;
       }
     }
   }
   bases.resize(1);
-  Outputs outputs;
-  outputs.status = solve_cold(quantity, bases.front());
-  if (outputs.status == Status::solved) return on_basis(quantity, bases.front());
+  DetailedAnswer answer;
+  answer.status = solve_cold(question, bases.front());
+  if (answer.status == Status::solved) return on_basis(question, bases.front());
   bases.clear();
-  return outputs;
+  return answer;
 }
 
-Outputs SweepSolver::solve_pad(Quantity quantity, RoundBases& bases) {
+DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
   ScenePoint& p = *point_;
   make_lemke();
   RoundMemory memory{bases};
   const RememberedRounds rounds(*lemke_, memory);
   PressureRun run;
-  Outputs outputs;
-  if (quantity == Quantity::push) {
+  DetailedAnswer answer;
+  if (question == Question::push) {
     p.assembly.push_by(1.0);
     const auto options = pressure_options(p.scene, p.assembly.layout().scales, 1.0);
-    outputs.status = solve_pressure(p.assembly, rounds, p.work.pressure, options, run);
-    if (outputs.is_solved()) outputs = read_push(p.work.pressure.z.data);
+    answer.status = solve_pressure(p.assembly, rounds, p.work.pressure, options, run);
+    if (answer.is_solved()) answer = read_push(p.work.pressure.z.data);
   } else {
     Breaking<double> breaking;
     const Status status =
         find_breaking(p.assembly, rounds, p.work, pusher_body(), {}, breaking, run);
-    outputs = judge_breaking(status, breaking);
+    answer = judge_breaking(status, breaking);
     p.assembly.push_by(1.0);
   }
   ++(memory.cold > 0 ? cold_ : warm_);
-  if (!outputs.is_solved() && outputs.status != Status::does_not_hold) bases.clear();
-  return outputs;
+  if (!answer.is_known()) bases.clear();
+  return answer;
 }
 
 } // namespace lcpush::desktop

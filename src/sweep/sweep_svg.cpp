@@ -24,20 +24,19 @@ bool is_of_breaking(const SweepQuantity& quantity) {
 }
 
 Status status_of(const SweepQuantity& quantity, const SweepValue& at) {
-  return is_of_breaking(quantity) ? at.breaking : at.push;
+  return (is_of_breaking(quantity) ? at.breaking : at.push).status;
 }
 
 double value_of(const SweepQuantity& quantity, const SweepValue& at) {
   switch (quantity.kind) {
-  case Kind::break_force: return at.break_force;
-  case Kind::force: return at.force.norm();
-  case Kind::force_component: return at.force[quantity.component];
+  case Kind::break_force: return at.breaking.normal;
+  case Kind::force: return at.push.force.norm();
+  case Kind::force_component: return at.push.force[quantity.component];
   case Kind::twist: {
-    const double value = at.twist[quantity.component];
-    const double noise = quantity.component < 3 ? at.motion_noise : at.turning_noise;
-    return std::abs(value) <= noise ? 0 : value;
+    const double value = at.push.twist[quantity.component];
+    return std::abs(value) <= at.push.twist_noise(quantity.component) ? 0 : value;
   }
-  case Kind::break_twist: return at.break_twist[quantity.component];
+  case Kind::break_twist: return at.breaking.twist[quantity.component];
   }
   return 0;
 }
@@ -68,17 +67,15 @@ Curve curve_of_segments(const SweepQuantity& quantity, const std::vector<SweepSe
       for (int k = 1; k <= parts; ++k) {
         const double share = static_cast<double>(k) / parts;
         SweepValue between = b;
-        between.force = a.force + share * (b.force - a.force);
+        between.push.force = a.push.force + share * (b.push.force - a.push.force);
         extend(curve, false, segment.from + share * (segment.to - segment.from),
                value_of(quantity, between));
       }
     }
-    gap = !known || segment.jumps;
+    gap = !known || segment.change.jumps;
   }
   return curve;
 }
-
-bool jumps(const SweepPoint& point) { return point.change.find("jumps") != std::string::npos; }
 
 Curve curve_of_points(const SweepQuantity& quantity, const std::vector<SweepPoint>& points) {
   Curve curve;
@@ -86,7 +83,7 @@ Curve curve_of_points(const SweepQuantity& quantity, const std::vector<SweepPoin
   for (const SweepPoint& point : points) {
     const bool known = status_of(quantity, point.at) == Status::solved;
     if (known) extend(curve, gap, point.value, value_of(quantity, point.at));
-    gap = !known || jumps(point);
+    gap = !known || point.change.jumps;
   }
   return curve;
 }
@@ -117,10 +114,11 @@ std::string described(const std::vector<SweepCurve>& curves, const Plot& plot) {
 std::vector<PlotMark> marks_of(const Sweep& sweep, const std::vector<SweepQuantity>& shown) {
   std::vector<PlotMark> marks;
   for (const SweepSegment& segment : sweep.segments)
-    if (!segment.change.empty()) marks.push_back({segment.to, segment.change, segment.jumps});
+    if (!segment.change.is_empty())
+      marks.push_back({segment.to, change_text(sweep, segment), segment.change.jumps});
   for (const SweepPoint& point : sweep.points)
-    if (sweep.segments.empty() && !point.change.empty())
-      marks.push_back({point.value, point.change, jumps(point)});
+    if (sweep.segments.empty() && !point.change.is_empty())
+      marks.push_back({point.value, change_text(sweep, point), point.change.jumps});
   for (const SweepZero& zero : sweep.zeros)
     for (const SweepQuantity& quantity : shown)
       if (quantity.kind == Kind::twist && quantity.component == zero.component &&

@@ -8,41 +8,43 @@
 namespace lcpush::desktop {
 namespace {
 
-bool is_solved(Status status) { return status == Status::solved; }
-
 std::string with_unit(const Parameter& parameter) {
   return parameter.path + (parameter.unit.empty() ? "" : " " + parameter.unit);
 }
 
 /// "20.02", or why there is none.
 std::string number_or(Status status, double value, double zero = 0) {
-  if (is_solved(status)) return number(value, zero);
+  if (status == Status::solved) return number(value, zero);
   return status == Status::does_not_hold ? "does not hold"
          : status == Status::bad_input   ? "-"
                                          : status_text(status);
 }
-
-double force_of(const SweepValue& value) { return value.force.norm(); }
+std::string breaking_text(const SweepValue& value, double zero) {
+  return number_or(value.breaking.status, value.breaking.normal, zero);
+}
+std::string push_text(const SweepValue& value, double zero) {
+  return number_or(value.push.status, value.push.force.norm(), zero);
+}
 
 /// What rounding leaves of a zero, in the size of the largest answer.
 double force_noise(const Sweep& sweep) {
   double largest = 0;
-  const auto see = [&](const SweepValue& value) {
-    largest = std::max(largest, std::max(std::abs(value.break_force), force_of(value)));
-  };
-  for (const SweepSegment& segment : sweep.segments) {
-    see(segment.at_from);
-    see(segment.at_to);
-  }
-  for (const SweepPoint& point : sweep.points) see(point.at);
+  for_each_value(sweep, [&](const SweepValue& value) {
+    largest = std::max({largest, std::abs(value.breaking.normal), value.push.force.norm()});
+  });
   return 1e-12 * largest;
 }
 
-std::string change_lines(const Parameter& parameter, const std::vector<SweepSegment>& segments) {
+std::string change_line(const Sweep& sweep, double value, const std::string& change) {
+  if (change.empty()) return "";
+  return "  at " + sweep.variations[0].parameter.path + " = " + number(value) + ": " + change +
+         "\n";
+}
+
+std::string change_lines(const Sweep& sweep, const std::vector<SweepSegment>& segments) {
   std::string text;
   for (const SweepSegment& segment : segments)
-    if (!segment.change.empty())
-      text += "  at " + parameter.path + " = " + number(segment.to) + ": " + segment.change + "\n";
+    text += change_line(sweep, segment.to, change_text(sweep, segment));
   return text;
 }
 
@@ -53,15 +55,14 @@ std::string segment_table(const Sweep& sweep, const std::vector<SweepSegment>& s
       {with_unit(parameter), "to", "break N", "to", "slope", "push N", "to", "found"}};
   for (const SweepSegment& segment : segments) {
     const SweepValue &a = segment.at_from, &b = segment.at_to;
-    const double rise = b.break_force - a.break_force;
+    const double rise = b.breaking.normal - a.breaking.normal;
     const std::string slope =
-        is_solved(a.breaking)
+        a.breaking.is_solved()
             ? number(std::abs(rise) <= zero ? 0 : rise / (segment.to - segment.from))
             : "-";
-    rows.push_back(
-        {number(segment.from), number(segment.to), number_or(a.breaking, a.break_force, zero),
-         number_or(b.breaking, b.break_force, zero), slope, number_or(a.push, force_of(a), zero),
-         number_or(b.push, force_of(b), zero), segment_kind_text(segment.kind)});
+    rows.push_back({number(segment.from), number(segment.to), breaking_text(a, zero),
+                    breaking_text(b, zero), slope, push_text(a, zero), push_text(b, zero),
+                    segment_kind_text(segment.kind)});
   }
   return table_text(rows);
 }
@@ -75,16 +76,14 @@ std::string point_table(const Sweep& sweep, const std::vector<SweepPoint>& point
   for (const SweepPoint& point : points) {
     std::vector<std::string> row{number(point.value)};
     if (point.second) row.push_back(number(*point.second));
-    const SweepValue& at = point.at;
-    row.push_back(number_or(at.breaking, at.break_force, zero));
-    row.push_back(number_or(at.push, force_of(at), zero));
-    const double linear = at.twist.head<3>().norm(), angular = at.twist.tail<3>().norm();
-    row.push_back(number_or(at.push, linear, 1e-12 * angular));
-    row.push_back(number_or(at.push, angular, 1e-9 * linear));
+    row.push_back(breaking_text(point.at, zero));
+    row.push_back(push_text(point.at, zero));
+    const SweepAnswer& push = point.at.push;
+    const double linear = push.twist.head<3>().norm(), angular = push.twist.tail<3>().norm();
+    row.push_back(number_or(push.status, linear, 1e-12 * angular));
+    row.push_back(number_or(push.status, angular, 1e-9 * linear));
     rows.push_back(row);
-    if (!point.change.empty())
-      changes += "  at " + sweep.variations[0].parameter.path + " = " + number(point.value) + ": " +
-                 point.change + "\n";
+    changes += change_line(sweep, point.value, change_text(sweep, point));
   }
   return table_text(rows) + (changes.empty() ? "" : "\n" + changes);
 }
@@ -124,7 +123,7 @@ std::string body_text(const Sweep& sweep) {
   std::string text;
   if (!sweep.segments.empty()) {
     text += segment_table(sweep, sweep.segments);
-    const std::string changes = change_lines(sweep.variations[0].parameter, sweep.segments);
+    const std::string changes = change_lines(sweep, sweep.segments);
     if (!changes.empty()) text += "\n" + changes;
   }
   if (!sweep.points.empty())
@@ -135,7 +134,7 @@ std::string body_text(const Sweep& sweep) {
   text += map_note(sweep);
   if (!sweep.back.empty())
     text += "\nThe way back:\n" + segment_table(sweep, sweep.back) + "\n" +
-            change_lines(sweep.variations[0].parameter, sweep.back);
+            change_lines(sweep, sweep.back);
   if (!sweep.points_back.empty())
     text += "\nThe way back:\n" + point_table(sweep, sweep.points_back);
   return text;

@@ -9,25 +9,19 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr double sharpest = 1e-10;  // of the range; then the line through both sides
-constexpr double negligible = 1e-9; // of the component's largest value
-constexpr double steepest = 1e-3;   // of a change of sign: what may be left of it there is no jump
+constexpr double zero_width = 1e-10; // of the range; then the line through both sides
+constexpr double negligible = 1e-9;  // of the component's largest value
+constexpr double steepest = 1e-3;    // of a change of sign: what may be left of it there is no jump
 
 /// Below this a component counts as zero: rounding, or nothing compared with its largest value.
 std::array<double, 6> thresholds(const Sweep& sweep) {
   std::array<double, 6> noise{}, largest{};
-  const auto see = [&](const SweepValue& value) {
-    if (value.push != Status::solved) return;
+  for_each_value(sweep, [&](const SweepValue& value) {
     for (std::size_t k = 0; k < 6; ++k) {
-      noise[k] = std::max(noise[k], k < 3 ? value.motion_noise : value.turning_noise);
-      largest[k] = std::max(largest[k], std::abs(value.twist[static_cast<Index>(k)]));
+      noise[k] = std::max(noise[k], value.push.twist_noise(static_cast<Index>(k)));
+      largest[k] = std::max(largest[k], std::abs(value.push.twist[static_cast<Index>(k)]));
     }
-  };
-  for (const SweepSegment& segment : sweep.segments) {
-    see(segment.at_from);
-    see(segment.at_to);
-  }
-  for (const SweepPoint& point : sweep.points) see(point.at);
+  });
   std::array<double, 6> result{};
   for (std::size_t k = 0; k < 6; ++k) {
     const double zero = std::max(noise[k], negligible * largest[k]);
@@ -51,11 +45,11 @@ void add_of_segments(const std::vector<SweepSegment>& segments, Index k, double 
                      std::vector<SweepZero>& zeros) {
   int before = 0; // the sign where the last segment ended
   for (const SweepSegment& segment : segments) {
-    if (segment.at_from.push != Status::solved) {
+    if (!segment.at_from.push.is_solved()) {
       before = 0;
       continue;
     }
-    const double a = segment.at_from.twist[k], b = segment.at_to.twist[k];
+    const double a = segment.at_from.push.twist[k], b = segment.at_to.push.twist[k];
     const int first = sign_of(a, threshold), last = sign_of(b, threshold);
     if (before * first < 0) add(zeros, {k, segment.from, segment.from, true});
     if (first == 0) add(zeros, {k, segment.from, last == 0 ? segment.to : segment.from, false});
@@ -76,14 +70,13 @@ struct Crossing {
 
 class ZeroSearch {
 public:
-  ZeroSearch(SweepSolver& solver, bool warm, Index component, double threshold)
-      : solver_(solver), warm_(warm), k_(component), threshold_(threshold) {}
+  ZeroSearch(SweepSolver& solver, Index component, double threshold)
+      : solver_(solver), k_(component), threshold_(threshold) {}
 
   Crossing between(const SweepPoint& first, const SweepPoint& second);
 
 private:
   SweepSolver& solver_;
-  bool warm_;
   Index k_;
   double threshold_;
 
@@ -99,7 +92,7 @@ private:
 };
 
 Crossing ZeroSearch::between(const SweepPoint& first, const SweepPoint& second) {
-  const double whole = std::abs(second.at.twist[k_] - first.at.twist[k_]);
+  const double whole = std::abs(second.at.push.twist[k_] - first.at.push.twist[k_]);
   Sample low = sample_at(solver_, share_of(first.value), nullptr);
   Sample high = sample_at(solver_, share_of(second.value), nullptr);
   Sample shoulder_low = low, shoulder_high = high; // the last ones that are not yet on the slope
@@ -107,10 +100,10 @@ Crossing ZeroSearch::between(const SweepPoint& first, const SweepPoint& second) 
   if (sign_of(value(low), 0) * sign_of(value(high), 0) != -1) // afresh, another branch is found
     return {{k_, first.value, second.value, true}, {}};
   const auto near = [&](const Sample& sample, const SweepPoint& end) {
-    return std::abs(value(sample) - end.at.twist[k_]) <= whole / 10;
+    return std::abs(value(sample) - end.at.push.twist[k_]) <= whole / 10;
   };
-  while (high.t - low.t > sharpest) {
-    Sample middle = sample_at(solver_, (low.t + high.t) / 2, warm_ ? &low : nullptr, &high);
+  while (high.t - low.t > zero_width) {
+    Sample middle = sample_at(solver_, (low.t + high.t) / 2, &low, &high);
     if (!middle.push.is_solved()) break;
     const bool below = sign_of(value(middle), 0) * sign_of(value(low), 0) > 0;
     if (below && near(middle, first)) shoulder_low = middle;
@@ -124,17 +117,16 @@ Crossing ZeroSearch::between(const SweepPoint& first, const SweepPoint& second) 
   const double t = crossing.zero.jumps ? high.t : low.t - value(low) / rise * (high.t - low.t);
   crossing.zero.from = crossing.zero.to = value_at(variation(), t);
   if (shoulder_low.t > share_of(first.value)) crossing.points.push_back(refined(shoulder_low));
-  if (!crossing.zero.jumps)
-    crossing.points.push_back(refined(sample_at(solver_, t, warm_ ? &low : nullptr)));
+  if (!crossing.zero.jumps) crossing.points.push_back(refined(sample_at(solver_, t, &low)));
   if (shoulder_high.t < share_of(second.value)) crossing.points.push_back(refined(shoulder_high));
   return crossing;
 }
 
-void add_of_points(SweepSolver& solver, bool warm, Index k, double threshold,
-                   std::vector<SweepPoint>& points, std::vector<SweepZero>& zeros) {
-  ZeroSearch search(solver, warm, k, threshold);
+void add_of_points(SweepSolver& solver, Index k, double threshold, std::vector<SweepPoint>& points,
+                   std::vector<SweepZero>& zeros) {
+  ZeroSearch search(solver, k, threshold);
   const auto sign = [&](const SweepPoint& point) {
-    return point.at.push == Status::solved ? sign_of(point.at.twist[k], threshold) : 2;
+    return point.at.push.is_solved() ? sign_of(point.at.push.twist[k], threshold) : 2;
   };
   for (std::size_t i = 0; i < points.size(); ++i) {
     const int here = sign(points[i]);
@@ -144,7 +136,7 @@ void add_of_points(SweepSolver& solver, bool warm, Index k, double threshold,
       continue;
     }
     if (here * next != -1) continue;
-    if (points[i].change.find("jumps") != std::string::npos) {
+    if (points[i].change.jumps) {
       add(zeros, {k, points[i].value, points[i + 1].value, true});
       continue;
     }
@@ -158,7 +150,7 @@ void add_of_points(SweepSolver& solver, bool warm, Index k, double threshold,
 
 } // namespace
 
-void find_zeros(SweepSolver& solver, const ParameterSweepOptions& options, Sweep& sweep) {
+void find_zeros(SweepSolver& solver, Sweep& sweep) {
   const std::array<double, 6> threshold = thresholds(sweep);
   for (Index k = 0; k < 6; ++k) {
     const double zero = threshold[static_cast<std::size_t>(k)];
@@ -166,7 +158,7 @@ void find_zeros(SweepSolver& solver, const ParameterSweepOptions& options, Sweep
     if (!sweep.segments.empty())
       add_of_segments(sweep.segments, k, zero, sweep.zeros);
     else
-      add_of_points(solver, options.warm, k, zero, sweep.points, sweep.zeros);
+      add_of_points(solver, k, zero, sweep.points, sweep.zeros);
   }
 }
 

@@ -10,20 +10,26 @@
 
 namespace lcpush::desktop {
 
+/// `x` as printf writes it.
+inline std::string printed(const char* format, double x) {
+  char text[60];
+  std::snprintf(text, sizeof text, format, x);
+  return text;
+}
+
+/// "1 pivot", "2 pivots".
+inline std::string counted(Index count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 /// Six significant digits; what rounding left of a zero (below `zero`) is shown as 0.
 inline std::string number(double x, double zero = 0) {
-  if (std::abs(x) <= zero) x = 0;
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
+  return printed("%.6g", std::abs(x) <= zero ? 0 : x);
 }
 
 /// A residual, without the digits that only say how rounding went.
 inline std::string residual_text(double residual) {
-  if (residual < 1e-12) return "below 1e-12";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.1e", residual);
-  return text;
+  return residual < 1e-12 ? "below 1e-12" : printed("%.1e", residual);
 }
 
 inline std::string vector_text(const Vector3<double>& v, double zero = 0) {

@@ -5,24 +5,28 @@
 #include <array>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 namespace lcpush::desktop {
+
+void refuse_file(const std::string& path, const char* done, int reason) {
+  throw InputError(path + ": cannot be " + done + ": " + std::generic_category().message(reason) +
+                   "; check the path and its permissions");
+}
+
+std::ifstream open_file(const std::string& path) {
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse_file(path, "read", errno);
+  return stream;
+}
 
 std::string read_text_file(const std::string& path, std::size_t max_bytes) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw InputError(path + ": is a directory; name a file inside it");
 
-  const auto refuse_unreadable = [&path](int reason) {
-    const std::string text = std::generic_category().message(reason);
-    throw InputError(path + ": cannot be read: " + text + "; check the path and its permissions");
-  };
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse_unreadable(errno);
-
+  std::ifstream stream = open_file(path);
   std::string text;
   std::array<char, 65536> chunk;
   while (stream) {
@@ -32,7 +36,7 @@ std::string read_text_file(const std::string& path, std::size_t max_bytes) {
       throw InputError(path + ": is larger than " + std::to_string(max_bytes) +
                        " bytes; is it the right file?");
   }
-  if (stream.bad()) refuse_unreadable(errno);
+  if (stream.bad()) refuse_file(path, "read", errno);
   return text;
 }
 

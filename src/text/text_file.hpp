@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <fstream>
 #include <string>
 
 namespace lcpush::desktop {
@@ -9,5 +10,11 @@ namespace lcpush::desktop {
 /// The bytes of the file at `path`, unchanged. Throws InputError if it is a directory, cannot be
 /// read, or holds more than `max_bytes` (it stops reading there, so /dev/zero is harmless).
 std::string read_text_file(const std::string& path, std::size_t max_bytes);
+
+/// The file at `path`, open to be read. Throws InputError.
+std::ifstream open_file(const std::string& path);
+
+/// Throws InputError: the file cannot be `done` ("read", "written") for this reason, an errno.
+[[noreturn]] void refuse_file(const std::string& path, const char* done, int reason);
 
 } // namespace lcpush::desktop

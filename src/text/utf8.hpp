@@ -14,6 +14,11 @@ bool is_unicode_scalar(std::uint32_t code);
 /// truncated, surrogate, beyond U+10FFFF). Precondition: `text` is not empty.
 std::size_t utf8_length(std::string_view text);
 
+/// Is this byte one of a character that started before it?
+inline bool continues_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
 /// Appends `code`. Precondition: is_unicode_scalar(code).
 void append_utf8(std::string& text, std::uint32_t code);
 

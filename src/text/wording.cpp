@@ -1,5 +1,7 @@
 #include "text/wording.hpp"
 
+#include "text/utf8.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -9,8 +11,6 @@ namespace lcpush::desktop {
 namespace {
 
 constexpr std::size_t longest_shown = 48;
-
-bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
 /// Levenshtein's distance: insertions, deletions and substitutions between two short words.
 std::size_t edit_distance(std::string_view a, std::string_view b) {

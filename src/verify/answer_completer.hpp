@@ -13,10 +13,9 @@ using Rows = std::vector<std::pair<Eigen::VectorXd, double>>;
 
 class AnswerCompleter {
 public:
-  AnswerCompleter(Push& push, const ForeignAnswer& given, double tolerance, OwnedAnswer& answer)
+  AnswerCompleter(Push& push, const ForeignAnswer& given, double tolerance, Answer<double>& answer)
       : scene_(push.scene()), layout_(push.layout()), factored_(push.assembly().factored()),
-        given_(given), file_(push.file()), tolerance_(tolerance), out_(answer),
-        answer_(answer.view()) {}
+        given_(given), file_(push.file()), tolerance_(tolerance), answer_(answer) {}
 
   Completion run();
 
@@ -27,8 +26,7 @@ private:
   const ForeignAnswer& given_;
   const SceneFile& file_;
   double tolerance_;
-  OwnedAnswer& out_;
-  Answer<double> answer_;
+  Answer<double>& answer_;
   Completion completion_;
 
   const Body<double>& body_of(Index i) const { return scene_.bodies[layout_.body[i]]; }
@@ -46,12 +44,14 @@ private:
   bool acceleration_from_points();
   Rows point_rows(bool with_acceleration) const;
   Eigen::VectorXd drive_speeds(Index point, const Vector3<double>& direction) const;
+  Eigen::VectorXd closing_speeds(Index point) const;
   double opening(Index point) const;
   void find_closings();
   std::optional<Eigen::VectorXd> closings_given() const;
   std::optional<Eigen::VectorXd> closings_from_forces() const;
   std::optional<Eigen::VectorXd> closings_from_openings() const;
   void find_slips();
+  Vector6<double> relative_twist(Index point) const;
   double slides_against(Index point, Index j) const;
   double gap(Index point) const;
   struct ForceRows {

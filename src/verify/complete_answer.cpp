@@ -1,7 +1,7 @@
 #include "verify/complete_answer.hpp"
 
+#include "solve/owned_program.hpp"
 #include "verify/answer_completer.hpp"
-#include "verify/owned_program.hpp"
 
 #include <Eigen/QR>
 
@@ -62,10 +62,15 @@ Eigen::VectorXd AnswerCompleter::drive_speeds(Index point, const Vector3<double>
   return speeds;
 }
 
+/// What a unit of each actuator closes the point by.
+Eigen::VectorXd AnswerCompleter::closing_speeds(Index point) const {
+  return drive_speeds(point, body_of(point).normal);
+}
+
 /// Without what the actuators add, m/s^2.
 double AnswerCompleter::opening(Index point) const {
   const Body<double>& body = body_of(point);
-  const Vector6<double> relative = out_.acceleration - body.acceleration;
+  const Vector6<double> relative = answer_.acceleration - body.acceleration;
   return acceleration_at<double>(scene_.points[point], relative).dot(body.normal);
 }
 
@@ -85,7 +90,7 @@ Rows AnswerCompleter::point_rows(bool with_acceleration) const {
       if (with_acceleration)
         row.head<6>() << W.head<3>(), W.tail<3>() / L;
       else
-        right -= W.dot(out_.acceleration);
+        right -= W.dot(answer_.acceleration);
       row.tail(layout_.actuators) = -drive_speeds(i, axis);
       if (row.norm() > 0) rows.emplace_back(row, right);
     }
@@ -96,14 +101,14 @@ Rows AnswerCompleter::point_rows(bool with_acceleration) const {
 bool AnswerCompleter::acceleration_from_points() {
   const auto found = least_squares(point_rows(true), 6 + layout_.actuators);
   if (!found) return false;
-  out_.acceleration = found->head<6>();
-  out_.acceleration.tail<3>() /= layout_.scales.length;
+  answer_.acceleration = found->head<6>();
+  answer_.acceleration.tail<3>() /= layout_.scales.length;
   return true;
 }
 
 bool AnswerCompleter::find_acceleration() {
   if (given_.acceleration) {
-    out_.acceleration = *given_.acceleration;
+    answer_.acceleration = *given_.acceleration;
     return true;
   }
   if (forces_known()) {
@@ -114,8 +119,8 @@ bool AnswerCompleter::find_acceleration() {
       force.tail<3>() /= scales.length;
       wrench += force;
     }
-    out_.acceleration = factored_.mobility * wrench * scales.acceleration;
-    out_.acceleration.tail<3>() /= scales.length;
+    answer_.acceleration = factored_.mobility * wrench * scales.acceleration;
+    answer_.acceleration.tail<3>() /= scales.length;
     completion_.completed.emplace_back("the object's acceleration, from the forces");
     return true;
   }
@@ -140,7 +145,7 @@ std::optional<Eigen::VectorXd> AnswerCompleter::closings_given() const {
     if (closing.empty() || (!each && closing.size() != 1)) continue;
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(n);
     for (Index k = 0; k < count; ++k) {
-      const Eigen::VectorXd speeds = drive_speeds(first + k, body_of(first + k).normal);
+      const Eigen::VectorXd speeds = closing_speeds(first + k);
       if (each && count > 1) rows.emplace_back(speeds, closing[static_cast<std::size_t>(k)]);
       mean += speeds / static_cast<double>(count);
     }
@@ -156,7 +161,7 @@ std::optional<Eigen::VectorXd> AnswerCompleter::closings_from_forces() const {
   for (Index i = 0; i < layout_.points; ++i) {
     if (!normal_known(i)) continue;
     const double weight = std::abs(answer_.contacts[i].normal_force) / layout_.scales.force;
-    const Eigen::VectorXd speeds = drive_speeds(i, body_of(i).normal);
+    const Eigen::VectorXd speeds = closing_speeds(i);
     if (weight > tolerance_ && speeds.norm() > 0)
       rows.emplace_back(weight * speeds, weight * opening(i));
   }
@@ -184,16 +189,15 @@ std::optional<Eigen::VectorXd> AnswerCompleter::closings_from_openings() const {
     program.c[n + a] = -program.c[a];
   }
   for (Index i = 0; i < points; ++i) {
-    const Eigen::VectorXd speeds = drive_speeds(i, body_of(i).normal);
+    const Eigen::VectorXd speeds = closing_speeds(i);
     program.A.row(i).head(n) = speeds.transpose();
     program.A.row(i).segment(n, n) = -speeds.transpose();
     program.A(i, 2 * n + i) = 1;
     // A body that no actuator moves sets no limit.
     program.b[i] = speeds.norm() > 0 ? opening(i) / unit : 1;
   }
-  const auto x = program.solve();
-  if (!x) return std::nullopt;
-  return Eigen::VectorXd(unit * (x->head(n) - x->segment(n, n)));
+  if (program.solve() != Status::solved) return std::nullopt;
+  return Eigen::VectorXd(unit * (program.x.head(n) - program.x.segment(n, n)));
 }
 
 void AnswerCompleter::find_closings() {
@@ -208,14 +212,18 @@ void AnswerCompleter::find_closings() {
     }
     completion_.completed.emplace_back("how the actuators close, from the motion of the contacts");
   }
-  std::copy(s->data(), s->data() + s->size(), out_.closing.begin());
+  std::copy(s->data(), s->data() + s->size(), answer_.closing.begin());
+}
+
+/// Of the object beside the point's body.
+Vector6<double> AnswerCompleter::relative_twist(Index point) const {
+  return answer_.acceleration - body_twist(scene_, answer_, layout_.body[point], 1.0);
 }
 
 /// d_j' r + xi, m/s^2.
 double AnswerCompleter::slides_against(Index point, Index j) const {
   const Body<double>& body = body_of(point);
-  const Vector6<double> relative =
-      out_.acceleration - body_twist(scene_, answer_, layout_.body[point], 1.0);
+  const Vector6<double> relative = relative_twist(point);
   const Generator<double> d = generator(body, j, scene_.facets);
   return acceleration_at<double>(scene_.points[point], relative).dot(d.force) +
          relative.tail<3>().dot(body.normal) * d.torque + answer_.contacts[point].slip;
@@ -223,14 +231,12 @@ double AnswerCompleter::slides_against(Index point, Index j) const {
 
 /// n' r, m/s^2.
 double AnswerCompleter::gap(Index point) const {
-  const Vector6<double> relative =
-      out_.acceleration - body_twist(scene_, answer_, layout_.body[point], 1.0);
-  return acceleration_at<double>(scene_.points[point], relative).dot(body_of(point).normal);
+  return acceleration_at<double>(scene_.points[point], relative_twist(point))
+      .dot(body_of(point).normal);
 }
 
 /// xi = max (0, - d_j' r): what [T.3] makes of the motion.
 void AnswerCompleter::find_slips() {
-  answer_.acceleration = out_.acceleration;
   for (Index i = 0; i < layout_.points; ++i) {
     double& slip = answer_.contacts[i].slip;
     slip = 0;
@@ -246,7 +252,7 @@ void AnswerCompleter::find_motions() {
   for (Index i = 0; i < layout_.points; ++i) {
     const Body<double>& body = body_of(i);
     const Vector6<double> twist = body_twist(scene_, answer_, layout_.body[i], 1.0);
-    const Vector6<double> relative = out_.acceleration - twist;
+    const Vector6<double> relative = answer_.acceleration - twist;
     ContactAnswer<double>& contact = answer_.contacts[i];
     contact.acceleration =
         contact_of(i).acceleration.value_or(acceleration_at<double>(scene_.points[i], relative));
@@ -262,27 +268,18 @@ Completion AnswerCompleter::run() {
   find_closings();
   if (!completion_.missing.empty()) return completion_;
   find_slips();
-  std::size_t entry = 0;
+  Index entry = 0;
   for (Index i = 0; i < layout_.points; ++i) {
-    if (friction_known(i) && has_friction(i)) split_friction(i, &out_.friction[entry]);
-    entry += static_cast<std::size_t>(layout_.cones[i].generators);
+    if (friction_known(i) && has_friction(i)) split_friction(i, &answer_.friction[entry]);
+    entry += layout_.cones[i].generators;
   }
   if (!forces_known()) find_forces();
   find_motions();
   return completion_;
 }
 
-OwnedAnswer::OwnedAnswer(const Layout<double>& layout)
-    : contacts(static_cast<std::size_t>(layout.points)),
-      closing(static_cast<std::size_t>(layout.actuators)) {
-  std::size_t generators = 0;
-  for (const ConeGroup<double>& cone : layout.cones)
-    generators += static_cast<std::size_t>(cone.generators);
-  friction.resize(generators);
-}
-
 Completion complete_answer(Push& push, const ForeignAnswer& given, double tolerance,
-                           OwnedAnswer& answer) {
+                           Answer<double>& answer) {
   return AnswerCompleter(push, given, tolerance, answer).run();
 }
 

@@ -6,21 +6,6 @@
 
 namespace lcpush::desktop {
 
-/// An Answer with its arrays.
-struct OwnedAnswer {
-  std::vector<ContactAnswer<double>> contacts;
-  std::vector<double> friction, closing;
-  Vector6<double> acceleration = Vector6<double>::Zero();
-
-  explicit OwnedAnswer(const Layout<double>& layout);
-  Answer<double> view() {
-    return {acceleration,
-            {contacts.data(), static_cast<Index>(contacts.size())},
-            {friction.data(), static_cast<Index>(friction.size())},
-            {closing.data(), static_cast<Index>(closing.size())}};
-  }
-};
-
 struct Completion {
   bool has_forces = false;            ///< were forces filled in?
   std::vector<std::string> completed; ///< a phrase for each thing that was not given
@@ -34,6 +19,6 @@ struct Completion {
 /// assembly. `tolerance`: in scaled units, below this nothing moves. Cost: least squares of 6 +
 /// actuators + 4 points rows.
 Completion complete_answer(Push& push, const ForeignAnswer& given, double tolerance,
-                           OwnedAnswer& answer);
+                           Answer<double>& answer);
 
 } // namespace lcpush::desktop

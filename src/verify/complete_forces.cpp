@@ -1,7 +1,8 @@
 // The forces of an AnswerCompleter: from the motion, and as generators.
+#include "solve/owned_program.hpp"
+#include "text/limits.hpp"
 #include "verify/answer_completer.hpp"
 #include "verify/nonnegative_least_squares.hpp"
-#include "verify/owned_program.hpp"
 
 #include <algorithm>
 
@@ -15,9 +16,9 @@ AnswerCompleter::ForceRows AnswerCompleter::force_rows() {
   const double least = tolerance_ * scales.acceleration;
   ForceRows rows{Eigen::MatrixXd::Zero(cone_rows + 4 * points, layout_.forces + points),
                  Eigen::VectorXd::Zero(cone_rows + 4 * points)};
-  rows.b.head<6>() << scene_.object.mass * (out_.acceleration.head<3>() - scene_.gravity) /
+  rows.b.head<6>() << scene_.object.mass * (answer_.acceleration.head<3>() - scene_.gravity) /
                           scales.force,
-      scene_.object.inertia * out_.acceleration.tail<3>() / (scales.force * scales.length);
+      scene_.object.inertia * answer_.acceleration.tail<3>() / (scales.force * scales.length);
   for (Index a = 0; a < grips; ++a)
     rows.b[6 + a] = factored_.sums[a].target - factored_.sums[a].inertia * answer_.closing[a] *
                                                    layout_.reach[a] / scales.acceleration;
@@ -60,14 +61,13 @@ AnswerCompleter::ForceRows AnswerCompleter::force_rows() {
 /// Forces >= 0 that fit the rows best. A bilateral contact that pushed and pulled at once would
 /// widen its own cone: where the fit does that, every choice of one of the two is tried.
 Eigen::VectorXd AnswerCompleter::fitting_forces(const ForceRows& rows) const {
-  constexpr std::size_t most_choices = 8;
   Eigen::VectorXd best = nonnegative_least_squares(rows.A, rows.b);
   std::vector<Index> pulls; // the first of two columns
   for (Index i = 0; i < layout_.points; ++i)
     if (layout_.cones[i].normals == 2 && !normal_known(i)) pulls.push_back(layout_.cones[i].force);
   const bool splits = std::any_of(pulls.begin(), pulls.end(),
                                   [&](Index k) { return best[k] > 0 && best[k + 1] > 0; });
-  if (!splits || pulls.size() > most_choices) return best;
+  if (!splits || pulls.size() > limits::pulls_enumerated) return best;
   double least = -1;
   for (unsigned choice = 0; choice < 1U << pulls.size(); ++choice) {
     Eigen::MatrixXd A = rows.A;
@@ -148,8 +148,8 @@ void AnswerCompleter::split_soft(Index point, double* beta) {
     const Generator<double> d = generator(body, j, scene_.facets);
     program.A.col(j) << d.force.dot(body.tangent), d.force.dot(o), d.torque / body.torsion_radius;
   }
-  if (const auto x = program.solve())
-    for (Index j = 0; j < g; ++j) beta[j] = (*x)[j] * size;
+  if (program.solve() != Status::solved) return;
+  for (Index j = 0; j < g; ++j) beta[j] = program.x[j] * size;
 }
 
 } // namespace lcpush::desktop

@@ -2,6 +2,7 @@
 
 #include "formats/json_fields.hpp"
 #include "lcpush/desktop/push.hpp"
+#include "text/limits.hpp"
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
 
@@ -9,8 +10,6 @@
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr std::size_t most_bytes = 256U << 20U;
 
 /// Where each entry of the file belongs: by name if the names are exactly the scene's, else by
 /// order. `fault` receives why it fits neither way.
@@ -145,7 +144,7 @@ ForeignAnswer parse_foreign_answer(std::string_view text, const std::string& fil
 }
 
 ForeignAnswer read_foreign_answer(const std::string& path, const SceneFile& file) {
-  return parse_foreign_answer(read_text_file(path, most_bytes), path, file);
+  return parse_foreign_answer(read_text_file(path, limits::answer_bytes), path, file);
 }
 
 } // namespace lcpush::desktop

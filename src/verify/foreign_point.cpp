@@ -1,6 +1,7 @@
 #include "verify/foreign_point.hpp"
 
-#include "verify/owned_program.hpp"
+#include "solve/owned_program.hpp"
+#include "text/limits.hpp"
 
 #include <Eigen/QR>
 
@@ -26,8 +27,7 @@ ForeignMetrics measure_point(const DenseProblem& problem, const Eigen::VectorXd&
 }
 
 std::optional<Eigen::VectorXd> refine_point(const DenseProblem& problem, const Eigen::VectorXd& z) {
-  constexpr Index most_unknowns = 2000;
-  if (z.size() > most_unknowns) return std::nullopt;
+  if (z.size() > limits::unknowns_refined) return std::nullopt;
   const Eigen::VectorXd w = problem.w(z);
   std::vector<Index> basic;
   for (Index i = 0; i < z.size(); ++i)
@@ -55,9 +55,8 @@ std::optional<Eigen::VectorXd> refine_point(const DenseProblem& problem, const E
 }
 
 bool is_stationary(const DenseProblem& problem, const Eigen::VectorXd& z) {
-  constexpr Index most_unknowns = 400;
   const Index n = z.size();
-  if (n > most_unknowns) return false;
+  if (n > limits::unknowns_stationary) return false;
   const Eigen::VectorXd w = problem.w(z);
   Eigen::VectorXd products = z;
   for (Index i = 0; i < n; ++i)
@@ -82,9 +81,8 @@ bool is_stationary(const DenseProblem& problem, const Eigen::VectorXd& z) {
       program.A(i, 2 * n + i) = -1;
     }
   }
-  const auto x = program.solve();
-  if (!x) return false;
-  return gradient.dot(z) - program.c.dot(*x) <= 0.01 * objective;
+  if (program.solve() != Status::solved) return false;
+  return gradient.dot(z) - program.c.dot(program.x) <= 0.01 * objective;
 }
 
 } // namespace lcpush::desktop

@@ -2,22 +2,11 @@
 #pragma once
 
 #include "lcpush/desktop/verify.hpp"
-
-#include <Eigen/Core>
+#include "solve/dense_problem.hpp"
 
 #include <optional>
 
 namespace lcpush::desktop {
-
-/// w = M z + q, 0 <= z _|_ w >= 0; rows marked free: w = 0. Numbers near 1.
-struct DenseProblem {
-  Eigen::MatrixXd M;
-  Eigen::VectorXd q;
-  std::vector<unsigned char> free;
-
-  bool is_free(Index i) const { return free[static_cast<std::size_t>(i)] != 0; }
-  Eigen::VectorXd w(const Eigen::VectorXd& z) const { return M * z + q; }
-};
 
 ForeignMetrics measure_point(const DenseProblem& problem, const Eigen::VectorXd& z);
 

@@ -1,9 +1,9 @@
 #include "lcpush/desktop/verify.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
-#include "text/wording.hpp"
 #include "verify/complete_answer.hpp"
 #include "verify/foreign_point.hpp"
+#include "verify/owned_answer.hpp"
 #include "verify/verify_rows.hpp"
 
 #include <algorithm>
@@ -29,17 +29,6 @@ Eigen::VectorXd unknowns_of(const Layout<double>& layout, const Answer<double>& 
   for (Index a = 0; a < layout.actuators; ++a)
     z[layout.closing(a)] = answer.closing[a] * layout.reach[a] / layout.scales.acceleration;
   return z;
-}
-
-DenseProblem dense(const Problem<double>& problem) {
-  DenseProblem made;
-  made.M.resize(problem.size, problem.size);
-  fill_matrix(problem, MatrixMap<double>(made.M.data(), problem.size, problem.size));
-  made.q = Eigen::Map<const Eigen::VectorXd>(problem.q, problem.size);
-  made.free.assign(static_cast<std::size_t>(problem.size), 0);
-  for (Index i = problem.free_begin; i < problem.size; ++i)
-    made.free[static_cast<std::size_t>(i)] = 1;
-  return made;
 }
 
 /// The largest difference among the contact forces that the file gives.
@@ -78,8 +67,8 @@ private:
   bool has_forces_ = false; // filled in
 
   void study_point();
-  void refine(const DenseProblem& problem, const Eigen::VectorXd& z, OwnedAnswer& refined);
-  void compare(OwnedAnswer& nearest);
+  void refine(const DenseProblem& problem, const Eigen::VectorXd& z, Answer<double>& refined);
+  void compare(const Answer<double>& nearest);
   const BrokenRow& worst_row() const;
 };
 
@@ -91,56 +80,51 @@ const BrokenRow& Verification::worst_row() const {
 }
 
 void Verification::refine(const DenseProblem& problem, const Eigen::VectorXd& z,
-                          OwnedAnswer& refined) {
+                          Answer<double>& refined) {
   const auto point = refine_point(problem, z);
   if (!point) return;
   report_.refined.found = true;
-  Answer<double> view = refined.view();
-  read_answer(push_.assembly(), point->data(), view, 1.0);
-  refined.acceleration = view.acceleration;
-  const Answer<double> before = answer_.view();
-  report_.refined.residual = check(push_.scene(), layout_.scales, view, 1.0).max();
+  read_answer(push_.assembly(), point->data(), refined, 1.0);
+  report_.refined.residual = check(push_.scene(), layout_.scales, refined, 1.0).max();
   report_.refined.moved = (*point - z).cwiseAbs().maxCoeff();
-  report_.refined.force = force_difference(given_, before, view);
-  report_.refined.acceleration = motion_difference(before, view, layout_.scales);
+  report_.refined.force = force_difference(given_, answer_.get(), refined);
+  report_.refined.acceleration = motion_difference(answer_.get(), refined, layout_.scales);
 }
 
 /// Everything that needs the literal problem, before a pressure law changes it.
 void Verification::study_point() {
   const DenseProblem problem = dense(push_.assembly().problem());
-  Answer<double> view = answer_.view();
-  const Eigen::VectorXd z = unknowns_of(layout_, view);
+  const Eigen::VectorXd z = unknowns_of(layout_, answer_.get());
   report_.metrics = measure_point(problem, z);
   report_.objective = report_.metrics.products * layout_.scales.force * layout_.scales.acceleration;
-  report_.basis = study_final_basis(push_.assembly(), view);
+  report_.basis = study_final_basis(push_.assembly(), answer_.get());
   report_.motion_proved = motion_is_determined(push_.scene());
   OwnedAnswer nearest(layout_);
-  refine(problem, z, nearest);
+  refine(problem, z, nearest.get());
   const double tolerance = report_.tolerance;
   if (report_.residual <= tolerance) {
     // Of an answer with few digits, the exact one next to it; a motion alone stands as it is.
     const bool closer =
         !has_forces_ && report_.refined.found && report_.refined.residual < report_.residual;
-    compare(closer ? nearest : answer_);
+    compare((closer ? nearest : answer_).get());
     return;
   }
   report_.verdict = Verdict::not_a_solution;
-  report_.because = worst_row().family + ": " + worst_row().name;
+  report_.because = std::string(law_text(worst_row())) + ": " + worst_row().name;
   bool feasible = z.allFinite();
   const Eigen::VectorXd w = problem.w(z);
   for (Index i = 0; i < z.size(); ++i)
     feasible = feasible && (problem.is_free(i) ? std::abs(w[i]) <= tolerance
                                                : std::min(z[i], w[i]) >= -tolerance);
   for (const BrokenRow& row : report_.rows) {
-    const bool linear = row.family == "newton" || row.family == "grip" ||
-                        row.family == "rigidity" || row.family == "given";
+    const bool linear =
+        !row.law || row.law == Law::newton || row.law == Law::grip || row.law == Law::rigidity;
     feasible = feasible && !(linear && !(row.scaled <= tolerance));
   }
   if (feasible && is_stationary(problem, z)) report_.verdict = Verdict::spurious_minimum;
 }
 
-void Verification::compare(OwnedAnswer& nearest) {
-  const Answer<double> mine = nearest.view();
+void Verification::compare(const Answer<double>& nearest) {
   PushOptions options;
   options.explain_jams = false;
   options.other_covers = 0;
@@ -149,14 +133,14 @@ void Verification::compare(OwnedAnswer& nearest) {
   report_.verdict = Verdict::other_solution;
   if (own.status != Status::solved) return;
   const Scales<double>& scales = layout_.scales;
-  report_.own.force = force_difference(given_, mine, own.answer);
-  report_.own.acceleration = motion_difference(mine, own.answer, scales);
+  report_.own.force = force_difference(given_, nearest, own.answer);
+  report_.own.acceleration = motion_difference(nearest, own.answer, scales);
   const double close = std::max(1e-6, 10 * report_.tolerance);
   double largest = scales.force;
   for (const ContactAnswer<double>& contact : own.answer.contacts)
     largest = std::max(largest, std::abs(contact.normal_force));
   const bool same_motion =
-      lcpush::same_motion<double>({mine.acceleration, {}}, {own.answer.acceleration, {}}, scales,
+      lcpush::same_motion<double>({nearest.acceleration, {}}, {own.answer.acceleration, {}}, scales,
                                   push_size(push_.scene()), close);
   if (!same_motion) return;
   report_.verdict =
@@ -168,13 +152,13 @@ VerifyReport Verification::run() {
     report_.because = given_.not_this_scene;
     return report_;
   }
-  const Completion completion = complete_answer(push_, given_, report_.tolerance, answer_);
+  const Completion completion = complete_answer(push_, given_, report_.tolerance, answer_.get());
   if (!completion.missing.empty())
     throw InputError(given_.file + ": what is given leaves the rest open; give also " +
                      completion.missing);
   has_forces_ = completion.has_forces;
   report_.completed = completion.completed;
-  report_.rows = broken_rows(push_, given_, answer_.view());
+  report_.rows = broken_rows(push_, given_, answer_.get());
   report_.residual = worst_row().scaled;
   study_point();
   return report_;

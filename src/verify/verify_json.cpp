@@ -7,18 +7,13 @@ namespace {
 void write_verdict(JsonWriter& json, Verdict verdict, const std::string& because,
                    double tolerance) {
   json.begin_object().member("verdict", verdict_text(verdict)).member("valid", is_valid(verdict));
-  json.key("because");
-  if (because.empty())
-    json.value(nullptr);
-  else
-    json.value(because);
-  json.member("tolerance", tolerance);
+  json.member("because", unless_empty(because)).member("tolerance", tolerance);
 }
 
 void write_metrics(JsonWriter& json, const ForeignMetrics& metrics) {
-  json.member("natural_map", metrics.natural_map)
-      .member("fischer_burmeister", metrics.fischer_burmeister)
-      .member("products", metrics.products);
+  json.member("natural_map", metrics.natural_map);
+  json.member("fischer_burmeister", metrics.fischer_burmeister);
+  json.member("products", metrics.products);
 }
 
 } // namespace
@@ -29,16 +24,12 @@ std::string verify_json(const VerifyReport& report) {
   if (report.verdict == Verdict::other_data) return json.end_object().text();
   json.member("residual", report.residual);
   json.key("laws").begin_object();
-  for (const BrokenRow& row : report.rows)
-    json.key(row.family)
-        .begin_object()
-        .member("scaled", row.scaled)
-        .member("si", row.si)
-        .member("unit", row.unit)
-        .member("holds", row.scaled <= report.tolerance)
-        .member("row", row.name)
-        .end_object();
-  json.end_object().key("completed").strings(report.completed);
+  for (const BrokenRow& row : report.rows) {
+    json.key(law_text(row)).begin_object().member("scaled", row.scaled).member("si", row.si);
+    json.member("unit", row.unit).member("holds", row.scaled <= report.tolerance);
+    json.member("row", row.name).end_object();
+  }
+  json.end_object().member("completed", report.completed);
   write_metrics(json, report.metrics);
   json.member("objective", report.objective);
   json.key("basis").begin_object().member("refined", report.refined.found);
@@ -48,15 +39,10 @@ std::string verify_json(const VerifyReport& report) {
   json.member("studied", report.basis.studied).member("motion_open", report.basis.motion_open);
   json.member("wrench_open", report.basis.wrench_open);
   json.member("tied_contacts", report.basis.tied_contacts).end_object();
-  json.key("own");
-  if (!is_valid(report.verdict))
-    json.value(nullptr);
-  else
-    json.begin_object()
-        .member("status", status_text(report.own.status))
-        .member("force_difference", report.own.force)
-        .member("acceleration_difference", report.own.acceleration)
-        .end_object();
+  if (!is_valid(report.verdict)) return json.member("own", nullptr).end_object().text();
+  json.key("own").begin_object().member("status", status_text(report.own.status));
+  json.member("force_difference", report.own.force);
+  json.member("acceleration_difference", report.own.acceleration).end_object();
   return json.end_object().text();
 }
 
@@ -65,19 +51,15 @@ std::string verify_json(const RawVerifyReport& report) {
   write_verdict(json, report.verdict, report.because, report.tolerance);
   if (report.verdict == Verdict::other_data) return json.end_object().text();
   json.member("residual", report.residual);
-  json.member("row", report.row < 0 ? std::nullopt : std::optional(report.row + 1));
+  json.member("row", when(report.row >= 0, report.row + 1));
   json.member("z", report.z).member("w", report.w);
   write_metrics(json, report.metrics);
   json.key("basis").begin_object().member("refined", report.refined.found);
   json.member("residual", report.refined.residual).member("moved", report.refined.moved);
-  json.end_object().key("own");
-  if (!is_valid(report.verdict))
-    json.value(nullptr);
-  else
-    json.begin_object()
-        .member("status", status_text(report.own.status))
-        .member("difference", report.own.force)
-        .end_object();
+  json.end_object();
+  if (!is_valid(report.verdict)) return json.member("own", nullptr).end_object().text();
+  json.key("own").begin_object().member("status", status_text(report.own.status));
+  json.member("difference", report.own.force).end_object();
   return json.end_object().text();
 }
 

@@ -1,5 +1,4 @@
 #include "lcpush/desktop/verify.hpp"
-#include "raw/raw_parts.hpp"
 #include "verify/foreign_point.hpp"
 
 #include <algorithm>
@@ -7,20 +6,6 @@
 
 namespace lcpush::desktop {
 namespace {
-
-double residual_of(const RawProblem& problem, const std::vector<double>& z, Index* row = nullptr) {
-  const std::size_t n = z.size();
-  std::vector<double> unit(n, 1.0), scratch(2 * n), w(n);
-  Problem<double> given;
-  given.size = given.free_begin = problem.M.rows;
-  given.matrix = problem.M.values.data();
-  const WorstRow<double> worst = natural_residual(
-      given, problem.q.values.data(), z.data(), unit.data(),
-      [&](Index i) { return problem.free[static_cast<std::size_t>(i)] != 0; }, w.data(),
-      scratch.data());
-  if (row != nullptr) *row = worst.row;
-  return worst.residual;
-}
 
 bool is_feasible(const DenseProblem& problem, const Eigen::VectorXd& z, double tolerance) {
   const Eigen::VectorXd w = problem.w(z);
@@ -51,7 +36,10 @@ RawVerifyReport verify_raw(const RawProblem& problem, const std::vector<double>&
                            Eigen::Map<const Eigen::VectorXd>(problem.q.values.data(), n),
                            problem.free};
   const Eigen::VectorXd point = Eigen::Map<const Eigen::VectorXd>(z.data(), n);
-  report.residual = residual_of(problem, z, &report.row);
+  std::vector<double> w;
+  const WorstRow<double> worst = raw_residual(problem, z, w);
+  report.residual = worst.residual;
+  report.row = worst.row;
   report.metrics = measure_point(dense, point);
   if (report.row >= 0) {
     report.z = point[report.row];
@@ -61,7 +49,7 @@ RawVerifyReport verify_raw(const RawProblem& problem, const std::vector<double>&
   if (const auto refined = refine_point(dense, point)) {
     report.refined.found = true;
     const std::vector<double> found(refined->data(), refined->data() + n);
-    report.refined.residual = residual_of(problem, found);
+    report.refined.residual = raw_residual(problem, found, w).residual;
     report.refined.moved = (*refined - point).cwiseAbs().maxCoeff();
     if (report.refined.residual < report.residual) nearest = found;
   }

@@ -94,7 +94,7 @@ public:
         given_(given), answer_(answer) {}
 
   BrokenRow worst() {
-    worst_ = {"given", "sums and spins that the file states", 0, 0, "N"};
+    worst_ = {std::nullopt, "sums and spins that the file states", 0, 0, "N"};
     for (std::size_t b = 0; b < given_.bodies.size(); ++b) look_at(b);
     for (std::size_t i = 0; i < given_.contacts.size(); ++i)
       if (const auto& spin = given_.contacts[i].spin)
@@ -114,7 +114,7 @@ private:
 
   void note(double difference, double unit, const char* unit_name, const std::string& name) {
     if (is_worse(difference / unit, worst_.scaled))
-      worst_ = {"given", name, std::abs(difference / unit), std::abs(difference), unit_name};
+      worst_ = {std::nullopt, name, std::abs(difference / unit), std::abs(difference), unit_name};
   }
 
   void look_at(std::size_t b) {
@@ -135,7 +135,7 @@ private:
            "normal_force" + of + " is not its points' sum");
     const std::string closes = "closing_acceleration" + of + " is not the motion's";
     if (given.closing.size() == 1)
-      note(given.closing[0] - closing(answer_, body), scales_.acceleration, "m/s^2", closes);
+      note(given.closing[0] - mean_closing(answer_, body), scales_.acceleration, "m/s^2", closes);
     for (std::size_t k = 0; given.closing.size() > 1 && k < given.closing.size(); ++k)
       if (static_cast<Index>(given.closing.size()) == body.point_count)
         note(given.closing[k] - answer_.contacts[body.first_point + static_cast<Index>(k)].closing,
@@ -144,12 +144,6 @@ private:
 };
 
 } // namespace
-
-const char* law_text(Law law) {
-  static const char* const names[] = {"newton", "normal",   "dissipation", "cone",
-                                      "grip",   "rigidity", "pusher"};
-  return names[static_cast<int>(law)];
-}
 
 std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
                                    const Answer<double>& answer) {
@@ -165,8 +159,8 @@ std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
   for (std::size_t law = 0; law < worst.size(); ++law) {
     const Violation<double>& row = worst[law];
     if (!any[law]) continue;
-    rows.push_back({law_text(row.law), name(row), std::abs(row.scaled),
-                    std::abs(row.scaled * row.unit), name.unit(row)});
+    rows.push_back({row.law, name(row), std::abs(row.scaled), std::abs(row.scaled * row.unit),
+                    name.unit(row)});
   }
   rows.push_back(GivenSums(push, given, answer).worst());
   return rows;

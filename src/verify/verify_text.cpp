@@ -82,7 +82,7 @@ std::string verify_text(const SceneFile& file, const VerifyReport& report) {
   std::vector<std::vector<std::string>> table = {{"law", "scaled", "SI", "", "worst row"}};
   for (const BrokenRow& row : report.rows) {
     const bool exact = row.scaled < 1e-9;
-    table.push_back({row.family, short_number(row.scaled), exact ? "" : short_number(row.si),
+    table.push_back({law_text(row), short_number(row.scaled), exact ? "" : short_number(row.si),
                      exact ? "" : row.unit, row.scaled <= report.tolerance ? "holds" : row.name});
   }
   std::size_t widest = 0;

@@ -47,7 +47,7 @@ ROOMS = {
     "src/sweep": ("How does the push change with a number of the scene?",
                   f"{CORE} {TOOLBOX} desktop scenes solve"),
     "src/spread": ("Which other answers are there?", f"{CORE} {TOOLBOX} desktop solve"),
-    "src/verify": ("Is somebody else's answer right?", f"{CORE} {TOOLBOX} desktop solve raw"),
+    "src/verify": ("Is somebody else's answer right?", f"{CORE} {TOOLBOX} desktop solve"),
     "src/export": ("How do other solvers get the problem?", f"{CORE} {TOOLBOX} desktop solve"),
     "src/pivots": ("What happens at every pivot?", f"{CORE} {TOOLBOX} desktop solve"),
     "src/report": ("What does all this look like on a page?", f"{CORE} {TOOLBOX} desktop solve"),

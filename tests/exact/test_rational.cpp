@@ -196,19 +196,6 @@ TEST_CASE("division puts back what an estimated digit took too much") {
   CHECK(remainder < v);
 }
 
-TEST_CASE("the circle's directions are exact where fractions can say them") {
-  CHECK(circle_cosine<Rational>(0, 8) == 1);
-  CHECK(circle_cosine<Rational>(2, 8) == 0);
-  CHECK(circle_cosine<Rational>(4, 8) == -1);
-  CHECK(circle_cosine<Rational>(1, 6) == fraction(1, 2));
-  CHECK(circle_sine<Rational>(1, 12) == fraction(1, 2));
-  CHECK(circle_cosine<Rational>(4, 12) == fraction(-1, 2));
-  for (Index j = 0; j < 10; ++j) {
-    CHECK(circle_cosine<Rational>(j, 10) == Rational(circle_cosine<double>(j, 10)));
-    CHECK(circle_sine<Rational>(j, 10) == Rational(circle_sine<double>(j, 10)));
-  }
-}
-
 TEST_CASE("Lemke in fractions: w and z are exactly complementary on random problems") {
   test::Random random(7);
   for (int round = 0; round < 10; ++round) {

@@ -79,12 +79,13 @@ TEST_CASE("what is no UTF-8 is replaced, one character a byte") {
 TEST_CASE("objects and arrays are indented, short vectors stay on a line") {
   const Eigen::Vector3d force(1, -2.5, 0);
   JsonWriter json;
-  json.begin_object().member("status", "solved").key("force").numbers(force);
+  json.begin_object().member("status", "solved").member("force", force);
   json.key("contacts").begin_array();
   json.begin_object().member("name", "left").member("torsion", nullptr).end_object();
   json.begin_object().end_object();
   json.end_array().key("ray").begin_array().end_array();
-  json.key("basis").strings({"z1", "w\n"}).key("none").numbers(std::vector<double>{});
+  json.member("basis", std::vector<std::string>{"z1", "w\n"});
+  json.member("none", std::vector<double>{}).member("rows", std::vector{force, force});
   json.end_object();
   CHECK(json.text() == R"({
   "status": "solved",
@@ -98,15 +99,54 @@ TEST_CASE("objects and arrays are indented, short vectors stay on a line") {
   ],
   "ray": [],
   "basis": ["z1", "w\n"],
-  "none": []
+  "none": [],
+  "rows": [
+    [1, -2.5, 0],
+    [1, -2.5, 0]
+  ]
+}
+)");
+}
+
+TEST_CASE("lists of objects, and what is not known") {
+  JsonWriter json;
+  json.begin_object().objects("named", std::vector<std::string>{"a"},
+                              [&](const std::string& name) { json.member("name", name); });
+  json.objects("counted", std::ptrdiff_t{2}, [&](std::ptrdiff_t i) { json.member("i", i); });
+  json.list("each", std::vector<int>{1, 2}, [&](int number) { json.value(number); });
+  json.member("known", lcpush::desktop::when(true, 1))
+      .member("unknown", lcpush::desktop::when(false, 1));
+  json.member("empty", lcpush::desktop::unless_empty(std::string()));
+  json.member("full", lcpush::desktop::unless_empty(std::vector<double>{1, 2})).end_object();
+  CHECK(json.text() == R"({
+  "named": [
+    {
+      "name": "a"
+    }
+  ],
+  "counted": [
+    {
+      "i": 0
+    },
+    {
+      "i": 1
+    }
+  ],
+  "each": [
+    1,
+    2
+  ],
+  "known": 1,
+  "unknown": null,
+  "empty": null,
+  "full": [1, 2]
 }
 )");
 }
 
 TEST_CASE("long vectors fill lines of at most 100 characters") {
   const std::vector<double> numbers(200, -1.0 / 3.0);
-  const std::string text =
-      JsonWriter().begin_object().key("z").numbers(numbers).end_object().text();
+  const std::string text = JsonWriter().begin_object().member("z", numbers).end_object().text();
   std::size_t lines = 0;
   for (std::size_t begin = 0; begin < text.size(); ++lines) {
     const std::size_t end = text.find('\n', begin);
@@ -120,7 +160,8 @@ TEST_CASE("long vectors fill lines of at most 100 characters") {
 TEST_CASE("a vector stays on its line up to the hundredth character, its comma included") {
   for (std::size_t length = 85; length <= 100; ++length) {
     JsonWriter json;
-    json.begin_object().key("z").strings({std::string(length, 'x')}).member("y", 1).end_object();
+    const std::vector<std::string> vector{std::string(length, 'x')};
+    json.begin_object().member("z", vector).member("y", 1).end_object();
     const std::string& text = json.text();
     const std::size_t vector_line = text.find('\n', 2) - 2;
     CHECK(vector_line <= 100);

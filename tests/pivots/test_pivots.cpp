@@ -18,12 +18,12 @@ const std::string root = LCPUSH_SOURCE_DIR;
 
 /// Rows of numbers as on the command line.
 ExactProblem problem(const std::string& M, const std::string& q) {
-  return {parse_inline_matrix_exactly(M, "M"), parse_inline_vector_exactly(q, "q"), 0};
+  return {parse_inline_matrix<Rational>(M, "M"), parse_inline_vector<Rational>(q, "q"), 0};
 }
 
 ExactProblem textbook(const std::string& name) {
   const std::string stem = root + "/fixtures/textbook/" + name;
-  return {read_matrix_market_exactly(stem + ".M.mtx"), read_matrix_market_exactly(stem + ".q.mtx"),
+  return {read_matrix_market<Rational>(stem + ".M.mtx"), read_matrix_market<Rational>(stem + ".q.mtx"),
           0};
 }
 
@@ -86,7 +86,7 @@ struct SceneTrace {
 
   explicit SceneTrace(const std::string& path, bool is_exact = true, Index facets = 4)
       : file(with_facets(read_scene(path), facets)), push(file), story(push) {
-    SceneOf<Rational> exact = read_scene_exactly(path);
+    SceneOf<Rational> exact = read_scene<Rational>(path);
     exact.facets = facets;
     PivotOptions options;
     options.is_exact = is_exact;

@@ -70,19 +70,16 @@ TEST_CASE("a view keeps right hands right: right times up points at the viewer")
     REQUIRE(views.size() == 2);
     CHECK(views[0].name == "front");
     for (const desktop::View& view : views) {
-      const Vector right = view.right_sign * Vector::Unit(view.right);
-      const Vector up = view.up_sign * Vector::Unit(view.up);
-      CHECK(view.flat(right).isApprox(desktop::Pixel(1, 0)));
-      CHECK(view.flat(up).isApprox(desktop::Pixel(0, -1))); // y down on a drawing
-      CHECK(view.toward_viewer(cross<double>(right, up)) == 1);
-      CHECK(view.flat(cross<double>(right, up)).norm() == 0);
-      CHECK(view.toward_viewer(right + up) == 0);
+      CHECK(view.flat(view.right).isApprox(desktop::Pixel(1, 0)));
+      CHECK(view.flat(view.up).isApprox(desktop::Pixel(0, -1))); // y down on a drawing
+      CHECK(view.toward.dot(cross<double>(view.right, view.up)) == 1);
+      CHECK(view.flat(view.toward).norm() == 0);
+      CHECK(view.toward.norm() == 1);
     }
     CHECK(views[0].flat(Vector(1, 0, 0)).isApprox(desktop::Pixel(1, 0)));
     // The other view is from above, or from the right.
-    const Vector up = views[0].up_sign * Vector::Unit(views[0].up);
-    const Vector from = views[1].name == "top" ? up : Vector(1, 0, 0);
-    CHECK(views[1].toward_viewer(from) == 1);
+    const Vector from = views[1].name == "top" ? views[0].up : Vector(1, 0, 0);
+    CHECK(views[1].toward.dot(from) == 1);
   }
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 using Exact = SceneOf<Rational>;
 
-Exact exactly(const std::string& text) { return parse_scene_exactly(text, "s.toml"); }
+Exact exactly(const std::string& text) { return parse_scene<Rational>(text, "s.toml"); }
 Rational typed(const std::string& text) { return *Rational::parse(text); }
 Vector3<Rational> typed(const std::string& x, const std::string& y, const std::string& z) {
   return {typed(x), typed(y), typed(z)};
@@ -90,6 +90,19 @@ template <class S> struct OwnedAssembly {
 };
 
 } // namespace
+
+TEST_CASE("the circle's directions are exact where fractions can say them") {
+  CHECK(circle_cosine<Rational>(0, 8) == 1);
+  CHECK(circle_cosine<Rational>(2, 8) == 0);
+  CHECK(circle_cosine<Rational>(4, 8) == -1);
+  CHECK(circle_cosine<Rational>(1, 6) == typed("1/2"));
+  CHECK(circle_sine<Rational>(1, 12) == typed("1/2"));
+  CHECK(circle_cosine<Rational>(4, 12) == typed("-1/2"));
+  for (Index j = 0; j < 10; ++j) {
+    CHECK(circle_cosine<Rational>(j, 10) == Rational(circle_cosine<double>(j, 10)));
+    CHECK(circle_sine<Rational>(j, 10) == Rational(circle_sine<double>(j, 10)));
+  }
+}
 
 TEST_CASE("a decimal is taken as typed") {
   const Exact scene = exactly(with(object_table, "mass = 0.2", "mass = +0.2_0") + finger_table);
@@ -233,7 +246,7 @@ TEST_CASE("the object's shape is kept for drawings") {
 TEST_CASE("every fixture's exact scene is its double scene but for rounding") {
   for (const std::string& path : scene_paths()) {
     CAPTURE(path);
-    const Exact exact = read_scene_exactly(path);
+    const Exact exact = read_scene<Rational>(path);
     const SceneFile rounded = read_scene(path);
     constexpr double rounding = 1e-15;
     CHECK(difference(exact.object.inertia, rounded.object.inertia) < rounding);
@@ -262,7 +275,7 @@ TEST_CASE("every fixture's exact scene is its double scene but for rounding") {
 TEST_CASE("every fixture's exact assembly is its double assembly but for rounding") {
   for (const std::string& path : scene_paths()) {
     CAPTURE(path);
-    const Exact exact_file = read_scene_exactly(path);
+    const Exact exact_file = read_scene<Rational>(path);
     const SceneFile rounded_file = read_scene(path);
     OwnedAssembly<Rational> exact(exact_file);
     OwnedAssembly<double> rounded(rounded_file);
@@ -275,7 +288,7 @@ TEST_CASE("every fixture's exact assembly is its double assembly but for roundin
 TEST_CASE("a grasp with four facets is solved exactly") {
   const std::string path =
       std::string(LCPUSH_SOURCE_DIR) + "/fixtures/scenes/straight_slide_point.toml";
-  Exact file = read_scene_exactly(path);
+  Exact file = read_scene<Rational>(path);
   file.facets = 4;
   OwnedAssembly<Rational> exact(file);
   const Problem<Rational> problem = exact.assembly.problem();

@@ -42,7 +42,7 @@ struct Told {
       : file(desktop::parse_scene(text, "test.toml")), push(file) {
     std::vector<double> v(static_cast<std::size_t>(push.layout().size));
     for (const desktop::NamedValue& entry : entries) v[unknown(entry.name)] = entry.value;
-    jam = desktop::explain_jam(file, push.assembly(), v.data(), false);
+    jam = desktop::explain_jam(file, push.assembly(), v.data());
     for (const std::string& sentence : desktop::jam_sentences(file, jam)) words += sentence + "\n";
   }
   bool says(const std::string& part) const { return words.find(part) != std::string::npos; }

@@ -21,16 +21,16 @@ using Numbers = std::vector<Rational>;
 
 /// "1/2 -3": as on the command line.
 inline Numbers numbers(const std::string& text) {
-  return parse_inline_vector_exactly(text, "test").values;
+  return parse_inline_vector<Rational>(text, "test").values;
 }
 
 inline ExactProblem typed(const std::string& M, const std::string& q) {
-  return {parse_inline_matrix_exactly(M, "M"), parse_inline_vector_exactly(q, "q"), 0};
+  return {parse_inline_matrix<Rational>(M, "M"), parse_inline_vector<Rational>(q, "q"), 0};
 }
 
 inline ExactProblem textbook(const std::string& name) {
   const std::string stem = fixtures + "textbook/" + name;
-  return {read_matrix_market_exactly(stem + ".M.mtx"), read_matrix_market_exactly(stem + ".q.mtx"),
+  return {read_matrix_market<Rational>(stem + ".M.mtx"), read_matrix_market<Rational>(stem + ".q.mtx"),
           0};
 }
 
@@ -47,7 +47,7 @@ inline ExactProblem scene(const std::string& path, const std::string& from = "",
     REQUIRE(at != std::string::npos);
     text.replace(at, from.size(), to);
   }
-  const SceneOf<Rational> exact = parse_scene_exactly(text, path);
+  const SceneOf<Rational> exact = parse_scene<Rational>(text, path);
   CHECK(exact.inexact.empty());
   return exact_problem(exact);
 }

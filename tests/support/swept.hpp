@@ -28,10 +28,10 @@ inline void check_covers(const Sweep& sweep) {
   REQUIRE(!sweep.segments.empty());
   CHECK(sweep.segments.front().from == sweep.variations[0].from);
   CHECK(sweep.segments.back().to == sweep.variations[0].to);
-  CHECK(sweep.segments.back().change.empty());
+  CHECK(sweep.segments.back().change.is_empty());
   for (std::size_t i = 1; i < sweep.segments.size(); ++i) {
     CHECK(sweep.segments[i].from == sweep.segments[i - 1].to);
-    CHECK(!sweep.segments[i - 1].change.empty());
+    CHECK(!sweep.segments[i - 1].change.is_empty());
   }
 }
 

@@ -19,11 +19,13 @@ TEST_CASE("straight slide over the grip force: slope 2 mu and breakpoints to 1e-
   CHECK(last.kind == SegmentKind::exact);
   CHECK(std::abs(last.from - 6.54) <= 1e-9);
   CHECK(std::abs(breakpoint_near(sweep, 6.52) - 6.52) <= 1e-9);
-  const double slope = (last.at_to.break_force - last.at_from.break_force) / (last.to - last.from);
+  const double slope =
+      (last.at_to.breaking.normal - last.at_from.breaking.normal) / (last.to - last.from);
   CHECK(std::abs(slope - 1) <= 1e-9);
-  CHECK(std::abs(last.at_to.break_force - slope * last.to) <= 1e-8);
-  CHECK(std::abs(last.at_to.force[0] - 30.02) <= 1e-8);
-  CHECK(sweep.segments[sweep.segments.size() - 2].change == "at breaking: wall sticks");
+  CHECK(std::abs(last.at_to.breaking.normal - slope * last.to) <= 1e-8);
+  CHECK(std::abs(last.at_to.push.force[0] - 30.02) <= 1e-8);
+  CHECK(change_text(sweep, sweep.segments[sweep.segments.size() - 2]) ==
+        "at breaking: wall sticks");
   CHECK(sweep.bistable.empty());
   CHECK(sweep.complete);
 }
@@ -37,8 +39,8 @@ TEST_CASE("the slope is 2 mu for every friction, aligned with a facet") {
                                           "friction = 0.5", "friction = " + std::to_string(mu));
     const Sweep sweep = swept(text, "*.grip_force", 60, 100);
     REQUIRE(sweep.segments.size() == 1);
-    CHECK(std::abs(sweep.segments[0].at_from.break_force - 2 * mu * 60) <= 1e-8);
-    CHECK(std::abs(sweep.segments[0].at_to.break_force - 2 * mu * 100) <= 1e-8);
+    CHECK(std::abs(sweep.segments[0].at_from.breaking.normal - 2 * mu * 60) <= 1e-8);
+    CHECK(std::abs(sweep.segments[0].at_to.breaking.normal - 2 * mu * 100) <= 1e-8);
   }
 }
 
@@ -52,8 +54,8 @@ TEST_CASE("tipping over the tip's force: (m g + F) / 3, one segment under every 
     const bool exact = std::string(law) == "rigid";
     CHECK((sweep.segments[0].kind == SegmentKind::exact) == exact);
     const double tolerance = exact ? 1e-9 : 1e-6;
-    CHECK(std::abs(sweep.segments[0].at_from.break_force - (4.905 + 1) / 3) <= tolerance);
-    CHECK(std::abs(sweep.segments[0].at_to.break_force - (4.905 + 30) / 3) <= 10 * tolerance);
+    CHECK(std::abs(sweep.segments[0].at_from.breaking.normal - (4.905 + 1) / 3) <= tolerance);
+    CHECK(std::abs(sweep.segments[0].at_to.breaking.normal - (4.905 + 30) / 3) <= 10 * tolerance);
   }
 }
 
@@ -62,11 +64,12 @@ TEST_CASE("a grasp that drops its load below some grip force says so, segment by
   const std::string text = rigid(
       lcpush::test::with(scene_text("straight_slide.toml"), "friction = 0.3", "friction = 0"));
   const Sweep sweep = swept(text, "*.grip_force", 1, 4);
-  CHECK(sweep.segments.front().at_from.breaking == Status::does_not_hold);
-  CHECK(sweep.segments.back().at_from.breaking == Status::solved);
+  CHECK(sweep.segments.front().at_from.breaking.status == Status::does_not_hold);
+  CHECK(sweep.segments.back().at_from.breaking.status == Status::solved);
   bool told = false;
   for (const SweepSegment& segment : sweep.segments)
-    told = told || segment.change.find("the grasp holds the object") != std::string::npos;
+    told =
+        told || change_text(sweep, segment).find("the grasp holds the object") != std::string::npos;
   CHECK(told);
   CHECK(std::abs(breakpoint_near(sweep, 1.962) - 1.962) <= 1e-9);
 }
@@ -77,7 +80,8 @@ TEST_CASE("rolling over the grip force: sharp at F*, and bistable where both mot
   const double g = 4.905, inertia = 0.5 * 0.5 * 0.1; // m g and I a / R^2
   const double rolls_to = (0.5 * g / (1 - 0.5 * 0.3) - inertia) / 0.6;
   CHECK(std::abs(breakpoint_near(sharp, rolls_to) - rolls_to) <= 1e-9);
-  CHECK(sharp.segments.front().change == "as prescribed: sheet starts to slide along -x");
+  CHECK(change_text(sharp, sharp.segments.front()) ==
+        "as prescribed: sheet starts to slide along -x");
 
   // At a sheet of 0.8 rolling goes on to F*, sliding begins earlier: the way back shows it.
   const Sweep two = swept(scene_text("rolling_two_answers.toml"), "*.grip_force", 7, 10);
@@ -87,15 +91,17 @@ TEST_CASE("rolling over the grip force: sharp at F*, and bistable where both mot
   CHECK(two.bistable.front().from < up_to);
   REQUIRE(!two.back.empty());
   CHECK(two.back.front().from == 10);
-  CHECK(two.back.front().change.find("the solution path turns back here") != std::string::npos);
-  CHECK(two.back.front().jumps);
+  CHECK(change_text(two, two.back.front()).find("the solution path turns back here") !=
+        std::string::npos);
+  CHECK(two.back.front().change.push.front().path == PathBreak::turned_back);
+  CHECK(two.back.front().change.jumps);
 }
 
 TEST_CASE("a jam over the whole range is one unsolved segment that says ray") {
   const Sweep sweep = swept(rigid(scene_text("jam.toml")), "*.grip_force", 1, 9);
   REQUIRE(sweep.segments.size() == 1);
   CHECK(sweep.segments[0].kind == SegmentKind::unsolved);
-  CHECK(sweep.segments[0].at_from.push == Status::ray);
+  CHECK(sweep.segments[0].at_from.push.status == Status::ray);
   CHECK_FALSE(sweep.complete);
 }
 
@@ -103,8 +109,8 @@ TEST_CASE("where no pusher moves there is a push to report, and no breaking") {
   const std::string text = lcpush::test::with(
       rigid(scene_text("tipping.toml")), "acceleration = [0.1, 0, 0]", "acceleration = [0, 0, 0]");
   const Sweep sweep = swept(text, "tip.grip_force", 5, 10);
-  CHECK(sweep.segments[0].at_from.breaking == Status::bad_input); // nothing moves: not asked
-  CHECK(sweep.segments[0].at_from.push == Status::solved);
+  CHECK(sweep.segments[0].at_from.breaking.status == Status::bad_input); // nothing moves: not asked
+  CHECK(sweep.segments[0].at_from.push.status == Status::solved);
   CHECK(sweep.complete);
 }
 

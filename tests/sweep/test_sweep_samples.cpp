@@ -14,10 +14,11 @@ TEST_CASE("a motion that changes its sign jumps where it is zero, and breaks on 
   const Sweep sweep = swept(rigid(scene_text("rolling.toml")), "sheet.acceleration[0]", -1, 1);
   REQUIRE(sweep.segments.size() == 2);
   CHECK(std::abs(sweep.segments[0].to) <= 1e-12);
-  CHECK(sweep.segments[0].jumps);
-  CHECK(sweep.segments[0].at_from.force[0] == doctest::Approx(-sweep.segments[1].at_to.force[0]));
+  CHECK(sweep.segments[0].change.jumps);
+  CHECK(sweep.segments[0].at_from.push.force[0] ==
+        doctest::Approx(-sweep.segments[1].at_to.push.force[0]));
   for (const SweepSegment& segment : sweep.segments)
-    CHECK(segment.at_from.breaking == Status::solved);
+    CHECK(segment.at_from.breaking.status == Status::solved);
 }
 
 TEST_CASE("samples: warm and cold agree, and few solves are cold") {
@@ -36,8 +37,8 @@ TEST_CASE("samples: warm and cold agree, and few solves are cold") {
     REQUIRE(warm.points.size() == cold.points.size());
     for (std::size_t i = 0; i < warm.points.size(); ++i) {
       const SweepValue &a = warm.points[i].at, &b = cold.points[i].at;
-      CHECK(a.break_force == doctest::Approx(b.break_force).epsilon(1e-6));
-      CHECK((a.force - b.force).norm() <= 1e-6 * b.force.norm());
+      CHECK(a.breaking.normal == doctest::Approx(b.breaking.normal).epsilon(1e-6));
+      CHECK((a.push.force - b.push.force).norm() <= 1e-6 * b.push.force.norm());
     }
   }
 }
@@ -56,9 +57,9 @@ TEST_CASE("samples are refined to 1e-6 of the range where modes change") {
   CHECK(after - before <= 1e-6);
   bool told = false;
   for (const SweepPoint& point : sweep.points)
-    told = told || point.change.find("wall sticks") != std::string::npos;
+    told = told || change_text(sweep, point).find("wall sticks") != std::string::npos;
   CHECK(told);
-  CHECK(sweep.points.front().modes.size() == sweep.contacts.size());
+  CHECK(sweep.points.front().modes.size() == sweep.scene.points.size());
 }
 
 TEST_CASE("two parameters make a map, row by row") {
@@ -74,8 +75,8 @@ TEST_CASE("two parameters make a map, row by row") {
   CHECK(*sweep.points[3].second == 15);
   // Without weight everything is in proportion to the grip.
   for (std::size_t i = 0; i < 3; ++i)
-    CHECK(sweep.points[6 + i].at.break_force ==
-          doctest::Approx(2 * sweep.points[i].at.break_force).epsilon(1e-6));
+    CHECK(sweep.points[6 + i].at.breaking.normal ==
+          doctest::Approx(2 * sweep.points[i].at.breaking.normal).epsilon(1e-6));
 }
 
 TEST_CASE("zeros of the motion: a point pusher keeps the bar straight at one height") {

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <iosfwd>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -13,8 +13,26 @@
 
 namespace lcpush::desktop {
 
+/// The operators that follow from T's +, -, *, ==, compare(), negate() and text().
+template <class T> class Arithmetic {
+  friend bool operator!=(const T& a, const T& b) { return !(a == b); }
+  friend bool operator<(const T& a, const T& b) { return T::compare(a, b) < 0; }
+  friend bool operator>(const T& a, const T& b) { return T::compare(a, b) > 0; }
+  friend bool operator<=(const T& a, const T& b) { return T::compare(a, b) <= 0; }
+  friend bool operator>=(const T& a, const T& b) { return T::compare(a, b) >= 0; }
+  friend T& operator+=(T& a, const T& b) { return a = a + b; }
+  friend T& operator-=(T& a, const T& b) { return a = a - b; }
+  friend T& operator*=(T& a, const T& b) { return a = a * b; }
+  friend std::ostream& operator<<(std::ostream& out, const T& a) { return out << a.text(); }
+  friend T operator-(T a) {
+    a.negate();
+    return a;
+  }
+  friend T abs(T a) { return a.sign() < 0 ? -std::move(a) : a; }
+};
+
 /// Sign and magnitude. One of less than 2^64 needs no heap; moving never does.
-class BigInteger {
+class BigInteger : Arithmetic<BigInteger> {
 public:
   using Limb = std::uint64_t;
 
@@ -51,16 +69,12 @@ public:
 
   int sign() const { return size_ < 0 ? -1 : size_ > 0 ? 1 : 0; }
   bool is_zero() const { return size_ == 0; }
-  bool is_one() const { return size_ == 1 && limbs()[0] == 1; }
-  bool is_odd() const { return size_ != 0 && (limbs()[0] & 1U) != 0; }
+  bool is_one() const { return size_ == 1 && low() == 1; }
+  bool is_odd() const { return (low() & 1U) != 0; }
   /// Bits of the magnitude; 0 for 0.
   std::size_t bit_length() const;
 
   void negate() { size_ = -size_; }
-  BigInteger operator-() const;
-  BigInteger& operator+=(const BigInteger& b);
-  BigInteger& operator-=(const BigInteger& b);
-  BigInteger& operator*=(const BigInteger& b) { return *this = *this * b; }
 
   friend BigInteger operator+(const BigInteger& a, const BigInteger& b);
   friend BigInteger operator-(const BigInteger& a, const BigInteger& b);
@@ -79,20 +93,10 @@ public:
   friend BigInteger gcd(const BigInteger& a, const BigInteger& b);
   /// The largest whole number whose square is not above a. Pre: a >= 0.
   friend BigInteger root(const BigInteger& a);
-  friend BigInteger abs(BigInteger a) {
-    if (a.size_ < 0) a.negate();
-    return a;
-  }
 
   /// < 0, 0 or > 0 as a is below, equal to or above b.
   static int compare(const BigInteger& a, const BigInteger& b);
   friend bool operator==(const BigInteger& a, const BigInteger& b) { return compare(a, b) == 0; }
-  friend bool operator!=(const BigInteger& a, const BigInteger& b) { return compare(a, b) != 0; }
-  friend bool operator<(const BigInteger& a, const BigInteger& b) { return compare(a, b) < 0; }
-  friend bool operator>(const BigInteger& a, const BigInteger& b) { return compare(a, b) > 0; }
-  friend bool operator<=(const BigInteger& a, const BigInteger& b) { return compare(a, b) <= 0; }
-  friend bool operator>=(const BigInteger& a, const BigInteger& b) { return compare(a, b) >= 0; }
-  friend std::ostream& operator<<(std::ostream& out, const BigInteger& a);
 
 private:
   Limb small_ = 0;
@@ -103,6 +107,7 @@ private:
   const Limb* limbs() const { return heap_ ? heap_.get() : &small_; }
   Limb* limbs() { return heap_ ? heap_.get() : &small_; }
   std::size_t count() const { return static_cast<std::size_t>(size_ < 0 ? -size_ : size_); }
+  Limb low() const { return size_ == 0 ? 0 : limbs()[0]; } ///< of the magnitude
   void forget() {
     heap_.reset();
     capacity_ = 0;
@@ -111,6 +116,8 @@ private:
 
   Limb* room(std::size_t count);
   void finish(std::size_t count, bool is_negative);
+  /// `magnitude` is a number of 128 bits.
+  template <class Wide> static BigInteger of_two_limbs(Wide magnitude, bool is_negative);
   static BigInteger sum(const BigInteger& a, const BigInteger& b, bool b_negative);
 };
 

@@ -1,6 +1,7 @@
 // A ray in words: who squeezes the object against whom, and what would free it.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,12 +33,18 @@ struct Jam {
   std::vector<Remedy> remedies;
 };
 
-/// Reads the ray v >= 0 of assembly.problem(), the scene of `file`. `try_remedies` solves each
-/// changed scene once. Cost: O(forces) and those solves.
-Jam explain_jam(const SceneFile& file, const Assembly<double>& assembly, const double* v,
-                bool try_remedies);
+/// Does this changed scene have an answer?
+using TryScene = std::function<bool(const SceneFile&)>;
 
-/// The jam in full sentences, a line each.
+/// Reads the ray v >= 0 of assembly.problem(), the scene of `file`. Each remedy's scene is tried by
+/// `solves`, or none if that is empty. Cost: O(forces) and those solves.
+Jam explain_jam(const SceneFile& file, const Assembly<double>& assembly, const double* v,
+                const TryScene& solves = {});
+
+/// The jam in full sentences, and the remedies that the last of them announces.
+std::vector<std::string> jam_findings(const SceneFile& file, const Jam& jam);
+std::vector<std::string> jam_remedies(const Jam& jam);
+/// Both, a line each; a remedy's begins with a dash.
 std::vector<std::string> jam_sentences(const SceneFile& file, const Jam& jam);
 
 } // namespace lcpush::desktop

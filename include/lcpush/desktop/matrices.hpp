@@ -33,8 +33,8 @@ struct PatchRigidity {
 constexpr Index largest_checked_patch = 256; // points; the work grows with their cube
 
 /// SI units, scene axes, wrenches and twists at the object's centre of mass; the meaning of each
-/// matrix is in mechanics/paper/paper_matrices.hpp. The scene as the file has it: `even` pressure splits
-/// bodies and actuators only when it is solved.
+/// matrix is in mechanics/paper/paper_matrices.hpp. The scene as the file has it: `even` pressure
+/// splits bodies and actuators only when it is solved.
 struct PaperMatrices {
   NamedMatrix M;     ///< 6 x 6
   NamedMatrix w;     ///< 6 x 1

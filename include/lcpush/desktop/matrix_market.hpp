@@ -29,26 +29,24 @@ template <class S> struct MatrixOf {
 using HostMatrix = MatrixOf<double>;
 using ExactMatrix = MatrixOf<Rational>;
 
+// Numbers come as S = double, the nearest, or as S = Rational: then every decimal is taken as
+// typed, so that 0.2 is 1/5.
+
 /// Every entry is finite, none is missing, none comes twice. Throws InputError otherwise, and
 /// allocates nothing for a size that the file is too short for.
-HostMatrix read_matrix_market(const std::string& path);
+template <class S = double> MatrixOf<S> read_matrix_market(const std::string& path);
 
 /// The same for a text; `file_name` only names it in messages.
 HostMatrix parse_matrix_market(const std::string& text, const std::string& file_name);
 
-/// The same with every decimal taken as typed, so that 0.2 is 1/5.
-ExactMatrix read_matrix_market_exactly(const std::string& path);
-
 /// Rows by `;`, numbers by blanks or commas: "2 1; 1 2", fractions among them: "1/3". `option`
 /// names the text in messages.
-HostMatrix parse_inline_matrix(std::string_view text, const std::string& option);
+template <class S = double>
+MatrixOf<S> parse_inline_matrix(std::string_view text, const std::string& option);
 
 /// One row or one column, "-5 -6" or "-5; -6", as an n x 1 matrix.
-HostMatrix parse_inline_vector(std::string_view text, const std::string& option);
-
-/// Both exactly.
-ExactMatrix parse_inline_matrix_exactly(std::string_view text, const std::string& option);
-ExactMatrix parse_inline_vector_exactly(std::string_view text, const std::string& option);
+template <class S = double>
+MatrixOf<S> parse_inline_vector(std::string_view text, const std::string& option);
 
 enum class MatrixMarketFormat {
   array,      ///< every entry

@@ -84,6 +84,7 @@ struct PivotTrace {
   bool has_fractions = false;     ///< numbers are exact and written as fractions
   bool prefers_decimals = false;  ///< on the page, which can show both
   TieRule rule = TieRule::lexicographic;
+  bool is_physical = false;  ///< a scene's: variables mean forces and motions
   bool is_as_solved = false; ///< the real run: scaled, under generic covers, its warm rounds
   Status status = Status::running;
   std::string reason; ///< a sentence; empty when solved
@@ -96,12 +97,17 @@ struct PivotTrace {
   std::optional<TracedRay> ray;
   std::optional<Cycle> cycle;
   std::vector<std::string> notes; ///< for people: what was not as typed, what was left out
+
+  const std::string& name(Index variable) const {
+    return variables[static_cast<std::size_t>(variable)].name;
+  }
 };
 
 /// What variables are called and what pivots mean.
 class Story {
 public:
   virtual ~Story() = default;
+  virtual bool is_physical() const { return false; }
   /// Of variable w_i, z_i or z0.
   virtual std::string meaning(Index variable) const = 0;
   /// What a pivot means. `basic` says which variables are basic while the entering one grows,
@@ -157,8 +163,8 @@ PivotTrace trace_solve(const RawProblem& problem, const PivotOptions& options, c
 
 /// A line and a sentence a pivot; tableaus where they are narrow.
 std::string pivots_text(const PivotTrace& trace);
-/// One object; docs/teach/lemke_by_hand.md describes it. `push`, if there is one, adds what is drawn.
-/// Large traces come without a tableau a pivot; `tableaus` false leaves all of those out.
+/// One object; docs/teach/lemke_by_hand.md describes it. `push`, if there is one, adds what is
+/// drawn. Large traces come without a tableau a pivot; `tableaus` false leaves all of those out.
 std::string pivots_json(const PivotTrace& trace, const Push* push, bool tableaus = true);
 /// An array a basis, its pivot element boxed, for LaTeX with amsmath.
 std::string pivots_latex(const PivotTrace& trace);
@@ -168,8 +174,11 @@ std::string pivots_html(const PivotTrace& trace, const Push* push);
 std::string tableau_text(const PivotTrace& trace, const Tableau& tableau, const TracedPivot* pivot);
 /// "3/7", "0.25", "2 S - 1".
 std::string value_text(const TraceValue& value);
-/// What decided between tied rows, in words.
-const char* tie_break_text(const TracedPivot& pivot);
+/// What decided between tied rows: as JSON names it, and in words.
+struct TieWords {
+  const char *name, *text;
+};
+TieWords tie_words(const TracedPivot& pivot);
 
 /// "w1", "z3", "z0", counted from 1.
 std::string variable_name(Index variable, Index n);

@@ -6,10 +6,8 @@
 #pragma once
 
 #include "lcpush/desktop/big_integer.hpp"
-#include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/types.hpp"
 
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,7 +16,7 @@
 namespace lcpush::desktop {
 
 /// A fraction in lowest terms, its denominator positive. Moving is cheap and never throws.
-class Rational {
+class Rational : Arithmetic<Rational> {
 public:
   Rational() = default;
   template <class I, std::enable_if_t<std::is_integral_v<I>, int> = 0>
@@ -46,11 +44,7 @@ public:
   /// Bits of the longer of numerator and denominator.
   std::size_t bit_length() const;
 
-  Rational operator-() const& { return Rational(*this).negated(); }
-  Rational operator-() && { return std::move(negated()); }
-  Rational& operator+=(const Rational& b) { return *this = *this + b; }
-  Rational& operator-=(const Rational& b) { return *this = *this - b; }
-  Rational& operator*=(const Rational& b) { return *this = *this * b; }
+  void negate() { numerator_.negate(); }
   Rational& operator/=(const Rational& b) { return *this = *this / b; }
 
   friend Rational operator+(const Rational& a, const Rational& b) { return sum(a, b, false); }
@@ -61,10 +55,6 @@ public:
   /// Pre: b != 0.
   friend Rational operator/(const Rational& a, const Rational& b);
 
-  friend Rational abs(Rational a) {
-    if (a.sign() < 0) a.negated();
-    return a;
-  }
   /// Exact where the root is a fraction, else the exact value of the double nearest to the root of
   /// a.value(). Pre: a >= 0, a.value() finite if the root is no fraction.
   friend Rational sqrt(const Rational& a);
@@ -74,21 +64,11 @@ public:
   friend bool operator==(const Rational& a, const Rational& b) {
     return a.numerator_ == b.numerator_ && a.denominator_ == b.denominator_;
   }
-  friend bool operator!=(const Rational& a, const Rational& b) { return !(a == b); }
-  friend bool operator<(const Rational& a, const Rational& b) { return compare(a, b) < 0; }
-  friend bool operator>(const Rational& a, const Rational& b) { return compare(a, b) > 0; }
-  friend bool operator<=(const Rational& a, const Rational& b) { return compare(a, b) <= 0; }
-  friend bool operator>=(const Rational& a, const Rational& b) { return compare(a, b) >= 0; }
-  friend std::ostream& operator<<(std::ostream& out, const Rational& a);
 
 private:
   BigInteger numerator_;
   BigInteger denominator_ = 1;
 
-  Rational& negated() {
-    numerator_.negate();
-    return *this;
-  }
   static Rational in_lowest_terms(BigInteger numerator, BigInteger denominator);
   static Rational sum(const Rational& a, const Rational& b, bool subtract);
   static Rational product(const BigInteger& a, const BigInteger& b, const BigInteger& c,
@@ -99,12 +79,6 @@ private:
 std::optional<Rational> exact_root(const Rational& a);
 
 } // namespace lcpush::desktop
-
-namespace lcpush {
-/// cos(2 pi j / g): 0, +-1/2 and +-1 exactly, else the value of the double, so that no series is
-/// summed in fractions.
-template <> desktop::Rational circle_cosine<desktop::Rational>(Index j, Index g);
-} // namespace lcpush
 
 template <> struct Eigen::NumTraits<lcpush::desktop::Rational> {
   using Real = lcpush::desktop::Rational;

@@ -6,6 +6,7 @@
 #include "lcpush/desktop/matrix_market.hpp"
 #include "lcpush/desktop/solver.hpp"
 #include "lcpush/desktop/watcher.hpp"
+#include "lcpush/lcp/residual.hpp"
 #include "lcpush/lcp/sweeps/judged_sweeps.hpp"
 
 namespace lcpush::desktop {
@@ -15,6 +16,11 @@ struct RawProblem {
   HostMatrix q;                    ///< n x 1
   std::vector<unsigned char> free; ///< n; not 0: z_i is free and row i is the equality w_i = 0
 };
+
+/// Of the problem as given: w = M z + q, and the largest scaled natural residual
+/// (natural_residual).
+WorstRow<double> raw_residual(const RawProblem& problem, const std::vector<double>& z,
+                              std::vector<double>& w);
 
 /// The residual after so many sweeps.
 struct SweepResidual {

@@ -2,12 +2,19 @@
 #pragma once
 
 #include "lcpush/desktop/rational.hpp"
+#include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/scene.hpp"
 
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
+
+namespace lcpush {
+/// Of an exact scene's friction directions: 0, +-1/2 and +-1 exactly, else the value of the double,
+/// so that no series is summed in fractions.
+template <> desktop::Rational circle_cosine<desktop::Rational>(Index j, Index g);
+} // namespace lcpush
 
 namespace lcpush::desktop {
 
@@ -55,6 +62,8 @@ template <class S> struct SceneOf {
             span_of(drives)};
   }
 
+  const std::string& body_name(Index b) const { return body_names[static_cast<std::size_t>(b)]; }
+  const Body<S>& body(Index b) const { return bodies[static_cast<std::size_t>(b)]; }
   /// The body of a point of `points`. Cost: O(bodies).
   Index body_of(Index point) const {
     std::size_t b = 0;
@@ -65,22 +74,30 @@ template <class S> struct SceneOf {
 
 using SceneFile = SceneOf<double>;
 
+/// How a pressure law is spelled, in the order of the enumeration.
+inline std::vector<std::string> pressure_names() {
+  std::vector<std::string> names;
+  for (const Pressure pressure : pressures) names.emplace_back(pressure_text(pressure));
+  return names;
+}
+
 /// Reads the scene file at `path`. Every value of the result is finite and physical: unit normals
 /// and tangents, a positive definite inertia, at least one contact point, no coincident points in
 /// a patch. Throws InputError, with file and line, on anything else; it guesses nothing.
-SceneFile read_scene(const std::string& path);
+///
+/// S = Rational takes decimals as typed, so that 0.2 is 1/5. What no fraction can say (a normal
+/// that takes a root, points of discs, directions of eight facets) is taken as the exact value of
+/// its double and named in `inexact`; a number of more than 10,000 digits is refused.
+template <class S = double> SceneOf<S> read_scene(const std::string& path);
 
 /// The same for a text in memory; `file_name` only names it in messages.
-SceneFile parse_scene(std::string_view text, const std::string& file_name);
+template <class S = double>
+SceneOf<S> parse_scene(std::string_view text, const std::string& file_name);
 
-/// The same scenes with decimals taken as typed, so that 0.2 is 1/5. What no fraction can say (a
-/// normal that takes a root, points of discs, directions of eight facets) is taken as the exact
-/// value of its double and named in `inexact`. Checks and messages are read_scene's, and a number
-/// of more than 10,000 digits is refused.
-SceneOf<Rational> read_scene_exactly(const std::string& path);
-SceneOf<Rational> parse_scene_exactly(std::string_view text, const std::string& file_name);
+/// The text of a scene file. Throws InputError if it cannot be read or is far too large for one.
+std::string read_scene_text(const std::string& path);
 
-/// The same sentences for the friction directions, which depend on `facets` as it is now.
+/// The sentences of `inexact` for the friction directions, which depend on `facets` as it is now.
 std::vector<std::string> irrational_directions(const SceneOf<Rational>& scene);
 
 } // namespace lcpush::desktop

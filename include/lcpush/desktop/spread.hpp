@@ -17,7 +17,6 @@ struct Interval {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
 
-  bool is_empty() const { return !(low <= high); }
   double width() const { return high - low; }
   void include(double x) {
     if (x < low) low = x;

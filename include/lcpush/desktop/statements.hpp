@@ -20,12 +20,17 @@ struct ExistenceFound {
 ExistenceFound find_existence(const SceneFile& file, const Assembly<double>& assembly);
 
 struct Statement {
-  bool covered = false;  ///< a theorem of docs/theory/theory.md says so
-  std::string statement; ///< what it says, or "none"
-  std::string reason;    ///< why, or why not
+  bool covered = false;             ///< a theorem of docs/theory/theory.md says so
+  std::string statement;            ///< what it says, or "none"
+  std::vector<std::string> reasons; ///< why, or why not; the first stands for itself
+
+  std::string reason() const; ///< all of them
 };
 
 Statement existence_statement(const SceneFile& file, const ExistenceFound& found);
+
+/// "2 contacts are between two modes".
+std::string tied_words(Index contacts);
 
 struct PushReport;
 /// For a push that is solved.

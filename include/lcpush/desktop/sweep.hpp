@@ -6,6 +6,7 @@
 #include "lcpush/mechanics/model/answer.hpp"
 #include "lcpush/status.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -19,17 +20,64 @@ struct Variation {
   double from = 0, to = 0; ///< different; from may be the larger one
 };
 
-/// What is known of the scene at one value. What is not solved is zero.
+/// The answer to one of the two questions: the push as prescribed, or the instant of breaking.
+/// Of an answer that is not solved all but the status is zero.
+struct SweepAnswer {
+  Status status = Status::bad_input; ///< bad_input: nothing moves, so that there is no question;
+                                     ///< does_not_hold: the object moves before it is pushed
+  double normal = 0;                 ///< N, the pusher's; of breaking the force of `break`
+  Vector3<double> force = Vector3<double>::Zero(); ///< N, the pusher's on the object
+  Vector6<double> twist = Vector6<double>::Zero(); ///< the object's acceleration; at breaking that
+                                                   ///< of a unit push
+  double residual = 0;                             ///< the worst law's
+  double force_noise = 0;                          ///< N: what rounding leaves of a force
+  double motion_noise = 0, turning_noise = 0;      ///< m/s^2, rad/s^2: and of a twist
+
+  double twist_noise(Index component) const { return component < 3 ? motion_noise : turning_noise; }
+  bool is_solved() const { return status == Status::solved; }
+  bool is_known() const { return is_solved() || status == Status::does_not_hold; }
+};
+
+/// What is known of the scene at one value.
 struct SweepValue {
-  Status push = Status::bad_input;     ///< of the push as prescribed
-  Status breaking = Status::bad_input; ///< of the instant of breaking; does_not_hold: the object
-                                       ///< moves before it is pushed
-  double break_force = 0;              ///< N, as in `break`; 0 unless solved
-  Vector3<double> force = Vector3<double>::Zero(); ///< N, the pusher's on the object, as prescribed
-  Vector6<double> twist = Vector6<double>::Zero(); ///< the object's acceleration, as prescribed
-  Vector6<double> break_twist = Vector6<double>::Zero(); ///< at breaking, per unit push
-  double residual = 0;                                   ///< the worst law's, of both
-  double motion_noise = 0, turning_noise = 0; ///< m/s^2, rad/s^2: what rounding leaves of a twist
+  SweepAnswer push, breaking;
+
+  double residual() const { return std::max(push.residual, breaking.residual); }
+};
+
+/// What a contact does from some value of the parameter on that it did not do before.
+struct ContactChange {
+  Index contact;
+  Mode from, to;
+  bool was_pressed, is_pressed; ///< neither pair differs: its friction turns
+  Vector3<double> slip; ///< from here on: unit vector, or zero if the contact does not slide
+};
+
+/// Why the exact path of answers did not simply go on.
+enum class PathBreak {
+  none,
+  jump,        ///< all answers between the two are answers as well
+  turned_back, ///< the path returns to values that it came from
+  ray,         ///< the path has no next answer
+};
+
+/// What happens to one of the two answers: the contacts' modes change, or how they share their
+/// forces; or from here on no answer is found; or there is one again.
+struct AnswerChange {
+  enum class Kind { modes, lost, found };
+  Kind kind = Kind::modes;
+  Status from = Status::solved, to = Status::solved;
+  std::vector<ContactChange> contacts; ///< in the scene's order; none: forces are shared otherwise
+  bool jumps = false;
+  PathBreak path = PathBreak::none;
+};
+
+/// What happens at a value of the parameter. change_text puts it into words.
+struct SweepChange {
+  std::vector<AnswerChange> push, breaking; ///< several only where they are too near to separate
+  bool jumps = false;                       ///< an answer is discontinuous
+
+  bool is_empty() const { return push.empty() && breaking.empty(); }
 };
 
 /// How a segment was found.
@@ -50,8 +98,7 @@ struct SweepSegment {
   double from = 0, to = 0; ///< in the sweep's direction
   SegmentKind kind = SegmentKind::exact;
   SweepValue at_from, at_to; ///< limits from inside
-  std::string change;        ///< what happens at `to`, in words; empty at the end of the sweep
-  bool jumps = false;        ///< the answer is discontinuous at `to`
+  SweepChange change;        ///< what happens at `to`; empty at the end of the sweep
 };
 
 struct SweepPoint {
@@ -61,7 +108,7 @@ struct SweepPoint {
   std::vector<Mode> modes; ///< of every contact under the push as prescribed; empty if not solved
   bool refined = false;    ///< added between two of the steps, where modes change
   bool bistable = false;   ///< of a map: solved from nothing, the object moves in another way
-  std::string change;      ///< refined: from this point to the next
+  SweepChange change;      ///< refined: from this point to the next
 };
 
 /// A range in which sweeping up and sweeping down end in different answers.
@@ -79,8 +126,9 @@ struct SweepZero {
 
 struct Sweep {
   std::vector<Variation> variations; ///< one, or two for a map
+  SceneFile scene;                   ///< as given: the names of its bodies and contacts
   std::string pusher;
-  std::vector<std::string> contacts;
+  bool asks_breaking = false;         ///< of segments: a pusher moves somewhere in the range
   std::vector<SweepSegment> segments; ///< from variations[0].from to .to, without gaps
   std::vector<SweepSegment> back;     ///< the same the other way; only where it differs somewhere
   std::vector<SweepPoint> points;     ///< in the sweep's order; in a map row by row
@@ -93,6 +141,15 @@ struct Sweep {
   bool is_map() const { return variations.size() == 2; }
 };
 
+/// Calls see(SweepValue) for both ends of every segment and for every point, of the way there.
+template <class See> void for_each_value(const Sweep& sweep, See see) {
+  for (const SweepSegment& segment : sweep.segments) {
+    see(segment.at_from);
+    see(segment.at_to);
+  }
+  for (const SweepPoint& point : sweep.points) see(point.at);
+}
+
 struct ParameterSweepOptions {
   Index pusher = -1;     ///< body; -1: the only pusher
   Index steps = 0;       ///< points evenly spread, ends included; 0: none where segments are found
@@ -104,8 +161,8 @@ struct ParameterSweepOptions {
 
 /// Sweeps one parameter, or two for a map. Where `rigid` or `even` pressure meets a parameter that
 /// is linear (Parameter::linear), the segments are exact; `pad`'s are bisected; everything else is
-/// sampled. Every answer has passed the referee (mechanics/model/check.hpp). Throws InputError if a value
-/// of the range is no scene, or the scene has no pusher to speak of.
+/// sampled. Every answer has passed the referee (mechanics/model/check.hpp). Throws InputError if a
+/// value of the range is no scene, or the scene has no pusher to speak of.
 Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& variations,
                       const ParameterSweepOptions& options);
 
@@ -130,6 +187,11 @@ struct SweepQuantity {
 /// "break_twist[0]" to "break_twist[5]". Throws InputError with what is possible.
 SweepQuantity sweep_quantity(const std::string& name);
 
+/// "as prescribed: wall sticks; at breaking: left.2 separates; the answer jumps"; empty if nothing
+/// changes there.
+std::string change_text(const Sweep& sweep, const SweepSegment& segment);
+std::string change_text(const Sweep& sweep, const SweepPoint& point);
+
 // One sweep, or several over the same parameter. Of several, json is {"curves": [..]} and csv has
 // one column more.
 std::string sweep_text(const std::vector<SweepCurve>& curves);
@@ -142,12 +204,6 @@ std::string sweep_svg(const std::vector<SweepCurve>& curves, const std::string& 
 
 inline std::string sweep_text(const Sweep& sweep) {
   return sweep_text(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}});
-}
-inline std::string sweep_csv(const Sweep& sweep) {
-  return sweep_csv(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}});
-}
-inline std::string sweep_json(const Sweep& sweep) {
-  return sweep_json(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}});
 }
 inline std::string sweep_svg(const Sweep& sweep, const std::string& title) {
   return sweep_svg(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}}, title);

@@ -29,14 +29,15 @@ struct VerifyOptions {
 
 /// A row, by how much it is broken, and in which unit.
 struct BrokenRow {
-  std::string family; ///< law_text, or "given" for numbers of the file that contradict each other
-  std::string name;   ///< "wall.1 presses while it separates"
-  double scaled = 0;  ///< >= 0
-  double si = 0;      ///< the same in `unit`
+  std::optional<Law> law; ///< none: numbers of the file that contradict each other
+  std::string name;       ///< "wall.1 presses while it separates"
+  double scaled = 0;      ///< >= 0
+  double si = 0;          ///< the same in `unit`
   std::string unit;
 };
 
-const char* law_text(Law law); ///< "newton", "normal", ...
+/// "newton", "normal", .. or "given".
+inline const char* law_text(const BrokenRow& row) { return row.law ? law_text(*row.law) : "given"; }
 
 /// What outsiders measure on the complementarity problem 0 <= z _|_ w = M z + q >= 0, scaled.
 struct ForeignMetrics {

@@ -1,7 +1,7 @@
 // The desktop's observer of runs (lcp/trace.hpp): chosen at run time, doing nothing by default.
 #pragma once
 
-#include "lcpush/lcp/pivots/lemke.hpp"
+#include "lcpush/lcp/pivots/structured_lemke.hpp"
 
 namespace lcpush::desktop {
 
@@ -12,8 +12,14 @@ public:
   virtual void starts(const Lemke<double>&) {}
   virtual Index leaves(const Lemke<double>&, const Turn& turn) { return turn.blocking.row; }
   virtual void stepped(const Lemke<double>&) {}
-  /// After a step of StructuredLemke, which has no dictionary to show.
+  /// After a step of StructuredLemke: it has no dictionary to show, and nothing to choose from.
   virtual void progressed(Index /*unknowns*/, Index /*covers*/) {}
+  void starts(const StructuredLemke<double>&) {}
+  Index leaves(const StructuredLemke<double>&, const Turn& turn) { return turn.blocking.row; }
+  void stepped(const StructuredLemke<double>& lemke) {
+    progressed(lemke.dictionary().size(), lemke.covers_tried());
+  }
+
   virtual void swept(Index /*sweep*/, const double* /*z*/, double /*residual*/) {}
 
   template <class Sweeps> void checked(const Sweeps& solver) {

@@ -47,10 +47,10 @@ template <class S> struct SumGroup {
   S inertia; ///< m_a >= 0
 };
 
-/// M without its n^2 numbers: G' A G plus the groups' structure. Free unknowns (one a sum group)
+/// M without its n^2 numbers: G' B G plus the groups' structure. Free unknowns (one a sum group)
 /// come last. Size of everything: O(forces).
 template <class S> struct FactoredProblem {
-  Matrix6<S> mobility;              ///< A = M^-1 of the object, 6 x 6
+  Matrix6<S> mobility;              ///< B = M^-1 of the object, 6 x 6
   Span<const Vector6<S>> wrenches;  ///< G, one column a force
   Span<const ConeGroup<S>> cones;   ///< in the order of their variables
   Span<const SumGroup<S>> sums;     ///< variable of group a: free_begin + a

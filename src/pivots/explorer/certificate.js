@@ -18,26 +18,17 @@
     const { ray } = path.outcome;
     const given = as_given(path, run);
     // A scaled run has its own units; the ray of the trace is in the problem's.
-    const units = path.branch ? null : path.runs[run].units;
-    const rescale = (i, j) => (units ? (units[i] || 1) / (units[n + j] || 1) : 1);
+    const units = path.branch || problem.exact ? null : path.runs[run].units;
+    const rescaled = (x, i, j) => (units ? x * (units[i] || 1) / (units[n + j] || 1) : x);
     const direction = [...ray.v, ray.v0];
-    const y = [];
+    const { zero, add, multiply } = problem.arithmetic;
     let largest = 1;
-    for (let i = 0; i < n; ++i) {
-      let sum = problem.scalar(0);
-      for (let j = 0; j <= n; ++j) {
-        if (problem.number(direction[j]) === 0) continue;
-        const entry = given.entry(i, j);
-        if (problem.exact) {
-          sum = explorer.fractions.add(sum, explorer.fractions.multiply(entry, direction[j]));
-        } else {
-          const term = entry * rescale(i, j) * direction[j];
-          sum += term;
-          largest = Math.max(largest, Math.abs(term));
-        }
-      }
-      y.push(sum);
-    }
+    const y = [...Array(n).keys()].map((i) => direction.reduce((sum, x, j) => {
+      if (problem.number(x) === 0) return sum;
+      const term = multiply(rescaled(given.entry(i, j), i, j), x);
+      largest = Math.max(largest, Math.abs(problem.number(term)));
+      return add(sum, term);
+    }, zero));
     const v = direction.map((x) => problem.number(x));
     const y_number = y.map((x) => problem.number(x));
     const allowed = problem.exact ? 0 : tolerance * largest;

@@ -6,12 +6,17 @@
   function create(app) {
     let timer = null;
 
+    function show_playing() {
+      const playing = timer !== null;
+      by_id('play').setAttribute('aria-pressed', String(playing));
+      by_id('play').setAttribute('aria-label', playing ? 'Pause' : 'Play');
+      by_id('play').classList.toggle('playing', playing);
+    }
+
     const stop = () => {
       if (timer !== null) clearInterval(timer);
       timer = null;
-      by_id('play').setAttribute('aria-pressed', 'false');
-      by_id('play').setAttribute('aria-label', 'Play');
-      by_id('play').classList.remove('playing');
+      show_playing();
     };
 
     const play = () => {
@@ -20,9 +25,7 @@
         if (app.frame >= app.path.last) stop();
         else app.go(app.frame + 1);
       }, pauses[by_id('speed').value]);
-      by_id('play').setAttribute('aria-pressed', 'true');
-      by_id('play').setAttribute('aria-label', 'Pause');
-      by_id('play').classList.add('playing');
+      show_playing();
     };
 
     const toggle = () => (timer === null ? play() : stop());

@@ -18,11 +18,27 @@
   const svg = (tag, attributes, ...children) =>
     fill(document.createElementNS(drawing, tag), attributes, children);
 
+  /// Filled with markup that the tool wrote; never with anything that a user named.
+  function parsed(element, markup) {
+    element.innerHTML = markup;
+    return element;
+  }
+
   /// w12 with its number below; other names as they are.
   function name(text) {
     const match = /^([a-z])(\d+)$/.exec(text);
     if (!match) return h('span', { class: 'name' }, text);
     return h('span', { class: 'name' }, h('i', {}, match[1]), h('sub', {}, match[2]));
+  }
+
+  /// heads: texts; rows: lists of cells, the first of them the row's head. `words`: a class for the
+  /// last column.
+  function table(kind, heads, rows, { caption, words } = {}) {
+    const cell = (x, c, row) => (c === 0 ? h('th', { scope: 'row' }, x)
+      : h('td', { class: c === row.length - 1 && words }, x));
+    return h('table', { class: kind }, caption && h('caption', {}, caption),
+      h('thead', {}, h('tr', {}, heads.map((text) => h('th', { scope: 'col' }, text)))),
+      h('tbody', {}, rows.map((row) => h('tr', {}, row.map(cell)))));
   }
 
   const by_id = (id) => document.getElementById(id);
@@ -41,5 +57,5 @@
       svg('title', { id: ids[0] }, title), svg('desc', { id: ids[1] }, description), ...children);
   }
 
-  explorer.elements = { h, svg, name, by_id, replace, picture };
+  explorer.elements = { h, svg, parsed, name, table, by_id, replace, picture };
 })();

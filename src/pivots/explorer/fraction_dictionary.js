@@ -5,24 +5,13 @@
 (() => {
   const { make, parse, gcd } = explorer.fractions;
 
-  class FractionDictionary {
-    constructor(rows, columns, table, values, denominator, factor) {
-      this.rows = rows;
-      this.columns = columns;
-      this.table = table;
-      this.values = values;
-      this.denominator = denominator;
-      this.factor = factor;
-      this.size = rows.length;
-      this.width = columns.length;
-      this.levels = values.length;
-      this.exact = true;
-    }
+  class FractionDictionary extends explorer.Dictionary {
+    arithmetic = explorer.fractions;
 
-    static from(rows, columns, entries, values, levels) {
+    static from(rows, columns, entries, values) {
       const factor = Array(rows.length + columns.length).fill(1n);
       const table = [];
-      const right = Array.from({ length: levels }, () => []);
+      const right = values[0].map(() => []);
       rows.forEach((variable, r) => {
         const row = entries[r].map(parse);
         const value = values[r].map(parse);
@@ -32,16 +21,11 @@
         table.push(row.map(({ n, d }) => n * (common / d)));
         value.forEach(({ n, d }, k) => right[k].push(n * (common / d)));
       });
-      return new FractionDictionary([...rows], [...columns], table, right, 1n, factor);
+      const dictionary = new FractionDictionary(rows, columns, table, right);
+      return Object.assign(dictionary, { denominator: 1n, factor });
     }
 
-    copy() {
-      return new FractionDictionary([...this.rows], [...this.columns],
-        this.table.map((row) => row.slice()), this.values.map((value) => value.slice()),
-        this.denominator, this.factor);
-    }
-
-    exchange(r, c) {
+    pivot(r, c) {
       const { table, values, denominator } = this;
       // A negative pivot flips all signs, so that the denominator stays positive.
       const flip = table[r][c] < 0n ? -1n : 1n;
@@ -60,19 +44,9 @@
       table[r] = row.map((x, j) => (j === c ? flip * denominator : -flip * x));
       for (const value of values) value[r] = -flip * value[r];
       this.denominator = pivot;
-      [this.rows[r], this.columns[c]] = [this.columns[c], this.rows[r]];
     }
 
     pivot_quality(r, c) { return this.table[r][c] === 0n ? 0 : 1; }
-
-    permute(rows, columns) {
-      const from_row = rows.map((variable) => this.rows.indexOf(variable));
-      const from_column = columns.map((variable) => this.columns.indexOf(variable));
-      this.table = from_row.map((i) => from_column.map((j) => this.table[i][j]));
-      this.values = this.values.map((value) => from_row.map((i) => value[i]));
-      this.rows = [...rows];
-      this.columns = [...columns];
-    }
 
     entry(r, c) {
       const { factor, rows, columns } = this;
@@ -86,21 +60,13 @@
       return this.values.map((value) => make(value[r], common));
     }
 
+    // A row's own factor cancels in every ratio: nothing is scaled.
+    scaled_entry(r, c) { return this.table[r][c]; }
+    scaled_value(r, level) { return this.values[level][r]; }
     is_noise() { return false; }
     is_value_noise() { return false; }
-
-    // The ratio test: a row's own factor cancels in every ratio.
-
-    rates(c, direction) {
-      return this.table.map((row) => {
-        const rate = direction < 0 ? -row[c] : row[c];
-        return rate > 0n ? rate : null;
-      });
-    }
-
-    value_column(level) { return this.values[level]; }
-    table_column(c) { return this.table.map((row) => -row[c]); }
     unit_column(row) { return this.rows.map((_, r) => (r === row ? this.denominator : 0n)); }
+    least_rate() { return 0n; }
 
     keep_smallest(candidates, rates, values) {
       let kept = [];
@@ -113,41 +79,11 @@
       return kept;
     }
 
-    is_negative(r) {
-      const leading = this.values.find((value) => value[r] !== 0n);
-      return leading !== undefined && leading[r] < 0n;
-    }
-
-    ratio(r, c, direction) {
-      const rate = BigInt(direction) * this.table[r][c];
-      const factor = this.factor[this.columns[c]];
-      return this.values.map((value) => make(value[r], rate * factor));
+    ratio(r, c) {
+      const rate = -this.table[r][c] * this.factor[this.columns[c]];
+      return this.values.map((value) => make(value[r], rate));
     }
   }
 
   explorer.FractionDictionary = FractionDictionary;
-
-  /// Brings a dictionary to the given rows and columns, whatever pivots led there. The best pivot
-  /// of those left is taken, so that doubles lose no more than a factorisation loses.
-  explorer.toward = (dictionary, rows, columns) => {
-    const target = new Set(rows);
-    for (;;) {
-      const leaving = [...dictionary.rows.keys()].filter((r) => !target.has(dictionary.rows[r]));
-      if (leaving.length === 0) break;
-      const entering = [...dictionary.columns.keys()]
-        .filter((c) => target.has(dictionary.columns[c]));
-      let [best, row, column] = [0, -1, -1];
-      for (const r of leaving) {
-        if (dictionary.exact && best > 0) break;
-        for (const c of entering) {
-          const quality = dictionary.pivot_quality(r, c);
-          if (quality > best) [best, row, column] = [quality, r, c];
-        }
-      }
-      if (row < 0) throw new Error('singular basis');
-      dictionary.exchange(row, column);
-    }
-    dictionary.permute(rows, columns);
-    return dictionary;
-  };
 })();

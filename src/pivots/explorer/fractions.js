@@ -61,9 +61,10 @@
   const divide = (a, b) => make(a.n * b.d, a.d * b.n);
   const negate = (a) => ({ n: -a.n, d: a.d });
   const sign = (a) => (a.n > 0n ? 1 : a.n < 0n ? -1 : 0);
-  const zero = { n: 0n, d: 1n };
+  const [zero, one] = [0n, 1n].map((n) => ({ n, d: 1n }));
 
   explorer.fractions = {
-    gcd, make, parse, text, to_number, add, multiply, divide, negate, sign, zero,
+    exact: true, gcd, make, parse, text, to_number, number: ({ n, d }) => to_number(n, d),
+    add, multiply, divide, negate, sign, zero, one,
   };
 })();

@@ -24,12 +24,12 @@
     }
 
     /// Something drawn that labels should stay clear of, the more the heavier.
-    block(left, top, right, bottom, weight = 1) {
+    block(left, top, right, bottom, weight) {
       this.taken.push([Math.min(left, right), Math.min(top, bottom), Math.max(left, right),
         Math.max(top, bottom), weight]);
     }
 
-    block_line([x0, y0], [x1, y1], weight = 1) {
+    block_line([x0, y0], [x1, y1], weight) {
       const pieces = Math.max(1, Math.ceil(Math.hypot(x1 - x0, y1 - y0) / 8));
       for (let k = 0; k < pieces; ++k) {
         const at = (t) => [x0 + (x1 - x0) * t, y0 + (y1 - y0) * t];
@@ -41,11 +41,11 @@
 
     /// Where lines of text near (x, y) cover least: {left, top, width, height}. `away` is the side
     /// on which they should lie, a direction; (0, 0) for any.
-    place(lines, x, y, away = [0, 0], reach = 172) {
+    place(lines, x, y, away = [0, 0]) {
       const width = Math.max(...lines.map(width_of)) + 6;
       const height = lines.length * line + 2;
       let best = null;
-      for (let radius = 12; radius <= reach; radius += 10) {
+      for (let radius = 12; radius <= 172; radius += 10) {
         for (let k = 0; k < 24; ++k) {
           const angle = 2 * Math.PI * (k + 0.5) / 24;
           const [cx, cy] = [x + Math.cos(angle) * (radius + width / 2),

@@ -11,20 +11,15 @@
   /// largest entry 1.
   function ray_of(dictionary, column) {
     const n = dictionary.size;
-    const { DecimalDictionary, fractions } = explorer;
-    const decimals = dictionary instanceof DecimalDictionary;
-    const direction = Array(2 * n + 1).fill(decimals ? 0 : fractions.zero);
-    direction[dictionary.columns[column]] = decimals ? 1 : fractions.parse('1');
+    const { zero, one, number, divide } = dictionary.arithmetic;
+    const direction = Array(2 * n + 1).fill(zero);
+    direction[dictionary.columns[column]] = one;
     dictionary.rows.forEach((variable, r) => {
-      direction[variable] = decimals && dictionary.is_noise(r, column) ? 0
-        : dictionary.entry(r, column);
+      if (!dictionary.is_noise(r, column)) direction[variable] = dictionary.entry(r, column);
     });
-    const as_number = (x) => (decimals ? x : fractions.to_number(x.n, x.d));
-    const relevant = [...direction.slice(n)];
-    let largest = relevant[0];
-    for (const x of relevant) if (as_number(x) > as_number(largest)) largest = x;
-    if (as_number(largest) <= 0) largest = decimals ? 1 : fractions.parse('1');
-    const scaled = relevant.map((x) => (decimals ? x / largest : fractions.divide(x, largest)));
+    const relevant = direction.slice(n);
+    const largest = relevant.reduce((a, b) => (number(b) > number(a) ? b : a));
+    const scaled = relevant.map((x) => divide(x, number(largest) > 0 ? largest : one));
     return { entering: dictionary.columns[column], v: scaled.slice(0, n), v0: scaled[n] };
   }
 

@@ -21,7 +21,7 @@
     const forces = scene.points.map((point) => {
       const { normal: direction } = scene.bodies[point.body];
       const arm = subtract(point.position, scene.center_of_mass);
-      const pull = point.pull === null || point.pull === undefined ? 0 : z[point.pull];
+      const pull = point.pull === null ? 0 : z[point.pull];
       const normal = z[point.normal] - pull;
       let friction = [0, 0, 0];
       let torsion = 0;
@@ -32,7 +32,7 @@
       const force = add(scale(direction, normal), friction);
       const moment = add(cross(arm, force), scale(direction, torsion));
       wrench = add(wrench, [...force, ...moment]);
-      return { point: point.name, normal, friction, torsion, force };
+      return { normal, friction, torsion, force };
     });
     const acceleration = scene.mobility.map((row) => dot(row, wrench));
     const bodies = scene.bodies.map((body) => {
@@ -44,9 +44,7 @@
       }
       return twist;
     });
-    const relative = scene.points.map((point) => at_point(
-      subtract(acceleration, bodies[point.body]), subtract(point.position, scene.center_of_mass)));
-    return { forces, acceleration, bodies, relative };
+    return { forces, acceleration, bodies };
   }
 
   /// The sign of [times S, finite]: S decides unless its part is zero.
@@ -54,11 +52,11 @@
 
   function mode_of(point, z, w) {
     const none = [0, 0];
-    const pull = point.pull === null || point.pull === undefined ? none : z[point.pull];
+    const pull = point.pull === null ? none : z[point.pull];
     // w < 0 is possible while a cushion z0 makes up for it.
     if (sign(z[point.normal]) === 0 && sign(pull) === 0)
       return ['sink', 'touch', 'separate'][sign(w[point.normal]) + 1];
-    if (point.slip === null || point.slip === undefined) return 'slide';
+    if (point.slip === null) return 'slide';
     return sign(z[point.slip]) > 0 ? 'slide' : 'stick';
   }
 
@@ -68,6 +66,7 @@
     const modes = scene.points.map((point) => mode_of(point, z, w));
     const size = (level) => Math.max(length(level.acceleration),
       ...level.forces.map(({ force }) => length(force)), ...level.bodies.map(length));
+    [levels[0].times, levels[1].times] = [' S', '']; // what a number's unit begins with
     return { large: levels[0], finite: levels[1], modes, has_large: size(levels[0]) > 1e-12 };
   }
 

@@ -51,9 +51,7 @@
   }
 
   /// Every digit, as the trace writes it.
-  function full_scalar(problem, x) {
-    return problem.exact ? explorer.fractions.text(x) : String(x);
-  }
+  const full_scalar = (problem, x) => problem.arithmetic.text(x);
 
   function full_value(problem, levels) {
     const parts = levels.map((x) => full_scalar(problem, x));

@@ -13,6 +13,7 @@
       this.size = trace.size;
       this.artificial = 2 * trace.size;
       this.exact = trace.arithmetic === 'fractions';
+      this.arithmetic = this.exact ? explorer.fractions : explorer.decimals;
       this.names = trace.variables.map(({ name }) => name);
       this.meanings = trace.variables.map(({ meaning }) =>
         (meaning || '').replace(/\^2/g, '\u00b2'));
@@ -27,25 +28,19 @@
       return i;
     }
 
-    scalar(x) { return this.exact ? explorer.fractions.parse(x) : Number(x); }
+    scalar(x) { return this.arithmetic.parse(x); }
 
-    /// A VALUE of the trace as one scalar a level, the part times S first.
-    value(x) {
-      if (Array.isArray(x)) return x.map((part) => this.scalar(part));
-      return this.levels === 2 ? [this.scalar(0), this.scalar(x)] : [this.scalar(x)];
-    }
-
-    zero() { return Array.from({ length: this.levels }, () => this.scalar(0)); }
-    number(scalar) {
-      return this.exact ? explorer.fractions.to_number(scalar.n, scalar.d) : scalar;
-    }
+    /// A VALUE of the trace as one part a level, the part times S first.
+    parts(x) { return Array.isArray(x) ? x : this.levels === 2 ? [0, x] : [x]; }
+    value(x) { return this.parts(x).map((part) => this.scalar(part)); }
+    zero() { return this.value(0); }
+    number(scalar) { return this.arithmetic.number(scalar); }
 
     start_dictionary(start) {
       const kind = this.exact ? explorer.FractionDictionary : explorer.DecimalDictionary;
-      const plain = this.levels === 2 ? (x) => [0, x] : (x) => [x];
-      const values = start.values.map((x) => (Array.isArray(x) ? x : plain(x)));
+      const values = start.values.map((x) => this.parts(x));
       return kind.from(start.rows.map((x) => this.variable(x)),
-        start.columns.map((x) => this.variable(x)), start.entries, values, this.levels);
+        start.columns.map((x) => this.variable(x)), start.entries, values);
     }
   }
 
@@ -147,7 +142,6 @@
       return frame_number === this.last && this.outcome.ray ? this.outcome.ray.entering : null;
     }
 
-    /// A new path: this one up to the frame, then `row` leaves and the rule decides.
     /// Is that a row that ties there, and not the one that leaves anyway?
     can_branch(frame_number, row) {
       const frame = this.frames[frame_number];
@@ -156,6 +150,7 @@
       return variable !== undefined && pivot.ties.includes(variable) && variable !== pivot.leaving;
     }
 
+    /// A new path: this one up to the frame, then `row` leaves and the rule decides.
     branch_at(frame_number, row, rule, limit = 500) {
       const frame = this.frames[frame_number];
       const { lemke } = explorer;

@@ -15,12 +15,11 @@
   /// {row, ties, tie_break, ratios}: row -1 when nothing blocks; ties are rows, [] when alone.
   /// At the entry of z0 (`cover`) the most violated row blocks, so all signs are reversed.
   function ratio_test(dictionary, column, rule, cover = false) {
-    const direction = cover ? 1 : -1;
     const artificial = 2 * dictionary.size;
-    const rates = dictionary.rates(column, direction);
+    const rates = dictionary.rates(column, cover);
     const ratios = rates.map((rate, r) => {
       if (rate === null || (cover && !dictionary.is_negative(r))) return null;
-      return dictionary.ratio(r, column, cover ? -1 : direction);
+      return dictionary.ratio(r, column);
     });
     let candidates = [...rates.keys()].filter((r) => rates[r] !== null);
     if (candidates.length === 0) return { row: -1, ties: [], tie_break: 'none', ratios };

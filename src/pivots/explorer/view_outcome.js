@@ -1,6 +1,6 @@
 // How the path ends: a solution, a ray with its checks, a cycle, or a stop.
 (() => {
-  const { h, name, by_id, replace } = explorer.elements;
+  const { h, name, table, by_id, replace } = explorer.elements;
   const { number_text } = explorer;
 
   function solution_table(app) {
@@ -14,12 +14,8 @@
     const shown = { z: numbers('z'), w: numbers('w') };
     const text = (of, i) => number_text.value(problem, shown[of][i], app.as_fractions);
     return h('div', { class: 'scroll tall', tabindex: 0, role: 'region', 'aria-label': 'Solution' },
-      h('table', { class: 'solution' },
-        h('thead', {}, h('tr', {}, ['pair', 'z', 'w', 'meaning of z'].map((x) =>
-          h('th', { scope: 'col' }, x)))),
-        h('tbody', {}, [...Array(n).keys()].map((i) => h('tr', {}, h('th', { scope: 'row' }, i + 1),
-          h('td', {}, text('z', i)), h('td', {}, text('w', i)),
-          h('td', { class: 'words' }, problem.meanings[n + i]))))));
+      table('solution', ['pair', 'z', 'w', 'meaning of z'], [...Array(n).keys()].map((i) =>
+        [i + 1, text('z', i), text('w', i), problem.meanings[n + i]]), { words: 'words' }));
   }
 
   function ray_panel(app) {
@@ -34,13 +30,9 @@
       ray.words && h('p', { class: 'lines' }, ray.words),
       h('p', {}, 'Along the ray the unknowns grow in these proportions, for ever:'),
       h('div', { class: 'scroll tall', tabindex: 0, role: 'region', 'aria-label': 'Ray' },
-        h('table', { class: 'solution' },
-          h('thead', {}, h('tr', {}, ['variable', 'v', 'means'].map((x) =>
-            h('th', { scope: 'col' }, x)))),
-          h('tbody', {}, parts.map(({ x, variable }) => h('tr', {},
-            h('th', { scope: 'row' }, name(problem.names[variable])),
-            h('td', {}, number_text.scalar(problem, x, app.as_fractions)),
-            h('td', { class: 'words' }, problem.meanings[variable])))))),
+        table('solution', ['variable', 'v', 'means'], parts.map(({ x, variable }) =>
+          [name(problem.names[variable]), number_text.scalar(problem, x, app.as_fractions),
+            problem.meanings[variable]]), { words: 'words' })),
       h('p', {}, 'Checked here, on the problem itself:'),
       h('ul', { class: 'facts checks' },
         line(check.v_holds, `v \u2265 0 (least entry ${number_text.decimal(check.least_v, 3)})`),

@@ -1,9 +1,9 @@
 // The panel around the drawing: which part is drawn, the cushion, and the same in words.
 (() => {
-  const { h, svg, replace, by_id, name } = explorer.elements;
+  const { h, parsed, table, replace, by_id, name } = explorer.elements;
   const { decimal } = explorer.number_text;
+  const { figures } = explorer.view_scene;
   const { length, cross, scale, dot, add } = explorer.vectors;
-  let render = null;
 
   /// z and w of the present basis in SI units, by level [times S, finite], and the cushion d z0.
   function unknowns(app) {
@@ -40,25 +40,19 @@
     return { ...values, shown };
   }
 
-  function contact_table(scene, shown, large) {
-    const level = large ? shown.large : shown.finite;
-    const times = large ? ' S' : '';
-    return h('div', { class: 'scroll' }, h('table', { class: 'contacts' },
-      h('caption', {}, `What the picture shows${large ? ', in units of S' : ''}`),
-      h('thead', {}, h('tr', {}, ['contact', 'in this basis', 'normal', 'friction'].map((text) =>
-        h('th', { scope: 'col' }, text)))),
-      h('tbody', {}, scene.points.map((point, i) => h('tr', {},
-        h('th', { scope: 'row' }, point.name),
-        h('td', {}, explorer.view_scene.modes[shown.modes[i]]),
-        h('td', {}, `${decimal(level.forces[i].normal, 4)}${times} N`),
-        h('td', {}, `${decimal(length(level.forces[i].friction), 4)}${times} N`))))));
+  function contact_table(scene, modes, { forces, times }) {
+    return h('div', { class: 'scroll' }, table('contacts',
+      ['contact', 'in this basis', 'normal', 'friction'],
+      scene.points.map(({ name: point }, i) => [point, scene.verbs[modes[i]],
+        `${decimal(forces[i].normal, 4)}${times} N`,
+        `${decimal(length(forces[i].friction), 4)}${times} N`]),
+      { caption: `What the picture shows${times ? ', in units of S' : ''}` }));
   }
 
   const vector = (v) => `(${v.map((x) => decimal(Math.abs(x) < 1e-12 ? 0 : x, 3)).join(', ')})`;
 
-  function motion_list(scene, shown, large) {
-    const level = large ? shown.large : shown.finite;
-    const times = large ? ' S' : '';
+  function motion_list(scene, level) {
+    const { times } = level;
     const linear = level.acceleration.slice(0, 3);
     const spin = level.acceleration.slice(3);
     const reach = Math.max(...scene.points.map(({ position }) => length(position)));
@@ -104,38 +98,15 @@
       worst.length > 4 && h('li', {}, `and ${worst.length - 4} more`)));
   }
 
-  function legend() {
-    const sample = (...children) => svg('svg', { viewBox: '0 0 26 14', class: 'sample',
-      'aria-hidden': 'true' }, children);
-    const items = [
-      [sample(svg('g', { class: 'force normal' }, svg('line', { x1: 2, y1: 7, x2: 17, y2: 7 }),
-        svg('polygon', { class: 'head', points: '25,7 16,3 16,11' }))), 'normal force'],
-      [sample(svg('g', { class: 'force friction' }, svg('line', { x1: 2, y1: 7, x2: 17, y2: 7 }),
-        svg('polygon', { class: 'head', points: '25,7 16,3 16,11' }))), 'friction'],
-      [sample(svg('g', { class: 'motion object-motion' }, svg('line', { x1: 2, y1: 7, x2: 17,
-        y2: 7 }), svg('polygon', { class: 'head', points: '25,7 16,3 16,11' }))), 'acceleration'],
-      [sample(svg('polygon', { class: 'cone', points: '24,7 4,1 4,13' })), 'friction pyramid'],
-      [sample(svg('rect', { class: 'mark stick', x: 9, y: 3, width: 8, height: 8 })), 'sticks'],
-      [sample(svg('polygon', { class: 'mark slide', points: '13,2 18,11 8,11' })), 'slides'],
-      [sample(svg('circle', { class: 'mark separate', cx: 13, cy: 7, r: 4.5 })), 'opens'],
-      [sample(svg('circle', { class: 'mark touch', cx: 13, cy: 7, r: 2.4 })), 'only touches'],
-      [sample(svg('path', { class: 'mark sink', d: 'M9 3l8 8m0 -8l-8 8' })),
-        'sinks in, on the cushion'],
-      [sample(svg('g', { class: 'turning-centre' }, svg('circle', { cx: 13, cy: 7, r: 4 }),
-        svg('path', { d: 'M6 7h14M13 0v14' }))), 'centre of turning'],
-    ];
-    return h('ul', { class: 'key' }, items.map(([mark, text]) => h('li', {}, mark, text)));
-  }
-
   function update(app) {
     const { problem } = app;
     const { scene } = problem.trace;
     by_id('scene-panel').hidden = !scene;
     if (!scene) return;
-    render = render || explorer.view_scene.create(scene);
     const values = now(app);
     const { shown } = values;
     const large = shown.has_large && app.show_large;
+    const level = large ? shown.large : shown.finite;
     const switcher = shown.has_large && h('div', { class: 'switch', role: 'group',
       'aria-label': 'Part of the values' }, [[true, 'part times S'], [false, 'finite part']].map(
       ([value, text]) => h('button', { type: 'button', 'aria-pressed': String(value === large),
@@ -145,9 +116,11 @@
       + 'have a part that is a multiple of S. Drawn here: the '
       + `${large ? 'part times S' : 'finite part'}.`);
     const width = Math.max(300, Math.min(480, by_id('scene').clientWidth || 440));
-    replace('scene', switcher, parts, render(shown, large, width).map(({ title, svg: view }) =>
-      h('figure', {}, view, h('figcaption', {}, title))), legend(), cushion_note(app, values),
-    motion_list(scene, shown, large), contact_table(scene, shown, large));
+    replace('scene', switcher, parts,
+      figures(scene, shown.modes, level, width).map(({ title, svg }) =>
+        h('figure', {}, svg, h('figcaption', {}, title))),
+      parsed(h('div'), scene.key), cushion_note(app, values), motion_list(scene, level),
+      contact_table(scene, shown.modes, level));
   }
 
   explorer.view_scene_text = { update, now };

@@ -31,23 +31,17 @@ template <class S, class Pivots> struct GuessedPush : SolvedPush<S, Pivots> {
 };
 
 /// First rounds from any active set at all.
-template <class Pivots> struct RandomlyGuessedRounds {
+struct RandomStart {
   Random* random;
-  GuessedRounds<double, const Unobserved, Pivots> then;
-  static constexpr bool carries_push = true;
 
-  void begin(const Problem<double>& problem, bool warm, const PressureMemory<double>& memory) {
-    if (warm) return then.begin_warm(problem, memory);
+  bool propose(const Problem<double>& problem, const PressureMemory<double>& memory, PressureRun&,
+               FirstBasis& first) {
     for (Index i = 0; i < problem.size; ++i)
       memory.active[i] = static_cast<unsigned char>(random->integer(0, 1));
-    then.begin_guess(problem, memory, 1, problem.size);
+    first = {Guess::near, 1, problem.size};
+    return true;
   }
-  Status step(const PressureMemory<double>& memory, PressureRun& run) {
-    return then.step(memory, run);
-  }
-  void vary() { then.then.vary(); }
-  auto& pivots() { return then.then; }
-  void demand(double) {}
+  void begins_cold() {}
 };
 
 OwnedScene<double> grasp_under(Pressure pressure, Family family, std::uint64_t seed) {
@@ -182,9 +176,9 @@ TEST_CASE_TEMPLATE("a random guess costs pivots and no answer", Pivots, Dense, S
     const Pressure pressure = seed % 2 == 0 ? Pressure::rigid : Pressure::pad;
     using Push = GuessedPush<double, Pivots>;
     Push push(grasp_under(pressure, Family::plain, seed));
+    using Rounds = StartedRounds<double, RandomStart, const Unobserved, Pivots>;
     const typename Push::Cold cold{push.lemke};
-    const GuessedRounds<double, const Unobserved, Pivots> rounds{cold};
-    REQUIRE(push.by(RandomlyGuessedRounds<Pivots>{&random, rounds}) == Status::solved);
+    REQUIRE(push.by(Rounds{{&random}, cold}) == Status::solved);
     CHECK(push.residuals.max() <= 1e-9);
   }
 }

@@ -4,7 +4,7 @@
 // of the simplex { beta >= 0, sum beta <= mu lambda } of a cone group, and of the simplex
 // { lambda >= 0, sum coupling lambda = target } of a sum group. A sweep moves every group within
 // its set as far as the object's six accelerations ask for and never touches a multiplier; they
-// are recovered at the end. Everything couples through u = A G f, six numbers that every move
+// are recovered at the end. Everything couples through u = B G f, six numbers that every move
 // updates at once: a sweep costs O(forces), without a matrix.
 //
 // Plain sweeps slow down where forces are shared in many ways. `accelerate` goes on with
@@ -55,7 +55,7 @@ private:
   Span<int> integers_;
   ProximalNewton<S> newton_{{}, {}};
   bool keeps_all_sums_ = false; // plain sweeps do
-  Vector6<S> u_;                // A G f
+  Vector6<S> u_;                // B G f
   Span<S> kept_;
   Span<int> cone_of_, sum_of_; // by variable: the cone of a normal, its sum group or -1
 

@@ -9,7 +9,7 @@
 //
 // What is left is a system of 6 + (sum groups) equations, piecewise linear in x = [u; s]:
 //
-//     u = A G f(x),      sum coupling f(x) + inertia s = target.
+//     u = B G f(x),      sum coupling f(x) + inertia s = target.
 //
 // Its solution becomes the next f^c, and eps falls. The proximal term vanishes where f = f^c, so a
 // limit solves the problem as given: nothing of a penalty is left in it. [Rockafellar 1976]

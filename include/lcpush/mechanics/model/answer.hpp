@@ -69,7 +69,7 @@ template <class S> bool is_driven(const Scene<S>& scene, Index body) {
 }
 
 /// How fast its actuators close a body, m/s^2 along its normal (mean over its points).
-template <class S> S closing(const Answer<S>& answer, const Body<S>& body) {
+template <class S> S mean_closing(const Answer<S>& answer, const Body<S>& body) {
   S sum(0);
   for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
     sum += answer.contacts[i].closing;

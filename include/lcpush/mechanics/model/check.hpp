@@ -17,7 +17,16 @@ template <class S> void keep_worst(S& worst, S violation) {
 } // namespace detail
 
 enum class Law { newton, normal, dissipation, cone, grip, rigidity, pusher };
+constexpr Law all_laws[] = {Law::newton, Law::normal,   Law::dissipation, Law::cone,
+                            Law::grip,   Law::rigidity, Law::pusher};
 constexpr Index law_count = 7;
+
+/// As reports and histories name its residual.
+constexpr const char* law_text(Law law) {
+  constexpr const char* names[] = {"newton", "normal",   "dissipation", "cone",
+                                   "grip",   "rigidity", "pusher"};
+  return names[static_cast<int>(law)];
+}
 
 /// One row of a law, and by how much an answer violates it.
 template <class S> struct Violation {

@@ -1,5 +1,6 @@
 // The laws of prehensile pushing, in the paper's order: one law = one function = one equation of
-// docs/theory/theory.md = one test case. [P.n] is equation n of Chavan-Dafle & Rodriguez, IROS 2015.
+// docs/theory/theory.md = one test case. [P.n] is equation n of Chavan-Dafle & Rodriguez, IROS
+// 2015.
 //
 //   unknowns   a object's acceleration   s closing of an actuator   lambda normal force
 //              beta friction force along a generator                xi slip acceleration
@@ -14,23 +15,23 @@ namespace lcpush {
 namespace laws {
 
 /// [T.1] Newton: M a = w + sum_i ( lambda_i W(n_i) + sum_j beta_ij W(d_ij) ).            [P.8]
-/// Solved for a: returns the mobility A = M^-1. In a planar scene nothing moves out of the plane.
+/// Solved for a: returns the mobility B = M^-1. In a planar scene nothing moves out of the plane.
 template <class S> Matrix6<S> newton(const Scene<S>& scene, const Scales<S>& scales) {
   const S unit = scene.object.mass * scales.length * scales.length;
   const Matrix3<S> I = scene.object.inertia / unit;
-  Matrix6<S> A = Matrix6<S>::Zero();
-  A(0, 0) = A(1, 1) = S(1);
+  Matrix6<S> B = Matrix6<S>::Zero();
+  B(0, 0) = B(1, 1) = S(1);
   if (scene.planar) {
-    A(5, 5) = S(1) / I(2, 2);
-    return A;
+    B(5, 5) = S(1) / I(2, 2);
+    return B;
   }
-  A(2, 2) = S(1);
+  B(2, 2) = S(1);
   const Vector3<S> x = I.col(0), y = I.col(1), z = I.col(2); // inverse = adjugate / determinant
   const S determinant = x.dot(cross(y, z));
-  A.template block<1, 3>(3, 3) = cross(y, z).transpose() / determinant;
-  A.template block<1, 3>(4, 3) = cross(z, x).transpose() / determinant;
-  A.template block<1, 3>(5, 3) = cross(x, y).transpose() / determinant;
-  return A;
+  B.template block<1, 3>(3, 3) = cross(y, z).transpose() / determinant;
+  B.template block<1, 3>(4, 3) = cross(z, x).transpose() / determinant;
+  B.template block<1, 3>(5, 3) = cross(x, y).transpose() / determinant;
+  return B;
 }
 
 /// The load w of [T.1]: the object's weight, which has no moment about the centre of mass.

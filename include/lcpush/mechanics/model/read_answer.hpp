@@ -7,19 +7,27 @@
 
 namespace lcpush {
 
-/// Stick, slide or separate, by what is large: `tolerance` is relative to the scene's units. A soft
-/// point that spins slides.
-template <class S>
-Mode contact_mode(const ContactAnswer<S>& contact, const Body<S>& body, const Scales<S>& scales,
-                  S acceleration_unit, S tolerance) {
-  using Eigen::numext::abs;
-  const S opening = contact.acceleration.dot(body.normal);
-  const Vector3<S> tangential = contact.acceleration - opening * body.normal;
-  const bool pressed = abs(contact.normal_force) > tolerance * scales.force;
-  if (!pressed && opening > tolerance * acceleration_unit) return Mode::separate;
-  const S slip = tangential.norm() + body.torsion_radius * abs(contact.spin);
-  return slip > tolerance * acceleration_unit ? Mode::slide : Mode::stick;
-}
+/// What is larger than these counts: a force in N, a motion in m/s^2.
+template <class S> struct ContactMargins {
+  S force, motion;
+
+  bool presses(const ContactAnswer<S>& contact) const {
+    return Eigen::numext::abs(contact.normal_force) > force;
+  }
+  bool opens(const ContactAnswer<S>& contact, const Body<S>& body) const {
+    return contact.acceleration.dot(body.normal) > motion;
+  }
+  /// A soft point that spins slides.
+  bool slides(const ContactAnswer<S>& contact, const Body<S>& body) const {
+    const S opening = contact.acceleration.dot(body.normal);
+    const Vector3<S> tangential = contact.acceleration - opening * body.normal;
+    return tangential.norm() + body.torsion_radius * Eigen::numext::abs(contact.spin) > motion;
+  }
+  Mode mode(const ContactAnswer<S>& contact, const Body<S>& body) const {
+    if (!presses(contact) && opens(contact, body)) return Mode::separate;
+    return slides(contact, body) ? Mode::slide : Mode::stick;
+  }
+};
 
 /// Fills `answer` (spans of the lengths its fields say) from a solution z of assembly.problem().
 /// `with_weight` false reads z as a derivative by sigma instead: the weight drops out.
@@ -71,9 +79,10 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   const S rounding =
       S(64) * Eigen::NumTraits<S>::epsilon() * (scales.acceleration + own) / tolerance;
   const S unit = fastest > rounding ? fastest : rounding;
+  const ContactMargins<S> margins{S(tolerance * scales.force), S(tolerance * unit)};
   for (Index i = 0; i < layout.points; ++i) {
     ContactAnswer<S>& contact = answer.contacts[i];
-    contact.mode = contact_mode<S>(contact, scene.bodies[contact.body], scales, unit, tolerance);
+    contact.mode = margins.mode(contact, scene.bodies[contact.body]);
   }
 }
 

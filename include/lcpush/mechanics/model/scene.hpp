@@ -19,6 +19,12 @@ enum class Pressure {
   even,  ///< every point is a pad of its own with its even share: see even_pressure.hpp
   rigid, ///< the literal equations, solved once: one answer of a set
 };
+constexpr Pressure pressures[] = {Pressure::pad, Pressure::even, Pressure::rigid};
+
+/// As scene files and command lines spell it.
+constexpr const char* pressure_text(Pressure pressure) {
+  return pressure == Pressure::pad ? "pad" : pressure == Pressure::even ? "even" : "rigid";
+}
 
 template <class S> struct Object {
   S mass;                    ///< kg, > 0

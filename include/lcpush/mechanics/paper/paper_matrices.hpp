@@ -87,9 +87,8 @@ Vector6<S> polyhedral_column(const Scene<S>& scene, const Body<S>& body, const V
   return column;
 }
 
-/// G-bar, a column for each force of the complementarity problem, in its order. Columns point by
-/// point: W(n), (-W(n) at bilateral bodies), then W(d_j) of each generator; units as in G. Force >=
-/// 0 along each column.
+/// G-bar: 6 x forces. Columns point by point: W(n), (-W(n) at bilateral bodies), then
+/// W(d_j) of each generator; units as in G. Force >= 0 along each column.
 template <class S> void polyhedral_grasp_matrix(const Scene<S>& scene, MatrixMap<S> G_bar) {
   Index column = 0;
   for (const Body<S>& body : scene.bodies)

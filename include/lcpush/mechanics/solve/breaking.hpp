@@ -192,7 +192,8 @@ template <class S, class Rounds>
   const S unit = push_size(assembly.scene());
   breaking = {};
   run = {};
-  if (!(unit > S(0)) || refuses(assembly, run)) return Status::bad_input;
+  if (unit > S(0)) run.reason = unsupported_reason(assembly);
+  if (!(unit > S(0)) || run.reason != Reason::none) return Status::bad_input;
   Status status = Status::running;
   if constexpr (Rounds::carries_push)
     if (assembly.scene().pressure != Pressure::pad)

@@ -58,30 +58,22 @@ template <class S> void predict_modes(const Assembly<S>& assembly, Span<unsigned
   }
 }
 
-/// Lemke's pivots from the predicted modes. Warm rounds, and whatever fails, are as LemkeRounds'.
-template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>>
-struct PredictedRounds {
+/// The predicted modes as a first basis. A start that leads astray shall not cost more than a cold
+/// one.
+template <class S> struct PredictedStart {
   const Assembly<S>& assembly; ///< of the problems that the rounds solve
-  GuessedRounds<S, Observer, Pivots> then;
-  static constexpr bool carries_push = true;
 
-  PredictedRounds(const Assembly<S>& of, const LemkeRounds<S, Observer, Pivots>& pivots)
-      : assembly(of), then(pivots) {}
+  PredictedStart(const Assembly<S>& of) : assembly(of) {}
 
-  void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
-    if (warm) {
-      then.begin_warm(problem, memory);
-      return;
-    }
-    constexpr Index covers = 2;
+  bool propose(const Problem<S>& problem, const PressureMemory<S>& memory, PressureRun&,
+               FirstBasis& first) {
     predict_modes(assembly, memory.active);
-    then.begin_guess(problem, memory, covers, problem.size / 2 + 16);
+    first = {Guess::near, 2, problem.size / 2 + 16};
+    return true;
   }
-  Status step(const PressureMemory<S>& memory, PressureRun& run) { return then.step(memory, run); }
-
-  void vary() { then.then.vary(); }
-  LemkeRounds<S, Observer, Pivots>& pivots() { return then.then; }
-  void demand(const S&) {}
+  void begins_cold() {}
 };
+template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>>
+using PredictedRounds = StartedRounds<S, PredictedStart<S>, Observer, Pivots>;
 
 } // namespace lcpush

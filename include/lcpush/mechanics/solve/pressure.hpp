@@ -15,18 +15,17 @@ template <class S> struct PressureOptions {
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
 };
 
-/// Is there nothing to solve? True, with run.reason, if the assembly did not fit its memory, if the
-/// pressure is to be even but spread_evenly was not called, or if a soft contact is no single
-/// point.
-template <class S> bool refuses(const Assembly<S>& assembly, PressureRun& run) {
+/// Why there is nothing to solve, if so: the assembly did not fit its memory, the pressure is to be
+/// even but spread_evenly was not called, or a soft contact is no single point.
+template <class S> Reason unsupported_reason(const Assembly<S>& assembly) {
   const Scene<S>& scene = assembly.scene();
-  if (assembly.layout().points < scene.points.size) run.reason = Reason::memory_too_small;
   for (Index b = 0; b < scene.bodies.size; ++b) {
     if (scene.bodies[b].point_count == 1) continue;
-    if (scene.bodies[b].torsion_radius > S(0)) run.reason = Reason::unsupported;
-    if (scene.pressure == Pressure::even && is_driven(scene, b)) run.reason = Reason::unsupported;
+    if (scene.bodies[b].torsion_radius > S(0)) return Reason::unsupported;
+    if (scene.pressure == Pressure::even && is_driven(scene, b)) return Reason::unsupported;
   }
-  return run.reason != Reason::none;
+  const bool fits = assembly.layout().points >= scene.points.size;
+  return fits ? Reason::none : Reason::memory_too_small;
 }
 
 /// [T.7] Pad: round r adds eps_r c_i (lambda_i - lambda_i^(r-1)) to [T.2].
@@ -206,7 +205,8 @@ template <class S> S runaway_force(const Assembly<S>& assembly) {
 
 template <class S, class Rounds> Status PressureSolve<S, Rounds>::init() {
   run_ = {};
-  if (refuses(assembly_, run_)) return Status::bad_input;
+  run_.reason = unsupported_reason(assembly_);
+  if (run_.reason != Reason::none) return Status::bad_input;
   stiffer_ = 0;
   if (is_pad())
     begin_pads(Phase::soft_pads);

@@ -141,82 +141,84 @@ private:
   Index size_ = 0;
 };
 
-/// Lemke's pivots from a guessed active set, cold if that leads nowhere; warm rounds go on from the
-/// last answer. It is never less reliable than LemkeRounds.
-template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>>
-struct GuessedRounds {
-  LemkeRounds<S, Observer, Pivots> then;
-
-  explicit GuessedRounds(const LemkeRounds<S, Observer, Pivots>& pivots) : then(pivots) {}
-
-  void begin_warm(const Problem<S>& problem, const PressureMemory<S>& memory) {
-    guesses_ = false;
-    then.begin(problem, true, memory);
-  }
-  void begin_cold(const Problem<S>& problem) {
-    guesses_ = false;
-    then.begin_cold(problem);
-  }
-  /// From memory.active. A start that leads astray shall not cost more than a cold one.
-  void begin_guess(const Problem<S>& problem, const PressureMemory<S>& memory, Index covers,
-                   Index limit) {
-    problem_ = problem;
-    guesses_ = true;
-    then.begin_near(problem, memory, Guess::near, covers, limit);
-  }
-
-  Status step(const PressureMemory<S>& memory, PressureRun& run) {
-    const Status status = then.step(memory, run);
-    if (!guesses_ || status == Status::running || status == Status::solved) return status;
-    begin_cold(problem_);
-    return Status::running;
-  }
-
-private:
-  Problem<S> problem_{};
-  bool guesses_ = false;
+/// Where pivots are to begin: at memory.active, taken as `guess` says, under `covers` covers one
+/// after the other, each of at most `limit` pivots.
+struct FirstBasis {
+  Guess guess = Guess::near;
+  Index covers = 1;
+  Index limit = 0;
 };
 
-/// A few sweeps, their positive unknowns as Lemke's first basis, and the pivots that remain. Warm
-/// rounds, and whatever fails, are Lemke's: it is never less reliable.
-template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> struct HybridRounds {
-  SweepRounds<S, Observer> first;
-  GuessedRounds<S, Observer, Pivots> then;
+/// Lemke's pivots from a first basis, cold if there is none or if it leads nowhere; warm rounds go
+/// on from the last answer. It is never less reliable than LemkeRounds. The basis is Start's:
+///
+///     bool propose(problem, memory, run, first)     fills memory.active and `first`, if it can
+///     void begins_cold()                            it could not, or its basis led nowhere
+template <class S, class Start, class Observer = const Unobserved, class Pivots = Lemke<S>>
+struct StartedRounds {
+  Start start;
+  LemkeRounds<S, Observer, Pivots> then;
   static constexpr bool carries_push = true;
 
-  HybridRounds(const SweepRounds<S, Observer>& sweeps, const LemkeRounds<S, Observer, Pivots>& last)
-      : first(sweeps), then(last) {}
+  StartedRounds(const Start& its_start, const LemkeRounds<S, Observer, Pivots>& pivots)
+      : start(its_start), then(pivots) {}
 
   void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
     problem_ = problem;
-    sweeps_ = !warm;
-    if (warm)
-      then.begin_warm(problem, memory);
-    else
-      first.begin(problem, false, memory);
+    phase_ = warm ? Phase::pivots : Phase::start;
+    if (warm) then.begin(problem, true, memory);
   }
 
   Status step(const PressureMemory<S>& memory, PressureRun& run) {
-    if (!sweeps_) return then.step(memory, run);
-    sweeps_ = false;
-    if (first.step(memory, run) != Status::solved) {
-      then.begin_cold(problem_);
+    if (phase_ == Phase::start) {
+      FirstBasis first;
+      const bool found = start.propose(problem_, memory, run, first);
+      if (!found) return begin_cold();
+      phase_ = Phase::proposed;
+      then.begin_near(problem_, memory, first.guess, first.covers, first.limit);
       return Status::running;
     }
-    const S positive = S(1) / S(10000); // forces are of order 1 in the scene's units
-    for (Index i = 0; i < problem_.size; ++i)
-      memory.active[i] = i >= problem_.free_begin || memory.z[i] > positive ? 1 : 0;
-    then.begin_guess(problem_, memory, 1, problem_.size);
-    return Status::running;
+    const Status status = then.step(memory, run);
+    const bool astray = status != Status::running && status != Status::solved;
+    return astray && phase_ == Phase::proposed ? begin_cold() : status;
   }
 
-  void vary() { then.then.vary(); }
-  LemkeRounds<S, Observer, Pivots>& pivots() { return then.then; }
+  void vary() { then.vary(); }
+  LemkeRounds<S, Observer, Pivots>& pivots() { return then; }
   void demand(const S&) {}
 
 private:
+  enum class Phase { start, proposed, pivots };
   Problem<S> problem_{};
-  bool sweeps_ = false;
+  Phase phase_ = Phase::pivots;
+
+  Status begin_cold() {
+    phase_ = Phase::pivots;
+    start.begins_cold();
+    then.begin_cold(problem_);
+    return Status::running;
+  }
 };
+
+/// A few sweeps: their positive unknowns are the first basis.
+template <class S, class Observer = const Unobserved> struct SweptStart {
+  SweepRounds<S, Observer> sweeps;
+
+  SweptStart(const SweepRounds<S, Observer>& its_sweeps) : sweeps(its_sweeps) {}
+
+  bool propose(const Problem<S>& problem, const PressureMemory<S>& memory, PressureRun& run,
+               FirstBasis& first) {
+    sweeps.begin(problem, false, memory);
+    if (sweeps.step(memory, run) != Status::solved) return false;
+    const S positive = S(1) / S(10000); // forces are of order 1 in the scene's units
+    for (Index i = 0; i < problem.size; ++i)
+      memory.active[i] = i >= problem.free_begin || memory.z[i] > positive ? 1 : 0;
+    first = {Guess::near, 1, problem.size};
+    return true;
+  }
+  void begins_cold() {}
+};
+template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>>
+using HybridRounds = StartedRounds<S, SweptStart<S, Observer>, Observer, Pivots>;
 
 } // namespace lcpush

@@ -59,16 +59,32 @@ template <class S> struct Workspace {
 
 namespace detail {
 
-/// What every push needs, whatever solves it.
-template <class S> constexpr Index common_bytes(const AssemblySize& size) {
+/// What a solver takes beside what every push needs.
+struct SolverSize {
+  Index scalars, integers;
+};
+constexpr SolverSize pivots_size(const AssemblySize& size) {
+  return {lemke_scalars(size.unknowns()), lemke_integers(size.unknowns())};
+}
+constexpr SolverSize structured_size(const AssemblySize& size, Index shared) {
+  return {structured_lemke_scalars(size.unknowns(), size.points, shared),
+          structured_lemke_integers(size.unknowns(), size.points)};
+}
+constexpr SolverSize sweeps_size(const AssemblySize& size) {
+  const Index n = size.unknowns(), couplings = size.couplings(), actuators = size.actuators;
+  return {block_gauss_seidel_scalars(n, couplings, actuators),
+          block_gauss_seidel_integers(n, couplings, actuators)};
+}
+
+template <class S> constexpr Index bytes_with(const SolverSize& solver, const AssemblySize& size) {
   const Index n = size.unknowns(), p = size.points;
   const Index scalars = 4 * n + size.couplings() + 2 * size.actuators + 2 * p + size.generators;
   const Index structs = size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
                         p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>)) +
                         size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
   constexpr Index alignment_slack = 20 * static_cast<Index>(alignof(std::max_align_t));
-  return scalars * static_cast<Index>(sizeof(S)) + structs +
-         size.couplings() * static_cast<Index>(sizeof(int)) +
+  return (scalars + solver.scalars) * static_cast<Index>(sizeof(S)) + structs +
+         (size.couplings() + solver.integers) * static_cast<Index>(sizeof(int)) +
          p * static_cast<Index>(sizeof(Index)) + n + alignment_slack;
 }
 
@@ -95,72 +111,62 @@ template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& si
   return w;
 }
 
+template <class S>
+Workspace<S> take_for_pivots(Arena& arena, const AssemblySize& size, const SolverSize& solver) {
+  Workspace<S> w = take_common<S>(arena, size);
+  w.lemke_scalars = arena.take<S>(solver.scalars);
+  w.lemke_integers = arena.take<int>(solver.integers);
+  w.complete = !arena.exhausted();
+  return w;
+}
+
 } // namespace detail
 
 /// Bytes that make_workspace takes. constexpr, so that `static unsigned char memory[push_bytes..]`
 /// works. Lemke's dictionary is most of it: O(unknowns^2).
 template <class S> constexpr Index push_bytes(const AssemblySize& size) {
-  return detail::common_bytes<S>(size) +
-         lemke_scalars(size.unknowns()) * static_cast<Index>(sizeof(S)) +
-         lemke_integers(size.unknowns()) * static_cast<Index>(sizeof(int));
+  return detail::bytes_with<S>(detail::pivots_size(size), size);
+}
+/// Bytes that make_structured_workspace takes: O(unknowns). `shared` is the number of actuators
+/// that drive more than one point, at most all of them; under `even` pressure there is none.
+template <class S> constexpr Index structured_bytes(const AssemblySize& size, Index shared) {
+  return detail::bytes_with<S>(detail::structured_size(size, shared), size);
+}
+/// Bytes that make_sweep_workspace takes: O(unknowns), and (6 + actuators)^2 Scalars.
+template <class S> constexpr Index sweep_bytes(const AssemblySize& size) {
+  return detail::bytes_with<S>(detail::sweeps_size(size), size);
 }
 
 /// Cuts a workspace for scenes of at most this size, to be solved by Lemke's pivots.
 template <class S> Workspace<S> make_workspace(Arena& arena, const AssemblySize& size) {
+  return detail::take_for_pivots<S>(arena, size, detail::pivots_size(size));
+}
+/// The same by StructuredLemke.
+template <class S>
+Workspace<S> make_structured_workspace(Arena& arena, const AssemblySize& size, Index shared) {
+  return detail::take_for_pivots<S>(arena, size, detail::structured_size(size, shared));
+}
+/// The same by block Gauss-Seidel.
+template <class S> Workspace<S> make_sweep_workspace(Arena& arena, const AssemblySize& size) {
   Workspace<S> w = detail::take_common<S>(arena, size);
-  w.lemke_scalars = arena.take<S>(lemke_scalars(size.unknowns()));
-  w.lemke_integers = arena.take<int>(lemke_integers(size.unknowns()));
+  const detail::SolverSize solver = detail::sweeps_size(size);
+  w.sweep_scalars = arena.take<S>(solver.scalars);
+  w.sweep_integers = arena.take<int>(solver.integers);
   w.complete = !arena.exhausted();
   return w;
 }
+
+// The same out of a block of their own.
 template <class S>
 Workspace<S> make_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
   Arena arena(bytes);
   return make_workspace<S>(arena, size);
-}
-
-/// Bytes that make_structured_workspace takes: O(unknowns). `shared` is the number of actuators
-/// that drive more than one point, at most all of them; under `even` pressure there is none.
-template <class S> constexpr Index structured_bytes(const AssemblySize& size, Index shared) {
-  return detail::common_bytes<S>(size) +
-         structured_lemke_scalars(size.unknowns(), size.points, shared) *
-             static_cast<Index>(sizeof(S)) +
-         structured_lemke_integers(size.unknowns(), size.points) * static_cast<Index>(sizeof(int));
-}
-
-/// Cuts a workspace for scenes of at most this size, to be solved by StructuredLemke.
-template <class S>
-Workspace<S> make_structured_workspace(Arena& arena, const AssemblySize& size, Index shared) {
-  Workspace<S> w = detail::take_common<S>(arena, size);
-  w.lemke_scalars = arena.take<S>(structured_lemke_scalars(size.unknowns(), size.points, shared));
-  w.lemke_integers = arena.take<int>(structured_lemke_integers(size.unknowns(), size.points));
-  w.complete = !arena.exhausted();
-  return w;
 }
 template <class S>
 Workspace<S> make_structured_workspace(Span<unsigned char> bytes, const AssemblySize& size,
                                        Index shared) {
   Arena arena(bytes);
   return make_structured_workspace<S>(arena, size, shared);
-}
-
-/// Bytes that make_sweep_workspace takes: O(unknowns), and (6 + actuators)^2 Scalars.
-template <class S> constexpr Index sweep_bytes(const AssemblySize& size) {
-  return detail::common_bytes<S>(size) +
-         block_gauss_seidel_scalars(size.unknowns(), size.couplings(), size.actuators) *
-             static_cast<Index>(sizeof(S)) +
-         block_gauss_seidel_integers(size.unknowns(), size.couplings(), size.actuators) *
-             static_cast<Index>(sizeof(int));
-}
-
-/// Cuts a workspace for scenes of at most this size, to be solved by block Gauss-Seidel.
-template <class S> Workspace<S> make_sweep_workspace(Arena& arena, const AssemblySize& size) {
-  Workspace<S> w = detail::take_common<S>(arena, size);
-  const Index n = size.unknowns(), couplings = size.couplings(), actuators = size.actuators;
-  w.sweep_scalars = arena.take<S>(block_gauss_seidel_scalars(n, couplings, actuators));
-  w.sweep_integers = arena.take<int>(block_gauss_seidel_integers(n, couplings, actuators));
-  w.complete = !arena.exhausted();
-  return w;
 }
 template <class S>
 Workspace<S> make_sweep_workspace(Span<unsigned char> bytes, const AssemblySize& size) {

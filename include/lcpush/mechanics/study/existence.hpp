@@ -1,5 +1,5 @@
-// Does the existence lemma [T.8] cover a scene (docs/theory/theory.md 5.3 and 5.4)? Its conditions are
-// linear programs:
+// Does the existence lemma [T.8] cover a scene (docs/theory/theory.md 5.3 and 5.4)? Its conditions
+// are linear programs:
 //
 //   (H1) fails if   s' >= 0, sum s' = 1,   sum_a W(n_i)' J_a s'_a <= 0 at every contact
 //                   has a solution for the massless actuators;
@@ -23,10 +23,6 @@ enum class Existence {
   may_retreat,       ///< they hold, but an actuator could end at its bound (5.4)
 };
 
-template <class S> struct ExistenceMemory {
-  Span<S> scalars;    ///< existence_scalars
-  Span<int> integers; ///< existence_integers
-};
 constexpr Index existence_scalars(const AssemblySize& size) {
   const Index rows = 7 + size.actuators, forces = size.forces(), k = size.points;
   const Index squeeze = (rows + k + 1) * forces + rows + linear_program_scalars(forces, rows, k);
@@ -43,13 +39,9 @@ constexpr Index existence_integers(const AssemblySize& size) {
 
 namespace detail {
 
-template <class S> MatrixMap<S> take_matrix(Block<S>& scalars, Index rows, Index columns) {
-  return MatrixMap<S>(scalars.take(rows * columns).data, rows, columns);
-}
-
 /// (H1). `witness` receives s' of the massless actuators, per actuator.
 template <class S>
-Status find_idle_closing(const Assembly<S>& assembly, const ExistenceMemory<S>& memory,
+Status find_idle_closing(const Assembly<S>& assembly, const StudyMemory<S>& memory,
                          const LemkeOptions<S>& options, S* witness) {
   const Layout<S>& layout = assembly.layout();
   const FactoredProblem<S>& factored = assembly.factored();
@@ -57,15 +49,12 @@ Status find_idle_closing(const Assembly<S>& assembly, const ExistenceMemory<S>& 
   for (const SumGroup<S>& sum : factored.sums) massless += sum.inertia > S(0) ? 0 : 1;
   for (const ConeGroup<S>& cone : layout.cones) normals += cone.normals;
   if (massless == 0) return Status::ray; // there is none
-  Block<S> scalars(memory.scalars);
-  MatrixMap<S> H = take_matrix(scalars, normals, massless), A = take_matrix(scalars, 1, massless);
-  MatrixMap<S> b = take_matrix(scalars, 1, 1), c = take_matrix(scalars, massless, 1);
-  const Span<S> rest = scalars.take(linear_program_scalars(massless, 1, normals));
-  if (scalars.exhausted()) return Status::bad_input;
-  H.setZero();
-  A.setOnes();
-  b.setOnes();
-  c.setZero();
+  StudyProgram<S> p(memory.scalars, massless, 1, normals);
+  if (!p.fits) return Status::bad_input;
+  p.H.setZero();
+  p.A.setOnes();
+  p.b.setOnes();
+  p.c.setZero();
   Index column = 0;
   for (const SumGroup<S>& sum : factored.sums) {
     if (sum.inertia > S(0)) continue;
@@ -73,15 +62,14 @@ Status find_idle_closing(const Assembly<S>& assembly, const ExistenceMemory<S>& 
       Index row = 0;
       for (const ConeGroup<S>& cone : layout.cones) {
         const Index offset = factored.coupled_variable[k] - cone.variable;
-        if (offset >= 0 && offset < cone.normals) H(row + offset, column) -= factored.coupling[k];
+        if (offset >= 0 && offset < cone.normals) p.H(row + offset, column) -= factored.coupling[k];
         row += cone.normals;
       }
     }
     ++column;
   }
-  LinearProgramSolver<S> solver(rest, memory.integers);
-  const Status status =
-      solver.solve({massless, 1, normals, A.data(), b.data(), H.data(), c.data()}, options);
+  LinearProgramSolver<S> solver(p.rest, memory.integers);
+  const Status status = solver.solve(p.program(), options);
   column = 0;
   for (Index a = 0; status == Status::solved && a < factored.sums.size; ++a)
     witness[a] = factored.sums[a].inertia > S(0) ? S(0) : solver.x()[column++];
@@ -90,37 +78,30 @@ Status find_idle_closing(const Assembly<S>& assembly, const ExistenceMemory<S>& 
 
 /// (H2). `witness` receives the squeeze, per force column.
 template <class S>
-Status find_tightened_squeeze(const Assembly<S>& assembly, const ExistenceMemory<S>& memory,
+Status find_tightened_squeeze(const Assembly<S>& assembly, const StudyMemory<S>& memory,
                               const LemkeOptions<S>& options, S* witness) {
   const Scene<S>& scene = assembly.scene();
   const Layout<S>& layout = assembly.layout();
   const Index forces = layout.forces, power = (scene.planar ? 3 : 6) + layout.actuators;
-  const Index m = power + 1;
-  Index k = 0;
   S largest(0);
-  for (const ConeGroup<S>& cone : layout.cones) k += cone.generators > 0 ? 1 : 0;
   for (const Body<S>& body : scene.bodies)
     largest = Eigen::numext::maxi(largest, S(laws::prescribed(body, layout.scales).norm()));
   if (!(largest > S(0))) return Status::ray; // nothing moves: P = 0
-  Block<S> scalars(memory.scalars);
-  MatrixMap<S> A = take_matrix(scalars, m, forces), H = take_matrix(scalars, k, forces);
-  MatrixMap<S> b = take_matrix(scalars, m, 1), c = take_matrix(scalars, forces, 1);
-  const Span<S> rest = scalars.take(linear_program_scalars(forces, m, k));
-  if (scalars.exhausted()) return Status::bad_input;
-  fill_forces(assembly, A, H);
+  StudyProgram<S> p(memory.scalars, forces, power + 1, rough_points(layout));
+  if (!p.fits) return Status::bad_input;
+  fill_forces(assembly, p.A, p.H);
   for (Index i = 0; i < layout.points; ++i) {
     const ConeGroup<S>& cone = layout.cones[i];
     const Vector6<S> motion =
         laws::prescribed(scene.bodies[layout.body[i]], layout.scales) / largest;
     for (Index j = cone.force; j < cone.force + cone.forces(); ++j)
-      A(power, j) = assembly.factored().wrenches[j].dot(motion);
+      p.A(power, j) = assembly.factored().wrenches[j].dot(motion);
   }
-  b.setZero();
-  b(power, 0) = S(1);
-  c.setZero();
-  LinearProgramSolver<S> solver(rest, memory.integers);
-  const Status status =
-      solver.solve({forces, m, k, A.data(), b.data(), H.data(), c.data()}, options);
+  p.b.setZero();
+  p.b[power] = S(1);
+  p.c.setZero();
+  LinearProgramSolver<S> solver(p.rest, memory.integers);
+  const Status status = solver.solve(p.program(), options);
   for (Index j = 0; status == Status::solved && j < forces; ++j) witness[j] = solver.x()[j];
   return status;
 }
@@ -151,8 +132,7 @@ template <class S> bool cannot_retreat(const Assembly<S>& assembly) {
 /// actuators, receives what shows that (H1) or (H2) fails: closings per actuator, or forces per
 /// column. Cost: two linear programs, Lemke's on forces + points unknowns.
 template <class S>
-[[nodiscard]] Existence study_existence(const Assembly<S>& assembly,
-                                        const ExistenceMemory<S>& memory,
+[[nodiscard]] Existence study_existence(const Assembly<S>& assembly, const StudyMemory<S>& memory,
                                         const LemkeOptions<S>& options, S* witness) {
   const Status closing = detail::find_idle_closing(assembly, memory, options, witness);
   if (closing == Status::solved) return Existence::closes_on_nothing;

@@ -31,9 +31,10 @@ constexpr Index holding_integers(const AssemblySize& size) {
   return linear_program_integers(holding_columns(size), holding_rows(size), size.points);
 }
 
-template <class S> struct HoldingMemory {
-  Span<S> scalars;    ///< holding_scalars
-  Span<int> integers; ///< holding_integers
+/// Of [T.12], and of the existence lemma's conditions.
+template <class S> struct StudyMemory {
+  Span<S> scalars;    ///< holding_scalars, existence_scalars
+  Span<int> integers; ///< holding_integers, existence_integers
 };
 
 /// Does the actuator drive a finger, so that phi scales it?
@@ -45,12 +46,38 @@ template <class S> bool grips(const Scene<S>& scene, Index actuator) {
 
 namespace detail {
 
-/// The program's arrays, and the units that make its numbers about 1: forces are measured in the
-/// load (in the assembly's units), phi in load over grip.
-template <class S> struct HoldingProgram {
-  LinearProgram<S> program;
+/// A program's arrays, cut off the front of a study's memory; `rest` is its solver's.
+template <class S> struct StudyProgram {
   MatrixMap<S> A{nullptr, 0, 0}, H{nullptr, 0, 0};
   VectorMap<S> b{nullptr, 0}, c{nullptr, 0};
+  Span<S> rest;
+  bool fits;
+
+  StudyProgram(Span<S> memory, Index columns, Index equalities, Index inequalities) {
+    Block<S> scalars(memory);
+    scalars.seat(A, equalities, columns);
+    scalars.seat(H, inequalities, columns);
+    scalars.seat(b, equalities);
+    scalars.seat(c, columns);
+    rest = scalars.take(linear_program_scalars(columns, equalities, inequalities));
+    fits = !scalars.exhausted();
+  }
+  LinearProgram<S> program() const {
+    return {A.cols(), A.rows(), H.rows(), A.data(), b.data(), H.data(), c.data()};
+  }
+};
+
+/// Points with friction: each has a row of H.
+template <class S> Index rough_points(const Layout<S>& layout) {
+  Index count = 0;
+  for (const ConeGroup<S>& cone : layout.cones) count += cone.generators > 0 ? 1 : 0;
+  return count;
+}
+
+/// The units that make a program's numbers about 1: forces are measured in the load (in the
+/// assembly's units), phi in load over grip.
+template <class S> struct HoldingProgram : StudyProgram<S> {
+  using StudyProgram<S>::StudyProgram;
   S load{0}, grip{0};
 };
 
@@ -121,34 +148,26 @@ template <class S> void fill_rows(const Assembly<S>& assembly, HoldingProgram<S>
 /// The least factor on the forces of the actuators that drive a finger. Pushers of the assembled
 /// scene are at rest and bear what they must. Post: solved (no factor below holding.factor holds);
 /// does_not_hold (no factor holds at all); both proved, by multipliers that are checked on the
-/// program itself; bad_input (memory too small), or the pivots' failure: nothing is known. Cost:
-/// Lemke's on forces + points unknowns, and n^2 memory beside it.
+/// program itself; bad_input (memory too small), or the pivots' failure: nothing is known.
+/// Cost: Lemke's on forces + points unknowns, and n^2 memory beside it.
 template <class S, class Observer = const Unobserved>
-[[nodiscard]] Status find_holding(const Assembly<S>& assembly, const HoldingMemory<S>& memory,
+[[nodiscard]] Status find_holding(const Assembly<S>& assembly, const StudyMemory<S>& memory,
                                   const LemkeOptions<S>& options, Holding<S>& holding,
                                   Observer& observer = unobserved) {
   const Layout<S>& layout = assembly.layout();
-  const Index columns = layout.forces + 1;
-  const Index m = (assembly.scene().planar ? 3 : 6) + layout.actuators;
-  Index k = 0;
-  for (const ConeGroup<S>& cone : layout.cones) k += cone.generators > 0 ? 1 : 0;
   holding = {};
-  Block<S> scalars(memory.scalars);
-  detail::HoldingProgram<S> p;
-  scalars.seat(p.A, m, columns);
-  scalars.seat(p.H, k, columns);
-  scalars.seat(p.b, m);
-  scalars.seat(p.c, columns);
-  const Span<S> rest = scalars.take(linear_program_scalars(columns, m, k));
-  holding.reason = Reason::memory_too_small;
-  if (scalars.exhausted()) return Status::bad_input;
-  holding.reason = Reason::none;
+  detail::HoldingProgram<S> p(memory.scalars, layout.forces + 1,
+                              (assembly.scene().planar ? 3 : 6) + layout.actuators,
+                              detail::rough_points(layout));
+  if (!p.fits) {
+    holding.reason = Reason::memory_too_small;
+    return Status::bad_input;
+  }
   detail::fill_loads(assembly, p);
   if (!(p.load > S(0))) return Status::solved; // nothing to hold
   detail::fill_rows(assembly, p);
-  p.program = {columns, m, k, p.A.data(), p.b.data(), p.H.data(), p.c.data()};
-  LinearProgramSolver<S> solver(rest, memory.integers);
-  const Status status = solver.solve(p.program, options, observer);
+  LinearProgramSolver<S> solver(p.rest, memory.integers);
+  const Status status = solver.solve(p.program(), options, observer);
   holding.pivots = solver.pivots();
   holding.reason = solver.reason();
   if (p.grip > S(0)) holding.unit = p.load / p.grip;

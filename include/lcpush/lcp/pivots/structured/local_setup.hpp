@@ -50,7 +50,7 @@ void LocalForm<S>::carve(const Problem<S>& problem, Block<S>& scalars, Block<int
     *span = integers.take(cones);
 }
 
-/// Symmetric scales that bring the diagonal of G' A G near 1; then no entry of it is larger
+/// Symmetric scales that bring the diagonal of G' B G near 1; then no entry of it is larger
 /// (Cauchy and Schwarz). One scale for the generators of a cone, its reciprocal for the slip, so
 /// that these entries stay 1. Returns 0, or NaN if a number is not finite.
 template <class S>

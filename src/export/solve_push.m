@@ -1,11 +1,4 @@
-// solve_push.m: the paper's program with GNU Octave or MATLAB. Octave's qp and sqp cycle on these
-// degenerate constraints, so the search goes by linear programs.
-#include "export/export_parts.hpp"
-
-namespace lcpush::desktop {
-
-std::string octave_script() {
-  return R"script(function solve_push()
+function solve_push()
 % Solves the push in this folder the way of Chavan-Dafle and Rodriguez (IROS 2015).
 %
 %   minimise x' H x / 2 + f' x   subject to   A x <= b,  Aeq x = beq,  lb <= x <= ub
@@ -175,7 +168,3 @@ end
 function text = list(numbers)
   text = ['[' strjoin(arrayfun(@(x) sprintf('%.17g', x), numbers(:)', 'UniformOutput', false), ', ') ']'];
 end
-)script";
-}
-
-} // namespace lcpush::desktop

@@ -1,12 +1,4 @@
-// solve_push.py: the paper's program with SciPy. A local solver for a problem with false minima, so
-// the script starts it from several feasible points and calls nothing solved but an objective of
-// zero.
-#include "export/export_parts.hpp"
-
-namespace lcpush::desktop {
-
-std::string python_script() {
-  return R"script(#!/usr/bin/env python3
+#!/usr/bin/env python3
 """Solves the push in this folder the way of Chavan-Dafle and Rodriguez (IROS 2015).
 
     minimise x' H x / 2 + f' x   subject to   A x <= b,  Aeq x = beq,  lb <= x <= ub
@@ -164,7 +156,3 @@ def main():
 
 
 sys.exit(main())
-)script";
-}
-
-} // namespace lcpush::desktop

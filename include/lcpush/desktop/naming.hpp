@@ -1,0 +1,17 @@
+// Points and directions by name.
+#pragma once
+
+#include "lcpush/desktop/scene_io.hpp"
+#include "lcpush/mechanics/model/contact.hpp"
+
+namespace lcpush::desktop {
+
+/// "left.3": point 3 (counted from 1) of body "left".
+std::string point_name(const SceneFile& file, Index point);
+/// "+x" or "-z" along an axis, else "(0.707, 0.707, 0)".
+std::string direction_text(const Vector3<double>& direction);
+/// " along +x"; of a soft point " along +x times 0.866 and twisting by 0.5", positive about its
+/// normal; " twisting by 1" for a pure torque.
+std::string generator_text(const Generator<double>& generator, double torsion_radius);
+
+} // namespace lcpush::desktop

@@ -1,0 +1,66 @@
+// What a push is found to do.
+#pragma once
+
+#include "lcpush/desktop/final_basis.hpp"
+#include "lcpush/desktop/jam.hpp"
+#include "lcpush/desktop/solver.hpp"
+#include "lcpush/desktop/statements.hpp"
+#include "lcpush/mechanics/solve/breaking.hpp"
+#include "lcpush/mechanics/study/motion.hpp"
+#include "lcpush/mechanics/study/uniqueness.hpp"
+
+namespace lcpush::desktop {
+
+/// An unknown's value, in the solver's units.
+struct NamedValue {
+  std::string name;
+  double value;
+  Index unknown = -1; ///< of Push::layout()
+};
+
+/// The literal laws' residuals after a number of sweeps.
+struct SweepRecord {
+  Index sweep; ///< of all rounds together
+  Residuals<double> residuals;
+};
+
+/// What the answers to every question of a push have in common.
+struct RunReport {
+  Status status = Status::bad_input;
+  std::string reason; ///< a sentence, empty when solved
+  Solver solver = Solver::lemke;
+  PressureRun run;
+  Scales<double> scales{};
+  Motion<double> motion; ///< of a break, per unit push
+  Uniqueness unique_motion = Uniqueness::not_tested;
+  std::vector<SweepRecord> history; ///< of a break: of its pushes, one after the other
+  std::vector<NamedValue> ray;      ///< entries that are not zero, largest 1
+  Jam jam;                          ///< the ray, read
+};
+
+struct PushReport : RunReport {
+  Answer<double> answer{}; ///< views into the Push: valid until it is asked again
+  Residuals<double> residuals;
+  Uniqueness unique_wrench = Uniqueness::not_tested;
+  Index covers_compared = 0; ///< other covers that led to an answer
+  FinalBasis final_basis;    ///< other answers next to this one
+  std::string undetermined;  ///< a point or body with friction and no known normal force, or empty
+  ExistenceFound existence;  ///< does a theorem promise an answer?
+};
+
+/// Does the grasp hold the object's weight with the pushers absent?
+struct HoldReport {
+  Status status = Status::bad_input;
+  bool holds = false;
+  Vector6<double> acceleration = Vector6<double>::Zero(); ///< without a push
+  double length = 1; ///< m, the size of the grasp, for telling rounding from motion
+};
+
+/// Its uniqueness compares one other cover.
+struct BreakReport : RunReport {
+  Index pusher = -1; ///< body that pushes
+  Breaking<double> breaking;
+  Uniqueness unique_force = Uniqueness::not_tested;
+};
+
+} // namespace lcpush::desktop

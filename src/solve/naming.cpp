@@ -1,0 +1,39 @@
+#include "lcpush/desktop/naming.hpp"
+
+#include <cmath>
+
+#include "text/wording.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+/// To three digits, without the sign of a zero.
+std::string rounded(double x) { return shown(std::round(x * 1000) / 1000 + 0.0); }
+
+} // namespace
+
+std::string point_name(const SceneFile& file, Index point) {
+  const Index b = file.body_of(point);
+  return file.body_name(b) + "." + std::to_string(point - file.body(b).first_point + 1);
+}
+
+std::string direction_text(const Vector3<double>& direction) {
+  constexpr double slack = 5e-4;
+  for (Index axis = 0; axis < 3; ++axis)
+    for (const double sign : {1.0, -1.0})
+      if ((direction - sign * Vector3<double>::Unit(axis)).norm() < slack)
+        return std::string(sign > 0 ? "+" : "-") + "xyz"[axis];
+  return "(" + rounded(direction[0]) + ", " + rounded(direction[1]) + ", " + rounded(direction[2]) +
+         ")";
+}
+
+std::string generator_text(const Generator<double>& generator, double torsion_radius) {
+  const double slide = generator.force.norm();
+  std::string text;
+  if (slide > 0) text = " along " + direction_text(generator.force / slide);
+  if (generator.torque == 0) return text;
+  if (slide > 0) text += " times " + rounded(slide) + " and";
+  return text + " twisting by " + rounded(generator.torque / torsion_radius);
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,45 @@
+// How much is too much: what is refused, or left out, beyond these sizes, and why.
+#pragma once
+
+#include <cstddef>
+
+#include "lcpush/types.hpp"
+
+namespace lcpush::desktop::limits {
+
+// What is read. No honest file comes near; the others must not use up the machine.
+constexpr std::size_t scene_bytes = std::size_t{64} << 20U;
+constexpr std::size_t answer_bytes = std::size_t{256} << 20U; // full precision, all contacts
+constexpr std::size_t toml_items = 1'000'000;                 // tables and values
+constexpr int toml_list_depth = 8, json_depth = 100;          // the readers call themselves
+constexpr std::size_t fraction_characters = 10000;
+constexpr int fraction_exponent = 1000; // 1e1000 has a thousand digits, and products have more
+constexpr std::size_t scene_points = 100000, scene_bodies = 1000;
+constexpr Index patch_points = 10000; // each sees every other one of its patch: [T.6]
+
+// Unknowns up to which a question is asked; beyond, its answer would take minutes.
+constexpr Index unknowns_dense = 2000; // pivots on the whole dictionary, where structured ones fail
+constexpr Index unknowns_dense_after_ray = 600; // a ray has been verified: it gets less time
+constexpr Index unknowns_searched = 2000;       // other answers, each as long as the first
+constexpr Index unknowns_existence = 2000;      // the programs cost as much as the solve
+constexpr Index unknowns_holding = 2000;        // one linear program
+constexpr Index unknowns_grip = 600;            // every factor that is asked costs several pushes
+constexpr Index unknowns_remedied = 1000;       // a solve for each change that might free a jam
+constexpr Index unknowns_spread = 2000;         // hundreds of linear programs
+constexpr Index unknowns_refined = 2000;        // one dense system
+constexpr Index unknowns_stationary = 400;      // one quadratic program's conditions
+constexpr Index unknowns_traced = 1000;   // every pivot keeps its ratios; the page draws every row
+constexpr Index unknowns_exact = 300;     // fractions grow with every pivot
+constexpr Index points_final_basis = 600; // O(points^3) costs more than the solve
+
+// Points and choices up to which sets are enumerated: the work doubles with each.
+constexpr Index points_enumerated = 16;
+constexpr std::size_t generators_enumerated = 6, pulls_enumerated = 8;
+
+// What a command may be asked for.
+constexpr Index covers = 1000000;
+constexpr Index sweep_steps = 1000000, map_steps = 1000, report_steps = 10000;
+constexpr std::size_t curves = 16; // more cannot be told apart
+constexpr Index bisection_solves = 300;
+
+} // namespace lcpush::desktop::limits
