@@ -22,10 +22,12 @@ PROGRAM = """
 namespace lcpush {
 template class Lemke<float>;
 template class Lemke<double>;
-template class BlockGaussSeidel<double>;
 Status run(Lemke<double>& lemke) { return lemke.solve(); }
 Status step(Lemke<float>& lemke) { return lemke.step(); }
 Status sweep(GaussSeidel<double>& sweeps) { return sweeps.solve(); }
+Status sweep(BlockGaussSeidel<double>& sweeps, const Problem<double>& problem) {
+  return sweeps.init(problem) == Status::running ? sweeps.solve() : sweeps.status();
+}
 } // namespace lcpush
 """
 

@@ -1,4 +1,5 @@
-// What the galleries of docs/teach/lemke_by_hand.md claim: rays, and ideas switched off one at a time.
+// What the galleries of docs/teach/lemke_by_hand.md claim: rays, and ideas switched off one at a
+// time.
 #include <doctest/doctest.h>
 
 #include "support/by_hand.hpp"

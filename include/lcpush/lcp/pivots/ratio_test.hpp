@@ -114,14 +114,14 @@ private:
   /// Harris: a bound on the step with the tolerance, then everything at or below that bound. What
   /// is dropped stays behind the rest: tied_rows() shows it.
   template <class Value> void keep_smallest(Value value) {
-    Index first =
-        0; // The level of the symbolic bound is zero almost everywhere: no need to divide.
+    // The level of the symbolic bound is zero almost everywhere, and then nothing is divided.
+    Index first = 0;
     while (first < count_ && value(candidates_[first]) == S(0)) ++first;
     if (first == count_) return;
     S bound = (value(candidates_[0]) + tolerances_.tie) / rate(candidates_[0]);
     for (Index k = 1; k < count_; ++k) {
       const S reached = value(candidates_[k]) + tolerances_.tie, falls = rate(candidates_[k]);
-      if (reached < bound * falls) bound = reached / falls; // few rows lower it: few divisions
+      if (reached < bound * falls) bound = reached / falls; // few rows lower the bound
     }
     Index kept = 0;
     for (Index k = 0; k < count_; ++k)
