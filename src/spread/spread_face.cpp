@@ -1,9 +1,10 @@
 #include "spread/spread_face.hpp"
 
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "dense/decompositions.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -85,14 +86,11 @@ void Face::eliminate() {
   const Index columns = equations_.cols();
   directions_ = Eigen::MatrixXd::Identity(columns, columns);
   if (equations_.size() > 0) {
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(equations_.transpose());
-    qr.setThreshold(dependent);
-    const Index rank = qr.rank();
-    const Eigen::MatrixXd Q = qr.householderQ() * directions_;
-    basis_ = Q.leftCols(rank);
-    directions_ = Q.rightCols(columns - rank);
-    triangle_ = qr.matrixR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>();
-    for (Index k = 0; k < rank; ++k) order_.push_back(qr.colsPermutation().indices()[k]);
+    RowSpace space = row_space(equations_, dependent);
+    basis_ = std::move(space.basis);
+    directions_ = std::move(space.complement);
+    triangle_ = std::move(space.triangle);
+    order_ = std::move(space.order);
   }
   origin_ = Eigen::VectorXd::Zero(columns);
   settle(origin_);
@@ -221,9 +219,7 @@ Eigen::VectorXd Face::polished(const Eigen::VectorXd& t, const Eigen::VectorXd& 
       A.row(k) = rows_.row(binding[static_cast<std::size_t>(k)]);
       b[k] = -at[binding[static_cast<std::size_t>(k)]];
     }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solve(A);
-    solve.setThreshold(dependent);
-    result += solve.solve(b);
+    result += shortest_solution(A, b, dependent);
   }
   return result;
 }

@@ -1,9 +1,8 @@
 #include "verify/complete_answer.hpp"
+#include "dense/decompositions.hpp"
 
 #include "solve/owned_program.hpp"
 #include "verify/answer_completer.hpp"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +19,7 @@ std::optional<Eigen::VectorXd> least_squares(const Rows& rows, Index unknowns) {
     A.row(k) = rows[static_cast<std::size_t>(k)].first.transpose();
     b[k] = rows[static_cast<std::size_t>(k)].second;
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A);
-  qr.setThreshold(1e-10);
-  if (qr.rank() < unknowns) return std::nullopt;
-  return Eigen::VectorXd(qr.solve(b));
+  return desktop::least_squares(A, b, 1e-10);
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 // The forces of an AnswerCompleter: from the motion, and as generators.
+#include "dense/nonnegative_least_squares.hpp"
 #include "solve/owned_program.hpp"
 #include "text/limits.hpp"
 #include "verify/answer_completer.hpp"
-#include "verify/nonnegative_least_squares.hpp"
 
 #include <algorithm>
 

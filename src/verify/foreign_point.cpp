@@ -1,9 +1,8 @@
 #include "verify/foreign_point.hpp"
+#include "dense/decompositions.hpp"
 
 #include "solve/owned_program.hpp"
 #include "text/limits.hpp"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -42,13 +41,8 @@ std::optional<Eigen::VectorXd> refine_point(const DenseProblem& problem, const E
     for (Index r = 0; r < k; ++r) B(r, c) = problem.M(basic[static_cast<std::size_t>(r)], j);
   }
   Eigen::VectorXd refined = Eigen::VectorXd::Zero(z.size());
-  if (k > 0) {
-    // Where the basis leaves forces open, the least change.
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(1e-11);
-    decomposition.compute(B);
-    for (int round = 0; round < 2; ++round) z_B -= decomposition.solve(B * z_B + q_B);
-  }
+  // Where the basis leaves forces open, the least change.
+  if (k > 0) correct(B, q_B, 1e-11, z_B);
   for (Index c = 0; c < k; ++c) refined[basic[static_cast<std::size_t>(c)]] = z_B[c];
   if (!refined.allFinite()) return std::nullopt;
   return refined;

@@ -205,6 +205,7 @@ private:
 
 #ifdef LCPUSH_EXTERN_TEMPLATES
 namespace lcpush {
+extern template class DenseBasis<double>;
 extern template class Lemke<double>;
 } // namespace lcpush
 #endif

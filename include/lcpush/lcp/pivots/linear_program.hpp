@@ -261,3 +261,9 @@ Status LinearProgramSolver<S>::solve(const LinearProgram<S>& program,
 } // namespace lcpush
 
 #include "lcpush/lcp/pivots/detail/linear_program_proofs.hpp"
+
+#ifdef LCPUSH_EXTERN_TEMPLATES
+namespace lcpush {
+extern template class LinearProgramSolver<double>;
+} // namespace lcpush
+#endif

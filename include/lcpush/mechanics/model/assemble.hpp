@@ -223,3 +223,9 @@ template <class S> Status Assembly<S>::assemble(const Scene<S>& scene) {
 }
 
 } // namespace lcpush
+
+#ifdef LCPUSH_EXTERN_TEMPLATES
+namespace lcpush {
+extern template class Assembly<double>;
+} // namespace lcpush
+#endif

@@ -210,3 +210,10 @@ Residuals<S> check(const Scene<S>& scene, const Scales<S>& scales, const Answer<
 }
 
 } // namespace lcpush
+
+#ifdef LCPUSH_EXTERN_TEMPLATES
+namespace lcpush {
+extern template Residuals<double> check<double>(const Scene<double>&, const Scales<double>&,
+                                                const Answer<double>&, double);
+} // namespace lcpush
+#endif

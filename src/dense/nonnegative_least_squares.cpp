@@ -1,9 +1,9 @@
-#include "verify/nonnegative_least_squares.hpp"
-
-#include <Eigen/QR>
+#include "dense/nonnegative_least_squares.hpp"
 
 #include <algorithm>
 #include <vector>
+
+#include "dense/decompositions.hpp"
 
 namespace lcpush::desktop {
 
@@ -15,7 +15,7 @@ Eigen::VectorXd solve_chosen(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
   Eigen::MatrixXd columns(A.rows(), static_cast<Index>(chosen.size()));
   for (std::size_t k = 0; k < chosen.size(); ++k)
     columns.col(static_cast<Index>(k)) = A.col(chosen[k]);
-  const Eigen::VectorXd found = columns.colPivHouseholderQr().solve(b);
+  const Eigen::VectorXd found = least_squares(columns, b);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(A.cols());
   for (std::size_t k = 0; k < chosen.size(); ++k) x[chosen[k]] = found[static_cast<Index>(k)];
   return x;

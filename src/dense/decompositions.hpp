@@ -1,0 +1,35 @@
+// Eigen's decompositions of real matrices behind plain functions: each is compiled once.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lcpush/types.hpp"
+
+namespace lcpush::desktop {
+
+/// The x of least |A x - b|, for columns that are independent to rounding.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+
+/// The same; nothing if columns of A depend on each other to `threshold`.
+std::optional<Eigen::VectorXd> least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
+                                             double threshold);
+
+/// Of all x of least |A x - b|, A singular to `threshold`, the shortest.
+Eigen::VectorXd shortest_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
+                                  double threshold);
+
+/// Moves x, twice, by the shortest step after which A x + b is as near to 0 as it can be.
+void correct(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double threshold,
+             Eigen::VectorXd& x);
+
+/// What the rows of A span, and what is orthogonal to them: A' = [basis complement] R, in an order.
+struct RowSpace {
+  Eigen::MatrixXd basis;      ///< columns x rank, orthonormal
+  Eigen::MatrixXd complement; ///< columns x (columns - rank), orthonormal
+  Eigen::MatrixXd triangle;   ///< rank x rank, upper: R of the independent rows
+  std::vector<Index> order;   ///< those rows, as R's columns stand
+};
+RowSpace row_space(const Eigen::MatrixXd& A, double threshold);
+
+} // namespace lcpush::desktop

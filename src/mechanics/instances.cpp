@@ -1,0 +1,11 @@
+// The one compiled copy of the laws, for double.
+#include "lcpush/mechanics/model/check.hpp"
+#include "lcpush/mechanics/model/read_answer.hpp"
+
+namespace lcpush {
+template class Assembly<double>;
+template void read_answer<double>(const Assembly<double>&, const double*, Answer<double>&, double,
+                                  bool);
+template Residuals<double> check<double>(const Scene<double>&, const Scales<double>&,
+                                         const Answer<double>&, double);
+} // namespace lcpush
