@@ -15,7 +15,7 @@ int main(int count, char** words) {
     if (report.status != Status::solved) return 1;
     for (Index i = 0; i < report.answer.contacts.size; ++i) {
       const ContactAnswer<double>& contact = report.answer.contacts[i];
-      if (file.bodies[file.body_of(i)].role == Role::pusher)
+      if (push.scene().bodies[contact.body].role == Role::pusher)
         std::printf("%s  %.3f N  %s\n", desktop::point_name(file, i).c_str(), contact.normal_force,
                     mode_text(contact.mode));
     }

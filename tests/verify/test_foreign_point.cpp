@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "verify/nonnegative_least_squares.hpp"
+#include "dense/nonnegative_least_squares.hpp"
 
 #include <random>
 
