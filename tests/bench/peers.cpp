@@ -72,8 +72,7 @@ public:
     assembly_.push_by(sigma);
     if (scene_.pressure != Pressure::pad) return;
     pad_preload(assembly_, memory_.work.pressure);
-    set_compliance(assembly_, memory_.work.pressure,
-                           PressureOptions<double>{}.first_compliance);
+    set_compliance(assembly_, memory_.work.pressure, PressureOptions<double>{}.first_compliance);
   }
 
   Problem<double> problem() const { return assembly_.problem(); }

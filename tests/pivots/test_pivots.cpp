@@ -23,8 +23,8 @@ ExactProblem problem(const std::string& M, const std::string& q) {
 
 ExactProblem textbook(const std::string& name) {
   const std::string stem = root + "/fixtures/textbook/" + name;
-  return {read_matrix_market<Rational>(stem + ".M.mtx"), read_matrix_market<Rational>(stem + ".q.mtx"),
-          0};
+  return {read_matrix_market<Rational>(stem + ".M.mtx"),
+          read_matrix_market<Rational>(stem + ".q.mtx"), 0};
 }
 
 PivotTrace trace_of(const ExactProblem& given, const PivotOptions& options) {

@@ -1,5 +1,5 @@
-// Problems pivoted as docs/teach/lemke_by_hand.md does it, in fractions, and checks of the outcome that
-// share no arithmetic with the pivots.
+// Problems pivoted as docs/teach/lemke_by_hand.md does it, in fractions, and checks of the outcome
+// that share no arithmetic with the pivots.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -30,8 +30,8 @@ inline ExactProblem typed(const std::string& M, const std::string& q) {
 
 inline ExactProblem textbook(const std::string& name) {
   const std::string stem = fixtures + "textbook/" + name;
-  return {read_matrix_market<Rational>(stem + ".M.mtx"), read_matrix_market<Rational>(stem + ".q.mtx"),
-          0};
+  return {read_matrix_market<Rational>(stem + ".M.mtx"),
+          read_matrix_market<Rational>(stem + ".q.mtx"), 0};
 }
 
 /// fixtures/`path` with `from` replaced by `to`.

@@ -1,4 +1,5 @@
-// The worked examples of docs/teach/lemke_by_hand.md and the answers to its exercises, in fractions.
+// The worked examples of docs/teach/lemke_by_hand.md and the answers to its exercises, in
+// fractions.
 #include <doctest/doctest.h>
 
 #include "support/by_hand.hpp"
