@@ -5,7 +5,6 @@
 
 namespace lcpush {
 template class DenseBasis<double>;
-template class detail::LocalForm<double>;
 template class StructuredBasis<double>;
 template class Lemke<double>;
 template class Lemke<double, StructuredBasis<double>>;

@@ -21,7 +21,6 @@ constexpr Index structured_lemke_integers(Index n, Index cones) {
 }
 
 #ifdef LCPUSH_EXTERN_TEMPLATES
-extern template class detail::LocalForm<double>;
 extern template class StructuredBasis<double>;
 extern template class Lemke<double, StructuredBasis<double>>;
 #endif
