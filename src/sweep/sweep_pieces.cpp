@@ -124,7 +124,8 @@ bool moves_otherwise(const SweepValue& a, const SweepValue& b) {
   return a.push.is_solved() && b.push.is_solved() && other_motion(a.push, b.push, equal_answers);
 }
 
-std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, bool forgive_rounding) {
+std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, bool forgive_rounding,
+                                         double near) {
   const auto same = [&](SweepAnswer a, SweepAnswer b, Question question) {
     for (SweepAnswer* answer : {&a, &b}) {
       if (forgive_rounding) break;
@@ -141,7 +142,9 @@ std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, bool 
     disagreed =
         !same(a.push, b.push, Question::push) || !same(a.breaking, b.breaking, Question::breaking);
     if (!disagreed) continue;
-    if (!before || ranges.back().motion != motion) ranges.push_back({ways.from, ways.to, motion});
+    const bool goes_on =
+        before || (!ranges.empty() && std::abs(ways.from - ranges.back().to) <= near);
+    if (!goes_on || ranges.back().motion != motion) ranges.push_back({ways.from, ways.to, motion});
     ranges.back().to = ways.to;
   }
   return ranges;

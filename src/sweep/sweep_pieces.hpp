@@ -65,7 +65,9 @@ struct TwoWays {
 };
 /// The ranges in which they find different answers; `list` follows the sweep. May answers differ by
 /// what rounding leaves of a zero?
-std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, bool forgive_rounding);
+/// Ranges with a gap of at most `near` between them are one: no shorter stretch is told apart.
+std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, bool forgive_rounding,
+                                         double near);
 
 /// Do both push the object as prescribed, and does it move in another way?
 bool moves_otherwise(const SweepValue& a, const SweepValue& b);

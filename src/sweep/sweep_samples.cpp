@@ -121,7 +121,7 @@ void sample_line(const VariedScene& scene, SweepSolver& solver,
       sampled(backwards, steps, part_of(options.progress, 0.5, 0.5));
   sweep.cold += backwards.cold();
   sweep.warm += backwards.warm();
-  sweep.bistable = disagreements(compared(sweep.points, returning), false);
+  sweep.bistable = disagreements(compared(sweep.points, returning), false, 0);
   if (!sweep.bistable.empty()) sweep.points_back = std::move(returning);
 }
 
