@@ -22,8 +22,8 @@ std::string history_text(const std::string& format, const std::string& solver, S
 /// Of pushes: what is left of each law.
 Option history_option();
 /// The format asked for; csv goes with --history, and --history with a solver that sweeps.
-std::string push_format(const Arguments& arguments, desktop::Solver solver);
-std::string push_history(const std::string& format, desktop::Solver solver, Status status,
-                         const std::vector<desktop::SweepRecord>& records);
+std::string push_format(const Arguments& arguments, Solver solver);
+std::string push_history(const std::string& format, Solver solver, Status status,
+                         const std::vector<SweepRecord>& records);
 
 } // namespace lcpush::cli
