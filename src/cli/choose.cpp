@@ -41,9 +41,7 @@ std::string objection(const PivotTrace& trace, const TracedPivot& pivot,
   const std::string right = value_text(*pivot.ratios[best]);
   if (pivot.entering == artificial(trace.size))
     return it + " needs only z0 = " + own + ", and " + name(trace, rows[best]) +
-           " would still be "
-           "negative there: it needs " +
-           right + ".";
+           " would still be negative there: it needs " + right + ".";
   return it + " reaches zero at " + own + ", but " + name(trace, rows[best]) +
          " gets there first, at " + right + ", and would be negative.";
 }

@@ -89,8 +89,7 @@ Statement existence_statement(const SceneFile& file, const ExistenceFound& found
   }
   if (has_bilateral(file))
     said.reasons.emplace_back(
-        "bilateral pushers leave the common class: their pulls were looked at "
-        "too (5.7)");
+        "bilateral pushers leave the common class: their pulls were looked at too (5.7)");
   return said;
 }
 
