@@ -11,7 +11,8 @@ namespace {
 int run_spread(const Arguments& arguments) {
   const std::string format = arguments.format();
   SpreadOptions options;
-  options.covers = arguments.whole("--covers", {1, limits::covers}).value_or(options.covers);
+  options.covering_vectors =
+      arguments.whole("--covers", {1, limits::covers}).value_or(options.covering_vectors);
   options.enumerate = arguments.has("--enumerate");
   const SceneFile file = read_scene_argument(arguments);
   refuse_unknowns(arguments, file, limits::unknowns_spread, "faces can be bounded");

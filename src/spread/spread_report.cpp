@@ -36,9 +36,10 @@ std::string reach_lines(const SpreadReport& report) {
             counted(report.faces, "complementary face");
   } else {
     text += "the solutions that were reached: " + counted(report.faces, "face") + " from " +
-            counted(report.covers, "cover");
-    if (report.covers_solved < report.covers)
-      text += " (" + std::to_string(report.covers - report.covers_solved) + " ended in none)";
+            counted(report.covering_vectors, "cover");
+    if (report.covering_vectors_solved < report.covering_vectors)
+      text += " (" + std::to_string(report.covering_vectors - report.covering_vectors_solved) +
+              " ended in none)";
   }
   if (!report.enumeration.empty())
     text += indent + "not enumerated to the end: " + report.enumeration;
@@ -115,7 +116,8 @@ std::string spread_text(const SceneFile& file, const SpreadReport& report) {
     text += failure_text(file, failure);
     if (report.complete)
       return text + "\nNo solution: every assignment of contact modes was refuted.\n";
-    return text + "\nNo solution was reached from " + counted(report.covers, "cover") + ".\n" +
+    return text + "\nNo solution was reached from " + counted(report.covering_vectors, "cover") +
+           ".\n" +
            (report.enumeration.empty()
                 ? ""
                 : "Not enumerated to the end: " + report.enumeration + ".\n");
@@ -141,8 +143,8 @@ std::string spread_json(const SceneFile& file, const SpreadReport& report) {
   json.begin_object().member("status", status_text(report.status));
   json.member("verdict", when(solved, verdict_text(report.verdict)));
   json.member("laws", "rigid").member("pressure", pressure_text(file.pressure));
-  json.member("faces", report.faces).member("covers", report.covers);
-  json.member("covers_solved", report.covers_solved).member("complete", report.complete);
+  json.member("faces", report.faces).member("covers", report.covering_vectors);
+  json.member("covers_solved", report.covering_vectors_solved).member("complete", report.complete);
   json.member("enumeration", unless_empty(report.enumeration));
   json.member("faces_left", report.faces_left).member("failures", report.failures);
   json.member("linear_programs", report.programs).member("assignments", report.assignments);

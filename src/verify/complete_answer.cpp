@@ -1,8 +1,7 @@
-#include "verify/complete_answer.hpp"
-#include "dense/decompositions.hpp"
-
-#include "solve/owned_program.hpp"
 #include "verify/answer_completer.hpp"
+
+#include "dense/decompositions.hpp"
+#include "solve/owned_program.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -94,14 +93,6 @@ Rows AnswerCompleter::point_rows(bool with_acceleration) const {
   return rows;
 }
 
-bool AnswerCompleter::acceleration_from_points() {
-  const auto found = least_squares(point_rows(true), 6 + layout_.actuators);
-  if (!found) return false;
-  answer_.acceleration = found->head<6>();
-  answer_.acceleration.tail<3>() /= layout_.scales.length;
-  return true;
-}
-
 bool AnswerCompleter::find_acceleration() {
   if (given_.acceleration) {
     answer_.acceleration = *given_.acceleration;
@@ -120,7 +111,9 @@ bool AnswerCompleter::find_acceleration() {
     completion_.completed.emplace_back("the object's acceleration, from the forces");
     return true;
   }
-  if (acceleration_from_points()) {
+  if (const auto found = least_squares(point_rows(true), 6 + layout_.actuators)) {
+    answer_.acceleration = found->head<6>();
+    answer_.acceleration.tail<3>() /= layout_.scales.length;
     completion_.completed.emplace_back("the object's acceleration, from its contact points'");
     return true;
   }
@@ -272,11 +265,6 @@ Completion AnswerCompleter::run() {
   if (!forces_known()) find_forces();
   find_motions();
   return completion_;
-}
-
-Completion complete_answer(Push& push, const ForeignAnswer& given, double tolerance,
-                           Answer<double>& answer) {
-  return AnswerCompleter(push, given, tolerance, answer).run();
 }
 
 } // namespace lcpush::desktop

@@ -70,8 +70,7 @@ void read_contacts(const JsonFields& fields, const JsonArray& array, const Scene
   for (const Vector3<double>& p : file.points) size = std::max(size, p.norm());
   for (std::size_t i = 0; i < read.size(); ++i) {
     const ForeignContact& contact = answer.contacts[i];
-    const std::string& body =
-        file.body_names[static_cast<std::size_t>(file.body_of(static_cast<Index>(i)))];
+    const std::string& body = file.body_name(file.body_of(static_cast<Index>(i)));
     if (!contact.body.empty() && contact.body != body)
       answer.not_this_scene = "contact " + known[i] + " is of body " + quoted(contact.body) +
                               ", the scene's of " + quoted(body);

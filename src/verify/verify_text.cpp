@@ -6,16 +6,14 @@ namespace {
 
 /// Two digits; without those that only say how rounding went.
 std::string short_number(double x) {
-  if (std::abs(x) < 1e-9) return "below 1e-9";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.2g", x);
-  return text;
+  return std::abs(x) < 1e-9 ? "below 1e-9" : printed("%.2g", x);
 }
 
-std::string headline(Verdict verdict, const std::string& because) {
-  std::string text = verdict_text(verdict);
+std::string headline(const JudgedAnswer& report) {
+  const std::string& because = report.because;
+  std::string text = verdict_text(report.verdict);
   text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  if (verdict == Verdict::spurious_minimum)
+  if (report.verdict == Verdict::spurious_minimum)
     return text +
            ".\nEvery linear constraint holds, but not every product vanishes, and no small "
            "step\nlowers their sum: an optimiser stops here (" +
@@ -23,9 +21,9 @@ std::string headline(Verdict verdict, const std::string& because) {
   return because.empty() ? text + ".\n" : text + ", because " + because + ".\n";
 }
 
-std::string tolerance_line(double tolerance, double residual) {
-  return "Tolerance         " + short_number(tolerance) + "; the worst row is off by " +
-         residual_text(residual) + " in scaled units\n";
+std::string tolerance_line(const JudgedAnswer& report) {
+  return "Tolerance         " + short_number(report.tolerance) + "; the worst row is off by " +
+         residual_text(report.residual) + " in scaled units\n";
 }
 
 std::string metrics_lines(const ForeignMetrics& metrics) {
@@ -62,9 +60,9 @@ std::string own_line(const VerifyReport& report) {
 
 std::string verify_text(const SceneFile& file, const VerifyReport& report) {
   std::string text = file.title.empty() ? "" : file.title + "\n\n";
-  text += headline(report.verdict, report.because);
+  text += headline(report);
   if (report.verdict == Verdict::other_data) return text;
-  text += "\n" + tolerance_line(report.tolerance, report.residual);
+  text += "\n" + tolerance_line(report);
   for (const std::string& what : report.completed) text += "Completed         " + what + "\n";
   if (report.refined.found) {
     const bool solves = report.refined.residual <= 1e-8;
@@ -92,9 +90,9 @@ std::string verify_text(const SceneFile& file, const VerifyReport& report) {
 }
 
 std::string verify_text(const RawVerifyReport& report) {
-  std::string text = headline(report.verdict, report.because);
+  std::string text = headline(report);
   if (report.verdict == Verdict::other_data) return text;
-  text += "\n" + tolerance_line(report.tolerance, report.residual);
+  text += "\n" + tolerance_line(report);
   if (report.row >= 0)
     text += "Worst row         " + std::to_string(report.row + 1) + ": z = " + number(*report.z) +
             ", w = " + number(*report.w) + "\n";
