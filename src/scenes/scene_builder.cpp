@@ -274,7 +274,7 @@ private:
   void refuse_squeezes_out_of_plane() const {
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
       const Body<S>& body = scene_.bodies[b];
-      for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      for (const Index i : points_of(body)) {
         const Vector3<S>& p = scene_.points[static_cast<std::size_t>(i)];
         const Vector6<S> column = wrench_column<S>(p, body.normal);
         const double in_plane = std::hypot(as_double(column[0]), as_double(column[1]));

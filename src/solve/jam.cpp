@@ -103,7 +103,7 @@ std::vector<std::string> pressed_points(const SceneFile& file, const Body<double
                                         const Layout<double>& layout, const double* v,
                                         double noise) {
   std::vector<std::string> points;
-  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+  for (const Index i : points_of(body)) {
     const ConeGroup<double>& cone = layout.cones[i];
     const double* forces = v + cone.variable;
     if (*std::max_element(forces, forces + cone.normals) > noise)

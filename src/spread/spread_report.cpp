@@ -3,7 +3,7 @@
 
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/spread.hpp"
-#include "solve/failure_words.hpp"
+#include "solve/push_words.hpp"
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
@@ -19,48 +19,46 @@ std::string interval_text(const Interval& interval, double same) {
   return end_text(interval.low, same) + " .. " + end_text(interval.high, same);
 }
 
-std::string law_line(const SceneFile& file) {
-  const std::string label = "Laws              the paper's, literally (pressure = \"rigid\")";
-  if (file.pressure == Pressure::rigid) return label + "\n";
-  return label + ";\n                  the file's law \"" + pressure_text(file.pressure) +
-         (file.pressure == Pressure::pad ? "\" chooses one of these answers\n"
-                                         : "\" spreads each patch's force: other equations\n");
+Fact law_fact(const SceneFile& file) {
+  Fact fact{"Laws", "the paper's, literally (pressure = \"rigid\")"};
+  if (file.pressure == Pressure::rigid) return fact;
+  fact.text += std::string(";\nthe file's law \"") + pressure_text(file.pressure) +
+               (file.pressure == Pressure::pad ? "\" chooses one of these answers"
+                                               : "\" spreads each patch's force: other equations");
+  return fact;
 }
 
 /// Which answers the bounds speak of.
-std::string reach_lines(const SpreadReport& report) {
-  const std::string label = "Answers           ", indent = "\n                  ";
-  std::string text = label;
+Fact reach_fact(const SpreadReport& report) {
+  std::string text;
   if (report.complete) {
-    text += "every solution: all contact modes enumerated, " +
-            counted(report.faces, "complementary face");
+    text = "every solution: all contact modes enumerated, " +
+           counted(report.faces, "complementary face");
   } else {
-    text += "the solutions that were reached: " + counted(report.faces, "face") + " from " +
-            counted(report.covering_vectors, "cover");
-    if (report.covering_vectors_solved < report.covering_vectors)
-      text += " (" + std::to_string(report.covering_vectors - report.covering_vectors_solved) +
-              " ended in none)";
+    const Index failed = report.covering_vectors - report.covering_vectors_solved;
+    text = "the solutions that were reached: " + counted(report.faces, "face") + " from " +
+           counted(report.covering_vectors, "cover");
+    if (failed > 0) text += " (" + std::to_string(failed) + " ended in none)";
   }
-  if (!report.enumeration.empty())
-    text += indent + "not enumerated to the end: " + report.enumeration;
+  if (!report.enumeration.empty()) text += "\nnot enumerated to the end: " + report.enumeration;
   if (report.faces_left > 0 && !report.complete)
-    text += indent + counted(report.faces_left, "more face") +
+    text += "\n" + counted(report.faces_left, "more face") +
             " known but not studied (limit of work): the bounds may be wider";
   if (report.failures > 0)
-    text += indent + counted(report.failures, "bound") +
+    text += "\n" + counted(report.failures, "bound") +
             " could not be settled: the set may be wider than printed";
-  return text + "\n";
+  return {"Answers", text};
 }
 
-std::string verdict_line(const SpreadReport& report) {
-  const std::string label = "Verdict           ", among = report.complete ? "" : " among these";
+Fact verdict_fact(const SpreadReport& report) {
+  const std::string among = report.complete ? "" : " among these";
   switch (report.verdict) {
-  case SpreadVerdict::unique: return label + "unique: one motion, one set of forces" + among + "\n";
+  case SpreadVerdict::unique: return {"Verdict", "unique: one motion, one set of forces" + among};
   case SpreadVerdict::same_motion:
-    return label + "same motion, other forces: the motion is one" + among + "\n";
+    return {"Verdict", "same motion, other forces: the motion is one" + among};
   case SpreadVerdict::ambiguous: break;
   }
-  return label + "ambiguous: several motions\n";
+  return {"Verdict", "ambiguous: several motions"};
 }
 
 std::string motion_table(const SpreadReport& report) {
@@ -108,7 +106,7 @@ void write_set(JsonWriter& json, const SceneFile& file, const SpreadReport& repo
 } // namespace
 
 std::string spread_text(const SceneFile& file, const SpreadReport& report) {
-  std::string text = title_line(file) + law_line(file);
+  std::string text = title_line(file) + facts_text({law_fact(file)});
   if (report.status != Status::solved) {
     RunReport failure = report.failure;
     failure.status = report.status;
@@ -122,15 +120,13 @@ std::string spread_text(const SceneFile& file, const SpreadReport& report) {
                 ? ""
                 : "Not enumerated to the end: " + report.enumeration + ".\n");
   }
-  text += reach_lines(report) + verdict_line(report);
-  for (const PusherSpread& pusher : report.pushers) {
-    std::string label = "Push by " + file.body_name(pusher.body);
-    label.resize(std::max<std::size_t>(label.size() + 1, 18), ' ');
-    text += label + interval_text(pusher.force, same_force(report)) +
-            " N, the sum of its normal forces\n";
-  }
-  text += "\n" + motion_table(report) + "\n" + contact_table(file, report);
-  return text +
+  std::vector<Fact> facts{reach_fact(report), verdict_fact(report)};
+  for (const PusherSpread& pusher : report.pushers)
+    facts.push_back(
+        {"Push by " + file.body_name(pusher.body),
+         interval_text(pusher.force, same_force(report)) + " N, the sum of its normal forces"});
+  return text + facts_text(facts) + "\n" + motion_table(report) + "\n" +
+         contact_table(file, report) +
          "\nBoth ends of each range belong to answers that were checked apart from the solver: "
          "scaled\nresidual " +
          residual_text(report.residual) + ". Not every value in between need belong to one. " +

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "solve/holding_verdict.hpp"
 #include "solve/push_rounds.hpp"
 #include "sweep/remembered_rounds.hpp"
 

@@ -5,6 +5,7 @@
 #include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/scene.hpp"
 
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -73,6 +74,13 @@ template <class S> struct SceneOf {
 };
 
 using SceneFile = SceneOf<double>;
+
+/// The body's points, as indices into Scene::points.
+template <class S> std::vector<Index> points_of(const Body<S>& body) {
+  std::vector<Index> list(static_cast<std::size_t>(body.point_count));
+  std::iota(list.begin(), list.end(), body.first_point);
+  return list;
+}
 
 /// How a pressure law is spelled, in the order of the enumeration.
 inline std::vector<std::string> pressure_names() {
