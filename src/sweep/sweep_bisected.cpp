@@ -92,17 +92,17 @@ Piece BisectedWalk::grow(const At& start, At& next) {
     if (beyond) stride = (next.t - last.t) / 2;
   }
   if (!beyond) next.t = 2;
-  Piece piece;
-  piece.from = start.t;
-  piece.to = beyond ? next.t : 1;
-  piece.kind = start.answer.is_known() ? SegmentKind::bisected : SegmentKind::unsolved;
-  piece.at_from = start.answer;
-  piece.at_to = last.t > start.t && start.answer.is_known()
-                    ? on_line(start.answer, start.t, last.answer, last.t, piece.to)
-                    : start.answer;
+  const bool known = start.answer.is_known();
+  Piece piece{start.t, beyond ? next.t : 1, known ? SegmentKind::bisected : SegmentKind::unsolved,
+              start.answer, start.answer};
+  if (last.t > start.t && known)
+    piece.at_to = on_line(start.answer, start.t, last.answer, last.t, piece.to);
   piece.at_from.contacts = piece.at_to.contacts = middle.answer.contacts;
   return piece;
 }
+
+/// Everything that is a straight line over a piece.
+using Values = Eigen::Matrix<double, 10, 1>;
 
 /// Where two lines meet, if they do so next to where the one ends and the other begins.
 void sharpen(Question question, Piece& before, Piece& after, double nearest) {
@@ -111,26 +111,23 @@ void sharpen(Question question, Piece& before, Piece& after, double nearest) {
   const double at = before.to;
   // At breaking the motion need not go on where the force does.
   const auto values = [&](const DetailedAnswer& o) {
-    Eigen::Matrix<double, 10, 1> v = Eigen::Matrix<double, 10, 1>::Zero();
+    Values v = Values::Zero();
     v[0] = o.normal;
     if (question == Question::push) v.tail<9>() << o.force, o.twist;
     return v;
   };
   const auto slope = [&](const Piece& piece) {
-    return Eigen::Matrix<double, 10, 1>((values(piece.at_to) - values(piece.at_from)) /
-                                        (piece.to - piece.from));
+    return Values((values(piece.at_to) - values(piece.at_from)) / (piece.to - piece.from));
   };
   if (!(before.to > before.from) || !(after.to > after.from)) return;
-  const Eigen::Matrix<double, 10, 1> off = values(before.at_to) - values(after.at_from);
-  const Eigen::Matrix<double, 10, 1> kink = slope(after) - slope(before);
+  const Values off = values(before.at_to) - values(after.at_from);
+  const Values kink = slope(after) - slope(before);
   // Each question in its own size, so that forces do not drown motions.
-  const Eigen::Matrix<double, 10, 1> size =
-      values(before.at_to).cwiseAbs() + Eigen::Matrix<double, 10, 1>::Constant(1e-12);
-  const Eigen::Matrix<double, 10, 1> scaled_off = off.cwiseQuotient(size);
-  const Eigen::Matrix<double, 10, 1> scaled_kink = kink.cwiseQuotient(size);
+  const Values size = values(before.at_to).cwiseAbs() + Values::Constant(1e-12);
+  const Values scaled_kink = kink.cwiseQuotient(size);
   Index largest = 0;
   if (!(scaled_kink.cwiseAbs().maxCoeff(&largest) > 0)) return;
-  const double t = at + scaled_off[largest] / scaled_kink[largest];
+  const double t = at + off[largest] / size[largest] / scaled_kink[largest];
   if (!(std::abs(t - at) <= nearest)) return;
   before.at_to = before.at(t);
   after.at_from = after.at(t);
@@ -141,8 +138,7 @@ void sharpen(Question question, Piece& before, Piece& after, double nearest) {
 /// of it: what looks like a short piece there is blur. The pieces beside it meet in its middle.
 std::vector<Piece> without_slivers(const std::vector<Piece>& pieces, double shortest) {
   std::vector<Piece> list;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    Piece piece = pieces[i];
+  for (Piece piece : pieces) {
     const bool is_sliver = piece.to - piece.from < shortest && piece.from > 0 && piece.to < 1;
     if (is_sliver && !list.empty() && list.back().kind == SegmentKind::bisected) continue;
     if (!list.empty() && list.back().to < piece.from) {
@@ -175,15 +171,9 @@ std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question, Index
   const double begin = pieces.back().to;
   for (Index k = 1; begin < 1 && k <= samples; ++k) {
     At end = walk.solve(k == samples ? 1 : begin + (1 - begin) * static_cast<double>(k) / samples);
-    Piece stroke;
-    stroke.from = start.t;
-    stroke.to = end.t;
-    stroke.kind = start.answer.is_known() && start.answer.status == end.answer.status
-                      ? SegmentKind::sampled
-                      : SegmentKind::unsolved;
-    stroke.at_from = start.answer;
-    stroke.at_to = end.answer;
-    pieces.push_back(std::move(stroke));
+    const bool known = start.answer.is_known() && start.answer.status == end.answer.status;
+    pieces.push_back({start.t, end.t, known ? SegmentKind::sampled : SegmentKind::unsolved,
+                      start.answer, end.answer});
     start = std::move(end);
   }
   const double blur = question == Question::breaking ? breaking_blur : 0;

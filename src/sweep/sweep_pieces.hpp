@@ -19,8 +19,8 @@ DetailedAnswer on_line(const DetailedAnswer& first, double t0, const DetailedAns
 struct Piece {
   double from = 0, to = 1;
   SegmentKind kind = SegmentKind::exact;
-  DetailedAnswer at_from, at_to;    ///< limits from inside; the contacts are those of the middle
-  PathBreak path = PathBreak::none; ///< at `to`
+  DetailedAnswer at_from{}, at_to{}; ///< limits from inside; the contacts are those of the middle
+  PathBreak path = PathBreak::none;  ///< at `to`
 
   bool is_unsolved() const { return kind == SegmentKind::unsolved; }
   DetailedAnswer at(double t) const { return on_line(at_from, from, at_to, to, t); }
@@ -55,8 +55,8 @@ AnswerChange change_between(const DetailedAnswer& before, const DetailedAnswer& 
 /// Pieces that go on in one line in the same modes become one.
 std::vector<Piece> joined(const std::vector<Piece>& pieces, Question question, double tolerance);
 
-/// What the sweep tells of two answers: of one that is not solved the status alone.
-SweepValue told(const SweepAnswer& push, const SweepAnswer& breaking);
+/// What the sweep tells of an answer: of one that is not solved the status alone.
+SweepAnswer told(const SweepAnswer& answer);
 
 /// What the way there and the way back find in one part of the range, or at one value.
 struct TwoWays {

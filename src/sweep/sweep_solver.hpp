@@ -13,9 +13,6 @@
 
 namespace lcpush::desktop {
 
-/// The two questions of a sweep.
-enum class Question { push, breaking };
-
 /// How a contact behaves, for telling two segments apart.
 struct ContactState {
   Mode mode = Mode::stick;

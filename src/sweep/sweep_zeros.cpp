@@ -73,7 +73,39 @@ public:
   ZeroSearch(SweepSolver& solver, Index component, double threshold)
       : solver_(solver), k_(component), threshold_(threshold) {}
 
-  Crossing between(const SweepPoint& first, const SweepPoint& second);
+  Crossing between(const SweepPoint& first, const SweepPoint& second) {
+    const double whole = std::abs(second.at.push.twist[k_] - first.at.push.twist[k_]);
+    Sample low = sample_at(solver_, share_of(first.value), nullptr);
+    Sample high = sample_at(solver_, share_of(second.value), nullptr);
+    Sample shoulder_low = low, shoulder_high = high; // the last ones that are not yet on the slope
+    const auto value = [this](const Sample& sample) { return sample.push.twist[k_]; };
+    if (sign_of(value(low), 0) * sign_of(value(high), 0) != -1) // afresh, another branch is found
+      return {{k_, first.value, second.value, true}, {}};
+    const auto near = [&](const Sample& sample, const SweepPoint& end) {
+      return std::abs(value(sample) - end.at.push.twist[k_]) <= whole / 10;
+    };
+    while (high.t - low.t > zero_width) {
+      Sample middle = sample_at(solver_, (low.t + high.t) / 2, &low, &high);
+      if (!middle.push.is_solved()) break;
+      const bool below = sign_of(value(middle), 0) * sign_of(value(low), 0) > 0;
+      if (below && near(middle, first)) shoulder_low = middle;
+      if (!below && near(middle, second)) shoulder_high = middle;
+      (below ? low : high) = std::move(middle);
+    }
+    Crossing crossing;
+    const double rise = value(high) - value(low);
+    crossing.zero.component = k_;
+    crossing.zero.jumps = std::abs(rise) > std::max(steepest * whole, 2 * threshold_);
+    const double t = crossing.zero.jumps ? high.t : low.t - value(low) / rise * (high.t - low.t);
+    crossing.zero.from = crossing.zero.to = value_at(variation(), t);
+    if (shoulder_low.t > share_of(first.value))
+      crossing.points.push_back(refined_point(shoulder_low, variation()));
+    if (!crossing.zero.jumps)
+      crossing.points.push_back(refined_point(sample_at(solver_, t, &low), variation()));
+    if (shoulder_high.t < share_of(second.value))
+      crossing.points.push_back(refined_point(shoulder_high, variation()));
+    return crossing;
+  }
 
 private:
   SweepSolver& solver_;
@@ -84,43 +116,7 @@ private:
   double share_of(double value) const {
     return (value - variation().from) / (variation().to - variation().from);
   }
-  SweepPoint refined(const Sample& sample) const {
-    SweepPoint point = point_of(sample, variation());
-    point.refined = true;
-    return point;
-  }
 };
-
-Crossing ZeroSearch::between(const SweepPoint& first, const SweepPoint& second) {
-  const double whole = std::abs(second.at.push.twist[k_] - first.at.push.twist[k_]);
-  Sample low = sample_at(solver_, share_of(first.value), nullptr);
-  Sample high = sample_at(solver_, share_of(second.value), nullptr);
-  Sample shoulder_low = low, shoulder_high = high; // the last ones that are not yet on the slope
-  const auto value = [this](const Sample& sample) { return sample.push.twist[k_]; };
-  if (sign_of(value(low), 0) * sign_of(value(high), 0) != -1) // afresh, another branch is found
-    return {{k_, first.value, second.value, true}, {}};
-  const auto near = [&](const Sample& sample, const SweepPoint& end) {
-    return std::abs(value(sample) - end.at.push.twist[k_]) <= whole / 10;
-  };
-  while (high.t - low.t > zero_width) {
-    Sample middle = sample_at(solver_, (low.t + high.t) / 2, &low, &high);
-    if (!middle.push.is_solved()) break;
-    const bool below = sign_of(value(middle), 0) * sign_of(value(low), 0) > 0;
-    if (below && near(middle, first)) shoulder_low = middle;
-    if (!below && near(middle, second)) shoulder_high = middle;
-    (below ? low : high) = std::move(middle);
-  }
-  Crossing crossing;
-  const double rise = value(high) - value(low);
-  crossing.zero.component = k_;
-  crossing.zero.jumps = std::abs(rise) > std::max(steepest * whole, 2 * threshold_);
-  const double t = crossing.zero.jumps ? high.t : low.t - value(low) / rise * (high.t - low.t);
-  crossing.zero.from = crossing.zero.to = value_at(variation(), t);
-  if (shoulder_low.t > share_of(first.value)) crossing.points.push_back(refined(shoulder_low));
-  if (!crossing.zero.jumps) crossing.points.push_back(refined(sample_at(solver_, t, &low)));
-  if (shoulder_high.t < share_of(second.value)) crossing.points.push_back(refined(shoulder_high));
-  return crossing;
-}
 
 void add_of_points(SweepSolver& solver, Index k, double threshold, std::vector<SweepPoint>& points,
                    std::vector<SweepZero>& zeros) {
