@@ -108,7 +108,8 @@ Status SweepSolver::pivot(Question question, const LemkeOptions<double>& options
                           const unsigned char* from, Basis& basis) {
   make_lemke();
   const Problem<double> problem = point_->problem(question);
-  Status status = lemke_->init(problem, options, from);
+  Status status =
+      from == nullptr ? lemke_->init(problem, options) : lemke_->init(problem, options, from);
   if (status == Status::running) status = lemke_->solve();
   if (status != Status::solved) return status;
   basis.resize(static_cast<std::size_t>(problem.size));
