@@ -18,8 +18,6 @@ namespace lcpush::cli {
 
 namespace {
 
-std::string full_name(const std::string& word) { return word == "-o" ? "--output" : word; }
-
 /// A negative number is a value, not an option.
 bool is_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' &&
@@ -30,7 +28,7 @@ bool is_option(const std::string& word) {
 
 void Arguments::read_option(const Command& command, const std::vector<std::string>& words,
                             std::size_t& at) {
-  std::string name = full_name(words[at]);
+  std::string name = words[at] == "-o" ? "--output" : words[at];
   std::optional<std::string> inline_value;
   if (const std::size_t equals = name.find('='); equals != std::string::npos) {
     inline_value = name.substr(equals + 1);
@@ -58,8 +56,7 @@ void Arguments::read_option(const Command& command, const std::vector<std::strin
     values_[name].push_back(*inline_value);
     return;
   }
-  throw UsageError("unknown option " + desktop::quoted(words[at]) +
-                   desktop::suggestion(name, known));
+  throw UsageError("unknown option " + desktop::quoted(words[at]) + suggestion(name, known));
 }
 
 Arguments::Arguments(const Command& command, const std::vector<std::string>& words) {
@@ -92,13 +89,13 @@ std::string Arguments::format(const std::vector<std::string>& known) const {
   const std::string format = value("--format").value_or("text");
   for (const std::string& name : known)
     if (name == format) return format;
-  refuse_value("--format", format, desktop::listed(known, "or"));
+  refuse_value("--format", format, listed(known, "or"));
 }
 
 std::optional<Index> Arguments::whole(const std::string& option, const Range& range) const {
   const std::optional<std::string> word = value(option);
   if (!word) return std::nullopt;
-  const std::optional<Index> number = desktop::whole_number<Index>(*word);
+  const std::optional<Index> number = whole_number<Index>(*word);
   if (!number || *number < range.smallest || *number > range.largest ||
       (range.even && *number % 2 != 0))
     refuse_value(
@@ -113,16 +110,16 @@ std::optional<double> Arguments::number(const std::string& option, double end,
                                         const std::string& hint) const {
   const std::optional<std::string> word = value(option);
   if (!word) return std::nullopt;
-  const desktop::NumberText number = desktop::read_finite_number(*word);
+  const NumberText number = read_finite_number(*word);
   if (number.error || !(number.value > 0) || !(number.value < end))
-    refuse_value(option, *word, "a number between 0 and " + desktop::shown(end) + hint);
+    refuse_value(option, *word, "a number between 0 and " + shown(end) + hint);
   return number.value;
 }
 
 void refuse_value(const std::string& option, const std::string& word, const std::string& rule,
                   const std::vector<std::string>& known) {
   throw UsageError(option + " is " + rule + ", not " + desktop::quoted(word) +
-                   desktop::suggestion(word, known));
+                   suggestion(word, known));
 }
 
 std::vector<Option> with_common_options(std::vector<Option> own) {
@@ -152,23 +149,23 @@ void write_output(const Arguments& arguments, const std::string& text) {
   errno = 0;
   if (!path) {
     std::cout << text << std::flush;
-    if (!std::cout) desktop::refuse_file("standard output", "written", errno);
+    if (!std::cout) refuse_file("standard output", "written", errno);
     return;
   }
   std::error_code ignored;
   if (std::filesystem::is_directory(*path, ignored))
-    throw desktop::InputError(*path + ": is a directory; name a file inside it");
+    throw InputError(*path + ": is a directory; name a file inside it");
   // A device or a pipe cannot be renamed over.
   const bool direct =
       std::filesystem::exists(*path, ignored) && !std::filesystem::is_regular_file(*path, ignored);
   const std::string partial = direct ? *path : *path + ".part";
   std::ofstream stream(partial, std::ios::binary);
-  if (!stream) desktop::refuse_file(*path, "written", errno);
+  if (!stream) refuse_file(*path, "written", errno);
   stream << text << std::flush;
   if (!stream) {
     const int reason = errno;
     if (!direct) std::remove(partial.c_str());
-    desktop::refuse_file(*path, "written", reason);
+    refuse_file(*path, "written", reason);
   }
   stream.close();
   if (direct) return;
@@ -176,19 +173,14 @@ void write_output(const Arguments& arguments, const std::string& text) {
   std::filesystem::rename(partial, *path, failure);
   if (!failure) return;
   std::remove(partial.c_str());
-  desktop::refuse_file(*path, "written", failure.value());
+  refuse_file(*path, "written", failure.value());
 }
 
-Option solver_option() {
-  return {"--solver", "NAME", "lemke (default), gauss-seidel (sweeps) or hybrid (both)"};
-}
-
-desktop::Solver chosen_solver(const Arguments& arguments) {
+Solver chosen_solver(const Arguments& arguments) {
   const std::string solver = arguments.value("--solver").value_or("lemke");
-  if (solver == "pgs") return desktop::Solver::gauss_seidel; // as many call it
-  for (const desktop::Solver known :
-       {desktop::Solver::lemke, desktop::Solver::gauss_seidel, desktop::Solver::hybrid})
-    if (solver == desktop::solver_text(known)) return known;
+  if (solver == "pgs") return Solver::gauss_seidel; // as many call it
+  for (const Solver known : {Solver::lemke, Solver::gauss_seidel, Solver::hybrid})
+    if (solver == solver_text(known)) return known;
   refuse_value("--solver", solver, "lemke, gauss-seidel or hybrid",
                {"lemke", "gauss-seidel", "hybrid"});
 }

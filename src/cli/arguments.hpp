@@ -13,6 +13,8 @@
 
 namespace lcpush::cli {
 
+using namespace desktop;
+
 /// The command line itself is wrong; what() says how and what to type instead.
 class UsageError : public std::runtime_error {
 public:
@@ -81,8 +83,8 @@ std::string help_text(const Command& command);
 void write_output(const Arguments& arguments, const std::string& text);
 
 /// Refuses solvers that do not exist; returns the one asked for.
-desktop::Solver chosen_solver(const Arguments& arguments);
-/// The option --solver.
-Option solver_option();
+Solver chosen_solver(const Arguments& arguments);
+inline const Option solver_option{"--solver", "NAME",
+                                  "lemke (default), gauss-seidel (sweeps) or hybrid (both)"};
 
 } // namespace lcpush::cli

@@ -9,33 +9,32 @@ namespace lcpush::cli {
 namespace {
 
 int run_break(const Arguments& arguments) {
-  const desktop::Solver solver = chosen_solver(arguments);
+  const Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
-  const desktop::SceneFile file = read_scene_argument(arguments, Needs::scene);
+  const SceneFile file = read_scene_argument(arguments, Needs::scene);
   const Index pusher = chosen_pusher(arguments, file);
   if (!(push_size(file.view()) > 0))
     throw UsageError("no body of the scene moves: give a pusher an acceleration");
-  desktop::Push push(file);
-  desktop::HoldReport hold;
-  desktop::BreakReport report;
-  desktop::GripReport grip;
+  Push push(file);
+  HoldReport hold;
+  BreakReport report;
+  GripReport grip;
   {
     Progress progress;
-    desktop::PushOptions options;
+    PushOptions options;
     options.solver = solver;
     options.watcher = &progress;
     hold = push.holds_without_push(options);
     options.record_history = arguments.has("--history");
     report = push.find_breaking(pusher, options);
     options.record_history = false;
-    options.solver = desktop::Solver::lemke; // the search for the grip is its own
-    if (!arguments.has("--history"))
-      grip = desktop::find_smallest_grip(file, hold, report, options);
+    options.solver = Solver::lemke; // the search for the grip is its own
+    if (!arguments.has("--history")) grip = find_smallest_grip(file, hold, report, options);
   }
   write_output(arguments, arguments.has("--history")
                               ? push_history(format, solver, report.status, report.history)
-                          : format == "json" ? desktop::break_json(file, hold, grip, report)
-                                             : desktop::break_text(file, hold, grip, report));
+                          : format == "json" ? break_json(file, hold, grip, report)
+                                             : break_text(file, hold, grip, report));
   return report.status == Status::solved ? 0 : 1;
 }
 
@@ -50,8 +49,8 @@ Command break_command() {
       "starts to move, how it then moves, and what a faster push adds.\n\n"
       "Example:\n  lcpush break fixtures/scenes/straight_slide.toml\n",
       with_common_options({{"--pusher", "NAME", "whose normal force is meant, among several"},
-                           solver_option(),
-                           history_option()}),
+                           solver_option,
+                           history_option}),
       1,
       run_break};
 }

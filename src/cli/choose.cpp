@@ -7,24 +7,26 @@
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
+
+using namespace desktop;
+
 namespace {
 
-const std::string& name(const desktop::PivotTrace& trace, Index variable) {
+const std::string& name(const PivotTrace& trace, Index variable) {
   return trace.variables[static_cast<std::size_t>(variable)].name;
 }
 
 /// The row that a name or a number from 1 on stands for, or -1.
-Index row_of(const desktop::PivotTrace& trace, const std::vector<Index>& rows,
-             const std::string& word) {
+Index row_of(const PivotTrace& trace, const std::vector<Index>& rows, const std::string& word) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (name(trace, rows[i]) == word) return static_cast<Index>(i);
-  const auto number = desktop::whole_number<std::size_t>(word);
+  const auto number = whole_number<std::size_t>(word);
   if (number && *number >= 1 && *number <= rows.size()) return static_cast<Index>(*number) - 1;
   return -1;
 }
 
 /// Why this row cannot leave.
-std::string objection(const desktop::PivotTrace& trace, const desktop::TracedPivot& pivot,
+std::string objection(const PivotTrace& trace, const TracedPivot& pivot,
                       const std::vector<Index>& rows, Index row) {
   const auto at = static_cast<std::size_t>(row), best = static_cast<std::size_t>(pivot.row);
   const std::string &enters = name(trace, pivot.entering), &it = name(trace, rows[at]);
@@ -35,23 +37,21 @@ std::string objection(const desktop::PivotTrace& trace, const desktop::TracedPiv
     return it + " does not fall as " + enters + " grows (its entry in the column of " + enters +
            " is not negative), so it cannot block.";
   }
-  const std::string own = desktop::value_text(*pivot.ratios[at]);
-  const std::string right = desktop::value_text(*pivot.ratios[best]);
+  const std::string own = value_text(*pivot.ratios[at]);
+  const std::string right = value_text(*pivot.ratios[best]);
   if (pivot.entering == artificial(trace.size))
     return it + " needs only z0 = " + own + ", and " + name(trace, rows[best]) +
-           " would still be "
-           "negative there: it needs " +
-           right + ".";
+           " would still be negative there: it needs " + right + ".";
   return it + " reaches zero at " + own + ", but " + name(trace, rows[best]) +
          " gets there first, at " + right + ", and would be negative.";
 }
 
 } // namespace
 
-Index ask_for_row(const desktop::PivotTrace& trace) {
-  const desktop::TracedPivot& pivot = trace.pivots.back();
+Index ask_for_row(const PivotTrace& trace) {
+  const TracedPivot& pivot = trace.pivots.back();
   if (!pivot.before) return pivot.row;
-  const desktop::Tableau& before = *pivot.before;
+  const Tableau& before = *pivot.before;
   const Index z0 = artificial(trace.size);
   const auto ties = [&pivot](Index variable) {
     return std::find(pivot.ties.begin(), pivot.ties.end(), variable) != pivot.ties.end();
@@ -59,7 +59,7 @@ Index ask_for_row(const desktop::PivotTrace& trace) {
   std::cerr << "Pivot " << trace.pivots.size() - 1 << ": " << name(trace, pivot.entering)
             << " enters (" << trace.variables[static_cast<std::size_t>(pivot.entering)].meaning
             << ").\n"
-            << desktop::tableau_text(trace, before, nullptr);
+            << tableau_text(trace, before, nullptr);
   std::string word;
   for (;;) {
     std::cerr << "Which variable leaves? " << std::flush;

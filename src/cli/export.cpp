@@ -16,23 +16,21 @@ void write_file(const filesystem::path& path, const std::string& text) {
   std::error_code failure;
   filesystem::create_directories(path.parent_path(), failure);
   if (failure)
-    throw desktop::InputError(path.parent_path().string() +
-                              ": cannot be made: " + failure.message());
+    throw InputError(path.parent_path().string() + ": cannot be made: " + failure.message());
   std::ofstream stream(path, std::ios::binary);
   stream << text << std::flush;
   if (!stream)
-    throw desktop::InputError(path.string() +
-                              ": cannot be written; check the path and its permissions");
+    throw InputError(path.string() + ": cannot be written; check the path and its permissions");
 }
 
 int run_export(const Arguments& arguments) {
   const std::optional<std::string> directory = arguments.value("--output");
   if (!directory) throw UsageError("say where to: -o DIRECTORY");
-  const desktop::SceneFile file = read_scene_argument(arguments);
-  const desktop::Export result = desktop::export_scene(file);
+  const SceneFile file = read_scene_argument(arguments);
+  const Export result = export_scene(file);
   const filesystem::path into(*directory);
   const std::string prefix = (into / "").string();
-  for (const desktop::ExportFile& text : result.files) write_file(into / text.name, text.text);
+  for (const ExportFile& text : result.files) write_file(into / text.name, text.text);
   std::error_code nothing_there;
   for (const std::string& name : result.absent) filesystem::remove(into / name, nothing_there);
   std::printf("Wrote %sM.mtx, q.mtx and names.txt: %td unknowns, the literal laws, %s.\n",
@@ -60,13 +58,14 @@ Command export_command() {
       "export",
       "SCENE.toml -o DIRECTORY",
       "the assembled problem for other solvers, with scripts that run them",
-      "Writes M.mtx and q.mtx (w = M z + q in the scaled units that their comment names, without\n"
-      "a pressure law), names.txt, a line an unknown, and free.txt, which of them are free; the\n"
-      "paper's quadratic program (H, f, A, b, Aeq, beq, lb, ub) with names.json; the local "
-      "problem\n"
-      "of FCLIB; and solve_push.py and solve_push.m, which solve the program and write "
-      "answer.json.\n"
-      "\nExample:\n  lcpush export fixtures/scenes/straight_slide.toml -o slide\n",
+      R"(Writes M.mtx and q.mtx (w = M z + q in the scaled units that their comment names, without
+a pressure law), names.txt, a line an unknown, and free.txt, which of them are free; the
+paper's quadratic program (H, f, A, b, Aeq, beq, lb, ub) with names.json; the local problem
+of FCLIB; and solve_push.py and solve_push.m, which solve the program and write answer.json.
+
+Example:
+  lcpush export fixtures/scenes/straight_slide.toml -o slide
+)",
       {{"--output", "DIRECTORY", "made if missing, with its parents; -o for short"}},
       1,
       run_export};

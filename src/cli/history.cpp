@@ -1,7 +1,5 @@
 #include "cli/history.hpp"
 
-#include <algorithm>
-
 #include "formats/json_writer.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
@@ -11,7 +9,7 @@ namespace {
 
 std::string as_json(const std::string& solver, Status status,
                     const std::vector<std::string>& columns, const std::vector<HistoryRow>& rows) {
-  desktop::JsonWriter json;
+  JsonWriter json;
   json.begin_object().member("solver", solver).member("status", status_text(status));
   json.objects("history", rows, [&](const HistoryRow& row) {
     json.member("sweep", row.sweep);
@@ -26,7 +24,7 @@ std::string as_csv(const std::vector<std::string>& columns, const std::vector<Hi
   text += "\n";
   for (const HistoryRow& row : rows) {
     text += std::to_string(row.sweep);
-    for (const double value : row.values) text += "," + desktop::shown(value);
+    for (const double value : row.values) text += "," + shown(value);
     text += "\n";
   }
   return text;
@@ -38,13 +36,9 @@ std::string as_table(const std::string& solver, Status status,
   table[0].insert(table[0].end(), columns.begin(), columns.end());
   for (const HistoryRow& row : rows) {
     table.push_back({std::to_string(row.sweep)});
-    for (const double value : row.values) {
-      char number[40];
-      std::snprintf(number, sizeof number, "%.4e", value);
-      table.back().push_back(number);
-    }
+    for (const double value : row.values) table.back().push_back(printed("%.4e", value));
   }
-  return "Solver " + solver + ", " + status_text(status) + ".\n\n" + desktop::table_text(table);
+  return "Solver " + solver + ", " + status_text(status) + ".\n\n" + table_text(table);
 }
 
 } // namespace
@@ -56,21 +50,17 @@ std::string history_text(const std::string& format, const std::string& solver, S
   return format == "csv" ? as_csv(columns, rows) : as_table(solver, status, columns, rows);
 }
 
-Option history_option() {
-  return {"--history", "", "instead of the answer, each law's residual sweep by sweep (also csv)"};
-}
-
-std::string push_format(const Arguments& arguments, desktop::Solver solver) {
+std::string push_format(const Arguments& arguments, Solver solver) {
   if (!arguments.has("--history")) return arguments.format();
-  if (solver == desktop::Solver::lemke)
+  if (solver == Solver::lemke)
     throw UsageError("--history goes with --solver gauss-seidel or hybrid; lemke has no sweeps");
   return arguments.format({"text", "csv", "json"});
 }
 
-std::string push_history(const std::string& format, desktop::Solver solver, Status status,
-                         const std::vector<desktop::SweepRecord>& records) {
+std::string push_history(const std::string& format, Solver solver, Status status,
+                         const std::vector<SweepRecord>& records) {
   std::vector<HistoryRow> rows;
-  for (const desktop::SweepRecord& record : records) {
+  for (const SweepRecord& record : records) {
     Residuals<double> residuals = record.residuals;
     rows.push_back({record.sweep, {}});
     for (const Law law : all_laws) rows.back().values.push_back(residuals[law]);
@@ -79,7 +69,7 @@ std::string push_history(const std::string& format, desktop::Solver solver, Stat
   std::vector<std::string> columns;
   for (const Law law : all_laws) columns.emplace_back(law_text(law));
   columns.emplace_back("max");
-  return history_text(format, desktop::solver_text(solver), status, columns, rows);
+  return history_text(format, solver_text(solver), status, columns, rows);
 }
 
 } // namespace lcpush::cli

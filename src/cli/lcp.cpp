@@ -1,6 +1,4 @@
 // lcpush lcp: raw linear complementarity problems.
-#include <algorithm>
-#include <cmath>
 
 #include "cli/commands.hpp"
 #include "cli/history.hpp"
@@ -16,15 +14,15 @@ namespace lcpush::cli {
 namespace {
 
 /// --solver, --sweeps and --relaxation.
-desktop::RawOptions read_options(const Arguments& arguments) {
-  desktop::RawOptions options;
+RawOptions read_options(const Arguments& arguments) {
+  RawOptions options;
   options.solver = chosen_solver(arguments);
   for (const char* option : {"--sweeps", "--relaxation", "--history"})
-    if (options.solver == desktop::Solver::lemke && arguments.has(option))
+    if (options.solver == Solver::lemke && arguments.has(option))
       throw UsageError(std::string(option) +
                        " is about sweeps: it goes with --solver gauss-seidel or hybrid");
   // Before pivots a few sweeps have to do: where they come near at all, they do so soon.
-  if (options.solver == desktop::Solver::hybrid) options.sweeps.max_sweeps = 200;
+  if (options.solver == Solver::hybrid) options.sweeps.max_sweeps = 200;
   SweepOptions<double>& sweeps = options.sweeps;
   sweeps.max_sweeps = arguments.whole("--sweeps", {1}).value_or(sweeps.max_sweeps);
   sweeps.relaxation =
@@ -40,58 +38,57 @@ std::string read_format(const Arguments& arguments) {
   return arguments.format();
 }
 
-[[noreturn]] void refuse_diagonal(const Arguments& arguments, const desktop::RawProblem& problem,
+[[noreturn]] void refuse_diagonal(const Arguments& arguments, const RawProblem& problem,
                                   Index row) {
   const std::string message = "--solver gauss-seidel needs a positive diagonal, but row " +
-                              std::to_string(row + 1) + " has " +
-                              desktop::shown(problem.M(row, row)) + "; use lemke or hybrid";
+                              std::to_string(row + 1) + " has " + shown(problem.M(row, row)) +
+                              "; use lemke or hybrid";
   if (arguments.files().empty()) throw UsageError(message);
-  throw desktop::InputError(arguments.files()[0] + ": " + message);
+  throw InputError(arguments.files()[0] + ": " + message);
 }
 
-std::string reason_of(const desktop::RawAnswer& answer) {
-  const std::string at = desktop::printed(" (the scaled residual is %.1e)", answer.residual);
+std::string reason_of(const RawAnswer& answer) {
+  const std::string at = printed(" (the scaled residual is %.1e)", answer.residual);
   if (answer.status == Status::sweep_limit)
     return "the limit of sweeps was reached" + at + "; raise --sweeps";
   if (answer.status == Status::stagnated)
     return "the sweeps make no more progress" + at + "; use hybrid or lemke";
   if (answer.status == Status::ray)
-    return "Lemke ended on a secondary ray under " + desktop::counted(answer.covers, "cover");
+    return "Lemke ended on a secondary ray under " + counted(answer.covers, "cover");
   if (answer.status == Status::pivot_limit) return "the limit of pivots was reached";
   return reason_text(answer.reason);
 }
 
-std::vector<std::string> basis_of(const desktop::RawAnswer& answer) {
+std::vector<std::string> basis_of(const RawAnswer& answer) {
   std::vector<std::string> basis;
   for (std::size_t i = 0; i < answer.basic.size(); ++i)
     basis.push_back((answer.basic[i] != 0 ? "z" : "w") + std::to_string(i + 1));
   return basis;
 }
 
-std::string as_json(const desktop::RawAnswer& answer, const std::string& solver) {
+std::string as_json(const RawAnswer& answer, const std::string& solver) {
   const bool solved = answer.status == Status::solved;
-  desktop::JsonWriter json;
+  JsonWriter json;
   json.begin_object();
   json.member("status", status_text(answer.status)).member("solver", solver);
   json.member("pivots", answer.pivots).member("sweeps", answer.sweeps);
-  json.member("covers", answer.covers).member("residual", desktop::when(solved, answer.residual));
-  json.member("z", desktop::when(solved, answer.z)).member("w", desktop::when(solved, answer.w));
-  json.member("basis", desktop::when(solved, basis_of(answer)));
-  if (!solved)
-    json.member("reason", reason_of(answer)).member("ray", desktop::unless_empty(answer.ray));
+  json.member("covers", answer.covers).member("residual", when(solved, answer.residual));
+  json.member("z", when(solved, answer.z)).member("w", when(solved, answer.w));
+  json.member("basis", when(solved, basis_of(answer)));
+  if (!solved) json.member("reason", reason_of(answer)).member("ray", unless_empty(answer.ray));
   json.list("redundant_rows", answer.redundant_rows, [&](Index row) { json.value(row + 1); });
   return json.end_object().text();
 }
 
 /// "12 sweeps and 3 pivots", without what was not tried.
-std::string effort_of(const desktop::RawAnswer& answer) {
+std::string effort_of(const RawAnswer& answer) {
   const std::string sweeps = std::to_string(answer.sweeps) + " sweeps";
   const std::string pivots = std::to_string(answer.pivots) + " pivots";
   if (answer.covers == 0) return sweeps;
   return answer.history.empty() ? pivots : sweeps + " and " + pivots;
 }
 
-std::string as_text(const desktop::RawProblem& problem, const desktop::RawAnswer& answer) {
+std::string as_text(const RawProblem& problem, const RawAnswer& answer) {
   const std::size_t n = problem.free.size();
   std::string text;
   if (answer.status != Status::solved) {
@@ -104,12 +101,12 @@ std::string as_text(const desktop::RawProblem& problem, const desktop::RawAnswer
     text += "\nThe ray v (v >= 0, M v >= 0 along it up to the cover, largest entry 1):\n";
     for (std::size_t i = 0; i < n; ++i)
       if (answer.ray[i] != 0)
-        text += "  v" + std::to_string(i + 1) + desktop::printed(" = %.9g\n", answer.ray[i]);
+        text += "  v" + std::to_string(i + 1) + printed(" = %.9g\n", answer.ray[i]);
     return text;
   }
   text = "Solved in " + effort_of(answer) +
          (answer.covers > 1 ? " under " + std::to_string(answer.covers) + " covers" : "") +
-         "; largest scaled residual " + desktop::residual_text(answer.residual) + ".\n";
+         "; largest scaled residual " + residual_text(answer.residual) + ".\n";
   for (const Index row : answer.redundant_rows)
     text += "Equality " + std::to_string(row + 1) + " follows from the others and was dropped.\n";
   text += "\n    i  basic" + std::string("                z                w\n");
@@ -117,42 +114,34 @@ std::string as_text(const desktop::RawProblem& problem, const desktop::RawAnswer
     std::string row = std::to_string(i + 1);
     row.insert(0, row.size() < 5 ? 5 - row.size() : 0, ' ');
     row += answer.basic[i] != 0 ? "  z    " : "  w    ";
-    text +=
-        row + desktop::printed("%17.9g", answer.z[i]) +
-        (problem.free[i] != 0 ? "             free\n" : desktop::printed("%17.9g\n", answer.w[i]));
+    text += row + printed("%17.9g", answer.z[i]) +
+            (problem.free[i] != 0 ? "             free\n" : printed("%17.9g\n", answer.w[i]));
   }
   return text;
 }
 
-std::string history_of(const desktop::RawAnswer& answer, const std::string& format,
-                       const std::string& solver) {
-  std::vector<HistoryRow> rows;
-  for (const desktop::SweepResidual& check : answer.history)
-    rows.push_back({check.sweep, {check.residual}});
-  return history_text(format, solver, answer.status, {"residual"}, rows);
-}
-
 int run_lcp(const Arguments& arguments) {
   const std::string format = read_format(arguments);
-  desktop::RawOptions options = read_options(arguments);
-  const std::string solver = desktop::solver_text(options.solver);
-  const desktop::RawProblem problem = read_raw_problem(arguments, arguments.files());
-  desktop::RawAnswer answer;
+  RawOptions options = read_options(arguments);
+  const std::string solver = solver_text(options.solver);
+  const RawProblem problem = read_raw_problem(arguments, arguments.files());
+  RawAnswer answer;
   {
     Progress progress;
     options.watcher = &progress;
-    answer = desktop::solve_raw(problem, options);
+    answer = solve_raw(problem, options);
   }
   if (answer.bad_diagonal >= 0) refuse_diagonal(arguments, problem, answer.bad_diagonal);
   if (answer.inconsistent_row >= 0)
-    throw desktop::InputError(
-        (arguments.files().empty() ? "--q" : arguments.files()[1]) + ": equality " +
-        std::to_string(answer.inconsistent_row + 1) +
-        " of --free cannot hold: what the others leave of it says 0 = something");
-  if (arguments.has("--history"))
-    write_output(arguments, history_of(answer, format, solver));
-  else
-    write_output(arguments, format == "json" ? as_json(answer, solver) : as_text(problem, answer));
+    throw InputError((arguments.files().empty() ? "--q" : arguments.files()[1]) + ": equality " +
+                     std::to_string(answer.inconsistent_row + 1) +
+                     " of --free cannot hold: what the others leave of it says 0 = something");
+  std::vector<HistoryRow> rows;
+  for (const SweepResidual& check : answer.history) rows.push_back({check.sweep, {check.residual}});
+  write_output(arguments, arguments.has("--history")
+                              ? history_text(format, solver, answer.status, {"residual"}, rows)
+                          : format == "json" ? as_json(answer, solver)
+                                             : as_text(problem, answer));
   return answer.status == Status::solved ? 0 : 1;
 }
 
@@ -171,7 +160,7 @@ Command lcp_command() {
               {"--M", "MATRIX", "rows by semicolons, numbers by blanks"},
               {"--q", "VECTOR", "n numbers"},
               {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
-              solver_option(),
+              solver_option,
               {"--sweeps", "N", "most sweeps (default 5000; 200 before hybrid's pivots)"},
               {"--relaxation", "W", "of the sweeps, between 0 and 2 (default 1)"},
               {"--history", "", "the residual after each check instead; also --format csv"},

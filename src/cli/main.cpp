@@ -58,7 +58,7 @@ int run(const std::vector<Command>& commands, const std::vector<std::string>& wo
     }
   }
   std::cerr << "lcpush: unknown command " << desktop::quoted(words[0])
-            << desktop::suggestion(words[0], names) << "\nTry: lcpush --help\n";
+            << suggestion(words[0], names) << "\nTry: lcpush --help\n";
   return bad_input_or_usage;
 }
 

@@ -8,10 +8,10 @@ namespace {
 
 int run_matrices(const Arguments& arguments) {
   const std::string format = arguments.format();
-  const desktop::SceneFile file = read_scene_argument(arguments);
-  const desktop::PaperMatrices matrices = desktop::paper_matrices(file);
-  write_output(arguments, format == "json" ? desktop::matrices_json(matrices)
-                                           : desktop::matrices_text(file, matrices));
+  const SceneFile file = read_scene_argument(arguments);
+  const PaperMatrices matrices = paper_matrices(file);
+  write_output(arguments,
+               format == "json" ? matrices_json(matrices) : matrices_text(file, matrices));
   return 0;
 }
 

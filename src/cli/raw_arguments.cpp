@@ -35,40 +35,38 @@ std::vector<unsigned char> read_free(const Arguments& arguments, Index n) {
 } // namespace
 
 template <class S>
-std::pair<desktop::MatrixOf<S>, desktop::MatrixOf<S>>
-read_matrices(const Arguments& arguments, const std::vector<std::string>& files) {
+std::pair<MatrixOf<S>, MatrixOf<S>> read_matrices(const Arguments& arguments,
+                                                  const std::vector<std::string>& files) {
   const auto M_text = arguments.value("--M"), q_text = arguments.value("--q");
   if (M_text.has_value() != q_text.has_value()) throw UsageError("--M and --q go together");
   if (M_text && !files.empty()) throw UsageError("give either files or --M and --q, not both");
-  desktop::MatrixOf<S> M, q;
+  MatrixOf<S> M, q;
   std::string of_M = "--M", of_q = "--q";
   if (M_text) {
-    M = desktop::parse_inline_matrix<S>(*M_text, "--M");
-    q = desktop::parse_inline_vector<S>(*q_text, "--q");
+    M = parse_inline_matrix<S>(*M_text, "--M");
+    q = parse_inline_vector<S>(*q_text, "--q");
   } else {
     if (files.size() != 2)
       throw UsageError("two files are needed: M.mtx q.mtx (or --M \"2 1; 1 2\" --q \"-5 -6\")");
     of_M = files[0];
     of_q = files[1];
-    M = desktop::read_matrix_market<S>(of_M);
-    q = desktop::read_matrix_market<S>(of_q);
+    M = read_matrix_market<S>(of_M);
+    q = read_matrix_market<S>(of_q);
   }
   const Index n = M.rows;
   if (M.cols != n)
-    throw desktop::InputError(of_M + ": M must be square, but it is " + std::to_string(n) + " x " +
-                              std::to_string(M.cols));
+    throw InputError(of_M + ": M must be square, but it is " + std::to_string(n) + " x " +
+                     std::to_string(M.cols));
   if (q.cols != 1 || q.rows != n)
-    throw desktop::InputError(of_q + ": q must be " + std::to_string(n) +
-                              " x 1 like M's rows, but it is " + std::to_string(q.rows) + " x " +
-                              std::to_string(q.cols));
+    throw InputError(of_q + ": q must be " + std::to_string(n) + " x 1 like M's rows, but it is " +
+                     std::to_string(q.rows) + " x " + std::to_string(q.cols));
   return {std::move(M), std::move(q)};
 }
-template std::pair<desktop::ExactMatrix, desktop::ExactMatrix>
-read_matrices(const Arguments& arguments, const std::vector<std::string>& files);
+template std::pair<ExactMatrix, ExactMatrix> read_matrices(const Arguments& arguments,
+                                                           const std::vector<std::string>& files);
 
-desktop::RawProblem read_raw_problem(const Arguments& arguments,
-                                     const std::vector<std::string>& files) {
-  desktop::RawProblem problem;
+RawProblem read_raw_problem(const Arguments& arguments, const std::vector<std::string>& files) {
+  RawProblem problem;
   std::tie(problem.M, problem.q) = read_matrices<double>(arguments, files);
   problem.free = read_free(arguments, problem.M.rows);
   return problem;

@@ -11,11 +11,10 @@ namespace lcpush::cli {
 /// M, n x n, and q, n x 1: of --M and --q, or of two files; S = Rational takes every number as
 /// typed. Throws UsageError and InputError.
 template <class S>
-std::pair<desktop::MatrixOf<S>, desktop::MatrixOf<S>>
-read_matrices(const Arguments& arguments, const std::vector<std::string>& files);
+std::pair<MatrixOf<S>, MatrixOf<S>> read_matrices(const Arguments& arguments,
+                                                  const std::vector<std::string>& files);
 
 /// These, with the rows of --free.
-desktop::RawProblem read_raw_problem(const Arguments& arguments,
-                                     const std::vector<std::string>& files);
+RawProblem read_raw_problem(const Arguments& arguments, const std::vector<std::string>& files);
 
 } // namespace lcpush::cli

@@ -10,7 +10,7 @@ namespace lcpush::cli {
 namespace {
 
 /// Whose breaking force is asked for, or -1: nothing pushes, or nothing moves.
-Index breaking_pusher(const Arguments& arguments, const desktop::SceneFile& file) {
+Index breaking_pusher(const Arguments& arguments, const SceneFile& file) {
   const bool has_pusher = file.bodies.back().role == Role::pusher;
   const bool is_needed = arguments.has("--pusher") || arguments.has("--vary");
   if (!has_pusher && !is_needed) return -1;
@@ -18,33 +18,33 @@ Index breaking_pusher(const Arguments& arguments, const desktop::SceneFile& file
   return push_size(file.view()) > 0 ? pusher : -1;
 }
 
-std::vector<desktop::Sweep> swept(const Arguments& arguments, const desktop::VariedScene& scene,
-                                  const desktop::SceneFile& file) {
-  std::vector<desktop::Variation> variations;
+std::vector<Sweep> swept(const Arguments& arguments, const VariedScene& scene,
+                         const SceneFile& file) {
+  std::vector<Variation> variations;
   for (const std::string& text : arguments.values("--vary"))
     variations.push_back(read_variation(scene, text));
   if (variations.empty() && arguments.has("--steps"))
     throw UsageError("--steps goes with --vary PATH=FROM:TO");
-  desktop::ParameterSweepOptions options;
-  options.steps = arguments.whole("--steps", {2, desktop::limits::report_steps}).value_or(0);
-  std::vector<desktop::Sweep> sweeps;
+  ParameterSweepOptions options;
+  options.steps = arguments.whole("--steps", {2, limits::report_steps}).value_or(0);
+  std::vector<Sweep> sweeps;
   if (!variations.empty()) options.pusher = chosen_pusher(arguments, file);
-  for (const desktop::Variation& variation : variations) {
-    SweepMeter meter;
-    options.progress = [&meter](double done) { meter.show(done); };
-    sweeps.push_back(desktop::sweep_parameter(scene, {variation}, options));
+  for (const Variation& variation : variations) {
+    StatusLine line;
+    options.progress = [&line](double done) { line.show_share(done); };
+    sweeps.push_back(sweep_parameter(scene, {variation}, options));
   }
   return sweeps;
 }
 
-std::string one_picture(const Arguments& arguments, const desktop::PageContent& content) {
+std::string one_picture(const Arguments& arguments, const PageContent& content) {
   const std::string wanted = arguments.value("--picture").value_or("front");
   std::vector<std::string> names;
-  for (const desktop::Picture& picture : desktop::report_pictures(content)) {
+  for (const Picture& picture : report_pictures(content)) {
     if (picture.name == wanted) return picture.svg;
     names.push_back(picture.name);
   }
-  refuse_value("--picture", wanted, desktop::listed(names, "or") + " for this scene", names);
+  refuse_value("--picture", wanted, listed(names, "or") + " for this scene", names);
 }
 
 int run_report(const Arguments& arguments) {
@@ -52,37 +52,36 @@ int run_report(const Arguments& arguments) {
   if (arguments.has("--picture") && format != "svg")
     throw UsageError("--picture goes with --format svg");
   read_scene_argument(arguments); // refuses what no dense solver can take
-  desktop::VariedScene scene = desktop::VariedScene::read(arguments.files()[0]);
+  VariedScene scene = VariedScene::read(arguments.files()[0]);
   set_pressure(arguments, scene);
-  const desktop::SceneFile file = scene.as_given();
+  const SceneFile file = scene.as_given();
   const Index pusher = breaking_pusher(arguments, file);
   // Before anything is solved: what is typed wrong should not take long to say.
-  std::vector<desktop::Sweep> sweeps = swept(arguments, scene, file);
-  desktop::Push push(file);
-  desktop::HoldReport hold;
-  desktop::BreakReport breaking;
-  desktop::GripReport grip;
-  desktop::PushReport report;
+  std::vector<Sweep> sweeps = swept(arguments, scene, file);
+  Push push(file);
+  HoldReport hold;
+  BreakReport breaking;
+  GripReport grip;
+  PushReport report;
   {
     Progress progress;
-    desktop::PushOptions options;
+    PushOptions options;
     options.watcher = &progress;
     hold = push.holds_without_push(options);
     if (pusher >= 0) {
       breaking = push.find_breaking(pusher, options);
-      grip = desktop::find_smallest_grip(file, hold, breaking, options);
+      grip = find_smallest_grip(file, hold, breaking, options);
     }
     report = push.solve(options); // last: its answer lives in the Push
   }
-  const desktop::PageContent content{file,
-                                     hold,
-                                     report,
-                                     pusher >= 0 ? &breaking : nullptr,
-                                     pusher >= 0 ? &grip : nullptr,
-                                     std::move(sweeps)};
-  write_output(arguments,
-               format == "svg" ? one_picture(arguments, content) : desktop::report_html(content));
-  return desktop::is_solved(content) ? 0 : 1;
+  const PageContent content{file,
+                            hold,
+                            report,
+                            pusher >= 0 ? &breaking : nullptr,
+                            pusher >= 0 ? &grip : nullptr,
+                            std::move(sweeps)};
+  write_output(arguments, format == "svg" ? one_picture(arguments, content) : report_html(content));
+  return is_solved(content) ? 0 : 1;
 }
 
 } // namespace
@@ -104,7 +103,7 @@ Command report_command() {
       with_common_options(
           {{"--vary", "PATH=FROM:TO", "also a plot of a sweep; may be given several times", true},
            {"--steps", "N", "points of the sweeps, evenly spread, ends included"},
-           pressure_option(),
+           pressure_option,
            {"--pusher", "NAME", "whose breaking force is meant, among several"},
            {"--format", "FORMAT", "html (default), or svg for one picture"},
            {"--picture", "NAME", "which one, with --format svg (front)"}}),

@@ -9,25 +9,25 @@
 
 namespace lcpush::cli {
 
-void refuse_unknowns(const Arguments& arguments, const desktop::SceneFile& file, Index most,
+void refuse_unknowns(const Arguments& arguments, const SceneFile& file, Index most,
                      const std::string& what) {
   const Index unknowns = size_of(file.view()).unknowns();
   if (unknowns > most)
-    throw desktop::InputError(arguments.files()[0] + ": the scene has " + std::to_string(unknowns) +
-                              " unknowns, more than the " + std::to_string(most) + " whose " +
-                              what + "; use fewer points or facets");
+    throw InputError(arguments.files()[0] + ": the scene has " + std::to_string(unknowns) +
+                     " unknowns, more than the " + std::to_string(most) + " whose " + what +
+                     "; use fewer points or facets");
 }
 
-desktop::SceneFile read_scene_argument(const Arguments& arguments, Needs needs) {
+SceneFile read_scene_argument(const Arguments& arguments, Needs needs) {
   if (arguments.files().empty())
     throw UsageError("a scene file is needed, such as fixtures/scenes/straight_slide.toml");
-  desktop::SceneFile file = desktop::read_scene(arguments.files()[0]);
+  SceneFile file = read_scene(arguments.files()[0]);
   if (needs == Needs::matrix)
-    refuse_unknowns(arguments, file, desktop::largest_dimension, "matrix this command can hold");
+    refuse_unknowns(arguments, file, largest_dimension, "matrix this command can hold");
   return file;
 }
 
-Index chosen_pusher(const Arguments& arguments, const desktop::SceneFile& file) {
+Index chosen_pusher(const Arguments& arguments, const SceneFile& file) {
   std::vector<std::string> names;
   Index pusher = -1;
   const std::optional<std::string> wanted = arguments.value("--pusher");
@@ -39,35 +39,30 @@ Index chosen_pusher(const Arguments& arguments, const desktop::SceneFile& file) 
   if (names.empty()) throw UsageError("the scene has no [[pusher]]: nothing can break the grasp");
   if (!wanted && names.size() > 1)
     throw UsageError("the scene has several pushers: say which with --pusher " +
-                     desktop::listed(names, "or"));
+                     listed(names, "or"));
   if (pusher < 0)
-    throw UsageError("no pusher is named " + desktop::quoted(*wanted) +
-                     desktop::suggestion(*wanted, names));
+    throw UsageError("no pusher is named " + desktop::quoted(*wanted) + suggestion(*wanted, names));
   return pusher;
 }
 
-Option pressure_option() {
-  return {"--pressure", "LAW", "pad, even or rigid instead of the scene's own"};
-}
-
-void set_pressure(const Arguments& arguments, desktop::VariedScene& scene) {
+void set_pressure(const Arguments& arguments, VariedScene& scene) {
   const auto law = arguments.value("--pressure");
   if (!law) return;
-  const std::vector<std::string> laws = desktop::pressure_names();
+  const std::vector<std::string> laws = pressure_names();
   if (std::find(laws.begin(), laws.end(), *law) == laws.end())
-    refuse_value("--pressure", *law, desktop::listed(laws, "or"), laws);
+    refuse_value("--pressure", *law, listed(laws, "or"), laws);
   scene.set_pressure(*law);
 }
 
-desktop::Variation read_variation(const desktop::VariedScene& scene, const std::string& text) {
+Variation read_variation(const VariedScene& scene, const std::string& text) {
   const std::size_t equals = text.find('='), colon = text.rfind(':');
   if (equals == std::string::npos || colon == std::string::npos || colon < equals)
     throw UsageError("--vary needs PATH=FROM:TO, such as left.grip_force=5:40, not " +
                      desktop::quoted(text));
-  desktop::Variation variation;
+  Variation variation;
   variation.parameter = scene.find(text.substr(0, equals));
   const auto number = [&](std::size_t begin, std::size_t end) {
-    const desktop::NumberText read = desktop::read_finite_number(text.substr(begin, end - begin));
+    const NumberText read = read_finite_number(text.substr(begin, end - begin));
     if (read.error) throw UsageError("--vary " + desktop::quoted(text) + ": " + *read.error);
     return read.value;
   };

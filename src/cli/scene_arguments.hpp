@@ -14,20 +14,21 @@ enum class Needs {
 };
 
 /// The scene of the first file. Throws UsageError without one, InputError if it is too large.
-desktop::SceneFile read_scene_argument(const Arguments& arguments, Needs needs = Needs::matrix);
+SceneFile read_scene_argument(const Arguments& arguments, Needs needs = Needs::matrix);
 
 /// Refuses more unknowns than the `most` "whose `what`", such as "faces can be bounded".
-void refuse_unknowns(const Arguments& arguments, const desktop::SceneFile& file, Index most,
+void refuse_unknowns(const Arguments& arguments, const SceneFile& file, Index most,
                      const std::string& what);
 
 /// The body of --pusher, or the only pusher: whose force is meant. Throws UsageError.
-Index chosen_pusher(const Arguments& arguments, const desktop::SceneFile& file);
+Index chosen_pusher(const Arguments& arguments, const SceneFile& file);
 
-Option pressure_option();
+inline const Option pressure_option{"--pressure", "LAW",
+                                    "pad, even or rigid instead of the scene's own"};
 /// The law of --pressure, if it is given.
-void set_pressure(const Arguments& arguments, desktop::VariedScene& scene);
+void set_pressure(const Arguments& arguments, VariedScene& scene);
 
 /// PATH=FROM:TO, the value of --vary.
-desktop::Variation read_variation(const desktop::VariedScene& scene, const std::string& text);
+Variation read_variation(const VariedScene& scene, const std::string& text);
 
 } // namespace lcpush::cli

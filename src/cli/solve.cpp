@@ -9,15 +9,15 @@ namespace lcpush::cli {
 namespace {
 
 int run_solve(const Arguments& arguments) {
-  const desktop::Solver solver = chosen_solver(arguments);
+  const Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
-  const desktop::SceneFile file = read_scene_argument(arguments, Needs::scene);
-  desktop::Push push(file);
-  desktop::HoldReport hold;
-  desktop::PushReport report;
+  const SceneFile file = read_scene_argument(arguments, Needs::scene);
+  Push push(file);
+  HoldReport hold;
+  PushReport report;
   {
     Progress progress;
-    desktop::PushOptions options;
+    PushOptions options;
     options.solver = solver;
     options.record_history = arguments.has("--history");
     options.watcher = &progress;
@@ -26,8 +26,8 @@ int run_solve(const Arguments& arguments) {
   }
   write_output(arguments, arguments.has("--history")
                               ? push_history(format, solver, report.status, report.history)
-                          : format == "json" ? desktop::solve_json(file, hold, report)
-                                             : desktop::solve_text(file, hold, report));
+                          : format == "json" ? solve_json(file, hold, report)
+                                             : solve_text(file, hold, report));
   return report.status == Status::solved ? 0 : 1;
 }
 
@@ -40,7 +40,7 @@ Command solve_command() {
           "Reads a scene, assembles its complementarity problem and solves it by Lemke's pivots.\n"
           "Accelerations are the object's, in the gripper's frame and SI units.\n\n"
           "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
-          with_common_options({solver_option(), history_option()}),
+          with_common_options({solver_option, history_option}),
           1,
           run_solve};
 }

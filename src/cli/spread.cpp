@@ -10,20 +10,19 @@ namespace {
 
 int run_spread(const Arguments& arguments) {
   const std::string format = arguments.format();
-  desktop::SpreadOptions options;
-  options.covers =
-      arguments.whole("--covers", {1, desktop::limits::covers}).value_or(options.covers);
+  SpreadOptions options;
+  options.covering_vectors =
+      arguments.whole("--covers", {1, limits::covers}).value_or(options.covering_vectors);
   options.enumerate = arguments.has("--enumerate");
-  const desktop::SceneFile file = read_scene_argument(arguments);
-  refuse_unknowns(arguments, file, desktop::limits::unknowns_spread, "faces can be bounded");
-  desktop::SpreadReport report;
+  const SceneFile file = read_scene_argument(arguments);
+  refuse_unknowns(arguments, file, limits::unknowns_spread, "faces can be bounded");
+  SpreadReport report;
   {
     Progress progress;
     options.watcher = &progress;
-    report = desktop::find_spread(file, options);
+    report = find_spread(file, options);
   }
-  write_output(arguments, format == "json" ? desktop::spread_json(file, report)
-                                           : desktop::spread_text(file, report));
+  write_output(arguments, format == "json" ? spread_json(file, report) : spread_text(file, report));
   return report.status == Status::solved ? 0 : 1;
 }
 

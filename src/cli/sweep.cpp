@@ -11,44 +11,37 @@ namespace lcpush::cli {
 namespace {
 
 /// --each PATH=V,V,..: a variation a value, from = to.
-std::vector<desktop::Variation> read_each(const desktop::VariedScene& scene,
-                                          const std::string& text) {
+std::vector<Variation> read_each(const VariedScene& scene, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
     throw UsageError("--each needs PATH=V,V,.. such as facets=4,8,16, not " +
                      desktop::quoted(text));
-  const desktop::Parameter parameter = scene.find(text.substr(0, equals));
-  std::vector<desktop::Variation> list;
-  for (const std::string_view part :
-       desktop::split_at(std::string_view(text).substr(equals + 1), ',')) {
-    const desktop::NumberText read = desktop::read_finite_number(part);
+  const Parameter parameter = scene.find(text.substr(0, equals));
+  std::vector<Variation> list;
+  for (const std::string_view part : split_at(std::string_view(text).substr(equals + 1), ',')) {
+    const NumberText read = read_finite_number(part);
     if (read.error) throw UsageError("--each " + desktop::quoted(text) + ": " + *read.error);
     list.push_back({parameter, read.value, read.value});
   }
   return list;
 }
 
-std::string named(const std::string& title, const std::string& file) {
-  return title.empty() ? file : title;
-}
-
 /// All that is known before the first solve, so that bad input costs no time.
-std::vector<desktop::SweepCurve> read_curves(const Arguments& arguments,
-                                             std::vector<desktop::VariedScene>& scenes) {
-  std::vector<desktop::SweepCurve> curves;
+std::vector<SweepCurve> read_curves(const Arguments& arguments, std::vector<VariedScene>& scenes) {
+  std::vector<SweepCurve> curves;
   const auto each = arguments.value("--each");
   for (const std::string& path : arguments.files()) {
-    desktop::VariedScene scene = desktop::VariedScene::read(path);
+    VariedScene scene = VariedScene::read(path);
     set_pressure(arguments, scene);
-    const std::string title = named(scene.as_given().title, path);
+    const std::string given = scene.as_given().title, title = given.empty() ? path : given;
     const std::string mine = arguments.files().size() > 1 ? title : "";
     if (!each) {
       curves.push_back({mine, title, std::nullopt, {}});
       scenes.push_back(scene);
       continue;
     }
-    for (const desktop::Variation& value : read_each(scene, *each)) {
-      const std::string label = value.parameter.path + " = " + desktop::shown(value.from) +
+    for (const Variation& value : read_each(scene, *each)) {
+      const std::string label = value.parameter.path + " = " + shown(value.from) +
                                 (value.parameter.unit.empty() ? "" : " " + value.parameter.unit);
       curves.push_back({mine.empty() ? label : mine + ", " + label, title, value, {}});
       scenes.push_back(scene.with(value.parameter, value.from));
@@ -60,13 +53,12 @@ std::vector<desktop::SweepCurve> read_curves(const Arguments& arguments,
   return curves;
 }
 
-std::string title_of(const std::vector<desktop::SweepCurve>& curves) {
-  const desktop::Sweep& sweep = curves.front().sweep;
+std::string title_of(const std::vector<SweepCurve>& curves) {
+  const Sweep& sweep = curves.front().sweep;
   std::string over = sweep.variations[0].parameter.path;
   if (sweep.is_map()) over += " and " + sweep.variations[1].parameter.path;
   bool same = true;
-  for (const desktop::SweepCurve& curve : curves)
-    same = same && curve.scene == curves.front().scene;
+  for (const SweepCurve& curve : curves) same = same && curve.scene == curves.front().scene;
   return (same ? curves.front().scene + ": push" : "Push") + " by " + sweep.pusher + " over " +
          over;
 }
@@ -78,41 +70,40 @@ int run_sweep(const Arguments& arguments) {
   if (varied.size() > 2)
     throw UsageError("--vary is given once, or twice for a map, not " +
                      std::to_string(varied.size()) + " times");
-  std::vector<desktop::SweepQuantity> shown;
+  std::vector<SweepQuantity> shown;
   if (const auto names = arguments.value("--show")) {
     if (format != "svg")
       throw UsageError("--show goes with --format svg; the other formats have everything");
-    for (const std::string_view name : desktop::split_at(*names, ','))
-      shown.push_back(desktop::sweep_quantity(std::string(name)));
+    for (const std::string_view name : split_at(*names, ','))
+      shown.push_back(sweep_quantity(std::string(name)));
   }
   (void)read_scene_argument(arguments); // refuses what is too large
-  std::vector<desktop::VariedScene> scenes;
-  std::vector<desktop::SweepCurve> curves = read_curves(arguments, scenes);
+  std::vector<VariedScene> scenes;
+  std::vector<SweepCurve> curves = read_curves(arguments, scenes);
   if (varied.size() > 1 && curves.size() > 1)
     throw UsageError("a map is of one scene: leave out the second --vary, or --each and the other "
                      "scenes");
-  desktop::ParameterSweepOptions options;
-  options.steps = arguments
-                      .whole("--steps", {2, varied.size() > 1 ? desktop::limits::map_steps
-                                                              : desktop::limits::sweep_steps})
-                      .value_or(0);
+  ParameterSweepOptions options;
+  options.steps =
+      arguments.whole("--steps", {2, varied.size() > 1 ? limits::map_steps : limits::sweep_steps})
+          .value_or(0);
   bool complete = true;
   {
-    SweepMeter meter;
+    StatusLine line;
     const double count = static_cast<double>(curves.size());
     for (std::size_t k = 0; k < curves.size(); ++k) {
-      options.progress = [&meter, count, k](double done) {
-        meter.show((static_cast<double>(k) + done) / count);
+      options.progress = [&line, count, k](double done) {
+        line.show_share((static_cast<double>(k) + done) / count);
       };
       options.pusher = chosen_pusher(arguments, scenes[k].as_given());
-      curves[k].sweep = desktop::sweep_parameter(scenes[k], curves[k].sweep.variations, options);
+      curves[k].sweep = sweep_parameter(scenes[k], curves[k].sweep.variations, options);
       complete = complete && curves[k].sweep.complete;
     }
   }
-  write_output(arguments, format == "json"  ? desktop::sweep_json(curves)
-                          : format == "csv" ? desktop::sweep_csv(curves)
-                          : format == "svg" ? desktop::sweep_svg(curves, title_of(curves), shown)
-                                            : desktop::sweep_text(curves));
+  write_output(arguments, format == "json"  ? sweep_json(curves)
+                          : format == "csv" ? sweep_csv(curves)
+                          : format == "svg" ? sweep_svg(curves, title_of(curves), shown)
+                                            : sweep_text(curves));
   return complete ? 0 : 1;
 }
 
@@ -123,35 +114,32 @@ Command sweep_command() {
       "sweep",
       "SCENE.toml.. --vary PATH=FROM:TO [OPTIONS]",
       "how the push changes with grip force, friction, place, motion, ..",
-      "Varies one number of the scene, or two for a map. PATH is a name and a key of the file,\n"
-      "vectors counted from [0]: left.grip_force, wall.ends[0][1], object.mass, gravity[1]; *.KEY\n"
-      "of all bodies that have it; wall.shift[1] moves a body along an axis (m), wall.turn turns\n"
-      "its acceleration in the x-y plane, wall.tangent_turn its friction generators about the "
-      "normal\n"
-      "(degrees). A path that does not exist lists those that do. Several scenes, or several "
-      "values\n"
-      "with --each, give a curve each; what counts something (facets, points) varies there "
-      "alone.\n\n"
-      "Forces and accelerations give exact segments (under pressure \"rigid\" or \"even\"; \"pad\" "
-      "by\n"
-      "bisection) with their breakpoints in words; everything else is sampled, more closely where\n"
-      "modes change.\n\n"
-      "Examples:\n"
-      "  lcpush sweep fixtures/scenes/straight_slide.toml --vary \"*.grip_force=2:30\" "
-      "--pressure rigid\n"
+      R"(Varies one number of the scene, or two for a map. PATH is a name and a key of the file,
+vectors counted from [0]: left.grip_force, wall.ends[0][1], object.mass, gravity[1]; *.KEY
+of all bodies that have it; wall.shift[1] moves a body along an axis (m), wall.turn turns
+its acceleration in the x-y plane, wall.tangent_turn its friction generators about the normal
+(degrees). A path that does not exist lists those that do. Several scenes, or several values
+with --each, give a curve each; what counts something (facets, points) varies there alone.
+
+Forces and accelerations give exact segments (under pressure "rigid" or "even"; "pad" by
+bisection) with their breakpoints in words; everything else is sampled, more closely where
+modes change.
+
+Examples:
+  lcpush sweep fixtures/scenes/straight_slide.toml --vary "*.grip_force=2:30" --pressure rigid
+)"
       "  lcpush sweep fixtures/scenes/pivot.toml --vary edge.shift[0]=0:0.03 --steps 31 "
-      "--each facets=4,8,16 \\\n"
-      "    --show force,twist[5] --format svg -o pivot.svg\n",
+      "--each facets=4,8,16 \\\n    --show force,twist[5] --format svg -o pivot.svg\n",
       with_common_options(
           {{"--vary", "PATH=FROM:TO", "what varies, and how far; twice for a map", true},
            {"--each", "PATH=V,V,..", "one curve for each of these values of another number"},
            {"--steps", "N", "points evenly spread, ends included (51; a map 11 each way)"},
-           pressure_option(),
+           pressure_option,
            {"--pusher", "NAME", "whose force is meant, among several"},
            {"--show", "NAME,NAME,..",
             "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
            {"--format", "FORMAT", "text (default), csv, json or svg; --json for short"}}),
-      desktop::limits::curves,
+      limits::curves,
       run_sweep};
 }
 

@@ -6,13 +6,12 @@
 #include "formats/json_fields.hpp"
 #include "text/limits.hpp"
 #include "text/text_file.hpp"
-#include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-desktop::VerifyOptions verify_options(const Arguments& arguments) {
-  desktop::VerifyOptions options;
+VerifyOptions verify_options(const Arguments& arguments) {
+  VerifyOptions options;
   options.tolerance =
       arguments.number("--tolerance", 1, " such as 1e-6").value_or(options.tolerance);
   return options;
@@ -20,10 +19,9 @@ desktop::VerifyOptions verify_options(const Arguments& arguments) {
 
 /// The z of `lcpush lcp --json`, or of an object that has nothing else.
 std::vector<double> read_z(const std::string& path) {
-  const desktop::JsonValue root =
-      desktop::parse_json(desktop::read_text_file(path, desktop::limits::answer_bytes), path);
-  const desktop::JsonFields fields(path);
-  if (root.as<desktop::JsonObject>() == nullptr)
+  const JsonValue root = parse_json(read_text_file(path, limits::answer_bytes), path);
+  const JsonFields fields(path);
+  if (root.as<JsonObject>() == nullptr)
     fields.refuse(root, std::string("an answer is a JSON object, got ") + root.type());
   const auto z = fields.numbers(root, "z", -1);
   if (!z) fields.refuse(root, "nothing to verify: give \"z\": [n numbers]");
@@ -36,11 +34,9 @@ int verify_raw_problem(const Arguments& arguments, const std::string& format) {
     throw UsageError("files are needed: M.mtx q.mtx ANSWER.json (or --M, --q and ANSWER.json)");
   const std::string answer = files.back();
   files.pop_back();
-  const desktop::RawProblem problem = read_raw_problem(arguments, files);
-  const desktop::RawVerifyReport report =
-      desktop::verify_raw(problem, read_z(answer), verify_options(arguments));
-  write_output(arguments,
-               format == "json" ? desktop::verify_json(report) : desktop::verify_text(report));
+  const RawProblem problem = read_raw_problem(arguments, files);
+  const RawVerifyReport report = verify_raw(problem, read_z(answer), verify_options(arguments));
+  write_output(arguments, format == "json" ? verify_json(report) : verify_text(report));
   return is_valid(report.verdict) ? 0 : 1;
 }
 
@@ -53,12 +49,11 @@ int run_verify(const Arguments& arguments) {
     throw UsageError(arguments.files().size() == 3
                          ? "three files are M.mtx q.mtx ANSWER.json: say --lcp"
                          : "two files are needed: SCENE.toml ANSWER.json");
-  const desktop::VerifyOptions options = verify_options(arguments);
-  const desktop::SceneFile file = read_scene_argument(arguments);
-  const desktop::ForeignAnswer answer = desktop::read_foreign_answer(arguments.files()[1], file);
-  const desktop::VerifyReport report = desktop::verify_answer(file, answer, options);
-  write_output(arguments, format == "json" ? desktop::verify_json(report)
-                                           : desktop::verify_text(file, report));
+  const VerifyOptions options = verify_options(arguments);
+  const SceneFile file = read_scene_argument(arguments);
+  const ForeignAnswer answer = read_foreign_answer(arguments.files()[1], file);
+  const VerifyReport report = verify_answer(file, answer, options);
+  write_output(arguments, format == "json" ? verify_json(report) : verify_text(file, report));
   return is_valid(report.verdict) ? 0 : 1;
 }
 

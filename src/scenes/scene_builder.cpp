@@ -3,13 +3,15 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/mechanics/model/contact.hpp"
 #include "scenes/exact_frame.hpp"
-#include "scenes/scene_object.hpp"
 #include "scenes/scene_schema.hpp"
+#include "scenes/scene_tables.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -18,8 +20,6 @@ namespace {
 
 // Rounding of a normal that no decimal number can give exactly.
 constexpr double direction_slack = 1e-9;
-
-std::string section_of(Role role) { return role == Role::finger ? "finger" : "pusher"; }
 
 /// A rigid motion that moves `at` with `linear`, taken at the centre of mass.
 template <class S>
@@ -30,280 +30,279 @@ Vector6<S> twist_at(const Vector3<S>& center_of_mass, const Vector3<S>& linear,
   return twist;
 }
 
+template <class S> class SceneBuilder {
+public:
+  /// `document` must outlive the builder.
+  explicit SceneBuilder(const TomlDocument& document) : document_(document) {}
+
+  /// Call once.
+  SceneOf<S> build() {
+    check_sections(document_);
+    read_settings();
+    scene_.object = read_object<S>(reader("object"), scene_.shape);
+    read_bodies(Role::finger);
+    read_bodies(Role::pusher);
+    if (scene_.bodies.empty())
+      throw InputError(document_.file, 1,
+                       "nothing touches the object; add at least one [[finger]] or [[pusher]]");
+    drive_fingers();
+    for (std::size_t i = 0; i < count("actuator"); ++i) read_actuator(reader("actuator", i));
+    for (std::size_t i = 0; i < count("pusher"); ++i)
+      drive_pusher(reader("pusher", i), static_cast<Index>(count("finger") + i));
+    if (scene_.planar) refuse_squeezes_out_of_plane();
+    return std::move(scene_);
+  }
+
+private:
+  /// How many tables there are of [[section]].
+  std::size_t count(const std::string& section) const {
+    const TomlSection* const found = document_.find(section);
+    return found != nullptr ? found->tables.size() : 0;
+  }
+
+  /// Labels a table `finger "left"`, or `finger 2` while it has no usable name.
+  TableReader reader(const std::string& section, std::size_t index = 0) const {
+    const TomlSection* const found = document_.find(section);
+    const TomlTable& table = found != nullptr ? found->tables[index] : document_.root;
+    std::string label = section;
+    if (found != nullptr && found->is_array)
+      label += " " + (table.name() ? quoted(*table.name()) : std::to_string(index + 1));
+    return TableReader(document_.file, table, label, schema_of(section));
+  }
+
+  std::string claim_name(const TableReader& table) {
+    const std::string name = table.text("name");
+    const auto [first, is_new] = name_lines_.emplace(name, table.line());
+    if (!is_new)
+      table.fail("name", "the name " + quoted(name) + " is taken by the table on line " +
+                             std::to_string(first->second) + "; names must be unique");
+    return name;
+  }
+
+  void read_settings() {
+    const TableReader root = reader("");
+    if (root.has("title")) scene_.title = root.text("title");
+    if (root.has("gravity")) scene_.gravity = root.vector3<S>("gravity");
+    if (root.has("facets")) scene_.facets = root.whole("facets", 4, 256);
+    if (scene_.facets % 2 != 0)
+      root.fail("facets", "facets must be even, got " + std::to_string(scene_.facets));
+    if (root.has("pressure"))
+      scene_.pressure = static_cast<Pressure>(root.choice("pressure", pressure_names()));
+    if (root.has("planar")) scene_.planar = root.boolean("planar");
+  }
+
+  void read_bodies(Role role) {
+    const std::string section = role == Role::finger ? "finger" : "pusher";
+    for (std::size_t i = 0; i < count(section); ++i) {
+      const TableReader table = reader(section, i);
+      if (scene_.bodies.size() == limits::scene_bodies)
+        table.fail("", "more than " + std::to_string(limits::scene_bodies) +
+                           " bodies in the scene; use fewer");
+      read_body(role, table);
+    }
+  }
+
+  void read_body(Role role, const TableReader& table) {
+    scene_.body_names.push_back(claim_name(table));
+    const Patch<S> patch = read_patch<S>(table);
+    Body<S> body{};
+    body.role = role;
+    body.normal = patch.normal;
+    body.tangent = patch.tangent;
+    body.friction = table.number<S>("friction", Sign::not_negative);
+    body.first_point = static_cast<Index>(scene_.points.size());
+    body.point_count = static_cast<Index>(patch.positions.size());
+    body.acceleration = role == Role::pusher ? prescribed_twist(table) : Vector6<S>::Zero();
+    if (table.has("torsion_radius")) {
+      body.torsion_radius = table.number<S>("torsion_radius", Sign::positive);
+      if (body.point_count != 1)
+        table.fail("torsion_radius",
+                   "torsion_radius goes with a single point only; this patch has " +
+                       std::to_string(body.point_count));
+    }
+    if (table.has("follow"))
+      body.bilateral = table.choice("follow", {"unilateral", "bilateral"}) == 1;
+    if (body.bilateral && table.has("normal_force"))
+      table.fail("follow", "follow = \"bilateral\" holds the pusher's normal motion, normal_force "
+                           "its force; remove one of the two");
+    scene_.bodies.push_back(body);
+    if (scene_.points.size() + patch.positions.size() > limits::scene_points)
+      table.fail("points", "more than " + std::to_string(limits::scene_points) +
+                               " contact points in the scene; use fewer");
+    for (const Vector3<S>& position : patch.positions) {
+      scene_.positions.push_back(position);
+      scene_.points.push_back(position - scene_.object.center_of_mass);
+    }
+    if constexpr (!std::is_same_v<S, double>)
+      scene_.inexact.insert(scene_.inexact.end(), patch.inexact.begin(), patch.inexact.end());
+  }
+
+  Vector6<S> prescribed_twist(const TableReader& table) const {
+    const auto optional = [&table](const std::string& key) {
+      return table.has(key) ? table.vector3<S>(key) : Vector3<S>(Vector3<S>::Zero());
+    };
+    if (table.has("about") && !table.has("angular_acceleration"))
+      table.fail("about", "about goes with angular_acceleration; add that or remove about");
+    if (!table.has("acceleration") && !table.has("angular_acceleration") &&
+        !table.has("normal_force"))
+      table.fail("acceleration", "missing the motion; add acceleration, angular_acceleration or "
+                                 "normal_force (for a wall at rest acceleration = [0, 0, 0])");
+    return twist_at<S>(scene_.object.center_of_mass, optional("acceleration"),
+                       optional("angular_acceleration"), optional("about"));
+  }
+
+  void drive_fingers() {
+    if (document_.find("gripper")) {
+      const TableReader gripper = reader("gripper");
+      if (const TomlSection* const actuator = document_.find("actuator"))
+        gripper.fail("", "[gripper] and the [[actuator]] on line " +
+                             std::to_string(actuator->tables.front().line) +
+                             " exclude each other; remove one of them");
+      if (gripper.has("jaws") && gripper.choice("jaws", {"independent", "parallel"}) == 1)
+        return drive_parallel_jaws(gripper);
+    }
+    for (std::size_t i = 0; i < count("finger"); ++i) {
+      const TableReader finger = reader("finger", i);
+      if (!finger.has("grip_force")) continue;
+      const S force = finger.number<S>("grip_force", Sign::positive);
+      if (document_.find("actuator"))
+        finger.fail("grip_force", "grip_force and [[actuator]] exclude each other; give the force "
+                                  "to an [[actuator]] that drives this finger");
+      drive_along_normal(static_cast<Index>(i), add_actuator(scene_.body_names[i], force, S(0)));
+    }
+  }
+
+  void drive_parallel_jaws(const TableReader& gripper) {
+    const std::size_t fingers = count("finger");
+    if (scene_.pressure == Pressure::even)
+      gripper.fail("jaws",
+                   "parallel jaws share one force over both fingers, so no point's even share of "
+                   "it is known; use jaws = \"independent\" or another pressure than \"even\"");
+    if (fingers != 2)
+      gripper.fail("jaws",
+                   "parallel jaws need exactly two [[finger]]s, got " + std::to_string(fingers));
+    const TableReader first = reader("finger", 0);
+    const TableReader second = reader("finger", 1);
+    const S force = first.number<S>("grip_force", Sign::positive);
+    const S other = second.number<S>("grip_force", Sign::positive);
+    if (force != other)
+      second.fail("grip_force", "parallel jaws share one grip_force; got " +
+                                    shown(as_double(other)) + ", but " + shown(as_double(force)) +
+                                    " on the other finger");
+    scene_.parallel_jaws = true;
+    const Index jaws = add_actuator("jaws", S(2) * force, S(0));
+    drive_along_normal(0, jaws);
+    drive_along_normal(1, jaws);
+  }
+
+  void drive_pusher(const TableReader& table, Index body) {
+    if (!table.has("normal_force")) return;
+    const S force = table.number<S>("normal_force", Sign::positive);
+    if (table.has("acceleration")) {
+      const Vector3<S> acceleration = table.vector3<S>("acceleration");
+      const double along =
+          as_double(acceleration.dot(scene_.bodies[static_cast<std::size_t>(body)].normal));
+      if (std::abs(along) > direction_slack * as_doubles(acceleration).norm())
+        table.fail("acceleration", "normal_force decides the motion along the normal; acceleration "
+                                   "must have no part along it, got " +
+                                       shown(along));
+    }
+    const std::string& name = scene_.body_name(body);
+    drive_along_normal(body, add_actuator(name, force, S(0)));
+  }
+
+  void drive_along_normal(Index body, Index actuator) {
+    Vector6<S> twist;
+    twist << scene_.bodies[static_cast<std::size_t>(body)].normal, Vector3<S>::Zero();
+    scene_.drives.push_back({body, actuator, twist});
+  }
+
+  Index add_actuator(const std::string& name, const S& force, const S& inertia) {
+    scene_.actuator_names.push_back(name);
+    scene_.actuators.push_back({force, inertia});
+    return static_cast<Index>(scene_.actuators.size()) - 1;
+  }
+
+  void read_actuator(const TableReader& table) {
+    const std::string name = claim_name(table);
+    const std::vector<std::string> bodies = table.texts("bodies", scene_.bodies.size());
+    const std::vector<std::vector<S>> twists = table.rows<S>("twists", 6, scene_.bodies.size());
+    if (twists.size() != bodies.size())
+      table.fail("twists", "twists must have one entry for each of the " +
+                               std::to_string(bodies.size()) + " bodies, got " +
+                               std::to_string(twists.size()));
+    if (table.has("force") == table.has("acceleration"))
+      table.fail("acceleration", "an actuator has either a force or an acceleration; give one");
+    const bool is_prescribed = table.has("acceleration");
+    if (!is_prescribed && bodies.size() > 1 && scene_.pressure == Pressure::even)
+      table.fail("bodies", "an actuator of several bodies shares one force over them, so no "
+                           "point's even share of it is known; use another pressure than \"even\"");
+    if (is_prescribed && table.has("inertia"))
+      table.fail("inertia", "inertia goes with force; remove it");
+    const S amount = table.number<S>(is_prescribed ? "acceleration" : "force",
+                                     is_prescribed ? Sign::any : Sign::not_negative);
+    const S inertia = table.has("inertia") ? table.number<S>("inertia", Sign::not_negative) : S(0);
+    if (!is_prescribed && amount == S(0) && inertia == S(0))
+      table.fail("force", "an actuator without force and inertia holds nothing; give it one of "
+                          "them, or remove it and its bodies");
+    const Index actuator = is_prescribed ? 0 : add_actuator(name, amount, inertia);
+    const std::vector<std::string>& known = scene_.body_names;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const auto found = std::find(known.begin(), known.end(), bodies[i]);
+      if (found == known.end())
+        table.fail("bodies",
+                   "no body is called " + quoted(bodies[i]) + suggestion(bodies[i], known));
+      if (std::count(bodies.begin(), bodies.end(), bodies[i]) > 1)
+        table.fail("bodies", "the body " + quoted(bodies[i]) + " is listed twice; remove one");
+      const Vector6<S> at_origin = Eigen::Map<const Vector6<S>>(twists[i].data());
+      const Vector6<S> twist =
+          twist_at<S>(scene_.object.center_of_mass, at_origin.template head<3>(),
+                      at_origin.template tail<3>(), Vector3<S>::Zero());
+      if (twist == Vector6<S>(Vector6<S>::Zero()))
+        table.fail("twists", "the twist of " + quoted(bodies[i]) + " is zero");
+      const auto body = found - known.begin();
+      if (is_prescribed)
+        scene_.bodies[static_cast<std::size_t>(body)].acceleration += amount * twist;
+      else
+        scene_.drives.push_back({body, actuator, twist});
+    }
+  }
+
+  /// A planar object cannot make way for a contact whose normal force does not move it in the
+  /// plane: pressing on would be a jam of one contact.
+  void refuse_squeezes_out_of_plane() const {
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+      const Body<S>& body = scene_.bodies[b];
+      for (const Index i : points_of(body)) {
+        const Vector3<S>& p = scene_.points[static_cast<std::size_t>(i)];
+        const Vector6<S> column = wrench_column<S>(p, body.normal);
+        const double in_plane = std::hypot(as_double(column[0]), as_double(column[1]));
+        const double turning = std::abs(as_double(column[5]));
+        const bool moves_it =
+            in_plane > direction_slack || turning > direction_slack * as_doubles(p).norm();
+        const S closing = column.dot(body.acceleration);
+        if (moves_it || !(body.bilateral ? closing != S(0) : closing > S(0))) continue;
+        throw InputError(document_.file, name_lines_.at(scene_.body_names[b]),
+                         quoted(scene_.body_names[b]) +
+                             (body.bilateral ? ": moves the object out of the plane"
+                                             : ": moves into the object out of the plane") +
+                             ", where planar = true lets nothing give way; move it in the x-y "
+                             "plane or remove planar");
+      }
+    }
+  }
+
+  const TomlDocument& document_;
+  SceneOf<S> scene_;
+  std::map<std::string, int> name_lines_; ///< of bodies and [[actuator]]s
+};
+
 } // namespace
 
-template <class S>
-const std::vector<TomlTable>& SceneBuilder<S>::tables(const std::string& section) const {
-  static const std::vector<TomlTable> none;
-  const TomlSection* const found = document_.find(section);
-  return found ? found->tables : none;
+template <class S> SceneOf<S> build_scene(const TomlDocument& document) {
+  return SceneBuilder<S>(document).build();
 }
-
-/// Labels a table `finger "left"`, or `finger 2` while it has no usable name.
-template <class S>
-TableReader SceneBuilder<S>::reader(const std::string& section, std::size_t index) const {
-  const TomlSection* const found = document_.find(section);
-  const TomlTable& table = found != nullptr ? found->tables[index] : document_.root;
-  std::string label = section;
-  if (found != nullptr && found->is_array)
-    label += " " + (table.name() ? quoted(*table.name()) : std::to_string(index + 1));
-  return TableReader(document_.file, table, label, schema_of(section));
-}
-
-template <class S> std::string SceneBuilder<S>::claim_name(const TableReader& table) {
-  const std::string name = table.text("name");
-  const auto [first, is_new] = name_lines_.emplace(name, table.line());
-  if (!is_new)
-    table.fail("name", "the name " + quoted(name) + " is taken by the table on line " +
-                           std::to_string(first->second) + "; names must be unique");
-  return name;
-}
-
-/// The index of the body, or the number of bodies if there is none of this name.
-template <class S> Index SceneBuilder<S>::body_called(const std::string& name) const {
-  const auto& names = scene_.body_names;
-  return std::find(names.begin(), names.end(), name) - names.begin();
-}
-
-template <class S> SceneOf<S> SceneBuilder<S>::build() {
-  check_sections(document_);
-  read_settings();
-  scene_.object = read_object<S>(reader("object"), scene_.shape);
-  read_bodies(Role::finger);
-  read_bodies(Role::pusher);
-  if (scene_.bodies.empty())
-    throw InputError(document_.file, 1,
-                     "nothing touches the object; add at least one [[finger]] or [[pusher]]");
-  drive_fingers();
-  for (std::size_t i = 0; i < tables("actuator").size(); ++i) read_actuator(reader("actuator", i));
-  for (std::size_t i = 0; i < tables("pusher").size(); ++i)
-    drive_pusher(reader("pusher", i), static_cast<Index>(tables("finger").size() + i));
-  if (scene_.planar) refuse_squeezes_out_of_plane();
-  return std::move(scene_);
-}
-
-/// A planar object cannot make way for a contact whose normal force does not move it in the plane:
-/// pressing on would be a jam of one contact.
-template <class S> void SceneBuilder<S>::refuse_squeezes_out_of_plane() const {
-  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
-    const Body<S>& body = scene_.bodies[b];
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-      const Vector3<S>& p = scene_.points[static_cast<std::size_t>(i)];
-      const Vector6<S> column = wrench_column<S>(p, body.normal);
-      const double in_plane = std::hypot(as_double(column[0]), as_double(column[1]));
-      const double turning = std::abs(as_double(column[5]));
-      const bool moves_it =
-          in_plane > direction_slack || turning > direction_slack * as_doubles(p).norm();
-      const S closing = column.dot(body.acceleration);
-      if (moves_it || !(body.bilateral ? closing != S(0) : closing > S(0))) continue;
-      throw InputError(document_.file, name_lines_.at(scene_.body_names[b]),
-                       quoted(scene_.body_names[b]) +
-                           (body.bilateral ? ": moves the object out of the plane"
-                                           : ": moves into the object out of the plane") +
-                           ", where planar = true lets nothing give way; move it in the x-y plane "
-                           "or remove planar");
-    }
-  }
-}
-
-template <class S> void SceneBuilder<S>::read_settings() {
-  const TableReader root = reader("");
-  if (root.has("title")) scene_.title = root.text("title");
-  if (root.has("gravity")) scene_.gravity = root.vector3<S>("gravity");
-  if (root.has("facets")) scene_.facets = root.whole("facets", 4, 256);
-  if (scene_.facets % 2 != 0)
-    root.fail("facets", "facets must be even, got " + std::to_string(scene_.facets));
-  if (root.has("pressure"))
-    scene_.pressure = static_cast<Pressure>(root.choice("pressure", pressure_names()));
-  if (root.has("planar")) scene_.planar = root.boolean("planar");
-}
-
-template <class S> void SceneBuilder<S>::read_bodies(Role role) {
-  const std::string section = section_of(role);
-  for (std::size_t i = 0; i < tables(section).size(); ++i) {
-    const TableReader table = reader(section, i);
-    if (scene_.bodies.size() == limits::scene_bodies)
-      table.fail("", "more than " + std::to_string(limits::scene_bodies) +
-                         " bodies in the scene; use fewer");
-    read_body(role, table);
-  }
-}
-
-template <class S> void SceneBuilder<S>::read_body(Role role, const TableReader& table) {
-  scene_.body_names.push_back(claim_name(table));
-  const Patch<S> patch = read_patch<S>(table);
-  Body<S> body{};
-  body.role = role;
-  body.normal = patch.normal;
-  body.tangent = patch.tangent;
-  body.friction = table.number<S>("friction", Sign::not_negative);
-  body.first_point = static_cast<Index>(scene_.points.size());
-  body.point_count = static_cast<Index>(patch.positions.size());
-  body.acceleration = role == Role::pusher ? prescribed_twist(table) : Vector6<S>::Zero();
-  if (table.has("torsion_radius")) {
-    body.torsion_radius = table.number<S>("torsion_radius", Sign::positive);
-    if (body.point_count != 1)
-      table.fail("torsion_radius", "torsion_radius goes with a single point only; this patch has " +
-                                       std::to_string(body.point_count));
-  }
-  if (table.has("follow"))
-    body.bilateral = table.choice("follow", {"unilateral", "bilateral"}) == 1;
-  if (body.bilateral && table.has("normal_force"))
-    table.fail("follow",
-               "follow = \"bilateral\" holds the pusher's normal motion, normal_force its "
-               "force; remove one of the two");
-  scene_.bodies.push_back(body);
-  add_points(table, patch);
-  if constexpr (!std::is_same_v<S, double>)
-    scene_.inexact.insert(scene_.inexact.end(), patch.inexact.begin(), patch.inexact.end());
-}
-
-template <class S>
-void SceneBuilder<S>::add_points(const TableReader& table, const Patch<S>& patch) {
-  if (scene_.points.size() + patch.positions.size() > limits::scene_points)
-    table.fail("points", "more than " + std::to_string(limits::scene_points) +
-                             " contact points in the scene; use fewer");
-  for (const Vector3<S>& position : patch.positions) {
-    scene_.positions.push_back(position);
-    scene_.points.push_back(position - scene_.object.center_of_mass);
-  }
-}
-
-template <class S> Vector6<S> SceneBuilder<S>::prescribed_twist(const TableReader& table) const {
-  const auto optional = [&table](const std::string& key) {
-    return table.has(key) ? table.vector3<S>(key) : Vector3<S>(Vector3<S>::Zero());
-  };
-  if (table.has("about") && !table.has("angular_acceleration"))
-    table.fail("about", "about goes with angular_acceleration; add that or remove about");
-  if (!table.has("acceleration") && !table.has("angular_acceleration") &&
-      !table.has("normal_force"))
-    table.fail("acceleration", "missing the motion; add acceleration, angular_acceleration or "
-                               "normal_force (for a wall at rest acceleration = [0, 0, 0])");
-  return twist_at<S>(scene_.object.center_of_mass, optional("acceleration"),
-                     optional("angular_acceleration"), optional("about"));
-}
-
-template <class S>
-Index SceneBuilder<S>::add_actuator(const std::string& name, const S& force, const S& inertia) {
-  scene_.actuator_names.push_back(name);
-  scene_.actuators.push_back({force, inertia});
-  return static_cast<Index>(scene_.actuators.size()) - 1;
-}
-
-template <class S> void SceneBuilder<S>::drive_along_normal(Index body, Index actuator) {
-  Vector6<S> twist;
-  twist << scene_.bodies[static_cast<std::size_t>(body)].normal, Vector3<S>::Zero();
-  scene_.drives.push_back({body, actuator, twist});
-}
-
-template <class S> void SceneBuilder<S>::drive_fingers() {
-  if (document_.find("gripper")) {
-    const TableReader gripper = reader("gripper");
-    if (const TomlSection* const actuator = document_.find("actuator"))
-      gripper.fail("", "[gripper] and the [[actuator]] on line " +
-                           std::to_string(actuator->tables.front().line) +
-                           " exclude each other; remove one of them");
-    if (gripper.has("jaws") && gripper.choice("jaws", {"independent", "parallel"}) == 1)
-      return drive_parallel_jaws(gripper);
-  }
-  for (std::size_t i = 0; i < tables("finger").size(); ++i) {
-    const TableReader finger = reader("finger", i);
-    if (!finger.has("grip_force")) continue;
-    const S force = finger.number<S>("grip_force", Sign::positive);
-    if (document_.find("actuator"))
-      finger.fail("grip_force", "grip_force and [[actuator]] exclude each other; give the force to "
-                                "an [[actuator]] that drives this finger");
-    drive_along_normal(static_cast<Index>(i), add_actuator(scene_.body_names[i], force, S(0)));
-  }
-}
-
-template <class S> void SceneBuilder<S>::drive_parallel_jaws(const TableReader& gripper) {
-  const std::size_t count = tables("finger").size();
-  if (scene_.pressure == Pressure::even)
-    gripper.fail("jaws", "parallel jaws share one force over both fingers, so no point's even "
-                         "share of it is known; use jaws = \"independent\" or another pressure "
-                         "than \"even\"");
-  if (count != 2)
-    gripper.fail("jaws",
-                 "parallel jaws need exactly two [[finger]]s, got " + std::to_string(count));
-  const TableReader first = reader("finger", 0);
-  const TableReader second = reader("finger", 1);
-  const S force = first.number<S>("grip_force", Sign::positive);
-  const S other = second.number<S>("grip_force", Sign::positive);
-  if (force != other)
-    second.fail("grip_force", "parallel jaws share one grip_force; got " + shown(as_double(other)) +
-                                  ", but " + shown(as_double(force)) + " on the other finger");
-  scene_.parallel_jaws = true;
-  const Index jaws = add_actuator("jaws", S(2) * force, S(0));
-  drive_along_normal(0, jaws);
-  drive_along_normal(1, jaws);
-}
-
-template <class S> void SceneBuilder<S>::drive_pusher(const TableReader& table, Index body) {
-  if (!table.has("normal_force")) return;
-  const S force = table.number<S>("normal_force", Sign::positive);
-  if (table.has("acceleration")) {
-    const Vector3<S> acceleration = table.vector3<S>("acceleration");
-    const double along =
-        as_double(acceleration.dot(scene_.bodies[static_cast<std::size_t>(body)].normal));
-    if (std::abs(along) > direction_slack * as_doubles(acceleration).norm())
-      table.fail("acceleration", "normal_force decides the motion along the normal; acceleration "
-                                 "must have no part along it, got " +
-                                     shown(along));
-  }
-  const std::string& name = scene_.body_name(body);
-  drive_along_normal(body, add_actuator(name, force, S(0)));
-}
-
-template <class S>
-Vector6<S> SceneBuilder<S>::moved_to_center_of_mass(const std::vector<S>& twist) const {
-  const Vector6<S> at_origin = Eigen::Map<const Vector6<S>>(twist.data());
-  return twist_at<S>(scene_.object.center_of_mass, at_origin.template head<3>(),
-                     at_origin.template tail<3>(), Vector3<S>::Zero());
-}
-
-template <class S> void SceneBuilder<S>::read_actuator(const TableReader& table) {
-  const std::string name = claim_name(table);
-  const std::vector<std::string> bodies = table.texts("bodies", scene_.bodies.size());
-  const std::vector<std::vector<S>> twists = table.rows<S>("twists", 6, scene_.bodies.size());
-  if (twists.size() != bodies.size())
-    table.fail("twists", "twists must have one entry for each of the " +
-                             std::to_string(bodies.size()) + " bodies, got " +
-                             std::to_string(twists.size()));
-  if (table.has("force") == table.has("acceleration"))
-    table.fail("acceleration", "an actuator has either a force or an acceleration; give one");
-  const bool is_prescribed = table.has("acceleration");
-  if (!is_prescribed && bodies.size() > 1 && scene_.pressure == Pressure::even)
-    table.fail("bodies", "an actuator of several bodies shares one force over them, so no point's "
-                         "even share of it is known; use another pressure than \"even\"");
-  if (is_prescribed && table.has("inertia"))
-    table.fail("inertia", "inertia goes with force; remove it");
-  const S amount = table.number<S>(is_prescribed ? "acceleration" : "force",
-                                   is_prescribed ? Sign::any : Sign::not_negative);
-  const S inertia = table.has("inertia") ? table.number<S>("inertia", Sign::not_negative) : S(0);
-  if (!is_prescribed && amount == S(0) && inertia == S(0))
-    table.fail("force", "an actuator without force and inertia holds nothing; give it one of them, "
-                        "or remove it and its bodies");
-  const Index actuator = is_prescribed ? 0 : add_actuator(name, amount, inertia);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Index body = body_called(bodies[i]);
-    if (body == static_cast<Index>(scene_.bodies.size()))
-      table.fail("bodies", "no body is called " + quoted(bodies[i]) +
-                               suggestion(bodies[i], scene_.body_names));
-    if (std::count(bodies.begin(), bodies.end(), bodies[i]) > 1)
-      table.fail("bodies", "the body " + quoted(bodies[i]) + " is listed twice; remove one");
-    const Vector6<S> twist = moved_to_center_of_mass(twists[i]);
-    if (twist == Vector6<S>(Vector6<S>::Zero()))
-      table.fail("twists", "the twist of " + quoted(bodies[i]) + " is zero");
-    if (is_prescribed) {
-      scene_.bodies[static_cast<std::size_t>(body)].acceleration += amount * twist;
-    } else {
-      scene_.drives.push_back({body, actuator, twist});
-    }
-  }
-}
-
-template class SceneBuilder<double>;
-template class SceneBuilder<Rational>;
+template SceneOf<double> build_scene(const TomlDocument& document);
+template SceneOf<Rational> build_scene(const TomlDocument& document);
 
 } // namespace lcpush::desktop

@@ -13,17 +13,10 @@ std::string read_scene_text(const std::string& path) {
 }
 
 template <class S> SceneOf<S> parse_scene(std::string_view text, const std::string& file_name) {
-  const TomlDocument document = parse_toml(text, file_name);
-  return SceneBuilder<S>(document).build();
+  return build_scene<S>(parse_toml(text, file_name));
 }
 template SceneOf<double> parse_scene(std::string_view text, const std::string& file_name);
 template SceneOf<Rational> parse_scene(std::string_view text, const std::string& file_name);
-
-template <class S> SceneOf<S> read_scene(const std::string& path) {
-  return parse_scene<S>(read_scene_text(path), path);
-}
-template SceneOf<double> read_scene(const std::string& path);
-template SceneOf<Rational> read_scene(const std::string& path);
 
 std::vector<std::string> irrational_directions(const SceneOf<Rational>& scene) {
   const std::string are_irrational = " are irrational: their 53-bit values are used";

@@ -25,10 +25,6 @@ std::string described(const TomlValue& value) {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
 
-std::string entry_of(const std::string& what, std::size_t index) {
-  return "entry " + std::to_string(index + 1) + " of " + what;
-}
-
 } // namespace
 
 TableReader::TableReader(const std::string& file, const TomlTable& table, std::string label,
@@ -109,6 +105,10 @@ double TableReader::checked_number(const std::string& what, const TomlValue& val
   return number;
 }
 
+std::string TableReader::entry_of(const std::string& what, std::size_t index) {
+  return "entry " + std::to_string(index + 1) + " of " + what;
+}
+
 template <class S>
 S TableReader::as_number(const std::string& what, const TomlValue& value, Sign sign) const {
   const double number = checked_number(what, value, sign);
@@ -120,10 +120,8 @@ S TableReader::as_number(const std::string& what, const TomlValue& value, Sign s
                             "; use exponents within +-1000 and at most 10,000 digits");
   }
 }
-
-template <class S> S TableReader::number(const std::string& key, Sign sign) const {
-  return as_number<S>(key, require(key), sign);
-}
+template double TableReader::as_number(const std::string&, const TomlValue&, Sign) const;
+template Rational TableReader::as_number(const std::string&, const TomlValue&, Sign) const;
 
 Index TableReader::as_whole(const std::string& what, const TomlValue& value, Index smallest,
                             Index largest) const {
@@ -148,26 +146,6 @@ const TomlArray& TableReader::as_list(const std::string& what, const TomlValue& 
   const std::string got = list ? "a list of " + std::to_string(list->size()) : described(value);
   fail_at(value.line,
           what + " must be a list of " + listed(allowed, "or") + " numbers, got " + got);
-}
-
-template <class S>
-std::vector<S> TableReader::as_numbers(const std::string& what, const TomlValue& value,
-                                       const std::vector<std::size_t>& lengths, Sign sign) const {
-  std::vector<S> result;
-  for (const TomlValue& element : as_list(what, value, lengths))
-    result.push_back(as_number<S>(entry_of(what, result.size()), element, sign));
-  return result;
-}
-
-template <class S>
-std::vector<S> TableReader::numbers(const std::string& key, const std::vector<std::size_t>& lengths,
-                                    Sign sign) const {
-  return as_numbers<S>(key, require(key), lengths, sign);
-}
-
-template <class S> Vector3<S> TableReader::vector3(const std::string& key, Sign sign) const {
-  const std::vector<S> list = numbers<S>(key, {3}, sign);
-  return {list[0], list[1], list[2]};
 }
 
 std::vector<Index> TableReader::wholes(const std::string& key, std::size_t size, Index smallest,
@@ -195,27 +173,5 @@ std::vector<std::string> TableReader::texts(const std::string& key, std::size_t 
     result.push_back(as_text(entry_of(key, result.size()), element));
   return result;
 }
-
-template <class S>
-std::vector<std::vector<S>> TableReader::rows(const std::string& key, std::size_t width,
-                                              std::size_t most) const {
-  std::vector<std::vector<S>> result;
-  for (const TomlValue& element : list(key, most))
-    result.push_back(as_numbers<S>(entry_of(key, result.size()), element, {width}, Sign::any));
-  return result;
-}
-
-template double TableReader::number(const std::string&, Sign) const;
-template std::vector<double> TableReader::numbers(const std::string&,
-                                                  const std::vector<std::size_t>&, Sign) const;
-template Vector3<double> TableReader::vector3(const std::string&, Sign) const;
-template std::vector<std::vector<double>> TableReader::rows(const std::string&, std::size_t,
-                                                            std::size_t) const;
-template Rational TableReader::number(const std::string&, Sign) const;
-template std::vector<Rational> TableReader::numbers(const std::string&,
-                                                    const std::vector<std::size_t>&, Sign) const;
-template Vector3<Rational> TableReader::vector3(const std::string&, Sign) const;
-template std::vector<std::vector<Rational>> TableReader::rows(const std::string&, std::size_t,
-                                                              std::size_t) const;
 
 } // namespace lcpush::desktop

@@ -36,20 +36,31 @@ public:
   std::string text(const std::string& key) const;
   /// The index of the text among `choices`.
   std::size_t choice(const std::string& key, const std::vector<std::string>& choices) const;
-  template <class S = double> S number(const std::string& key, Sign sign) const;
+  template <class S> S number(const std::string& key, Sign sign) const {
+    return as_number<S>(key, require(key), sign);
+  }
   Index whole(const std::string& key, Index smallest, Index largest) const;
   /// A list whose length is one of `lengths`.
-  template <class S = double>
+  template <class S>
   std::vector<S> numbers(const std::string& key, const std::vector<std::size_t>& lengths,
-                         Sign sign) const;
-  template <class S = double>
-  Vector3<S> vector3(const std::string& key, Sign sign = Sign::any) const;
+                         Sign sign) const {
+    return as_numbers<S>(key, require(key), lengths, sign);
+  }
+  template <class S> Vector3<S> vector3(const std::string& key, Sign sign = Sign::any) const {
+    const std::vector<S> list = numbers<S>(key, {3}, sign);
+    return {list[0], list[1], list[2]};
+  }
   /// A list of one to `most` texts.
   std::vector<std::string> texts(const std::string& key, std::size_t most) const;
   /// A list of one to `most` lists of `width` numbers each.
-  template <class S = double>
+  template <class S>
   std::vector<std::vector<S>> rows(const std::string& key, std::size_t width,
-                                   std::size_t most) const;
+                                   std::size_t most) const {
+    std::vector<std::vector<S>> result;
+    for (const TomlValue& element : list(key, most))
+      result.push_back(as_numbers<S>(entry_of(key, result.size()), element, {width}, Sign::any));
+    return result;
+  }
   /// A list of `size` whole numbers within the range.
   std::vector<Index> wholes(const std::string& key, std::size_t size, Index smallest,
                             Index largest) const;
@@ -71,7 +82,14 @@ private:
                  Index largest) const;
   template <class S>
   std::vector<S> as_numbers(const std::string& what, const TomlValue& value,
-                            const std::vector<std::size_t>& lengths, Sign sign) const;
+                            const std::vector<std::size_t>& lengths, Sign sign) const {
+    std::vector<S> result;
+    for (const TomlValue& element : as_list(what, value, lengths))
+      result.push_back(as_number<S>(entry_of(what, result.size()), element, sign));
+    return result;
+  }
+  /// "entry 2 of points", from 1.
+  static std::string entry_of(const std::string& what, std::size_t index);
 
   const std::string& file_;
   const TomlTable& table_;

@@ -2,12 +2,11 @@
 
 #include "lcpush/desktop/input_error.hpp"
 #include "scenes/scene_builder.hpp"
+#include "scenes/scene_schema.hpp"
 #include "scenes/table_changes.hpp"
-#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace lcpush::desktop {
@@ -20,67 +19,43 @@ constexpr int root = -1;
 
 bool is_body(const std::string& section) { return section == "finger" || section == "pusher"; }
 
-std::string indexed(const std::string& name, const std::vector<std::size_t>& indices) {
-  std::string text = name;
-  for (const std::size_t i : indices) text += "[" + std::to_string(i) + "]";
-  return text;
-}
-
-TomlTable& table_at(TomlDocument& document, const Place& place) {
-  if (place.section == root) return document.root;
-  return document.sections[static_cast<std::size_t>(place.section)]
-      .tables[static_cast<std::size_t>(place.table)];
-}
-
-TomlValue zeros(int line) {
-  const TomlValue zero{line, std::int64_t{0}, "0"};
-  return {line, TomlArray{zero, zero, zero}};
-}
-
 struct Named {
   Parameter parameter;
   std::string owner, rest; ///< "left" and "points[0][1]"; both as in the path
 };
 
-void add_numbers(const TomlValue& value, Named& named, const std::string& key,
-                 std::vector<Named>& list) {
+void add_numbers(const TomlValue& value, Named& named, std::vector<Named>& list) {
   Place& place = named.parameter.places.front();
   if (const auto number = value.number()) {
-    named.rest = indexed(key, place.indices);
+    named.rest = place.key;
+    for (const std::size_t i : place.indices) named.rest += "[" + std::to_string(i) + "]";
     named.parameter.value = *number;
     list.push_back(named);
   } else if (const auto* array = std::get_if<TomlArray>(&value.data)) {
     for (std::size_t i = 0; i < array->size(); ++i) {
       place.indices.push_back(i);
-      add_numbers((*array)[i], named, key, list);
+      add_numbers((*array)[i], named, list);
       place.indices.pop_back();
     }
   }
 }
 
-void add_table(const TomlTable& table, const std::string& owner, int section, int index,
+void add_table(const TomlTable& table, const std::string& owner, Place place,
                std::vector<Named>& list) {
   for (const TomlEntry& entry : table.entries) {
-    Named named;
-    named.owner = owner;
-    named.parameter.places = {{section, index, entry.key, {}}};
-    named.parameter.whole = is_count(entry);
     const Key& key = *key_called(entry.key);
-    if (!named.parameter.whole) named.parameter.unit = key.unit;
-    named.parameter.linear = key.is_linear;
-    add_numbers(entry.value, named, entry.key, list);
+    const bool whole = is_count(entry);
+    place.key = entry.key;
+    Named named{
+        {"", Kind::number, {place}, 0, whole ? "" : key.unit, key.is_linear, whole}, owner, ""};
+    add_numbers(entry.value, named, list);
   }
 }
 
-void add_motions(const TomlTable& table, const std::string& owner, int section, int index,
+void add_motions(const TomlTable& table, const std::string& owner, const Place& place,
                  std::vector<Named>& list) {
   const auto add = [&](Kind kind, const std::string& rest, const char* unit, Index axis) {
-    Parameter parameter;
-    parameter.kind = kind;
-    parameter.places = {{section, index, "", {}}};
-    parameter.axis = axis;
-    parameter.unit = unit;
-    list.push_back({parameter, owner, rest});
+    list.push_back({{"", kind, {place}, axis, unit}, owner, rest});
   };
   for (Index axis = 0; axis < 3; ++axis)
     add(Kind::shift, "shift[" + std::to_string(axis) + "]", "m", axis);
@@ -91,15 +66,15 @@ void add_motions(const TomlTable& table, const std::string& owner, int section, 
 /// Each number that one path names, without those of `*`.
 std::vector<Named> single_parameters(const TomlDocument& document) {
   std::vector<Named> list;
-  add_table(document.root, "", root, 0, list);
+  add_table(document.root, "", {root, 0, "", {}}, list);
   for (std::size_t s = 0; s < document.sections.size(); ++s) {
     const TomlSection& section = document.sections[s];
     for (std::size_t t = 0; t < section.tables.size(); ++t) {
       const TomlTable& table = section.tables[t];
       const std::string owner = table.name() != nullptr ? *table.name() : section.name;
-      add_table(table, owner, static_cast<int>(s), static_cast<int>(t), list);
-      if (is_body(section.name))
-        add_motions(table, owner, static_cast<int>(s), static_cast<int>(t), list);
+      const Place place{static_cast<int>(s), static_cast<int>(t), "", {}};
+      add_table(table, owner, place, list);
+      if (is_body(section.name)) add_motions(table, owner, place, list);
     }
   }
   return list;
@@ -132,7 +107,9 @@ std::vector<Named> all_parameters(const TomlDocument& document) {
 /// Vectors that are zero where a file leaves them out can vary as well, and the number of facets.
 void add_defaults(TomlDocument& document) {
   const auto add = [](TomlTable& table, const char* key) {
-    if (table.find(key) == nullptr) table.entries.push_back({key, zeros(table.line)});
+    const TomlValue zero{table.line, std::int64_t{0}, "0"};
+    if (table.find(key) == nullptr)
+      table.entries.push_back({key, {table.line, TomlArray{zero, zero, zero}}});
   };
   add(document.root, "gravity");
   if (document.root.find("facets") == nullptr)
@@ -147,43 +124,10 @@ void add_defaults(TomlDocument& document) {
     }
 }
 
-} // namespace
-
-VariedScene::VariedScene(TomlDocument document) {
-  add_defaults(document);
-  document_ = std::make_shared<const TomlDocument>(std::move(document));
-}
-
-VariedScene VariedScene::read(const std::string& path) {
-  return parse(read_scene_text(path), path);
-}
-
-VariedScene VariedScene::parse(std::string_view text, const std::string& file_name) {
-  TomlDocument document = parse_toml(text, file_name);
-  (void)SceneBuilder<double>(document).build(); // as typed: complaints are about the file alone
-  return VariedScene(std::move(document));
-}
-
-void VariedScene::set_pressure(const std::string& law) {
-  TomlDocument document = *document_;
-  if (TomlValue* const value = document.root.find("pressure"); value != nullptr)
-    value->data = law;
-  else
-    document.root.entries.push_back({"pressure", {document.root.line, law, ""}});
-  (void)SceneBuilder<double>(document).build();
-  *this = VariedScene(std::move(document));
-}
-
-std::vector<std::string> VariedScene::paths() const {
-  std::vector<std::string> paths;
-  for (const Named& named : all_parameters(*document_)) paths.push_back(named.parameter.path);
-  return paths;
-}
-
 /// What every owner has, an array's numbers as one.
-std::string VariedScene::choices() const {
+std::string choices(const TomlDocument& document) {
   std::vector<std::pair<std::string, std::vector<std::string>>> owners;
-  for (const Named& named : all_parameters(*document_)) {
+  for (const Named& named : all_parameters(document)) {
     if (owners.empty() || owners.back().first != named.owner) owners.push_back({named.owner, {}});
     std::vector<std::string>& keys = owners.back().second;
     const std::size_t bracket = named.rest.find('[');
@@ -197,22 +141,15 @@ std::string VariedScene::choices() const {
   return text;
 }
 
-Parameter VariedScene::find(const std::string& path) const {
-  const std::vector<Named> all = all_parameters(*document_);
-  for (const Named& named : all)
-    if (named.parameter.path == path) return named.parameter;
-  throw InputError(document_->file + ": nothing to vary is called " + quoted(path) +
-                   suggestion(path, paths()) +
-                   "; the numbers of this scene, vectors counted from [0]:" + choices());
-}
-
-TomlDocument VariedScene::changed(const std::vector<Parameter>& parameters,
-                                  const std::vector<double>& values) const {
-  TomlDocument document = *document_;
+TomlDocument changed(TomlDocument document, const std::vector<Parameter>& parameters,
+                     const std::vector<double>& values) {
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const Parameter& parameter = parameters[k];
     for (const Place& place : parameter.places) {
-      TomlTable& table = table_at(document, place);
+      TomlTable& table = place.section == root
+                             ? document.root
+                             : document.sections[static_cast<std::size_t>(place.section)]
+                                   .tables[static_cast<std::size_t>(place.table)];
       switch (parameter.kind) {
       case Kind::turn: turn_acceleration(table, values[k]); break;
       case Kind::tangent_turn: turn_tangent(table, values[k]); break;
@@ -229,10 +166,10 @@ TomlDocument VariedScene::changed(const std::vector<Parameter>& parameters,
   return document;
 }
 
-SceneFile VariedScene::built(const TomlDocument& document, const std::vector<Parameter>& parameters,
-                             const std::vector<double>& values) const {
+SceneFile built(const TomlDocument& document, const std::vector<Parameter>& parameters,
+                const std::vector<double>& values) {
   try {
-    return SceneBuilder<double>(document).build();
+    return build_scene<double>(document);
   } catch (const InputError& error) {
     std::string where;
     for (std::size_t k = 0; k < parameters.size(); ++k)
@@ -241,13 +178,55 @@ SceneFile VariedScene::built(const TomlDocument& document, const std::vector<Par
   }
 }
 
+} // namespace
+
+VariedScene::VariedScene(TomlDocument document) {
+  add_defaults(document);
+  document_ = std::make_shared<const TomlDocument>(std::move(document));
+}
+
+VariedScene VariedScene::read(const std::string& path) {
+  return parse(read_scene_text(path), path);
+}
+
+VariedScene VariedScene::parse(std::string_view text, const std::string& file_name) {
+  TomlDocument document = parse_toml(text, file_name);
+  (void)build_scene<double>(document); // as typed: complaints are about the file alone
+  return VariedScene(std::move(document));
+}
+
+void VariedScene::set_pressure(const std::string& law) {
+  TomlDocument document = *document_;
+  if (TomlValue* const value = document.root.find("pressure"); value != nullptr)
+    value->data = law;
+  else
+    document.root.entries.push_back({"pressure", {document.root.line, law, ""}});
+  (void)build_scene<double>(document);
+  *this = VariedScene(std::move(document));
+}
+
+std::vector<std::string> VariedScene::paths() const {
+  std::vector<std::string> paths;
+  for (const Named& named : all_parameters(*document_)) paths.push_back(named.parameter.path);
+  return paths;
+}
+
+Parameter VariedScene::find(const std::string& path) const {
+  const std::vector<Named> all = all_parameters(*document_);
+  for (const Named& named : all)
+    if (named.parameter.path == path) return named.parameter;
+  throw InputError(document_->file + ": nothing to vary is called " + quoted(path) +
+                   suggestion(path, paths()) +
+                   "; the numbers of this scene, vectors counted from [0]:" + choices(*document_));
+}
+
 SceneFile VariedScene::at(const std::vector<Parameter>& parameters,
                           const std::vector<double>& values) const {
-  return built(changed(parameters, values), parameters, values);
+  return built(changed(*document_, parameters, values), parameters, values);
 }
 
 VariedScene VariedScene::with(const Parameter& parameter, double value) const {
-  VariedScene scene(changed({parameter}, {value}));
+  VariedScene scene(changed(*document_, {parameter}, {value}));
   (void)built(*scene.document_, {parameter}, {value});
   return scene;
 }

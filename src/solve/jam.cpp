@@ -63,9 +63,9 @@ void find_remedies(const SceneFile& file, const Assembly<double>& assembly,
     const Body<double>& body = file.body(b);
     const std::string name = file.body_name(b);
     if (!is_driven(file.view(), b))
-      add(body.role == Role::finger ? name + " held by a force instead of fixed (grip_force)"
-                                    : name + " pressing with a force instead of moving along its "
-                                             "normal (normal_force)",
+      add(body.role == Role::finger
+              ? name + " held by a force instead of fixed (grip_force)"
+              : name + " pressing with a force instead of moving along its normal (normal_force)",
           with_force(file, b, force));
     const Vector3<double> push = body.acceleration.head<3>();
     if (!(squeezing.power > 0) || !(push.norm() > 0)) continue;
@@ -103,7 +103,7 @@ std::vector<std::string> pressed_points(const SceneFile& file, const Body<double
                                         const Layout<double>& layout, const double* v,
                                         double noise) {
   std::vector<std::string> points;
-  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+  for (const Index i : points_of(body)) {
     const ConeGroup<double>& cone = layout.cones[i];
     const double* forces = v + cone.variable;
     if (*std::max_element(forces, forces + cone.normals) > noise)
@@ -152,10 +152,9 @@ std::vector<std::string> squeeze_sentences(const SceneFile& file, const Jam& jam
             "No friction takes part, so there is no answer: no force, however large, makes rigid "
             "bodies give way."};
   return {"It looks like a jam: " + who_squeezes(file, jam) + ".",
-          jam.uses_friction
-              ? "These pivots found no answer; friction takes part, so that is a strong sign of a "
-                "wedge but no proof that there is none."
-              : "These pivots found no answer; that is no proof that there is none."};
+          jam.uses_friction ? "These pivots found no answer; friction takes part, so that is a "
+                              "strong sign of a wedge but no proof that there is none."
+                            : "These pivots found no answer; that is no proof that there is none."};
 }
 
 } // namespace
@@ -188,10 +187,9 @@ Jam explain_jam(const SceneFile& file, const Assembly<double>& assembly, const d
 std::vector<std::string> jam_findings(const SceneFile& file, const Jam& jam) {
   if (jam.bodies.empty()) {
     if (jam.running_away.empty()) return {"Nothing is pressed, and no actuator runs away."};
-    return {
-        "Nothing is pressed: the actuator of " + listed(jam.running_away, "and") +
-        " closes without end, as no contact that it drives resists it. Give it an inertia, or a "
-        "twist along the contact's normal."};
+    return {"Nothing is pressed: the actuator of " + listed(jam.running_away, "and") +
+            " closes without end, as no contact that it drives resists it. Give it an inertia, or "
+            "a twist along the contact's normal."};
   }
   std::vector<std::string> sentences = squeeze_sentences(file, jam);
   if (!jam.running_away.empty())

@@ -104,14 +104,13 @@ std::string Push::explain(Status status, const PressureRun& run) const {
     return "the limit of sweeps was reached; --solver hybrid goes on with pivots";
   case Status::stagnated:
     return sweeps_.runs_away()
-               ? "the forces of the sweeps grow without bound, as in a jam; --solver "
-                 "lemke ends in the ray that names it"
-               : "the sweeps make no more progress; --solver hybrid goes on with "
-                 "pivots";
+               ? "the forces of the sweeps grow without bound, as in a jam; --solver lemke ends in "
+                 "the ray that names it"
+               : "the sweeps make no more progress; --solver hybrid goes on with pivots";
   case Status::numerical_breakdown:
     if (run.reason == Reason::none)
-      return "the pad rounds did not converge, though the rigid problem is solvable; try "
-             "pressure = \"rigid\"";
+      return "the pad rounds did not converge, though the rigid problem is solvable; try pressure "
+             "= \"rigid\"";
     break;
   default: break;
   }

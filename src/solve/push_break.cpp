@@ -1,11 +1,15 @@
 // Push: the grasp without a push, and the push that breaks it.
 #include "lcpush/desktop/smallest_grip.hpp"
-#include "solve/holding_verdict.hpp"
 #include "solve/push_rounds.hpp"
 #include "text/limits.hpp"
 
 namespace lcpush::desktop {
 namespace {
+
+/// One basis gives the breaking force; nothing is extrapolated from finite pushes.
+bool is_exact(const SceneFile& file, const PushOptions& options) {
+  return file.pressure != Pressure::pad && options.solver != Solver::gauss_seidel;
+}
 
 /// The core calls rest what is slow beside the grip; beside the load it may be a fall. Where finite
 /// pushes were extrapolated, all of them far stronger than the load, only statics' word counts.
@@ -15,8 +19,8 @@ bool falls_slowly(const SceneFile& file, const Scene<double>& scene, const Break
   const Breaking<double>& breaking = report.breaking;
   const double tolerance = rest_tolerance(options.solver);
   if (is_at_rest(file, breaking.rest, report.scales, tolerance)) return false;
-  const bool exact = file.pressure != Pressure::pad && options.solver != Solver::gauss_seidel;
-  if (exact) return motion_size(breaking.rest, report.scales) > 64 * breaking.residuals.max();
+  if (is_exact(file, options))
+    return motion_size(breaking.rest, report.scales) > 64 * breaking.residuals.max();
   if (size_of(scene).unknowns() > limits::unknowns_holding) return false;
   Holding<double> holding;
   const Status status = find_holding(file, options, holding);
@@ -29,8 +33,7 @@ bool only_looks_falling(const SceneFile& file, const Scene<double>& scene,
                         const BreakReport& report, const PushOptions& options) {
   constexpr double room = 1 - 1e-3;
   const double smallest_push = options.solver == Solver::gauss_seidel ? 1e-4 : 1e-5; // of F / m
-  const bool exact = file.pressure != Pressure::pad && options.solver != Solver::gauss_seidel;
-  if (exact || size_of(scene).unknowns() > limits::unknowns_holding) return false;
+  if (is_exact(file, options) || size_of(scene).unknowns() > limits::unknowns_holding) return false;
   if (motion_size(report.breaking.rest, report.scales) > 2 * smallest_push) return false;
   Holding<double> holding;
   return find_holding(file, options, holding) == Status::solved && holding.factor < room;

@@ -1,6 +1,6 @@
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/report.hpp"
-#include "solve/failure_words.hpp"
+#include "solve/push_words.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -48,8 +48,7 @@ void write_closing(JsonWriter& json, const Scene<double>& scene, const Answer<do
     return;
   }
   std::vector<double> each;
-  for (Index k = 0; k < body.point_count; ++k)
-    each.push_back(answer.contacts[body.first_point + k].closing);
+  for (const Index i : points_of(body)) each.push_back(answer.contacts[i].closing);
   json.value(each);
 }
 

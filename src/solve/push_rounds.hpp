@@ -91,4 +91,10 @@ inline PushOptions by_other_cover(const PushOptions& options, Index k) {
   return other;
 }
 
+/// Does the object rest before it is pushed? The desktop's word on what the core has found:
+/// report.status (solved or does_not_hold, with report.breaking and report.scales), or the other of
+/// the two. `scene` as solved.
+Status holding_verdict(const SceneFile& file, const Scene<double>& scene, const BreakReport& report,
+                       const PushOptions& options);
+
 } // namespace lcpush::desktop

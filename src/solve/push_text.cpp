@@ -1,5 +1,4 @@
 #include "lcpush/desktop/report.hpp"
-#include "solve/failure_words.hpp"
 #include "solve/push_words.hpp"
 #include "text/format.hpp"
 

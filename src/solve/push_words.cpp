@@ -2,13 +2,10 @@
 
 #include <algorithm>
 
-#include "solve/failure_words.hpp"
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-Scene<double> scene_of(const SceneFile& file) { return file.view(); }
 
 /// Fingers come first.
 bool has_pusher(const SceneFile& file) { return file.bodies.back().role == Role::pusher; }
@@ -33,7 +30,7 @@ std::string moment_words(const Vector3<double>& moment, double zero) {
 }
 
 void add_wrenches(const SceneFile& file, const PushReport& report, std::vector<Fact>& facts) {
-  const Scene<double> scene = scene_of(file);
+  const Scene<double> scene = file.view();
   const double zero = 1e-9 * report.scales.force;
   for (Index b = 0; b < scene.bodies.size; ++b) {
     if (scene.bodies[b].role != Role::pusher) continue;
@@ -49,17 +46,17 @@ std::string motion_words(const SceneFile& file, const Motion<double>& motion, do
   const std::string axis = "about the axis " + vector_text(motion.axis, 1e-6) + " through " +
                            vector_text(at, 1e-9 * length) + " m";
   const std::string turning = number(motion.rotation) + " rad/s^2 " + axis;
-  std::string verb;
+  std::string text;
   switch (motion.kind) {
   case MotionKind::rest: return "the object does not move in the grip.";
   case MotionKind::slide:
     return "slides: " + number(motion.translation) + " m/s^2 along " +
            vector_text(motion.direction, 1e-6);
-  case MotionKind::pivot: verb = "pivots in the grip: "; break;
-  case MotionKind::roll: verb = "rolls on the surface that carries it: "; break;
-  case MotionKind::turn: verb = "slides and turns: "; break;
+  case MotionKind::pivot: text = "pivots in the grip: "; break;
+  case MotionKind::roll: text = "rolls on the surface that carries it: "; break;
+  case MotionKind::turn: text = "slides and turns: "; break;
   }
-  std::string text = verb + turning;
+  text += turning;
   if (std::abs(motion.pitch) > 1e-6 * length)
     text += "\nadvancing " + number(motion.pitch) + " m per rad along it (a screw)";
   return text;
@@ -208,7 +205,7 @@ std::string does_not_hold_text(const BreakReport& report) {
 
 std::vector<std::vector<std::string>> contact_rows(const SceneFile& file,
                                                    const PushReport& report) {
-  const Scene<double> scene = scene_of(file);
+  const Scene<double> scene = file.view();
   const double zero_force = 1e-9 * report.scales.force;
   const double zero_motion = 1e-9 * report.scales.acceleration;
   std::vector<std::vector<std::string>> rows{
@@ -228,7 +225,7 @@ std::vector<std::vector<std::string>> contact_rows(const SceneFile& file,
 }
 
 std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report) {
-  const Scene<double> scene = scene_of(file);
+  const Scene<double> scene = file.view();
   std::vector<std::string> list;
   const auto add = [&](const std::string& name, double s) {
     if (std::abs(s) > 1e-9 * report.scales.acceleration)
@@ -240,14 +237,14 @@ std::vector<std::string> closing_sentences(const SceneFile& file, const PushRepo
     if (scene.pressure != Pressure::even)
       add(file.body_name(b), mean_closing(report.answer, body));
     else
-      for (Index k = body.first_point; k < body.first_point + body.point_count; ++k)
-        add(point_name(file, k), report.answer.contacts[k].closing);
+      for (const Index i : points_of(body))
+        add(point_name(file, i), report.answer.contacts[i].closing);
   }
   return list;
 }
 
 std::vector<std::string> torsion_sentences(const SceneFile& file, const PushReport& report) {
-  const Scene<double> scene = scene_of(file);
+  const Scene<double> scene = file.view();
   const double zero = 1e-9 * report.scales.force * report.scales.length;
   std::vector<std::string> list;
   for (Index i = 0; i < report.answer.contacts.size; ++i) {

@@ -8,6 +8,8 @@
 
 namespace lcpush::desktop {
 
+class JsonWriter;
+
 /// "Motion", and what is said about it: lines with '\n' between them, none at the end.
 struct Fact {
   std::string label, text;
@@ -37,5 +39,12 @@ std::vector<std::string> torsion_sentences(const SceneFile& file, const PushRepo
 std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report);
 /// How the answer was found, without a full stop or an end of line.
 std::string run_words(const SceneFile& file, const RunReport& report);
+
+/// "NOT SOLVED (ray): .." with the jam in words and the ray.
+std::string failure_text(const SceneFile& file, const RunReport& report);
+/// The keys reason, ray and, of a ray, jam.
+void write_failure(JsonWriter& json, const SceneFile& file, const RunReport& report);
+/// The title and an empty line, or nothing.
+std::string title_line(const SceneFile& file);
 
 } // namespace lcpush::desktop

@@ -56,23 +56,15 @@ void Face::choose(const FaceModes& modes) {
     unknowns_.push_back(a);
     zero.push_back(a);
   }
-  const Index columns = static_cast<Index>(unknowns_.size());
-  const auto fill = [&](const std::vector<Index>& rows, Eigen::MatrixXd& A, Eigen::VectorXd& b) {
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      for (Index c = 0; c < columns; ++c)
-        A(static_cast<Index>(r), c) =
-            problem_.dense().M(rows[r], unknowns_[static_cast<std::size_t>(c)]);
-      b[static_cast<Index>(r)] = problem_.dense().q[rows[r]];
-    }
-  };
-  equations_.resize(static_cast<Index>(zero.size()), columns);
-  right_.resize(static_cast<Index>(zero.size()));
-  fill(zero, equations_, right_);
-  right_ = -right_;
-  signs_ = Eigen::MatrixXd::Zero(static_cast<Index>(sign.size()) + bounded, columns);
+  const DenseProblem& dense = problem_.dense();
+  equations_ = dense.M(zero, unknowns_);
+  right_ = -dense.q(zero);
+  const Index signs = static_cast<Index>(sign.size());
+  signs_ = Eigen::MatrixXd::Zero(signs + bounded, equations_.cols());
   constant_ = Eigen::VectorXd::Zero(signs_.rows());
-  fill(sign, signs_, constant_);
-  for (Index c = 0; c < bounded; ++c) signs_(static_cast<Index>(sign.size()) + c, c) = 1;
+  signs_.topRows(signs) = dense.M(sign, unknowns_);
+  constant_.head(signs) = dense.q(sign);
+  signs_.bottomLeftCorner(bounded, bounded).setIdentity();
 }
 
 /// Origin and directions of E z = right, rows scaled to length 1.
@@ -115,10 +107,8 @@ void Face::eliminate() {
 /// The nearest point that solves the equations.
 void Face::settle(Eigen::VectorXd& x) const {
   for (int turn = 0; turn < 2; ++turn) {
-    const Eigen::VectorXd off = right_ - equations_ * x;
-    Eigen::VectorXd picked(static_cast<Index>(order_.size()));
-    for (Index k = 0; k < picked.size(); ++k) picked[k] = off[order_[static_cast<std::size_t>(k)]];
-    if (picked.size() == 0) return;
+    if (order_.empty()) return;
+    const Eigen::VectorXd off = right_ - equations_ * x, picked = off(order_);
     x += basis_ * triangle_.transpose().triangularView<Eigen::Lower>().solve(picked);
   }
 }
@@ -153,9 +143,8 @@ void Face::dual(OwnedProgram& program) const {
 }
 
 bool Face::start_at(const Eigen::VectorXd& z) {
-  for (std::size_t k = 0; k < unknowns_.size(); ++k)
-    origin_[static_cast<Index>(k)] = z[unknowns_[k]];
-  const Eigen::VectorXd given = origin_;
+  const Eigen::VectorXd given = z(unknowns_);
+  origin_ = given;
   settle(origin_);
   look_around();
   const double size = 1 + given.cwiseAbs().sum();
@@ -213,26 +202,14 @@ Eigen::VectorXd Face::polished(const Eigen::VectorXd& t, const Eigen::VectorXd& 
     for (const Index r : first_)
       if (held[static_cast<std::size_t>(r)] || at[r] <= agrees * size) binding.push_back(r);
     if (binding.empty()) return result;
-    Eigen::MatrixXd A(static_cast<Index>(binding.size()), rows_.cols());
-    Eigen::VectorXd b(A.rows());
-    for (Index k = 0; k < A.rows(); ++k) {
-      A.row(k) = rows_.row(binding[static_cast<std::size_t>(k)]);
-      b[k] = -at[binding[static_cast<std::size_t>(k)]];
-    }
-    result += shortest_solution(A, b, dependent);
+    result += shortest_solution(rows_(binding, Eigen::all), -at(binding), dependent);
   }
   return result;
 }
 
 bool Face::varies(const Eigen::VectorXd& f) const {
-  const Eigen::VectorXd own = restricted(f);
+  const Eigen::VectorXd own = f(unknowns_);
   return (directions_.transpose() * own).norm() > flat * own.norm();
-}
-
-Eigen::VectorXd Face::restricted(const Eigen::VectorXd& f) const {
-  Eigen::VectorXd own(static_cast<Index>(unknowns_.size()));
-  for (std::size_t k = 0; k < unknowns_.size(); ++k) own[static_cast<Index>(k)] = f[unknowns_[k]];
-  return own;
 }
 
 /// The smallest r >= 0 with rows t + room + r >= 0: its dual is always solvable.
@@ -261,7 +238,8 @@ Face::Point Face::find_point() {
 
 Face::Point Face::lowest(const Eigen::VectorXd& f, Eigen::VectorXd& z) {
   const double size = 1 + room_.cwiseAbs().maxCoeff();
-  Eigen::VectorXd slope = directions_.transpose() * restricted(f);
+  const Eigen::VectorXd own = f(unknowns_);
+  Eigen::VectorXd slope = directions_.transpose() * own;
   slope /= slope.norm();
   // min slope t over rows t + room >= 0 has the dual: min room y over rows' y = slope, y >= 0.
   OwnedProgram program(static_cast<Index>(first_.size()), dimension());

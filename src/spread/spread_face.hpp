@@ -57,7 +57,6 @@ private:
   void settle(Eigen::VectorXd& x) const;
   void look_around();
   void dual(OwnedProgram& program) const;
-  Eigen::VectorXd restricted(const Eigen::VectorXd& f) const;
   Eigen::VectorXd polished(const Eigen::VectorXd& t, const Eigen::VectorXd& room,
                            const Eigen::VectorXd& multipliers) const;
   Eigen::VectorXd whole(const Eigen::VectorXd& x) const;

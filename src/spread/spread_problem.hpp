@@ -2,6 +2,7 @@
 // what a contact can do in an answer to them.
 #pragma once
 
+#include <tuple>
 #include <vector>
 
 #include "lcpush/desktop/assembled_scene.hpp"
@@ -25,12 +26,7 @@ struct ContactMode {
   std::vector<Index> active; ///< ascending
 
   friend bool operator<(const ContactMode& a, const ContactMode& b) {
-    if (a.kind != b.kind) return a.kind < b.kind;
-    if (a.pulls != b.pulls) return b.pulls;
-    return a.active < b.active;
-  }
-  friend bool operator==(const ContactMode& a, const ContactMode& b) {
-    return !(a < b) && !(b < a);
+    return std::tie(a.kind, a.pulls, a.active) < std::tie(b.kind, b.pulls, b.active);
   }
 };
 using FaceModes = std::vector<ContactMode>; ///< one a contact point
@@ -41,6 +37,7 @@ public:
   LiteralProblem(const LiteralProblem&) = delete;
   LiteralProblem& operator=(const LiteralProblem&) = delete;
 
+  const SceneFile& file() const { return file_; } ///< with pressure = "rigid"
   const Scene<double>& scene() const { return assembled_.scene; }
   const Layout<double>& layout() const { return assembled_.assembly.layout(); }
   Problem<double> problem() { return assembled_.assembly.problem(); }
@@ -51,7 +48,6 @@ public:
   void complete(const FaceModes& modes, Eigen::VectorXd& z) const;
   /// The referee's word on z; valid until the next call.
   const Answer<double>& read(const Eigen::VectorXd& z);
-  Residuals<double> residuals(const Answer<double>& answer) const;
   /// No law broken by more than the tolerance, nor than a small part of the push.
   bool passes(const Residuals<double>& residuals) const;
 
@@ -68,9 +64,6 @@ private:
   SceneFile file_;
   AssembledScene assembled_;
   DenseProblem dense_;
-
-  struct Look;
-  Look look(Index i, const Eigen::VectorXd& z, const Eigen::VectorXd& w) const;
 };
 
 } // namespace lcpush::desktop

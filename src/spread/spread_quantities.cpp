@@ -2,8 +2,7 @@
 
 namespace lcpush::desktop {
 
-std::vector<Quantity> list_quantities(const LiteralProblem& problem,
-                                      const std::vector<PusherSpread>& pushers) {
+std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadReport& report) {
   std::vector<Quantity> quantities;
   const Layout<double>& layout = problem.layout();
   const FactoredProblem<double>& factored = problem.factored();
@@ -11,14 +10,14 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem,
   const auto add_normal = [&](Index i, Eigen::VectorXd& f) {
     for (Index k = 0; k < layout.cones[i].normals; ++k) f[layout.normal(i) + k] = k == 0 ? 1 : -1;
   };
-  for (std::size_t p = 0; p < pushers.size(); ++p) {
-    Quantity push{Quantity::Kind::push, static_cast<Index>(p), 0, blank()};
+  for (PusherSpread& pusher : report.pushers) {
+    Quantity push{&pusher.force, blank()};
     for (Index i = 0; i < layout.points; ++i)
-      if (layout.body[i] == pushers[p].body) add_normal(i, push.f);
+      if (layout.body[i] == pusher.body) add_normal(i, push.f);
     quantities.push_back(push);
   }
   for (Index k = 0; k < 6; ++k) {
-    Quantity twist{Quantity::Kind::twist, k, 0, blank()};
+    Quantity twist{&report.twist[k], blank()};
     for (const ConeGroup<double>& cone : layout.cones)
       for (Index j = 0; j < cone.forces(); ++j)
         twist.f[cone.variable + j] =
@@ -27,13 +26,13 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem,
   }
   for (Index i = 0; i < layout.points; ++i) {
     const Body<double>& body = problem.scene().bodies[layout.body[i]];
-    Quantity normal{Quantity::Kind::normal, i, 0, blank()};
+    ContactSpread& spread = report.contacts[static_cast<std::size_t>(i)];
+    Quantity normal{&spread.normal, blank()};
     add_normal(i, normal.f);
     quantities.push_back(normal);
     if (layout.cones[i].generators == 0) continue;
-    Quantity along{Quantity::Kind::tangential, i, 0, blank()};
-    Quantity across{Quantity::Kind::tangential, i, 1, blank()};
-    Quantity torsion{Quantity::Kind::torsion, i, 0, blank()};
+    Quantity along{&spread.tangential[0], blank()}, across{&spread.tangential[1], blank()};
+    Quantity torsion{&spread.torsion, blank()};
     for (Index j = 0; j < layout.cones[i].generators; ++j) {
       const Generator<double> d = generator(body, j, problem.scene().facets);
       along.f[layout.friction(i, j)] = d.force.dot(body.tangent);
@@ -45,18 +44,6 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem,
     if (body.torsion_radius > 0) quantities.push_back(torsion);
   }
   return quantities;
-}
-
-Interval& interval_of(const Quantity& quantity, SpreadReport& report) {
-  const auto at = static_cast<std::size_t>(quantity.of);
-  switch (quantity.kind) {
-  case Quantity::Kind::twist: return report.twist[at];
-  case Quantity::Kind::normal: return report.contacts[at].normal;
-  case Quantity::Kind::tangential: return report.contacts[at].tangential[quantity.axis];
-  case Quantity::Kind::torsion: return report.contacts[at].torsion;
-  case Quantity::Kind::push: break;
-  }
-  return report.pushers[at].force;
 }
 
 void include(const Answer<double>& answer, const Scene<double>& scene, SpreadReport& report) {

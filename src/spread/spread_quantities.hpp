@@ -7,17 +7,13 @@
 namespace lcpush::desktop {
 
 struct Quantity {
-  enum class Kind { twist, normal, tangential, torsion, push } kind;
-  Index of = 0;   ///< component, point or pusher
-  Index axis = 0; ///< of tangential
+  Interval* bounds; ///< in the report
   Eigen::VectorXd f;
 };
 
-/// The push of each pusher first, then the twist, then point by point.
-std::vector<Quantity> list_quantities(const LiteralProblem& problem,
-                                      const std::vector<PusherSpread>& pushers);
-
-Interval& interval_of(const Quantity& quantity, SpreadReport& report);
+/// The push of each pusher first, then the twist, then point by point; report.pushers and
+/// report.contacts have their final size by then, and stay where they are.
+std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadReport& report);
 
 /// Widens all intervals by one answer.
 void include(const Answer<double>& answer, const Scene<double>& scene, SpreadReport& report);

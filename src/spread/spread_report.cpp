@@ -3,7 +3,7 @@
 
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/spread.hpp"
-#include "solve/failure_words.hpp"
+#include "solve/push_words.hpp"
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
@@ -19,47 +19,46 @@ std::string interval_text(const Interval& interval, double same) {
   return end_text(interval.low, same) + " .. " + end_text(interval.high, same);
 }
 
-std::string law_line(const SceneFile& file) {
-  const std::string label = "Laws              the paper's, literally (pressure = \"rigid\")";
-  if (file.pressure == Pressure::rigid) return label + "\n";
-  return label + ";\n                  the file's law \"" + pressure_text(file.pressure) +
-         (file.pressure == Pressure::pad ? "\" chooses one of these answers\n"
-                                         : "\" spreads each patch's force: other equations\n");
+Fact law_fact(const SceneFile& file) {
+  Fact fact{"Laws", "the paper's, literally (pressure = \"rigid\")"};
+  if (file.pressure == Pressure::rigid) return fact;
+  fact.text += std::string(";\nthe file's law \"") + pressure_text(file.pressure) +
+               (file.pressure == Pressure::pad ? "\" chooses one of these answers"
+                                               : "\" spreads each patch's force: other equations");
+  return fact;
 }
 
 /// Which answers the bounds speak of.
-std::string reach_lines(const SpreadReport& report) {
-  const std::string label = "Answers           ", indent = "\n                  ";
-  std::string text = label;
+Fact reach_fact(const SpreadReport& report) {
+  std::string text;
   if (report.complete) {
-    text += "every solution: all contact modes enumerated, " +
-            counted(report.faces, "complementary face");
+    text = "every solution: all contact modes enumerated, " +
+           counted(report.faces, "complementary face");
   } else {
-    text += "the solutions that were reached: " + counted(report.faces, "face") + " from " +
-            counted(report.covers, "cover");
-    if (report.covers_solved < report.covers)
-      text += " (" + std::to_string(report.covers - report.covers_solved) + " ended in none)";
+    const Index failed = report.covering_vectors - report.covering_vectors_solved;
+    text = "the solutions that were reached: " + counted(report.faces, "face") + " from " +
+           counted(report.covering_vectors, "cover");
+    if (failed > 0) text += " (" + std::to_string(failed) + " ended in none)";
   }
-  if (!report.enumeration.empty())
-    text += indent + "not enumerated to the end: " + report.enumeration;
+  if (!report.enumeration.empty()) text += "\nnot enumerated to the end: " + report.enumeration;
   if (report.faces_left > 0 && !report.complete)
-    text += indent + counted(report.faces_left, "more face") +
+    text += "\n" + counted(report.faces_left, "more face") +
             " known but not studied (limit of work): the bounds may be wider";
   if (report.failures > 0)
-    text += indent + counted(report.failures, "bound") +
+    text += "\n" + counted(report.failures, "bound") +
             " could not be settled: the set may be wider than printed";
-  return text + "\n";
+  return {"Answers", text};
 }
 
-std::string verdict_line(const SpreadReport& report) {
-  const std::string label = "Verdict           ", among = report.complete ? "" : " among these";
+Fact verdict_fact(const SpreadReport& report) {
+  const std::string among = report.complete ? "" : " among these";
   switch (report.verdict) {
-  case SpreadVerdict::unique: return label + "unique: one motion, one set of forces" + among + "\n";
+  case SpreadVerdict::unique: return {"Verdict", "unique: one motion, one set of forces" + among};
   case SpreadVerdict::same_motion:
-    return label + "same motion, other forces: the motion is one" + among + "\n";
+    return {"Verdict", "same motion, other forces: the motion is one" + among};
   case SpreadVerdict::ambiguous: break;
   }
-  return label + "ambiguous: several motions\n";
+  return {"Verdict", "ambiguous: several motions"};
 }
 
 std::string motion_table(const SpreadReport& report) {
@@ -89,25 +88,10 @@ std::string contact_table(const SceneFile& file, const SpreadReport& report) {
 /// Infinite ends become null.
 std::array<double, 2> ends_of(const Interval& interval) { return {interval.low, interval.high}; }
 
-void write_set(JsonWriter& json, const SceneFile& file, const SpreadReport& report) {
-  const auto write_ends = [&](const Interval& interval) { json.value(ends_of(interval)); };
-  json.key("push_force").begin_object();
-  for (const PusherSpread& pusher : report.pushers)
-    json.member(file.body_name(pusher.body), ends_of(pusher.force));
-  json.end_object().list("twist", report.twist, write_ends);
-  json.objects("contacts", static_cast<Index>(report.contacts.size()), [&](Index i) {
-    const ContactSpread& contact = report.contacts[static_cast<std::size_t>(i)];
-    json.member("name", point_name(file, i)).member("body", file.body_name(file.body_of(i)));
-    json.member("normal_force", ends_of(contact.normal));
-    json.list("tangential_force", contact.tangential, write_ends);
-    json.member("torsion", ends_of(contact.torsion));
-  });
-}
-
 } // namespace
 
 std::string spread_text(const SceneFile& file, const SpreadReport& report) {
-  std::string text = title_line(file) + law_line(file);
+  std::string text = title_line(file) + facts_text({law_fact(file)});
   if (report.status != Status::solved) {
     RunReport failure = report.failure;
     failure.status = report.status;
@@ -115,20 +99,19 @@ std::string spread_text(const SceneFile& file, const SpreadReport& report) {
     text += failure_text(file, failure);
     if (report.complete)
       return text + "\nNo solution: every assignment of contact modes was refuted.\n";
-    return text + "\nNo solution was reached from " + counted(report.covers, "cover") + ".\n" +
+    return text + "\nNo solution was reached from " + counted(report.covering_vectors, "cover") +
+           ".\n" +
            (report.enumeration.empty()
                 ? ""
                 : "Not enumerated to the end: " + report.enumeration + ".\n");
   }
-  text += reach_lines(report) + verdict_line(report);
-  for (const PusherSpread& pusher : report.pushers) {
-    std::string label = "Push by " + file.body_name(pusher.body);
-    label.resize(std::max<std::size_t>(label.size() + 1, 18), ' ');
-    text += label + interval_text(pusher.force, same_force(report)) +
-            " N, the sum of its normal forces\n";
-  }
-  text += "\n" + motion_table(report) + "\n" + contact_table(file, report);
-  return text +
+  std::vector<Fact> facts{reach_fact(report), verdict_fact(report)};
+  for (const PusherSpread& pusher : report.pushers)
+    facts.push_back(
+        {"Push by " + file.body_name(pusher.body),
+         interval_text(pusher.force, same_force(report)) + " N, the sum of its normal forces"});
+  return text + facts_text(facts) + "\n" + motion_table(report) + "\n" +
+         contact_table(file, report) +
          "\nBoth ends of each range belong to answers that were checked apart from the solver: "
          "scaled\nresidual " +
          residual_text(report.residual) + ". Not every value in between need belong to one. " +
@@ -141,8 +124,8 @@ std::string spread_json(const SceneFile& file, const SpreadReport& report) {
   json.begin_object().member("status", status_text(report.status));
   json.member("verdict", when(solved, verdict_text(report.verdict)));
   json.member("laws", "rigid").member("pressure", pressure_text(file.pressure));
-  json.member("faces", report.faces).member("covers", report.covers);
-  json.member("covers_solved", report.covers_solved).member("complete", report.complete);
+  json.member("faces", report.faces).member("covers", report.covering_vectors);
+  json.member("covers_solved", report.covering_vectors_solved).member("complete", report.complete);
   json.member("enumeration", unless_empty(report.enumeration));
   json.member("faces_left", report.faces_left).member("failures", report.failures);
   json.member("linear_programs", report.programs).member("assignments", report.assignments);
@@ -151,7 +134,18 @@ std::string spread_json(const SceneFile& file, const SpreadReport& report) {
     return json.end_object().text();
   }
   json.member("residual", report.residual);
-  write_set(json, file, report);
+  const auto write_ends = [&](const Interval& interval) { json.value(ends_of(interval)); };
+  json.key("push_force").begin_object();
+  for (const PusherSpread& pusher : report.pushers)
+    json.member(file.body_name(pusher.body), ends_of(pusher.force));
+  json.end_object().list("twist", report.twist, write_ends);
+  json.objects("contacts", static_cast<Index>(report.contacts.size()), [&](Index i) {
+    const ContactSpread& contact = report.contacts[static_cast<std::size_t>(i)];
+    json.member("name", point_name(file, i)).member("body", file.body_name(file.body_of(i)));
+    json.member("normal_force", ends_of(contact.normal));
+    json.list("tangential_force", contact.tangential, write_ends);
+    json.member("torsion", ends_of(contact.torsion));
+  });
   return json.end_object().text();
 }
 

@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <cmath>
 
 #include "lcpush/lcp/residual.hpp"
 
@@ -16,15 +15,12 @@ using Eigen::VectorXd;
 /// Solves K x = -q on the basis and refines it once on the problem as given; w = q + M z.
 void solve_level(const Problem<double>& problem, const std::vector<Index>& rows, const double* q,
                  const Eigen::PartialPivLU<MatrixXd>& lu, VectorXd& z, VectorXd& w) {
-  const auto k = static_cast<Index>(rows.size());
   z.setZero(problem.size);
   w = Eigen::Map<const VectorXd>(q, problem.size);
   VectorXd product(problem.size);
   for (int round = 0; round < 2; ++round) {
-    VectorXd r(k);
-    for (Index i = 0; i < k; ++i) r[i] = -w[rows[static_cast<std::size_t>(i)]];
-    const VectorXd x = lu.solve(r);
-    for (Index i = 0; i < k; ++i) z[rows[static_cast<std::size_t>(i)]] += x[i];
+    const VectorXd r = -w(rows);
+    z(rows) += lu.solve(r);
     multiply(problem, z.data(), product.data());
     w = Eigen::Map<const VectorXd>(q, problem.size) + product;
   }
@@ -32,31 +28,25 @@ void solve_level(const Problem<double>& problem, const std::vector<Index>& rows,
 
 /// The rows and columns of M that are basic, straight from the factors: far fewer than M's.
 MatrixXd basic_block(const Problem<double>& problem, const std::vector<Index>& rows) {
-  const auto k = static_cast<Index>(rows.size());
-  MatrixXd K(k, k);
-  if (problem.factored == nullptr) {
-    for (Index j = 0; j < k; ++j)
-      for (Index i = 0; i < k; ++i)
-        K(i, j) = problem.matrix[rows[static_cast<std::size_t>(j)] * problem.size +
-                                 rows[static_cast<std::size_t>(i)]];
-    return K;
-  }
+  if (problem.factored == nullptr)
+    return Eigen::Map<const MatrixXd>(problem.matrix, problem.size, problem.size)(rows, rows);
   const FactoredProblem<double>& factors = *problem.factored;
-  std::vector<Index> place(static_cast<std::size_t>(problem.size), -1);
-  for (Index i = 0; i < k; ++i)
-    place[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])] = i;
+  const auto k = static_cast<Index>(rows.size());
+  Eigen::Matrix<Index, Eigen::Dynamic, 1> place; // of each unknown among the rows, or -1
+  place.setConstant(problem.size, -1);
+  for (std::size_t i = 0; i < rows.size(); ++i) place[rows[i]] = static_cast<Index>(i);
   Eigen::Matrix<double, 6, Eigen::Dynamic> G(6, k);
   G.setZero();
   for (const ConeGroup<double>& cone : factors.cones)
     for (Index f = 0; f < cone.forces(); ++f) {
-      const Index at = place[static_cast<std::size_t>(cone.variable + f)];
+      const Index at = place[cone.variable + f];
       if (at >= 0) G.col(at) = factors.wrenches[cone.force + f];
     }
   const Eigen::Matrix<double, 6, Eigen::Dynamic> moved = factors.mobility * G;
+  MatrixXd K(k, k);
   K.noalias() = G.transpose() * moved;
   for_each_group_entry(factors, problem.free_begin, [&](Index row, Index column, double entry) {
-    const Index i = place[static_cast<std::size_t>(row)];
-    const Index j = place[static_cast<std::size_t>(column)];
+    const Index i = place[row], j = place[column];
     if (i >= 0 && j >= 0) K(i, j) += entry;
   });
   return K;

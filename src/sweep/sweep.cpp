@@ -7,7 +7,6 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "sweep/sweep_pieces.hpp"
 #include "sweep/sweep_samples.hpp"
-#include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -17,9 +16,7 @@ constexpr double jump = 1e-6;           // relative: a larger step of the answer
 constexpr double bisection_blur = 1e-5; // of the range: what bisection leaves between two ways
 
 /// Both questions along the range, each in its own pieces.
-struct Tracks {
-  std::vector<Piece> push, breaking; ///< breaking: empty if no pusher moves
-};
+using Tracks = OfBoth<std::vector<Piece>>; // breaking: empty if no pusher moves
 
 /// The piece around t, if there is an answer to the question at all.
 const Piece* piece_at(const std::vector<Piece>& pieces, double t) {
@@ -31,8 +28,8 @@ const Piece* piece_at(const std::vector<Piece>& pieces, double t) {
 /// Where the pieces of both end.
 std::vector<double> ends_of(const Tracks& tracks) {
   std::vector<double> ends;
-  for (const std::vector<Piece>* pieces : {&tracks.push, &tracks.breaking})
-    for (const Piece& piece : *pieces) ends.push_back(piece.to);
+  for (const Question question : questions)
+    for (const Piece& piece : tracks[question]) ends.push_back(piece.to);
   return ends;
 }
 
@@ -62,17 +59,15 @@ AnswerChange change_between(const Piece& before, const Piece& after, Question qu
 }
 
 SweepChange change_at(const Tracks& tracks, double t) {
-  const auto changes = [t](const std::vector<Piece>& pieces, Question question) {
-    std::vector<AnswerChange> list;
-    for (std::size_t i = 1; i < pieces.size(); ++i)
-      if (std::abs(pieces[i - 1].to - t) <= merge_distance)
-        list.push_back(change_between(pieces[i - 1], pieces[i], question));
-    return list;
-  };
-  SweepChange change{changes(tracks.push, Question::push),
-                     changes(tracks.breaking, Question::breaking)};
-  for (const std::vector<AnswerChange>* list : {&change.push, &change.breaking})
-    for (const AnswerChange& one : *list) change.jumps = change.jumps || one.jumps;
+  SweepChange change;
+  for (const Question question : questions) {
+    const std::vector<Piece>& pieces = tracks[question];
+    for (std::size_t i = 1; i < pieces.size(); ++i) {
+      if (!(std::abs(pieces[i - 1].to - t) <= merge_distance)) continue;
+      change[question].push_back(change_between(pieces[i - 1], pieces[i], question));
+      change.jumps = change.jumps || change[question].back().jumps;
+    }
+  }
   return change;
 }
 
@@ -82,20 +77,17 @@ std::vector<SweepSegment> segments_of(const Variation& variation, const Tracks& 
   const std::vector<double> ends = merged_cuts(tracks);
   for (std::size_t k = 1; k < ends.size(); ++k) {
     const double from = ends[k - 1], to = ends[k], middle = (from + to) / 2;
-    const Piece* const push = piece_at(tracks.push, middle);
-    const Piece* const breaking = piece_at(tracks.breaking, middle);
     SweepSegment segment;
     segment.from = value_at(variation, from);
     segment.to = value_at(variation, to);
     segment.kind = SegmentKind::unsolved;
-    for (const Piece* piece : {push, breaking})
-      if (piece != nullptr && !piece->is_unsolved()) segment.kind = piece->kind;
-    const auto at = [&](double t) {
-      return told(push != nullptr ? push->at(t) : SweepAnswer(),
-                  breaking != nullptr ? breaking->at(t) : SweepAnswer());
-    };
-    segment.at_from = at(from);
-    segment.at_to = at(to);
+    for (const Question question : questions) {
+      const Piece* const piece = piece_at(tracks[question], middle);
+      if (piece == nullptr) continue;
+      if (!piece->is_unsolved()) segment.kind = piece->kind;
+      segment.at_from[question] = told(piece->at(from));
+      segment.at_to[question] = told(piece->at(to));
+    }
     if (to < 1) segment.change = change_at(tracks, to);
     list.push_back(std::move(segment));
   }
@@ -104,21 +96,21 @@ std::vector<SweepSegment> segments_of(const Variation& variation, const Tracks& 
 
 Tracks find_tracks(SweepSolver& solver, bool exact, const ParameterSweepOptions& options,
                    double begin, double share) {
-  const double tolerance = exact ? 1e-10 : 1e-6;
   const auto find = exact ? exact_pieces : bisected_pieces;
   Tracks tracks;
-  tracks.push = joined(find(solver, Question::push, options.most_segments,
-                            part_of(options.progress, begin, share / 2)),
-                       Question::push, tolerance);
-  bool pushes = false; // somewhere in the range
-  for (const double t : {0.0, 0.3, 1.0}) {
-    solver.go_to(value_at(solver.variations().front(), t));
-    pushes = pushes || solver.has(Question::breaking);
+  for (const Question question : questions) {
+    bool has = false; // somewhere in the range
+    for (const double t : {0.0, 0.3, 1.0}) {
+      solver.go_to(value_at(solver.variations().front(), t));
+      has = has || solver.has(question);
+    }
+    if (!has) continue;
+    const bool second = question == Question::breaking;
+    const double tolerance = (exact ? 1e-10 : 1e-6) * (second ? 10 : 1);
+    const Progress progress =
+        part_of(options.progress, second ? begin + share / 2 : begin, share / 2);
+    tracks[question] = joined(find(solver, question, progress), question, tolerance);
   }
-  if (pushes)
-    tracks.breaking = joined(find(solver, Question::breaking, options.most_segments,
-                                  part_of(options.progress, begin + share / 2, share / 2)),
-                             Question::breaking, 10 * tolerance);
   return tracks;
 }
 
@@ -134,15 +126,13 @@ std::vector<TwoWays> compared(const Tracks& there, const Tracks& back, const Var
     if (cuts[i] - cuts[i - 1] <= shortest) continue;
     const double t = (cuts[i] + cuts[i - 1]) / 2;
     TwoWays ways{value_at(variation, cuts[i - 1]), value_at(variation, cuts[i]), {}, {}};
-    const auto compare = [t](const std::vector<Piece>& first, const std::vector<Piece>& second,
-                             SweepAnswer& one, SweepAnswer& other) {
-      const Piece *const a = piece_at(first, t), *const b = piece_at(second, 1 - t);
-      if (a == nullptr || b == nullptr || a->is_unsolved() || b->is_unsolved()) return;
-      one = a->at(t);
-      other = b->at(1 - t);
-    };
-    compare(there.push, back.push, ways.there.push, ways.back.push);
-    compare(there.breaking, back.breaking, ways.there.breaking, ways.back.breaking);
+    for (const Question question : questions) {
+      const Piece* const a = piece_at(there[question], t);
+      const Piece* const b = piece_at(back[question], 1 - t);
+      if (a == nullptr || b == nullptr || a->is_unsolved() || b->is_unsolved()) continue;
+      ways.there[question] = a->at(t);
+      ways.back[question] = b->at(1 - t);
+    }
     list.push_back(ways);
   }
   return list;
@@ -196,7 +186,7 @@ Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& va
   const SceneFile& file = sweep.scene;
   sweep.variations = variations;
   const Index pusher = options.pusher >= 0 ? options.pusher : only_pusher(file);
-  sweep.pusher = file.body_names[static_cast<std::size_t>(pusher)];
+  sweep.pusher = file.body_name(pusher);
   SweepSolver solver(scene, variations, pusher, options.warm);
   if (sweep.is_map()) {
     sample_map(solver, options, sweep);

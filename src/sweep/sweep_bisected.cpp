@@ -25,7 +25,63 @@ public:
   BisectedWalk(SweepSolver& solver, Question question) : solver_(solver), question_(question) {}
 
   /// The piece that begins with `start`; `next` receives the first answer beyond it, if any.
-  Piece grow(const At& start, At& next);
+  /// Strides that double while the answers stay on one line, then bisection.
+  Piece grow(const At& start, At& next) {
+    At last = start, middle = start; // the line goes through start and last
+    double stride = first_stride;
+    bool beyond = false;
+    const auto continues = [&](const At& candidate) {
+      if (!same_modes(start.answer, candidate.answer)) return false;
+      if (!start.answer.is_known() || last.t == start.t) return true;
+      const DetailedAnswer expected =
+          on_line(start.answer, start.t, last.answer, last.t, candidate.t);
+      const double reach = (candidate.t - start.t) / (last.t - start.t);
+      const double tolerance = on_the_line * (question_ == Question::breaking ? 10 : 1);
+      return !differ(expected, candidate.answer, question_, tolerance * std::max(1.0, reach));
+    };
+    // Two answers always lie on a line: the first stride is halved until a third lies there too.
+    while (start.answer.is_known() && stride > bisection_width && start.t < 1) {
+      const double end = std::min(1.0, start.t + stride);
+      last = start;
+      const At far = solve(end), near = solve((start.t + end) / 2);
+      if (continues(near)) {
+        last = near;
+        if (continues(far)) {
+          middle = near;
+          last = far;
+          break;
+        }
+      }
+      next = far;
+      beyond = true;
+      last = start;
+      stride /= 4;
+    }
+    while (last.t < 1 && !(beyond && last.t == start.t)) {
+      const double limit = beyond ? next.t : 1;
+      double t = std::min(limit, last.t + stride);
+      if (beyond && t >= next.t - bisection_width / 2) t = (last.t + next.t) / 2;
+      if (beyond && next.t - last.t <= bisection_width) break;
+      At candidate = solve(t);
+      if (continues(candidate)) {
+        middle = std::exchange(last, std::move(candidate));
+        if (!beyond) stride *= 2;
+      } else {
+        next = std::move(candidate);
+        beyond = true;
+      }
+      if (beyond) stride = (next.t - last.t) / 2;
+    }
+    if (!beyond) next.t = 2;
+    const bool known = start.answer.is_known();
+    Piece piece{start.t, beyond ? next.t : 1, known ? SegmentKind::bisected : SegmentKind::unsolved,
+                start.answer, start.answer};
+    if (last.t > start.t && known)
+      piece.at_to = on_line(start.answer, start.t, last.answer, last.t, piece.to);
+    piece.at_from.contacts = piece.at_to.contacts = middle.answer.contacts;
+    return piece;
+  }
+
   At solve(double t) {
     ++solves_;
     solver_.go_to(value_at(solver_.variations().front(), t));
@@ -44,65 +100,8 @@ private:
   Index solves_ = 0;
 };
 
-/// Strides that double while the answers stay on one line, then bisection.
-Piece BisectedWalk::grow(const At& start, At& next) {
-  At last = start, middle = start; // the line goes through start and last
-  double stride = first_stride;
-  bool beyond = false;
-  const auto continues = [&](const At& candidate) {
-    if (!same_modes(start.answer, candidate.answer)) return false;
-    if (!start.answer.is_known() || last.t == start.t) return true;
-    const DetailedAnswer expected =
-        on_line(start.answer, start.t, last.answer, last.t, candidate.t);
-    const double reach = (candidate.t - start.t) / (last.t - start.t);
-    const double tolerance = on_the_line * (question_ == Question::breaking ? 10 : 1);
-    return !differ(expected, candidate.answer, question_, tolerance * std::max(1.0, reach));
-  };
-  // Two answers always lie on a line: the first stride is halved until a third lies there too.
-  while (start.answer.is_known() && stride > bisection_width && start.t < 1) {
-    const double end = std::min(1.0, start.t + stride);
-    last = start;
-    const At far = solve(end), near = solve((start.t + end) / 2);
-    if (continues(near)) {
-      last = near;
-      if (continues(far)) {
-        middle = near;
-        last = far;
-        break;
-      }
-    }
-    next = far;
-    beyond = true;
-    last = start;
-    stride /= 4;
-  }
-  while (last.t < 1 && !(beyond && last.t == start.t)) {
-    const double limit = beyond ? next.t : 1;
-    double t = std::min(limit, last.t + stride);
-    if (beyond && t >= next.t - bisection_width / 2) t = (last.t + next.t) / 2;
-    if (beyond && next.t - last.t <= bisection_width) break;
-    At candidate = solve(t);
-    if (continues(candidate)) {
-      middle = std::exchange(last, std::move(candidate));
-      if (!beyond) stride *= 2;
-    } else {
-      next = std::move(candidate);
-      beyond = true;
-    }
-    if (beyond) stride = (next.t - last.t) / 2;
-  }
-  if (!beyond) next.t = 2;
-  Piece piece;
-  piece.from = start.t;
-  piece.to = beyond ? next.t : 1;
-  piece.kind = start.answer.is_known() ? SegmentKind::bisected : SegmentKind::unsolved;
-  piece.at_from = start.answer;
-  piece.at_to = last.t > start.t && start.answer.is_known()
-                    ? on_line(start.answer, start.t, last.answer, last.t, piece.to)
-                    : start.answer;
-  piece.at_from.contacts = piece.at_to.contacts = middle.answer.contacts;
-  return piece;
-}
+/// Everything that is a straight line over a piece.
+using Values = Eigen::Matrix<double, 10, 1>;
 
 /// Where two lines meet, if they do so next to where the one ends and the other begins.
 void sharpen(Question question, Piece& before, Piece& after, double nearest) {
@@ -111,26 +110,23 @@ void sharpen(Question question, Piece& before, Piece& after, double nearest) {
   const double at = before.to;
   // At breaking the motion need not go on where the force does.
   const auto values = [&](const DetailedAnswer& o) {
-    Eigen::Matrix<double, 10, 1> v = Eigen::Matrix<double, 10, 1>::Zero();
+    Values v = Values::Zero();
     v[0] = o.normal;
     if (question == Question::push) v.tail<9>() << o.force, o.twist;
     return v;
   };
   const auto slope = [&](const Piece& piece) {
-    return Eigen::Matrix<double, 10, 1>((values(piece.at_to) - values(piece.at_from)) /
-                                        (piece.to - piece.from));
+    return Values((values(piece.at_to) - values(piece.at_from)) / (piece.to - piece.from));
   };
   if (!(before.to > before.from) || !(after.to > after.from)) return;
-  const Eigen::Matrix<double, 10, 1> off = values(before.at_to) - values(after.at_from);
-  const Eigen::Matrix<double, 10, 1> kink = slope(after) - slope(before);
+  const Values off = values(before.at_to) - values(after.at_from);
+  const Values kink = slope(after) - slope(before);
   // Each question in its own size, so that forces do not drown motions.
-  const Eigen::Matrix<double, 10, 1> size =
-      values(before.at_to).cwiseAbs() + Eigen::Matrix<double, 10, 1>::Constant(1e-12);
-  const Eigen::Matrix<double, 10, 1> scaled_off = off.cwiseQuotient(size);
-  const Eigen::Matrix<double, 10, 1> scaled_kink = kink.cwiseQuotient(size);
+  const Values size = values(before.at_to).cwiseAbs() + Values::Constant(1e-12);
+  const Values scaled_kink = kink.cwiseQuotient(size);
   Index largest = 0;
   if (!(scaled_kink.cwiseAbs().maxCoeff(&largest) > 0)) return;
-  const double t = at + scaled_off[largest] / scaled_kink[largest];
+  const double t = at + off[largest] / size[largest] / scaled_kink[largest];
   if (!(std::abs(t - at) <= nearest)) return;
   before.at_to = before.at(t);
   after.at_from = after.at(t);
@@ -141,8 +137,7 @@ void sharpen(Question question, Piece& before, Piece& after, double nearest) {
 /// of it: what looks like a short piece there is blur. The pieces beside it meet in its middle.
 std::vector<Piece> without_slivers(const std::vector<Piece>& pieces, double shortest) {
   std::vector<Piece> list;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    Piece piece = pieces[i];
+  for (Piece piece : pieces) {
     const bool is_sliver = piece.to - piece.from < shortest && piece.from > 0 && piece.to < 1;
     if (is_sliver && !list.empty() && list.back().kind == SegmentKind::bisected) continue;
     if (!list.empty() && list.back().to < piece.from) {
@@ -159,12 +154,12 @@ std::vector<Piece> without_slivers(const std::vector<Piece>& pieces, double shor
 
 } // namespace
 
-std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question, Index most,
+std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question,
                                    const Progress& progress) {
   BisectedWalk walk(solver, question);
   std::vector<Piece> pieces;
   At start = walk.solve(0), next = start;
-  while (static_cast<Index>(pieces.size()) < most && !walk.is_used_up()) {
+  while (static_cast<Index>(pieces.size()) < most_pieces && !walk.is_used_up()) {
     pieces.push_back(walk.grow(start, next));
     if (pieces.back().to >= 1 || next.t > 1) break;
     progress(pieces.back().to);
@@ -175,15 +170,9 @@ std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question, Index
   const double begin = pieces.back().to;
   for (Index k = 1; begin < 1 && k <= samples; ++k) {
     At end = walk.solve(k == samples ? 1 : begin + (1 - begin) * static_cast<double>(k) / samples);
-    Piece stroke;
-    stroke.from = start.t;
-    stroke.to = end.t;
-    stroke.kind = start.answer.is_known() && start.answer.status == end.answer.status
-                      ? SegmentKind::sampled
-                      : SegmentKind::unsolved;
-    stroke.at_from = start.answer;
-    stroke.at_to = end.answer;
-    pieces.push_back(std::move(stroke));
+    const bool known = start.answer.is_known() && start.answer.status == end.answer.status;
+    pieces.push_back({start.t, end.t, known ? SegmentKind::sampled : SegmentKind::unsolved,
+                      start.answer, end.answer});
     start = std::move(end);
   }
   const double blur = question == Question::breaking ? breaking_blur : 0;

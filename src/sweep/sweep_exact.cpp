@@ -1,5 +1,4 @@
 // Exact segments: a basis, how far it holds, and the next one by a step of the parametric path.
-#include <cmath>
 #include <utility>
 
 #include "lcpush/lcp/pivots/parametric.hpp"
@@ -14,15 +13,23 @@ constexpr Index probes = 64;    // where nothing was found, look in so many plac
 
 class ExactWalk {
 public:
-  ExactWalk(SweepSolver& solver, Question question, Index most, const Progress& progress)
-      : solver_(solver), question_(question), most_(most), progress_(progress) {}
+  ExactWalk(SweepSolver& solver, Question question, const Progress& progress)
+      : solver_(solver), question_(question), progress_(progress) {}
 
-  std::vector<Piece> run();
+  std::vector<Piece> run() {
+    measure_directions();
+    if (!start_at(0) && !start_beyond() && !find_later_start()) return std::move(pieces_);
+    Index steps = 0;
+    while (step() && static_cast<Index>(pieces_.size()) < most_pieces && ++steps < 4 * most_pieces)
+      continue;
+    const double end = pieces_.empty() ? 0 : pieces_.back().to;
+    if (end < 1 - least) pieces_.push_back({end, 1, SegmentKind::unsolved}); // gave up: say so
+    return std::move(pieces_);
+  }
 
 private:
   SweepSolver& solver_;
   Question question_;
-  Index most_;
   const Progress& progress_;
   std::vector<Piece> pieces_;
   Eigen::VectorXd rest_step_, push_step_; // change of q over the range, times F
@@ -37,195 +44,167 @@ private:
 
   void go_to(double t) { solver_.go_to(value_at(solver_.variations().front(), t)); }
   Assembly<double>& assembly() { return solver_.point().assembly; }
-  void measure_directions();
-  ParametricPath<double> path();
-  bool start_at(double t);
-  bool start_beyond();
-  bool find_later_start();
-  bool add_piece(double end);
-  bool step();
-};
 
-/// In SI units q is linear, and in the scene's own units it is so up to the unit of force.
-void ExactWalk::measure_directions() {
-  const auto levels = [&](double t) {
+  /// In SI units q is linear, and in the scene's own units it is so up to the unit of force.
+  void measure_directions() {
+    const auto levels = [&](double t) {
+      go_to(t);
+      const Problem<double> problem = assembly().breaking_problem();
+      const double F = assembly().layout().scales.force;
+      return std::pair<Eigen::VectorXd, Eigen::VectorXd>(
+          F * Eigen::Map<const Eigen::VectorXd>(problem.q, problem.size),
+          F * Eigen::Map<const Eigen::VectorXd>(problem.push, problem.size));
+    };
+    const auto first = levels(0), last = levels(1);
+    const auto step = [](const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+      const double rounding = 64 * Eigen::NumTraits<double>::epsilon() * from.cwiseAbs().maxCoeff();
+      Eigen::VectorXd by = to - from;
+      if (by.cwiseAbs().maxCoeff() <= rounding) by.setZero();
+      return by;
+    };
+    rest_step_ = step(first.first, last.first);
+    push_step_ = step(first.second, last.second);
+    moves_push_ = question_ == Question::breaking && !push_step_.isZero(0);
+  }
+
+  /// From where Lemke stands.
+  ParametricPath<double> path() {
+    const Problem<double> problem = solver_.point().problem(question_);
+    const Index n = problem.size;
+    scalars_.resize(static_cast<std::size_t>(parametric_scalars(n)));
+    integers_.resize(static_cast<std::size_t>(parametric_integers(n)));
+    ParametricPath<double> path({scalars_.data(), parametric_scalars(n)},
+                                {integers_.data(), parametric_integers(n)});
+    Eigen::VectorXd direction = moves_push_ ? push_step_ : rest_step_;
+    if (question_ == Question::push) direction += push_step_;
+    direction /= assembly().layout().scales.force;
+    (void)path.init(solver_.lemke(), problem, direction.data(), moves_push_);
+    return path;
+  }
+
+  bool start_at(double t) {
     go_to(t);
-    const Problem<double> problem = assembly().breaking_problem();
-    const double F = assembly().layout().scales.force;
-    return std::pair<Eigen::VectorXd, Eigen::VectorXd>(
-        F * Eigen::Map<const Eigen::VectorXd>(problem.q, problem.size),
-        F * Eigen::Map<const Eigen::VectorXd>(problem.push, problem.size));
-  };
-  const auto first = levels(0), last = levels(1);
-  const auto step = [](const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
-    const double rounding = 64 * Eigen::NumTraits<double>::epsilon() * from.cwiseAbs().maxCoeff();
-    Eigen::VectorXd by = to - from;
-    if (by.cwiseAbs().maxCoeff() <= rounding) by.setZero();
-    return by;
-  };
-  rest_step_ = step(first.first, last.first);
-  push_step_ = step(first.second, last.second);
-  moves_push_ = question_ == Question::breaking && !push_step_.isZero(0);
-}
+    if (!solver_.has(question_)) return false;
+    const Status status = solver_.solve_cold(question_, basis_);
+    if (status != Status::solved) {
+      failure_ = status;
+      return false;
+    }
+    reference_ = t;
+    return true;
+  }
 
-/// From where Lemke stands.
-ParametricPath<double> ExactWalk::path() {
-  const Problem<double> problem = solver_.point().problem(question_);
-  const Index n = problem.size;
-  scalars_.resize(static_cast<std::size_t>(parametric_scalars(n)));
-  integers_.resize(static_cast<std::size_t>(parametric_integers(n)));
-  ParametricPath<double> path({scalars_.data(), parametric_scalars(n)},
-                              {integers_.data(), parametric_integers(n)});
-  Eigen::VectorXd direction = moves_push_ ? push_step_ : rest_step_;
-  if (question_ == Question::push) direction += push_step_;
-  direction /= assembly().layout().scales.force;
-  (void)path.init(solver_.lemke(), problem, direction.data(), moves_push_);
-  return path;
-}
-
-bool ExactWalk::start_at(double t) {
-  go_to(t);
-  if (!solver_.has(question_)) return false;
-  const Status status = solver_.solve_cold(question_, basis_);
-  if (status != Status::solved) {
-    failure_ = status;
+  /// A fresh solve a little beyond t_, and back to where its basis begins.
+  bool start_beyond() {
+    for (const double h : {1e-9, 1e-7, 1e-5}) {
+      if (t_ + h > 1 || !start_at(t_ + h)) continue;
+      double back = 0;
+      const bool ends = path().holds_back_to(back);
+      if (!ends || reference_ + back <= t_ + least || h == 1e-5) return true;
+    }
     return false;
   }
-  reference_ = t;
-  return true;
-}
 
-/// A fresh solve a little beyond t_, and back to where its basis begins.
-bool ExactWalk::start_beyond() {
-  for (const double h : {1e-9, 1e-7, 1e-5}) {
-    if (t_ + h > 1 || !start_at(t_ + h)) continue;
-    double back = 0;
-    const bool ends = path().holds_back_to(back);
-    if (!ends || reference_ + back <= t_ + least || h == 1e-5) return true;
-  }
-  return false;
-}
-
-/// After t_ nothing was found: the next value that has an answer. The piece in between is unsolved.
-bool ExactWalk::find_later_start() {
-  double none = t_, found = -1;
-  for (Index k = 1; k <= probes && found < 0; ++k) {
-    const double t = k == probes ? 1 : t_ + (1 - t_) * static_cast<double>(k) / probes;
-    if (start_at(t))
-      found = t;
-    else
-      none = t;
-  }
-  Piece gap;
-  gap.from = t_;
-  gap.kind = SegmentKind::unsolved;
-  gap.at_from.status = gap.at_to.status = failure_;
-  if (found < 0) {
-    gap.to = 1;
+  /// After t_ nothing was found: the next value that has an answer. The piece in between is
+  /// unsolved.
+  bool find_later_start() {
+    double none = t_, found = -1;
+    for (Index k = 1; k <= probes && found < 0; ++k) {
+      const double t = k == probes ? 1 : t_ + (1 - t_) * static_cast<double>(k) / probes;
+      if (start_at(t))
+        found = t;
+      else
+        none = t;
+    }
+    Piece gap{t_, 1, SegmentKind::unsolved};
+    gap.at_from.status = gap.at_to.status = failure_;
+    if (found < 0) {
+      pieces_.push_back(gap);
+      return false;
+    }
+    while (true) {
+      double back = 0;
+      if (!path().holds_back_to(back)) back = -reference_;
+      found = std::max(reference_ + back, none);
+      if (found - none <= 1e-6) break;
+      const double middle = (none + found) / 2;
+      if (!start_at(middle)) {
+        none = middle;
+        if (!start_at(found + std::min(1e-9, (1 - found) / 2))) break;
+      }
+    }
+    gap.to = found;
     pieces_.push_back(gap);
-    return false;
+    t_ = found;
+    return true;
   }
-  while (true) {
-    double back = 0;
-    if (!path().holds_back_to(back)) back = -reference_;
-    found = std::max(reference_ + back, none);
-    if (found - none <= 1e-6) break;
-    const double middle = (none + found) / 2;
-    if (!start_at(middle)) {
-      none = middle;
-      if (!start_at(found + std::min(1e-9, (1 - found) / 2))) break;
-    }
-  }
-  gap.to = found;
-  pieces_.push_back(gap);
-  t_ = found;
-  return true;
-}
 
-/// The piece from t_ to `end`, solved and checked just inside its ends. False if it is no answer.
-bool ExactWalk::add_piece(double end) {
-  const double length = end - t_;
-  const double first = t_ + inside * length, last = end - inside * length;
-  const auto at = [&](double t) {
-    go_to(t);
-    return solver_.on_basis(question_, basis_);
-  };
-  // Not the very middle: there a motion that changes its sign vanishes.
-  const DetailedAnswer a = at(first), b = at(last), middle = at(t_ + 0.487 * length);
-  for (const DetailedAnswer* answer : {&a, &b, &middle})
-    if (!answer->is_known()) return false;
-  Piece piece;
-  piece.from = t_;
-  piece.to = end;
-  piece.at_from = on_line(a, first, b, last, t_);
-  piece.at_to = on_line(a, first, b, last, end);
-  for (DetailedAnswer* answer : {&piece.at_from, &piece.at_to}) {
-    answer->status = middle.status;
-    answer->contacts = middle.contacts;
-    answer->residual = std::max(a.residual, std::max(b.residual, middle.residual));
-  }
-  pieces_.push_back(std::move(piece));
-  return true;
-}
-
-/// One piece, and on to the next. False at the end of the range.
-bool ExactWalk::step() {
-  ParametricPath<double> path = this->path();
-  const PathStep<double> step = path.advance(least);
-  const double end = step.end == PathEnd::unbounded ? 1 : std::min(1.0, reference_ + step.until);
-  if (end - t_ > least && !add_piece(end)) {
-    // Rounding has led the path astray, and what it found is not believed: start afresh, once.
-    if (t_ != astray_ && start_beyond()) {
-      astray_ = t_;
-      return true;
+  /// The piece from t_ to `end`, solved and checked just inside its ends. False if it is no answer.
+  bool add_piece(double end) {
+    const double length = end - t_;
+    const double first = t_ + inside * length, last = end - inside * length;
+    const auto at = [&](double t) {
+      go_to(t);
+      return solver_.on_basis(question_, basis_);
+    };
+    // Not the very middle: there a motion that changes its sign vanishes.
+    const DetailedAnswer a = at(first), b = at(last), middle = at(t_ + 0.487 * length);
+    for (const DetailedAnswer* answer : {&a, &b, &middle})
+      if (!answer->is_known()) return false;
+    Piece piece{t_, end, SegmentKind::exact, on_line(a, first, b, last, t_),
+                on_line(a, first, b, last, end)};
+    for (DetailedAnswer* answer : {&piece.at_from, &piece.at_to}) {
+      answer->status = middle.status;
+      answer->contacts = middle.contacts;
+      answer->residual = std::max(a.residual, std::max(b.residual, middle.residual));
     }
-    failure_ = Status::numerical_breakdown;
-    return find_later_start();
+    pieces_.push_back(std::move(piece));
+    return true;
   }
-  if (end >= 1 - least) return false;
-  t_ = std::max(t_, end);
-  progress_(t_);
-  if (step.end == PathEnd::forward) {
-    Basis next(basis_.size());
-    for (std::size_t i = 0; i < next.size(); ++i)
-      next[i] = path.is_active(static_cast<Index>(i)) ? 1 : 0;
-    const double until = step.next_ends ? std::min(1.0, reference_ + step.next_until) : 1;
-    const double middle = t_ + std::max((until - t_) / 2, least);
-    go_to(middle);
-    if (solver_.stand_on(question_, next)) {
-      basis_ = next;
-      reference_ = middle;
-      if (!pieces_.empty() && step.jumps) pieces_.back().path = PathBreak::jump;
-      return true;
-    }
-  }
-  if (!pieces_.empty())
-    pieces_.back().path = step.end == PathEnd::turned_back ? PathBreak::turned_back
-                          : step.end == PathEnd::ray       ? PathBreak::ray
-                                                           : PathBreak::none;
-  return start_beyond() || find_later_start();
-}
 
-std::vector<Piece> ExactWalk::run() {
-  measure_directions();
-  if (!start_at(0) && !start_beyond() && !find_later_start()) return std::move(pieces_);
-  Index steps = 0;
-  while (step() && static_cast<Index>(pieces_.size()) < most_ && ++steps < 4 * most_) continue;
-  const double end = pieces_.empty() ? 0 : pieces_.back().to;
-  if (end < 1 - least) { // gave up: say so
-    Piece rest;
-    rest.from = end;
-    rest.kind = SegmentKind::unsolved;
-    pieces_.push_back(rest);
+  /// One piece, and on to the next. False at the end of the range.
+  bool step() {
+    ParametricPath<double> path = this->path();
+    const PathStep<double> step = path.advance(least);
+    const double end = step.end == PathEnd::unbounded ? 1 : std::min(1.0, reference_ + step.until);
+    if (end - t_ > least && !add_piece(end)) {
+      // Rounding has led the path astray, and what it found is not believed: start afresh, once.
+      if (t_ != astray_ && start_beyond()) {
+        astray_ = t_;
+        return true;
+      }
+      failure_ = Status::numerical_breakdown;
+      return find_later_start();
+    }
+    if (end >= 1 - least) return false;
+    t_ = std::max(t_, end);
+    progress_(t_);
+    if (step.end == PathEnd::forward) {
+      Basis next(basis_.size());
+      for (std::size_t i = 0; i < next.size(); ++i)
+        next[i] = path.is_active(static_cast<Index>(i)) ? 1 : 0;
+      const double until = step.next_ends ? std::min(1.0, reference_ + step.next_until) : 1;
+      const double middle = t_ + std::max((until - t_) / 2, least);
+      go_to(middle);
+      if (solver_.stand_on(question_, next)) {
+        basis_ = next;
+        reference_ = middle;
+        if (!pieces_.empty() && step.jumps) pieces_.back().path = PathBreak::jump;
+        return true;
+      }
+    }
+    if (!pieces_.empty())
+      pieces_.back().path = step.end == PathEnd::turned_back ? PathBreak::turned_back
+                            : step.end == PathEnd::ray       ? PathBreak::ray
+                                                             : PathBreak::none;
+    return start_beyond() || find_later_start();
   }
-  return std::move(pieces_);
-}
+};
 
 } // namespace
 
-std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, Index most,
-                                const Progress& progress) {
-  return ExactWalk(solver, question, most, progress).run();
+std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, const Progress& progress) {
+  return ExactWalk(solver, question, progress).run();
 }
 
 } // namespace lcpush::desktop

@@ -111,13 +111,8 @@ AnswerChange change_between(const DetailedAnswer& before, const DetailedAnswer& 
   return change;
 }
 
-SweepValue told(const SweepAnswer& push, const SweepAnswer& breaking) {
-  const auto numbers = [](const SweepAnswer& answer) {
-    SweepAnswer status_alone;
-    status_alone.status = answer.status;
-    return answer.is_solved() ? answer : status_alone;
-  };
-  return {numbers(push), numbers(breaking)};
+SweepAnswer told(const SweepAnswer& answer) {
+  return answer.is_solved() ? answer : SweepAnswer{answer.status};
 }
 
 bool moves_otherwise(const SweepValue& a, const SweepValue& b) {
@@ -137,10 +132,10 @@ std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, bool 
   std::vector<BistableRange> ranges;
   bool disagreed = false;
   for (const TwoWays& ways : list) {
-    const SweepValue &a = ways.there, &b = ways.back;
-    const bool before = disagreed, motion = moves_otherwise(a, b);
-    disagreed =
-        !same(a.push, b.push, Question::push) || !same(a.breaking, b.breaking, Question::breaking);
+    const bool before = disagreed, motion = moves_otherwise(ways.there, ways.back);
+    disagreed = false;
+    for (const Question question : questions)
+      disagreed = disagreed || !same(ways.there[question], ways.back[question], question);
     if (!disagreed) continue;
     const bool goes_on =
         before || (!ranges.empty() && std::abs(ways.from - ranges.back().to) <= near);

@@ -10,6 +10,8 @@ namespace lcpush::desktop {
 
 /// Where bisection ends: this part of the range.
 constexpr double bisection_width = 1e-6;
+/// No sweep has more pieces; what is left is one unsolved piece, or strokes between samples.
+constexpr Index most_pieces = 1000;
 
 /// The straight line through two answers: at `t` if they are at t0 and t1.
 DetailedAnswer on_line(const DetailedAnswer& first, double t0, const DetailedAnswer& second,
@@ -19,8 +21,8 @@ DetailedAnswer on_line(const DetailedAnswer& first, double t0, const DetailedAns
 struct Piece {
   double from = 0, to = 1;
   SegmentKind kind = SegmentKind::exact;
-  DetailedAnswer at_from, at_to;    ///< limits from inside; the contacts are those of the middle
-  PathBreak path = PathBreak::none; ///< at `to`
+  DetailedAnswer at_from{}, at_to{}; ///< limits from inside; the contacts are those of the middle
+  PathBreak path = PathBreak::none;  ///< at `to`
 
   bool is_unsolved() const { return kind == SegmentKind::unsolved; }
   DetailedAnswer at(double t) const { return on_line(at_from, from, at_to, to, t); }
@@ -35,11 +37,10 @@ inline Progress part_of(const Progress& whole, double begin, double share) {
 }
 
 /// `rigid` and `even`, a linear parameter: by parametric pivoting.
-std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, Index most,
-                                const Progress& progress);
+std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, const Progress& progress);
 
 /// Everything else: by bisection, down to bisection_width.
-std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question, Index most,
+std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question,
                                    const Progress& progress);
 
 /// Do two answers differ by more than `tolerance` (relative) and what rounding leaves? Of the
@@ -55,8 +56,8 @@ AnswerChange change_between(const DetailedAnswer& before, const DetailedAnswer& 
 /// Pieces that go on in one line in the same modes become one.
 std::vector<Piece> joined(const std::vector<Piece>& pieces, Question question, double tolerance);
 
-/// What the sweep tells of two answers: of one that is not solved the status alone.
-SweepValue told(const SweepAnswer& push, const SweepAnswer& breaking);
+/// What the sweep tells of an answer: of one that is not solved the status alone.
+SweepAnswer told(const SweepAnswer& answer);
 
 /// What the way there and the way back find in one part of the range, or at one value.
 struct TwoWays {

@@ -1,7 +1,6 @@
 #include "sweep/sweep_samples.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "sweep/sweep_pieces.hpp"
@@ -25,23 +24,18 @@ void refine(SweepSolver& solver, const Sample& from, const Sample& to,
     (same_modes(middle, low) ? low : high) = std::move(middle);
   }
   SweepChange change;
-  if (!same_modes(low.push, high.push)) change.push = {change_between(low.push, high.push)};
-  if (!same_modes(low.breaking, high.breaking))
-    change.breaking = {change_between(low.breaking, high.breaking)};
-  change.jumps = differ(low.push, high.push, Question::push, sampled_jump) ||
-                 differ(low.breaking, high.breaking, Question::breaking, sampled_jump);
+  for (const Question question : questions) {
+    const DetailedAnswer &before = low[question], &after = high[question];
+    if (!same_modes(before, after)) change[question] = {change_between(before, after)};
+    change.jumps = change.jumps || differ(before, after, question, sampled_jump);
+  }
   const Variation& variation = solver.variations().front();
-  if (low.t > from.t) {
-    points.push_back(point_of(low, variation));
-    points.back().refined = true;
-  }
+  if (low.t > from.t) points.push_back(refined_point(low, variation));
   points.back().change = change;
-  if (high.t < to.t) {
-    points.push_back(point_of(high, variation));
-    points.back().refined = true;
-    // Several changes may lie between two steps.
-    if (!same_modes(high, to)) refine(solver, high, to, points);
-  }
+  if (!(high.t < to.t)) return;
+  points.push_back(refined_point(high, variation));
+  // Several changes may lie between two steps.
+  if (!same_modes(high, to)) refine(solver, high, to, points);
 }
 
 /// Each from its neighbour's answer, and more of them where modes change.
@@ -62,17 +56,13 @@ std::vector<SweepPoint> sampled(SweepSolver& solver, Index steps, const Progress
 /// The two ways at the steps that both have taken.
 std::vector<TwoWays> compared(const std::vector<SweepPoint>& there,
                               const std::vector<SweepPoint>& back) {
-  const auto steps_of = [](const std::vector<SweepPoint>& points) {
-    std::vector<SweepPoint> steps;
-    std::copy_if(points.begin(), points.end(), std::back_inserter(steps),
-                 [](const SweepPoint& point) { return !point.refined; });
-    return steps;
-  };
-  const std::vector<SweepPoint> steps = steps_of(there), returning = steps_of(back);
   std::vector<TwoWays> list;
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    list.push_back(
-        {steps[i].value, steps[i].value, steps[i].at, returning[returning.size() - 1 - i].at});
+  auto returning = back.rbegin();
+  for (const SweepPoint& point : there) {
+    if (point.refined) continue;
+    while (returning->refined) ++returning;
+    list.push_back({point.value, point.value, point.at, returning++->at});
+  }
   return list;
 }
 
@@ -81,9 +71,15 @@ std::vector<TwoWays> compared(const std::vector<SweepPoint>& there,
 SweepPoint point_of(const Sample& sample, const Variation& variation) {
   SweepPoint point;
   point.value = value_at(variation, sample.t);
-  point.at = told(sample.push, sample.breaking);
+  for (const Question question : questions) point.at[question] = told(sample[question]);
   if (sample.push.is_solved())
     for (const ContactState& contact : sample.push.contacts) point.modes.push_back(contact.mode);
+  return point;
+}
+
+SweepPoint refined_point(const Sample& sample, const Variation& variation) {
+  SweepPoint point = point_of(sample, variation);
+  point.refined = true;
   return point;
 }
 
@@ -91,15 +87,11 @@ Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour, const
   Sample sample;
   sample.t = t;
   if (!solver.is_warm()) neighbour = nullptr;
-  if (neighbour != nullptr) {
-    sample.push_bases = neighbour->push_bases;
-    sample.breaking_bases = neighbour->breaking_bases;
-  }
+  if (neighbour != nullptr) sample.bases = neighbour->bases;
   const bool both = neighbour != nullptr && other != nullptr;
-  sample.push =
-      solver.solve(Question::push, sample.push_bases, both ? &other->push_bases : nullptr);
-  sample.breaking = solver.solve(Question::breaking, sample.breaking_bases,
-                                 both ? &other->breaking_bases : nullptr);
+  for (const Question question : questions)
+    sample[question] =
+        solver.solve(question, sample.bases[question], both ? &other->bases[question] : nullptr);
   return sample;
 }
 

@@ -20,10 +20,9 @@ void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep
 void find_zeros(SweepSolver& solver, Sweep& sweep);
 
 /// Both answers at one value, and the bases that lead to the next.
-struct Sample {
+struct Sample : OfBoth<DetailedAnswer> {
   double t = 0; ///< 0 to 1 over the range
-  DetailedAnswer push, breaking;
-  RoundBases push_bases, breaking_bases;
+  OfBoth<RoundBases> bases;
 };
 /// At the solver's present value; from a neighbour's bases (and those of the neighbour on the other
 /// side), or from nothing.
@@ -33,5 +32,7 @@ Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour,
 Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour,
                  const Sample* other = nullptr);
 SweepPoint point_of(const Sample& sample, const Variation& variation);
+/// The same, as one that lies between two of the steps.
+SweepPoint refined_point(const Sample& sample, const Variation& variation);
 
 } // namespace lcpush::desktop

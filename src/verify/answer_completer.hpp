@@ -1,9 +1,8 @@
-// Fills in what a part of an answer determines; complete_answer.hpp says how.
+// What a part of an answer determines of the rest.
 #pragma once
 
-#include "verify/complete_answer.hpp"
-
-#include <Eigen/Core>
+#include "lcpush/desktop/foreign_answer.hpp"
+#include "lcpush/desktop/push.hpp"
 
 #include <optional>
 
@@ -11,6 +10,18 @@ namespace lcpush::desktop {
 
 using Rows = std::vector<std::pair<Eigen::VectorXd, double>>;
 
+struct Completion {
+  bool has_forces = false;            ///< were forces filled in?
+  std::vector<std::string> completed; ///< a phrase for each thing that was not given
+  std::string missing;                ///< what would have to be given as well; empty: it is whole
+};
+
+/// Fills `answer` from what is given and what follows from it: the object's acceleration from all
+/// forces or from the motion of its points; the closings from the motion; forces from the motion,
+/// as those that fit the laws best (nonnegative least squares); what generators and slips make of
+/// them. Numbers that are given stay as they are. `push` is only asked for its scene and its
+/// assembly. `tolerance`: in scaled units, below this nothing moves. Cost: least squares of 6 +
+/// actuators + 4 points rows.
 class AnswerCompleter {
 public:
   AnswerCompleter(Push& push, const ForeignAnswer& given, double tolerance, Answer<double>& answer)
@@ -38,10 +49,8 @@ private:
   bool has_friction(Index i) const { return layout_.cones[i].generators > 0; }
   bool friction_known(Index i) const;
   bool forces_known() const;
-  void take_given();
 
   bool find_acceleration();
-  bool acceleration_from_points();
   Rows point_rows(bool with_acceleration) const;
   Eigen::VectorXd drive_speeds(Index point, const Vector3<double>& direction) const;
   Eigen::VectorXd closing_speeds(Index point) const;

@@ -1,8 +1,7 @@
-#include "verify/complete_answer.hpp"
-#include "dense/decompositions.hpp"
-
-#include "solve/owned_program.hpp"
 #include "verify/answer_completer.hpp"
+
+#include "dense/decompositions.hpp"
+#include "solve/owned_program.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,17 +35,6 @@ bool AnswerCompleter::forces_known() const {
   for (Index i = 0; i < layout_.points; ++i)
     if (!normal_known(i) || !friction_known(i)) return false;
   return true;
-}
-
-void AnswerCompleter::take_given() {
-  for (Index i = 0; i < layout_.points; ++i) {
-    const ForeignContact given = contact_of(i);
-    ContactAnswer<double>& contact = answer_.contacts[i];
-    contact.body = layout_.body[i];
-    contact.normal_force = given.normal_force.value_or(0);
-    contact.friction_force = given.friction_force.value_or(Vector3<double>::Zero());
-    contact.torsion = given.torsion.value_or(0);
-  }
 }
 
 /// What a unit of each actuator moves the point of its body along `direction`.
@@ -94,14 +82,6 @@ Rows AnswerCompleter::point_rows(bool with_acceleration) const {
   return rows;
 }
 
-bool AnswerCompleter::acceleration_from_points() {
-  const auto found = least_squares(point_rows(true), 6 + layout_.actuators);
-  if (!found) return false;
-  answer_.acceleration = found->head<6>();
-  answer_.acceleration.tail<3>() /= layout_.scales.length;
-  return true;
-}
-
 bool AnswerCompleter::find_acceleration() {
   if (given_.acceleration) {
     answer_.acceleration = *given_.acceleration;
@@ -120,7 +100,9 @@ bool AnswerCompleter::find_acceleration() {
     completion_.completed.emplace_back("the object's acceleration, from the forces");
     return true;
   }
-  if (acceleration_from_points()) {
+  if (const auto found = least_squares(point_rows(true), 6 + layout_.actuators)) {
+    answer_.acceleration = found->head<6>();
+    answer_.acceleration.tail<3>() /= layout_.scales.length;
     completion_.completed.emplace_back("the object's acceleration, from its contact points'");
     return true;
   }
@@ -234,12 +216,11 @@ double AnswerCompleter::gap(Index point) const {
 /// xi = max (0, - d_j' r): what [T.3] makes of the motion.
 void AnswerCompleter::find_slips() {
   for (Index i = 0; i < layout_.points; ++i) {
-    double& slip = answer_.contacts[i].slip;
-    slip = 0;
+    answer_.contacts[i].slip = 0;
     double most = 0;
     for (Index j = 0; j < layout_.cones[i].generators; ++j)
       most = std::max(most, -slides_against(i, j));
-    slip = most;
+    answer_.contacts[i].slip = most;
   }
 }
 
@@ -259,7 +240,14 @@ void AnswerCompleter::find_motions() {
 }
 
 Completion AnswerCompleter::run() {
-  take_given();
+  for (Index i = 0; i < layout_.points; ++i) {
+    const ForeignContact given = contact_of(i);
+    ContactAnswer<double>& contact = answer_.contacts[i];
+    contact.body = layout_.body[i];
+    contact.normal_force = given.normal_force.value_or(0);
+    contact.friction_force = given.friction_force.value_or(Vector3<double>::Zero());
+    contact.torsion = given.torsion.value_or(0);
+  }
   if (!find_acceleration()) return completion_;
   find_closings();
   if (!completion_.missing.empty()) return completion_;
@@ -272,11 +260,6 @@ Completion AnswerCompleter::run() {
   if (!forces_known()) find_forces();
   find_motions();
   return completion_;
-}
-
-Completion complete_answer(Push& push, const ForeignAnswer& given, double tolerance,
-                           Answer<double>& answer) {
-  return AnswerCompleter(push, given, tolerance, answer).run();
 }
 
 } // namespace lcpush::desktop

@@ -23,11 +23,9 @@ std::vector<std::size_t> places(const std::vector<std::string>& given,
             std::to_string(known.size());
     return {};
   }
-  std::vector<std::string> sorted = given, wanted = known;
-  std::sort(sorted.begin(), sorted.end());
-  std::sort(wanted.begin(), wanted.end());
+  const bool by_name = std::is_permutation(given.begin(), given.end(), known.begin());
   for (std::size_t k = 0; k < given.size(); ++k) {
-    if (sorted == wanted)
+    if (by_name)
       place[k] =
           static_cast<std::size_t>(std::find(known.begin(), known.end(), given[k]) - known.begin());
     else if (!given[k].empty() && given[k] != known[k]) {
@@ -70,8 +68,7 @@ void read_contacts(const JsonFields& fields, const JsonArray& array, const Scene
   for (const Vector3<double>& p : file.points) size = std::max(size, p.norm());
   for (std::size_t i = 0; i < read.size(); ++i) {
     const ForeignContact& contact = answer.contacts[i];
-    const std::string& body =
-        file.body_names[static_cast<std::size_t>(file.body_of(static_cast<Index>(i)))];
+    const std::string& body = file.body_name(file.body_of(static_cast<Index>(i)));
     if (!contact.body.empty() && contact.body != body)
       answer.not_this_scene = "contact " + known[i] + " is of body " + quoted(contact.body) +
                               ", the scene's of " + quoted(body);

@@ -31,19 +31,12 @@ std::optional<Eigen::VectorXd> refine_point(const DenseProblem& problem, const E
   std::vector<Index> basic;
   for (Index i = 0; i < z.size(); ++i)
     if (problem.is_free(i) || z[i] > w[i]) basic.push_back(i);
-  const auto k = static_cast<Index>(basic.size());
-  Eigen::MatrixXd B(k, k);
-  Eigen::VectorXd z_B(k), q_B(k);
-  for (Index c = 0; c < k; ++c) {
-    const Index j = basic[static_cast<std::size_t>(c)];
-    z_B[c] = z[j];
-    q_B[c] = problem.q[j];
-    for (Index r = 0; r < k; ++r) B(r, c) = problem.M(basic[static_cast<std::size_t>(r)], j);
-  }
   Eigen::VectorXd refined = Eigen::VectorXd::Zero(z.size());
-  // Where the basis leaves forces open, the least change.
-  if (k > 0) correct(B, q_B, 1e-11, z_B);
-  for (Index c = 0; c < k; ++c) refined[basic[static_cast<std::size_t>(c)]] = z_B[c];
+  if (!basic.empty()) {
+    Eigen::VectorXd z_B = z(basic);
+    correct(problem.M(basic, basic), problem.q(basic), 1e-11, z_B);
+    refined(basic) = z_B; // where the basis leaves forces open, the least change
+  }
   if (!refined.allFinite()) return std::nullopt;
   return refined;
 }

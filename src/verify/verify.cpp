@@ -1,9 +1,8 @@
 #include "lcpush/desktop/verify.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
-#include "verify/complete_answer.hpp"
+#include "verify/answer_completer.hpp"
 #include "verify/foreign_point.hpp"
-#include "verify/owned_answer.hpp"
 #include "verify/verify_rows.hpp"
 
 #include <algorithm>
@@ -11,6 +10,26 @@
 
 namespace lcpush::desktop {
 namespace {
+
+/// An Answer with its arrays.
+struct OwnedAnswer : Answer<double> {
+  explicit OwnedAnswer(const Layout<double>& layout)
+      : contact_list(static_cast<std::size_t>(layout.points)),
+        closing_list(static_cast<std::size_t>(layout.actuators)) {
+    Index generators = 0;
+    for (const ConeGroup<double>& cone : layout.cones) generators += cone.generators;
+    friction_list.resize(static_cast<std::size_t>(generators));
+    contacts = span_of(contact_list);
+    friction = span_of(friction_list);
+    closing = span_of(closing_list);
+  }
+  OwnedAnswer(const OwnedAnswer&) = delete;
+  OwnedAnswer& operator=(const OwnedAnswer&) = delete;
+
+private:
+  std::vector<ContactAnswer<double>> contact_list;
+  std::vector<double> friction_list, closing_list;
+};
 
 /// The scaled unknowns of the assembly's problem that make this answer.
 Eigen::VectorXd unknowns_of(const Layout<double>& layout, const Answer<double>& answer) {
@@ -56,7 +75,22 @@ public:
     report_.tolerance = options.tolerance;
   }
 
-  VerifyReport run();
+  VerifyReport run() {
+    if (!given_.not_this_scene.empty()) {
+      report_.because = given_.not_this_scene;
+      return report_;
+    }
+    const Completion completion = AnswerCompleter(push_, given_, report_.tolerance, answer_).run();
+    if (!completion.missing.empty())
+      throw InputError(given_.file + ": what is given leaves the rest open; give also " +
+                       completion.missing);
+    has_forces_ = completion.has_forces;
+    report_.completed = completion.completed;
+    report_.rows = broken_rows(push_, given_, answer_);
+    report_.residual = worst_row().scaled;
+    study_point();
+    return report_;
+  }
 
 private:
   const ForeignAnswer& given_;
@@ -66,116 +100,92 @@ private:
   VerifyReport report_;
   bool has_forces_ = false; // filled in
 
-  void study_point();
-  void refine(const DenseProblem& problem, const Eigen::VectorXd& z, Answer<double>& refined);
-  void compare(const Answer<double>& nearest);
-  const BrokenRow& worst_row() const;
+  /// Everything that needs the literal problem, before a pressure law changes it.
+  void study_point() {
+    const DenseProblem problem = dense(push_.assembly().problem());
+    const Eigen::VectorXd z = unknowns_of(layout_, answer_);
+    report_.metrics = measure_point(problem, z);
+    report_.objective =
+        report_.metrics.products * layout_.scales.force * layout_.scales.acceleration;
+    report_.basis = study_final_basis(push_.assembly(), answer_);
+    report_.motion_proved = motion_is_determined(push_.scene());
+    OwnedAnswer nearest(layout_);
+    refine(problem, z, nearest);
+    const double tolerance = report_.tolerance;
+    if (report_.residual <= tolerance) {
+      // Of an answer with few digits, the exact one next to it; a motion alone stands as it is.
+      const bool closer =
+          !has_forces_ && report_.refined.found && report_.refined.residual < report_.residual;
+      compare((closer ? nearest : answer_));
+      return;
+    }
+    report_.verdict = Verdict::not_a_solution;
+    report_.because = std::string(law_text(worst_row())) + ": " + worst_row().name;
+    bool feasible = z.allFinite();
+    const Eigen::VectorXd w = problem.w(z);
+    for (Index i = 0; i < z.size(); ++i)
+      feasible = feasible && (problem.is_free(i) ? std::abs(w[i]) <= tolerance
+                                                 : std::min(z[i], w[i]) >= -tolerance);
+    for (const BrokenRow& row : report_.rows) {
+      const bool linear =
+          !row.law || row.law == Law::newton || row.law == Law::grip || row.law == Law::rigidity;
+      feasible = feasible && !(linear && !(row.scaled <= tolerance));
+    }
+    if (feasible && is_stationary(problem, z)) report_.verdict = Verdict::spurious_minimum;
+  }
+
+  void refine(const DenseProblem& problem, const Eigen::VectorXd& z, Answer<double>& refined) {
+    const auto point = refine_point(problem, z);
+    if (!point) return;
+    report_.refined.found = true;
+    read_answer(push_.assembly(), point->data(), refined, 1.0);
+    report_.refined.residual = check(push_.scene(), layout_.scales, refined, 1.0).max();
+    report_.refined.moved = (*point - z).cwiseAbs().maxCoeff();
+    report_.refined.force = force_difference(given_, answer_, refined);
+    report_.refined.acceleration = motion_difference(answer_, refined, layout_.scales);
+  }
+
+  void compare(const Answer<double>& nearest) {
+    PushOptions options;
+    options.explain_jams = false;
+    options.other_covers = 0;
+    const PushReport own = push_.solve(options);
+    report_.own.status = own.status;
+    report_.verdict = Verdict::other_solution;
+    if (own.status != Status::solved) return;
+    const Scales<double>& scales = layout_.scales;
+    report_.own.force = force_difference(given_, nearest, own.answer);
+    report_.own.acceleration = motion_difference(nearest, own.answer, scales);
+    const double close = std::max(1e-6, 10 * report_.tolerance);
+    double largest = scales.force;
+    for (const ContactAnswer<double>& contact : own.answer.contacts)
+      largest = std::max(largest, std::abs(contact.normal_force));
+    const bool same_motion =
+        lcpush::same_motion<double>({nearest.acceleration, {}}, {own.answer.acceleration, {}},
+                                    scales, push_size(push_.scene()), close);
+    if (!same_motion) return;
+    report_.verdict =
+        report_.own.force <= close * largest ? Verdict::same_solution : Verdict::other_forces;
+  }
+
+  const BrokenRow& worst_row() const {
+    return *std::max_element(report_.rows.begin(), report_.rows.end(),
+                             [](const BrokenRow& a, const BrokenRow& b) {
+                               return !(b.scaled <= a.scaled); // NaN is the worst
+                             });
+  }
 };
-
-const BrokenRow& Verification::worst_row() const {
-  return *std::max_element(report_.rows.begin(), report_.rows.end(),
-                           [](const BrokenRow& a, const BrokenRow& b) {
-                             return !(b.scaled <= a.scaled); // NaN is the worst
-                           });
-}
-
-void Verification::refine(const DenseProblem& problem, const Eigen::VectorXd& z,
-                          Answer<double>& refined) {
-  const auto point = refine_point(problem, z);
-  if (!point) return;
-  report_.refined.found = true;
-  read_answer(push_.assembly(), point->data(), refined, 1.0);
-  report_.refined.residual = check(push_.scene(), layout_.scales, refined, 1.0).max();
-  report_.refined.moved = (*point - z).cwiseAbs().maxCoeff();
-  report_.refined.force = force_difference(given_, answer_.get(), refined);
-  report_.refined.acceleration = motion_difference(answer_.get(), refined, layout_.scales);
-}
-
-/// Everything that needs the literal problem, before a pressure law changes it.
-void Verification::study_point() {
-  const DenseProblem problem = dense(push_.assembly().problem());
-  const Eigen::VectorXd z = unknowns_of(layout_, answer_.get());
-  report_.metrics = measure_point(problem, z);
-  report_.objective = report_.metrics.products * layout_.scales.force * layout_.scales.acceleration;
-  report_.basis = study_final_basis(push_.assembly(), answer_.get());
-  report_.motion_proved = motion_is_determined(push_.scene());
-  OwnedAnswer nearest(layout_);
-  refine(problem, z, nearest.get());
-  const double tolerance = report_.tolerance;
-  if (report_.residual <= tolerance) {
-    // Of an answer with few digits, the exact one next to it; a motion alone stands as it is.
-    const bool closer =
-        !has_forces_ && report_.refined.found && report_.refined.residual < report_.residual;
-    compare((closer ? nearest : answer_).get());
-    return;
-  }
-  report_.verdict = Verdict::not_a_solution;
-  report_.because = std::string(law_text(worst_row())) + ": " + worst_row().name;
-  bool feasible = z.allFinite();
-  const Eigen::VectorXd w = problem.w(z);
-  for (Index i = 0; i < z.size(); ++i)
-    feasible = feasible && (problem.is_free(i) ? std::abs(w[i]) <= tolerance
-                                               : std::min(z[i], w[i]) >= -tolerance);
-  for (const BrokenRow& row : report_.rows) {
-    const bool linear =
-        !row.law || row.law == Law::newton || row.law == Law::grip || row.law == Law::rigidity;
-    feasible = feasible && !(linear && !(row.scaled <= tolerance));
-  }
-  if (feasible && is_stationary(problem, z)) report_.verdict = Verdict::spurious_minimum;
-}
-
-void Verification::compare(const Answer<double>& nearest) {
-  PushOptions options;
-  options.explain_jams = false;
-  options.other_covers = 0;
-  const PushReport own = push_.solve(options);
-  report_.own.status = own.status;
-  report_.verdict = Verdict::other_solution;
-  if (own.status != Status::solved) return;
-  const Scales<double>& scales = layout_.scales;
-  report_.own.force = force_difference(given_, nearest, own.answer);
-  report_.own.acceleration = motion_difference(nearest, own.answer, scales);
-  const double close = std::max(1e-6, 10 * report_.tolerance);
-  double largest = scales.force;
-  for (const ContactAnswer<double>& contact : own.answer.contacts)
-    largest = std::max(largest, std::abs(contact.normal_force));
-  const bool same_motion =
-      lcpush::same_motion<double>({nearest.acceleration, {}}, {own.answer.acceleration, {}}, scales,
-                                  push_size(push_.scene()), close);
-  if (!same_motion) return;
-  report_.verdict =
-      report_.own.force <= close * largest ? Verdict::same_solution : Verdict::other_forces;
-}
-
-VerifyReport Verification::run() {
-  if (!given_.not_this_scene.empty()) {
-    report_.because = given_.not_this_scene;
-    return report_;
-  }
-  const Completion completion = complete_answer(push_, given_, report_.tolerance, answer_.get());
-  if (!completion.missing.empty())
-    throw InputError(given_.file + ": what is given leaves the rest open; give also " +
-                     completion.missing);
-  has_forces_ = completion.has_forces;
-  report_.completed = completion.completed;
-  report_.rows = broken_rows(push_, given_, answer_.get());
-  report_.residual = worst_row().scaled;
-  study_point();
-  return report_;
-}
 
 } // namespace
 
 const char* verdict_text(Verdict verdict) {
-  switch (verdict) {
-  case Verdict::same_solution: return "same solution";
-  case Verdict::other_forces: return "same motion, other forces";
-  case Verdict::other_solution: return "another valid solution";
-  case Verdict::not_a_solution: return "not a solution";
-  case Verdict::spurious_minimum: return "a spurious local minimum of the quadratic form";
-  case Verdict::other_data: return "not this scene's data";
-  }
-  return "";
+  constexpr const char* texts[] = {"same solution",
+                                   "same motion, other forces",
+                                   "another valid solution",
+                                   "not a solution",
+                                   "a spurious local minimum of the quadratic form",
+                                   "not this scene's data"};
+  return texts[static_cast<int>(verdict)];
 }
 
 VerifyReport verify_answer(const SceneFile& file, const ForeignAnswer& answer,

@@ -4,10 +4,10 @@
 namespace lcpush::desktop {
 namespace {
 
-void write_verdict(JsonWriter& json, Verdict verdict, const std::string& because,
-                   double tolerance) {
-  json.begin_object().member("verdict", verdict_text(verdict)).member("valid", is_valid(verdict));
-  json.member("because", unless_empty(because)).member("tolerance", tolerance);
+void write_verdict(JsonWriter& json, const JudgedAnswer& report) {
+  json.begin_object().member("verdict", verdict_text(report.verdict));
+  json.member("valid", is_valid(report.verdict)).member("because", unless_empty(report.because));
+  json.member("tolerance", report.tolerance);
 }
 
 void write_metrics(JsonWriter& json, const ForeignMetrics& metrics) {
@@ -20,7 +20,7 @@ void write_metrics(JsonWriter& json, const ForeignMetrics& metrics) {
 
 std::string verify_json(const VerifyReport& report) {
   JsonWriter json;
-  write_verdict(json, report.verdict, report.because, report.tolerance);
+  write_verdict(json, report);
   if (report.verdict == Verdict::other_data) return json.end_object().text();
   json.member("residual", report.residual);
   json.key("laws").begin_object();
@@ -48,7 +48,7 @@ std::string verify_json(const VerifyReport& report) {
 
 std::string verify_json(const RawVerifyReport& report) {
   JsonWriter json;
-  write_verdict(json, report.verdict, report.because, report.tolerance);
+  write_verdict(json, report);
   if (report.verdict == Verdict::other_data) return json.end_object().text();
   json.member("residual", report.residual);
   json.member("row", when(report.row >= 0, report.row + 1));

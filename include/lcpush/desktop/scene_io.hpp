@@ -5,6 +5,7 @@
 #include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/scene.hpp"
 
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -74,12 +75,26 @@ template <class S> struct SceneOf {
 
 using SceneFile = SceneOf<double>;
 
+/// The body's points, as indices into Scene::points.
+template <class S> std::vector<Index> points_of(const Body<S>& body) {
+  std::vector<Index> list(static_cast<std::size_t>(body.point_count));
+  std::iota(list.begin(), list.end(), body.first_point);
+  return list;
+}
+
 /// How a pressure law is spelled, in the order of the enumeration.
 inline std::vector<std::string> pressure_names() {
   std::vector<std::string> names;
   for (const Pressure pressure : pressures) names.emplace_back(pressure_text(pressure));
   return names;
 }
+
+/// The text of a scene file. Throws InputError if it cannot be read or is far too large for one.
+std::string read_scene_text(const std::string& path);
+
+/// As read_scene, for a text in memory; `file_name` only names it in messages.
+template <class S = double>
+SceneOf<S> parse_scene(std::string_view text, const std::string& file_name);
 
 /// Reads the scene file at `path`. Every value of the result is finite and physical: unit normals
 /// and tangents, a positive definite inertia, at least one contact point, no coincident points in
@@ -88,14 +103,9 @@ inline std::vector<std::string> pressure_names() {
 /// S = Rational takes decimals as typed, so that 0.2 is 1/5. What no fraction can say (a normal
 /// that takes a root, points of discs, directions of eight facets) is taken as the exact value of
 /// its double and named in `inexact`; a number of more than 10,000 digits is refused.
-template <class S = double> SceneOf<S> read_scene(const std::string& path);
-
-/// The same for a text in memory; `file_name` only names it in messages.
-template <class S = double>
-SceneOf<S> parse_scene(std::string_view text, const std::string& file_name);
-
-/// The text of a scene file. Throws InputError if it cannot be read or is far too large for one.
-std::string read_scene_text(const std::string& path);
+template <class S = double> SceneOf<S> read_scene(const std::string& path) {
+  return parse_scene<S>(read_scene_text(path), path);
+}
 
 /// The sentences of `inexact` for the friction directions, which depend on `facets` as it is now.
 std::vector<std::string> irrational_directions(const SceneOf<Rational>& scene);

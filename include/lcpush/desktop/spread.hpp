@@ -25,13 +25,13 @@ struct Interval {
 };
 
 struct SpreadOptions {
-  Index covers = 32;      ///< covering vectors 0, 1, .. of Lemke's method, each a path to an answer
+  Index covering_vectors = 32; ///< 0, 1, .. of Lemke's method, each a path to an answer
   bool enumerate = false; ///< look at all assignments of contact modes, not only at those reached
   Index most_faces = 200; ///< faces studied; `enumerate`: ten times as many
   double most_work = 2e9; ///< multiplications after which no further face is begun; `enumerate`:
                           ///< ten times as many
   LemkeOptions<double> lemke{};
-  Watcher* watcher = nullptr; ///< told of the covers' pivots
+  Watcher* watcher = nullptr; ///< told of these paths' pivots
 };
 
 enum class SpreadVerdict {
@@ -69,14 +69,14 @@ struct SpreadReport {
   double motion = 0; ///< m/s^2, the largest |acceleration| reached or the push: the scale of `same`
   double residual = 0; ///< the largest of the answers behind the bounds
 
-  Index covers = 0;        ///< tried
-  Index covers_solved = 0; ///< that led to an answer; the others ended in a ray or a failure
+  Index covering_vectors = 0; ///< tried
+  /// That led to an answer; the others ended in a ray or a failure.
+  Index covering_vectors_solved = 0;
   Index faces = 0;         ///< studied: bounds over all of it
   Index faces_left = 0;    ///< known, not studied: the limit was reached; their bounds may be wider
   Index programs = 0;      ///< linear programs solved for bounds and points
   Index failures = 0;      ///< bounds or faces that could not be settled: the set may be wider
   Index assignments = 0;   ///< of contact modes, whole or in part, that enumeration has looked at
-  bool enumerated = false; ///< enumeration was asked for and possible: see `enumeration`
   bool complete = false;   ///< every answer lies on a studied face: enumeration ended, no failure
   std::string enumeration; ///< why it is not complete, empty otherwise
 
@@ -84,7 +84,7 @@ struct SpreadReport {
 };
 
 /// [T.13] The set of answers under the literal laws, whatever pressure law `file` names. Cost: the
-/// covers' pivots, and some 6 + 3 points linear programs a face.
+/// pivots of each covering vector, and some 6 + 3 points linear programs a face.
 SpreadReport find_spread(const SceneFile& file, const SpreadOptions& options);
 
 /// The interval as one number, if its ends agree to `tolerance`?

@@ -20,6 +20,20 @@ struct Variation {
   double from = 0, to = 0; ///< different; from may be the larger one
 };
 
+/// The two questions of a sweep: the push as prescribed, and the instant of breaking.
+enum class Question { push, breaking };
+constexpr Question questions[] = {Question::push, Question::breaking};
+
+/// What belongs to the one and to the other.
+template <class T> struct OfBoth {
+  T push{}, breaking{};
+
+  T& operator[](Question question) { return question == Question::push ? push : breaking; }
+  const T& operator[](Question question) const {
+    return question == Question::push ? push : breaking;
+  }
+};
+
 /// The answer to one of the two questions: the push as prescribed, or the instant of breaking.
 /// Of an answer that is not solved all but the status is zero.
 struct SweepAnswer {
@@ -39,9 +53,7 @@ struct SweepAnswer {
 };
 
 /// What is known of the scene at one value.
-struct SweepValue {
-  SweepAnswer push, breaking;
-
+struct SweepValue : OfBoth<SweepAnswer> {
   double residual() const { return std::max(push.residual, breaking.residual); }
 };
 
@@ -73,9 +85,9 @@ struct AnswerChange {
 };
 
 /// What happens at a value of the parameter. change_text puts it into words.
-struct SweepChange {
-  std::vector<AnswerChange> push, breaking; ///< several only where they are too near to separate
-  bool jumps = false;                       ///< an answer is discontinuous
+/// Several of one question only where they are too near to separate.
+struct SweepChange : OfBoth<std::vector<AnswerChange>> {
+  bool jumps = false; ///< an answer is discontinuous
 
   bool is_empty() const { return push.empty() && breaking.empty(); }
 };
@@ -155,7 +167,6 @@ struct ParameterSweepOptions {
   Index steps = 0;       ///< points evenly spread, ends included; 0: none where segments are found
   bool both_ways = true; ///< sweep back as well, in search of other answers
   bool warm = true;      ///< start from the neighbour's answer
-  Index most_segments = 1000;
   std::function<void(double done)> progress; ///< 0 to 1
 };
 

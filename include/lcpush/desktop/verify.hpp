@@ -62,35 +62,33 @@ struct OwnAnswer {
   double acceleration = 0; ///< m/s^2, of the object
 };
 
-struct VerifyReport {
+/// What is said of any answer.
+struct JudgedAnswer {
   Verdict verdict = Verdict::other_data;
   std::string because; ///< the row, or what is not this scene's; empty for a solution
   double tolerance = 0;
-  double residual = 0;         ///< the largest scaled violation
-  std::vector<BrokenRow> rows; ///< the worst of each law, then of "given"
-  std::vector<std::string> completed;
-  double objective = 0; ///< N m/s^2, what the paper's program minimises
+  double residual = 0; ///< the largest scaled violation; of a raw problem natural_residual
   ForeignMetrics metrics;
   RefinedAnswer refined;
+  OwnAnswer own;
+};
+
+struct VerifyReport : JudgedAnswer {
+  std::vector<BrokenRow> rows; ///< the worst of each law, then of "given"
+  std::vector<std::string> completed;
+  double objective = 0;       ///< N m/s^2, what the paper's program minimises
   FinalBasis basis;           ///< other answers next to this one
   bool motion_proved = false; ///< only one motion is possible
-  OwnAnswer own;
 };
 
 /// Throws InputError if the answer leaves open what it does not give.
 VerifyReport verify_answer(const SceneFile& file, const ForeignAnswer& answer,
                            const VerifyOptions& options);
 
-struct RawVerifyReport {
-  Verdict verdict = Verdict::other_data;
-  std::string because;
-  double tolerance = 0;
-  double residual = 0;        ///< natural_residual
-  Index row = -1;             ///< where; -1: every row holds exactly
+/// own.force: the largest difference of a z_i.
+struct RawVerifyReport : JudgedAnswer {
+  Index row = -1;             ///< the worst; -1: every row holds exactly
   std::optional<double> z, w; ///< of that row
-  ForeignMetrics metrics;
-  RefinedAnswer refined;
-  OwnAnswer own; ///< force: largest difference of a z_i
 };
 
 RawVerifyReport verify_raw(const RawProblem& problem, const std::vector<double>& z,
