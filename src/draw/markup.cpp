@@ -4,29 +4,24 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
 
 namespace lcpush::desktop {
 
 std::string escaped(const std::string& text) {
-  const std::string replacement = "\xEF\xBF\xBD";
+  constexpr std::string_view special = "<>&\"'\n", replacement = "\xEF\xBF\xBD";
+  constexpr const char* entities[] = {"&lt;", "&gt;", "&amp;", "&quot;", "&#39;", "&#10;"};
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    switch (c) {
-    case '<': result += "&lt;"; continue;
-    case '>': result += "&gt;"; continue;
-    case '&': result += "&amp;"; continue;
-    case '"': result += "&quot;"; continue;
-    case '\'': result += "&#39;"; continue;
-    case '\n': result += "&#10;"; continue;
-    default: break;
-    }
-    const bool is_control = (c >= 0 && c < 0x20 && c != '\t') || c == 0x7F;
-    const std::string three = text.substr(i, 3);
-    const bool is_no_character = three == "\xEF\xBF\xBE" || three == "\xEF\xBF\xBF";
-    if (is_control || is_no_character) {
+    const std::string_view three = std::string_view(text).substr(i, 3);
+    if (const std::size_t k = special.find(c); k != std::string_view::npos) {
+      result += entities[k];
+    } else if (three == "\xEF\xBF\xBE" || three == "\xEF\xBF\xBF") { // no characters
       result += replacement;
-      if (is_no_character) i += 2;
+      i += 2;
+    } else if ((c >= 0 && c < 0x20 && c != '\t') || c == 0x7F) {
+      result += replacement;
     } else {
       result += c;
     }

@@ -191,11 +191,8 @@ std::string export_names(const Push& push, const OwnedFullForm& full) {
   json.begin_object().member("title", push.file().title);
   json.member("complementary", full.complementary()).member("lcp_unknowns", layout.size);
   json.member("no_bound", no_bound);
-  json.key("contacts").begin_array();
-  for (Index i = 0; i < layout.points; ++i) json.value(point_name(push.file(), i));
-  json.end_array().key("actuators").begin_array();
-  for (Index a = 0; a < layout.actuators; ++a) json.value(push.actuator_name(a));
-  json.end_array();
+  json.list("contacts", layout.points, [&](Index i) { json.value(point_name(push.file(), i)); });
+  json.list("actuators", layout.actuators, [&](Index a) { json.value(push.actuator_name(a)); });
   const std::vector<Quantity> unknowns = names.unknowns(), rows = names.rows(),
                               answer = names.answer();
   write_quantities(json, "unknowns", unknowns, 0, unknowns.size());

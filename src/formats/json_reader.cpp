@@ -2,7 +2,6 @@
 
 #include "formats/read_number.hpp"
 #include "formats/text_cursor.hpp"
-#include "formats/toml_number.hpp"
 #include "text/limits.hpp"
 #include "text/utf8.hpp"
 #include "text/wording.hpp"
@@ -99,13 +98,9 @@ JsonObject JsonReader::read_object(int level) {
 }
 
 std::uint32_t JsonReader::read_hex() {
-  const auto code = read_hexadecimal(text_.substr(at_, 4), 4);
-  if (!code) {
-    at_ = std::min(text_.find_first_not_of("0123456789abcdefABCDEF", at_), text_.size());
-    fail("\\u takes four hexadecimal digits, found " + next_shown());
-  }
-  at_ += 4;
-  return *code;
+  if (const auto code = take_hexadecimal(4)) return *code;
+  at_ = std::min(text_.find_first_not_of("0123456789abcdefABCDEF", at_), text_.size());
+  fail("\\u takes four hexadecimal digits, found " + next_shown());
 }
 
 /// After \u: one code unit, or the two of a surrogate pair.
@@ -129,15 +124,10 @@ std::string JsonReader::read_string() {
       text += text_[at_++];
       continue;
     }
-    static const char escapes[] = "\"\\/bfnrt", meanings[] = "\"\\/\b\f\n\r\t";
-    if (take("u")) {
+    if (take("u"))
       append_utf8(text, read_code_point());
-      continue;
-    }
-    const char* const found = at_end() || peek() == '\0' ? nullptr : std::strchr(escapes, peek());
-    if (found == nullptr) fail("unknown escape \\ before " + next_shown());
-    text += meanings[found - escapes];
-    ++at_;
+    else if (!take_escape("\"\\/bfnrt", "\"\\/\b\f\n\r\t", text))
+      fail("unknown escape \\ before " + next_shown());
   }
   return text;
 }

@@ -1,7 +1,6 @@
 #include "formats/toml.hpp"
 
 #include "formats/text_cursor.hpp"
-#include "formats/toml_number.hpp"
 #include "text/limits.hpp"
 #include "text/utf8.hpp"
 #include "text/wording.hpp"
@@ -196,10 +195,9 @@ TomlValue TomlParser::parse_value(int depth) {
     if (depth > 0) fail("true and false are not supported in a list; use numbers or strings");
     return {line, word == "true"};
   }
-  TomlNumber number = read_toml_number(word);
-  if (number.error) fail(*number.error);
-  if (number.is_whole) return {line, number.whole, std::move(number.digits)};
-  return {line, number.real, std::move(number.digits)};
+  TomlValue number{line, 0.0};
+  if (const auto error = read_toml_number(word, number)) fail(*error);
+  return number;
 }
 
 TomlArray TomlParser::parse_array(int depth) {
@@ -239,25 +237,17 @@ std::string TomlParser::parse_string() {
 }
 
 void TomlParser::parse_escape(std::string& result) {
-  constexpr std::string_view letters = "btnfr\"\\";
-  constexpr std::string_view meanings = "\b\t\n\f\r\"\\";
   ++at_;
-  const std::size_t which = at_end() ? std::string_view::npos : letters.find(peek());
-  if (which != std::string_view::npos) {
-    result += meanings[which];
-    ++at_;
-    return;
-  }
+  if (take_escape("btnfr\"\\", "\b\t\n\f\r\"\\", result)) return;
   if (peek() != 'u' && peek() != 'U')
     fail("unknown escape; use \\b \\t \\n \\f \\r \\\" \\\\ \\uXXXX or \\UXXXXXXXX");
   const std::size_t digits = peek() == 'u' ? 4 : 8;
   ++at_;
-  const std::optional<std::uint32_t> code = read_hexadecimal(text_.substr(at_, digits), digits);
+  const std::optional<std::uint32_t> code = take_hexadecimal(digits);
   if (!code || !is_unicode_scalar(*code))
     fail("an escape needs " + std::to_string(digits) +
          " hexadecimal digits that name a Unicode character");
   append_utf8(result, *code);
-  at_ += digits;
 }
 
 } // namespace

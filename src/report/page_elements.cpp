@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "text/wording.hpp"
+
 namespace lcpush::desktop {
 
 std::string paragraph(const std::string& text, const std::string& kind) {
@@ -9,13 +11,10 @@ std::string paragraph(const std::string& text, const std::string& kind) {
 }
 
 std::string with_breaks(const std::string& text) {
-  std::string result;
-  std::size_t begin = 0;
-  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
-    result += escaped(text.substr(begin, end - begin)) + "<br/>";
-    begin = end + 1;
-  }
-  return result + escaped(text.substr(begin));
+  std::vector<std::string> lines;
+  for (const std::string_view line : split_at(text, '\n'))
+    lines.push_back(escaped(std::string(line)));
+  return joined(lines, "<br/>");
 }
 
 std::string facts_html(const std::vector<Fact>& facts) {

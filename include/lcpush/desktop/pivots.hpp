@@ -51,6 +51,10 @@ struct TracedPivot {
   std::size_t run = 0;
   std::string sentence;
   std::optional<Tableau> before; ///< left out of large traces
+
+  bool is_at(std::size_t i, std::size_t j) const {
+    return static_cast<Index>(i) == row && static_cast<Index>(j) == column;
+  }
 };
 
 /// A start and the pivots that follow it.
@@ -100,6 +104,11 @@ struct PivotTrace {
 
   const std::string& name(Index variable) const {
     return variables[static_cast<std::size_t>(variable)].name;
+  }
+  std::vector<std::string> names(const std::vector<Index>& list) const {
+    std::vector<std::string> result;
+    for (const Index variable : list) result.push_back(name(variable));
+    return result;
   }
 };
 
