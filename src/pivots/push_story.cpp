@@ -1,6 +1,7 @@
 #include "pivots/push_story.hpp"
 
 #include "lcpush/desktop/jam.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::desktop {
 /// generator_text of `sign` times the generator.
@@ -110,7 +111,6 @@ std::string PushStory::sentence(const TracedPivot& pivot, const std::vector<bool
 }
 
 std::string PushStory::ray_sentence(Index entering, const std::vector<double>& v) const {
-  std::string text = grows(entering, "The") + " without end: nothing blocks.";
   const Layout<double>& layout = push_.layout();
   std::vector<double> own(v.size());
   double largest = 0;
@@ -121,8 +121,8 @@ std::string PushStory::ray_sentence(Index entering, const std::vector<double>& v
   for (double& x : own) x /= largest > 0 ? largest : 1;
   const Jam jam = explain_jam(push_.file(), push_.assembly(), own.data(),
                               layout.size <= 200 ? has_answer : nullptr);
-  for (const std::string& sentence : jam_sentences(push_.file(), jam)) text += "\n" + sentence;
-  return text;
+  return grows(entering, "The") + " without end: nothing blocks.\n" +
+         joined(jam_sentences(push_.file(), jam), "\n");
 }
 
 } // namespace lcpush::desktop
