@@ -3,7 +3,8 @@
 #pragma once
 
 #include "draw/marks.hpp"
-#include "report/scene_view.hpp"
+#include "draw/view.hpp"
+#include "lcpush/desktop/push.hpp"
 
 namespace lcpush::desktop {
 

@@ -26,6 +26,9 @@ public:
 
   /// What a view has to show, in metres of the drawing: left, top, right, bottom.
   static Frame extent(const SceneFile& file, const PushReport& report, const View& view);
+  /// Of a point: what its body is told and what its actuators add; without an answer the former.
+  static Vector3<double> point_acceleration(const Scene<double>& scene, const Body<double>& body,
+                                            Index point, const PushReport& report);
 
 private:
   struct Label {
@@ -43,6 +46,13 @@ private:
   std::vector<Label> labels_;
   std::vector<std::string> words_; // the description's sentences
 
+  static bool turns(const Motion<double>& motion) {
+    return motion.kind != MotionKind::rest && motion.kind != MotionKind::slide;
+  }
+  /// Then the axis of a turn is a point: the instantaneous centre.
+  static bool is_along_sight(const View& view, const Vector3<double>& axis) {
+    return view.flat(axis).norm() <= 1e-6;
+  }
   Pixel place(const Vector3<double>& position) const;
   const ContactAnswer<double>* contact(Index point) const;
   Vector3<double> body_acceleration(const Body<double>& body) const;

@@ -1,7 +1,6 @@
 // The layers of a view that show forces and motions.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "report/scene_painter.hpp"
@@ -9,10 +8,9 @@
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
+
 std::string rough_number(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.2e", x);
-  return number(std::strtod(text, nullptr)); // 1000 rather than 1e+03
+  return number(std::strtod(printed("%.2e", x).c_str(), nullptr)); // 1000 rather than 1e+03
 }
 
 std::string mode_verb(Mode mode) {
@@ -135,30 +133,30 @@ std::string ScenePainter::away_mark(const Pixel& center, const std::string& name
 
 /// The instantaneous centre, or the axis as a line; of a screw with its pitch.
 std::string ScenePainter::turning_axis() {
-  if (!scales_.shows_forces) return "";
-  const auto mark = turning_mark(file_, report_.motion, view_, report_.scales.length);
-  if (!mark) return "";
-  const std::string pitch = "pitch " + rough_number(1000 * mark->pitch) + " mm/rad";
-  const Pixel at = place(mark->at);
-  if (mark->is_point) {
-    const std::string name = mark->is_screw ? "screw axis" : "instantaneous centre";
-    const std::string more = mark->is_screw ? ", " + pitch : "";
+  const Motion<double>& motion = report_.motion;
+  if (!scales_.shows_forces || !turns(motion)) return "";
+  const bool is_screw = std::abs(motion.pitch) > 1e-6 * report_.scales.length;
+  const std::string pitch = "pitch " + rough_number(1000 * motion.pitch) + " mm/rad";
+  const Vector3<double> point = file_.object.center_of_mass + motion.axis_point;
+  const Pixel at = place(point);
+  if (is_along_sight(view_, motion.axis)) {
+    const std::string name = is_screw ? "screw axis" : "instantaneous centre";
+    const std::string more = is_screw ? ", " + pitch : "";
     if (at.x() < 8 || at.y() < 8 || at.x() > width - 8 || at.y() > height_ - 8)
       return away_mark(at, name, more);
     places_.block_around(at, 8, 3);
     labels_.push_back({{name + more}, at, Pixel::Zero(), at});
     words_.push_back("It turns about the " + name + more + " at " +
-                     vector_text(mark->at, 1e-9 * report_.scales.length) + " m.");
+                     vector_text(point, 1e-9 * report_.scales.length) + " m.");
     return turning_center(at);
   }
-  const std::string name = mark->is_screw ? "screw axis" : "axis of turning";
-  words_.push_back("Its " + name +
-                   (mark->is_screw ? " has " + pitch + "." : " lies in the picture."));
-  const auto line = clipped_line(at, view_.flat(mark->along), width, height_);
+  const std::string name = is_screw ? "screw axis" : "axis of turning";
+  words_.push_back("Its " + name + (is_screw ? " has " + pitch + "." : " lies in the picture."));
+  const auto line = clipped_line(at, view_.flat(motion.axis), width, height_);
   if (!line) return away_mark(at, name, "");
   places_.block_line(line->first, line->second, 1);
   std::vector<std::string> lines{name};
-  if (mark->is_screw) lines.push_back(pitch);
+  if (is_screw) lines.push_back(pitch);
   const Pixel near = line->first + 0.85 * (line->second - line->first);
   labels_.push_back({lines, near, Pixel::Zero(), near});
   return line_element("screw", line->first, line->second);
@@ -181,6 +179,23 @@ std::string ScenePainter::body_motion(Index b) {
   return text;
 }
 
+namespace {
+
+/// A front view, and of the other two the one that shows more: where gravity points along z, that
+/// axis is up.
+std::vector<View> chosen_views(const SceneFile& file) {
+  const Vector3<double> pull = file.gravity.cwiseAbs();
+  if (pull.z() > std::max(pull.x(), pull.y())) {
+    const double up = file.gravity.z() < 0 ? 1 : -1;
+    const Vector3<double> x(1, 0, 0), y(0, up, 0), z(0, 0, up);
+    return {{"front", "Front view, x and z", x, z, -y},
+            {"top", "View from above, x and y", x, y, z}};
+  }
+  return views_with_y_up(file.shape.size, file.bodies);
+}
+
+} // namespace
+
 std::vector<Drawing> scene_pictures(const SceneFile& file, const PushReport& report) {
   const Scene<double> scene = file.view();
   const std::vector<View> views = chosen_views(file);
@@ -194,19 +209,15 @@ std::vector<Drawing> scene_pictures(const SceneFile& file, const PushReport& rep
                               200 / std::max(frame.height(), 1e-9)});
   }
   double most_force = 0, most_speed = 0;
-  for (Index b = 0; b < scene.bodies.size; ++b) {
-    const Body<double>& body = scene.bodies[b];
+  for (const Body<double>& body : scene.bodies)
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-      Vector3<double> moves = acceleration_at(scene.points[i], body.acceleration);
-      if (scales.shows_forces) {
-        const ContactAnswer<double>& answer = report.answer.contacts[i];
-        most_force =
-            std::max({most_force, std::abs(answer.normal_force), answer.friction_force.norm()});
-        moves = acceleration_at(scene.points[i], report.answer.acceleration) - answer.acceleration;
-      }
-      most_speed = std::max(most_speed, moves.norm());
+      most_speed =
+          std::max(most_speed, ScenePainter::point_acceleration(scene, body, i, report).norm());
+      if (!scales.shows_forces) continue;
+      const ContactAnswer<double>& answer = report.answer.contacts[i];
+      most_force =
+          std::max({most_force, std::abs(answer.normal_force), answer.friction_force.norm()});
     }
-  }
   if (scales.shows_forces) {
     most_force = std::max(most_force, (file.object.mass * file.gravity).norm());
     most_speed = std::max(most_speed, report.answer.acceleration.head<3>().norm());
