@@ -31,13 +31,14 @@
     const n = dictionary.size;
     const artificial = 2 * n;
     const pivots = [];
+    const end = (status, how = {}) => ({ status, pivots, ray: null, cycle: null, ...how });
     let next = entering;
     let chosen = row;
     while (pivots.length < limit) {
       const column = dictionary.columns.indexOf(next);
       const test = explorer.ratio_test(dictionary, column, rule, next === artificial);
       if (test.row < 0 && chosen === null)
-        return { status: 'ray', pivots, ray: ray_of(dictionary, column), cycle: null };
+        return end('ray', { ray: ray_of(dictionary, column) });
       const leaving_row = chosen ?? test.row;
       const leaving = dictionary.rows[leaving_row];
       dictionary.exchange(leaving_row, column);
@@ -49,18 +50,17 @@
         z0: z0_row < 0 ? null : dictionary.value(z0_row), basis: [...dictionary.rows],
       });
       chosen = null;
-      if (leaving === artificial) return { status: 'solved', pivots, ray: null, cycle: null };
+      if (leaving === artificial) return end('solved');
       next = complement(leaving, n);
       const key = state_key(dictionary, next);
       const index = first + pivots.length - 1;
       if (seen.has(key)) {
         const from_pivot = seen.get(key);
-        return { status: 'cycle', pivots, ray: null,
-          cycle: { from_pivot, length: index - from_pivot } };
+        return end('cycle', { cycle: { from_pivot, length: index - from_pivot } });
       }
       seen.set(key, index);
     }
-    return { status: 'pivot_limit', pivots, ray: null, cycle: null };
+    return end('pivot_limit');
   }
 
   explorer.lemke = { complement, state_key, ray_of, run_lemke };
