@@ -7,6 +7,21 @@
 #include <string_view>
 
 namespace lcpush::desktop {
+namespace {
+
+std::string attribute(const char* name, double x, int decimals = 2) {
+  return std::string(" ") + name + "=\"" + pixels(x, decimals) + "\"";
+}
+
+std::string written(const Drawing& drawing, const std::string& style) {
+  // A title and a description as children name the image; ids would have to differ on a page.
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" viewBox=\"0 0 " +
+         pixels(drawing.width) + " " + pixels(drawing.height) + "\" role=\"img\">\n<title>" +
+         escaped(drawing.title) + "</title>\n<desc>" + escaped(drawing.description) + "</desc>\n" +
+         style + drawing.elements + "</svg>\n";
+}
+
+} // namespace
 
 std::string escaped(const std::string& text) {
   constexpr std::string_view special = "<>&\"'\n", replacement = "\xEF\xBF\xBD";
@@ -46,12 +61,6 @@ std::string pixels(double x, int decimals) {
 }
 
 std::string move_to(const Pixel& at) { return "M" + pixels(at.x()) + " " + pixels(at.y()); }
-
-namespace {
-std::string attribute(const char* name, double x, int decimals = 2) {
-  return std::string(" ") + name + "=\"" + pixels(x, decimals) + "\"";
-}
-} // namespace
 
 std::string line_element(const std::string& kind, const Pixel& from, const Pixel& to,
                          int decimals) {
@@ -93,16 +102,6 @@ std::string arrow_element(const std::string& kind, const Pixel& from, const Pixe
          polygon_element("head", {to, back + 0.42 * head * across, back - 0.42 * head * across}) +
          "</g>\n";
 }
-
-namespace {
-std::string written(const Drawing& drawing, const std::string& style) {
-  // A title and a description as children name the image; ids would have to differ on a page.
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" viewBox=\"0 0 " +
-         pixels(drawing.width) + " " + pixels(drawing.height) + "\" role=\"img\">\n<title>" +
-         escaped(drawing.title) + "</title>\n<desc>" + escaped(drawing.description) + "</desc>\n" +
-         style + drawing.elements + "</svg>\n";
-}
-} // namespace
 
 std::string svg_element(const Drawing& drawing) { return written(drawing, ""); }
 

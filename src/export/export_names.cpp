@@ -116,16 +116,13 @@ private:
   }
 
   Quantity reduced_unknown(Index i) const {
+    constexpr const char* symbols[] = {"lambda", "lambda-", "beta", "xi", "s"}; // by Meaning
     const Name name = name_of(layout_, i);
-    std::string symbol;
-    const char* unit = "N";
-    switch (name.meaning) {
-    case Meaning::normal: symbol = "lambda"; break;
-    case Meaning::pull: symbol = "lambda-"; break;
-    case Meaning::friction: symbol = "beta" + std::to_string(name.generator); break;
-    case Meaning::slip: symbol = "xi", unit = "m/s^2"; break;
-    case Meaning::closing: symbol = "s", unit = closing_unit(name.of); break;
-    }
+    std::string symbol = symbols[static_cast<int>(name.meaning)];
+    if (name.meaning == Meaning::friction) symbol += std::to_string(name.generator);
+    const char* const unit = name.meaning == Meaning::slip      ? "m/s^2"
+                             : name.meaning == Meaning::closing ? closing_unit(name.of)
+                                                                : "N";
     return {push_.variable_name(i), symbol, contact(name), "", {unit, unknown_unit(layout_, i)}};
   }
 

@@ -6,10 +6,40 @@
 
 #include "lcpush/desktop/owned.hpp"
 #include "pivots/recording_watcher.hpp"
+#include "solve/owned_assembly.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
+
+/// As a dense matrix in SI units.
+template <class S> ExactProblem si_problem(const SceneOf<S>& file) {
+  const EvenSceneOf<S> even(file.view());
+  OwnedAssembly<S> owned(even.scene);
+  if (file.pressure == Pressure::pad)
+    owned.enter_first_round(PressureOptions<S>().first_compliance);
+  const Layout<S>& layout = owned.get().layout();
+  const Problem<S> problem = owned.get().problem();
+  const Index n = problem.size;
+  std::vector<S> M(static_cast<std::size_t>(n * n));
+  fill_matrix(problem, MatrixMap<S>(M.data(), n, n));
+
+  ExactProblem exact{{n, n, {}}, {n, 1, {}}, n - problem.free_begin};
+  std::vector<S> row_units;
+  for (Index i = 0; i < n; ++i) {
+    row_units.push_back(row_unit(layout, i));
+    exact.q.values.push_back(Rational(S(problem.q[i] * row_units.back())));
+  }
+  exact.M.values.reserve(M.size());
+  for (Index j = 0; j < n; ++j) {
+    const S unit = unknown_unit(layout, j);
+    for (Index i = 0; i < n; ++i) {
+      const S& entry = M[static_cast<std::size_t>(j * n + i)];
+      exact.M.values.push_back(Rational(S(entry * row_units[static_cast<std::size_t>(i)] / unit)));
+    }
+  }
+  return exact;
+}
 
 template <class S> std::vector<S> converted(const std::vector<Rational>& numbers) {
   std::vector<S> result;
@@ -167,6 +197,9 @@ void take_basic_z(PivotTrace& trace) {
 }
 
 } // namespace
+
+ExactProblem exact_problem(const SceneOf<Rational>& scene) { return si_problem(scene); }
+ExactProblem exact_problem(const SceneFile& scene) { return si_problem(scene); }
 
 PivotTrace trace_pivots(const ExactProblem& problem, const PivotOptions& options,
                         const Story& story) {

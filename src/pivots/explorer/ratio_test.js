@@ -15,24 +15,22 @@
   /// {row, ties, tie_break, ratios}: row -1 when nothing blocks; ties are rows, [] when alone.
   /// At the entry of z0 (`cover`) the most violated row blocks, so all signs are reversed.
   function ratio_test(dictionary, column, rule, cover = false) {
-    const artificial = 2 * dictionary.size;
     const rates = dictionary.rates(column, cover);
     const ratios = rates.map((rate, r) => {
       if (rate === null || (cover && !dictionary.is_negative(r))) return null;
       return dictionary.ratio(r, column);
     });
     let candidates = [...rates.keys()].filter((r) => rates[r] !== null);
-    if (candidates.length === 0) return { row: -1, ties: [], tie_break: 'none', ratios };
+    const found = (row, tie_break = 'none', ties = []) => ({ row, ties, tie_break, ratios });
+    if (candidates.length === 0) return found(-1);
     for (let k = 0; k < dictionary.levels && candidates.length > 1; ++k)
       candidates = dictionary.keep_smallest(candidates, rates, dictionary.value_column(k));
-    if (candidates.length === 1)
-      return { row: candidates[0], ties: [], tie_break: 'none', ratios };
     const ties = candidates;
-    const z0_row = cover ? -1 : dictionary.rows.indexOf(artificial);
-    if (ties.includes(z0_row)) return { row: z0_row, ties, tie_break: 'artificial', ratios };
-    if (rule === 'first_row') return { row: ties[0], ties, tie_break: 'first_row', ratios };
-    const row = lexicographic(dictionary, ties, rates);
-    return { row, ties, tie_break: 'lexicographic', ratios };
+    if (ties.length === 1) return found(ties[0]);
+    const z0_row = cover ? -1 : dictionary.rows.indexOf(2 * dictionary.size);
+    if (ties.includes(z0_row)) return found(z0_row, 'artificial', ties);
+    if (rule === 'first_row') return found(ties[0], 'first_row', ties);
+    return found(lexicographic(dictionary, ties, rates), 'lexicographic', ties);
   }
 
   explorer.ratio_test = ratio_test;
