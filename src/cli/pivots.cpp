@@ -9,7 +9,6 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/pivots.hpp"
 #include "pivots/explorer_text.hpp"
-#include "pivots/push_story.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 
@@ -95,7 +94,7 @@ Subject scene_subject(const Arguments& arguments) {
     subject.problem = desktop::exact_problem(file);
   }
   subject.push = std::make_unique<desktop::Push>(file);
-  subject.story = std::make_unique<desktop::PushStory>(*subject.push);
+  subject.story = desktop::push_story(*subject.push);
   subject.title = file.title;
   if (!as_solved && file.pressure == Pressure::pad)
     subject.notes.push_back("The first round of the pad law, in SI units, " +

@@ -35,17 +35,9 @@ std::string legend(const PivotTrace& trace) {
   for (Index i = 0; i < trace.size; ++i) {
     const Variable& w = trace.variables[static_cast<std::size_t>(slack(i))];
     const Variable& z = trace.variables[static_cast<std::size_t>(unknown(i, trace.size))];
-    rows.push_back({"  " + z.name, z.meaning, w.name, w.meaning});
+    rows.push_back({z.name, z.meaning, w.name, w.meaning});
   }
-  std::vector<std::size_t> width(3, 0);
-  for (const auto& row : rows)
-    for (std::size_t c = 0; c < 3; ++c) width[c] = std::max(width[c], row[c].size());
-  std::string text = "\n";
-  for (auto& row : rows) {
-    for (std::size_t c = 0; c < 3; ++c) row[c].resize(width[c] + 2, ' ');
-    text += row[0] + row[1] + row[2] + row[3] + "\n";
-  }
-  return text;
+  return "\n" + table_text(rows, 4);
 }
 
 std::string pivot_line(const PivotTrace& trace, std::size_t k) {

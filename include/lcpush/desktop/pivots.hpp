@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -137,6 +138,9 @@ public:
 private:
   Index n_;
 };
+
+/// Of a scene's problem: forces, motions and laws. `push` outlives the story.
+std::unique_ptr<Story> push_story(const Push& push);
 
 struct PivotOptions {
   bool is_exact = false;                 ///< pivots in fractions

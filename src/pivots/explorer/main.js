@@ -184,7 +184,7 @@
         entries: () => dictionary.rows.map((_, r) => dictionary.columns.map((__, c) =>
           number_text.full_scalar(problem, dictionary.entry(r, c)))),
         values: () => dictionary.rows.map((_, r) => value(dictionary.value(r))),
-        own_ratios: () => (step ? values(explorer.ratio_test(dictionary,
+        own_ratios: () => (step ? values(explorer.lemke.ratio_test(dictionary,
           dictionary.columns.indexOf(step.entering), 'lexicographic',
           step.entering === problem.artificial).ratios) : []),
         picture: scene && {
