@@ -47,10 +47,6 @@ Pixel ScenePainter::place(const Vector3<double>& position) const {
   return Pixel(width / 2, height_ / 2) + scales_.meters * (view_.flat(position) - middle);
 }
 
-const ContactAnswer<double>* ScenePainter::contact(Index point) const {
-  return scales_.shows_forces ? &report_.answer.contacts[point] : nullptr;
-}
-
 Vector3<double> ScenePainter::body_middle(const Body<double>& body) const {
   Vector3<double> sum = Vector3<double>::Zero();
   for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
@@ -203,11 +199,6 @@ std::string ScenePainter::placed_labels() const {
   return text;
 }
 
-std::string ScenePainter::axes() {
-  places_.block({0, 0, 58, 54}, 30);
-  return axes_elements(view_);
-}
-
 std::string ScenePainter::scale_bars() {
   const auto bar = [](double left, double y, double length) {
     return path_element("scale", move_to({left, y}) + "v6h" + pixels(length) + "v-6");
@@ -229,7 +220,8 @@ std::string ScenePainter::scale_bars() {
 Drawing ScenePainter::draw() {
   Drawing drawing{view_.name, view_.title, "", width, height_, ""};
   std::string bodies, contacts, modes, motions;
-  const std::string frame = axes() + scale_bars() + outline();
+  places_.block({0, 0, 58, 54}, 30);
+  const std::string frame = axes_elements(view_) + scale_bars() + outline();
   for (const Index b : bodies_back_to_front(view_, scene_.bodies)) {
     const Body<double>& body = scene_.bodies[b];
     bodies += pad(body);

@@ -54,15 +54,12 @@ private:
     return view.flat(axis).norm() <= 1e-6;
   }
   Pixel place(const Vector3<double>& position) const;
-  const ContactAnswer<double>* contact(Index point) const;
   Vector3<double> body_acceleration(const Body<double>& body) const;
   Vector3<double> body_middle(const Body<double>& body) const;
 
   std::string outline();
   std::string pad(const Body<double>& body);
   std::string forces(const Body<double>& body, Index point);
-  std::string normal_force(const Body<double>& body, const Pixel& tip, const Pixel& tail,
-                           bool is_pressed);
   std::string marks(const Body<double>& body);
   std::string weight();
   std::string squeezes();
@@ -73,7 +70,6 @@ private:
   std::vector<std::string> body_words(Index b) const;
   std::vector<Frame> place_labels(const std::vector<std::size_t>& order, double& cost) const;
   std::string placed_labels() const;
-  std::string axes();
   std::string scale_bars();
 };
 

@@ -24,58 +24,55 @@ std::string mode_mark(Mode mode, const Pixel& at) {
                       mode_text(mode), at);
 }
 
-/// An arrow, or a ring along the line of sight.
-std::string ScenePainter::normal_force(const Body<double>& body, const Pixel& tip,
-                                       const Pixel& tail, bool is_pressed) {
-  const bool is_behind = view_.is_behind(body.normal);
-  if (!(view_.flat(body.normal).norm() > 0.3)) return is_pressed ? sight_ring(tip, is_behind) : "";
-  places_.block_line(tail, tip, 2);
-  return arrow_element(is_behind ? "force normal behind" : "force normal", tail, tip);
-}
-
-/// Forces end at the contact; the cone opens where they come from.
+/// Forces end at the contact; the cone opens where they come from. A normal force along the line of
+/// sight is a ring.
 std::string ScenePainter::forces(const Body<double>& body, Index point) {
-  const ContactAnswer<double>* const answer = contact(point);
-  if (answer == nullptr) return "";
+  if (!scales_.shows_forces) return "";
+  const ContactAnswer<double>& answer = report_.answer.contacts[point];
+  const bool is_behind = view_.is_behind(body.normal);
+  const std::string behind = is_behind ? " behind" : "";
   const Pixel tip = place(file_.positions[static_cast<std::size_t>(point)]);
   places_.block_around(tip, 10, 2);
   const auto from = [&](const Vector3<double>& force) {
     return Pixel(tip - scales_.newtons * view_.flat(force));
   };
-  const Vector3<double> normal = answer->normal_force * body.normal;
+  const Vector3<double> normal = answer.normal_force * body.normal;
   std::string text;
-  const bool is_pressed = answer->normal_force > scales_.no_force;
+  const bool is_pressed = answer.normal_force > scales_.no_force;
   if (is_pressed && body.friction > 0) {
     std::vector<Pixel> rim;
     for (Index j = 0; j < scene_.facets; ++j)
-      rim.push_back(from(normal + body.friction * answer->normal_force *
+      rim.push_back(from(normal + body.friction * answer.normal_force *
                                       generator(body, j, scene_.facets).force));
     rim.push_back(tip);
     const std::vector<Pixel> outline = hull(rim);
     for (const Pixel& corner : outline) places_.block_line(tip, corner, 0.8);
-    text += polygon_element(view_.is_behind(body.normal) ? "cone behind" : "cone", outline);
+    text += polygon_element("cone" + behind, outline);
   }
-  text += normal_force(body, tip, from(normal), is_pressed);
-  const Pixel tail = from(answer->friction_force);
-  places_.block_line(tail, tip, 2);
-  return text +
-         arrow_element(view_.is_behind(body.normal) ? "force friction behind" : "force friction",
-                       tail, tip);
+  const auto arrow = [&](const std::string& kind, const Pixel& tail) {
+    places_.block_line(tail, tip, 2);
+    return arrow_element(kind + behind, tail, tip);
+  };
+  if (view_.flat(body.normal).norm() > 0.3)
+    text += arrow("force normal", from(normal));
+  else if (is_pressed)
+    text += sight_ring(tip, is_behind);
+  return text + arrow("force friction", from(answer.friction_force));
 }
 
 std::string ScenePainter::marks(const Body<double>& body) {
   std::string text;
   for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
     const Pixel at = place(file_.positions[static_cast<std::size_t>(i)]);
-    const ContactAnswer<double>* const answer = contact(i);
-    std::string said = point_name(file_, i);
-    if (answer != nullptr)
-      said += " " + mode_verb(answer->mode) + ", normal force " +
-              number(answer->normal_force, scales_.no_force) + " N, friction " +
-              number(answer->friction_force.norm(), scales_.no_force) + " N";
-    text += "<g><title>" + escaped(said) + "</title>" +
-            (answer != nullptr ? mode_mark(answer->mode, at) : circle_element("mark", at, 3)) +
-            "</g>\n";
+    std::string said = point_name(file_, i), mark = circle_element("mark", at, 3);
+    if (scales_.shows_forces) {
+      const ContactAnswer<double>& answer = report_.answer.contacts[i];
+      said += " " + mode_verb(answer.mode) + ", normal force " +
+              number(answer.normal_force, scales_.no_force) + " N, friction " +
+              number(answer.friction_force.norm(), scales_.no_force) + " N";
+      mark = mode_mark(answer.mode, at);
+    }
+    text += "<g><title>" + escaped(said) + "</title>" + mark + "</g>\n";
   }
   return text;
 }
