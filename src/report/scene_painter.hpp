@@ -46,13 +46,6 @@ private:
   std::vector<Label> labels_;
   std::vector<std::string> words_; // the description's sentences
 
-  static bool turns(const Motion<double>& motion) {
-    return motion.kind != MotionKind::rest && motion.kind != MotionKind::slide;
-  }
-  /// Then the axis of a turn is a point: the instantaneous centre.
-  static bool is_along_sight(const View& view, const Vector3<double>& axis) {
-    return view.flat(axis).norm() <= 1e-6;
-  }
   Pixel place(const Vector3<double>& position) const;
   Vector3<double> body_acceleration(const Body<double>& body) const;
   Vector3<double> body_middle(const Body<double>& body) const;

@@ -132,7 +132,7 @@ std::string ScenePainter::away_mark(const Pixel& center, const std::string& name
 std::string ScenePainter::turning_axis() {
   const Motion<double>& motion = report_.motion;
   if (!scales_.shows_forces || !turns(motion)) return "";
-  const bool is_screw = std::abs(motion.pitch) > 1e-6 * report_.scales.length;
+  const bool is_screw = has_pitch(motion, report_.scales.length);
   const std::string pitch = "pitch " + rough_number(1000 * motion.pitch) + " mm/rad";
   const Vector3<double> point = file_.object.center_of_mass + motion.axis_point;
   const Pixel at = place(point);
@@ -176,10 +176,6 @@ std::string ScenePainter::body_motion(Index b) {
   return text;
 }
 
-namespace {
-
-/// A front view, and of the other two the one that shows more: where gravity points along z, that
-/// axis is up.
 std::vector<View> chosen_views(const SceneFile& file) {
   const Vector3<double> pull = file.gravity.cwiseAbs();
   if (pull.z() > std::max(pull.x(), pull.y())) {
@@ -190,8 +186,6 @@ std::vector<View> chosen_views(const SceneFile& file) {
   }
   return views_with_y_up(file.shape.size, file.bodies);
 }
-
-} // namespace
 
 std::vector<Drawing> scene_pictures(const SceneFile& file, const PushReport& report) {
   const Scene<double> scene = file.view();
