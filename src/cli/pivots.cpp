@@ -1,33 +1,15 @@
 // lcpush pivots: every pivot, and what it means.
-#include <algorithm>
-#include <memory>
-#include <tuple>
-
+#include "lcpush/desktop/pivots.hpp"
 #include "cli/choose.hpp"
 #include "cli/commands.hpp"
 #include "cli/raw_arguments.hpp"
 #include "lcpush/desktop/input_error.hpp"
-#include "lcpush/desktop/pivots.hpp"
 #include "pivots/explorer_text.hpp"
-#include "pivots/push_story.hpp"
-#include "text/limits.hpp"
+#include "pivots/subject.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
-
-constexpr Index always_exact = 150; // then ties are ties, not rounding's
-
-/// What is pivoted: a scene or two matrices.
-struct Subject {
-  desktop::ExactProblem problem;
-  bool is_short = false; ///< so small that it is pivoted in fractions even if decimals are shown
-  std::unique_ptr<desktop::SceneFile> scene;
-  std::unique_ptr<desktop::Push> push;
-  std::unique_ptr<desktop::Story> story;
-  std::vector<std::string> notes;
-  std::string title;
-};
 
 Pressure read_pressure(const Arguments& arguments, Pressure otherwise) {
   const auto text = arguments.value("--pressure");
@@ -35,17 +17,6 @@ Pressure read_pressure(const Arguments& arguments, Pressure otherwise) {
   for (const Pressure pressure : pressures)
     if (*text == pressure_text(pressure)) return pressure;
   refuse_value("--pressure", *text, desktop::listed(desktop::pressure_names(), "or"));
-}
-
-void refuse_size(const std::string& what, Index n, bool is_exact) {
-  if (n > desktop::limits::unknowns_traced)
-    throw desktop::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
-                              std::to_string(desktop::limits::unknowns_traced) +
-                              " whose pivots can be shown; use fewer points");
-  if (is_exact && n > desktop::limits::unknowns_exact)
-    throw desktop::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
-                              std::to_string(desktop::limits::unknowns_exact) +
-                              " that fractions can be pivoted for; leave --exact out");
 }
 
 /// The scene file of the command line; the example if it names none.
@@ -58,63 +29,23 @@ SceneText scene_text(const Arguments& arguments) {
   return {desktop::read_scene_text(arguments.files()[0]), arguments.files()[0]};
 }
 
-/// Is the work in fractions over in a few seconds?
-bool is_short(const desktop::ExactProblem& problem) {
-  constexpr std::size_t most_bits = 32000; // of the last tableau's determinants, about
-  std::size_t longest = 1;
-  for (const desktop::Rational& x : problem.M.values) longest = std::max(longest, x.bit_length());
-  const auto n = static_cast<std::size_t>(problem.M.rows);
-  return problem.M.rows <= always_exact && n * longest <= most_bits;
-}
-
-Subject scene_subject(const Arguments& arguments) {
+desktop::PivotSubject scene_subject(const Arguments& arguments) {
   const auto [text, path] = scene_text(arguments);
-  const bool as_solved = arguments.has("--as-solved"), is_exact = arguments.has("--exact");
-  Subject subject;
-  subject.scene = std::make_unique<desktop::SceneFile>(desktop::parse_scene(text, path));
-  desktop::SceneFile& file = *subject.scene;
+  const bool as_solved = arguments.has("--as-solved");
+  desktop::SceneFile file = desktop::parse_scene(text, path);
   if (!as_solved) {
     file.facets = arguments.whole("--facets", {4, 256, true}).value_or(4);
     file.pressure = read_pressure(arguments, file.pressure);
   }
   if (file.pressure == Pressure::even && file.parallel_jaws)
     throw UsageError("--pressure even does not go with parallel jaws: no point's share is known");
-  const Index n = size_of(file.view()).unknowns();
-  refuse_size(path, n, is_exact);
-  if (is_exact || (!as_solved && n <= always_exact)) {
-    desktop::SceneOf<desktop::Rational> exact = desktop::parse_scene<desktop::Rational>(text, path);
-    exact.facets = file.facets;
-    exact.pressure = file.pressure;
-    std::vector<std::string> rounded = exact.inexact;
-    for (const std::string& sentence : desktop::irrational_directions(exact))
-      rounded.push_back(sentence);
-    subject.problem = desktop::exact_problem(exact);
-    subject.is_short = is_short(subject.problem);
-    if (is_exact) subject.notes = rounded;
-  } else if (!as_solved) {
-    subject.problem = desktop::exact_problem(file);
-  }
-  subject.push = std::make_unique<desktop::Push>(file);
-  subject.story = std::make_unique<desktop::PushStory>(*subject.push);
-  subject.title = file.title;
-  if (!as_solved && file.pressure == Pressure::pad)
-    subject.notes.push_back("The first round of the pad law, in SI units, " +
-                            std::to_string(file.facets) + " facets.");
-  else if (!as_solved)
-    subject.notes.push_back("SI units, " + std::to_string(file.facets) + " facets.");
-  return subject;
+  return desktop::scene_subject(std::move(file), text, path, as_solved, arguments.has("--exact"));
 }
 
-Subject raw_subject(const Arguments& arguments) {
-  Subject subject;
-  std::tie(subject.problem.M, subject.problem.q) =
-      read_matrices<desktop::Rational>(arguments, arguments.files());
-  const Index n = subject.problem.M.rows;
-  refuse_size(arguments.files().empty() ? "--M" : arguments.files()[0], n,
-              arguments.has("--exact"));
-  subject.is_short = is_short(subject.problem);
-  subject.story = std::make_unique<desktop::RawStory>(n);
-  return subject;
+desktop::PivotSubject raw_subject(const Arguments& arguments) {
+  auto [M, q] = read_matrices<desktop::Rational>(arguments, arguments.files());
+  const std::string name = arguments.files().empty() ? "--M" : arguments.files()[0];
+  return desktop::raw_subject({std::move(M), std::move(q), 0}, name, arguments.has("--exact"));
 }
 
 /// --cover d1,d2,..
@@ -147,18 +78,9 @@ void refuse_combinations(const Arguments& arguments, bool is_scene) {
       throw UsageError(std::string(option) + " is about scenes");
 }
 
-desktop::PivotTrace trace(Subject& subject, const Arguments& arguments) {
+desktop::PivotTrace trace(const desktop::PivotSubject& subject, const Arguments& arguments) {
+  if (arguments.has("--as-solved")) return desktop::trace_solve(subject);
   desktop::PivotOptions options;
-  if (arguments.has("--as-solved")) {
-    if (subject.push) return desktop::trace_solve(*subject.push, options, *subject.story);
-    desktop::RawProblem raw;
-    raw.M = {subject.problem.M.rows, subject.problem.M.cols, {}};
-    raw.q = {subject.problem.q.rows, 1, {}};
-    for (const desktop::Rational& x : subject.problem.M.values) raw.M.values.push_back(x.value());
-    for (const desktop::Rational& x : subject.problem.q.values) raw.q.values.push_back(x.value());
-    raw.free.assign(static_cast<std::size_t>(raw.M.rows), 0);
-    return desktop::trace_solve(raw, options, *subject.story);
-  }
   options.is_exact = arguments.has("--exact") || subject.is_short;
   // The page can show both, where its own fractions are quick.
   constexpr Index quick = 64;
@@ -181,9 +103,10 @@ int run_pivots(const Arguments& arguments) {
     throw UsageError("name a scene, two files M.mtx q.mtx, or --M and --q");
   const bool is_scene = is_example || (arguments.files().size() == 1 && !is_typed);
   refuse_combinations(arguments, is_scene);
-  Subject subject = is_scene ? scene_subject(arguments) : raw_subject(arguments);
+  const desktop::PivotSubject subject =
+      is_scene ? scene_subject(arguments) : raw_subject(arguments);
   desktop::PivotTrace traced = trace(subject, arguments);
-  traced.title = subject.title;
+  if (subject.scene) traced.title = subject.scene->title;
   traced.notes = subject.notes;
   traced.prefers_decimals = traced.has_fractions && !arguments.has("--exact");
   std::string text;

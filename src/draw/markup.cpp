@@ -4,29 +4,39 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string_view>
 
 namespace lcpush::desktop {
+namespace {
+
+std::string attribute(const char* name, double x, int decimals = 2) {
+  return std::string(" ") + name + "=\"" + pixels(x, decimals) + "\"";
+}
+
+std::string written(const Drawing& drawing, const std::string& style) {
+  // A title and a description as children name the image; ids would have to differ on a page.
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" viewBox=\"0 0 " +
+         pixels(drawing.width) + " " + pixels(drawing.height) + "\" role=\"img\">\n<title>" +
+         escaped(drawing.title) + "</title>\n<desc>" + escaped(drawing.description) + "</desc>\n" +
+         style + drawing.elements + "</svg>\n";
+}
+
+} // namespace
 
 std::string escaped(const std::string& text) {
-  const std::string replacement = "\xEF\xBF\xBD";
+  constexpr std::string_view special = "<>&\"'\n", replacement = "\xEF\xBF\xBD";
+  constexpr const char* entities[] = {"&lt;", "&gt;", "&amp;", "&quot;", "&#39;", "&#10;"};
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    switch (c) {
-    case '<': result += "&lt;"; continue;
-    case '>': result += "&gt;"; continue;
-    case '&': result += "&amp;"; continue;
-    case '"': result += "&quot;"; continue;
-    case '\'': result += "&#39;"; continue;
-    case '\n': result += "&#10;"; continue;
-    default: break;
-    }
-    const bool is_control = (c >= 0 && c < 0x20 && c != '\t') || c == 0x7F;
-    const std::string three = text.substr(i, 3);
-    const bool is_no_character = three == "\xEF\xBF\xBE" || three == "\xEF\xBF\xBF";
-    if (is_control || is_no_character) {
+    const std::string_view three = std::string_view(text).substr(i, 3);
+    if (const std::size_t k = special.find(c); k != std::string_view::npos) {
+      result += entities[k];
+    } else if (three == "\xEF\xBF\xBE" || three == "\xEF\xBF\xBF") { // no characters
       result += replacement;
-      if (is_no_character) i += 2;
+      i += 2;
+    } else if ((c >= 0 && c < 0x20 && c != '\t') || c == 0x7F) {
+      result += replacement;
     } else {
       result += c;
     }
@@ -51,12 +61,6 @@ std::string pixels(double x, int decimals) {
 }
 
 std::string move_to(const Pixel& at) { return "M" + pixels(at.x()) + " " + pixels(at.y()); }
-
-namespace {
-std::string attribute(const char* name, double x, int decimals = 2) {
-  return std::string(" ") + name + "=\"" + pixels(x, decimals) + "\"";
-}
-} // namespace
 
 std::string line_element(const std::string& kind, const Pixel& from, const Pixel& to,
                          int decimals) {
@@ -98,16 +102,6 @@ std::string arrow_element(const std::string& kind, const Pixel& from, const Pixe
          polygon_element("head", {to, back + 0.42 * head * across, back - 0.42 * head * across}) +
          "</g>\n";
 }
-
-namespace {
-std::string written(const Drawing& drawing, const std::string& style) {
-  // A title and a description as children name the image; ids would have to differ on a page.
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" viewBox=\"0 0 " +
-         pixels(drawing.width) + " " + pixels(drawing.height) + "\" role=\"img\">\n<title>" +
-         escaped(drawing.title) + "</title>\n<desc>" + escaped(drawing.description) + "</desc>\n" +
-         style + drawing.elements + "</svg>\n";
-}
-} // namespace
 
 std::string svg_element(const Drawing& drawing) { return written(drawing, ""); }
 

@@ -31,19 +31,6 @@ std::vector<std::string> map_notes(const MapPlot& plot, double low, double high)
   return notes;
 }
 
-std::string map_legend(const MapPlot& plot, double low, double high) {
-  std::string text;
-  double y = title_height(plot.title) + 14;
-  for (const std::string& note : map_notes(plot, low, high)) {
-    text += text_element(12, y, note);
-    y += line_height;
-  }
-  return text;
-}
-double map_legend_height(const MapPlot& plot) {
-  return line_height * static_cast<double>(map_notes(plot, 0, 0).size()) + 10;
-}
-
 } // namespace
 
 std::string map_svg(const MapPlot& plot) {
@@ -59,7 +46,9 @@ std::string map_svg(const MapPlot& plot) {
     const double half = count > 1 ? (to - from) / (2 * static_cast<double>(count - 1)) : 0.5;
     return Axis{from - half, to + half, begin, end};
   };
-  const double top = title_height(plot.title) + map_legend_height(plot);
+  const std::vector<std::string> notes = map_notes(plot, low, high);
+  double note_at = title_height(plot.title) + 14;
+  const double top = note_at - 4 + line_height * static_cast<double>(notes.size());
   const Axis x = axis(plot.x_from, plot.x_to, plot.columns, left, width - right);
   const Axis y = axis(plot.y_from, plot.y_to, rows, top + lone_panel, top);
   std::string body;
@@ -83,7 +72,11 @@ std::string map_svg(const MapPlot& plot) {
   }
   body += axes(x, y, false, true) + borders + y_axis_label(plot.y_label, y);
   const double bottom = top + lone_panel + axis_room;
-  body += x_axis_label(plot.x_label, bottom - 12) + map_legend(plot, low, high);
+  body += x_axis_label(plot.x_label, bottom - 12);
+  for (const std::string& note : notes) {
+    body += text_element(12, note_at, note);
+    note_at += line_height;
+  }
   return picture(plot.title, plot.description, bottom, body);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "text/format.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::desktop::plot {
 namespace {
@@ -28,14 +29,10 @@ std::vector<double> ticks(double low, double high, int count) {
 /// In lines of so many letters, where there are spaces.
 std::vector<std::string> wrapped(const std::string& text, std::size_t letters) {
   std::vector<std::string> lines(1);
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
+  for (const std::string_view word : split_at(text, ' ')) {
     if (!lines.back().empty() && lines.back().size() + 1 + word.size() > letters)
       lines.emplace_back();
-    lines.back() += (lines.back().empty() ? "" : " ") + word;
-    begin = end + 1;
+    lines.back().append(lines.back().empty() ? "" : " ").append(word);
   }
   return lines;
 }

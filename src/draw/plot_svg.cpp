@@ -63,11 +63,10 @@ double legend_height(const PlotPanel& panel) {
 }
 
 bool same_legend(const PlotPanel& a, const PlotPanel& b) {
-  if (a.lines.size() != b.lines.size()) return false;
-  for (std::size_t k = 0; k < a.lines.size(); ++k)
-    if (a.lines[k].label != b.lines[k].label || a.lines[k].colour != b.lines[k].colour)
-      return false;
-  return true;
+  return std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), b.lines.end(),
+                    [](const PlotLine& one, const PlotLine& other) {
+                      return one.label == other.label && one.colour == other.colour;
+                    });
 }
 
 } // namespace

@@ -15,13 +15,6 @@ std::string refusal(const SceneFile& file) {
   return "";
 }
 
-/// M^-1 in SI units; in a planar scene nothing moves out of the plane.
-Matrix6<double> mobility(const Scene<double>& scene) {
-  const Scales<double> si{1, 1, 1};
-  Matrix6<double> B = laws::newton(scene, si); // of a unit mass
-  return B / scene.object.mass;
-}
-
 } // namespace
 
 FclibProblem fclib_problem(const SceneFile& file) {
@@ -35,9 +28,9 @@ FclibProblem fclib_problem(const SceneFile& file) {
   HostMatrix grasp = zero_matrix(6, rows);
   grasp_matrix(scene, map_of(grasp));
   const MatrixMap<double> G = map_of(grasp);
-  const Matrix6<double> B = mobility(scene);
-  problem.W = zero_matrix(rows, rows);
-  map_of(problem.W).noalias() = G.transpose() * (B * G);
+  // M^-1 in SI units; in a planar scene nothing moves out of the plane.
+  const Matrix6<double> B = laws::newton(scene, Scales<double>{1, 1, 1}) / scene.object.mass;
+  problem.W = host_matrix(G.transpose() * (B * G));
   // Rounding has no reason to be symmetric; readers test for it.
   for (Index j = 0; j < rows; ++j)
     for (Index i = 0; i < j; ++i) map_of(problem.W)(j, i) = problem.W(i, j);

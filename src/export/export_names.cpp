@@ -116,16 +116,13 @@ private:
   }
 
   Quantity reduced_unknown(Index i) const {
+    constexpr const char* symbols[] = {"lambda", "lambda-", "beta", "xi", "s"}; // by Meaning
     const Name name = name_of(layout_, i);
-    std::string symbol;
-    const char* unit = "N";
-    switch (name.meaning) {
-    case Meaning::normal: symbol = "lambda"; break;
-    case Meaning::pull: symbol = "lambda-"; break;
-    case Meaning::friction: symbol = "beta" + std::to_string(name.generator); break;
-    case Meaning::slip: symbol = "xi", unit = "m/s^2"; break;
-    case Meaning::closing: symbol = "s", unit = closing_unit(name.of); break;
-    }
+    std::string symbol = symbols[static_cast<int>(name.meaning)];
+    if (name.meaning == Meaning::friction) symbol += std::to_string(name.generator);
+    const char* const unit = name.meaning == Meaning::slip      ? "m/s^2"
+                             : name.meaning == Meaning::closing ? closing_unit(name.of)
+                                                                : "N";
     return {push_.variable_name(i), symbol, contact(name), "", {unit, unknown_unit(layout_, i)}};
   }
 
@@ -191,11 +188,8 @@ std::string export_names(const Push& push, const OwnedFullForm& full) {
   json.begin_object().member("title", push.file().title);
   json.member("complementary", full.complementary()).member("lcp_unknowns", layout.size);
   json.member("no_bound", no_bound);
-  json.key("contacts").begin_array();
-  for (Index i = 0; i < layout.points; ++i) json.value(point_name(push.file(), i));
-  json.end_array().key("actuators").begin_array();
-  for (Index a = 0; a < layout.actuators; ++a) json.value(push.actuator_name(a));
-  json.end_array();
+  json.list("contacts", layout.points, [&](Index i) { json.value(point_name(push.file(), i)); });
+  json.list("actuators", layout.actuators, [&](Index a) { json.value(push.actuator_name(a)); });
   const std::vector<Quantity> unknowns = names.unknowns(), rows = names.rows(),
                               answer = names.answer();
   write_quantities(json, "unknowns", unknowns, 0, unknowns.size());

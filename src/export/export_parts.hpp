@@ -15,6 +15,14 @@ inline MatrixMap<double> map_of(HostMatrix& matrix) {
   return {matrix.values.data(), matrix.rows, matrix.cols};
 }
 
+/// An expression's values; zeros without a sign, so that none is written to a file.
+template <class Expression> HostMatrix host_matrix(const Expression& values) {
+  HostMatrix matrix = zero_matrix(values.rows(), values.cols());
+  map_of(matrix) = values;
+  for (double& x : matrix.values) x += 0.0;
+  return matrix;
+}
+
 /// The full form of an assembly, which must outlive it.
 class OwnedFullForm {
 public:

@@ -4,23 +4,6 @@
 namespace lcpush::desktop {
 namespace {
 
-/// M of the full form and q, zeros without a sign so that none of them is written to a file.
-void fill_full(const OwnedFullForm& full, HostMatrix& M, HostMatrix& q) {
-  const Index n = full.form().size();
-  M = zero_matrix(n, n);
-  q = zero_matrix(n, 1);
-  std::vector<unsigned char> eliminated(static_cast<std::size_t>(n));
-  full.form().fill(map_of(M), q.values.data(), eliminated.data());
-  for (double& x : M.values) x += 0.0;
-  for (double& x : q.values) x += 0.0;
-}
-
-/// Rows `first` and on, as many as `to` has, times `sign`.
-void copy_rows(const HostMatrix& from, Index first, double sign, HostMatrix& to) {
-  for (Index j = 0; j < to.cols; ++j)
-    for (Index i = 0; i < to.rows; ++i) map_of(to)(i, j) = sign * from(first + i, j) + 0.0;
-}
-
 /// Forces, friction and acceleration of a point, from row `row` on.
 void read_contact(const OwnedFullForm& full, Index point, Index row, MatrixMap<double> T) {
   const Scene<double>& scene = full.assembly().scene();
@@ -48,39 +31,30 @@ HostMatrix answer_matrix(const OwnedFullForm& full) {
   for (Index a = 0; a < layout.actuators; ++a)
     T(6 + a, layout.closing(a)) = unknown_unit(layout, layout.closing(a));
   for (Index i = 0; i < layout.points; ++i) read_contact(full, i, 6 + layout.actuators + 8 * i, T);
-  for (double& x : answer.values) x += 0.0;
-  return answer;
+  return host_matrix(T);
 }
 
 } // namespace
 
 PaperProgram paper_program(const OwnedFullForm& full) {
   const Index n = full.form().size(), c = full.complementary();
-  HostMatrix M, q;
-  fill_full(full, M, q);
+  HostMatrix M = zero_matrix(n, n), q = zero_matrix(n, 1);
+  std::vector<unsigned char> eliminated(static_cast<std::size_t>(n));
+  full.form().fill(map_of(M), q.values.data(), eliminated.data());
+  auto C = map_of(M), f = map_of(q);
   PaperProgram program;
   program.complementary = c;
-  program.A = zero_matrix(c, n);
-  program.b = zero_matrix(c, 1);
-  program.Aeq = zero_matrix(n - c, n);
-  program.beq = zero_matrix(n - c, 1);
-  copy_rows(M, 0, -1, program.A);
-  copy_rows(q, 0, 1, program.b);
-  copy_rows(M, c, 1, program.Aeq);
-  copy_rows(q, c, -1, program.beq);
-  map_of(M).bottomRows(n - c).setZero(); // C
-  program.H = zero_matrix(n, n);
-  for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i) map_of(program.H)(i, j) = M(i, j) + M(j, i);
-  program.f = std::move(q);
-  program.lb = zero_matrix(n, 1);
-  program.ub = zero_matrix(n, 1);
-  for (Index i = 0; i < n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (i >= c) program.f.values[k] = 0;
-    program.lb.values[k] = i < c ? 0 : -no_bound;
-    program.ub.values[k] = no_bound;
-  }
+  program.A = host_matrix(-C.topRows(c));
+  program.b = host_matrix(f.topRows(c));
+  program.Aeq = host_matrix(C.bottomRows(n - c));
+  program.beq = host_matrix(-f.bottomRows(n - c));
+  C.bottomRows(n - c).setZero();
+  f.bottomRows(n - c).setZero();
+  program.H = host_matrix(C + C.transpose());
+  program.f = host_matrix(f);
+  program.ub = host_matrix(Eigen::VectorXd::Constant(n, no_bound));
+  program.lb = host_matrix(-map_of(program.ub));
+  map_of(program.lb).topRows(c).setZero();
   program.answer = answer_matrix(full);
   return program;
 }

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "lcpush/desktop/push.hpp"
+#include "export/export_parts.hpp"
 #include "lcpush/mechanics/paper/paper_matrices.hpp"
 
 namespace lcpush::desktop {
@@ -11,16 +11,12 @@ namespace {
 const std::vector<std::string> wrench_rows = {"fx", "fy", "fz", "mx", "my", "mz"};
 
 NamedMatrix named(std::vector<std::string> rows, std::vector<std::string> columns) {
-  NamedMatrix matrix{std::move(rows), std::move(columns), {}};
-  matrix.values.rows = static_cast<Index>(matrix.rows.size());
-  matrix.values.cols = static_cast<Index>(matrix.columns.size());
-  matrix.values.values.resize(matrix.rows.size() * matrix.columns.size());
-  return matrix;
+  const auto size = [](const auto& names) { return static_cast<Index>(names.size()); };
+  HostMatrix zeros = zero_matrix(size(rows), size(columns));
+  return {std::move(rows), std::move(columns), std::move(zeros)};
 }
 
-MatrixMap<double> map_of(NamedMatrix& matrix) {
-  return {matrix.values.values.data(), matrix.values.rows, matrix.values.cols};
-}
+MatrixMap<double> map_of(NamedMatrix& matrix) { return map_of(matrix.values); }
 
 std::vector<std::string> component_names(const SceneFile& file) {
   static const std::vector<std::string> components = {" n", " t", " o", " torsion"};

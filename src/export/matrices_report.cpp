@@ -3,6 +3,7 @@
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/matrices.hpp"
 #include "text/format.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -62,18 +63,13 @@ std::string matrix_table(const NamedMatrix& matrix, bool transposed) {
   return named_table(rows, columns, cells);
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 std::string rigidity_text(const PatchRigidity& patch) {
   const std::string name = "\n" + patch.body + ": ";
   if (patch.points.size() == 1) return name + "a single point, nothing to keep rigid\n";
   const Index k = static_cast<Index>(patch.points.size());
   const Index m = static_cast<Index>(patch.references.size()) - 1;
-  std::string text = name + std::to_string(k) + " points, references " + joined(patch.references);
+  std::string text =
+      name + std::to_string(k) + " points, references " + joined(patch.references, ", ");
   text += "\n  " + std::to_string(patch.check.count) + " conditions";
   if (m <= 2)
     text += " (3k - m - 4 with k = " + std::to_string(k) + ", m = " + std::to_string(m) + ")";
@@ -95,13 +91,11 @@ std::string rigidity_text(const PatchRigidity& patch) {
 
 void write_matrix(JsonWriter& json, const NamedMatrix& matrix) {
   json.member("rows", matrix.rows).member("columns", matrix.columns);
-  json.key("values").begin_array();
-  for (Index i = 0; i < matrix.values.rows; ++i) {
+  json.list("values", matrix.values.rows, [&](Index i) {
     std::vector<double> row;
     for (Index j = 0; j < matrix.values.cols; ++j) row.push_back(matrix.values(i, j));
     json.value(row);
-  }
-  json.end_array();
+  });
 }
 
 void write_rigidity(JsonWriter& json, const PatchRigidity& patch) {

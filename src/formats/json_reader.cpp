@@ -2,7 +2,6 @@
 
 #include "formats/read_number.hpp"
 #include "formats/text_cursor.hpp"
-#include "formats/toml_number.hpp"
 #include "text/limits.hpp"
 #include "text/utf8.hpp"
 #include "text/wording.hpp"
@@ -34,142 +33,126 @@ private:
       if (text_[at_] == '\n') ++line_;
   }
 
-  JsonValue read_value(int level);
-  JsonArray read_array(int level);
-  JsonObject read_object(int level);
-  std::string read_string();
-  std::uint32_t read_hex();
-  std::uint32_t read_code_point();
-  double read_number();
-};
-
-JsonValue JsonReader::read_value(int level) {
-  if (level > limits::json_depth) fail("nested more than 100 levels deep");
-  skip_blanks();
-  JsonValue value;
-  value.line = line_;
-  if (peek() == '{')
-    value.data = read_object(level);
-  else if (peek() == '[')
-    value.data = read_array(level);
-  else if (peek() == '"')
-    value.data = read_string();
-  else if (take("true"))
-    value.data = true;
-  else if (take("false"))
-    value.data = false;
-  else if (take("null"))
-    value.data = nullptr;
-  else
-    value.data = read_number();
-  return value;
-}
-
-JsonArray JsonReader::read_array(int level) {
-  JsonArray array;
-  take("[");
-  skip_blanks();
-  if (take("]")) return array;
-  do {
-    array.push_back(read_value(level + 1));
+  JsonValue read_value(int level) {
+    if (level > limits::json_depth) fail("nested more than 100 levels deep");
     skip_blanks();
-  } while (take(","));
-  if (!take("]")) fail("expected , or ] in an array, found " + next_shown());
-  return array;
-}
+    JsonValue value;
+    value.line = line_;
+    if (peek() == '{')
+      value.data = read_object(level);
+    else if (peek() == '[')
+      value.data = read_array(level);
+    else if (peek() == '"')
+      value.data = read_string();
+    else if (take("true"))
+      value.data = true;
+    else if (take("false"))
+      value.data = false;
+    else if (take("null"))
+      value.data = nullptr;
+    else
+      value.data = read_number();
+    return value;
+  }
 
-JsonObject JsonReader::read_object(int level) {
-  JsonObject object;
-  take("{");
-  skip_blanks();
-  if (take("}")) return object;
-  do {
+  JsonArray read_array(int level) {
+    JsonArray array;
+    take("[");
     skip_blanks();
-    if (peek() != '"') fail("expected a key in double quotes, found " + next_shown());
-    std::string key = read_string();
-    for (const auto& entry : object)
-      if (entry.first == key) fail("key " + quoted(key) + " comes twice");
-    skip_blanks();
-    if (!take(":")) fail("expected : after key " + quoted(key) + ", found " + next_shown());
-    object.emplace_back(std::move(key), read_value(level + 1));
-    skip_blanks();
-  } while (take(","));
-  if (!take("}")) fail("expected , or } in an object, found " + next_shown());
-  return object;
-}
+    if (take("]")) return array;
+    do {
+      array.push_back(read_value(level + 1));
+      skip_blanks();
+    } while (take(","));
+    if (!take("]")) fail("expected , or ] in an array, found " + next_shown());
+    return array;
+  }
 
-std::uint32_t JsonReader::read_hex() {
-  const auto code = read_hexadecimal(text_.substr(at_, 4), 4);
-  if (!code) {
+  JsonObject read_object(int level) {
+    JsonObject object;
+    take("{");
+    skip_blanks();
+    if (take("}")) return object;
+    do {
+      skip_blanks();
+      if (peek() != '"') fail("expected a key in double quotes, found " + next_shown());
+      std::string key = read_string();
+      for (const auto& entry : object)
+        if (entry.first == key) fail("key " + quoted(key) + " comes twice");
+      skip_blanks();
+      if (!take(":")) fail("expected : after key " + quoted(key) + ", found " + next_shown());
+      object.emplace_back(std::move(key), read_value(level + 1));
+      skip_blanks();
+    } while (take(","));
+    if (!take("}")) fail("expected , or } in an object, found " + next_shown());
+    return object;
+  }
+
+  std::uint32_t read_hex() {
+    if (const auto code = take_hexadecimal(4)) return *code;
     at_ = std::min(text_.find_first_not_of("0123456789abcdefABCDEF", at_), text_.size());
     fail("\\u takes four hexadecimal digits, found " + next_shown());
   }
-  at_ += 4;
-  return *code;
-}
 
-/// After \u: one code unit, or the two of a surrogate pair.
-std::uint32_t JsonReader::read_code_point() {
-  const std::uint32_t first = read_hex();
-  if (first < 0xD800 || first > 0xDFFF) return first;
-  if (first > 0xDBFF || !take("\\u")) fail("half of a surrogate pair stands alone");
-  const std::uint32_t second = read_hex();
-  if (second < 0xDC00 || second > 0xDFFF) fail("half of a surrogate pair stands alone");
-  return 0x10000 + ((first - 0xD800) << 10) + (second - 0xDC00);
-}
-
-std::string JsonReader::read_string() {
-  std::string text;
-  take("\"");
-  while (!take("\"")) {
-    if (at_end()) fail("a string has no closing quote");
-    if (static_cast<unsigned char>(peek()) < 0x20)
-      fail("a string has a control character; write it as \\u00XX");
-    if (!take("\\")) {
-      text += text_[at_++];
-      continue;
-    }
-    static const char escapes[] = "\"\\/bfnrt", meanings[] = "\"\\/\b\f\n\r\t";
-    if (take("u")) {
-      append_utf8(text, read_code_point());
-      continue;
-    }
-    const char* const found = at_end() || peek() == '\0' ? nullptr : std::strchr(escapes, peek());
-    if (found == nullptr) fail("unknown escape \\ before " + next_shown());
-    text += meanings[found - escapes];
-    ++at_;
+  /// After \u: one code unit, or the two of a surrogate pair.
+  std::uint32_t read_code_point() {
+    const std::uint32_t first = read_hex();
+    if (first < 0xD800 || first > 0xDFFF) return first;
+    if (first > 0xDBFF || !take("\\u")) fail("half of a surrogate pair stands alone");
+    const std::uint32_t second = read_hex();
+    if (second < 0xDC00 || second > 0xDFFF) fail("half of a surrogate pair stands alone");
+    return 0x10000 + ((first - 0xD800) << 10) + (second - 0xDC00);
   }
-  return text;
-}
 
-double JsonReader::read_number() {
-  const std::size_t start = at_;
-  const auto digits = [&] {
-    const std::size_t first = at_;
-    while (!at_end() && peek() >= '0' && peek() <= '9') ++at_;
-    return at_ - first;
-  };
-  const bool minus = take("-");
-  const bool leading_zero = peek() == '0';
-  const std::size_t whole = digits();
-  bool valid = whole == 1 || (whole > 1 && !leading_zero);
-  if (valid && take(".")) valid = digits() > 0;
-  if (valid && (peek() == 'e' || peek() == 'E')) {
-    ++at_;
-    if (!take("-")) take("+");
-    valid = digits() > 0;
+  std::string read_string() {
+    std::string text;
+    take("\"");
+    while (!take("\"")) {
+      if (at_end()) fail("a string has no closing quote");
+      if (static_cast<unsigned char>(peek()) < 0x20)
+        fail("a string has a control character; write it as \\u00XX");
+      if (!take("\\")) {
+        text += text_[at_++];
+        continue;
+      }
+      if (take("u"))
+        append_utf8(text, read_code_point());
+      else if (!take_escape("\"\\/bfnrt", "\"\\/\b\f\n\r\t", text))
+        fail("unknown escape \\ before " + next_shown());
+    }
+    return text;
   }
-  for (const char* const word : {"NaN", "Infinity"})
-    if (take(word)) fail(std::string(word) + " is no JSON; leave the number out, or write null");
-  if (!valid && whole == 0 && !minus)
-    fail("expected a value (an object, an array, a string, a number, true, false or null), found " +
-         next_shown());
-  const std::string_view word = text_.substr(start, at_ - start);
-  if (!valid) fail("no JSON number: " + quoted(text_.substr(start, at_ - start + 1)));
-  const NumberText number = read_finite_number(word);
-  if (number.error) fail(*number.error);
-  return number.value;
-}
+
+  double read_number() {
+    const std::size_t start = at_;
+    const auto digits = [&] {
+      const std::size_t first = at_;
+      while (!at_end() && peek() >= '0' && peek() <= '9') ++at_;
+      return at_ - first;
+    };
+    const bool minus = take("-");
+    const bool leading_zero = peek() == '0';
+    const std::size_t whole = digits();
+    bool valid = whole == 1 || (whole > 1 && !leading_zero);
+    if (valid && take(".")) valid = digits() > 0;
+    if (valid && (peek() == 'e' || peek() == 'E')) {
+      ++at_;
+      if (!take("-")) take("+");
+      valid = digits() > 0;
+    }
+    for (const char* const word : {"NaN", "Infinity"})
+      if (take(word)) fail(std::string(word) + " is no JSON; leave the number out, or write null");
+    if (!valid && whole == 0 && !minus)
+      fail("expected a value (an object, an array, a string, a number, true, false or null), "
+           "found " +
+           next_shown());
+    const std::string_view word = text_.substr(start, at_ - start);
+    if (!valid) fail("no JSON number: " + quoted(text_.substr(start, at_ - start + 1)));
+    const NumberText number = read_finite_number(word);
+    if (number.error) fail(*number.error);
+    return number.value;
+  }
+};
 
 } // namespace
 

@@ -12,16 +12,8 @@ constexpr std::size_t line_width = 100;
 constexpr std::string_view replacement_character = "\xEF\xBF\xBD";
 
 std::string escaped(char c) {
-  switch (c) {
-  case '"': return "\\\"";
-  case '\\': return "\\\\";
-  case '\b': return "\\b";
-  case '\f': return "\\f";
-  case '\n': return "\\n";
-  case '\r': return "\\r";
-  case '\t': return "\\t";
-  default: break;
-  }
+  constexpr std::string_view named = "\"\\\b\f\n\r\t", letters = "\"\\bfnrt";
+  if (const std::size_t k = named.find(c); k != std::string_view::npos) return {'\\', letters[k]};
   const auto byte = static_cast<unsigned char>(c);
   if (byte >= 0x20) return {c};
   constexpr std::string_view digits = "0123456789abcdef";

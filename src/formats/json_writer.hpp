@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,20 +29,17 @@ public:
   JsonWriter& key(std::string_view name);
 
   /// A bool, a number, a string, nullptr; a vector of one of these (a std::vector, an Eigen vector
-  /// or map), which is an array on one line if it fits; a vector of vectors, one below the other;
-  /// or an optional of all that (empty: null). Numbers read back as the same double; those that are
-  /// not finite become null.
+  /// or map), which is an array on one line if it fits; a vector of anything else, one below the
+  /// other; an optional of all that (empty: null); or whatever has a function write(JsonWriter&, T)
+  /// beside it. Numbers read back as the same double; those that are not finite become null.
   template <class T> JsonWriter& value(const T& data) {
-    if constexpr (is_vector_of_vectors<T>::value) {
-      begin_array();
-      for (const auto& vector : data) value(vector);
-      return end_array();
-    } else if constexpr (is_vector<T>::value) {
-      std::vector<std::string> literals;
-      for (decltype(data.size()) i = 0; i < data.size(); ++i) literals.push_back(literal(data[i]));
-      return scalars(literals);
-    } else {
+    if constexpr (is_literal<T>) {
       return scalar(literal(data));
+    } else if constexpr (is_vector<T>::value) {
+      return array(data);
+    } else {
+      write(*this, data);
+      return *this;
     }
   }
   template <class T> JsonWriter& value(const std::optional<T>& data) {
@@ -55,30 +51,25 @@ public:
     return key(name).value(data);
   }
 
-  /// key() and an array, entry below entry: `write(entry)` writes one value for each of `list`.
+  /// key() and an array, entry below entry: `write(entry)` writes one value for each of `list`, or
+  /// for each number below it if it is a count.
   template <class List, class Write>
   JsonWriter& list(std::string_view name, const List& list, const Write& write) {
     key(name).begin_array();
-    for (const auto& entry : list) write(entry);
+    if constexpr (std::is_integral_v<List>)
+      for (List i = 0; i < list; ++i) write(i);
+    else
+      for (const auto& entry : list) write(entry);
     return end_array();
   }
   /// The same of objects: `write(entry)` writes the members of one.
   template <class List, class Write>
-  JsonWriter& objects(std::string_view name, const List& list, const Write& write) {
-    key(name).begin_array();
-    for (const auto& entry : list) {
+  JsonWriter& objects(std::string_view name, const List& entries, const Write& write) {
+    return list(name, entries, [&](const auto& entry) {
       begin_object();
       write(entry);
       end_object();
-    }
-    return end_array();
-  }
-  /// The same of the numbers from 0 to count - 1.
-  template <class Write>
-  JsonWriter& objects(std::string_view name, std::ptrdiff_t count, const Write& write) {
-    std::vector<std::ptrdiff_t> numbers(static_cast<std::size_t>(count));
-    std::iota(numbers.begin(), numbers.end(), std::ptrdiff_t{0});
-    return objects(name, numbers, write);
+    });
   }
 
   /// What was written so far; after the last end, the whole text with its final newline.
@@ -87,13 +78,23 @@ public:
 private:
   template <class T, class = void> struct is_vector : std::false_type {};
   template <class T>
-  struct is_vector<T, std::void_t<decltype(std::declval<const T&>().size())>>
-      : std::bool_constant<!std::is_convertible_v<const T&, std::string_view>> {};
+  struct is_vector<T, std::void_t<decltype(std::declval<const T&>().size())>> : std::true_type {};
 
-  template <class T, class = void> struct is_vector_of_vectors : std::false_type {};
   template <class T>
-  struct is_vector_of_vectors<T, std::void_t<typename T::value_type>>
-      : std::bool_constant<is_vector<T>::value && is_vector<typename T::value_type>::value> {};
+  static constexpr bool is_literal = std::is_arithmetic_v<T> || std::is_null_pointer_v<T> ||
+                                     std::is_convertible_v<const T&, std::string_view>;
+
+  template <class List> JsonWriter& array(const List& list) {
+    if constexpr (is_literal<std::decay_t<decltype(list[0])>>) {
+      std::vector<std::string> literals;
+      for (decltype(list.size()) i = 0; i < list.size(); ++i) literals.push_back(literal(list[i]));
+      return scalars(literals);
+    } else {
+      begin_array();
+      for (const auto& entry : list) value(entry);
+      return end_array();
+    }
+  }
 
   static std::string literal(double number);
   static std::string literal(std::string_view text);

@@ -20,16 +20,6 @@ std::vector<std::string_view> split_words(std::string_view line) {
   }
 }
 
-std::vector<std::string_view> split_at(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 std::string lower_case(std::string_view word) {
   std::string result(word);
   for (char& c : result)

@@ -13,9 +13,6 @@ class Rational;
 /// The parts of `line` between blanks (space, tab, carriage return).
 std::vector<std::string_view> split_words(std::string_view line);
 
-/// The parts of `text` between `separator`s: one more than there are separators.
-std::vector<std::string_view> split_at(std::string_view text, char separator);
-
 /// ASCII letters only.
 std::string lower_case(std::string_view word);
 

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "lcpush/desktop/input_error.hpp"
+#include "text/whole_number.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -27,6 +30,22 @@ protected:
     if (!next_is(word)) return false;
     at_ += word.size();
     return true;
+  }
+  /// Goes past a letter of an escape and appends what it means, the letter's place among `letters`.
+  bool take_escape(std::string_view letters, std::string_view meanings, std::string& text) {
+    const std::size_t which = at_end() ? std::string_view::npos : letters.find(text_[at_]);
+    if (which == std::string_view::npos) return false;
+    text += meanings[which];
+    ++at_;
+    return true;
+  }
+  /// Goes past exactly so many hexadecimal digits, at most 8.
+  std::optional<std::uint32_t> take_hexadecimal(std::size_t digits) {
+    const std::string_view word = text_.substr(at_, digits);
+    const auto number = whole_number<std::uint32_t>(word, 16);
+    if (word.size() != digits || !number) return std::nullopt;
+    at_ += digits;
+    return number;
   }
 
   std::string_view text_;

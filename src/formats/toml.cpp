@@ -1,7 +1,6 @@
 #include "formats/toml.hpp"
 
 #include "formats/text_cursor.hpp"
-#include "formats/toml_number.hpp"
 #include "text/limits.hpp"
 #include "text/utf8.hpp"
 #include "text/wording.hpp"
@@ -48,21 +47,186 @@ private:
     return quoted(text_.substr(at_, utf8_length(text_.substr(at_))));
   }
 
-  void check_characters();
-  void skip_spaces();
-  void skip_comment();
-  void skip_blank_lines();
-  void expect_end_of_line();
-  void count_item();
+  /// What TOML allows nowhere is refused first, so that the grammar below need not think of it.
+  void check_characters() {
+    if (next_is("\xEF\xBB\xBF"))
+      fail("the file starts with a byte order mark; save it as UTF-8 without one");
+    int line = 1;
+    for (std::size_t i = 0; i < text_.size();) {
+      const std::string_view rest = text_.substr(i);
+      const std::size_t length = utf8_length(rest);
+      if (length == 0) fail_at(line, "not valid UTF-8; save the file as UTF-8 text");
+      const auto byte = static_cast<unsigned char>(rest[0]);
+      const bool is_line_end = byte == '\n' || rest.substr(0, 2) == "\r\n";
+      if ((byte < 0x20 && byte != '\t' && !is_line_end) || byte == 0x7F)
+        fail_at(line, "control character " + quoted(rest.substr(0, 1)) +
+                          "; remove it, or write it as an escape inside a string");
+      if (byte == '\n') ++line;
+      i += length;
+    }
+  }
 
-  void parse_header();
-  void open_table(const std::string& name, bool is_array, int line);
-  void parse_entry();
-  std::string parse_key();
-  TomlValue parse_value(int depth);
-  TomlArray parse_array(int depth);
-  std::string parse_string();
-  void parse_escape(std::string& result);
+  void skip_spaces() {
+    while (peek() == ' ' || peek() == '\t') ++at_;
+  }
+
+  void skip_comment() {
+    if (peek() != '#') return;
+    at_ = std::min(text_.find('\n', at_), text_.size());
+  }
+
+  void skip_blank_lines() {
+    for (;;) {
+      skip_spaces();
+      skip_comment();
+      (void)take("\r");
+      if (!take("\n")) return;
+      ++line_;
+    }
+  }
+
+  void expect_end_of_line() {
+    skip_spaces();
+    skip_comment();
+    if (!at_end() && peek() != '\n' && peek() != '\r')
+      fail("unexpected " + found() + "; start a new line, or put # before a comment");
+  }
+
+  void count_item() {
+    if (++items_ > limits::toml_items)
+      fail("more than " + std::to_string(limits::toml_items) +
+           " tables and values; split the file");
+  }
+
+  void parse_header() {
+    const int line = line_;
+    const bool is_array = next_is("[[");
+    const std::string_view closing = is_array ? "]]" : "]";
+    at_ += closing.size();
+    skip_spaces();
+    const std::string name = parse_key();
+    skip_spaces();
+    if (!take(closing))
+      fail("expected " + quoted(closing) + " after the table name " + quoted(name) + ", found " +
+           found());
+    open_table(name, is_array, line);
+  }
+
+  void open_table(const std::string& name, bool is_array, int line) {
+    count_item();
+    if (const TomlValue* value = document_.root.find(name))
+      fail(quoted(name) + " is already a key, on line " + std::to_string(value->line) +
+           "; rename one of them");
+    const auto [position, is_new] = sections_by_name_.emplace(name, document_.sections.size());
+    if (is_new) document_.sections.push_back({name, is_array, {}});
+    TomlSection& section = document_.sections[position->second];
+    if (!is_new && !(is_array && section.is_array)) {
+      const bool mixed = is_array != section.is_array;
+      fail("[" + name + "] is already defined on line " +
+           std::to_string(section.tables.front().line) +
+           (mixed ? "; write [[" + name + "]] in both places" : "; merge the two"));
+    }
+    section.tables.push_back({line, {}});
+    table_ = &section.tables.back();
+    key_lines_.clear();
+  }
+
+  void parse_entry() {
+    std::string key = parse_key();
+    const auto [first, is_new] = key_lines_.emplace(key, line_);
+    if (!is_new)
+      fail("duplicate key " + quoted(key) + ", first given on line " +
+           std::to_string(first->second) + "; remove one of them");
+    skip_spaces();
+    if (!take("=")) fail("expected = after " + quoted(key) + ", found " + found());
+    skip_spaces();
+    TomlValue value = parse_value(0);
+    table_->entries.push_back({std::move(key), std::move(value)});
+  }
+
+  std::string parse_key() {
+    if (peek() == '"' || peek() == '\'') fail("quoted keys are not supported; write a bare key");
+    const std::size_t start = at_;
+    while (is_bare_key_character(peek())) ++at_;
+    if (at_ == start)
+      fail("expected a key or table name (letters, digits, _ and -), found " + found());
+    std::string key(text_.substr(start, at_ - start));
+    if (peek() == '.') fail("dotted keys are not supported; write " + quoted(key) + " as a table");
+    return key;
+  }
+
+  TomlValue parse_value(int depth) {
+    count_item();
+    const int line = line_;
+    switch (peek()) {
+    case '"': return {line, parse_string()};
+    case '[': return {line, parse_array(depth + 1)};
+    case '\'': fail("'literal' strings are not supported; use \"double quotes\"");
+    case '{': fail("inline tables are not supported; use a [table] of its own");
+    default: break;
+    }
+    const std::size_t end = std::min(text_.find_first_of(" \t\r\n,]#", at_), text_.size());
+    const std::string_view word = text_.substr(at_, end - at_);
+    if (word.empty()) fail("expected a value, found " + found());
+    at_ = end;
+    if (word == "true" || word == "false") {
+      if (depth > 0) fail("true and false are not supported in a list; use numbers or strings");
+      return {line, word == "true"};
+    }
+    TomlValue number{line, 0.0};
+    if (const auto error = read_toml_number(word, number)) fail(*error);
+    return number;
+  }
+
+  TomlArray parse_array(int depth) {
+    if (depth > limits::toml_list_depth)
+      fail("lists are nested more than " + std::to_string(limits::toml_list_depth) +
+           " deep; is a ] missing before?");
+    const int opened = line_;
+    TomlArray array;
+    ++at_;
+    for (skip_blank_lines(); peek() != ']'; skip_blank_lines()) {
+      if (at_end()) fail_at(opened, "this [ is never closed; add the missing ]");
+      array.push_back(parse_value(depth));
+      skip_blank_lines();
+      if (!take(",") && !at_end() && peek() != ']')
+        fail("expected , or ] in the list that starts on line " + std::to_string(opened) +
+             ", found " + found());
+    }
+    ++at_;
+    return array;
+  }
+
+  std::string parse_string() {
+    if (next_is("\"\"\"")) fail("multi-line strings are not supported; use one line and \\n");
+    ++at_;
+    std::string result;
+    while (peek() != '"') {
+      if (at_end() || peek() == '\n' || peek() == '\r')
+        fail("the string is not closed; add the missing \" on this line");
+      if (peek() == '\\') {
+        parse_escape(result);
+      } else {
+        result += text_[at_++];
+      }
+    }
+    ++at_;
+    return result;
+  }
+
+  void parse_escape(std::string& result) {
+    ++at_;
+    if (take_escape("btnfr\"\\", "\b\t\n\f\r\"\\", result)) return;
+    if (peek() != 'u' && peek() != 'U')
+      fail("unknown escape; use \\b \\t \\n \\f \\r \\\" \\\\ \\uXXXX or \\UXXXXXXXX");
+    const std::size_t digits = peek() == 'u' ? 4 : 8;
+    ++at_;
+    const std::optional<std::uint32_t> code = take_hexadecimal(digits);
+    if (!code || !is_unicode_scalar(*code))
+      fail("an escape needs " + std::to_string(digits) +
+           " hexadecimal digits that name a Unicode character");
+    append_utf8(result, *code);
+  }
 
   std::size_t items_ = 0;
   TomlDocument document_;
@@ -70,195 +234,6 @@ private:
   std::map<std::string, int> key_lines_;                ///< of the current table
   std::map<std::string, std::size_t> sections_by_name_; ///< indices into document_.sections
 };
-
-/// What TOML allows nowhere is refused first, so that the grammar below need not think of it.
-void TomlParser::check_characters() {
-  if (next_is("\xEF\xBB\xBF"))
-    fail("the file starts with a byte order mark; save it as UTF-8 without one");
-  int line = 1;
-  for (std::size_t i = 0; i < text_.size();) {
-    const std::string_view rest = text_.substr(i);
-    const std::size_t length = utf8_length(rest);
-    if (length == 0) fail_at(line, "not valid UTF-8; save the file as UTF-8 text");
-    const auto byte = static_cast<unsigned char>(rest[0]);
-    const bool is_line_end = byte == '\n' || rest.substr(0, 2) == "\r\n";
-    if ((byte < 0x20 && byte != '\t' && !is_line_end) || byte == 0x7F)
-      fail_at(line, "control character " + quoted(rest.substr(0, 1)) +
-                        "; remove it, or write it as an escape inside a string");
-    if (byte == '\n') ++line;
-    i += length;
-  }
-}
-
-void TomlParser::skip_spaces() {
-  while (peek() == ' ' || peek() == '\t') ++at_;
-}
-
-void TomlParser::skip_comment() {
-  if (peek() != '#') return;
-  at_ = std::min(text_.find('\n', at_), text_.size());
-}
-
-void TomlParser::skip_blank_lines() {
-  for (;;) {
-    skip_spaces();
-    skip_comment();
-    (void)take("\r");
-    if (!take("\n")) return;
-    ++line_;
-  }
-}
-
-void TomlParser::expect_end_of_line() {
-  skip_spaces();
-  skip_comment();
-  if (!at_end() && peek() != '\n' && peek() != '\r')
-    fail("unexpected " + found() + "; start a new line, or put # before a comment");
-}
-
-void TomlParser::count_item() {
-  if (++items_ > limits::toml_items)
-    fail("more than " + std::to_string(limits::toml_items) + " tables and values; split the file");
-}
-
-void TomlParser::parse_header() {
-  const int line = line_;
-  const bool is_array = next_is("[[");
-  const std::string_view closing = is_array ? "]]" : "]";
-  at_ += closing.size();
-  skip_spaces();
-  const std::string name = parse_key();
-  skip_spaces();
-  if (!take(closing))
-    fail("expected " + quoted(closing) + " after the table name " + quoted(name) + ", found " +
-         found());
-  open_table(name, is_array, line);
-}
-
-void TomlParser::open_table(const std::string& name, bool is_array, int line) {
-  count_item();
-  if (const TomlValue* value = document_.root.find(name))
-    fail(quoted(name) + " is already a key, on line " + std::to_string(value->line) +
-         "; rename one of them");
-  const auto [position, is_new] = sections_by_name_.emplace(name, document_.sections.size());
-  if (is_new) document_.sections.push_back({name, is_array, {}});
-  TomlSection& section = document_.sections[position->second];
-  if (!is_new && !(is_array && section.is_array)) {
-    const bool mixed = is_array != section.is_array;
-    fail("[" + name + "] is already defined on line " +
-         std::to_string(section.tables.front().line) +
-         (mixed ? "; write [[" + name + "]] in both places" : "; merge the two"));
-  }
-  section.tables.push_back({line, {}});
-  table_ = &section.tables.back();
-  key_lines_.clear();
-}
-
-void TomlParser::parse_entry() {
-  std::string key = parse_key();
-  const auto [first, is_new] = key_lines_.emplace(key, line_);
-  if (!is_new)
-    fail("duplicate key " + quoted(key) + ", first given on line " + std::to_string(first->second) +
-         "; remove one of them");
-  skip_spaces();
-  if (!take("=")) fail("expected = after " + quoted(key) + ", found " + found());
-  skip_spaces();
-  TomlValue value = parse_value(0);
-  table_->entries.push_back({std::move(key), std::move(value)});
-}
-
-std::string TomlParser::parse_key() {
-  if (peek() == '"' || peek() == '\'') fail("quoted keys are not supported; write a bare key");
-  const std::size_t start = at_;
-  while (is_bare_key_character(peek())) ++at_;
-  if (at_ == start)
-    fail("expected a key or table name (letters, digits, _ and -), found " + found());
-  std::string key(text_.substr(start, at_ - start));
-  if (peek() == '.') fail("dotted keys are not supported; write " + quoted(key) + " as a table");
-  return key;
-}
-
-TomlValue TomlParser::parse_value(int depth) {
-  count_item();
-  const int line = line_;
-  switch (peek()) {
-  case '"': return {line, parse_string()};
-  case '[': return {line, parse_array(depth + 1)};
-  case '\'': fail("'literal' strings are not supported; use \"double quotes\"");
-  case '{': fail("inline tables are not supported; use a [table] of its own");
-  default: break;
-  }
-  const std::size_t end = std::min(text_.find_first_of(" \t\r\n,]#", at_), text_.size());
-  const std::string_view word = text_.substr(at_, end - at_);
-  if (word.empty()) fail("expected a value, found " + found());
-  at_ = end;
-  if (word == "true" || word == "false") {
-    if (depth > 0) fail("true and false are not supported in a list; use numbers or strings");
-    return {line, word == "true"};
-  }
-  TomlNumber number = read_toml_number(word);
-  if (number.error) fail(*number.error);
-  if (number.is_whole) return {line, number.whole, std::move(number.digits)};
-  return {line, number.real, std::move(number.digits)};
-}
-
-TomlArray TomlParser::parse_array(int depth) {
-  if (depth > limits::toml_list_depth)
-    fail("lists are nested more than " + std::to_string(limits::toml_list_depth) +
-         " deep; is a ] missing before?");
-  const int opened = line_;
-  TomlArray array;
-  ++at_;
-  for (skip_blank_lines(); peek() != ']'; skip_blank_lines()) {
-    if (at_end()) fail_at(opened, "this [ is never closed; add the missing ]");
-    array.push_back(parse_value(depth));
-    skip_blank_lines();
-    if (!take(",") && !at_end() && peek() != ']')
-      fail("expected , or ] in the list that starts on line " + std::to_string(opened) +
-           ", found " + found());
-  }
-  ++at_;
-  return array;
-}
-
-std::string TomlParser::parse_string() {
-  if (next_is("\"\"\"")) fail("multi-line strings are not supported; use one line and \\n");
-  ++at_;
-  std::string result;
-  while (peek() != '"') {
-    if (at_end() || peek() == '\n' || peek() == '\r')
-      fail("the string is not closed; add the missing \" on this line");
-    if (peek() == '\\') {
-      parse_escape(result);
-    } else {
-      result += text_[at_++];
-    }
-  }
-  ++at_;
-  return result;
-}
-
-void TomlParser::parse_escape(std::string& result) {
-  constexpr std::string_view letters = "btnfr\"\\";
-  constexpr std::string_view meanings = "\b\t\n\f\r\"\\";
-  ++at_;
-  const std::size_t which = at_end() ? std::string_view::npos : letters.find(peek());
-  if (which != std::string_view::npos) {
-    result += meanings[which];
-    ++at_;
-    return;
-  }
-  if (peek() != 'u' && peek() != 'U')
-    fail("unknown escape; use \\b \\t \\n \\f \\r \\\" \\\\ \\uXXXX or \\UXXXXXXXX");
-  const std::size_t digits = peek() == 'u' ? 4 : 8;
-  ++at_;
-  const std::optional<std::uint32_t> code = read_hexadecimal(text_.substr(at_, digits), digits);
-  if (!code || !is_unicode_scalar(*code))
-    fail("an escape needs " + std::to_string(digits) +
-         " hexadecimal digits that name a Unicode character");
-  append_utf8(result, *code);
-  at_ += digits;
-}
 
 } // namespace
 

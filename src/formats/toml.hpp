@@ -68,4 +68,8 @@ struct TomlDocument {
 /// among root keys and sections. Throws InputError with file and line on anything else.
 TomlDocument parse_toml(std::string_view text, const std::string& file_name);
 
+/// Reads the whole of `word`, a decimal number: [+-]digits[.digits][e[+-]digits], no leading
+/// zeros, single underscores between digits. Returns what is wrong with it, if anything.
+std::optional<std::string> read_toml_number(std::string_view word, TomlValue& value);
+
 } // namespace lcpush::desktop

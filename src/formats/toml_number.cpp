@@ -1,10 +1,8 @@
-#include "formats/toml_number.hpp"
-
+// The numbers of TOML 1.0 that lcpush reads.
+#include "formats/read_number.hpp"
+#include "formats/toml.hpp"
 #include "text/whole_number.hpp"
 #include "text/wording.hpp"
-
-#include <charconv>
-#include <system_error>
 
 namespace lcpush::desktop {
 namespace {
@@ -32,7 +30,6 @@ public:
   }
 
   const std::string& plain() const { return plain_; }
-  bool is_whole() const { return plain_.find_first_of(".eE") == std::string::npos; }
 
 private:
   bool next_is(char c) const { return at_ < word_.size() && word_[at_] == c; }
@@ -80,28 +77,20 @@ std::string why_not_a_number(std::string_view word) {
 
 } // namespace
 
-TomlNumber read_toml_number(std::string_view word) {
-  TomlNumber number;
+std::optional<std::string> read_toml_number(std::string_view word, TomlValue& value) {
   NumberScanner scanner(word);
-  if (!scanner.scan()) {
-    number.error = why_not_a_number(word);
-    return number;
+  if (!scanner.scan()) return why_not_a_number(word);
+  value.digits = scanner.plain();
+  if (value.digits.find_first_of(".eE") == std::string::npos) {
+    const auto whole = whole_number<std::int64_t>(value.digits);
+    if (!whole) return quoted(word) + " does not fit in 64 bits; write it as a real, like 1e20";
+    value.data = *whole;
+    return std::nullopt;
   }
-  const std::string& plain = scanner.plain();
-  const char* const end = plain.data() + plain.size();
-  number.digits = plain;
-  number.is_whole = scanner.is_whole();
-  const std::errc outcome = number.is_whole ? std::from_chars(plain.data(), end, number.whole).ec
-                                            : std::from_chars(plain.data(), end, number.real).ec;
-  if (outcome != std::errc{})
-    number.error =
-        quoted(word) + (number.is_whole ? " does not fit in 64 bits; write it as a real, like 1e20"
-                                        : " is too large or too small for a double");
-  return number;
-}
-
-std::optional<std::uint32_t> read_hexadecimal(std::string_view word, std::size_t digits) {
-  return word.size() == digits ? whole_number<std::uint32_t>(word, 16) : std::nullopt;
+  const NumberText real = read_finite_number(value.digits);
+  if (real.error) return quoted(word) + " is too large or too small for a double";
+  value.data = real.value;
+  return std::nullopt;
 }
 
 } // namespace lcpush::desktop

@@ -17,9 +17,7 @@ void write_object(JsonWriter& json, const SceneFile& file) {
   const Scene<double> scene = file.view();
   const Scales<double> si{file.object.mass, 1.0, 1.0};
   const Matrix6<double> mobility = laws::newton(scene, si) / file.object.mass;
-  json.key("mobility").begin_array();
-  for (Index i = 0; i < 6; ++i) json.value(Vector6<double>(mobility.row(i)));
-  json.end_array();
+  json.list("mobility", Index{6}, [&](Index i) { json.value(Vector6<double>(mobility.row(i))); });
   Vector6<double> weight = Vector6<double>::Zero();
   weight.head<3>() = file.object.mass * file.gravity;
   json.member("weight", weight).member("facets", file.facets);
@@ -54,9 +52,8 @@ void write_points(JsonWriter& json, const Push& push) {
     json.member("position", push.file().positions[static_cast<std::size_t>(i)]);
     const Index normal = layout.normal(i);
     json.member("normal", normal).member("pull", when(cone.normals == 2, normal + 1));
-    json.key("friction").begin_array();
-    for (Index j = 0; j < cone.generators; ++j) json.value(layout.friction(i, j));
-    json.end_array().member("slip", when(cone.generators > 0, layout.slip(i)));
+    json.list("friction", cone.generators, [&](Index j) { json.value(layout.friction(i, j)); });
+    json.member("slip", when(cone.generators > 0, layout.slip(i)));
     json.objects("generators", cone.generators, [&](Index j) {
       const Generator<double> d = generator(body, j, scene.facets);
       json.member("force", d.force).member("torque", d.torque);
@@ -83,14 +80,13 @@ void write_body_in_view(JsonWriter& json, const Push& push, const View& view, In
   for (Index j = 0; j < push.layout().cones[body.first_point].generators; ++j)
     cone.push_back(
         -view.flat(body.normal + body.friction * generator(body, j, scene.facets).force));
-  json.begin_object().member("body", b).member("behind", view.is_behind(body.normal));
+  json.member("body", b).member("behind", view.is_behind(body.normal));
   json.member("pad", pad).member("cone", cone.size() > 1 ? hull(cone) : std::vector<Pixel>());
-  json.end_object();
 }
 
 void write_view(JsonWriter& json, const Push& push, const View& view) {
   const SceneFile& file = push.file();
-  json.begin_object().member("title", view.title).member("axes", axes_elements(view));
+  json.member("title", view.title).member("axes", axes_elements(view));
   json.member("right", view.right).member("toward", view.toward);
   json.member("down", Vector3<double>(Vector3<double>::Zero() - view.up));
   std::vector<Pixel> box, shown;
@@ -104,10 +100,8 @@ void write_view(JsonWriter& json, const Push& push, const View& view) {
   const bool is_round =
       file.shape.kind == ObjectShape::Kind::cylinder && view.toward[file.shape.axis] != 0;
   json.member("radius", is_round ? std::abs(view.right.dot(file.shape.size)) / 2 : 0.0);
-  json.key("bodies").begin_array();
-  for (const Index b : bodies_back_to_front(view, push.scene().bodies))
-    write_body_in_view(json, push, view, b);
-  json.end_array().end_object();
+  json.objects("bodies", bodies_back_to_front(view, push.scene().bodies),
+               [&](Index b) { write_body_in_view(json, push, view, b); });
 }
 
 /// What a contact does in a basis, its mark, and the words of the table and of the key.
@@ -158,9 +152,7 @@ void write_scene(JsonWriter& json, const Push& push, bool is_drawn) {
   if (is_drawn) {
     std::vector<View> views = views_with_y_up(push.file().shape.size, push.file().bodies);
     if (push.file().planar) views.resize(1);
-    json.key("views").begin_array();
-    for (const View& view : views) write_view(json, push, view);
-    json.end_array();
+    json.objects("views", views, [&](const View& view) { write_view(json, push, view); });
     write_marks(json);
     json.member("longest_force", longest_force).member("fastest", fastest);
   }

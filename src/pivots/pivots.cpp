@@ -1,23 +1,54 @@
-// Runs Lemke's method with a recorder.
+// Runs Lemke's method with a recording watcher.
 #include "lcpush/desktop/pivots.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "lcpush/desktop/owned.hpp"
-#include "pivots/pivot_recorder.hpp"
+#include "pivots/recording_watcher.hpp"
+#include "solve/owned_assembly.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-template <class S> std::vector<S> converted(const std::vector<Rational>& numbers) {
-  if constexpr (std::is_same_v<S, Rational>) {
-    return numbers;
-  } else {
-    std::vector<S> result;
-    for (const Rational& x : numbers) result.push_back(x.value());
-    return result;
+/// As a dense matrix in SI units.
+template <class S> ExactProblem si_problem(const SceneOf<S>& file) {
+  const EvenSceneOf<S> even(file.view());
+  OwnedAssembly<S> owned(even.scene);
+  if (file.pressure == Pressure::pad)
+    owned.enter_first_round(PressureOptions<S>().first_compliance);
+  const Layout<S>& layout = owned.get().layout();
+  const Problem<S> problem = owned.get().problem();
+  const Index n = problem.size;
+  std::vector<S> M(static_cast<std::size_t>(n * n));
+  fill_matrix(problem, MatrixMap<S>(M.data(), n, n));
+
+  ExactProblem exact{{n, n, {}}, {n, 1, {}}, n - problem.free_begin};
+  std::vector<S> row_units;
+  for (Index i = 0; i < n; ++i) {
+    row_units.push_back(row_unit(layout, i));
+    exact.q.values.push_back(Rational(S(problem.q[i] * row_units.back())));
   }
+  exact.M.values.reserve(M.size());
+  for (Index j = 0; j < n; ++j) {
+    const S unit = unknown_unit(layout, j);
+    for (Index i = 0; i < n; ++i) {
+      const S& entry = M[static_cast<std::size_t>(j * n + i)];
+      exact.M.values.push_back(Rational(S(entry * row_units[static_cast<std::size_t>(i)] / unit)));
+    }
+  }
+  return exact;
+}
+
+template <class S> std::vector<S> converted(const std::vector<Rational>& numbers) {
+  std::vector<S> result;
+  for (const Rational& x : numbers)
+    if constexpr (std::is_same_v<S, Rational>)
+      result.push_back(x);
+    else
+      result.push_back(x.value());
+  return result;
 }
 
 PivotTrace empty_trace(Index n, Index free_count, const Story& story) {
@@ -68,18 +99,20 @@ void take_solution(const ExactProblem& problem, const Lemke<S>& lemke, PivotTrac
   trace.w = all_traced(trace, w);
 }
 
+/// The ray after the last pivot, without words.
+template <class S> TracedRay& take_ray(const std::vector<S>& v, PivotTrace& trace) {
+  const Index entering = trace.pivots.empty() ? artificial(trace.size)
+                                              : complement(trace.pivots.back().leaving, trace.size);
+  trace.ray = TracedRay{entering, all_traced(trace, v), {}, {}};
+  return *trace.ray;
+}
+
 template <class S> void take_ray(const Lemke<S>& lemke, const Story& story, PivotTrace& trace) {
-  TracedRay ray;
-  ray.entering = trace.pivots.empty() ? artificial(trace.size)
-                                      : complement(trace.pivots.back().leaving, trace.size);
+  TracedRay& ray = take_ray(std::vector<S>(lemke.ray(), lemke.ray() + trace.size), trace);
   std::vector<double> v;
-  for (Index i = 0; i < trace.size; ++i) {
-    ray.v.push_back(traced(trace, lemke.ray()[i]));
-    v.push_back(ray.v.back().value);
-  }
+  for (const TraceNumber& x : ray.v) v.push_back(x.value);
   ray.v0 = traced(trace, lemke.ray_artificial());
   ray.words = story.ray_sentence(ray.entering, v);
-  trace.ray = ray;
 }
 
 std::string reason_of(const PivotTrace& trace, Reason reason) {
@@ -131,11 +164,11 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
   book.max_pivots = options.max_pivots;
 
   OwnedLemke<S> lemke(n);
-  Recorder<S> recorder(trace, story, options);
+  RecordingWatcher<S> watcher(trace, story, options);
   trace.status = lemke.init(problem, book);
-  while (trace.status == Status::running && !trace.cycle) trace.status = lemke.step(recorder);
+  while (trace.status == Status::running && !trace.cycle) trace.status = lemke.step(watcher);
   if constexpr (std::is_same_v<S, double>) distrust(options, trace);
-  trace.last = recorder.tableau(lemke.dictionary());
+  if (!trace.last) trace.last = watcher.tableau(lemke.dictionary());
   if (trace.status == Status::solved) take_solution(given, lemke, trace);
   if (trace.status == Status::ray) take_ray(lemke, story, trace);
   if (std::is_same_v<S, double> && !all_finite(trace.z)) trace.status = Status::numerical_breakdown;
@@ -143,27 +176,6 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
     trace.reason = reason_of(trace, lemke.reason());
   return trace;
 }
-
-/// The recorder as an observer that the desktop's solvers can be given.
-class RecordingWatcher : public Watcher {
-public:
-  RecordingWatcher(PivotTrace& trace, const Story& story, const PivotOptions& options)
-      : trace_(trace), recorder_(trace, story, options) {}
-
-  void starts(const Lemke<double>& lemke) override { recorder_.starts(lemke); }
-  Index leaves(const Lemke<double>& lemke, const Turn& turn) override {
-    return recorder_.leaves(lemke, turn);
-  }
-  void stepped(const Lemke<double>& lemke) override {
-    recorder_.stepped(lemke);
-    trace_.cycle.reset(); // covers and refactorisations may come back to a basis
-    if (lemke.status() != Status::running) trace_.last = recorder_.tableau(lemke.dictionary());
-  }
-
-private:
-  PivotTrace& trace_;
-  Recorder<double> recorder_;
-};
 
 PivotTrace real_trace(Index n, Index free_count, const Story& story) {
   PivotTrace trace = empty_trace(n, free_count, story);
@@ -186,6 +198,9 @@ void take_basic_z(PivotTrace& trace) {
 
 } // namespace
 
+ExactProblem exact_problem(const SceneOf<Rational>& scene) { return si_problem(scene); }
+ExactProblem exact_problem(const SceneFile& scene) { return si_problem(scene); }
+
 PivotTrace trace_pivots(const ExactProblem& problem, const PivotOptions& options,
                         const Story& story) {
   return options.is_exact ? trace_by<Rational>(problem, options, story)
@@ -195,7 +210,7 @@ PivotTrace trace_pivots(const ExactProblem& problem, const PivotOptions& options
 PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& story) {
   const Layout<double>& layout = push.layout();
   PivotTrace trace = real_trace(layout.size, layout.actuators, story);
-  RecordingWatcher watcher(trace, story, options);
+  RecordingWatcher<double> watcher(trace, story, options);
   PushOptions pushing;
   pushing.other_covers = 0;
   pushing.dense = true; // to show the dictionary
@@ -210,33 +225,26 @@ PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& sto
     }
   if (report.status == Status::solved) take_basic_z(trace);
   if (report.status == Status::ray) {
-    TracedRay ray;
-    ray.entering = complement(trace.pivots.back().leaving, layout.size);
-    ray.v.resize(static_cast<std::size_t>(layout.size));
+    std::vector<double> v(static_cast<std::size_t>(layout.size));
     for (const NamedValue& entry : report.ray)
-      ray.v[static_cast<std::size_t>(entry.unknown)] = traced(trace, entry.value);
-    for (const std::string& sentence : jam_sentences(push.file(), report.jam))
-      ray.words += (ray.words.empty() ? "" : "\n") + sentence;
-    trace.ray = ray;
+      v[static_cast<std::size_t>(entry.unknown)] = entry.value;
+    take_ray(v, trace).words = joined(jam_sentences(push.file(), report.jam), "\n");
   }
   return trace;
 }
 
 PivotTrace trace_solve(const RawProblem& problem, const PivotOptions& options, const Story& story) {
   PivotTrace trace = real_trace(problem.M.rows, 0, story);
-  RecordingWatcher watcher(trace, story, options);
+  RecordingWatcher<double> watcher(trace, story, options);
   RawOptions solving;
   solving.watcher = &watcher;
   const RawAnswer answer = solve_raw(problem, solving);
   trace.status = answer.status;
-  for (const double x : answer.z) trace.z.push_back(traced(trace, x));
-  for (const double x : answer.w) trace.w.push_back(traced(trace, x));
+  trace.z = all_traced(trace, answer.z);
+  trace.w = all_traced(trace, answer.w);
   if (answer.status == Status::ray) {
-    TracedRay ray;
-    ray.entering = complement(trace.pivots.back().leaving, trace.size);
-    for (const double x : answer.ray) ray.v.push_back(traced(trace, x));
+    TracedRay& ray = take_ray(answer.ray, trace);
     ray.words = story.ray_sentence(ray.entering, answer.ray);
-    trace.ray = ray;
   }
   if (answer.status != Status::solved) trace.reason = reason_of(trace, answer.reason);
   return trace;

@@ -7,20 +7,13 @@ namespace lcpush::desktop {
 namespace {
 
 void put(std::string& page, const std::string& placeholder, const std::string& text) {
-  const std::size_t at = page.find(placeholder);
-  page.replace(at, placeholder.size(), text);
+  page.replace(page.find(placeholder), placeholder.size(), text);
 }
 
 /// No "</script>" and no "<!--" may end the element that the JSON stands in.
 std::string embedded(const std::string& json) {
   std::string text;
-  text.reserve(json.size());
-  for (const char c : json) {
-    if (c == '<')
-      text += "\\u003c";
-    else
-      text += c;
-  }
+  for (const char c : json) c == '<' ? text += "\\u003c" : text += c;
   return text;
 }
 

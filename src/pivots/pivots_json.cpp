@@ -3,32 +3,21 @@
 #include "pivots/explorer_scene.hpp"
 
 namespace lcpush::desktop {
-namespace {
 
-void write(JsonWriter& json, const TraceNumber& x) {
-  if (x.fraction.empty())
-    json.value(x.value);
+// JsonWriter finds these by their types.
+
+static void write(JsonWriter& json, const TraceNumber& x) {
+  x.fraction.empty() ? json.value(x.value) : json.value(x.fraction);
+}
+
+static void write(JsonWriter& json, const TraceValue& value) {
+  if (value.has_S())
+    json.begin_array().value(value.times_S).value(value.finite).end_array();
   else
-    json.value(x.fraction);
+    json.value(value.finite);
 }
 
-void write(JsonWriter& json, const TraceValue& value) {
-  if (!value.has_S()) return write(json, value.finite);
-  json.begin_array();
-  write(json, value.times_S);
-  write(json, value.finite);
-  json.end_array();
-}
-
-template <class T> void write(JsonWriter& json, const std::optional<T>& data) {
-  data ? write(json, *data) : void(json.value(nullptr));
-}
-
-template <class T> void write(JsonWriter& json, const std::vector<T>& list) {
-  json.begin_array();
-  for (const T& x : list) write(json, x);
-  json.end_array();
-}
+namespace {
 
 class Writer {
 public:
@@ -52,16 +41,27 @@ public:
     json.objects("runs", trace_.runs, [&](const TracedRun& run) { write_run(run); });
     write_end();
     json.key("scene");
-    push != nullptr ? write_scene(json, *push, !tableaus) : null();
-    json.end_object();
-    return json.text();
+    push != nullptr ? write_scene(json, *push, !tableaus) : void(json.value(nullptr));
+    return json.end_object().text();
   }
 
 private:
   const PivotTrace& trace_;
   JsonWriter json;
 
-  void null() { json.value(nullptr); }
+  /// The key and an object, `write_members` its members; null if there is no such thing.
+  template <class T, class Write>
+  void object(const char* key, const T* data, const Write& write_members) {
+    json.key(key);
+    if (data == nullptr) return void(json.value(nullptr));
+    json.begin_object();
+    write_members(*data);
+    json.end_object();
+  }
+  template <class T, class Write>
+  void object(const char* key, const std::optional<T>& data, const Write& write_members) {
+    object(key, data ? &*data : nullptr, write_members);
+  }
 
   const char* rule() const {
     for (const TracedPivot& pivot : trace_.pivots)
@@ -70,19 +70,11 @@ private:
     return trace_.rule == TieRule::lexicographic ? "lexicographic" : "generic";
   }
 
-  std::vector<std::string> names(const std::vector<Index>& variables) const {
-    std::vector<std::string> result;
-    for (const Index variable : variables) result.push_back(trace_.name(variable));
-    return result;
-  }
-
-  void write_tableau(const Tableau& tableau, const TracedPivot* pivot) {
-    json.begin_object().member("rows", names(tableau.rows));
-    json.member("columns", names(tableau.columns));
-    json.key("values");
-    write(json, tableau.values);
-    json.key("entries").begin_array();
-    for (std::size_t i = 0; i < tableau.rows.size(); ++i) {
+  void write_tableau(const Tableau& tableau) {
+    json.member("rows", trace_.names(tableau.rows))
+        .member("columns", trace_.names(tableau.columns));
+    json.member("values", tableau.values);
+    json.list("entries", tableau.rows.size(), [&](std::size_t i) {
       std::vector<double> values;
       std::vector<std::string> fractions;
       for (std::size_t j = 0; j < tableau.columns.size(); ++j) {
@@ -90,60 +82,42 @@ private:
         fractions.push_back(tableau.entry(i, j).fraction);
       }
       fractions[0].empty() ? json.value(values) : json.value(fractions);
-    }
-    json.end_array();
-    if (pivot != nullptr) json.member("row", pivot->row).member("column", pivot->column);
-    json.end_object();
+    });
   }
 
   void write_pivot(const TracedPivot& pivot, bool tableaus) {
     json.member("entering", trace_.name(pivot.entering));
-    json.member("leaving", trace_.name(pivot.leaving)).key("ratios");
-    write(json, pivot.ratios);
-    json.member("ties", names(pivot.ties)).member("tie_break", tie_words(pivot).name);
-    json.key("z0");
-    write(json, pivot.z0);
-    json.member("basis", names(pivot.basis)).member("sentence", pivot.sentence);
-    json.member("run", pivot.run).key("tableau");
-    pivot.before&& tableaus ? write_tableau(*pivot.before, &pivot) : null();
+    json.member("leaving", trace_.name(pivot.leaving)).member("ratios", pivot.ratios);
+    json.member("ties", trace_.names(pivot.ties)).member("tie_break", tie_words(pivot).name);
+    json.member("z0", pivot.z0).member("basis", trace_.names(pivot.basis));
+    json.member("sentence", pivot.sentence).member("run", pivot.run);
+    object("tableau", tableaus && pivot.before ? &*pivot.before : nullptr,
+           [&](const Tableau& before) {
+             write_tableau(before);
+             json.member("row", pivot.row).member("column", pivot.column);
+           });
   }
 
   void write_run(const TracedRun& run) {
     json.member("title", run.title).member("first_pivot", run.first_pivot);
-    json.member("units", run.unit).key("start");
-    write_tableau(run.start, nullptr);
+    json.member("units", run.unit).key("start").begin_object();
+    write_tableau(run.start);
+    json.end_object();
   }
 
   void write_end() {
-    json.key("final");
-    trace_.last ? write_final(*trace_.last) : null();
-    json.key("ray");
-    trace_.ray ? write_ray(*trace_.ray) : null();
-    json.key("cycle");
-    trace_.cycle ? write_cycle(*trace_.cycle) : null();
-  }
-
-  void write_final(const Tableau& last) {
-    json.begin_object().member("basis", names(last.rows)).key("tableau");
-    write_tableau(last, nullptr);
-    json.key("z");
-    trace_.z.empty() ? null() : write(json, trace_.z);
-    json.key("w");
-    trace_.w.empty() ? null() : write(json, trace_.w);
-    json.end_object();
-  }
-
-  void write_ray(const TracedRay& ray) {
-    json.begin_object().member("entering", trace_.name(ray.entering)).key("v");
-    write(json, ray.v);
-    json.key("v0");
-    write(json, ray.v0);
-    json.member("words", ray.words).end_object();
-  }
-
-  void write_cycle(const Cycle& cycle) {
-    json.begin_object().member("from_pivot", cycle.first).member("length", cycle.length);
-    json.end_object();
+    object("final", trace_.last, [&](const Tableau& last) {
+      json.member("basis", trace_.names(last.rows)).key("tableau").begin_object();
+      write_tableau(last);
+      json.end_object().member("z", unless_empty(trace_.z)).member("w", unless_empty(trace_.w));
+    });
+    object("ray", trace_.ray, [&](const TracedRay& ray) {
+      json.member("entering", trace_.name(ray.entering)).member("v", ray.v).member("v0", ray.v0);
+      json.member("words", ray.words);
+    });
+    object("cycle", trace_.cycle, [&](const Cycle& cycle) {
+      json.member("from_pivot", cycle.first).member("length", cycle.length);
+    });
   }
 };
 

@@ -38,9 +38,7 @@ std::string array_latex(const PivotTrace& trace, const Tableau& tableau, const T
     text += "  " + name_latex(trace, tableau.rows[i]) + " & " + value_latex(tableau.values[i]);
     for (std::size_t j = 0; j < tableau.columns.size(); ++j) {
       const std::string cell = number_latex(tableau.entry(i, j));
-      const bool is_pivot = pivot != nullptr && static_cast<Index>(i) == pivot->row &&
-                            static_cast<Index>(j) == pivot->column;
-      text += " & " + (is_pivot ? "\\boxed{" + cell + "}" : cell);
+      text += " & " + (pivot != nullptr && pivot->is_at(i, j) ? "\\boxed{" + cell + "}" : cell);
     }
     if (pivot != nullptr) text += " & " + (pivot->ratios[i] ? value_latex(*pivot->ratios[i]) : "");
     text += " \\\\\n";

@@ -1,5 +1,6 @@
 #include "lcpush/desktop/pivots.hpp"
 #include "text/format.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -19,8 +20,7 @@ std::string rule_text(const PivotTrace& trace) {
 
 std::string header(const PivotTrace& trace) {
   std::string text = trace.title.empty() ? "" : trace.title + "\n";
-  text += std::to_string(trace.size) + (trace.size == 1 ? " unknown" : " unknowns") +
-          "; tie rule: " + rule_text(trace) + "; " +
+  text += counted(trace.size, "unknown") + "; tie rule: " + rule_text(trace) + "; " +
           (trace.has_fractions ? "exact fractions" : "decimals") + ".\n";
   if (trace.free_count > 0)
     text += "S stands for a number larger than all others: actuators retreat at most at S.\n";
@@ -35,17 +35,9 @@ std::string legend(const PivotTrace& trace) {
   for (Index i = 0; i < trace.size; ++i) {
     const Variable& w = trace.variables[static_cast<std::size_t>(slack(i))];
     const Variable& z = trace.variables[static_cast<std::size_t>(unknown(i, trace.size))];
-    rows.push_back({"  " + z.name, z.meaning, w.name, w.meaning});
+    rows.push_back({z.name, z.meaning, w.name, w.meaning});
   }
-  std::vector<std::size_t> width(3, 0);
-  for (const auto& row : rows)
-    for (std::size_t c = 0; c < 3; ++c) width[c] = std::max(width[c], row[c].size());
-  std::string text = "\n";
-  for (auto& row : rows) {
-    for (std::size_t c = 0; c < 3; ++c) row[c].resize(width[c] + 2, ' ');
-    text += row[0] + row[1] + row[2] + row[3] + "\n";
-  }
-  return text;
+  return "\n" + table_text(rows, 4);
 }
 
 std::string pivot_line(const PivotTrace& trace, std::size_t k) {
@@ -55,12 +47,9 @@ std::string pivot_line(const PivotTrace& trace, std::size_t k) {
   const auto& ratio = pivot.ratios[static_cast<std::size_t>(pivot.row)];
   if (ratio) text += " at " + value_text(*ratio);
   text += "; z0 = " + value_text(pivot.z0) + "\n";
-  if (!pivot.ties.empty()) {
-    std::string tied;
-    for (const Index variable : pivot.ties)
-      tied += (tied.empty() ? "" : ", ") + trace.name(variable);
-    text += "  tied: " + tied + "; " + tie_words(pivot).text + "\n";
-  }
+  if (!pivot.ties.empty())
+    text +=
+        "  tied: " + joined(trace.names(pivot.ties), ", ") + "; " + tie_words(pivot).text + "\n";
   return text + "  " + pivot.sentence + "\n";
 }
 
@@ -85,8 +74,7 @@ std::string unknown_text(const PivotTrace& trace, std::size_t i) {
 
 std::string ending(const PivotTrace& trace) {
   std::string text = "\n";
-  const std::string count =
-      std::to_string(trace.pivots.size()) + (trace.pivots.size() == 1 ? " pivot" : " pivots");
+  const std::string count = counted(static_cast<Index>(trace.pivots.size()), "pivot");
   if (trace.status == Status::solved) {
     text += "Solved after " + count + (trace.is_proved ? ", proved in fractions" : "") + ".\n";
     for (std::size_t i = 0; i < trace.z.size(); ++i)
@@ -132,17 +120,14 @@ TieWords tie_words(const TracedPivot& pivot) {
 
 std::string tableau_text(const PivotTrace& trace, const Tableau& tableau,
                          const TracedPivot* pivot) {
-  std::vector<std::vector<std::string>> rows;
-  rows.push_back({"", "value"});
-  for (const Index variable : tableau.columns) rows[0].push_back(trace.name(variable));
+  std::vector<std::vector<std::string>> rows{trace.names(tableau.columns)};
+  rows[0].insert(rows[0].begin(), {"", "value"});
   if (pivot != nullptr) rows[0].push_back("ratio");
   for (std::size_t i = 0; i < tableau.rows.size(); ++i) {
     std::vector<std::string> row = {trace.name(tableau.rows[i]), value_text(tableau.values[i])};
     for (std::size_t j = 0; j < tableau.columns.size(); ++j) {
       std::string cell = number_text(tableau.entry(i, j));
-      const bool is_pivot = pivot != nullptr && static_cast<Index>(i) == pivot->row &&
-                            static_cast<Index>(j) == pivot->column;
-      row.push_back(is_pivot ? "[" + cell + "]" : cell);
+      row.push_back(pivot != nullptr && pivot->is_at(i, j) ? "[" + cell + "]" : cell);
     }
     if (pivot != nullptr)
       row.push_back(pivot->ratios[i] ? value_text(*pivot->ratios[i]) : std::string("-"));

@@ -18,9 +18,12 @@ struct Cell {
   double bound; ///< N, mu |lambda|
 };
 
+double friction_bound(const Body<double>& body, Index point, const PushReport& report) {
+  return body.friction * std::abs(report.answer.contacts[point].normal_force);
+}
+
 bool has_friction(const Body<double>& body, Index point, const PushReport& report) {
-  return body.friction * std::abs(report.answer.contacts[point].normal_force) >
-         1e-9 * report.scales.force;
+  return friction_bound(body, point, report) > 1e-9 * report.scales.force;
 }
 
 /// The first points of each body, as many of each as there is room for.
@@ -31,17 +34,16 @@ std::vector<Cell> cells_of(const Scene<double>& scene, const PushReport& report)
     Index drawn = 0;
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
       if (has_friction(body, i, report) && drawn++ < room)
-        cells.push_back(
-            {i, &body, body.friction * std::abs(report.answer.contacts[i].normal_force)});
+        cells.push_back({i, &body, friction_bound(body, i, report)});
   }
   return cells;
 }
 
 /// "left.3", the body's name cut where it is long.
 std::string cell_name(const SceneFile& file, Index point) {
-  const auto body = static_cast<std::size_t>(file.body_of(point));
-  const std::string number = "." + std::to_string(point - file.bodies[body].first_point + 1);
-  return shortened(file.body_names[body], 15 - number.size()) + number;
+  const Index b = file.body_of(point);
+  const std::string number = "." + std::to_string(point - file.body(b).first_point + 1);
+  return shortened(file.body_name(b), 15 - number.size()) + number;
 }
 
 /// t to the right, o up, as seen along the normal from inside the object.

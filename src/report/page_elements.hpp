@@ -2,29 +2,93 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "draw/markup.hpp"
 #include "solve/push_words.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::desktop {
 
-std::string paragraph(const std::string& text, const std::string& kind = "");
+inline std::string paragraph(const std::string& text, const std::string& kind = "") {
+  return "<p" + (kind.empty() ? "" : " class=\"" + kind + "\"") + ">" + escaped(text) + "</p>\n";
+}
+
 /// Escaped; lines stay lines.
-std::string with_breaks(const std::string& text);
-std::string facts_html(const std::vector<Fact>& facts);
+inline std::string with_breaks(const std::string& text) {
+  std::vector<std::string> lines;
+  for (const std::string_view line : split_at(text, '\n'))
+    lines.push_back(escaped(std::string(line)));
+  return joined(lines, "<br/>");
+}
+
+inline std::string facts_html(const std::vector<Fact>& facts) {
+  std::string text = "<dl class=\"facts\">\n";
+  for (const Fact& fact : facts)
+    text +=
+        "<div><dt>" + escaped(fact.label) + "</dt><dd>" + with_breaks(fact.text) + "</dd></div>\n";
+  return text + "</dl>\n";
+}
+
 /// A list, or nothing.
-std::string list_html(const std::vector<std::string>& sentences);
-std::string paragraphs_html(const std::vector<std::string>& sentences);
+inline std::string list_html(const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return "";
+  std::string text = "<ul>\n";
+  for (const std::string& sentence : sentences) text += "<li>" + escaped(sentence) + "</li>\n";
+  return text + "</ul>\n";
+}
+
+inline std::string paragraphs_html(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += paragraph(sentence);
+  return text;
+}
+
 /// A box that scrolls by itself, also by the keyboard.
-std::string scrolling(const std::string& label, const std::string& inside);
+inline std::string scrolling(const std::string& label, const std::string& inside) {
+  return "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"" + escaped(label) +
+         "\">\n" + inside + "</div>\n";
+}
+
 /// The first row holds the heads of the columns, the first column those of the rows; cells are
 /// HTML.
-std::string table_html(const std::string& caption,
-                       const std::vector<std::vector<std::string>>& rows);
+inline std::string table_html(const std::string& caption,
+                              const std::vector<std::vector<std::string>>& rows) {
+  std::string text =
+      "<table>\n<caption><span>" + escaped(caption) + "</span></caption>\n<thead>\n<tr>";
+  for (const std::string& cell : rows[0]) text += "<th scope=\"col\">" + cell + "</th>";
+  text += "</tr>\n</thead>\n<tbody>\n";
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    text += "<tr><th scope=\"row\">" + rows[r][0] + "</th>";
+    for (std::size_t c = 1; c < rows[r].size(); ++c) text += "<td>" + rows[r][c] + "</td>";
+    text += "</tr>\n";
+  }
+  return scrolling(caption, text + "</tbody>\n</table>\n");
+}
+
 /// A plot that stands in its document's own style, which would reach the whole page otherwise.
 /// `words`: for those who do not see it.
-std::string plot_image(const std::string& svg, const std::string& words);
-std::string figure(const Drawing& drawing, const std::string& caption);
+inline std::string plot_image(const std::string& svg, const std::string& words) {
+  constexpr const char* digits = "0123456789ABCDEF";
+  std::string data;
+  for (const char c : svg) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') ||
+                          std::string_view("-_.~:/;=,()").find(c) != std::string_view::npos;
+    if (is_plain)
+      data += c;
+    else
+      (((data += '%') += digits[byte >> 4U]) += digits[byte & 15U]);
+  }
+  return "<img class=\"plot\" alt=\"" + escaped(words) + "\" src=\"data:image/svg+xml," + data +
+         "\"/>\n";
+}
+
+inline std::string figure(const Drawing& drawing, const std::string& caption) {
+  return "<figure>\n" + svg_element(drawing) + "<figcaption>" + escaped(caption) +
+         "</figcaption>\n</figure>\n";
+}
 
 } // namespace lcpush::desktop

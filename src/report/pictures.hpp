@@ -2,10 +2,30 @@
 // motions, and the axis that the object turns about.
 #pragma once
 
+#include <cmath>
+
 #include "draw/marks.hpp"
-#include "report/scene_view.hpp"
+#include "draw/view.hpp"
+#include "lcpush/desktop/push.hpp"
 
 namespace lcpush::desktop {
+
+/// A front view, and of the other two the one that shows more: where gravity points along z, that
+/// axis is up.
+std::vector<View> chosen_views(const SceneFile& file);
+
+/// Does the object turn about an axis?
+inline bool turns(const Motion<double>& motion) {
+  return motion.kind != MotionKind::rest && motion.kind != MotionKind::slide;
+}
+/// Is the axis a screw's? `length`: the size of the grasp, m.
+inline bool has_pitch(const Motion<double>& motion, double length) {
+  return std::abs(motion.pitch) > 1e-6 * length;
+}
+/// Is the axis a point in the view, the instantaneous centre?
+inline bool is_along_sight(const View& view, const Vector3<double>& axis) {
+  return view.flat(axis).norm() <= 1e-6;
+}
 
 /// One picture a view, to the same scales. Without an answer it shows the prescribed motions, and
 /// of a jam who squeezes.

@@ -1,5 +1,7 @@
 #include "lcpush/desktop/report_page.hpp"
 
+#include <algorithm>
+
 #include "lcpush/lcp/tolerances.hpp"
 #include "lcpush/version.hpp"
 #include "report/page_elements.hpp"
@@ -17,19 +19,23 @@ struct Section {
   std::string id, title, inside;
 };
 
-std::string failure_box(Status status, const std::string& reason, const std::string& more) {
-  return "<div class=\"failure\">\n<p><strong>NOT SOLVED (" + std::string(status_text(status)) +
-         ")</strong>: " + escaped(reason) + ".</p>\n" + more + "</div>\n";
+std::string failure_box(const std::string& inside) {
+  return "<div class=\"failure\">\n" + inside + "</div>\n";
+}
+
+std::string not_solved(Status status, const std::string& reason) {
+  return std::string("<p><strong>NOT SOLVED (") + status_text(status) +
+         ")</strong>: " + escaped(reason) + ".</p>\n";
 }
 
 std::string failure_html(const SceneFile& file, const RunReport& report) {
-  if (report.ray.empty()) return failure_box(report.status, report.reason, "");
+  const std::string failure = not_solved(report.status, report.reason);
+  if (report.ray.empty()) return failure_box(failure);
   std::vector<std::vector<std::string>> rows{{"unknown", "value"}};
   for (const NamedValue& entry : report.ray)
     rows.push_back({escaped(entry.name), number(entry.value)});
-  return failure_box(report.status, report.reason,
-                     paragraphs_html(jam_findings(file, report.jam)) +
-                         list_html(jam_remedies(report.jam))) +
+  return failure_box(failure + paragraphs_html(jam_findings(file, report.jam)) +
+                     list_html(jam_remedies(report.jam))) +
          "<details>\n<summary>The ray in numbers</summary>\n" +
          table_html("The ray, largest entry 1", rows) + "</details>\n";
 }
@@ -75,11 +81,9 @@ std::string legend(const SceneFile& file, const PushReport& push) {
 std::string verdict(const PageContent& content) {
   const PushReport& push = content.push;
   if (push.status != Status::solved) return failure_html(content.file, push);
-  std::string text;
-  if (content.breaking != nullptr && content.breaking->status == Status::does_not_hold)
-    text =
-        "<div class=\"failure\">\n" + paragraph(does_not_hold_text(*content.breaking)) + "</div>\n";
-  return text +
+  const bool holds =
+      content.breaking == nullptr || content.breaking->status != Status::does_not_hold;
+  return (holds ? "" : failure_box(paragraph(does_not_hold_text(*content.breaking)))) +
          paragraph("The push as prescribed is solved. The largest scaled residual is " +
                        residual_text(push.residuals.max()) + ", checked apart from the solver.",
                    "verdict");
@@ -138,14 +142,24 @@ Section contacts_section(const PageContent& content) {
   return {"contacts", "Contacts", text};
 }
 
+/// Do the same bodies squeeze at the same points? Their numbers differ by rounding.
+bool is_same_jam(const Jam& a, const Jam& b) {
+  const auto is_same_body = [](const JamBody& one, const JamBody& other) {
+    return one.body == other.body && one.points == other.points;
+  };
+  return a.running_away == b.running_away && a.uses_friction == b.uses_friction &&
+         std::equal(a.bodies.begin(), a.bodies.end(), b.bodies.begin(), b.bodies.end(),
+                    is_same_body);
+}
+
 Section breaking_section(const PageContent& content) {
   const BreakReport& report = *content.breaking;
   std::string text;
   if (report.status == Status::does_not_hold)
-    text = "<div class=\"failure\">\n" + paragraph(does_not_hold_text(report)) + "</div>\n";
+    text = failure_box(paragraph(does_not_hold_text(report)));
   else if (report.status == content.push.status && report.status != Status::solved &&
-           jam_sentences(content.file, report.jam) == jam_sentences(content.file, content.push.jam))
-    text = failure_box(report.status, "it ends as the push itself does, above", "");
+           is_same_jam(report.jam, content.push.jam))
+    text = failure_box(not_solved(report.status, "it ends as the push itself does, above"));
   else if (report.status != Status::solved)
     text = failure_html(content.file, report);
   else
@@ -178,16 +192,14 @@ Section sweeps_section(const PageContent& content) {
   std::string text;
   for (const Sweep& sweep : content.sweeps) {
     const std::string title = sweep_title(sweep);
-    const std::vector<std::string> changes = sweep_changes(sweep);
     text += "<h3>" + escaped(title) + "</h3>\n<figure>\n" +
             scrolling(title, plot_image(sweep_svg(sweep, title),
                                         title + ", a plot; the same stands below in words and "
                                                 "numbers")) +
             "</figure>\n";
     if (!sweep.complete)
-      text += "<div class=\"failure\">\n" +
-              paragraph("Some values have no answer; the numbers below say which.") + "</div>\n";
-    text += list_html(changes);
+      text += failure_box(paragraph("Some values have no answer; the numbers below say which."));
+    text += list_html(sweep_changes(sweep));
     text +=
         "<details>\n<summary>The same in numbers</summary>\n" +
         scrolling(title + ", in numbers", "<pre>" + with_breaks(sweep_text(sweep)) + "</pre>\n") +
@@ -198,24 +210,23 @@ Section sweeps_section(const PageContent& content) {
 
 Section residual_section(const PageContent& content) {
   const double tolerance = Tolerances<double>().residual;
-  const bool two = content.breaking != nullptr && content.breaking->status == Status::solved;
-  std::vector<std::vector<std::string>> rows{{"law", "equation", "push"}};
-  if (two) rows[0].emplace_back("breaking");
-  rows[0].emplace_back("tolerance");
-  rows[0].emplace_back("verdict");
-  const std::vector<LawRow> push = law_rows(content.push.residuals);
-  const std::vector<LawRow> breaking =
-      two ? law_rows(content.breaking->breaking.residuals) : std::vector<LawRow>{};
-  for (std::size_t k = 0; k < push.size(); ++k) {
-    bool holds = push[k].residual <= tolerance;
-    rows.push_back({push[k].name, push[k].tag, residual_text(push[k].residual)});
-    if (two) {
-      holds = holds && breaking[k].residual <= tolerance;
-      rows.back().push_back(residual_text(breaking[k].residual));
+  std::vector<std::vector<std::string>> rows{{"law", "equation"}};
+  for (const LawRow& law : law_rows(content.push.residuals)) rows.push_back({law.name, law.tag});
+  std::vector<bool> holds(rows.size(), true);
+  const auto add = [&](const char* what, const Residuals<double>& residuals) {
+    rows[0].emplace_back(what);
+    std::size_t k = 0;
+    for (const LawRow& law : law_rows(residuals)) {
+      rows[++k].push_back(residual_text(law.residual));
+      holds[k] = holds[k] && law.residual <= tolerance;
     }
-    rows.back().push_back(residual_text(tolerance));
-    rows.back().emplace_back(holds ? "holds" : "BROKEN");
-  }
+  };
+  add("push", content.push.residuals);
+  if (content.breaking != nullptr && content.breaking->status == Status::solved)
+    add("breaking", content.breaking->breaking.residuals);
+  rows[0].insert(rows[0].end(), {"tolerance", "verdict"});
+  for (std::size_t k = 1; k < rows.size(); ++k)
+    rows[k].insert(rows[k].end(), {residual_text(tolerance), holds[k] ? "holds" : "BROKEN"});
   return {"laws", "How well the laws hold",
           "<div class=\"single\">\n" +
               figure(residual_picture(content.push.residuals),
@@ -227,10 +238,10 @@ Section residual_section(const PageContent& content) {
 } // namespace
 
 bool is_solved(const PageContent& content) {
-  bool solved = content.push.status == Status::solved;
-  if (content.breaking != nullptr) solved = solved && content.breaking->status == Status::solved;
-  for (const Sweep& sweep : content.sweeps) solved = solved && sweep.complete;
-  return solved;
+  return content.push.status == Status::solved &&
+         (content.breaking == nullptr || content.breaking->status == Status::solved) &&
+         std::all_of(content.sweeps.begin(), content.sweeps.end(),
+                     [](const Sweep& sweep) { return sweep.complete; });
 }
 
 std::vector<Picture> report_pictures(const PageContent& content) {

@@ -30,11 +30,11 @@ Frame ScenePainter::extent(const SceneFile& file, const PushReport& report, cons
     shown.push_back(view.flat(corner));
   for (const auto& position : file.positions) shown.push_back(view.flat(position));
   const Frame frame = bounds(shown);
-  if (report.status != Status::solved) return frame;
-  const auto turning = turning_mark(file, report.motion, view, report.scales.length);
-  if (!turning || !turning->is_point) return frame;
+  const Motion<double>& motion = report.motion;
+  if (report.status != Status::solved || !turns(motion) || !is_along_sight(view, motion.axis))
+    return frame;
   // Its centre too, unless that would make everything else small.
-  const Pixel center = view.flat(turning->at);
+  const Pixel center = view.flat(file.object.center_of_mass + motion.axis_point);
   const double reach = 0.6 * std::max(frame.width(), frame.height());
   if (center.x() > frame.left - reach && center.x() < frame.right + reach &&
       center.y() > frame.top - reach && center.y() < frame.bottom + reach)
@@ -47,10 +47,6 @@ Pixel ScenePainter::place(const Vector3<double>& position) const {
   return Pixel(width / 2, height_ / 2) + scales_.meters * (view_.flat(position) - middle);
 }
 
-const ContactAnswer<double>* ScenePainter::contact(Index point) const {
-  return scales_.shows_forces ? &report_.answer.contacts[point] : nullptr;
-}
-
 Vector3<double> ScenePainter::body_middle(const Body<double>& body) const {
   Vector3<double> sum = Vector3<double>::Zero();
   for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
@@ -58,13 +54,20 @@ Vector3<double> ScenePainter::body_middle(const Body<double>& body) const {
   return sum / static_cast<double>(body.point_count);
 }
 
-/// Of the middle of its points: what is prescribed, and what its actuators add.
+Vector3<double> ScenePainter::point_acceleration(const Scene<double>& scene,
+                                                 const Body<double>& body, Index point,
+                                                 const PushReport& report) {
+  if (report.status != Status::solved)
+    return acceleration_at(scene.points[point], body.acceleration);
+  return acceleration_at(scene.points[point], report.answer.acceleration) -
+         report.answer.contacts[point].acceleration;
+}
+
+/// Of the middle of its points.
 Vector3<double> ScenePainter::body_acceleration(const Body<double>& body) const {
   Vector3<double> sum = Vector3<double>::Zero();
   for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
-    sum += scales_.shows_forces ? acceleration_at(scene_.points[i], report_.answer.acceleration) -
-                                      report_.answer.contacts[i].acceleration
-                                : acceleration_at(scene_.points[i], body.acceleration);
+    sum += point_acceleration(scene_, body, i, report_);
   return sum / static_cast<double>(body.point_count);
 }
 
@@ -122,7 +125,7 @@ std::string ScenePainter::squeezes() {
 /// "left", "normal 20 N", "friction 10 N", "4 slide".
 std::vector<std::string> ScenePainter::body_words(Index b) const {
   const Body<double>& body = scene_.bodies[b];
-  std::vector<std::string> words{shortened(file_.body_names[static_cast<std::size_t>(b)], 24)};
+  std::vector<std::string> words{shortened(file_.body_name(b), 24)};
   if (!scales_.shows_forces) {
     for (const JamBody& squeezing : report_.jam.bodies)
       if (squeezing.body == b) words.emplace_back("squeezes");
@@ -196,11 +199,6 @@ std::string ScenePainter::placed_labels() const {
   return text;
 }
 
-std::string ScenePainter::axes() {
-  places_.block({0, 0, 58, 54}, 30);
-  return axes_elements(view_);
-}
-
 std::string ScenePainter::scale_bars() {
   const auto bar = [](double left, double y, double length) {
     return path_element("scale", move_to({left, y}) + "v6h" + pixels(length) + "v-6");
@@ -222,7 +220,8 @@ std::string ScenePainter::scale_bars() {
 Drawing ScenePainter::draw() {
   Drawing drawing{view_.name, view_.title, "", width, height_, ""};
   std::string bodies, contacts, modes, motions;
-  const std::string frame = axes() + scale_bars() + outline();
+  places_.block({0, 0, 58, 54}, 30);
+  const std::string frame = axes_elements(view_) + scale_bars() + outline();
   for (const Index b : bodies_back_to_front(view_, scene_.bodies)) {
     const Body<double>& body = scene_.bodies[b];
     bodies += pad(body);

@@ -26,6 +26,9 @@ public:
 
   /// What a view has to show, in metres of the drawing: left, top, right, bottom.
   static Frame extent(const SceneFile& file, const PushReport& report, const View& view);
+  /// Of a point: what its body is told and what its actuators add; without an answer the former.
+  static Vector3<double> point_acceleration(const Scene<double>& scene, const Body<double>& body,
+                                            Index point, const PushReport& report);
 
 private:
   struct Label {
@@ -44,15 +47,12 @@ private:
   std::vector<std::string> words_; // the description's sentences
 
   Pixel place(const Vector3<double>& position) const;
-  const ContactAnswer<double>* contact(Index point) const;
   Vector3<double> body_acceleration(const Body<double>& body) const;
   Vector3<double> body_middle(const Body<double>& body) const;
 
   std::string outline();
   std::string pad(const Body<double>& body);
   std::string forces(const Body<double>& body, Index point);
-  std::string normal_force(const Body<double>& body, const Pixel& tip, const Pixel& tail,
-                           bool is_pressed);
   std::string marks(const Body<double>& body);
   std::string weight();
   std::string squeezes();
@@ -63,7 +63,6 @@ private:
   std::vector<std::string> body_words(Index b) const;
   std::vector<Frame> place_labels(const std::vector<std::size_t>& order, double& cost) const;
   std::string placed_labels() const;
-  std::string axes();
   std::string scale_bars();
 };
 

@@ -1,7 +1,6 @@
 // The layers of a view that show forces and motions.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "report/scene_painter.hpp"
@@ -9,10 +8,9 @@
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
+
 std::string rough_number(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.2e", x);
-  return number(std::strtod(text, nullptr)); // 1000 rather than 1e+03
+  return number(std::strtod(printed("%.2e", x).c_str(), nullptr)); // 1000 rather than 1e+03
 }
 
 std::string mode_verb(Mode mode) {
@@ -26,58 +24,55 @@ std::string mode_mark(Mode mode, const Pixel& at) {
                       mode_text(mode), at);
 }
 
-/// An arrow, or a ring along the line of sight.
-std::string ScenePainter::normal_force(const Body<double>& body, const Pixel& tip,
-                                       const Pixel& tail, bool is_pressed) {
-  const bool is_behind = view_.is_behind(body.normal);
-  if (!(view_.flat(body.normal).norm() > 0.3)) return is_pressed ? sight_ring(tip, is_behind) : "";
-  places_.block_line(tail, tip, 2);
-  return arrow_element(is_behind ? "force normal behind" : "force normal", tail, tip);
-}
-
-/// Forces end at the contact; the cone opens where they come from.
+/// Forces end at the contact; the cone opens where they come from. A normal force along the line of
+/// sight is a ring.
 std::string ScenePainter::forces(const Body<double>& body, Index point) {
-  const ContactAnswer<double>* const answer = contact(point);
-  if (answer == nullptr) return "";
+  if (!scales_.shows_forces) return "";
+  const ContactAnswer<double>& answer = report_.answer.contacts[point];
+  const bool is_behind = view_.is_behind(body.normal);
+  const std::string behind = is_behind ? " behind" : "";
   const Pixel tip = place(file_.positions[static_cast<std::size_t>(point)]);
   places_.block_around(tip, 10, 2);
   const auto from = [&](const Vector3<double>& force) {
     return Pixel(tip - scales_.newtons * view_.flat(force));
   };
-  const Vector3<double> normal = answer->normal_force * body.normal;
+  const Vector3<double> normal = answer.normal_force * body.normal;
   std::string text;
-  const bool is_pressed = answer->normal_force > scales_.no_force;
+  const bool is_pressed = answer.normal_force > scales_.no_force;
   if (is_pressed && body.friction > 0) {
     std::vector<Pixel> rim;
     for (Index j = 0; j < scene_.facets; ++j)
-      rim.push_back(from(normal + body.friction * answer->normal_force *
+      rim.push_back(from(normal + body.friction * answer.normal_force *
                                       generator(body, j, scene_.facets).force));
     rim.push_back(tip);
     const std::vector<Pixel> outline = hull(rim);
     for (const Pixel& corner : outline) places_.block_line(tip, corner, 0.8);
-    text += polygon_element(view_.is_behind(body.normal) ? "cone behind" : "cone", outline);
+    text += polygon_element("cone" + behind, outline);
   }
-  text += normal_force(body, tip, from(normal), is_pressed);
-  const Pixel tail = from(answer->friction_force);
-  places_.block_line(tail, tip, 2);
-  return text +
-         arrow_element(view_.is_behind(body.normal) ? "force friction behind" : "force friction",
-                       tail, tip);
+  const auto arrow = [&](const std::string& kind, const Pixel& tail) {
+    places_.block_line(tail, tip, 2);
+    return arrow_element(kind + behind, tail, tip);
+  };
+  if (view_.flat(body.normal).norm() > 0.3)
+    text += arrow("force normal", from(normal));
+  else if (is_pressed)
+    text += sight_ring(tip, is_behind);
+  return text + arrow("force friction", from(answer.friction_force));
 }
 
 std::string ScenePainter::marks(const Body<double>& body) {
   std::string text;
   for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
     const Pixel at = place(file_.positions[static_cast<std::size_t>(i)]);
-    const ContactAnswer<double>* const answer = contact(i);
-    std::string said = point_name(file_, i);
-    if (answer != nullptr)
-      said += " " + mode_verb(answer->mode) + ", normal force " +
-              number(answer->normal_force, scales_.no_force) + " N, friction " +
-              number(answer->friction_force.norm(), scales_.no_force) + " N";
-    text += "<g><title>" + escaped(said) + "</title>" +
-            (answer != nullptr ? mode_mark(answer->mode, at) : circle_element("mark", at, 3)) +
-            "</g>\n";
+    std::string said = point_name(file_, i), mark = circle_element("mark", at, 3);
+    if (scales_.shows_forces) {
+      const ContactAnswer<double>& answer = report_.answer.contacts[i];
+      said += " " + mode_verb(answer.mode) + ", normal force " +
+              number(answer.normal_force, scales_.no_force) + " N, friction " +
+              number(answer.friction_force.norm(), scales_.no_force) + " N";
+      mark = mode_mark(answer.mode, at);
+    }
+    text += "<g><title>" + escaped(said) + "</title>" + mark + "</g>\n";
   }
   return text;
 }
@@ -135,30 +130,30 @@ std::string ScenePainter::away_mark(const Pixel& center, const std::string& name
 
 /// The instantaneous centre, or the axis as a line; of a screw with its pitch.
 std::string ScenePainter::turning_axis() {
-  if (!scales_.shows_forces) return "";
-  const auto mark = turning_mark(file_, report_.motion, view_, report_.scales.length);
-  if (!mark) return "";
-  const std::string pitch = "pitch " + rough_number(1000 * mark->pitch) + " mm/rad";
-  const Pixel at = place(mark->at);
-  if (mark->is_point) {
-    const std::string name = mark->is_screw ? "screw axis" : "instantaneous centre";
-    const std::string more = mark->is_screw ? ", " + pitch : "";
+  const Motion<double>& motion = report_.motion;
+  if (!scales_.shows_forces || !turns(motion)) return "";
+  const bool is_screw = has_pitch(motion, report_.scales.length);
+  const std::string pitch = "pitch " + rough_number(1000 * motion.pitch) + " mm/rad";
+  const Vector3<double> point = file_.object.center_of_mass + motion.axis_point;
+  const Pixel at = place(point);
+  if (is_along_sight(view_, motion.axis)) {
+    const std::string name = is_screw ? "screw axis" : "instantaneous centre";
+    const std::string more = is_screw ? ", " + pitch : "";
     if (at.x() < 8 || at.y() < 8 || at.x() > width - 8 || at.y() > height_ - 8)
       return away_mark(at, name, more);
     places_.block_around(at, 8, 3);
     labels_.push_back({{name + more}, at, Pixel::Zero(), at});
     words_.push_back("It turns about the " + name + more + " at " +
-                     vector_text(mark->at, 1e-9 * report_.scales.length) + " m.");
+                     vector_text(point, 1e-9 * report_.scales.length) + " m.");
     return turning_center(at);
   }
-  const std::string name = mark->is_screw ? "screw axis" : "axis of turning";
-  words_.push_back("Its " + name +
-                   (mark->is_screw ? " has " + pitch + "." : " lies in the picture."));
-  const auto line = clipped_line(at, view_.flat(mark->along), width, height_);
+  const std::string name = is_screw ? "screw axis" : "axis of turning";
+  words_.push_back("Its " + name + (is_screw ? " has " + pitch + "." : " lies in the picture."));
+  const auto line = clipped_line(at, view_.flat(motion.axis), width, height_);
   if (!line) return away_mark(at, name, "");
   places_.block_line(line->first, line->second, 1);
   std::vector<std::string> lines{name};
-  if (mark->is_screw) lines.push_back(pitch);
+  if (is_screw) lines.push_back(pitch);
   const Pixel near = line->first + 0.85 * (line->second - line->first);
   labels_.push_back({lines, near, Pixel::Zero(), near});
   return line_element("screw", line->first, line->second);
@@ -181,6 +176,17 @@ std::string ScenePainter::body_motion(Index b) {
   return text;
 }
 
+std::vector<View> chosen_views(const SceneFile& file) {
+  const Vector3<double> pull = file.gravity.cwiseAbs();
+  if (pull.z() > std::max(pull.x(), pull.y())) {
+    const double up = file.gravity.z() < 0 ? 1 : -1;
+    const Vector3<double> x(1, 0, 0), y(0, up, 0), z(0, 0, up);
+    return {{"front", "Front view, x and z", x, z, -y},
+            {"top", "View from above, x and y", x, y, z}};
+  }
+  return views_with_y_up(file.shape.size, file.bodies);
+}
+
 std::vector<Drawing> scene_pictures(const SceneFile& file, const PushReport& report) {
   const Scene<double> scene = file.view();
   const std::vector<View> views = chosen_views(file);
@@ -194,19 +200,15 @@ std::vector<Drawing> scene_pictures(const SceneFile& file, const PushReport& rep
                               200 / std::max(frame.height(), 1e-9)});
   }
   double most_force = 0, most_speed = 0;
-  for (Index b = 0; b < scene.bodies.size; ++b) {
-    const Body<double>& body = scene.bodies[b];
+  for (const Body<double>& body : scene.bodies)
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-      Vector3<double> moves = acceleration_at(scene.points[i], body.acceleration);
-      if (scales.shows_forces) {
-        const ContactAnswer<double>& answer = report.answer.contacts[i];
-        most_force =
-            std::max({most_force, std::abs(answer.normal_force), answer.friction_force.norm()});
-        moves = acceleration_at(scene.points[i], report.answer.acceleration) - answer.acceleration;
-      }
-      most_speed = std::max(most_speed, moves.norm());
+      most_speed =
+          std::max(most_speed, ScenePainter::point_acceleration(scene, body, i, report).norm());
+      if (!scales.shows_forces) continue;
+      const ContactAnswer<double>& answer = report.answer.contacts[i];
+      most_force =
+          std::max({most_force, std::abs(answer.normal_force), answer.friction_force.norm()});
     }
-  }
   if (scales.shows_forces) {
     most_force = std::max(most_force, (file.object.mass * file.gravity).norm());
     most_speed = std::max(most_speed, report.answer.acceleration.head<3>().norm());

@@ -36,8 +36,9 @@ inline std::string vector_text(const Vector3<double>& v, double zero = 0) {
   return "(" + number(v[0], zero) + ", " + number(v[1], zero) + ", " + number(v[2], zero) + ")";
 }
 
-/// Columns as wide as their widest cell; the first is flushed left, the others right.
-inline std::string table_text(const std::vector<std::vector<std::string>>& rows) {
+/// Columns as wide as their widest cell; the first `left` are flushed left, the others right.
+inline std::string table_text(const std::vector<std::vector<std::string>>& rows,
+                              std::size_t left = 1) {
   std::vector<std::size_t> width;
   for (const auto& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) {
@@ -49,7 +50,7 @@ inline std::string table_text(const std::vector<std::vector<std::string>>& rows)
     text += "  ";
     for (std::size_t c = 0; c < row.size(); ++c) {
       const std::string padding(width[c] - row[c].size(), ' ');
-      text += (c > 0 ? "  " : "") + (c == 0 ? row[c] + padding : padding + row[c]);
+      text += (c > 0 ? "  " : "") + (c < left ? row[c] + padding : padding + row[c]);
     }
     text.erase(text.find_last_not_of(' ') + 1);
     text += "\n";

@@ -66,13 +66,25 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
   return best.empty() ? "" : " (did you mean \"" + best + "\"?)";
 }
 
-std::string listed(const std::vector<std::string>& words, const std::string& conjunction) {
-  std::string result;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) result += i + 1 == words.size() ? " " + conjunction + " " : ", ";
-    result += words[i];
+std::vector<std::string_view> split_at(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
   }
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& separator) {
+  std::string result;
+  for (const std::string& word : words) result += (&word == words.data() ? "" : separator) + word;
   return result;
+}
+
+std::string listed(const std::vector<std::string>& words, const std::string& conjunction) {
+  if (words.size() < 2) return joined(words, "");
+  return joined({words.begin(), words.end() - 1}, ", ") + " " + conjunction + " " + words.back();
 }
 
 } // namespace lcpush::desktop

@@ -17,6 +17,12 @@ std::string shown(double number);
 /// ` (did you mean "friction"?)` for the nearest of `known`, or nothing if none is near.
 std::string suggestion(std::string_view word, const std::vector<std::string>& known);
 
+/// The parts of `text` between `separator`s: one more than there are separators.
+std::vector<std::string_view> split_at(std::string_view text, char separator);
+
+/// With the separator between them.
+std::string joined(const std::vector<std::string>& words, const std::string& separator);
+
 /// `a, b and c`.
 std::string listed(const std::vector<std::string>& words, const std::string& conjunction);
 

@@ -45,7 +45,7 @@ function exact_defect({ fractions }, M, q, z, w) {
     });
     const same = fractions.text(sum) === w[i];
     const complementary = w[i] === '0' || z[i] === '0';
-    return same && complementary && fractions.sign(parsed[i]) >= 0 && fractions.sign(sum) >= 0;
+    return same && complementary && parsed[i].n >= 0n && sum.n >= 0n;
   }).filter((good) => !good).length;
 }
 

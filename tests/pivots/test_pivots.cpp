@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "lcpush/desktop/pivots.hpp"
-#include "pivots/push_story.hpp"
 #include "support/random_grasp.hpp"
 
 using namespace lcpush;
@@ -81,16 +80,16 @@ GoldenPath read_golden(const std::filesystem::path& file) {
 struct SceneTrace {
   SceneFile file;
   Push push;
-  PushStory story;
+  std::unique_ptr<Story> story;
   PivotTrace trace;
 
   explicit SceneTrace(const std::string& path, bool is_exact = true, Index facets = 4)
-      : file(with_facets(read_scene(path), facets)), push(file), story(push) {
+      : file(with_facets(read_scene(path), facets)), push(file), story(push_story(push)) {
     SceneOf<Rational> exact = read_scene<Rational>(path);
     exact.facets = facets;
     PivotOptions options;
     options.is_exact = is_exact;
-    trace = trace_pivots(is_exact ? exact_problem(exact) : exact_problem(file), options, story);
+    trace = trace_pivots(is_exact ? exact_problem(exact) : exact_problem(file), options, *story);
   }
 
   static SceneFile with_facets(SceneFile file, Index facets) {
@@ -255,8 +254,8 @@ TEST_CASE("as solved: the trace has the pivots that solve counts, and ends in it
     CAPTURE(of);
     const SceneFile file = read_scene(root + "/fixtures/scenes/" + of + ".toml");
     Push push(file), again(file);
-    const PushStory story(push);
-    const PivotTrace trace = trace_solve(push, {}, story);
+    const std::unique_ptr<Story> story = push_story(push);
+    const PivotTrace trace = trace_solve(push, {}, *story);
     PushOptions options;
     options.other_covers = 0;
     const PushReport report = again.solve(options);
@@ -344,8 +343,8 @@ TEST_CASE("a jam's ray says who squeezes whom") {
   file.facets = 4;
   file.pressure = Pressure::rigid;
   Push push(file);
-  const PushStory story(push);
-  const PivotTrace trace = trace_pivots(exact_problem(file), exactly(), story);
+  const std::unique_ptr<Story> story = push_story(push);
+  const PivotTrace trace = trace_pivots(exact_problem(file), exactly(), *story);
   REQUIRE(trace.status == Status::ray);
   CHECK(trace.ray->words.find("squeezes the object against stop") != std::string::npos);
 }

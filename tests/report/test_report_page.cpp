@@ -128,11 +128,10 @@ TEST_CASE("the instantaneous centre of a planar motion is com + z x a / alpha") 
     const double alpha = answer.acceleration[5];
     if (std::abs(alpha) < 0.01) continue;
     const Motion<double> motion = describe_motion(file.view(), answer, 0.05, 1e-3);
-    const auto mark = desktop::turning_mark(file, motion, front, 0.05);
-    REQUIRE(mark.has_value());
-    CHECK(mark->is_point);
-    CHECK_FALSE(mark->is_screw);
-    const desktop::Pixel seen = front.flat(mark->at);
+    REQUIRE(desktop::turns(motion));
+    CHECK(desktop::is_along_sight(front, motion.axis));
+    CHECK_FALSE(desktop::has_pitch(motion, 0.05));
+    const desktop::Pixel seen = front.flat(file.object.center_of_mass + motion.axis_point);
     CHECK(seen.x() == doctest::Approx(0.01 - ay / alpha));
     CHECK(-seen.y() == doctest::Approx(-0.02 + ax / alpha));
   }
@@ -148,15 +147,16 @@ TEST_CASE("a screw's axis and pitch come out as they went in, in every view") {
     const double pitch = 0.02 * number(random);
     const Motion<double> motion = screw(file, at, along, 3, pitch);
     for (const desktop::View& view : desktop::chosen_views(file)) {
-      const auto mark = desktop::turning_mark(file, motion, view, 0.05);
-      REQUIRE(mark.has_value());
-      CHECK(mark->is_screw);
-      CHECK_FALSE(mark->is_point);
-      CHECK(mark->pitch == doctest::Approx(pitch));
-      CHECK((mark->along - along).norm() < 1e-9);
+      REQUIRE(desktop::turns(motion));
+      CHECK(desktop::has_pitch(motion, 0.05));
+      CHECK_FALSE(desktop::is_along_sight(view, motion.axis));
+      CHECK(motion.pitch == doctest::Approx(pitch));
+      CHECK((motion.axis - along).norm() < 1e-9);
       // Both points lie on the line that is drawn.
-      const desktop::Pixel line = view.flat(mark->along),
-                           offset = view.flat(at) - view.flat(mark->at);
+      const desktop::Pixel line = view.flat(motion.axis),
+                           offset =
+                               view.flat(at) -
+                               view.flat(Vector(file.object.center_of_mass + motion.axis_point));
       CHECK(std::abs(line.x() * offset.y() - line.y() * offset.x()) < 1e-9);
     }
   }
@@ -166,21 +166,19 @@ TEST_CASE("an axis along the line of sight is a point, with a pitch or without")
   const desktop::SceneFile file = bar();
   const std::vector<desktop::View> views = desktop::chosen_views(file); // along z, along y
   const Vector at(0.02, 0.01, 0);
-  const auto end_on =
-      desktop::turning_mark(file, screw(file, at, z_axis, 2, 0.004), views[0], 0.05);
-  REQUIRE(end_on.has_value());
-  CHECK(end_on->is_point);
-  CHECK(end_on->is_screw);
-  CHECK((views[0].flat(end_on->at) - views[0].flat(at)).norm() < 1e-12);
-  const auto across = desktop::turning_mark(file, screw(file, at, z_axis, 2, 0), views[1], 0.05);
-  REQUIRE(across.has_value());
-  CHECK_FALSE(across->is_point);
-  CHECK_FALSE(across->is_screw);
+  const Motion<double> end_on = screw(file, at, z_axis, 2, 0.004);
+  CHECK(desktop::turns(end_on));
+  CHECK(desktop::is_along_sight(views[0], end_on.axis));
+  CHECK(desktop::has_pitch(end_on, 0.05));
+  const Vector point = file.object.center_of_mass + end_on.axis_point;
+  CHECK((views[0].flat(point) - views[0].flat(at)).norm() < 1e-12);
+  const Motion<double> across = screw(file, at, z_axis, 2, 0);
+  CHECK(desktop::turns(across));
+  CHECK_FALSE(desktop::is_along_sight(views[1], across.axis));
+  CHECK_FALSE(desktop::has_pitch(across, 0.05));
   Answer<double> slide;
   slide.acceleration << 1, 0, 0, 0, 0, 0;
-  CHECK_FALSE(
-      desktop::turning_mark(file, describe_motion(file.view(), slide, 0.05, 1e-3), views[0], 0.05)
-          .has_value());
+  CHECK_FALSE(desktop::turns(describe_motion(file.view(), slide, 0.05, 1e-3)));
 }
 
 TEST_CASE("a line is clipped to the picture, and one that misses it is not drawn") {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,6 +52,10 @@ struct TracedPivot {
   std::size_t run = 0;
   std::string sentence;
   std::optional<Tableau> before; ///< left out of large traces
+
+  bool is_at(std::size_t i, std::size_t j) const {
+    return static_cast<Index>(i) == row && static_cast<Index>(j) == column;
+  }
 };
 
 /// A start and the pivots that follow it.
@@ -101,6 +106,11 @@ struct PivotTrace {
   const std::string& name(Index variable) const {
     return variables[static_cast<std::size_t>(variable)].name;
   }
+  std::vector<std::string> names(const std::vector<Index>& list) const {
+    std::vector<std::string> result;
+    for (const Index variable : list) result.push_back(name(variable));
+    return result;
+  }
 };
 
 /// What variables are called and what pivots mean.
@@ -128,6 +138,9 @@ public:
 private:
   Index n_;
 };
+
+/// Of a scene's problem: forces, motions and laws. `push` outlives the story.
+std::unique_ptr<Story> push_story(const Push& push);
 
 struct PivotOptions {
   bool is_exact = false;                 ///< pivots in fractions

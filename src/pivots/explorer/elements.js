@@ -2,14 +2,16 @@
 (() => {
   const drawing = 'http://www.w3.org/2000/svg';
 
+  const present = (children) => children.flat(Infinity)
+    .filter((x) => x !== null && x !== undefined && x !== false);
+
   function fill(element, attributes, children) {
     for (const [key, value] of Object.entries(attributes || {})) {
       if (value === null || value === undefined || value === false) continue;
       if (key.startsWith('on')) element.addEventListener(key.slice(2), value);
       else element.setAttribute(key, value === true ? '' : String(value));
     }
-    element.append(...children.flat(Infinity)
-      .filter((x) => x !== null && x !== undefined && x !== false));
+    element.append(...present(children));
     return element;
   }
 
@@ -31,6 +33,11 @@
     return h('span', { class: 'name' }, h('i', {}, match[1]), h('sub', {}, match[2]));
   }
 
+  /// Names with commas between them; of many the first.
+  const names = (texts, most) => [
+    texts.slice(0, most).map((text, i) => [i > 0 && ', ', name(text)]),
+    texts.length > most && ` and ${texts.length - most} more`];
+
   /// heads: texts; rows: lists of cells, the first of them the row's head. `words`: a class for the
   /// last column.
   function table(kind, heads, rows, { caption, words } = {}) {
@@ -43,10 +50,7 @@
 
   const by_id = (id) => document.getElementById(id);
 
-  function replace(id, ...children) {
-    by_id(id).replaceChildren(...children.flat(Infinity)
-      .filter((x) => x !== null && x !== undefined && x !== false));
-  }
+  const replace = (id, ...children) => by_id(id).replaceChildren(...present(children));
 
   let number = 0;
   /// A drawing with a title and a description that name it to a screen reader.
@@ -57,5 +61,5 @@
       svg('title', { id: ids[0] }, title), svg('desc', { id: ids[1] }, description), ...children);
   }
 
-  explorer.elements = { h, svg, parsed, name, table, by_id, replace, picture };
+  explorer.elements = { h, svg, parsed, name, names, table, by_id, replace, picture };
 })();

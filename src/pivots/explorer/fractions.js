@@ -59,12 +59,10 @@
   const add = (a, b) => make(a.n * b.d + b.n * a.d, a.d * b.d);
   const multiply = (a, b) => make(a.n * b.n, a.d * b.d);
   const divide = (a, b) => make(a.n * b.d, a.d * b.n);
-  const negate = (a) => ({ n: -a.n, d: a.d });
-  const sign = (a) => (a.n > 0n ? 1 : a.n < 0n ? -1 : 0);
   const [zero, one] = [0n, 1n].map((n) => ({ n, d: 1n }));
 
   explorer.fractions = {
     exact: true, gcd, make, parse, text, to_number, number: ({ n, d }) => to_number(n, d),
-    add, multiply, divide, negate, sign, zero, one,
+    add, multiply, divide, zero, one,
   };
 })();

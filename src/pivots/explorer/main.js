@@ -102,26 +102,20 @@
       by_id('return').focus(); // the button that was pressed is gone
     }
 
+    /// To where the recorded path was left, also from a branch of a branch.
     return_to_recorded() {
-      const { frame } = this.first_branch();
+      const leaving = (path, frame) => path.step(frame)?.leaving;
+      const most = Math.min(this.path.last, this.recorded.last);
+      let common = 0;
+      while (common < most && leaving(this.path, common) === leaving(this.recorded, common))
+        common += 1;
       this.path = this.recorded;
-      this.go(frame);
+      this.go(common);
       by_id('forward').focus();
     }
 
-    /// Where the recorded path was left, also after a branch of a branch.
-    first_branch() {
-      let common = 0;
-      const { frames } = this.path;
-      while (common < Math.min(this.path.last, this.recorded.last)
-        && this.same_pivot(frames[common], this.recorded.frames[common])) common += 1;
-      return { frame: common };
-    }
-
-    same_pivot(frame, other) {
-      if (frame.pivot === null || other.pivot === null) return frame.pivot === other.pivot;
-      return this.path.pivots[frame.pivot].leaving === this.recorded.pivots[other.pivot].leaving;
-    }
+    /// A value by level for people, as they want to see it.
+    text(levels) { return number_text.value(this.problem, levels, this.as_fractions); }
 
     /// #step=7 links to a step; a branch adds where, who leaves and the rule.
     write_address() {
@@ -172,7 +166,8 @@
       const { problem, path, frame } = this;
       const dictionary = path.dictionary(frame);
       const { pivot, run } = path.frames[frame];
-      const step = pivot === null ? null : path.pivots[pivot];
+      const step = path.step(frame);
+      const values = (ratios) => ratios.map((x) => (x === null ? null : value(x)));
       const name = (variable) => problem.names[variable];
       const value = (levels) => number_text.full_value(problem, levels);
       const scene = explorer.view_scene_text.now(this);
@@ -183,16 +178,15 @@
         row: step ? dictionary.rows.indexOf(step.leaving) : -1,
         column: step ? dictionary.columns.indexOf(step.entering) : -1,
         ties: step ? step.ties.map(name) : [], tie_break: step ? step.tie_break : 'none',
-        ratios: step && step.ratios ? step.ratios.map((x) => (x === null ? null : value(x))) : [],
+        ratios: step && step.ratios ? values(step.ratios) : [],
         basis: dictionary.rows.map(name), nonbasic: dictionary.columns.map(name),
         z0: value(path.z0(frame)),
         entries: () => dictionary.rows.map((_, r) => dictionary.columns.map((__, c) =>
           number_text.full_scalar(problem, dictionary.entry(r, c)))),
         values: () => dictionary.rows.map((_, r) => value(dictionary.value(r))),
-        own_ratios: () => (step ? explorer.ratio_test(dictionary,
+        own_ratios: () => (step ? values(explorer.lemke.ratio_test(dictionary,
           dictionary.columns.indexOf(step.entering), 'lexicographic',
-          step.entering === problem.artificial).ratios.map((x) => (x === null ? null : value(x)))
-          : []),
+          step.entering === problem.artificial).ratios) : []),
         picture: scene && {
           forces: scene.shown.finite.forces, modes: scene.shown.modes,
           acceleration: scene.shown.finite.acceleration, bodies: scene.shown.finite.bodies,

@@ -98,6 +98,12 @@
 
     get last() { return this.frames.length - 1; }
 
+    /// The pivot that is about to be made at a frame, or null at the end of a run.
+    step(frame_number) {
+      const { pivot } = this.frames[frame_number];
+      return pivot === null ? null : this.pivots[pivot];
+    }
+
     /// The dictionary at a frame. Not to be changed: it is kept.
     dictionary(frame_number) {
       const known = this.states.get(frame_number);
@@ -137,15 +143,14 @@
 
     /// The variable that is about to enter: of the pivot, or of the ray at the end.
     entering(frame_number) {
-      const { pivot } = this.frames[frame_number];
-      if (pivot !== null) return this.pivots[pivot].entering;
+      const step = this.step(frame_number);
+      if (step) return step.entering;
       return frame_number === this.last && this.outcome.ray ? this.outcome.ray.entering : null;
     }
 
     /// Is that a row that ties there, and not the one that leaves anyway?
     can_branch(frame_number, row) {
-      const frame = this.frames[frame_number];
-      const pivot = frame && frame.pivot !== null ? this.pivots[frame.pivot] : null;
+      const pivot = this.frames[frame_number] ? this.step(frame_number) : null;
       const variable = pivot ? this.dictionary(frame_number).rows[row] : undefined;
       return variable !== undefined && pivot.ties.includes(variable) && variable !== pivot.leaving;
     }
@@ -155,13 +160,11 @@
       const frame = this.frames[frame_number];
       const { lemke } = explorer;
       const seen = new Map();
-      for (let k = 0; k < frame_number; ++k) {
+      for (let k = 0; k <= frame_number; ++k) {
         const { run, pivot, done, rows } = this.frames[k];
         if (run === frame.run && pivot !== null && done > this.runs[run].first_pivot)
           seen.set(lemke.state_key({ rows }, this.pivots[pivot].entering), done - 1);
       }
-      if (frame.done > this.runs[frame.run].first_pivot)
-        seen.set(lemke.state_key(frame, this.pivots[frame.pivot].entering), frame.done - 1);
       const result = lemke.run_lemke(this.dictionary(frame_number).copy(),
         this.pivots[frame.pivot].entering, row, { rule, limit, seen, first: frame.pivot });
       const pivots = this.pivots.slice(0, frame.pivot).concat(result.pivots.map((pivot) => ({

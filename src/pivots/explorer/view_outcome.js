@@ -11,11 +11,10 @@
     const computed = known ? null : explorer.certificate.solution(path);
     const numbers = (of) => number_text.without_noise(problem,
       known ? final[of].map((x) => problem.value(x)) : computed[of]);
-    const shown = { z: numbers('z'), w: numbers('w') };
-    const text = (of, i) => number_text.value(problem, shown[of][i], app.as_fractions);
+    const [z, w] = [numbers('z'), numbers('w')];
     return h('div', { class: 'scroll tall', tabindex: 0, role: 'region', 'aria-label': 'Solution' },
       table('solution', ['pair', 'z', 'w', 'meaning of z'], [...Array(n).keys()].map((i) =>
-        [i + 1, text('z', i), text('w', i), problem.meanings[n + i]]), { words: 'words' }));
+        [i + 1, app.text(z[i]), app.text(w[i]), problem.meanings[n + i]]), { words: 'words' }));
   }
 
   function ray_panel(app) {

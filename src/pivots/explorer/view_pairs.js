@@ -1,13 +1,6 @@
 // Complementary pairs: a column of two boxes each, w above z, the basic one filled.
 (() => {
-  const { svg, picture, replace, h, name, by_id } = explorer.elements;
-
-  function list(problem, variables) {
-    const shown = variables.slice(0, 12);
-    const nodes = shown.flatMap((x, i) => [i > 0 ? ', ' : null, name(problem.names[x])]);
-    if (variables.length > shown.length) nodes.push(` and ${variables.length - shown.length} more`);
-    return nodes.filter((x) => x !== null);
-  }
+  const { svg, picture, replace, h, name, names, by_id } = explorer.elements;
 
   function update(app) {
     const { path, frame, problem } = app;
@@ -46,20 +39,21 @@
       ([letter, k]) => svg('text', { class: 'letter', x: 4,
         y: 3 + line * (tall + 6) + k * (side + 3) + side - 4 }, letter))) : [];
     const height = lines * (tall + 6) + 2;
-    const unknowns = [...basic].filter((x) => x >= n && x < 2 * n).sort((a, b) => a - b);
+    const unknowns = [...basic].filter((x) => x >= n && x < 2 * n).sort((a, b) => a - b)
+      .map((x) => problem.names[x]);
     const missing_text = [...missing].map((i) => i + 1).join(', ');
     const z0_basic = basic.has(problem.artificial);
     const used = left + Math.min(n, across) * cell + 4;
     replace('pairs', picture({ viewBox: `0 0 ${used} ${height}`, class: 'pairs', width: used },
       'Complementary pairs', `Missing pair: ${missing_text || 'none'}. Basic z: ${
-        unknowns.map((x) => problem.names[x]).join(', ') || 'none'}.`, letters, marks),
+        unknowns.join(', ') || 'none'}.`, letters, marks),
     h('ul', { class: 'facts' },
-      h('li', {}, 'Basic z: ', unknowns.length ? list(problem, unknowns) : 'none'),
+      h('li', {}, 'Basic z: ', unknowns.length ? names(unknowns, 12) : 'none'),
       h('li', {}, missing.size ? h('strong', {}, `Missing pair: ${missing_text}`)
         : 'No pair is missing', missing.size ? ' \u2013 both its variables are 0, z0 has its place.'
         : z0_basic ? '.' : ': one variable of each pair is basic.'),
       h('li', {}, name('z0'), z0_basic ? ' is basic: ' : ' is not basic: ',
-        explorer.number_text.value(problem, path.z0(frame), app.as_fractions))));
+        app.text(path.z0(frame)))));
   }
 
   explorer.view_pairs = { update };

@@ -5,31 +5,29 @@
   const { figures } = explorer.view_scene;
   const { length, cross, scale, dot, add } = explorer.vectors;
 
-  /// z and w of the present basis in SI units, by level [times S, finite], and the cushion d z0.
+  /// z and w of the present basis in SI units, by level [times S, finite], w without the cushion
+  /// d z0.
   function unknowns(app) {
     const { problem, path, frame } = app;
-    const { scene } = problem.trace;
     const n = problem.size;
     const dictionary = path.dictionary(frame);
-    const large = app.unit_of_S(path.frames[frame].run);
+    const { run } = path.frames[frame];
+    const large = app.unit_of_S(run);
     const all = Array.from({ length: 2 * n + 1 }, () => [0, 0]);
     dictionary.rows.forEach((variable, r) => {
       const value = dictionary.value(r).map((x, k) =>
         (dictionary.is_value_noise(r, k) ? 0 : problem.number(x)));
-      all[variable] = value.length === 2 ? [value[0] / large, value[1]] : [0, value[0]];
+      const levels = value.length === 2 ? [value[0] / large, value[1]] : [0, value[0]];
+      all[variable] = levels.map((part) => part * app.unit(run, variable));
     });
-    const { run } = path.frames[frame];
-    const unit = (of, i) => app.unit(run, of === 'z' ? n + i : i);
-    const z = all.slice(n, 2 * n).map((x, i) => x.map((part) => part * unit('z', i)));
-    const cover = app.cover(run);
     const z0 = all[2 * n];
-    const cushion = cover.map((d, i) => z0.map((part) => part * d * unit('w', i)));
+    const cushion = app.cover(run).map((d, i) => z0.map((part) => part * d * app.unit(run, i)));
     const w = all.slice(0, n).map((x, i) => x.map((part, k) => {
-      const size = Math.abs(part * unit('w', i)) + Math.abs(cushion[i][k]);
-      const rest = part * unit('w', i) - cushion[i][k];
+      const size = Math.abs(part) + Math.abs(cushion[i][k]);
+      const rest = part - cushion[i][k];
       return Math.abs(rest) < 1e-11 * size ? 0 : rest; // rounding is not a broken law
     }));
-    return { z, w, z0, cushion };
+    return { z: all.slice(n, 2 * n), w, z0 };
   }
 
   function now(app) {

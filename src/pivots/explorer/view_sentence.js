@@ -1,6 +1,6 @@
 // What happens at this step, in words: the sentence, who enters and leaves, ties, other choices.
 (() => {
-  const { h, name, by_id, replace } = explorer.elements;
+  const { h, name, names, by_id, replace } = explorer.elements;
 
   function move(problem, role, variable, value) {
     return [h('dt', {}, role), h('dd', {}, name(problem.names[variable]),
@@ -29,21 +29,20 @@
 
   function update(app) {
     const { path, frame, problem } = app;
-    const { pivot, run } = path.frames[frame];
-    const step = pivot === null ? null : path.pivots[pivot];
+    const { run } = path.frames[frame];
+    const step = path.step(frame);
     by_id('sentence').textContent = explorer.words.sentence(path, frame);
     const moves = [];
     if (step) {
       const row = path.dictionary(frame).rows.indexOf(step.leaving);
       const ratio = step.ratios && step.ratios[row];
-      const to = ratio && explorer.number_text.value(problem, ratio, app.as_fractions);
+      const to = ratio && app.text(ratio);
       const growth = ratio && (to === '0' ? 'stays at 0, a degenerate pivot' : `grows to ${to}`);
       moves.push(...move(problem, 'Enters', step.entering, growth),
         ...move(problem, 'Leaves', step.leaving, null));
       if (step.ties.length > 1) {
         moves.push(h('dt', {}, 'Tied'), h('dd', {},
-          step.ties.slice(0, 24).flatMap((x, i) => [i > 0 && ', ', name(problem.names[x])]),
-          step.ties.length > 24 && ` and ${step.ties.length - 24} more`,
+          names(step.ties.map((x) => problem.names[x]), 24),
           h('span', { class: 'meaning' }, explorer.words.tie_words[step.tie_break] || '')));
       }
     } else if (path.entering(frame) !== null) {

@@ -9,6 +9,7 @@
   let box;
   let drawn = '';
 
+  const from_to = (first, end) => Array.from({ length: end - first }, (_, k) => first + k);
   const coarse = () => window.matchMedia('(pointer: coarse)').matches;
   const narrow = () => window.matchMedia('(max-width: 640px)').matches;
 
@@ -32,8 +33,7 @@
   function context() {
     const { path, frame } = app;
     const dictionary = path.dictionary(frame);
-    const { pivot } = path.frames[frame];
-    const step = pivot === null ? null : path.pivots[pivot];
+    const step = path.step(frame);
     const entering = path.entering(frame);
     const tied = new Set(step ? step.ties : []);
     return { dictionary, step, tied,
@@ -51,13 +51,21 @@
 
   function ratio_cell(now, r) {
     const ratio = now.step && now.step.ratios ? now.step.ratios[r] : null;
-    const text = ratio === null ? '\u2013'
-      : explorer.number_text.value(app.problem, ratio, app.as_fractions);
+    const text = ratio === null ? '\u2013' : app.text(ratio);
     const variable = now.dictionary.rows[r];
     if (!now.tied.has(variable) || r === now.row) return h('td', { class: 'ratio' }, text);
     const label = `What if ${app.problem.names[variable]} leaves instead? Ratio ${text}`;
     return h('td', { class: 'ratio' }, h('button', { type: 'button', class: 'what-if-cell',
       'aria-label': label, title: label, onclick: () => app.branch(r) }, text));
+  }
+
+  function entry_cell(now, r, c) {
+    const { dictionary } = now;
+    const text = dictionary.is_noise(r, c) ? '0'
+      : explorer.number_text.scalar(app.problem, dictionary.entry(r, c), app.as_fractions);
+    const classes = [c === now.column && 'entering', c === now.column && r === now.row && 'pivot',
+      text === '0' && 'zero'].filter(Boolean).join(' ');
+    return h('td', { class: classes || null, 'data-row': r, 'data-column': c }, text);
   }
 
   function body_row(now, r, [first, last]) {
@@ -70,24 +78,16 @@
     const kind = [leaves && 'leaving', tied && 'tied'].filter(Boolean).join(' ');
     const value = dictionary.value(r);
     const quiet = value.every((_, k) => dictionary.is_value_noise(r, k));
-    const row = h('tr', { class: kind || null, 'data-row': r, 'aria-rowindex': r + 2 },
+    const space = h('td', { class: 'space', 'aria-hidden': 'true' });
+    return h('tr', { class: kind || null, 'data-row': r, 'aria-rowindex': r + 2 },
       h('th', { scope: 'row', title: problem.meanings[variable] || null },
         name(problem.names[variable]), role && h('span', { class: 'role' }, role)),
       h('td', { class: quiet ? 'value zero' : 'value', 'data-row': r },
         quiet ? '0'
           : explorer.number_text.value_of_row(problem, dictionary, r, app.as_fractions)),
-      ratio_cell(now, r));
-    if (first > 0) row.append(h('td', { class: 'space', 'aria-hidden': 'true' }));
-    for (let c = first; c < last; ++c) {
-      const zero = dictionary.is_noise(r, c);
-      const text = zero ? '0'
-        : explorer.number_text.scalar(problem, dictionary.entry(r, c), app.as_fractions);
-      const classes = [c === now.column && 'entering', c === now.column && leaves && 'pivot',
-        text === '0' && 'zero'].filter(Boolean).join(' ');
-      row.append(h('td', { class: classes || null, 'data-row': r, 'data-column': c }, text));
-    }
-    if (last < dictionary.width) row.append(h('td', { class: 'space', 'aria-hidden': 'true' }));
-    return row;
+      ratio_cell(now, r), first > 0 && space,
+      from_to(first, last).map((c) => entry_cell(now, r, c)),
+      last < dictionary.width && space.cloneNode());
   }
 
   function draw(force) {
@@ -108,16 +108,12 @@
     const head = h('tr', { 'aria-rowindex': 1 },
       h('th', { scope: 'col', class: 'corner' }, 'basic'),
       h('th', { scope: 'col', class: 'value' }, 'value'),
-      h('th', { scope: 'col', class: 'ratio' }, 'ratio'));
-    if (first > 0) head.append(h('td', { class: 'space' }));
-    for (let c = first; c < last; ++c) head.append(head_cell(now, c));
-    if (after > 0) head.append(h('td', { class: 'space' }));
-    const body = h('tbody', {});
-    const space = (count) => h('tr', { class: 'space', 'aria-hidden': 'true' },
+      h('th', { scope: 'col', class: 'ratio' }, 'ratio'), first > 0 && h('td', { class: 'space' }),
+      from_to(first, last).map((c) => head_cell(now, c)), after > 0 && h('td', { class: 'space' }));
+    const space = (count) => count > 0 && h('tr', { class: 'space', 'aria-hidden': 'true' },
       h('td', { colspan: widths.length, style: `height:${count * size.row}px` }));
-    if (rows[0] > 0) body.append(space(rows[0]));
-    for (let r = rows[0]; r < rows[1]; ++r) body.append(body_row(now, r, columns));
-    if (rows[1] < dictionary.size) body.append(space(dictionary.size - rows[1]));
+    const body = h('tbody', {}, space(rows[0]),
+      from_to(...rows).map((r) => body_row(now, r, columns)), space(dictionary.size - rows[1]));
     const total = widths.reduce((sum, x) => sum + x, 0);
     box.replaceChildren(h('table', { class: 'tableau', style: `width:${total}px`,
       'aria-rowcount': dictionary.size + 1, 'aria-colcount': dictionary.width + 3 },
@@ -131,50 +127,41 @@
     box.style.setProperty('--row', `${size.row}px`);
   }
 
+  /// How far to scroll for the cell at `begin`, of which `sticky` must not cover anything.
+  function in_sight(begin, size, scrolled, seen, sticky, spare) {
+    if (begin < scrolled + sticky) return begin - sticky - spare;
+    return begin + size > scrolled + seen ? begin + size + spare - seen : scrolled;
+  }
+
   /// Scrolls the box, never the page, so that the pivot is in sight.
   function follow() {
     const now = context();
     const size = sizes();
     if (now.column < 0) [box.scrollLeft, box.scrollTop] = [0, 0];
-    const sticky = fixed_values() ? size.head + size.value + size.ratio : size.head;
-    if (now.column >= 0) {
-      const left = size.head + size.value + size.ratio + now.column * size.column;
-      const spare = Math.max(0, Math.min(size.column / 2,
-        box.clientWidth - sticky - size.column));
-      if (left < box.scrollLeft + sticky) box.scrollLeft = left - sticky - spare;
-      else if (left + size.column > box.scrollLeft + box.clientWidth)
-        box.scrollLeft = left + size.column + spare - box.clientWidth;
-    }
-    if (now.row >= 0) {
-      const top = 50 + now.row * size.row;
-      if (top < box.scrollTop + 50) box.scrollTop = top - 50 - size.row;
-      else if (top + size.row > box.scrollTop + box.clientHeight)
-        box.scrollTop = top + 2 * size.row - box.clientHeight;
-    }
+    const fixed = size.head + size.value + size.ratio;
+    const sticky = fixed_values() ? fixed : size.head;
+    const spare = Math.max(0, Math.min(size.column / 2, box.clientWidth - sticky - size.column));
+    if (now.column >= 0)
+      box.scrollLeft = in_sight(fixed + now.column * size.column, size.column,
+        box.scrollLeft, box.clientWidth, sticky, spare);
+    if (now.row >= 0)
+      box.scrollTop = in_sight(50 + now.row * size.row, size.row,
+        box.scrollTop, box.clientHeight, 50, size.row);
   }
 
   function show_cell(r, c) {
     const { problem } = app;
-    const dictionary = app.path.dictionary(app.frame);
-    const row = problem.names[dictionary.rows[r]];
     const { number_text } = explorer;
-    let text;
-    let rounded = null;
-    if (c === null) {
-      const value = number_text.full_value(problem, dictionary.value(r));
-      text = Array.isArray(value) ? `${value[0]} S + ${value[1]}` : value;
-      if (problem.exact && dictionary.levels === 1)
-        rounded = problem.number(dictionary.value(r)[0]);
-    } else {
-      const entry = dictionary.entry(r, c);
-      text = number_text.full_scalar(problem, entry);
-      if (problem.exact) rounded = problem.number(entry);
-    }
-    const where = c === null ? [name(row), ', value: ']
-      : [name(row), ' per ', name(problem.names[dictionary.columns[c]]), ': '];
-    const extra = rounded !== null && text.includes('/')
-      ? ` \u2248 ${number_text.decimal(rounded, 8)}` : '';
-    by_id('cell').replaceChildren(...where, text.replace('-', number_text.minus), extra);
+    const dictionary = app.path.dictionary(app.frame);
+    const levels = c === null ? dictionary.value(r) : [dictionary.entry(r, c)];
+    const value = number_text.full_value(problem, levels);
+    const text = Array.isArray(value) ? `${value[0]} S + ${value[1]}` : value;
+    const rounded = problem.exact && levels.length === 1 && text.includes('/')
+      ? ` \u2248 ${number_text.decimal(problem.number(levels[0]), 8)}` : '';
+    const where = c === null ? [', value: ']
+      : [' per ', name(problem.names[dictionary.columns[c]]), ': '];
+    by_id('cell').replaceChildren(name(problem.names[dictionary.rows[r]]), ...where,
+      text.replace('-', number_text.minus), rounded);
   }
 
   function update(changed) {

@@ -1,6 +1,7 @@
-// The observer (lcp/trace.hpp) that writes a PivotTrace, for doubles and for fractions.
+// The watcher (lcp/trace.hpp) that writes a PivotTrace, for doubles and for fractions.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -14,10 +15,15 @@ inline TraceNumber traced(const PivotTrace& trace, const Rational& x) {
   return {value, trace.has_fractions || !std::isfinite(value) ? x.text() : std::string()};
 }
 
-template <class S> class Recorder {
+/// The desktop's solvers pivot doubles and know their watchers as Watcher.
+struct UnknownWatcher {};
+template <class S>
+using WatcherOf = std::conditional_t<std::is_same_v<S, double>, Watcher, UnknownWatcher>;
+
+template <class S> class RecordingWatcher : public WatcherOf<S> {
 public:
-  /// All outlive the recorder.
-  Recorder(PivotTrace& trace, const Story& story, const PivotOptions& options)
+  /// All outlive the watcher.
+  RecordingWatcher(PivotTrace& trace, const Story& story, const PivotOptions& options)
       : trace_(trace), story_(story), options_(options), room_(options.most_entries) {}
 
   void starts(const Lemke<S>& lemke) {
@@ -27,8 +33,9 @@ public:
     run.start = tableau(lemke.dictionary());
     run.unit.assign(static_cast<std::size_t>(2 * n() + 1), 1.0);
     for (Index i = 0; i < n(); ++i) {
-      run.unit[static_cast<std::size_t>(slack(i))] = to_double(lemke.slack_unit(i));
-      run.unit[static_cast<std::size_t>(unknown(i, n()))] = to_double(lemke.unknown_unit(i));
+      run.unit[static_cast<std::size_t>(slack(i))] = traced(trace_, lemke.slack_unit(i)).value;
+      run.unit[static_cast<std::size_t>(unknown(i, n()))] =
+          traced(trace_, lemke.unknown_unit(i)).value;
     }
     trace_.runs.push_back(run);
     seen_.clear();
@@ -53,9 +60,6 @@ public:
       room_ -= entries;
       pivot.before = tableau(d);
     }
-    basic_.assign(static_cast<std::size_t>(2 * n() + 1), false);
-    for (const int variable : d.basic) basic_[static_cast<std::size_t>(variable)] = true;
-    basic_[static_cast<std::size_t>(turn.entering)] = true;
     trace_.pivots.push_back(pivot);
     is_pivoting_ = true;
     const Index row = chosen_row(turn);
@@ -68,12 +72,16 @@ public:
   }
 
   void stepped(const Lemke<S>& lemke) {
+    if (lemke.status() != Status::running) trace_.last = tableau(lemke.dictionary());
     if (!is_pivoting_) return;
     is_pivoting_ = false;
     TracedPivot& pivot = trace_.pivots.back();
     const Dictionary<S>& d = lemke.dictionary();
     pivot.basis.assign(d.basic.begin(), d.basic.end());
-    pivot.sentence = story_.sentence(pivot, basic_);
+    std::vector<bool> basic(static_cast<std::size_t>(2 * n() + 1)); // while `entering` grew
+    for (const Index variable : pivot.basis) basic[static_cast<std::size_t>(variable)] = true;
+    basic[static_cast<std::size_t>(pivot.leaving)] = true;
+    pivot.sentence = story_.sentence(pivot, basic);
     const Index z0_row = d.row_of(artificial(n()));
     pivot.z0.finite = traced(trace_, S(0));
     if (z0_row >= 0) pivot.z0 = value(d, z0_row);
@@ -81,7 +89,8 @@ public:
     std::sort(key.begin(), key.end());
     key.push_back(pivot.leaving); // its complement is the next to enter
     const auto [earlier, is_new] = seen_.emplace(key, trace_.pivots.size() - 1);
-    if (!is_new && lemke.status() == Status::running)
+    // Covers and refactorisations of the real run may come back to a basis.
+    if (!is_new && lemke.status() == Status::running && !trace_.is_as_solved)
       trace_.cycle = Cycle{earlier->second, trace_.pivots.size() - 1 - earlier->second};
   }
 
@@ -101,8 +110,7 @@ private:
   PivotTrace& trace_;
   const Story& story_;
   const PivotOptions& options_;
-  std::size_t room_;        // entries of tableaus that are still kept
-  std::vector<bool> basic_; // while the entering variable grows
+  std::size_t room_; // entries of tableaus that are still kept
   bool is_pivoting_ = false;
   std::map<std::vector<Index>, std::size_t> seen_;
 
@@ -118,8 +126,6 @@ private:
 
   Index n() const { return trace_.size; }
   bool has_S() const { return trace_.free_count > 0; }
-  static double to_double(double x) { return x; }
-  static double to_double(const Rational& x) { return x.value(); }
 
   TraceValue value(const Dictionary<S>& d, Index row) const {
     TraceValue v;
@@ -145,8 +151,9 @@ private:
   }
 
   std::string title_of(const Lemke<S>& lemke) const {
-    Index z_basic = 0;
-    for (const int variable : lemke.dictionary().basic) z_basic += variable >= n() ? 1 : 0;
+    const auto& basic = lemke.dictionary().basic;
+    const auto z_basic = std::count_if(basic.begin(), basic.end(),
+                                       [this](Index variable) { return variable >= n(); });
     const std::string cover =
         !trace_.is_as_solved ? std::string() : ", cover " + std::to_string(lemke.covers_tried());
     if (z_basic == 0) return "from z = 0" + cover;

@@ -1,0 +1,87 @@
+#include "pivots/subject.hpp"
+
+#include <algorithm>
+
+#include "lcpush/desktop/input_error.hpp"
+#include "text/limits.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr Index always_exact = 150; // then ties are ties, not rounding's
+
+void refuse_size(const std::string& what, Index n, bool is_exact) {
+  const auto refuse_above = [&](Index most, const std::string& why) {
+    if (n > most)
+      throw InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
+                       std::to_string(most) + why);
+  };
+  refuse_above(limits::unknowns_traced, " whose pivots can be shown; use fewer points");
+  if (is_exact)
+    refuse_above(limits::unknowns_exact, " that fractions can be pivoted for; leave --exact out");
+}
+
+/// Is the work in fractions over in a few seconds?
+bool is_short(const ExactProblem& problem) {
+  constexpr std::size_t most_bits = 32000; // of the last tableau's determinants, about
+  std::size_t longest = 1;
+  for (const Rational& x : problem.M.values) longest = std::max(longest, x.bit_length());
+  return problem.M.rows <= always_exact &&
+         static_cast<std::size_t>(problem.M.rows) * longest <= most_bits;
+}
+
+HostMatrix rounded(const ExactMatrix& matrix) {
+  HostMatrix nearest{matrix.rows, matrix.cols, {}};
+  for (const Rational& x : matrix.values) nearest.values.push_back(x.value());
+  return nearest;
+}
+
+} // namespace
+
+PivotSubject scene_subject(SceneFile file, const std::string& text, const std::string& path,
+                           bool as_solved, bool is_exact) {
+  const Index n = size_of(file.view()).unknowns();
+  refuse_size(path, n, is_exact);
+  PivotSubject subject;
+  if (is_exact || (!as_solved && n <= always_exact)) {
+    SceneOf<Rational> exact = parse_scene<Rational>(text, path);
+    exact.facets = file.facets;
+    exact.pressure = file.pressure;
+    subject.problem = exact_problem(exact);
+    subject.is_short = is_short(subject.problem);
+    if (is_exact) {
+      subject.notes = exact.inexact;
+      for (const std::string& sentence : irrational_directions(exact))
+        subject.notes.push_back(sentence);
+    }
+  } else if (!as_solved) {
+    subject.problem = exact_problem(file);
+  }
+  if (!as_solved)
+    subject.notes.push_back((file.pressure == Pressure::pad
+                                 ? "The first round of the pad law, in SI units, "
+                                 : "SI units, ") +
+                            std::to_string(file.facets) + " facets.");
+  subject.scene = std::make_unique<SceneFile>(std::move(file));
+  subject.push = std::make_unique<Push>(*subject.scene);
+  subject.story = push_story(*subject.push);
+  return subject;
+}
+
+PivotSubject raw_subject(ExactProblem problem, const std::string& name, bool is_exact) {
+  refuse_size(name, problem.M.rows, is_exact);
+  PivotSubject subject;
+  subject.is_short = is_short(problem);
+  subject.story = std::make_unique<RawStory>(problem.M.rows);
+  subject.problem = std::move(problem);
+  return subject;
+}
+
+PivotTrace trace_solve(const PivotSubject& subject) {
+  if (subject.push) return trace_solve(*subject.push, {}, *subject.story);
+  RawProblem raw{rounded(subject.problem.M), rounded(subject.problem.q), {}};
+  raw.free.assign(static_cast<std::size_t>(raw.M.rows), 0);
+  return trace_solve(raw, {}, *subject.story);
+}
+
+} // namespace lcpush::desktop
