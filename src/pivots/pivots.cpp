@@ -151,8 +151,8 @@ public:
       : trace_(trace), recorder_(trace, story, options) {}
 
   void starts(const Lemke<double>& lemke) override { recorder_.starts(lemke); }
-  Index leaves(const Lemke<double>& lemke, const Turn& turn) override {
-    return recorder_.leaves(lemke, turn);
+  Index leaves(const Lemke<double>& lemke, const PendingPivot& pending) override {
+    return recorder_.leaves(lemke, pending);
   }
   void stepped(const Lemke<double>& lemke) override {
     recorder_.stepped(lemke);

@@ -49,7 +49,7 @@ void write_closing(JsonWriter& json, const Scene<double>& scene, const Answer<do
   }
   std::vector<double> each;
   for (Index k = 0; k < body.point_count; ++k)
-    each.push_back(answer.contacts[body.first_point + k].closing);
+    each.push_back(answer.contacts[body.first_point + k].closing_acceleration);
   json.value(each);
 }
 

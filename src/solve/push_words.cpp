@@ -241,7 +241,7 @@ std::vector<std::string> closing_sentences(const SceneFile& file, const PushRepo
       add(file.body_name(b), mean_closing(report.answer, body));
     else
       for (Index k = body.first_point; k < body.first_point + body.point_count; ++k)
-        add(point_name(file, k), report.answer.contacts[k].closing);
+        add(point_name(file, k), report.answer.contacts[k].closing_acceleration);
   }
   return list;
 }

@@ -4,7 +4,7 @@
 // Any class with these member functions will do:
 //
 //     void starts(const Lemke<S>&)                 a basis to pivot from, z0 not yet in it
-//     Index leaves(const Lemke<S>&, const Turn&)   before a pivot: the row that is to leave
+//     Index leaves(const Lemke<S>&, const PendingPivot&)   before a pivot: the row that is to leave
 //     void stepped(const Lemke<S>&)                after a step: its status, z0 and basis
 //     void checked(const Sweeps&)                  after a check of either Gauss-Seidel: its
 //                                                  sweeps(), z() and residual()
@@ -18,7 +18,7 @@
 namespace lcpush {
 
 /// A pivot about to be made. The dictionary still shows the basis before it.
-struct Turn {
+struct PendingPivot {
   Index entering;       ///< variable number of dictionary.hpp
   Index column;         ///< its column: the ratios are values / -table.col(column)
   Blocking blocking;    ///< the row that the tie rule chose, and why
@@ -29,8 +29,10 @@ struct Turn {
 /// Looks at nothing and changes nothing.
 struct Unobserved {
   template <class L> void starts(const L&) const {}
-  /// An observer may return another of turn.tied; any other row leaves a wrong basis.
-  template <class L> Index leaves(const L&, const Turn& turn) const { return turn.blocking.row; }
+  /// An observer may return another of pending.tied; any other row leaves a wrong basis.
+  template <class L> Index leaves(const L&, const PendingPivot& pending) const {
+    return pending.blocking.row;
+  }
   template <class L> void stepped(const L&) const {}
   template <class Sweeps> void checked(const Sweeps&) const {}
 };
@@ -65,12 +67,12 @@ public:
   }
 
   template <class L> void starts(const L&) {}
-  template <class L> Index leaves(const L& lemke, const Turn& turn) {
-    tied_ = turn.tied.size;
-    decided_by_ = turn.blocking.decided_by;
-    ratio_ = lemke.ratio(turn.blocking.row, turn.column);
+  template <class L> Index leaves(const L& lemke, const PendingPivot& pending) {
+    tied_ = pending.tied.size;
+    decided_by_ = pending.blocking.decided_by;
+    ratio_ = lemke.ratio(pending.blocking.row, pending.column);
     pivots_now_ = true;
-    return turn.blocking.row;
+    return pending.blocking.row;
   }
   template <class L> void stepped(const L& lemke) {
     TraceEntry<S> entry;

@@ -1,5 +1,5 @@
-// Scaling by powers of two (nothing is rounded) and the fixed generic numbers that covers and
-// tie-breakers are made of.
+// Scaling by powers of two (nothing is rounded) and the fixed generic numbers that covering vectors
+// and tie-breakers are made of.
 #pragma once
 
 #include <cstdint>

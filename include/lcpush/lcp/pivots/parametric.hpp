@@ -66,7 +66,8 @@ private:
   Dictionary<S> dictionary_; // z0 of dictionary.hpp is t
   VectorMap<S> scratch_{nullptr, 0};
   Span<int> candidates_;
-  Index levels_ = 2, level_ = 1; // of t: 1 is q, 2 is push; level 0 marks the free unknowns
+  Index rhs_count_ = 2,
+        moved_ = 1; // moved_: the one t moves, 1 q, 2 push; 0 marks the free unknowns
   Index entering_ = -1;
 
   bool is_free(Index row) const { return dictionary_.values(row, 0) > S(1) / S(2); }
@@ -82,7 +83,7 @@ private:
 template <class S> bool ParametricPath<S>::carve(Index n) {
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
-  dictionary_.carve(n, n + 1, levels_ + tie_columns, scalars, integers);
+  dictionary_.carve(n, n + 1, rhs_count_ + tie_columns, scalars, integers);
   scalars.seat(scratch_, n);
   candidates_ = integers.take(n);
   return !scalars.exhausted() && !integers.exhausted();
@@ -112,11 +113,11 @@ Status ParametricPath<S>::init(const Lemke<S>& lemke, const Problem<S>& problem,
                                bool moves_push) {
   const Dictionary<S>& from = lemke.dictionary();
   const Index n = from.size();
-  levels_ = problem.push != nullptr ? 3 : 2;
-  level_ = moves_push ? 2 : 1;
+  rhs_count_ = problem.push != nullptr ? 3 : 2;
+  moved_ = moves_push ? 2 : 1;
   entering_ = -1;
-  if (lemke.status() != Status::solved || level_ >= levels_ || from.column_of(artificial(n)) < 0 ||
-      !carve(n))
+  if (lemke.status() != Status::solved || moved_ >= rhs_count_ ||
+      from.column_of(artificial(n)) < 0 || !carve(n))
     return Status::bad_input;
   dictionary_.table = from.table;
   for (Index i = 0; i < n; ++i) dictionary_.basic[i] = from.basic[i];
@@ -128,7 +129,7 @@ Status ParametricPath<S>::init(const Lemke<S>& lemke, const Problem<S>& problem,
       lemke, [&](Index j) { return problem.q[j]; }, t);
   dictionary_.values.col(1) = scratch_;
   S push_unit(1); // an infinitesimal is as large as any other
-  if (levels_ == 3) {
+  if (rhs_count_ == 3) {
     S largest(0);
     for (Index j = 0; j < n; ++j) {
       const S size = Eigen::numext::abs(S(problem.push[j] / lemke.slack_unit(j)));
@@ -145,7 +146,8 @@ Status ParametricPath<S>::init(const Lemke<S>& lemke, const Problem<S>& problem,
   dictionary_.table.col(t) = scratch_;
   for (Index k = 0; k < tie_columns; ++k)
     for (Index i = 0; i < n; ++i)
-      dictionary_.values(i, levels_ + k) = generic_number<S>(static_cast<std::uint32_t>(k + 1), i);
+      dictionary_.values(i, rhs_count_ + k) =
+          generic_number<S>(static_cast<std::uint32_t>(k + 1), i);
   return Status::running;
 }
 
@@ -160,8 +162,8 @@ template <class S> bool ParametricPath<S>::first_zero(const S& sign, S& distance
     const S falls = -sign * dictionary_.table(i, column);
     if (is_free(i) || !(falls > threshold)) continue;
     // Below a larger value an infinitesimal change changes nothing.
-    if (level_ == 2 && dictionary_.values(i, 1) > tolerances_.tie) continue;
-    const S value = dictionary_.values(i, level_);
+    if (moved_ == 2 && dictionary_.values(i, 1) > tolerances_.tie) continue;
+    const S value = dictionary_.values(i, moved_);
     const S zero = value > S(0) ? S(value / falls) : S(0);
     if (!found || zero < distance) distance = zero;
     found = true;
@@ -178,7 +180,7 @@ template <class S> bool ParametricPath<S>::holds_back_to(S& t) const {
 
 /// Free unknowns never block.
 template <class S> Blocking ParametricPath<S>::blocking_row(Index column) {
-  RatioTest<S> test(dictionary_, levels_, TieRule::generic, tolerances_, candidates_);
+  RatioTest<S> test(dictionary_, rhs_count_, TieRule::generic, tolerances_, candidates_);
   Blocking blocking = test.blocking_row(column);
   if (blocking.row >= 0 && is_free(blocking.row)) blocking.row = -1;
   return blocking;
@@ -215,8 +217,8 @@ template <class S> PathEnd ParametricPath<S>::follow(const S& least, PathStep<S>
     if (blocking.row == t_row) return PathEnd::turned_back;
     // How far the entering variable goes: nowhere if a tie at the breakpoint decides.
     const S fall = -dictionary_.table(blocking.row, c);
-    S move = dictionary_.values(blocking.row, level_) / fall;
-    if (level_ == 2 && dictionary_.values(blocking.row, 1) > tolerances_.tie) {
+    S move = dictionary_.values(blocking.row, moved_) / fall;
+    if (moved_ == 2 && dictionary_.values(blocking.row, 1) > tolerances_.tie) {
       step.next_ends = !grows; // in units of the infinitesimal: for ever
       if (grows) return PathEnd::forward;
       if (falls) return PathEnd::turned_back;
@@ -225,7 +227,7 @@ template <class S> PathEnd ParametricPath<S>::follow(const S& least, PathStep<S>
     }
     const S change = rate * move;
     if (grows && change > least) {
-      step.next_until = dictionary_.values(t_row, level_) + change;
+      step.next_until = dictionary_.values(t_row, moved_) + change;
       return PathEnd::forward;
     }
     if (falls && -change > least) return PathEnd::turned_back;

@@ -15,10 +15,10 @@ template <class S> struct ContactAnswer {
   Index body = 0;
   S normal_force{0}; ///< N, lambda; negative where a bilateral body pulls
   Vector3<S> friction_force = Vector3<S>::Zero(); ///< N, on the object
-  S torsion{0}; ///< N m, friction moment about the normal, soft points only
-  S spin{0};    ///< rad/s^2 about the normal, of the object relative to its body
-  S closing{0}; ///< m/s^2 along the normal, what actuators add to its body's motion
-  S slip{0};    ///< m/s^2, xi
+  S torsion{0};              ///< N m, friction moment about the normal, soft points only
+  S spin{0};                 ///< rad/s^2 about the normal, of the object relative to its body
+  S closing_acceleration{0}; ///< m/s^2 along the normal, what actuators add to its body's motion
+  S slip{0};                 ///< m/s^2, xi
   Vector3<S> acceleration =
       Vector3<S>::Zero(); ///< m/s^2, of the object's point relative to its body
   Mode mode = Mode::stick;
@@ -72,7 +72,7 @@ template <class S> bool is_driven(const Scene<S>& scene, Index body) {
 template <class S> S mean_closing(const Answer<S>& answer, const Body<S>& body) {
   S sum(0);
   for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
-    sum += answer.contacts[i].closing;
+    sum += answer.contacts[i].closing_acceleration;
   return sum / S(body.point_count);
 }
 

@@ -121,7 +121,7 @@ template <class S> void FullForm<S>::fill_force(Index point, Index k, MatrixMap<
     if (!(scene().planar && row >= 2 && row <= 4)) M(acceleration() + row, variable) = -column[row];
   for (const Drive<S>& drive : scene().drives)
     if (drive.body == b)
-      M(layout().closing(drive.actuator), variable) +=
+      M(layout().closing_index(drive.actuator), variable) +=
           laws::grip_coefficient(drive, column, layout().reach[drive.actuator], scales());
 }
 
@@ -129,7 +129,7 @@ template <class S> void FullForm<S>::fill_force(Index point, Index k, MatrixMap<
 template <class S> void FullForm<S>::fill_contact(Index point, MatrixMap<S> M) const {
   const Body<S>& body = scene().bodies[layout().body[point]];
   const Index normals = normal_count(body), generators = generator_count(scene(), body);
-  const Index lambda = layout().normal(point), r = relative(point);
+  const Index lambda = layout().normal_index(point), r = relative(point);
   const Index xi = lambda + normals + generators;
   const Vector3<S> o = cross(body.normal, body.tangent);
   for (Index k = 0; k < normals + generators; ++k) fill_force(point, k, M);
@@ -159,7 +159,7 @@ template <class S> void FullForm<S>::fill_reference(Index point, MatrixMap<S> M,
     for (Index k = 0; k < 6; ++k) M(row, acceleration() + k) = -W[k];
     for (const Drive<S>& drive : scene().drives)
       if (drive.body == b)
-        M(row, layout().closing(drive.actuator)) +=
+        M(row, layout().closing_index(drive.actuator)) +=
             laws::grip_coefficient(drive, W, layout().reach[drive.actuator], scales());
     q[row] = W.dot(A_b);
   }
@@ -186,7 +186,7 @@ template <class S> void FullForm<S>::fill(MatrixMap<S> M, S* q, unsigned char* e
   fill_newton(M, q);
   for (Index a = 0; a < layout().actuators; ++a) {
     const SumGroup<S> grip = laws::grip_force(scene(), a, layout().reach[a], scales());
-    const Index s = layout().closing(a);
+    const Index s = layout().closing_index(a);
     M(s, s) = grip.inertia;
     q[s] = -grip.target;
   }

@@ -89,7 +89,7 @@ RaySum<S> read_ray(const Assembly<S>& assembly, const S* v, Span<Squeeze<S>> bod
       sum.imbalance = Eigen::numext::maxi(sum.imbalance, S(abs(wrench[k])));
   sum.load = actuator_load(assembly.factored(), v);
   for (const Drive<S>& drive : scene.drives)
-    if (v[layout.closing(drive.actuator)] > sum.noise) bodies[drive.body].runs_away = true;
+    if (v[layout.closing_index(drive.actuator)] > sum.noise) bodies[drive.body].runs_away = true;
   return sum;
 }
 

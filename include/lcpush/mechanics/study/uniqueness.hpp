@@ -1,4 +1,5 @@
-// Is the answer the only one? A proof where there is one, otherwise a search under other covers.
+// Is the answer the only one? A proof where there is one, otherwise a search under other covering
+// vectors.
 #pragma once
 
 #include "lcpush/mechanics/solve/breaking.hpp"
@@ -7,7 +8,7 @@ namespace lcpush {
 
 enum class Uniqueness {
   yes,              ///< proved: see motion_is_determined
-  none_other_found, ///< other covers led to the same answer, which is no proof
+  none_other_found, ///< other covering vectors led to the same answer, which is no proof
   no,               ///< another answer was found
   not_tested,
 };

@@ -37,9 +37,10 @@ public:
     return n > 0 ? S(rowsum.sum() - rowsum.sum()) : S(0);
   }
 
-  /// The basis of all w under a cover; its right-hand sides are there already.
+  /// The basis of all w under a covering vector; its right-hand sides are there already.
   template <class Column>
-  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale, const Column& cover) {
+  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
+            const Column& covering_vector) {
     const Index n = dictionary.size();
     if (!holds_problem_) {
       fill_matrix(problem_, MatrixMap<S>(dictionary.table.data(), n, n));
@@ -47,12 +48,13 @@ public:
         dictionary.table.col(j) = dictionary.table.col(j).cwiseProduct(row_scale) * column_scale[j];
     }
     holds_problem_ = false;
-    dictionary.table.col(n) = cover;
+    dictionary.table.col(n) = covering_vector;
     dictionary.reset_basis();
   }
 
-  /// Another cover: `as_given` in the basis of all w, here(row) in the present one.
-  template <class Column, class Here> void cover(const Column& /*as_given*/, Here here) {
+  /// Another covering vector: `as_given` in the basis of all w, here(row) in the present one.
+  template <class Column, class Here>
+  void set_covering_vector(const Column& /*as_given*/, Here here) {
     auto column = dictionary.table.col(dictionary.column_of(artificial(dictionary.size())));
     for (Index i = 0; i < dictionary.size(); ++i) column[i] = here(i);
   }
@@ -81,9 +83,9 @@ public:
     }
   }
 
-  /// After factoring: what is known exactly of the level of the symbolic bound S. Elimination has
-  /// kept it exact.
-  void set_bound_level(Index, const VectorMap<S>&, const S&) {}
+  /// After factoring: what is known exactly of the right-hand side of the symbolic bound S.
+  /// Elimination has kept it exact.
+  void set_bound_rhs(Index, const VectorMap<S>&, const S&) {}
 
   Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
                VectorMap<S> scratch, const Wanted& wanted);

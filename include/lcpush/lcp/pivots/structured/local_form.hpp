@@ -51,16 +51,17 @@ public:
   S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale,
           VectorMap<S> rowsum) const;
   template <class Column>
-  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale, const Column& cover);
+  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
+            const Column& covering_vector);
   template <class IsBasic> bool pivot_locally(IsBasic is_basic);
-  template <class Column> void set_cover(const Column& as_given) {
-    cover_ = as_given;
-    transform(cover_, cover_force_, cover_actuator_input_);
+  template <class Column> void set_covering_vector(const Column& as_given) {
+    d_ = as_given;
+    transform(d_, d_force_, d_actuator_input_);
   }
 
   bool is_flipped(Index slot) const { return flipped_[slot] != 0; }
 
-  /// Entries (row, slot) of the matrix, slot n the cover: along one column after
+  /// Entries (row, slot) of the matrix, slot n the covering vector: along one column after
   /// begin_column(slot), along one row after begin_row(row). Cost: O(1).
   void begin_column(Index slot) {
     force_.setZero();
@@ -91,10 +92,10 @@ private:
   const FactoredProblem<S>* problem_ = nullptr;
   Index n_ = 0, free_begin_ = 0;
   MatrixMap<S> directions_{nullptr, 0, 0}; // n x width, row i: h_i
-  VectorMap<S> cover_{nullptr, 0}, cover_force_{nullptr, 0}, force_{nullptr, 0};
+  VectorMap<S> d_{nullptr, 0}, d_force_{nullptr, 0}, force_{nullptr, 0};
   VectorMap<S> v_{nullptr, 0}, core_input_{nullptr, 0};
   // Of shared actuators, the variable that is not basic: s, or w once s is basic.
-  VectorMap<S> actuator_input_{nullptr, 0}, cover_actuator_input_{nullptr, 0};
+  VectorMap<S> actuator_input_{nullptr, 0}, d_actuator_input_{nullptr, 0};
   MatrixMap<S> springs_{nullptr, 0, 0}, core_{nullptr, 0, 0}; // sum of g h' / c, and C
   bool has_springs_ = false;
   Span<S> friction_, compliance_, own_coupling_, inertia_;

@@ -140,7 +140,7 @@ template <class S> template <class IsBasic> bool LocalForm<S>::pivot_locally(IsB
       }
   }
   if (springs && !load_springs(is_basic)) return false;
-  set_cover(VectorMap<S>(cover_));
+  set_covering_vector(VectorMap<S>(d_));
   return true;
 }
 

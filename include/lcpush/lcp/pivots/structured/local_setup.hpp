@@ -39,9 +39,9 @@ void LocalForm<S>::carve(const Problem<S>& problem, Block<S>& scalars, Block<int
   const Index shared = shared_actuators(*problem_), cones = problem_->cones.size;
   const Index width = 6 + shared;
   scalars.seat(directions_, n_, width);
-  scalars.seat(cover_, n_);
-  for (VectorMap<S>* map : {&cover_force_, &force_, &v_, &core_input_}) scalars.seat(*map, width);
-  for (VectorMap<S>* map : {&actuator_input_, &cover_actuator_input_}) scalars.seat(*map, shared);
+  scalars.seat(d_, n_);
+  for (VectorMap<S>* map : {&d_force_, &force_, &v_, &core_input_}) scalars.seat(*map, width);
+  for (VectorMap<S>* map : {&actuator_input_, &d_actuator_input_}) scalars.seat(*map, shared);
   for (MatrixMap<S>* map : {&springs_, &core_}) scalars.seat(*map, width, width);
   for (Span<S>* span : {&friction_, &compliance_, &own_coupling_}) *span = scalars.take(cones);
   inertia_ = scalars.take(shared);
@@ -98,11 +98,11 @@ S LocalForm<S>::scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> co
   return finite_sum + (rowsum.sum() - rowsum.sum());
 }
 
-/// The problem as given, scaled, under a cover.
+/// The problem as given, scaled, under a covering vector.
 template <class S>
 template <class Column>
 void LocalForm<S>::load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
-                        const Column& cover) {
+                        const Column& covering_vector) {
   const FactoredProblem<S>& f = *problem_;
   directions_.setZero();
   for (Index i = 0; i < n_; ++i) flipped_[i] = 0;
@@ -146,7 +146,7 @@ void LocalForm<S>::load(const VectorMap<S>& row_scale, const VectorMap<S>& colum
     }
     ++shared;
   }
-  set_cover(cover);
+  set_covering_vector(covering_vector);
 }
 
 } // namespace detail

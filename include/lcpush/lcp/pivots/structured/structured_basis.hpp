@@ -45,9 +45,11 @@ public:
     return form_.scale(equilibrates, row_scale, column_scale, rowsum);
   }
   template <class Column>
-  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale, const Column& cover);
-  template <class Column, class Here> void cover(const Column& as_given, Here /*here*/) {
-    form_.set_cover(as_given);
+  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
+            const Column& covering_vector);
+  template <class Column, class Here>
+  void set_covering_vector(const Column& as_given, Here /*here*/) {
+    form_.set_covering_vector(as_given);
   }
 
   /// Computes the column of a nonbasic variable. Cost: O(n + t^2).
@@ -63,7 +65,7 @@ public:
   bool is_long() const { return t_ + 1 >= capacity_ || t_ >= long_; }
   /// See DenseBasis.
   void respond(const VectorMap<S>& r, VectorMap<S> out);
-  void set_bound_level(Index free_begin, const VectorMap<S>& column_scale, const S& level_scale);
+  void set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale, const S& rhs_scale);
 
   Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
                VectorMap<S> scratch, const Wanted& wanted);
@@ -135,8 +137,8 @@ void StructuredBasis<S>::carve(const Problem<S>& problem, Index right_hand_sides
 template <class S>
 template <class Column>
 void StructuredBasis<S>::load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
-                              const Column& cover) {
-  form_.load(row_scale, column_scale, cover);
+                              const Column& covering_vector) {
+  form_.load(row_scale, column_scale, covering_vector);
   t_ = 0;
   constexpr Index few = 64; // a small answer has no more: then nothing is factored on the way
   long_ = few;

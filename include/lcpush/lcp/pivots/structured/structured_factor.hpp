@@ -94,11 +94,11 @@ template <class S> void StructuredBasis<S>::find_values(const Wanted& wanted) {
   constexpr int corrections = 2;
   auto column = dictionary.table.col(0);
   auto rates = rates_.head(t_), entered = along_row_.head(t_), left = along_column_.head(t_);
-  for (Index level = wanted.first; level < wanted.end; ++level) {
-    auto values = dictionary.values.col(level);
+  for (Index rhs = wanted.first; rhs < wanted.end; ++rhs) {
+    auto values = dictionary.values.col(rhs);
     form_.evaluate(values);
     if (t_ == 0) continue;
-    const int passes = level < wanted.exact ? 1 + corrections : 1;
+    const int passes = rhs < wanted.exact ? 1 + corrections : 1;
     const S noise = Eigen::NumTraits<S>::epsilon() * values.cwiseAbs().maxCoeff();
     entered.setZero();
     for (int pass = 0; pass < passes; ++pass) {
@@ -159,12 +159,12 @@ template <class S> void StructuredBasis<S>::respond(const VectorMap<S>& r, Vecto
 /// Free unknowns that are basic are at S exactly and nothing else is: rounding in a solve would
 /// leave noise where the ratio test looks first.
 template <class S>
-void StructuredBasis<S>::set_bound_level(Index free_begin, const VectorMap<S>& column_scale,
-                                         const S& level_scale) {
+void StructuredBasis<S>::set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale,
+                                       const S& rhs_scale) {
   auto values = dictionary.values.col(0);
   const auto bound = [&](Index variable) {
     const bool is_free = variable >= unknown(free_begin, n_) && variable < artificial(n_);
-    return is_free ? S(S(1) / (column_scale[variable - n_] * level_scale)) : S(0);
+    return is_free ? S(S(1) / (column_scale[variable - n_] * rhs_scale)) : S(0);
   };
   respond_to([&](Index variable) { return S(-bound(variable)); }, values);
   for (Index i = 0; i < n_; ++i) values[i] += bound(dictionary.basic[i]);
