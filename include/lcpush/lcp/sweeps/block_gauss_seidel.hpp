@@ -17,7 +17,7 @@
 namespace lcpush {
 
 constexpr Index block_gauss_seidel_scalars(Index n, Index couplings, Index sums) {
-  return 6 * n + proximal_scalars(n, couplings, sums);
+  return 5 * n + proximal_scalars(n, couplings, sums);
 }
 constexpr Index block_gauss_seidel_integers(Index n, Index couplings, Index sums) {
   return 2 * n + proximal_integers(n, couplings, sums);
@@ -56,8 +56,7 @@ private:
   ProximalNewton<S> newton_{{}, {}};
   bool keeps_all_sums_ = false; // plain sweeps do
   Vector6<S> u_;                // B G f
-  Span<S> kept_;
-  Span<int> cone_of_, sum_of_; // by variable: the cone of a normal, its sum group or -1
+  Span<int> cone_of_, sum_of_;  // by variable: the cone of a normal, its sum group or -1
 
   const FactoredProblem<S>& factored() const { return *problem_.factored; }
   bool carve();

@@ -11,7 +11,7 @@ template <class S> bool BlockGaussSeidel<S>::carve() {
   for (const SumGroup<S>& sum : factored().sums) couplings += sum.count;
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
-  for (Span<S>* span : {&z_, &unit_, &check_w_, &kept_}) *span = scalars.take(n);
+  for (Span<S>* span : {&z_, &unit_, &check_w_}) *span = scalars.take(n);
   check_scratch_ = scalars.take(2 * n);
   cone_of_ = integers.take(n);
   sum_of_ = integers.take(n);
