@@ -28,8 +28,10 @@ constexpr bool covers(std::size_t bytes, Index points, Index facets, Index actua
                         2 * actuators * static_cast<Index>(sizeof(Actuator<S>)) +
                         2 * drives * static_cast<Index>(sizeof(Drive<S>));
   const Index work = by_sweeps ? sweep_bytes<S>(size) : push_bytes<S>(size);
-  return static_cast<Index>(bytes) >=
-         static_cast<Index>(sizeof(CPushStruct)) + structs + work + alignment_slack;
+  return sizeof(CPushStruct) <= LCPUSH_STATE_BYTES_(S) &&
+         sizeof(Body<S>) <= LCPUSH_BODY_BYTES_(S) && sizeof(Drive<S>) <= LCPUSH_DRIVE_BYTES_(S) &&
+         static_cast<Index>(bytes) >=
+             static_cast<Index>(sizeof(CPushStruct)) + structs + work + alignment_slack;
 }
 
 lcpush_status as_c(Status status) { return static_cast<lcpush_status>(status); }
@@ -186,12 +188,6 @@ template <class S, class CPushStruct> constexpr bool all_covered() {
 }
 static_assert(all_covered<double, lcpush_push>(), "LCPUSH_BYTES is too small");
 static_assert(all_covered<float, lcpushf_push>(), "LCPUSH_BYTES is too small");
-static_assert(sizeof(lcpush_push) <= LCPUSH_STATE_BYTES_(double), "");
-static_assert(sizeof(lcpushf_push) <= LCPUSH_STATE_BYTES_(float), "");
-static_assert(sizeof(Body<double>) <= LCPUSH_BODY_BYTES_(double), "");
-static_assert(sizeof(Body<float>) <= LCPUSH_BODY_BYTES_(float), "");
-static_assert(sizeof(Drive<double>) <= LCPUSH_DRIVE_BYTES_(double), "");
-static_assert(sizeof(Drive<float>) <= LCPUSH_DRIVE_BYTES_(float), "");
 
 } // namespace
 } // namespace lcpush::c

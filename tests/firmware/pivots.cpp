@@ -1,7 +1,7 @@
 // The same pushes through the headers alone, every pivot watched: prints a hash over the variables
 // that entered and left, in their order.
 #include "lcpush/lcpush.hpp"
-#include "lcpush/mechanics/model/contact_frame.hpp"
+#include "lcpush/mechanics/model/contact.hpp"
 
 #include "scenes.h"
 

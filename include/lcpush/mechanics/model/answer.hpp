@@ -62,6 +62,13 @@ S closing_speed(const Scene<S>& scene, const Body<S>& body, const Drive<S>& driv
   return sum / S(body.point_count);
 }
 
+/// How many bodies it drives; one body by two drives counts twice.
+template <class S> Index drive_count(const Scene<S>& scene, Index actuator) {
+  Index count = 0;
+  for (const Drive<S>& drive : scene.drives) count += drive.actuator == actuator ? 1 : 0;
+  return count;
+}
+
 template <class S> bool is_driven(const Scene<S>& scene, Index body) {
   for (const Drive<S>& drive : scene.drives)
     if (drive.body == body) return true;
