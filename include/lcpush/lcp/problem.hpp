@@ -68,6 +68,17 @@ template <class S> struct Problem {
   const S* push = nullptr; ///< n or null: q is q + sigma push with an infinitesimal sigma > 0
 };
 
+/// Which cone group unknown `variable` belongs to, groups in the order of their variables. Pre: one
+/// begins at it or before. Cost: O(log groups).
+template <class S> Index cone_of(Span<const ConeGroup<S>> cones, Index variable) {
+  Index low = 0, high = cones.size;
+  while (high - low > 1) {
+    const Index middle = (low + high) / 2;
+    (cones[middle].variable <= variable ? low : high) = middle;
+  }
+  return low;
+}
+
 /// G f for the forces in z: the contact wrench on the object. O(forces).
 template <class S> Vector6<S> contact_wrench(const FactoredProblem<S>& problem, const S* z) {
   Vector6<S> wrench = Vector6<S>::Zero();

@@ -68,44 +68,32 @@ public:
 
   template <class L> void starts(const L&) {}
   template <class L> Index leaves(const L& lemke, const PendingPivot& pending) {
-    tied_ = pending.tied.size;
-    decided_by_ = pending.blocking.decided_by;
-    ratio_ = lemke.ratio(pending.blocking.row, pending.column);
-    pivots_now_ = true;
+    entry_.entering = pending.entering;
+    entry_.tied = pending.tied.size;
+    entry_.decided_by = pending.blocking.decided_by;
+    entry_.ratio = lemke.ratio(pending.blocking.row, pending.column);
     return pending.blocking.row;
   }
   template <class L> void stepped(const L& lemke) {
-    TraceEntry<S> entry;
-    entry.number = lemke.pivots();
-    if (pivots_now_) {
-      entry.entering = lemke.last_pivot().entering;
-      entry.leaving = lemke.last_pivot().leaving;
-      entry.tied = tied_;
-      entry.decided_by = decided_by_;
-      entry.ratio = ratio_;
-    }
-    pivots_now_ = false;
-    entry.measure = lemke.artificial_value();
-    entry.status = lemke.status();
-    keep(entry);
+    if (entry_.entering >= 0) entry_.leaving = lemke.last_pivot().leaving;
+    keep(lemke.pivots(), lemke.artificial_value(), lemke.status());
   }
   template <class Sweeps> void checked(const Sweeps& solver) {
-    TraceEntry<S> entry;
-    entry.number = solver.sweeps();
-    entry.measure = solver.residual().residual;
-    entry.status = solver.status();
-    keep(entry);
+    keep(solver.sweeps(), solver.residual().residual, solver.status());
   }
 
 private:
   Span<TraceEntry<S>> memory_;
-  Index next_ = 0, size_ = 0, tied_ = 0;
+  TraceEntry<S> entry_; // the next one
+  Index next_ = 0, size_ = 0;
   std::uint32_t seen_ = 0;
-  TieBreak decided_by_ = TieBreak::none;
-  S ratio_{0};
-  bool pivots_now_ = false;
 
-  void keep(const TraceEntry<S>& entry) {
+  void keep(Index number, const S& measure, Status status) {
+    entry_.number = number;
+    entry_.measure = measure;
+    entry_.status = status;
+    const TraceEntry<S> entry = entry_;
+    entry_ = {};
     ++seen_;
     if (memory_.size == 0) return;
     memory_[next_] = entry;

@@ -92,7 +92,11 @@ public:
   /// Its `table` holds what the basis stores: at least the entering column, PendingPivot::column.
   const Dictionary<S>& dictionary() const { return basis_.dictionary; }
   const B& basis() const { return basis_; }
-  S artificial_value() const;
+  S artificial_value() const {
+    const Index row = basis_.dictionary.row_of(artificial(n_));
+    const Index k = finite_rhs();
+    return row < 0 ? S(0) : S(basis_.dictionary.values(row, k) * rhs_scale_[k]);
+  }
   /// How far the finite value of a row lets the variable of a column grow, as the dictionary is
   /// scaled.
   S ratio(Index row, Index column) const {
@@ -176,11 +180,16 @@ private:
 
   bool carve();
   Status prepare(const Problem<S>& problem, const LemkeOptions<S>& options);
-  const S* right_hand_side(Index rhs) const;
+  const S* right_hand_side(Index rhs) const {
+    if (rhs < finite_rhs()) return bound_.data();
+    return rhs == finite_rhs() ? problem_.q : problem_.push;
+  }
   void load();
   void cover_cold();
   void cover_here();
-  void bound_rhs();
+  void bound_rhs() {
+    if (finite_rhs() > 0) basis_.set_bound_rhs(problem_.free_begin, column_scale_, rhs_scale_[0]);
+  }
   bool refactorise();
   bool drifted();
   void scaled_product(const S* z_scaled, S* out);
@@ -190,7 +199,11 @@ private:
   Status try_next_covering_vector();
   Status accept();
   void refine(Index rhs);
-  WorstRow<S> referee(const S* q, const S* z);
+  WorstRow<S> referee(const S* q, const S* z) {
+    return natural_residual(
+        problem_, q, z, unit_.data(), [&](Index i) { return i >= problem_.free_begin; },
+        product_.data(), check_scratch_.data);
+  }
   bool bound_is_slack() const;
   bool find_range();
   bool passes_check();
@@ -198,14 +211,12 @@ private:
   Status conclude_ray(Index column);
 };
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template class DenseBasis<double>;
+extern template class Lemke<double>;
+#endif
+
 } // namespace lcpush
 
 #include "lcpush/lcp/pivots/detail/lemke_basis.hpp"
 #include "lcpush/lcp/pivots/detail/lemke_pivots.hpp"
-
-#ifdef LCPUSH_EXTERN_TEMPLATES
-namespace lcpush {
-extern template class DenseBasis<double>;
-extern template class Lemke<double>;
-} // namespace lcpush
-#endif

@@ -258,12 +258,10 @@ Status LinearProgramSolver<S>::solve(const LinearProgram<S>& program,
   return pivot(options, observer);
 }
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template class LinearProgramSolver<double>;
+#endif
+
 } // namespace lcpush
 
 #include "lcpush/lcp/pivots/detail/linear_program_proofs.hpp"
-
-#ifdef LCPUSH_EXTERN_TEMPLATES
-namespace lcpush {
-extern template class LinearProgramSolver<double>;
-} // namespace lcpush
-#endif

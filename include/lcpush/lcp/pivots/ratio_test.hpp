@@ -101,11 +101,7 @@ private:
     }
   }
 
-  void swap(Index i, Index k) {
-    const int other = candidates_[i];
-    candidates_[i] = candidates_[k];
-    candidates_[k] = other;
-  }
+  void swap(Index i, Index k) { Eigen::numext::swap(candidates_[i], candidates_[k]); }
 
   void keep_smallest(const S* values) {
     keep_smallest([&](Index row) -> const S& { return values[row]; });

@@ -74,17 +74,14 @@ private:
   S squeeze() const;
   bool passes() const;
   template <class Observer> Status check(Observer& observer);
-  Status judge();
   template <class Observer> Status finish(Observer& observer);
 };
+
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template class ProximalNewton<double>;
+extern template class BlockGaussSeidel<double>;
+#endif
 
 } // namespace lcpush
 
 #include "lcpush/lcp/sweeps/block_sweeps.hpp"
-
-#ifdef LCPUSH_EXTERN_TEMPLATES
-namespace lcpush {
-extern template class ProximalNewton<double>;
-extern template class BlockGaussSeidel<double>;
-} // namespace lcpush
-#endif

@@ -212,17 +212,16 @@ template <class S> void BlockGaussSeidel<S>::recover_multipliers() {
 }
 
 template <class S> template <class Observer> Status BlockGaussSeidel<S>::check(Observer& observer) {
-  if (judge() == Status::running && this->is_last()) status_ = Status::sweep_limit;
-  observer.checked(*this);
-  return status_;
-}
-
-template <class S> Status BlockGaussSeidel<S>::judge() {
   constexpr Index patience = 2000; // sweeps without a better residual
   this->ask_referee();
-  if (runs_away()) return status_ = Status::stagnated;
-  if (passes()) return status_ = Status::solved;
-  return this->go_on(patience);
+  if (runs_away())
+    status_ = Status::stagnated;
+  else if (passes())
+    status_ = Status::solved;
+  else
+    this->go_on(patience);
+  observer.checked(*this);
+  return status_;
 }
 
 /// The residual is measured beside the largest unknown: under a coarse tolerance a squeeze that

@@ -43,16 +43,11 @@ struct Name {
 template <class S> Name name_of(const Layout<S>& layout, Index i) {
   if (i >= layout.size - layout.actuators)
     return {Meaning::closing, i - (layout.size - layout.actuators), 0};
-  Index low = 0, high = layout.points;
-  while (high - low > 1) {
-    const Index middle = (low + high) / 2;
-    (layout.normal_index(middle) <= i ? low : high) = middle;
-  }
-  const Index offset = i - layout.normal_index(low);
-  if (offset == 0) return {Meaning::normal, low, 0};
-  if (offset < layout.cones[low].normals) return {Meaning::pull, low, 0};
-  if (i == layout.slip_index(low)) return {Meaning::slip, low, 0};
-  return {Meaning::friction, low, offset - layout.cones[low].normals};
+  const Index point = cone_of(layout.cones, i), offset = i - layout.normal_index(point);
+  if (offset == 0) return {Meaning::normal, point, 0};
+  if (offset < layout.cones[point].normals) return {Meaning::pull, point, 0};
+  if (i == layout.slip_index(point)) return {Meaning::slip, point, 0};
+  return {Meaning::friction, point, offset - layout.cones[point].normals};
 }
 
 /// SI value of unknown i = its scaled value times this: N, m/s^2, or a unit of its actuator.

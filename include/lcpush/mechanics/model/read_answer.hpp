@@ -86,11 +86,9 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   }
 }
 
-} // namespace lcpush
-
 #ifdef LCPUSH_EXTERN_TEMPLATES
-namespace lcpush {
 extern template void read_answer<double>(const Assembly<double>&, const double*, Answer<double>&,
                                          double, bool);
-} // namespace lcpush
 #endif
+
+} // namespace lcpush

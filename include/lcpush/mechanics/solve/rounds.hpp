@@ -105,6 +105,9 @@ private:
   }
 };
 
+template <class S, class B>
+LemkeRounds(Lemke<S, B>&) -> LemkeRounds<S, const Unobserved, Lemke<S, B>>;
+
 /// Block Gauss-Seidel: cold from even shares, warm from the last forces.
 template <class S, class Observer = const Unobserved> struct SweepRounds {
   BlockGaussSeidel<S>& sweeps;

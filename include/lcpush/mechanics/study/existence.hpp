@@ -24,10 +24,9 @@ enum class Existence {
 };
 
 constexpr Index existence_scalars(const AssemblySize& size) {
-  const Index rows = 7 + size.actuators, forces = size.forces(), k = size.points;
-  const Index squeeze = (rows + k + 1) * forces + rows + linear_program_scalars(forces, rows, k);
   const Index a = size.actuators, normals = size.points + size.pulls;
-  const Index closing = (normals + 2) * a + 1 + linear_program_scalars(a, 1, normals);
+  const Index squeeze = study_scalars(size.forces(), 7 + a, size.points);
+  const Index closing = study_scalars(a, 1, normals);
   return squeeze > closing ? squeeze : closing;
 }
 constexpr Index existence_integers(const AssemblySize& size) {

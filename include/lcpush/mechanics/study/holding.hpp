@@ -19,13 +19,17 @@ template <class S> struct Holding {
   Reason reason = Reason::none;
 };
 
+/// Of a program with these columns, equalities and inequalities, and its solver.
+constexpr Index study_scalars(Index columns, Index m, Index k) {
+  return (m + k + 1) * columns + m + linear_program_scalars(columns, m, k);
+}
+
 /// Sizes of the program: one column a force and one for phi, one equality a direction of motion and
 /// an actuator, one inequality a point.
 constexpr Index holding_columns(const AssemblySize& size) { return size.forces() + 1; }
 constexpr Index holding_rows(const AssemblySize& size) { return 6 + size.actuators; }
 constexpr Index holding_scalars(const AssemblySize& size) {
-  const Index columns = holding_columns(size), m = holding_rows(size), k = size.points;
-  return (m + k + 1) * columns + m + linear_program_scalars(columns, m, k);
+  return study_scalars(holding_columns(size), holding_rows(size), size.points);
 }
 constexpr Index holding_integers(const AssemblySize& size) {
   return linear_program_integers(holding_columns(size), holding_rows(size), size.points);
@@ -118,7 +122,7 @@ template <class S> void fill_forces(const Assembly<S>& assembly, MatrixMap<S>& A
     const SumGroup<S>& sum = factored.sums[a];
     for (Index k = sum.first; k < sum.first + sum.count; ++k) {
       const Index variable = factored.coupled_variable[k];
-      const ConeGroup<S>& cone = layout.cones[name_of(layout, variable).of];
+      const ConeGroup<S>& cone = layout.cones[cone_of(layout.cones, variable)];
       A(moving + a, cone.force + variable - cone.variable) += factored.coupling[k];
     }
   }

@@ -31,14 +31,6 @@ template <class S> struct RaySum {
   }
 };
 
-/// What rounding may leave of an entry of the ray v. Forces, slips and actuators all count: a ray
-/// of an actuator alone leaves traces at contacts that are large beside each other only.
-template <class S> S noise_of_ray(const Layout<S>& layout, const S* v) {
-  S largest(0);
-  for (Index i = 0; i < layout.size; ++i) largest = Eigen::numext::maxi(largest, v[i]);
-  return Tolerances<S>().residual * largest;
-}
-
 /// The largest |Q_a| of the forces in v. Cost: O(couplings).
 template <class S> S actuator_load(const FactoredProblem<S>& problem, const S* v) {
   using std::abs;
@@ -60,7 +52,10 @@ RaySum<S> read_ray(const Assembly<S>& assembly, const S* v, Span<Squeeze<S>> bod
   const Scene<S>& scene = assembly.scene();
   const Layout<S>& layout = assembly.layout();
   RaySum<S> sum;
-  sum.noise = noise_of_ray(layout, v);
+  // Forces, slips and actuators all count: a ray of an actuator alone leaves traces at contacts
+  // that are large beside each other only.
+  for (Index i = 0; i < layout.size; ++i) sum.noise = Eigen::numext::maxi(sum.noise, v[i]);
+  sum.noise *= Tolerances<S>().residual;
   for (Squeeze<S>& body : bodies) {
     body = {};
     body.wrench.setZero();

@@ -126,17 +126,13 @@ template <class S>
 bool DenseBasis<S>::drop_pairs(Index left, Span<int> target, Span<int> candidates,
                                const S& smallest_pivot, VectorMap<S> scratch) {
   const Index n = dictionary.size();
-  Index both = 0, neither = 0; // of a pair's two variables: basic
-  for (Index k = 0; k < left; ++k) {
-    const Index i = candidates[k];
-    if (dictionary.row_of(unknown(i, n)) >= 0) candidates[both++] = static_cast<int>(i);
-  }
-  for (Index k = 0; k < left; ++k) {
-    const Index j = target[k];
-    if (dictionary.column_of(slack(j)) >= 0) target[neither++] = static_cast<int>(j);
-  }
   const auto row = [&](Index i) { return dictionary.row_of(unknown(i, n)); };
   const auto column = [&](Index j) { return dictionary.column_of(slack(j)); };
+  Index both = 0, neither = 0; // of a pair's two variables: basic
+  for (Index k = 0; k < left; ++k)
+    if (row(candidates[k]) >= 0) candidates[both++] = candidates[k];
+  for (Index k = 0; k < left; ++k)
+    if (column(target[k]) >= 0) target[neither++] = target[k];
   return exchange_largest(
              target, candidates, both, smallest_pivot,
              [&](Index j, Index i) -> const S& { return dictionary.table(row(i), column(j)); },

@@ -62,11 +62,6 @@ Status Lemke<S, B>::prepare(const Problem<S>& problem, const LemkeOptions<S>& op
   return status_;
 }
 
-template <class S, class B> const S* Lemke<S, B>::right_hand_side(Index rhs) const {
-  if (rhs < finite_rhs()) return bound_.data();
-  return rhs == finite_rhs() ? problem_.q : problem_.push;
-}
-
 /// The basis of all w, from the problem as given.
 template <class S, class B> void Lemke<S, B>::load() {
   MatrixMap<S>& values = basis_.dictionary.values;
@@ -118,10 +113,6 @@ template <class S, class B> void Lemke<S, B>::scaled_product(const S* z_scaled, 
   for (Index i = 0; i < n_; ++i) scratch_[i] = z_scaled[i] * column_scale_[i];
   multiply(problem_, scratch_.data(), out);
   for (Index i = 0; i < n_; ++i) out[i] *= row_scale_[i];
-}
-
-template <class S, class B> void Lemke<S, B>::bound_rhs() {
-  if (finite_rhs() > 0) basis_.set_bound_rhs(problem_.free_begin, column_scale_, rhs_scale_[0]);
 }
 
 /// The present basis, factored afresh from the problem as given.
@@ -191,12 +182,6 @@ template <class S, class B> void Lemke<S, B>::refine(Index rhs) {
   }
 }
 
-template <class S, class B> WorstRow<S> Lemke<S, B>::referee(const S* q, const S* z) {
-  return natural_residual(
-      problem_, q, z, unit_.data(), [&](Index i) { return i >= problem_.free_begin; },
-      product_.data(), check_scratch_.data);
-}
-
 /// Is every free unknown at S plus something finite, and nothing else of order S?
 template <class S, class B> bool Lemke<S, B>::bound_is_slack() const {
   for (Index i = 0; i < n_ && finite_rhs() > 0; ++i) {
@@ -250,11 +235,6 @@ template <class S, class B> bool Lemke<S, B>::passes_check() {
   const WorstRow<S> pushed = referee(scratch_.data(), trial_.data());
   if (!(pushed.residual <= residual_.residual)) residual_ = pushed;
   return pushed.residual <= tolerance;
-}
-
-template <class S, class B> S Lemke<S, B>::artificial_value() const {
-  const Index row = basis_.dictionary.row_of(artificial(n_));
-  return row < 0 ? S(0) : S(basis_.dictionary.values(row, finite_rhs()) * rhs_scale_[finite_rhs()]);
 }
 
 template <class S, class B>

@@ -38,11 +38,6 @@ template <class S> void StructuredBasis<S>::list_exchanges(Span<int> target, Spa
 /// `smallest_pivot`; they and as many slots come last.
 template <class S> Index StructuredBasis<S>::invert(const S& smallest_pivot) {
   auto K = inverse_.topLeftCorner(t_, t_);
-  const auto swap = [](Span<int> list, Index i, Index j) {
-    const int other = list[i];
-    list[i] = list[j];
-    list[j] = other;
-  };
   for (Index k = 0; k < t_; ++k) {
     const LargestEntry<S> largest = largest_entry(
         t_ - k, t_ - k, smallest_pivot, [&](Index i, Index j) { return S(K(k + i, k + j)); });
@@ -51,8 +46,8 @@ template <class S> Index StructuredBasis<S>::invert(const S& smallest_pivot) {
     if (row != k) K.row(row).swap(K.row(k));
     if (column != k) K.col(column).swap(K.col(k));
     // Row i < k now belongs to slot in_[i], column j < k to row out_[j].
-    swap(out_, row, k);
-    swap(in_, column, k);
+    Eigen::numext::swap(out_[row], out_[k]);
+    Eigen::numext::swap(in_[column], in_[k]);
     const S pivot = K(k, k);
     auto entering = along_column_.head(t_);
     entering = K.col(k);
@@ -116,14 +111,16 @@ template <class S> void StructuredBasis<S>::find_values(const Wanted& wanted) {
   }
 }
 
-/// out = M x for x on the slots that have entered.
+/// out = M (`entered` on the slots that have entered, x on one more).
 template <class S>
 template <class Column, class Entered>
-void StructuredBasis<S>::multiply_entered(Column&& out, const Entered& x) {
+void StructuredBasis<S>::multiply_entered(Column&& out, const Entered& entered, Index more,
+                                          const S& x) {
   form_.multiply(
       [&](auto visit) {
+        if (more >= 0) visit(more, x);
         for (Index k = 0; k < t_; ++k)
-          if (x[k] != S(0)) visit(Index(in_[k]), S(x[k]));
+          if (entered[k] != S(0)) visit(Index(in_[k]), S(entered[k]));
       },
       out);
 }
@@ -147,7 +144,7 @@ void StructuredBasis<S>::respond_to(Value value, Column&& out) {
     const S wanted = value(base_variable(out_[k]));
     rates += inverse_.col(k).head(t_) * (wanted - out[out_[k]]);
   }
-  add_entered(dictionary.table.col(0), -1, S(0));
+  add_entered(dictionary.table.col(0));
   out += dictionary.table.col(0);
   for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
 }
