@@ -1,5 +1,4 @@
-// What stands behind lcpush_push and lcpushf_push: a scene's copy, its workspace, and a solve that
-// can be left and taken up again.
+// Behind lcpush_push and lcpushf_push: a scene's copy, its workspace, a solve that can be left.
 #pragma once
 
 #include <new>

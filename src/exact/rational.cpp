@@ -164,8 +164,7 @@ std::size_t Rational::bit_length() const {
   return std::max(numerator_.bit_length(), denominator_.bit_length());
 }
 
-/// [Knuth, The Art of Computer Programming, 4.5.1]: divisors of the denominators, which are short,
-/// instead of the result's.
+/// By divisors of the denominators, which are shorter than the result's. [Knuth, TAOCP 4.5.1]
 Rational Rational::sum(const Rational& a, const Rational& b, bool subtract) {
   const auto add = [subtract](const BigInteger& x, const BigInteger& y) {
     return subtract ? x - y : x + y;

@@ -88,8 +88,7 @@ template <class S> Vector6<S> contact_wrench(const FactoredProblem<S>& problem, 
   return wrench;
 }
 
-/// visit(i, j, M_ij) for the entries that the groups add to G' A G in M: first all cones, then all
-/// sums. O(forces).
+/// visit(i, j, M_ij) for what the groups add to G' A G in M: first cones, then sums. O(forces).
 template <class S, class Visit>
 void for_each_group_entry(const FactoredProblem<S>& problem, Index free_begin, Visit visit) {
   for (const ConeGroup<S>& cone : problem.cones) {

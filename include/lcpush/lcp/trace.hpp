@@ -39,8 +39,7 @@ struct Unobserved {
 inline constexpr Unobserved unobserved{};
 
 /// One line of a trace: a pivot, or a check of sweeps (entering and leaving are -1). The bases
-/// follow from the first one by the exchanges; what more there is to see, an observer of one's own
-/// can keep.
+/// follow from the first one by the exchanges; an observer of one's own can keep more.
 template <class S> struct TraceEntry {
   Index number = 0; ///< of pivots or sweeps so far, this one included
   Index entering = -1, leaving = -1;

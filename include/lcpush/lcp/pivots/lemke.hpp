@@ -62,8 +62,8 @@ public:
   /// Memory of at least lemke_scalars(n) and lemke_integers(n) elements; it is the caller's.
   Lemke(Span<S> scalars, Span<int> integers) : scalars_(scalars), integers_(integers) {}
 
-  /// Cold start at z = 0. `problem` must outlive the run. Cost: a few passes over M.
-  /// Post: running, or bad_input.
+  /// Cold start at z = 0; `problem` outlives the run. Post: running, or bad_input. Cost: a few
+  /// passes over M.
   [[nodiscard]] Status init(const Problem<S>& problem, const LemkeOptions<S>& options = {});
 
   /// Start from the complementary basis in which z_i is basic where active[i] is not 0.
@@ -97,13 +97,11 @@ public:
     const Index k = finite_rhs();
     return row < 0 ? S(0) : S(basis_.dictionary.values(row, k) * rhs_scale_[k]);
   }
-  /// How far the finite value of a row lets the variable of a column grow, as the dictionary is
-  /// scaled.
+  /// How far the finite value of a row lets a column's variable grow, as the dictionary is scaled.
   S ratio(Index row, Index column) const {
     return -basis_.dictionary.values(row, finite_rhs()) / basis_.dictionary.table(row, column);
   }
-  /// A finite value of z_i, or w_i, in the dictionary times this is the one of the problem as
-  /// given.
+  /// A finite value of z_i, or w_i, in the dictionary times this is that of the problem as given.
   S unknown_unit(Index i) const { return rhs_scale_[finite_rhs()] * column_scale_[i]; }
   S slack_unit(Index i) const { return rhs_scale_[finite_rhs()] / row_scale_[i]; }
 

@@ -153,8 +153,7 @@ private:
     }
   }
 
-  /// How far t can grow (sign = 1) or fall (sign = -1) until a basic variable comes to zero. False:
-  /// without end.
+  /// How far t can grow (sign = 1) or fall (-1) until a basic variable is zero. False: without end.
   bool first_zero(const S& sign, S& distance) const {
     const Index column = dictionary_.column_of(parameter());
     const S threshold =

@@ -110,8 +110,7 @@ private:
   /// Harris: a bound on the step with the tolerance, then everything at or below that bound. What
   /// is dropped stays behind the rest: tied_rows() shows it.
   template <class Value> void keep_smallest(Value value) {
-    // The right-hand side of the symbolic bound is zero almost everywhere, and then nothing is
-    // divided.
+    // That of the symbolic bound is zero almost everywhere, and then nothing is divided.
     Index first = 0;
     while (first < count_ && value(candidates_[first]) == S(0)) ++first;
     if (first == count_) return;

@@ -49,8 +49,7 @@ protected:
         [&](Index i) { return i >= problem_.free_begin; }, check_w_.data, check_scratch_.data);
   }
 
-  /// An answer that does not pass yet. Stagnated: its residual is not finite, or has not fallen for
-  /// `patience` sweeps.
+  /// It does not pass yet. Stagnated: no finite residual, or none that fell for `patience` sweeps.
   void go_on(Index patience) {
     if (sweeps_ == 0 || residual_.residual < best_residual_) {
       best_residual_ = residual_.residual;

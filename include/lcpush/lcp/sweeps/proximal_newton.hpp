@@ -231,8 +231,7 @@ private:
       if (slot_[a] >= 0) J(slot_[a], slot_[a]) += factored().sums[a].inertia;
   }
 
-  /// One step of Newton's method along the line that it gives, halved until phi_ falls. False if it
-  /// does not.
+  /// One step of Newton's method, halved until phi_ falls. False if it does not.
   bool newton_step() {
     constexpr int most_halvings = 12;
     const S before = residual(x_.data);

@@ -1,5 +1,4 @@
-// Assembly: from a scene to the factored complementarity problem, one law at a time, in the
-// caller's memory.
+// Assembly: from a scene to the factored problem, one law at a time, in the caller's memory.
 #pragma once
 
 #include "lcpush/lcp/memory.hpp"

@@ -74,8 +74,7 @@ template <class S> Vector3<S> default_tangent(const Vector3<S>& normal) {
   return tangent_along<S>(normal, Vector3<S>::Unit(axis));
 }
 
-/// A unit of friction: a force in the contact plane and, at a soft point, a torque about the
-/// normal.
+/// A unit of friction: a force in the contact plane, at a soft point a torque about the normal too.
 template <class S> struct Generator {
   Vector3<S> force; ///< 1
   S torque;         ///< m, along the normal

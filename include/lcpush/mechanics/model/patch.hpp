@@ -21,8 +21,7 @@ template <class S> S even_step(Index i, Index k) {
 
 } // namespace detail
 
-/// Points from `first` to `last`, both included; a single point lies midway.
-/// Precondition: points.size >= 1.
+/// Points from `first` to `last`, both included; one lies midway. Precondition: points.size >= 1.
 template <class S>
 void sample_line(const Vector3<S>& first, const Vector3<S>& last, Span<Vector3<S>> points) {
   const Vector3<S> center = (first + last) / S(2), half = (last - first) / S(2);

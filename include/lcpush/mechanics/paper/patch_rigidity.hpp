@@ -1,5 +1,4 @@
-// [T.6] Patch rigidity by hand: references, affine weights, and how many conditions are
-// independent.
+// [T.6] Patch rigidity by hand: references, affine weights, and the rank of the conditions.
 //
 // A patch of k points whose relative accelerations r_i are unknowns of their own moves as one rigid
 // piece [P.5] if every point follows m + 1 reference points,
@@ -13,7 +12,7 @@
 #include "lcpush/lcp/complete_pivoting.hpp"
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/tolerances.hpp"
-#include "lcpush/mechanics/model/laws.hpp"
+#include "lcpush/mechanics/model/check.hpp"
 
 namespace lcpush {
 
@@ -221,9 +220,7 @@ RigidityCheck<S> check_rigidity(Span<const Vector3<S>> points, const PatchRefere
     for (Index motion = 3 * k; motion < stacked.cols(); ++motion) {
       S sum(0);
       for (Index j = 0; j < 3 * k; ++j) sum += stacked(row, j) * stacked(j, motion);
-      sum = Eigen::numext::abs(sum);
-      // A NaN stays the worst of all.
-      if (!(sum <= result.residual) && result.residual == result.residual) result.residual = sum;
+      detail::keep_worst(result.residual, sum);
     }
   result.stacked_rank = rank_of(stacked);
 

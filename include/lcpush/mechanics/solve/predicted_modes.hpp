@@ -9,8 +9,7 @@ namespace lcpush {
 
 namespace detail {
 
-/// The body whose prescribed motion the object is expected to follow: the first pusher that moves;
-/// -1 for none.
+/// The body that the object is expected to follow: the first pusher that moves; -1 for none.
 template <class S> Index leading_body(const Scene<S>& scene) {
   for (Index b = 0; b < scene.bodies.size; ++b)
     if (scene.bodies[b].role == Role::pusher && !scene.bodies[b].acceleration.isZero(S(0)))
@@ -58,8 +57,7 @@ template <class S> void predict_modes(const Assembly<S>& assembly, Span<unsigned
   }
 }
 
-/// The predicted modes as a first basis. A start that leads astray shall not cost more than a cold
-/// one.
+/// The predicted modes as a first basis. One that leads astray shall cost no more than a cold one.
 template <class S> struct PredictedStart {
   const Assembly<S>& assembly; ///< of the problems that the rounds solve
 

@@ -32,8 +32,7 @@ template <class S> struct PressureMemory {
   Span<unsigned char> active; ///< unknowns: its basis
 };
 
-/// Lemke's pivots: cold under its covering vectors, warm from the last basis. `Pivots` is Lemke
-/// over either basis.
+/// `Pivots`, Lemke over either basis: cold under its covering vectors, warm from the last basis.
 template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> struct LemkeRounds {
   Pivots& lemke;
   LemkeOptions<S> options;

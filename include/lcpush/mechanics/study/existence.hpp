@@ -1,5 +1,4 @@
-// Does the existence lemma [T.8] cover a scene (docs/theory/theory.md 5.3 and 5.4)? Its conditions
-// are linear programs:
+// Does the existence lemma [T.8] hold for a scene (theory.md 5.3, 5.4)? By linear programs:
 //
 //   (H1) fails if   s' >= 0, sum s' = 1,   sum_a W(n_i)' J_a s'_a <= 0 at every contact
 //                   has a solution for the massless actuators;

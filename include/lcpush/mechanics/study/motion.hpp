@@ -47,8 +47,7 @@ template <class S> bool axis_through_grip(const Scene<S>& scene, const Answer<S>
   return acceleration_at<S>(grip, answer.acceleration).norm() <= reach;
 }
 
-/// Does the object stick to a pusher that moves along its own surface, as a sheet does, and turn
-/// over it rather than with it?
+/// Does the object turn over, not with, a pusher that moves along its surface, as a sheet does?
 template <class S> bool carried_by_a_surface(const Scene<S>& scene, const Answer<S>& answer) {
   const Vector3<S> alpha = answer.acceleration.template tail<3>();
   bool carried = false;

@@ -1,5 +1,4 @@
-// Is the answer the only one? A proof where there is one, otherwise a search under other covering
-// vectors.
+// Is the answer the only one? A proof where there is one, else a search under covering vectors.
 #pragma once
 
 #include "lcpush/mechanics/solve/breaking.hpp"

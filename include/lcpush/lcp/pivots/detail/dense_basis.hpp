@@ -22,8 +22,7 @@ public:
     dictionary.carve(problem.size, problem.size + 1, right_hand_sides, scalars, integers);
   }
 
-  /// Scales, and rowsum_i = sum_j |M_ij| column_scale_j. Returns 0, or NaN if a number of M is not
-  /// finite.
+  /// Scales, and rowsum_i = sum_j |M_ij| column_scale_j. Returns 0, or NaN if M is not finite.
   S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale, VectorMap<S> rowsum,
           VectorMap<S> scratch) {
     const Index n = dictionary.size();
@@ -83,8 +82,7 @@ public:
     }
   }
 
-  /// After factoring: what is known exactly of the right-hand side of the symbolic bound S.
-  /// Elimination has kept it exact.
+  /// After factoring: what is known of the right-hand side of S. Elimination has kept it exact.
   void set_bound_rhs(Index, const VectorMap<S>&, const S&) {}
 
   Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,

@@ -85,8 +85,7 @@ template <class S, class B> void Lemke<S, B>::cover_cold() {
 }
 
 /// A covering vector and tie columns that are generic and positive in the present complementary
-/// basis. What they are in the problem as given follows from the point (z, w) that they describe: w
-/// - M z.
+/// basis. In the problem as given they are w - M z of the point (z, w) that they describe.
 template <class S, class B> void Lemke<S, B>::cover_here() {
   const Index n = n_;
   for (Index k = 0; k < covering_.cols(); ++k) {

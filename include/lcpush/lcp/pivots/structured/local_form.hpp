@@ -39,8 +39,7 @@
 namespace lcpush {
 namespace detail {
 
-/// Is this sum group one normal force's own affair? Then its unknown and that force can be pivoted
-/// on their coupling.
+/// The cone whose normal force alone the sum group couples, to be pivoted on the coupling; or -1.
 template <class S> Index own_cone(const FactoredProblem<S>& problem, const SumGroup<S>& sum) {
   if (sum.count != 1 || sum.inertia != S(0) || problem.coupling[sum.first] == S(0)) return -1;
   const Index variable = problem.coupled_variable[sum.first];

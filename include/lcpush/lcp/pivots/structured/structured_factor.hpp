@@ -83,8 +83,7 @@ Index StructuredBasis<S>::factor(Span<int> target, Span<int> candidates, const S
 }
 
 /// The right-hand sides of the problem as given become the values of this basis: the unknowns that
-/// make the rows that have left 0. The exact ones are corrected for what rounding in K^-1 leaves
-/// there.
+/// make the rows that have left 0. The exact ones are corrected for rounding in K^-1.
 template <class S> void StructuredBasis<S>::find_values(const Wanted& wanted) {
   constexpr int corrections = 2;
   auto column = dictionary.table.col(0);
