@@ -75,9 +75,7 @@ public:
     for (Index k = 0; k < values.cols(); ++k) eliminate(values.col(k));
     table.col(c) = entering / pivot;
     table(r, c) = S(1) / pivot;
-    const int leaving = basic[r];
-    basic[r] = nonbasic[c];
-    nonbasic[c] = leaving;
+    Eigen::numext::swap(basic[r], nonbasic[c]);
   }
 
 private:

@@ -21,7 +21,24 @@ public:
   /// diagonal is not positive or the memory is too small.
   template <class Observer = const Unobserved>
   [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options = {},
-                            Observer& observer = unobserved);
+                            Observer& observer = unobserved) {
+    using Eigen::numext::sqrt;
+    this->begin(problem, options);
+    const Index n = problem.size;
+    Block<S> block(scalars_);
+    for (Span<S>* span : {&z_, &w_, &unit_, &check_w_}) *span = block.take(n);
+    check_scratch_ = block.take(2 * n);
+    if (block.exhausted() || (n > 0 && problem.matrix == nullptr))
+      return status_ = Status::bad_input;
+    for (Index i = 0; i < n; ++i) {
+      if (!(diagonal(i) > S(0))) return status_ = Status::bad_input;
+      unit_[i] = S(1) / sqrt(diagonal(i));
+      z_[i] = S(0);
+      w_[i] = problem.q[i];
+    }
+    status_ = Status::running;
+    return check(observer);
+  }
 
   /// One pass over all rows. Post: running, or how the run ended. Cost: n^2 multiply-adds.
   template <class Observer = const Unobserved>
@@ -70,26 +87,5 @@ private:
     return status_;
   }
 };
-
-template <class S>
-template <class Observer>
-Status GaussSeidel<S>::init(const Problem<S>& problem, const SweepOptions<S>& options,
-                            Observer& observer) {
-  using Eigen::numext::sqrt;
-  this->begin(problem, options);
-  const Index n = problem.size;
-  Block<S> block(scalars_);
-  for (Span<S>* span : {&z_, &w_, &unit_, &check_w_}) *span = block.take(n);
-  check_scratch_ = block.take(2 * n);
-  if (block.exhausted() || (n > 0 && problem.matrix == nullptr)) return status_ = Status::bad_input;
-  for (Index i = 0; i < n; ++i) {
-    if (!(diagonal(i) > S(0))) return status_ = Status::bad_input;
-    unit_[i] = S(1) / sqrt(diagonal(i));
-    z_[i] = S(0);
-    w_[i] = problem.q[i];
-  }
-  status_ = Status::running;
-  return check(observer);
-}
 
 } // namespace lcpush

@@ -19,8 +19,7 @@ template <class S> struct ContactAnswer {
   S spin{0};                 ///< rad/s^2 about the normal, of the object relative to its body
   S closing_acceleration{0}; ///< m/s^2 along the normal, what actuators add to its body's motion
   S slip{0};                 ///< m/s^2, xi
-  Vector3<S> acceleration =
-      Vector3<S>::Zero(); ///< m/s^2, of the object's point relative to its body
+  Vector3<S> acceleration = Vector3<S>::Zero(); ///< m/s^2, object's point relative to its body
   Mode mode = Mode::stick;
 };
 

@@ -40,13 +40,6 @@ template <class S> Span<const Vector3<S>> patch_points(const Scene<S>& scene, co
 
 namespace detail {
 
-/// What is left of d outside the span of the axes found so far.
-template <class S> Vector3<S> off_span(const PatchReferences<S>& chosen, Vector3<S> d) {
-  for (int pass = 0; pass < 2; ++pass) // the second pass takes what rounding left of the first
-    for (Index c = 0; c < chosen.rank; ++c) d -= chosen.axis[c].dot(d) * chosen.axis[c];
-  return d;
-}
-
 /// The point with the largest distance; of those that are equal but for rounding, the first.
 template <class S, class Distance>
 Index farthest(Span<const Vector3<S>> points, const Distance& distance) {
@@ -80,7 +73,13 @@ template <class S> PatchReferences<S> choose_references(Span<const Vector3<S>> p
   chosen.point[0] =
       detail::farthest(points, [&](const Vector3<S>& p) { return (p - middle).norm(); });
   const Vector3<S> origin = points[chosen.point[0]];
-  const auto off = [&](const Vector3<S>& p) { return detail::off_span<S>(chosen, p - origin); };
+  // What is left of p outside the span of the axes found so far.
+  const auto off = [&](const Vector3<S>& p) {
+    Vector3<S> d = p - origin;
+    for (int pass = 0; pass < 2; ++pass) // the second pass takes what rounding left of the first
+      for (Index c = 0; c < chosen.rank; ++c) d -= chosen.axis[c].dot(d) * chosen.axis[c];
+    return d;
+  };
   while (chosen.rank < 3) {
     const Index next = detail::farthest(points, [&](const Vector3<S>& p) { return off(p).norm(); });
     const Vector3<S> away = off(points[next]);

@@ -49,10 +49,8 @@ Status find_idle_closing(const Assembly<S>& assembly, const StudyMemory<S>& memo
   if (massless == 0) return Status::ray; // there is none
   StudyProgram<S> p(memory.scalars, massless, 1, normals);
   if (!p.fits) return Status::bad_input;
-  p.H.setZero();
   p.A.setOnes();
   p.b.setOnes();
-  p.c.setZero();
   Index column = 0;
   for (const SumGroup<S>& sum : factored.sums) {
     if (sum.inertia > S(0)) continue;
@@ -95,9 +93,7 @@ Status find_tightened_squeeze(const Assembly<S>& assembly, const StudyMemory<S>&
     for (Index j = cone.force; j < cone.force + cone.forces(); ++j)
       p.A(power, j) = assembly.factored().wrenches[j].dot(motion);
   }
-  p.b.setZero();
   p.b[power] = S(1);
-  p.c.setZero();
   LinearProgramSolver<S> solver(p.rest, memory.integers);
   const Status status = solver.solve(p.program(), options);
   for (Index j = 0; status == Status::solved && j < forces; ++j) witness[j] = solver.x()[j];

@@ -50,7 +50,7 @@ template <class S> bool grips(const Scene<S>& scene, Index actuator) {
 
 namespace detail {
 
-/// A program's arrays, cut off the front of a study's memory; `rest` is its solver's.
+/// A program's arrays, all zeros, cut off the front of a study's memory; `rest` is its solver's.
 template <class S> struct StudyProgram {
   MatrixMap<S> A{nullptr, 0, 0}, H{nullptr, 0, 0};
   VectorMap<S> b{nullptr, 0}, c{nullptr, 0};
@@ -65,6 +65,7 @@ template <class S> struct StudyProgram {
     scalars.seat(c, columns);
     rest = scalars.take(linear_program_scalars(columns, equalities, inequalities));
     fits = !scalars.exhausted();
+    for (S& x : memory) x = S(0);
   }
   LinearProgram<S> program() const {
     return {A.cols(), A.rows(), H.rows(), A.data(), b.data(), H.data(), c.data()};
@@ -91,7 +92,6 @@ template <class S> void fill_loads(const Assembly<S>& assembly, HoldingProgram<S
   using Eigen::numext::maxi;
   const Scene<S>& scene = assembly.scene();
   const Vector6<S> weight = laws::weight(scene, assembly.layout().scales);
-  p.b.setZero();
   const Index moving = scene.planar ? 3 : 6;
   for (Index row = 0; row < (scene.planar ? 2 : 3); ++row) p.b[row] = -weight[row];
   for (Index a = 0; a < assembly.layout().actuators; ++a) {
@@ -113,8 +113,6 @@ template <class S> void fill_forces(const Assembly<S>& assembly, MatrixMap<S>& A
   constexpr Index planar_axes[] = {0, 1, 5};
   const bool planar = assembly.scene().planar;
   const Index moving = planar ? 3 : 6;
-  A.setZero();
-  H.setZero();
   for (Index j = 0; j < layout.forces; ++j)
     for (Index row = 0; row < moving; ++row)
       A(row, j) = factored.wrenches[j][planar ? planar_axes[row] : row];
@@ -140,7 +138,6 @@ template <class S> void fill_rows(const Assembly<S>& assembly, HoldingProgram<S>
   const Scene<S>& scene = assembly.scene();
   const Index moving = scene.planar ? 3 : 6, phi = assembly.layout().forces;
   fill_forces(assembly, p.A, p.H);
-  p.c.setZero();
   p.c[phi] = S(1);
   for (Index a = 0; a < assembly.layout().actuators; ++a)
     if (grips(scene, a) && p.grip > S(0))

@@ -9,9 +9,9 @@ namespace lcpush {
 
 /// One body's part in a ray. Forces have no unit of their own: a ray may be scaled.
 template <class S> struct Squeeze {
-  Vector6<S> wrench;      ///< on the object, force; moment over Scales::length
-  S normal{0};            ///< sum of its normal forces' sizes; 0: takes no part
-  S friction{0};          ///< sum of its friction forces' sizes
+  Vector6<S> wrench = Vector6<S>::Zero(); ///< on the object, force; moment over Scales::length
+  S normal{0};                            ///< sum of its normal forces' sizes; 0: takes no part
+  S friction{0};                          ///< sum of its friction forces' sizes
   S power{0};             ///< of its prescribed motion, in units of F / m: > 0 tightens
   bool runs_away = false; ///< an actuator closes it without end
 };
@@ -56,10 +56,7 @@ RaySum<S> read_ray(const Assembly<S>& assembly, const S* v, Span<Squeeze<S>> bod
   // that are large beside each other only.
   for (Index i = 0; i < layout.size; ++i) sum.noise = Eigen::numext::maxi(sum.noise, v[i]);
   sum.noise *= Tolerances<S>().residual;
-  for (Squeeze<S>& body : bodies) {
-    body = {};
-    body.wrench.setZero();
-  }
+  for (Squeeze<S>& body : bodies) body = {};
   for (Index i = 0; i < layout.points; ++i) {
     const ConeGroup<S>& cone = layout.cones[i];
     Squeeze<S>& body = bodies[layout.body[i]];

@@ -85,56 +85,49 @@ public:
   /// After factoring: what is known of the right-hand side of S. Elimination has kept it exact.
   void set_bound_rhs(Index, const VectorMap<S>&, const S&) {}
 
+  /// Gauss-Jordan with complete pivoting from the basis of all w to the one in target (basic
+  /// variables in any order). Returns how many of its z are left when pivots above `smallest_pivot`
+  /// end: then candidates holds the w that should have left, target the z that should have entered.
   Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
-               VectorMap<S> scratch, const Wanted& wanted);
+               VectorMap<S> scratch, const Wanted& /*all come along*/) {
+    const Index n = dictionary.size();
+    // candidates: rows whose w is to leave; target: columns whose variable is to enter.
+    Index wanted = 0, leaving = 0;
+    for (Index i = 0; i < n; ++i) candidates[i] = 1;
+    for (Index k = 0; k < n; ++k)
+      if (target[k] < n) candidates[target[k]] = 0;
+    for (Index i = 0; i < n; ++i)
+      if (candidates[i] != 0) candidates[leaving++] = static_cast<int>(i);
+    for (Index k = 0; k < n; ++k)
+      if (target[k] >= n) target[wanted++] = target[k] - static_cast<int>(n);
+    return exchange_largest(
+        candidates, target, wanted, smallest_pivot,
+        [&](Index row, Index column) -> const S& { return dictionary.table(row, column); },
+        [&](Index row, Index column) { dictionary.exchange(row, column, scratch); });
+  }
+
+  /// After factor has left some: makes the basis complementary again, without them. Where w_i
+  /// has stayed but z_i has entered, and z_j has not entered but w_j has left, z_i leaves for w_j.
+  /// False if that is singular too.
   bool drop_pairs(Index left, Span<int> target, Span<int> candidates, const S& smallest_pivot,
-                  VectorMap<S> scratch);
+                  VectorMap<S> scratch) {
+    const Index n = dictionary.size();
+    const auto row = [&](Index i) { return dictionary.row_of(unknown(i, n)); };
+    const auto column = [&](Index j) { return dictionary.column_of(slack(j)); };
+    Index both = 0, neither = 0; // of a pair's two variables: basic
+    for (Index k = 0; k < left; ++k)
+      if (row(candidates[k]) >= 0) candidates[both++] = candidates[k];
+    for (Index k = 0; k < left; ++k)
+      if (column(target[k]) >= 0) target[neither++] = target[k];
+    return exchange_largest(
+               target, candidates, both, smallest_pivot,
+               [&](Index j, Index i) -> const S& { return dictionary.table(row(i), column(j)); },
+               [&](Index j, Index i) { dictionary.exchange(row(i), column(j), scratch); }) == 0;
+  }
 
 private:
   Problem<S> problem_;
   bool holds_problem_ = false; // the table is the scaled M, from scale() to the first load()
 };
-
-/// Gauss-Jordan with complete pivoting from the basis of all w to the one in target (basic
-/// variables in any order). Returns how many of its z are left when pivots above `smallest_pivot`
-/// end: then candidates holds the w that should have left, target the z that should have entered.
-template <class S>
-Index DenseBasis<S>::factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
-                            VectorMap<S> scratch, const Wanted& /*all come along*/) {
-  const Index n = dictionary.size();
-  // candidates: rows whose w is to leave; target: columns whose variable is to enter.
-  Index wanted = 0, leaving = 0;
-  for (Index i = 0; i < n; ++i) candidates[i] = 1;
-  for (Index k = 0; k < n; ++k)
-    if (target[k] < n) candidates[target[k]] = 0;
-  for (Index i = 0; i < n; ++i)
-    if (candidates[i] != 0) candidates[leaving++] = static_cast<int>(i);
-  for (Index k = 0; k < n; ++k)
-    if (target[k] >= n) target[wanted++] = target[k] - static_cast<int>(n);
-  return exchange_largest(
-      candidates, target, wanted, smallest_pivot,
-      [&](Index row, Index column) -> const S& { return dictionary.table(row, column); },
-      [&](Index row, Index column) { dictionary.exchange(row, column, scratch); });
-}
-
-/// After factor has left some: makes the basis complementary again, without them. Where w_i
-/// has stayed but z_i has entered, and z_j has not entered but w_j has left, z_i leaves for w_j.
-/// False if that is singular too.
-template <class S>
-bool DenseBasis<S>::drop_pairs(Index left, Span<int> target, Span<int> candidates,
-                               const S& smallest_pivot, VectorMap<S> scratch) {
-  const Index n = dictionary.size();
-  const auto row = [&](Index i) { return dictionary.row_of(unknown(i, n)); };
-  const auto column = [&](Index j) { return dictionary.column_of(slack(j)); };
-  Index both = 0, neither = 0; // of a pair's two variables: basic
-  for (Index k = 0; k < left; ++k)
-    if (row(candidates[k]) >= 0) candidates[both++] = candidates[k];
-  for (Index k = 0; k < left; ++k)
-    if (column(target[k]) >= 0) target[neither++] = target[k];
-  return exchange_largest(
-             target, candidates, both, smallest_pivot,
-             [&](Index j, Index i) -> const S& { return dictionary.table(row(i), column(j)); },
-             [&](Index j, Index i) { dictionary.exchange(row(i), column(j), scratch); }) == 0;
-}
 
 } // namespace lcpush

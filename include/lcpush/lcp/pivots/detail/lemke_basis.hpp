@@ -7,14 +7,12 @@
 namespace lcpush {
 
 template <class S, class B> bool Lemke<S, B>::carve() {
-  using detail::max_rhs;
-  using detail::tie_columns;
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
   const Index n = n_;
-  basis_.carve(problem_, rhs_count_ + tie_columns, scalars, integers);
-  scalars.seat(covering_, n, 1 + tie_columns);
-  scalars.seat(solution_, n, max_rhs);
+  basis_.carve(problem_, rhs_count_ + detail::tie_columns, scalars, integers);
+  scalars.seat(covering_, n, 1 + detail::tie_columns);
+  scalars.seat(solution_, n, detail::max_rhs);
   for (VectorMap<S>* map : {&row_scale_, &column_scale_, &unit_, &rowsum_, &bound_, &ray_, &trial_,
                             &scratch_, &product_})
     scalars.seat(*map, n);
