@@ -11,7 +11,8 @@ float push_force(const Scene<float>& scene, Index pusher) {
   if (assembly.assemble(scene) != Status::running) return -1; // more contacts than `size` says
   Lemke<float> lemke(work.lemke_scalars, work.lemke_integers);
   PressureRun run;
-  if (solve_pressure(assembly, lemke, work.pressure, {}, run) != Status::solved) return -1;
+  if (solve_pressure(assembly, LemkeRounds{lemke}, work.pressure, {}, run) != Status::solved)
+    return -1;
   read_answer(assembly, work.pressure.z.data, work.answer, 1.0F);
   const Residuals<float> residual = check(scene, assembly.layout().scales, work.answer, 1.0F);
   if (!(residual.max() <= Tolerances<float>().residual)) return -1;

@@ -11,7 +11,7 @@ LCPUSH_NAME(push) *
   for (const int count :
        {size->bodies, size->points, size->facets, size->actuators, size->drives, size->pulls})
     if (count < 0) return nullptr;
-  Arena arena({static_cast<unsigned char*>(memory), static_cast<Index>(bytes)});
+  Arena arena(static_cast<unsigned char*>(memory), static_cast<Index>(bytes));
   const Span<unsigned char> place =
       arena.take_bytes(static_cast<Index>(sizeof(LCPUSH_NAME(push))), alignof(LCPUSH_NAME(push)));
   if (place.data == nullptr) return nullptr;

@@ -28,8 +28,10 @@ constexpr bool covers(std::size_t bytes, Index points, Index facets, Index actua
                         2 * actuators * static_cast<Index>(sizeof(Actuator<S>)) +
                         2 * drives * static_cast<Index>(sizeof(Drive<S>));
   const Index work = by_sweeps ? sweep_bytes<S>(size) : push_bytes<S>(size);
-  return static_cast<Index>(bytes) >=
-         static_cast<Index>(sizeof(CPushStruct)) + structs + work + alignment_slack;
+  return sizeof(CPushStruct) <= LCPUSH_STATE_BYTES_(S) &&
+         sizeof(Body<S>) <= LCPUSH_BODY_BYTES_(S) && sizeof(Drive<S>) <= LCPUSH_DRIVE_BYTES_(S) &&
+         static_cast<Index>(bytes) >=
+             static_cast<Index>(sizeof(CPushStruct)) + structs + work + alignment_slack;
 }
 
 lcpush_status as_c(Status status) { return static_cast<lcpush_status>(status); }
@@ -113,11 +115,9 @@ template <class S> Status command(CPush<S>& push, const S* forces, const S* acce
 
 /// The body of the scene as it was described: under even pressure every point is a body of its own.
 template <class S> Index described_body(const CPush<S>& push, Index point) {
+  const Span<const Body<S>>& bodies = push.given().bodies;
   Index b = 0;
-  for (const Body<S>& body : push.given().bodies) {
-    if (point < body.first_point + body.point_count) return b;
-    ++b;
-  }
+  while (b < bodies.size && point >= bodies[b].first_point + bodies[b].point_count) ++b;
   return b;
 }
 
@@ -128,14 +128,14 @@ template <class S> Vector6<S> wrench_of(const CPush<S>& push, Index body) {
 
 /// The mean over an actuator's shares.
 template <class S> S closing_of(const CPush<S>& push, Index actuator) {
-  if (!push.has_answer() || actuator < 0 || actuator >= push.given().actuators.size) return S(0);
-  if (push.given().pressure != Pressure::even) return push.answer().closing[actuator];
+  const Scene<S>& given = push.given();
+  if (!push.has_answer() || actuator < 0 || actuator >= given.actuators.size) return S(0);
+  if (given.pressure != Pressure::even) return push.answer().closing[actuator];
   S sum(0);
   Index shares = 0, share = 0;
-  for (const Body<S>& body : push.given().bodies) {
-    const Index b = &body - push.given().bodies.data;
-    for (Index i = 0; is_driven(push.given(), b) && i < body.point_count; ++i)
-      for (const Drive<S>& drive : push.given().drives) {
+  for (Index b = 0; b < given.bodies.size; ++b)
+    for (Index i = 0; i < given.bodies[b].point_count; ++i)
+      for (const Drive<S>& drive : given.drives) {
         if (drive.body != b) continue;
         if (drive.actuator == actuator) {
           sum += push.answer().closing[share];
@@ -143,7 +143,6 @@ template <class S> S closing_of(const CPush<S>& push, Index actuator) {
         }
         ++share;
       }
-  }
   return shares > 0 ? S(sum / S(shares)) : S(0);
 }
 
@@ -186,12 +185,6 @@ template <class S, class CPushStruct> constexpr bool all_covered() {
 }
 static_assert(all_covered<double, lcpush_push>(), "LCPUSH_BYTES is too small");
 static_assert(all_covered<float, lcpushf_push>(), "LCPUSH_BYTES is too small");
-static_assert(sizeof(lcpush_push) <= LCPUSH_STATE_BYTES_(double), "");
-static_assert(sizeof(lcpushf_push) <= LCPUSH_STATE_BYTES_(float), "");
-static_assert(sizeof(Body<double>) <= LCPUSH_BODY_BYTES_(double), "");
-static_assert(sizeof(Body<float>) <= LCPUSH_BODY_BYTES_(float), "");
-static_assert(sizeof(Drive<double>) <= LCPUSH_DRIVE_BYTES_(double), "");
-static_assert(sizeof(Drive<float>) <= LCPUSH_DRIVE_BYTES_(float), "");
 
 } // namespace
 } // namespace lcpush::c

@@ -1,10 +1,9 @@
-// What stands behind lcpush_push and lcpushf_push: a scene's copy, its workspace, and a solve that
-// can be left and taken up again.
+// Behind lcpush_push and lcpushf_push: a scene's copy, its workspace, a solve that can be left.
 #pragma once
 
 #include <new>
 
-#include "lcpush/mechanics/model/contact_frame.hpp"
+#include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/validate.hpp"
 #include "lcpush/mechanics/solve/breaking.hpp"
 
@@ -42,13 +41,12 @@ public:
         drives_(arena.take<Drive<S>>(most.drives)),
         even_({arena.take<Body<S>>(most.points), arena.take<Actuator<S>>(most.actuators),
                arena.take<Drive<S>>(most.drives)}),
-        work_(take_workspace(arena, most, by_sweeps)), assembly_(work_.assembly),
-        lemke_(work_.lemke_scalars, work_.lemke_integers),
-        sweeps_(work_.sweep_scalars, work_.sweep_integers) {
-    complete_ = !arena.exhausted();
-  }
+        work_(by_sweeps ? make_sweep_workspace<S>(arena, assembly_size(most))
+                        : make_workspace<S>(arena, assembly_size(most))),
+        assembly_(work_.assembly), lemke_(work_.lemke_scalars, work_.lemke_integers),
+        sweeps_(work_.sweep_scalars, work_.sweep_integers) {}
 
-  bool complete() const { return complete_; }
+  bool complete() const { return work_.complete; }
 
   // What describe() fills before it calls accept(); lengths are checked against `most`.
   Span<Body<S>> bodies(Index count) { return cut(bodies_, count); }
@@ -132,15 +130,13 @@ public:
   bool has_answer() const { return status_ == Status::solved || status_ == Status::does_not_hold; }
   const Answer<S>& answer() const { return work_.answer; }
   const Scene<S>& given() const { return given_; }
-  Scene<S>& given() { return given_; }
-  const Scene<S>& scene() const { return scene_; }
   const PressureRun& run() const { return run_; }
   Index pivots() const { return run_.pivots + (status_ == Status::running ? lemke_.pivots() : 0); }
   S residual() const { return residual_; }
 
 private:
   Capacity most_;
-  bool by_sweeps_, complete_ = false, described_ = false;
+  bool by_sweeps_, described_ = false;
   Span<Body<S>> bodies_;
   Span<Vector3<S>> points_;
   Span<Actuator<S>> actuators_;
@@ -161,11 +157,6 @@ private:
 
   static AssemblySize assembly_size(const Capacity& most) {
     return {most.points, most.points * most.facets, most.actuators, most.drives, most.pulls};
-  }
-
-  static Workspace<S> take_workspace(Arena& arena, const Capacity& most, bool by_sweeps) {
-    return by_sweeps ? make_sweep_workspace<S>(arena, assembly_size(most))
-                     : make_workspace<S>(arena, assembly_size(most));
   }
 
   bool fits(const AssemblySize& size) const {

@@ -1,5 +1,7 @@
 #include "dense/decompositions.hpp"
 
+#include <algorithm>
+
 #include <Eigen/QR>
 
 namespace lcpush::desktop {
@@ -33,6 +35,48 @@ void correct(const MatrixXd& A, const VectorXd& b, double threshold, VectorXd& x
     const VectorXd step = decomposition.solve(off);
     x -= step;
   }
+}
+
+namespace {
+
+/// The least squares of the chosen columns, 0 elsewhere.
+VectorXd solve_chosen(const MatrixXd& A, const VectorXd& b, const std::vector<Index>& chosen) {
+  MatrixXd columns(A.rows(), static_cast<Index>(chosen.size()));
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    columns.col(static_cast<Index>(k)) = A.col(chosen[k]);
+  const VectorXd found = least_squares(columns, b);
+  VectorXd x = VectorXd::Zero(A.cols());
+  for (std::size_t k = 0; k < chosen.size(); ++k) x[chosen[k]] = found[static_cast<Index>(k)];
+  return x;
+}
+
+} // namespace
+
+VectorXd nonnegative_least_squares(const MatrixXd& A, const VectorXd& b) {
+  constexpr double rounding = 1e-13;
+  const Index n = A.cols();
+  VectorXd x = VectorXd::Zero(n);
+  std::vector<Index> chosen;
+  for (Index exchange = 0; exchange < 3 * n; ++exchange) {
+    VectorXd gain = A.transpose() * (b - A * x);
+    for (const Index j : chosen) gain[j] = 0;
+    Index entering = 0;
+    if (!(gain.size() > 0 && gain.maxCoeff(&entering) > rounding * (1 + b.norm()))) break;
+    chosen.push_back(entering);
+    for (;;) {
+      const VectorXd target = solve_chosen(A, b, chosen);
+      double step = 1;
+      for (const Index j : chosen)
+        if (target[j] <= 0) step = std::min(step, x[j] > 0 ? x[j] / (x[j] - target[j]) : 0.0);
+      x += step * (target - x);
+      if (!(step < 1)) break;
+      const auto leaves = [&](Index j) { return !(x[j] > rounding); };
+      for (const Index j : chosen)
+        if (leaves(j)) x[j] = 0;
+      chosen.erase(std::remove_if(chosen.begin(), chosen.end(), leaves), chosen.end());
+    }
+  }
+  return x;
 }
 
 RowSpace row_space(const MatrixXd& A, double threshold) {

@@ -23,6 +23,11 @@ Eigen::VectorXd shortest_solution(const Eigen::MatrixXd& A, const Eigen::VectorX
 void correct(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double threshold,
              Eigen::VectorXd& x);
 
+/// An x >= 0 with the least |A x - b|, to rounding, by active sets [Lawson, Hanson
+/// 1974, chapter 23]; b near 1. Ends always: after 3 columns' worth
+/// of exchanges with what it has. Cost: a few least squares of rows x rows.
+Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+
 /// What the rows of A span, and what is orthogonal to them: A' = [basis complement] R, in an order.
 struct RowSpace {
   Eigen::MatrixXd basis;      ///< columns x rank, orthonormal

@@ -213,13 +213,12 @@ BigInteger gcd(const BigInteger& a, const BigInteger& b) {
   BigInteger result;
   if ((na == 1 && a.limbs()[0] == 1) || (nb == 1 && b.limbs()[0] == 1)) return BigInteger(1);
   const std::size_t room = std::max(na, nb);
-  limbs::Scratch memory(2 * room);
-  BigInteger::Limb *const x = memory.data(), *const y = x + room;
+  limbs::Scratch memory(3 * room);
+  BigInteger::Limb *const x = memory.data(), *const y = x + room, *const divisor = y + room;
   std::copy_n(a.limbs(), na, x);
   std::copy_n(b.limbs(), nb, y);
-  limbs::Scratch divisor(room);
-  const std::size_t size = limbs::greatest_common_divisor(divisor.data(), x, na, y, nb);
-  std::copy_n(divisor.data(), size, result.room(size));
+  const std::size_t size = limbs::greatest_common_divisor(divisor, x, na, y, nb);
+  std::copy_n(divisor, size, result.room(size));
   result.finish(size, false);
   return result;
 }

@@ -32,15 +32,6 @@ template <class Float> Rational exact_value(Float value) {
   return scaled_by_two(std::move(numerator), exponent);
 }
 
-BigInteger power_of_ten(int exponent) {
-  BigInteger power = 1, square = 10;
-  for (; exponent > 0; exponent /= 2) {
-    if (exponent % 2 != 0) power *= square;
-    square *= square;
-  }
-  return power;
-}
-
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string_view take_digits(std::string_view& text) {
@@ -89,8 +80,8 @@ std::optional<Rational> read_magnitude(std::string_view text) {
   }
   const std::optional<BigInteger> number = BigInteger::parse(digits);
   if (!text.empty() || !number) return std::nullopt;
-  if (exponent < 0) return Rational(*number, power_of_ten(-exponent));
-  return Rational(*number * power_of_ten(exponent), 1);
+  const auto power = *BigInteger::parse('1' + std::string(std::abs(exponent), '0'));
+  return exponent < 0 ? Rational(*number, power) : Rational(*number * power, 1);
 }
 
 /// The square root of a whole number if it is whole.
@@ -173,8 +164,7 @@ std::size_t Rational::bit_length() const {
   return std::max(numerator_.bit_length(), denominator_.bit_length());
 }
 
-/// [Knuth, The Art of Computer Programming, 4.5.1]: divisors of the denominators, which are short,
-/// instead of the result's.
+/// By divisors of the denominators, which are shorter than the result's. [Knuth, TAOCP 4.5.1]
 Rational Rational::sum(const Rational& a, const Rational& b, bool subtract) {
   const auto add = [subtract](const BigInteger& x, const BigInteger& y) {
     return subtract ? x - y : x + y;

@@ -9,12 +9,12 @@ void read_contact(const OwnedFullForm& full, Index point, Index row, MatrixMap<d
   const Scene<double>& scene = full.assembly().scene();
   const Layout<double>& layout = full.assembly().layout();
   const Body<double>& body = scene.bodies[layout.body[point]];
-  T(row, layout.normal(point)) = layout.scales.force;
-  if (body.bilateral) T(row, layout.normal(point) + 1) = -layout.scales.force;
+  T(row, layout.normal_index(point)) = layout.scales.force;
+  if (body.bilateral) T(row, layout.normal_index(point) + 1) = -layout.scales.force;
   for (Index j = 0; j < layout.cones[point].generators; ++j) {
     const Generator<double> d = generator(body, j, scene.facets);
-    T.block<3, 1>(row + 1, layout.friction(point, j)) = layout.scales.force * d.force;
-    T(row + 4, layout.friction(point, j)) = layout.scales.force * d.torque;
+    T.block<3, 1>(row + 1, layout.friction_index(point, j)) = layout.scales.force * d.force;
+    T(row + 4, layout.friction_index(point, j)) = layout.scales.force * d.torque;
   }
   const Vector3<double> axes[] = {body.normal, body.tangent, cross(body.normal, body.tangent)};
   for (Index c = 0; c < 3; ++c)
@@ -29,7 +29,7 @@ HostMatrix answer_matrix(const OwnedFullForm& full) {
     T(k, full.form().acceleration() + k) =
         layout.scales.acceleration / (k < 3 ? 1 : layout.scales.length);
   for (Index a = 0; a < layout.actuators; ++a)
-    T(6 + a, layout.closing(a)) = unknown_unit(layout, layout.closing(a));
+    T(6 + a, layout.closing_index(a)) = unknown_unit(layout, layout.closing_index(a));
   for (Index i = 0; i < layout.points; ++i) read_contact(full, i, 6 + layout.actuators + 8 * i, T);
   return host_matrix(T);
 }

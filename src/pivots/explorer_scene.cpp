@@ -35,7 +35,7 @@ void write_bodies(JsonWriter& json, const Push& push) {
     json.key("actuators").begin_array();
     for (const Drive<double>& drive : scene.drives) {
       if (drive.body != b) continue;
-      json.begin_object().member("variable", push.layout().closing(drive.actuator));
+      json.begin_object().member("variable", push.layout().closing_index(drive.actuator));
       json.member("twist", drive.twist).end_object();
     }
     json.end_array();
@@ -50,10 +50,11 @@ void write_points(JsonWriter& json, const Push& push) {
     const Body<double>& body = scene.bodies[layout.body[i]];
     json.member("name", point_name(push.file(), i)).member("body", layout.body[i]);
     json.member("position", push.file().positions[static_cast<std::size_t>(i)]);
-    const Index normal = layout.normal(i);
+    const Index normal = layout.normal_index(i);
     json.member("normal", normal).member("pull", when(cone.normals == 2, normal + 1));
-    json.list("friction", cone.generators, [&](Index j) { json.value(layout.friction(i, j)); });
-    json.member("slip", when(cone.generators > 0, layout.slip(i)));
+    json.list("friction", cone.generators,
+              [&](Index j) { json.value(layout.friction_index(i, j)); });
+    json.member("slip", when(cone.generators > 0, layout.slip_index(i)));
     json.objects("generators", cone.generators, [&](Index j) {
       const Generator<double> d = generator(body, j, scene.facets);
       json.member("force", d.force).member("torque", d.torque);

@@ -41,18 +41,18 @@ public:
     seen_.clear();
   }
 
-  Index leaves(const Lemke<S>& lemke, const Turn& turn) {
+  Index choose_leaving_row(const Lemke<S>& lemke, const PendingPivot& pending) {
     const Dictionary<S>& d = lemke.dictionary();
     TracedPivot pivot;
-    pivot.entering = turn.entering;
-    pivot.row = turn.blocking.row;
-    pivot.column = turn.column;
+    pivot.entering = pending.entering;
+    pivot.row = pending.blocking.row;
+    pivot.column = pending.column;
     pivot.leaving = d.basic[pivot.row];
-    pivot.decided_by = turn.blocking.decided_by;
+    pivot.decided_by = pending.blocking.decided_by;
     pivot.run = trace_.runs.size() - 1;
-    for (Index i = 0; i < d.size(); ++i) pivot.ratios.push_back(ratio(d, i, turn));
-    if (turn.tied.size > 1) {
-      for (const int row : turn.tied) pivot.ties.push_back(d.basic[row]);
+    for (Index i = 0; i < d.size(); ++i) pivot.ratios.push_back(ratio(d, i, pending));
+    if (pending.tied.size > 1) {
+      for (const int row : pending.tied) pivot.ties.push_back(d.basic[row]);
       std::sort(pivot.ties.begin(), pivot.ties.end());
     }
     const auto entries = static_cast<std::size_t>(d.size() * (d.size() + 1));
@@ -62,7 +62,7 @@ public:
     }
     trace_.pivots.push_back(pivot);
     is_pivoting_ = true;
-    const Index row = chosen_row(turn);
+    const Index row = chosen_row(pending);
     if (row != pivot.row) {
       trace_.pivots.back().row = row;
       trace_.pivots.back().leaving = d.basic[row];
@@ -115,12 +115,12 @@ private:
   std::map<std::vector<Index>, std::size_t> seen_;
 
   /// One of the tied rows: the rule's, or the user's.
-  Index chosen_row(const Turn& turn) const {
-    const Index row = options_.choose ? options_.choose(trace_) : turn.blocking.row;
-    if (options_.z0_wins_ties || turn.blocking.decided_by != TieBreak::artificial) return row;
+  Index chosen_row(const PendingPivot& pending) const {
+    const Index row = options_.choose ? options_.choose(trace_) : pending.blocking.row;
+    if (options_.z0_wins_ties || pending.blocking.decided_by != TieBreak::artificial) return row;
     Index first = -1;
-    for (const int other : turn.tied)
-      if (other != turn.blocking.row && (first < 0 || other < first)) first = other;
+    for (const int other : pending.tied)
+      if (other != pending.blocking.row && (first < 0 || other < first)) first = other;
     return first;
   }
 
@@ -136,9 +136,10 @@ private:
 
   /// How far the entering variable may grow before this row blocks; for the entry of z0, how much
   /// of it the row needs.
-  std::optional<TraceValue> ratio(const Dictionary<S>& d, Index row, const Turn& turn) const {
-    const S& rate = d.table(row, turn.column);
-    if (turn.repairs ? !(S(0) < rate) || !is_negative(d, row) : !(rate < S(0))) return {};
+  std::optional<TraceValue> ratio(const Dictionary<S>& d, Index row,
+                                  const PendingPivot& pending) const {
+    const S& rate = d.table(row, pending.column);
+    if (pending.repairs ? !(S(0) < rate) || !is_negative(d, row) : !(rate < S(0))) return {};
     TraceValue v;
     if (has_S()) v.times_S = traced(trace_, S(-d.values(row, 0) / rate));
     v.finite = traced(trace_, S(-d.values(row, has_S() ? 1 : 0) / rate));

@@ -75,7 +75,7 @@ private:
   std::string sliding(Index at, const std::vector<bool>& basic) const {
     Generator<double> friction{Vector3<double>::Zero(), 0};
     for (Index j = 0; j < push_.layout().cones[at].generators; ++j) {
-      const Index variable = unknown(push_.layout().friction(at, j), size());
+      const Index variable = unknown(push_.layout().friction_index(at, j), size());
       if (!basic[static_cast<std::size_t>(variable)]) continue;
       const Body<double>& body = push_.scene().bodies[push_.layout().body[at]];
       const Generator<double> d = generator(body, j, push_.file().facets);

@@ -1,7 +1,7 @@
 #include "scenes/exact_frame.hpp"
 
 #include "lcpush/desktop/scene_io.hpp"
-#include "lcpush/mechanics/model/contact_frame.hpp"
+#include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/patch.hpp"
 
 #include <vector>

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "lcpush/mechanics/model/contact.hpp"
-#include "lcpush/mechanics/model/contact_frame.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {

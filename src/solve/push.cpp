@@ -93,7 +93,7 @@ void Push::name_file_bodies() {
 std::string Push::explain(Status status, const PressureRun& run) const {
   bool squeezes = false;
   for (Index i = 0; status == Status::ray && i < layout().points; ++i)
-    squeezes = squeezes || ray()[layout().normal(i)] > ray_noise;
+    squeezes = squeezes || ray()[layout().normal_index(i)] > ray_noise;
   switch (status) {
   case Status::ray:
     return squeezes ? "a ray: forces that squeeze the object and that nothing relieves"

@@ -48,7 +48,7 @@ void write_closing(JsonWriter& json, const Scene<double>& scene, const Answer<do
     return;
   }
   std::vector<double> each;
-  for (const Index i : points_of(body)) each.push_back(answer.contacts[i].closing);
+  for (const Index i : points_of(body)) each.push_back(answer.contacts[i].closing_acceleration);
   json.value(each);
 }
 

@@ -26,8 +26,8 @@ public:
         records_(options.record_history) {}
 
   void starts(const Lemke<double>& lemke) override { to_.starts(lemke); }
-  Index leaves(const Lemke<double>& lemke, const Turn& turn) override {
-    return to_.leaves(lemke, turn);
+  Index choose_leaving_row(const Lemke<double>& lemke, const PendingPivot& pending) override {
+    return to_.choose_leaving_row(lemke, pending);
   }
   void stepped(const Lemke<double>& lemke) override { to_.stepped(lemke); }
   void progressed(Index unknowns, Index covers) override { to_.progressed(unknowns, covers); }

@@ -238,7 +238,7 @@ std::vector<std::string> closing_sentences(const SceneFile& file, const PushRepo
       add(file.body_name(b), mean_closing(report.answer, body));
     else
       for (const Index i : points_of(body))
-        add(point_name(file, i), report.answer.contacts[i].closing);
+        add(point_name(file, i), report.answer.contacts[i].closing_acceleration);
   }
   return list;
 }

@@ -43,7 +43,7 @@ void Face::choose(const FaceModes& modes) {
     if (cone.normals == 2 && (undecided || mode.pulls)) unknowns_.push_back(normal + 1);
     if (cone.generators == 0) continue;
     for (Index j = 0; j < cone.generators; ++j) {
-      const Index row = layout.friction(i, j);
+      const Index row = layout.friction_index(i, j);
       const bool active = std::binary_search(mode.active.begin(), mode.active.end(), j);
       if (mode.kind != Kind::slide || active) unknowns_.push_back(row);
       (mode.kind == Kind::stick || active ? zero : sign).push_back(row);

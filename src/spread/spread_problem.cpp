@@ -35,7 +35,7 @@ Look look_at(const LiteralProblem& problem, Index i, const Eigen::VectorXd& z,
     force = std::max(force, std::abs(cone.normal_force(z.data())));
     motion = std::max(motion, std::abs(w[cone.variable]));
     for (Index j = 0; j < cone.generators; ++j)
-      motion = std::max(motion, std::abs(w[layout.friction(k, j)] - z[cone.slip()]));
+      motion = std::max(motion, std::abs(w[layout.friction_index(k, j)] - z[cone.slip()]));
   }
   const ConeGroup<double>& cone = layout.cones[i];
   const double lambda = cone.normal_force(z.data());
@@ -44,10 +44,10 @@ Look look_at(const LiteralProblem& problem, Index i, const Eigen::VectorXd& z,
   look.pulls = lambda < 0;
   look.gap_closed = std::abs(w[cone.variable]) <= tie * motion;
   double fastest = 0;
-  const auto against = [&](Index j) { return z[cone.slip()] - w[layout.friction(i, j)]; };
+  const auto against = [&](Index j) { return z[cone.slip()] - w[layout.friction_index(i, j)]; };
   for (Index j = 0; j < cone.generators; ++j) {
     fastest = std::max(fastest, against(j));
-    if (z[layout.friction(i, j)] > tie * force) look.carrying.push_back(j);
+    if (z[layout.friction_index(i, j)] > tie * force) look.carrying.push_back(j);
   }
   for (Index j = 0; j < cone.generators; ++j)
     if (against(j) >= fastest - tie * motion) look.opposing.push_back(j);
@@ -68,7 +68,7 @@ void LiteralProblem::complete(const FaceModes& modes, Eigen::VectorXd& z) const 
     z[cone.slip()] = 0;
     double needed = 0;
     for (Index j = 0; j < cone.generators; ++j) {
-      const Index row = layout().friction(i, j);
+      const Index row = layout().friction_index(i, j);
       needed = std::max(needed, -(dense_.M.row(row).dot(z) + dense_.q[row]));
     }
     z[cone.slip()] = needed;

@@ -8,7 +8,8 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadRepor
   const FactoredProblem<double>& factored = problem.factored();
   const auto blank = [&] { return Eigen::VectorXd(Eigen::VectorXd::Zero(layout.size)); };
   const auto add_normal = [&](Index i, Eigen::VectorXd& f) {
-    for (Index k = 0; k < layout.cones[i].normals; ++k) f[layout.normal(i) + k] = k == 0 ? 1 : -1;
+    for (Index k = 0; k < layout.cones[i].normals; ++k)
+      f[layout.normal_index(i) + k] = k == 0 ? 1 : -1;
   };
   for (PusherSpread& pusher : report.pushers) {
     Quantity push{&pusher.force, blank()};
@@ -35,9 +36,9 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadRepor
     Quantity torsion{&spread.torsion, blank()};
     for (Index j = 0; j < layout.cones[i].generators; ++j) {
       const Generator<double> d = generator(body, j, problem.scene().facets);
-      along.f[layout.friction(i, j)] = d.force.dot(body.tangent);
-      across.f[layout.friction(i, j)] = d.force.dot(cross(body.normal, body.tangent));
-      torsion.f[layout.friction(i, j)] = d.torque / layout.scales.length;
+      along.f[layout.friction_index(i, j)] = d.force.dot(body.tangent);
+      across.f[layout.friction_index(i, j)] = d.force.dot(cross(body.normal, body.tangent));
+      torsion.f[layout.friction_index(i, j)] = d.torque / layout.scales.length;
     }
     quantities.push_back(along);
     quantities.push_back(across);

@@ -234,7 +234,7 @@ void AnswerCompleter::find_motions() {
     contact.acceleration =
         contact_of(i).acceleration.value_or(acceleration_at<double>(scene_.points[i], relative));
     contact.spin = relative.tail<3>().dot(body.normal);
-    contact.closing =
+    contact.closing_acceleration =
         acceleration_at<double>(scene_.points[i], twist - body.acceleration).dot(body.normal);
   }
 }

@@ -1,5 +1,5 @@
 // The forces of an AnswerCompleter: from the motion, and as generators.
-#include "dense/nonnegative_least_squares.hpp"
+#include "dense/decompositions.hpp"
 #include "solve/owned_program.hpp"
 #include "text/limits.hpp"
 #include "verify/answer_completer.hpp"

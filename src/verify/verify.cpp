@@ -41,12 +41,12 @@ Eigen::VectorXd unknowns_of(const Layout<double>& layout, const Answer<double>& 
     z[cone.variable] = cone.normals == 2 ? std::max(lambda, 0.0) : lambda;
     if (cone.normals == 2) z[cone.variable + 1] = std::max(-lambda, 0.0);
     for (Index j = 0; j < cone.generators; ++j)
-      z[layout.friction(i, j)] = *beta++ / layout.scales.force;
+      z[layout.friction_index(i, j)] = *beta++ / layout.scales.force;
     if (cone.generators > 0)
-      z[layout.slip(i)] = answer.contacts[i].slip / layout.scales.acceleration;
+      z[layout.slip_index(i)] = answer.contacts[i].slip / layout.scales.acceleration;
   }
   for (Index a = 0; a < layout.actuators; ++a)
-    z[layout.closing(a)] = answer.closing[a] * layout.reach[a] / layout.scales.acceleration;
+    z[layout.closing_index(a)] = answer.closing[a] * layout.reach[a] / layout.scales.acceleration;
   return z;
 }
 

@@ -135,7 +135,8 @@ private:
       note(given.closing[0] - mean_closing(answer_, body), scales_.acceleration, "m/s^2", closes);
     for (std::size_t k = 0; given.closing.size() > 1 && k < given.closing.size(); ++k)
       if (static_cast<Index>(given.closing.size()) == body.point_count)
-        note(given.closing[k] - answer_.contacts[body.first_point + static_cast<Index>(k)].closing,
+        note(given.closing[k] -
+                 answer_.contacts[body.first_point + static_cast<Index>(k)].closing_acceleration,
              scales_.acceleration, "m/s^2", closes);
   }
 };

@@ -109,8 +109,8 @@ void run_breaking(const char* name, Pressure pressure, unsigned from, unsigned t
     Breaking<double> breaking;
     PressureRun run;
     const Index pusher = scene.bodies.size - 1;
-    const Status status =
-        find_breaking(assembly, lemke, memory.work, scene.bodies[pusher], {}, breaking, run);
+    const Status status = find_breaking(assembly, LemkeRounds{lemke}, memory.work,
+                                        scene.bodies[pusher], {}, breaking, run);
     if (status == Status::does_not_hold) {
       ++dropped;
     } else if (status != Status::solved) {

@@ -197,7 +197,8 @@ TEST_CASE_TEMPLATE("a whole push allocates nothing: workspace, assembly, rounds,
             assembly.assemble(scene);
             Lemke<S> lemke(work.lemke_scalars, work.lemke_integers);
             PressureRun run;
-            status = solve_pressure(assembly, lemke, work.pressure, PressureOptions<S>{}, run);
+            status = solve_pressure(assembly, LemkeRounds{lemke}, work.pressure,
+                                    PressureOptions<S>{}, run);
             read_answer(assembly, work.pressure.z.data, work.answer, S(1));
             (void)check(scene, assembly.layout().scales, work.answer, S(1));
           }) == 0);
@@ -241,7 +242,7 @@ TEST_CASE("the instant of breaking allocates nothing") {
     Breaking<double> breaking;
     Status status = Status::running;
     CHECK(heap_calls_of([&] {
-            status = find_breaking(push.assembly, push.lemke, push.memory.work,
+            status = find_breaking(push.assembly, LemkeRounds{push.lemke}, push.memory.work,
                                    push.scene.bodies[2], push.options, breaking, push.run);
           }) == 0);
     CHECK(status == Status::solved);

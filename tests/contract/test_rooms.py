@@ -123,7 +123,7 @@ PLANTED = [
     ("src/sweep/sweep_text.cpp", '#include "spread/spread_face.hpp"', "may not include src/spread/"),
     ("src/draw/markup.cpp", '#include "lcpush/desktop/scene_io.hpp"',
      "may not include include/lcpush/desktop/"),
-    ("src/solve/push.cpp", "int planted = lcpush::detail::max_levels;", "detail::"),
+    ("src/solve/push.cpp", "int planted = lcpush::detail::max_rhs;", "detail::"),
     ("src/solve/push.cpp", '#include "../text/wording.hpp"', "includes start at"),
 ]
 

@@ -33,11 +33,11 @@ Status sweep(BlockGaussSeidel<double>& sweeps, const Problem<double>& problem) {
 
 # What the headers say to an observer: a statement of its own, or the row that leaves.
 STATEMENT = re.compile(r"^ *observer\.\w+\([^;]*\);\n", flags=re.M)
-ROW = "observer.leaves(*this, turn)"
+ROW = "observer.choose_leaving_row(*this, pending)"
 
 
 def without_observers(text):
-    return STATEMENT.sub("", text).replace(ROW, "turn.blocking.row")
+    return STATEMENT.sub("", text).replace(ROW, "pending.blocking.row")
 
 
 def assembly(include, folder, level):

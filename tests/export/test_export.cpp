@@ -183,11 +183,12 @@ VectorX<double> full_unknowns(const desktop::Push& push, const FullForm<double>&
     const Body<double>& body = push.scene().bodies[layout.body[i]];
     const ContactAnswer<double>& contact = answer.contacts[i];
     const double lambda = contact.normal_force / scales.force;
-    x[layout.normal(i)] = body.bilateral ? larger(lambda, 0) : lambda;
-    if (body.bilateral) x[layout.normal(i) + 1] = larger(-lambda, 0);
+    x[layout.normal_index(i)] = body.bilateral ? larger(lambda, 0) : lambda;
+    if (body.bilateral) x[layout.normal_index(i) + 1] = larger(-lambda, 0);
     for (Index j = 0; j < layout.cones[i].generators; ++j)
-      x[layout.friction(i, j)] = answer.friction[entry++] / scales.force;
-    if (layout.cones[i].generators > 0) x[layout.slip(i)] = contact.slip / scales.acceleration;
+      x[layout.friction_index(i, j)] = answer.friction[entry++] / scales.force;
+    if (layout.cones[i].generators > 0)
+      x[layout.slip_index(i)] = contact.slip / scales.acceleration;
     const Vector3<double> r = contact.acceleration / scales.acceleration;
     x[form.relative(i)] = r.dot(body.normal);
     x[form.relative(i) + 1] = r.dot(body.tangent);
@@ -196,7 +197,7 @@ VectorX<double> full_unknowns(const desktop::Push& push, const FullForm<double>&
       x[form.relative(i) + 3] = contact.spin * scales.length / scales.acceleration;
   }
   for (Index a = 0; a < layout.actuators; ++a)
-    x[layout.closing(a)] = answer.closing[a] * layout.reach[a] / scales.acceleration;
+    x[layout.closing_index(a)] = answer.closing[a] * layout.reach[a] / scales.acceleration;
   x.segment<3>(form.acceleration()) = answer.acceleration.head<3>() / scales.acceleration;
   x.segment<3>(form.acceleration() + 3) =
       answer.acceleration.tail<3>() * scales.length / scales.acceleration;
@@ -307,7 +308,7 @@ TEST_CASE("export: lcpush's own answers solve the paper's program, and no worse 
     }
 
     // A force more, anywhere, breaks a constraint.
-    x[push.layout().normal(0)] += 0.1;
+    x[push.layout().normal_index(0)] += 0.1;
     CHECK(program.violation(x) > 1e-3);
   }
   CHECK(solved >= 24);

@@ -1,7 +1,7 @@
 // The same pushes through the headers alone, every pivot watched: prints a hash over the variables
 // that entered and left, in their order.
 #include "lcpush/lcpush.hpp"
-#include "lcpush/mechanics/model/contact_frame.hpp"
+#include "lcpush/mechanics/model/contact.hpp"
 
 #include "scenes.h"
 
@@ -14,10 +14,11 @@ struct Path {
   std::uint32_t hash = HASH_START;
 
   template <class L> void starts(const L&) {}
-  template <class L> Index leaves(const L& lemke, const Turn& turn) {
-    hash = hash_bits(hash, static_cast<std::uint32_t>(turn.entering));
-    hash = hash_bits(hash, static_cast<std::uint32_t>(lemke.dictionary().basic[turn.blocking.row]));
-    return turn.blocking.row;
+  template <class L> Index choose_leaving_row(const L& lemke, const PendingPivot& pending) {
+    hash = hash_bits(hash, static_cast<std::uint32_t>(pending.entering));
+    hash =
+        hash_bits(hash, static_cast<std::uint32_t>(lemke.dictionary().basic[pending.blocking.row]));
+    return pending.blocking.row;
   }
   template <class L> void stepped(const L&) {}
   template <class Sweeps> void checked(const Sweeps&) {}

@@ -33,15 +33,15 @@ struct Diary {
     ++starts_seen;
     CHECK(lemke.dictionary().column_of(artificial(lemke.dictionary().size())) >= 0);
   }
-  Index leaves(const Lemke<double>& lemke, const Turn& turn) {
+  Index choose_leaving_row(const Lemke<double>& lemke, const PendingPivot& pending) {
     const Dictionary<double>& d = lemke.dictionary();
-    CHECK(d.nonbasic[turn.column] == turn.entering);
-    CHECK(turn.repairs == (turn.entering == artificial(d.size())));
-    CHECK(turn.tied.size == turn.blocking.tied);
-    pivots.push_back({turn.entering, d.basic[turn.blocking.row], turn.blocking});
+    CHECK(d.nonbasic[pending.column] == pending.entering);
+    CHECK(pending.repairs == (pending.entering == artificial(d.size())));
+    CHECK(pending.tied.size == pending.blocking.tied);
+    pivots.push_back({pending.entering, d.basic[pending.blocking.row], pending.blocking});
     tied.emplace_back();
-    for (const int row : turn.tied) tied.back().push_back(d.basic[row]);
-    return turn.blocking.row;
+    for (const int row : pending.tied) tied.back().push_back(d.basic[row]);
+    return pending.blocking.row;
   }
   void stepped(const Lemke<double>& lemke) {
     ++steps_seen;
@@ -97,12 +97,12 @@ TEST_CASE("an observer may let another of the tied rows leave") {
   struct LastTied {
     Index changed = 0;
     void starts(const Lemke<double>&) {}
-    Index leaves(const Lemke<double>&, const Turn& turn) {
-      if (turn.blocking.decided_by == TieBreak::artificial) return turn.blocking.row;
-      Index row = turn.blocking.row;
-      for (const int tied : turn.tied)
+    Index choose_leaving_row(const Lemke<double>&, const PendingPivot& pending) {
+      if (pending.blocking.decided_by == TieBreak::artificial) return pending.blocking.row;
+      Index row = pending.blocking.row;
+      for (const int tied : pending.tied)
         if (tied > row) row = tied;
-      changed += row != turn.blocking.row ? 1 : 0;
+      changed += row != pending.blocking.row ? 1 : 0;
       return row;
     }
     void stepped(const Lemke<double>&) {}

@@ -129,7 +129,7 @@ TEST_CASE("a block tips over its far edge at (m g + F) / 3") {
 
 TEST_CASE("a lever of 1 : 98 drives its finger back at 98 times the push") {
   const Pushed lever(scene_text("lever.toml"));
-  CHECK(lever.report.answer.contacts[1].closing == Approx(-98).epsilon(1e-9));
+  CHECK(lever.report.answer.contacts[1].closing_acceleration == Approx(-98).epsilon(1e-9));
   CHECK(lever.normal_of("fingertip") == Approx(1).epsilon(1e-9));
   CHECK(break_force(scene_text("lever.toml")) == Approx(98).epsilon(1e-9));
 }

@@ -34,11 +34,11 @@ template <class S> struct OwnedScene {
     OwnedScene pads = *this;
     const EvenSize size = even_size(view());
     pads.bodies.resize(static_cast<std::size_t>(size.bodies));
-    pads.actuators.resize(static_cast<std::size_t>(size.actuators));
+    pads.actuators.resize(static_cast<std::size_t>(size.drives));
     pads.drives.resize(static_cast<std::size_t>(size.drives));
     Scene<S> ignored;
     const EvenMemory<S> memory{{pads.bodies.data(), size.bodies},
-                               {pads.actuators.data(), size.actuators},
+                               {pads.actuators.data(), size.drives},
                                {pads.drives.data(), size.drives}};
     const bool spreads =
         base.pressure == Pressure::even && spread_evenly(view(), memory, ignored) == Status::solved;

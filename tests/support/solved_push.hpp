@@ -29,7 +29,7 @@ template <class S, class Pivots = Lemke<S>> struct SolvedPush {
   /// Solves for the push scaled by sigma and reads the answer.
   Status solve(S sigma = S(1)) {
     assembly.push_by(sigma);
-    status = solve_pressure(assembly, lemke, memory.work.pressure, options, run);
+    status = solve_pressure(assembly, LemkeRounds{lemke}, memory.work.pressure, options, run);
     if (status != Status::solved) return status;
     read_answer(assembly, memory.work.pressure.z.data, memory.work.answer, sigma);
     residuals = check(scene, scales(), answer(), sigma);

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "dense/nonnegative_least_squares.hpp"
+#include "dense/decompositions.hpp"
 
 #include <random>
 

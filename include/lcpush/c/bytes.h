@@ -20,5 +20,5 @@
   (((n) * ((n) + 1) + 22 * (n)) * sizeof(real) + (4 * (n) + 1) * sizeof(int))
 
 #define LCPUSH_SWEEPS_BYTES_(real, n, couplings, actuators)                                        \
-  ((10 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) +              \
+  ((9 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) +               \
    (4 * (n) + 1 + (couplings) + (actuators)) * sizeof(int))

@@ -16,7 +16,7 @@ template <class S> struct EvenSceneOf {
   explicit EvenSceneOf(const Scene<S>& given) {
     const EvenSize size = even_size(given);
     bodies.resize(static_cast<std::size_t>(size.bodies));
-    actuators.resize(static_cast<std::size_t>(size.actuators));
+    actuators.resize(static_cast<std::size_t>(size.drives));
     drives.resize(static_cast<std::size_t>(size.drives));
     const EvenMemory<S> memory{span_of(bodies), span_of(actuators), span_of(drives)};
     // A file whose actuators drive several bodies is refused when it is read.

@@ -10,12 +10,16 @@ public:
   virtual ~Watcher() = default;
 
   virtual void starts(const Lemke<double>&) {}
-  virtual Index leaves(const Lemke<double>&, const Turn& turn) { return turn.blocking.row; }
+  virtual Index choose_leaving_row(const Lemke<double>&, const PendingPivot& pending) {
+    return pending.blocking.row;
+  }
   virtual void stepped(const Lemke<double>&) {}
   /// After a step of StructuredLemke: it has no dictionary to show, and nothing to choose from.
   virtual void progressed(Index /*unknowns*/, Index /*covers*/) {}
   void starts(const StructuredLemke<double>&) {}
-  Index leaves(const StructuredLemke<double>&, const Turn& turn) { return turn.blocking.row; }
+  Index choose_leaving_row(const StructuredLemke<double>&, const PendingPivot& pending) {
+    return pending.blocking.row;
+  }
   void stepped(const StructuredLemke<double>& lemke) {
     progressed(lemke.dictionary().size(), lemke.covers_tried());
   }

@@ -68,6 +68,17 @@ template <class S> struct Problem {
   const S* push = nullptr; ///< n or null: q is q + sigma push with an infinitesimal sigma > 0
 };
 
+/// Which cone group unknown `variable` belongs to, groups in the order of their variables. Pre: one
+/// begins at it or before. Cost: O(log groups).
+template <class S> Index cone_of(Span<const ConeGroup<S>> cones, Index variable) {
+  Index low = 0, high = cones.size;
+  while (high - low > 1) {
+    const Index middle = (low + high) / 2;
+    (cones[middle].variable <= variable ? low : high) = middle;
+  }
+  return low;
+}
+
 /// G f for the forces in z: the contact wrench on the object. O(forces).
 template <class S> Vector6<S> contact_wrench(const FactoredProblem<S>& problem, const S* z) {
   Vector6<S> wrench = Vector6<S>::Zero();
@@ -77,8 +88,7 @@ template <class S> Vector6<S> contact_wrench(const FactoredProblem<S>& problem, 
   return wrench;
 }
 
-/// visit(i, j, M_ij) for the entries that the groups add to G' A G in M: first all cones, then all
-/// sums. O(forces).
+/// visit(i, j, M_ij) for what the groups add to G' A G in M: first cones, then sums. O(forces).
 template <class S, class Visit>
 void for_each_group_entry(const FactoredProblem<S>& problem, Index free_begin, Visit visit) {
   for (const ConeGroup<S>& cone : problem.cones) {

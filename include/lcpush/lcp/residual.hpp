@@ -81,8 +81,7 @@ void factored_rows(const Problem<S>& problem, const S* z, const S* y, S* w, S* s
 }
 
 /// out_j = the largest |z_l| / u_l among the unknowns that share a row with z_j: whose rounding z_j
-/// may have caught. In the factored form all forces meet in the object, so it is the largest of
-/// all.
+/// may have caught. In the factored form all forces meet in the object: the largest of all.
 template <class S>
 void neighbour_sizes(const Problem<S>& problem, const S* z, const S* unit, S* row_largest, S* out) {
   using Eigen::numext::abs;

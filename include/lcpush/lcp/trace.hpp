@@ -4,9 +4,9 @@
 // Any class with these member functions will do:
 //
 //     void starts(const Lemke<S>&)                 a basis to pivot from, z0 not yet in it
-//     Index leaves(const Lemke<S>&, const Turn&)   before a pivot: the row that is to leave
-//     void stepped(const Lemke<S>&)                after a step: its status, z0 and basis
-//     void checked(const Sweeps&)                  after a check of either Gauss-Seidel: its
+//     Index choose_leaving_row(const Lemke<S>&, const PendingPivot&)   before a pivot: the row that
+//     is to leave void stepped(const Lemke<S>&)                after a step: its status, z0 and
+//     basis void checked(const Sweeps&)                  after a check of either Gauss-Seidel: its
 //                                                  sweeps(), z() and residual()
 #pragma once
 
@@ -18,7 +18,7 @@
 namespace lcpush {
 
 /// A pivot about to be made. The dictionary still shows the basis before it.
-struct Turn {
+struct PendingPivot {
   Index entering;       ///< variable number of dictionary.hpp
   Index column;         ///< its column: the ratios are values / -table.col(column)
   Blocking blocking;    ///< the row that the tie rule chose, and why
@@ -29,16 +29,17 @@ struct Turn {
 /// Looks at nothing and changes nothing.
 struct Unobserved {
   template <class L> void starts(const L&) const {}
-  /// An observer may return another of turn.tied; any other row leaves a wrong basis.
-  template <class L> Index leaves(const L&, const Turn& turn) const { return turn.blocking.row; }
+  /// An observer may return another of pending.tied; any other row leaves a wrong basis.
+  template <class L> Index choose_leaving_row(const L&, const PendingPivot& pending) const {
+    return pending.blocking.row;
+  }
   template <class L> void stepped(const L&) const {}
   template <class Sweeps> void checked(const Sweeps&) const {}
 };
 inline constexpr Unobserved unobserved{};
 
 /// One line of a trace: a pivot, or a check of sweeps (entering and leaving are -1). The bases
-/// follow from the first one by the exchanges; what more there is to see, an observer of one's own
-/// can keep.
+/// follow from the first one by the exchanges; an observer of one's own can keep more.
 template <class S> struct TraceEntry {
   Index number = 0; ///< of pivots or sweeps so far, this one included
   Index entering = -1, leaving = -1;
@@ -65,45 +66,33 @@ public:
   }
 
   template <class L> void starts(const L&) {}
-  template <class L> Index leaves(const L& lemke, const Turn& turn) {
-    tied_ = turn.tied.size;
-    decided_by_ = turn.blocking.decided_by;
-    ratio_ = lemke.ratio(turn.blocking.row, turn.column);
-    pivots_now_ = true;
-    return turn.blocking.row;
+  template <class L> Index choose_leaving_row(const L& lemke, const PendingPivot& pending) {
+    entry_.entering = pending.entering;
+    entry_.tied = pending.tied.size;
+    entry_.decided_by = pending.blocking.decided_by;
+    entry_.ratio = lemke.ratio(pending.blocking.row, pending.column);
+    return pending.blocking.row;
   }
   template <class L> void stepped(const L& lemke) {
-    TraceEntry<S> entry;
-    entry.number = lemke.pivots();
-    if (pivots_now_) {
-      entry.entering = lemke.last_pivot().entering;
-      entry.leaving = lemke.last_pivot().leaving;
-      entry.tied = tied_;
-      entry.decided_by = decided_by_;
-      entry.ratio = ratio_;
-    }
-    pivots_now_ = false;
-    entry.measure = lemke.artificial_value();
-    entry.status = lemke.status();
-    keep(entry);
+    if (entry_.entering >= 0) entry_.leaving = lemke.last_pivot().leaving;
+    keep(lemke.pivots(), lemke.artificial_value(), lemke.status());
   }
   template <class Sweeps> void checked(const Sweeps& solver) {
-    TraceEntry<S> entry;
-    entry.number = solver.sweeps();
-    entry.measure = solver.residual().residual;
-    entry.status = solver.status();
-    keep(entry);
+    keep(solver.sweeps(), solver.residual().residual, solver.status());
   }
 
 private:
   Span<TraceEntry<S>> memory_;
-  Index next_ = 0, size_ = 0, tied_ = 0;
+  TraceEntry<S> entry_; // the next one
+  Index next_ = 0, size_ = 0;
   std::uint32_t seen_ = 0;
-  TieBreak decided_by_ = TieBreak::none;
-  S ratio_{0};
-  bool pivots_now_ = false;
 
-  void keep(const TraceEntry<S>& entry) {
+  void keep(Index number, const S& measure, Status status) {
+    entry_.number = number;
+    entry_.measure = measure;
+    entry_.status = status;
+    const TraceEntry<S> entry = entry_;
+    entry_ = {};
     ++seen_;
     if (memory_.size == 0) return;
     memory_[next_] = entry;

@@ -21,13 +21,14 @@ struct Unknowns {
   const VectorX<double>& z;
 
   const Scales<double>& scales() const { return assembly.layout().scales; }
-  double normal(Index i) const { return z[assembly.layout().normal(i)] * scales().force; }
+  double normal(Index i) const { return z[assembly.layout().normal_index(i)] * scales().force; }
   double friction(Index i, Index j) const {
-    return z[assembly.layout().friction(i, j)] * scales().force;
+    return z[assembly.layout().friction_index(i, j)] * scales().force;
   }
-  double slip(Index i) const { return z[assembly.layout().slip(i)] * scales().acceleration; }
+  double slip(Index i) const { return z[assembly.layout().slip_index(i)] * scales().acceleration; }
   double closing(Index a) const {
-    return z[assembly.layout().closing(a)] * scales().acceleration / assembly.layout().reach[a];
+    return z[assembly.layout().closing_index(a)] * scales().acceleration /
+           assembly.layout().reach[a];
   }
 };
 
@@ -75,16 +76,16 @@ void check_point(const Scene<double>& scene, const Unknowns& u, const VectorX<do
   const Scales<double>& scales = u.scales();
   const Vec3 acceleration = at(scene.points[i], relative);
   const double rounding = 1e-11 * w.cwiseAbs().maxCoeff();
-  CHECK(absolute(w[layout.normal(i)] - body.normal.dot(acceleration) / scales.acceleration) <=
+  CHECK(absolute(w[layout.normal_index(i)] - body.normal.dot(acceleration) / scales.acceleration) <=
         rounding);
   if (!(body.friction > 0)) return;
   double room = body.friction * u.normal(i);
   for (Index j = 0; j < scene.facets; ++j) {
     const double row = generator(body, j, scene.facets).force.dot(acceleration) + u.slip(i);
-    CHECK(absolute(w[layout.friction(i, j)] - row / scales.acceleration) <= rounding);
+    CHECK(absolute(w[layout.friction_index(i, j)] - row / scales.acceleration) <= rounding);
     room -= u.friction(i, j);
   }
-  CHECK(absolute(w[layout.slip(i)] - room / scales.force) <= rounding);
+  CHECK(absolute(w[layout.slip_index(i)] - room / scales.force) <= rounding);
 }
 
 void check_grip(const Scene<double>& scene, const Unknowns& u, const VectorX<double>& w, Index a) {
@@ -96,7 +97,7 @@ void check_grip(const Scene<double>& scene, const Unknowns& u, const VectorX<dou
       row += contact_force(scene, u, drive.body, i).dot(at(scene.points[i], drive.twist));
   }
   const Layout<double>& layout = u.assembly.layout();
-  CHECK(absolute(w[layout.closing(a)] - row / (u.scales().force * layout.reach[a])) <=
+  CHECK(absolute(w[layout.closing_index(a)] - row / (u.scales().force * layout.reach[a])) <=
         1e-11 * w.cwiseAbs().maxCoeff());
 }
 
@@ -202,11 +203,11 @@ TEST_CASE("every unknown has one name, and the name leads back to it") {
     const Layout<double>& layout = push.assembly.layout();
     for (Index i = 0; i < layout.size; ++i) {
       const Name name = name_of(layout, i);
-      const Index back = name.meaning == Meaning::normal ? layout.normal(name.of)
+      const Index back = name.meaning == Meaning::normal ? layout.normal_index(name.of)
                          : name.meaning == Meaning::friction
-                             ? layout.friction(name.of, name.generator)
-                         : name.meaning == Meaning::slip ? layout.slip(name.of)
-                                                         : layout.closing(name.of);
+                             ? layout.friction_index(name.of, name.generator)
+                         : name.meaning == Meaning::slip ? layout.slip_index(name.of)
+                                                         : layout.closing_index(name.of);
       CHECK(back == i);
     }
   }

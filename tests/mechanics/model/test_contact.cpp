@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "lcpush/mechanics/model/contact.hpp"
-#include "lcpush/mechanics/model/contact_frame.hpp"
 #include "support/dense_lcp.hpp"
 
 using namespace lcpush;

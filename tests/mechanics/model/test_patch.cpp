@@ -1,4 +1,4 @@
-#include "lcpush/mechanics/model/contact_frame.hpp"
+#include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/patch.hpp"
 
 #include <doctest/doctest.h>

@@ -18,8 +18,8 @@ struct Broken {
   Status status;
 
   Broken(Scene3 scene, Pressure pressure) : push(with(scene, pressure)) {
-    status = find_breaking(push.assembly, push.lemke, push.memory.work, push.scene.bodies[wall],
-                           push.options, breaking, push.run);
+    status = find_breaking(push.assembly, LemkeRounds{push.lemke}, push.memory.work,
+                           push.scene.bodies[wall], push.options, breaking, push.run);
   }
   static Scene3 with(Scene3 scene, Pressure pressure) {
     scene.base.pressure = pressure;
@@ -137,12 +137,13 @@ TEST_CASE(
     REQUIRE(assembly.assemble(scene) == Status::running);
     Lemke<double> lemke(memory.work.lemke_scalars, memory.work.lemke_integers);
     PressureRun run;
-    CHECK(solve_pressure(assembly, lemke, memory.work.pressure, {}, run) == Status::bad_input);
+    CHECK(solve_pressure(assembly, LemkeRounds{lemke}, memory.work.pressure, {}, run) ==
+          Status::bad_input);
     CHECK(run.reason == Reason::unsupported);
     Breaking<double> breaking;
     const Index pusher = scene.bodies.size - 1;
-    CHECK(find_breaking(assembly, lemke, memory.work, scene.bodies[pusher], {}, breaking, run) ==
-          Status::bad_input);
+    CHECK(find_breaking(assembly, LemkeRounds{lemke}, memory.work, scene.bodies[pusher], {},
+                        breaking, run) == Status::bad_input);
     CHECK(run.reason == Reason::unsupported);
   }
 }
@@ -169,7 +170,7 @@ TEST_CASE("in float a breaking force is right to a per cent, or refused") {
       owned.bodies.back().acceleration[0] = 0.1F;
       SolvedPush<float> push(owned);
       Breaking<float> breaking;
-      const Status status = find_breaking(push.assembly, push.lemke, push.memory.work,
+      const Status status = find_breaking(push.assembly, LemkeRounds{push.lemke}, push.memory.work,
                                           push.scene.bodies[2], push.options, breaking, push.run);
       CAPTURE(std::string(status_text(status)));
       CAPTURE(breaking.break_force);

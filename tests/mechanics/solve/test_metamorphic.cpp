@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "lcpush/mechanics/model/contact_frame.hpp"
+#include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/study/uniqueness.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"
@@ -66,8 +66,8 @@ double break_force_of(const Scene3& scene, Pressure pressure) {
   copy.base.pressure = pressure;
   SolvedPush<double> push(copy);
   Breaking<double> breaking;
-  REQUIRE(find_breaking(push.assembly, push.lemke, push.memory.work, push.scene.bodies[2],
-                        push.options, breaking, push.run) == Status::solved);
+  REQUIRE(find_breaking(push.assembly, LemkeRounds{push.lemke}, push.memory.work,
+                        push.scene.bodies[2], push.options, breaking, push.run) == Status::solved);
   return breaking.break_force;
 }
 

@@ -145,16 +145,16 @@ TEST_CASE("a straight push: each finger point is predicted to slide against it, 
     CAPTURE(i);
     const Body<double>& body = push.scene.bodies[layout.body[i]];
     const bool finger = body.role == Role::finger;
-    CHECK(active[layout.normal(i)] == 1);
-    CHECK(active[layout.slip(i)] == (finger ? 1 : 0));
+    CHECK(active[layout.normal_index(i)] == 1);
+    CHECK(active[layout.slip_index(i)] == (finger ? 1 : 0));
     for (Index j = 0; j < layout.cones[i].generators; ++j) {
       const Generator<double> d = generator(body, j, push.scene.facets);
       // The push goes along +x: friction on the object points to -x.
       const bool opposes = finger && d.force[0] < -0.999;
-      CHECK(active[layout.friction(i, j)] == (opposes ? 1 : 0));
+      CHECK(active[layout.friction_index(i, j)] == (opposes ? 1 : 0));
     }
   }
-  CHECK(active[layout.closing(0)] == 1);
+  CHECK(active[layout.closing_index(0)] == 1);
 }
 
 TEST_CASE("without a pusher that moves nothing is predicted but the closings") {

@@ -61,7 +61,8 @@ TEST_CASE("[T.8] a pusher against a stop is a jam: a ray that names both normals
     REQUIRE(push.solve() == Status::ray);
     const Layout<double>& layout = push.assembly.layout();
     for (Index i = 0; i < layout.size; ++i)
-      CHECK((push.lemke.ray()[i] > 1e-9) == (i == layout.normal(0) || i == layout.normal(1)));
+      CHECK((push.lemke.ray()[i] > 1e-9) ==
+            (i == layout.normal_index(0) || i == layout.normal_index(1)));
     CHECK(push.lemke.ray_artificial() <= 1e-12);
   }
 }
@@ -78,7 +79,7 @@ TEST_CASE("[T.8] (H1) fails: a massless actuator across the normal runs away, on
   const double slides = 0.6 * 5; // what friction holds
   SolvedPush<double> runs(driven_along(Vec3::UnitX(), slides + 1, 0));
   CHECK(runs.solve() == Status::ray);
-  CHECK(runs.lemke.ray()[runs.assembly.layout().closing(1)] > 0);
+  CHECK(runs.lemke.ray()[runs.assembly.layout().closing_index(1)] > 0);
   SolvedPush<double> heavy(driven_along(Vec3::UnitX(), slides + 1, 0.1));
   REQUIRE(heavy.solve() == Status::solved);
   CHECK(heavy.residuals.max() <= 1e-9);
@@ -114,7 +115,7 @@ TEST_CASE("[T.8] a lever of 1 : 98 needs a bound above 98: the symbolic one has 
   fill_matrix(free, MatrixMap<double>(bounded.M.data(), free.size, free.size));
   for (const double S : {97.0, 99.0}) {
     CAPTURE(S);
-    const Index s = push.assembly.layout().closing(0);
+    const Index s = push.assembly.layout().closing_index(0);
     const double unit = push.scales().acceleration / push.assembly.layout().reach[0];
     for (Index i = 0; i < free.size; ++i) bounded.q[i] = free.q[i] - bounded.M(i, s) * S / unit;
     std::vector<double> scalars(static_cast<std::size_t>(lemke_scalars(free.size)));
@@ -148,6 +149,6 @@ TEST_CASE("[T.8] compliance hides a jam: the pads alone press on without end") {
   SolvedPush<double> push(scene);
   CHECK(push.solve() == Status::ray);
   // What the last round that was solved has left.
-  CHECK(push.memory.work.pressure.z[push.assembly.layout().normal(0)] > 100);
+  CHECK(push.memory.work.pressure.z[push.assembly.layout().normal_index(0)] > 100);
   CHECK(push.run.jammed);
 }

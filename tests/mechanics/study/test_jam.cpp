@@ -48,7 +48,7 @@ template <class S> struct Ray {
 /// The stop and the wall press with a unit force each.
 template <class S> struct Pressed : Ray<S> {
   explicit Pressed(const OwnedScene<S>& scene) : Ray<S>(scene) {
-    for (const Index b : {stop, wall}) this->entry(this->layout().normal(b)) = S(1);
+    for (const Index b : {stop, wall}) this->entry(this->layout().normal_index(b)) = S(1);
   }
 };
 
@@ -85,7 +85,8 @@ TEST_CASE("[T.8] a power that is rounding beside the motion tightens nothing") {
 TEST_CASE("[T.8] a ray proves nothing if friction takes part or an actuator feels it") {
   Pressed<double> rubs(jam_scene(0.1));
   for (const Index b : {stop, wall})
-    for (const Index j : {0, 2}) rubs.entry(rubs.layout().friction(b, j)) = 0.1; // each balanced
+    for (const Index j : {0, 2})
+      rubs.entry(rubs.layout().friction_index(b, j)) = 0.1; // each balanced
   const RaySum<double> with_friction = rubs.read();
   CHECK(with_friction.imbalance <= with_friction.noise);
   CHECK(with_friction.friction == doctest::Approx(0.4));
@@ -104,7 +105,7 @@ TEST_CASE("[T.8] a ray proves nothing if friction takes part or an actuator feel
 TEST_CASE("[T.8] forces that do not balance prove nothing, but the plane takes what leans out") {
   Scene3 scene = jam_scene(0.1);
   Ray<double> one(scene);
-  one.entry(one.layout().normal(wall)) = 1;
+  one.entry(one.layout().normal_index(wall)) = 1;
   CHECK(one.read().imbalance == doctest::Approx(1));
   CHECK_FALSE(one.read().proves_no_answer());
 
@@ -112,22 +113,22 @@ TEST_CASE("[T.8] forces that do not balance prove nothing, but the plane takes w
   scene.add_body(Role::pusher, {0, 0, -1}, 0.5, {{0, 0, 0.01}});
   scene.bodies.back().acceleration[2] = -0.1;
   Ray<double> planar(scene);
-  planar.entry(planar.layout().normal(finger + 1)) = 1;
+  planar.entry(planar.layout().normal_index(finger + 1)) = 1;
   CHECK(planar.read().proves_no_answer());
 }
 
 TEST_CASE("[T.8] noise is told by the ray's largest entry, whatever that is") {
   const double trace = 1e-12;
   Ray<double> runs(jam_scene(0.1)); // an actuator's ray
-  runs.entry(runs.layout().closing(0)) = 1;
-  for (const Index b : {stop, wall}) runs.entry(runs.layout().normal(b)) = trace;
+  runs.entry(runs.layout().closing_index(0)) = 1;
+  for (const Index b : {stop, wall}) runs.entry(runs.layout().normal_index(b)) = trace;
   CHECK_FALSE(runs.read().proves_no_answer());
   for (const Index b : {stop, wall}) CHECK(runs.body(b).normal == 0);
   CHECK(runs.body(finger).runs_away);
 
   Pressed<double> pressed(jam_scene(0.1)); // a squeeze
-  pressed.entry(pressed.layout().closing(0)) = trace;
-  pressed.entry(pressed.layout().friction(wall, 0)) = trace;
+  pressed.entry(pressed.layout().closing_index(0)) = trace;
+  pressed.entry(pressed.layout().friction_index(wall, 0)) = trace;
   CHECK(pressed.read().proves_no_answer());
   CHECK_FALSE(pressed.body(finger).runs_away);
   CHECK(pressed.body(wall).friction == 0);

@@ -27,13 +27,13 @@ struct Wanted {
 template <class S> class Dictionary {
 public:
   MatrixMap<S> table{nullptr, 0, 0};  ///< n x (n + 1), or the columns that its owner needs
-  MatrixMap<S> values{nullptr, 0, 0}; ///< n x levels, one column a right-hand side
+  MatrixMap<S> values{nullptr, 0, 0}; ///< n x rhs_count, one column a right-hand side
   Span<int> basic;                    ///< n: the variable of each row
   Span<int> nonbasic;                 ///< n + 1: the variable of each column
 
-  void carve(Index n, Index columns, Index levels, Block<S>& scalars, Block<int>& integers) {
+  void carve(Index n, Index columns, Index rhs_count, Block<S>& scalars, Block<int>& integers) {
     scalars.seat(table, n, columns);
-    scalars.seat(values, n, levels);
+    scalars.seat(values, n, rhs_count);
     basic = integers.take(n);
     nonbasic = integers.take(columns);
   }
@@ -75,9 +75,7 @@ public:
     for (Index k = 0; k < values.cols(); ++k) eliminate(values.col(k));
     table.col(c) = entering / pivot;
     table(r, c) = S(1) / pivot;
-    const int leaving = basic[r];
-    basic[r] = nonbasic[c];
-    nonbasic[c] = leaving;
+    Eigen::numext::swap(basic[r], nonbasic[c]);
   }
 
 private:

@@ -1,5 +1,4 @@
-// Scaling by powers of two (nothing is rounded) and the fixed generic numbers that covers and
-// tie-breakers are made of.
+// Scaling by powers of two, which rounds nothing; generic numbers for covering vectors and ties.
 #pragma once
 
 #include <cstdint>

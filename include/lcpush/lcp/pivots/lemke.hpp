@@ -21,9 +21,9 @@ namespace lcpush {
 template <class S> struct LemkeOptions {
   TieRule tie_rule = TieRule::generic;
   Tolerances<S> tolerances{};
-  Index max_pivots = 0;     ///< a cover; 0: 1000 + 50 n
-  Index first_cover = 0;    ///< number of the first generic cover
-  Index covers = 6;         ///< generic covers tried before a failure is reported
+  Index max_pivots = 0;     ///< a covering vector; 0: 1000 + 50 n
+  Index first_cover = 0;    ///< number of the first generic covering vector
+  Index covers = 6;         ///< generic covering vectors tried before a failure is reported
   const S* cover = nullptr; ///< n numbers > 0 to use instead of generic ones, tried once
   bool equilibrate = true;  ///< switch off for exact scalars and for teaching
 };
@@ -42,13 +42,13 @@ struct Pivot {
 };
 
 namespace detail {
-constexpr Index max_levels = 3; // S, q, push
+constexpr Index max_rhs = 3; // S, q, push
 constexpr Index tie_columns = 2;
-constexpr Index lemke_vectors = max_levels + tie_columns // right-hand sides in the dictionary
-                                + tie_columns + 1        // cover and tie columns as given
-                                + 4                      // scales, unit, row sums
-                                + max_levels + 2         // solution, ray
-                                + 5;                     // bound level, scratch
+constexpr Index lemke_vectors = max_rhs + tie_columns // right-hand sides in the dictionary
+                                + tie_columns + 1     // covering vector and tie columns as given
+                                + 4                   // scales, unit, row sums
+                                + max_rhs + 2         // solution, ray
+                                + 5;                  // bound, scratch
 } // namespace detail
 
 /// Scalars and ints that Lemke needs for n unknowns.
@@ -62,8 +62,8 @@ public:
   /// Memory of at least lemke_scalars(n) and lemke_integers(n) elements; it is the caller's.
   Lemke(Span<S> scalars, Span<int> integers) : scalars_(scalars), integers_(integers) {}
 
-  /// Cold start at z = 0. `problem` must outlive the run. Cost: a few passes over M.
-  /// Post: running, or bad_input.
+  /// Cold start at z = 0; `problem` outlives the run. Post: running, or bad_input. Cost: a few
+  /// passes over M.
   [[nodiscard]] Status init(const Problem<S>& problem, const LemkeOptions<S>& options = {});
 
   /// Start from the complementary basis in which z_i is basic where active[i] is not 0.
@@ -72,7 +72,7 @@ public:
                             const unsigned char* active, Guess guess = Guess::basis);
 
   /// At most one pivot. Post: running, or how the run ended. Solved means that the check was
-  /// passed; after a failure the other generic covers are tried before it is reported.
+  /// passed; after a failure the other generic covering vectors are tried before it is reported.
   /// The observer (trace.hpp) outlives the call.
   template <class Observer> [[nodiscard]] Status step(Observer& observer);
   [[nodiscard]] Status step() { return step(unobserved); }
@@ -86,26 +86,28 @@ public:
 
   Status status() const { return status_; }
   Reason reason() const { return reason_; }
-  Index pivots() const { return pivots_; } ///< of all covers together
-  Index covers_tried() const { return cover_ + 1; }
+  Index pivots() const { return pivots_; } ///< of all covering vectors together
+  Index covers_tried() const { return tries_ + 1; }
   const Pivot& last_pivot() const { return last_; }
-  /// Its `table` holds what the basis stores: at least the entering column, Turn::column.
+  /// Its `table` holds what the basis stores: at least the entering column, PendingPivot::column.
   const Dictionary<S>& dictionary() const { return basis_.dictionary; }
   const B& basis() const { return basis_; }
-  S artificial_value() const;
-  /// How far the finite value of a row lets the variable of a column grow, as the dictionary is
-  /// scaled.
-  S ratio(Index row, Index column) const {
-    return -basis_.dictionary.values(row, finite_level()) / basis_.dictionary.table(row, column);
+  S artificial_value() const {
+    const Index row = basis_.dictionary.row_of(artificial(n_));
+    const Index k = finite_rhs();
+    return row < 0 ? S(0) : S(basis_.dictionary.values(row, k) * rhs_scale_[k]);
   }
-  /// A finite value of z_i, or w_i, in the dictionary times this is the one of the problem as
-  /// given.
-  S unknown_unit(Index i) const { return level_scale_[finite_level()] * column_scale_[i]; }
-  S slack_unit(Index i) const { return level_scale_[finite_level()] / row_scale_[i]; }
+  /// How far the finite value of a row lets a column's variable grow, as the dictionary is scaled.
+  S ratio(Index row, Index column) const {
+    return -basis_.dictionary.values(row, finite_rhs()) / basis_.dictionary.table(row, column);
+  }
+  /// A finite value of z_i, or w_i, in the dictionary times this is that of the problem as given.
+  S unknown_unit(Index i) const { return rhs_scale_[finite_rhs()] * column_scale_[i]; }
+  S slack_unit(Index i) const { return rhs_scale_[finite_rhs()] / row_scale_[i]; }
 
   /// After solved: z (free unknowns at their finite value) and dz/dsigma of the push.
-  const S* z() const { return solution_.col(finite_level()).data(); }
-  const S* z_push() const { return solution_.col(finite_level() + 1).data(); }
+  const S* z() const { return solution_.col(finite_rhs()).data(); }
+  const S* z_push() const { return solution_.col(finite_rhs() + 1).data(); }
   bool is_basic(Index i) const { return basis_.is_basic(unknown(i, n_)); }
   const WorstRow<S>& residual() const { return residual_; }
   /// After solved with a push: the answer is z + sigma z_push for 0 <= sigma <= valid_to(),
@@ -123,26 +125,26 @@ private:
   Problem<S> problem_;
   LemkeOptions<S> options_;
   Index n_ = 0;
-  Index levels_ = 1;
-  Index cover_ = 0;
+  Index rhs_count_ = 1;
+  Index tries_ = 0;
   Index pivots_ = 0;
-  Index pivots_of_cover_ = 0;
-  Index repairs_ = 0; // refactorisations since the cover began
+  Index pivots_of_try_ = 0;
+  Index repairs_ = 0; // refactorisations since the try began
   Index entering_ = -1;
   bool fresh_ = false; // no pivot since the basis was last factored from the problem as given
   Status status_ = Status::bad_input;
   Reason reason_ = Reason::none;
-  Status worst_ = Status::running; // of the covers that have failed
+  Status worst_ = Status::running; // of the tries that have failed
   Reason worst_reason_ = Reason::none;
   Pivot last_;
   WorstRow<S> residual_;
   S valid_to_{-1};
   S tie_tolerance_{0}; // falls when an answer is rejected
   S ray_artificial_{0};
-  S level_scale_[detail::max_levels] = {};
+  S rhs_scale_[detail::max_rhs] = {};
 
   B basis_;
-  MatrixMap<S> cover_columns_{nullptr, 0, 0}; // as given: d, then the tie columns, scaled rows
+  MatrixMap<S> covering_{nullptr, 0, 0}; // as given: d, then the tie columns, scaled rows
   MatrixMap<S> solution_{nullptr, 0, 0};
   VectorMap<S> row_scale_{nullptr, 0}, column_scale_{nullptr, 0}, rowsum_{nullptr, 0};
   VectorMap<S> unit_{nullptr, 0}, bound_{nullptr, 0}, ray_{nullptr, 0}, trial_{nullptr, 0};
@@ -150,11 +152,11 @@ private:
   Span<S> check_scratch_;
   Span<int> candidates_, target_;
 
-  Index finite_level() const { return problem_.free_begin < n_ ? 1 : 0; }
+  Index finite_rhs() const { return problem_.free_begin < n_ ? 1 : 0; }
   Index limit() const { return options_.max_pivots > 0 ? options_.max_pivots : 1000 + 50 * n_; }
 
   std::uint32_t seed(Index column) const {
-    return static_cast<std::uint32_t>((1 + detail::tie_columns) * (options_.first_cover + cover_) +
+    return static_cast<std::uint32_t>((1 + detail::tie_columns) * (options_.first_cover + tries_) +
                                       column);
   }
 
@@ -176,21 +178,30 @@ private:
 
   bool carve();
   Status prepare(const Problem<S>& problem, const LemkeOptions<S>& options);
-  const S* right_hand_side(Index level) const;
+  const S* right_hand_side(Index rhs) const {
+    if (rhs < finite_rhs()) return bound_.data();
+    return rhs == finite_rhs() ? problem_.q : problem_.push;
+  }
   void load();
   void cover_cold();
   void cover_here();
-  void bound_level();
+  void bound_rhs() {
+    if (finite_rhs() > 0) basis_.set_bound_rhs(problem_.free_begin, column_scale_, rhs_scale_[0]);
+  }
   bool refactorise();
   bool drifted();
   void scaled_product(const S* z_scaled, S* out);
-  template <class Observer> void pivot(const Turn& turn, Observer& observer);
+  template <class Observer> void pivot(const PendingPivot& pending, Observer& observer);
   template <class Observer> Status start(Observer& observer);
   template <class Observer> Status advance(Observer& observer);
-  Status turn_to_next_cover();
+  Status try_next_covering_vector();
   Status accept();
-  void refine(Index level);
-  WorstRow<S> referee(const S* q, const S* z);
+  void refine(Index rhs);
+  WorstRow<S> referee(const S* q, const S* z) {
+    return natural_residual(
+        problem_, q, z, unit_.data(), [&](Index i) { return i >= problem_.free_begin; },
+        product_.data(), check_scratch_.data);
+  }
   bool bound_is_slack() const;
   bool find_range();
   bool passes_check();
@@ -198,14 +209,12 @@ private:
   Status conclude_ray(Index column);
 };
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template class DenseBasis<double>;
+extern template class Lemke<double>;
+#endif
+
 } // namespace lcpush
 
 #include "lcpush/lcp/pivots/detail/lemke_basis.hpp"
 #include "lcpush/lcp/pivots/detail/lemke_pivots.hpp"
-
-#ifdef LCPUSH_EXTERN_TEMPLATES
-namespace lcpush {
-extern template class DenseBasis<double>;
-extern template class Lemke<double>;
-} // namespace lcpush
-#endif

@@ -84,157 +84,150 @@ private:
     return Tolerances<S>().residual * (S(1) + Tolerances<S>().noise * largest);
   }
 
-  bool carve();
-  void eliminate();
-  void condense();
-  template <class Observer> Status pivot(const LemkeOptions<S>& options, Observer& observer);
-  void take_point(const S* z);
-  void take_multipliers(const S* y, bool with_cost);
   S dual_infeasibility(bool with_cost) const;
   S dual_objective() const;
   bool contradicts_itself();
   bool is_feasible();
   bool is_cheapest() const;
   bool refutes();
-};
 
-template <class S> bool LinearProgramSolver<S>::carve() {
-  const Index m = program_.equalities, k = program_.inequalities, columns = program_.columns;
-  const Index n = columns + k;
-  Block<S> scalars(scalars_);
-  Block<int> integers(integers_);
-  scalars.seat(table_, m, columns + 1 + m);
-  scalars.seat(M_, n, n);
-  scalars.seat(q_, n);
-  scalars.seat(x_, columns);
-  for (VectorMap<S>* map : {&nu_, &row_}) scalars.seat(*map, m);
-  scalars.seat(y_, k);
-  lemke_scalars_ = scalars.take(lemke_scalars(n));
-  basic_ = integers.take(m);
-  for (Span<int>* span : {&place_, &nonbasic_}) *span = integers.take(columns);
-  lemke_integers_ = integers.take(lemke_integers(n));
-  return !scalars.exhausted() && !integers.exhausted();
-}
-
-/// Post: in the first rank_ rows column basic_[row] is a unit vector; the rest of A is empty.
-template <class S> void LinearProgramSolver<S>::eliminate() {
-  const Index m = program_.equalities, columns = program_.columns, width = table_.cols();
-  table_.setZero();
-  for (Index j = 0; j < columns; ++j) table_.col(j) = A().col(j);
-  for (Index i = 0; i < m; ++i) {
-    table_(i, columns) = program_.b[i];
-    table_(i, columns + 1 + i) = S(1);
+  bool carve() {
+    const Index m = program_.equalities, k = program_.inequalities, columns = program_.columns;
+    const Index n = columns + k;
+    Block<S> scalars(scalars_);
+    Block<int> integers(integers_);
+    scalars.seat(table_, m, columns + 1 + m);
+    scalars.seat(M_, n, n);
+    scalars.seat(q_, n);
+    scalars.seat(x_, columns);
+    for (VectorMap<S>* map : {&nu_, &row_}) scalars.seat(*map, m);
+    scalars.seat(y_, k);
+    lemke_scalars_ = scalars.take(lemke_scalars(n));
+    basic_ = integers.take(m);
+    for (Span<int>* span : {&place_, &nonbasic_}) *span = integers.take(columns);
+    lemke_integers_ = integers.take(lemke_integers(n));
+    return !scalars.exhausted() && !integers.exhausted();
   }
-  for (rank_ = 0; rank_ < m; ++rank_) {
-    const LargestEntry<S> largest =
-        largest_entry(m - rank_, columns, Tolerances<S>().pivot,
-                      [&](Index i, Index j) { return S(table_(rank_ + i, j)); });
-    if (largest.row < 0) break;
-    const Index row = rank_ + largest.row, column = largest.column;
-    row_ = table_.col(column);
-    const S pivot = row_[row];
-    row_[row] = row_[rank_];
-    row_[rank_] = S(0);
-    for (Index j = 0; j < width; ++j) {
-      S own = table_(row, j);
-      table_(row, j) = table_(rank_, j);
-      table_(rank_, j) = own / pivot;
-      own = table_(rank_, j);
-      for (Index i = 0; own != S(0) && i < m; ++i)
-        if (row_[i] != S(0)) subtract(table_(i, j), own * row_[i]);
+
+  /// Post: in the first rank_ rows column basic_[row] is a unit vector; the rest of A is empty.
+  void eliminate() {
+    const Index m = program_.equalities, columns = program_.columns, width = table_.cols();
+    table_.setZero();
+    for (Index j = 0; j < columns; ++j) table_.col(j) = A().col(j);
+    for (Index i = 0; i < m; ++i) {
+      table_(i, columns) = program_.b[i];
+      table_(i, columns + 1 + i) = S(1);
     }
-    basic_[rank_] = static_cast<int>(column);
-  }
-  for (Index j = 0; j < columns; ++j) place_[j] = 0;
-  for (Index row = 0; row < rank_; ++row) place_[basic_[row]] = static_cast<int>(-1 - row);
-  int k = 0;
-  for (Index j = 0; j < columns; ++j) {
-    if (place_[j] < 0) continue;
-    nonbasic_[k] = static_cast<int>(j);
-    place_[j] = k++;
-  }
-}
-
-/// M and q over [x nonbasic; y of basic x >= 0; y of H x >= 0].
-template <class S> void LinearProgramSolver<S>::condense() {
-  const Index columns = program_.columns, free = columns - rank_;
-  M_.setZero();
-  q_.setZero();
-  for (Index k = 0; k < free; ++k) q_[k] = program_.c[nonbasic_[k]];
-  // Row `row` of [R r], or c, gets a multiple of x_j, which a basic x_j passes on to the others.
-  for (Index j = 0; j < columns; ++j) {
-    const Index from = -1 - place_[j];
-    if (from < 0) {
-      M_.col(place_[j]).tail(program_.inequalities) += H().col(j);
-      continue;
+    for (rank_ = 0; rank_ < m; ++rank_) {
+      const LargestEntry<S> largest =
+          largest_entry(m - rank_, columns, Tolerances<S>().pivot,
+                        [&](Index i, Index j) { return S(table_(rank_ + i, j)); });
+      if (largest.row < 0) break;
+      const Index row = rank_ + largest.row, column = largest.column;
+      row_ = table_.col(column);
+      const S pivot = row_[row];
+      row_[row] = row_[rank_];
+      row_[rank_] = S(0);
+      for (Index j = 0; j < width; ++j) {
+        S own = table_(row, j);
+        table_(row, j) = table_(rank_, j);
+        table_(rank_, j) = own / pivot;
+        own = table_(rank_, j);
+        for (Index i = 0; own != S(0) && i < m; ++i)
+          if (row_[i] != S(0)) subtract(table_(i, j), own * row_[i]);
+      }
+      basic_[rank_] = static_cast<int>(column);
     }
-    q_[free + from] = table_(from, columns);
-    for (Index i = 0; i < program_.inequalities; ++i)
-      subtract(q_[columns + i], -H()(i, j) * table_(from, columns));
-    for (Index k = 0; k < free; ++k) {
-      const S share = table_(from, nonbasic_[k]);
-      if (share == S(0)) continue;
-      M_(free + from, k) = -share;
+    for (Index j = 0; j < columns; ++j) place_[j] = 0;
+    for (Index row = 0; row < rank_; ++row) place_[basic_[row]] = static_cast<int>(-1 - row);
+    int k = 0;
+    for (Index j = 0; j < columns; ++j) {
+      if (place_[j] < 0) continue;
+      nonbasic_[k] = static_cast<int>(j);
+      place_[j] = k++;
+    }
+  }
+
+  /// M and q over [x nonbasic; y of basic x >= 0; y of H x >= 0].
+  void condense() {
+    const Index columns = program_.columns, free = columns - rank_;
+    M_.setZero();
+    q_.setZero();
+    for (Index k = 0; k < free; ++k) q_[k] = program_.c[nonbasic_[k]];
+    // Row `row` of [R r], or c, gets a multiple of x_j, which a basic x_j passes on to the others.
+    for (Index j = 0; j < columns; ++j) {
+      const Index from = -1 - place_[j];
+      if (from < 0) {
+        M_.col(place_[j]).tail(program_.inequalities) += H().col(j);
+        continue;
+      }
+      q_[free + from] = table_(from, columns);
       for (Index i = 0; i < program_.inequalities; ++i)
-        subtract(M_(columns + i, k), share * H()(i, j));
-      subtract(q_[k], share * program_.c[j]);
+        subtract(q_[columns + i], -H()(i, j) * table_(from, columns));
+      for (Index k = 0; k < free; ++k) {
+        const S share = table_(from, nonbasic_[k]);
+        if (share == S(0)) continue;
+        M_(free + from, k) = -share;
+        for (Index i = 0; i < program_.inequalities; ++i)
+          subtract(M_(columns + i, k), share * H()(i, j));
+        subtract(q_[k], share * program_.c[j]);
+      }
+    }
+    for (Index k = 0; k < free; ++k)
+      for (Index row = free; row < q_.size(); ++row) M_(k, row) = -M_(row, k);
+  }
+
+  void take_point(const S* z) {
+    const Index free = program_.columns - rank_;
+    for (Index k = 0; k < free; ++k) x_[nonbasic_[k]] = Eigen::numext::maxi(z[k], S(0));
+    for (Index row = 0; row < rank_; ++row) {
+      S x = table_(row, program_.columns);
+      for (Index k = 0; k < free; ++k) x -= table_(row, nonbasic_[k]) * x_[nonbasic_[k]];
+      x_[basic_[row]] = Eigen::numext::maxi(x, S(0));
     }
   }
-  for (Index k = 0; k < free; ++k)
-    for (Index row = free; row < q_.size(); ++row) M_(k, row) = -M_(row, k);
-}
 
-template <class S> void LinearProgramSolver<S>::take_point(const S* z) {
-  const Index free = program_.columns - rank_;
-  for (Index k = 0; k < free; ++k) x_[nonbasic_[k]] = Eigen::numext::maxi(z[k], S(0));
-  for (Index row = 0; row < rank_; ++row) {
-    S x = table_(row, program_.columns);
-    for (Index k = 0; k < free; ++k) x -= table_(row, nonbasic_[k]) * x_[nonbasic_[k]];
-    x_[basic_[row]] = Eigen::numext::maxi(x, S(0));
+  /// nu and y of the program as given from the multipliers of the condensed one.
+  void take_multipliers(const S* y, bool with_cost) {
+    for (Index i = 0; i < program_.inequalities; ++i)
+      y_[i] = Eigen::numext::maxi(y[rank_ + i], S(0));
+    nu_.setZero();
+    for (Index row = 0; row < rank_; ++row) {
+      S left = (with_cost ? program_.c[basic_[row]] : S(0)) - y[row];
+      for (Index i = 0; i < program_.inequalities; ++i) left -= H()(i, basic_[row]) * y_[i];
+      for (Index i = 0; i < program_.equalities; ++i)
+        nu_[i] += left * table_(row, program_.columns + 1 + i);
+    }
   }
-}
 
-/// nu and y of the program as given from the multipliers of the condensed one.
-template <class S> void LinearProgramSolver<S>::take_multipliers(const S* y, bool with_cost) {
-  for (Index i = 0; i < program_.inequalities; ++i) y_[i] = Eigen::numext::maxi(y[rank_ + i], S(0));
-  nu_.setZero();
-  for (Index row = 0; row < rank_; ++row) {
-    S left = (with_cost ? program_.c[basic_[row]] : S(0)) - y[row];
-    for (Index i = 0; i < program_.inequalities; ++i) left -= H()(i, basic_[row]) * y_[i];
-    for (Index i = 0; i < program_.equalities; ++i)
-      nu_[i] += left * table_(row, program_.columns + 1 + i);
-  }
-}
-
-/// Lemke's word on the condensed program, believed only with its proof.
-template <class S>
-template <class Observer>
-Status LinearProgramSolver<S>::pivot(const LemkeOptions<S>& options, Observer& observer) {
-  Problem<S> problem;
-  problem.size = problem.free_begin = q_.size();
-  problem.matrix = M_.data();
-  problem.q = q_.data();
-  Lemke<S> lemke(lemke_scalars_, lemke_integers_);
-  Status status = lemke.init(problem, options);
-  if (status == Status::running) status = lemke.solve(observer);
-  pivots_ += lemke.pivots();
-  reason_ = lemke.reason();
-  const Index free = program_.columns - rank_;
-  if (status == Status::ray) {
-    take_multipliers(lemke.ray() + free, false);
-    if (refutes()) return Status::ray;
-    reason_ = Reason::false_ray;
+  /// Lemke's word on the condensed program, believed only with its proof.
+  template <class Observer> Status pivot(const LemkeOptions<S>& options, Observer& observer) {
+    Problem<S> problem;
+    problem.size = problem.free_begin = q_.size();
+    problem.matrix = M_.data();
+    problem.q = q_.data();
+    Lemke<S> lemke(lemke_scalars_, lemke_integers_);
+    Status status = lemke.init(problem, options);
+    if (status == Status::running) status = lemke.solve(observer);
+    pivots_ += lemke.pivots();
+    reason_ = lemke.reason();
+    const Index free = program_.columns - rank_;
+    if (status == Status::ray) {
+      take_multipliers(lemke.ray() + free, false);
+      if (refutes()) return Status::ray;
+      reason_ = Reason::false_ray;
+      return Status::numerical_breakdown;
+    }
+    if (status != Status::solved) return status;
+    take_point(lemke.z());
+    take_multipliers(lemke.z() + free, true);
+    cost_ = S(0);
+    for (Index j = 0; j < program_.columns; ++j) cost_ += program_.c[j] * x_[j];
+    if (is_feasible() && is_cheapest()) return Status::solved;
+    reason_ = Reason::residual;
     return Status::numerical_breakdown;
   }
-  if (status != Status::solved) return status;
-  take_point(lemke.z());
-  take_multipliers(lemke.z() + free, true);
-  cost_ = S(0);
-  for (Index j = 0; j < program_.columns; ++j) cost_ += program_.c[j] * x_[j];
-  if (is_feasible() && is_cheapest()) return Status::solved;
-  reason_ = Reason::residual;
-  return Status::numerical_breakdown;
-}
+};
 
 template <class S>
 template <class Observer>
@@ -258,12 +251,10 @@ Status LinearProgramSolver<S>::solve(const LinearProgram<S>& program,
   return pivot(options, observer);
 }
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template class LinearProgramSolver<double>;
+#endif
+
 } // namespace lcpush
 
 #include "lcpush/lcp/pivots/detail/linear_program_proofs.hpp"
-
-#ifdef LCPUSH_EXTERN_TEMPLATES
-namespace lcpush {
-extern template class LinearProgramSolver<double>;
-} // namespace lcpush
-#endif

@@ -44,13 +44,65 @@ public:
   /// to be of the size of the range of interest: slower changes than rounding's are none. Post:
   /// running, or bad_input. Cost: O(n^2).
   [[nodiscard]] Status init(const Lemke<S>& lemke, const Problem<S>& problem, const S* direction,
-                            bool moves_push);
+                            bool moves_push) {
+    const Dictionary<S>& from = lemke.dictionary();
+    const Index n = from.size();
+    rhs_count_ = problem.push != nullptr ? 3 : 2;
+    moved_ = moves_push ? 2 : 1;
+    entering_ = -1;
+    if (lemke.status() != Status::solved || moved_ >= rhs_count_ ||
+        from.column_of(artificial(n)) < 0 || !carve(n))
+      return Status::bad_input;
+    dictionary_.table = from.table;
+    for (Index i = 0; i < n; ++i) dictionary_.basic[i] = from.basic[i];
+    for (Index c = 0; c <= n; ++c) dictionary_.nonbasic[c] = from.nonbasic[c];
+    const Index t = dictionary_.column_of(parameter());
+    for (Index i = 0; i < n; ++i)
+      dictionary_.values(i, 0) = S(dictionary_.basic[i] >= n + problem.free_begin ? 1 : 0);
+    solve_basis(lemke, problem.q, S(1), t);
+    dictionary_.values.col(1) = scratch_;
+    S push_unit(1); // an infinitesimal is as large as any other
+    if (rhs_count_ == 3) {
+      S largest(0);
+      for (Index j = 0; j < n; ++j) {
+        const S size = Eigen::numext::abs(S(problem.push[j] / lemke.slack_unit(j)));
+        largest = Eigen::numext::maxi(largest, size);
+      }
+      push_unit = power_below(largest);
+      solve_basis(lemke, problem.push, push_unit, t);
+      dictionary_.values.col(2) = scratch_;
+    }
+    solve_basis(lemke, direction, moves_push ? push_unit : S(1), t);
+    dictionary_.table.col(t) = scratch_;
+    for (Index k = 0; k < tie_columns; ++k)
+      for (Index i = 0; i < n; ++i)
+        dictionary_.values(i, rhs_count_ + k) =
+            generic_number<S>(static_cast<std::uint32_t>(k + 1), i);
+    return Status::running;
+  }
 
   /// How far back the basis holds: the t <= 0 where it begins. False: for every smaller t.
-  bool holds_back_to(S& t) const;
+  bool holds_back_to(S& t) const {
+    S distance(0);
+    if (!first_zero(S(-1), distance)) return false;
+    t = S(0) - distance; // no negative zero
+    return true;
+  }
 
   /// Call once. Changes of t up to `least` count as none.
-  PathStep<S> advance(const S& least);
+  PathStep<S> advance(const S& least) {
+    PathStep<S> step;
+    const Index column = dictionary_.column_of(parameter());
+    const Blocking first = blocking_row(column);
+    if (first.row < 0 || !first_zero(S(1), step.until)) {
+      step.end = PathEnd::unbounded;
+      return step;
+    }
+    entering_ = complement(dictionary_.basic[first.row], dictionary_.size());
+    dictionary_.exchange(first.row, column, scratch_);
+    step.end = follow(least, step);
+    return step;
+  }
 
   /// After `forward`: is z_i basic in the new basis?
   bool is_active(Index i) const {
@@ -66,174 +118,105 @@ private:
   Dictionary<S> dictionary_; // z0 of dictionary.hpp is t
   VectorMap<S> scratch_{nullptr, 0};
   Span<int> candidates_;
-  Index levels_ = 2, level_ = 1; // of t: 1 is q, 2 is push; level 0 marks the free unknowns
+  Index rhs_count_ = 2;
+  Index moved_ =
+      1; // the right-hand side that t moves: 1 is q, 2 is push; 0 marks the free unknowns
   Index entering_ = -1;
 
   bool is_free(Index row) const { return dictionary_.values(row, 0) > S(1) / S(2); }
   Index parameter() const { return artificial(dictionary_.size()); }
-  bool carve(Index n);
-  template <class Entry> void solve_basis(const Lemke<S>& lemke, Entry entry, Index column);
-  bool first_zero(const S& sign, S& distance) const;
-  Blocking blocking_row(Index column);
   S largest_of(Index column) const { return dictionary_.table.col(column).cwiseAbs().maxCoeff(); }
-  PathEnd follow(const S& least, PathStep<S>& step);
+
+  bool carve(Index n) {
+    Block<S> scalars(scalars_);
+    Block<int> integers(integers_);
+    dictionary_.carve(n, n + 1, rhs_count_ + tie_columns, scalars, integers);
+    scalars.seat(scratch_, n);
+    candidates_ = integers.take(n);
+    return !scalars.exhausted() && !integers.exhausted();
+  }
+
+  /// scratch_ = the basic variables for the right-hand side q / unit, as the dictionary is scaled:
+  /// the nonbasic columns of w hold the inverse of the basis.
+  void solve_basis(const Lemke<S>& lemke, const S* q, const S& unit, Index skipped) {
+    const Index n = dictionary_.size();
+    scratch_.setZero();
+    for (Index c = 0; c <= n; ++c) {
+      const Index j = dictionary_.nonbasic[c];
+      if (c == skipped || j >= n) continue;
+      const S r = q[j] / unit / lemke.slack_unit(j);
+      if (r != S(0)) scratch_ -= dictionary_.table.col(c) * r;
+    }
+    for (Index i = 0; i < n; ++i) {
+      const Index j = dictionary_.basic[i];
+      if (j < n) scratch_[i] += q[j] / unit / lemke.slack_unit(j);
+    }
+  }
+
+  /// How far t can grow (sign = 1) or fall (-1) until a basic variable is zero. False: without end.
+  bool first_zero(const S& sign, S& distance) const {
+    const Index column = dictionary_.column_of(parameter());
+    const S threshold =
+        Eigen::numext::maxi(S(tolerances_.pivot * largest_of(column)), tolerances_.tie);
+    bool found = false;
+    for (Index i = 0; i < dictionary_.size(); ++i) {
+      const S falls = -sign * dictionary_.table(i, column);
+      if (is_free(i) || !(falls > threshold)) continue;
+      // Below a larger value an infinitesimal change changes nothing.
+      if (moved_ == 2 && dictionary_.values(i, 1) > tolerances_.tie) continue;
+      const S value = dictionary_.values(i, moved_);
+      const S zero = value > S(0) ? S(value / falls) : S(0);
+      if (!found || zero < distance) distance = zero;
+      found = true;
+    }
+    return found;
+  }
+
+  /// Free unknowns never block.
+  Blocking blocking_row(Index column) {
+    RatioTest<S> test(dictionary_, rhs_count_, TieRule::generic, tolerances_, candidates_);
+    Blocking blocking = test.blocking_row(column);
+    if (blocking.row >= 0 && is_free(blocking.row)) blocking.row = -1;
+    return blocking;
+  }
+
+  /// From the breakpoint on: t is basic, entering_ is not.
+  PathEnd follow(const S& least, PathStep<S>& step) {
+    const Index n = dictionary_.size();
+    const Index most_pivots = 100 + 4 * n;
+    for (step.pivots = 1; step.pivots <= most_pivots; ++step.pivots) {
+      const Index c = dictionary_.column_of(entering_), t_row = dictionary_.row_of(parameter());
+      const S rate = dictionary_.table(t_row, c), largest = largest_of(c);
+      const bool grows = rate > tolerances_.pivot * largest;
+      const bool falls = rate < -tolerances_.pivot * largest;
+      const Blocking blocking = blocking_row(c);
+      if (blocking.row < 0) {
+        step.next_ends = false;
+        return grows ? PathEnd::forward : falls ? PathEnd::turned_back : PathEnd::ray;
+      }
+      if (blocking.row == t_row) return PathEnd::turned_back;
+      // How far the entering variable goes: nowhere if a tie at the breakpoint decides.
+      const S fall = -dictionary_.table(blocking.row, c);
+      S move = dictionary_.values(blocking.row, moved_) / fall;
+      if (moved_ == 2 && dictionary_.values(blocking.row, 1) > tolerances_.tie) {
+        step.next_ends = !grows; // in units of the infinitesimal: for ever
+        if (grows) return PathEnd::forward;
+        if (falls) return PathEnd::turned_back;
+        move = dictionary_.values(blocking.row, 1) / fall;
+        step.jumps = true;
+      }
+      const S change = rate * move;
+      if (grows && change > least) {
+        step.next_until = dictionary_.values(t_row, moved_) + change;
+        return PathEnd::forward;
+      }
+      if (falls && -change > least) return PathEnd::turned_back;
+      if (!grows && !falls && move * largest > S(1000) * tolerances_.tie) step.jumps = true;
+      entering_ = complement(dictionary_.basic[blocking.row], n);
+      dictionary_.exchange(blocking.row, c, scratch_);
+    }
+    return PathEnd::lost;
+  }
 };
-
-template <class S> bool ParametricPath<S>::carve(Index n) {
-  Block<S> scalars(scalars_);
-  Block<int> integers(integers_);
-  dictionary_.carve(n, n + 1, levels_ + tie_columns, scalars, integers);
-  scalars.seat(scratch_, n);
-  candidates_ = integers.take(n);
-  return !scalars.exhausted() && !integers.exhausted();
-}
-
-/// scratch_ = the basic variables for the right-hand side `entry`, as the dictionary is scaled: the
-/// nonbasic columns of w hold the inverse of the basis.
-template <class S>
-template <class Entry>
-void ParametricPath<S>::solve_basis(const Lemke<S>& lemke, Entry entry, Index skipped) {
-  const Index n = dictionary_.size();
-  scratch_.setZero();
-  for (Index c = 0; c <= n; ++c) {
-    const Index j = dictionary_.nonbasic[c];
-    if (c == skipped || j >= n) continue;
-    const S r = entry(j) / lemke.slack_unit(j);
-    if (r != S(0)) scratch_ -= dictionary_.table.col(c) * r;
-  }
-  for (Index i = 0; i < n; ++i) {
-    const Index j = dictionary_.basic[i];
-    if (j < n) scratch_[i] += entry(j) / lemke.slack_unit(j);
-  }
-}
-
-template <class S>
-Status ParametricPath<S>::init(const Lemke<S>& lemke, const Problem<S>& problem, const S* direction,
-                               bool moves_push) {
-  const Dictionary<S>& from = lemke.dictionary();
-  const Index n = from.size();
-  levels_ = problem.push != nullptr ? 3 : 2;
-  level_ = moves_push ? 2 : 1;
-  entering_ = -1;
-  if (lemke.status() != Status::solved || level_ >= levels_ || from.column_of(artificial(n)) < 0 ||
-      !carve(n))
-    return Status::bad_input;
-  dictionary_.table = from.table;
-  for (Index i = 0; i < n; ++i) dictionary_.basic[i] = from.basic[i];
-  for (Index c = 0; c <= n; ++c) dictionary_.nonbasic[c] = from.nonbasic[c];
-  const Index t = dictionary_.column_of(parameter());
-  for (Index i = 0; i < n; ++i)
-    dictionary_.values(i, 0) = S(dictionary_.basic[i] >= n + problem.free_begin ? 1 : 0);
-  solve_basis(
-      lemke, [&](Index j) { return problem.q[j]; }, t);
-  dictionary_.values.col(1) = scratch_;
-  S push_unit(1); // an infinitesimal is as large as any other
-  if (levels_ == 3) {
-    S largest(0);
-    for (Index j = 0; j < n; ++j) {
-      const S size = Eigen::numext::abs(S(problem.push[j] / lemke.slack_unit(j)));
-      largest = Eigen::numext::maxi(largest, size);
-    }
-    push_unit = power_below(largest);
-    solve_basis(
-        lemke, [&](Index j) { return S(problem.push[j] / push_unit); }, t);
-    dictionary_.values.col(2) = scratch_;
-  }
-  const S unit = moves_push ? push_unit : S(1);
-  solve_basis(
-      lemke, [&](Index j) { return S(direction[j] / unit); }, t);
-  dictionary_.table.col(t) = scratch_;
-  for (Index k = 0; k < tie_columns; ++k)
-    for (Index i = 0; i < n; ++i)
-      dictionary_.values(i, levels_ + k) = generic_number<S>(static_cast<std::uint32_t>(k + 1), i);
-  return Status::running;
-}
-
-/// How far t can grow (sign = 1) or fall (sign = -1) until a basic variable comes to zero. False:
-/// without end.
-template <class S> bool ParametricPath<S>::first_zero(const S& sign, S& distance) const {
-  const Index column = dictionary_.column_of(parameter());
-  const S threshold =
-      Eigen::numext::maxi(S(tolerances_.pivot * largest_of(column)), tolerances_.tie);
-  bool found = false;
-  for (Index i = 0; i < dictionary_.size(); ++i) {
-    const S falls = -sign * dictionary_.table(i, column);
-    if (is_free(i) || !(falls > threshold)) continue;
-    // Below a larger value an infinitesimal change changes nothing.
-    if (level_ == 2 && dictionary_.values(i, 1) > tolerances_.tie) continue;
-    const S value = dictionary_.values(i, level_);
-    const S zero = value > S(0) ? S(value / falls) : S(0);
-    if (!found || zero < distance) distance = zero;
-    found = true;
-  }
-  return found;
-}
-
-template <class S> bool ParametricPath<S>::holds_back_to(S& t) const {
-  S distance(0);
-  if (!first_zero(S(-1), distance)) return false;
-  t = S(0) - distance; // no negative zero
-  return true;
-}
-
-/// Free unknowns never block.
-template <class S> Blocking ParametricPath<S>::blocking_row(Index column) {
-  RatioTest<S> test(dictionary_, levels_, TieRule::generic, tolerances_, candidates_);
-  Blocking blocking = test.blocking_row(column);
-  if (blocking.row >= 0 && is_free(blocking.row)) blocking.row = -1;
-  return blocking;
-}
-
-template <class S> PathStep<S> ParametricPath<S>::advance(const S& least) {
-  PathStep<S> step;
-  const Index column = dictionary_.column_of(parameter());
-  const Blocking first = blocking_row(column);
-  if (first.row < 0 || !first_zero(S(1), step.until)) {
-    step.end = PathEnd::unbounded;
-    return step;
-  }
-  entering_ = complement(dictionary_.basic[first.row], dictionary_.size());
-  dictionary_.exchange(first.row, column, scratch_);
-  step.end = follow(least, step);
-  return step;
-}
-
-/// From the breakpoint on: t is basic, entering_ is not.
-template <class S> PathEnd ParametricPath<S>::follow(const S& least, PathStep<S>& step) {
-  const Index n = dictionary_.size();
-  const Index most_pivots = 100 + 4 * n;
-  for (step.pivots = 1; step.pivots <= most_pivots; ++step.pivots) {
-    const Index c = dictionary_.column_of(entering_), t_row = dictionary_.row_of(parameter());
-    const S rate = dictionary_.table(t_row, c), largest = largest_of(c);
-    const bool grows = rate > tolerances_.pivot * largest;
-    const bool falls = rate < -tolerances_.pivot * largest;
-    const Blocking blocking = blocking_row(c);
-    if (blocking.row < 0) {
-      step.next_ends = false;
-      return grows ? PathEnd::forward : falls ? PathEnd::turned_back : PathEnd::ray;
-    }
-    if (blocking.row == t_row) return PathEnd::turned_back;
-    // How far the entering variable goes: nowhere if a tie at the breakpoint decides.
-    const S fall = -dictionary_.table(blocking.row, c);
-    S move = dictionary_.values(blocking.row, level_) / fall;
-    if (level_ == 2 && dictionary_.values(blocking.row, 1) > tolerances_.tie) {
-      step.next_ends = !grows; // in units of the infinitesimal: for ever
-      if (grows) return PathEnd::forward;
-      if (falls) return PathEnd::turned_back;
-      move = dictionary_.values(blocking.row, 1) / fall;
-      step.jumps = true;
-    }
-    const S change = rate * move;
-    if (grows && change > least) {
-      step.next_until = dictionary_.values(t_row, level_) + change;
-      return PathEnd::forward;
-    }
-    if (falls && -change > least) return PathEnd::turned_back;
-    if (!grows && !falls && move * largest > S(1000) * tolerances_.tie) step.jumps = true;
-    entering_ = complement(dictionary_.basic[blocking.row], n);
-    dictionary_.exchange(blocking.row, c, scratch_);
-  }
-  return PathEnd::lost;
-}
 
 } // namespace lcpush

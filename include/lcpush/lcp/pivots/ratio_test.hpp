@@ -11,11 +11,11 @@ namespace lcpush {
 /// The ratio test over right-hand sides that count in order (each infinitely larger than the next).
 template <class S> class RatioTest {
 public:
-  /// `levels`: leading columns of dictionary.values that are data; the rest only breaks ties.
+  /// `rhs_count`: leading columns of dictionary.values that are data; the rest only breaks ties.
   /// `candidates` is scratch for n ints.
-  RatioTest(const Dictionary<S>& dictionary, Index levels, TieRule rule,
+  RatioTest(const Dictionary<S>& dictionary, Index rhs_count, TieRule rule,
             const Tolerances<S>& tolerances, Span<int> candidates)
-      : d_(dictionary), levels_(levels), rule_(rule), tolerances_(tolerances),
+      : d_(dictionary), rhs_count_(rhs_count), rule_(rule), tolerances_(tolerances),
         candidates_(candidates) {}
 
   /// Rows whose value falls as the variable of `column` grows; the smallest ratio blocks, and the
@@ -23,14 +23,14 @@ public:
   Blocking blocking_row(Index column) { return select(column, S(-1), artificial(d_.size())); }
 
   /// The row that the artificial variable must repair: its pivot makes every value >= 0.
-  Blocking most_violated_row(Index cover_column) { return select(cover_column, S(1), -1); }
+  Blocking most_violated_row(Index covering_column) { return select(covering_column, S(1), -1); }
 
   /// After either: the rows that block at the same point, in no order.
   Span<const int> tied_rows() const { return {candidates_.data, tied_}; }
 
 private:
   const Dictionary<S>& d_;
-  Index levels_;
+  Index rhs_count_;
   TieRule rule_;
   Tolerances<S> tolerances_;
   Span<int> candidates_;
@@ -53,7 +53,7 @@ private:
     }
     Blocking blocking;
     if (count_ == 0) return blocking;
-    for (Index k = 0; k < levels_ && count_ > 1; ++k) {
+    for (Index k = 0; k < rhs_count_ && count_ > 1; ++k) {
       const Index before = count_;
       keep_smallest(d_.values.col(k).data());
       if (k > 0 && count_ < before) blocking.decided_by = TieBreak::right_hand_side;
@@ -79,7 +79,7 @@ private:
       for (Index i = 0; i < d_.size() && count_ > 1; ++i) keep_lexicographic(i);
       return TieBreak::lexicographic;
     }
-    for (Index k = levels_; k < d_.values.cols(); ++k) {
+    for (Index k = rhs_count_; k < d_.values.cols(); ++k) {
       keep_smallest(d_.values.col(k).data());
       if (count_ == 1) return TieBreak::tie_column;
     }
@@ -101,11 +101,7 @@ private:
     }
   }
 
-  void swap(Index i, Index k) {
-    const int other = candidates_[i];
-    candidates_[i] = candidates_[k];
-    candidates_[k] = other;
-  }
+  void swap(Index i, Index k) { Eigen::numext::swap(candidates_[i], candidates_[k]); }
 
   void keep_smallest(const S* values) {
     keep_smallest([&](Index row) -> const S& { return values[row]; });
@@ -114,7 +110,7 @@ private:
   /// Harris: a bound on the step with the tolerance, then everything at or below that bound. What
   /// is dropped stays behind the rest: tied_rows() shows it.
   template <class Value> void keep_smallest(Value value) {
-    // The level of the symbolic bound is zero almost everywhere, and then nothing is divided.
+    // That of the symbolic bound is zero almost everywhere, and then nothing is divided.
     Index first = 0;
     while (first < count_ && value(candidates_[first]) == S(0)) ++first;
     if (first == count_) return;

@@ -36,7 +36,18 @@ public:
   /// if the equalities contradict each other, with -1 if the memory is too small. Cost: n^2
   /// multiply-adds a free unknown.
   [[nodiscard]] Status init(Index n, const S* M, const S* q, const unsigned char* is_free,
-                            SingularBlock singular);
+                            SingularBlock singular) {
+    n_ = n;
+    is_free_ = is_free;
+    inconsistent_row_ = -1;
+    if (!carve()) return Status::bad_input;
+    load(M, q);
+    while (pivot_free_block() || (singular == SingularBlock::exchange && exchange_pair())) {
+    }
+    if (!drop_redundant_rows(q)) return Status::bad_input;
+    write_reduced();
+    return Status::solved;
+  }
 
   /// The reduced problem, equilibrated by powers of two.
   const Problem<S>& problem() const { return problem_; }
@@ -76,164 +87,141 @@ private:
   }
   S smallest_pivot() const { return Tolerances<S>().pivot; }
 
-  bool carve();
-  void load(const S* M, const S* q);
-  bool pivot_free_block();
-  bool exchange_pair();
-  bool drop_redundant_rows(const S* q);
-  void write_reduced();
-  void expand(const S* reduced, bool with_constants, S* z) const;
-};
-
-template <class S> bool Reduction<S>::carve() {
-  Block<S> scalars(scalars_);
-  Block<int> integers(integers_);
-  const Index n = n_;
-  dictionary_.carve(n, n, 1, scalars, integers);
-  for (VectorMap<S>* map : {&row_scale_, &column_scale_, &scratch_}) scalars.seat(*map, n);
-  matrix_ = scalars.take(n * n);
-  q_ = scalars.take(n);
-  for (Span<int>* span : {&kept_row_, &kept_column_, &redundant_, &fixed_})
-    *span = integers.take(n);
-  return !scalars.exhausted() && !integers.exhausted();
-}
-
-template <class S> void Reduction<S>::load(const S* M, const S* q) {
-  Problem<S> given;
-  given.size = given.free_begin = n_;
-  given.matrix = M;
-  fill_matrix(given, dictionary_.table);
-  row_scale_.setOnes();
-  column_scale_.setOnes();
-  equilibrate(dictionary_.table, row_scale_, column_scale_, scratch_);
-  for (Index i = 0; i < n_; ++i) {
-    dictionary_.values(i, 0) = q[i] * row_scale_[i];
-    dictionary_.basic[i] = static_cast<int>(slack(i));
-    dictionary_.nonbasic[i] = static_cast<int>(unknown(i, n_));
+  bool carve() {
+    Block<S> scalars(scalars_);
+    Block<int> integers(integers_);
+    const Index n = n_;
+    dictionary_.carve(n, n, 1, scalars, integers);
+    for (VectorMap<S>* map : {&row_scale_, &column_scale_, &scratch_}) scalars.seat(*map, n);
+    matrix_ = scalars.take(n * n);
+    q_ = scalars.take(n);
+    for (Span<int>* span : {&kept_row_, &kept_column_, &redundant_, &fixed_})
+      *span = integers.take(n);
+    return !scalars.exhausted() && !integers.exhausted();
   }
-}
 
-/// One pivot on the largest entry of the block (equalities) x (free unknowns).
-template <class S> bool Reduction<S>::pivot_free_block() {
-  const LargestEntry<S> pivot = largest_entry(n_, n_, smallest_pivot(), [&](Index i, Index c) {
-    return open_row(i) && open_column(c) ? S(dictionary_.table(i, c)) : S(0);
-  });
-  if (pivot.row >= 0) dictionary_.exchange(pivot.row, pivot.column, scratch_);
-  return pivot.row >= 0;
-}
+  void load(const S* M, const S* q) {
+    Problem<S> given;
+    given.size = given.free_begin = n_;
+    given.matrix = M;
+    fill_matrix(given, dictionary_.table);
+    row_scale_.setOnes();
+    column_scale_.setOnes();
+    equilibrate(dictionary_.table, row_scale_, column_scale_, scratch_);
+    for (Index i = 0; i < n_; ++i) {
+      dictionary_.values(i, 0) = q[i] * row_scale_[i];
+      dictionary_.basic[i] = static_cast<int>(slack(i));
+      dictionary_.nonbasic[i] = static_cast<int>(unknown(i, n_));
+    }
+  }
 
-/// The free block is exhausted: an equality i and a free unknown c leave together through a
-/// complementary pair (row k, column l) with entries (i, l) and (k, c) that are not zero.
-template <class S> bool Reduction<S>::exchange_pair() {
-  S largest = smallest_pivot();
-  Index best[4] = {-1, -1, -1, -1};
-  for (Index c = 0; c < n_; ++c)
-    for (Index k = 0; open_column(c) && k < n_; ++k) {
-      if (is_free_[dictionary_.basic[k] % n_] != 0) continue;
-      const Index l = dictionary_.column_of(complement(dictionary_.basic[k], n_));
-      for (Index i = 0; i < n_; ++i) {
-        if (!open_row(i)) continue;
-        const S a = Eigen::numext::abs(dictionary_.table(i, l)),
-                b = Eigen::numext::abs(dictionary_.table(k, c));
-        const S smaller = a < b ? a : b;
-        if (!(smaller > largest)) continue;
-        largest = smaller;
-        best[0] = i, best[1] = c, best[2] = k, best[3] = l;
+  /// One pivot on the largest entry of the block (equalities) x (free unknowns).
+  bool pivot_free_block() {
+    const LargestEntry<S> pivot = largest_entry(n_, n_, smallest_pivot(), [&](Index i, Index c) {
+      return open_row(i) && open_column(c) ? S(dictionary_.table(i, c)) : S(0);
+    });
+    if (pivot.row >= 0) dictionary_.exchange(pivot.row, pivot.column, scratch_);
+    return pivot.row >= 0;
+  }
+
+  /// The free block is exhausted: an equality i and a free unknown c leave together through a
+  /// complementary pair (row k, column l) with entries (i, l) and (k, c) that are not zero.
+  bool exchange_pair() {
+    S largest = smallest_pivot();
+    Index best[4] = {-1, -1, -1, -1};
+    for (Index c = 0; c < n_; ++c)
+      for (Index k = 0; open_column(c) && k < n_; ++k) {
+        if (is_free_[dictionary_.basic[k] % n_] != 0) continue;
+        const Index l = dictionary_.column_of(complement(dictionary_.basic[k], n_));
+        for (Index i = 0; i < n_; ++i) {
+          if (!open_row(i)) continue;
+          const S a = Eigen::numext::abs(dictionary_.table(i, l)),
+                  b = Eigen::numext::abs(dictionary_.table(k, c));
+          const S smaller = a < b ? a : b;
+          if (!(smaller > largest)) continue;
+          largest = smaller;
+          best[0] = i, best[1] = c, best[2] = k, best[3] = l;
+        }
       }
-    }
-  if (best[0] < 0) return false;
-  dictionary_.exchange(best[2], best[1], scratch_);
-  dictionary_.exchange(best[0], best[3], scratch_);
-  return true;
-}
+    if (best[0] < 0) return false;
+    dictionary_.exchange(best[2], best[1], scratch_);
+    dictionary_.exchange(best[0], best[3], scratch_);
+    return true;
+  }
 
-/// False, with inconsistent_row_ set, if an equality without unknowns says 0 = something.
-template <class S> bool Reduction<S>::drop_redundant_rows(const S* q) {
-  using Eigen::numext::abs, Eigen::numext::maxi;
-  S q_size(0);
-  for (Index i = 0; i < n_; ++i) q_size = maxi(q_size, abs(S(q[i] * row_scale_[i])));
-  redundant_count_ = 0;
-  for (Index i = 0; i < n_; ++i) {
-    if (!open_row(i)) continue;
-    S largest(0);
+  /// False, with inconsistent_row_ set, if an equality without unknowns says 0 = something.
+  bool drop_redundant_rows(const S* q) {
+    using Eigen::numext::abs, Eigen::numext::maxi;
+    S q_size(0);
+    for (Index i = 0; i < n_; ++i) q_size = maxi(q_size, abs(S(q[i] * row_scale_[i])));
+    redundant_count_ = 0;
+    for (Index i = 0; i < n_; ++i) {
+      if (!open_row(i)) continue;
+      S largest(0);
+      for (Index c = 0; c < n_; ++c) {
+        const bool is_zero = dictionary_.nonbasic[c] < n_ && is_free_[dictionary_.nonbasic[c]] != 0;
+        if (!is_zero) largest = maxi(largest, abs(S(dictionary_.table(i, c))));
+      }
+      if (largest > smallest_pivot()) continue;
+      if (abs(S(dictionary_.values(i, 0))) > smallest_pivot() * q_size) {
+        inconsistent_row_ = dictionary_.basic[i];
+        return false;
+      }
+      redundant_[redundant_count_++] = dictionary_.basic[i];
+    }
+    return true;
+  }
+
+  /// Keeps complementary pairs first, then the equalities and free unknowns that are still open.
+  void write_reduced() {
+    Index m = 0;
+    for (Index i = 0; i < n_; ++i) {
+      if (is_free_[dictionary_.basic[i] % n_] != 0) continue;
+      kept_row_[m] = static_cast<int>(i);
+      kept_column_[m++] =
+          static_cast<int>(dictionary_.column_of(complement(dictionary_.basic[i], n_)));
+    }
+    problem_ = {};
+    problem_.free_begin = m;
+    Index rows = m, columns = m;
+    for (Index i = 0; i < n_; ++i) {
+      bool is_redundant = false;
+      for (const int row : redundant_rows())
+        is_redundant = is_redundant || row == dictionary_.basic[i];
+      if (open_row(i) && !is_redundant) kept_row_[rows++] = static_cast<int>(i);
+    }
+    Index fixed = 0;
     for (Index c = 0; c < n_; ++c) {
-      const bool is_zero = dictionary_.nonbasic[c] < n_ && is_free_[dictionary_.nonbasic[c]] != 0;
-      if (!is_zero) largest = maxi(largest, abs(S(dictionary_.table(i, c))));
+      if (!open_column(c)) continue;
+      if (columns < rows)
+        kept_column_[columns++] = static_cast<int>(c);
+      else
+        fixed_[fixed++] = dictionary_.nonbasic[c] - static_cast<int>(n_);
     }
-    if (largest > smallest_pivot()) continue;
-    if (abs(S(dictionary_.values(i, 0))) > smallest_pivot() * q_size) {
-      inconsistent_row_ = dictionary_.basic[i];
-      return false;
+    problem_.size = rows;
+    problem_.matrix = matrix_.data;
+    problem_.q = q_.data;
+    for (Index j = 0; j < rows; ++j)
+      for (Index i = 0; i < rows; ++i)
+        matrix_[j * rows + i] = dictionary_.table(kept_row_[i], kept_column_[j]);
+    for (Index i = 0; i < rows; ++i) q_[i] = dictionary_.values(kept_row_[i], 0);
+  }
+
+  void expand(const S* reduced, bool with_constants, S* z) const {
+    for (Index j = 0; j < n_; ++j) z[j] = S(0);
+    for (Index k = 0; k < problem_.size; ++k) {
+      const ReducedUnknown unknown = unknown_of(k);
+      if (!unknown.swapped) z[unknown.index] = reduced[k] * column_scale_[unknown.index];
     }
-    redundant_[redundant_count_++] = dictionary_.basic[i];
+    for (Index i = 0; i < n_; ++i) {
+      if (dictionary_.basic[i] < n_) continue;
+      S x = with_constants ? dictionary_.values(i, 0) : S(0);
+      for (Index k = 0; k < problem_.size; ++k)
+        x += dictionary_.table(i, kept_column_[k]) * reduced[k];
+      const Index j = dictionary_.basic[i] - n_;
+      z[j] = x * column_scale_[j];
+    }
   }
-  return true;
-}
-
-/// Keeps complementary pairs first, then the equalities and free unknowns that are still open.
-template <class S> void Reduction<S>::write_reduced() {
-  Index m = 0;
-  for (Index i = 0; i < n_; ++i) {
-    if (is_free_[dictionary_.basic[i] % n_] != 0) continue;
-    kept_row_[m] = static_cast<int>(i);
-    kept_column_[m++] =
-        static_cast<int>(dictionary_.column_of(complement(dictionary_.basic[i], n_)));
-  }
-  problem_ = {};
-  problem_.free_begin = m;
-  Index rows = m, columns = m;
-  for (Index i = 0; i < n_; ++i) {
-    bool is_redundant = false;
-    for (const int row : redundant_rows())
-      is_redundant = is_redundant || row == dictionary_.basic[i];
-    if (open_row(i) && !is_redundant) kept_row_[rows++] = static_cast<int>(i);
-  }
-  Index fixed = 0;
-  for (Index c = 0; c < n_; ++c) {
-    if (!open_column(c)) continue;
-    if (columns < rows)
-      kept_column_[columns++] = static_cast<int>(c);
-    else
-      fixed_[fixed++] = dictionary_.nonbasic[c] - static_cast<int>(n_);
-  }
-  problem_.size = rows;
-  problem_.matrix = matrix_.data;
-  problem_.q = q_.data;
-  for (Index j = 0; j < rows; ++j)
-    for (Index i = 0; i < rows; ++i)
-      matrix_[j * rows + i] = dictionary_.table(kept_row_[i], kept_column_[j]);
-  for (Index i = 0; i < rows; ++i) q_[i] = dictionary_.values(kept_row_[i], 0);
-}
-
-template <class S>
-Status Reduction<S>::init(Index n, const S* M, const S* q, const unsigned char* is_free,
-                          SingularBlock singular) {
-  n_ = n;
-  is_free_ = is_free;
-  inconsistent_row_ = -1;
-  if (!carve()) return Status::bad_input;
-  load(M, q);
-  while (pivot_free_block() || (singular == SingularBlock::exchange && exchange_pair())) {
-  }
-  if (!drop_redundant_rows(q)) return Status::bad_input;
-  write_reduced();
-  return Status::solved;
-}
-
-template <class S> void Reduction<S>::expand(const S* reduced, bool with_constants, S* z) const {
-  for (Index j = 0; j < n_; ++j) z[j] = S(0);
-  for (Index k = 0; k < problem_.size; ++k) {
-    const ReducedUnknown unknown = unknown_of(k);
-    if (!unknown.swapped) z[unknown.index] = reduced[k] * column_scale_[unknown.index];
-  }
-  for (Index i = 0; i < n_; ++i) {
-    if (dictionary_.basic[i] < n_) continue;
-    S x = with_constants ? dictionary_.values(i, 0) : S(0);
-    for (Index k = 0; k < problem_.size; ++k)
-      x += dictionary_.table(i, kept_column_[k]) * reduced[k];
-    const Index j = dictionary_.basic[i] - n_;
-    z[j] = x * column_scale_[j];
-  }
-}
+};
 
 } // namespace lcpush

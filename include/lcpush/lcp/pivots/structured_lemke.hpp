@@ -12,7 +12,7 @@ template <class S> using StructuredLemke = Lemke<S, StructuredBasis<S>>;
 /// Scalars and ints that StructuredLemke needs for n unknowns in `cones` groups; `shared` counts
 /// the sum groups of more than one force, or with inertia. O(n).
 constexpr Index structured_lemke_scalars(Index n, Index cones, Index shared) {
-  constexpr Index right_hand_sides = detail::max_levels + detail::tie_columns;
+  constexpr Index right_hand_sides = detail::max_rhs + detail::tie_columns;
   return StructuredBasis<double>::scalars(n, cones, shared, right_hand_sides) +
          n * (detail::lemke_vectors - right_hand_sides);
 }

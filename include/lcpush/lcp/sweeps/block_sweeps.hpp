@@ -11,7 +11,7 @@ template <class S> bool BlockGaussSeidel<S>::carve() {
   for (const SumGroup<S>& sum : factored().sums) couplings += sum.count;
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
-  for (Span<S>* span : {&z_, &unit_, &check_w_, &kept_}) *span = scalars.take(n);
+  for (Span<S>* span : {&z_, &unit_, &check_w_}) *span = scalars.take(n);
   check_scratch_ = scalars.take(2 * n);
   cone_of_ = integers.take(n);
   sum_of_ = integers.take(n);
@@ -212,25 +212,16 @@ template <class S> void BlockGaussSeidel<S>::recover_multipliers() {
 }
 
 template <class S> template <class Observer> Status BlockGaussSeidel<S>::check(Observer& observer) {
-  if (judge() == Status::running && this->is_last()) status_ = Status::sweep_limit;
-  observer.checked(*this);
-  return status_;
-}
-
-template <class S> Status BlockGaussSeidel<S>::judge() {
   constexpr Index patience = 2000; // sweeps without a better residual
   this->ask_referee();
-  if (runs_away()) return status_ = Status::stagnated;
-  if (passes()) return status_ = Status::solved;
-  return this->go_on(patience);
-}
-
-/// The residual is measured beside the largest unknown: under a coarse tolerance a squeeze that
-/// grows would pass for a solution. Beside what the problem asks for, or to rounding, it does not.
-template <class S> bool BlockGaussSeidel<S>::passes() const {
-  const S tolerance = options_.tolerance;
-  const bool exact = residual_.residual <= Tolerances<S>().residual;
-  return residual_.residual <= tolerance && (exact || residual_.residual * squeeze() <= tolerance);
+  if (runs_away())
+    status_ = Status::stagnated;
+  else if (passes())
+    status_ = Status::solved;
+  else
+    this->go_on(patience);
+  observer.checked(*this);
+  return status_;
 }
 
 /// The largest normal force by the largest number that the problem asks for; at least 1.
@@ -244,17 +235,13 @@ template <class S> S BlockGaussSeidel<S>::squeeze() const {
   return largest > asked ? S(largest / asked) : S(1);
 }
 
-/// Forces far beyond what the problem's numbers ask for: a squeeze that every pass tightens.
-template <class S> bool BlockGaussSeidel<S>::runs_away() const { return squeeze() > S(10000); }
-
 /// ProximalNewton with eps falling while it settles, and rising where it does not.
 template <class S>
 template <class Observer>
 Status BlockGaussSeidel<S>::finish(Observer& observer) {
   constexpr Index passes_each = 60;
   using Eigen::numext::sqrt;
-  // Softer than the first eps nothing is gained, and far below the last one rates drown in
-  // rounding.
+  // Above the first nothing is gained, and far below the second rates drown in rounding.
   const S most_eps(1000), least_eps = sqrt(sqrt(Eigen::NumTraits<S>::epsilon()));
   S eps(10), factor(0.5);
   if (!newton_.init(problem_, z_.data)) return status_ = Status::bad_input;

@@ -21,11 +21,42 @@ public:
   /// diagonal is not positive or the memory is too small.
   template <class Observer = const Unobserved>
   [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options = {},
-                            Observer& observer = unobserved);
+                            Observer& observer = unobserved) {
+    using Eigen::numext::sqrt;
+    this->begin(problem, options);
+    const Index n = problem.size;
+    Block<S> block(scalars_);
+    for (Span<S>* span : {&z_, &w_, &unit_, &check_w_}) *span = block.take(n);
+    check_scratch_ = block.take(2 * n);
+    if (block.exhausted() || (n > 0 && problem.matrix == nullptr))
+      return status_ = Status::bad_input;
+    for (Index i = 0; i < n; ++i) {
+      if (!(diagonal(i) > S(0))) return status_ = Status::bad_input;
+      unit_[i] = S(1) / sqrt(diagonal(i));
+      z_[i] = S(0);
+      w_[i] = problem.q[i];
+    }
+    status_ = Status::running;
+    return check(observer);
+  }
 
   /// One pass over all rows. Post: running, or how the run ended. Cost: n^2 multiply-adds.
   template <class Observer = const Unobserved>
-  [[nodiscard]] Status sweep(Observer& observer = unobserved);
+  [[nodiscard]] Status sweep(Observer& observer = unobserved) {
+    if (status_ != Status::running) return status_;
+    const Index n = problem_.size;
+    for (Index i = 0; i < n; ++i) {
+      S next = z_[i] - options_.relaxation * w_[i] / diagonal(i);
+      if (i < problem_.free_begin && !(next > S(0))) next = S(0);
+      const S change = next - z_[i];
+      if (change == S(0)) continue;
+      z_[i] = next;
+      const S* const column = problem_.matrix + i * n;
+      for (Index k = 0; k < n; ++k) w_[k] += column[k] * change;
+    }
+    ++sweeps_;
+    return this->is_check_due() ? check(observer) : status_;
+  }
 
   /// Sweeps to the end. Post: solved (the check was passed), sweep_limit or stagnated.
   template <class Observer = const Unobserved>
@@ -42,60 +73,19 @@ private:
   Span<S> w_;
 
   S diagonal(Index i) const { return problem_.matrix[i * problem_.size + i]; }
-  template <class Observer> Status check(Observer& observer);
-  Status judge();
+
+  /// The referee's word; w_ is taken from it, as rounding has piled up in ours.
+  template <class Observer> Status check(Observer& observer) {
+    constexpr Index patience = 1000; // sweeps without a better residual
+    this->ask_referee();
+    for (Index i = 0; i < problem_.size; ++i) w_[i] = check_w_[i];
+    if (residual_.residual <= options_.tolerance)
+      status_ = Status::solved;
+    else
+      this->go_on(patience);
+    observer.checked(*this);
+    return status_;
+  }
 };
-
-template <class S>
-template <class Observer>
-Status GaussSeidel<S>::init(const Problem<S>& problem, const SweepOptions<S>& options,
-                            Observer& observer) {
-  using Eigen::numext::sqrt;
-  this->begin(problem, options);
-  const Index n = problem.size;
-  Block<S> block(scalars_);
-  for (Span<S>* span : {&z_, &w_, &unit_, &check_w_}) *span = block.take(n);
-  check_scratch_ = block.take(2 * n);
-  if (block.exhausted() || (n > 0 && problem.matrix == nullptr)) return status_ = Status::bad_input;
-  for (Index i = 0; i < n; ++i) {
-    if (!(diagonal(i) > S(0))) return status_ = Status::bad_input;
-    unit_[i] = S(1) / sqrt(diagonal(i));
-    z_[i] = S(0);
-    w_[i] = problem.q[i];
-  }
-  status_ = Status::running;
-  return check(observer);
-}
-
-template <class S> template <class Observer> Status GaussSeidel<S>::sweep(Observer& observer) {
-  if (status_ != Status::running) return status_;
-  const Index n = problem_.size;
-  for (Index i = 0; i < n; ++i) {
-    S next = z_[i] - options_.relaxation * w_[i] / diagonal(i);
-    if (i < problem_.free_begin && !(next > S(0))) next = S(0);
-    const S change = next - z_[i];
-    if (change == S(0)) continue;
-    z_[i] = next;
-    const S* const column = problem_.matrix + i * n;
-    for (Index k = 0; k < n; ++k) w_[k] += column[k] * change;
-  }
-  ++sweeps_;
-  return this->is_check_due() ? check(observer) : status_;
-}
-
-template <class S> template <class Observer> Status GaussSeidel<S>::check(Observer& observer) {
-  if (judge() == Status::running && this->is_last()) status_ = Status::sweep_limit;
-  observer.checked(*this);
-  return status_;
-}
-
-/// The referee's word; w_ is taken from it, as rounding has piled up in ours.
-template <class S> Status GaussSeidel<S>::judge() {
-  constexpr Index patience = 1000; // sweeps without a better residual
-  this->ask_referee();
-  for (Index i = 0; i < problem_.size; ++i) w_[i] = check_w_[i];
-  if (residual_.residual <= options_.tolerance) return status_ = Status::solved;
-  return this->go_on(patience);
-}
 
 } // namespace lcpush

@@ -49,16 +49,17 @@ protected:
         [&](Index i) { return i >= problem_.free_begin; }, check_w_.data, check_scratch_.data);
   }
 
-  /// An answer that does not pass yet. Stagnated: its residual is not finite, or has not fallen for
-  /// `patience` sweeps.
-  Status go_on(Index patience) {
+  /// It does not pass yet. Stagnated: no finite residual, or none that fell for `patience` sweeps.
+  void go_on(Index patience) {
     if (sweeps_ == 0 || residual_.residual < best_residual_) {
       best_residual_ = residual_.residual;
       best_sweep_ = sweeps_;
     }
     const bool finite = residual_.residual - residual_.residual == S(0);
-    if (!finite || sweeps_ - best_sweep_ > patience) status_ = Status::stagnated;
-    return status_;
+    if (!finite || sweeps_ - best_sweep_ > patience)
+      status_ = Status::stagnated;
+    else if (is_last())
+      status_ = Status::sweep_limit;
   }
 };
 

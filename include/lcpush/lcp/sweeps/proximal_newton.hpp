@@ -62,79 +62,194 @@ private:
   Span<int> is_fixed_;    // by variable: 1 if such a sum group fixes it
 
   const FactoredProblem<S>& factored() const { return *problem_.factored; }
-  bool carve(Index couplings, Index sums);
-  void sort_sums();
-  void sort_couplings();
-  S rate_at(Index variable, Index force, const S* x) const;
-  void respond(const S* x);
-  void solve_normal(const ConeGroup<S>& cone);
-  void solve_friction(const ConeGroup<S>& cone);
-  S residual(const S* x);
-  void fill_jacobian();
-  void add_group(const ConeGroup<S>& cone, MatrixMap<S>& J);
-  void extend(Index force, Index variable, Span<S> column) const;
-  bool newton_step();
-};
 
-template <class S> bool ProximalNewton<S>::carve(Index couplings, Index sums) {
-  Block<S> scalars(scalars_);
-  Block<int> integers(integers_);
-  for (Span<S>* span : {&force_, &center_, &rate_, &wanted_}) *span = scalars.take(n_);
-  coupling_ = scalars.take(couplings);
-  jacobian_ = scalars.take((6 + sums) * (6 + sums));
-  for (Span<S>* span : {&x_, &trial_, &phi_, &step_, &settled_x_, &normal_, &tangent_, &column_})
-    *span = scalars.take(6 + sums);
-  first_ = integers.take(n_ + 1);
-  sum_ = integers.take(couplings);
-  slot_ = integers.take(sums);
-  is_fixed_ = integers.take(n_);
-  return !scalars.exhausted() && !integers.exhausted();
-}
-
-/// A sum of one normal force, without inertia, fixes that force: one unknown less.
-template <class S> void ProximalNewton<S>::sort_sums() {
-  for (Index i = 0; i < n_; ++i) is_fixed_[i] = 0;
-  for (const ConeGroup<S>& cone : factored().cones)
-    if (cone.normals == 1) is_fixed_[cone.variable] = -1; // a candidate
-  for (const SumGroup<S>& sum : factored().sums)
-    for (Index k = sum.first; k < sum.first + sum.count; ++k) {
-      int& fixed = is_fixed_[factored().coupled_variable[k]];
-      fixed = fixed == -1 ? -2 : 0; // coupled once: still a candidate
-    }
-  dimension_ = 6;
-  for (Index a = 0; a < factored().sums.size; ++a) {
-    const SumGroup<S>& sum = factored().sums[a];
-    const Index i = sum.count == 1 ? factored().coupled_variable[sum.first] : -1;
-    const bool fixes = i >= 0 && is_fixed_[i] == -2 && !(sum.inertia > S(0)) &&
-                       factored().coupling[sum.first] > S(0);
-    slot_[a] = fixes ? -1 : static_cast<int>(dimension_++);
-    if (!fixes) continue;
-    is_fixed_[i] = 1;
-    center_[i] = sum.target / factored().coupling[sum.first];
+  bool carve(Index couplings, Index sums) {
+    Block<S> scalars(scalars_);
+    Block<int> integers(integers_);
+    for (Span<S>* span : {&force_, &center_, &rate_, &wanted_}) *span = scalars.take(n_);
+    coupling_ = scalars.take(couplings);
+    jacobian_ = scalars.take((6 + sums) * (6 + sums));
+    for (Span<S>* span : {&x_, &trial_, &phi_, &step_, &settled_x_, &normal_, &tangent_, &column_})
+      *span = scalars.take(6 + sums);
+    first_ = integers.take(n_ + 1);
+    sum_ = integers.take(couplings);
+    slot_ = integers.take(sums);
+    is_fixed_ = integers.take(n_);
+    return !scalars.exhausted() && !integers.exhausted();
   }
-  for (Index i = 0; i < n_; ++i)
-    if (is_fixed_[i] < 0) is_fixed_[i] = 0;
-}
 
-/// The coupling entries of the sum groups with an unknown, variable by variable.
-template <class S> void ProximalNewton<S>::sort_couplings() {
-  for (Index i = 0; i <= n_; ++i) first_[i] = 0;
-  const auto each = [&](const auto& visit) {
+  /// A sum of one normal force, without inertia, fixes that force: one unknown less.
+  void sort_sums() {
+    for (Index i = 0; i < n_; ++i) is_fixed_[i] = 0;
+    for (const ConeGroup<S>& cone : factored().cones)
+      if (cone.normals == 1) is_fixed_[cone.variable] = -1; // a candidate
+    for (const SumGroup<S>& sum : factored().sums)
+      for (Index k = sum.first; k < sum.first + sum.count; ++k) {
+        int& fixed = is_fixed_[factored().coupled_variable[k]];
+        fixed = fixed == -1 ? -2 : 0; // coupled once: still a candidate
+      }
+    dimension_ = 6;
     for (Index a = 0; a < factored().sums.size; ++a) {
       const SumGroup<S>& sum = factored().sums[a];
-      for (Index k = sum.first; slot_[a] >= 0 && k < sum.first + sum.count; ++k)
-        visit(factored().coupled_variable[k], a, factored().coupling[k]);
+      const Index i = sum.count == 1 ? factored().coupled_variable[sum.first] : -1;
+      const bool fixes = i >= 0 && is_fixed_[i] == -2 && !(sum.inertia > S(0)) &&
+                         factored().coupling[sum.first] > S(0);
+      slot_[a] = fixes ? -1 : static_cast<int>(dimension_++);
+      if (!fixes) continue;
+      is_fixed_[i] = 1;
+      center_[i] = sum.target / factored().coupling[sum.first];
     }
-  };
-  each([&](Index i, Index, const S&) { ++first_[i + 1]; });
-  for (Index i = 0; i < n_; ++i) first_[i + 1] += first_[i];
-  each([&](Index i, Index a, const S& value) {
-    sum_[first_[i]] = slot_[a];
-    coupling_[first_[i]++] = value;
-  });
-  for (Index i = n_; i > 0; --i) first_[i] = first_[i - 1];
-  first_[0] = 0;
-}
+    for (Index i = 0; i < n_; ++i)
+      if (is_fixed_[i] < 0) is_fixed_[i] = 0;
+  }
+
+  /// The coupling entries of the sum groups with an unknown, variable by variable.
+  void sort_couplings() {
+    for (Index i = 0; i <= n_; ++i) first_[i] = 0;
+    const auto each = [&](const auto& visit) {
+      for (Index a = 0; a < factored().sums.size; ++a) {
+        const SumGroup<S>& sum = factored().sums[a];
+        for (Index k = sum.first; slot_[a] >= 0 && k < sum.first + sum.count; ++k)
+          visit(factored().coupled_variable[k], a, factored().coupling[k]);
+      }
+    };
+    each([&](Index i, Index, const S&) { ++first_[i + 1]; });
+    for (Index i = 0; i < n_; ++i) first_[i + 1] += first_[i];
+    each([&](Index i, Index a, const S& value) {
+      sum_[first_[i]] = slot_[a];
+      coupling_[first_[i]++] = value;
+    });
+    for (Index i = n_; i > 0; --i) first_[i] = first_[i - 1];
+    first_[0] = 0;
+  }
+
+  S rate_at(Index variable, Index force, const S* x) const {
+    const Eigen::Map<const Vector6<S>> u(x);
+    S rate = factored().wrenches[force].dot(u) + problem_.q[variable];
+    for (Index e = first_[variable]; e < first_[variable + 1]; ++e)
+      rate -= coupling_[e] * x[sum_[e]];
+    return rate;
+  }
+
+  void solve_normal(const ConeGroup<S>& cone) {
+    const Index i = cone.variable;
+    if (is_fixed_[i] != 0) {
+      force_[i] = center_[i];
+      return;
+    }
+    const S before = cone.normal_force(center_.data);
+    const S lambda = (eps_ * before - rate_[i]) / (eps_ + cone.compliance);
+    cone.set_normal_force(force_.data, lambda);
+  }
+
+  void solve_friction(const ConeGroup<S>& cone) {
+    const Index first = cone.variable + cone.normals, g = cone.generators;
+    const S most = cone.friction_limit(force_.data);
+    S theta(0);
+    for (Index i = first; i < first + g; ++i) wanted_[i] = center_[i] - rate_[i] / eps_;
+    if (most > S(0)) theta = simplex_threshold(wanted_.data + first, g, most);
+    for (Index i = first; i < first + g; ++i)
+      force_[i] = most > S(0) && wanted_[i] > theta ? S(wanted_[i] - theta) : S(0);
+    force_[cone.slip()] = theta;
+  }
+
+  /// The forces of all groups at x.
+  void respond(const S* x) {
+    ++passes_;
+    for (const ConeGroup<S>& cone : factored().cones) {
+      for (Index k = 0; k < cone.forces(); ++k)
+        rate_[cone.variable + k] = rate_at(cone.variable + k, cone.force + k, x);
+      solve_normal(cone);
+      if (cone.generators > 0) solve_friction(cone);
+    }
+  }
+
+  /// phi_ = what the shared equations lack at x with the present forces; returns its size.
+  S residual(const S* x) {
+    Vector6<S> wrench = Vector6<S>::Zero();
+    for (Index a = 0; a < factored().sums.size; ++a)
+      if (slot_[a] >= 0)
+        phi_[slot_[a]] = factored().sums[a].inertia * x[slot_[a]] - factored().sums[a].target;
+    for (const ConeGroup<S>& cone : factored().cones)
+      for (Index k = 0; k < cone.forces(); ++k) {
+        const Index i = cone.variable + k;
+        if (force_[i] == S(0)) continue;
+        wrench += factored().wrenches[cone.force + k] * force_[i];
+        for (Index e = first_[i]; e < first_[i + 1]; ++e) phi_[sum_[e]] += coupling_[e] * force_[i];
+      }
+    const Vector6<S> u = factored().mobility.lazyProduct(wrench);
+    for (Index k = 0; k < 6; ++k) phi_[k] = x[k] - u[k];
+    S squares(0);
+    for (Index k = 0; k < dimension_; ++k) squares += phi_[k] * phi_[k];
+    return Eigen::numext::sqrt(squares);
+  }
+
+  /// [W ; - coupling] of a force: what it does to u and to the sums, and what they do to its rate.
+  void extend(Index force, Index variable, Span<S> column) const {
+    for (Index k = 0; k < dimension_; ++k) column[k] = k < 6 ? factored().wrenches[force][k] : S(0);
+    for (Index e = first_[variable]; e < first_[variable + 1]; ++e) column[sum_[e]] -= coupling_[e];
+  }
+
+  /// Adds - d(sum of a group's force columns) / dx.
+  void add_group(const ConeGroup<S>& cone, MatrixMap<S>& J) {
+    const auto add = [&](Span<S> a, Span<S> b, const S& factor) {
+      for (Index j = 0; j < dimension_; ++j)
+        for (Index i = 0; i < dimension_; ++i) J(i, j) += a[i] * (factor * b[j]);
+    };
+    const Index i = cone.variable, first = i + cone.normals;
+    const S lambda = cone.normal_force(force_.data);
+    if (lambda == S(0) && cone.normals == 1) return;
+    const S yields = is_fixed_[i] != 0 ? S(0) : S(1) / (eps_ + cone.compliance);
+    extend(cone.force, i, normal_);
+    if (is_fixed_[i] == 0) add(normal_, normal_, yields);
+    if (cone.generators == 0) return;
+    S support(0);
+    for (Index k = 0; k < dimension_; ++k) tangent_[k] = S(0);
+    for (Index k = 0; k < cone.generators; ++k) {
+      if (!(force_[first + k] > S(0))) continue;
+      extend(cone.force + cone.normals + k, first + k, column_);
+      add(column_, column_, S(1) / eps_);
+      for (Index d = 0; d < dimension_; ++d) tangent_[d] += column_[d];
+      support += S(1);
+    }
+    if (!(force_[cone.slip()] > S(0)) || !(support > S(0))) return;
+    add(tangent_, tangent_, S(-1) / (eps_ * support)); // on the cone's limit the sum is fixed ..
+    const S sign = lambda < S(0) ? S(-1) : S(1);
+    add(tangent_, normal_, sign * cone.friction * yields / support); // .. but moves with lambda
+  }
+
+  void fill_jacobian() {
+    MatrixMap<S> J(jacobian_.data, dimension_, dimension_);
+    J.setZero();
+    for (const ConeGroup<S>& cone : factored().cones) add_group(cone, J);
+    for (Index j = 0; j < dimension_; ++j) {
+      const Vector6<S> wrench = J.col(j).template head<6>();
+      J.col(j).template head<6>() = factored().mobility.lazyProduct(wrench);
+    }
+    for (Index k = 0; k < 6; ++k) J(k, k) += S(1);
+    for (Index a = 0; a < factored().sums.size; ++a)
+      if (slot_[a] >= 0) J(slot_[a], slot_[a]) += factored().sums[a].inertia;
+  }
+
+  /// One step of Newton's method, halved until phi_ falls. False if it does not.
+  bool newton_step() {
+    constexpr int most_halvings = 12;
+    const S before = residual(x_.data);
+    fill_jacobian();
+    for (Index k = 0; k < dimension_; ++k) step_[k] = -phi_[k];
+    if (!solve_small(MatrixMap<S>(jacobian_.data, dimension_, dimension_), step_.data))
+      return false;
+    S t(1);
+    bool falls = false;
+    for (int k = 0; k < most_halvings && !falls; ++k, t /= S(2)) {
+      for (Index d = 0; d < dimension_; ++d) trial_[d] = x_[d] + t * step_[d];
+      respond(trial_.data);
+      falls = residual(trial_.data) < (S(1) - t / S(10000)) * before;
+    }
+    for (Index d = 0; d < dimension_; ++d) x_[d] = trial_[d];
+    return falls;
+  }
+};
 
 template <class S> bool ProximalNewton<S>::init(const Problem<S>& problem, const S* start) {
   problem_ = problem;
@@ -148,133 +263,6 @@ template <class S> bool ProximalNewton<S>::init(const Problem<S>& problem, const
   sort_couplings();
   for (Index k = 0; k < dimension_; ++k) x_[k] = settled_x_[k] = S(0);
   return true;
-}
-
-template <class S> S ProximalNewton<S>::rate_at(Index variable, Index force, const S* x) const {
-  const Eigen::Map<const Vector6<S>> u(x);
-  S rate = factored().wrenches[force].dot(u) + problem_.q[variable];
-  for (Index e = first_[variable]; e < first_[variable + 1]; ++e) rate -= coupling_[e] * x[sum_[e]];
-  return rate;
-}
-
-template <class S> void ProximalNewton<S>::solve_normal(const ConeGroup<S>& cone) {
-  const Index i = cone.variable;
-  if (is_fixed_[i] != 0) {
-    force_[i] = center_[i];
-    return;
-  }
-  const S before = cone.normal_force(center_.data);
-  const S lambda = (eps_ * before - rate_[i]) / (eps_ + cone.compliance);
-  cone.set_normal_force(force_.data, lambda);
-}
-
-template <class S> void ProximalNewton<S>::solve_friction(const ConeGroup<S>& cone) {
-  const Index first = cone.variable + cone.normals, g = cone.generators;
-  const S most = cone.friction_limit(force_.data);
-  S theta(0);
-  for (Index i = first; i < first + g; ++i) wanted_[i] = center_[i] - rate_[i] / eps_;
-  if (most > S(0)) theta = simplex_threshold(wanted_.data + first, g, most);
-  for (Index i = first; i < first + g; ++i)
-    force_[i] = most > S(0) && wanted_[i] > theta ? S(wanted_[i] - theta) : S(0);
-  force_[cone.slip()] = theta;
-}
-
-/// The forces of all groups at x.
-template <class S> void ProximalNewton<S>::respond(const S* x) {
-  ++passes_;
-  for (const ConeGroup<S>& cone : factored().cones) {
-    for (Index k = 0; k < cone.forces(); ++k)
-      rate_[cone.variable + k] = rate_at(cone.variable + k, cone.force + k, x);
-    solve_normal(cone);
-    if (cone.generators > 0) solve_friction(cone);
-  }
-}
-
-/// phi_ = what the shared equations lack at x with the present forces; returns its size.
-template <class S> S ProximalNewton<S>::residual(const S* x) {
-  Vector6<S> wrench = Vector6<S>::Zero();
-  for (Index a = 0; a < factored().sums.size; ++a)
-    if (slot_[a] >= 0)
-      phi_[slot_[a]] = factored().sums[a].inertia * x[slot_[a]] - factored().sums[a].target;
-  for (const ConeGroup<S>& cone : factored().cones)
-    for (Index k = 0; k < cone.forces(); ++k) {
-      const Index i = cone.variable + k;
-      if (force_[i] == S(0)) continue;
-      wrench += factored().wrenches[cone.force + k] * force_[i];
-      for (Index e = first_[i]; e < first_[i + 1]; ++e) phi_[sum_[e]] += coupling_[e] * force_[i];
-    }
-  const Vector6<S> u = factored().mobility.lazyProduct(wrench);
-  for (Index k = 0; k < 6; ++k) phi_[k] = x[k] - u[k];
-  S squares(0);
-  for (Index k = 0; k < dimension_; ++k) squares += phi_[k] * phi_[k];
-  return Eigen::numext::sqrt(squares);
-}
-
-/// [W ; - coupling] of a force: what it does to u and to the sums, and what they do to its rate.
-template <class S>
-void ProximalNewton<S>::extend(Index force, Index variable, Span<S> column) const {
-  for (Index k = 0; k < dimension_; ++k) column[k] = k < 6 ? factored().wrenches[force][k] : S(0);
-  for (Index e = first_[variable]; e < first_[variable + 1]; ++e) column[sum_[e]] -= coupling_[e];
-}
-
-/// Adds - d(sum of a group's force columns) / dx.
-template <class S> void ProximalNewton<S>::add_group(const ConeGroup<S>& cone, MatrixMap<S>& J) {
-  const auto add = [&](Span<S> a, Span<S> b, const S& factor) {
-    for (Index j = 0; j < dimension_; ++j)
-      for (Index i = 0; i < dimension_; ++i) J(i, j) += a[i] * (factor * b[j]);
-  };
-  const Index i = cone.variable, first = i + cone.normals;
-  const S lambda = cone.normal_force(force_.data);
-  if (lambda == S(0) && cone.normals == 1) return;
-  const S yields = is_fixed_[i] != 0 ? S(0) : S(1) / (eps_ + cone.compliance);
-  extend(cone.force, i, normal_);
-  if (is_fixed_[i] == 0) add(normal_, normal_, yields);
-  if (cone.generators == 0) return;
-  S support(0);
-  for (Index k = 0; k < dimension_; ++k) tangent_[k] = S(0);
-  for (Index k = 0; k < cone.generators; ++k) {
-    if (!(force_[first + k] > S(0))) continue;
-    extend(cone.force + cone.normals + k, first + k, column_);
-    add(column_, column_, S(1) / eps_);
-    for (Index d = 0; d < dimension_; ++d) tangent_[d] += column_[d];
-    support += S(1);
-  }
-  if (!(force_[cone.slip()] > S(0)) || !(support > S(0))) return;
-  add(tangent_, tangent_, S(-1) / (eps_ * support)); // on the cone's limit the sum is fixed ..
-  const S sign = lambda < S(0) ? S(-1) : S(1);
-  add(tangent_, normal_, sign * cone.friction * yields / support); // .. but moves with lambda
-}
-
-template <class S> void ProximalNewton<S>::fill_jacobian() {
-  MatrixMap<S> J(jacobian_.data, dimension_, dimension_);
-  J.setZero();
-  for (const ConeGroup<S>& cone : factored().cones) add_group(cone, J);
-  for (Index j = 0; j < dimension_; ++j) {
-    const Vector6<S> wrench = J.col(j).template head<6>();
-    J.col(j).template head<6>() = factored().mobility.lazyProduct(wrench);
-  }
-  for (Index k = 0; k < 6; ++k) J(k, k) += S(1);
-  for (Index a = 0; a < factored().sums.size; ++a)
-    if (slot_[a] >= 0) J(slot_[a], slot_[a]) += factored().sums[a].inertia;
-}
-
-/// One step of Newton's method along the line that it gives, halved until phi_ falls. False if it
-/// does not.
-template <class S> bool ProximalNewton<S>::newton_step() {
-  constexpr int most_halvings = 12;
-  const S before = residual(x_.data);
-  fill_jacobian();
-  for (Index k = 0; k < dimension_; ++k) step_[k] = -phi_[k];
-  if (!solve_small(MatrixMap<S>(jacobian_.data, dimension_, dimension_), step_.data)) return false;
-  S t(1);
-  bool falls = false;
-  for (int k = 0; k < most_halvings && !falls; ++k, t /= S(2)) {
-    for (Index d = 0; d < dimension_; ++d) trial_[d] = x_[d] + t * step_[d];
-    respond(trial_.data);
-    falls = residual(trial_.data) < (S(1) - t / S(10000)) * before;
-  }
-  for (Index d = 0; d < dimension_; ++d) x_[d] = trial_[d];
-  return falls;
 }
 
 template <class S> bool ProximalNewton<S>::settle(S eps, Index most_passes) {

@@ -15,12 +15,11 @@ template <class S> struct ContactAnswer {
   Index body = 0;
   S normal_force{0}; ///< N, lambda; negative where a bilateral body pulls
   Vector3<S> friction_force = Vector3<S>::Zero(); ///< N, on the object
-  S torsion{0}; ///< N m, friction moment about the normal, soft points only
-  S spin{0};    ///< rad/s^2 about the normal, of the object relative to its body
-  S closing{0}; ///< m/s^2 along the normal, what actuators add to its body's motion
-  S slip{0};    ///< m/s^2, xi
-  Vector3<S> acceleration =
-      Vector3<S>::Zero(); ///< m/s^2, of the object's point relative to its body
+  S torsion{0};              ///< N m, friction moment about the normal, soft points only
+  S spin{0};                 ///< rad/s^2 about the normal, of the object relative to its body
+  S closing_acceleration{0}; ///< m/s^2 along the normal, what actuators add to its body's motion
+  S slip{0};                 ///< m/s^2, xi
+  Vector3<S> acceleration = Vector3<S>::Zero(); ///< m/s^2, object's point relative to its body
   Mode mode = Mode::stick;
 };
 
@@ -62,6 +61,13 @@ S closing_speed(const Scene<S>& scene, const Body<S>& body, const Drive<S>& driv
   return sum / S(body.point_count);
 }
 
+/// How many bodies it drives; one body by two drives counts twice.
+template <class S> Index drive_count(const Scene<S>& scene, Index actuator) {
+  Index count = 0;
+  for (const Drive<S>& drive : scene.drives) count += drive.actuator == actuator ? 1 : 0;
+  return count;
+}
+
 template <class S> bool is_driven(const Scene<S>& scene, Index body) {
   for (const Drive<S>& drive : scene.drives)
     if (drive.body == body) return true;
@@ -72,7 +78,7 @@ template <class S> bool is_driven(const Scene<S>& scene, Index body) {
 template <class S> S mean_closing(const Answer<S>& answer, const Body<S>& body) {
   S sum(0);
   for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
-    sum += answer.contacts[i].closing;
+    sum += answer.contacts[i].closing_acceleration;
   return sum / S(body.point_count);
 }
 

@@ -1,8 +1,8 @@
-// Assembly: from a scene to the factored complementarity problem, one law at a time, in the
-// caller's memory.
+// Assembly: from a scene to the factored problem, one law at a time, in the caller's memory.
 #pragma once
 
 #include "lcpush/lcp/memory.hpp"
+#include "lcpush/mechanics/model/even_pressure.hpp"
 #include "lcpush/mechanics/model/laws.hpp"
 #include "lcpush/status.hpp"
 
@@ -16,10 +16,18 @@ struct AssemblySize {
   constexpr Index unknowns() const { return forces() + points + actuators; }
   constexpr Index forces() const { return points + pulls + generators; }
   constexpr Index couplings() const { return forces() * (drives > 0 ? drives : 1); }
-  constexpr Index scalars() const {
-    return 6 * forces() + couplings() + 3 * unknowns() + actuators;
-  }
 };
+
+/// The size of one scene, spread evenly if it is to be.
+template <class S> AssemblySize size_of(const Scene<S>& scene) {
+  AssemblySize size{scene.points.size, 0, scene.actuators.size, scene.drives.size};
+  if (scene.pressure == Pressure::even) size.actuators = size.drives = even_size(scene).drives;
+  for (const Body<S>& body : scene.bodies) {
+    size.generators += body.point_count * generator_count(scene, body);
+    if (body.bilateral) size.pulls += body.point_count;
+  }
+  return size;
+}
 
 /// The arrays that an assembly writes into; all of them the caller's.
 template <class S> struct AssemblyMemory {
@@ -84,122 +92,109 @@ private:
   FactoredProblem<S> factored_{};
   S sigma_{1};
 
-  bool fits(const Scene<S>& scene) const;
-  void choose_scales();
-  void add_points();
-  void add_actuators();
-};
-
-/// F, L and F / m of a scene. Cost: O(points).
-template <class S> void Assembly<S>::choose_scales() {
-  using Eigen::numext::maxi;
-  const Scene<S>& scene = *scene_;
-  S length(0), push(0);
-  for (const Vector3<S>& p : scene.points) length = maxi(length, S(p.norm()));
-  if (!(length > S(0))) length = S(1);
-  for (Index a = 0; a < scene.actuators.size; ++a) memory_.reach[a] = S(0);
-  for (const Drive<S>& drive : scene.drives) {
-    const Body<S>& body = scene.bodies[drive.body];
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
-      memory_.reach[drive.actuator] = maxi(memory_.reach[drive.actuator],
-                                           S(acceleration_at(scene.points[i], drive.twist).norm()));
-  }
-  for (const Body<S>& body : scene.bodies)
-    push = maxi(push, maxi(S(body.acceleration.template head<3>().norm()),
-                           S(length * body.acceleration.template tail<3>().norm())));
-  S force = scene.object.mass * scene.gravity.norm();
-  for (Index a = 0; a < scene.actuators.size; ++a) {
-    if (!(memory_.reach[a] > S(0))) memory_.reach[a] = S(1);
-    const S tau = scene.actuators[a].force / memory_.reach[a];
-    force = maxi(force, Eigen::numext::abs(tau));
-  }
-  // Against a push of a thousand times that, rounding is all that is left of the grip.
-  force = maxi(force, S(scene.object.mass * push / S(1000)));
-  if (!(force > S(0))) force = scene.object.mass * (push > S(0) ? push : S(1));
-  layout_.scales = {force, length, force / scene.object.mass};
-}
-
-/// [T.2], [T.3] and [T.4] of every point.
-template <class S> void Assembly<S>::add_points() {
-  const Scene<S>& scene = *scene_;
-  const Vector6<S> free_fall = factored_.mobility.lazyProduct(laws::weight(scene, layout_.scales));
-  Index force = 0, variable = 0;
-  const auto add_force = [&](Index row, const Vector6<S>& column, const Vector6<S>& A_b) {
-    memory_.wrenches[force++] = column;
-    memory_.rest[row] = column.dot(free_fall);
-    memory_.push[row] = -column.dot(A_b);
-  };
-  for (Index b = 0; b < scene.bodies.size; ++b) {
-    const Body<S>& body = scene.bodies[b];
-    const Vector6<S> A_b = laws::prescribed(body, layout_.scales);
-    const Index g = generator_count(scene, body);
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-      const Vector3<S>& p = scene.points[i];
-      const ConeGroup<S> cone = laws::friction_cone(body, g, force, variable);
-      memory_.cones[layout_.points] = cone;
-      memory_.body[layout_.points++] = b;
-      const Vector6<S> normal = laws::normal_direction(body, p, layout_.scales);
-      add_force(variable, normal, A_b);
-      if (cone.normals == 2) add_force(variable + 1, -normal, A_b);
-      for (Index j = 0; j < g; ++j)
-        add_force(variable + cone.normals + j,
-                  laws::friction_direction(body, p, j, scene.facets, layout_.scales), A_b);
-      if (g > 0) memory_.rest[cone.slip()] = memory_.push[cone.slip()] = S(0);
-      variable += cone.size();
-    }
-  }
-  layout_.forces = force;
-  layout_.size = variable;
-}
-
-/// [T.5] of every actuator.
-template <class S> void Assembly<S>::add_actuators() {
-  const Scene<S>& scene = *scene_;
-  Index entry = 0;
-  for (Index a = 0; a < scene.actuators.size; ++a) {
-    SumGroup<S> sum = laws::grip_force(scene, a, memory_.reach[a], layout_.scales);
-    sum.first = entry;
+  /// F, L and F / m of a scene. Cost: O(points).
+  void choose_scales() {
+    using Eigen::numext::maxi;
+    const Scene<S>& scene = *scene_;
+    S length(0), push(0);
+    for (const Vector3<S>& p : scene.points) length = maxi(length, S(p.norm()));
+    if (!(length > S(0))) length = S(1);
+    for (Index a = 0; a < scene.actuators.size; ++a) memory_.reach[a] = S(0);
     for (const Drive<S>& drive : scene.drives) {
-      if (drive.actuator != a) continue;
-      for (Index i = 0; i < layout_.points; ++i) {
-        if (memory_.body[i] != drive.body) continue;
-        const ConeGroup<S>& cone = memory_.cones[i];
-        for (Index k = 0; k < cone.forces(); ++k) {
-          const S coefficient = laws::grip_coefficient(drive, memory_.wrenches[cone.force + k],
-                                                       memory_.reach[a], layout_.scales);
-          // A force across the motion does no work on it: what is left of it is rounding.
-          using std::abs;
-          if (!(abs(coefficient) > S(16) * Eigen::NumTraits<S>::epsilon())) continue;
-          memory_.coupled_variable[entry] = static_cast<int>(cone.variable + k);
-          memory_.coupling[entry++] = coefficient;
-        }
+      const Body<S>& body = scene.bodies[drive.body];
+      for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+        memory_.reach[drive.actuator] = maxi(
+            memory_.reach[drive.actuator], S(acceleration_at(scene.points[i], drive.twist).norm()));
+    }
+    for (const Body<S>& body : scene.bodies)
+      push = maxi(push, maxi(S(body.acceleration.template head<3>().norm()),
+                             S(length * body.acceleration.template tail<3>().norm())));
+    S force = scene.object.mass * scene.gravity.norm();
+    for (Index a = 0; a < scene.actuators.size; ++a) {
+      if (!(memory_.reach[a] > S(0))) memory_.reach[a] = S(1);
+      const S tau = scene.actuators[a].force / memory_.reach[a];
+      force = maxi(force, Eigen::numext::abs(tau));
+    }
+    // Against a push of a thousand times that, rounding is all that is left of the grip.
+    force = maxi(force, S(scene.object.mass * push / S(1000)));
+    if (!(force > S(0))) force = scene.object.mass * (push > S(0) ? push : S(1));
+    layout_.scales = {force, length, force / scene.object.mass};
+  }
+
+  /// [T.2], [T.3] and [T.4] of every point.
+  void add_points() {
+    const Scene<S>& scene = *scene_;
+    const Vector6<S> free_fall =
+        factored_.mobility.lazyProduct(laws::weight(scene, layout_.scales));
+    Index force = 0, variable = 0;
+    const auto add_force = [&](Index row, const Vector6<S>& column, const Vector6<S>& A_b) {
+      memory_.wrenches[force++] = column;
+      memory_.rest[row] = column.dot(free_fall);
+      memory_.push[row] = -column.dot(A_b);
+    };
+    for (Index b = 0; b < scene.bodies.size; ++b) {
+      const Body<S>& body = scene.bodies[b];
+      const Vector6<S> A_b = laws::prescribed(body, layout_.scales);
+      const Index g = generator_count(scene, body);
+      for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+        const Vector3<S>& p = scene.points[i];
+        const ConeGroup<S> cone = laws::friction_cone(body, g, force, variable);
+        memory_.cones[layout_.points] = cone;
+        memory_.body[layout_.points++] = b;
+        const Vector6<S> normal = laws::normal_direction(body, p, layout_.scales);
+        add_force(variable, normal, A_b);
+        if (cone.normals == 2) add_force(variable + 1, -normal, A_b);
+        for (Index j = 0; j < g; ++j)
+          add_force(variable + cone.normals + j,
+                    laws::friction_direction(body, p, j, scene.facets, layout_.scales), A_b);
+        if (g > 0) memory_.rest[cone.slip()] = memory_.push[cone.slip()] = S(0);
+        variable += cone.size();
       }
     }
-    sum.count = entry - sum.first;
-    memory_.sums[a] = sum;
-    memory_.rest[layout_.size] = -sum.target;
-    memory_.push[layout_.size++] = S(0);
+    layout_.forces = force;
+    layout_.size = variable;
   }
-}
 
-template <class S> bool Assembly<S>::fits(const Scene<S>& scene) const {
-  Index forces = 0, unknowns = scene.actuators.size, couplings = 0;
-  for (Index b = 0; b < scene.bodies.size; ++b) {
-    const Body<S>& body = scene.bodies[b];
-    const Index g = generator_count(scene, body);
-    const Index of_body = body.point_count * (g + (body.bilateral ? 2 : 1));
-    forces += of_body;
-    unknowns += of_body + (g > 0 ? body.point_count : 0);
-    for (const Drive<S>& drive : scene.drives)
-      if (drive.body == b) couplings += of_body;
+  /// [T.5] of every actuator.
+  void add_actuators() {
+    const Scene<S>& scene = *scene_;
+    Index entry = 0;
+    for (Index a = 0; a < scene.actuators.size; ++a) {
+      SumGroup<S> sum = laws::grip_force(scene, a, memory_.reach[a], layout_.scales);
+      sum.first = entry;
+      for (const Drive<S>& drive : scene.drives) {
+        if (drive.actuator != a) continue;
+        for (Index i = 0; i < layout_.points; ++i) {
+          if (memory_.body[i] != drive.body) continue;
+          const ConeGroup<S>& cone = memory_.cones[i];
+          for (Index k = 0; k < cone.forces(); ++k) {
+            const S coefficient = laws::grip_coefficient(drive, memory_.wrenches[cone.force + k],
+                                                         memory_.reach[a], layout_.scales);
+            // A force across the motion does no work on it: what is left of it is rounding.
+            using std::abs;
+            if (!(abs(coefficient) > S(16) * Eigen::NumTraits<S>::epsilon())) continue;
+            memory_.coupled_variable[entry] = static_cast<int>(cone.variable + k);
+            memory_.coupling[entry++] = coefficient;
+          }
+        }
+      }
+      sum.count = entry - sum.first;
+      memory_.sums[a] = sum;
+      memory_.rest[layout_.size] = -sum.target;
+      memory_.push[layout_.size++] = S(0);
+    }
   }
-  const AssemblyMemory<S>& m = memory_;
-  return m.wrenches.size >= forces && m.cones.size >= scene.points.size &&
-         m.body.size >= scene.points.size && m.sums.size >= scene.actuators.size &&
-         m.reach.size >= scene.actuators.size && m.coupling.size >= couplings &&
-         m.coupled_variable.size >= couplings && m.q.size >= unknowns && m.rest.size >= unknowns &&
-         m.push.size >= unknowns;
-}
+
+  bool fits(const Scene<S>& scene) const {
+    const AssemblySize size = size_of(scene);
+    const AssemblyMemory<S>& m = memory_;
+    return m.wrenches.size >= size.forces() && m.cones.size >= size.points &&
+           m.body.size >= size.points && m.sums.size >= size.actuators &&
+           m.reach.size >= size.actuators && m.coupling.size >= size.couplings() &&
+           m.coupled_variable.size >= size.couplings() && m.q.size >= size.unknowns() &&
+           m.rest.size >= size.unknowns() && m.push.size >= size.unknowns();
+  }
+};
 
 template <class S> Status Assembly<S>::assemble(const Scene<S>& scene) {
   scene_ = &scene;
@@ -222,10 +217,8 @@ template <class S> Status Assembly<S>::assemble(const Scene<S>& scene) {
   return Status::running;
 }
 
-} // namespace lcpush
-
 #ifdef LCPUSH_EXTERN_TEMPLATES
-namespace lcpush {
 extern template class Assembly<double>;
-} // namespace lcpush
 #endif
+
+} // namespace lcpush

@@ -64,118 +64,112 @@ template <class S> struct Residuals {
 
 namespace detail {
 
-/// The smaller of a force and an acceleration that exclude each other, both scaled: negative, or
-/// positive where both are.
-template <class S>
-Violation<S> complementarity(Law law, Index of, Index part, const S& force, const S& acceleration,
-                             const Scales<S>& scales) {
-  const bool is_force = !(acceleration < force) && acceleration == acceleration;
-  return {law, of, part, is_force ? force : acceleration,
-          is_force ? scales.force : scales.acceleration};
-}
+/// The rows of the laws, shown to `visit` one by one.
+template <class S, class Visit> struct LawRows {
+  const Scene<S>& scene;
+  const Scales<S>& scales;
+  const Answer<S>& answer;
+  Visit& visit;
 
-/// [T.1]
-template <class S, class Visit>
-void check_newton(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer,
-                  Visit& visit) {
-  Vector3<S> force = scene.object.mass * scene.gravity;
-  Vector3<S> moment = Vector3<S>::Zero();
-  for (const Body<S>& body : scene.bodies) {
-    const Vector6<S> wrench = body_wrench(scene, answer, body);
-    force += wrench.template head<3>();
-    moment += wrench.template tail<3>();
+  /// The row fails by `amount` in SI units, of which `unit` is 1.
+  void show(Law law, Index of, Index part, const S& amount, const S& unit) {
+    visit(Violation<S>{law, of, part, amount / unit, unit});
   }
-  force -= scene.object.mass * answer.acceleration.template head<3>();
-  moment -= scene.object.inertia.lazyProduct(answer.acceleration.template tail<3>());
-  const S turn = scales.acceleration / scales.length;
-  for (Index k = 0; k < 6; ++k) {
-    if (scene.planar && k >= 2 && k <= 4) {
-      const S unit = k < 3 ? scales.acceleration : turn; // nothing moves out of the plane
-      visit(Violation<S>{Law::newton, k, -1, answer.acceleration[k] / unit, unit});
-      continue;
+
+  /// The smaller of a force and an acceleration that exclude each other, both scaled: negative, or
+  /// positive where both are.
+  Violation<S> complementarity(Law law, Index of, Index part, S force, S acceleration) const {
+    force /= scales.force;
+    acceleration /= scales.acceleration;
+    const bool is_force = !(acceleration < force) && acceleration == acceleration;
+    return {law, of, part, is_force ? force : acceleration,
+            is_force ? scales.force : scales.acceleration};
+  }
+
+  /// [T.1]
+  void newton() {
+    Vector3<S> force = scene.object.mass * scene.gravity;
+    Vector3<S> moment = Vector3<S>::Zero();
+    for (const Body<S>& body : scene.bodies) {
+      const Vector6<S> wrench = body_wrench(scene, answer, body);
+      force += wrench.template head<3>();
+      moment += wrench.template tail<3>();
     }
-    const S unit = k < 3 ? scales.force : S(scales.force * scales.length);
-    visit(Violation<S>{Law::newton, k, -1, (k < 3 ? force[k] : moment[k - 3]) / unit, unit});
+    force -= scene.object.mass * answer.acceleration.template head<3>();
+    moment -= scene.object.inertia.lazyProduct(answer.acceleration.template tail<3>());
+    const S turn = scales.acceleration / scales.length;
+    for (Index k = 0; k < 6; ++k)
+      if (scene.planar && k >= 2 && k <= 4) // nothing moves out of the plane
+        show(Law::newton, k, -1, answer.acceleration[k], k < 3 ? scales.acceleration : turn);
+      else if (k < 3)
+        show(Law::newton, k, -1, force[k], scales.force);
+      else
+        show(Law::newton, k, -1, moment[k - 3], scales.force * scales.length);
   }
-}
 
-/// [T.3] and [T.4] of point i, and that its friction is made of its generators; `beta`: theirs.
-template <class S, class Visit>
-void check_friction(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer,
-                    const Body<S>& body, Index i, const S* beta, const Vector6<S>& relative,
-                    Visit& visit) {
-  const ContactAnswer<S>& contact = answer.contacts[i];
-  const Vector3<S> acceleration = acceleration_at<S>(scene.points[i], relative);
-  const S spin = relative.template tail<3>().dot(body.normal);
-  const S lambda = body.bilateral ? Eigen::numext::abs(contact.normal_force) : contact.normal_force;
-  S room = body.friction * lambda;
-  Vector3<S> friction = contact.friction_force;
-  S torsion = contact.torsion;
-  const Index g = generator_count(scene, body);
-  for (Index j = 0; j < g; ++j) {
-    const Generator<S> d = generator(body, j, scene.facets);
-    const S slides = acceleration.dot(d.force) + spin * d.torque + contact.slip;
-    visit(complementarity<S>(Law::dissipation, i, j, beta[j] / scales.force,
-                             slides / scales.acceleration, scales));
-    room -= beta[j];
-    friction -= beta[j] * d.force;
-    torsion -= beta[j] * d.torque;
+  /// [T.3] and [T.4] of point i, and that its friction is made of its generators; `beta`: theirs.
+  void friction(const Body<S>& body, Index i, const S* beta, const Vector6<S>& relative) {
+    const ContactAnswer<S>& contact = answer.contacts[i];
+    const Vector3<S> acceleration = acceleration_at<S>(scene.points[i], relative);
+    const S spin = relative.template tail<3>().dot(body.normal);
+    const S lambda =
+        body.bilateral ? Eigen::numext::abs(contact.normal_force) : contact.normal_force;
+    S room = body.friction * lambda;
+    Vector3<S> left = contact.friction_force;
+    S torsion = contact.torsion;
+    const Index g = generator_count(scene, body);
+    for (Index j = 0; j < g; ++j) {
+      const Generator<S> d = generator(body, j, scene.facets);
+      const S slides = acceleration.dot(d.force) + spin * d.torque + contact.slip;
+      visit(complementarity(Law::dissipation, i, j, beta[j], slides));
+      room -= beta[j];
+      left -= beta[j] * d.force;
+      torsion -= beta[j] * d.torque;
+    }
+    for (Index k = 0; k < 3; ++k) show(Law::cone, i, k, left[k], scales.force);
+    show(Law::cone, i, 3, torsion, scales.force * scales.length);
+    if (g > 0) visit(complementarity(Law::cone, i, -1, room, contact.slip));
   }
-  for (Index k = 0; k < 3; ++k)
-    visit(Violation<S>{Law::cone, i, k, friction[k] / scales.force, scales.force});
-  const S moment_unit = scales.force * scales.length;
-  visit(Violation<S>{Law::cone, i, 3, torsion / moment_unit, moment_unit});
-  if (g > 0)
-    visit(complementarity<S>(Law::cone, i, -1, room / scales.force,
-                             contact.slip / scales.acceleration, scales));
-}
 
-/// [T.2], [T.6] and the pusher's motion at point i.
-template <class S, class Visit>
-void check_motion(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer,
-                  const Body<S>& body, Index i, const Vector6<S>& relative, Visit& visit) {
-  const ContactAnswer<S>& contact = answer.contacts[i];
-  const S unit = scales.acceleration, lambda = contact.normal_force / scales.force;
-  const Vector3<S> acceleration = acceleration_at<S>(scene.points[i], relative);
-  const S opening = acceleration.dot(body.normal) / unit;
-  Violation<S> normal = complementarity<S>(Law::normal, i, -1, lambda, opening, scales);
-  if (body.bilateral) normal = {Law::normal, i, -1, opening, unit};
-  visit(normal);
-  if (body.role == Role::pusher && (body.bilateral || lambda > S(0))) {
-    normal.law = Law::pusher;
+  /// [T.2], [T.6] and the pusher's motion at point i.
+  void motion(const Body<S>& body, Index i, const Vector6<S>& relative) {
+    const ContactAnswer<S>& contact = answer.contacts[i];
+    const S unit = scales.acceleration;
+    const Vector3<S> acceleration = acceleration_at<S>(scene.points[i], relative);
+    const S opening = acceleration.dot(body.normal);
+    Violation<S> normal = complementarity(Law::normal, i, -1, contact.normal_force, opening);
+    if (body.bilateral) normal = {Law::normal, i, -1, opening / unit, unit};
     visit(normal);
-  }
-  // Distances between coplanar points do not see a warp out of the plane; the motion does.
-  for (Index k = 0; k < 3; ++k)
-    visit(Violation<S>{Law::rigidity, i, k, (contact.acceleration[k] - acceleration[k]) / unit,
-                       unit});
-  for (Index k = body.first_point; k < i; ++k)
-    visit(Violation<S>{Law::rigidity, i, 3 + k,
-                       laws::patch_rigidity<S>(scene.points[i], contact.acceleration,
-                                               scene.points[k], answer.contacts[k].acceleration) /
-                           unit,
-                       unit});
-}
-
-/// [T.5]
-template <class S, class Visit>
-void check_grip(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer, Index a,
-                Visit& visit) {
-  const Actuator<S>& actuator = scene.actuators[a];
-  S balance = actuator.inertia * answer.closing[a] - actuator.force;
-  S reach(0);
-  for (const Drive<S>& drive : scene.drives) {
-    if (drive.actuator != a) continue;
-    const Body<S>& body = scene.bodies[drive.body];
-    balance += drive.twist.dot(body_wrench(scene, answer, body));
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-      const S speed = acceleration_at(scene.points[i], drive.twist).norm();
-      if (speed > reach) reach = speed;
+    if (body.role == Role::pusher &&
+        (body.bilateral || contact.normal_force / scales.force > S(0))) {
+      normal.law = Law::pusher;
+      visit(normal);
     }
+    // Distances between coplanar points do not see a warp out of the plane; the motion does.
+    for (Index k = 0; k < 3; ++k)
+      show(Law::rigidity, i, k, contact.acceleration[k] - acceleration[k], unit);
+    for (Index k = body.first_point; k < i; ++k)
+      show(Law::rigidity, i, 3 + k,
+           laws::patch_rigidity<S>(scene.points[i], contact.acceleration, scene.points[k],
+                                   answer.contacts[k].acceleration),
+           unit);
   }
-  const S unit = scales.force * (reach > S(0) ? reach : S(1));
-  visit(Violation<S>{Law::grip, a, -1, balance / unit, unit});
-}
+
+  /// [T.5]
+  void grip(Index a) {
+    const Actuator<S>& actuator = scene.actuators[a];
+    S balance = actuator.inertia * answer.closing[a] - actuator.force;
+    S reach(0);
+    for (const Drive<S>& drive : scene.drives) {
+      if (drive.actuator != a) continue;
+      const Body<S>& body = scene.bodies[drive.body];
+      balance += drive.twist.dot(body_wrench(scene, answer, body));
+      for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+        reach = Eigen::numext::maxi(reach, S(acceleration_at(scene.points[i], drive.twist).norm()));
+    }
+    show(Law::grip, a, -1, balance, scales.force * (reach > S(0) ? reach : S(1)));
+  }
+};
 
 } // namespace detail
 
@@ -184,19 +178,19 @@ void check_grip(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>&
 template <class S, class Visit>
 void check_rows(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer, S sigma,
                 Visit visit) {
-  detail::check_newton(scene, scales, answer, visit);
+  detail::LawRows<S, Visit> rows{scene, scales, answer, visit};
+  rows.newton();
   const S* beta = answer.friction.data;
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<S>& body = scene.bodies[b];
     const Vector6<S> relative = answer.acceleration - body_twist(scene, answer, b, sigma);
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-      detail::check_motion(scene, scales, answer, body, i, relative, visit);
-      detail::check_friction(scene, scales, answer, body, i, beta, relative, visit);
+      rows.motion(body, i, relative);
+      rows.friction(body, i, beta, relative);
       beta += generator_count(scene, body);
     }
   }
-  for (Index a = 0; a < scene.actuators.size; ++a)
-    detail::check_grip(scene, scales, answer, a, visit);
+  for (Index a = 0; a < scene.actuators.size; ++a) rows.grip(a);
 }
 
 /// The worst row of each law.
@@ -209,11 +203,9 @@ Residuals<S> check(const Scene<S>& scene, const Scales<S>& scales, const Answer<
   return worst;
 }
 
-} // namespace lcpush
-
 #ifdef LCPUSH_EXTERN_TEMPLATES
-namespace lcpush {
 extern template Residuals<double> check<double>(const Scene<double>&, const Scales<double>&,
                                                 const Answer<double>&, double);
-} // namespace lcpush
 #endif
+
+} // namespace lcpush

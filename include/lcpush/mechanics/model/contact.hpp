@@ -1,5 +1,7 @@
-// One contact point: wrench columns, friction generators, the acceleration it sees.
+// One contact point: its tangent, wrench columns, friction generators, the acceleration it sees.
 #pragma once
+
+#include <cmath>
 
 #include "lcpush/mechanics/model/scene.hpp"
 
@@ -36,13 +38,8 @@ template <class S> S sine_series(const S& x, S term, int k) {
   }
   return sum;
 }
-template <class S> S first_octant_sine(Index j, Index g) {
-  const S x = S(6.283185307179586476925286766559L) * S(j) / S(g);
-  return sine_series(x, x, 2);
-}
-template <class S> S first_octant_cosine(Index j, Index g) {
-  const S x = S(6.283185307179586476925286766559L) * S(j) / S(g);
-  return sine_series(x, S(1), 1);
+template <class S> S circle_angle(Index j, Index g) {
+  return S(6.283185307179586476925286766559L) * S(j) / S(g);
 }
 } // namespace detail
 
@@ -53,15 +50,31 @@ template <class S> S circle_cosine(Index j, Index g) {
   if (2 * j > g) j = g - j;
   if (4 * j > g) return -circle_cosine<S>(g / 2 - j, g);
   if (4 * j == g) return S(0);
-  if (8 * j <= g) return detail::first_octant_cosine<S>(j, g);
-  return detail::first_octant_sine<S>(g - 4 * j, 4 * g);
+  if (8 * j <= g) return detail::sine_series(detail::circle_angle<S>(j, g), S(1), 1);
+  const S x = detail::circle_angle<S>(g - 4 * j, 4 * g);
+  return detail::sine_series(x, x, 2);
 }
 
 /// sin(2 pi j / g), in the same way.
 template <class S> S circle_sine(Index j, Index g) { return circle_cosine<S>(4 * j - g, 4 * g); }
 
-/// A unit of friction: a force in the contact plane and, at a soft point, a torque about the
-/// normal.
+/// The unit vector along the projection of `direction` onto the plane orthogonal to `normal`.
+/// Preconditions: `normal` is a unit vector, `direction` is not parallel to it.
+template <class S> Vector3<S> tangent_along(const Vector3<S>& normal, const Vector3<S>& direction) {
+  return (direction - normal * normal.dot(direction)).normalized();
+}
+
+/// The tangent of a contact that names none: along the projection of the axis (x, y or z) least
+/// aligned with `normal`, the first of them on a tie. Precondition: `normal` is a unit vector.
+template <class S> Vector3<S> default_tangent(const Vector3<S>& normal) {
+  using std::abs;
+  Index axis = 0;
+  for (Index i = 1; i < 3; ++i)
+    if (abs(normal[i]) < abs(normal[axis])) axis = i;
+  return tangent_along<S>(normal, Vector3<S>::Unit(axis));
+}
+
+/// A unit of friction: a force in the contact plane, at a soft point a torque about the normal too.
 template <class S> struct Generator {
   Vector3<S> force; ///< 1
   S torque;         ///< m, along the normal

@@ -6,9 +6,9 @@
 
 namespace lcpush {
 
-/// How many bodies, actuators and drives the spread scene has.
+/// How many bodies the spread scene has, and drives; every drive has its actuator.
 struct EvenSize {
-  Index bodies, actuators, drives;
+  Index bodies = 0, drives = 0;
 };
 
 /// Arrays of at least even_size's lengths; the caller's, and the spread scene lives in them.
@@ -19,19 +19,17 @@ template <class S> struct EvenMemory {
 };
 
 template <class S> EvenSize even_size(const Scene<S>& scene) {
-  EvenSize size{0, 0, 0};
+  EvenSize size;
   for (Index b = 0; b < scene.bodies.size; ++b)
     size.bodies += is_driven(scene, b) ? scene.bodies[b].point_count : 1;
   for (const Drive<S>& drive : scene.drives) size.drives += scene.bodies[drive.body].point_count;
-  size.actuators = size.drives;
   return size;
 }
 
 /// Does an actuator drive several bodies? Then no point's share of its force is known.
 template <class S> bool shares_an_actuator(const Scene<S>& scene) {
-  for (Index k = 0; k < scene.drives.size; ++k)
-    for (Index l = 0; l < k; ++l)
-      if (scene.drives[k].actuator == scene.drives[l].actuator) return true;
+  for (const Drive<S>& drive : scene.drives)
+    if (drive_count(scene, drive.actuator) > 1) return true;
   return false;
 }
 
@@ -47,9 +45,9 @@ template <class S>
   if (scene.pressure != Pressure::even) return Status::solved;
   const EvenSize size = even_size(scene);
   if (shares_an_actuator(scene) || memory.bodies.size < size.bodies ||
-      memory.actuators.size < size.actuators || memory.drives.size < size.drives)
+      memory.actuators.size < size.drives || memory.drives.size < size.drives)
     return Status::bad_input;
-  Index bodies = 0, actuators = 0;
+  Index bodies = 0, drives = 0;
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Index k = scene.bodies[b].point_count;
     if (!is_driven(scene, b)) {
@@ -64,15 +62,15 @@ template <class S>
       for (const Drive<S>& drive : scene.drives) {
         if (drive.body != b) continue;
         const Actuator<S>& whole = scene.actuators[drive.actuator];
-        memory.actuators[actuators] = {whole.force / S(k), whole.inertia / S(k)};
-        memory.drives[actuators] = {bodies - 1, actuators, drive.twist};
-        ++actuators;
+        memory.actuators[drives] = {whole.force / S(k), whole.inertia / S(k)};
+        memory.drives[drives] = {bodies - 1, drives, drive.twist};
+        ++drives;
       }
     }
   }
   spread.bodies = {memory.bodies.data, bodies};
-  spread.actuators = {memory.actuators.data, actuators};
-  spread.drives = {memory.drives.data, actuators};
+  spread.actuators = {memory.actuators.data, drives};
+  spread.drives = {memory.drives.data, drives};
   return Status::solved;
 }
 

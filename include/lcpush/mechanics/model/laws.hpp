@@ -1,6 +1,5 @@
 // The laws of prehensile pushing, in the paper's order: one law = one function = one equation of
-// docs/theory/theory.md = one test case. [P.n] is equation n of Chavan-Dafle & Rodriguez, IROS
-// 2015.
+// docs/theory/theory.md = one test case. [P.n]: equation n of Chavan-Dafle & Rodriguez, IROS 2015.
 //
 //   unknowns   a object's acceleration   s closing of an actuator   lambda normal force
 //              beta friction force along a generator                xi slip acceleration

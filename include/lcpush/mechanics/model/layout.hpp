@@ -23,12 +23,12 @@ template <class S> struct Layout {
   Span<const ConeGroup<S>> cones; ///< per point: where its lambda, beta and xi stand
   Span<S> reach;                  ///< per actuator: largest speed of a driven point per unit of s
 
-  Index normal(Index point) const { return cones[point].variable; }
-  Index friction(Index point, Index j) const {
+  Index normal_index(Index point) const { return cones[point].variable; }
+  Index friction_index(Index point, Index j) const {
     return cones[point].variable + cones[point].normals + j;
   }
-  Index slip(Index point) const { return cones[point].slip(); }
-  Index closing(Index actuator) const { return size - actuators + actuator; }
+  Index slip_index(Index point) const { return cones[point].slip(); }
+  Index closing_index(Index actuator) const { return size - actuators + actuator; }
 };
 
 enum class Meaning { normal, pull, friction, slip, closing };
@@ -43,16 +43,11 @@ struct Name {
 template <class S> Name name_of(const Layout<S>& layout, Index i) {
   if (i >= layout.size - layout.actuators)
     return {Meaning::closing, i - (layout.size - layout.actuators), 0};
-  Index low = 0, high = layout.points;
-  while (high - low > 1) {
-    const Index middle = (low + high) / 2;
-    (layout.normal(middle) <= i ? low : high) = middle;
-  }
-  const Index offset = i - layout.normal(low);
-  if (offset == 0) return {Meaning::normal, low, 0};
-  if (offset < layout.cones[low].normals) return {Meaning::pull, low, 0};
-  if (i == layout.slip(low)) return {Meaning::slip, low, 0};
-  return {Meaning::friction, low, offset - layout.cones[low].normals};
+  const Index point = cone_of(layout.cones, i), offset = i - layout.normal_index(point);
+  if (offset == 0) return {Meaning::normal, point, 0};
+  if (offset < layout.cones[point].normals) return {Meaning::pull, point, 0};
+  if (i == layout.slip_index(point)) return {Meaning::slip, point, 0};
+  return {Meaning::friction, point, offset - layout.cones[point].normals};
 }
 
 /// SI value of unknown i = its scaled value times this: N, m/s^2, or a unit of its actuator.

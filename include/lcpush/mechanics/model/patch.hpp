@@ -19,22 +19,9 @@ template <class S> S even_step(Index i, Index k) {
   return k == 1 ? S(0) : S(2 * i - (k - 1)) / S(k - 1);
 }
 
-/// `phase` is in half steps from one point to the next.
-template <class S>
-void spread_on_circle(const Vector3<S>& center, const Vector3<S>& t, const Vector3<S>& o,
-                      const S& radius, Index phase, Span<Vector3<S>> points) {
-  const Index k = points.size;
-  for (Index i = 0; i < k; ++i) {
-    const Index half_steps = 2 * i + phase;
-    points[i] = center + t * (radius * circle_cosine<S>(half_steps, 2 * k)) +
-                o * (radius * circle_sine<S>(half_steps, 2 * k));
-  }
-}
-
 } // namespace detail
 
-/// Points from `first` to `last`, both included; a single point lies midway.
-/// Precondition: points.size >= 1.
+/// Points from `first` to `last`, both included; one lies midway. Precondition: points.size >= 1.
 template <class S>
 void sample_line(const Vector3<S>& first, const Vector3<S>& last, Span<Vector3<S>> points) {
   const Vector3<S> center = (first + last) / S(2), half = (last - first) / S(2);
@@ -42,11 +29,17 @@ void sample_line(const Vector3<S>& first, const Vector3<S>& last, Span<Vector3<S
     points[i] = center + half * detail::even_step<S>(i, points.size);
 }
 
-/// Points on a circle, the first along t. Precondition: points.size >= 2.
+/// Points on a circle, the first along t, or `phase` half steps (from one point to the next) from
+/// it. Precondition: points.size >= 2.
 template <class S>
 void sample_ring(const Vector3<S>& center, const Vector3<S>& t, const Vector3<S>& o,
-                 const S& radius, Span<Vector3<S>> points) {
-  detail::spread_on_circle<S>(center, t, o, radius, 0, points);
+                 const S& radius, Span<Vector3<S>> points, Index phase = 0) {
+  const Index k = points.size;
+  for (Index i = 0; i < k; ++i) {
+    const Index half_steps = 2 * i + phase;
+    points[i] = center + t * (radius * circle_cosine<S>(half_steps, 2 * k)) +
+                o * (radius * circle_sine<S>(half_steps, 2 * k));
+  }
 }
 
 /// Points in a disc, from the inside out; a single point is the centre, which no torque can load.
@@ -75,7 +68,7 @@ void sample_disc(const Vector3<S>& center, const Vector3<S>& t, const Vector3<S>
     const Index end = ring * ring * k / (rings * rings);
     const S outer = radius * sqrt(S(end) / S(k));
     const S mean = S(2) / S(3) * (inner * inner + inner * outer + outer * outer) / (inner + outer);
-    detail::spread_on_circle<S>(center, t, o, mean, ring - 1, {points.data + begin, end - begin});
+    sample_ring<S>(center, t, o, mean, {points.data + begin, end - begin}, ring - 1);
     begin = end;
     inner = outer;
   }

@@ -44,7 +44,7 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   answer.acceleration = factored.mobility.lazyProduct(wrench) * scales.acceleration;
   answer.acceleration.template tail<3>() /= scales.length;
   for (Index a = 0; a < layout.actuators; ++a)
-    answer.closing[a] = z[layout.closing(a)] * scales.acceleration / layout.reach[a];
+    answer.closing[a] = z[layout.closing_index(a)] * scales.acceleration / layout.reach[a];
 
   S fastest(0);
   Index entry = 0;
@@ -59,16 +59,16 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
     contact.normal_force = layout.cones[i].normal_force(z) * scales.force;
     contact.acceleration = acceleration_at(scene.points[i], relative);
     contact.spin = relative.template tail<3>().dot(body.normal);
-    contact.closing =
+    contact.closing_acceleration =
         acceleration_at<S>(scene.points[i], twist - sigma * body.acceleration).dot(body.normal);
     for (Index j = 0; j < g; ++j) {
       const Generator<S> d = generator(body, j, scene.facets);
-      const S beta = z[layout.friction(i, j)] * scales.force;
+      const S beta = z[layout.friction_index(i, j)] * scales.force;
       answer.friction[entry++] = beta;
       contact.friction_force += beta * d.force;
       contact.torsion += beta * d.torque;
     }
-    if (g > 0) contact.slip = z[layout.slip(i)] * scales.acceleration;
+    if (g > 0) contact.slip = z[layout.slip_index(i)] * scales.acceleration;
     if (contact.acceleration.norm() > fastest) fastest = contact.acceleration.norm();
   }
   // Motion counts against the fastest point: a slow push moves everything slowly. Below what
@@ -86,11 +86,9 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   }
 }
 
-} // namespace lcpush
-
 #ifdef LCPUSH_EXTERN_TEMPLATES
-namespace lcpush {
 extern template void read_answer<double>(const Assembly<double>&, const double*, Answer<double>&,
                                          double, bool);
-} // namespace lcpush
 #endif
+
+} // namespace lcpush

@@ -1,5 +1,4 @@
-// Does a scene make sense? For scenes that no file reader has checked: a table in flash, a C
-// caller.
+// Does a scene make sense that no file reader has checked: a table in flash, a C caller's?
 #pragma once
 
 #include "lcpush/mechanics/model/even_pressure.hpp"

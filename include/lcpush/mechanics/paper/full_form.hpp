@@ -36,7 +36,22 @@ public:
 
   /// Chooses references and weights. Post: solved, or bad_input if the memory is too small. The
   /// assembly must outlive the full form. Cost: O(points).
-  [[nodiscard]] Status describe(const Assembly<S>& assembly);
+  [[nodiscard]] Status describe(const Assembly<S>& assembly) {
+    assembly_ = &assembly;
+    if (memory_.patches.size < scene().bodies.size || memory_.first.size < scene().bodies.size ||
+        memory_.weights.size < most_references * scene().points.size)
+      return Status::bad_input;
+    size_ = acceleration() + 6;
+    for (Index b = 0; b < scene().bodies.size; ++b) {
+      const Body<S>& body = scene().bodies[b];
+      const Span<const Vector3<S>> points = patch_points(scene(), body);
+      memory_.patches[b] = choose_references(points);
+      interpolation_weights(points, memory_.patches[b], weights(b));
+      memory_.first[b] = size_;
+      size_ += contact_components(body) * body.point_count;
+    }
+    return Status::solved;
+  }
 
   Index size() const { return size_; }
   /// Unknowns of the assembly's problem; a and r, which elimination removes, come after them.
@@ -61,7 +76,28 @@ public:
   /// for a and r, 0 for what the assembly's problem has; with these flags for is_free a Reduction
   /// leaves that problem. Flag s as well and s may leave through a row of r: the answers are the
   /// same, but Lemke's guarantee is gone, which needs s paired with its own row. Cost: O(size()^2).
-  void fill(MatrixMap<S> M, S* q, unsigned char* eliminated) const;
+  void fill(MatrixMap<S> M, S* q, unsigned char* eliminated) const {
+    M.setZero();
+    for (Index i = 0; i < size_; ++i) {
+      q[i] = S(0);
+      eliminated[i] = i < reduced_size() ? 0 : 1;
+    }
+    fill_newton(M, q);
+    for (Index a = 0; a < layout().actuators; ++a) {
+      const SumGroup<S> grip = laws::grip_force(scene(), a, layout().reach[a], scales());
+      const Index s = layout().closing_index(a);
+      M(s, s) = grip.inertia;
+      q[s] = -grip.target;
+    }
+    for (Index i = 0; i < layout().points; ++i) {
+      const Index b = layout().body[i];
+      fill_contact(i, M);
+      if (patch(b).reference_of(i - scene().bodies[b].first_point) >= 0)
+        fill_reference(i, M, q);
+      else
+        fill_follower(i, M);
+    }
+  }
 
 private:
   FullFormMemory<S> memory_;
@@ -72,132 +108,87 @@ private:
   const Layout<S>& layout() const { return assembly_->layout(); }
   const Scales<S>& scales() const { return assembly_->layout().scales; }
 
-  void fill_newton(MatrixMap<S> M, S* q) const;
-  void fill_contact(Index point, MatrixMap<S> M) const;
-  void fill_force(Index point, Index k, MatrixMap<S> M) const;
-  void fill_reference(Index point, MatrixMap<S> M, S* q) const;
-  void fill_follower(Index point, MatrixMap<S> M) const;
-};
+  /// [T.1] without its forces.
+  void fill_newton(MatrixMap<S> M, S* q) const {
+    const Index a = acceleration();
+    const S unit = scene().object.mass * scales().length * scales().length;
+    const Vector6<S> w = laws::weight(scene(), scales());
+    for (Index k = 0; k < 6; ++k) {
+      M(a + k, a + k) = S(1);
+      q[a + k] = S(0);
+      if (scene().planar && k >= 2 && k <= 4) continue;
+      q[a + k] = -w[k];
+      for (Index l = 3; k >= 3 && l < 6; ++l)
+        M(a + k, a + l) = scene().object.inertia(k - 3, l - 3) / unit;
+    }
+  }
 
-template <class S> Status FullForm<S>::describe(const Assembly<S>& assembly) {
-  assembly_ = &assembly;
-  if (memory_.patches.size < scene().bodies.size || memory_.first.size < scene().bodies.size ||
-      memory_.weights.size < most_references * scene().points.size)
-    return Status::bad_input;
-  size_ = acceleration() + 6;
-  for (Index b = 0; b < scene().bodies.size; ++b) {
+  /// What force k of a point does: to the object [T.1] and to the actuators of its body [T.5].
+  void fill_force(Index point, Index k, MatrixMap<S> M) const {
+    const Index b = layout().body[point], variable = layout().cones[point].variable + k;
     const Body<S>& body = scene().bodies[b];
-    const Span<const Vector3<S>> points = patch_points(scene(), body);
-    memory_.patches[b] = choose_references(points);
-    interpolation_weights(points, memory_.patches[b], weights(b));
-    memory_.first[b] = size_;
-    size_ += contact_components(body) * body.point_count;
-  }
-  return Status::solved;
-}
-
-/// [T.1] without its forces.
-template <class S> void FullForm<S>::fill_newton(MatrixMap<S> M, S* q) const {
-  const Index a = acceleration();
-  const S unit = scene().object.mass * scales().length * scales().length;
-  const Vector6<S> w = laws::weight(scene(), scales());
-  for (Index k = 0; k < 6; ++k) {
-    M(a + k, a + k) = S(1);
-    q[a + k] = S(0);
-    if (scene().planar && k >= 2 && k <= 4) continue;
-    q[a + k] = -w[k];
-    for (Index l = 3; k >= 3 && l < 6; ++l)
-      M(a + k, a + l) = scene().object.inertia(k - 3, l - 3) / unit;
-  }
-}
-
-/// What force k of a point does: to the object [T.1] and to the actuators of its body [T.5].
-template <class S> void FullForm<S>::fill_force(Index point, Index k, MatrixMap<S> M) const {
-  const Index b = layout().body[point], variable = layout().cones[point].variable + k;
-  const Body<S>& body = scene().bodies[b];
-  Vector6<S> column = polyhedral_column(scene(), body, scene().points[point], k);
-  column.template tail<3>() /= scales().length;
-  for (Index row = 0; row < 6; ++row)
-    if (!(scene().planar && row >= 2 && row <= 4)) M(acceleration() + row, variable) = -column[row];
-  for (const Drive<S>& drive : scene().drives)
-    if (drive.body == b)
-      M(layout().closing(drive.actuator), variable) +=
-          laws::grip_coefficient(drive, column, layout().reach[drive.actuator], scales());
-}
-
-/// [T.2], [T.3] and [T.4] of a point, in its own r.
-template <class S> void FullForm<S>::fill_contact(Index point, MatrixMap<S> M) const {
-  const Body<S>& body = scene().bodies[layout().body[point]];
-  const Index normals = normal_count(body), generators = generator_count(scene(), body);
-  const Index lambda = layout().normal(point), r = relative(point);
-  const Index xi = lambda + normals + generators;
-  const Vector3<S> o = cross(body.normal, body.tangent);
-  for (Index k = 0; k < normals + generators; ++k) fill_force(point, k, M);
-  M(lambda, r) = S(1);
-  if (normals == 2) M(lambda + 1, r) = S(-1);
-  for (Index j = 0; j < generators; ++j) {
-    const Generator<S> d = generator(body, j, scene().facets);
-    const Index beta = lambda + normals + j;
-    M(beta, r + 1) = d.force.dot(body.tangent);
-    M(beta, r + 2) = d.force.dot(o);
-    if (contact_components(body) == 4) M(beta, r + 3) = d.torque / scales().length;
-    M(beta, xi) = S(1);
-    M(xi, beta) = S(-1);
-  }
-  for (Index k = 0; generators > 0 && k < normals; ++k) M(xi, lambda + k) = body.friction;
-}
-
-/// [P.10]: r = W' (a - A_b - J s).
-template <class S> void FullForm<S>::fill_reference(Index point, MatrixMap<S> M, S* q) const {
-  const Index b = layout().body[point];
-  const Body<S>& body = scene().bodies[b];
-  const Vector6<S> A_b = assembly_->sigma() * laws::prescribed(body, scales());
-  for (Index c = 0; c < contact_components(body); ++c) {
-    const Index row = relative(point) + c;
-    const Vector6<S> W = contact_column<S>(body, scene().points[point] / scales().length, c);
-    M(row, row) = S(1);
-    for (Index k = 0; k < 6; ++k) M(row, acceleration() + k) = -W[k];
+    Vector6<S> column = polyhedral_column(scene(), body, scene().points[point], k);
+    column.template tail<3>() /= scales().length;
+    for (Index row = 0; row < 6; ++row)
+      if (!(scene().planar && row >= 2 && row <= 4))
+        M(acceleration() + row, variable) = -column[row];
     for (const Drive<S>& drive : scene().drives)
       if (drive.body == b)
-        M(row, layout().closing(drive.actuator)) +=
-            laws::grip_coefficient(drive, W, layout().reach[drive.actuator], scales());
-    q[row] = W.dot(A_b);
+        M(layout().closing_index(drive.actuator), variable) +=
+            laws::grip_coefficient(drive, column, layout().reach[drive.actuator], scales());
   }
-}
 
-/// [P.5]: r_j = sum_c alpha_c r_c, component by component: a body's points share their axes.
-template <class S> void FullForm<S>::fill_follower(Index point, MatrixMap<S> M) const {
-  const Index b = layout().body[point];
-  const Body<S>& body = scene().bodies[b];
-  const S* const alpha = &memory_.weights[most_references * point];
-  for (Index c = 0; c < contact_components(body); ++c) {
-    M(relative(point) + c, relative(point) + c) = S(1);
-    for (Index e = 0; e < patch(b).count(); ++e)
-      M(relative(point) + c, relative(body.first_point + patch(b).point[e]) + c) = -alpha[e];
+  /// [T.2], [T.3] and [T.4] of a point, in its own r.
+  void fill_contact(Index point, MatrixMap<S> M) const {
+    const Body<S>& body = scene().bodies[layout().body[point]];
+    const Index normals = normal_count(body), generators = generator_count(scene(), body);
+    const Index lambda = layout().normal_index(point), r = relative(point);
+    const Index xi = lambda + normals + generators;
+    const Vector3<S> o = cross(body.normal, body.tangent);
+    for (Index k = 0; k < normals + generators; ++k) fill_force(point, k, M);
+    M(lambda, r) = S(1);
+    if (normals == 2) M(lambda + 1, r) = S(-1);
+    for (Index j = 0; j < generators; ++j) {
+      const Generator<S> d = generator(body, j, scene().facets);
+      const Index beta = lambda + normals + j;
+      M(beta, r + 1) = d.force.dot(body.tangent);
+      M(beta, r + 2) = d.force.dot(o);
+      if (contact_components(body) == 4) M(beta, r + 3) = d.torque / scales().length;
+      M(beta, xi) = S(1);
+      M(xi, beta) = S(-1);
+    }
+    for (Index k = 0; generators > 0 && k < normals; ++k) M(xi, lambda + k) = body.friction;
   }
-}
 
-template <class S> void FullForm<S>::fill(MatrixMap<S> M, S* q, unsigned char* eliminated) const {
-  M.setZero();
-  for (Index i = 0; i < size_; ++i) {
-    q[i] = S(0);
-    eliminated[i] = i < reduced_size() ? 0 : 1;
+  /// [P.10]: r = W' (a - A_b - J s).
+  void fill_reference(Index point, MatrixMap<S> M, S* q) const {
+    const Index b = layout().body[point];
+    const Body<S>& body = scene().bodies[b];
+    const Vector6<S> A_b = assembly_->sigma() * laws::prescribed(body, scales());
+    for (Index c = 0; c < contact_components(body); ++c) {
+      const Index row = relative(point) + c;
+      const Vector6<S> W = contact_column<S>(body, scene().points[point] / scales().length, c);
+      M(row, row) = S(1);
+      for (Index k = 0; k < 6; ++k) M(row, acceleration() + k) = -W[k];
+      for (const Drive<S>& drive : scene().drives)
+        if (drive.body == b)
+          M(row, layout().closing_index(drive.actuator)) +=
+              laws::grip_coefficient(drive, W, layout().reach[drive.actuator], scales());
+      q[row] = W.dot(A_b);
+    }
   }
-  fill_newton(M, q);
-  for (Index a = 0; a < layout().actuators; ++a) {
-    const SumGroup<S> grip = laws::grip_force(scene(), a, layout().reach[a], scales());
-    const Index s = layout().closing(a);
-    M(s, s) = grip.inertia;
-    q[s] = -grip.target;
+
+  /// [P.5]: r_j = sum_c alpha_c r_c, component by component: a body's points share their axes.
+  void fill_follower(Index point, MatrixMap<S> M) const {
+    const Index b = layout().body[point];
+    const Body<S>& body = scene().bodies[b];
+    const S* const alpha = &memory_.weights[most_references * point];
+    for (Index c = 0; c < contact_components(body); ++c) {
+      M(relative(point) + c, relative(point) + c) = S(1);
+      for (Index e = 0; e < patch(b).count(); ++e)
+        M(relative(point) + c, relative(body.first_point + patch(b).point[e]) + c) = -alpha[e];
+    }
   }
-  for (Index i = 0; i < layout().points; ++i) {
-    const Index b = layout().body[i];
-    fill_contact(i, M);
-    if (patch(b).reference_of(i - scene().bodies[b].first_point) >= 0)
-      fill_reference(i, M, q);
-    else
-      fill_follower(i, M);
-  }
-}
+};
 
 } // namespace lcpush

@@ -1,5 +1,4 @@
-// [T.6] Patch rigidity by hand: references, affine weights, and how many conditions are
-// independent.
+// [T.6] Patch rigidity by hand: references, affine weights, and the rank of the conditions.
 //
 // A patch of k points whose relative accelerations r_i are unknowns of their own moves as one rigid
 // piece [P.5] if every point follows m + 1 reference points,
@@ -13,7 +12,7 @@
 #include "lcpush/lcp/complete_pivoting.hpp"
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/tolerances.hpp"
-#include "lcpush/mechanics/model/laws.hpp"
+#include "lcpush/mechanics/model/check.hpp"
 
 namespace lcpush {
 
@@ -40,13 +39,6 @@ template <class S> Span<const Vector3<S>> patch_points(const Scene<S>& scene, co
 }
 
 namespace detail {
-
-/// What is left of d outside the span of the axes found so far.
-template <class S> Vector3<S> off_span(const PatchReferences<S>& chosen, Vector3<S> d) {
-  for (int pass = 0; pass < 2; ++pass) // the second pass takes what rounding left of the first
-    for (Index c = 0; c < chosen.rank; ++c) d -= chosen.axis[c].dot(d) * chosen.axis[c];
-  return d;
-}
 
 /// The point with the largest distance; of those that are equal but for rounding, the first.
 template <class S, class Distance>
@@ -81,7 +73,13 @@ template <class S> PatchReferences<S> choose_references(Span<const Vector3<S>> p
   chosen.point[0] =
       detail::farthest(points, [&](const Vector3<S>& p) { return (p - middle).norm(); });
   const Vector3<S> origin = points[chosen.point[0]];
-  const auto off = [&](const Vector3<S>& p) { return detail::off_span<S>(chosen, p - origin); };
+  // What is left of p outside the span of the axes found so far.
+  const auto off = [&](const Vector3<S>& p) {
+    Vector3<S> d = p - origin;
+    for (int pass = 0; pass < 2; ++pass) // the second pass takes what rounding left of the first
+      for (Index c = 0; c < chosen.rank; ++c) d -= chosen.axis[c].dot(d) * chosen.axis[c];
+    return d;
+  };
   while (chosen.rank < 3) {
     const Index next = detail::farthest(points, [&](const Vector3<S>& p) { return off(p).norm(); });
     const Vector3<S> away = off(points[next]);
@@ -221,9 +219,7 @@ RigidityCheck<S> check_rigidity(Span<const Vector3<S>> points, const PatchRefere
     for (Index motion = 3 * k; motion < stacked.cols(); ++motion) {
       S sum(0);
       for (Index j = 0; j < 3 * k; ++j) sum += stacked(row, j) * stacked(j, motion);
-      sum = Eigen::numext::abs(sum);
-      // A NaN stays the worst of all.
-      if (!(sum <= result.residual) && result.residual == result.residual) result.residual = sum;
+      detail::keep_worst(result.residual, sum);
     }
   result.stacked_rank = rank_of(stacked);
 

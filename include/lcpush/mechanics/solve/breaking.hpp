@@ -10,17 +10,15 @@ namespace lcpush {
 /// "Unit push" stands for the prescribed motion scaled so that the fastest point of contact with a
 /// moving body accelerates at 1 m/s^2. Wrenches at the centre of mass, scene axes, on the object.
 template <class S> struct Breaking {
-  Vector6<S> rest = Vector6<S>::Zero(); ///< object's acceleration before the push, pusher in place,
-                                        ///< [m/s^2; rad/s^2]
-  Vector6<S> force =
-      Vector6<S>::Zero(); ///< the pusher's wrench at the instant of breaking, [N; N m]
+  /// Object's acceleration before the push, pusher in place, [m/s^2; rad/s^2].
+  Vector6<S> rest = Vector6<S>::Zero();
+  Vector6<S> force = Vector6<S>::Zero();   ///< the pusher's wrench when it breaks, [N; N m]
   Vector6<S> inertia = Vector6<S>::Zero(); ///< what a unit push adds to it, [N; N m] per m/s^2
-  Vector6<S> twist =
-      Vector6<S>::Zero(); ///< object's acceleration per unit push, [m/s^2; rad/s^2] per m/s^2
-  S break_force{0};       ///< N, its normal forces summed over the pusher's points
-  S inertia_normal{0};    ///< N per m/s^2, the same sum of what a unit push adds
-  S valid_to{-1};         ///< m/s^2, the largest push for which this holds exactly; -1: not known
-  S line_error{0};        ///< `pad`: how far a third push lies off the line through two, over F
+  Vector6<S> twist = Vector6<S>::Zero();   ///< object's acceleration per unit push, [1; rad/m]
+  S break_force{0};                        ///< N, its normal forces summed over the pusher's points
+  S inertia_normal{0};                     ///< N per m/s^2, the same sum of what a unit push adds
+  S valid_to{-1};  ///< m/s^2, the largest push for which this holds exactly; -1: not known
+  S line_error{0}; ///< `pad`: how far a third push lies off the line through two, over F
   Residuals<S> residuals;
 };
 
@@ -207,15 +205,6 @@ template <class S, class Rounds>
   }
   const bool moves = motion_size(breaking.rest, assembly.layout().scales) > at_rest<S>();
   return moves ? Status::does_not_hold : Status::solved;
-}
-
-/// The same by Lemke's pivots with their usual options.
-template <class S, class B>
-[[nodiscard]] Status find_breaking(Assembly<S>& assembly, Lemke<S, B>& lemke, Workspace<S>& work,
-                                   const Body<S>& pusher, const PressureOptions<S>& options,
-                                   Breaking<S>& breaking, PressureRun& run) {
-  return find_breaking(assembly, LemkeRounds<S, const Unobserved, Lemke<S, B>>{lemke}, work, pusher,
-                       options, breaking, run);
 }
 
 } // namespace lcpush

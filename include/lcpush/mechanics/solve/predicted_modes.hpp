@@ -7,19 +7,6 @@
 
 namespace lcpush {
 
-namespace detail {
-
-/// The body whose prescribed motion the object is expected to follow: the first pusher that moves;
-/// -1 for none.
-template <class S> Index leading_body(const Scene<S>& scene) {
-  for (Index b = 0; b < scene.bodies.size; ++b)
-    if (scene.bodies[b].role == Role::pusher && !scene.bodies[b].acceleration.isZero(S(0)))
-      return b;
-  return -1;
-}
-
-} // namespace detail
-
 /// active[i] = 1 where z_i is expected to be positive (n flags), if the object accelerates as its
 /// leading pusher does: the points of force-controlled bodies and of pushers press; where the
 /// former slip, the generator most opposed to the slip carries friction. The pushers' own friction
@@ -30,12 +17,15 @@ template <class S> void predict_modes(const Assembly<S>& assembly, Span<unsigned
   const Problem<S> problem = assembly.problem();
   const FactoredProblem<S>& factored = *problem.factored;
   for (Index i = 0; i < problem.size; ++i) active[i] = i >= problem.free_begin ? 1 : 0;
-  const Index leader = detail::leading_body(scene);
-  if (leader < 0) return;
+  const Body<S>* leader = nullptr; // the first pusher that moves
+  for (const Body<S>& body : scene.bodies)
+    if (leader == nullptr && body.role == Role::pusher && !body.acceleration.isZero(S(0)))
+      leader = &body;
+  if (leader == nullptr) return;
   // q holds W(u)'(free fall - A_b) of every force.
   const Scales<S>& scales = assembly.layout().scales;
   const Vector6<S> falls = factored.mobility.lazyProduct(laws::weight(scene, scales));
-  const Vector6<S> follows = laws::prescribed(scene.bodies[leader], scales) * assembly.sigma();
+  const Vector6<S> follows = laws::prescribed(*leader, scales) * assembly.sigma();
   const Vector6<S> by_forces = follows - falls;
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<S>& body = scene.bodies[b];
@@ -58,8 +48,7 @@ template <class S> void predict_modes(const Assembly<S>& assembly, Span<unsigned
   }
 }
 
-/// The predicted modes as a first basis. A start that leads astray shall not cost more than a cold
-/// one.
+/// The predicted modes as a first basis. One that leads astray shall cost no more than a cold one.
 template <class S> struct PredictedStart {
   const Assembly<S>& assembly; ///< of the problems that the rounds solve
 

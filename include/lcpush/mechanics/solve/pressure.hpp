@@ -28,87 +28,6 @@ template <class S> Reason unsupported_reason(const Assembly<S>& assembly) {
   return fits ? Reason::none : Reason::memory_too_small;
 }
 
-/// [T.7] Pad: round r adds eps_r c_i (lambda_i - lambda_i^(r-1)) to [T.2].
-/// Sets c_i: k / m on a force-controlled patch of k > 1 points; 1e-3 k / m on a position-controlled
-/// body whose k normals are linearly dependent; 0 otherwise. And lambda^(0): each patch's own force
-/// shared evenly over its points, 0 where no force is prescribed.
-template <class S> void pad_preload(const Assembly<S>& assembly, const PressureMemory<S>& memory);
-
-/// Solves assembly.problem() under the scene's pressure law, by one of the solvers of rounds.hpp:
-/// init, step (at most one pivot), solve (a loop over step). A control loop spends as many steps a
-/// tick as it has time for.
-///
-/// Under `pad` the first round is cold, every later one goes on from the last answer. Compliance
-/// hides a jam: a squeezed pad just gives way. If the rounds fail, the literal problem is solved
-/// without any, so that a ray shows. If there is none, soft pads followed a squeeze that stiff ones
-/// resist: the rounds start again stiff, from the literal basis, twice at most.
-template <class S, class Rounds> class PressureSolve {
-public:
-  /// `assembly` and `memory` outlive the solve.
-  PressureSolve(Assembly<S>& assembly, const Rounds& rounds, const PressureMemory<S>& memory,
-                const PressureOptions<S>& options)
-      : assembly_(assembly), rounds_(rounds), memory_(memory), options_(options) {}
-
-  /// Post: running; or bad_input with run().reason.
-  [[nodiscard]] Status init();
-
-  /// Post: running; solved (memory.z holds the unknowns); or the solver's failure.
-  [[nodiscard]] Status step();
-
-  /// Cost: rigid and even one run; pad one cold and a few warm ones.
-  [[nodiscard]] Status solve() {
-    Status status = init();
-    while (status == Status::running) status = step();
-    return status;
-  }
-
-  const PressureRun& run() const { return run_; }
-
-private:
-  enum class Phase { soft_pads, literal, stiff_pads };
-  static constexpr int stiffer_starts = 2;
-
-  Assembly<S>& assembly_;
-  Rounds rounds_;
-  PressureMemory<S> memory_;
-  PressureOptions<S> options_;
-  PressureRun run_{};
-  Phase phase_ = Phase::literal;
-  int stiffer_ = 0; // starts that have been made
-  S eps_{0}, last_eps_{0}, factor_{0};
-  Index round_ = 0;
-  bool warm_ = false, restarted_ = false; // of this round
-
-  bool is_pad() const { return assembly_.scene().pressure == Pressure::pad; }
-  void begin_literal();
-  void begin_pads(Phase phase);
-  void begin_round();
-  Status next_round();
-  Status end_round(Status status);
-  Status end_pads(Status status);
-  Status end_literal(Status status);
-};
-
-/// All of it at once.
-template <class S, class Rounds>
-[[nodiscard]] Status solve_pressure(Assembly<S>& assembly, const Rounds& rounds,
-                                    const PressureMemory<S>& memory,
-                                    const PressureOptions<S>& options, PressureRun& run) {
-  PressureSolve<S, Rounds> solve(assembly, rounds, memory, options);
-  const Status status = solve.solve();
-  run = solve.run();
-  return status;
-}
-
-/// The same by Lemke's pivots with their usual options.
-template <class S, class B>
-[[nodiscard]] Status solve_pressure(Assembly<S>& assembly, Lemke<S, B>& lemke,
-                                    const PressureMemory<S>& memory,
-                                    const PressureOptions<S>& options, PressureRun& run) {
-  return solve_pressure(assembly, LemkeRounds<S, const Unobserved, Lemke<S, B>>{lemke}, memory,
-                        options, run);
-}
-
 namespace detail {
 
 /// Dimension (0 to 2) of the affine hull of a body's points, projected onto its contact plane.
@@ -135,6 +54,10 @@ template <class S> Index affine_rank(const Scene<S>& scene, const Body<S>& body)
 
 } // namespace detail
 
+/// [T.7] Pad: round r adds eps_r c_i (lambda_i - lambda_i^(r-1)) to [T.2].
+/// Sets c_i: k / m on a force-controlled patch of k > 1 points; 1e-3 k / m on a position-controlled
+/// body whose k normals are linearly dependent; 0 otherwise. And lambda^(0): each patch's own force
+/// shared evenly over its points, 0 where no force is prescribed.
 template <class S> void pad_preload(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
   const Scene<S>& scene = assembly.scene();
   for (Index b = 0; b < scene.bodies.size; ++b) {
@@ -144,9 +67,7 @@ template <class S> void pad_preload(const Assembly<S>& assembly, const PressureM
     bool driven = false;
     for (const Drive<S>& drive : scene.drives) {
       if (drive.body != b) continue;
-      Index driven_bodies = 0;
-      for (const Drive<S>& other : scene.drives)
-        if (other.actuator == drive.actuator) ++driven_bodies;
+      const Index driven_bodies = drive_count(scene, drive.actuator);
       const S along = closing_speed(scene, body, drive);
       driven = true;
       if (along > S(0))
@@ -203,96 +124,152 @@ template <class S> S runaway_force(const Assembly<S>& assembly) {
 
 } // namespace detail
 
-template <class S, class Rounds> Status PressureSolve<S, Rounds>::init() {
-  run_ = {};
-  run_.reason = unsupported_reason(assembly_);
-  if (run_.reason != Reason::none) return Status::bad_input;
-  stiffer_ = 0;
-  if (is_pad())
-    begin_pads(Phase::soft_pads);
-  else
-    begin_literal();
-  return Status::running;
-}
+/// Solves assembly.problem() under the scene's pressure law, by one of the solvers of rounds.hpp:
+/// init, step (at most one pivot), solve (a loop over step). A control loop spends as many steps a
+/// tick as it has time for.
+///
+/// Under `pad` the first round is cold, every later one goes on from the last answer. Compliance
+/// hides a jam: a squeezed pad just gives way. If the rounds fail, the literal problem is solved
+/// without any, so that a ray shows. If there is none, soft pads followed a squeeze that stiff ones
+/// resist: the rounds start again stiff, from the literal basis, twice at most.
+template <class S, class Rounds> class PressureSolve {
+public:
+  /// `assembly` and `memory` outlive the solve.
+  PressureSolve(Assembly<S>& assembly, const Rounds& rounds, const PressureMemory<S>& memory,
+                const PressureOptions<S>& options)
+      : assembly_(assembly), rounds_(rounds), memory_(memory), options_(options) {}
 
-template <class S, class Rounds> Status PressureSolve<S, Rounds>::step() {
-  const Status status = rounds_.step(memory_, run_);
-  if (status == Status::running) return status;
-  return phase_ == Phase::literal ? end_literal(status) : end_round(status);
-}
-
-template <class S, class Rounds> void PressureSolve<S, Rounds>::begin_literal() {
-  phase_ = Phase::literal;
-  set_compliance(assembly_, memory_, S(0));
-  rounds_.begin(assembly_.problem(), false, memory_);
-}
-
-/// The rounds, the first of them cold, or stiff from the literal answer.
-template <class S, class Rounds> void PressureSolve<S, Rounds>::begin_pads(Phase phase) {
-  phase_ = phase;
-  eps_ = last_eps_ = options_.first_compliance;
-  factor_ = options_.factor;
-  round_ = 0;
-  warm_ = phase == Phase::stiff_pads;
-  pad_preload(assembly_, memory_);
-  begin_round();
-}
-
-template <class S, class Rounds> void PressureSolve<S, Rounds>::begin_round() {
-  ++run_.rounds;
-  restarted_ = false;
-  set_compliance(assembly_, memory_, eps_);
-  rounds_.begin(assembly_.problem(), warm_, memory_);
-}
-
-template <class S, class Rounds> Status PressureSolve<S, Rounds>::next_round() {
-  if (++round_ == options_.max_rounds) return end_pads(Status::numerical_breakdown);
-  warm_ = true;
-  begin_round();
-  return Status::running;
-}
-
-template <class S, class Rounds> Status PressureSolve<S, Rounds>::end_round(Status status) {
-  using Eigen::numext::maxi;
-  if (status != Status::solved && warm_ && !restarted_) {
-    if (factor_ < S(0.7)) {
-      factor_ = Eigen::numext::sqrt(factor_); // come down more slowly
-      eps_ = last_eps_ * factor_;
-      return next_round();
-    }
-    ++run_.cold_restarts;
-    restarted_ = true;
-    rounds_.begin(assembly_.problem(), false, memory_);
+  /// Post: running; or bad_input with run().reason.
+  [[nodiscard]] Status init() {
+    run_ = {};
+    run_.reason = unsupported_reason(assembly_);
+    if (run_.reason != Reason::none) return Status::bad_input;
+    stiffer_ = 0;
+    if (is_pad())
+      begin_pads(Phase::soft_pads);
+    else
+      begin_literal();
     return Status::running;
   }
-  if (status != Status::solved) return end_pads(status);
-  S largest(0);
-  const S violation = detail::take_pressure(assembly_, memory_, largest);
-  if (violation <= options_.tolerance) return Status::solved;
-  if (largest > detail::runaway_force(assembly_)) return end_pads(Status::numerical_breakdown);
-  last_eps_ = eps_;
-  factor_ = maxi(options_.factor, S(factor_ * factor_));
-  eps_ *= factor_;
-  return next_round();
-}
 
-/// The pads have failed.
-template <class S, class Rounds> Status PressureSolve<S, Rounds>::end_pads(Status status) {
-  if (phase_ == Phase::soft_pads && status == Status::bad_input) return status;
-  if (phase_ == Phase::stiff_pads && stiffer_ == stiffer_starts) return Status::numerical_breakdown;
-  begin_literal();
-  return Status::running;
-}
+  /// Post: running; solved (memory.z holds the unknowns); or the solver's failure.
+  [[nodiscard]] Status step() {
+    const Status status = rounds_.step(memory_, run_);
+    if (status == Status::running) return status;
+    return phase_ == Phase::literal ? end_literal(status) : end_round(status);
+  }
 
-template <class S, class Rounds> Status PressureSolve<S, Rounds>::end_literal(Status status) {
-  run_.jammed = status == Status::ray;
-  if (!is_pad() || status != Status::solved) return status;
-  ++run_.cold_restarts;
-  ++stiffer_;
-  options_.first_compliance /= S(100);
-  rounds_.vary();
-  begin_pads(Phase::stiff_pads);
-  return Status::running;
+  /// Cost: rigid and even one run; pad one cold and a few warm ones.
+  [[nodiscard]] Status solve() {
+    Status status = init();
+    while (status == Status::running) status = step();
+    return status;
+  }
+
+  const PressureRun& run() const { return run_; }
+
+private:
+  enum class Phase { soft_pads, literal, stiff_pads };
+  static constexpr int stiffer_starts = 2;
+
+  Assembly<S>& assembly_;
+  Rounds rounds_;
+  PressureMemory<S> memory_;
+  PressureOptions<S> options_;
+  PressureRun run_{};
+  Phase phase_ = Phase::literal;
+  int stiffer_ = 0; // starts that have been made
+  S eps_{0}, last_eps_{0}, factor_{0};
+  Index round_ = 0;
+  bool warm_ = false, restarted_ = false; // of this round
+
+  bool is_pad() const { return assembly_.scene().pressure == Pressure::pad; }
+
+  void begin_literal() {
+    phase_ = Phase::literal;
+    set_compliance(assembly_, memory_, S(0));
+    rounds_.begin(assembly_.problem(), false, memory_);
+  }
+
+  /// The rounds, the first of them cold, or stiff from the literal answer.
+  void begin_pads(Phase phase) {
+    phase_ = phase;
+    eps_ = last_eps_ = options_.first_compliance;
+    factor_ = options_.factor;
+    round_ = 0;
+    warm_ = phase == Phase::stiff_pads;
+    pad_preload(assembly_, memory_);
+    begin_round();
+  }
+
+  void begin_round() {
+    ++run_.rounds;
+    restarted_ = false;
+    set_compliance(assembly_, memory_, eps_);
+    rounds_.begin(assembly_.problem(), warm_, memory_);
+  }
+
+  Status next_round() {
+    if (++round_ == options_.max_rounds) return end_pads(Status::numerical_breakdown);
+    warm_ = true;
+    begin_round();
+    return Status::running;
+  }
+
+  Status end_round(Status status) {
+    using Eigen::numext::maxi;
+    if (status != Status::solved && warm_ && !restarted_) {
+      if (factor_ < S(0.7)) {
+        factor_ = Eigen::numext::sqrt(factor_); // come down more slowly
+        eps_ = last_eps_ * factor_;
+        return next_round();
+      }
+      ++run_.cold_restarts;
+      restarted_ = true;
+      rounds_.begin(assembly_.problem(), false, memory_);
+      return Status::running;
+    }
+    if (status != Status::solved) return end_pads(status);
+    S largest(0);
+    const S violation = detail::take_pressure(assembly_, memory_, largest);
+    if (violation <= options_.tolerance) return Status::solved;
+    if (largest > detail::runaway_force(assembly_)) return end_pads(Status::numerical_breakdown);
+    last_eps_ = eps_;
+    factor_ = maxi(options_.factor, S(factor_ * factor_));
+    eps_ *= factor_;
+    return next_round();
+  }
+
+  /// The pads have failed.
+  Status end_pads(Status status) {
+    if (phase_ == Phase::soft_pads && status == Status::bad_input) return status;
+    if (phase_ == Phase::stiff_pads && stiffer_ == stiffer_starts)
+      return Status::numerical_breakdown;
+    begin_literal();
+    return Status::running;
+  }
+
+  Status end_literal(Status status) {
+    run_.jammed = status == Status::ray;
+    if (!is_pad() || status != Status::solved) return status;
+    ++run_.cold_restarts;
+    ++stiffer_;
+    options_.first_compliance /= S(100);
+    rounds_.vary();
+    begin_pads(Phase::stiff_pads);
+    return Status::running;
+  }
+};
+
+/// All of it at once.
+template <class S, class Rounds>
+[[nodiscard]] Status solve_pressure(Assembly<S>& assembly, const Rounds& rounds,
+                                    const PressureMemory<S>& memory,
+                                    const PressureOptions<S>& options, PressureRun& run) {
+  PressureSolve<S, Rounds> solve(assembly, rounds, memory, options);
+  const Status status = solve.solve();
+  run = solve.run();
+  return status;
 }
 
 } // namespace lcpush

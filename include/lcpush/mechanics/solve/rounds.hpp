@@ -32,8 +32,7 @@ template <class S> struct PressureMemory {
   Span<unsigned char> active; ///< unknowns: its basis
 };
 
-/// Lemke's pivots: cold under its covers, warm from the last basis. `Pivots` is Lemke over either
-/// basis.
+/// `Pivots`, Lemke over either basis: cold under its covering vectors, warm from the last basis.
 template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> struct LemkeRounds {
   Pivots& lemke;
   LemkeOptions<S> options;
@@ -64,12 +63,12 @@ template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> s
       return status;
     }
     if (covers_left_ == 0) return status;
-    // Copositivity does not protect a warm start: try it under each cover.
+    // Copositivity does not protect a warm start: try it under each covering vector.
     start_near(memory, covers_left_);
     return Status::running;
   }
 
-  /// Other covers from now on.
+  /// Other covering vectors from now on.
   void vary() { options.first_cover += options.covers; }
   LemkeRounds& pivots() { return *this; }
   void demand(const S&) {} // pivots end at rounding anyway
@@ -80,8 +79,8 @@ template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> s
     (void)lemke.init(problem, options);
   }
 
-  /// From memory.active, under `covers` covers one after the other, each of at most `limit` pivots
-  /// (0: the solver's own limit).
+  /// From memory.active, under `covers` covering vectors one after the other, each of at most
+  /// `limit` pivots (0: the solver's own limit).
   void begin_near(const Problem<S>& problem, const PressureMemory<S>& memory, Guess guess,
                   Index covers, Index limit = 0) {
     problem_ = problem;
@@ -104,6 +103,9 @@ private:
     ++single_.first_cover;
   }
 };
+
+template <class S, class B>
+LemkeRounds(Lemke<S, B>&) -> LemkeRounds<S, const Unobserved, Lemke<S, B>>;
 
 /// Block Gauss-Seidel: cold from even shares, warm from the last forces.
 template <class S, class Observer = const Unobserved> struct SweepRounds {
@@ -141,8 +143,8 @@ private:
   Index size_ = 0;
 };
 
-/// Where pivots are to begin: at memory.active, taken as `guess` says, under `covers` covers one
-/// after the other, each of at most `limit` pivots.
+/// Where pivots are to begin: at memory.active, taken as `guess` says, under `covers` covering
+/// vectors one after the other, each of at most `limit` pivots.
 struct FirstBasis {
   Guess guess = Guess::near;
   Index covers = 1;

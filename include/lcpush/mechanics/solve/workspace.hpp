@@ -15,7 +15,8 @@ namespace lcpush {
 /// Cuts typed arrays off the front of a block of bytes.
 class Arena {
 public:
-  explicit Arena(Span<unsigned char> bytes) : rest_(bytes) {}
+  Arena(Span<unsigned char> bytes) : rest_(bytes) {}
+  Arena(unsigned char* bytes, Index count) : rest_{bytes, count} {}
 
   template <class T> Span<T> take(Index count) {
     const Span<unsigned char> bytes = take_bytes(count * static_cast<Index>(sizeof(T)), alignof(T));
@@ -23,6 +24,11 @@ public:
     T* const first = reinterpret_cast<T*>(bytes.data);
     for (Index i = 0; i < count; ++i) new (first + i) T();
     return {first, count};
+  }
+
+  /// An array of `count` for each of the spans.
+  template <class... T> void fill(Index count, Span<T>&... spans) {
+    (void)((spans = take<T>(count)), ...);
   }
 
   /// Raw bytes at an address that `alignment` divides; none if fewer are left.
@@ -91,31 +97,21 @@ template <class S> constexpr Index bytes_with(const SolverSize& solver, const As
 template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& size) {
   const Index n = size.unknowns(), p = size.points;
   Workspace<S> w;
-  w.assembly.wrenches = arena.take<Vector6<S>>(size.forces());
-  w.assembly.cones = arena.take<ConeGroup<S>>(p);
-  w.assembly.sums = arena.take<SumGroup<S>>(size.actuators);
-  w.assembly.coupled_variable = arena.take<int>(size.couplings());
-  w.assembly.coupling = arena.take<S>(size.couplings());
-  w.assembly.body = arena.take<Index>(p);
-  w.assembly.reach = arena.take<S>(size.actuators);
-  w.assembly.rest = arena.take<S>(n);
-  w.assembly.push = arena.take<S>(n);
-  w.assembly.q = arena.take<S>(n);
-  w.pressure.preload = arena.take<S>(p);
-  w.pressure.compliance = arena.take<S>(p);
-  w.pressure.z = arena.take<S>(n);
-  w.pressure.active = arena.take<unsigned char>(n);
-  w.answer.contacts = arena.take<ContactAnswer<S>>(p);
-  w.answer.friction = arena.take<S>(size.generators);
-  w.answer.closing = arena.take<S>(size.actuators);
+  AssemblyMemory<S>& a = w.assembly;
+  arena.fill(size.forces(), a.wrenches);
+  arena.fill(p, a.cones, a.body, w.pressure.preload, w.pressure.compliance, w.answer.contacts);
+  arena.fill(n, a.rest, a.push, a.q, w.pressure.z, w.pressure.active);
+  arena.fill(size.actuators, a.sums, a.reach, w.answer.closing);
+  arena.fill(size.couplings(), a.coupled_variable, a.coupling);
+  arena.fill(size.generators, w.answer.friction);
   return w;
 }
 
 template <class S>
 Workspace<S> take_for_pivots(Arena& arena, const AssemblySize& size, const SolverSize& solver) {
   Workspace<S> w = take_common<S>(arena, size);
-  w.lemke_scalars = arena.take<S>(solver.scalars);
-  w.lemke_integers = arena.take<int>(solver.integers);
+  arena.fill(solver.scalars, w.lemke_scalars);
+  arena.fill(solver.integers, w.lemke_integers);
   w.complete = !arena.exhausted();
   return w;
 }
@@ -137,52 +133,24 @@ template <class S> constexpr Index sweep_bytes(const AssemblySize& size) {
   return detail::bytes_with<S>(detail::sweeps_size(size), size);
 }
 
-/// Cuts a workspace for scenes of at most this size, to be solved by Lemke's pivots.
-template <class S> Workspace<S> make_workspace(Arena& arena, const AssemblySize& size) {
+/// Cuts a workspace for scenes of at most this size out of an arena, or a block of bytes, of its
+/// own; to be solved by Lemke's pivots.
+template <class S> Workspace<S> make_workspace(Arena arena, const AssemblySize& size) {
   return detail::take_for_pivots<S>(arena, size, detail::pivots_size(size));
 }
 /// The same by StructuredLemke.
 template <class S>
-Workspace<S> make_structured_workspace(Arena& arena, const AssemblySize& size, Index shared) {
+Workspace<S> make_structured_workspace(Arena arena, const AssemblySize& size, Index shared) {
   return detail::take_for_pivots<S>(arena, size, detail::structured_size(size, shared));
 }
 /// The same by block Gauss-Seidel.
-template <class S> Workspace<S> make_sweep_workspace(Arena& arena, const AssemblySize& size) {
+template <class S> Workspace<S> make_sweep_workspace(Arena arena, const AssemblySize& size) {
   Workspace<S> w = detail::take_common<S>(arena, size);
   const detail::SolverSize solver = detail::sweeps_size(size);
-  w.sweep_scalars = arena.take<S>(solver.scalars);
-  w.sweep_integers = arena.take<int>(solver.integers);
+  arena.fill(solver.scalars, w.sweep_scalars);
+  arena.fill(solver.integers, w.sweep_integers);
   w.complete = !arena.exhausted();
   return w;
-}
-
-// The same out of a block of their own.
-template <class S>
-Workspace<S> make_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
-  Arena arena(bytes);
-  return make_workspace<S>(arena, size);
-}
-template <class S>
-Workspace<S> make_structured_workspace(Span<unsigned char> bytes, const AssemblySize& size,
-                                       Index shared) {
-  Arena arena(bytes);
-  return make_structured_workspace<S>(arena, size, shared);
-}
-template <class S>
-Workspace<S> make_sweep_workspace(Span<unsigned char> bytes, const AssemblySize& size) {
-  Arena arena(bytes);
-  return make_sweep_workspace<S>(arena, size);
-}
-
-/// The size of one scene, spread evenly if it is to be.
-template <class S> AssemblySize size_of(const Scene<S>& scene) {
-  AssemblySize size{scene.points.size, 0, scene.actuators.size, scene.drives.size};
-  if (scene.pressure == Pressure::even) size.actuators = size.drives = even_size(scene).actuators;
-  for (const Body<S>& body : scene.bodies) {
-    size.generators += body.point_count * generator_count(scene, body);
-    if (body.bilateral) size.pulls += body.point_count;
-  }
-  return size;
 }
 
 } // namespace lcpush

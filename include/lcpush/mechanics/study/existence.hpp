@@ -1,5 +1,4 @@
-// Does the existence lemma [T.8] cover a scene (docs/theory/theory.md 5.3 and 5.4)? Its conditions
-// are linear programs:
+// Does the existence lemma [T.8] hold for a scene (theory.md 5.3, 5.4)? By linear programs:
 //
 //   (H1) fails if   s' >= 0, sum s' = 1,   sum_a W(n_i)' J_a s'_a <= 0 at every contact
 //                   has a solution for the massless actuators;
@@ -24,10 +23,9 @@ enum class Existence {
 };
 
 constexpr Index existence_scalars(const AssemblySize& size) {
-  const Index rows = 7 + size.actuators, forces = size.forces(), k = size.points;
-  const Index squeeze = (rows + k + 1) * forces + rows + linear_program_scalars(forces, rows, k);
   const Index a = size.actuators, normals = size.points + size.pulls;
-  const Index closing = (normals + 2) * a + 1 + linear_program_scalars(a, 1, normals);
+  const Index squeeze = study_scalars(size.forces(), 7 + a, size.points);
+  const Index closing = study_scalars(a, 1, normals);
   return squeeze > closing ? squeeze : closing;
 }
 constexpr Index existence_integers(const AssemblySize& size) {
@@ -51,10 +49,8 @@ Status find_idle_closing(const Assembly<S>& assembly, const StudyMemory<S>& memo
   if (massless == 0) return Status::ray; // there is none
   StudyProgram<S> p(memory.scalars, massless, 1, normals);
   if (!p.fits) return Status::bad_input;
-  p.H.setZero();
   p.A.setOnes();
   p.b.setOnes();
-  p.c.setZero();
   Index column = 0;
   for (const SumGroup<S>& sum : factored.sums) {
     if (sum.inertia > S(0)) continue;
@@ -97,9 +93,7 @@ Status find_tightened_squeeze(const Assembly<S>& assembly, const StudyMemory<S>&
     for (Index j = cone.force; j < cone.force + cone.forces(); ++j)
       p.A(power, j) = assembly.factored().wrenches[j].dot(motion);
   }
-  p.b.setZero();
   p.b[power] = S(1);
-  p.c.setZero();
   LinearProgramSolver<S> solver(p.rest, memory.integers);
   const Status status = solver.solve(p.program(), options);
   for (Index j = 0; status == Status::solved && j < forces; ++j) witness[j] = solver.x()[j];

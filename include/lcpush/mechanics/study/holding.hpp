@@ -19,13 +19,17 @@ template <class S> struct Holding {
   Reason reason = Reason::none;
 };
 
+/// Of a program with these columns, equalities and inequalities, and its solver.
+constexpr Index study_scalars(Index columns, Index m, Index k) {
+  return (m + k + 1) * columns + m + linear_program_scalars(columns, m, k);
+}
+
 /// Sizes of the program: one column a force and one for phi, one equality a direction of motion and
 /// an actuator, one inequality a point.
 constexpr Index holding_columns(const AssemblySize& size) { return size.forces() + 1; }
 constexpr Index holding_rows(const AssemblySize& size) { return 6 + size.actuators; }
 constexpr Index holding_scalars(const AssemblySize& size) {
-  const Index columns = holding_columns(size), m = holding_rows(size), k = size.points;
-  return (m + k + 1) * columns + m + linear_program_scalars(columns, m, k);
+  return study_scalars(holding_columns(size), holding_rows(size), size.points);
 }
 constexpr Index holding_integers(const AssemblySize& size) {
   return linear_program_integers(holding_columns(size), holding_rows(size), size.points);
@@ -46,7 +50,7 @@ template <class S> bool grips(const Scene<S>& scene, Index actuator) {
 
 namespace detail {
 
-/// A program's arrays, cut off the front of a study's memory; `rest` is its solver's.
+/// A program's arrays, all zeros, cut off the front of a study's memory; `rest` is its solver's.
 template <class S> struct StudyProgram {
   MatrixMap<S> A{nullptr, 0, 0}, H{nullptr, 0, 0};
   VectorMap<S> b{nullptr, 0}, c{nullptr, 0};
@@ -61,6 +65,7 @@ template <class S> struct StudyProgram {
     scalars.seat(c, columns);
     rest = scalars.take(linear_program_scalars(columns, equalities, inequalities));
     fits = !scalars.exhausted();
+    for (S& x : memory) x = S(0);
   }
   LinearProgram<S> program() const {
     return {A.cols(), A.rows(), H.rows(), A.data(), b.data(), H.data(), c.data()};
@@ -87,7 +92,6 @@ template <class S> void fill_loads(const Assembly<S>& assembly, HoldingProgram<S
   using Eigen::numext::maxi;
   const Scene<S>& scene = assembly.scene();
   const Vector6<S> weight = laws::weight(scene, assembly.layout().scales);
-  p.b.setZero();
   const Index moving = scene.planar ? 3 : 6;
   for (Index row = 0; row < (scene.planar ? 2 : 3); ++row) p.b[row] = -weight[row];
   for (Index a = 0; a < assembly.layout().actuators; ++a) {
@@ -109,8 +113,6 @@ template <class S> void fill_forces(const Assembly<S>& assembly, MatrixMap<S>& A
   constexpr Index planar_axes[] = {0, 1, 5};
   const bool planar = assembly.scene().planar;
   const Index moving = planar ? 3 : 6;
-  A.setZero();
-  H.setZero();
   for (Index j = 0; j < layout.forces; ++j)
     for (Index row = 0; row < moving; ++row)
       A(row, j) = factored.wrenches[j][planar ? planar_axes[row] : row];
@@ -118,7 +120,7 @@ template <class S> void fill_forces(const Assembly<S>& assembly, MatrixMap<S>& A
     const SumGroup<S>& sum = factored.sums[a];
     for (Index k = sum.first; k < sum.first + sum.count; ++k) {
       const Index variable = factored.coupled_variable[k];
-      const ConeGroup<S>& cone = layout.cones[name_of(layout, variable).of];
+      const ConeGroup<S>& cone = layout.cones[cone_of(layout.cones, variable)];
       A(moving + a, cone.force + variable - cone.variable) += factored.coupling[k];
     }
   }
@@ -136,7 +138,6 @@ template <class S> void fill_rows(const Assembly<S>& assembly, HoldingProgram<S>
   const Scene<S>& scene = assembly.scene();
   const Index moving = scene.planar ? 3 : 6, phi = assembly.layout().forces;
   fill_forces(assembly, p.A, p.H);
-  p.c.setZero();
   p.c[phi] = S(1);
   for (Index a = 0; a < assembly.layout().actuators; ++a)
     if (grips(scene, a) && p.grip > S(0))

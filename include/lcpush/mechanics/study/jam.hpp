@@ -9,9 +9,9 @@ namespace lcpush {
 
 /// One body's part in a ray. Forces have no unit of their own: a ray may be scaled.
 template <class S> struct Squeeze {
-  Vector6<S> wrench;      ///< on the object, force; moment over Scales::length
-  S normal{0};            ///< sum of its normal forces' sizes; 0: takes no part
-  S friction{0};          ///< sum of its friction forces' sizes
+  Vector6<S> wrench = Vector6<S>::Zero(); ///< on the object, force; moment over Scales::length
+  S normal{0};                            ///< sum of its normal forces' sizes; 0: takes no part
+  S friction{0};                          ///< sum of its friction forces' sizes
   S power{0};             ///< of its prescribed motion, in units of F / m: > 0 tightens
   bool runs_away = false; ///< an actuator closes it without end
 };
@@ -30,14 +30,6 @@ template <class S> struct RaySum {
     return friction <= noise && imbalance <= noise && load <= noise && power > noise * motion;
   }
 };
-
-/// What rounding may leave of an entry of the ray v. Forces, slips and actuators all count: a ray
-/// of an actuator alone leaves traces at contacts that are large beside each other only.
-template <class S> S noise_of_ray(const Layout<S>& layout, const S* v) {
-  S largest(0);
-  for (Index i = 0; i < layout.size; ++i) largest = Eigen::numext::maxi(largest, v[i]);
-  return Tolerances<S>().residual * largest;
-}
 
 /// The largest |Q_a| of the forces in v. Cost: O(couplings).
 template <class S> S actuator_load(const FactoredProblem<S>& problem, const S* v) {
@@ -60,11 +52,11 @@ RaySum<S> read_ray(const Assembly<S>& assembly, const S* v, Span<Squeeze<S>> bod
   const Scene<S>& scene = assembly.scene();
   const Layout<S>& layout = assembly.layout();
   RaySum<S> sum;
-  sum.noise = noise_of_ray(layout, v);
-  for (Squeeze<S>& body : bodies) {
-    body = {};
-    body.wrench.setZero();
-  }
+  // Forces, slips and actuators all count: a ray of an actuator alone leaves traces at contacts
+  // that are large beside each other only.
+  for (Index i = 0; i < layout.size; ++i) sum.noise = Eigen::numext::maxi(sum.noise, v[i]);
+  sum.noise *= Tolerances<S>().residual;
+  for (Squeeze<S>& body : bodies) body = {};
   for (Index i = 0; i < layout.points; ++i) {
     const ConeGroup<S>& cone = layout.cones[i];
     Squeeze<S>& body = bodies[layout.body[i]];
@@ -89,7 +81,7 @@ RaySum<S> read_ray(const Assembly<S>& assembly, const S* v, Span<Squeeze<S>> bod
       sum.imbalance = Eigen::numext::maxi(sum.imbalance, S(abs(wrench[k])));
   sum.load = actuator_load(assembly.factored(), v);
   for (const Drive<S>& drive : scene.drives)
-    if (v[layout.closing(drive.actuator)] > sum.noise) bodies[drive.body].runs_away = true;
+    if (v[layout.closing_index(drive.actuator)] > sum.noise) bodies[drive.body].runs_away = true;
   return sum;
 }
 

@@ -16,12 +16,12 @@ enum class MotionKind {
 /// The screw of an acceleration [a; alpha] from rest: alpha about an axis, pitch along it.
 template <class S> struct Motion {
   MotionKind kind = MotionKind::rest;
-  Vector3<S> direction;  ///< unit, of a translation; zero if it turns
-  S translation{0};      ///< m/s^2, |a| of the centre of mass
-  Vector3<S> axis;       ///< unit, of the rotation; zero if it does not turn
-  Vector3<S> axis_point; ///< m from the centre of mass, the axis' point nearest to it
-  S rotation{0};         ///< rad/s^2
-  S pitch{0};            ///< m per rad; 0: pure rotation, axis_point is the instantaneous centre
+  Vector3<S> direction = Vector3<S>::Zero();  ///< unit, of a translation; zero if it turns
+  S translation{0};                           ///< m/s^2, |a| of the centre of mass
+  Vector3<S> axis = Vector3<S>::Zero();       ///< unit, of the rotation; zero if it does not turn
+  Vector3<S> axis_point = Vector3<S>::Zero(); ///< m from the centre of mass, nearest to it
+  S rotation{0};                              ///< rad/s^2
+  S pitch{0}; ///< m per rad; 0: pure rotation, axis_point is the instantaneous centre
 };
 
 namespace detail {
@@ -47,8 +47,7 @@ template <class S> bool axis_through_grip(const Scene<S>& scene, const Answer<S>
   return acceleration_at<S>(grip, answer.acceleration).norm() <= reach;
 }
 
-/// Does the object stick to a pusher that moves along its own surface, as a sheet does, and turn
-/// over it rather than with it?
+/// Does the object turn over, not with, a pusher that moves along its surface, as a sheet does?
 template <class S> bool carried_by_a_surface(const Scene<S>& scene, const Answer<S>& answer) {
   const Vector3<S> alpha = answer.acceleration.template tail<3>();
   bool carried = false;
@@ -76,9 +75,6 @@ Motion<S> describe_motion(const Scene<S>& scene, const Answer<S>& answer, S leng
   const Vector3<S> a = answer.acceleration.template head<3>();
   const Vector3<S> alpha = answer.acceleration.template tail<3>();
   Motion<S> motion;
-  motion.direction.setZero();
-  motion.axis.setZero();
-  motion.axis_point.setZero();
   motion.translation = a.norm();
   motion.rotation = alpha.norm();
   const S size = motion.translation + length * motion.rotation;

@@ -1,4 +1,4 @@
-// Is the answer the only one? A proof where there is one, otherwise a search under other covers.
+// Is the answer the only one? A proof where there is one, else a search under covering vectors.
 #pragma once
 
 #include "lcpush/mechanics/solve/breaking.hpp"
@@ -7,7 +7,7 @@ namespace lcpush {
 
 enum class Uniqueness {
   yes,              ///< proved: see motion_is_determined
-  none_other_found, ///< other covers led to the same answer, which is no proof
+  none_other_found, ///< other covering vectors led to the same answer, which is no proof
   no,               ///< another answer was found
   not_tested,
 };
@@ -24,16 +24,13 @@ template <class S> bool has_known_friction(const Scene<S>& scene, Index b) {
   for (const Drive<S>& drive : scene.drives) {
     if (drive.body != b) continue;
     ++drives;
-    Index shared = 0;
-    for (const Drive<S>& other : scene.drives)
-      if (other.actuator == drive.actuator) ++shared;
     const Vector3<S> motion = acceleration_at(scene.points[body.first_point], drive.twist);
     const S along = motion.dot(body.normal);
     const S across = (motion - along * body.normal).norm();
     // A soft point's friction torque must not load the actuator either.
     const S turns =
         body.torsion_radius * Eigen::numext::abs(drive.twist.template tail<3>().dot(body.normal));
-    known = shared == 1 && along > S(0) &&
+    known = drive_count(scene, drive.actuator) == 1 && along > S(0) &&
             across + turns <= S(16) * Eigen::NumTraits<S>::epsilon() * along &&
             !(scene.actuators[drive.actuator].inertia > S(0));
   }

@@ -22,8 +22,7 @@ public:
     dictionary.carve(problem.size, problem.size + 1, right_hand_sides, scalars, integers);
   }
 
-  /// Scales, and rowsum_i = sum_j |M_ij| column_scale_j. Returns 0, or NaN if a number of M is not
-  /// finite.
+  /// Scales, and rowsum_i = sum_j |M_ij| column_scale_j. Returns 0, or NaN if M is not finite.
   S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale, VectorMap<S> rowsum,
           VectorMap<S> scratch) {
     const Index n = dictionary.size();
@@ -37,9 +36,10 @@ public:
     return n > 0 ? S(rowsum.sum() - rowsum.sum()) : S(0);
   }
 
-  /// The basis of all w under a cover; its right-hand sides are there already.
+  /// The basis of all w under a covering vector; its right-hand sides are there already.
   template <class Column>
-  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale, const Column& cover) {
+  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
+            const Column& covering_vector) {
     const Index n = dictionary.size();
     if (!holds_problem_) {
       fill_matrix(problem_, MatrixMap<S>(dictionary.table.data(), n, n));
@@ -47,12 +47,13 @@ public:
         dictionary.table.col(j) = dictionary.table.col(j).cwiseProduct(row_scale) * column_scale[j];
     }
     holds_problem_ = false;
-    dictionary.table.col(n) = cover;
+    dictionary.table.col(n) = covering_vector;
     dictionary.reset_basis();
   }
 
-  /// Another cover: `as_given` in the basis of all w, here(row) in the present one.
-  template <class Column, class Here> void cover(const Column& /*as_given*/, Here here) {
+  /// Another covering vector: `as_given` in the basis of all w, here(row) in the present one.
+  template <class Column, class Here>
+  void set_covering_vector(const Column& /*as_given*/, Here here) {
     auto column = dictionary.table.col(dictionary.column_of(artificial(dictionary.size())));
     for (Index i = 0; i < dictionary.size(); ++i) column[i] = here(i);
   }
@@ -81,64 +82,52 @@ public:
     }
   }
 
-  /// After factoring: what is known exactly of the level of the symbolic bound S. Elimination has
-  /// kept it exact.
-  void set_bound_level(Index, const VectorMap<S>&, const S&) {}
+  /// After factoring: what is known of the right-hand side of S. Elimination has kept it exact.
+  void set_bound_rhs(Index, const VectorMap<S>&, const S&) {}
 
+  /// Gauss-Jordan with complete pivoting from the basis of all w to the one in target (basic
+  /// variables in any order). Returns how many of its z are left when pivots above `smallest_pivot`
+  /// end: then candidates holds the w that should have left, target the z that should have entered.
   Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
-               VectorMap<S> scratch, const Wanted& wanted);
+               VectorMap<S> scratch, const Wanted& /*all come along*/) {
+    const Index n = dictionary.size();
+    // candidates: rows whose w is to leave; target: columns whose variable is to enter.
+    Index wanted = 0, leaving = 0;
+    for (Index i = 0; i < n; ++i) candidates[i] = 1;
+    for (Index k = 0; k < n; ++k)
+      if (target[k] < n) candidates[target[k]] = 0;
+    for (Index i = 0; i < n; ++i)
+      if (candidates[i] != 0) candidates[leaving++] = static_cast<int>(i);
+    for (Index k = 0; k < n; ++k)
+      if (target[k] >= n) target[wanted++] = target[k] - static_cast<int>(n);
+    return exchange_largest(
+        candidates, target, wanted, smallest_pivot,
+        [&](Index row, Index column) -> const S& { return dictionary.table(row, column); },
+        [&](Index row, Index column) { dictionary.exchange(row, column, scratch); });
+  }
+
+  /// After factor has left some: makes the basis complementary again, without them. Where w_i
+  /// has stayed but z_i has entered, and z_j has not entered but w_j has left, z_i leaves for w_j.
+  /// False if that is singular too.
   bool drop_pairs(Index left, Span<int> target, Span<int> candidates, const S& smallest_pivot,
-                  VectorMap<S> scratch);
+                  VectorMap<S> scratch) {
+    const Index n = dictionary.size();
+    const auto row = [&](Index i) { return dictionary.row_of(unknown(i, n)); };
+    const auto column = [&](Index j) { return dictionary.column_of(slack(j)); };
+    Index both = 0, neither = 0; // of a pair's two variables: basic
+    for (Index k = 0; k < left; ++k)
+      if (row(candidates[k]) >= 0) candidates[both++] = candidates[k];
+    for (Index k = 0; k < left; ++k)
+      if (column(target[k]) >= 0) target[neither++] = target[k];
+    return exchange_largest(
+               target, candidates, both, smallest_pivot,
+               [&](Index j, Index i) -> const S& { return dictionary.table(row(i), column(j)); },
+               [&](Index j, Index i) { dictionary.exchange(row(i), column(j), scratch); }) == 0;
+  }
 
 private:
   Problem<S> problem_;
   bool holds_problem_ = false; // the table is the scaled M, from scale() to the first load()
 };
-
-/// Gauss-Jordan with complete pivoting from the basis of all w to the one in target (basic
-/// variables in any order). Returns how many of its z are left when pivots above `smallest_pivot`
-/// end: then candidates holds the w that should have left, target the z that should have entered.
-template <class S>
-Index DenseBasis<S>::factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
-                            VectorMap<S> scratch, const Wanted& /*all come along*/) {
-  const Index n = dictionary.size();
-  // candidates: rows whose w is to leave; target: columns whose variable is to enter.
-  Index wanted = 0, leaving = 0;
-  for (Index i = 0; i < n; ++i) candidates[i] = 1;
-  for (Index k = 0; k < n; ++k)
-    if (target[k] < n) candidates[target[k]] = 0;
-  for (Index i = 0; i < n; ++i)
-    if (candidates[i] != 0) candidates[leaving++] = static_cast<int>(i);
-  for (Index k = 0; k < n; ++k)
-    if (target[k] >= n) target[wanted++] = target[k] - static_cast<int>(n);
-  return exchange_largest(
-      candidates, target, wanted, smallest_pivot,
-      [&](Index row, Index column) -> const S& { return dictionary.table(row, column); },
-      [&](Index row, Index column) { dictionary.exchange(row, column, scratch); });
-}
-
-/// After factor has left some: makes the basis complementary again, without them. Where w_i
-/// has stayed but z_i has entered, and z_j has not entered but w_j has left, z_i leaves for w_j.
-/// False if that is singular too.
-template <class S>
-bool DenseBasis<S>::drop_pairs(Index left, Span<int> target, Span<int> candidates,
-                               const S& smallest_pivot, VectorMap<S> scratch) {
-  const Index n = dictionary.size();
-  Index both = 0, neither = 0; // of a pair's two variables: basic
-  for (Index k = 0; k < left; ++k) {
-    const Index i = candidates[k];
-    if (dictionary.row_of(unknown(i, n)) >= 0) candidates[both++] = static_cast<int>(i);
-  }
-  for (Index k = 0; k < left; ++k) {
-    const Index j = target[k];
-    if (dictionary.column_of(slack(j)) >= 0) target[neither++] = static_cast<int>(j);
-  }
-  const auto row = [&](Index i) { return dictionary.row_of(unknown(i, n)); };
-  const auto column = [&](Index j) { return dictionary.column_of(slack(j)); };
-  return exchange_largest(
-             target, candidates, both, smallest_pivot,
-             [&](Index j, Index i) -> const S& { return dictionary.table(row(i), column(j)); },
-             [&](Index j, Index i) { dictionary.exchange(row(i), column(j), scratch); }) == 0;
-}
 
 } // namespace lcpush

@@ -1,5 +1,5 @@
-// Lemke's housekeeping: set-up, scaling, covers, factoring a basis from the problem as given,
-// refining an answer and having it checked. Included by lemke.hpp.
+// Lemke's housekeeping: set-up, scaling, covering vectors, factoring a basis from the problem as
+// given, refining an answer and having it checked. Included by lemke.hpp.
 #pragma once
 
 #include "lcpush/lcp/pivots/lemke.hpp"
@@ -7,14 +7,12 @@
 namespace lcpush {
 
 template <class S, class B> bool Lemke<S, B>::carve() {
-  using detail::max_levels;
-  using detail::tie_columns;
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
   const Index n = n_;
-  basis_.carve(problem_, levels_ + tie_columns, scalars, integers);
-  scalars.seat(cover_columns_, n, 1 + tie_columns);
-  scalars.seat(solution_, n, max_levels);
+  basis_.carve(problem_, rhs_count_ + detail::tie_columns, scalars, integers);
+  scalars.seat(covering_, n, 1 + detail::tie_columns);
+  scalars.seat(solution_, n, detail::max_rhs);
   for (VectorMap<S>* map : {&row_scale_, &column_scale_, &unit_, &rowsum_, &bound_, &ray_, &trial_,
                             &scratch_, &product_})
     scalars.seat(*map, n);
@@ -29,8 +27,8 @@ Status Lemke<S, B>::prepare(const Problem<S>& problem, const LemkeOptions<S>& op
   problem_ = problem;
   options_ = options;
   n_ = problem.size;
-  levels_ = finite_level() + 1 + (problem.push != nullptr ? 1 : 0);
-  cover_ = pivots_ = pivots_of_cover_ = repairs_ = 0;
+  rhs_count_ = finite_rhs() + 1 + (problem.push != nullptr ? 1 : 0);
+  tries_ = pivots_ = pivots_of_try_ = repairs_ = 0;
   tie_tolerance_ = options.tolerances.tie;
   status_ = Status::running;
   reason_ = worst_reason_ = Reason::none;
@@ -51,65 +49,60 @@ Status Lemke<S, B>::prepare(const Problem<S>& problem, const LemkeOptions<S>& op
     if (problem_.push != nullptr) finite_sum += problem_.push[i] - problem_.push[i];
   }
   if (!(finite_sum == S(0))) return end(Status::bad_input, Reason::not_finite);
-  for (Index k = 0; k < levels_; ++k) {
+  for (Index k = 0; k < rhs_count_; ++k) {
     S largest(0);
     for (Index i = 0; i < n_; ++i) {
       const S size = Eigen::numext::abs(S(right_hand_side(k)[i] * row_scale_[i]));
       largest = Eigen::numext::maxi(largest, size);
     }
-    level_scale_[k] = options_.equilibrate ? power_below(largest) : S(1);
+    rhs_scale_[k] = options_.equilibrate ? power_below(largest) : S(1);
   }
   return status_;
-}
-
-template <class S, class B> const S* Lemke<S, B>::right_hand_side(Index level) const {
-  if (level < finite_level()) return bound_.data();
-  return level == finite_level() ? problem_.q : problem_.push;
 }
 
 /// The basis of all w, from the problem as given.
 template <class S, class B> void Lemke<S, B>::load() {
   MatrixMap<S>& values = basis_.dictionary.values;
-  for (Index k = 0; k < levels_; ++k)
+  for (Index k = 0; k < rhs_count_; ++k)
     for (Index i = 0; i < n_; ++i)
-      values(i, k) = right_hand_side(k)[i] * row_scale_[i] / level_scale_[k];
-  values.rightCols(detail::tie_columns) = cover_columns_.rightCols(detail::tie_columns);
-  basis_.load(row_scale_, column_scale_, cover_columns_.col(0));
+      values(i, k) = right_hand_side(k)[i] * row_scale_[i] / rhs_scale_[k];
+  values.rightCols(detail::tie_columns) = covering_.rightCols(detail::tie_columns);
+  basis_.load(row_scale_, column_scale_, covering_.col(0));
 }
 
-/// A start at z = 0 under generic covers and tie columns.
+/// A start at z = 0 under a generic covering vector and tie columns.
 template <class S, class B> void Lemke<S, B>::cover_cold() {
-  for (Index k = 0; k < cover_columns_.cols(); ++k)
+  for (Index k = 0; k < covering_.cols(); ++k)
     for (Index i = 0; i < n_; ++i)
-      cover_columns_(i, k) = k == 0 && options_.cover != nullptr
-                                 ? S(options_.cover[i] * row_scale_[i])
-                                 : generic_number<S>(seed(k), i);
+      covering_(i, k) = k == 0 && options_.cover != nullptr ? S(options_.cover[i] * row_scale_[i])
+                                                            : generic_number<S>(seed(k), i);
   load();
   entering_ = -1;
   tie_tolerance_ = options_.tolerances.tie;
-  pivots_of_cover_ = repairs_ = 0;
+  pivots_of_try_ = repairs_ = 0;
 }
 
-/// Covers and tie columns that are generic and positive in the present complementary basis. What
-/// they are in the problem as given follows from the point (z, w) that they describe: w - M z.
+/// A covering vector and tie columns that are generic and positive in the present complementary
+/// basis. In the problem as given they are w - M z of the point (z, w) that they describe.
 template <class S, class B> void Lemke<S, B>::cover_here() {
   const Index n = n_;
-  for (Index k = 0; k < cover_columns_.cols(); ++k) {
+  for (Index k = 0; k < covering_.cols(); ++k) {
     trial_.setZero();
-    cover_columns_.col(k).setZero();
+    covering_.col(k).setZero();
     for (Index i = 0; i < n; ++i) {
       const S here = generic_number<S>(seed(k), i);
       const Index variable = basis_.dictionary.basic[i];
-      if (k > 0) basis_.dictionary.values(i, levels_ + k - 1) = here;
+      if (k > 0) basis_.dictionary.values(i, rhs_count_ + k - 1) = here;
       if (variable < n)
-        cover_columns_(variable, k) = here;
+        covering_(variable, k) = here;
       else
         trial_[variable - n] = here;
     }
     scaled_product(trial_.data(), product_.data());
-    cover_columns_.col(k) -= product_;
+    covering_.col(k) -= product_;
   }
-  basis_.cover(cover_columns_.col(0), [&](Index i) { return generic_number<S>(seed(0), i); });
+  basis_.set_covering_vector(covering_.col(0),
+                             [&](Index i) { return generic_number<S>(seed(0), i); });
 }
 
 /// out = R M C z.
@@ -119,26 +112,21 @@ template <class S, class B> void Lemke<S, B>::scaled_product(const S* z_scaled, 
   for (Index i = 0; i < n_; ++i) out[i] *= row_scale_[i];
 }
 
-template <class S, class B> void Lemke<S, B>::bound_level() {
-  if (finite_level() > 0)
-    basis_.set_bound_level(problem_.free_begin, column_scale_, level_scale_[0]);
-}
-
 /// The present basis, factored afresh from the problem as given.
 template <class S, class B> bool Lemke<S, B>::refactorise() {
   for (Index i = 0; i < n_; ++i) target_[i] = basis_.dictionary.basic[i];
   load();
   const S smallest = options_.tolerances.pivot * options_.tolerances.tie;
-  // The bound level is written down, the tie columns are generic anyway.
-  const Wanted wanted{finite_level(), levels_, levels_ + detail::tie_columns};
+  // The right-hand side of the bound is written down, the tie columns are generic anyway.
+  const Wanted wanted{finite_rhs(), rhs_count_, rhs_count_ + detail::tie_columns};
   fresh_ = basis_.factor(target_, candidates_, smallest, scratch_, wanted) == 0;
-  if (fresh_) bound_level();
+  if (fresh_) bound_rhs();
   return fresh_;
 }
 
 /// Has rounding in the dictionary moved the finite basic values away from w = q + M z + d z0?
 template <class S, class B> bool Lemke<S, B>::drifted() {
-  const Index n = n_, k = finite_level();
+  const Index n = n_, k = finite_rhs();
   S z0(0), largest(1);
   trial_.setZero();
   for (Index i = 0; i < n; ++i) {
@@ -152,7 +140,7 @@ template <class S, class B> bool Lemke<S, B>::drifted() {
   }
   scaled_product(trial_.data(), product_.data());
   for (Index i = 0; i < n; ++i)
-    product_[i] += problem_.q[i] * row_scale_[i] / level_scale_[k] + cover_columns_(i, 0) * z0;
+    product_[i] += problem_.q[i] * row_scale_[i] / rhs_scale_[k] + covering_(i, 0) * z0;
   for (Index i = 0; i < n; ++i)
     if (basis_.dictionary.basic[i] < n)
       product_[basis_.dictionary.basic[i]] -= basis_.dictionary.values(i, k);
@@ -160,23 +148,23 @@ template <class S, class B> bool Lemke<S, B>::drifted() {
   return !(product_.cwiseAbs().maxCoeff() <= allowed);
 }
 
-/// z at one level: read from the dictionary, then refined on the problem as given: the basis'
-/// response to a residual in the nonbasic w removes it.
-template <class S, class B> void Lemke<S, B>::refine(Index level) {
+/// z at one right-hand side: read from the dictionary, then refined on the problem as given: the
+/// basis' response to a residual in the nonbasic w removes it.
+template <class S, class B> void Lemke<S, B>::refine(Index rhs) {
   const Index n = n_;
-  const S scale = level_scale_[level];
-  auto z = solution_.col(level);
+  const S scale = rhs_scale_[rhs];
+  auto z = solution_.col(rhs);
   z.setZero();
   for (Index i = 0; i < n; ++i)
     if (basis_.dictionary.basic[i] >= n && basis_.dictionary.basic[i] < artificial(n)) {
       const Index j = basis_.dictionary.basic[i] - n;
-      z[j] = basis_.dictionary.values(i, level) * scale * column_scale_[j];
+      z[j] = basis_.dictionary.values(i, rhs) * scale * column_scale_[j];
     }
   S before(-1);
   for (int round = 0; round < 4; ++round) {
     multiply(problem_, z.data(), product_.data());
     for (Index j = 0; j < n; ++j)
-      product_[j] = (product_[j] + right_hand_side(level)[j]) * row_scale_[j];
+      product_[j] = (product_[j] + right_hand_side(rhs)[j]) * row_scale_[j];
     for (const int variable : basis_.dictionary.basic) // what is left in a basic w is its value
       if (variable < n) product_[variable] = S(0);
     const S largest = n > 0 ? S(product_.cwiseAbs().maxCoeff()) : S(0);
@@ -191,15 +179,9 @@ template <class S, class B> void Lemke<S, B>::refine(Index level) {
   }
 }
 
-template <class S, class B> WorstRow<S> Lemke<S, B>::referee(const S* q, const S* z) {
-  return natural_residual(
-      problem_, q, z, unit_.data(), [&](Index i) { return i >= problem_.free_begin; },
-      product_.data(), check_scratch_.data);
-}
-
 /// Is every free unknown at S plus something finite, and nothing else of order S?
 template <class S, class B> bool Lemke<S, B>::bound_is_slack() const {
-  for (Index i = 0; i < n_ && finite_level() > 0; ++i) {
+  for (Index i = 0; i < n_ && finite_rhs() > 0; ++i) {
     const S off = solution_(i, 0) - (i >= problem_.free_begin ? S(1) : S(0));
     if (!(Eigen::numext::abs(off) <= options_.tolerances.residual)) return false;
   }
@@ -209,23 +191,23 @@ template <class S, class B> bool Lemke<S, B>::bound_is_slack() const {
 /// The range 0 <= sigma <= valid_to_ in which this basis is feasible. False if it is empty: some
 /// variable is 0 now and falls with the push.
 template <class S, class B> bool Lemke<S, B>::find_range() {
-  const Index finite = finite_level(), push = finite + 1;
+  const Index finite = finite_rhs(), push = finite + 1;
   valid_to_ = S(-1);
   for (Index i = 0; i < n_; ++i) {
     const bool is_free = basis_.dictionary.basic[i] >= n_ + problem_.free_begin;
     const S rate = basis_.dictionary.values(i, push), value = basis_.dictionary.values(i, finite);
     if (is_free || !(rate < -tie_tolerance_)) continue;
     if (!(value > tie_tolerance_)) return false;
-    const S reach = value * level_scale_[finite] / (-rate * level_scale_[push]);
+    const S reach = value * rhs_scale_[finite] / (-rate * rhs_scale_[push]);
     if (valid_to_ < S(0) || reach < valid_to_) valid_to_ = reach;
   }
   return true;
 }
 
-/// Every level against the referee. With a push, at rest and half-way through the range in which
-/// this basis claims to hold: the answer is linear, and find_range has seen to its signs.
+/// Every right-hand side against the referee. With a push, at rest and half-way through the range
+/// in which this basis claims to hold: the answer is linear, and find_range has seen to its signs.
 template <class S, class B> bool Lemke<S, B>::passes_check() {
-  const Index finite = finite_level(), push = finite + 1;
+  const Index finite = finite_rhs(), push = finite + 1;
   const S tolerance = options_.tolerances.residual;
   reason_ = Reason::residual;
   if (!bound_is_slack()) {
@@ -235,14 +217,14 @@ template <class S, class B> bool Lemke<S, B>::passes_check() {
   for (Index i = 0; i < problem_.free_begin; ++i) {
     // Rounding may leave a basic value of zero on the wrong side of it.
     S& z = solution_(i, finite);
-    if (z < S(0) && -z <= tolerance * unit_[i] * level_scale_[finite]) z = S(0);
+    if (z < S(0) && -z <= tolerance * unit_[i] * rhs_scale_[finite]) z = S(0);
   }
   residual_ = referee(problem_.q, solution_.col(finite).data());
   if (!(residual_.residual <= tolerance)) return false;
   if (problem_.push == nullptr) return true;
   if (!find_range()) return false;
   // Not the very end of the range: there the answer may be all zeros, and rounding its scale.
-  const S sigma = valid_to_ < S(0) ? level_scale_[finite] / level_scale_[push] : valid_to_ / S(2);
+  const S sigma = valid_to_ < S(0) ? rhs_scale_[finite] / rhs_scale_[push] : valid_to_ / S(2);
   for (Index i = 0; i < n_; ++i) {
     trial_[i] = solution_(i, finite) + sigma * solution_(i, push);
     scratch_[i] = problem_.q[i] + sigma * problem_.push[i];
@@ -250,12 +232,6 @@ template <class S, class B> bool Lemke<S, B>::passes_check() {
   const WorstRow<S> pushed = referee(scratch_.data(), trial_.data());
   if (!(pushed.residual <= residual_.residual)) residual_ = pushed;
   return pushed.residual <= tolerance;
-}
-
-template <class S, class B> S Lemke<S, B>::artificial_value() const {
-  const Index row = basis_.dictionary.row_of(artificial(n_));
-  return row < 0 ? S(0)
-                 : S(basis_.dictionary.values(row, finite_level()) * level_scale_[finite_level()]);
 }
 
 template <class S, class B>
@@ -268,20 +244,20 @@ template <class S, class B>
 Status Lemke<S, B>::init(const Problem<S>& problem, const LemkeOptions<S>& options,
                          const unsigned char* active, Guess guess) {
   if (prepare(problem, options) != Status::running) return status_;
-  cover_columns_.setOnes();
+  covering_.setOnes();
   load();
   for (Index i = 0; i < n_; ++i)
     target_[i] = static_cast<int>(active[i] != 0 ? unknown(i, n_) : slack(i));
   const Tolerances<S>& tolerances = options.tolerances;
   const S smallest =
       guess == Guess::basis ? S(tolerances.pivot * tolerances.tie) : tolerances.noise;
-  const Wanted wanted{finite_level(), levels_, levels_}; // cover_here brings the tie columns
+  const Wanted wanted{finite_rhs(), rhs_count_, rhs_count_}; // cover_here brings the tie columns
   const Index left = basis_.factor(target_, candidates_, smallest, scratch_, wanted);
   const auto drop = [&] {
     return basis_.drop_pairs(left, target_, candidates_, smallest, scratch_);
   };
   if (left > 0 && (guess == Guess::basis || !drop())) return end_unfactored();
-  bound_level();
+  bound_rhs();
   cover_here();
   entering_ = -1;
   return status_;

@@ -10,14 +10,15 @@ template <class Observer>
 Status Lemke<S, B>::start(Observer& observer) {
   observer.starts(*this);
   if (n_ == 0) return accept();
-  const Index cover = basis_.enter(artificial(n_));
-  RatioTest<S> test(basis_.dictionary, levels_, options_.tie_rule, ratio_tolerances(), candidates_);
-  const Blocking worst = test.most_violated_row(cover);
-  for (Index k = 0; k < levels_; ++k) {
+  const Index column = basis_.enter(artificial(n_));
+  RatioTest<S> test(basis_.dictionary, rhs_count_, options_.tie_rule, ratio_tolerances(),
+                    candidates_);
+  const Blocking worst = test.most_violated_row(column);
+  for (Index k = 0; k < rhs_count_; ++k) {
     const S value = basis_.dictionary.values(worst.row, k);
     if (value > tie_tolerance_) return accept();
     if (value < -tie_tolerance_) {
-      pivot({artificial(n_), cover, worst, test.tied_rows(), true}, observer);
+      pivot({artificial(n_), column, worst, test.tied_rows(), true}, observer);
       entering_ = complement(last_.leaving, n_);
       return status_;
     }
@@ -27,13 +28,13 @@ Status Lemke<S, B>::start(Observer& observer) {
 
 template <class S, class B>
 template <class Observer>
-void Lemke<S, B>::pivot(const Turn& turn, Observer& observer) {
-  const Index row = observer.leaves(*this, turn);
-  last_ = {turn.entering, basis_.dictionary.basic[row], turn.blocking};
+void Lemke<S, B>::pivot(const PendingPivot& pending, Observer& observer) {
+  const Index row = observer.choose_leaving_row(*this, pending);
+  last_ = {pending.entering, basis_.dictionary.basic[row], pending.blocking};
   last_.blocking.row = row;
-  basis_.exchange(row, turn.column, turn.entering, scratch_);
+  basis_.exchange(row, pending.column, pending.entering, scratch_);
   ++pivots_;
-  ++pivots_of_cover_;
+  ++pivots_of_try_;
   fresh_ = false;
 }
 
@@ -41,12 +42,13 @@ template <class S, class B>
 template <class Observer>
 Status Lemke<S, B>::advance(Observer& observer) {
   if (entering_ < 0) return start(observer);
-  if (pivots_of_cover_ >= limit()) return end(Status::pivot_limit);
-  const bool look = pivots_of_cover_ % 64 == 63 && !fresh_;
+  if (pivots_of_try_ >= limit()) return end(Status::pivot_limit);
+  const bool look = pivots_of_try_ % 64 == 63 && !fresh_;
   if ((basis_.is_long() || (look && drifted())) && !refactorise()) return end_unfactored();
 
   const Index c = basis_.enter(entering_);
-  RatioTest<S> test(basis_.dictionary, levels_, options_.tie_rule, ratio_tolerances(), candidates_);
+  RatioTest<S> test(basis_.dictionary, rhs_count_, options_.tie_rule, ratio_tolerances(),
+                    candidates_);
   const Blocking blocking = test.blocking_row(c);
   if (blocking.row < 0) return conclude_ray(c);
 
@@ -61,31 +63,31 @@ template <class S, class B> template <class Observer> Status Lemke<S, B>::step(O
   (void)advance(observer);
   observer.stepped(*this);
   if (status_ == Status::running || status_ == Status::solved) return status_;
-  return turn_to_next_cover();
+  return try_next_covering_vector();
 }
 
-/// This cover has failed: a generic one that has not been tried may do better. If none is left, the
-/// failure that says most is reported: a verified ray, else the last.
-template <class S, class B> Status Lemke<S, B>::turn_to_next_cover() {
+/// This covering vector has failed: a generic one that has not been tried may do better. If none is
+/// left, the failure that says most is reported: a verified ray, else the last.
+template <class S, class B> Status Lemke<S, B>::try_next_covering_vector() {
   if (worst_ != Status::ray) {
     worst_ = status_;
     worst_reason_ = reason_;
   }
-  if (options_.cover != nullptr || cover_ + 1 >= options_.covers) return end(worst_, worst_reason_);
-  ++cover_;
+  if (options_.cover != nullptr || tries_ + 1 >= options_.covers) return end(worst_, worst_reason_);
+  ++tries_;
   cover_cold();
   return status_ = Status::running;
 }
 
 /// z0 has left (or was never needed): refine the answer on the problem as given and check it. One
 /// that passes barely sits on a basis with a small violation, that a tie has hidden: look closer
-/// once, unless no other cover is left if that fails.
+/// once, unless no other covering vector is left if that fails.
 template <class S, class B> Status Lemke<S, B>::accept() {
-  for (Index k = 0; k < levels_; ++k) refine(k);
+  for (Index k = 0; k < rhs_count_; ++k) refine(k);
   if (!passes_check()) return reject();
   const bool barely = residual_.residual > options_.tolerances.residual / S(16);
-  const bool last_cover = options_.cover != nullptr || cover_ + 1 >= options_.covers;
-  if (barely && repairs_ == 0 && !last_cover) return reject();
+  const bool is_last_try = options_.cover != nullptr || tries_ + 1 >= options_.covers;
+  if (barely && repairs_ == 0 && !is_last_try) return reject();
   return end(Status::solved);
 }
 
@@ -110,7 +112,7 @@ template <class S, class B> Status Lemke<S, B>::conclude_ray(Index column) {
     return status_;
   }
   const Index n = n_;
-  // In trial_ until it is certified: an earlier cover's verified ray may stand in ray_.
+  // In trial_ until it is certified: an earlier try's verified ray may stand in ray_.
   trial_.setZero();
   S v0 = entering_ == artificial(n) ? S(1) : S(0);
   const auto record = [&](Index variable, const S& rate) {
@@ -131,7 +133,7 @@ template <class S, class B> Status Lemke<S, B>::conclude_ray(Index column) {
   const S tolerance = options_.tolerances.residual;
   bool certified = v0 >= -tolerance;
   for (Index i = 0; i < n; ++i) {
-    const S u = product_[i] + cover_columns_(i, 0) * v0;
+    const S u = product_[i] + covering_(i, 0) * v0;
     const S row_tolerance = tolerance * (S(1) + rowsum_[i] * row_scale_[i]);
     certified = certified && trial_[i] >= -tolerance && u >= -row_tolerance &&
                 (trial_[i] <= tolerance || u <= row_tolerance);

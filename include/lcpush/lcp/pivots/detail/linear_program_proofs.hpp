@@ -1,5 +1,4 @@
-// What proves an answer of LinearProgramSolver, read off the program as given. Included by
-// linear_program.hpp.
+// What proves a linear program's answer, by the program as given. Included by linear_program.hpp.
 #pragma once
 
 #include "lcpush/lcp/pivots/linear_program.hpp"

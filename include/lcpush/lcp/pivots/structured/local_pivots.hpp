@@ -31,8 +31,7 @@ template <class S> void LocalForm<S>::slide(Index c, Index generator) {
   slip_[c] = static_cast<int>(generator);
 }
 
-/// The normal force of a compliant cone becomes basic. Precondition: it slides already if it is
-/// to.
+/// The normal force of a compliant cone becomes basic. Pre: it slides already if it is to.
 template <class S> void LocalForm<S>::load_spring(Index c) {
   const ConeGroup<S>& cone = problem_->cones[c];
   const Index normal = normal_[c];
@@ -48,8 +47,7 @@ template <class S> void LocalForm<S>::load_spring(Index c) {
   flipped_[normal] = is_spring_[c] = 1;
 }
 
-/// Are there so many loaded springs that they do not fit among the exchanges? If not, nothing is
-/// divided by a compliance.
+/// Are loaded springs too many for the exchanges? If not, nothing is divided by a compliance.
 template <class S> template <class IsBasic> bool LocalForm<S>::has_springs(IsBasic is_basic) const {
   constexpr Index many = 24;
   Index loaded = 0;
@@ -140,7 +138,7 @@ template <class S> template <class IsBasic> bool LocalForm<S>::pivot_locally(IsB
       }
   }
   if (springs && !load_springs(is_basic)) return false;
-  set_cover(VectorMap<S>(cover_));
+  set_covering_vector(VectorMap<S>(d_));
   return true;
 }
 

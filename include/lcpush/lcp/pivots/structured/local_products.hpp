@@ -8,8 +8,8 @@ namespace lcpush::detail {
 /// force_ and actuator_input_ += what slot does at x.
 template <class S> void LocalForm<S>::add_force(Index slot, const S& x) {
   if (slot == n_) {
-    force_ += cover_force_ * x;
-    actuator_input_ += cover_actuator_input_ * x;
+    force_ += d_force_ * x;
+    actuator_input_ += d_actuator_input_ * x;
     return;
   }
   const Index c = group_[slot];
@@ -65,8 +65,8 @@ template <class S> S LocalForm<S>::entry_of_row(Index row, Index slot) const {
   const auto felt = [&](Index i) { return S(directions_.row(i).dot(v_.transpose())); };
   const S here = local(row, slot);
   if (slot == n_) {
-    S sum = here + cover_force_.dot(v_);
-    for (Index k = 6; k < width(); ++k) sum -= core_input_[k] * cover_actuator_input_[k - 6];
+    S sum = here + d_force_.dot(v_);
+    for (Index k = 6; k < width(); ++k) sum -= core_input_[k] * d_actuator_input_[k - 6];
     return sum;
   }
   const Index c = group_[slot];
@@ -83,7 +83,7 @@ template <class S> S LocalForm<S>::entry_of_row(Index row, Index slot) const {
 
 /// The entry without what is felt through v.
 template <class S> S LocalForm<S>::local(Index row, Index slot) const {
-  if (slot == n_) return cover_[row];
+  if (slot == n_) return d_[row];
   const int row_role = role_[row], role = role_[slot];
   if (group_[row] != group_[slot]) return S(0);
   const Index c = group_[slot];
@@ -146,7 +146,7 @@ void LocalForm<S>::multiply(Inputs inputs, Column&& out) {
   out.setZero();
   inputs([&](Index slot, const S& x) {
     add_force(slot, x);
-    if (slot == n_) out = cover_ * x;
+    if (slot == n_) out = d_ * x;
   });
   find_velocity();
   add_felt(out);

@@ -45,9 +45,11 @@ public:
     return form_.scale(equilibrates, row_scale, column_scale, rowsum);
   }
   template <class Column>
-  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale, const Column& cover);
-  template <class Column, class Here> void cover(const Column& as_given, Here /*here*/) {
-    form_.set_cover(as_given);
+  void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
+            const Column& covering_vector);
+  template <class Column, class Here>
+  void set_covering_vector(const Column& as_given, Here /*here*/) {
+    form_.set_covering_vector(as_given);
   }
 
   /// Computes the column of a nonbasic variable. Cost: O(n + t^2).
@@ -63,7 +65,7 @@ public:
   bool is_long() const { return t_ + 1 >= capacity_ || t_ >= long_; }
   /// See DenseBasis.
   void respond(const VectorMap<S>& r, VectorMap<S> out);
-  void set_bound_level(Index free_begin, const VectorMap<S>& column_scale, const S& level_scale);
+  void set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale, const S& rhs_scale);
 
   Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
                VectorMap<S> scratch, const Wanted& wanted);
@@ -100,21 +102,92 @@ private:
   void swap_rows(Index i, Index j) {
     for (Index k = 0; k < dictionary.values.cols(); ++k)
       Eigen::numext::swap(dictionary.values(i, k), dictionary.values(j, k));
-    const int variable = dictionary.basic[i];
-    dictionary.basic[i] = dictionary.basic[j];
-    dictionary.basic[j] = variable;
+    Eigen::numext::swap(dictionary.basic[i], dictionary.basic[j]);
   }
-  void append(Index row, Index slot, const S& pivot);
-  void replace_slot(Index k, Index slot, const S& pivot);
-  void replace_row(Index k, Index row, const S& pivot);
-  void remove(Index k_row, Index k_slot);
-  void read_row(Index row);
   void list_exchanges(Span<int> target, Span<int> flags);
   Index invert(const S& smallest_pivot);
   void find_values(const Wanted& wanted);
   template <class Value, class Column> void respond_to(Value value, Column&& out);
-  template <class Column, class Entered> void multiply_entered(Column&& out, const Entered& x);
-  template <class Column> void add_entered(Column&& out, Index more, const S& x);
+  template <class Column, class Entered>
+  void multiply_entered(Column&& out, const Entered& entered, Index more = -1, const S& x = S(0));
+
+  /// out = M (rates_ on the slots that have entered, x on one more); then the rows that have left
+  /// show the rates of what is there now.
+  template <class Column> void add_entered(Column&& out, Index more = -1, const S& x = S(0)) {
+    multiply_entered(out, rates_, more, x);
+    for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
+  }
+
+  /// along_row_ = K^-1's response: (row of M on the slots that have entered) K^-1.
+  void read_row(Index row) {
+    form_.begin_row(row);
+    for (Index k = 0; k < t_; ++k) along_column_[k] = form_.entry_of_row(row, in_[k]);
+    for (Index k = 0; k < t_; ++k)
+      along_row_[k] = inverse_.col(k).head(t_).dot(along_column_.head(t_));
+  }
+
+  /// K grows by a row and a slot; rates_ is -K^-1 times its new column.
+  void append(Index row, Index slot, const S& pivot) {
+    read_row(row);
+    for (Index k = 0; k < t_; ++k) {
+      const S factor = along_row_[k] / pivot;
+      if (factor != S(0)) inverse_.col(k).head(t_) -= rates_.head(t_) * factor;
+      inverse_(t_, k) = -factor;
+    }
+    inverse_.col(t_).head(t_) = rates_.head(t_) / pivot;
+    inverse_(t_, t_) = S(1) / pivot;
+    place(t_, row, slot);
+    ++t_;
+  }
+
+  /// Another slot takes the place of in_[k].
+  void replace_slot(Index k, Index slot, const S& pivot) {
+    for (Index j = 0; j < t_; ++j) {
+      const S solved = -inverse_(k, j) / pivot;
+      if (solved == S(0)) continue;
+      inverse_.col(j).head(t_) += rates_.head(t_) * solved;
+      inverse_(k, j) = solved;
+    }
+    in_at_[in_[k]] = -1;
+    place(k, out_[k], slot);
+  }
+
+  /// Another row leaves in the place of out_[k], whose base variable has come back.
+  void replace_row(Index k, Index row, const S& pivot) {
+    read_row(row);
+    const auto replaced = rates_.head(t_); // the column k of K^-1
+    for (Index j = 0; j < t_; ++j)
+      if (j != k && along_row_[j] != S(0))
+        inverse_.col(j).head(t_) -= replaced * (along_row_[j] / pivot);
+    inverse_.col(k).head(t_) = replaced / pivot;
+    out_at_[out_[k]] = -1;
+    place(k, row, in_[k]);
+  }
+
+  /// K shrinks: the base variable of row out_[k_row] has come back, slot in_[k_slot] has left.
+  void remove(Index k_row, Index k_slot) {
+    const S pivot = inverse_(k_slot, k_row);
+    auto column = along_column_.head(t_);
+    column = inverse_.col(k_row).head(t_);
+    for (Index j = 0; j < t_; ++j) {
+      const S factor = inverse_(k_slot, j) / pivot;
+      if (j != k_row && factor != S(0)) inverse_.col(j).head(t_) -= column * factor;
+    }
+    const Index last = t_ - 1, row_left = out_[k_slot], slot_left = in_[k_row];
+    out_at_[out_[k_row]] = -1;
+    in_at_[in_[k_slot]] = -1;
+    // Slot in_[k_row] moves to row out_[k_slot]; then the last pair fills the gap at k_row.
+    if (k_slot != k_row) {
+      inverse_.row(k_slot).head(t_) = inverse_.row(k_row).head(t_);
+      place(k_slot, row_left, slot_left);
+    }
+    if (k_row != last) {
+      inverse_.row(k_row).head(t_) = inverse_.row(last).head(t_);
+      inverse_.col(k_row).head(t_) = inverse_.col(last).head(t_);
+      place(k_row, out_[last], in_[last]);
+    }
+    --t_;
+  }
 };
 
 template <class S>
@@ -135,8 +208,8 @@ void StructuredBasis<S>::carve(const Problem<S>& problem, Index right_hand_sides
 template <class S>
 template <class Column>
 void StructuredBasis<S>::load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
-                              const Column& cover) {
-  form_.load(row_scale, column_scale, cover);
+                              const Column& covering_vector) {
+  form_.load(row_scale, column_scale, covering_vector);
   t_ = 0;
   constexpr Index few = 64; // a small answer has no more: then nothing is factored on the way
   long_ = few;
@@ -147,28 +220,13 @@ void StructuredBasis<S>::load(const VectorMap<S>& row_scale, const VectorMap<S>&
   in_at_[n_] = -1;
 }
 
-/// out = M (rates_ on the slots that have entered, x on one more); then the rows that have left
-/// show the rates of what is there now.
-template <class S>
-template <class Column>
-void StructuredBasis<S>::add_entered(Column&& out, Index more, const S& x) {
-  form_.multiply(
-      [&](auto visit) {
-        if (more >= 0) visit(more, x);
-        for (Index k = 0; k < t_; ++k)
-          if (rates_[k] != S(0)) visit(Index(in_[k]), rates_[k]);
-      },
-      out);
-  for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
-}
-
 template <class S> Index StructuredBasis<S>::enter(Index variable) {
   const Index slot = slot_of(variable);
   dictionary.nonbasic[0] = static_cast<int>(variable);
   auto rates = rates_.head(t_);
   if (at_base(variable)) { // it left before: row out_at_ of M x is to grow by 1
     rates = inverse_.col(out_at_[slot]).head(t_);
-    add_entered(dictionary.table.col(0), -1, S(0));
+    add_entered(dictionary.table.col(0));
     return 0;
   }
   form_.begin_column(slot);
@@ -208,77 +266,6 @@ void StructuredBasis<S>::exchange(Index row, Index column, Index entering,
     replace_row(k, row, pivot);
   else
     remove(k, leaves_at);
-}
-
-/// along_row_ = K^-1's response: (row of M on the slots that have entered) K^-1.
-template <class S> void StructuredBasis<S>::read_row(Index row) {
-  form_.begin_row(row);
-  for (Index k = 0; k < t_; ++k) along_column_[k] = form_.entry_of_row(row, in_[k]);
-  for (Index k = 0; k < t_; ++k)
-    along_row_[k] = inverse_.col(k).head(t_).dot(along_column_.head(t_));
-}
-
-/// K grows by a row and a slot; rates_ is -K^-1 times its new column.
-template <class S> void StructuredBasis<S>::append(Index row, Index slot, const S& pivot) {
-  read_row(row);
-  for (Index k = 0; k < t_; ++k) {
-    const S factor = along_row_[k] / pivot;
-    if (factor != S(0)) inverse_.col(k).head(t_) -= rates_.head(t_) * factor;
-    inverse_(t_, k) = -factor;
-  }
-  inverse_.col(t_).head(t_) = rates_.head(t_) / pivot;
-  inverse_(t_, t_) = S(1) / pivot;
-  place(t_, row, slot);
-  ++t_;
-}
-
-/// Another slot takes the place of in_[k].
-template <class S> void StructuredBasis<S>::replace_slot(Index k, Index slot, const S& pivot) {
-  for (Index j = 0; j < t_; ++j) {
-    const S solved = -inverse_(k, j) / pivot;
-    if (solved == S(0)) continue;
-    inverse_.col(j).head(t_) += rates_.head(t_) * solved;
-    inverse_(k, j) = solved;
-  }
-  in_at_[in_[k]] = -1;
-  place(k, out_[k], slot);
-}
-
-/// Another row leaves in the place of out_[k], whose base variable has come back.
-template <class S> void StructuredBasis<S>::replace_row(Index k, Index row, const S& pivot) {
-  read_row(row);
-  const auto replaced = rates_.head(t_); // the column k of K^-1
-  for (Index j = 0; j < t_; ++j)
-    if (j != k && along_row_[j] != S(0))
-      inverse_.col(j).head(t_) -= replaced * (along_row_[j] / pivot);
-  inverse_.col(k).head(t_) = replaced / pivot;
-  out_at_[out_[k]] = -1;
-  place(k, row, in_[k]);
-}
-
-/// K shrinks: the base variable of row out_[k_row] has come back, slot in_[k_slot] has left.
-template <class S> void StructuredBasis<S>::remove(Index k_row, Index k_slot) {
-  const S pivot = inverse_(k_slot, k_row);
-  auto column = along_column_.head(t_);
-  column = inverse_.col(k_row).head(t_);
-  for (Index j = 0; j < t_; ++j) {
-    const S factor = inverse_(k_slot, j) / pivot;
-    if (j != k_row && factor != S(0)) inverse_.col(j).head(t_) -= column * factor;
-  }
-  const Index last = t_ - 1, row_left = out_[k_slot], slot_left = in_[k_row];
-  out_at_[out_[k_row]] = -1;
-  in_at_[in_[k_slot]] = -1;
-  // Slot in_[k_row] moves to row out_[k_slot]; then the last pair fills the gap at k_row.
-  if (k_slot != k_row) {
-    inverse_.row(k_slot).head(t_) = inverse_.row(k_row).head(t_);
-    place(k_slot, row_left, slot_left);
-  }
-  if (k_row != last) {
-    inverse_.row(k_row).head(t_) = inverse_.row(last).head(t_);
-    inverse_.col(k_row).head(t_) = inverse_.col(last).head(t_);
-    place(k_row, out_[last], in_[last]);
-  }
-  --t_;
 }
 
 } // namespace lcpush

@@ -38,11 +38,6 @@ template <class S> void StructuredBasis<S>::list_exchanges(Span<int> target, Spa
 /// `smallest_pivot`; they and as many slots come last.
 template <class S> Index StructuredBasis<S>::invert(const S& smallest_pivot) {
   auto K = inverse_.topLeftCorner(t_, t_);
-  const auto swap = [](Span<int> list, Index i, Index j) {
-    const int other = list[i];
-    list[i] = list[j];
-    list[j] = other;
-  };
   for (Index k = 0; k < t_; ++k) {
     const LargestEntry<S> largest = largest_entry(
         t_ - k, t_ - k, smallest_pivot, [&](Index i, Index j) { return S(K(k + i, k + j)); });
@@ -51,8 +46,8 @@ template <class S> Index StructuredBasis<S>::invert(const S& smallest_pivot) {
     if (row != k) K.row(row).swap(K.row(k));
     if (column != k) K.col(column).swap(K.col(k));
     // Row i < k now belongs to slot in_[i], column j < k to row out_[j].
-    swap(out_, row, k);
-    swap(in_, column, k);
+    Eigen::numext::swap(out_[row], out_[k]);
+    Eigen::numext::swap(in_[column], in_[k]);
     const S pivot = K(k, k);
     auto entering = along_column_.head(t_);
     entering = K.col(k);
@@ -88,17 +83,16 @@ Index StructuredBasis<S>::factor(Span<int> target, Span<int> candidates, const S
 }
 
 /// The right-hand sides of the problem as given become the values of this basis: the unknowns that
-/// make the rows that have left 0. The exact ones are corrected for what rounding in K^-1 leaves
-/// there.
+/// make the rows that have left 0. The exact ones are corrected for rounding in K^-1.
 template <class S> void StructuredBasis<S>::find_values(const Wanted& wanted) {
   constexpr int corrections = 2;
   auto column = dictionary.table.col(0);
   auto rates = rates_.head(t_), entered = along_row_.head(t_), left = along_column_.head(t_);
-  for (Index level = wanted.first; level < wanted.end; ++level) {
-    auto values = dictionary.values.col(level);
+  for (Index rhs = wanted.first; rhs < wanted.end; ++rhs) {
+    auto values = dictionary.values.col(rhs);
     form_.evaluate(values);
     if (t_ == 0) continue;
-    const int passes = level < wanted.exact ? 1 + corrections : 1;
+    const int passes = rhs < wanted.exact ? 1 + corrections : 1;
     const S noise = Eigen::NumTraits<S>::epsilon() * values.cwiseAbs().maxCoeff();
     entered.setZero();
     for (int pass = 0; pass < passes; ++pass) {
@@ -116,14 +110,16 @@ template <class S> void StructuredBasis<S>::find_values(const Wanted& wanted) {
   }
 }
 
-/// out = M x for x on the slots that have entered.
+/// out = M (`entered` on the slots that have entered, x on one more).
 template <class S>
 template <class Column, class Entered>
-void StructuredBasis<S>::multiply_entered(Column&& out, const Entered& x) {
+void StructuredBasis<S>::multiply_entered(Column&& out, const Entered& entered, Index more,
+                                          const S& x) {
   form_.multiply(
       [&](auto visit) {
+        if (more >= 0) visit(more, x);
         for (Index k = 0; k < t_; ++k)
-          if (x[k] != S(0)) visit(Index(in_[k]), S(x[k]));
+          if (entered[k] != S(0)) visit(Index(in_[k]), S(entered[k]));
       },
       out);
 }
@@ -147,7 +143,7 @@ void StructuredBasis<S>::respond_to(Value value, Column&& out) {
     const S wanted = value(base_variable(out_[k]));
     rates += inverse_.col(k).head(t_) * (wanted - out[out_[k]]);
   }
-  add_entered(dictionary.table.col(0), -1, S(0));
+  add_entered(dictionary.table.col(0));
   out += dictionary.table.col(0);
   for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
 }
@@ -159,12 +155,12 @@ template <class S> void StructuredBasis<S>::respond(const VectorMap<S>& r, Vecto
 /// Free unknowns that are basic are at S exactly and nothing else is: rounding in a solve would
 /// leave noise where the ratio test looks first.
 template <class S>
-void StructuredBasis<S>::set_bound_level(Index free_begin, const VectorMap<S>& column_scale,
-                                         const S& level_scale) {
+void StructuredBasis<S>::set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale,
+                                       const S& rhs_scale) {
   auto values = dictionary.values.col(0);
   const auto bound = [&](Index variable) {
     const bool is_free = variable >= unknown(free_begin, n_) && variable < artificial(n_);
-    return is_free ? S(S(1) / (column_scale[variable - n_] * level_scale)) : S(0);
+    return is_free ? S(S(1) / (column_scale[variable - n_] * rhs_scale)) : S(0);
   };
   respond_to([&](Index variable) { return S(-bound(variable)); }, values);
   for (Index i = 0; i < n_; ++i) values[i] += bound(dictionary.basic[i]);
