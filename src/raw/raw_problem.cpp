@@ -1,16 +1,12 @@
 #include "lcpush/desktop/raw_problem.hpp"
 
+#include <algorithm>
+
 #include "lcpush/lcp/pivots/reduce.hpp"
 #include "raw/raw_parts.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-bool contains(const Span<const int>& list, Index i) {
-  for (const int entry : list)
-    if (entry == i) return true;
-  return false;
-}
 
 /// Runs the pivots; `answer` receives how they ended.
 void pivot(Lemke<double>& lemke, const Problem<double>& problem, const RawOptions& options,
@@ -47,6 +43,9 @@ RawAnswer solve_standard(const RawProblem& problem, const RawOptions& options) {
 bool certify(const RawProblem& problem, const Reduction<double>& reduction,
              const RawOptions& options, RawAnswer& answer) {
   const Index n = problem.M.rows;
+  const auto contains = [](const Span<const int>& list, Index i) {
+    return std::find(list.begin(), list.end(), i) != list.end();
+  };
   Submatrix whole;
   for (Index i = 0; i < n; ++i)
     if (problem.free[static_cast<std::size_t>(i)] == 0) whole.rows.push_back(i);
@@ -109,9 +108,8 @@ RawAnswer solve_mixed(const RawProblem& problem, const RawOptions& options,
 
 /// Lemke's pivots from zero.
 RawAnswer solve_cold(const RawProblem& problem, const RawOptions& options) {
-  bool is_mixed = false;
-  for (const unsigned char is_free : problem.free) is_mixed = is_mixed || is_free != 0;
-  if (!is_mixed) return solve_standard(problem, options);
+  const auto pairs = std::count(problem.free.begin(), problem.free.end(), 0);
+  if (pairs == problem.M.rows) return solve_standard(problem, options);
   // Bounding keeps the class that Lemke is proved for; exchanging reaches what it leaves out.
   RawAnswer answer = solve_mixed(problem, options, SingularBlock::bound);
   if (answer.status == Status::solved || answer.inconsistent_row >= 0) return answer;

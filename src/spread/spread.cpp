@@ -192,7 +192,6 @@ private:
       return;
     }
     FaceModes modes(static_cast<std::size_t>(points));
-    report_.enumerated = true;
     const Index before = report_.failures;
     enumerate_modes_from(0, modes);
     if (is_used_up())

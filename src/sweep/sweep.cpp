@@ -110,8 +110,7 @@ Tracks find_tracks(SweepSolver& solver, bool exact, const ParameterSweepOptions&
     const double tolerance = (exact ? 1e-10 : 1e-6) * (second ? 10 : 1);
     const Progress progress =
         part_of(options.progress, second ? begin + share / 2 : begin, share / 2);
-    tracks[question] =
-        joined(find(solver, question, options.most_segments, progress), question, tolerance);
+    tracks[question] = joined(find(solver, question, progress), question, tolerance);
   }
   return tracks;
 }

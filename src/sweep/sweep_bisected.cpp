@@ -155,12 +155,12 @@ std::vector<Piece> without_slivers(const std::vector<Piece>& pieces, double shor
 
 } // namespace
 
-std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question, Index most,
+std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question,
                                    const Progress& progress) {
   BisectedWalk walk(solver, question);
   std::vector<Piece> pieces;
   At start = walk.solve(0), next = start;
-  while (static_cast<Index>(pieces.size()) < most && !walk.is_used_up()) {
+  while (static_cast<Index>(pieces.size()) < most_pieces && !walk.is_used_up()) {
     pieces.push_back(walk.grow(start, next));
     if (pieces.back().to >= 1 || next.t > 1) break;
     progress(pieces.back().to);

@@ -9,16 +9,7 @@ namespace lcpush::desktop {
 namespace {
 
 /// What a contact does from here on.
-enum class Deed {
-  turns_friction,
-  takes_load,
-  drops_load,
-  separates,
-  touches_and_sticks,
-  sticks,
-  touches_and_slides,
-  slides
-};
+enum class Deed { turns, takes_load, drops_load, separates, lands, sticks, grazes, slides };
 
 /// As one contact does it, and as several do: "wall.1 sticks", "wall.1 and wall.2 stick".
 struct DeedWords {
@@ -38,12 +29,12 @@ constexpr DeedWords deed_words[] = {
 Deed deed_of(const ContactChange& change) {
   const bool touches = change.from == Mode::separate;
   if (change.from == change.to) {
-    if (change.was_pressed == change.is_pressed) return Deed::turns_friction;
+    if (change.was_pressed == change.is_pressed) return Deed::turns;
     return change.is_pressed ? Deed::takes_load : Deed::drops_load;
   }
   if (change.to == Mode::separate) return Deed::separates;
-  if (change.to == Mode::stick) return touches ? Deed::touches_and_sticks : Deed::sticks;
-  return touches ? Deed::touches_and_slides : Deed::slides;
+  if (change.to == Mode::stick) return touches ? Deed::lands : Deed::sticks;
+  return touches ? Deed::grazes : Deed::slides;
 }
 
 /// Of a direction: three, times 1000.
@@ -89,7 +80,7 @@ std::string modes_text(const SceneFile& file, const AnswerChange& change) {
   std::vector<SharedDeed> different;
   for (const ContactChange& contact : change.contacts) {
     const Deed deed = deed_of(contact);
-    const bool slides = deed == Deed::touches_and_slides || deed == Deed::slides;
+    const bool slides = deed == Deed::grazes || deed == Deed::slides;
     const Vector3<double> along = slides ? contact.slip : Vector3<double>::Zero();
     auto same = std::find_if(different.begin(), different.end(), [&](const SharedDeed& other) {
       return other.deed == deed && shown_digits(other.along) == shown_digits(along);
@@ -124,24 +115,26 @@ std::string answer_text(const SceneFile& file, const std::vector<AnswerChange>& 
   return text;
 }
 
-} // namespace
-
-std::string change_text(const Sweep& sweep, const SweepSegment& segment) {
-  const std::string pushed = answer_text(sweep.scene, segment.change.push);
-  const std::string broken = answer_text(sweep.scene, segment.change.breaking);
-  // What happens to both alike is said once.
+/// What happens to both alike is said once.
+std::string both_texts(const SceneFile& file, const SweepChange& change,
+                       const char* as_prescribed) {
+  const std::string pushed = answer_text(file, change.push);
+  const std::string broken = answer_text(file, change.breaking);
   if (pushed == broken) return pushed;
-  std::string text;
-  if (!pushed.empty()) text = (sweep.asks_breaking ? "as prescribed: " : "") + pushed;
+  std::string text = pushed.empty() ? "" : as_prescribed + pushed;
   if (!broken.empty()) add(text, "; ", "at breaking: " + broken);
   return text;
 }
 
+} // namespace
+
+std::string change_text(const Sweep& sweep, const SweepSegment& segment) {
+  return both_texts(sweep.scene, segment.change, sweep.asks_breaking ? "as prescribed: " : "");
+}
+
 std::string change_text(const Sweep& sweep, const SweepPoint& point) {
-  std::string text = answer_text(sweep.scene, point.change.push);
-  const std::string broken = answer_text(sweep.scene, point.change.breaking);
-  if (!broken.empty() && broken != text) add(text, "; ", "at breaking: " + broken);
-  return text + (point.change.jumps ? "; the answer jumps" : "");
+  return both_texts(sweep.scene, point.change, "") +
+         (point.change.jumps ? "; the answer jumps" : "");
 }
 
 } // namespace lcpush::desktop

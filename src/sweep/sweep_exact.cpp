@@ -14,14 +14,15 @@ constexpr Index probes = 64;    // where nothing was found, look in so many plac
 
 class ExactWalk {
 public:
-  ExactWalk(SweepSolver& solver, Question question, Index most, const Progress& progress)
-      : solver_(solver), question_(question), most_(most), progress_(progress) {}
+  ExactWalk(SweepSolver& solver, Question question, const Progress& progress)
+      : solver_(solver), question_(question), progress_(progress) {}
 
   std::vector<Piece> run() {
     measure_directions();
     if (!start_at(0) && !start_beyond() && !find_later_start()) return std::move(pieces_);
     Index steps = 0;
-    while (step() && static_cast<Index>(pieces_.size()) < most_ && ++steps < 4 * most_) continue;
+    while (step() && static_cast<Index>(pieces_.size()) < most_pieces && ++steps < 4 * most_pieces)
+      continue;
     const double end = pieces_.empty() ? 0 : pieces_.back().to;
     if (end < 1 - least) pieces_.push_back({end, 1, SegmentKind::unsolved}); // gave up: say so
     return std::move(pieces_);
@@ -30,7 +31,6 @@ public:
 private:
   SweepSolver& solver_;
   Question question_;
-  Index most_;
   const Progress& progress_;
   std::vector<Piece> pieces_;
   Eigen::VectorXd rest_step_, push_step_; // change of q over the range, times F
@@ -204,9 +204,8 @@ private:
 
 } // namespace
 
-std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, Index most,
-                                const Progress& progress) {
-  return ExactWalk(solver, question, most, progress).run();
+std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, const Progress& progress) {
+  return ExactWalk(solver, question, progress).run();
 }
 
 } // namespace lcpush::desktop

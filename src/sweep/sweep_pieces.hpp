@@ -10,6 +10,8 @@ namespace lcpush::desktop {
 
 /// Where bisection ends: this part of the range.
 constexpr double bisection_width = 1e-6;
+/// No sweep has more pieces; what is left is one unsolved piece, or strokes between samples.
+constexpr Index most_pieces = 1000;
 
 /// The straight line through two answers: at `t` if they are at t0 and t1.
 DetailedAnswer on_line(const DetailedAnswer& first, double t0, const DetailedAnswer& second,
@@ -35,11 +37,10 @@ inline Progress part_of(const Progress& whole, double begin, double share) {
 }
 
 /// `rigid` and `even`, a linear parameter: by parametric pivoting.
-std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, Index most,
-                                const Progress& progress);
+std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, const Progress& progress);
 
 /// Everything else: by bisection, down to bisection_width.
-std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question, Index most,
+std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question,
                                    const Progress& progress);
 
 /// Do two answers differ by more than `tolerance` (relative) and what rounding leaves? Of the

@@ -19,12 +19,13 @@ std::string axis_label(const Parameter& parameter) {
   return parameter.path + (parameter.unit.empty() ? "" : " in " + parameter.unit);
 }
 
-bool is_of_breaking(const SweepQuantity& quantity) {
-  return quantity.kind == Kind::break_force || quantity.kind == Kind::break_twist;
+Status status_of(const SweepQuantity& quantity, const SweepValue& at) {
+  const bool breaks = quantity.kind == Kind::break_force || quantity.kind == Kind::break_twist;
+  return (breaks ? at.breaking : at.push).status;
 }
 
-Status status_of(const SweepQuantity& quantity, const SweepValue& at) {
-  return (is_of_breaking(quantity) ? at.breaking : at.push).status;
+bool is_force(const SweepQuantity& quantity) {
+  return quantity.kind != Kind::twist && quantity.kind != Kind::break_twist;
 }
 
 double value_of(const SweepQuantity& quantity, const SweepValue& at) {
@@ -132,75 +133,67 @@ public:
   LinePlot(const std::vector<SweepCurve>& curves, const std::vector<SweepQuantity>& shown)
       : curves_(curves), shown_(shown) {}
 
-  Plot plot(const std::string& title);
+  Plot plot(const std::string& title) {
+    const Sweep& sweep = curves_.front().sweep;
+    Plot plot;
+    plot.title = title;
+    plot.x_label = axis_label(sweep.variations[0].parameter);
+    plot.x_from = sweep.variations[0].from;
+    plot.x_to = sweep.variations[0].to;
+    // A panel a unit, in the order in which they are asked for.
+    std::vector<std::string> units;
+    for (const SweepQuantity& quantity : shown_)
+      if (std::find(units.begin(), units.end(), quantity.unit()) == units.end())
+        units.push_back(quantity.unit());
+    for (const std::string& unit : units) {
+      PlotPanel panel;
+      std::vector<std::size_t> mine;
+      for (std::size_t q = 0; q < shown_.size(); ++q)
+        if (shown_[q].unit() == unit) mine.push_back(q);
+      // Of several the legend has the names.
+      const SweepQuantity& first = shown_[mine.front()];
+      const std::string what = mine.size() == 1 ? first.name() : is_force(first) ? "force" : "";
+      panel.y_label = what + (what.empty() || unit.empty() ? "" : " in ") + unit;
+      for (std::size_t c = 0; c < curves_.size(); ++c)
+        for (const std::size_t q : mine) add(panel, q, c, mine.size() == 1);
+      plot.panels.push_back(std::move(panel));
+    }
+    if (curves_.size() == 1) plot.marks = marks_of(sweep, shown_);
+    plot.description = described(curves_, plot);
+    return plot;
+  }
 
 private:
   const std::vector<SweepCurve>& curves_;
   std::vector<SweepQuantity> shown_;
 
-  void add(PlotPanel& panel, std::size_t quantity, std::size_t curve, bool lone_quantity) const;
-};
-
-void LinePlot::add(PlotPanel& panel, std::size_t quantity, std::size_t curve,
-                   bool lone_quantity) const {
-  const SweepQuantity& what = shown_[quantity];
-  const Sweep& sweep = curves_[curve].sweep;
-  const bool segments = from_segments(what, sweep);
-  PlotLine line;
-  const std::string label = curves_[curve].label;
-  line.label = label.empty()   ? words_of(what)
-               : lone_quantity ? label
-                               : label + ": " + words_of(what);
-  line.pieces =
-      segments ? curve_of_segments(what, sweep.segments) : curve_of_points(what, sweep.points);
-  line.dots = !segments && sweep.points.size() <= 200 && curves_.size() == 1;
-  line.colour = panel.lines.size();
-  panel.lines.push_back(line);
-  const bool has_back = segments ? !sweep.back.empty() : !sweep.points_back.empty();
-  if (!has_back || (what.kind == Kind::break_force && !lone_quantity)) return;
-  // Among several curves only where the object moves in another way.
-  const bool moves = std::any_of(sweep.bistable.begin(), sweep.bistable.end(),
-                                 [](const BistableRange& range) { return range.motion; });
-  if (curves_.size() > 1 && !moves) return;
-  line.pieces =
-      segments ? curve_of_segments(what, sweep.back) : curve_of_points(what, sweep.points_back);
-  line.label = label.empty() ? "the way back" : label + ", back";
-  line.colour = panel.lines.size();
-  panel.lines.push_back(line);
-}
-
-Plot LinePlot::plot(const std::string& title) {
-  const Sweep& sweep = curves_.front().sweep;
-  Plot plot;
-  plot.title = title;
-  plot.x_label = axis_label(sweep.variations[0].parameter);
-  plot.x_from = sweep.variations[0].from;
-  plot.x_to = sweep.variations[0].to;
-  // A panel a unit, in the order in which they are asked for.
-  std::vector<std::string> units;
-  for (const SweepQuantity& quantity : shown_)
-    if (std::find(units.begin(), units.end(), quantity.unit()) == units.end())
-      units.push_back(quantity.unit());
-  for (const std::string& unit : units) {
-    PlotPanel panel;
-    std::vector<std::string> names;
-    std::vector<std::size_t> mine;
-    for (std::size_t q = 0; q < shown_.size(); ++q)
-      if (shown_[q].unit() == unit) {
-        mine.push_back(q);
-        names.push_back(shown_[q].name());
-      }
-    // Of several the legend has the names.
-    const std::string what = mine.size() == 1 ? names.front() : unit == "N" ? "force" : "";
-    panel.y_label = what + (what.empty() || unit.empty() ? "" : " in ") + unit;
-    for (std::size_t c = 0; c < curves_.size(); ++c)
-      for (const std::size_t q : mine) add(panel, q, c, mine.size() == 1);
-    plot.panels.push_back(std::move(panel));
+  void add(PlotPanel& panel, std::size_t quantity, std::size_t curve, bool lone_quantity) const {
+    const SweepQuantity& what = shown_[quantity];
+    const Sweep& sweep = curves_[curve].sweep;
+    const bool segments = from_segments(what, sweep);
+    PlotLine line;
+    const std::string label = curves_[curve].label;
+    line.label = label.empty()   ? words_of(what)
+                 : lone_quantity ? label
+                                 : label + ": " + words_of(what);
+    line.pieces =
+        segments ? curve_of_segments(what, sweep.segments) : curve_of_points(what, sweep.points);
+    line.dots = !segments && sweep.points.size() <= 200 && curves_.size() == 1;
+    line.colour = panel.lines.size();
+    panel.lines.push_back(line);
+    const bool has_back = segments ? !sweep.back.empty() : !sweep.points_back.empty();
+    if (!has_back || (what.kind == Kind::break_force && !lone_quantity)) return;
+    // Among several curves only where the object moves in another way.
+    const bool moves = std::any_of(sweep.bistable.begin(), sweep.bistable.end(),
+                                   [](const BistableRange& range) { return range.motion; });
+    if (curves_.size() > 1 && !moves) return;
+    line.pieces =
+        segments ? curve_of_segments(what, sweep.back) : curve_of_points(what, sweep.points_back);
+    line.label = label.empty() ? "the way back" : label + ", back";
+    line.colour = panel.lines.size();
+    panel.lines.push_back(line);
   }
-  if (curves_.size() == 1) plot.marks = marks_of(sweep, shown_);
-  plot.description = described(curves_, plot);
-  return plot;
-}
+};
 
 MapPlot map_plot(const Sweep& sweep, const SweepQuantity& quantity, const std::string& title) {
   const Variation &x = sweep.variations[0], &y = sweep.variations[1];
@@ -245,23 +238,15 @@ MapPlot map_plot(const Sweep& sweep, const SweepQuantity& quantity, const std::s
 } // namespace
 
 std::string SweepQuantity::name() const {
-  const std::string index = "[" + std::to_string(component) + "]";
-  switch (kind) {
-  case Kind::break_force: return "break_force";
-  case Kind::force: return "force";
-  case Kind::force_component: return "force" + index;
-  case Kind::twist: return "twist" + index;
-  case Kind::break_twist: return "break_twist" + index;
-  }
-  return "";
+  constexpr const char* names[] = {"break_force", "force", "force", "twist", "break_twist"};
+  const bool is_whole = kind == Kind::break_force || kind == Kind::force;
+  return names[static_cast<int>(kind)] + (is_whole ? "" : "[" + std::to_string(component) + "]");
 }
 
 std::string SweepQuantity::unit() const {
-  switch (kind) {
-  case Kind::twist: return component < 3 ? "m/s^2" : "rad/s^2";
-  case Kind::break_twist: return component < 3 ? "" : "rad/m";
-  default: return "N";
-  }
+  if (is_force(*this)) return "N";
+  if (kind == Kind::twist) return component < 3 ? "m/s^2" : "rad/s^2";
+  return component < 3 ? "" : "rad/m";
 }
 
 SweepQuantity sweep_quantity(const std::string& name) {

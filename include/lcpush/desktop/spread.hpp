@@ -77,7 +77,6 @@ struct SpreadReport {
   Index programs = 0;      ///< linear programs solved for bounds and points
   Index failures = 0;      ///< bounds or faces that could not be settled: the set may be wider
   Index assignments = 0;   ///< of contact modes, whole or in part, that enumeration has looked at
-  bool enumerated = false; ///< enumeration was asked for and possible: see `enumeration`
   bool complete = false;   ///< every answer lies on a studied face: enumeration ended, no failure
   std::string enumeration; ///< why it is not complete, empty otherwise
 

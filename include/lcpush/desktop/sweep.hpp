@@ -167,7 +167,6 @@ struct ParameterSweepOptions {
   Index steps = 0;       ///< points evenly spread, ends included; 0: none where segments are found
   bool both_ways = true; ///< sweep back as well, in search of other answers
   bool warm = true;      ///< start from the neighbour's answer
-  Index most_segments = 1000;
   std::function<void(double done)> progress; ///< 0 to 1
 };
 
