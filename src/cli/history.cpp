@@ -1,7 +1,5 @@
 #include "cli/history.hpp"
 
-#include <algorithm>
-
 #include "formats/json_writer.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"

@@ -1,6 +1,4 @@
 // lcpush lcp: raw linear complementarity problems.
-#include <algorithm>
-#include <cmath>
 
 #include "cli/commands.hpp"
 #include "cli/history.hpp"

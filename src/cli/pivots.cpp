@@ -20,11 +20,11 @@ constexpr Index always_exact = 150; // then ties are ties, not rounding's
 
 /// What is pivoted: a scene or two matrices.
 struct Subject {
-  ExactProblem problem;
+  desktop::ExactProblem problem;
   bool is_short = false; ///< so small that it is pivoted in fractions even if decimals are shown
-  std::unique_ptr<SceneFile> scene;
-  std::unique_ptr<Push> push;
-  std::unique_ptr<Story> story;
+  std::unique_ptr<desktop::SceneFile> scene;
+  std::unique_ptr<desktop::Push> push;
+  std::unique_ptr<desktop::Story> story;
   std::vector<std::string> notes;
   std::string title;
 };
@@ -34,18 +34,18 @@ Pressure read_pressure(const Arguments& arguments, Pressure otherwise) {
   if (!text) return otherwise;
   for (const Pressure pressure : pressures)
     if (*text == pressure_text(pressure)) return pressure;
-  refuse_value("--pressure", *text, listed(pressure_names(), "or"));
+  refuse_value("--pressure", *text, desktop::listed(desktop::pressure_names(), "or"));
 }
 
 void refuse_size(const std::string& what, Index n, bool is_exact) {
-  if (n > limits::unknowns_traced)
-    throw InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
-                     std::to_string(limits::unknowns_traced) +
-                     " whose pivots can be shown; use fewer points");
-  if (is_exact && n > limits::unknowns_exact)
-    throw InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
-                     std::to_string(limits::unknowns_exact) +
-                     " that fractions can be pivoted for; leave --exact out");
+  if (n > desktop::limits::unknowns_traced)
+    throw desktop::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
+                              std::to_string(desktop::limits::unknowns_traced) +
+                              " whose pivots can be shown; use fewer points");
+  if (is_exact && n > desktop::limits::unknowns_exact)
+    throw desktop::InputError(what + ": " + std::to_string(n) + " unknowns are more than the " +
+                              std::to_string(desktop::limits::unknowns_exact) +
+                              " that fractions can be pivoted for; leave --exact out");
 }
 
 /// The scene file of the command line; the example if it names none.
@@ -54,15 +54,15 @@ struct SceneText {
 };
 
 SceneText scene_text(const Arguments& arguments) {
-  if (arguments.files().empty()) return {example_scene(), "the example"};
-  return {read_scene_text(arguments.files()[0]), arguments.files()[0]};
+  if (arguments.files().empty()) return {desktop::example_scene(), "the example"};
+  return {desktop::read_scene_text(arguments.files()[0]), arguments.files()[0]};
 }
 
 /// Is the work in fractions over in a few seconds?
-bool is_short(const ExactProblem& problem) {
+bool is_short(const desktop::ExactProblem& problem) {
   constexpr std::size_t most_bits = 32000; // of the last tableau's determinants, about
   std::size_t longest = 1;
-  for (const Rational& x : problem.M.values) longest = std::max(longest, x.bit_length());
+  for (const desktop::Rational& x : problem.M.values) longest = std::max(longest, x.bit_length());
   const auto n = static_cast<std::size_t>(problem.M.rows);
   return problem.M.rows <= always_exact && n * longest <= most_bits;
 }
@@ -71,8 +71,8 @@ Subject scene_subject(const Arguments& arguments) {
   const auto [text, path] = scene_text(arguments);
   const bool as_solved = arguments.has("--as-solved"), is_exact = arguments.has("--exact");
   Subject subject;
-  subject.scene = std::make_unique<SceneFile>(parse_scene(text, path));
-  SceneFile& file = *subject.scene;
+  subject.scene = std::make_unique<desktop::SceneFile>(desktop::parse_scene(text, path));
+  desktop::SceneFile& file = *subject.scene;
   if (!as_solved) {
     file.facets = arguments.whole("--facets", {4, 256, true}).value_or(4);
     file.pressure = read_pressure(arguments, file.pressure);
@@ -82,19 +82,20 @@ Subject scene_subject(const Arguments& arguments) {
   const Index n = size_of(file.view()).unknowns();
   refuse_size(path, n, is_exact);
   if (is_exact || (!as_solved && n <= always_exact)) {
-    SceneOf<Rational> exact = parse_scene<Rational>(text, path);
+    desktop::SceneOf<desktop::Rational> exact = desktop::parse_scene<desktop::Rational>(text, path);
     exact.facets = file.facets;
     exact.pressure = file.pressure;
     std::vector<std::string> rounded = exact.inexact;
-    for (const std::string& sentence : irrational_directions(exact)) rounded.push_back(sentence);
-    subject.problem = exact_problem(exact);
+    for (const std::string& sentence : desktop::irrational_directions(exact))
+      rounded.push_back(sentence);
+    subject.problem = desktop::exact_problem(exact);
     subject.is_short = is_short(subject.problem);
     if (is_exact) subject.notes = rounded;
   } else if (!as_solved) {
-    subject.problem = exact_problem(file);
+    subject.problem = desktop::exact_problem(file);
   }
-  subject.push = std::make_unique<Push>(file);
-  subject.story = std::make_unique<PushStory>(*subject.push);
+  subject.push = std::make_unique<desktop::Push>(file);
+  subject.story = std::make_unique<desktop::PushStory>(*subject.push);
   subject.title = file.title;
   if (!as_solved && file.pressure == Pressure::pad)
     subject.notes.push_back("The first round of the pad law, in SI units, " +
@@ -107,25 +108,26 @@ Subject scene_subject(const Arguments& arguments) {
 Subject raw_subject(const Arguments& arguments) {
   Subject subject;
   std::tie(subject.problem.M, subject.problem.q) =
-      read_matrices<Rational>(arguments, arguments.files());
+      read_matrices<desktop::Rational>(arguments, arguments.files());
   const Index n = subject.problem.M.rows;
   refuse_size(arguments.files().empty() ? "--M" : arguments.files()[0], n,
               arguments.has("--exact"));
   subject.is_short = is_short(subject.problem);
-  subject.story = std::make_unique<RawStory>(n);
+  subject.story = std::make_unique<desktop::RawStory>(n);
   return subject;
 }
 
 /// --cover d1,d2,..
-std::vector<Rational> read_cover(const Arguments& arguments, Index n) {
+std::vector<desktop::Rational> read_cover(const Arguments& arguments, Index n) {
   const auto text = arguments.value("--cover");
   if (!text) return {};
-  const ExactMatrix cover = parse_inline_vector<Rational>(*text, "--cover");
+  const desktop::ExactMatrix cover =
+      desktop::parse_inline_vector<desktop::Rational>(*text, "--cover");
   if (cover.rows != n)
     throw UsageError("--cover wants " + std::to_string(n) + " numbers, one a row, got " +
                      std::to_string(cover.rows));
-  for (const Rational& d : cover.values)
-    if (!(d > Rational(0))) throw UsageError("--cover wants numbers > 0, got " + d.text());
+  for (const desktop::Rational& d : cover.values)
+    if (!(d > desktop::Rational(0))) throw UsageError("--cover wants numbers > 0, got " + d.text());
   return cover.values;
 }
 
@@ -145,17 +147,17 @@ void refuse_combinations(const Arguments& arguments, bool is_scene) {
       throw UsageError(std::string(option) + " is about scenes");
 }
 
-PivotTrace trace(Subject& subject, const Arguments& arguments) {
-  PivotOptions options;
+desktop::PivotTrace trace(Subject& subject, const Arguments& arguments) {
+  desktop::PivotOptions options;
   if (arguments.has("--as-solved")) {
-    if (subject.push) return trace_solve(*subject.push, options, *subject.story);
-    RawProblem raw;
+    if (subject.push) return desktop::trace_solve(*subject.push, options, *subject.story);
+    desktop::RawProblem raw;
     raw.M = {subject.problem.M.rows, subject.problem.M.cols, {}};
     raw.q = {subject.problem.q.rows, 1, {}};
-    for (const Rational& x : subject.problem.M.values) raw.M.values.push_back(x.value());
-    for (const Rational& x : subject.problem.q.values) raw.q.values.push_back(x.value());
+    for (const desktop::Rational& x : subject.problem.M.values) raw.M.values.push_back(x.value());
+    for (const desktop::Rational& x : subject.problem.q.values) raw.q.values.push_back(x.value());
     raw.free.assign(static_cast<std::size_t>(raw.M.rows), 0);
-    return trace_solve(raw, options, *subject.story);
+    return desktop::trace_solve(raw, options, *subject.story);
   }
   options.is_exact = arguments.has("--exact") || subject.is_short;
   // The page can show both, where its own fractions are quick.
@@ -168,7 +170,7 @@ PivotTrace trace(Subject& subject, const Arguments& arguments) {
   options.cover = read_cover(arguments, subject.problem.M.rows);
   options.max_pivots = arguments.whole("--max-pivots", {1, 1000000}).value_or(options.max_pivots);
   if (arguments.has("--choose")) options.choose = ask_for_row;
-  return trace_pivots(subject.problem, options, *subject.story);
+  return desktop::trace_pivots(subject.problem, options, *subject.story);
 }
 
 int run_pivots(const Arguments& arguments) {
@@ -180,19 +182,19 @@ int run_pivots(const Arguments& arguments) {
   const bool is_scene = is_example || (arguments.files().size() == 1 && !is_typed);
   refuse_combinations(arguments, is_scene);
   Subject subject = is_scene ? scene_subject(arguments) : raw_subject(arguments);
-  PivotTrace traced = trace(subject, arguments);
+  desktop::PivotTrace traced = trace(subject, arguments);
   traced.title = subject.title;
   traced.notes = subject.notes;
   traced.prefers_decimals = traced.has_fractions && !arguments.has("--exact");
   std::string text;
   if (format == "json")
-    text = pivots_json(traced, subject.push.get());
+    text = desktop::pivots_json(traced, subject.push.get());
   else if (format == "latex")
-    text = pivots_latex(traced);
+    text = desktop::pivots_latex(traced);
   else if (format == "html")
-    text = pivots_html(traced, subject.push.get());
+    text = desktop::pivots_html(traced, subject.push.get());
   else
-    text = pivots_text(traced);
+    text = desktop::pivots_text(traced);
   write_output(arguments, text);
   return traced.status == Status::solved ? 0 : 1;
 }
@@ -204,15 +206,13 @@ Command pivots_command() {
       "pivots",
       "SCENE.toml | M.mtx q.mtx | --M \"2 1; 1 2\" --q \"-5 -6\" [OPTIONS]",
       "watch Lemke's method pivot by pivot: text, JSON, LaTeX or a page to explore",
-      R"(Pivots as the textbooks do: cover d = 1, nothing scaled, ties broken lexicographically. Of a
-scene it takes the first round of its pressure law, in SI units, with four facets. A row
-of a tableau says: basic variable = value + sum of entries times nonbasic variables.
---format html without a problem shows the example of docs/teach/lemke_by_hand.md.
-
-Examples:
-  lcpush pivots --M "2 1; 1 2" --q "-5 -6" --exact
-  lcpush pivots fixtures/scenes/straight_slide_point.toml --format html -o pivots.html
-)",
+      "Pivots as the textbooks do: cover d = 1, nothing scaled, ties broken lexicographically. Of "
+      "a\n"
+      "scene it takes the first round of its pressure law, in SI units, with four facets. A row\n"
+      "of a tableau says: basic variable = value + sum of entries times nonbasic variables.\n"
+      "--format html without a problem shows the example of docs/teach/lemke_by_hand.md.\n\n"
+      "Examples:\n  lcpush pivots --M \"2 1; 1 2\" --q \"-5 -6\" --exact\n"
+      "  lcpush pivots fixtures/scenes/straight_slide_point.toml --format html -o pivots.html\n",
       with_common_options({
           {"--M", "MATRIX", "rows by semicolons, numbers (0.2 or 1/3) by blanks"},
           {"--q", "VECTOR", "n numbers"},

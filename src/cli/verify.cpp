@@ -6,7 +6,6 @@
 #include "formats/json_fields.hpp"
 #include "text/limits.hpp"
 #include "text/text_file.hpp"
-#include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {

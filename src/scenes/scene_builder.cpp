@@ -3,9 +3,8 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/mechanics/model/contact.hpp"
 #include "scenes/exact_frame.hpp"
-#include "scenes/scene_object.hpp"
-#include "scenes/scene_patch.hpp"
 #include "scenes/scene_schema.hpp"
+#include "scenes/scene_tables.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 

@@ -1,4 +1,4 @@
-#include "scenes/scene_object.hpp"
+#include "scenes/scene_tables.hpp"
 
 #include "scenes/exact_frame.hpp"
 

@@ -1,4 +1,4 @@
-#include "scenes/scene_patch.hpp"
+#include "scenes/scene_tables.hpp"
 
 #include "lcpush/mechanics/model/patch.hpp"
 #include "scenes/exact_frame.hpp"
@@ -6,7 +6,6 @@
 #include "text/wording.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace lcpush::desktop {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "formats/toml.hpp"
-#include "lcpush/types.hpp"
 
 namespace lcpush::desktop {
 

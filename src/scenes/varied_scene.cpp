@@ -4,11 +4,9 @@
 #include "scenes/scene_builder.hpp"
 #include "scenes/scene_schema.hpp"
 #include "scenes/table_changes.hpp"
-#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace lcpush::desktop {

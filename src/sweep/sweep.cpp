@@ -7,7 +7,6 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "sweep/sweep_pieces.hpp"
 #include "sweep/sweep_samples.hpp"
-#include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {

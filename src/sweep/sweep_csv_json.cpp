@@ -52,15 +52,6 @@ void write_point(JsonWriter& json, const Sweep& sweep, const SweepPoint& point) 
   json.member("change", unless_empty(change_text(sweep, point)));
 }
 
-std::vector<std::string> csv_numbers(const SweepValue& at) {
-  const bool pushed = at.push.is_solved();
-  std::vector<std::string> cells;
-  cells.push_back(at.breaking.is_solved() ? shown(at.breaking.normal) : "");
-  for (Index k = 0; k < 3; ++k) cells.push_back(pushed ? shown(at.push.force[k]) : "");
-  for (Index k = 0; k < 6; ++k) cells.push_back(pushed ? shown(at.push.twist[k]) : "");
-  return cells;
-}
-
 /// RFC 4180.
 std::string csv_text(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
@@ -93,7 +84,10 @@ std::string sweep_csv(const std::vector<SweepCurve>& curves) {
       if (curves.size() > 1) row.push_back(curve.label);
       row.push_back(shown(value));
       if (second) row.push_back(shown(*second));
-      for (const std::string& cell : csv_numbers(at)) row.push_back(cell);
+      const bool pushed = at.push.is_solved();
+      row.push_back(at.breaking.is_solved() ? shown(at.breaking.normal) : "");
+      for (Index i = 0; i < 3; ++i) row.push_back(pushed ? shown(at.push.force[i]) : "");
+      for (Index i = 0; i < 6; ++i) row.push_back(pushed ? shown(at.push.twist[i]) : "");
       row.push_back(status_text(at.push.status));
       row.push_back(change);
       text += csv_row(row);

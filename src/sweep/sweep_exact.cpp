@@ -1,5 +1,4 @@
 // Exact segments: a basis, how far it holds, and the next one by a step of the parametric path.
-#include <cmath>
 #include <utility>
 
 #include "lcpush/lcp/pivots/parametric.hpp"

@@ -32,21 +32,24 @@ void SweepSolver::make_lemke() {
     lemke_.emplace(n);
 }
 
-Status SweepSolver::solve_cold(Question question, Basis& basis) {
-  ++cold_;
+/// From the basis `from`, if there is one; solved: `basis` receives the last one.
+Status SweepSolver::pivot(Question question, const LemkeOptions<double>& options,
+                          const unsigned char* from, Basis& basis) {
   make_lemke();
-  Status status = lemke_->init(point_->problem(question), LemkeOptions<double>{});
+  const Problem<double> problem = point_->problem(question);
+  Status status =
+      from == nullptr ? lemke_->init(problem, options) : lemke_->init(problem, options, from);
   if (status == Status::running) status = lemke_->solve();
   if (status != Status::solved) return status;
-  take_basis(basis);
+  basis.resize(static_cast<std::size_t>(problem.size));
+  for (std::size_t i = 0; i < basis.size(); ++i)
+    basis[i] = lemke_->is_basic(static_cast<Index>(i)) ? 1 : 0;
   return status;
 }
 
-/// The basis that Lemke has ended in.
-void SweepSolver::take_basis(Basis& basis) const {
-  basis.resize(static_cast<std::size_t>(point_->assembly.layout().size));
-  for (std::size_t i = 0; i < basis.size(); ++i)
-    basis[i] = lemke_->is_basic(static_cast<Index>(i)) ? 1 : 0;
+Status SweepSolver::solve_cold(Question question, Basis& basis) {
+  ++cold_;
+  return pivot(question, {}, nullptr, basis);
 }
 
 bool SweepSolver::stand_on(Question question, const Basis& basis) {
@@ -166,20 +169,16 @@ DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const Ro
       return answer;
     }
     // A few pivots from there, if they lead anywhere.
-    const Problem<double> problem = point_->problem(question);
+    const Index n = point_->assembly.layout().size;
     LemkeOptions<double> options;
     options.covers = 1;
-    options.max_pivots = problem.size;
-    if (static_cast<Index>(bases.front().size()) == problem.size) {
-      make_lemke();
-      Status status = lemke_->init(problem, options, bases.front().data());
-      if (status == Status::running) status = lemke_->solve();
-      if (status == Status::solved) {
-        take_basis(bases.front());
-        answer = on_basis(question, bases.front());
-        ++warm_;
-        if (answer.is_known()) return answer;
-      }
+    options.max_pivots = n;
+    Basis& basis = bases.front();
+    if (static_cast<Index>(basis.size()) == n &&
+        pivot(question, options, basis.data(), basis) == Status::solved) {
+      answer = on_basis(question, basis);
+      ++warm_;
+      if (answer.is_known()) return answer;
     }
   }
   bases.resize(1);

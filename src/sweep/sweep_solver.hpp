@@ -96,7 +96,8 @@ private:
   DetailedAnswer judge_breaking(Status status, const Breaking<double>& breaking);
   DetailedAnswer solve_pad(Question question, RoundBases& bases);
   void make_lemke();
-  void take_basis(Basis& basis) const;
+  Status pivot(Question question, const LemkeOptions<double>& options, const unsigned char* from,
+               Basis& basis);
 };
 
 } // namespace lcpush::desktop

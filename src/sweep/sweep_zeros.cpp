@@ -1,6 +1,5 @@
 // Where a component of the object's acceleration is zero.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,20 +13,15 @@ constexpr double negligible = 1e-9;  // of the component's largest value
 constexpr double steepest = 1e-3;    // of a change of sign: what may be left of it there is no jump
 
 /// Below this a component counts as zero: rounding, or nothing compared with its largest value.
-std::array<double, 6> thresholds(const Sweep& sweep) {
-  std::array<double, 6> noise{}, largest{};
+Vector6<double> thresholds(const Sweep& sweep) {
+  Vector6<double> noise = Vector6<double>::Zero(), largest = noise;
   for_each_value(sweep, [&](const SweepValue& value) {
-    for (std::size_t k = 0; k < 6; ++k) {
-      noise[k] = std::max(noise[k], value.push.twist_noise(static_cast<Index>(k)));
-      largest[k] = std::max(largest[k], std::abs(value.push.twist[static_cast<Index>(k)]));
-    }
+    for (Index k = 0; k < 6; ++k) noise[k] = std::max(noise[k], value.push.twist_noise(k));
+    largest = largest.cwiseMax(value.push.twist.cwiseAbs());
   });
-  std::array<double, 6> result{};
-  for (std::size_t k = 0; k < 6; ++k) {
-    const double zero = std::max(noise[k], negligible * largest[k]);
-    result[k] = largest[k] > zero ? zero : -1; // -1: zero everywhere, which is not worth a word
-  }
-  return result;
+  const Vector6<double> zero = noise.cwiseMax(negligible * largest);
+  // -1: zero everywhere, which is not worth a word
+  return (largest.array() > zero.array()).select(zero, -1.0);
 }
 
 int sign_of(double value, double zero) { return value > zero ? 1 : value < -zero ? -1 : 0; }
@@ -68,59 +62,47 @@ struct Crossing {
   std::vector<SweepPoint> points; ///< between the two, in order
 };
 
-class ZeroSearch {
-public:
-  ZeroSearch(SweepSolver& solver, Index component, double threshold)
-      : solver_(solver), k_(component), threshold_(threshold) {}
-
-  Crossing between(const SweepPoint& first, const SweepPoint& second) {
-    const double whole = std::abs(second.at.push.twist[k_] - first.at.push.twist[k_]);
-    Sample low = sample_at(solver_, share_of(first.value), nullptr);
-    Sample high = sample_at(solver_, share_of(second.value), nullptr);
-    Sample shoulder_low = low, shoulder_high = high; // the last ones that are not yet on the slope
-    const auto value = [this](const Sample& sample) { return sample.push.twist[k_]; };
-    if (sign_of(value(low), 0) * sign_of(value(high), 0) != -1) // afresh, another branch is found
-      return {{k_, first.value, second.value, true}, {}};
-    const auto near = [&](const Sample& sample, const SweepPoint& end) {
-      return std::abs(value(sample) - end.at.push.twist[k_]) <= whole / 10;
-    };
-    while (high.t - low.t > zero_width) {
-      Sample middle = sample_at(solver_, (low.t + high.t) / 2, &low, &high);
-      if (!middle.push.is_solved()) break;
-      const bool below = sign_of(value(middle), 0) * sign_of(value(low), 0) > 0;
-      if (below && near(middle, first)) shoulder_low = middle;
-      if (!below && near(middle, second)) shoulder_high = middle;
-      (below ? low : high) = std::move(middle);
-    }
-    Crossing crossing;
-    const double rise = value(high) - value(low);
-    crossing.zero.component = k_;
-    crossing.zero.jumps = std::abs(rise) > std::max(steepest * whole, 2 * threshold_);
-    const double t = crossing.zero.jumps ? high.t : low.t - value(low) / rise * (high.t - low.t);
-    crossing.zero.from = crossing.zero.to = value_at(variation(), t);
-    if (shoulder_low.t > share_of(first.value))
-      crossing.points.push_back(refined_point(shoulder_low, variation()));
-    if (!crossing.zero.jumps)
-      crossing.points.push_back(refined_point(sample_at(solver_, t, &low), variation()));
-    if (shoulder_high.t < share_of(second.value))
-      crossing.points.push_back(refined_point(shoulder_high, variation()));
-    return crossing;
+Crossing crossing_between(SweepSolver& solver, Index k, double threshold, const SweepPoint& first,
+                          const SweepPoint& second) {
+  const Variation& variation = solver.variations().front();
+  const auto share_of = [&](double value) {
+    return (value - variation.from) / (variation.to - variation.from);
+  };
+  const double whole = std::abs(second.at.push.twist[k] - first.at.push.twist[k]);
+  Sample low = sample_at(solver, share_of(first.value), nullptr);
+  Sample high = sample_at(solver, share_of(second.value), nullptr);
+  Sample shoulder_low = low, shoulder_high = high; // the last ones that are not yet on the slope
+  const auto value = [k](const Sample& sample) { return sample.push.twist[k]; };
+  if (sign_of(value(low), 0) * sign_of(value(high), 0) != -1) // afresh, another branch is found
+    return {{k, first.value, second.value, true}, {}};
+  const auto near = [&](const Sample& sample, const SweepPoint& end) {
+    return std::abs(value(sample) - end.at.push.twist[k]) <= whole / 10;
+  };
+  while (high.t - low.t > zero_width) {
+    Sample middle = sample_at(solver, (low.t + high.t) / 2, &low, &high);
+    if (!middle.push.is_solved()) break;
+    const bool below = sign_of(value(middle), 0) * sign_of(value(low), 0) > 0;
+    if (below && near(middle, first)) shoulder_low = middle;
+    if (!below && near(middle, second)) shoulder_high = middle;
+    (below ? low : high) = std::move(middle);
   }
-
-private:
-  SweepSolver& solver_;
-  Index k_;
-  double threshold_;
-
-  const Variation& variation() const { return solver_.variations().front(); }
-  double share_of(double value) const {
-    return (value - variation().from) / (variation().to - variation().from);
-  }
-};
+  Crossing crossing;
+  const double rise = value(high) - value(low);
+  crossing.zero.component = k;
+  crossing.zero.jumps = std::abs(rise) > std::max(steepest * whole, 2 * threshold);
+  const double t = crossing.zero.jumps ? high.t : low.t - value(low) / rise * (high.t - low.t);
+  crossing.zero.from = crossing.zero.to = value_at(variation, t);
+  const auto show = [&](const Sample& sample) {
+    crossing.points.push_back(refined_point(sample, variation));
+  };
+  if (shoulder_low.t > share_of(first.value)) show(shoulder_low);
+  if (!crossing.zero.jumps) show(sample_at(solver, t, &low));
+  if (shoulder_high.t < share_of(second.value)) show(shoulder_high);
+  return crossing;
+}
 
 void add_of_points(SweepSolver& solver, Index k, double threshold, std::vector<SweepPoint>& points,
                    std::vector<SweepZero>& zeros) {
-  ZeroSearch search(solver, k, threshold);
   const auto sign = [&](const SweepPoint& point) {
     return point.at.push.is_solved() ? sign_of(point.at.push.twist[k], threshold) : 2;
   };
@@ -136,7 +118,7 @@ void add_of_points(SweepSolver& solver, Index k, double threshold, std::vector<S
       add(zeros, {k, points[i].value, points[i + 1].value, true});
       continue;
     }
-    const Crossing crossing = search.between(points[i], points[i + 1]);
+    const Crossing crossing = crossing_between(solver, k, threshold, points[i], points[i + 1]);
     add(zeros, crossing.zero);
     points.insert(points.begin() + static_cast<std::ptrdiff_t>(i) + 1, crossing.points.begin(),
                   crossing.points.end());
@@ -147,9 +129,9 @@ void add_of_points(SweepSolver& solver, Index k, double threshold, std::vector<S
 } // namespace
 
 void find_zeros(SweepSolver& solver, Sweep& sweep) {
-  const std::array<double, 6> threshold = thresholds(sweep);
+  const Vector6<double> threshold = thresholds(sweep);
   for (Index k = 0; k < 6; ++k) {
-    const double zero = threshold[static_cast<std::size_t>(k)];
+    const double zero = threshold[k];
     if (zero < 0) continue;
     if (!sweep.segments.empty())
       add_of_segments(sweep.segments, k, zero, sweep.zeros);

@@ -1,8 +1,5 @@
 #include "verify/verify_rows.hpp"
 
-#include "text/wording.hpp"
-
-#include <algorithm>
 #include <cmath>
 
 namespace lcpush::desktop {

@@ -1,7 +1,7 @@
-// The keys of a [[finger]] or [[pusher]] that say where it touches the object.
+// What the builder reads of a table: [object], and where a [[finger]] or [[pusher]] touches it.
 #pragma once
 
-#include "lcpush/types.hpp"
+#include "lcpush/desktop/scene_io.hpp"
 #include "scenes/table_reader.hpp"
 
 #include <string>
@@ -20,5 +20,9 @@ template <class S> struct Patch {
 /// Reads and samples the patch: one point or more, no two coincident, all in one contact plane.
 /// S is double or Rational.
 template <class S> Patch<S> read_patch(const TableReader& table);
+
+/// Mass, inertia about the centre of mass, and the centre of mass; what it looks like to `shape`.
+/// S is double or Rational.
+template <class S> Object<S> read_object(const TableReader& table, ObjectShape& shape);
 
 } // namespace lcpush::desktop
