@@ -178,10 +178,6 @@ void write_output(const Arguments& arguments, const std::string& text) {
   refuse_file(*path, "written", failure.value());
 }
 
-Option solver_option() {
-  return {"--solver", "NAME", "lemke (default), gauss-seidel (sweeps) or hybrid (both)"};
-}
-
 Solver chosen_solver(const Arguments& arguments) {
   const std::string solver = arguments.value("--solver").value_or("lemke");
   if (solver == "pgs") return Solver::gauss_seidel; // as many call it

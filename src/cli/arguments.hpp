@@ -84,7 +84,7 @@ void write_output(const Arguments& arguments, const std::string& text);
 
 /// Refuses solvers that do not exist; returns the one asked for.
 Solver chosen_solver(const Arguments& arguments);
-/// The option --solver.
-Option solver_option();
+inline const Option solver_option{"--solver", "NAME",
+                                  "lemke (default), gauss-seidel (sweeps) or hybrid (both)"};
 
 } // namespace lcpush::cli

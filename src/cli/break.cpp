@@ -49,8 +49,8 @@ Command break_command() {
       "starts to move, how it then moves, and what a faster push adds.\n\n"
       "Example:\n  lcpush break fixtures/scenes/straight_slide.toml\n",
       with_common_options({{"--pusher", "NAME", "whose normal force is meant, among several"},
-                           solver_option(),
-                           history_option()}),
+                           solver_option,
+                           history_option}),
       1,
       run_break};
 }

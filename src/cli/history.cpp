@@ -50,10 +50,6 @@ std::string history_text(const std::string& format, const std::string& solver, S
   return format == "csv" ? as_csv(columns, rows) : as_table(solver, status, columns, rows);
 }
 
-Option history_option() {
-  return {"--history", "", "instead of the answer, each law's residual sweep by sweep (also csv)"};
-}
-
 std::string push_format(const Arguments& arguments, Solver solver) {
   if (!arguments.has("--history")) return arguments.format();
   if (solver == Solver::lemke)

@@ -20,7 +20,8 @@ std::string history_text(const std::string& format, const std::string& solver, S
                          const std::vector<HistoryRow>& rows);
 
 /// Of pushes: what is left of each law.
-Option history_option();
+inline const Option history_option{
+    "--history", "", "instead of the answer, each law's residual sweep by sweep (also csv)"};
 /// The format asked for; csv goes with --history, and --history with a solver that sweeps.
 std::string push_format(const Arguments& arguments, Solver solver);
 std::string push_history(const std::string& format, Solver solver, Status status,

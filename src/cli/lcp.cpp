@@ -165,7 +165,7 @@ Command lcp_command() {
               {"--M", "MATRIX", "rows by semicolons, numbers by blanks"},
               {"--q", "VECTOR", "n numbers"},
               {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
-              solver_option(),
+              solver_option,
               {"--sweeps", "N", "most sweeps (default 5000; 200 before hybrid's pivots)"},
               {"--relaxation", "W", "of the sweeps, between 0 and 2 (default 1)"},
               {"--history", "", "the residual after each check instead; also --format csv"},

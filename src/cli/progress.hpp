@@ -40,6 +40,11 @@ public:
     std::fflush(stderr);
   }
 
+  /// How much of a parameter's sweep is done.
+  void show_share(double done) {
+    if (is_due()) show(std::to_string(std::lround(100 * done)) + " % of the sweep");
+  }
+
 private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point begin_ = Clock::now(), next_ = begin_ + std::chrono::seconds(1);
@@ -69,17 +74,6 @@ public:
 private:
   StatusLine line_;
   long pivots_ = 0;
-};
-
-/// How much of a parameter's sweep is done.
-class SweepMeter {
-public:
-  void show(double done) {
-    if (line_.is_due()) line_.show(std::to_string(std::lround(100 * done)) + " % of the sweep");
-  }
-
-private:
-  StatusLine line_;
 };
 
 } // namespace lcpush::cli

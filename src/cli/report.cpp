@@ -30,8 +30,8 @@ std::vector<Sweep> swept(const Arguments& arguments, const VariedScene& scene,
   std::vector<Sweep> sweeps;
   if (!variations.empty()) options.pusher = chosen_pusher(arguments, file);
   for (const Variation& variation : variations) {
-    SweepMeter meter;
-    options.progress = [&meter](double done) { meter.show(done); };
+    StatusLine line;
+    options.progress = [&line](double done) { line.show_share(done); };
     sweeps.push_back(sweep_parameter(scene, {variation}, options));
   }
   return sweeps;
@@ -103,7 +103,7 @@ Command report_command() {
       with_common_options(
           {{"--vary", "PATH=FROM:TO", "also a plot of a sweep; may be given several times", true},
            {"--steps", "N", "points of the sweeps, evenly spread, ends included"},
-           pressure_option(),
+           pressure_option,
            {"--pusher", "NAME", "whose breaking force is meant, among several"},
            {"--format", "FORMAT", "html (default), or svg for one picture"},
            {"--picture", "NAME", "which one, with --format svg (front)"}}),

@@ -45,10 +45,6 @@ Index chosen_pusher(const Arguments& arguments, const SceneFile& file) {
   return pusher;
 }
 
-Option pressure_option() {
-  return {"--pressure", "LAW", "pad, even or rigid instead of the scene's own"};
-}
-
 void set_pressure(const Arguments& arguments, VariedScene& scene) {
   const auto law = arguments.value("--pressure");
   if (!law) return;

@@ -23,7 +23,8 @@ void refuse_unknowns(const Arguments& arguments, const SceneFile& file, Index mo
 /// The body of --pusher, or the only pusher: whose force is meant. Throws UsageError.
 Index chosen_pusher(const Arguments& arguments, const SceneFile& file);
 
-Option pressure_option();
+inline const Option pressure_option{"--pressure", "LAW",
+                                    "pad, even or rigid instead of the scene's own"};
 /// The law of --pressure, if it is given.
 void set_pressure(const Arguments& arguments, VariedScene& scene);
 

@@ -40,7 +40,7 @@ Command solve_command() {
           "Reads a scene, assembles its complementarity problem and solves it by Lemke's pivots.\n"
           "Accelerations are the object's, in the gripper's frame and SI units.\n\n"
           "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
-          with_common_options({solver_option(), history_option()}),
+          with_common_options({solver_option, history_option}),
           1,
           run_solve};
 }

@@ -89,11 +89,11 @@ int run_sweep(const Arguments& arguments) {
           .value_or(0);
   bool complete = true;
   {
-    SweepMeter meter;
+    StatusLine line;
     const double count = static_cast<double>(curves.size());
     for (std::size_t k = 0; k < curves.size(); ++k) {
-      options.progress = [&meter, count, k](double done) {
-        meter.show((static_cast<double>(k) + done) / count);
+      options.progress = [&line, count, k](double done) {
+        line.show_share((static_cast<double>(k) + done) / count);
       };
       options.pusher = chosen_pusher(arguments, scenes[k].as_given());
       curves[k].sweep = sweep_parameter(scenes[k], curves[k].sweep.variations, options);
@@ -134,7 +134,7 @@ Examples:
           {{"--vary", "PATH=FROM:TO", "what varies, and how far; twice for a map", true},
            {"--each", "PATH=V,V,..", "one curve for each of these values of another number"},
            {"--steps", "N", "points evenly spread, ends included (51; a map 11 each way)"},
-           pressure_option(),
+           pressure_option,
            {"--pusher", "NAME", "whose force is meant, among several"},
            {"--show", "NAME,NAME,..",
             "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},

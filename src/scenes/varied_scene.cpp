@@ -130,6 +130,57 @@ void add_defaults(TomlDocument& document) {
     }
 }
 
+/// What every owner has, an array's numbers as one.
+std::string choices(const TomlDocument& document) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> owners;
+  for (const Named& named : all_parameters(document)) {
+    if (owners.empty() || owners.back().first != named.owner) owners.push_back({named.owner, {}});
+    std::vector<std::string>& keys = owners.back().second;
+    const std::size_t bracket = named.rest.find('[');
+    const std::string key =
+        bracket == std::string::npos ? named.rest : named.rest.substr(0, bracket) + "[..]";
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  }
+  std::string text;
+  for (const auto& [owner, keys] : owners)
+    text += "\n  " + (owner.empty() ? "" : owner + ".  ") + listed(keys, "and");
+  return text;
+}
+
+TomlDocument changed(TomlDocument document, const std::vector<Parameter>& parameters,
+                     const std::vector<double>& values) {
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const Parameter& parameter = parameters[k];
+    for (const Place& place : parameter.places) {
+      TomlTable& table = table_at(document, place);
+      switch (parameter.kind) {
+      case Kind::turn: turn_acceleration(table, values[k]); break;
+      case Kind::tangent_turn: turn_tangent(table, values[k]); break;
+      case Kind::shift:
+        shift_points(table, static_cast<std::size_t>(parameter.axis), values[k]);
+        break;
+      case Kind::number:
+        TomlValue* value = table.find(place.key);
+        for (const std::size_t i : place.indices) value = &std::get<TomlArray>(value->data)[i];
+        (parameter.whole ? set_count : set_number)(*value, values[k]);
+      }
+    }
+  }
+  return document;
+}
+
+SceneFile built(const TomlDocument& document, const std::vector<Parameter>& parameters,
+                const std::vector<double>& values) {
+  try {
+    return build_scene<double>(document);
+  } catch (const InputError& error) {
+    std::string where;
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+      where += (k > 0 ? ", " : "") + parameters[k].path + " = " + shown(values[k]);
+    throw InputError(std::string(error.what()) + (where.empty() ? "" : " (at " + where + ")"));
+  }
+}
+
 } // namespace
 
 VariedScene::VariedScene(TomlDocument document) {
@@ -163,74 +214,22 @@ std::vector<std::string> VariedScene::paths() const {
   return paths;
 }
 
-/// What every owner has, an array's numbers as one.
-std::string VariedScene::choices() const {
-  std::vector<std::pair<std::string, std::vector<std::string>>> owners;
-  for (const Named& named : all_parameters(*document_)) {
-    if (owners.empty() || owners.back().first != named.owner) owners.push_back({named.owner, {}});
-    std::vector<std::string>& keys = owners.back().second;
-    const std::size_t bracket = named.rest.find('[');
-    const std::string key =
-        bracket == std::string::npos ? named.rest : named.rest.substr(0, bracket) + "[..]";
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
-  }
-  std::string text;
-  for (const auto& [owner, keys] : owners)
-    text += "\n  " + (owner.empty() ? "" : owner + ".  ") + listed(keys, "and");
-  return text;
-}
-
 Parameter VariedScene::find(const std::string& path) const {
   const std::vector<Named> all = all_parameters(*document_);
   for (const Named& named : all)
     if (named.parameter.path == path) return named.parameter;
   throw InputError(document_->file + ": nothing to vary is called " + quoted(path) +
                    suggestion(path, paths()) +
-                   "; the numbers of this scene, vectors counted from [0]:" + choices());
-}
-
-TomlDocument VariedScene::changed(const std::vector<Parameter>& parameters,
-                                  const std::vector<double>& values) const {
-  TomlDocument document = *document_;
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
-    const Parameter& parameter = parameters[k];
-    for (const Place& place : parameter.places) {
-      TomlTable& table = table_at(document, place);
-      switch (parameter.kind) {
-      case Kind::turn: turn_acceleration(table, values[k]); break;
-      case Kind::tangent_turn: turn_tangent(table, values[k]); break;
-      case Kind::shift:
-        shift_points(table, static_cast<std::size_t>(parameter.axis), values[k]);
-        break;
-      case Kind::number:
-        TomlValue* value = table.find(place.key);
-        for (const std::size_t i : place.indices) value = &std::get<TomlArray>(value->data)[i];
-        (parameter.whole ? set_count : set_number)(*value, values[k]);
-      }
-    }
-  }
-  return document;
-}
-
-SceneFile VariedScene::built(const TomlDocument& document, const std::vector<Parameter>& parameters,
-                             const std::vector<double>& values) const {
-  try {
-    return build_scene<double>(document);
-  } catch (const InputError& error) {
-    std::string where;
-    for (std::size_t k = 0; k < parameters.size(); ++k)
-      where += (k > 0 ? ", " : "") + parameters[k].path + " = " + shown(values[k]);
-    throw InputError(std::string(error.what()) + (where.empty() ? "" : " (at " + where + ")"));
-  }
+                   "; the numbers of this scene, vectors counted from [0]:" + choices(*document_));
 }
 
 SceneFile VariedScene::at(const std::vector<Parameter>& parameters,
                           const std::vector<double>& values) const {
-  return built(changed(parameters, values), parameters, values);
+  return built(changed(*document_, parameters, values), parameters, values);
 }
 
 VariedScene VariedScene::with(const Parameter& parameter, double value) const {
-  VariedScene scene(changed({parameter}, {value}));
+  VariedScene scene(changed(*document_, {parameter}, {value}));
   (void)built(*scene.document_, {parameter}, {value});
   return scene;
 }

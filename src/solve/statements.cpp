@@ -1,6 +1,7 @@
 #include "lcpush/desktop/statements.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "lcpush/desktop/push.hpp"
 #include "text/format.hpp"
@@ -18,10 +19,9 @@ std::vector<std::string> names_of(const SceneFile& file, const Assembly<double>&
   const Scene<double>& scene = assembly.scene();
   const Layout<double>& layout = assembly.layout();
   const double largest = *std::max_element(witness.begin(), witness.end());
-  std::vector<bool> takes_part(file.bodies.size(), false);
+  std::set<Index> takes_part;
   const auto mark = [&](Index body) {
-    const Index own = file.body_of(scene.bodies[body].first_point);
-    takes_part[static_cast<std::size_t>(own)] = true;
+    takes_part.insert(file.body_of(scene.bodies[body].first_point));
   };
   if (verdict == Existence::closes_on_nothing)
     for (const Drive<double>& drive : scene.drives)
@@ -33,8 +33,7 @@ std::vector<std::string> names_of(const SceneFile& file, const Assembly<double>&
         if (witness[static_cast<std::size_t>(layout.cones[i].force + k)] > idle_entry * largest)
           mark(layout.body[i]);
   std::vector<std::string> names;
-  for (std::size_t b = 0; b < takes_part.size(); ++b)
-    if (takes_part[b]) names.push_back(file.body_names[b]);
+  for (const Index b : takes_part) names.push_back(file.body_name(b));
   return names;
 }
 

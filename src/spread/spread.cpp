@@ -216,11 +216,11 @@ private:
   }
 
   /// Does the mode of contact `next` go with each earlier one, taken by itself?
-  bool goes_with_earlier(const FaceModes& modes, Index next) {
+  bool goes_with_earlier(const FaceModes& modes, std::size_t next) {
     FaceModes pair(modes.size());
-    pair[static_cast<std::size_t>(next)] = modes[static_cast<std::size_t>(next)];
+    pair[next] = modes[next];
     if (!can_be(pair)) return false;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(next); ++i) {
+    for (std::size_t i = 0; i < next; ++i) {
       pair[i] = modes[i];
       if (!can_be(pair)) return false;
       pair[i] = {};
@@ -229,17 +229,17 @@ private:
   }
 
   /// Contact by contact, every mode; what has no point with signs alone for the rest is left.
-  void enumerate_modes_from(Index next, FaceModes& modes) {
-    for (const ContactMode& mode : problem_.every_mode(next)) {
+  void enumerate_modes_from(std::size_t next, FaceModes& modes) {
+    for (const ContactMode& mode : problem_.every_mode(static_cast<Index>(next))) {
       if (is_used_up()) return;
-      modes[static_cast<std::size_t>(next)] = mode;
+      modes[next] = mode;
       ++report_.assignments;
       if (!goes_with_earlier(modes, next)) continue;
       Face face(problem_, modes);
       const Face::Point point = face.find_point();
       work_ += face.work() + std::pow(static_cast<double>(problem_.layout().size), 3);
       if (point == Face::Point::none) continue;
-      if (next + 1 < problem_.layout().points) {
+      if (next + 1 < modes.size()) {
         enumerate_modes_from(next + 1, modes);
         continue;
       }
@@ -250,7 +250,7 @@ private:
       }
       study_bounds(face, modes);
     }
-    modes[static_cast<std::size_t>(next)] = {};
+    modes[next] = {};
   }
 
   void conclude() {

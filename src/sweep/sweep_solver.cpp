@@ -14,6 +14,77 @@ std::vector<Parameter> parameters_of(const std::vector<Variation>& variations) {
   return parameters;
 }
 
+/// The states of work.answer's contacts.
+DetailedAnswer read_contacts(const ScenePoint& p, DetailedAnswer answer) {
+  const Answer<double>& solved = p.work.answer;
+  const Scales<double>& scales = p.assembly.layout().scales;
+  const double pressed = 1000 * Tolerances<double>().tie * scales.force;
+  answer.force_noise = 1e-11 * scales.force;
+  answer.motion_noise = 1e-11 * scales.acceleration;
+  answer.turning_noise = answer.motion_noise / scales.length;
+  Index entry = 0;
+  for (Index i = 0; i < solved.contacts.size; ++i) {
+    const ContactAnswer<double>& contact = solved.contacts[i];
+    const Vector3<double>& n = p.scene.bodies[contact.body].normal;
+    ContactState state;
+    state.mode = contact.mode;
+    state.pressed = std::abs(contact.normal_force) > pressed;
+    const Vector3<double> slip = contact.acceleration - contact.acceleration.dot(n) * n;
+    if (state.mode == Mode::slide && slip.norm() > 0) state.slip = slip.normalized();
+    for (Index j = 0; j < p.assembly.layout().cones[i].generators; ++j, ++entry)
+      if (solved.friction[entry] > pressed) state.rubs.push_back(j);
+    answer.contacts.push_back(state);
+  }
+  return answer;
+}
+
+DetailedAnswer read_push(ScenePoint& p, const double* z) {
+  read_answer(p.assembly, z, p.work.answer, 1.0);
+  DetailedAnswer answer;
+  answer.status = Status::solved;
+  answer.normal = normal_sum(p.work.answer, p.pusher);
+  answer.force = body_wrench(p.scene, p.work.answer, p.pusher).head<3>();
+  answer.twist = p.work.answer.acceleration;
+  answer.residual = check(p.scene, p.assembly.layout().scales, p.work.answer, 1.0).max();
+  if (!(answer.residual <= Tolerances<double>().residual))
+    answer.status = Status::numerical_breakdown;
+  return read_contacts(p, std::move(answer));
+}
+
+DetailedAnswer judge_breaking(const ScenePoint& p, Status status,
+                              const Breaking<double>& breaking) {
+  BreakReport report;
+  report.status = status;
+  report.breaking = breaking;
+  report.scales = p.assembly.layout().scales;
+  DetailedAnswer answer;
+  answer.status = holding_verdict(p.file, p.scene, report, {});
+  if (status != Status::solved && status != Status::does_not_hold) return answer;
+  answer.normal = breaking.break_force;
+  answer.force = breaking.force.head<3>();
+  answer.twist = breaking.twist;
+  answer.residual = breaking.residuals.max();
+  answer = read_contacts(p, std::move(answer));
+  answer.motion_noise /= push_size(p.scene); // of a unit push
+  // What extrapolating from finite pushes leaves open.
+  answer.force_noise += 10 * breaking.line_error * report.scales.force;
+  return answer;
+}
+
+DetailedAnswer read_breaking(ScenePoint& p, const BasisSolution& solution) {
+  Breaking<double> breaking;
+  PressureRun run;
+  Status status =
+      lcpush::read_breaking(p.assembly, solution.z.data(), solution.z_push.data(),
+                            solution.valid_to, p.work, p.pusher, push_size(p.scene), breaking, run);
+  if (status == Status::solved && !(breaking.residuals.max() <= Tolerances<double>().residual))
+    status = Status::numerical_breakdown;
+  if (status == Status::solved &&
+      motion_size(breaking.rest, p.assembly.layout().scales) > at_rest<double>())
+    status = Status::does_not_hold;
+  return judge_breaking(p, status, breaking);
+}
+
 } // namespace
 
 SweepSolver::SweepSolver(const VariedScene& scene, const std::vector<Variation>& variations,
@@ -23,7 +94,7 @@ SweepSolver::SweepSolver(const VariedScene& scene, const std::vector<Variation>&
       pusher_(pusher), is_warm_(warm) {}
 
 void SweepSolver::go_to(const std::vector<double>& values) {
-  point_ = std::make_unique<ScenePoint>(series_.at(values));
+  point_ = std::make_unique<ScenePoint>(series_.at(values), pusher_);
 }
 
 /// Memory for as many unknowns as there are here.
@@ -75,79 +146,8 @@ DetailedAnswer SweepSolver::on_basis(Question question, const Basis& basis, bool
       solution.valid_to = lemke_->valid_to();
     }
   }
-  return question == Question::push ? read_push(solution.z.data()) : read_breaking(solution);
-}
-
-/// The states of work.answer's contacts.
-DetailedAnswer SweepSolver::read_contacts(DetailedAnswer answer) const {
-  const Answer<double>& solved = point_->work.answer;
-  const Scales<double>& scales = point_->assembly.layout().scales;
-  const double pressed = 1000 * Tolerances<double>().tie * scales.force;
-  answer.force_noise = 1e-11 * scales.force;
-  answer.motion_noise = 1e-11 * scales.acceleration;
-  answer.turning_noise = answer.motion_noise / scales.length;
-  Index entry = 0;
-  for (Index i = 0; i < solved.contacts.size; ++i) {
-    const ContactAnswer<double>& contact = solved.contacts[i];
-    const Vector3<double>& n = point_->scene.bodies[contact.body].normal;
-    ContactState state;
-    state.mode = contact.mode;
-    state.pressed = std::abs(contact.normal_force) > pressed;
-    const Vector3<double> slip = contact.acceleration - contact.acceleration.dot(n) * n;
-    if (state.mode == Mode::slide && slip.norm() > 0) state.slip = slip.normalized();
-    for (Index j = 0; j < point_->assembly.layout().cones[i].generators; ++j, ++entry)
-      if (solved.friction[entry] > pressed) state.rubs.push_back(j);
-    answer.contacts.push_back(state);
-  }
-  return answer;
-}
-
-DetailedAnswer SweepSolver::read_push(const double* z) {
-  ScenePoint& p = *point_;
-  read_answer(p.assembly, z, p.work.answer, 1.0);
-  DetailedAnswer answer;
-  answer.status = Status::solved;
-  answer.normal = normal_sum(p.work.answer, pusher_body());
-  answer.force = body_wrench(p.scene, p.work.answer, pusher_body()).head<3>();
-  answer.twist = p.work.answer.acceleration;
-  answer.residual = check(p.scene, p.assembly.layout().scales, p.work.answer, 1.0).max();
-  if (!(answer.residual <= Tolerances<double>().residual))
-    answer.status = Status::numerical_breakdown;
-  return read_contacts(std::move(answer));
-}
-
-DetailedAnswer SweepSolver::judge_breaking(Status status, const Breaking<double>& breaking) {
-  BreakReport report;
-  report.status = status;
-  report.breaking = breaking;
-  report.scales = point_->assembly.layout().scales;
-  DetailedAnswer answer;
-  answer.status = holding_verdict(point_->file, point_->scene, report, {});
-  if (status != Status::solved && status != Status::does_not_hold) return answer;
-  answer.normal = breaking.break_force;
-  answer.force = breaking.force.head<3>();
-  answer.twist = breaking.twist;
-  answer.residual = breaking.residuals.max();
-  answer = read_contacts(std::move(answer));
-  answer.motion_noise /= push_size(point_->scene); // of a unit push
-  // What extrapolating from finite pushes leaves open.
-  answer.force_noise += 10 * breaking.line_error * report.scales.force;
-  return answer;
-}
-
-DetailedAnswer SweepSolver::read_breaking(const BasisSolution& solution) {
-  ScenePoint& p = *point_;
-  Breaking<double> breaking;
-  PressureRun run;
-  Status status = lcpush::read_breaking(p.assembly, solution.z.data(), solution.z_push.data(),
-                                        solution.valid_to, p.work, pusher_body(),
-                                        push_size(p.scene), breaking, run);
-  if (status == Status::solved && !(breaking.residuals.max() <= Tolerances<double>().residual))
-    status = Status::numerical_breakdown;
-  if (status == Status::solved &&
-      motion_size(breaking.rest, p.assembly.layout().scales) > at_rest<double>())
-    status = Status::does_not_hold;
-  return judge_breaking(status, breaking);
+  return question == Question::push ? read_push(*point_, solution.z.data())
+                                    : read_breaking(*point_, solution);
 }
 
 DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const RoundBases* others) {
@@ -200,12 +200,11 @@ DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
     p.assembly.push_by(1.0);
     const auto options = pressure_options(p.scene, p.assembly.layout().scales, 1.0);
     answer.status = solve_pressure(p.assembly, rounds, p.work.pressure, options, run);
-    if (answer.is_solved()) answer = read_push(p.work.pressure.z.data);
+    if (answer.is_solved()) answer = read_push(p, p.work.pressure.z.data);
   } else {
     Breaking<double> breaking;
-    const Status status =
-        find_breaking(p.assembly, rounds, p.work, pusher_body(), {}, breaking, run);
-    answer = judge_breaking(status, breaking);
+    const Status status = find_breaking(p.assembly, rounds, p.work, p.pusher, {}, breaking, run);
+    answer = judge_breaking(p, status, breaking);
     p.assembly.push_by(1.0);
   }
   ++(memory.cold > 0 ? cold_ : warm_);

@@ -30,12 +30,13 @@ struct DetailedAnswer : SweepAnswer {
 /// The scene at one value, assembled.
 struct ScenePoint {
   SceneFile file;
+  const Body<double>& pusher;
   AssembledScene assembled{file.view()};
   const Scene<double>& scene = assembled.scene; ///< as solved
   Workspace<double>& work = assembled.work;
   Assembly<double>& assembly = assembled.assembly;
 
-  explicit ScenePoint(SceneFile given) : file(std::move(given)) {}
+  ScenePoint(SceneFile given, Index pushes) : file(std::move(given)), pusher(file.body(pushes)) {}
 
   Problem<double> problem(Question question) const {
     return question == Question::push ? assembly.problem() : assembly.breaking_problem();
@@ -87,13 +88,6 @@ private:
   std::optional<OwnedLemke<double>> lemke_;
   Index cold_ = 0, warm_ = 0;
 
-  const Body<double>& pusher_body() const {
-    return point_->file.bodies[static_cast<std::size_t>(pusher_)];
-  }
-  DetailedAnswer read_push(const double* z);
-  DetailedAnswer read_breaking(const BasisSolution& solution);
-  DetailedAnswer read_contacts(DetailedAnswer answer) const;
-  DetailedAnswer judge_breaking(Status status, const Breaking<double>& breaking);
   DetailedAnswer solve_pad(Question question, RoundBases& bases);
   void make_lemke();
   Status pivot(Question question, const LemkeOptions<double>& options, const unsigned char* from,

@@ -49,7 +49,6 @@ private:
   bool has_friction(Index i) const { return layout_.cones[i].generators > 0; }
   bool friction_known(Index i) const;
   bool forces_known() const;
-  void take_given();
 
   bool find_acceleration();
   Rows point_rows(bool with_acceleration) const;

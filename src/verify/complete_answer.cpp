@@ -37,17 +37,6 @@ bool AnswerCompleter::forces_known() const {
   return true;
 }
 
-void AnswerCompleter::take_given() {
-  for (Index i = 0; i < layout_.points; ++i) {
-    const ForeignContact given = contact_of(i);
-    ContactAnswer<double>& contact = answer_.contacts[i];
-    contact.body = layout_.body[i];
-    contact.normal_force = given.normal_force.value_or(0);
-    contact.friction_force = given.friction_force.value_or(Vector3<double>::Zero());
-    contact.torsion = given.torsion.value_or(0);
-  }
-}
-
 /// What a unit of each actuator moves the point of its body along `direction`.
 Eigen::VectorXd AnswerCompleter::drive_speeds(Index point, const Vector3<double>& direction) const {
   Eigen::VectorXd speeds = Eigen::VectorXd::Zero(layout_.actuators);
@@ -252,7 +241,14 @@ void AnswerCompleter::find_motions() {
 }
 
 Completion AnswerCompleter::run() {
-  take_given();
+  for (Index i = 0; i < layout_.points; ++i) {
+    const ForeignContact given = contact_of(i);
+    ContactAnswer<double>& contact = answer_.contacts[i];
+    contact.body = layout_.body[i];
+    contact.normal_force = given.normal_force.value_or(0);
+    contact.friction_force = given.friction_force.value_or(Vector3<double>::Zero());
+    contact.torsion = given.torsion.value_or(0);
+  }
   if (!find_acceleration()) return completion_;
   find_closings();
   if (!completion_.missing.empty()) return completion_;

@@ -63,13 +63,9 @@ RawVerifyReport verify_raw(const RawProblem& problem, const std::vector<double>&
   const RawAnswer own = solve_raw(problem, RawOptions());
   report.own.status = own.status;
   if (own.status != Status::solved) return report;
-  double largest = 0;
-  for (Index i = 0; i < n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    report.own.force = std::max(report.own.force, std::abs(nearest[k] - own.z[k]));
-    largest = std::max(largest, std::abs(own.z[k]));
-  }
-  if (report.own.force <= std::max(1e-6, 10 * options.tolerance) * largest)
+  const Eigen::Map<const Eigen::VectorXd> near(nearest.data(), n), mine(own.z.data(), n);
+  report.own.force = (near - mine).cwiseAbs().maxCoeff();
+  if (report.own.force <= std::max(1e-6, 10 * options.tolerance) * mine.cwiseAbs().maxCoeff())
     report.verdict = Verdict::same_solution;
   return report;
 }

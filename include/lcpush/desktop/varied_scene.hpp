@@ -67,11 +67,6 @@ private:
   std::shared_ptr<const TomlDocument> document_; // with what a file may leave out
 
   explicit VariedScene(TomlDocument document);
-  TomlDocument changed(const std::vector<Parameter>& parameters,
-                       const std::vector<double>& values) const;
-  SceneFile built(const TomlDocument& document, const std::vector<Parameter>& parameters,
-                  const std::vector<double>& values) const;
-  std::string choices() const;
 };
 
 } // namespace lcpush::desktop
