@@ -18,8 +18,6 @@ namespace lcpush::cli {
 
 namespace {
 
-std::string full_name(const std::string& word) { return word == "-o" ? "--output" : word; }
-
 /// A negative number is a value, not an option.
 bool is_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' &&
@@ -30,7 +28,7 @@ bool is_option(const std::string& word) {
 
 void Arguments::read_option(const Command& command, const std::vector<std::string>& words,
                             std::size_t& at) {
-  std::string name = full_name(words[at]);
+  std::string name = words[at] == "-o" ? "--output" : words[at];
   std::optional<std::string> inline_value;
   if (const std::size_t equals = name.find('='); equals != std::string::npos) {
     inline_value = name.substr(equals + 1);

@@ -3,8 +3,6 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "text/wording.hpp"
 
-#include <algorithm>
-
 namespace lcpush::desktop {
 namespace {
 
@@ -71,13 +69,16 @@ const std::vector<Section>& sections() {
   return list;
 }
 
+/// nullptr if there is none.
+const Section* section_called(const std::string& name) {
+  for (const Section& section : sections())
+    if (section.name == name) return &section;
+  return nullptr;
+}
+
 } // namespace
 
-const Schema& schema_of(const std::string& section) {
-  return std::find_if(sections().begin(), sections().end(),
-                      [&](const Section& known) { return known.name == section; })
-      ->keys;
-}
+const Schema& schema_of(const std::string& section) { return section_called(section)->keys; }
 
 const Key* key_called(const std::string& name) {
   for (const Section& section : sections())
@@ -90,25 +91,21 @@ void check_sections(const TomlDocument& document) {
   for (const TomlSection& section : document.sections) {
     const std::string& name = section.name;
     const int line = section.tables.front().line;
-    std::vector<std::string> names;
-    bool is_known = false;
-    for (const Section& known : sections()) {
-      if (known.name.empty()) continue;
-      names.push_back(known.name);
-      if (known.name != name) continue;
-      is_known = true;
-      if (section.is_array && !known.is_array)
-        throw InputError(document.file, line,
-                         "there is only one " + name + "; write [" + name + "]");
-      if (known.is_array && !section.is_array)
-        throw InputError(document.file, line,
-                         "there may be several; write [[" + name + "]] instead of [" + name + "]");
+    const Section* const known = name.empty() ? nullptr : section_called(name);
+    if (known == nullptr) {
+      std::vector<std::string> names;
+      for (const Section& one : sections())
+        if (!one.name.empty()) names.push_back(one.name);
+      const std::string hint = suggestion(name, names);
+      throw InputError(document.file, line,
+                       "unknown table " + quoted(name) +
+                           (hint.empty() ? "; the tables are " + listed(names, "and") : hint));
     }
-    if (is_known) continue;
-    const std::string hint = suggestion(name, names);
-    throw InputError(document.file, line,
-                     "unknown table " + quoted(name) +
-                         (hint.empty() ? "; the tables are " + listed(names, "and") : hint));
+    if (section.is_array && !known->is_array)
+      throw InputError(document.file, line, "there is only one " + name + "; write [" + name + "]");
+    if (known->is_array && !section.is_array)
+      throw InputError(document.file, line,
+                       "there may be several; write [[" + name + "]] instead of [" + name + "]");
   }
   if (!document.find("object"))
     throw InputError(document.file, 1,

@@ -39,9 +39,9 @@ std::vector<double*> numbers_of(SceneFile& file) {
 SceneSeries::SceneSeries(const VariedScene& scene, const std::vector<Parameter>& parameters,
                          double from, double to)
     : scene_(scene), parameters_(parameters) {
-  const bool lone_number = parameters.size() == 1 && !parameters[0].whole &&
-                           parameters[0].kind == Parameter::Kind::number;
-  if (lone_number) find_carriers(from, to);
+  if (parameters.size() == 1 && !parameters[0].whole &&
+      parameters[0].kind == Parameter::Kind::number)
+    find_carriers(from, to);
 }
 
 /// What the builder refuses of a number that it only copies lies outside an interval: with both

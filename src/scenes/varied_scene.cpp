@@ -19,12 +19,6 @@ constexpr int root = -1;
 
 bool is_body(const std::string& section) { return section == "finger" || section == "pusher"; }
 
-TomlTable& table_at(TomlDocument& document, const Place& place) {
-  if (place.section == root) return document.root;
-  return document.sections[static_cast<std::size_t>(place.section)]
-      .tables[static_cast<std::size_t>(place.table)];
-}
-
 struct Named {
   Parameter parameter;
   std::string owner, rest; ///< "left" and "points[0][1]"; both as in the path
@@ -152,7 +146,10 @@ TomlDocument changed(TomlDocument document, const std::vector<Parameter>& parame
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const Parameter& parameter = parameters[k];
     for (const Place& place : parameter.places) {
-      TomlTable& table = table_at(document, place);
+      TomlTable& table = place.section == root
+                             ? document.root
+                             : document.sections[static_cast<std::size_t>(place.section)]
+                                   .tables[static_cast<std::size_t>(place.table)];
       switch (parameter.kind) {
       case Kind::turn: turn_acceleration(table, values[k]); break;
       case Kind::tangent_turn: turn_tangent(table, values[k]); break;

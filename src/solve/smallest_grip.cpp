@@ -102,11 +102,6 @@ SmallestGrip search_upwards(const Holding<double>& holding, double known,
   return grip;
 }
 
-MoreGrip with_more(double factor, const Question& holds) {
-  if (!holds(1.01 * factor)) return MoreGrip::drops;
-  return holds(2 * factor) ? MoreGrip::holds : MoreGrip::not_known;
-}
-
 SmallestGrip smallest(const SceneFile& file, Index most_unknowns, const CountingWatcher& work,
                       double known, const Precision& precision, const Question& holds) {
   SmallestGrip grip;
@@ -118,7 +113,9 @@ SmallestGrip smallest(const SceneFile& file, Index most_unknowns, const Counting
     grip = search_upwards(holding, known, precision, work, holds);
     const bool holds_now = known > 0;
     if (!holds_now && grip.factor > 0 && !work.is_used_up())
-      grip.more = with_more(grip.factor, holds);
+      grip.more = !holds(1.01 * grip.factor) ? MoreGrip::drops
+                  : holds(2 * grip.factor)   ? MoreGrip::holds
+                                             : MoreGrip::not_known;
     return grip;
   }
   grip.source = status == Status::does_not_hold ? GripSource::no_grip : GripSource::not_known;
@@ -181,8 +178,8 @@ SceneFile hand_at_rest(const SceneFile& file) {
   for (std::size_t a = 0; a < file.actuators.size(); ++a) {
     if (!grips(file, a)) continue;
     for (Drive<double> drive : file.drives) {
-      if (static_cast<std::size_t>(drive.actuator) != a) continue;
-      if (static_cast<std::size_t>(drive.body) >= bodies) continue;
+      const bool of_hand = static_cast<std::size_t>(drive.body) < bodies;
+      if (static_cast<std::size_t>(drive.actuator) != a || !of_hand) continue;
       drive.actuator = static_cast<Index>(alone.actuators.size());
       alone.drives.push_back(drive);
     }

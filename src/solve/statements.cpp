@@ -37,11 +37,6 @@ std::vector<std::string> names_of(const SceneFile& file, const Assembly<double>&
   return names;
 }
 
-bool has_bilateral(const SceneFile& file) {
-  return std::any_of(file.bodies.begin(), file.bodies.end(),
-                     [](const Body<double>& body) { return body.bilateral; });
-}
-
 } // namespace
 
 ExistenceFound find_existence(const SceneFile& file, const Assembly<double>& assembly) {
@@ -86,7 +81,8 @@ Statement existence_statement(const SceneFile& file, const ExistenceFound& found
   case Existence::not_known:
     return {false, "none", {"not known: a linear program for theory 5.3 was not settled"}};
   }
-  if (has_bilateral(file))
+  if (std::any_of(file.bodies.begin(), file.bodies.end(),
+                  [](const Body<double>& body) { return body.bilateral; }))
     said.reasons.emplace_back(
         "bilateral pushers leave the common class: their pulls were looked at too (5.7)");
   return said;

@@ -118,7 +118,8 @@ private:
   bool accept_if_checked(Point z, const FaceModes& modes) {
     problem_.complete(modes, z);
     const Answer<double>& answer = problem_.read(z);
-    const Residuals<double> residuals = problem_.residuals(answer);
+    const Residuals<double> residuals =
+        check(problem_.scene(), problem_.layout().scales, answer, 1.0);
     if (!problem_.passes(residuals)) return false;
     report_.residual = std::max(report_.residual, residuals.max());
     include(answer, problem_.scene(), report_);

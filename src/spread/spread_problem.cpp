@@ -17,14 +17,46 @@ SceneFile literal(SceneFile file) {
   return file;
 }
 
-} // namespace
-
 /// What decides the mode of one contact, in the assembly's units.
-struct LiteralProblem::Look {
+struct Look {
   bool pressed, pulls, gap_closed, slips, at_limit;
   std::vector<Index> carrying; ///< generators with a force
   std::vector<Index> opposing; ///< generators that oppose the slip best
 };
+
+Look look_at(const LiteralProblem& problem, Index i, const Eigen::VectorXd& z,
+             const Eigen::VectorXd& w) {
+  const Layout<double>& layout = problem.layout();
+  const DenseProblem& dense = problem.dense();
+  const double terms = (dense.M.cwiseAbs() * z.cwiseAbs() + dense.q.cwiseAbs()).maxCoeff();
+  double force = 0, motion = 1e-5 * terms; // below it all motion is rounding's
+  for (Index k = 0; k < layout.points; ++k) {
+    const ConeGroup<double>& cone = layout.cones[k];
+    force = std::max(force, std::abs(cone.normal_force(z.data())));
+    motion = std::max(motion, std::abs(w[cone.variable]));
+    for (Index j = 0; j < cone.generators; ++j)
+      motion = std::max(motion, std::abs(w[layout.friction(k, j)] - z[cone.slip()]));
+  }
+  const ConeGroup<double>& cone = layout.cones[i];
+  const double lambda = cone.normal_force(z.data());
+  Look look;
+  look.pressed = std::abs(lambda) > tie * force;
+  look.pulls = lambda < 0;
+  look.gap_closed = std::abs(w[cone.variable]) <= tie * motion;
+  double fastest = 0;
+  const auto against = [&](Index j) { return z[cone.slip()] - w[layout.friction(i, j)]; };
+  for (Index j = 0; j < cone.generators; ++j) {
+    fastest = std::max(fastest, against(j));
+    if (z[layout.friction(i, j)] > tie * force) look.carrying.push_back(j);
+  }
+  for (Index j = 0; j < cone.generators; ++j)
+    if (against(j) >= fastest - tie * motion) look.opposing.push_back(j);
+  look.slips = fastest > tie * motion;
+  look.at_limit = cone.generators > 0 && w[cone.slip()] <= tie * force;
+  return look;
+}
+
+} // namespace
 
 LiteralProblem::LiteralProblem(const SceneFile& file)
     : file_(literal(file)), assembled_(file_.view()), dense_(desktop::dense(problem())) {}
@@ -48,10 +80,6 @@ const Answer<double>& LiteralProblem::read(const Eigen::VectorXd& z) {
   return assembled_.work.answer;
 }
 
-Residuals<double> LiteralProblem::residuals(const Answer<double>& answer) const {
-  return check(scene(), layout().scales, answer, 1.0);
-}
-
 bool LiteralProblem::passes(const Residuals<double>& residuals) const {
   constexpr double smallest_part = 1e-5; // as for an answer of Push::solve
   const double push = push_size(scene()) / layout().scales.acceleration;
@@ -59,40 +87,10 @@ bool LiteralProblem::passes(const Residuals<double>& residuals) const {
   return worst <= Tolerances<double>().residual && (!(push > 0) || worst <= smallest_part * push);
 }
 
-LiteralProblem::Look LiteralProblem::look(Index i, const Eigen::VectorXd& z,
-                                          const Eigen::VectorXd& w) const {
-  const double terms = (dense_.M.cwiseAbs() * z.cwiseAbs() + dense_.q.cwiseAbs()).maxCoeff();
-  double force = 0, motion = 1e-5 * terms; // below it all motion is rounding's
-  for (Index k = 0; k < layout().points; ++k) {
-    const ConeGroup<double>& cone = layout().cones[k];
-    force = std::max(force, std::abs(cone.normal_force(z.data())));
-    motion = std::max(motion, std::abs(w[cone.variable]));
-    for (Index j = 0; j < cone.generators; ++j)
-      motion = std::max(motion, std::abs(w[layout().friction(k, j)] - z[cone.slip()]));
-  }
-  const ConeGroup<double>& cone = layout().cones[i];
-  const double lambda = cone.normal_force(z.data());
-  Look look;
-  look.pressed = std::abs(lambda) > tie * force;
-  look.pulls = lambda < 0;
-  look.gap_closed = std::abs(w[cone.variable]) <= tie * motion;
-  double fastest = 0;
-  const auto against = [&](Index j) { return z[cone.slip()] - w[layout().friction(i, j)]; };
-  for (Index j = 0; j < cone.generators; ++j) {
-    fastest = std::max(fastest, against(j));
-    if (z[layout().friction(i, j)] > tie * force) look.carrying.push_back(j);
-  }
-  for (Index j = 0; j < cone.generators; ++j)
-    if (against(j) >= fastest - tie * motion) look.opposing.push_back(j);
-  look.slips = fastest > tie * motion;
-  look.at_limit = cone.generators > 0 && w[cone.slip()] <= tie * force;
-  return look;
-}
-
 FaceModes LiteralProblem::face_of(const Eigen::VectorXd& z, const Eigen::VectorXd& w) const {
   FaceModes modes;
   for (Index i = 0; i < layout().points; ++i) {
-    const Look at = look(i, z, w);
+    const Look at = look_at(*this, i, z, w);
     if (!at.gap_closed)
       modes.push_back({Kind::open, false, {}});
     else if (layout().cones[i].generators == 0 || !at.slips)
@@ -128,7 +126,7 @@ std::vector<ContactMode> LiteralProblem::every_mode(Index i) const {
 
 std::vector<ContactMode> LiteralProblem::modes_at(Index i, const Eigen::VectorXd& z,
                                                   const Eigen::VectorXd& w) const {
-  const Look at = look(i, z, w);
+  const Look at = look_at(*this, i, z, w);
   const ConeGroup<double>& cone = layout().cones[i];
   std::vector<ContactMode> modes;
   if (!at.pressed && cone.normals == 1) modes.push_back({Kind::open, false, {}});

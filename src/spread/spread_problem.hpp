@@ -48,7 +48,6 @@ public:
   void complete(const FaceModes& modes, Eigen::VectorXd& z) const;
   /// The referee's word on z; valid until the next call.
   const Answer<double>& read(const Eigen::VectorXd& z);
-  Residuals<double> residuals(const Answer<double>& answer) const;
   /// No law broken by more than the tolerance, nor than a small part of the push.
   bool passes(const Residuals<double>& residuals) const;
 
@@ -65,9 +64,6 @@ private:
   SceneFile file_;
   AssembledScene assembled_;
   DenseProblem dense_;
-
-  struct Look;
-  Look look(Index i, const Eigen::VectorXd& z, const Eigen::VectorXd& w) const;
 };
 
 } // namespace lcpush::desktop

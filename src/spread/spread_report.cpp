@@ -88,21 +88,6 @@ std::string contact_table(const SceneFile& file, const SpreadReport& report) {
 /// Infinite ends become null.
 std::array<double, 2> ends_of(const Interval& interval) { return {interval.low, interval.high}; }
 
-void write_set(JsonWriter& json, const SceneFile& file, const SpreadReport& report) {
-  const auto write_ends = [&](const Interval& interval) { json.value(ends_of(interval)); };
-  json.key("push_force").begin_object();
-  for (const PusherSpread& pusher : report.pushers)
-    json.member(file.body_name(pusher.body), ends_of(pusher.force));
-  json.end_object().list("twist", report.twist, write_ends);
-  json.objects("contacts", static_cast<Index>(report.contacts.size()), [&](Index i) {
-    const ContactSpread& contact = report.contacts[static_cast<std::size_t>(i)];
-    json.member("name", point_name(file, i)).member("body", file.body_name(file.body_of(i)));
-    json.member("normal_force", ends_of(contact.normal));
-    json.list("tangential_force", contact.tangential, write_ends);
-    json.member("torsion", ends_of(contact.torsion));
-  });
-}
-
 } // namespace
 
 std::string spread_text(const SceneFile& file, const SpreadReport& report) {
@@ -149,7 +134,18 @@ std::string spread_json(const SceneFile& file, const SpreadReport& report) {
     return json.end_object().text();
   }
   json.member("residual", report.residual);
-  write_set(json, file, report);
+  const auto write_ends = [&](const Interval& interval) { json.value(ends_of(interval)); };
+  json.key("push_force").begin_object();
+  for (const PusherSpread& pusher : report.pushers)
+    json.member(file.body_name(pusher.body), ends_of(pusher.force));
+  json.end_object().list("twist", report.twist, write_ends);
+  json.objects("contacts", static_cast<Index>(report.contacts.size()), [&](Index i) {
+    const ContactSpread& contact = report.contacts[static_cast<std::size_t>(i)];
+    json.member("name", point_name(file, i)).member("body", file.body_name(file.body_of(i)));
+    json.member("normal_force", ends_of(contact.normal));
+    json.list("tangential_force", contact.tangential, write_ends);
+    json.member("torsion", ends_of(contact.torsion));
+  });
   return json.end_object().text();
 }
 

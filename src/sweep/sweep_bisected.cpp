@@ -25,7 +25,63 @@ public:
   BisectedWalk(SweepSolver& solver, Question question) : solver_(solver), question_(question) {}
 
   /// The piece that begins with `start`; `next` receives the first answer beyond it, if any.
-  Piece grow(const At& start, At& next);
+  /// Strides that double while the answers stay on one line, then bisection.
+  Piece grow(const At& start, At& next) {
+    At last = start, middle = start; // the line goes through start and last
+    double stride = first_stride;
+    bool beyond = false;
+    const auto continues = [&](const At& candidate) {
+      if (!same_modes(start.answer, candidate.answer)) return false;
+      if (!start.answer.is_known() || last.t == start.t) return true;
+      const DetailedAnswer expected =
+          on_line(start.answer, start.t, last.answer, last.t, candidate.t);
+      const double reach = (candidate.t - start.t) / (last.t - start.t);
+      const double tolerance = on_the_line * (question_ == Question::breaking ? 10 : 1);
+      return !differ(expected, candidate.answer, question_, tolerance * std::max(1.0, reach));
+    };
+    // Two answers always lie on a line: the first stride is halved until a third lies there too.
+    while (start.answer.is_known() && stride > bisection_width && start.t < 1) {
+      const double end = std::min(1.0, start.t + stride);
+      last = start;
+      const At far = solve(end), near = solve((start.t + end) / 2);
+      if (continues(near)) {
+        last = near;
+        if (continues(far)) {
+          middle = near;
+          last = far;
+          break;
+        }
+      }
+      next = far;
+      beyond = true;
+      last = start;
+      stride /= 4;
+    }
+    while (last.t < 1 && !(beyond && last.t == start.t)) {
+      const double limit = beyond ? next.t : 1;
+      double t = std::min(limit, last.t + stride);
+      if (beyond && t >= next.t - bisection_width / 2) t = (last.t + next.t) / 2;
+      if (beyond && next.t - last.t <= bisection_width) break;
+      At candidate = solve(t);
+      if (continues(candidate)) {
+        middle = std::exchange(last, std::move(candidate));
+        if (!beyond) stride *= 2;
+      } else {
+        next = std::move(candidate);
+        beyond = true;
+      }
+      if (beyond) stride = (next.t - last.t) / 2;
+    }
+    if (!beyond) next.t = 2;
+    const bool known = start.answer.is_known();
+    Piece piece{start.t, beyond ? next.t : 1, known ? SegmentKind::bisected : SegmentKind::unsolved,
+                start.answer, start.answer};
+    if (last.t > start.t && known)
+      piece.at_to = on_line(start.answer, start.t, last.answer, last.t, piece.to);
+    piece.at_from.contacts = piece.at_to.contacts = middle.answer.contacts;
+    return piece;
+  }
+
   At solve(double t) {
     ++solves_;
     solver_.go_to(value_at(solver_.variations().front(), t));
@@ -43,63 +99,6 @@ private:
   Question question_;
   Index solves_ = 0;
 };
-
-/// Strides that double while the answers stay on one line, then bisection.
-Piece BisectedWalk::grow(const At& start, At& next) {
-  At last = start, middle = start; // the line goes through start and last
-  double stride = first_stride;
-  bool beyond = false;
-  const auto continues = [&](const At& candidate) {
-    if (!same_modes(start.answer, candidate.answer)) return false;
-    if (!start.answer.is_known() || last.t == start.t) return true;
-    const DetailedAnswer expected =
-        on_line(start.answer, start.t, last.answer, last.t, candidate.t);
-    const double reach = (candidate.t - start.t) / (last.t - start.t);
-    const double tolerance = on_the_line * (question_ == Question::breaking ? 10 : 1);
-    return !differ(expected, candidate.answer, question_, tolerance * std::max(1.0, reach));
-  };
-  // Two answers always lie on a line: the first stride is halved until a third lies there too.
-  while (start.answer.is_known() && stride > bisection_width && start.t < 1) {
-    const double end = std::min(1.0, start.t + stride);
-    last = start;
-    const At far = solve(end), near = solve((start.t + end) / 2);
-    if (continues(near)) {
-      last = near;
-      if (continues(far)) {
-        middle = near;
-        last = far;
-        break;
-      }
-    }
-    next = far;
-    beyond = true;
-    last = start;
-    stride /= 4;
-  }
-  while (last.t < 1 && !(beyond && last.t == start.t)) {
-    const double limit = beyond ? next.t : 1;
-    double t = std::min(limit, last.t + stride);
-    if (beyond && t >= next.t - bisection_width / 2) t = (last.t + next.t) / 2;
-    if (beyond && next.t - last.t <= bisection_width) break;
-    At candidate = solve(t);
-    if (continues(candidate)) {
-      middle = std::exchange(last, std::move(candidate));
-      if (!beyond) stride *= 2;
-    } else {
-      next = std::move(candidate);
-      beyond = true;
-    }
-    if (beyond) stride = (next.t - last.t) / 2;
-  }
-  if (!beyond) next.t = 2;
-  const bool known = start.answer.is_known();
-  Piece piece{start.t, beyond ? next.t : 1, known ? SegmentKind::bisected : SegmentKind::unsolved,
-              start.answer, start.answer};
-  if (last.t > start.t && known)
-    piece.at_to = on_line(start.answer, start.t, last.answer, last.t, piece.to);
-  piece.at_from.contacts = piece.at_to.contacts = middle.answer.contacts;
-  return piece;
-}
 
 /// Everything that is a straight line over a piece.
 using Values = Eigen::Matrix<double, 10, 1>;

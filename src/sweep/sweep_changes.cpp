@@ -92,21 +92,18 @@ std::string modes_text(const SceneFile& file, const AnswerChange& change) {
   return text.empty() ? "forces are shared in another way" : text;
 }
 
+/// Of a jump, in PathBreak's order.
+constexpr const char* path_words[] = {"", ": all answers in between are answers here",
+                                      ": the solution path turns back here",
+                                      ": the solution path ends here in a ray"};
+
 std::string answer_text(const SceneFile& file, const AnswerChange& change) {
-  switch (change.kind) {
-  case AnswerChange::Kind::lost:
+  if (change.kind == AnswerChange::Kind::lost)
     return std::string("from here on no answer is found (") + status_text(change.to) + ")";
-  case AnswerChange::Kind::found: return "from here on there is an answer again";
-  case AnswerChange::Kind::modes: break;
-  }
-  const std::string text = modes_text(file, change) + (change.jumps ? "; the answer jumps" : "");
-  switch (change.jumps ? change.path : PathBreak::none) {
-  case PathBreak::none: break;
-  case PathBreak::jump: return text + ": all answers in between are answers here";
-  case PathBreak::turned_back: return text + ": the solution path turns back here";
-  case PathBreak::ray: return text + ": the solution path ends here in a ray";
-  }
-  return text;
+  if (change.kind == AnswerChange::Kind::found) return "from here on there is an answer again";
+  const std::string text = modes_text(file, change);
+  if (!change.jumps) return text;
+  return text + "; the answer jumps" + path_words[static_cast<int>(change.path)];
 }
 
 std::string answer_text(const SceneFile& file, const std::vector<AnswerChange>& changes) {

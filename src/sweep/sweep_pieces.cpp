@@ -112,9 +112,7 @@ AnswerChange change_between(const DetailedAnswer& before, const DetailedAnswer& 
 }
 
 SweepAnswer told(const SweepAnswer& answer) {
-  SweepAnswer status_alone;
-  status_alone.status = answer.status;
-  return answer.is_solved() ? answer : status_alone;
+  return answer.is_solved() ? answer : SweepAnswer{answer.status};
 }
 
 bool moves_otherwise(const SweepValue& a, const SweepValue& b) {

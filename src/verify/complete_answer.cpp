@@ -216,12 +216,11 @@ double AnswerCompleter::gap(Index point) const {
 /// xi = max (0, - d_j' r): what [T.3] makes of the motion.
 void AnswerCompleter::find_slips() {
   for (Index i = 0; i < layout_.points; ++i) {
-    double& slip = answer_.contacts[i].slip;
-    slip = 0;
+    answer_.contacts[i].slip = 0;
     double most = 0;
     for (Index j = 0; j < layout_.cones[i].generators; ++j)
       most = std::max(most, -slides_against(i, j));
-    slip = most;
+    answer_.contacts[i].slip = most;
   }
 }
 

@@ -23,11 +23,9 @@ std::vector<std::size_t> places(const std::vector<std::string>& given,
             std::to_string(known.size());
     return {};
   }
-  std::vector<std::string> sorted = given, wanted = known;
-  std::sort(sorted.begin(), sorted.end());
-  std::sort(wanted.begin(), wanted.end());
+  const bool by_name = std::is_permutation(given.begin(), given.end(), known.begin());
   for (std::size_t k = 0; k < given.size(); ++k) {
-    if (sorted == wanted)
+    if (by_name)
       place[k] =
           static_cast<std::size_t>(std::find(known.begin(), known.end(), given[k]) - known.begin());
     else if (!given[k].empty() && given[k] != known[k]) {

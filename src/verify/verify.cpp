@@ -179,15 +179,13 @@ private:
 } // namespace
 
 const char* verdict_text(Verdict verdict) {
-  switch (verdict) {
-  case Verdict::same_solution: return "same solution";
-  case Verdict::other_forces: return "same motion, other forces";
-  case Verdict::other_solution: return "another valid solution";
-  case Verdict::not_a_solution: return "not a solution";
-  case Verdict::spurious_minimum: return "a spurious local minimum of the quadratic form";
-  case Verdict::other_data: return "not this scene's data";
-  }
-  return "";
+  constexpr const char* texts[] = {"same solution",
+                                   "same motion, other forces",
+                                   "another valid solution",
+                                   "not a solution",
+                                   "a spurious local minimum of the quadratic form",
+                                   "not this scene's data"};
+  return texts[static_cast<int>(verdict)];
 }
 
 VerifyReport verify_answer(const SceneFile& file, const ForeignAnswer& answer,
