@@ -120,13 +120,6 @@ std::string as_text(const RawProblem& problem, const RawAnswer& answer) {
   return text;
 }
 
-std::string history_of(const RawAnswer& answer, const std::string& format,
-                       const std::string& solver) {
-  std::vector<HistoryRow> rows;
-  for (const SweepResidual& check : answer.history) rows.push_back({check.sweep, {check.residual}});
-  return history_text(format, solver, answer.status, {"residual"}, rows);
-}
-
 int run_lcp(const Arguments& arguments) {
   const std::string format = read_format(arguments);
   RawOptions options = read_options(arguments);
@@ -143,10 +136,12 @@ int run_lcp(const Arguments& arguments) {
     throw InputError((arguments.files().empty() ? "--q" : arguments.files()[1]) + ": equality " +
                      std::to_string(answer.inconsistent_row + 1) +
                      " of --free cannot hold: what the others leave of it says 0 = something");
-  if (arguments.has("--history"))
-    write_output(arguments, history_of(answer, format, solver));
-  else
-    write_output(arguments, format == "json" ? as_json(answer, solver) : as_text(problem, answer));
+  std::vector<HistoryRow> rows;
+  for (const SweepResidual& check : answer.history) rows.push_back({check.sweep, {check.residual}});
+  write_output(arguments, arguments.has("--history")
+                              ? history_text(format, solver, answer.status, {"residual"}, rows)
+                          : format == "json" ? as_json(answer, solver)
+                                             : as_text(problem, answer));
   return answer.status == Status::solved ? 0 : 1;
 }
 

@@ -14,7 +14,7 @@ constexpr double near_enough = 1e-6;
 
 Index first_bad_diagonal(const RawProblem& problem) {
   for (Index i = 0; i < problem.M.rows; ++i)
-    if (!(problem.M.values[static_cast<std::size_t>(i * problem.M.rows + i)] > 0)) return i;
+    if (!(problem.M(i, i) > 0)) return i;
   return -1;
 }
 

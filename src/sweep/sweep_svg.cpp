@@ -147,15 +147,15 @@ public:
         units.push_back(quantity.unit());
     for (const std::string& unit : units) {
       PlotPanel panel;
-      std::vector<std::size_t> mine;
-      for (std::size_t q = 0; q < shown_.size(); ++q)
-        if (shown_[q].unit() == unit) mine.push_back(q);
+      std::vector<SweepQuantity> mine;
+      for (const SweepQuantity& quantity : shown_)
+        if (quantity.unit() == unit) mine.push_back(quantity);
       // Of several the legend has the names.
-      const SweepQuantity& first = shown_[mine.front()];
-      const std::string what = mine.size() == 1 ? first.name() : is_force(first) ? "force" : "";
+      const bool lone = mine.size() == 1;
+      const std::string what = lone ? mine[0].name() : is_force(mine[0]) ? "force" : "";
       panel.y_label = what + (what.empty() || unit.empty() ? "" : " in ") + unit;
-      for (std::size_t c = 0; c < curves_.size(); ++c)
-        for (const std::size_t q : mine) add(panel, q, c, mine.size() == 1);
+      for (const SweepCurve& curve : curves_)
+        for (const SweepQuantity& quantity : mine) add(panel, quantity, curve, lone);
       plot.panels.push_back(std::move(panel));
     }
     if (curves_.size() == 1) plot.marks = marks_of(sweep, shown_);
@@ -167,22 +167,19 @@ private:
   const std::vector<SweepCurve>& curves_;
   std::vector<SweepQuantity> shown_;
 
-  void add(PlotPanel& panel, std::size_t quantity, std::size_t curve, bool lone_quantity) const {
-    const SweepQuantity& what = shown_[quantity];
-    const Sweep& sweep = curves_[curve].sweep;
+  void add(PlotPanel& panel, const SweepQuantity& what, const SweepCurve& curve, bool lone) const {
+    const Sweep& sweep = curve.sweep;
+    const std::string& label = curve.label;
     const bool segments = from_segments(what, sweep);
     PlotLine line;
-    const std::string label = curves_[curve].label;
-    line.label = label.empty()   ? words_of(what)
-                 : lone_quantity ? label
-                                 : label + ": " + words_of(what);
+    line.label = label.empty() ? words_of(what) : lone ? label : label + ": " + words_of(what);
     line.pieces =
         segments ? curve_of_segments(what, sweep.segments) : curve_of_points(what, sweep.points);
     line.dots = !segments && sweep.points.size() <= 200 && curves_.size() == 1;
     line.colour = panel.lines.size();
     panel.lines.push_back(line);
     const bool has_back = segments ? !sweep.back.empty() : !sweep.points_back.empty();
-    if (!has_back || (what.kind == Kind::break_force && !lone_quantity)) return;
+    if (!has_back || (what.kind == Kind::break_force && !lone)) return;
     // Among several curves only where the object moves in another way.
     const bool moves = std::any_of(sweep.bistable.begin(), sweep.bistable.end(),
                                    [](const BistableRange& range) { return range.motion; });

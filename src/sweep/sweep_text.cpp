@@ -94,8 +94,7 @@ std::string zero_text(const Sweep& sweep, const SweepZero& zero) {
   const std::string what = std::string("  twist[") + std::to_string(zero.component) +
                            "], the object's acceleration " +
                            (zero.component < 3 ? "along " : "about ") + "xyz"[zero.component % 3];
-  const double range = std::abs(sweep.variations[0].to - sweep.variations[0].from);
-  const double small = 1e-9 * range;
+  const double small = 1e-9 * std::abs(sweep.variations[0].to - sweep.variations[0].from);
   if (zero.jumps)
     return what + ", changes its sign by a jump at " + path + " = " + number(zero.to, small) + "\n";
   return what + ", is zero " +
