@@ -52,6 +52,7 @@ Index ask_for_row(const PivotTrace& trace) {
   const TracedPivot& pivot = trace.pivots.back();
   if (!pivot.before) return pivot.row;
   const Tableau& before = *pivot.before;
+  const std::string& by_rule = name(trace, before.rows[static_cast<std::size_t>(pivot.row)]);
   const Index z0 = artificial(trace.size);
   const auto ties = [&pivot](Index variable) {
     return std::find(pivot.ties.begin(), pivot.ties.end(), variable) != pivot.ties.end();
@@ -64,8 +65,7 @@ Index ask_for_row(const PivotTrace& trace) {
   for (;;) {
     std::cerr << "Which variable leaves? " << std::flush;
     if (!(std::cin >> word)) {
-      std::cerr << name(trace, before.rows[static_cast<std::size_t>(pivot.row)])
-                << " (the rule's choice)\n";
+      std::cerr << by_rule << " (the rule's choice)\n";
       return pivot.row;
     }
     const Index row = row_of(trace, before.rows, word);
@@ -83,8 +83,7 @@ Index ask_for_row(const PivotTrace& trace) {
       std::cerr << "It ties with z0, and when z0 can leave the problem is solved: take z0.\n";
     } else {
       if (row != pivot.row)
-        std::cerr << "Right; it ties, and the lexicographic rule would have taken "
-                  << name(trace, before.rows[static_cast<std::size_t>(pivot.row)])
+        std::cerr << "Right; it ties, and the lexicographic rule would have taken " << by_rule
                   << ", so that it never comes back to a basis.\n\n";
       else
         std::cerr << "Right.\n\n";

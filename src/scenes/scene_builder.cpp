@@ -21,18 +21,8 @@ namespace {
 // Rounding of a normal that no decimal number can give exactly.
 constexpr double direction_slack = 1e-9;
 
-/// A rigid motion that moves `at` with `linear`, taken at the centre of mass.
-template <class S>
-Vector6<S> twist_at(const Vector3<S>& center_of_mass, const Vector3<S>& linear,
-                    const Vector3<S>& angular, const Vector3<S>& at) {
-  Vector6<S> twist;
-  twist << linear + cross<S>(angular, center_of_mass - at), angular;
-  return twist;
-}
-
 template <class S> class SceneBuilder {
 public:
-  /// `document` must outlive the builder.
   explicit SceneBuilder(const TomlDocument& document) : document_(document) {}
 
   /// Call once.
@@ -147,8 +137,7 @@ private:
         !table.has("normal_force"))
       table.fail("acceleration", "missing the motion; add acceleration, angular_acceleration or "
                                  "normal_force (for a wall at rest acceleration = [0, 0, 0])");
-    return twist_at<S>(scene_.object.center_of_mass, optional("acceleration"),
-                       optional("angular_acceleration"), optional("about"));
+    return twist_at(optional("acceleration"), optional("angular_acceleration"), optional("about"));
   }
 
   void drive_fingers() {
@@ -181,8 +170,7 @@ private:
     if (fingers != 2)
       gripper.fail("jaws",
                    "parallel jaws need exactly two [[finger]]s, got " + std::to_string(fingers));
-    const TableReader first = reader("finger", 0);
-    const TableReader second = reader("finger", 1);
+    const TableReader first = reader("finger", 0), second = reader("finger", 1);
     const S force = first.number<S>("grip_force", Sign::positive);
     const S other = second.number<S>("grip_force", Sign::positive);
     if (force != other)
@@ -200,20 +188,26 @@ private:
     const S force = table.number<S>("normal_force", Sign::positive);
     if (table.has("acceleration")) {
       const Vector3<S> acceleration = table.vector3<S>("acceleration");
-      const double along =
-          as_double(acceleration.dot(scene_.bodies[static_cast<std::size_t>(body)].normal));
+      const double along = as_double(acceleration.dot(scene_.body(body).normal));
       if (std::abs(along) > direction_slack * as_doubles(acceleration).norm())
         table.fail("acceleration", "normal_force decides the motion along the normal; acceleration "
                                    "must have no part along it, got " +
                                        shown(along));
     }
-    const std::string& name = scene_.body_name(body);
-    drive_along_normal(body, add_actuator(name, force, S(0)));
+    drive_along_normal(body, add_actuator(scene_.body_name(body), force, S(0)));
+  }
+
+  /// A rigid motion that moves `at` with `linear`, taken at the centre of mass.
+  Vector6<S> twist_at(const Vector3<S>& linear, const Vector3<S>& angular,
+                      const Vector3<S>& at) const {
+    Vector6<S> twist;
+    twist << linear + cross<S>(angular, scene_.object.center_of_mass - at), angular;
+    return twist;
   }
 
   void drive_along_normal(Index body, Index actuator) {
     Vector6<S> twist;
-    twist << scene_.bodies[static_cast<std::size_t>(body)].normal, Vector3<S>::Zero();
+    twist << scene_.body(body).normal, Vector3<S>::Zero();
     scene_.drives.push_back({body, actuator, twist});
   }
 
@@ -254,10 +248,8 @@ private:
                    "no body is called " + quoted(bodies[i]) + suggestion(bodies[i], known));
       if (std::count(bodies.begin(), bodies.end(), bodies[i]) > 1)
         table.fail("bodies", "the body " + quoted(bodies[i]) + " is listed twice; remove one");
-      const Vector6<S> at_origin = Eigen::Map<const Vector6<S>>(twists[i].data());
-      const Vector6<S> twist =
-          twist_at<S>(scene_.object.center_of_mass, at_origin.template head<3>(),
-                      at_origin.template tail<3>(), Vector3<S>::Zero());
+      const std::vector<S>& t = twists[i]; // at the origin
+      const Vector6<S> twist = twist_at({t[0], t[1], t[2]}, {t[3], t[4], t[5]}, Vector3<S>::Zero());
       if (twist == Vector6<S>(Vector6<S>::Zero()))
         table.fail("twists", "the twist of " + quoted(bodies[i]) + " is zero");
       const auto body = found - known.begin();
@@ -282,12 +274,11 @@ private:
             in_plane > direction_slack || turning > direction_slack * as_doubles(p).norm();
         const S closing = column.dot(body.acceleration);
         if (moves_it || !(body.bilateral ? closing != S(0) : closing > S(0))) continue;
-        throw InputError(document_.file, name_lines_.at(scene_.body_names[b]),
-                         quoted(scene_.body_names[b]) +
-                             (body.bilateral ? ": moves the object out of the plane"
-                                             : ": moves into the object out of the plane") +
-                             ", where planar = true lets nothing give way; move it in the x-y "
-                             "plane or remove planar");
+        const std::string& name = scene_.body_names[b];
+        throw InputError(document_.file, name_lines_.at(name),
+                         quoted(name) + ": moves " + (body.bilateral ? "" : "into ") +
+                             "the object out of the plane, where planar = true lets nothing give "
+                             "way; move it in the x-y plane or remove planar");
       }
     }
   }
