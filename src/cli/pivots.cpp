@@ -3,7 +3,6 @@
 #include "cli/choose.hpp"
 #include "cli/commands.hpp"
 #include "cli/raw_arguments.hpp"
-#include "lcpush/desktop/input_error.hpp"
 #include "pivots/explorer_text.hpp"
 #include "pivots/subject.hpp"
 #include "text/wording.hpp"

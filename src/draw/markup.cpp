@@ -13,14 +13,6 @@ std::string attribute(const char* name, double x, int decimals = 2) {
   return std::string(" ") + name + "=\"" + pixels(x, decimals) + "\"";
 }
 
-std::string written(const Drawing& drawing, const std::string& style) {
-  // A title and a description as children name the image; ids would have to differ on a page.
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" viewBox=\"0 0 " +
-         pixels(drawing.width) + " " + pixels(drawing.height) + "\" role=\"img\">\n<title>" +
-         escaped(drawing.title) + "</title>\n<desc>" + escaped(drawing.description) + "</desc>\n" +
-         style + drawing.elements + "</svg>\n";
-}
-
 } // namespace
 
 std::string escaped(const std::string& text) {
@@ -103,10 +95,16 @@ std::string arrow_element(const std::string& kind, const Pixel& from, const Pixe
          "</g>\n";
 }
 
-std::string svg_element(const Drawing& drawing) { return written(drawing, ""); }
+std::string svg_element(const Drawing& drawing, const std::string& style) {
+  // A title and a description as children name the image; ids would have to differ on a page.
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" viewBox=\"0 0 " +
+         pixels(drawing.width) + " " + pixels(drawing.height) + "\" role=\"img\">\n<title>" +
+         escaped(drawing.title) + "</title>\n<desc>" + escaped(drawing.description) + "</desc>\n" +
+         style + drawing.elements + "</svg>\n";
+}
 
 std::string svg_document(const Drawing& drawing) {
-  return written(drawing, "<style>\n" + palette(".drawing") + drawing_style() + "</style>\n");
+  return svg_element(drawing, "<style>\n" + palette(".drawing") + drawing_style() + "</style>\n");
 }
 
 } // namespace lcpush::desktop

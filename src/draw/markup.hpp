@@ -48,8 +48,9 @@ struct Drawing {
   std::string elements;
 };
 
-/// An element for a page that has palette(":root") and drawing_style() once.
-std::string svg_element(const Drawing& drawing);
+/// An element for a page that has palette(":root") and drawing_style() once; or with its own
+/// `style`, an element too.
+std::string svg_element(const Drawing& drawing, const std::string& style = "");
 /// A document of its own.
 std::string svg_document(const Drawing& drawing);
 

@@ -5,14 +5,6 @@
 
 namespace lcpush::desktop {
 
-std::vector<View> views_with_y_up(const Vector3<double>& size, bool is_touched_along_x) {
-  const Vector3<double> x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  const View front{"front", "Front view, x and y", x, y, z};
-  if (is_touched_along_x || size.x() >= size.y())
-    return {front, {"top", "Top view, x and z", x, -z, y}};
-  return {front, {"side", "Side view, z and y", -z, y, x}};
-}
-
 std::vector<std::size_t> hull_corners(const std::vector<Pixel>& points) {
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

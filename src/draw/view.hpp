@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -26,14 +27,16 @@ struct View {
   bool is_behind(const Vector3<double>& normal) const { return toward.dot(normal) > 0.5; }
 };
 
-/// A front view with y up, and of the other two the one that shows more of a box of this size.
-std::vector<View> views_with_y_up(const Vector3<double>& size, bool is_touched_along_x);
-/// The same, of what is touched by bodies (anything with a normal).
+/// A front view with y up, and of the other two the one that shows more of a box of this size and
+/// of the bodies that touch it (anything with a normal).
 template <class Body>
 std::vector<View> views_with_y_up(const Vector3<double>& size, const std::vector<Body>& bodies) {
-  return views_with_y_up(size, std::any_of(bodies.begin(), bodies.end(), [](const Body& body) {
-                           return body.normal.x() > 0.5 || body.normal.x() < -0.5;
-                         }));
+  const Vector3<double> x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const View front{"front", "Front view, x and y", x, y, z};
+  const auto is_along_x = [](const Body& body) { return std::abs(body.normal.x()) > 0.5; };
+  if (size.x() >= size.y() || std::any_of(bodies.begin(), bodies.end(), is_along_x))
+    return {front, {"top", "Top view, x and z", x, -z, y}};
+  return {front, {"side", "Side view, z and y", -z, y, x}};
 }
 
 /// What lies behind is drawn first.

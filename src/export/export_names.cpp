@@ -127,33 +127,21 @@ private:
   }
 
   Quantity reduced_row(Index i) const {
+    constexpr const char* symbols[] = {"n'r", "-n'r", "d", "mu lambda - sum beta",
+                                       "J'f + m_a s - tau"}; // by Meaning, as the laws
+    constexpr const char* laws[] = {"[T.2]", "[T.2]", "[T.3]", "[T.4]", "[T.5]"};
     const Name name = name_of(layout_, i);
-    const std::string of = contact(name);
-    const Unit newtons{"N", row_unit(layout_, i)}, metres{"m/s^2", row_unit(layout_, i)};
-    switch (name.meaning) {
-    case Meaning::normal: return {"separation of " + of, "n'r", of, "[T.2]", metres};
-    case Meaning::pull: return {"approach of " + of, "-n'r", of, "[T.2]", metres};
-    case Meaning::friction:
-      return {"slip of " + of + " minus the motion" + against(name),
-              "d" + std::to_string(name.generator) + "'r + xi", of, "[T.3]", metres};
-    case Meaning::slip:
-      return {"friction left unused in the cone of " + of, "mu lambda - sum beta", of, "[T.4]",
-              newtons};
-    case Meaning::closing: break;
-    }
-    const char* const unit = moves_by_metres(name.of) ? "N" : "J";
-    return {"force of " + push_.actuator_name(name.of) + " beyond its set force",
-            "J'f + m_a s - tau",
-            "",
-            "[T.5]",
-            {unit, newtons.scale}};
-  }
-
-  /// The motion that a generator acts against.
-  std::string against(const Name& name) const {
-    const Body<double>& body = scene_.bodies[layout_.body[name.of]];
-    const Generator<double> d = generator(body, name.generator, scene_.facets);
-    return generator_text({-d.force, -d.torque}, body.torsion_radius);
+    std::string symbol = symbols[static_cast<int>(name.meaning)];
+    if (name.meaning == Meaning::friction) symbol += std::to_string(name.generator) + "'r + xi";
+    const char* const unit = name.meaning == Meaning::slip      ? "N"
+                             : name.meaning != Meaning::closing ? "m/s^2"
+                             : moves_by_metres(name.of)         ? "N"
+                                                                : "J";
+    return {push_.row_name(i),
+            symbol,
+            contact(name),
+            laws[static_cast<int>(name.meaning)],
+            {unit, row_unit(layout_, i)}};
   }
 
   Quantity newton_row(Index k) const {

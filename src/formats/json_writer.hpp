@@ -98,8 +98,6 @@ private:
 
   static std::string literal(double number);
   static std::string literal(std::string_view text);
-  static std::string literal(const std::string& text) { return literal(std::string_view(text)); }
-  static std::string literal(const char* text) { return literal(std::string_view(text)); }
   static std::string literal(std::nullptr_t) { return "null"; }
   // A template, so that no pointer can turn into a bool.
   template <class T> static std::enable_if_t<std::is_integral_v<T>, std::string> literal(T number) {

@@ -19,6 +19,14 @@ namespace {
 
 constexpr const char* expected_banner = "%%MatrixMarket matrix array real general";
 
+/// ASCII letters only.
+std::string lower_case(std::string_view word) {
+  std::string result(word);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
 /// Reads one file from top to bottom.
 template <class S> class MatrixReader {
 public:
@@ -77,15 +85,15 @@ private:
     require_word(banner[1], {"matrix"}, "object");
     require_word(banner[2], {"array", "coordinate"}, "format");
     require_word(banner[3], {"real", "integer"}, "field");
-    require_word(banner[4], {"general"}, "symmetry");
+    require_word(banner[4], {"general"}, "symmetry", "; write every entry of the matrix out");
     return banner[2] == "array";
   }
 
   void require_word(const std::string& word, const std::vector<std::string>& known,
-                    const std::string& role) const {
+                    const std::string& role, const std::string& remedy = "") const {
     if (std::find(known.begin(), known.end(), word) != known.end()) return;
     refuse("the " + role + " " + quoted(word) + " is not supported, only " + listed(known, "and") +
-           (role == "symmetry" ? "; write every entry of the matrix out" : ""));
+           remedy);
   }
 
   /// The line of sizes: `count` whole numbers, rows and columns first.

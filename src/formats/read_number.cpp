@@ -20,13 +20,6 @@ std::vector<std::string_view> split_words(std::string_view line) {
   }
 }
 
-std::string lower_case(std::string_view word) {
-  std::string result(word);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
 template <> NumberText read_finite_number<double>(std::string_view word) {
   std::string_view digits = word;
   // std::from_chars knows no plus sign; "+-1" must not pass for that reason.

@@ -13,9 +13,6 @@ class Rational;
 /// The parts of `line` between blanks (space, tab, carriage return).
 std::vector<std::string_view> split_words(std::string_view line);
 
-/// ASCII letters only.
-std::string lower_case(std::string_view word);
-
 template <class S> struct NumberTextOf {
   S value{0};
   std::optional<std::string> error; ///< if set, `value` means nothing

@@ -1,7 +1,6 @@
 // Runs Lemke's method with a recording watcher.
 #include "lcpush/desktop/pivots.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "lcpush/desktop/owned.hpp"
@@ -137,11 +136,6 @@ void distrust(const PivotOptions& options, PivotTrace& trace) {
   trace.reason = "a basis came back, as rounding has decided ties; --exact decides them truly";
 }
 
-bool all_finite(const std::vector<TraceNumber>& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(),
-                     [](const TraceNumber& x) { return std::isfinite(x.value); });
-}
-
 template <class S>
 PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, const Story& story) {
   const Index n = given.M.rows;
@@ -171,7 +165,9 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
   if (!trace.last) trace.last = watcher.tableau(lemke.dictionary());
   if (trace.status == Status::solved) take_solution(given, lemke, trace);
   if (trace.status == Status::ray) take_ray(lemke, story, trace);
-  if (std::is_same_v<S, double> && !all_finite(trace.z)) trace.status = Status::numerical_breakdown;
+  for (const TraceNumber& z : trace.z)
+    if (std::is_same_v<S, double> && !std::isfinite(z.value))
+      trace.status = Status::numerical_breakdown;
   if (trace.status != Status::solved && trace.reason.empty())
     trace.reason = reason_of(trace, lemke.reason());
   return trace;

@@ -15,23 +15,15 @@ public:
   std::string meaning(Index variable) const override {
     const Index n = size();
     if (variable == artificial(n)) return "artificial variable: a cushion under every violated law";
-    if (variable >= n) {
-      const Meaning meaning = name_of(push_.layout(), variable - n).meaning;
-      const std::string name = push_.variable_name(variable - n);
-      if (meaning == Meaning::closing) return name + ", counted from its bound -S (m/s^2)";
-      return name + (meaning == Meaning::slip ? " (m/s^2)" : " (N)");
-    }
-    const Name name = name_of(push_.layout(), variable);
-    switch (name.meaning) {
-    case Meaning::normal: return "separation of " + point(name) + " (m/s^2)";
-    case Meaning::pull: return "approach of " + point(name) + " (m/s^2)";
-    case Meaning::friction:
-      return "slip of " + point(name) + " minus the motion" + along(name, -1) + " (m/s^2)";
-    case Meaning::slip: return "friction left unused in the cone of " + point(name) + " (N)";
-    case Meaning::closing:
-      return "force of " + push_.actuator_name(name.of) + " beyond its set force";
-    }
-    return {};
+    const bool is_unknown = variable >= n;
+    const Index i = is_unknown ? variable - n : variable;
+    const Meaning meaning = name_of(push_.layout(), i).meaning;
+    const bool is_closing = meaning == Meaning::closing, is_slip = meaning == Meaning::slip;
+    if (is_unknown)
+      return push_.variable_name(i) + (is_closing ? ", counted from its bound -S (m/s^2)"
+                                       : is_slip  ? " (m/s^2)"
+                                                  : " (N)");
+    return push_.row_name(i) + (is_closing ? "" : is_slip ? " (N)" : " (m/s^2)");
   }
 
   std::string sentence(const TracedPivot& pivot, const std::vector<bool>& basic) const override {
@@ -63,13 +55,6 @@ private:
   Index size() const { return push_.layout().size; }
   std::string point(const Name& name) const { return point_name(push_.file(), name.of); }
 
-  /// generator_text of `sign` times the generator.
-  std::string along(const Name& name, double sign) const {
-    const Body<double>& body = push_.scene().bodies[push_.layout().body[name.of]];
-    const Generator<double> d = generator(body, name.generator, push_.file().facets);
-    return generator_text({sign * d.force, sign * d.torque}, body.torsion_radius);
-  }
-
   /// The way a point slides: towards the side against which its friction acts. A facet of the
   /// pyramid leaves a sector open.
   std::string sliding(Index at, const std::vector<bool>& basic) const {
@@ -100,8 +85,8 @@ private:
       return point(name) + (is_unknown ? " presses harder" : " separates faster");
     case Meaning::pull: return point(name) + (is_unknown ? " pulls harder" : " approaches faster");
     case Meaning::friction:
-      return is_unknown ? "friction of " + point(name) + along(name, 1) + " grows"
-                        : point(name) + " turns away from sliding" + along(name, -1);
+      return is_unknown ? "friction of " + point(name) + push_.along(name, 1) + " grows"
+                        : point(name) + " turns away from sliding" + push_.along(name, -1);
     case Meaning::slip:
       return is_unknown ? point(name) + " slides faster"
                         : the + " friction of " + point(name) + " draws back from its cone";
@@ -128,9 +113,9 @@ private:
                         : point(name) + " is held and may be pulled";
     case Meaning::friction:
       return is_unknown
-                 ? "the friction of " + point(name) + along(name, 1) + " has faded away"
-                 : "the object moves" + along(name, -1) + " at " + point(name) +
-                       " as fast as it slips, so that friction" + along(name, 1) + " may act";
+                 ? "the friction of " + point(name) + push_.along(name, 1) + " has faded away"
+                 : "the object moves" + push_.along(name, -1) + " at " + point(name) +
+                       " as fast as it slips, so that friction" + push_.along(name, 1) + " may act";
     case Meaning::slip:
       return is_unknown ? point(name) + " stops sliding and sticks"
                         : point(name) + " reaches its friction cone and starts to slide" +

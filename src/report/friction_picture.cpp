@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "report/pictures.hpp"
-#include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {

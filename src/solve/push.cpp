@@ -15,9 +15,25 @@ std::string Push::variable_name(Index i) const {
   case Meaning::closing: return "closing of " + actuator_name(name.of);
   case Meaning::friction: break;
   }
-  const Body<double>& body = assembly_.scene().bodies[layout().body[name.of]];
+  return "friction of " + point_name(file_, name.of) + along(name, 1);
+}
+
+std::string Push::row_name(Index i) const {
+  const Name name = name_of(layout(), i);
+  switch (name.meaning) {
+  case Meaning::normal: return "separation of " + point_name(file_, name.of);
+  case Meaning::pull: return "approach of " + point_name(file_, name.of);
+  case Meaning::slip: return "friction left unused in the cone of " + point_name(file_, name.of);
+  case Meaning::closing: return "force of " + actuator_name(name.of) + " beyond its set force";
+  case Meaning::friction: break;
+  }
+  return "slip of " + point_name(file_, name.of) + " minus the motion" + along(name, -1);
+}
+
+std::string Push::along(const Name& name, double sign) const {
+  const Body<double>& body = scene_.bodies[layout().body[name.of]];
   const Generator<double> d = generator(body, name.generator, file_.facets);
-  return "friction of " + point_name(file_, name.of) + generator_text(d, body.torsion_radius);
+  return generator_text({sign * d.force, sign * d.torque}, body.torsion_radius);
 }
 
 std::string Push::actuator_name(Index actuator) const {

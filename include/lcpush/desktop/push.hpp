@@ -26,6 +26,12 @@ public:
   /// Unknown i of layout(): "normal of left.3", "pull of wall.1", "friction of left.3 along +y",
   /// "slip of left.3", "closing of left".
   std::string variable_name(Index i) const;
+  /// What row i says: "separation of left.3", "approach of wall.1", "slip of left.3 minus the
+  /// motion along -y", "friction left unused in the cone of left.3", "force of left beyond its set
+  /// force".
+  std::string row_name(Index i) const;
+  /// generator_text of `sign` times the generator of a friction unknown.
+  std::string along(const Name& name, double sign) const;
 
   const SceneFile& file() const { return file_; }
   /// Under even pressure an actuator is one point's share of the file's, named after the point.
