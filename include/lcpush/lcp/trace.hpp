@@ -3,11 +3,10 @@
 //
 // Any class with these member functions will do:
 //
-//     void starts(const Lemke<S>&)                 a basis to pivot from, z0 not yet in it
-//     Index choose_leaving_row(const Lemke<S>&, const PendingPivot&)   before a pivot: the row that
-//     is to leave void stepped(const Lemke<S>&)                after a step: its status, z0 and
-//     basis void checked(const Sweeps&)                  after a check of either Gauss-Seidel: its
-//                                                  sweeps(), z() and residual()
+//     void starts(const Lemke<S>&)      a basis to pivot from, z0 not yet in it
+//     Index choose_leaving_row(const Lemke<S>&, const PendingPivot&)   before a pivot
+//     void stepped(const Lemke<S>&)     after a step: its status, z0 and basis
+//     void checked(const Sweeps&)       after a check of sweeps: their number, z() and residual()
 #pragma once
 
 #include <cstdint>

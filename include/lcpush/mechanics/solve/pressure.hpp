@@ -37,10 +37,8 @@ template <class S> Index affine_rank(const Scene<S>& scene, const Body<S>& body)
   Index rank = 0;
   S size(0);
   const Vector3<S>& origin = scene.points[body.first_point];
-  for (Index i = 1; i < body.point_count; ++i) {
-    const S distance = (scene.points[body.first_point + i] - origin).norm();
-    if (distance > size) size = distance;
-  }
+  for (Index i = 1; i < body.point_count; ++i)
+    size = Eigen::numext::maxi(size, S((scene.points[body.first_point + i] - origin).norm()));
   for (Index i = 1; i < body.point_count && rank < 2; ++i) {
     // Only the part in the contact plane tells the columns W(n) of two points apart.
     Vector3<S> between = scene.points[body.first_point + i] - origin;
@@ -153,11 +151,7 @@ public:
   }
 
   /// Post: running; solved (memory.z holds the unknowns); or the solver's failure.
-  [[nodiscard]] Status step() {
-    const Status status = rounds_.step(memory_, run_);
-    if (status == Status::running) return status;
-    return phase_ == Phase::literal ? end_literal(status) : end_round(status);
-  }
+  [[nodiscard]] Status step();
 
   /// Cost: rigid and even one run; pad one cold and a few warm ones.
   [[nodiscard]] Status solve() {
@@ -260,6 +254,12 @@ private:
     return Status::running;
   }
 };
+
+template <class S, class Rounds> Status PressureSolve<S, Rounds>::step() {
+  const Status status = rounds_.step(memory_, run_);
+  if (status == Status::running) return status;
+  return phase_ == Phase::literal ? end_literal(status) : end_round(status);
+}
 
 /// All of it at once.
 template <class S, class Rounds>

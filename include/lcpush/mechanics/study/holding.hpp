@@ -88,8 +88,7 @@ template <class S> struct HoldingProgram : StudyProgram<S> {
 
 /// b in the assembly's units: minus the weight, and what actuators that drive no finger hold.
 template <class S> void fill_loads(const Assembly<S>& assembly, HoldingProgram<S>& p) {
-  using Eigen::numext::abs;
-  using Eigen::numext::maxi;
+  using Eigen::numext::abs, Eigen::numext::maxi;
   const Scene<S>& scene = assembly.scene();
   const Vector6<S> weight = laws::weight(scene, assembly.layout().scales);
   const Index moving = scene.planar ? 3 : 6;

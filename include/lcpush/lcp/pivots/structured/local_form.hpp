@@ -219,7 +219,7 @@ private:
   Index n_ = 0, free_begin_ = 0;
   MatrixMap<S> directions_{nullptr, 0, 0}; // n x width, row i: h_i
   VectorMap<S> d_{nullptr, 0}, d_force_{nullptr, 0}, force_{nullptr, 0};
-  VectorMap<S> v_{nullptr, 0}, core_input_{nullptr, 0};
+  VectorMap<S> v_{nullptr, 0}, core_input_{nullptr, 0}; // v = C (A F, -s), and what C is applied to
   // Of shared actuators, the variable that is not basic: s, or w once s is basic.
   VectorMap<S> actuator_input_{nullptr, 0}, d_actuator_input_{nullptr, 0};
   MatrixMap<S> springs_{nullptr, 0, 0}, core_{nullptr, 0, 0}; // sum of g h' / c, and C

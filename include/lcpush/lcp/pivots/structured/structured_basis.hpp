@@ -76,7 +76,8 @@ private:
   detail::LocalForm<S> form_;
   Index n_ = 0, capacity_ = 0, t_ = 0, long_ = 0;
   MatrixMap<S> inverse_{nullptr, 0, 0}; // t x t: rows as in_, columns as out_
-  VectorMap<S> rates_{nullptr, 0}, along_row_{nullptr, 0}, along_column_{nullptr, 0};
+  VectorMap<S> rates_{nullptr, 0};      // of slots in_, as one enters
+  VectorMap<S> along_row_{nullptr, 0}, along_column_{nullptr, 0}; // of M at out_, in_: scratch
   Span<int> out_, in_;       // k: a row whose base variable has left, and the slot now there
   Span<int> out_at_, in_at_; // row, slot: their k, -1 for none
 
