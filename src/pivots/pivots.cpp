@@ -50,10 +50,13 @@ template <class S> std::vector<S> converted(const std::vector<Rational>& numbers
   return result;
 }
 
-PivotTrace empty_trace(Index n, Index free_count, const Story& story) {
+/// Generic tie columns are the real run's.
+PivotTrace empty_trace(Index n, Index free_count, TieRule rule, const Story& story) {
   PivotTrace trace;
   trace.size = n;
   trace.free_count = free_count;
+  trace.rule = rule;
+  trace.is_as_solved = rule == TieRule::generic;
   trace.is_physical = story.is_physical();
   for (Index variable = 0; variable <= artificial(n); ++variable)
     trace.variables.push_back({variable_name(variable, n), story.meaning(variable)});
@@ -139,9 +142,8 @@ void distrust(const PivotOptions& options, PivotTrace& trace) {
 template <class S>
 PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, const Story& story) {
   const Index n = given.M.rows;
-  PivotTrace trace = empty_trace(n, given.free_count, story);
+  PivotTrace trace = empty_trace(n, given.free_count, options.rule, story);
   trace.has_fractions = options.is_exact && options.keeps_fractions;
-  trace.rule = options.rule;
 
   const std::vector<S> M = converted<S>(given.M.values), q = converted<S>(given.q.values);
   std::vector<S> cover = converted<S>(options.cover);
@@ -173,13 +175,6 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
   return trace;
 }
 
-PivotTrace real_trace(Index n, Index free_count, const Story& story) {
-  PivotTrace trace = empty_trace(n, free_count, story);
-  trace.rule = TieRule::generic;
-  trace.is_as_solved = true;
-  return trace;
-}
-
 /// z from the last tableau, in the problem's units.
 void take_basic_z(PivotTrace& trace) {
   trace.z.assign(static_cast<std::size_t>(trace.size), TraceNumber{});
@@ -205,7 +200,7 @@ PivotTrace trace_pivots(const ExactProblem& problem, const PivotOptions& options
 
 PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& story) {
   const Layout<double>& layout = push.layout();
-  PivotTrace trace = real_trace(layout.size, layout.actuators, story);
+  PivotTrace trace = empty_trace(layout.size, layout.actuators, TieRule::generic, story);
   RecordingWatcher<double> watcher(trace, story, options);
   PushOptions pushing;
   pushing.other_covers = 0;
@@ -230,7 +225,7 @@ PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& sto
 }
 
 PivotTrace trace_solve(const RawProblem& problem, const PivotOptions& options, const Story& story) {
-  PivotTrace trace = real_trace(problem.M.rows, 0, story);
+  PivotTrace trace = empty_trace(problem.M.rows, 0, TieRule::generic, story);
   RecordingWatcher<double> watcher(trace, story, options);
   RawOptions solving;
   solving.watcher = &watcher;
