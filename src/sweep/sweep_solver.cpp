@@ -89,12 +89,10 @@ DetailedAnswer read_breaking(ScenePoint& p, const BasisSolution& solution) {
 
 SweepSolver::SweepSolver(const VariedScene& scene, const std::vector<Variation>& variations,
                          Index pusher, bool warm)
-    : variations_(variations),
-      series_(scene, parameters_of(variations), variations.front().from, variations.front().to),
-      pusher_(pusher), is_warm_(warm) {}
+    : variations_(variations), scene_(scene), pusher_(pusher), is_warm_(warm) {}
 
 void SweepSolver::go_to(const std::vector<double>& values) {
-  point_ = std::make_unique<ScenePoint>(series_.at(values), pusher_);
+  point_ = std::make_unique<ScenePoint>(scene_.at(parameters_of(variations_), values), pusher_);
 }
 
 /// Memory for as many unknowns as there are here.

@@ -4,7 +4,6 @@
 
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/desktop/sweep.hpp"
-#include "scenes/scene_series.hpp"
 #include "sweep/basis_solution.hpp"
 
 #include <memory>
@@ -81,7 +80,7 @@ public:
 
 private:
   std::vector<Variation> variations_;
-  SceneSeries series_;
+  const VariedScene& scene_;
   Index pusher_;
   bool is_warm_;
   std::unique_ptr<ScenePoint> point_;

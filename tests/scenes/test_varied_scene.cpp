@@ -6,7 +6,6 @@
 
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/varied_scene.hpp"
-#include "scenes/scene_series.hpp"
 #include "support/fixture_push.hpp"
 
 using namespace lcpush;
@@ -175,58 +174,4 @@ TEST_CASE("a value that is no scene is refused with line and value") {
     CHECK(message.find("friction must be") != std::string::npos);
     CHECK(message.find("(at left.friction = -0.5)") != std::string::npos);
   }
-}
-
-TEST_CASE("a series of scenes has the bits of each scene made afresh, whatever varies") {
-  const auto same = [](const auto& a, const auto& b) {
-    if (a.size() != b.size()) return false;
-    for (std::size_t i = 0; i < a.size(); ++i)
-      if (a[i] != b[i]) return false;
-    return true;
-  };
-  Index series = 0;
-  for (const char* name : {"straight_slide.toml", "rolling.toml", "three_finger_hand.toml",
-                           "planar_pusher.toml", "soft_fingers.toml"}) {
-    CAPTURE(name);
-    const VariedScene scene = VariedScene::parse(scene_text(name), name);
-    for (const std::string& path : scene.paths()) {
-      CAPTURE(path);
-      const Parameter parameter = scene.find(path);
-      if (parameter.whole) continue;
-      const double from = parameter.value == 0 ? 0.001 : parameter.value;
-      const double to = from + 0.01 * std::abs(from);
-      std::vector<SceneFile> fresh;
-      const double values[] = {from, from + 0.3 * (to - from), from + 0.77 * (to - from), to};
-      try {
-        for (const double value : values) fresh.push_back(scene.at({parameter}, {value}));
-      } catch (const InputError&) {
-        continue; // one finger of a parallel jaw, for example
-      }
-      const SceneSeries all(scene, {parameter}, from, to);
-      ++series;
-      for (std::size_t k = 0; k < fresh.size(); ++k) {
-        const SceneFile a = all.at({values[k]});
-        const SceneFile& b = fresh[k];
-        CHECK(a.object.mass == b.object.mass);
-        CHECK(a.object.inertia == b.object.inertia);
-        CHECK(a.gravity == b.gravity);
-        CHECK(same(a.points, b.points));
-        CHECK(same(a.positions, b.positions));
-        for (std::size_t i = 0; i < a.bodies.size(); ++i) {
-          CHECK(a.bodies[i].normal == b.bodies[i].normal);
-          CHECK(a.bodies[i].tangent == b.bodies[i].tangent);
-          CHECK(a.bodies[i].friction == b.bodies[i].friction);
-          CHECK(a.bodies[i].torsion_radius == b.bodies[i].torsion_radius);
-          CHECK(a.bodies[i].acceleration == b.bodies[i].acceleration);
-        }
-        for (std::size_t i = 0; i < a.actuators.size(); ++i) {
-          CHECK(a.actuators[i].force == b.actuators[i].force);
-          CHECK(a.actuators[i].inertia == b.actuators[i].inertia);
-        }
-        for (std::size_t i = 0; i < a.drives.size(); ++i)
-          CHECK(a.drives[i].twist == b.drives[i].twist);
-      }
-    }
-  }
-  CHECK(series >= 100);
 }
