@@ -208,8 +208,8 @@ Run hybrid(Instance& instance) {
     SweepRounds<double> first{sweeps};
     first.options.tolerance = 1e-6;
     first.options.max_sweeps = 200;
-    using Pivots = LemkeRounds<double, const Unobserved, StructuredLemke<double>>;
-    return run_rounds(instance, HybridRounds<double, const Unobserved, StructuredLemke<double>>{
+    using Pivots = LemkeRounds<double, const Unwatched, StructuredLemke<double>>;
+    return run_rounds(instance, HybridRounds<double, const Unwatched, StructuredLemke<double>>{
                                     first, Pivots{instance.structured()}});
   };
 }
@@ -224,8 +224,8 @@ Run gauss_seidel(Instance& instance) {
 Run predicted(Instance& instance) {
   return [&instance] {
     using Pivots = StructuredLemke<double>;
-    using Rounds = LemkeRounds<double, const Unobserved, Pivots>;
-    return run_rounds(instance, PredictedRounds<double, const Unobserved, Pivots>{
+    using Rounds = LemkeRounds<double, const Unwatched, Pivots>;
+    return run_rounds(instance, PredictedRounds<double, const Unwatched, Pivots>{
                                     instance.assembly(), Rounds{instance.structured()}});
   };
 }

@@ -31,10 +31,10 @@ Solved solve(const Scene<double>& scene, Workspace<double>& work, Index first_co
   Assembly<double> assembly(work.assembly);
   assembly.assemble(scene);
   Pivots lemke(work.lemke_scalars, work.lemke_integers);
-  LemkeRounds<double, const Unobserved, Pivots> rounds{lemke};
+  LemkeRounds<double, const Unwatched, Pivots> rounds{lemke};
   rounds.options.first_cover = first_cover;
   Solved solved{};
-  using Predicted = PredictedRounds<double, const Unobserved, Pivots>;
+  using Predicted = PredictedRounds<double, const Unwatched, Pivots>;
   solved.status =
       starts_predicted
           ? solve_pressure(assembly, Predicted{assembly, rounds}, work.pressure, {}, solved.run)

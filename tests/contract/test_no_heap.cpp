@@ -225,8 +225,8 @@ TEST_CASE_TEMPLATE("a start from predicted modes allocates nothing", S, float, d
     SolvedPush<S, Pivots> push(owned);
     Status status = Status::running;
     CHECK(heap_calls_of([&] {
-            const LemkeRounds<S, const Unobserved, Pivots> pivots{push.lemke};
-            const PredictedRounds<S, const Unobserved, Pivots> rounds{push.assembly, pivots};
+            const LemkeRounds<S, const Unwatched, Pivots> pivots{push.lemke};
+            const PredictedRounds<S, const Unwatched, Pivots> rounds{push.assembly, pivots};
             status = solve_pressure(push.assembly, rounds, push.memory.work.pressure, push.options,
                                     push.run);
           }) == 0);

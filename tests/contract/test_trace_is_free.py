@@ -3,7 +3,7 @@
 Usage: test_trace_is_free.py REPO_ROOT CXX EIGEN_INCLUDE
 
 Compiles Lemke and both Gauss-Seidel solvers to assembly twice: as they are, and from a copy of the
-headers in which every call of an observer is deleted. Not a line may differ. Then an observer call
+headers in which every call of a watcher is deleted. Not a line may differ. Then a watcher call
 that does something is planted, and the comparison has to see it.
 """
 import pathlib
@@ -31,12 +31,12 @@ Status sweep(BlockGaussSeidel<double>& sweeps, const Problem<double>& problem) {
 } // namespace lcpush
 """
 
-# What the headers say to an observer: a statement of its own, or the row that leaves.
-STATEMENT = re.compile(r"^ *observer\.\w+\([^;]*\);\n", flags=re.M)
-ROW = "observer.choose_leaving_row(*this, pending)"
+# What the headers say to a watcher: a statement of its own, or the row that leaves.
+STATEMENT = re.compile(r"^ *watcher\.\w+\([^;]*\);\n", flags=re.M)
+ROW = "watcher.choose_leaving_row(*this, pending)"
 
 
-def without_observers(text):
+def without_watchers(text):
     return STATEMENT.sub("", text).replace(ROW, "pending.blocking.row")
 
 
@@ -67,19 +67,19 @@ with tempfile.TemporaryDirectory() as name:
     work = pathlib.Path(name)
     for part in ("bare", "loud"):
         (work / part).mkdir()
-    bare, files = copy_headers(work / "bare", without_observers)
+    bare, files = copy_headers(work / "bare", without_watchers)
     if files < 3:
-        sys.exit(f"only {files} headers speak to observers; does this test still know how they do?")
+        sys.exit(f"only {files} headers speak to watchers; does this test still know how they do?")
     left = [path for path in (bare / "lcpush" / "lcp").rglob("*.hpp")
-            if path.name != "trace.hpp" and re.search(r"observer\.", path.read_text())]
+            if path.name != "trace.hpp" and re.search(r"watcher\.", path.read_text())]
     if left:
-        sys.exit(f"{left[0].name}: an observer is called in a way that this test does not know")
+        sys.exit(f"{left[0].name}: a watcher is called in a way that this test does not know")
     for level in ("-O2", "-Os"):
         shipped = assembly(root / "include", work, level)
         if shipped != assembly(bare, work, level):
-            sys.exit(f"{level}: the code differs from that of a build without observers")
+            sys.exit(f"{level}: the code differs from that of a build without watchers")
     loud, _ = copy_headers(work / "loud", lambda text: text.replace(
-        "observer.stepped(*this);", "observer.stepped(*this); pivots_ += 0x1234;"))
+        "watcher.stepped(*this);", "watcher.stepped(*this); pivots_ += 0x1234;"))
     if assembly(loud, work, "-Os") == shipped:
         sys.exit("a planted difference was not seen")
-    print(f"{len(shipped)} lines of assembly: the same with and without observers")
+    print(f"{len(shipped)} lines of assembly: the same with and without watchers")

@@ -1,4 +1,4 @@
-// What observers are told, and that watching changes nothing.
+// What watchers are told, and that watching changes nothing.
 #include <doctest/doctest.h>
 
 #include <vector>
@@ -54,7 +54,7 @@ struct Diary {
 
 } // namespace
 
-TEST_CASE("an observer sees every pivot before it is made, and changes nothing") {
+TEST_CASE("a watcher sees every pivot before it is made, and changes nothing") {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -76,7 +76,7 @@ TEST_CASE("an observer sees every pivot before it is made, and changes nothing")
 }
 
 // All three rows of Kostreva's examples are tied when z0 enters.
-TEST_CASE("an observer sees all tied rows and what decided") {
+TEST_CASE("a watcher sees all tied rows and what decided") {
   const DenseLcp<double> lcp = textbook("kostreva_1");
   const VectorX<double> ones = VectorX<double>::Ones(3);
   LemkeRun<double> run(3);
@@ -93,7 +93,7 @@ TEST_CASE("an observer sees all tied rows and what decided") {
   }
 }
 
-TEST_CASE("an observer may let another of the tied rows leave") {
+TEST_CASE("a watcher may let another of the tied rows leave") {
   struct LastTied {
     Index changed = 0;
     void starts(const Lemke<double>&) {}

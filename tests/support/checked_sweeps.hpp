@@ -1,4 +1,4 @@
-// An observer that remembers when sweeps were checked.
+// A watcher that remembers when sweeps were checked.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The desktop's observer of runs (lcp/trace.hpp): chosen at run time, doing nothing by default.
+// The desktop's watcher of runs (lcp/trace.hpp): chosen at run time, doing nothing by default.
 #pragma once
 
 #include "lcpush/lcp/pivots/structured_lemke.hpp"

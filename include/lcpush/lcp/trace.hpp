@@ -1,5 +1,5 @@
-// Watching a run. Solvers tell an observer of every pivot and of every check of their sweeps;
-// which observer is a template argument, so that one that does nothing costs nothing.
+// Watching a run. Solvers tell a watcher of every pivot and of every check of their sweeps;
+// which watcher is a template argument, so that one that does nothing costs nothing.
 //
 // Any class with these member functions will do:
 //
@@ -26,19 +26,19 @@ struct PendingPivot {
 };
 
 /// Looks at nothing and changes nothing.
-struct Unobserved {
+struct Unwatched {
   template <class L> void starts(const L&) const {}
-  /// An observer may return another of pending.tied; any other row leaves a wrong basis.
+  /// A watcher may return another of pending.tied; any other row leaves a wrong basis.
   template <class L> Index choose_leaving_row(const L&, const PendingPivot& pending) const {
     return pending.blocking.row;
   }
   template <class L> void stepped(const L&) const {}
   template <class Sweeps> void checked(const Sweeps&) const {}
 };
-inline constexpr Unobserved unobserved{};
+inline constexpr Unwatched unwatched{};
 
 /// One line of a trace: a pivot, or a check of sweeps (entering and leaving are -1). The bases
-/// follow from the first one by the exchanges; an observer of one's own can keep more.
+/// follow from the first one by the exchanges; a watcher of one's own can keep more.
 template <class S> struct TraceEntry {
   Index number = 0; ///< of pivots or sweeps so far, this one included
   Index entering = -1, leaving = -1;

@@ -225,7 +225,7 @@ TEST_CASE("sweep by sweep is the same run as solve") {
   CHECK(single.z() == whole.z());
 }
 
-TEST_CASE("an observer sees every check: at the start, every so many sweeps, and the last one") {
+TEST_CASE("a watcher sees every check: at the start, every so many sweeps, and the last one") {
   CheckedSweeps<double> seen;
   const DenseLcp<double> lcp = positive_definite(6, 10);
   SweepOptions<double> options;

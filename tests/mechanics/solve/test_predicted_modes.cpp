@@ -15,7 +15,7 @@ namespace {
 template <class S, class Pivots> struct GuessedPush : SolvedPush<S, Pivots> {
   using Base = SolvedPush<S, Pivots>;
   using Base::Base;
-  using Cold = LemkeRounds<S, const Unobserved, Pivots>;
+  using Cold = LemkeRounds<S, const Unwatched, Pivots>;
 
   template <class Rounds> Status by(const Rounds& rounds) {
     this->status = solve_pressure(this->assembly, rounds, this->memory.work.pressure, this->options,
@@ -26,7 +26,7 @@ template <class S, class Pivots> struct GuessedPush : SolvedPush<S, Pivots> {
     return this->status;
   }
   Status predicted() {
-    return by(PredictedRounds<S, const Unobserved, Pivots>{this->assembly, Cold{this->lemke}});
+    return by(PredictedRounds<S, const Unwatched, Pivots>{this->assembly, Cold{this->lemke}});
   }
 };
 
@@ -176,7 +176,7 @@ TEST_CASE_TEMPLATE("a random guess costs pivots and no answer", Pivots, Dense, S
     const Pressure pressure = seed % 2 == 0 ? Pressure::rigid : Pressure::pad;
     using Push = GuessedPush<double, Pivots>;
     Push push(grasp_under(pressure, Family::plain, seed));
-    using Rounds = StartedRounds<double, RandomStart, const Unobserved, Pivots>;
+    using Rounds = StartedRounds<double, RandomStart, const Unwatched, Pivots>;
     const typename Push::Cold cold{push.lemke};
     REQUIRE(push.by(Rounds{{&random}, cold}) == Status::solved);
     CHECK(push.residuals.max() <= 1e-9);

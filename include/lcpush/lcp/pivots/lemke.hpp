@@ -73,16 +73,16 @@ public:
 
   /// At most one pivot. Post: running, or how the run ended. Solved means that the check was
   /// passed; after a failure the other generic covering vectors are tried before it is reported.
-  /// The observer (trace.hpp) outlives the call.
-  template <class Observer> [[nodiscard]] Status step(Observer& observer);
-  [[nodiscard]] Status step() { return step(unobserved); }
+  /// The watcher (trace.hpp) outlives the call.
+  template <class Watcher> [[nodiscard]] Status step(Watcher& watcher);
+  [[nodiscard]] Status step() { return step(unwatched); }
 
   /// Steps to the end.
-  template <class Observer> [[nodiscard]] Status solve(Observer& observer) {
-    while (step(observer) == Status::running) continue;
+  template <class Watcher> [[nodiscard]] Status solve(Watcher& watcher) {
+    while (step(watcher) == Status::running) continue;
     return status_;
   }
-  [[nodiscard]] Status solve() { return solve(unobserved); }
+  [[nodiscard]] Status solve() { return solve(unwatched); }
 
   Status status() const { return status_; }
   Reason reason() const { return reason_; }
@@ -191,9 +191,9 @@ private:
   bool refactorise();
   bool drifted();
   void scaled_product(const S* z_scaled, S* out);
-  template <class Observer> void pivot(const PendingPivot& pending, Observer& observer);
-  template <class Observer> Status start(Observer& observer);
-  template <class Observer> Status advance(Observer& observer);
+  template <class Watcher> void pivot(const PendingPivot& pending, Watcher& watcher);
+  template <class Watcher> Status start(Watcher& watcher);
+  template <class Watcher> Status advance(Watcher& watcher);
   Status try_next_covering_vector();
   Status accept();
   void refine(Index rhs);

@@ -42,9 +42,9 @@ public:
   /// prove that nothing is feasible; bad_input (memory too small, numbers not finite); else the
   /// failure of the pivots or of a proof, also if the cost has no lower bound. Both proofs are
   /// read off the program as given. Cost: Lemke's on columns + inequalities unknowns.
-  template <class Observer = const Unobserved>
+  template <class Watcher = const Unwatched>
   [[nodiscard]] Status solve(const LinearProgram<S>& program, const LemkeOptions<S>& options,
-                             Observer& observer = unobserved);
+                             Watcher& watcher = unwatched);
 
   const S* x() const { return x_.data(); }
   S cost() const { return cost_; }
@@ -201,14 +201,14 @@ private:
   }
 
   /// Lemke's word on the condensed program, believed only with its proof.
-  template <class Observer> Status pivot(const LemkeOptions<S>& options, Observer& observer) {
+  template <class Watcher> Status pivot(const LemkeOptions<S>& options, Watcher& watcher) {
     Problem<S> problem;
     problem.size = problem.free_begin = q_.size();
     problem.matrix = M_.data();
     problem.q = q_.data();
     Lemke<S> lemke(lemke_scalars_, lemke_integers_);
     Status status = lemke.init(problem, options);
-    if (status == Status::running) status = lemke.solve(observer);
+    if (status == Status::running) status = lemke.solve(watcher);
     pivots_ += lemke.pivots();
     reason_ = lemke.reason();
     const Index free = program_.columns - rank_;
@@ -230,9 +230,9 @@ private:
 };
 
 template <class S>
-template <class Observer>
+template <class Watcher>
 Status LinearProgramSolver<S>::solve(const LinearProgram<S>& program,
-                                     const LemkeOptions<S>& options, Observer& observer) {
+                                     const LemkeOptions<S>& options, Watcher& watcher) {
   program_ = program;
   pivots_ = 0;
   reason_ = Reason::memory_too_small;
@@ -241,14 +241,14 @@ Status LinearProgramSolver<S>::solve(const LinearProgram<S>& program,
   eliminate();
   if (contradicts_itself()) return refutes() ? Status::ray : Status::numerical_breakdown;
   condense();
-  const Status status = pivot(options, observer);
+  const Status status = pivot(options, watcher);
   if (status == Status::solved || status == Status::ray || status == Status::bad_input)
     return status;
   // Where more conditions meet than there are unknowns, rounding alone can keep them apart. A part
   // of what the proofs allow lets them meet again.
   const S slack = Tolerances<S>().residual / S(64);
   for (Index i = 0; i < q_.size(); ++i) q_[i] += slack;
-  return pivot(options, observer);
+  return pivot(options, watcher);
 }
 
 #ifdef LCPUSH_EXTERN_TEMPLATES

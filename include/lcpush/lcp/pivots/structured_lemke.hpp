@@ -1,5 +1,5 @@
 // Lemke's method on a factored problem with pivots in O(n): for thousands of cones.
-// Same rules, same observers and checks as the dense one; the dictionary is never formed.
+// Same rules, same watchers and checks as the dense one; the dictionary is never formed.
 #pragma once
 
 #include "lcpush/lcp/pivots/lemke.hpp"

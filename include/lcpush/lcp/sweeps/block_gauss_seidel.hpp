@@ -31,18 +31,18 @@ public:
   /// `problem` is factored and outlives the run. Starts from the forces in `start` (n numbers), or
   /// from each sum's even share. Post: running; or bad_input if the memory is too small, or if
   /// plain sweeps cannot keep a sum group (it is no simplex: it couples friction or has inertia).
-  template <class Observer = const Unobserved>
+  template <class Watcher = const Unwatched>
   [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options = {},
-                            const S* start = nullptr, Observer& observer = unobserved);
+                            const S* start = nullptr, Watcher& watcher = unwatched);
 
   /// One pass over all groups; post: running, or how the run ended. Cost: O(forces).
-  template <class Observer = const Unobserved>
-  [[nodiscard]] Status sweep(Observer& observer = unobserved);
+  template <class Watcher = const Unwatched>
+  [[nodiscard]] Status sweep(Watcher& watcher = unwatched);
 
   /// Sweeps to the end, accelerated if the options say so.
   /// Post: solved (the check was passed), sweep_limit or stagnated.
-  template <class Observer = const Unobserved>
-  [[nodiscard]] Status solve(Observer& observer = unobserved);
+  template <class Watcher = const Unwatched>
+  [[nodiscard]] Status solve(Watcher& watcher = unwatched);
 
   /// After stagnated: did the forces grow without bound, as in a jam? They are far beyond what the
   /// problem's numbers ask for: a squeeze that every pass tightens.
@@ -80,8 +80,8 @@ private:
     const bool exact = residual <= Tolerances<S>().residual;
     return residual <= tolerance && (exact || residual * squeeze() <= tolerance);
   }
-  template <class Observer> Status check(Observer& observer);
-  template <class Observer> Status finish(Observer& observer);
+  template <class Watcher> Status check(Watcher& watcher);
+  template <class Watcher> Status finish(Watcher& watcher);
 };
 
 #ifdef LCPUSH_EXTERN_TEMPLATES

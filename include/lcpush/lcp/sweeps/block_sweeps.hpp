@@ -55,9 +55,9 @@ template <class S> void BlockGaussSeidel<S>::share_evenly() {
 }
 
 template <class S>
-template <class Observer>
+template <class Watcher>
 Status BlockGaussSeidel<S>::init(const Problem<S>& problem, const SweepOptions<S>& options,
-                                 const S* start, Observer& observer) {
+                                 const S* start, Watcher& watcher) {
   this->begin(problem, options);
   if (problem.factored == nullptr || !carve()) return status_ = Status::bad_input;
   sort_groups();
@@ -70,7 +70,7 @@ Status BlockGaussSeidel<S>::init(const Problem<S>& problem, const SweepOptions<S
   if (!keeps_all_sums_ && !options.accelerate) return status_ = Status::bad_input;
   status_ = Status::running;
   recover_multipliers();
-  return check(observer);
+  return check(watcher);
 }
 
 /// Moves force from entry l of a simplex to entry k, or back, to where their rates agree.
@@ -169,7 +169,7 @@ template <class S> void BlockGaussSeidel<S>::solve_friction(const ConeGroup<S>& 
   }
 }
 
-template <class S> template <class Observer> Status BlockGaussSeidel<S>::sweep(Observer& observer) {
+template <class S> template <class Watcher> Status BlockGaussSeidel<S>::sweep(Watcher& watcher) {
   if (status_ != Status::running) return status_;
   if (!keeps_all_sums_) return status_ = Status::bad_input;
   for (const SumGroup<S>& sum : factored().sums) {
@@ -186,7 +186,7 @@ template <class S> template <class Observer> Status BlockGaussSeidel<S>::sweep(O
   if (!this->is_check_due()) return status_;
   refresh();
   recover_multipliers();
-  return check(observer);
+  return check(watcher);
 }
 
 /// xi and s of the present forces.
@@ -211,7 +211,7 @@ template <class S> void BlockGaussSeidel<S>::recover_multipliers() {
   }
 }
 
-template <class S> template <class Observer> Status BlockGaussSeidel<S>::check(Observer& observer) {
+template <class S> template <class Watcher> Status BlockGaussSeidel<S>::check(Watcher& watcher) {
   constexpr Index patience = 2000; // sweeps without a better residual
   this->ask_referee();
   if (runs_away())
@@ -220,7 +220,7 @@ template <class S> template <class Observer> Status BlockGaussSeidel<S>::check(O
     status_ = Status::solved;
   else
     this->go_on(patience);
-  observer.checked(*this);
+  watcher.checked(*this);
   return status_;
 }
 
@@ -236,9 +236,7 @@ template <class S> S BlockGaussSeidel<S>::squeeze() const {
 }
 
 /// ProximalNewton with eps falling while it settles, and rising where it does not.
-template <class S>
-template <class Observer>
-Status BlockGaussSeidel<S>::finish(Observer& observer) {
+template <class S> template <class Watcher> Status BlockGaussSeidel<S>::finish(Watcher& watcher) {
   constexpr Index passes_each = 60;
   using Eigen::numext::sqrt;
   // Above the first nothing is gained, and far below the second rates drown in rounding.
@@ -255,20 +253,20 @@ Status BlockGaussSeidel<S>::finish(Observer& observer) {
     } else {
       newton_.recover(z_.data);
       eps = Eigen::numext::maxi(least_eps, S(factor * eps));
-      (void)check(observer);
+      (void)check(watcher);
     }
     if (status_ == Status::running && this->is_last()) status_ = Status::sweep_limit;
   }
   return status_;
 }
 
-template <class S> template <class Observer> Status BlockGaussSeidel<S>::solve(Observer& observer) {
+template <class S> template <class Watcher> Status BlockGaussSeidel<S>::solve(Watcher& watcher) {
   constexpr Index warming = 10; // sweeps that bring the forces near before Newton takes over
   while (status_ == Status::running && !(options_.accelerate && sweeps_ >= warming)) {
     if (options_.accelerate && !keeps_all_sums_) break;
-    (void)sweep(observer);
+    (void)sweep(watcher);
   }
-  return status_ == Status::running ? finish(observer) : status_;
+  return status_ == Status::running ? finish(watcher) : status_;
 }
 
 } // namespace lcpush

@@ -19,9 +19,9 @@ public:
 
   /// `problem` is dense and outlives the run; starts at z = 0. Post: running; or bad_input if the
   /// diagonal is not positive or the memory is too small.
-  template <class Observer = const Unobserved>
+  template <class Watcher = const Unwatched>
   [[nodiscard]] Status init(const Problem<S>& problem, const SweepOptions<S>& options = {},
-                            Observer& observer = unobserved) {
+                            Watcher& watcher = unwatched) {
     using Eigen::numext::sqrt;
     this->begin(problem, options);
     const Index n = problem.size;
@@ -37,12 +37,12 @@ public:
       w_[i] = problem.q[i];
     }
     status_ = Status::running;
-    return check(observer);
+    return check(watcher);
   }
 
   /// One pass over all rows. Post: running, or how the run ended. Cost: n^2 multiply-adds.
-  template <class Observer = const Unobserved>
-  [[nodiscard]] Status sweep(Observer& observer = unobserved) {
+  template <class Watcher = const Unwatched>
+  [[nodiscard]] Status sweep(Watcher& watcher = unwatched) {
     if (status_ != Status::running) return status_;
     const Index n = problem_.size;
     for (Index i = 0; i < n; ++i) {
@@ -55,13 +55,13 @@ public:
       for (Index k = 0; k < n; ++k) w_[k] += column[k] * change;
     }
     ++sweeps_;
-    return this->is_check_due() ? check(observer) : status_;
+    return this->is_check_due() ? check(watcher) : status_;
   }
 
   /// Sweeps to the end. Post: solved (the check was passed), sweep_limit or stagnated.
-  template <class Observer = const Unobserved>
-  [[nodiscard]] Status solve(Observer& observer = unobserved) {
-    while (status_ == Status::running) (void)sweep(observer);
+  template <class Watcher = const Unwatched>
+  [[nodiscard]] Status solve(Watcher& watcher = unwatched) {
+    while (status_ == Status::running) (void)sweep(watcher);
     return status_;
   }
 
@@ -75,7 +75,7 @@ private:
   S diagonal(Index i) const { return problem_.matrix[i * problem_.size + i]; }
 
   /// The referee's word; w_ is taken from it, as rounding has piled up in ours.
-  template <class Observer> Status check(Observer& observer) {
+  template <class Watcher> Status check(Watcher& watcher) {
     constexpr Index patience = 1000; // sweeps without a better residual
     this->ask_referee();
     for (Index i = 0; i < problem_.size; ++i) w_[i] = check_w_[i];
@@ -83,7 +83,7 @@ private:
       status_ = Status::solved;
     else
       this->go_on(patience);
-    observer.checked(*this);
+    watcher.checked(*this);
     return status_;
   }
 };

@@ -81,13 +81,13 @@ Status read_breaking(Assembly<S>& assembly, const S* z, const S* z_push, const S
 namespace detail {
 
 /// `rigid` and `even`: the push is one more right-hand side, so the limit is exact.
-template <class S, class Observer, class Pivots>
-Status break_exactly(Assembly<S>& assembly, LemkeRounds<S, Observer, Pivots>& rounds,
+template <class S, class Watcher, class Pivots>
+Status break_exactly(Assembly<S>& assembly, LemkeRounds<S, Watcher, Pivots>& rounds,
                      Workspace<S>& work, const Body<S>& pusher, S unit, Breaking<S>& breaking,
                      PressureRun& run) {
   Pivots& lemke = rounds.lemke;
   Status status = lemke.init(assembly.breaking_problem(), rounds.options);
-  if (status == Status::running) status = lemke.solve(rounds.observer);
+  if (status == Status::running) status = lemke.solve(rounds.watcher);
   run.pivots += lemke.pivots();
   run.reason = lemke.reason();
   if (status != Status::solved) return status;

@@ -62,7 +62,7 @@ template <class S> struct PredictedStart {
   }
   void begins_cold() {}
 };
-template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>>
-using PredictedRounds = StartedRounds<S, PredictedStart<S>, Observer, Pivots>;
+template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>>
+using PredictedRounds = StartedRounds<S, PredictedStart<S>, Watcher, Pivots>;
 
 } // namespace lcpush

@@ -4,7 +4,7 @@
 //     void begin(problem, warm, memory)
 //     Status step(memory, run)     running; solved, and memory.z holds the unknowns; or why not
 //
-// A step is at most one pivot; sweeps are made all at once. The observer (lcp/trace.hpp) sees every
+// A step is at most one pivot; sweeps are made all at once. The watcher (lcp/trace.hpp) sees every
 // pivot and every check of sweeps, of all rounds.
 #pragma once
 
@@ -33,15 +33,15 @@ template <class S> struct PressureMemory {
 };
 
 /// `Pivots`, Lemke over either basis: cold under its covering vectors, warm from the last basis.
-template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> struct LemkeRounds {
+template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> struct LemkeRounds {
   Pivots& lemke;
   LemkeOptions<S> options;
-  Observer& observer;
+  Watcher& watcher;
   static constexpr bool carries_push = true; ///< solves for the limit of a vanishing push exactly
 
   explicit LemkeRounds(Pivots& solver, const LemkeOptions<S>& its_options = {},
-                       Observer& its_observer = unobserved)
-      : lemke(solver), options(its_options), observer(its_observer) {}
+                       Watcher& its_watcher = unwatched)
+      : lemke(solver), options(its_options), watcher(its_watcher) {}
 
   void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
     if (warm)
@@ -51,7 +51,7 @@ template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>> s
   }
 
   Status step(const PressureMemory<S>& memory, PressureRun& run) {
-    const Status status = lemke.status() == Status::running ? lemke.step(observer) : lemke.status();
+    const Status status = lemke.status() == Status::running ? lemke.step(watcher) : lemke.status();
     if (status == Status::running) return status;
     run.pivots += lemke.pivots();
     run.reason = lemke.reason();
@@ -105,26 +105,26 @@ private:
 };
 
 template <class S, class B>
-LemkeRounds(Lemke<S, B>&) -> LemkeRounds<S, const Unobserved, Lemke<S, B>>;
+LemkeRounds(Lemke<S, B>&) -> LemkeRounds<S, const Unwatched, Lemke<S, B>>;
 
 /// Block Gauss-Seidel: cold from even shares, warm from the last forces.
-template <class S, class Observer = const Unobserved> struct SweepRounds {
+template <class S, class Watcher = const Unwatched> struct SweepRounds {
   BlockGaussSeidel<S>& sweeps;
   SweepOptions<S> options;
-  Observer& observer;
+  Watcher& watcher;
   static constexpr bool carries_push = false;
 
   explicit SweepRounds(BlockGaussSeidel<S>& solver, const SweepOptions<S>& its_options = {},
-                       Observer& its_observer = unobserved)
-      : sweeps(solver), options(its_options), observer(its_observer) {}
+                       Watcher& its_watcher = unwatched)
+      : sweeps(solver), options(its_options), watcher(its_watcher) {}
 
   void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
     size_ = problem.size;
-    (void)sweeps.init(problem, options, warm ? memory.z.data : nullptr, observer);
+    (void)sweeps.init(problem, options, warm ? memory.z.data : nullptr, watcher);
   }
 
   Status step(const PressureMemory<S>& memory, PressureRun& run) {
-    Status status = sweeps.solve(observer);
+    Status status = sweeps.solve(watcher);
     run.sweeps += sweeps.sweeps();
     run.reason = Reason::none;
     // Asked for more than rounding allows: what the referee lets pass is an answer all the same.
@@ -156,13 +156,13 @@ struct FirstBasis {
 ///
 ///     bool propose(problem, memory, run, first)     fills memory.active and `first`, if it can
 ///     void begins_cold()                            it could not, or its basis led nowhere
-template <class S, class Start, class Observer = const Unobserved, class Pivots = Lemke<S>>
+template <class S, class Start, class Watcher = const Unwatched, class Pivots = Lemke<S>>
 struct StartedRounds {
   Start start;
-  LemkeRounds<S, Observer, Pivots> then;
+  LemkeRounds<S, Watcher, Pivots> then;
   static constexpr bool carries_push = true;
 
-  StartedRounds(const Start& its_start, const LemkeRounds<S, Observer, Pivots>& pivots)
+  StartedRounds(const Start& its_start, const LemkeRounds<S, Watcher, Pivots>& pivots)
       : start(its_start), then(pivots) {}
 
   void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
@@ -186,7 +186,7 @@ struct StartedRounds {
   }
 
   void vary() { then.vary(); }
-  LemkeRounds<S, Observer, Pivots>& pivots() { return then; }
+  LemkeRounds<S, Watcher, Pivots>& pivots() { return then; }
   void demand(const S&) {}
 
 private:
@@ -203,10 +203,10 @@ private:
 };
 
 /// A few sweeps: their positive unknowns are the first basis.
-template <class S, class Observer = const Unobserved> struct SweptStart {
-  SweepRounds<S, Observer> sweeps;
+template <class S, class Watcher = const Unwatched> struct SweptStart {
+  SweepRounds<S, Watcher> sweeps;
 
-  SweptStart(const SweepRounds<S, Observer>& its_sweeps) : sweeps(its_sweeps) {}
+  SweptStart(const SweepRounds<S, Watcher>& its_sweeps) : sweeps(its_sweeps) {}
 
   bool propose(const Problem<S>& problem, const PressureMemory<S>& memory, PressureRun& run,
                FirstBasis& first) {
@@ -220,7 +220,7 @@ template <class S, class Observer = const Unobserved> struct SweptStart {
   }
   void begins_cold() {}
 };
-template <class S, class Observer = const Unobserved, class Pivots = Lemke<S>>
-using HybridRounds = StartedRounds<S, SweptStart<S, Observer>, Observer, Pivots>;
+template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>>
+using HybridRounds = StartedRounds<S, SweptStart<S, Watcher>, Watcher, Pivots>;
 
 } // namespace lcpush

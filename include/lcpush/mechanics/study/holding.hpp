@@ -150,10 +150,10 @@ template <class S> void fill_rows(const Assembly<S>& assembly, HoldingProgram<S>
 /// does_not_hold (no factor holds at all); both proved, by multipliers that are checked on the
 /// program itself; bad_input (memory too small), or the pivots' failure: nothing is known.
 /// Cost: Lemke's on forces + points unknowns, and n^2 memory beside it.
-template <class S, class Observer = const Unobserved>
+template <class S, class Watcher = const Unwatched>
 [[nodiscard]] Status find_holding(const Assembly<S>& assembly, const StudyMemory<S>& memory,
                                   const LemkeOptions<S>& options, Holding<S>& holding,
-                                  Observer& observer = unobserved) {
+                                  Watcher& watcher = unwatched) {
   const Layout<S>& layout = assembly.layout();
   holding = {};
   detail::HoldingProgram<S> p(memory.scalars, layout.forces + 1,
@@ -167,7 +167,7 @@ template <class S, class Observer = const Unobserved>
   if (!(p.load > S(0))) return Status::solved; // nothing to hold
   detail::fill_rows(assembly, p);
   LinearProgramSolver<S> solver(p.rest, memory.integers);
-  const Status status = solver.solve(p.program(), options, observer);
+  const Status status = solver.solve(p.program(), options, watcher);
   holding.pivots = solver.pivots();
   holding.reason = solver.reason();
   if (p.grip > S(0)) holding.unit = p.load / p.grip;

@@ -5,10 +5,8 @@
 
 namespace lcpush {
 
-template <class S, class B>
-template <class Observer>
-Status Lemke<S, B>::start(Observer& observer) {
-  observer.starts(*this);
+template <class S, class B> template <class Watcher> Status Lemke<S, B>::start(Watcher& watcher) {
+  watcher.starts(*this);
   if (n_ == 0) return accept();
   const Index column = basis_.enter(artificial(n_));
   RatioTest<S> test(basis_.dictionary, rhs_count_, options_.tie_rule, ratio_tolerances(),
@@ -18,7 +16,7 @@ Status Lemke<S, B>::start(Observer& observer) {
     const S value = basis_.dictionary.values(worst.row, k);
     if (value > tie_tolerance_) return accept();
     if (value < -tie_tolerance_) {
-      pivot({artificial(n_), column, worst, test.tied_rows(), true}, observer);
+      pivot({artificial(n_), column, worst, test.tied_rows(), true}, watcher);
       entering_ = complement(last_.leaving, n_);
       return status_;
     }
@@ -27,9 +25,9 @@ Status Lemke<S, B>::start(Observer& observer) {
 }
 
 template <class S, class B>
-template <class Observer>
-void Lemke<S, B>::pivot(const PendingPivot& pending, Observer& observer) {
-  const Index row = observer.choose_leaving_row(*this, pending);
+template <class Watcher>
+void Lemke<S, B>::pivot(const PendingPivot& pending, Watcher& watcher) {
+  const Index row = watcher.choose_leaving_row(*this, pending);
   last_ = {pending.entering, basis_.dictionary.basic[row], pending.blocking};
   last_.blocking.row = row;
   basis_.exchange(row, pending.column, pending.entering, scratch_);
@@ -38,10 +36,8 @@ void Lemke<S, B>::pivot(const PendingPivot& pending, Observer& observer) {
   fresh_ = false;
 }
 
-template <class S, class B>
-template <class Observer>
-Status Lemke<S, B>::advance(Observer& observer) {
-  if (entering_ < 0) return start(observer);
+template <class S, class B> template <class Watcher> Status Lemke<S, B>::advance(Watcher& watcher) {
+  if (entering_ < 0) return start(watcher);
   if (pivots_of_try_ >= limit()) return end(Status::pivot_limit);
   const bool look = pivots_of_try_ % 64 == 63 && !fresh_;
   if ((basis_.is_long() || (look && drifted())) && !refactorise()) return end_unfactored();
@@ -52,16 +48,16 @@ Status Lemke<S, B>::advance(Observer& observer) {
   const Blocking blocking = test.blocking_row(c);
   if (blocking.row < 0) return conclude_ray(c);
 
-  pivot({entering_, c, blocking, test.tied_rows()}, observer);
+  pivot({entering_, c, blocking, test.tied_rows()}, watcher);
   if (last_.leaving == artificial(n_)) return accept();
   entering_ = complement(last_.leaving, n_);
   return status_;
 }
 
-template <class S, class B> template <class Observer> Status Lemke<S, B>::step(Observer& observer) {
+template <class S, class B> template <class Watcher> Status Lemke<S, B>::step(Watcher& watcher) {
   if (status_ != Status::running) return status_;
-  (void)advance(observer);
-  observer.stepped(*this);
+  (void)advance(watcher);
+  watcher.stepped(*this);
   if (status_ == Status::running || status_ == Status::solved) return status_;
   return try_next_covering_vector();
 }
