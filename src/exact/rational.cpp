@@ -80,7 +80,8 @@ std::optional<Rational> read_magnitude(std::string_view text) {
   }
   const std::optional<BigInteger> number = BigInteger::parse(digits);
   if (!text.empty() || !number) return std::nullopt;
-  const auto power = *BigInteger::parse('1' + std::string(std::abs(exponent), '0'));
+  const auto power =
+      *BigInteger::parse('1' + std::string(static_cast<std::size_t>(std::abs(exponent)), '0'));
   return exponent < 0 ? Rational(*number, power) : Rational(*number * power, 1);
 }
 

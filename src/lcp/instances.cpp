@@ -4,6 +4,8 @@
 #include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
 
 namespace lcpush {
+template class Dictionary<double>;
+template class RatioTest<double>;
 template class DenseBasis<double>;
 template class StructuredBasis<double>;
 template class Lemke<double>;
@@ -11,4 +13,13 @@ template class Lemke<double, StructuredBasis<double>>;
 template class LinearProgramSolver<double>;
 template class ProximalNewton<double>;
 template class BlockGaussSeidel<double>;
+template void fill_matrix<double>(const Problem<double>&, MatrixMap<double>);
+template void equilibrate<double>(MatrixMap<double>, VectorMap<double>, VectorMap<double>,
+                                  VectorMap<double>, int);
+namespace detail {
+template void dense_rows<double>(const Problem<double>&, const double*, const double*, double*,
+                                 double*);
+template void factored_rows<double>(const Problem<double>&, const double*, const double*, double*,
+                                    double*);
+} // namespace detail
 } // namespace lcpush

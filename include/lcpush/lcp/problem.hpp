@@ -191,4 +191,8 @@ template <class S> void fill_matrix(const Problem<S>& problem, MatrixMap<S> M) {
     for (Index i = 0; i < n; ++i) M(i, j) = problem.matrix[j * n + i];
 }
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template void fill_matrix<double>(const Problem<double>&, MatrixMap<double>);
+#endif
+
 } // namespace lcpush

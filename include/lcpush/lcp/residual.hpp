@@ -149,4 +149,13 @@ WorstRow<S> natural_residual(const Problem<S>& problem, const S* q, const S* z, 
   return worst;
 }
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+namespace detail {
+extern template void dense_rows<double>(const Problem<double>&, const double*, const double*,
+                                        double*, double*);
+extern template void factored_rows<double>(const Problem<double>&, const double*, const double*,
+                                           double*, double*);
+} // namespace detail
+#endif
+
 } // namespace lcpush

@@ -69,4 +69,9 @@ template <class S> S generic_number(std::uint32_t seed, Index i) {
   return S(1) + S(static_cast<int>(x >> 12)) / S(1 << 20);
 }
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template void equilibrate<double>(MatrixMap<double>, VectorMap<double>, VectorMap<double>,
+                                         VectorMap<double>, int);
+#endif
+
 } // namespace lcpush

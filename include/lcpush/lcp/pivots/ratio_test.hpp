@@ -126,4 +126,9 @@ private:
   }
 };
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template class Dictionary<double>;
+extern template class RatioTest<double>;
+#endif
+
 } // namespace lcpush

@@ -106,4 +106,9 @@ template <class S> Index generator_count(const Scene<S>& scene, const Body<S>& b
   return body.torsion_radius > S(0) ? soft_generators(scene.facets) : scene.facets;
 }
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template double circle_cosine<double>(Index, Index);
+extern template Generator<double> generator<double>(const Body<double>&, Index, Index);
+#endif
+
 } // namespace lcpush

@@ -28,7 +28,7 @@ public:
 
   /// An array of `count` for each of the spans.
   template <class... T> void fill(Index count, Span<T>&... spans) {
-    (void)((spans = take<T>(count)), ...);
+    ((spans = take<T>(count)), ...);
   }
 
   /// Raw bytes at an address that `alignment` divides; none if fewer are left.
@@ -152,5 +152,11 @@ template <class S> Workspace<S> make_sweep_workspace(Arena arena, const Assembly
   w.complete = !arena.exhausted();
   return w;
 }
+
+#ifdef LCPUSH_EXTERN_TEMPLATES
+namespace detail {
+extern template Workspace<double> take_common<double>(Arena&, const AssemblySize&);
+} // namespace detail
+#endif
 
 } // namespace lcpush
