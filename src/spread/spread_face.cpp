@@ -90,8 +90,7 @@ void Face::eliminate() {
   const Eigen::VectorXd off = equations_ * origin_ - right_;
   contradictory_ = off.size() > 0 && off.cwiseAbs().maxCoeff() > contradicts * size;
   rows_ = signs_ * directions_;
-  const Index movable = rows_.cols() > 0 ? rows_.rows() : 0; // a single point moves along nothing
-  for (Index r = 0; r < movable; ++r) {
+  for (Index r = 0; r < rows_.rows(); ++r) {
     const double length = rows_.row(r).norm(), own = signs_.row(r).norm();
     if (length <= flat * own || !(length > 0)) {
       rows_.row(r).setZero();
