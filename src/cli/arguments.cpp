@@ -8,11 +8,15 @@
 #include <iostream>
 #include <system_error>
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/text_file.hpp"
 #include "text/whole_number.hpp"
 #include "text/wording.hpp"
+#include "text/wrap.hpp"
 
 namespace lcpush::cli {
 
@@ -24,11 +28,20 @@ bool is_option(const std::string& word) {
          (word[1] == '-' || word == "-o" || word == "-h" || (word[1] >= 'A' && word[1] <= 'z'));
 }
 
+/// lcpush writes text: no name should promise another kind of file.
+void refuse_foreign_format(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension().string();
+  for (const char* foreign : {".pdf", ".png", ".jpg", ".jpeg", ".gif", ".docx", ".xlsx"})
+    if (ending == foreign)
+      throw UsageError("-o " + desktop::quoted(path) + ": lcpush does not write " + ending +
+                       " files; it writes text, JSON, CSV, SVG and HTML");
+}
+
 } // namespace
 
 void Arguments::read_option(const Command& command, const std::vector<std::string>& words,
                             std::size_t& at) {
-  std::string name = words[at] == "-o" ? "--output" : words[at];
+  std::string name = words[at] == "-o" ? "--output" : words[at] == "-v" ? "--verbose" : words[at];
   std::optional<std::string> inline_value;
   if (const std::size_t equals = name.find('='); equals != std::string::npos) {
     inline_value = name.substr(equals + 1);
@@ -127,25 +140,40 @@ std::vector<Option> with_common_options(std::vector<Option> own) {
   if (std::none_of(own.begin(), own.end(), is_format))
     own.push_back(
         {"--format", "text|json", "for people (default) or for programs; --json for short"});
-  own.push_back({"--output", "FILE", "write there instead of to standard output; -o for short"});
+  own.push_back(output_option);
   return own;
 }
 
 std::string help_text(const Command& command) {
   std::string text = "lcpush " + command.name + ": " + command.summary + "\n\nUsage: lcpush " +
-                     command.name + " " + command.synopsis + "\n\n" + command.details +
+                     command.name + " " + command.synopsis + "\n\n" + reflowed(command.details) +
                      "\nOptions:\n";
   for (const Option& option : command.options) {
     std::string left = "  " + option.name + (option.value.empty() ? "" : " " + option.value);
     left.resize(std::max<std::size_t>(left.size() + 2, 28), ' ');
     text += left + option.help + "\n";
   }
-  return text + "  --help                    this text\n\nExit status: 0 solved, 1 not solved (the "
-                "output says why), 2 bad input or usage.\n";
+  return wrapped(text +
+                     "  --help                    this text\n\nExit status: 0 solved, 1 not solved "
+                     "(the output says why), 2 bad input or usage.\n",
+                 columns_of(Stream::output));
+}
+
+std::size_t columns_of(Stream stream) {
+  winsize size{};
+  const int descriptor = stream == Stream::output ? STDOUT_FILENO : STDERR_FILENO;
+  const bool is_known = isatty(descriptor) != 0 && ioctl(descriptor, TIOCGWINSZ, &size) == 0;
+  return is_known && size.ws_col > 0 ? size.ws_col : usual_width;
+}
+
+void write_text(const Arguments& arguments, const std::string& text) {
+  write_output(arguments,
+               wrapped(text, arguments.has("--output") ? usual_width : columns_of(Stream::output)));
 }
 
 void write_output(const Arguments& arguments, const std::string& text) {
   const std::optional<std::string> path = arguments.value("--output");
+  if (path) refuse_foreign_format(*path);
   errno = 0;
   if (!path) {
     std::cout << text << std::flush;

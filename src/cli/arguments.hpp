@@ -74,10 +74,20 @@ private:
 [[noreturn]] void refuse_value(const std::string& option, const std::string& word,
                                const std::string& rule, const std::vector<std::string>& known = {});
 
-/// Options that every command has.
+inline const Option output_option{"--output", "FILE",
+                                  "write there instead of to standard output; -o for short"};
+
+/// Options that every command with an answer has.
 std::vector<Option> with_common_options(std::vector<Option> own);
 
 std::string help_text(const Command& command);
+
+enum class Stream { output, errors };
+/// Of the terminal behind it; 80 where there is none.
+std::size_t columns_of(Stream stream);
+
+/// Text for people: wrapped to the terminal, or to 80 columns.
+void write_text(const Arguments& arguments, const std::string& text);
 
 /// Writes to the file of -o (whole or not at all), or to standard output. Throws InputError.
 void write_output(const Arguments& arguments, const std::string& text);

@@ -31,10 +31,12 @@ int run_break(const Arguments& arguments) {
     options.solver = Solver::lemke; // the search for the grip is its own
     if (!arguments.has("--history")) grip = find_smallest_grip(file, hold, report, options);
   }
-  write_output(arguments, arguments.has("--history")
-                              ? push_history(format, solver, report.status, report.history)
-                          : format == "json" ? break_json(file, hold, grip, report)
-                                             : break_text(file, hold, grip, report));
+  write_answer(arguments, format,
+               arguments.has("--history")
+                   ? push_history(format, solver, report.status, report.history)
+               : format == "json" ? break_json(file, hold, grip, report)
+                                  : break_text(file, hold, grip, report, telling(arguments)),
+               check_scene(file));
   return report.status == Status::solved ? 0 : 1;
 }
 
@@ -48,9 +50,10 @@ Command break_command() {
       "The limit of an ever smaller push in the scene's direction: the force at which the object\n"
       "starts to move, how it then moves, and what a faster push adds.\n\n"
       "Example:\n  lcpush break fixtures/scenes/straight_slide.toml\n",
-      with_common_options({{"--pusher", "NAME", "whose normal force is meant, among several"},
-                           solver_option,
-                           history_option}),
+      with_scene_options({{"--pusher", "NAME", "whose normal force is meant, among several"},
+                          verbose_option,
+                          solver_option,
+                          history_option}),
       1,
       run_break};
 }

@@ -15,5 +15,11 @@ Command report_command();
 Command sweep_command();
 Command verify_command();
 Command spread_command();
+Command example_command();
+Command new_command();
+Command completion_command();
+
+/// In the order of the overview.
+std::vector<Command> all_commands();
 
 } // namespace lcpush::cli

@@ -54,7 +54,7 @@ std::string reason_of(const RawAnswer& answer) {
   if (answer.status == Status::stagnated)
     return "the sweeps make no more progress" + at + "; use hybrid or lemke";
   if (answer.status == Status::ray)
-    return "Lemke ended on a secondary ray under " + counted(answer.covers, "cover");
+    return "Lemke ended on a secondary ray under " + counted(answer.covers, "covering vector");
   if (answer.status == Status::pivot_limit) return "the limit of pivots was reached";
   return reason_text(answer.reason);
 }
@@ -98,15 +98,16 @@ std::string as_text(const RawProblem& problem, const RawAnswer& answer) {
                                : "Pivots: " + std::to_string(answer.pivots)) +
            ".\n";
     if (answer.ray.empty()) return text;
-    text += "\nThe ray v (v >= 0, M v >= 0 along it up to the cover, largest entry 1):\n";
+    text += "\nThe ray v (v >= 0, M v >= 0 along it up to the covering vector, largest entry 1):\n";
     for (std::size_t i = 0; i < n; ++i)
       if (answer.ray[i] != 0)
         text += "  v" + std::to_string(i + 1) + printed(" = %.9g\n", answer.ray[i]);
     return text;
   }
-  text = "Solved in " + effort_of(answer) +
-         (answer.covers > 1 ? " under " + std::to_string(answer.covers) + " covers" : "") +
-         "; largest scaled residual " + residual_text(answer.residual) + ".\n";
+  text =
+      "Solved in " + effort_of(answer) +
+      (answer.covers > 1 ? " under " + std::to_string(answer.covers) + " covering vectors" : "") +
+      "; largest scaled residual " + residual_text(answer.residual) + ".\n";
   for (const Index row : answer.redundant_rows)
     text += "Equality " + std::to_string(row + 1) + " follows from the others and was dropped.\n";
   text += "\n    i  basic" + std::string("                z                w\n");
@@ -138,10 +139,12 @@ int run_lcp(const Arguments& arguments) {
                      " of --free cannot hold: what the others leave of it says 0 = something");
   std::vector<HistoryRow> rows;
   for (const SweepResidual& check : answer.history) rows.push_back({check.sweep, {check.residual}});
-  write_output(arguments, arguments.has("--history")
-                              ? history_text(format, solver, answer.status, {"residual"}, rows)
-                          : format == "json" ? as_json(answer, solver)
-                                             : as_text(problem, answer));
+  if (arguments.has("--history"))
+    write_output(arguments, history_text(format, solver, answer.status, {"residual"}, rows));
+  else if (format == "json")
+    write_output(arguments, as_json(answer, solver));
+  else
+    write_text(arguments, as_text(problem, answer));
   return answer.status == Status::solved ? 0 : 1;
 }
 

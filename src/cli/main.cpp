@@ -7,6 +7,7 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/version.hpp"
 #include "text/wording.hpp"
+#include "text/wrap.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -19,12 +20,13 @@ std::string overview(const std::vector<Command>& commands) {
                      "Usage: lcpush COMMAND FILE.. [OPTIONS]\n\nCommands:\n";
   for (const Command& command : commands) {
     std::string name = "  " + command.name;
-    name.resize(12, ' ');
+    name.resize(13, ' ');
     text += name + command.summary + "\n";
   }
-  return text + "\nExample:\n  lcpush solve fixtures/scenes/straight_slide.toml\n\n"
-                "`lcpush COMMAND --help` explains a command; `lcpush --version` says which "
-                "version this is.\n";
+  text += "\nExample:\n  lcpush solve fixtures/scenes/straight_slide.toml\n\n"
+          "`lcpush COMMAND --help` explains a command; `lcpush --version` says which "
+          "version this is.\n";
+  return wrapped(text, columns_of(Stream::output));
 }
 
 int run(const std::vector<Command>& commands, const std::vector<std::string>& words) {
@@ -63,16 +65,20 @@ int run(const std::vector<Command>& commands, const std::vector<std::string>& wo
 }
 
 } // namespace
+
+std::vector<Command> all_commands() {
+  return {solve_command(),     break_command(),    lcp_command(),     report_command(),
+          sweep_command(),     pivots_command(),   verify_command(),  spread_command(),
+          export_command(),    matrices_command(), example_command(), new_command(),
+          completion_command()};
+}
+
 } // namespace lcpush::cli
 
 int main(int count, char** words) {
   using namespace lcpush;
   try {
-    return cli::run({cli::solve_command(), cli::break_command(), cli::lcp_command(),
-                     cli::report_command(), cli::sweep_command(), cli::pivots_command(),
-                     cli::verify_command(), cli::spread_command(), cli::export_command(),
-                     cli::matrices_command()},
-                    std::vector<std::string>(words + 1, words + count));
+    return cli::run(cli::all_commands(), std::vector<std::string>(words + 1, words + count));
   } catch (const desktop::InputError& error) {
     std::cerr << error.what() << "\n";
   } catch (const std::bad_alloc&) {

@@ -10,8 +10,10 @@ int run_matrices(const Arguments& arguments) {
   const std::string format = arguments.format();
   const SceneFile file = read_scene_argument(arguments);
   const PaperMatrices matrices = paper_matrices(file);
-  write_output(arguments,
-               format == "json" ? matrices_json(matrices) : matrices_text(file, matrices));
+  const std::vector<SceneDoubt> doubts = check_scene(file);
+  write_answer(arguments, format,
+               format == "json" ? matrices_json(matrices, doubts) : matrices_text(file, matrices),
+               doubts);
   return 0;
 }
 
@@ -26,7 +28,7 @@ Command matrices_command() {
           "reference points, weights and number of independent rigidity conditions. SI units,\n"
           "scene axes, at the object's centre of mass; the scene as written, unsolved.\n\n"
           "Example:\n  lcpush matrices fixtures/scenes/straight_slide.toml\n",
-          with_common_options({}),
+          with_scene_options({}),
           1,
           run_matrices};
 }

@@ -5,6 +5,7 @@
 #include "cli/raw_arguments.hpp"
 #include "pivots/explorer_text.hpp"
 #include "pivots/subject.hpp"
+#include "scenes/shipped_scenes.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
@@ -24,8 +25,10 @@ struct SceneText {
 };
 
 SceneText scene_text(const Arguments& arguments) {
-  if (arguments.files().empty()) return {desktop::example_scene(), "the example"};
-  return {desktop::read_scene_text(arguments.files()[0]), arguments.files()[0]};
+  if (arguments.files().empty())
+    return {*desktop::scene_called(desktop::example_scenes(), "coin"), "the example"};
+  return {desktop::read_scene_text(arguments.files()[0]),
+          desktop::scene_label(arguments.files()[0])};
 }
 
 desktop::PivotSubject scene_subject(const Arguments& arguments) {
@@ -117,7 +120,10 @@ int run_pivots(const Arguments& arguments) {
     text = desktop::pivots_html(traced, subject.push.get());
   else
     text = desktop::pivots_text(traced);
-  write_output(arguments, text);
+  if (format == "text")
+    write_text(arguments, text);
+  else
+    write_output(arguments, text);
   return traced.status == Status::solved ? 0 : 1;
 }
 

@@ -1,4 +1,6 @@
 // lcpush report: a push as a page to look at.
+#include <unistd.h>
+
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_arguments.hpp"
@@ -49,11 +51,12 @@ std::string one_picture(const Arguments& arguments, const PageContent& content) 
 
 int run_report(const Arguments& arguments) {
   const std::string format = arguments.has("--format") ? arguments.format({"html", "svg"}) : "html";
+  if (format == "html" && !arguments.has("--output") && isatty(STDOUT_FILENO) != 0)
+    throw UsageError("a page is for a browser: say where to with -o report.html");
   if (arguments.has("--picture") && format != "svg")
     throw UsageError("--picture goes with --format svg");
-  read_scene_argument(arguments); // refuses what no dense solver can take
-  VariedScene scene = VariedScene::read(arguments.files()[0]);
-  set_pressure(arguments, scene);
+  if (arguments.files().empty()) refuse_no_scene();
+  VariedScene scene = read_varied_scene(arguments, arguments.files()[0]);
   const SceneFile file = scene.as_given();
   const Index pusher = breaking_pusher(arguments, file);
   // Before anything is solved: what is typed wrong should not take long to say.
@@ -80,7 +83,9 @@ int run_report(const Arguments& arguments) {
                             pusher >= 0 ? &breaking : nullptr,
                             pusher >= 0 ? &grip : nullptr,
                             std::move(sweeps)};
-  write_output(arguments, format == "svg" ? one_picture(arguments, content) : report_html(content));
+  write_answer(arguments, format,
+               format == "svg" ? one_picture(arguments, content) : report_html(content),
+               check_scene(file));
   return is_solved(content) ? 0 : 1;
 }
 
@@ -91,16 +96,17 @@ Command report_command() {
       "report",
       "SCENE.toml [OPTIONS]",
       "one page to look at: the grasp in pictures, the answer in words, plots",
-      "Writes a page for a browser that needs nothing else: the grasp in two views with forces,\n"
+      "Writes a page for a browser that needs nothing else: the grasp in three views with forces,\n"
       "friction pyramids, contact modes and the axis that the object turns about; the answers of\n"
       "`solve` and `break` in words; contacts, residuals, and a plot for each --vary (as in\n"
       "`sweep`). A push without an answer gives a page that says why.\n\n"
-      "With --format svg one picture alone: front, top or side, friction, residuals, sweep1, ..\n\n"
+      "With --format svg one picture alone: isometric, front, top or side, friction, residuals,\n"
+      "sweep1, ..\n\n"
       "Examples:\n"
       "  lcpush report fixtures/scenes/pivot.toml -o report.html\n"
-      "  lcpush report fixtures/scenes/pivot.toml --vary edge.friction=0:1 -o report.html\n"
-      "  lcpush report fixtures/scenes/pivot.toml --format svg --picture front -o front.svg\n",
-      with_common_options(
+      "  lcpush report fixtures/scenes/pivot.toml --vary edge.friction=0:1 -o r.html\n"
+      "  lcpush report fixtures/scenes/pivot.toml --format svg --picture front -o f.svg\n",
+      with_scene_options(
           {{"--vary", "PATH=FROM:TO", "also a plot of a sweep; may be given several times", true},
            {"--steps", "N", "points of the sweeps, evenly spread, ends included"},
            pressure_option,

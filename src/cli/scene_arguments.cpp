@@ -1,11 +1,13 @@
 #include "cli/scene_arguments.hpp"
 
 #include <algorithm>
+#include <iostream>
 
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
 #include "text/wording.hpp"
+#include "text/wrap.hpp"
 
 namespace lcpush::cli {
 
@@ -19,9 +21,9 @@ void refuse_unknowns(const Arguments& arguments, const SceneFile& file, Index mo
 }
 
 SceneFile read_scene_argument(const Arguments& arguments, Needs needs) {
-  if (arguments.files().empty())
-    throw UsageError("a scene file is needed, such as fixtures/scenes/straight_slide.toml");
+  if (arguments.files().empty()) refuse_no_scene();
   SceneFile file = read_scene(arguments.files()[0]);
+  if (arguments.has("--strict")) refuse_doubts(file);
   if (needs == Needs::matrix)
     refuse_unknowns(arguments, file, largest_dimension, "matrix this command can hold");
   return file;
@@ -45,13 +47,49 @@ Index chosen_pusher(const Arguments& arguments, const SceneFile& file) {
   return pusher;
 }
 
-void set_pressure(const Arguments& arguments, VariedScene& scene) {
-  const auto law = arguments.value("--pressure");
-  if (!law) return;
-  const std::vector<std::string> laws = pressure_names();
-  if (std::find(laws.begin(), laws.end(), *law) == laws.end())
-    refuse_value("--pressure", *law, listed(laws, "or"), laws);
-  scene.set_pressure(*law);
+void refuse_no_scene() {
+  throw UsageError("a scene file is needed; `lcpush new box -o mine.toml` writes one");
+}
+
+VariedScene read_varied_scene(const Arguments& arguments, const std::string& path) {
+  VariedScene scene = VariedScene::read(path);
+  if (const auto law = arguments.value("--pressure")) {
+    const std::vector<std::string> laws = pressure_names();
+    if (std::find(laws.begin(), laws.end(), *law) == laws.end())
+      refuse_value("--pressure", *law, listed(laws, "or"), laws);
+    scene.set_pressure(*law);
+  }
+  const SceneFile file = scene.as_given();
+  refuse_unknowns(arguments, file, largest_dimension, "matrix this command can hold");
+  if (arguments.has("--strict")) refuse_doubts(file);
+  return scene;
+}
+
+void refuse_doubts(const SceneFile& file) {
+  std::string all;
+  for (const SceneDoubt& doubt : check_scene(file))
+    all += (all.empty() ? "" : "\n") + doubt_text(doubt);
+  if (!all.empty()) throw InputError(all);
+}
+
+std::vector<Option> with_scene_options(std::vector<Option> own) {
+  own.push_back({"--strict", "", "what looks odd about the scene is an error"});
+  return with_common_options(std::move(own));
+}
+
+Telling telling(const Arguments& arguments) {
+  return arguments.has("--verbose") ? Telling::full : Telling::brief;
+}
+
+void write_answer(const Arguments& arguments, const std::string& format, const std::string& text,
+                  const std::vector<SceneDoubt>& doubts) {
+  if (format == "text")
+    write_text(arguments, text);
+  else
+    write_output(arguments, text);
+  if (format == "json") return;
+  for (const SceneDoubt& doubt : doubts)
+    std::cerr << wrapped("Check: " + doubt_text(doubt) + ".", columns_of(Stream::errors)) << "\n";
 }
 
 Variation read_variation(const VariedScene& scene, const std::string& text) {

@@ -24,10 +24,12 @@ int run_solve(const Arguments& arguments) {
     hold = push.holds_without_push(options);
     report = push.solve(options);
   }
-  write_output(arguments, arguments.has("--history")
-                              ? push_history(format, solver, report.status, report.history)
-                          : format == "json" ? solve_json(file, hold, report)
-                                             : solve_text(file, hold, report));
+  write_answer(arguments, format,
+               arguments.has("--history")
+                   ? push_history(format, solver, report.status, report.history)
+               : format == "json" ? solve_json(file, hold, report)
+                                  : solve_text(file, hold, report, telling(arguments)),
+               check_scene(file));
   return report.status == Status::solved ? 0 : 1;
 }
 
@@ -40,7 +42,7 @@ Command solve_command() {
           "Reads a scene, assembles its complementarity problem and solves it by Lemke's pivots.\n"
           "Accelerations are the object's, in the gripper's frame and SI units.\n\n"
           "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
-          with_common_options({solver_option, history_option}),
+          with_scene_options({verbose_option, solver_option, history_option}),
           1,
           run_solve};
 }

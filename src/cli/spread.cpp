@@ -22,7 +22,10 @@ int run_spread(const Arguments& arguments) {
     options.watcher = &progress;
     report = find_spread(file, options);
   }
-  write_output(arguments, format == "json" ? spread_json(file, report) : spread_text(file, report));
+  write_answer(arguments, format,
+               format == "json" ? spread_json(file, report)
+                                : spread_text(file, report, telling(arguments)),
+               check_scene(file));
   return report.status == Status::solved ? 0 : 1;
 }
 
@@ -39,9 +42,10 @@ Command spread_command() {
       "over each face by linear programs. With --enumerate it goes through all contact modes,\n"
       "so that the bounds are those of every answer; without, of the answers that were reached.\n\n"
       "Example:\n  lcpush spread fixtures/scenes/straight_slide.toml\n",
-      with_common_options(
+      with_scene_options(
           {{"--covers", "N", "covering vectors of Lemke's method to start from (32)"},
-           {"--enumerate", "", "all contact modes: up to 16 points, while the work allows"}}),
+           {"--enumerate", "", "all contact modes: up to 16 points, while the work allows"},
+           verbose_option}),
       1,
       run_spread};
 }

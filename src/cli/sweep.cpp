@@ -31,8 +31,7 @@ std::vector<SweepCurve> read_curves(const Arguments& arguments, std::vector<Vari
   std::vector<SweepCurve> curves;
   const auto each = arguments.value("--each");
   for (const std::string& path : arguments.files()) {
-    VariedScene scene = VariedScene::read(path);
-    set_pressure(arguments, scene);
+    VariedScene scene = read_varied_scene(arguments, path);
     const std::string given = scene.as_given().title, title = given.empty() ? path : given;
     const std::string mine = arguments.files().size() > 1 ? title : "";
     if (!each) {
@@ -77,7 +76,7 @@ int run_sweep(const Arguments& arguments) {
     for (const std::string_view name : split_at(*names, ','))
       shown.push_back(sweep_quantity(std::string(name)));
   }
-  (void)read_scene_argument(arguments); // refuses what is too large
+  if (arguments.files().empty()) refuse_no_scene();
   std::vector<VariedScene> scenes;
   std::vector<SweepCurve> curves = read_curves(arguments, scenes);
   if (varied.size() > 1 && curves.size() > 1)
@@ -100,10 +99,15 @@ int run_sweep(const Arguments& arguments) {
       complete = complete && curves[k].sweep.complete;
     }
   }
-  write_output(arguments, format == "json"  ? sweep_json(curves)
-                          : format == "csv" ? sweep_csv(curves)
-                          : format == "svg" ? sweep_svg(curves, title_of(curves), shown)
-                                            : sweep_text(curves));
+  std::vector<SceneDoubt> doubts;
+  for (std::size_t k = 0; k < scenes.size(); k += scenes.size() / arguments.files().size())
+    for (SceneDoubt& doubt : check_scene(scenes[k].as_given())) doubts.push_back(std::move(doubt));
+  write_answer(arguments, format,
+               format == "json"  ? sweep_json(curves, doubts)
+               : format == "csv" ? sweep_csv(curves)
+               : format == "svg" ? sweep_svg(curves, title_of(curves), shown)
+                                 : sweep_text(curves, telling(arguments)),
+               doubts);
   return complete ? 0 : 1;
 }
 
@@ -130,7 +134,7 @@ Examples:
 )"
       "  lcpush sweep fixtures/scenes/pivot.toml --vary edge.shift[0]=0:0.03 --steps 31 "
       "--each facets=4,8,16 \\\n    --show force,twist[5] --format svg -o pivot.svg\n",
-      with_common_options(
+      with_scene_options(
           {{"--vary", "PATH=FROM:TO", "what varies, and how far; twice for a map", true},
            {"--each", "PATH=V,V,..", "one curve for each of these values of another number"},
            {"--steps", "N", "points evenly spread, ends included (51; a map 11 each way)"},
@@ -138,6 +142,7 @@ Examples:
            {"--pusher", "NAME", "whose force is meant, among several"},
            {"--show", "NAME,NAME,..",
             "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
+           verbose_option,
            {"--format", "FORMAT", "text (default), csv, json or svg; --json for short"}}),
       limits::curves,
       run_sweep};

@@ -36,7 +36,10 @@ int verify_raw_problem(const Arguments& arguments, const std::string& format) {
   files.pop_back();
   const RawProblem problem = read_raw_problem(arguments, files);
   const RawVerifyReport report = verify_raw(problem, read_z(answer), verify_options(arguments));
-  write_output(arguments, format == "json" ? verify_json(report) : verify_text(report));
+  if (format == "json")
+    write_output(arguments, verify_json(report));
+  else
+    write_text(arguments, verify_text(report, telling(arguments)));
   return is_valid(report.verdict) ? 0 : 1;
 }
 
@@ -53,7 +56,11 @@ int run_verify(const Arguments& arguments) {
   const SceneFile file = read_scene_argument(arguments);
   const ForeignAnswer answer = read_foreign_answer(arguments.files()[1], file);
   const VerifyReport report = verify_answer(file, answer, options);
-  write_output(arguments, format == "json" ? verify_json(report) : verify_text(file, report));
+  const std::vector<SceneDoubt> doubts = check_scene(file);
+  write_answer(arguments, format,
+               format == "json" ? verify_json(report, doubts)
+                                : verify_text(file, report, telling(arguments)),
+               doubts);
   return is_valid(report.verdict) ? 0 : 1;
 }
 
@@ -70,12 +77,13 @@ Command verify_command() {
           "Example:\n"
           "  lcpush solve fixtures/scenes/tipping.toml --json -o answer.json\n"
           "  lcpush verify fixtures/scenes/tipping.toml answer.json\n",
-          with_common_options({
+          with_scene_options({
               {"--tolerance", "T", "what a row may be off by, scaled (default 1e-6)"},
               {"--lcp", "", "a raw problem: M.mtx q.mtx ANSWER.json"},
               {"--M", "MATRIX", "rows by semicolons, numbers by blanks"},
               {"--q", "VECTOR", "n numbers"},
               {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
+              verbose_option,
           }),
           3,
           run_verify};

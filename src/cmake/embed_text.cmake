@@ -1,5 +1,5 @@
 # Turns files into one C++ file of functions that return them, so that the tool carries the pivots'
-# explorer with its start example, and the scripts of an export, with it. Run by
+# explorer, the scripts of an export and the shipped scenes with it. Run by
 # `cmake -DSOURCES=.. -DFIXTURES=.. -DOUTPUT=.. -P embed_text.cmake`.
 #
 # The text goes into raw string literals of at most 12 kB, since some compilers take no longer ones;
@@ -41,13 +41,28 @@ endfunction()
 foreach(entry IN ITEMS
         explorer_template=${SOURCES}/pivots/explorer/explorer.html
         explorer_style=${SOURCES}/pivots/explorer/explorer.css
-        example_scene=${FIXTURES}/scenes/coin.toml
         python_script=${SOURCES}/export/solve_push.py
         octave_script=${SOURCES}/export/solve_push.m)
   string(REGEX MATCH "^([a-z_]+)=(.*)$" found "${entry}")
   file(READ "${CMAKE_MATCH_2}" text)
   embed(${CMAKE_MATCH_1} "${text}")
 endforeach()
+
+# The function `list` returns the name and the text of every file that `pattern` finds.
+function(embed_files list pattern)
+  file(GLOB files "${pattern}")
+  set(entries "")
+  foreach(file IN LISTS files)
+    cmake_path(GET file STEM name)
+    file(READ "${file}" text)
+    embed(${list}_${name} "${text}")
+    string(APPEND entries "      {\"${name}\", ${list}_${name}()},\n")
+  endforeach()
+  string(APPEND definitions "std::vector<ShippedScene> ${list}() {\n  return {\n${entries}  };\n}\n")
+  set(definitions "${definitions}" PARENT_SCOPE)
+endfunction()
+embed_files(example_scenes "${FIXTURES}/scenes/*.toml")
+embed_files(scene_templates "${SOURCES}/scenes/templates/*.toml")
 
 file(STRINGS "${SOURCES}/pivots/explorer/scripts.txt" names)
 set(script "")
@@ -59,5 +74,6 @@ embed(explorer_script "${script}")
 
 file(WRITE "${OUTPUT}"
      "// Made by src/cmake/embed_text.cmake; not to be edited.\n"
-     "#include \"export/export_parts.hpp\"\n#include \"pivots/explorer_text.hpp\"\n\n"
+     "#include \"export/export_parts.hpp\"\n#include \"pivots/explorer_text.hpp\"\n"
+     "#include \"scenes/shipped_scenes.hpp\"\n\n"
      "namespace lcpush::desktop {\n${definitions}} // namespace lcpush::desktop\n")

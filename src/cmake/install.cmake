@@ -18,4 +18,25 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/lcpushConfig.cmake
 
 if(LCPUSH_BUILD_TOOL)
   install(TARGETS lcpush_tool)
+  # What shells and man read, made by the tool itself from the table behind --help.
+  set(made "")
+  foreach(reader IN ITEMS bash zsh fish man)
+    set(file_bash lcpush)
+    set(file_zsh _lcpush)
+    set(file_fish lcpush.fish)
+    set(file_man lcpush.1)
+    set(place_bash ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+    set(place_zsh ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+    set(place_fish ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+    set(place_man ${CMAKE_INSTALL_MANDIR}/man1)
+    set(output ${CMAKE_CURRENT_BINARY_DIR}/${reader}/${file_${reader}})
+    add_custom_command(
+      OUTPUT ${output}
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/${reader}
+      COMMAND lcpush_tool completion ${reader} -o ${output}
+      DEPENDS lcpush_tool)
+    list(APPEND made ${output})
+    install(FILES ${output} DESTINATION ${place_${reader}})
+  endforeach()
+  add_custom_target(lcpush_completions ALL DEPENDS ${made})
 endif()

@@ -29,9 +29,18 @@ std::string drawing_style() {
 .drawing .strong { font-weight: 600; }
 .drawing .label { paint-order: stroke; stroke: var(--raised);
   stroke-width: 4px; stroke-linejoin: round; }
+.drawing .leader-end { fill: var(--soft); }
 .drawing .leader { stroke: var(--soft); stroke-width: 0.8; }
 .drawing .object { fill: var(--object); stroke: var(--ink); stroke-width: 1.3;
   stroke-linejoin: round; }
+.drawing .face { fill: var(--ink); fill-opacity: 0.05; stroke: var(--soft); stroke-width: 0.8;
+  stroke-linejoin: round; }
+.drawing .thing { fill: var(--pad); stroke: var(--soft); stroke-width: 1.2;
+  stroke-linejoin: round; }
+.drawing .thing.pusher { stroke: var(--ink); stroke-width: 1.6; }
+.drawing .ghost { fill: none; stroke: var(--move); stroke-width: 1.6; stroke-dasharray: 6 4;
+  stroke-linejoin: round; }
+.drawing .ghost.inner { stroke-width: 0.7; }
 .drawing .guessed { stroke-dasharray: 6 4; }
 .drawing .pad { fill: var(--pad); stroke: var(--soft); fill-opacity: 0.75; }
 .drawing .pad.pusher { stroke: var(--ink); stroke-width: 1.6; }
@@ -41,6 +50,7 @@ std::string drawing_style() {
 .drawing .cone.behind { fill: none; stroke-dasharray: 2 3; }
 .drawing .coulomb { fill: none; stroke: var(--soft); stroke-dasharray: 3 3; }
 .drawing .force .shaft { stroke: currentColor; stroke-width: 2.2; }
+.drawing .force.bold .shaft { stroke-width: 3.4; }
 .drawing .ring { stroke: currentColor; fill: none; stroke-width: 1.4; }
 .drawing .head { fill: currentColor; }
 .drawing .normal { color: var(--normal); }
@@ -52,6 +62,7 @@ std::string drawing_style() {
 .drawing .motion { color: var(--move); }
 .drawing .motion .shaft { stroke: currentColor; stroke-width: 4; }
 .drawing .motion.thin .shaft { stroke-width: 2; stroke-dasharray: 1.5 3; }
+.drawing .motion .tip .shaft { stroke-width: 2.6; }
 .drawing .arc { fill: none; stroke: currentColor; stroke-width: 2.6; }
 .drawing .mark { fill: var(--ink); stroke: var(--raised); }
 .drawing .mark.slide { fill: var(--friction); }

@@ -84,11 +84,12 @@ std::string text_element(const std::string& kind, const Pixel& at, const std::st
          ">" + escaped(text) + "</text>\n";
 }
 
-std::string arrow_element(const std::string& kind, const Pixel& from, const Pixel& to) {
+std::string arrow_element(const std::string& kind, const Pixel& from, const Pixel& to,
+                          double longest_head) {
   const double size = (to - from).norm();
   if (size < 2.5) return "";
   const Pixel along = (to - from) / size, across(-along.y(), along.x());
-  const double head = std::min(9.0, 0.6 * size);
+  const double head = std::min(longest_head, 0.6 * size);
   const Pixel back = to - head * along;
   return "<g class=\"" + kind + "\">" + line_element("shaft", from, back) +
          polygon_element("head", {to, back + 0.42 * head * across, back - 0.42 * head * across}) +

@@ -39,7 +39,8 @@ std::string text_element(const std::string& kind, const Pixel& at, const std::st
                          const std::string& anchor = "start");
 /// A stroke with a head of its own, so that no colour is needed to see its end; nothing if it is
 /// shorter than 2.5.
-std::string arrow_element(const std::string& kind, const Pixel& from, const Pixel& to);
+std::string arrow_element(const std::string& kind, const Pixel& from, const Pixel& to,
+                          double longest_head = 9);
 
 /// A picture before it is written as SVG.
 struct Drawing {

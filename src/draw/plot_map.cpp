@@ -48,10 +48,12 @@ std::string map_svg(const MapPlot& plot) {
   };
   const std::vector<std::string> notes = map_notes(plot, low, high);
   double note_at = title_height(plot.title) + 14;
-  const double top = note_at - 4 + line_height * static_cast<double>(notes.size());
+  const double bar_room = high > low ? colour_bar_room : 0;
+  const double top = note_at - 4 + bar_room + line_height * static_cast<double>(notes.size());
   const Axis x = axis(plot.x_from, plot.x_to, plot.columns, left, width - right);
   const Axis y = axis(plot.y_from, plot.y_to, rows, top + lone_panel, top);
   std::string body;
+  if (high > low) body += colour_bar({low, high, 24, 424}, note_at + 9);
   const double w = (x.end - x.begin) / static_cast<double>(std::max<std::size_t>(plot.columns, 1));
   const double h = (y.begin - y.end) / static_cast<double>(std::max<std::size_t>(rows, 1));
   std::string borders;
@@ -62,7 +64,7 @@ std::string map_svg(const MapPlot& plot) {
     const double py = y.begin - h * static_cast<double>(i / plot.columns + 1);
     body += "<rect class=\"cell\" x=\"" + coordinate(px) + "\" y=\"" + coordinate(py) +
             "\" width=\"" + coordinate(w) + "\" height=\"" + coordinate(h) + "\" fill-opacity=\"" +
-            coordinate(std::isfinite(cell) ? 0.06 + 0.94 * share : 0) + "\"><title>" +
+            coordinate(std::isfinite(cell) ? opacity_of(share) : 0) + "\"><title>" +
             escaped(plot.texts[i]) + "</title></rect>\n";
     if (!plot.hatched.empty() && plot.hatched[i]) body += hatch(px, py, w, h);
     if (!plot.border_right.empty() && plot.border_right[i])
@@ -75,7 +77,7 @@ std::string map_svg(const MapPlot& plot) {
   body += x_axis_label(plot.x_label, bottom - 12);
   for (const std::string& note : notes) {
     body += text_element(12, note_at, note);
-    note_at += line_height;
+    note_at += line_height + (&note == notes.data() ? bar_room : 0);
   }
   return picture(plot.title, plot.description, bottom, body);
 }

@@ -87,6 +87,17 @@ std::string text_element(double x, double y, const std::string& text, const char
          escaped(text) + "</text>\n";
 }
 
+std::string text_lines(double x, double y, const std::string& text, std::size_t letters,
+                       double& bottom) {
+  std::string elements;
+  for (const std::string& line : wrapped(text, letters)) {
+    elements += text_element(x, y + 5, line);
+    y += line_height;
+    bottom += line_height;
+  }
+  return elements;
+}
+
 std::string picture(const std::string& title, const std::string& description, double height,
                     const std::string& body) {
   std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" viewBox=\"0 0 " +
@@ -122,6 +133,28 @@ std::string axes(const Axis& x, const Axis& y, bool grid, bool numbered) {
   return text + "<rect class=\"frame\" x=\"" + coordinate(x.begin) + "\" y=\"" + coordinate(y.end) +
          "\" width=\"" + coordinate(x.end - x.begin) + "\" height=\"" +
          coordinate(y.begin - y.end) + "\"/>\n";
+}
+
+double opacity_of(double share) { return 0.06 + 0.94 * share; }
+
+std::string colour_bar(const Axis& x, double y) {
+  constexpr int pieces = 40;
+  const double piece = (x.end - x.begin) / pieces, bottom = y + colour_bar_height;
+  std::string text = "<g class=\"colours\">\n";
+  for (int k = 0; k < pieces; ++k)
+    text += "<rect class=\"cell\" x=\"" + coordinate(x.begin + k * piece) + "\" y=\"" +
+            coordinate(y) + "\" width=\"" + coordinate(piece) + "\" height=\"" +
+            coordinate(colour_bar_height) + "\" fill-opacity=\"" +
+            coordinate(opacity_of((k + 0.5) / pieces)) + "\"/>\n";
+  text += "<rect class=\"frame\" x=\"" + coordinate(x.begin) + "\" y=\"" + coordinate(y) +
+          "\" width=\"" + coordinate(x.end - x.begin) + "\" height=\"" +
+          coordinate(colour_bar_height) + "\"/>\n";
+  std::size_t index = 0;
+  for (const double at : ticks(x.low, x.high, 4)) {
+    text += line_element("tick", x.at(at), bottom, x.at(at), bottom + 5);
+    text += tick_label("middle", index++, x.at(at), bottom + 22, at, 1e-9 * (x.high - x.low));
+  }
+  return text + "</g>\n";
 }
 
 std::string x_axis_label(const std::string& label, double y) {

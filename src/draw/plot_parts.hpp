@@ -26,8 +26,18 @@ inline std::string line_element(const char* kind, double x1, double y1, double x
 /// `attributes` begins with a space, or is empty.
 std::string text_element(double x, double y, const std::string& text, const char* attributes = "");
 
+/// In lines of at most so many letters, the first one's middle at y; `bottom` grows by their
+/// height.
+std::string text_lines(double x, double y, const std::string& text, std::size_t letters,
+                       double& bottom);
+
 /// Frame, ticks and their numbers; `grid`: lines across; `numbered`: numbers along x too.
 std::string axes(const Axis& x, const Axis& y, bool grid, bool numbered);
+/// From pale to full along x, with numbers; what it colours stands above it.
+std::string colour_bar(const Axis& x, double y);
+constexpr double colour_bar_height = 16, colour_bar_room = 46; // with its numbers
+/// How full the colour of a share of the way from the least value to the largest is.
+double opacity_of(double share);
 std::string x_axis_label(const std::string& label, double y);
 std::string y_axis_label(const std::string& label, const Axis& y);
 

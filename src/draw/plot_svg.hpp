@@ -21,11 +21,14 @@ struct PlotLine {
 struct PlotPanel {
   std::string y_label;
   std::vector<PlotLine> lines;
+  bool nested = false; ///< lines coincide somewhere: earlier ones are drawn wider
 };
 
+/// A vertical stroke with a number, which a list below the plot explains.
 struct PlotMark {
   double x;
-  std::string text; ///< shown when pointed at
+  std::string place; ///< "6.52 N"
+  std::string text;  ///< what happens there
   bool strong = false;
 };
 
@@ -33,7 +36,7 @@ struct Plot {
   std::string title, description, x_label;
   double x_from = 0, x_to = 1;
   std::vector<PlotPanel> panels;
-  std::vector<PlotMark> marks; ///< vertical strokes
+  std::vector<PlotMark> marks; ///< numbered in this order
 };
 
 std::string plot_svg(const Plot& plot);

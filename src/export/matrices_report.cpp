@@ -2,15 +2,12 @@
 
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/matrices.hpp"
+#include "scenes/warnings_json.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr std::size_t line_width = 100;
-
-using Rows = std::vector<std::vector<std::string>>;
 
 /// What rounding leaves of a zero in this matrix.
 double zero_of(const NamedMatrix& matrix) {
@@ -19,48 +16,21 @@ double zero_of(const NamedMatrix& matrix) {
   return 1e-14 * largest;
 }
 
-/// A table under its columns' names; cut into several, side by side columns, if it is too wide.
-std::string named_table(const std::vector<std::string>& rows,
-                        const std::vector<std::string>& columns, const Rows& cells) {
-  std::size_t name_width = 0;
-  for (const std::string& row : rows) name_width = std::max(name_width, row.size());
-  std::string text;
-  for (std::size_t begin = 0; begin < columns.size();) {
-    std::size_t end = begin, used = 2 + name_width;
-    while (end < columns.size()) {
-      std::size_t wide = columns[end].size();
-      for (const auto& row : cells) wide = std::max(wide, row[end].size());
-      if (end > begin && used + 2 + wide > line_width) break;
-      used += 2 + wide;
-      ++end;
-    }
-    const auto part = [&](std::string name, const std::vector<std::string>& all) {
-      std::vector<std::string> line{std::move(name)};
-      for (std::size_t c = begin; c < end; ++c) line.push_back(all[c]);
-      return line;
-    };
-    Rows table{part("", columns)};
-    for (std::size_t i = 0; i < rows.size(); ++i) table.push_back(part(rows[i], cells[i]));
-    text += (begin > 0 ? "\n" : "") + table_text(table);
-    begin = end;
-  }
-  return text;
-}
-
 std::string matrix_table(const NamedMatrix& matrix, bool transposed) {
   const std::vector<std::string>& rows = transposed ? matrix.columns : matrix.rows;
   const std::vector<std::string>& columns = transposed ? matrix.rows : matrix.columns;
   const double zero = zero_of(matrix);
-  Rows cells;
+  TableRows cells{{""}};
+  cells[0].insert(cells[0].end(), columns.begin(), columns.end());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    cells.emplace_back();
+    cells.push_back({rows[i]});
     for (std::size_t j = 0; j < columns.size(); ++j) {
       const auto row = static_cast<Index>(transposed ? j : i);
       const auto column = static_cast<Index>(transposed ? i : j);
       cells.back().push_back(number(matrix.values(row, column), zero));
     }
   }
-  return named_table(rows, columns, cells);
+  return table_text(cells);
 }
 
 std::string rigidity_text(const PatchRigidity& patch) {
@@ -78,15 +48,14 @@ std::string rigidity_text(const PatchRigidity& patch) {
             (patch.check.holds() ? ", met by every rigid motion" : ": NOT as it should be");
   else
     text += ", rank not looked for: more than " + std::to_string(largest_checked_patch) + " points";
-  Rows cells;
-  std::vector<std::string> followers;
+  TableRows followers{{""}};
+  followers[0].insert(followers[0].end(), patch.references.begin(), patch.references.end());
   for (std::size_t j = 0; j < patch.points.size(); ++j) {
     if (std::count(patch.references.begin(), patch.references.end(), patch.points[j]) > 0) continue;
-    followers.push_back(patch.points[j]);
-    cells.emplace_back();
-    for (const double alpha : patch.weights[j]) cells.back().push_back(number(alpha, 1e-14));
+    followers.push_back({patch.points[j]});
+    for (const double alpha : patch.weights[j]) followers.back().push_back(number(alpha, 1e-14));
   }
-  return text + "\n" + (followers.empty() ? "" : named_table(followers, patch.references, cells));
+  return text + "\n" + (followers.size() == 1 ? "" : table_text(followers));
 }
 
 void write_matrix(JsonWriter& json, const NamedMatrix& matrix) {
@@ -135,9 +104,10 @@ std::string matrices_text(const SceneFile& file, const PaperMatrices& matrices) 
   return text;
 }
 
-std::string matrices_json(const PaperMatrices& matrices) {
+std::string matrices_json(const PaperMatrices& matrices, const std::vector<SceneDoubt>& warnings) {
   JsonWriter json;
   json.begin_object();
+  write_warnings(json, warnings);
   const std::pair<const char*, const NamedMatrix&> named[] = {{"M", matrices.M},
                                                               {"w", matrices.w},
                                                               {"G", matrices.G},

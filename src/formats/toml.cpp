@@ -49,8 +49,8 @@ private:
 
   /// What TOML allows nowhere is refused first, so that the grammar below need not think of it.
   void check_characters() {
-    if (next_is("\xEF\xBB\xBF"))
-      fail("the file starts with a byte order mark; save it as UTF-8 without one");
+    (void)take("\xEF\xBB\xBF"); // a byte order mark
+    if (peek() == '{') fail("this looks like JSON; a scene is TOML (`lcpush new box` writes one)");
     int line = 1;
     for (std::size_t i = 0; i < text_.size();) {
       const std::string_view rest = text_.substr(i);
@@ -88,6 +88,7 @@ private:
   void expect_end_of_line() {
     skip_spaces();
     skip_comment();
+    if (peek() == ',') fail("unexpected \",\"; a decimal number has a point, such as 0.3");
     if (!at_end() && peek() != '\n' && peek() != '\r')
       fail("unexpected " + found() + "; start a new line, or put # before a comment");
   }

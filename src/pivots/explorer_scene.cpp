@@ -1,6 +1,7 @@
 #include "pivots/explorer_scene.hpp"
 
 #include "draw/marks.hpp"
+#include "draw/prism.hpp"
 #include "draw/view.hpp"
 
 namespace lcpush::desktop {
@@ -42,7 +43,26 @@ void write_bodies(JsonWriter& json, const Push& push) {
   });
 }
 
-void write_points(JsonWriter& json, const Push& push) {
+/// Where contacts are drawn: those at the object's centre on its surface, beside their bodies.
+std::vector<Vector3<double>> drawn_positions(const SceneFile& file) {
+  const Vector3<double>& center = file.object.center_of_mass;
+  const Prism object = file.shape.kind == ObjectShape::Kind::cylinder
+                           ? cylinder_prism(center, file.shape.size, file.shape.axis)
+                           : box_prism(center, file.shape.size);
+  return positions_beside(object, center, file.positions, file.bodies);
+}
+
+/// The plane alone, unless that shows a round object from its side.
+std::vector<View> shown_views(const SceneFile& file) {
+  std::vector<View> views = views_with_y_up(file.shape.size, file.bodies);
+  const bool is_round_elsewhere =
+      file.shape.kind == ObjectShape::Kind::cylinder && views[0].toward[file.shape.axis] == 0;
+  if (file.planar && !is_round_elsewhere) views.resize(1);
+  return views;
+}
+
+void write_points(JsonWriter& json, const Push& push, bool is_drawn) {
+  const std::vector<Vector3<double>> drawn = drawn_positions(push.file());
   const Scene<double>& scene = push.scene();
   const Layout<double>& layout = push.layout();
   json.objects("points", layout.points, [&](Index i) {
@@ -50,6 +70,7 @@ void write_points(JsonWriter& json, const Push& push) {
     const Body<double>& body = scene.bodies[layout.body[i]];
     json.member("name", point_name(push.file(), i)).member("body", layout.body[i]);
     json.member("position", push.file().positions[static_cast<std::size_t>(i)]);
+    if (is_drawn) json.member("drawn_at", drawn[static_cast<std::size_t>(i)]);
     const Index normal = layout.normal_index(i);
     json.member("normal", normal).member("pull", when(cone.normals == 2, normal + 1));
     json.list("friction", cone.generators,
@@ -67,13 +88,14 @@ void write_points(JsonWriter& json, const Push& push) {
 void write_body_in_view(JsonWriter& json, const Push& push, const View& view, Index b) {
   const Scene<double>& scene = push.scene();
   const Body<double>& body = scene.bodies[b];
+  const std::vector<Vector3<double>> drawn = drawn_positions(push.file());
   std::vector<Eigen::Vector4d> corners, pad;
   std::vector<Pixel> around, cone{Pixel::Zero()};
   // Which corners stand out does not depend on the scale: the pad is a sum of two convex sets.
   const double any_scale = 200 / push.file().shape.size.norm();
   for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
     for (const Pixel& offset : pad_rim(view, body.normal)) {
-      const Pixel at = view.flat(push.file().positions[static_cast<std::size_t>(i)]);
+      const Pixel at = view.flat(drawn[static_cast<std::size_t>(i)]);
       corners.emplace_back(at.x(), at.y(), offset.x(), offset.y());
       around.emplace_back(any_scale * at + offset);
     }
@@ -94,7 +116,7 @@ void write_view(JsonWriter& json, const Push& push, const View& view) {
   for (const auto& corner : box_corners(file.object.center_of_mass, file.shape.size))
     box.push_back(view.flat(corner));
   shown = box;
-  for (const auto& position : file.positions) shown.push_back(view.flat(position));
+  for (const auto& position : drawn_positions(file)) shown.push_back(view.flat(position));
   const Frame frame = bounds(shown);
   json.member("frame", Eigen::Vector4d(frame.left, frame.top, frame.right, frame.bottom));
   json.member("outline", hull(box));
@@ -149,11 +171,10 @@ void write_scene(JsonWriter& json, const Push& push, bool is_drawn) {
   json.begin_object();
   write_object(json, push.file());
   write_bodies(json, push);
-  write_points(json, push);
+  write_points(json, push, is_drawn);
   if (is_drawn) {
-    std::vector<View> views = views_with_y_up(push.file().shape.size, push.file().bodies);
-    if (push.file().planar) views.resize(1);
-    json.objects("views", views, [&](const View& view) { write_view(json, push, view); });
+    json.objects("views", shown_views(push.file()),
+                 [&](const View& view) { write_view(json, push, view); });
     write_marks(json);
     json.member("longest_force", longest_force).member("fastest", fastest);
   }

@@ -1,4 +1,4 @@
-// The explorer's files and its start example as text, embedded by src/cmake/embed_text.cmake.
+// The explorer's files as text, embedded by src/cmake/embed_text.cmake.
 #pragma once
 
 #include <string>
@@ -9,8 +9,5 @@ namespace lcpush::desktop {
 std::string explorer_template();
 std::string explorer_style();
 std::string explorer_script();
-
-/// fixtures/scenes/coin.toml: what the page starts with if it is given nothing.
-std::string example_scene();
 
 } // namespace lcpush::desktop

@@ -59,7 +59,8 @@ PivotTrace empty_trace(Index n, Index free_count, TieRule rule, const Story& sto
   trace.is_as_solved = rule == TieRule::generic;
   trace.is_physical = story.is_physical();
   for (Index variable = 0; variable <= artificial(n); ++variable)
-    trace.variables.push_back({variable_name(variable, n), story.meaning(variable)});
+    trace.variables.push_back({variable_name(variable, n), story.meaning(variable),
+                               story.growth(variable), story.end(variable)});
   return trace;
 }
 

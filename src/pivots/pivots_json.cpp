@@ -1,6 +1,7 @@
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/pivots.hpp"
 #include "pivots/explorer_scene.hpp"
+#include "scenes/warnings_json.hpp"
 
 namespace lcpush::desktop {
 
@@ -35,11 +36,13 @@ public:
     json.member("notes", trace_.notes);
     json.objects("variables", trace_.variables, [&](const Variable& variable) {
       json.member("name", variable.name).member("meaning", variable.meaning);
+      if (!tableaus) json.member("grows", variable.growth).member("ends", variable.end);
     });
     json.objects("pivots", trace_.pivots,
                  [&](const TracedPivot& pivot) { write_pivot(pivot, tableaus); });
     json.objects("runs", trace_.runs, [&](const TracedRun& run) { write_run(run); });
     write_end();
+    if (push != nullptr) write_warnings(json, check_scene(push->file()));
     json.key("scene");
     push != nullptr ? write_scene(json, *push, !tableaus) : void(json.value(nullptr));
     return json.end_object().text();

@@ -31,13 +31,14 @@ std::string header(const PivotTrace& trace) {
 /// What the variables mean, for scenes.
 std::string legend(const PivotTrace& trace) {
   if (!trace.is_physical) return {};
-  std::vector<std::vector<std::string>> rows;
+  TableRows unknowns, slacks;
   for (Index i = 0; i < trace.size; ++i) {
     const Variable& w = trace.variables[static_cast<std::size_t>(slack(i))];
     const Variable& z = trace.variables[static_cast<std::size_t>(unknown(i, trace.size))];
-    rows.push_back({z.name, z.meaning, w.name, w.meaning});
+    unknowns.push_back({z.name, z.meaning});
+    slacks.push_back({w.name, w.meaning});
   }
-  return "\n" + table_text(rows, 4);
+  return "\n" + table_text(unknowns, 2) + "\n" + table_text(slacks, 2);
 }
 
 std::string pivot_line(const PivotTrace& trace, std::size_t k) {

@@ -34,6 +34,9 @@ public:
     return begin + ends(pivot.leaving, basic) + ".";
   }
 
+  std::string growth(Index variable) const override { return grows(variable, "the"); }
+  std::string end(Index variable) const override { return ends(variable, {}); }
+
   std::string ray_sentence(Index entering, const std::vector<double>& v) const override {
     const Layout<double>& layout = push_.layout();
     std::vector<double> own(v.size());
@@ -56,8 +59,9 @@ private:
   std::string point(const Name& name) const { return point_name(push_.file(), name.of); }
 
   /// The way a point slides: towards the side against which its friction acts. A facet of the
-  /// pyramid leaves a sector open.
+  /// pyramid leaves a sector open, and a basis that is not known (empty) every side.
   std::string sliding(Index at, const std::vector<bool>& basic) const {
+    if (basic.empty()) return "";
     Generator<double> friction{Vector3<double>::Zero(), 0};
     for (Index j = 0; j < push_.layout().cones[at].generators; ++j) {
       const Index variable = unknown(push_.layout().friction_index(at, j), size());
@@ -98,7 +102,8 @@ private:
     return {};
   }
 
-  /// What has happened when the leaving variable is zero, and what may follow.
+  /// What has happened when the leaving variable is zero, and what may follow. `basic` may be
+  /// empty.
   std::string ends(Index variable, const std::vector<bool>& basic) const {
     const Index n = size();
     if (variable == artificial(n)) return "the cushion z0 is gone: every law holds";

@@ -3,12 +3,15 @@
 #include <cmath>
 
 #include "report/pictures.hpp"
+#include "solve/sentence.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-constexpr Index columns = 3, most_cells = 48;
-constexpr double cell_width = 140, cell_height = 158, radius = 40; // the polygon's, in pixels
+constexpr std::size_t columns = 6;
+constexpr Index most_cells = 48;
+constexpr double cell_width = 140, cell_height = 158, heading = 30,
+                 radius = 40; // the polygon's, in pixels
 
 /// Of a point that has friction, and how much it may have.
 struct Cell {
@@ -57,24 +60,22 @@ std::string amounts(const Cell& cell, const PushReport& report) {
          " N";
 }
 
-std::string cell_elements(const SceneFile& file, const Cell& cell, const PushReport& report,
-                          const Pixel& corner) {
+std::string cell_elements(const SceneFile& file, const Cell& cell, const PushReport& report) {
   const Body<double>& body = *cell.body;
   const ContactAnswer<double>& answer = report.answer.contacts[cell.point];
-  const Pixel center = corner + Pixel(cell_width / 2, 88);
+  const Pixel center(cell_width / 2, 88);
   const double scale = radius / cell.bound;
   std::vector<Pixel> rim;
   for (Index j = 0; j < file.facets; ++j)
     rim.push_back(center + radius * in_plane(body, generator(body, j, file.facets).force));
   const Vector3<double> other = cross(body.normal, body.tangent);
   const std::string name = cell_name(file, cell.point);
-  std::string text =
-      text_element("strong", corner + Pixel(cell_width / 2, 16), name, "middle") +
-      mode_mark(answer.mode, corner + Pixel(cell_width / 2 - 36, 28)) +
-      text_element("", corner + Pixel(cell_width / 2 - 26, 32), mode_verb(answer.mode)) +
-      circle_element("coulomb", center, radius) + polygon_element("cone", rim) +
-      line_element("tick", center - Pixel(radius, 0), center + Pixel(radius, 0)) +
-      line_element("tick", center - Pixel(0, radius), center + Pixel(0, radius));
+  std::string text = text_element("strong", {cell_width / 2, 16}, name, "middle") +
+                     mode_mark(answer.mode, {cell_width / 2 - 36, 28}) +
+                     text_element("", {cell_width / 2 - 26, 32}, mode_verb(answer.mode)) +
+                     circle_element("coulomb", center, radius) + polygon_element("cone", rim) +
+                     line_element("tick", center - Pixel(radius, 0), center + Pixel(radius, 0)) +
+                     line_element("tick", center - Pixel(0, radius), center + Pixel(0, radius));
   for (const auto& [at, along] : {std::pair(Pixel(radius + 5, 4), direction_text(body.tangent)),
                                   std::pair(Pixel(5, -radius - 2), direction_text(other))})
     if (along.size() < 4) text += text_element("quiet", center + at, along); // "+x" has room
@@ -87,8 +88,8 @@ std::string cell_elements(const SceneFile& file, const Cell& cell, const PushRep
   text += arrow_element("force friction", center,
                         center + scale * in_plane(body, answer.friction_force));
   text += circle_element("center", center, 2);
-  return text + text_element("", corner + Pixel(cell_width / 2, cell_height - 10),
-                             amounts(cell, report), "middle");
+  return text +
+         text_element("", {cell_width / 2, cell_height - 10}, amounts(cell, report), "middle");
 }
 
 } // namespace
@@ -119,33 +120,49 @@ std::vector<std::string> without_friction(const SceneFile& file, const PushRepor
   return list;
 }
 
-Drawing friction_picture(const SceneFile& file, const PushReport& report) {
+std::vector<FrictionGroup> friction_panels(const SceneFile& file, const PushReport& report) {
   const Scene<double> scene = file.view();
-  const std::vector<Cell> cells = cells_of(scene, report);
-  const auto count = static_cast<Index>(cells.size());
-  const double rows = static_cast<double>(std::max<Index>(1, (count + columns - 1) / columns));
-  Drawing drawing{"friction",
-                  "Friction within its pyramid, point by point",
-                  "",
-                  columns * cell_width,
-                  rows * cell_height,
-                  ""};
-  if (cells.empty()) {
-    drawing.height = 50;
+  std::vector<FrictionGroup> groups;
+  for (const Cell& cell : cells_of(scene, report)) {
+    const Index b = file.body_of(cell.point);
+    if (groups.empty() || groups.back().body != file.body_name(b))
+      groups.push_back({file.body_name(b), {}});
+    const std::string name = point_name(file, cell.point);
+    groups.back().panels.push_back(
+        {name, name,
+         std::string(mode_verb(report.answer.contacts[cell.point].mode)) + ", friction " +
+             amounts(cell, report) + ".",
+         cell_width, cell_height, cell_elements(file, cell, report)});
+  }
+  return groups;
+}
+
+Drawing friction_picture(const SceneFile& file, const PushReport& report) {
+  Drawing drawing{"friction", "Friction within its pyramid, point by point",
+                  "",         static_cast<double>(columns) * cell_width,
+                  50,         ""};
+  const std::vector<FrictionGroup> groups = friction_panels(file, report);
+  if (groups.empty()) {
     drawing.description = "No contact point has friction.";
     drawing.elements = text_element("quiet", {16, 30}, drawing.description);
     return drawing;
   }
   drawing.description = "The section of each friction pyramid at its normal force, seen along the "
                         "normal from inside the object, and the friction force in it.";
-  for (Index k = 0; k < count; ++k) {
-    const Cell& cell = cells[static_cast<std::size_t>(k)];
-    const Pixel corner(cell_width * static_cast<double>(k % columns),
-                       cell_height * static_cast<double>(k / columns));
-    drawing.elements += cell_elements(file, cell, report, corner);
-    drawing.description += " " + point_name(file, cell.point) + " " +
-                           mode_verb(report.answer.contacts[cell.point].mode) + ", friction " +
-                           amounts(cell, report) + ".";
+  drawing.height = 0;
+  for (const FrictionGroup& group : groups) {
+    drawing.elements += text_element("strong", {16, drawing.height + 22}, group.body);
+    drawing.height += heading;
+    for (std::size_t k = 0; k < group.panels.size(); ++k) {
+      const Drawing& panel = group.panels[k];
+      const std::size_t column = k % columns;
+      if (column == 0 && k > 0) drawing.height += cell_height;
+      drawing.elements += "<g transform=\"translate(" +
+                          pixels(static_cast<double>(column) * cell_width) + " " +
+                          pixels(drawing.height) + ")\">" + panel.elements + "</g>\n";
+      drawing.description += " " + panel.title + " " + panel.description;
+    }
+    drawing.height += cell_height;
   }
   return drawing;
 }

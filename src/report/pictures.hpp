@@ -27,12 +27,21 @@ inline bool is_along_sight(const View& view, const Vector3<double>& axis) {
   return view.flat(axis).norm() <= 1e-6;
 }
 
+/// The isometric view: bodies as things, what each does, and a ghost of where the object goes.
+Drawing isometric_picture(const SceneFile& file, const PushReport& report);
+
 /// One picture a view, to the same scales. Without an answer it shows the prescribed motions, and
 /// of a jam who squeezes.
 std::vector<Drawing> scene_pictures(const SceneFile& file, const PushReport& report);
 
-/// The friction of each contact point that has some, within its polygon of radius mu lambda; of
-/// large patches the first points. Precondition, here and below: the push is solved.
+/// The friction of each contact point that has some, within its polygon of radius mu lambda, body
+/// by body; of large patches the first points. Precondition, here and below: the push is solved.
+struct FrictionGroup {
+  std::string body;
+  std::vector<Drawing> panels;
+};
+std::vector<FrictionGroup> friction_panels(const SceneFile& file, const PushReport& report);
+/// All of them in one drawing, six in a row.
 Drawing friction_picture(const SceneFile& file, const PushReport& report);
 
 /// The points that friction_picture leaves out, with the reason: "wall.1 (no normal force)",
@@ -51,7 +60,5 @@ std::vector<LawRow> law_rows(Residuals<double> residuals);
 std::string rough_number(double x);
 /// Square, triangle or ring.
 std::string mode_mark(Mode mode, const Pixel& at);
-/// "sticks", "slides", "separates".
-std::string mode_verb(Mode mode);
 
 } // namespace lcpush::desktop

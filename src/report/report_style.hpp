@@ -7,18 +7,22 @@ constexpr const char* page_style = R"css(* { box-sizing: border-box; }
 html { -webkit-text-size-adjust: 100%; }
 body { margin: 0; background: var(--paper); color: var(--ink); overflow-wrap: break-word;
   font: 16px/1.5 system-ui, -apple-system, "Segoe UI", Roboto, Arial, "DejaVu Sans", sans-serif; }
-header, nav, main, footer { max-width: 1120px; margin: 0 auto; padding: 0 24px; }
+header, main, footer { max-width: 1120px; margin: 0 auto; padding: 0 24px; }
 header { padding-top: 24px; }
 h1 { font-size: 28px; line-height: 1.2; margin: 0 0 6px; }
 h2 { font-size: 20px; line-height: 1.3; margin: 34px 0 8px; }
+#answer h2 { margin: 12px 0 4px; font-size: 16px; color: var(--soft); }
 h3 { font-size: 17px; margin: 22px 0 6px; }
 p { margin: 0 0 10px; max-width: 72ch; }
 a { color: var(--normal); }
 .aside { color: var(--soft); font-size: 15px; }
+nav { margin-top: 24px; }
 nav ul { list-style: none; display: flex; flex-wrap: wrap; gap: 4px 20px; margin: 10px 0 0;
   padding: 8px 0; border: solid var(--line); border-width: 1px 0; }
 nav a { display: inline-block; padding: 4px 0; }
 :focus-visible { outline: 3px solid var(--normal); outline-offset: 2px; }
+.lead { font-size: 20px; line-height: 1.4; max-width: 64ch; }
+.check { border-left: 5px solid var(--cone); padding: 2px 0 2px 14px; }
 .verdict { border-left: 5px solid var(--move); padding: 4px 0 4px 14px; }
 .failure { border: 2px solid var(--bad); background: var(--bad-wash); padding: 12px 16px;
   margin: 0 0 14px; max-width: 80ch; }
@@ -31,10 +35,11 @@ nav a { display: inline-block; padding: 4px 0; }
 .facts dd { margin: 0; }
 figure { margin: 0 0 12px; min-width: 0; }
 figcaption { color: var(--soft); font-size: 15px; padding-top: 4px; }
-.views { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 420px), 1fr));
-  gap: 14px 28px; }
+.views { display: grid; grid-template-columns: minmax(0, 8fr) minmax(0, 5fr); gap: 4px 24px; }
+.views figure:first-child { grid-row: span 2; }
+.panels { display: grid; grid-template-columns: repeat(6, minmax(0, 170px)); gap: 10px; }
 .drawing, .plot { width: 100%; height: auto; display: block; border: 1px solid var(--line); }
-.views .drawing, .single .drawing { max-width: 560px; }
+.single .drawing { max-width: 560px; }
 .key { list-style: none; margin: 10px 0; padding: 0; display: grid; gap: 3px 20px;
   grid-template-columns: repeat(auto-fill, minmax(min(100%, 265px), 1fr)); font-size: 15px; }
 .key li { display: flex; gap: 10px; align-items: center; }
@@ -57,9 +62,15 @@ pre { font: 13px/1.45 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospa
 details { margin: 8px 0 14px; }
 summary { cursor: pointer; padding: 8px 0; }
 footer { color: var(--soft); font-size: 15px; padding-top: 26px; padding-bottom: 36px; }
+@media (max-width: 820px) {
+  .views { grid-template-columns: minmax(0, 1fr); }
+  .views .drawing { max-width: 560px; }
+  .panels { grid-template-columns: repeat(auto-fill, minmax(126px, 1fr)); }
+}
 @media (max-width: 600px) {
-  header, nav, main, footer { padding-left: 16px; padding-right: 16px; }
+  header, main, footer { padding-left: 16px; padding-right: 16px; }
   h1 { font-size: 23px; }
+  .lead { font-size: 18px; }
   .facts div { grid-template-columns: minmax(0, 1fr); gap: 0; }
   .facts dt { font-size: 15px; }
   th, td { padding: 5px 8px; }

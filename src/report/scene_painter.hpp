@@ -2,11 +2,12 @@
 #pragma once
 
 #include "draw/label_places.hpp"
+#include "draw/prism.hpp"
 #include "report/pictures.hpp"
 
 namespace lcpush::desktop {
 
-/// Scales that all views of a scene share.
+/// Scales that the views of a scene share.
 struct PictureScales {
   double meters = 1;         ///< pixels per metre
   double newtons = 1;        ///< pixels per newton
@@ -16,9 +17,28 @@ struct PictureScales {
   bool shows_forces = false; ///< there is an answer
 };
 
+/// Those of forces and motions; `meters` is left at 1.
+PictureScales picture_scales(const SceneFile& file, const PushReport& report);
+
+/// The object; its box where the scene gives an inertia alone.
+Prism object_prism(const SceneFile& file);
+/// Where contact points are drawn: one that is taken at the object's centre stands on its surface,
+/// so that its body is seen beside the object.
+std::vector<Vector3<double>> drawn_positions(const SceneFile& file);
+
+/// Of a point: what its body is told and what its actuators add; without an answer the former.
+Vector3<double> point_acceleration(const Scene<double>& scene, const Body<double>& body,
+                                   Index point, const PushReport& report);
+/// Of the middle of its points.
+Vector3<double> body_acceleration(const Scene<double>& scene, const Body<double>& body,
+                                  const PushReport& report);
+Vector3<double> middle_of(const std::vector<Vector3<double>>& positions, const Body<double>& body);
+/// "slips"; "3 slip and 1 sticks".
+std::string modes_of(const Body<double>& body, const PushReport& report);
+
 class ScenePainter {
 public:
-  static constexpr double width = 420, margin = 96, margin_above = 112;
+  static constexpr double width = 420, margin = 108, margin_above = 128;
 
   ScenePainter(const SceneFile& file, const PushReport& report, const View& view,
                const PictureScales& scales);
@@ -26,20 +46,14 @@ public:
 
   /// What a view has to show, in metres of the drawing: left, top, right, bottom.
   static Frame extent(const SceneFile& file, const PushReport& report, const View& view);
-  /// Of a point: what its body is told and what its actuators add; without an answer the former.
-  static Vector3<double> point_acceleration(const Scene<double>& scene, const Body<double>& body,
-                                            Index point, const PushReport& report);
 
 private:
-  struct Label {
-    std::vector<std::string> lines;
-    Pixel at, away, target;
-  };
   const SceneFile& file_;
   const Scene<double> scene_;
   const PushReport& report_;
   const View& view_;
   const PictureScales scales_;
+  const std::vector<Vector3<double>> positions_; // as drawn
   Frame extent_;
   double height_;
   LabelPlaces places_;
@@ -47,8 +61,6 @@ private:
   std::vector<std::string> words_; // the description's sentences
 
   Pixel place(const Vector3<double>& position) const;
-  Vector3<double> body_acceleration(const Body<double>& body) const;
-  Vector3<double> body_middle(const Body<double>& body) const;
 
   std::string outline();
   std::string pad(const Body<double>& body);
@@ -61,8 +73,6 @@ private:
   std::string away_mark(const Pixel& center, const std::string& name, const std::string& pitch);
   std::string body_motion(Index b);
   std::vector<std::string> body_words(Index b) const;
-  std::vector<Frame> place_labels(const std::vector<std::size_t>& order, double& cost) const;
-  std::string placed_labels() const;
   std::string scale_bars();
 };
 

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "report/scene_painter.hpp"
+#include "solve/sentence.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
@@ -11,10 +12,6 @@ namespace lcpush::desktop {
 
 std::string rough_number(double x) {
   return number(std::strtod(printed("%.2e", x).c_str(), nullptr)); // 1000 rather than 1e+03
-}
-
-std::string mode_verb(Mode mode) {
-  return mode == Mode::stick ? "sticks" : mode == Mode::slide ? "slides" : "separates";
 }
 
 std::string mode_mark(Mode mode, const Pixel& at) {
@@ -31,7 +28,7 @@ std::string ScenePainter::forces(const Body<double>& body, Index point) {
   const ContactAnswer<double>& answer = report_.answer.contacts[point];
   const bool is_behind = view_.is_behind(body.normal);
   const std::string behind = is_behind ? " behind" : "";
-  const Pixel tip = place(file_.positions[static_cast<std::size_t>(point)]);
+  const Pixel tip = place(positions_[static_cast<std::size_t>(point)]);
   places_.block_around(tip, 10, 2);
   const auto from = [&](const Vector3<double>& force) {
     return Pixel(tip - scales_.newtons * view_.flat(force));
@@ -46,11 +43,11 @@ std::string ScenePainter::forces(const Body<double>& body, Index point) {
                                       generator(body, j, scene_.facets).force));
     rim.push_back(tip);
     const std::vector<Pixel> outline = hull(rim);
-    for (const Pixel& corner : outline) places_.block_line(tip, corner, 0.8);
+    for (const Pixel& corner : outline) places_.block_line(tip, corner, 30);
     text += polygon_element("cone" + behind, outline);
   }
   const auto arrow = [&](const std::string& kind, const Pixel& tail) {
-    places_.block_line(tail, tip, 2);
+    places_.block_line(tail, tip, 60);
     return arrow_element(kind + behind, tail, tip);
   };
   if (view_.flat(body.normal).norm() > 0.3)
@@ -63,11 +60,11 @@ std::string ScenePainter::forces(const Body<double>& body, Index point) {
 std::string ScenePainter::marks(const Body<double>& body) {
   std::string text;
   for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-    const Pixel at = place(file_.positions[static_cast<std::size_t>(i)]);
+    const Pixel at = place(positions_[static_cast<std::size_t>(i)]);
     std::string said = point_name(file_, i), mark = circle_element("mark", at, 3);
     if (scales_.shows_forces) {
       const ContactAnswer<double>& answer = report_.answer.contacts[i];
-      said += " " + mode_verb(answer.mode) + ", normal force " +
+      said += std::string(" ") + mode_verb(answer.mode) + ", normal force " +
               number(answer.normal_force, scales_.no_force) + " N, friction " +
               number(answer.friction_force.norm(), scales_.no_force) + " N";
       mark = mode_mark(answer.mode, at);
@@ -87,7 +84,7 @@ std::string ScenePainter::object_motion() {
     std::vector<std::string> lines{"object"}, said;
     if (flat.norm() > scales_.still) {
       text += arrow_element("motion", center, tip);
-      places_.block_line(center, tip, 3);
+      places_.block_line(center, tip, 60);
       const double whole = a.head<3>().norm();
       lines.push_back(rough_number(flat.norm()) + " m/s\u00B2" +
                       (flat.norm() < 0.995 * whole ? " of " + rough_number(whole) : ""));
@@ -95,7 +92,7 @@ std::string ScenePainter::object_motion() {
     }
     const double spin = view_.toward.dot(a.tail<3>());
     if (report_.scales.length * std::abs(spin) > scales_.still) {
-      places_.block_around(center, 22, 1.5);
+      places_.block_around(center, 22, 20);
       text += turning_arc(center, spin < 0);
       lines.push_back("turns " + rough_number(std::abs(spin)) + " rad/s\u00B2");
       said.push_back(lines.back());
@@ -103,8 +100,9 @@ std::string ScenePainter::object_motion() {
     if (report_.motion.kind == MotionKind::rest)
       lines.emplace_back("stays");
     else if (lines.size() == 1)
-      lines.emplace_back(a.head<3>().norm() > scales_.still ? "moves along the line of sight"
-                                                            : "turns");
+      lines.emplace_back(!(a.head<3>().norm() > scales_.still) ? "turns"
+                         : view_.toward.dot(a.head<3>()) > 0   ? "comes nearer"
+                                                               : "moves away");
     if (said.empty()) said.push_back(lines.back());
     const bool moves = flat.norm() > scales_.still;
     labels_.push_back({lines, moves ? tip : center, Pixel::Zero(), moves ? tip : center});
@@ -142,7 +140,10 @@ std::string ScenePainter::turning_axis() {
     if (at.x() < 8 || at.y() < 8 || at.x() > width - 8 || at.y() > height_ - 8)
       return away_mark(at, name, more);
     places_.block_around(at, 8, 3);
-    labels_.push_back({{name + more}, at, Pixel::Zero(), at});
+    // In two lines, which find a place more easily.
+    std::vector<std::string> lines{"instantaneous", "centre"};
+    if (is_screw) lines = {name, pitch};
+    labels_.push_back({lines, at, Pixel::Zero(), at});
     words_.push_back("It turns about the " + name + more + " at " +
                      vector_text(point, 1e-9 * report_.scales.length) + " m.");
     return turning_center(at);
@@ -151,7 +152,7 @@ std::string ScenePainter::turning_axis() {
   words_.push_back("Its " + name + (is_screw ? " has " + pitch + "." : " lies in the picture."));
   const auto line = clipped_line(at, view_.flat(motion.axis), width, height_);
   if (!line) return away_mark(at, name, "");
-  places_.block_line(line->first, line->second, 1);
+  places_.block_line(line->first, line->second, 60);
   std::vector<std::string> lines{name};
   if (is_screw) lines.push_back(pitch);
   const Pixel near = line->first + 0.85 * (line->second - line->first);
@@ -161,66 +162,19 @@ std::string ScenePainter::turning_axis() {
 
 std::string ScenePainter::body_motion(Index b) {
   const Body<double>& body = scene_.bodies[b];
-  const Pixel flat = view_.flat(body.normal), start = place(body_middle(body));
+  const Pixel flat = view_.flat(body.normal), start = place(middle_of(positions_, body));
   const Pixel out = start - 22 * flat;
-  const Vector3<double> moves = body_acceleration(body);
+  const Vector3<double> moves = body_acceleration(scene_, body, report_);
   std::string text;
   if (view_.flat(moves).norm() > scales_.still) {
     const Pixel tip = out + scales_.accelerations * view_.flat(moves);
-    places_.block_line(out, tip, 3);
+    places_.block_line(out, tip, 60);
     text = arrow_element("motion thin", out, tip);
   }
   const std::vector<std::string> lines = body_words(b);
   labels_.push_back({lines, start - 46 * flat, Pixel(-flat), start});
   words_.push_back(lines[0] + ": " + listed({lines.begin() + 1, lines.end()}, "and") + ".");
   return text;
-}
-
-std::vector<View> chosen_views(const SceneFile& file) {
-  const Vector3<double> pull = file.gravity.cwiseAbs();
-  if (pull.z() > std::max(pull.x(), pull.y())) {
-    const double up = file.gravity.z() < 0 ? 1 : -1;
-    const Vector3<double> x(1, 0, 0), y(0, up, 0), z(0, 0, up);
-    return {{"front", "Front view, x and z", x, z, -y},
-            {"top", "View from above, x and y", x, y, z}};
-  }
-  return views_with_y_up(file.shape.size, file.bodies);
-}
-
-std::vector<Drawing> scene_pictures(const SceneFile& file, const PushReport& report) {
-  const Scene<double> scene = file.view();
-  const std::vector<View> views = chosen_views(file);
-  PictureScales scales;
-  scales.shows_forces = report.status == Status::solved;
-  scales.meters = 1e300;
-  for (const View& view : views) {
-    const Frame frame = ScenePainter::extent(file, report, view);
-    const double room = ScenePainter::width - 2 * ScenePainter::margin;
-    scales.meters = std::min({scales.meters, room / std::max(frame.width(), 1e-9),
-                              200 / std::max(frame.height(), 1e-9)});
-  }
-  double most_force = 0, most_speed = 0;
-  for (const Body<double>& body : scene.bodies)
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-      most_speed =
-          std::max(most_speed, ScenePainter::point_acceleration(scene, body, i, report).norm());
-      if (!scales.shows_forces) continue;
-      const ContactAnswer<double>& answer = report.answer.contacts[i];
-      most_force =
-          std::max({most_force, std::abs(answer.normal_force), answer.friction_force.norm()});
-    }
-  if (scales.shows_forces) {
-    most_force = std::max(most_force, (file.object.mass * file.gravity).norm());
-    most_speed = std::max(most_speed, report.answer.acceleration.head<3>().norm());
-    scales.no_force = 1e-9 * report.scales.force;
-    scales.still = std::max(1e-9 * most_speed, 1e-9 * report.scales.acceleration);
-  }
-  scales.newtons = most_force > 0 ? longest_force / round_above(most_force) : 0;
-  scales.accelerations = most_speed > 0 ? fastest / most_speed : 0;
-  std::vector<Drawing> drawings;
-  for (const View& view : views)
-    drawings.push_back(ScenePainter(file, report, view, scales).draw());
-  return drawings;
 }
 
 } // namespace lcpush::desktop

@@ -30,6 +30,8 @@ public:
     check_sections(document_);
     read_settings();
     scene_.object = read_object<S>(reader("object"), scene_.shape);
+    scene_.lines = {
+        document_.file, reader("object").line(), reader("object").line_of({"center_of_mass"}), {}};
     read_bodies(Role::finger);
     read_bodies(Role::pusher);
     if (scene_.bodies.empty())
@@ -116,6 +118,9 @@ private:
       table.fail("follow", "follow = \"bilateral\" holds the pusher's normal motion, normal_force "
                            "its force; remove one of the two");
     scene_.bodies.push_back(body);
+    scene_.lines.bodies.push_back({table.line_of({"center", "ends", "points"}),
+                                   table.line_of({"normal"}),
+                                   table.line_of({"acceleration", "angular_acceleration"})});
     if (scene_.points.size() + patch.positions.size() > limits::scene_points)
       table.fail("points", "more than " + std::to_string(limits::scene_points) +
                                " contact points in the scene; use fewer");

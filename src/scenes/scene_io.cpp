@@ -12,6 +12,8 @@ std::string read_scene_text(const std::string& path) {
   return read_text_file(path, limits::scene_bytes);
 }
 
+std::string scene_label(const std::string& path) { return file_label(path); }
+
 template <class S> SceneOf<S> parse_scene(std::string_view text, const std::string& file_name) {
   return build_scene<S>(parse_toml(text, file_name));
 }

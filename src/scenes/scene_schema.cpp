@@ -80,10 +80,9 @@ const Section* section_called(const std::string& name) {
 
 const Schema& schema_of(const std::string& section) { return section_called(section)->keys; }
 
-const Key* key_called(const std::string& name) {
-  for (const Section& section : sections())
-    for (const Key& key : section.keys)
-      if (key.name == name) return &key;
+const Key* key_called(const std::string& section, const std::string& name) {
+  for (const Key& key : schema_of(section))
+    if (key.name == name) return &key;
   return nullptr;
 }
 

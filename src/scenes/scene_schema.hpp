@@ -20,8 +20,8 @@ using Schema = std::vector<Key>;
 /// The keys of [section], or of each [[section]]; "" stands for those above the first header.
 const Schema& schema_of(const std::string& section);
 
-/// The key called `name`, wherever it stands; nullptr if there is none.
-const Key* key_called(const std::string& name);
+/// The key of this section (as for schema_of) called `name`; nullptr if there is none.
+const Key* key_called(const std::string& section, const std::string& name);
 
 /// Refuses unknown sections, [name] for [[name]] and the reverse, a missing [object].
 void check_sections(const TomlDocument& document);

@@ -42,6 +42,12 @@ void TableReader::fail(const std::string& key, const std::string& message) const
   fail_at(value ? value->line : table_.line, message);
 }
 
+int TableReader::line_of(const std::vector<std::string>& keys) const {
+  for (const std::string& key : keys)
+    if (const TomlValue* value = table_.find(key)) return value->line;
+  return table_.line;
+}
+
 void TableReader::refuse_unknown_keys() const {
   std::vector<std::string> known;
   for (const Key& key : schema_) known.push_back(key.name);
@@ -145,7 +151,9 @@ const TomlArray& TableReader::as_list(const std::string& what, const TomlValue& 
   for (const std::size_t length : lengths) allowed.push_back(std::to_string(length));
   const std::string got = list ? "a list of " + std::to_string(list->size()) : described(value);
   fail_at(value.line,
-          what + " must be a list of " + listed(allowed, "or") + " numbers, got " + got);
+          what + " must be a list of " + listed(allowed, "or") + " numbers, got " + got +
+              (list && list->size() > lengths.back() ? "; a decimal number has a point, such as 0.3"
+                                                     : ""));
 }
 
 std::vector<Index> TableReader::wholes(const std::string& key, std::size_t size, Index smallest,

@@ -29,6 +29,8 @@ public:
 
   bool has(const std::string& key) const { return table_.find(key) != nullptr; }
   int line() const { return table_.line; }
+  /// Of the first of these keys that the table has, else its own.
+  int line_of(const std::vector<std::string>& keys) const;
   const std::string& label() const { return label_; }
 
   bool boolean(const std::string& key) const;

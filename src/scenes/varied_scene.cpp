@@ -40,10 +40,10 @@ void add_numbers(const TomlValue& value, Named& named, std::vector<Named>& list)
   }
 }
 
-void add_table(const TomlTable& table, const std::string& owner, Place place,
-               std::vector<Named>& list) {
+void add_table(const std::string& section, const TomlTable& table, const std::string& owner,
+               Place place, std::vector<Named>& list) {
   for (const TomlEntry& entry : table.entries) {
-    const Key& key = *key_called(entry.key);
+    const Key& key = *key_called(section, entry.key);
     const bool whole = is_count(entry);
     place.key = entry.key;
     Named named{
@@ -66,14 +66,14 @@ void add_motions(const TomlTable& table, const std::string& owner, const Place& 
 /// Each number that one path names, without those of `*`.
 std::vector<Named> single_parameters(const TomlDocument& document) {
   std::vector<Named> list;
-  add_table(document.root, "", {root, 0, "", {}}, list);
+  add_table("", document.root, "", {root, 0, "", {}}, list);
   for (std::size_t s = 0; s < document.sections.size(); ++s) {
     const TomlSection& section = document.sections[s];
     for (std::size_t t = 0; t < section.tables.size(); ++t) {
       const TomlTable& table = section.tables[t];
       const std::string owner = table.name() != nullptr ? *table.name() : section.name;
       const Place place{static_cast<int>(s), static_cast<int>(t), "", {}};
-      add_table(table, owner, place, list);
+      add_table(section.name, table, owner, place, list);
       if (is_body(section.name)) add_motions(table, owner, place, list);
     }
   }
@@ -186,7 +186,7 @@ VariedScene::VariedScene(TomlDocument document) {
 }
 
 VariedScene VariedScene::read(const std::string& path) {
-  return parse(read_scene_text(path), path);
+  return parse(read_scene_text(path), scene_label(path));
 }
 
 VariedScene VariedScene::parse(std::string_view text, const std::string& file_name) {

@@ -37,7 +37,7 @@ std::string ending(const GripReport& report, const SmallestGrip& grip, bool hold
   case GripSource::statics:
   case GripSource::search: break;
   }
-  return next + it + " would " + limit(report, grip, holds) + ".";
+  return next + it + (holds ? " holds " : " would hold ") + limit(report, grip, holds) + ".";
 }
 
 /// Where the pressure law, and not statics, sets the limit.

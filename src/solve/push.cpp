@@ -112,9 +112,10 @@ std::string Push::explain(Status status, const PressureRun& run) const {
     squeezes = squeezes || ray()[layout().normal_index(i)] > ray_noise;
   switch (status) {
   case Status::ray:
-    return squeezes ? "a ray: forces that squeeze the object and that nothing relieves"
-                    : "a ray that presses no contact: an actuator that nothing holds back, or an "
-                      "object whose mass, size and contacts do not fit together";
+    return squeezes
+               ? "forces squeeze the object, and nothing relieves them (a secondary ray)"
+               : "nothing holds an actuator back, or the object's mass, size and contacts do not "
+                 "fit together (a secondary ray that presses no contact)";
   case Status::pivot_limit: return "the limit of pivots was reached";
   case Status::sweep_limit:
     return "the limit of sweeps was reached; --solver hybrid goes on with pivots";
@@ -166,8 +167,12 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
     if (run(by_other_cover(options, k), 1.0, ignored) != Status::solved) continue;
     ++report.covers_compared;
     const Outcome<double> second = outcome();
-    same_a = same_a && same_motion(first, second, report.scales, push_size(scene_), tolerance);
-    same_f = same_f && same_wrench(first, second, report.scales, tolerance);
+    const bool moves_alike =
+        same_motion(first, second, report.scales, push_size(scene_), tolerance);
+    const bool pushes_alike = same_wrench(first, second, report.scales, tolerance);
+    if (!report.other && !(moves_alike && pushes_alike)) report.other = second;
+    same_a = same_a && moves_alike;
+    same_f = same_f && pushes_alike;
   }
   // A proof, an answer next to this one, or other covers' answers.
   const bool searched = report.covers_compared > 0 || report.final_basis.studied;
@@ -208,7 +213,7 @@ PushReport Push::solve(const PushOptions& options) {
   const double push = push_size(scene_);
   name_file_bodies();
   report.motion = describe_motion(file_.view(), report.answer, report.scales.length,
-                                  push > 0 ? push : report.scales.acceleration);
+                                  report.scales.acceleration, push);
   // The solver has checked its own equations; this is the laws' own word, in SI units.
   if (!(report.residuals.max() <= Tolerances<double>().residual)) {
     report.status = Status::numerical_breakdown;

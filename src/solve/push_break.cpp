@@ -101,7 +101,8 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   name_file_bodies();
   Answer<double> moving = work_.answer;
   moving.acceleration = report.breaking.twist;
-  report.motion = describe_motion(file_.view(), moving, report.scales.length, 1.0);
+  report.motion =
+      describe_motion(file_.view(), moving, report.scales.length, report.scales.acceleration, 1.0);
   compare_covers(options, report);
   return report;
 }
@@ -127,6 +128,7 @@ void Push::compare_covers(const PushOptions& options, BreakReport& report) {
   report.unique_motion = verdict(off.norm() <= slack * std::max(1.0, turn.norm()));
   report.unique_force = verdict(std::abs(first.break_force - second.break_force) <=
                                 slack * std::max(report.scales.force, first.break_force));
+  if (report.unique_force == Uniqueness::no) report.other_force = second.break_force;
 }
 
 } // namespace lcpush::desktop

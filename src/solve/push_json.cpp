@@ -1,5 +1,6 @@
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/report.hpp"
+#include "scenes/warnings_json.hpp"
 #include "solve/push_words.hpp"
 
 namespace lcpush::desktop {
@@ -78,7 +79,8 @@ void write_jam(JsonWriter& json, const SceneFile& file, const Jam& jam) {
   json.end_object();
 }
 
-void write_holds(JsonWriter& json, const HoldReport& hold) {
+void write_holds(JsonWriter& json, const SceneFile& file, const HoldReport& hold) {
+  write_warnings(json, check_scene(file));
   json.member("holds_without_push", when(hold.status == Status::solved, hold.holds));
 }
 
@@ -120,7 +122,7 @@ std::string solve_json(const SceneFile& file, const HoldReport& hold, const Push
   json.member("status", status_text(report.status)).member("solver", solver_text(report.solver));
   json.member("pivots", report.run.pivots).member("sweeps", report.run.sweeps);
   json.member("rounds", report.run.rounds);
-  write_holds(json, hold);
+  write_holds(json, file, hold);
   write_statement(json, "existence", existence_statement(file, report.existence));
   if (report.status != Status::solved) {
     write_failure(json, file, report);
@@ -148,7 +150,7 @@ std::string break_json(const SceneFile& file, const HoldReport& hold, const Grip
   const bool solved = report.status == Status::solved;
   JsonWriter json;
   json.begin_object().member("status", status_text(report.status));
-  write_holds(json, hold);
+  write_holds(json, file, hold);
   write_grip(json, "smallest_grip", grip.alone, grip.force);
   json.member("holds_at_rest", when(solved || report.status == Status::does_not_hold, solved));
   write_grip(json, "smallest_grip_at_rest", grip.at_rest, grip.force);

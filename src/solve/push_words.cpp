@@ -2,19 +2,27 @@
 
 #include <algorithm>
 
+#include "solve/sentence.hpp"
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-/// Fingers come first.
-bool has_pusher(const SceneFile& file) { return file.bodies.back().role == Role::pusher; }
 
 /// "9.81 m/s^2 and 0 rad/s^2", without what rounding left of a zero.
 std::string acceleration_text(const Vector6<double>& a, double length) {
   const double linear = a.head<3>().norm(), angular = a.tail<3>().norm();
   const double zero = 1e-9 * (linear + length * angular);
   return number(linear, zero) + " m/s^2 and " + number(angular, zero / length) + " rad/s^2";
+}
+
+/// "5.01 m/s^2 and 3 rad/s^2" in three digits, without what is a thousandth of the other.
+std::string brief_acceleration(const Vector6<double>& a, double length) {
+  const double linear = a.head<3>().norm(), angular = a.tail<3>().norm();
+  std::string text;
+  if (linear > 1e-3 * length * angular) text = printed("%.3g m/s^2", linear);
+  if (length * angular > 1e-3 * linear)
+    text += (text.empty() ? "" : " and ") + printed("%.3g rad/s^2", angular);
+  return text;
 }
 
 /// The force's size and direction.
@@ -62,31 +70,34 @@ std::string motion_words(const SceneFile& file, const Motion<double>& motion, do
   return text;
 }
 
-/// `open` and `isolated`: what the final basis says.
-std::string unique_words(Uniqueness unique, const PushReport& report, bool open, bool isolated) {
+/// `what` is "motion" or "push force"; `open` and `isolated`: what the final basis says of it.
+std::string unique_words(const std::string& what, Uniqueness unique, const PushReport& report,
+                         bool open, bool isolated) {
   const Index covers = report.covers_compared, tied = report.final_basis.tied_contacts;
   switch (unique) {
-  case Uniqueness::yes: return "unique (proved: every normal force with friction is known)";
+  case Uniqueness::yes:
+    return "the " + what + " is unique (proved: every normal force with friction is known)";
   case Uniqueness::no:
-    return open ? "NOT unique: the final basis leaves it open"
-                : "NOT unique: another cover leads to another answer";
-  case Uniqueness::not_tested: return "not tested";
+    return "the " + what + " is NOT unique: " +
+           (open ? "the final basis leaves it open"
+                 : "another covering vector leads to another answer");
+  case Uniqueness::not_tested: return "no other " + what + " was looked for";
   case Uniqueness::none_other_found: break;
   }
-  std::string text = "no other found";
-  if (covers > 0) text += " under " + counted(covers, "other cover");
-  if (isolated) return text + (covers > 0 ? ", none next to it" : " next to it");
+  std::string text = "no other " + what + " was found";
+  if (covers > 0) text += " under " + counted(covers, "other covering vector");
+  if (isolated) return text + (covers > 0 ? ", and none lies next to it" : " next to it");
   if (report.final_basis.studied && tied > 0) text += "; " + tied_words(tied);
   return text;
 }
 
 std::string unique_text(const SceneFile& file, const PushReport& report) {
   const FinalBasis& basis = report.final_basis;
-  std::string text = "motion " + unique_words(report.unique_motion, report, basis.motion_open,
-                                              basis.motion_isolated());
+  std::string text = unique_words("motion", report.unique_motion, report, basis.motion_open,
+                                  basis.motion_isolated());
   if (has_pusher(file))
-    text += ";\npush force " +
-            unique_words(report.unique_wrench, report, basis.wrench_open, basis.wrench_isolated());
+    text += ";\n" + unique_words("push force", report.unique_wrench, report, basis.wrench_open,
+                                 basis.wrench_isolated());
   return text;
 }
 
@@ -115,18 +126,26 @@ std::string theory_words(const SceneFile& file, const PushReport& report) {
   return text;
 }
 
+Fact caution_fact(const Breaking<double>& b) {
+  return {"Caution", "a third, smaller push lies " + number(b.line_error) +
+                         " of the grip force off the line through two"};
+}
+
 /// What one other cover has led to.
 std::string break_unique_words(const BreakReport& report) {
   const bool same_force = report.unique_force != Uniqueness::no;
   const bool same_motion = report.unique_motion != Uniqueness::no;
-  if (same_force && same_motion) return "no other found under 1 other cover";
-  return std::string("NOT unique: another cover leads to another ") + (same_motion ? "force"
-                                                                       : same_force
-                                                                           ? "motion"
-                                                                           : "force and motion");
+  if (same_force && same_motion) return "no other was found under another covering vector";
+  return std::string("NOT unique: another covering vector leads to another ") +
+         (same_motion  ? "force"
+          : same_force ? "motion"
+                       : "force and motion");
 }
 
 } // namespace
+
+/// Fingers come first.
+bool has_pusher(const SceneFile& file) { return file.bodies.back().role == Role::pusher; }
 
 std::string facts_text(const std::vector<Fact>& facts) {
   std::string all;
@@ -191,71 +210,32 @@ std::vector<Fact> break_facts(const SceneFile& file, const BreakReport& report) 
     facts.push_back({"Answer", break_unique_words(report)});
   if (b.valid_to > 0)
     facts.push_back({"Valid up to", "a push of " + number(b.valid_to) + " m/s^2"});
-  if (b.line_error > 1e-6)
-    facts.push_back({"Caution", "a third, smaller push lies " + number(b.line_error) +
-                                    " of the grip force off the line through two"});
+  if (b.line_error > 1e-6) facts.push_back(caution_fact(b));
   return facts;
 }
 
-std::string does_not_hold_text(const BreakReport& report) {
-  return "DOES NOT HOLD: even with the pusher in place the object accelerates at " +
-         acceleration_text(report.breaking.rest, report.scales.length) +
-         " before it is pushed,\nso there is no force that just breaks the grasp.";
+std::string does_not_hold_text(const SceneFile& file, const BreakReport& report) {
+  return "The grasp does not hold " + object_name(file) +
+         ", so no force just breaks it: with the pusher in place, at rest, " + object_name(file) +
+         " already accelerates at " +
+         brief_acceleration(report.breaking.rest, report.scales.length) + ".";
 }
 
-std::vector<std::vector<std::string>> contact_rows(const SceneFile& file,
-                                                   const PushReport& report) {
-  const Scene<double> scene = file.view();
-  const double zero_force = 1e-9 * report.scales.force;
-  const double zero_motion = 1e-9 * report.scales.acceleration;
-  std::vector<std::vector<std::string>> rows{
-      {"contact", "mode", "normal N", "friction N", "along", "slip m/s^2", "opening m/s^2"}};
-  for (Index i = 0; i < report.answer.contacts.size; ++i) {
-    const ContactAnswer<double>& contact = report.answer.contacts[i];
-    const Vector3<double>& n = scene.bodies[contact.body].normal;
-    const double friction = contact.friction_force.norm(), opening = contact.acceleration.dot(n);
-    rows.push_back(
-        {point_name(file, i), mode_text(contact.mode), number(contact.normal_force, zero_force),
-         number(friction, zero_force),
-         friction > zero_force ? vector_text(contact.friction_force / friction, 1e-6) : "-",
-         number((contact.acceleration - opening * n).norm(), zero_motion),
-         number(opening, zero_motion)});
-  }
-  return rows;
+std::string hold_sentence(const SceneFile& file, const HoldReport& hold) {
+  return "Without the push the grasp does not hold " + object_name(file) + ": it accelerates at " +
+         brief_acceleration(hold.acceleration, hold.length) + ".";
 }
 
-std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report) {
-  const Scene<double> scene = file.view();
-  std::vector<std::string> list;
-  const auto add = [&](const std::string& name, double s) {
-    if (std::abs(s) > 1e-9 * report.scales.acceleration)
-      list.push_back(name + (s > 0 ? " closes at " : " is forced open at ") + number(std::abs(s)) +
-                     " m/s^2");
-  };
-  for (Index b = 0; b < scene.bodies.size; ++b) {
-    const Body<double>& body = scene.bodies[b];
-    if (scene.pressure != Pressure::even)
-      add(file.body_name(b), mean_closing(report.answer, body));
-    else
-      for (const Index i : points_of(body))
-        add(point_name(file, i), report.answer.contacts[i].closing_acceleration);
-  }
-  return list;
-}
-
-std::vector<std::string> torsion_sentences(const SceneFile& file, const PushReport& report) {
-  const Scene<double> scene = file.view();
-  const double zero = 1e-9 * report.scales.force * report.scales.length;
-  std::vector<std::string> list;
-  for (Index i = 0; i < report.answer.contacts.size; ++i) {
-    const ContactAnswer<double>& contact = report.answer.contacts[i];
-    if (!(scene.bodies[contact.body].torsion_radius > 0)) continue;
-    list.push_back(point_name(file, i) + " twists the object with " +
-                   number(contact.torsion, zero) + " N m about its normal, against a spin of " +
-                   number(contact.spin, 1e-9 * report.scales.acceleration / report.scales.length) +
-                   " rad/s^2");
-  }
-  return list;
+std::vector<Fact> brief_break_facts(const SceneFile& file, const BreakReport& report) {
+  const Breaking<double>& b = report.breaking;
+  std::vector<Fact> facts{{"Whole force", force_phrase(file, b.force.head<3>())}};
+  if (b.inertia_normal > 1e-9 * file.object.mass)
+    facts.push_back(
+        {"Pushing faster", printed("adds %.3g N per m/s^2 of the push", b.inertia_normal)});
+  if (report.motion.kind == MotionKind::rest)
+    facts.push_back({"Motion", "none: the pusher slides past it, or moves away"});
+  if (b.line_error > 1e-3) facts.push_back(caution_fact(b));
+  return facts;
 }
 
 std::string run_words(const SceneFile& file, const RunReport& report) {

@@ -28,9 +28,18 @@ Fact grip_fact(const SceneFile& file, const HoldReport& hold, const GripReport& 
 std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report);
 /// The breaking force and what follows it. Precondition: solved.
 std::vector<Fact> break_facts(const SceneFile& file, const BreakReport& report);
-/// Of a grasp that moves before it is pushed: a sentence, on two lines.
-std::string does_not_hold_text(const BreakReport& report);
+/// Of a grasp that moves before it is pushed.
+std::string does_not_hold_text(const SceneFile& file, const BreakReport& report);
 
+/// The same in three digits, without what a first look does not need.
+std::vector<Fact> brief_break_facts(const SceneFile& file, const BreakReport& report);
+/// "Without the push the grasp does not hold the object: ..". Precondition: it does not.
+std::string hold_sentence(const SceneFile& file, const HoldReport& hold);
+bool has_pusher(const SceneFile& file);
+
+/// In three digits; how a contact opens only where one does.
+std::vector<std::vector<std::string>> brief_contact_rows(const SceneFile& file,
+                                                         const PushReport& report);
 /// A head and a row for each contact.
 std::vector<std::vector<std::string>> contact_rows(const SceneFile& file, const PushReport& report);
 /// Soft points twist: their torque, and how fast they spin.
@@ -40,8 +49,10 @@ std::vector<std::string> closing_sentences(const SceneFile& file, const PushRepo
 /// How the answer was found, without a full stop or an end of line.
 std::string run_words(const SceneFile& file, const RunReport& report);
 
-/// "NOT SOLVED (ray): .." with the jam in words and the ray.
+/// "No answer (ray): .." with the jam in words.
 std::string failure_text(const SceneFile& file, const RunReport& report);
+/// The ray's entries, in the solver's units; nothing without one.
+std::string ray_text(const RunReport& report);
 /// The keys reason, ray and, of a ray, jam.
 void write_failure(JsonWriter& json, const SceneFile& file, const RunReport& report);
 /// The title and an empty line, or nothing.

@@ -1,31 +1,56 @@
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/spread.hpp"
+#include "scenes/warnings_json.hpp"
 #include "solve/push_words.hpp"
-#include "text/format.hpp"
+#include "solve/sentence.hpp"
+#include "text/fitted.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-std::string end_text(double x, double zero) {
-  return std::isfinite(x) ? number(x, zero) : x > 0 ? "no bound" : "no bound below";
+std::string end_text(double x, int digits, double zero, bool is_long) {
+  if (std::isfinite(x)) return in_digits(x, digits, zero);
+  if (!is_long) return x > 0 ? "inf" : "-inf";
+  return x > 0 ? "no bound" : "no bound below";
 }
 
 /// "20.02", or "8.05 .. 10" if the ends differ by more than `same`.
-std::string interval_text(const Interval& interval, double same) {
-  if (is_single(interval, same)) return number((interval.low + interval.high) / 2, same);
-  return end_text(interval.low, same) + " .. " + end_text(interval.high, same);
+std::string interval_text(const Interval& interval, double same, int digits, bool is_long = true) {
+  if (is_single(interval, same)) return in_digits((interval.low + interval.high) / 2, digits, same);
+  return end_text(interval.low, digits, same, is_long) + " .. " +
+         end_text(interval.high, digits, same, is_long);
+}
+
+/// What the file's own law has to do with it, or nothing.
+std::string file_law_text(const SceneFile& file) {
+  if (file.pressure == Pressure::rigid) return "";
+  return std::string("the file's law \"") + pressure_text(file.pressure) +
+         (file.pressure == Pressure::pad ? "\" chooses one of these answers"
+                                         : "\" spreads each patch's force: other equations");
 }
 
 Fact law_fact(const SceneFile& file) {
-  Fact fact{"Laws", "the paper's, literally (pressure = \"rigid\")"};
-  if (file.pressure == Pressure::rigid) return fact;
-  fact.text += std::string(";\nthe file's law \"") + pressure_text(file.pressure) +
-               (file.pressure == Pressure::pad ? "\" chooses one of these answers"
-                                               : "\" spreads each patch's force: other equations");
-  return fact;
+  const std::string other = file_law_text(file);
+  return {"Laws",
+          "the paper's, literally (pressure = \"rigid\")" + (other.empty() ? "" : ";\n" + other)};
+}
+
+/// What may be missing.
+std::vector<std::string> doubts_of(const SpreadReport& report) {
+  std::vector<std::string> list;
+  if (!report.enumeration.empty())
+    list.push_back("not enumerated to the end: " + report.enumeration);
+  if (report.faces_left > 0 && !report.complete)
+    list.push_back(counted(report.faces_left, "more face") +
+                   " known but not studied (limit of work): the bounds may be wider");
+  if (report.failures > 0)
+    list.push_back(counted(report.failures, "bound") +
+                   " could not be settled: the set may be wider than printed");
+  return list;
 }
 
 /// Which answers the bounds speak of.
@@ -37,16 +62,10 @@ Fact reach_fact(const SpreadReport& report) {
   } else {
     const Index failed = report.covering_vectors - report.covering_vectors_solved;
     text = "the solutions that were reached: " + counted(report.faces, "face") + " from " +
-           counted(report.covering_vectors, "cover");
+           counted(report.covering_vectors, "covering vector");
     if (failed > 0) text += " (" + std::to_string(failed) + " ended in none)";
   }
-  if (!report.enumeration.empty()) text += "\nnot enumerated to the end: " + report.enumeration;
-  if (report.faces_left > 0 && !report.complete)
-    text += "\n" + counted(report.faces_left, "more face") +
-            " known but not studied (limit of work): the bounds may be wider";
-  if (report.failures > 0)
-    text += "\n" + counted(report.failures, "bound") +
-            " could not be settled: the set may be wider than printed";
+  for (const std::string& doubt : doubts_of(report)) text += "\n" + doubt;
   return {"Answers", text};
 }
 
@@ -61,28 +80,93 @@ Fact verdict_fact(const SpreadReport& report) {
   return {"Verdict", "ambiguous: several motions"};
 }
 
-std::string motion_table(const SpreadReport& report) {
+std::string motion_table(const SpreadReport& report, int digits) {
   const char* const names[] = {"linear x",  "linear y",  "linear z",
                                "angular x", "angular y", "angular z"};
   std::vector<std::vector<std::string>> rows{{"motion of the object", "", ""}};
   for (Index k = 0; k < 6; ++k) {
     const double zero = same_acceleration(report) / (k < 3 ? 1 : report.scales.length);
-    rows.push_back({names[k], interval_text(report.twist[k], zero), k < 3 ? "m/s^2" : "rad/s^2"});
+    rows.push_back(
+        {names[k], interval_text(report.twist[k], zero, digits), k < 3 ? "m/s^2" : "rad/s^2"});
   }
   return table_text(rows);
 }
 
-std::string contact_table(const SceneFile& file, const SpreadReport& report) {
+std::string contact_table(const SceneFile& file, const SpreadReport& report, int most_digits) {
   const double zero = same_force(report);
-  std::vector<std::vector<std::string>> rows{
-      {"contact", "normal N", "friction along t N", "along o = n x t N"}};
-  for (std::size_t i = 0; i < report.contacts.size(); ++i) {
-    const ContactSpread& contact = report.contacts[i];
-    rows.push_back({point_name(file, static_cast<Index>(i)), interval_text(contact.normal, zero),
-                    interval_text(contact.tangential[0], zero),
-                    interval_text(contact.tangential[1], zero)});
+  return fitted_table(most_digits, [&](int digits, bool is_long) {
+    std::vector<std::vector<std::string>> rows{
+        {"contact", "normal N", "friction along t N", "along o = n x t N"}};
+    if (!is_long) rows[0] = {"contact", "normal N", "along t N", "along o N"};
+    for (std::size_t i = 0; i < report.contacts.size(); ++i) {
+      const ContactSpread& contact = report.contacts[i];
+      const auto text = [&](const Interval& interval) {
+        return interval_text(interval, zero, digits, is_long);
+      };
+      rows.push_back({point_name(file, static_cast<Index>(i)), text(contact.normal),
+                      text(contact.tangential[0]), text(contact.tangential[1])});
+    }
+    return rows;
+  });
+}
+
+std::string sentence(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".\n";
+}
+
+/// "18.4 to 20 N", "3 N or more".
+std::string force_words(const Interval& force, double same) {
+  const std::string low = in_digits(force.low, 3, same), high = in_digits(force.high, 3, same);
+  if (!std::isfinite(force.high)) return "of " + low + " N or more";
+  return (is_single(force, same) ? high : low + " to " + high) + " N";
+}
+
+/// What the laws leave open, and how hard the push is.
+std::string message(const SceneFile& file, const SpreadReport& report) {
+  const std::string one_way = (report.complete ? "" : "in all answers that were reached, ") +
+                              object_name(file) + " moves in one way";
+  std::string text;
+  switch (report.verdict) {
+  case SpreadVerdict::unique: text = sentence(one_way + ", under one set of forces"); break;
+  case SpreadVerdict::same_motion:
+    text = sentence(one_way + "; the laws leave its forces open");
+    break;
+  case SpreadVerdict::ambiguous:
+    text = sentence("the laws leave open how " + object_name(file) + " moves");
+    break;
   }
-  return table_text(rows);
+  for (const PusherSpread& pusher : report.pushers)
+    text +=
+        sentence("the push by " + file.body_name(pusher.body) + " is " +
+                 force_words(pusher.force, same_force(report)) + ", the sum of its normal forces");
+  return text;
+}
+
+/// Of which answers the ranges speak, and what may be missing.
+std::string brief_end(const SceneFile& file, const SpreadReport& report) {
+  std::string text = "These are the ranges of every solution.\n";
+  if (!report.complete)
+    text = std::string("These are the ranges of the solutions that were reached; there may be "
+                       "others") +
+           (report.enumeration.empty() ? " (--enumerate looks for all)" : "") + ".\n";
+  for (const std::string& doubt : doubts_of(report)) text += sentence(doubt);
+  const std::string law = file_law_text(file);
+  return text + (law.empty() ? "" : sentence(law));
+}
+
+std::string failed_text(const SceneFile& file, const SpreadReport& report, Telling telling) {
+  RunReport failure = report.failure;
+  failure.status = report.status;
+  if (failure.reason.empty()) failure.reason = "no answer was reached";
+  std::string text = telling == Telling::full ? facts_text({law_fact(file)}) : "";
+  text += failure_text(file, failure) + "\n";
+  if (report.complete)
+    return text + "No solution: every assignment of contact modes was refuted.\n";
+  text +=
+      "No solution was reached from " + counted(report.covering_vectors, "covering vector") + ".\n";
+  for (const std::string& doubt : doubts_of(report)) text += sentence(doubt);
+  return text;
 }
 
 /// Infinite ends become null.
@@ -90,30 +174,23 @@ std::array<double, 2> ends_of(const Interval& interval) { return {interval.low, 
 
 } // namespace
 
-std::string spread_text(const SceneFile& file, const SpreadReport& report) {
-  std::string text = title_line(file) + facts_text({law_fact(file)});
-  if (report.status != Status::solved) {
-    RunReport failure = report.failure;
-    failure.status = report.status;
-    if (failure.reason.empty()) failure.reason = "no answer was reached";
-    text += failure_text(file, failure);
-    if (report.complete)
-      return text + "\nNo solution: every assignment of contact modes was refuted.\n";
-    return text + "\nNo solution was reached from " + counted(report.covering_vectors, "cover") +
-           ".\n" +
-           (report.enumeration.empty()
-                ? ""
-                : "Not enumerated to the end: " + report.enumeration + ".\n");
-  }
-  std::vector<Fact> facts{reach_fact(report), verdict_fact(report)};
+std::string spread_text(const SceneFile& file, const SpreadReport& report, Telling telling) {
+  const bool is_full = telling == Telling::full;
+  std::string text = title_line(file);
+  if (report.status != Status::solved) return text + failed_text(file, report, telling);
+  text += message(file, report) + "\n";
+  if (!is_full)
+    return text + motion_table(report, 3) + "\n" + contact_table(file, report, 3) + "\n" +
+           brief_end(file, report);
+  std::vector<Fact> facts{law_fact(file), reach_fact(report), verdict_fact(report)};
   for (const PusherSpread& pusher : report.pushers)
     facts.push_back(
         {"Push by " + file.body_name(pusher.body),
-         interval_text(pusher.force, same_force(report)) + " N, the sum of its normal forces"});
-  return text + facts_text(facts) + "\n" + motion_table(report) + "\n" +
-         contact_table(file, report) +
+         interval_text(pusher.force, same_force(report), 6) + " N, the sum of its normal forces"});
+  return text + facts_text(facts) + "\n" + motion_table(report, 6) + "\n" +
+         contact_table(file, report, 6) +
          "\nBoth ends of each range belong to answers that were checked apart from the solver: "
-         "scaled\nresidual " +
+         "scaled residual " +
          residual_text(report.residual) + ". Not every value in between need belong to one. " +
          counted(report.programs, "linear program") + ".\n";
 }
@@ -122,6 +199,7 @@ std::string spread_json(const SceneFile& file, const SpreadReport& report) {
   const bool solved = report.status == Status::solved;
   JsonWriter json;
   json.begin_object().member("status", status_text(report.status));
+  write_warnings(json, check_scene(file));
   json.member("verdict", when(solved, verdict_text(report.verdict)));
   json.member("laws", "rigid").member("pressure", pressure_text(file.pressure));
   json.member("faces", report.faces).member("covers", report.covering_vectors);

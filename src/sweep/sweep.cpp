@@ -155,7 +155,7 @@ void find_segments(const VariedScene& scene, SweepSolver& solver, bool exact,
     SweepSolver backwards(scene, {back_again}, solver.pusher(), options.warm);
     const Tracks back = find_tracks(backwards, exact, options, share, share);
     const double shortest = exact ? 4 * merge_distance : bisection_blur;
-    sweep.bistable = disagreements(compared(there, back, variation, shortest), true,
+    sweep.bistable = disagreements(compared(there, back, variation, shortest),
                                    2 * shortest * std::abs(variation.to - variation.from));
     if (!sweep.bistable.empty()) sweep.back = segments_of(back_again, back);
     sweep.cold += backwards.cold();

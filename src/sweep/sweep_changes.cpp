@@ -2,14 +2,14 @@
 #include <algorithm>
 
 #include "lcpush/desktop/naming.hpp"
-#include "lcpush/desktop/sweep.hpp"
+#include "solve/sentence.hpp"
+#include "sweep/sweep_words.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-/// What a contact does from here on.
-enum class Deed { turns, takes_load, drops_load, separates, lands, sticks, grazes, slides };
+constexpr double alike = 1e-2; // of the range: nearer changes of push and breaking are one event
 
 /// As one contact does it, and as several do: "wall.1 sticks", "wall.1 and wall.2 stick".
 struct DeedWords {
@@ -42,12 +42,63 @@ Vector3<double> shown_digits(const Vector3<double>& direction) {
   return (1000 * direction).array().round();
 }
 
-/// Several contacts that do the same.
-struct SharedDeed {
-  Deed deed;
-  Vector3<double> along; ///< of those that begin to slide: their direction, or zero
-  std::vector<Index> contacts;
-};
+bool is_same(const SharedDeed& a, const SharedDeed& b) {
+  return a.deed == b.deed && a.contacts == b.contacts &&
+         shown_digits(a.along) == shown_digits(b.along);
+}
+
+/// `but_for_jumps`: how the answer jumps there may differ.
+bool are_same(const std::vector<ToldChange>& a, const std::vector<ToldChange>& b,
+              bool but_for_jumps) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(),
+      [but_for_jumps](const ToldChange& one, const ToldChange& other) {
+        return one.kind == other.kind && one.from == other.from && one.to == other.to &&
+               (but_for_jumps || (one.jumps == other.jumps && one.path == other.path)) &&
+               std::equal(one.deeds.begin(), one.deeds.end(), other.deeds.begin(),
+                          other.deeds.end(), is_same);
+      });
+}
+
+std::vector<SharedDeed> shared_deeds(const AnswerChange& change) {
+  std::vector<SharedDeed> different;
+  for (const ContactChange& contact : change.contacts) {
+    const Deed deed = deed_of(contact);
+    const bool slides = deed == Deed::grazes || deed == Deed::slides;
+    const Vector3<double> along = slides ? contact.slip : Vector3<double>::Zero();
+    auto same = std::find_if(different.begin(), different.end(), [&](const SharedDeed& other) {
+      return other.deed == deed && shown_digits(other.along) == shown_digits(along);
+    });
+    if (same == different.end()) same = different.insert(same, {deed, along, {}});
+    same->contacts.push_back(contact.contact);
+  }
+  return different;
+}
+
+/// Nothing if it is not worth a word in a brief text.
+std::optional<ToldChange> told_change(const AnswerChange& change, Telling telling) {
+  ToldChange told{change.kind,          change.from,  change.to,
+                  shared_deeds(change), change.jumps, change.path};
+  if (telling == Telling::full || change.kind != AnswerChange::Kind::modes) return told;
+  const auto is_minor = [](const SharedDeed& shared) {
+    return shared.deed == Deed::turns || shared.deed == Deed::takes_load ||
+           shared.deed == Deed::drops_load;
+  };
+  if (told.is_of_holding())
+    told.deeds.clear();
+  else
+    told.deeds.erase(std::remove_if(told.deeds.begin(), told.deeds.end(), is_minor),
+                     told.deeds.end());
+  if (told.deeds.empty() && !told.jumps && !told.is_of_holding()) return std::nullopt;
+  return told;
+}
+
+std::vector<ToldChange> told_changes(const std::vector<AnswerChange>& changes, Telling telling) {
+  std::vector<ToldChange> list;
+  for (const AnswerChange& change : changes)
+    if (const auto told = told_change(change, telling)) list.push_back(*told);
+  return list;
+}
 
 /// The contacts that do this: a body's name where all of its points do.
 std::string sentence(const SceneFile& file, const SharedDeed& shared) {
@@ -71,25 +122,16 @@ void add(std::string& text, const char* separator, const std::string& sentence) 
   text += (text.empty() ? "" : separator) + sentence;
 }
 
-std::string modes_text(const SceneFile& file, const AnswerChange& change) {
+std::string modes_text(const SceneFile& file, const ToldChange& change) {
   std::string text;
-  if (change.from != change.to && change.to == Status::does_not_hold)
-    add(text, ", ", "the grasp no longer holds the object");
-  if (change.from == Status::does_not_hold && change.to == Status::solved)
-    add(text, ", ", "the grasp holds the object");
-  std::vector<SharedDeed> different;
-  for (const ContactChange& contact : change.contacts) {
-    const Deed deed = deed_of(contact);
-    const bool slides = deed == Deed::grazes || deed == Deed::slides;
-    const Vector3<double> along = slides ? contact.slip : Vector3<double>::Zero();
-    auto same = std::find_if(different.begin(), different.end(), [&](const SharedDeed& other) {
-      return other.deed == deed && shown_digits(other.along) == shown_digits(along);
-    });
-    if (same == different.end()) same = different.insert(same, {deed, along, {}});
-    same->contacts.push_back(contact.contact);
-  }
-  for (const SharedDeed& shared : different) add(text, ", ", sentence(file, shared));
-  return text.empty() ? "forces are shared in another way" : text;
+  if (change.is_of_holding())
+    add(text, ", ",
+        std::string("the grasp ") +
+            (change.turns_to(Status::does_not_hold) ? "no longer holds " : "holds ") +
+            object_name(file));
+  for (const SharedDeed& shared : change.deeds) add(text, ", ", sentence(file, shared));
+  if (!text.empty()) return text;
+  return change.jumps ? "forces change" : "forces are shared in another way";
 }
 
 /// Of a jump, in PathBreak's order.
@@ -97,7 +139,7 @@ constexpr const char* path_words[] = {"", ": all answers in between are answers 
                                       ": the solution path turns back here",
                                       ": the solution path ends here in a ray"};
 
-std::string answer_text(const SceneFile& file, const AnswerChange& change) {
+std::string answer_text(const SceneFile& file, const ToldChange& change) {
   if (change.kind == AnswerChange::Kind::lost)
     return std::string("from here on no answer is found (") + status_text(change.to) + ")";
   if (change.kind == AnswerChange::Kind::found) return "from here on there is an answer again";
@@ -106,32 +148,109 @@ std::string answer_text(const SceneFile& file, const AnswerChange& change) {
   return text + "; the answer jumps" + path_words[static_cast<int>(change.path)];
 }
 
-std::string answer_text(const SceneFile& file, const std::vector<AnswerChange>& changes) {
-  std::string text;
-  for (const AnswerChange& change : changes) add(text, "; ", answer_text(file, change));
-  return text;
+/// What happens at one value: one event if it is the same for both questions.
+void add_events(std::vector<SweepEvent>& events, double value, const SweepChange& change,
+                Telling telling) {
+  OfBoth<SweepEvent> here;
+  for (const Question question : questions) {
+    here[question].at[question] = value;
+    here[question].changes = told_changes(change[question], telling);
+    for (const ToldChange& told : here[question].changes)
+      here[question].jumps = here[question].jumps || told.jumps;
+  }
+  if (are_same(here.push.changes, here.breaking.changes, false)) {
+    here.push.changes.clear();
+    here.breaking.at.push = value;
+  }
+  for (const Question question : questions)
+    if (!here[question].changes.empty()) events.push_back(here[question]);
 }
 
-/// What happens to both alike is said once.
-std::string both_texts(const SceneFile& file, const SweepChange& change,
-                       const char* as_prescribed) {
-  const std::string pushed = answer_text(file, change.push);
-  const std::string broken = answer_text(file, change.breaking);
-  if (pushed == broken) return pushed;
-  std::string text = pushed.empty() ? "" : as_prescribed + pushed;
-  if (!broken.empty()) add(text, "; ", "at breaking: " + broken);
+/// Nothing but a jump of the forces.
+bool is_bare_jump(const SweepEvent& event) {
+  return std::all_of(event.changes.begin(), event.changes.end(), [](const ToldChange& change) {
+    return change.deeds.empty() && change.kind == AnswerChange::Kind::modes &&
+           !change.is_of_holding();
+  });
+}
+
+/// The event that this one is a part of: what happens to the other question alike, a little
+/// earlier.
+std::vector<SweepEvent>::iterator alike_in(std::vector<SweepEvent>& list, const SweepEvent& event,
+                                           double near) {
+  return std::find_if(list.begin(), list.end(), [&](const SweepEvent& other) {
+    const bool fits =
+        (!other.at.breaking && !event.at.push) || (!other.at.push && !event.at.breaking);
+    return fits && std::abs(other.value() - event.value()) <= near &&
+           are_same(other.changes, event.changes, true);
+  });
+}
+
+/// What happens to push and breaking alike is one event; a jump of the forces beside a change that
+/// is told is a part of it.
+std::vector<SweepEvent> merged(const Sweep& sweep, const std::vector<SweepEvent>& events) {
+  const Variation& variation = sweep.variations[0];
+  const double near = alike * std::abs(variation.to - variation.from);
+  std::vector<SweepEvent> list;
+  for (const SweepEvent& event : events) {
+    const bool is_part =
+        is_bare_jump(event) && std::any_of(events.begin(), events.end(), [&](const auto& other) {
+          return !is_bare_jump(other) && are_one_place(variation, other.value(), event.value());
+        });
+    if (is_part) continue;
+    const auto same = alike_in(list, event, near);
+    if (same == list.end()) {
+      list.push_back(event);
+      continue;
+    }
+    for (const Question question : questions)
+      if (event.at[question]) same->at[question] = event.at[question];
+    same->jumps = same->jumps || event.jumps;
+    for (std::size_t k = 0; k < same->changes.size(); ++k)
+      same->changes[k].jumps = same->changes[k].jumps || event.changes[k].jumps;
+  }
+  return list;
+}
+
+std::string joined_events(const Sweep& sweep, double value, const SweepChange& change) {
+  std::vector<SweepEvent> events;
+  add_events(events, value, change, Telling::full);
+  std::string text;
+  for (const SweepEvent& event : events) add(text, "; ", event_text(sweep, event));
   return text;
 }
 
 } // namespace
 
+std::vector<SweepEvent> events_of(const Sweep& sweep, const std::vector<SweepSegment>& segments,
+                                  Telling telling) {
+  std::vector<SweepEvent> events;
+  for (const SweepSegment& segment : segments)
+    add_events(events, segment.to, segment.change, telling);
+  return telling == Telling::full ? events : merged(sweep, events);
+}
+
+std::vector<SweepEvent> events_of(const Sweep& sweep, const std::vector<SweepPoint>& points,
+                                  Telling telling) {
+  std::vector<SweepEvent> events;
+  for (const SweepPoint& point : points) add_events(events, point.value, point.change, telling);
+  return telling == Telling::full ? events : merged(sweep, events);
+}
+
+std::string event_text(const Sweep& sweep, const SweepEvent& event) {
+  std::string text;
+  for (const ToldChange& change : event.changes) add(text, "; ", answer_text(sweep.scene, change));
+  if (event.at.push && event.at.breaking) return text;
+  if (event.at.breaking) return "at breaking: " + text;
+  return (sweep.asks_breaking ? "as prescribed: " : "") + text;
+}
+
 std::string change_text(const Sweep& sweep, const SweepSegment& segment) {
-  return both_texts(sweep.scene, segment.change, sweep.asks_breaking ? "as prescribed: " : "");
+  return joined_events(sweep, segment.to, segment.change);
 }
 
 std::string change_text(const Sweep& sweep, const SweepPoint& point) {
-  return both_texts(sweep.scene, point.change, "") +
-         (point.change.jumps ? "; the answer jumps" : "");
+  return joined_events(sweep, point.value, point.change);
 }
 
 } // namespace lcpush::desktop

@@ -4,6 +4,7 @@
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/sweep.hpp"
+#include "scenes/warnings_json.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
@@ -127,6 +128,8 @@ void write_sweep(JsonWriter& json, const Sweep& sweep) {
   json.objects("points", sweep.points, point).objects("points_back", sweep.points_back, point);
   json.objects("bistable", sweep.bistable, [&](const BistableRange& range) {
     json.member("from", range.from).member("to", range.to).member("motion", range.motion);
+    json.member("force_difference", range.force_difference);
+    json.member("force_share", range.force_share);
   });
   json.objects("zeros", sweep.zeros, [&](const SweepZero& zero) {
     json.member("of", "twist[" + std::to_string(zero.component) + "]");
@@ -137,9 +140,11 @@ void write_sweep(JsonWriter& json, const Sweep& sweep) {
 
 } // namespace
 
-std::string sweep_json(const std::vector<SweepCurve>& curves) {
+std::string sweep_json(const std::vector<SweepCurve>& curves,
+                       const std::vector<SceneDoubt>& warnings) {
   JsonWriter json;
   json.begin_object();
+  write_warnings(json, warnings);
   if (curves.size() == 1) {
     write_sweep(json, curves.front().sweep);
     return json.end_object().text();

@@ -22,6 +22,14 @@ bool same_contacts(const DetailedAnswer& a, const DetailedAnswer& b, Same same) 
                     same);
 }
 
+void note_difference(BistableRange& range, const SweepAnswer& a, const SweepAnswer& b) {
+  if (!a.is_solved() || !b.is_solved()) return;
+  const double difference = std::max(std::abs(a.normal - b.normal), (a.force - b.force).norm());
+  const double size = std::max(force_size(a), force_size(b));
+  if (difference > range.force_difference) range.force_difference = difference;
+  if (difference > range.force_share * size) range.force_share = difference / size;
+}
+
 /// Does `piece` go on in the line and in the modes of `last`?
 bool goes_on(const Piece& last, const Piece& piece, Question question, double tolerance) {
   const bool same_states =
@@ -119,28 +127,23 @@ bool moves_otherwise(const SweepValue& a, const SweepValue& b) {
   return a.push.is_solved() && b.push.is_solved() && other_motion(a.push, b.push, equal_answers);
 }
 
-std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, bool forgive_rounding,
-                                         double near) {
-  const auto same = [&](SweepAnswer a, SweepAnswer b, Question question) {
-    for (SweepAnswer* answer : {&a, &b}) {
-      if (forgive_rounding) break;
-      answer->force_noise = answer->motion_noise = 0;
-      if (question == Question::push) answer->normal = 0; // the force has it
-    }
-    return !differ(a, b, question, equal_answers);
-  };
+std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, double near) {
   std::vector<BistableRange> ranges;
   bool disagreed = false;
   for (const TwoWays& ways : list) {
     const bool before = disagreed, motion = moves_otherwise(ways.there, ways.back);
     disagreed = false;
     for (const Question question : questions)
-      disagreed = disagreed || !same(ways.there[question], ways.back[question], question);
+      disagreed =
+          disagreed || differ(ways.there[question], ways.back[question], question, equal_answers);
     if (!disagreed) continue;
     const bool goes_on =
         before || (!ranges.empty() && std::abs(ways.from - ranges.back().to) <= near);
-    if (!goes_on || ranges.back().motion != motion) ranges.push_back({ways.from, ways.to, motion});
+    if (!goes_on || ranges.back().motion != motion)
+      ranges.push_back({ways.from, ways.to, motion, 0, 0});
     ranges.back().to = ways.to;
+    for (const Question question : questions)
+      note_difference(ranges.back(), ways.there[question], ways.back[question]);
   }
   return ranges;
 }

@@ -64,11 +64,9 @@ struct TwoWays {
   double from, to; ///< of the parameter
   SweepValue there, back;
 };
-/// The ranges in which they find different answers; `list` follows the sweep. May answers differ by
-/// what rounding leaves of a zero?
+/// The ranges in which they find different answers; `list` follows the sweep.
 /// Ranges with a gap of at most `near` between them are one: no shorter stretch is told apart.
-std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, bool forgive_rounding,
-                                         double near);
+std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, double near);
 
 /// Do both push the object as prescribed, and does it move in another way?
 bool moves_otherwise(const SweepValue& a, const SweepValue& b);

@@ -26,8 +26,15 @@ void refine(SweepSolver& solver, const Sample& from, const Sample& to,
   SweepChange change;
   for (const Question question : questions) {
     const DetailedAnswer &before = low[question], &after = high[question];
-    if (!same_modes(before, after)) change[question] = {change_between(before, after)};
-    change.jumps = change.jumps || differ(before, after, question, sampled_jump);
+    AnswerChange mine = change_between(before, after);
+    if (!after.is_known())
+      mine.kind = AnswerChange::Kind::lost;
+    else if (!before.is_known())
+      mine.kind = AnswerChange::Kind::found;
+    else
+      mine.jumps = differ(before, after, question, sampled_jump);
+    if (mine.jumps || !same_modes(before, after)) change[question] = {mine};
+    change.jumps = change.jumps || mine.jumps;
   }
   const Variation& variation = solver.variations().front();
   if (low.t > from.t) points.push_back(refined_point(low, variation));
@@ -105,15 +112,17 @@ void sample_line(const VariedScene& scene, SweepSolver& solver,
   const Index steps = options.steps > 0 ? options.steps : default_steps;
   const bool back = options.both_ways && sweep.segments.empty();
   sweep.points = sampled(solver, steps, part_of(options.progress, 0, back ? 0.5 : 1));
-  for (const SweepPoint& point : sweep.points)
+  for (const SweepPoint& point : sweep.points) {
     sweep.complete = sweep.complete && point.at.push.is_known();
+    sweep.asks_breaking = sweep.asks_breaking || point.at.breaking.status != Status::bad_input;
+  }
   if (!back) return;
   SweepSolver backwards(scene, {reversed(sweep.variations.front())}, solver.pusher(), options.warm);
   std::vector<SweepPoint> returning =
       sampled(backwards, steps, part_of(options.progress, 0.5, 0.5));
   sweep.cold += backwards.cold();
   sweep.warm += backwards.warm();
-  sweep.bistable = disagreements(compared(sweep.points, returning), false, 0);
+  sweep.bistable = disagreements(compared(sweep.points, returning), 0);
   if (!sweep.bistable.empty()) sweep.points_back = std::move(returning);
 }
 
@@ -136,6 +145,7 @@ void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep
       sweep.points.push_back(point_of(last, first));
       sweep.points.back().second = value_at(second, share(row));
       sweep.complete = sweep.complete && last.push.is_known();
+      sweep.asks_breaking = sweep.asks_breaking || last.breaking.status != Status::bad_input;
       if (options.progress)
         options.progress(static_cast<double>(row * steps + k) / static_cast<double>(steps * steps));
     }

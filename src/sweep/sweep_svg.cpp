@@ -1,53 +1,19 @@
 // Sweeps as SVG.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "draw/plot_svg.hpp"
 #include "lcpush/desktop/input_error.hpp"
-#include "lcpush/desktop/sweep.hpp"
+#include "sweep/sweep_pictures.hpp"
+#include "sweep/sweep_quantity.hpp"
+#include "sweep/sweep_words.hpp"
 #include "text/format.hpp"
-#include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
 using Kind = SweepQuantity::Kind;
 using Curve = std::vector<std::vector<std::pair<double, double>>>;
-
-std::string axis_label(const Parameter& parameter) {
-  return parameter.path + (parameter.unit.empty() ? "" : " in " + parameter.unit);
-}
-
-Status status_of(const SweepQuantity& quantity, const SweepValue& at) {
-  const bool breaks = quantity.kind == Kind::break_force || quantity.kind == Kind::break_twist;
-  return (breaks ? at.breaking : at.push).status;
-}
-
-bool is_force(const SweepQuantity& quantity) {
-  return quantity.kind != Kind::twist && quantity.kind != Kind::break_twist;
-}
-
-double value_of(const SweepQuantity& quantity, const SweepValue& at) {
-  switch (quantity.kind) {
-  case Kind::break_force: return at.breaking.normal;
-  case Kind::force: return at.push.force.norm();
-  case Kind::force_component: return at.push.force[quantity.component];
-  case Kind::twist: {
-    const double value = at.push.twist[quantity.component];
-    return std::abs(value) <= at.push.twist_noise(quantity.component) ? 0 : value;
-  }
-  case Kind::break_twist: return at.breaking.twist[quantity.component];
-  }
-  return 0;
-}
-
-/// For the legend.
-std::string words_of(const SweepQuantity& quantity) {
-  return quantity.kind == Kind::break_force ? "breaking force (normal)"
-         : quantity.kind == Kind::force     ? "push as prescribed (size)"
-                                            : quantity.name();
-}
 
 /// Adds a point; after a gap a new piece begins.
 void extend(Curve& curve, bool gap, double x, double y) {
@@ -103,7 +69,7 @@ std::string described(const std::vector<SweepCurve>& curves, const Plot& plot) {
   std::string text = "The force or motion by " + curves.front().sweep.pusher + " over " +
                      variation.parameter.path + " from " + number(variation.from) + " to " +
                      number(variation.to) + ".";
-  for (const PlotMark& mark : plot.marks) text += " At " + number(mark.x) + ": " + mark.text + ".";
+  for (const PlotMark& mark : plot.marks) text += " At " + mark.place + ": " + mark.text + ".";
   for (const SweepCurve& curve : curves)
     for (const BistableRange& range : curve.sweep.bistable)
       text += (curve.label.empty() ? " Bistable from " : " " + curve.label + ": bistable from ") +
@@ -111,21 +77,66 @@ std::string described(const std::vector<SweepCurve>& curves, const Plot& plot) {
   return text;
 }
 
-/// Changes of mode, and the zeros of what is shown.
+/// Changes of mode that matter, and the zeros of what is shown.
 std::vector<PlotMark> marks_of(const Sweep& sweep, const std::vector<SweepQuantity>& shown) {
+  const Variation& variation = sweep.variations[0];
   std::vector<PlotMark> marks;
-  for (const SweepSegment& segment : sweep.segments)
-    if (!segment.change.is_empty())
-      marks.push_back({segment.to, change_text(sweep, segment), segment.change.jumps});
-  for (const SweepPoint& point : sweep.points)
-    if (sweep.segments.empty() && !point.change.is_empty())
-      marks.push_back({point.value, change_text(sweep, point), point.change.jumps});
+  const auto events = sweep.segments.empty() ? events_of(sweep, sweep.points, Telling::brief)
+                                             : events_of(sweep, sweep.segments, Telling::brief);
+  for (const SweepEvent& event : events) {
+    const std::string text = event_text(sweep, event);
+    if (!marks.empty() && are_one_place(variation, marks.back().x, event.value())) {
+      marks.back().text += "; " + text;
+      marks.back().strong = marks.back().strong || event.jumps;
+    } else {
+      marks.push_back({event.value(), event_place(variation, event), text, event.jumps});
+    }
+  }
   for (const SweepZero& zero : sweep.zeros)
     for (const SweepQuantity& quantity : shown)
       if (quantity.kind == Kind::twist && quantity.component == zero.component &&
           zero.from == zero.to && !zero.jumps)
-        marks.push_back({zero.from, quantity.name() + " is zero", false});
+        marks.push_back(
+            {zero.from, with_unit(variation, zero.from), quantity.name() + " is zero", false});
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const PlotMark& a, const PlotMark& b) { return a.x < b.x; });
   return marks;
+}
+
+/// Of the panel's height: curves that are nearer than this over a tenth of the range coincide.
+constexpr double near_curves = 0.01, coinciding_part = 0.1;
+
+std::optional<double> height_at(const PlotLine& line, double x) {
+  for (const auto& piece : line.pieces)
+    for (std::size_t k = 1; k < piece.size(); ++k) {
+      const auto& [x0, y0] = piece[k - 1];
+      const auto& [x1, y1] = piece[k];
+      if (x0 != x1 && (x - x0) * (x - x1) <= 0) return y0 + (x - x0) / (x1 - x0) * (y1 - y0);
+    }
+  return std::nullopt;
+}
+
+/// Would a curve hide a part of another?
+bool coincide(const PlotPanel& panel, double from, double to) {
+  double low = 0, high = 0;
+  for (const PlotLine& line : panel.lines)
+    for (const auto& piece : line.pieces)
+      for (const auto& [x, y] : piece) {
+        low = std::min(low, y);
+        high = std::max(high, y);
+      }
+  constexpr int looks = 100;
+  for (std::size_t a = 0; a < panel.lines.size(); ++a)
+    for (std::size_t b = a + 1; b < panel.lines.size(); ++b) {
+      int near = 0;
+      for (int k = 0; k <= looks; ++k) {
+        const double x = from + (to - from) * k / looks;
+        const auto first = height_at(panel.lines[a], x), second = height_at(panel.lines[b], x);
+        near += first && second && std::abs(*first - *second) <= near_curves * (high - low) ? 1 : 0;
+      }
+      if (near > coinciding_part * looks) return true;
+    }
+  return false;
 }
 
 class LinePlot {
@@ -156,6 +167,7 @@ public:
       panel.y_label = what + (what.empty() || unit.empty() ? "" : " in ") + unit;
       for (const SweepCurve& curve : curves_)
         for (const SweepQuantity& quantity : mine) add(panel, quantity, curve, lone);
+      panel.nested = coincide(panel, plot.x_from, plot.x_to);
       plot.panels.push_back(std::move(panel));
     }
     if (curves_.size() == 1) plot.marks = marks_of(sweep, shown_);
@@ -192,82 +204,12 @@ private:
   }
 };
 
-MapPlot map_plot(const Sweep& sweep, const SweepQuantity& quantity, const std::string& title) {
-  const Variation &x = sweep.variations[0], &y = sweep.variations[1];
-  MapPlot plot;
-  plot.title = title;
-  plot.x_label = axis_label(x.parameter);
-  plot.y_label = axis_label(y.parameter);
-  plot.value_label =
-      (quantity.kind == Kind::break_force ? "breaking force by " + sweep.pusher : quantity.name()) +
-      (quantity.unit().empty() ? "" : " in " + quantity.unit());
-  plot.x_from = x.from;
-  plot.x_to = x.to;
-  plot.y_from = y.from;
-  plot.y_to = y.to;
-  bool any = false;
-  for (const SweepPoint& point : sweep.points) {
-    if (point.second == sweep.points.front().second) ++plot.columns;
-    const Status status = status_of(quantity, point.at);
-    const bool known = status == Status::solved;
-    const double value = value_of(quantity, point.at);
-    plot.cells.push_back(known ? value : std::numeric_limits<double>::quiet_NaN());
-    plot.texts.push_back(
-        number(point.value) + ", " + number(*point.second) + ": " +
-        (known ? number(value) + " " + quantity.unit() : std::string(status_text(status))));
-    plot.hatched.push_back(point.bistable);
-    any = any || point.bistable;
-  }
-  if (any) plot.hatch_label = "hatched: bistable, solved from nothing the object moves otherwise";
-  for (std::size_t i = 0; i < sweep.points.size(); ++i) {
-    const auto differs = [&](std::size_t other) {
-      return other < sweep.points.size() && sweep.points[other].modes != sweep.points[i].modes;
-    };
-    plot.border_right.push_back((i + 1) % plot.columns != 0 && differs(i + 1));
-    plot.border_above.push_back(differs(i + plot.columns));
-  }
-  plot.border_label = "lines: contacts slide, stick or separate otherwise beyond";
-  plot.description = plot.value_label + " over " + x.parameter.path + " and " + y.parameter.path +
-                     ", a cell a value.";
-  return plot;
-}
-
 } // namespace
-
-std::string SweepQuantity::name() const {
-  constexpr const char* names[] = {"break_force", "force", "force", "twist", "break_twist"};
-  const bool is_whole = kind == Kind::break_force || kind == Kind::force;
-  return names[static_cast<int>(kind)] + (is_whole ? "" : "[" + std::to_string(component) + "]");
-}
-
-std::string SweepQuantity::unit() const {
-  if (is_force(*this)) return "N";
-  if (kind == Kind::twist) return component < 3 ? "m/s^2" : "rad/s^2";
-  return component < 3 ? "" : "rad/m";
-}
-
-SweepQuantity sweep_quantity(const std::string& name) {
-  std::vector<SweepQuantity> all = {{Kind::break_force, 0}, {Kind::force, 0}};
-  for (Index k = 0; k < 3; ++k) all.push_back({Kind::force_component, k});
-  for (Index k = 0; k < 6; ++k) all.push_back({Kind::twist, k});
-  for (Index k = 0; k < 6; ++k) all.push_back({Kind::break_twist, k});
-  std::vector<std::string> names;
-  for (const SweepQuantity& quantity : all) {
-    names.push_back(quantity.name());
-    if (quantity.name() == name) return quantity;
-  }
-  throw InputError("nothing to show is called " + quoted(name) + suggestion(name, names) +
-                   "; there are break_force, force, force[0] to force[2], twist[0] to twist[5] and "
-                   "break_twist[0] to break_twist[5]");
-}
 
 std::string sweep_svg(const std::vector<SweepCurve>& curves, const std::string& title,
                       const std::vector<SweepQuantity>& shown) {
   const Sweep& sweep = curves.front().sweep;
-  if (sweep.is_map()) {
-    if (shown.size() > 1) throw InputError("a map shows one quantity, not several");
-    return map_svg(map_plot(sweep, shown.empty() ? SweepQuantity{} : shown.front(), title));
-  }
+  if (sweep.is_map()) return sweep_map_svg(sweep, title, shown);
   const std::vector<SweepQuantity> both = {{Kind::break_force, 0}, {Kind::force, 0}};
   return plot_svg(LinePlot(curves, shown.empty() ? both : shown).plot(title));
 }

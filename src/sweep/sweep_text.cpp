@@ -1,158 +1,174 @@
-// Sweeps as text.
+// Sweeps as text: what they show, then what changes where, then numbers.
 #include <algorithm>
 #include <cmath>
 
-#include "lcpush/desktop/sweep.hpp"
+#include "solve/push_words.hpp"
+#include "solve/sentence.hpp"
+#include "sweep/sweep_words.hpp"
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-std::string with_unit(const Parameter& parameter) {
-  return parameter.path + (parameter.unit.empty() ? "" : " " + parameter.unit);
-}
+// In a brief text.
+constexpr std::size_t most_changes = 8, most_zeros = 4;
 
-/// "20.02", or why there is none.
-std::string number_or(Status status, double value, double zero = 0) {
-  if (status == Status::solved) return number(value, zero);
-  return status == Status::does_not_hold ? "does not hold"
-         : status == Status::bad_input   ? "-"
-                                         : status_text(status);
-}
-std::string breaking_text(const SweepValue& value, double zero) {
-  return number_or(value.breaking.status, value.breaking.normal, zero);
-}
-std::string push_text(const SweepValue& value, double zero) {
-  return number_or(value.push.status, value.push.force.norm(), zero);
-}
+/// A line after another.
+std::string paragraph(const std::string& lines) { return lines.empty() ? "" : "\n" + lines; }
 
-/// What rounding leaves of a zero, in the size of the largest answer.
-double force_noise(const Sweep& sweep) {
-  double largest = 0;
-  for_each_value(sweep, [&](const SweepValue& value) {
-    largest = std::max({largest, std::abs(value.breaking.normal), value.push.force.norm()});
+/// Has the message said it: where the grasp holds, and where there is an answer?
+bool is_in_message(const SweepEvent& event) {
+  return std::all_of(event.changes.begin(), event.changes.end(), [](const ToldChange& change) {
+    return change.is_of_holding() || change.kind != AnswerChange::Kind::modes;
   });
-  return 1e-12 * largest;
 }
 
-std::string change_line(const Sweep& sweep, double value, const std::string& change) {
-  if (change.empty()) return "";
-  return "  at " + sweep.variations[0].parameter.path + " = " + number(value) + ": " + change +
-         "\n";
-}
-
-std::string change_lines(const Sweep& sweep, const std::vector<SweepSegment>& segments) {
+/// The first ones; how many more there are.
+std::string few_lines(const std::vector<std::string>& lines, std::size_t most,
+                      const std::string& what) {
   std::string text;
-  for (const SweepSegment& segment : segments)
-    text += change_line(sweep, segment.to, change_text(sweep, segment));
+  for (std::size_t k = 0; k < std::min(lines.size(), most); ++k) text += lines[k] + "\n";
+  if (lines.size() > most)
+    text += "  (" + counted(static_cast<Index>(lines.size() - most), "more " + what) + ": -v.)\n";
   return text;
 }
 
-std::string segment_table(const Sweep& sweep, const std::vector<SweepSegment>& segments) {
-  const Parameter& parameter = sweep.variations[0].parameter;
-  const double zero = force_noise(sweep);
-  std::vector<std::vector<std::string>> rows{
-      {with_unit(parameter), "to", "break N", "to", "slope", "push N", "to", "found"}};
-  for (const SweepSegment& segment : segments) {
-    const SweepValue &a = segment.at_from, &b = segment.at_to;
-    const double rise = b.breaking.normal - a.breaking.normal;
-    const std::string slope =
-        a.breaking.is_solved()
-            ? number(std::abs(rise) <= zero ? 0 : rise / (segment.to - segment.from))
-            : "-";
-    rows.push_back({number(segment.from), number(segment.to), breaking_text(a, zero),
-                    breaking_text(b, zero), slope, push_text(a, zero), push_text(b, zero),
-                    segment_kind_text(segment.kind)});
+/// "at *.grip_force = 6.54 N: wall sticks": a line a place.
+std::string event_lines(const Sweep& sweep, const std::vector<SweepEvent>& events,
+                        Telling telling) {
+  const bool is_full = telling == Telling::full;
+  const Variation& variation = sweep.variations[0];
+  std::vector<std::string> lines;
+  const SweepEvent* last = nullptr;
+  for (const SweepEvent& event : events) {
+    if (!is_full && is_in_message(event)) continue;
+    const bool is_next = last == nullptr ||
+                         !are_one_place(variation, last->value(), event.value()) ||
+                         (is_full && last->value() != event.value());
+    if (is_next)
+      lines.push_back("  at " + variation.parameter.path + " = " +
+                      (is_full ? number(event.value()) : event_place(variation, event)) + ": ");
+    else
+      lines.back() += "; ";
+    lines.back() += event_text(sweep, event);
+    last = &event;
   }
-  return table_text(rows);
+  return few_lines(lines, is_full ? lines.size() : most_changes, "change");
 }
 
-std::string point_table(const Sweep& sweep, const std::vector<SweepPoint>& points) {
-  const double zero = force_noise(sweep);
-  std::vector<std::vector<std::string>> rows{{with_unit(sweep.variations[0].parameter)}};
-  if (sweep.is_map()) rows[0].push_back(with_unit(sweep.variations[1].parameter));
-  for (const char* name : {"break N", "push N", "motion m/s^2", "rad/s^2"}) rows[0].push_back(name);
-  std::string changes;
-  for (const SweepPoint& point : points) {
-    std::vector<std::string> row{number(point.value)};
-    if (point.second) row.push_back(number(*point.second));
-    row.push_back(breaking_text(point.at, zero));
-    row.push_back(push_text(point.at, zero));
-    const SweepAnswer& push = point.at.push;
-    const double linear = push.twist.head<3>().norm(), angular = push.twist.tail<3>().norm();
-    row.push_back(number_or(push.status, linear, 1e-12 * angular));
-    row.push_back(number_or(push.status, angular, 1e-9 * linear));
-    rows.push_back(row);
-    changes += change_line(sweep, point.value, change_text(sweep, point));
-  }
-  return table_text(rows) + (changes.empty() ? "" : "\n" + changes);
+template <class List>
+std::string change_lines(const Sweep& sweep, const List& list, Telling telling) {
+  return event_lines(sweep, events_of(sweep, list, telling), telling);
 }
 
-/// "the object's acceleration along x is zero from 1 to 2".
-std::string zero_text(const Sweep& sweep, const SweepZero& zero) {
-  const std::string path = sweep.variations[0].parameter.path;
-  const std::string what = std::string("  twist[") + std::to_string(zero.component) +
-                           "], the object's acceleration " +
-                           (zero.component < 3 ? "along " : "about ") + "xyz"[zero.component % 3];
-  const double small = 1e-9 * std::abs(sweep.variations[0].to - sweep.variations[0].from);
-  if (zero.jumps)
-    return what + ", changes its sign by a jump at " + path + " = " + number(zero.to, small) + "\n";
-  return what + ", is zero " +
-         (zero.from == zero.to
-              ? "at " + path + " = " + number(zero.from, small)
-              : "from " + number(zero.from, small) + " to " + number(zero.to, small)) +
-         "\n";
+/// "twist[0], the object's acceleration along x, is zero from 1 to 2".
+std::string zero_line(const Sweep& sweep, const SweepZero& zero, Telling telling) {
+  const Variation& variation = sweep.variations[0];
+  const bool is_full = telling == Telling::full;
+  const double small = 1e-9 * std::abs(variation.to - variation.from);
+  const auto value = [&](double x) {
+    return is_full ? number(x, small) : value_text(variation, x);
+  };
+  const std::string axis =
+      std::string(zero.component < 3 ? "along " : "about ") + "xyz"[zero.component % 3];
+  const std::string what =
+      (is_full ? "  twist[" + std::to_string(zero.component) + "], the object's acceleration "
+               : "  the acceleration of " + object_name(sweep.scene) + " ") +
+      axis + (is_full ? ", " : " ");
+  const std::string unit =
+      is_full || variation.parameter.unit.empty() ? "" : " " + variation.parameter.unit;
+  const std::string at = "at " + variation.parameter.path + " = " + value(zero.to) + unit;
+  if (zero.jumps) return what + "changes its sign by a jump " + at;
+  if (zero.from == zero.to) return what + "is zero " + at;
+  return what + "is zero from " + value(zero.from) + " to " + value(zero.to) + unit;
 }
 
-std::string bistable_text(const BistableRange& range) {
-  return "\nBistable from " + number(range.from) + " to " + number(range.to) +
-         ": the way back ends in another answer there" +
-         (range.motion ? ", and in another motion.\n" : "; the motion is the same.\n");
+std::string zero_lines(const Sweep& sweep, Telling telling) {
+  std::vector<std::string> lines;
+  for (const SweepZero& zero : sweep.zeros) lines.push_back(zero_line(sweep, zero, telling));
+  return few_lines(lines, telling == Telling::full ? lines.size() : most_zeros, "zero");
 }
 
-std::string map_note(const Sweep& sweep) {
-  const auto count = std::count_if(sweep.points.begin(), sweep.points.end(),
-                                   [](const SweepPoint& point) { return point.bistable; });
-  return count == 0 ? ""
-                    : "\nBistable at " + std::to_string(count) +
-                          " of these: solved from nothing, the object moves in another way.\n";
-}
-
-std::string body_text(const Sweep& sweep) {
+std::string bistable_lines(const Sweep& sweep, Telling telling) {
   std::string text;
-  if (!sweep.segments.empty()) {
-    text += segment_table(sweep, sweep.segments);
-    const std::string changes = change_lines(sweep, sweep.segments);
-    if (!changes.empty()) text += "\n" + changes;
+  for (const BistableRange& range : sweep.bistable) text += bistable_text(sweep, range, telling);
+  return text;
+}
+
+/// What is told of one curve before its numbers.
+std::string brief_words(const Sweep& sweep) {
+  std::string text = message_text(sweep);
+  if (sweep.is_map()) return text;
+  const bool has_segments = !sweep.segments.empty();
+  text += paragraph((has_segments ? change_lines(sweep, sweep.segments, Telling::brief)
+                                  : change_lines(sweep, sweep.points, Telling::brief)) +
+                    zero_lines(sweep, Telling::brief));
+  const std::string bistable = bistable_lines(sweep, Telling::brief);
+  if (bistable.empty()) return text;
+  const std::string changes = has_segments ? change_lines(sweep, sweep.back, Telling::brief)
+                                           : change_lines(sweep, sweep.points_back, Telling::brief);
+  return text + "\n" + bistable + (changes.empty() ? "" : "On the way back:\n" + changes);
+}
+
+/// "30 more values: -v, or --format csv.".
+std::string more_text(std::size_t count) {
+  if (count == 0) return "";
+  return "(" + counted(static_cast<Index>(count), "more value") + ": -v, or --format csv.)\n";
+}
+
+std::string brief_numbers(const Sweep& sweep) {
+  std::size_t left_out = 0;
+  if (!sweep.is_map()) {
+    const std::string table = brief_table(sweep, left_out);
+    return table + more_text(left_out);
   }
+  const std::string table = map_table(sweep, left_out);
+  const auto named = [](const Parameter& parameter) {
+    return parameter.path + (parameter.unit.empty() ? "" : " in " + parameter.unit);
+  };
+  return std::string(asked(sweep) == Question::breaking ? "The breaking force" : "The push") +
+         " in N, " + named(sweep.variations[0].parameter) + " across, " +
+         named(sweep.variations[1].parameter) + " down:\n\n" + table + more_text(left_out);
+}
+
+std::string full_text(const Sweep& sweep) {
+  std::string text = message_text(sweep);
+  if (!sweep.segments.empty())
+    text += "\n" + segment_table(sweep, sweep.segments) +
+            paragraph(change_lines(sweep, sweep.segments, Telling::full));
   if (!sweep.points.empty())
-    text += (sweep.segments.empty() ? "" : "\n") + point_table(sweep, sweep.points);
-  if (!sweep.zeros.empty()) text += "\n";
-  for (const SweepZero& zero : sweep.zeros) text += zero_text(sweep, zero);
-  for (const BistableRange& range : sweep.bistable) text += bistable_text(range);
-  text += map_note(sweep);
+    text += "\n" + point_table(sweep, sweep.points) +
+            paragraph(change_lines(sweep, sweep.points, Telling::full));
+  text += paragraph(zero_lines(sweep, Telling::full));
+  text += paragraph(bistable_lines(sweep, Telling::full));
   if (!sweep.back.empty())
-    text += "\nThe way back:\n" + segment_table(sweep, sweep.back) + "\n" +
-            change_lines(sweep, sweep.back);
+    text += "\nThe way back:\n" + segment_table(sweep, sweep.back) +
+            paragraph(change_lines(sweep, sweep.back, Telling::full));
   if (!sweep.points_back.empty())
-    text += "\nThe way back:\n" + point_table(sweep, sweep.points_back);
+    text += "\nThe way back:\n" + point_table(sweep, sweep.points_back) +
+            paragraph(change_lines(sweep, sweep.points_back, Telling::full));
   return text;
 }
 
 } // namespace
 
-std::string sweep_text(const std::vector<SweepCurve>& curves) {
-  const Sweep& first = curves.front().sweep;
-  std::string text = "How the push by " + first.pusher + " changes with ";
-  for (std::size_t k = 0; k < first.variations.size(); ++k)
-    text += (k > 0 ? " and " : "") + first.variations[k].parameter.path;
-  text += "\n";
-  for (const SweepCurve& curve : curves)
-    text += (curve.label.empty() ? "" : "\n" + curve.label + "\n") + "\n" + body_text(curve.sweep);
+std::string sweep_text(const std::vector<SweepCurve>& curves, Telling telling) {
+  const bool is_full = telling == Telling::full, is_one = curves.size() == 1;
+  const bool is_one_scene = std::all_of(curves.begin(), curves.end(), [&](const SweepCurve& curve) {
+    return curve.scene == curves.front().scene;
+  });
+  std::string text = is_one_scene ? title_line(curves.front().sweep.scene) : "";
+  for (const SweepCurve& curve : curves) {
+    const bool is_first = &curve == &curves.front();
+    if (!is_one) text += (is_first ? "" : "\n") + curve.label + "\n";
+    text += is_full ? full_text(curve.sweep) : brief_words(curve.sweep);
+    if (!is_full && is_one) text += "\n" + brief_numbers(curve.sweep);
+  }
+  if (!is_full && !is_one)
+    text += "\n" + curves_table(curves) + "(All values: -v, or --format csv.)\n";
   text += "\nbreak: the force at which the object starts to move, as in `lcpush break`; push: the "
-          "force for the\nmotion as prescribed, as in `lcpush solve`. Every answer has been "
-          "checked apart from the solver.\n";
-  return text;
+          "force for the motion as prescribed, as in `lcpush solve`.";
+  return text + (is_full ? " Every answer has been checked apart from the solver.\n" : "\n");
 }
 
 } // namespace lcpush::desktop

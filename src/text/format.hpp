@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lcpush/types.hpp"
+#include "text/wrap.hpp"
 
 namespace lcpush::desktop {
 
@@ -36,26 +37,11 @@ inline std::string vector_text(const Vector3<double>& v, double zero = 0) {
   return "(" + number(v[0], zero) + ", " + number(v[1], zero) + ", " + number(v[2], zero) + ")";
 }
 
+using TableRows = std::vector<std::vector<std::string>>;
+
 /// Columns as wide as their widest cell; the first `left` are flushed left, the others right.
-inline std::string table_text(const std::vector<std::vector<std::string>>& rows,
-                              std::size_t left = 1) {
-  std::vector<std::size_t> width;
-  for (const auto& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      if (c >= width.size()) width.push_back(0);
-      width[c] = std::max(width[c], row[c].size());
-    }
-  std::string text;
-  for (const auto& row : rows) {
-    text += "  ";
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const std::string padding(width[c] - row[c].size(), ' ');
-      text += (c > 0 ? "  " : "") + (c < left ? row[c] + padding : padding + row[c]);
-    }
-    text.erase(text.find_last_not_of(' ') + 1);
-    text += "\n";
-  }
-  return text;
-}
+/// Columns beyond `width` go on below, behind the first one again.
+std::string table_text(const TableRows& rows, std::size_t left = 1,
+                       std::size_t width = usual_width);
 
 } // namespace lcpush::desktop

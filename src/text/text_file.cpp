@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <filesystem>
+#include <iostream>
 #include <system_error>
 
 namespace lcpush::desktop {
@@ -13,6 +14,8 @@ void refuse_file(const std::string& path, const char* done, int reason) {
   throw InputError(path + ": cannot be " + done + ": " + std::generic_category().message(reason) +
                    "; check the path and its permissions");
 }
+
+std::string file_label(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 std::ifstream open_file(const std::string& path) {
   errno = 0;
@@ -26,7 +29,9 @@ std::string read_text_file(const std::string& path, std::size_t max_bytes) {
   if (std::filesystem::is_directory(path, ignored))
     throw InputError(path + ": is a directory; name a file inside it");
 
-  std::ifstream stream = open_file(path);
+  std::ifstream file;
+  if (path != "-") file = open_file(path);
+  std::istream& stream = path == "-" ? std::cin : file;
   std::string text;
   std::array<char, 65536> chunk;
   while (stream) {

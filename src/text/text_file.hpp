@@ -7,8 +7,12 @@
 
 namespace lcpush::desktop {
 
-/// The bytes of the file at `path`, unchanged. Throws InputError if it is a directory, cannot be
-/// read, or holds more than `max_bytes` (it stops reading there, so /dev/zero is harmless).
+/// As messages name the file: "-" is standard input.
+std::string file_label(const std::string& path);
+
+/// The bytes of the file at `path`, unchanged; of standard input for "-". Throws InputError if it
+/// is a directory, cannot be read, or holds more than `max_bytes` (it stops reading there, so
+/// /dev/zero is harmless).
 std::string read_text_file(const std::string& path, std::size_t max_bytes);
 
 /// The file at `path`, open to be read. Throws InputError.

@@ -1,5 +1,6 @@
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/verify.hpp"
+#include "scenes/warnings_json.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -18,9 +19,10 @@ void write_metrics(JsonWriter& json, const ForeignMetrics& metrics) {
 
 } // namespace
 
-std::string verify_json(const VerifyReport& report) {
+std::string verify_json(const VerifyReport& report, const std::vector<SceneDoubt>& warnings) {
   JsonWriter json;
   write_verdict(json, report);
+  write_warnings(json, warnings);
   if (report.verdict == Verdict::other_data) return json.end_object().text();
   json.member("residual", report.residual);
   json.key("laws").begin_object();

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "lcpush/desktop/verify.hpp"
 #include "solve/push_words.hpp"
 #include "text/format.hpp"
@@ -10,20 +12,37 @@ std::string short_number(double x) {
   return std::abs(x) < 1e-9 ? "below 1e-9" : printed("%.2g", x);
 }
 
+/// "by 11 N", "by less than 1e-9 N".
+std::string by(double x, const std::string& unit) {
+  return "by " + (std::abs(x) < 1e-9 ? "less than 1e-9" : short_number(x)) +
+         (unit.empty() ? "" : " " + unit);
+}
+
 std::string headline(const JudgedAnswer& report) {
   const std::string& because = report.because;
   std::string text = verdict_text(report.verdict);
   text[0] = static_cast<char>(text[0] - 'a' + 'A');
   if (report.verdict == Verdict::spurious_minimum)
     return text +
-           ".\nEvery linear constraint holds, but not every product vanishes, and no small "
-           "step\nlowers their sum: an optimiser stops here (" +
+           ".\nEvery linear constraint holds, but not every product vanishes, and no small step "
+           "lowers their sum: an optimiser stops here (" +
            because + ").\n";
-  return because.empty() ? text + ".\n" : text + ", because " + because + ".\n";
+  if (because.empty()) return text + ".\n";
+  return text + (report.verdict == Verdict::other_data ? ", because " : ", because of ") + because +
+         ".\n";
+}
+
+/// How well the laws hold, beside what is allowed.
+/// `size`: the worst row's in SI units, or nothing.
+std::string fit_sentence(const JudgedAnswer& report, const std::string& size = "") {
+  return (is_valid(report.verdict) ? "Every law holds: the worst row's error is "
+                                   : "The worst row's error is ") +
+         (size.empty() ? "" : size + ", ") + residual_text(report.residual) +
+         " in scaled units, where " + short_number(report.tolerance) + " is allowed.\n";
 }
 
 Fact tolerance_fact(const JudgedAnswer& report) {
-  return {"Tolerance", short_number(report.tolerance) + "; the worst row is off by " +
+  return {"Tolerance", short_number(report.tolerance) + "; the worst row's error is " +
                            residual_text(report.residual) + " in scaled units"};
 }
 
@@ -35,10 +54,9 @@ Fact metrics_fact(const ForeignMetrics& metrics) {
 
 Fact basis_fact(const RefinedAnswer& refined) {
   if (!(refined.residual <= 1e-8))
-    return {"Its basis",
-            "is no solution's: solved exactly it is off by " + short_number(refined.residual)};
-  return {"Its basis", "solved exactly, moves a force by " + short_number(refined.force) +
-                           " N and the motion by " + short_number(refined.acceleration) + " m/s^2"};
+    return {"Its basis", "is no solution's: solved exactly it is off " + by(refined.residual, "")};
+  return {"Its basis", "solved exactly, moves a force " + by(refined.force, "N") +
+                           " and the motion " + by(refined.acceleration, "m/s^2")};
 }
 
 std::string around_words(const VerifyReport& report) {
@@ -48,8 +66,9 @@ std::string around_words(const VerifyReport& report) {
   std::string text = basis.motion_open ? "the motion is open" : "no other motion";
   text += basis.wrench_open ? ", the pushers' wrench is open" : ", no other wrench of the pushers";
   if (basis.tied_contacts > 0)
-    text += "; " + std::to_string(basis.tied_contacts) +
-            " contacts are between two modes, where more may begin";
+    text += "; " + counted(basis.tied_contacts, "contact") +
+            (basis.tied_contacts == 1 ? " is" : " are") +
+            " between two modes, where more may begin";
   return text;
 }
 
@@ -57,17 +76,67 @@ std::string own_words(const OwnAnswer& own) {
   if (own.status != Status::solved)
     return std::string("ended with \"") + status_text(own.status) +
            "\": there is nothing to compare with";
-  return "differs by " + short_number(own.force) + " N in a contact's force and by " +
-         short_number(own.acceleration) + " m/s^2 in the motion";
+  return "differs " + by(own.force, "N") + " in a contact's force and " +
+         by(own.acceleration, "m/s^2") + " in the motion";
+}
+
+/// How far lcpush's own answer is, if it is another.
+std::string own_sentence(const VerifyReport& report) {
+  if (report.verdict == Verdict::same_solution) return "";
+  return "lcpush's own answer " + own_words(report.own) + ".\n";
+}
+
+Index broken_laws(const VerifyReport& report) {
+  return std::count_if(report.rows.begin(), report.rows.end(),
+                       [&](const BrokenRow& row) { return !(row.scaled <= report.tolerance); });
+}
+
+/// The rows that break a law: "  dissipation, by 0.14 m/s^2: friction of left.1 ..".
+std::string broken_lines(const VerifyReport& report) {
+  std::string text;
+  for (const BrokenRow& row : report.rows)
+    if (!(row.scaled <= report.tolerance))
+      text +=
+          std::string("  ") + law_text(row) + ", " + by(row.si, row.unit) + ": " + row.name + "\n";
+  return text;
+}
+
+/// In SI units, of the row that is worst in scaled ones.
+std::string worst_size(const VerifyReport& report) {
+  const auto worst =
+      std::max_element(report.rows.begin(), report.rows.end(),
+                       [](const BrokenRow& a, const BrokenRow& b) { return a.scaled < b.scaled; });
+  return short_number(worst->si) + " " + worst->unit;
+}
+
+std::string brief_verdict(const VerifyReport& report) {
+  const bool valid = is_valid(report.verdict);
+  std::string text = headline(report) + fit_sentence(report, valid ? "" : worst_size(report));
+  for (const std::string& what : report.completed) text += "Filled in: " + what + ".\n";
+  if (valid) return text + own_sentence(report);
+  // Of a single law the first sentence has said it.
+  if (broken_laws(report) < 2) return text;
+  return text + "\nThe laws that do not hold, and their worst rows:\n" + broken_lines(report);
+}
+
+std::string law_table(const VerifyReport& report) {
+  std::vector<std::vector<std::string>> rows = {{"law", "scaled", "SI", "", ""}};
+  for (const BrokenRow& row : report.rows) {
+    const bool exact = row.scaled < 1e-9;
+    rows.push_back({law_text(row), short_number(row.scaled), exact ? "" : short_number(row.si),
+                    exact ? "" : row.unit, row.scaled <= report.tolerance ? "holds" : "broken"});
+  }
+  return table_text(rows);
 }
 
 } // namespace
 
-std::string verify_text(const SceneFile& file, const VerifyReport& report) {
-  const std::string text = title_line(file) + headline(report);
-  if (report.verdict == Verdict::other_data) return text;
+std::string verify_text(const SceneFile& file, const VerifyReport& report, Telling telling) {
+  const std::string text = title_line(file);
+  if (report.verdict == Verdict::other_data) return text + headline(report);
+  if (telling == Telling::brief) return text + brief_verdict(report);
   std::vector<Fact> facts{tolerance_fact(report)};
-  for (const std::string& what : report.completed) facts.push_back({"Completed", what});
+  for (const std::string& what : report.completed) facts.push_back({"Filled in", what});
   if (report.refined.found) facts.push_back(basis_fact(report.refined));
   if (is_valid(report.verdict)) {
     facts.push_back({"Around it", around_words(report)});
@@ -75,33 +144,26 @@ std::string verify_text(const SceneFile& file, const VerifyReport& report) {
   }
   facts.push_back(metrics_fact(report.metrics));
   facts.push_back({"Paper's objective", short_number(report.objective) + " N m/s^2"});
-  std::vector<std::vector<std::string>> table = {{"law", "scaled", "SI", "", "worst row"}};
-  for (const BrokenRow& row : report.rows) {
-    const bool exact = row.scaled < 1e-9;
-    table.push_back({law_text(row), short_number(row.scaled), exact ? "" : short_number(row.si),
-                     exact ? "" : row.unit, row.scaled <= report.tolerance ? "holds" : row.name});
-  }
-  std::size_t widest = 0;
-  for (auto& line : table) widest = std::max(widest, line.back().size());
-  for (auto& line : table) line.back().resize(widest, ' ');
-  return text + "\n" + facts_text(facts) + "\n" + table_text(table);
+  const std::string broken = broken_lines(report);
+  return text + headline(report) + "\n" + facts_text(facts) + "\n" + law_table(report) +
+         (broken.empty() ? "" : "\nThe worst rows of the broken laws:\n" + broken);
 }
 
-std::string verify_text(const RawVerifyReport& report) {
+std::string verify_text(const RawVerifyReport& report, Telling telling) {
   const std::string text = headline(report);
   if (report.verdict == Verdict::other_data) return text;
+  if (telling == Telling::brief) return text + fit_sentence(report);
   std::vector<Fact> facts{tolerance_fact(report)};
   if (report.row >= 0)
     facts.push_back({"Worst row", std::to_string(report.row + 1) + ": z = " + number(*report.z) +
                                       ", w = " + number(*report.w)});
   if (report.refined.found)
-    facts.push_back({"Its basis", "solved exactly moves z by " +
-                                      short_number(report.refined.moved) + " and is off by " +
-                                      residual_text(report.refined.residual)});
+    facts.push_back({"Its basis", "solved exactly, moves z " + by(report.refined.moved, "") +
+                                      " and is off " + by(report.refined.residual, "")});
   if (is_valid(report.verdict))
     facts.push_back({"lcpush's own",
                      report.own.status == Status::solved
-                         ? "differs by " + short_number(report.own.force)
+                         ? "differs " + by(report.own.force, "")
                          : std::string("ended with \"") + status_text(report.own.status) + "\""});
   facts.push_back(metrics_fact(report.metrics));
   return text + "\n" + facts_text(facts);

@@ -12,7 +12,7 @@ export const scripts = read('scripts.txt').split('\n').filter(Boolean);
 
 /// The engine; `change` may spoil its text, to prove that a test notices.
 export function load_engine(change = (text) => text) {
-  const names = scripts.slice(0, scripts.indexOf('number_text.js') + 1);
+  const names = scripts.slice(0, scripts.indexOf('words.js') + 1);
   const text = change(names.map(read).join('\n'));
   return new Function(`${text}\nreturn explorer;`)();
 }

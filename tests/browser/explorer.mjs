@@ -124,6 +124,61 @@ async function check_controls(page) {
     'a click at the right end of the chart');
 }
 
+/// A branch is told in the words of the recorded path: the page's own of a pivot are C++'s.
+async function check_sentences(page, name) {
+  const different = await page.evaluate(() => {
+    const path = window.lcpush.path();
+    return [...path.frames.keys()].filter((k) => path.step(k)).map((k) =>
+      [path.step(k).sentence, window.lcpush.told(path, k)])
+      .filter(([recorded, told]) => told !== null && told !== recorded);
+  });
+  assert.deepEqual(different.slice(0, 3), [], `${name}: sentences`);
+}
+
+/// Every row can be tried: the one that leaves goes on, one that may not says why.
+async function check_tries(page) {
+  await go(page, 0);
+  const { last } = await page.evaluate(() => window.lcpush.state());
+  if (last === 0) return;
+  // Not by the mouse: it would scroll, and rows out of sight are not there.
+  const press = (rows) => page.evaluate((selector) => {
+    const button = document.querySelector(selector);
+    if (button) button.click();
+    return Boolean(button);
+  }, `#tableau tr${rows} .ratio button`);
+  if (await press(':not(.leaving):not(.tied)')) {
+    assert.match(await page.locator('#tried').textContent(), /^Not .*\.$/);
+    assert.equal(await step_of(page), 0, 'a wrong row changes nothing');
+  }
+  assert.ok(await press('.leaving'), 'ratios are buttons');
+  assert.equal(await step_of(page), 1, 'the row that leaves goes on');
+  assert.equal(await page.locator('#tried').textContent(), '');
+}
+
+/// The point of a problem with two pairs stands at q + z0 d.
+async function check_cones(page, trace) {
+  const shown = await page.locator('#cones-panel').isVisible();
+  assert.equal(shown, trace.size === 2, 'cones for two pairs alone');
+  if (!shown) return;
+  const { last } = await page.evaluate(() => window.lcpush.state());
+  const places = [];
+  for (let step = 1; step <= last; ++step) {
+    await go(page, step);
+    places.push(await page.evaluate(() => {
+      const of = (kind) => { const { cx, cy } = document.querySelector(`#cones circle.${kind}`);
+        return [cx.baseVal.value, cy.baseVal.value]; };
+      const [q, now] = [of('q'), of('now')];
+      return { z0: Number(window.lcpush.state().z0.split('/').reduce((a, b) => a / b)),
+        far: Math.hypot(q[0] - now[0], q[1] - now[1]) };
+    }));
+  }
+  const { z0, far } = places.find((place) => place.z0 > 0);
+  for (const place of places)
+    assert.ok(Math.abs(place.far - far * place.z0 / z0) < 0.5, 'q + z0 d is in proportion to z0');
+  const home = await page.locator('#cones .sector.basic').count();
+  if (trace.status === 'solved') assert.equal(home, 1, 'one cone holds q');
+}
+
 /// Takes another tied row where there is one, follows the branch, and comes back.
 async function check_branch(page, trace) {
   const k = trace.pivots.findIndex(({ ties }) => ties.length > 1);
@@ -224,6 +279,9 @@ async function check_problem(browser, problem) {
       if (label.endsWith('wide_light')) {
         await check_steps(page, trace, problem);
         await check_controls(page);
+        await check_sentences(page, name);
+        await check_tries(page);
+        await check_cones(page, trace);
         branches = await check_branch(page, trace);
       }
       const { last } = await page.evaluate(() => window.lcpush.state());

@@ -81,6 +81,22 @@ function layout_faults({ viewport, least }) {
       || inner.top < outer.top - 3 || inner.bottom > outer.bottom + 3))
       found.push(`cut text in a drawing: ${text.textContent}`);
   }
+  // No label lies across the object's outline.
+  for (const outline of document.querySelectorAll('svg[role=img] polygon.object')) {
+    const toScreen = outline.getScreenCTM();
+    const corners = [...outline.points].map((point) => point.matrixTransform(toScreen));
+    for (const label of outline.ownerSVGElement.querySelectorAll('.label')) {
+      const box = label.getBoundingClientRect();
+      const on_it = corners.some((a, k) => {
+        const b = corners[(k + 1) % corners.length];
+        return [...Array(101).keys()].map((t) => t / 100).some((t) => {
+          const [x, y] = [a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)];
+          return x > box.left && x < box.right && y > box.top + 2 && y < box.bottom - 2;
+        });
+      });
+      if (on_it) found.push(`"${label.textContent}" touches an edge`);
+    }
+  }
   for (const drawing of document.querySelectorAll('svg.drawing')) {
     const texts = [...drawing.querySelectorAll('text')]
       .map((text) => [text.textContent, text.getBoundingClientRect()]);

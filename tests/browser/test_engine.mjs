@@ -189,6 +189,48 @@ test('the forces of every basis of a scene obey Newton and the rows of the table
   }
 });
 
+test('a decimal that is all of a fraction carries no sign of rounding', () => {
+  const problem = new engine.Problem(own_trace({ title: '', M: [['1']], q: ['-1'], exact: true }));
+  const shown = (text) => engine.number_text.scalar(problem, engine.fractions.parse(text), false);
+  assert.deepEqual(['1/2', '-3/8', '7', '-1/16', '0'].map(shown),
+    ['0.5', '\u22120.375', '7', '\u22120.0625', '0']);
+  assert.deepEqual(['1/3', '123456789/1000'].map(shown), ['\u22480.3333', '\u2248123500']);
+});
+
+test('a branch tells its pivots as the recorded path does, where variables have a meaning', () => {
+  const trace = textbook('kostreva_1', {});
+  trace.variables.forEach((variable) =>
+    Object.assign(variable, { grows: `${variable.name} swells`, ends: `${variable.name} is gone` }));
+  const path = path_of(trace);
+  const frame = trace.pivots.findIndex(({ ties }) => ties.length > 1);
+  const { ties, leaving, entering } = path.step(frame);
+  const other = ties.find((variable) => variable !== leaving);
+  const branch = path.branch_at(frame, path.dictionary(frame).rows.indexOf(other), 'first_row');
+  const [grows, ends] = [entering, other].map((variable) => trace.variables[variable]);
+  assert.match(engine.words.sentence(branch, frame), new RegExp(`${ends.ends}\\.$`));
+  const next = branch.step(frame + 1);
+  assert.equal(engine.words.sentence(branch, frame + 1),
+    `As ${trace.variables[next.entering].grows}, ${trace.variables[next.leaving].ends}.`);
+  assert.ok(grows.grows);
+});
+
+test('a row that may not leave says why', () => {
+  const path = path_of(own_trace({ title: '', M: [['2', '1'], ['1', '2']], q: ['-5', '-6'],
+    exact: true }));
+  const said = (frame, variable) => engine.words.why_not(path, frame,
+    path.dictionary(frame).rows.indexOf(variable));
+  assert.equal(said(0, 0), 'Not w1: it is lifted to 0 at z0 = 5 already, while w2 would still be '
+    + 'negative.');
+  path.frames.slice(1, -1).forEach((_, k) => {
+    const step = path.step(k + 1);
+    path.dictionary(k + 1).rows.forEach((variable, r) => {
+      if (variable === step.leaving) return;
+      const words = engine.words.why_not(path, k + 1, r);
+      assert.match(words, step.ratios[r] ? /reaches 0 only at/ : /never reaches 0/);
+    });
+  });
+});
+
 test('long numbers: the greatest common divisor is Euclid\'s', () => {
   const euclid = (a, b) => (b ? euclid(b, a % b) : a);
   let [a, b] = [1n, 1n];

@@ -1,14 +1,20 @@
-"""docs/teach/lemke_by_hand.md beyond its console blocks: typed answers, JSON keys, equations, exercises."""
+"""docs/teach/ beyond its console blocks: equations, figures, typed answers, exercises, JSON keys, the
+counts and the rules of from_coin_to_slide.md, and links to sections."""
 import itertools
 import json
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 from fractions import Fraction
+from xml.etree import ElementTree
 
 tool, source = sys.argv[1], pathlib.Path(sys.argv[2])
-page = (source / "docs/teach/lemke_by_hand.md").read_text()
+teach = source / "docs/teach"
+lecture, exercise_page, command_page, bridge = (
+    (teach / f"{name}.md").read_text()
+    for name in ("lemke_by_hand", "exercises", "command", "from_coin_to_slide"))
 
 
 def run(*words, typed=""):
@@ -21,7 +27,7 @@ def trace(*words):
 
 
 def section(title):
-    return page.split(f"\n## {title}", 1)[1].split("\n## ", 1)[0]
+    return lecture.split(f"\n## {title}", 1)[1].split("\n## ", 1)[0]
 
 
 # The coin's fixtures are what its scene starts with, and the page that is written for nothing.
@@ -56,8 +62,52 @@ for line in re.findall(r"^    (.*)$", by_hand, flags=re.M):
     equations += len(sides) - 1
 assert equations == 11, equations
 
+# Its times add up.
+minutes = [int(m) for m in re.findall(r"^\| \[\d .*?\]\(.*?\) \| (\d+) \|", lecture, flags=re.M)]
+assert len(minutes) == 6 and f"about {sum(minutes)} minutes" in lecture, minutes
+
+
+# The figures are to scale.
+def svg_path(name, identifier):
+    for element in ElementTree.parse(teach / name).iter("{http://www.w3.org/2000/svg}path"):
+        if element.get("id") == identifier:
+            return element.get("d")
+    sys.exit(f"{name} has no path {identifier}")
+
+
+def points(path):
+    return [tuple(map(Fraction, part.split())) for part in re.split("[ML]", path)[1:]]
+
+
+run_of_two = trace("--M", "2 1; 1 2", "--q", "-5 -6", "--exact")
+corners = [tuple(q_i + Fraction(pivot["z0"]) for q_i in (-5, -6)) for pivot in run_of_two["pivots"]]
+drawn = points(svg_path("complementary_cones.svg", "run"))
+assert drawn[1:] == corners, (drawn, corners)
+assert drawn[0][0] - drawn[0][1] == 1, "the line has the direction d"
+table = re.findall(r"\((-?\d), (-?\d)\)(?= \||$)", section("3 Two unknowns").split("| z0 | the point")[1]
+                   .split("\n\n")[0], flags=re.M)
+assert [tuple(map(int, point)) for point in table] == corners, table
+# The cones: I and -M, and each filled one lies between its two columns.
+CONES = {"ww": ((1, 0), (0, 1)), "zw": ((-2, -1), (0, 1)), "wz": ((1, 0), (-1, -2)),
+         "zz": ((-2, -1), (-1, -2))}
+figure = {element.get("class"): element.get("d")
+          for element in ElementTree.parse(teach / "complementary_cones.svg").iter(
+              "{http://www.w3.org/2000/svg}path")}
+for name, (first, second) in CONES.items():
+    sides = {point for point in points(figure[name].rstrip("z")) if any(point)}
+    for ray in (first, second):
+        assert any(x * ray[1] == y * ray[0] and x * ray[0] + y * ray[1] > 0 for x, y in sides), name
+# The coin: 14 px a newton to the arrow's tip, the head ends 10 px beyond the shaft.
+coin_z = [None, *map(Fraction, trace("fixtures/scenes/coin.toml", "--exact")["final"]["z"])]
+for arrow, newtons in (("normal", coin_z[1]), ("weight", coin_z[1]), ("friction", coin_z[4]),
+                       ("push", coin_z[7])):
+    shaft = re.fullmatch(r"M288 209.5([HV])([0-9.]+)", svg_path("coin.svg", arrow))
+    length = abs(Fraction(shaft[2]) - (288 if shaft[1] == "H" else Fraction("209.5")))
+    assert length + 10 == 14 * newtons, (arrow, length)
+
 # What is typed to --choose, as shown.
-typed = re.findall(r"```text\n\$ printf '(.*?)' \| lcpush pivots (.*?)\n(.*?)\n```", page, flags=re.S)
+typed = re.findall(r"```text\n\$ printf '(.*?)' \| lcpush pivots (.*?)\n(.*?)\n```", exercise_page,
+                   flags=re.S)
 assert len(typed) == 1
 for answers, words, shown in typed:
     printed = run(*[word.strip('"') for word in re.findall(r'"[^"]*"|\S+', words)],
@@ -88,10 +138,16 @@ for words in (["fixtures/scenes/coin.toml", "--exact"], ["fixtures/scenes/squeez
               ["fixtures/textbook/kostreva_1.M.mtx", "fixtures/textbook/kostreva_1.q.mtx",
                "--first-row"]):
     written |= set(keys(trace(*words)))
+with tempfile.TemporaryDirectory() as folder:  # a finger beside its object: a warning
+    odd = pathlib.Path(folder) / "odd.toml"
+    odd.write_text((source / "fixtures/scenes/squeeze.toml").read_text().replace(
+        "center = [0.05,", "center = [0.5,"))
+    written |= set(keys(trace(str(odd))))
+assert "warnings" in written
 assert not written & DRAWING, "the drawing is the page's own"
 inside = run("--format", "html").split('id="trace">')[1].split("</script>")[0]
 written |= set(keys(json.loads(inside)))
-described_text = page.split("\n### JSON\n")[1].split("\n## ")[0].split("```\n")[-1]
+described_text = command_page.split("\n### JSON\n")[1].split("```\n")[-1]
 described = set(re.findall(r"`([a-z_0-9]+)`", described_text))
 assert written <= described, written - described
 values = {"solved", "cycle", "pivot_limit", "numerical_breakdown", "fractions", "decimals",
@@ -99,13 +155,103 @@ values = {"solved", "cycle", "pivot_limit", "numerical_breakdown", "fractions", 
           "tie_column", "largest_pivot", "solve"}
 assert described - written <= values, described - written - values
 
-# Ten exercises, each with an answer that is a transcript and with a test.
+# Ten exercises, each with its time, its difficulty, an answer that is a transcript, and a test.
 tests = (source / "tests/lcp/pivots/test_exercises.cpp").read_text()
-exercises = re.split(r"^\*\*Exercise (\d+): ", section("7 Ten exercises"), flags=re.M)[1:]
-assert exercises[::2] == [str(k) for k in range(1, 11)]
-for number, text in zip(exercises[::2], exercises[1::2]):
+exercises = re.split(r"^## Exercise (\d+): ", exercise_page, flags=re.M)
+assert exercises[1::2] == [str(k) for k in range(1, 11)]
+total = 0
+for number, text in zip(exercises[1::2], exercises[2::2]):
+    effort = re.search(r"^(\d+) minutes, difficulty `(\*{1,3})`$", text, flags=re.M)
+    assert effort, number
+    assert re.search(rf"^\| \[{number}\].* \| {effort[1]} \| `{re.escape(effort[2])}` \|", exercises[0],
+                     flags=re.M), number
+    total += int(effort[1])
     answer = re.search(r"<details><summary>Answer</summary>\n\n(.*)\n\n</details>", text, flags=re.S)
     assert answer and "lcpush pivots " in answer[1], number
     assert f'TEST_CASE("exercise {number}: ' in tests, number
+assert re.search(rf"about\s+{total} minutes", exercises[0]), total
+
+# From the coin to the slide: the counts of the table, and the rules on every pivot.
+STEPS = [["fixtures/scenes/coin.toml"], ["docs/teach/coin_in_space.toml"],
+         ["docs/teach/coin_in_space.toml", "--facets", "8"], ["docs/teach/two_points.toml"],
+         ["docs/teach/two_patches.toml", "--pressure", "rigid"], ["docs/teach/two_patches.toml"],
+         ["fixtures/scenes/straight_slide.toml"],
+         ["fixtures/scenes/straight_slide.toml", "--facets", "8"]]
+GROUPS = ("normal", "friction", "slip", "closing")
+
+
+def number(value):
+    """a S + b as a pair that compares like it."""
+    return (Fraction(value[0]), Fraction(value[1])) if isinstance(value, list) else (0, Fraction(value))
+
+
+def unknowns(run_):
+    names = [v["meaning"] for v in run_["variables"] if re.fullmatch("z[1-9][0-9]*", v["name"])]
+    return [(name.split()[0], name) for name in names]
+
+
+def follow(run_):
+    last, before = None, run_["runs"][0]["start"]["rows"]
+    for k, pivot in enumerate(run_["pivots"]):
+        rows = [number(ratio) for ratio in pivot["ratios"] if ratio is not None]
+        leaving = number(pivot["ratios"][before.index(pivot["leaving"])])
+        assert leaving == (max(rows) if k == 0 else min(rows)), (k, pivot["leaving"])
+        if last is not None:
+            assert pivot["entering"] == {"w": "z", "z": "w"}[last[0]] + last[1:], k
+        assert pivot["leaving"] == "z0" or "z0" not in pivot["ties"] or k == 0, k
+        for name in pivot["basis"]:
+            partner = {"w": "z", "z": "w"}[name[0]] + name[1:]
+            assert name == "z0" or partner not in pivot["basis"], (k, name)
+        last, before = pivot["leaving"], pivot["basis"]
+    assert last == "z0"
+
+
+rows = re.findall(r"^\| \[(\d)\]\(#.*?\) \|.*\| (\d+) \| (\d+) \| ([0-9.]+) N \|$", bridge,
+                  flags=re.M)
+assert [row[0] for row in rows] == [str(k) for k in range(len(STEPS))], rows
+counts = {}
+for words, (step, size, pivots, push) in zip(STEPS, rows):
+    steps = trace(*words, "--exact")
+    assert steps["status"] == "solved" and steps["proved"], step
+    assert (steps["size"], len(steps["pivots"])) == (int(size), int(pivots)), step
+    named = unknowns(steps)
+    pressed = sum(number(z)[1] for (group, name), z in zip(named, steps["final"]["z"])
+                  if group == "normal" and re.search("(thumb|wall)", name))
+    assert round(float(pressed), 2) == float(push), (step, pressed)
+    counts[step] = [sum(group == wanted for group, _ in named) for wanted in GROUPS]
+    assert sum(counts[step]) == steps["size"], step
+    follow(steps)
+shown = re.findall(r"^\| (?:normal force|friction force|slip|closing).* \| (\d+) \| (\d+) \|$", bridge,
+                   flags=re.M)
+assert [[int(n) for n in column] for column in zip(*shown)] == [counts["0"], counts["7"]], shown
+assert counts["7"] == [10, 80, 10, 2]
+# Entries that it explains: 1/m and turning in step 3, the pad's compliance and preload in step 5.
+starts = [trace(*STEPS[k], "--exact")["runs"][0]["start"] for k in (3, 4, 5)]
+assert starts[0]["entries"][2][2] == "13/2"
+assert Fraction(starts[2]["entries"][0][0]) - Fraction(starts[1]["entries"][0][0]) == Fraction(1, 5)
+assert number(starts[2]["values"][0])[1] - number(starts[1]["values"][0])[1] == -5 * Fraction(1, 5)
+# Later rounds without pivots.
+later = trace("fixtures/scenes/tipping.toml", "--as-solved")
+assert [run_["first_pivot"] for run_ in later["runs"]] == [0, 17, 17] and len(later["pivots"]) == 17
+
+
+# Links to a section of these pages, and from them, lead to one.
+def anchors(text):
+    for title in re.findall(r"^#+ (.*)$", re.sub(r"```.*?```", "", text, flags=re.S), flags=re.M):
+        title = re.sub(r"\[(.*?)\]\(.*?\)", r"\1", title).lower()
+        yield re.sub(r"[^\w\- ]", "", title).replace(" ", "-")
+
+
+links = 0
+for page in [source / "README.md", source / "fixtures/README.md",
+             *sorted((source / "docs").rglob("*.md"))]:
+    for target, anchor in re.findall(r"\]\(([^)#\s]*)#([^)\s]+)\)", page.read_text()):
+        if "://" in target:
+            continue
+        other = (page.parent / target).resolve() if target else page
+        if teach.resolve() in (page.resolve().parent, other.resolve().parent):
+            assert anchor in set(anchors(other.read_text())), f"{page}: no section {target}#{anchor}"
+            links += 1
+assert links > 30, links
 
 print("lemke_by_hand: ok")

@@ -57,16 +57,36 @@ class Spread(unittest.TestCase):
 
     def test_every_solution_is_said_only_after_enumeration(self):
         self.assertIn("every solution", run(SCENES / "coin.toml", "--enumerate").stdout)
-        reached = run(SCENES / "coin.toml", "--covers", "7").stdout
+        reached = run(SCENES / "coin.toml", "--covers", "7", "-v").stdout
         self.assertNotIn("every solution", reached)
-        self.assertIn("the solutions that were reached: 1 face from 7 covers", reached)
+        self.assertIn("the solutions that were reached: 1 face from 7 covering", reached)
         many = run(SCENES / "soft_fingers.toml", "--enumerate").stdout
         self.assertNotIn("every solution", many)
-        self.assertIn("not enumerated to the end", many)
+        self.assertIn("Not enumerated to the end", many)
 
     def test_the_file_s_other_pressure_law_is_named(self):
-        self.assertIn('the file\'s law "pad"', run(SCENES / "straight_slide.toml").stdout)
-        self.assertNotIn("the file's law", run(SCENES / "coin.toml").stdout)
+        self.assertIn('The file\'s law "pad"', run(SCENES / "straight_slide.toml").stdout)
+        self.assertIn('the file\'s law "pad"', run(SCENES / "straight_slide.toml", "-v").stdout)
+        self.assertNotIn("he file's law", run(SCENES / "coin.toml").stdout)
+
+    def test_the_message_comes_first_and_the_solver_s_words_with_v(self):
+        text = run(SCENES / "straight_slide_point.toml").stdout
+        self.assertIn("\n\nThe laws leave open how the box moves.\nThe push by wall is 18.4 to 20 N, "
+                      "the sum of its normal forces.\n\n", text)
+        for word in ("linear program", "residual", "cover", "face"):
+            self.assertNotIn(word, text)
+            self.assertIn(word, run(SCENES / "straight_slide_point.toml", "-v").stdout)
+        # Only enumeration says what no answer does.
+        self.assertIn("In all answers that were reached, the cylinder moves in one way",
+                      run(SCENES / "coin.toml").stdout)
+        self.assertIn("\nThe cylinder moves in one way, under one set of forces.\n",
+                      run(SCENES / "coin.toml", "--enumerate").stdout)
+
+    def test_text_is_at_most_80_columns_wide(self):
+        for name in ("straight_slide_point", "pivot", "vise", "planar_pusher", "soft_fingers", "jam"):
+            for verbose in ((), ("-v",)):
+                text = run(SCENES / f"{name}.toml", *verbose).stdout
+                self.assertLessEqual(max(map(len, text.split("\n"))), 80, text)
 
     def test_a_jam_is_exit_1_and_says_who_squeezes(self):
         result = run(SCENES / "jam.toml")

@@ -19,6 +19,11 @@ def run(*words):
                           timeout=100)
 
 
+def flat(text):
+    """Without the ends of lines that wrapping has made."""
+    return " ".join(text.split())
+
+
 class Sweep(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -96,7 +101,7 @@ class Sweep(unittest.TestCase):
         line = ElementTree.fromstring(
             run(self.slide, "--vary", "*.grip_force=2:30", "--format", "svg").stdout)
         marks = [e.find(SVG + "title").text for e in line.iter(SVG + "g")]
-        self.assertIn("at breaking: wall sticks", marks)
+        self.assertEqual(marks, ["6.54 N (as prescribed at 6.52 N): wall sticks"])
 
     def test_a_map_has_two_values_a_point(self):
         answer = self.answer(self.slide, "--vary", "*.grip_force=10:20", "--vary",
@@ -108,7 +113,7 @@ class Sweep(unittest.TestCase):
     def test_several_curves_are_one_object(self):
         answer = self.answer(self.slide, "--vary", "wall.shift[1]=-0.005:0.005", "--each",
                              "facets=4,8", "--steps", "3")
-        self.assertEqual(list(answer), ["curves"])
+        self.assertEqual(list(answer), ["warnings", "curves"])
         self.assertEqual([(c["each"], c["each_value"], c["label"]) for c in answer["curves"]],
                          [("facets", 4, "facets = 4"), ("facets", 8, "facets = 8")])
         answer = self.answer(self.slide, SCENES / "straight_slide_point.toml", "--vary",
@@ -120,6 +125,22 @@ class Sweep(unittest.TestCase):
                 "csv").stdout)))
         self.assertEqual({row["curve"] for row in rows}, {"facets = 4", "facets = 8"})
 
+    def test_several_curves_stand_side_by_side(self):
+        words = (self.slide, "--vary", "*.grip_force=10:30", "--each")
+        text = run(*words, "facets=4,8").stdout
+        self.assertRegex(text, r"\n  \*.grip_force  facets = 4  facets = 8\n  10 +10 +10\n  12 +12 +12\n")
+        # Between breakpoints on the segment's line; where the grasp does not hold there is none.
+        text = run(self.slide, "--vary", "*.grip_force=1:11", "--each", "*.friction=0.1,0.5").stdout
+        self.assertRegex(text, r"\n  9 +- +9\n")
+        self.assertRegex(text, r"\n  11 +0.\d+ +11\n")
+        numbered = run(*words, "*.friction=" + ",".join(f"0.{k}0001" for k in range(1, 9))).stdout
+        self.assertIn("the curves in the order above:", flat(numbered))
+        sampled = run(self.slide, "--vary", "wall.friction=0.3:0.6", "--each", "facets=4,8",
+                      "--steps", "4").stdout
+        self.assertRegex(sampled, r"\n  0.4 +20 +20\n")
+        for each in (text, numbered, sampled):
+            self.assertLessEqual(max(map(len, each.split("\n"))), 80, each)
+
     def test_zeros_of_the_motion_are_told_in_words_and_numbers(self):
         words = (SCENES / "straight_slide_point.toml", "--vary", "wall.shift[1]=-0.008:0.004",
                  "--steps", "13")
@@ -127,7 +148,9 @@ class Sweep(unittest.TestCase):
         self.assertAlmostEqual(zero["from"], -0.05 * 1.962 / 20.02, 10)
         self.assertEqual((zero["to"], zero["jumps"]), (zero["from"], False))
         self.assertIn("twist[5], the object's acceleration about z, is zero at wall.shift[1] = "
-                      "-0.0049001\n", run(*words).stdout)
+                      "-0.0049001 ", flat(run(*words, "-v").stdout))
+        self.assertIn("the acceleration of the box about z is zero at wall.shift[1] = -0.0049 m\n",
+                      run(*words).stdout)
 
     def test_show_chooses_what_is_drawn(self):
         words = (self.slide, "--vary", "*.friction=0.3:0.9", "--steps", "5", "--format", "svg")
@@ -147,8 +170,93 @@ class Sweep(unittest.TestCase):
 
     def test_text_names_the_breakpoints(self):
         text = run(self.slide, "--vary", "*.grip_force=6:8").stdout
+        self.assertIn("at *.grip_force = 6.54 N (as prescribed at 6.52 N): wall sticks\n", text)
+        text = run(self.slide, "--vary", "*.grip_force=6:8", "-v").stdout
         self.assertIn("at *.grip_force = 6.52: as prescribed: wall sticks", text)
         self.assertIn("at *.grip_force = 6.54: at breaking: wall sticks", text)
+
+    def test_the_message_comes_first(self):
+        text = run(self.slide, "--vary", "*.grip_force=2:30").stdout
+        self.assertIn(
+            "As *.grip_force goes from 2 to 30 N, the force of wall that breaks the grasp\n"
+            "grows from 0.333 to 30 N, by 1 to 8.76 N per N.\n", text)
+        self.assertLess(text.index("goes from"), text.index("break N"))
+        text = run(self.slide, "--vary", "*.grip_force=30:2").stdout
+        self.assertIn("falls from 30 to 0.333 N, by 1 to 8.76 N per N.", text)
+
+    def test_a_turning_point_and_a_plateau_are_named(self):
+        height = run(SCENES / "straight_slide_point.toml", "--vary",
+                     "wall.shift[1]=-0.008:0.004").stdout
+        self.assertIn("grows from 19.6 to 20 N (at -0.0049 m) and falls to 18.7 N.", flat(height))
+        plateau = run(SOURCE / "docs/studies/guided_slide.toml", "--vary", "wall.turn=-40:40")
+        self.assertIn("grows from 19.1 to 20 N (from -4.8 to 4.8 degrees) and falls to 19.1 N.",
+                      flat(plateau.stdout))
+
+    def test_where_the_grasp_does_not_hold_the_message_says_so(self):
+        drop = self.path / "drop.toml"
+        drop.write_text(self.slide.read_text().replace("friction = 0.3", "friction = 0"))
+        for ends in ("1:4", "4:1"):
+            text = run(drop, "--vary", f"*.grip_force={ends}").stdout
+            self.assertIn("\nUp to 1.96 N the grasp does not hold the box: it moves before it is "
+                          "pushed.\n", text)
+        text = run(drop, "--vary", "*.grip_force=1:1.5").stdout
+        self.assertIn("In the whole range the grasp does not hold the box", text)
+        self.assertIn("the push by wall, as prescribed,", flat(text))
+        self.assertNotIn("-0", run(drop, "--vary", "*.grip_force=1:4", "--pressure", "pad").stdout)
+
+    def test_what_no_contact_changes_is_told_with_v_alone(self):
+        words = (self.slide, "--vary", "*.grip_force=2:30")
+        self.assertNotIn("another direction", run(*words).stdout)
+        self.assertIn("another direction", flat(run(*words, "-v").stdout))
+
+    def test_two_answers_are_told_where_they_matter(self):
+        words = (SCENES / "rolling_two_answers.toml", "--vary", "*.grip_force=7:10")
+        moves, forces = self.answer(*words)["bistable"]
+        self.assertTrue(moves["motion"])
+        self.assertFalse(forces["motion"])
+        self.assertGreater(forces["force_share"], 0.5)
+        self.assertAlmostEqual(forces["force_difference"], 5.12, 2)
+        self.assertIn("From 8.36 to 8.61 N there are two answers: on the way back the cylinder moves "
+                      "in another way", flat(run(*words).stdout))
+
+    def test_a_lost_sample_says_so_and_nothing_of_forces(self):
+        words = (SOURCE / "fixtures/rays/coin_jammed.toml", "--vary", "*.friction=0:0.5",
+                 "--steps", "9")
+        answer = self.answer(*words, code=1)
+        changes = [p["change"] for p in answer["points"] if p["change"]]
+        self.assertEqual(changes[-1], "from here on no answer is found (ray)")
+        self.assertIn(" on there is no answer (ray).\n", run(*words).stdout)
+
+    def test_text_is_at_most_80_columns_wide(self):
+        for words in (("straight_slide", "*.grip_force=2:30"), ("pivot", "edge.shift[0]=0:0.03"),
+                      ("rolling_two_answers", "*.grip_force=7:10"), ("jam", "left.grip_force=1:2"),
+                      ("straight_slide", "wall.angular_acceleration[2]=-4.00001:4.12345"),
+                      ("pivot", "edge.acceleration[1]=-0.1:0.123456")):
+            for verbose in ((), ("-v",)):
+                text = run(SCENES / f"{words[0]}.toml", "--vary", words[1], *verbose).stdout
+                self.assertLessEqual(max(map(len, text.split("\n"))), 80, (words, text))
+                if not verbose:
+                    self.assertLessEqual(text.count("\n"), 40, text)
+
+    def test_rounding_is_no_motion(self):
+        text = run(SCENES / "straight_slide.toml", "--vary", "*.friction=0.3:0.9", "-v").stdout
+        self.assertNotRegex(text, r"e-(09|1\d)")
+
+    def test_the_picture_numbers_what_it_marks_and_hides_no_curve(self):
+        def drawn(*words):
+            return ElementTree.fromstring(run(*words, "--format", "svg").stdout)
+        tree = drawn(self.slide, "--vary", "*.grip_force=2:30")
+        marks = [e for e in tree.iter(SVG + "line") if e.get("class", "").startswith("mark")]
+        texts = [e.text for e in tree.iter(SVG + "text")]
+        self.assertEqual(len(marks), 1)
+        self.assertIn("1", texts)
+        self.assertIn("1: 6.54 N (as prescribed at 6.52 N): wall sticks", texts)
+        # Both forces are nearly the same: the lower one is wider, and the legend says so.
+        self.assertIn("Where curves coincide, the earlier is the wider one.", texts)
+        widths = [e.get("style") for e in tree.iter(SVG + "polyline") if "c0" in e.get("class")]
+        self.assertEqual(set(widths), {"stroke-width: 5.000"})
+        apart = drawn(SCENES / "pivot.toml", "--vary", "edge.shift[0]=0:0.03", "--show", "twist[5]")
+        self.assertFalse([e for e in apart.iter(SVG + "polyline") if e.get("style")])
 
     def test_a_range_without_answers_exits_with_1(self):
         answer = self.answer(SCENES / "jam.toml", "--vary", "left.grip_force=1:2", code=1)

@@ -141,6 +141,20 @@ status, report = verify(slide, own_answer(rigid))
 assert status == 0 and report["verdict"] == "same motion, other forces", report
 assert report["own"]["force_difference"] > 0.1, report
 
+# The text: the verdict first, in words; what the solver and outsiders measure comes with -v.
+for name in ("straight_slide", "straight_slide_point", "straight_slide_point_low"):
+    words = ("verify", scenes / f"{name}.toml", source / f"fixtures/external/slsqp_{name}.json")
+    brief, full = run(*words).stdout, run(*words, "-v").stdout
+    for text in (brief, full):
+        assert max(map(len, text.split("\n"))) <= 80, text
+    assert "Natural map" in full and "Natural map" not in brief, (brief, full)
+    assert full.split("\n\n")[1].startswith(brief.split("\n")[2]), (brief, full)
+    assert " holds\n" in full and (" broken\n" in full) == (name != "straight_slide"), full
+    low = " ".join(brief.split())
+    assert "is allowed" in low and ("Every law holds" in low) == (name == "straight_slide"), brief
+assert "Not a solution, because of dissipation: friction of left.1" in low, brief
+assert "The worst row's error is 0.14 m/s^2, 1.4e-03 in scaled units, where 1e-06" in low, brief
+
 # Another scene's answer, and one with a point too few.
 status, report = verify(slide, own_answer(scenes / "tipping.toml"))
 assert status == 1 and report["verdict"] == "not this scene's data", report

@@ -137,13 +137,19 @@ TEST_CASE("malformed headers and lines are refused") {
     CHECK(refused_at(1, text));
 }
 
+TEST_CASE("a byte order mark is no part of the text") {
+  CHECK(parse_toml("\xEF\xBB\xBF"
+                   "a = 1",
+                   "t.toml")
+            .root.find("a") != nullptr);
+  CHECK(says(refusal("a = 1\n\xEF\xBB\xBF"), "t.toml:2: "));
+}
+
 TEST_CASE("bytes that are no text are refused at their line") {
   CHECK(refused_at(2, "a = 1\nb = \"\x01\""));
   CHECK(refused_at(2, std::string("a = 1\n\0", 7)));
   CHECK(refused_at(1, "# \x7F"));
   CHECK(refused_at(1, "a = 1\rb = 2"));
-  CHECK(refused_at(1, "\xEF\xBB\xBF"
-                      "a = 1"));
   for (const char* bytes : {"\xFF", "\xC3", "\xC0\x80", "\xE0\x80\x80", "\xED\xA0\x80",
                             "\xF4\x90\x80\x80", "\xF8\x88\x80\x80\x80", "\x80", "\xF0\x80\x80\x80"})
     CHECK(says(refusal("a = 1\n# " + std::string(bytes)), "t.toml:2: not valid UTF-8"));

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <sstream>
 
-#include "draw/label_places.hpp"
 #include "lcpush/desktop/report_page.hpp"
 #include "report/pictures.hpp"
+#include "report/scene_painter.hpp"
+#include "solve/sentence.hpp"
 
 using namespace lcpush;
 using namespace lcpush::test;
@@ -30,7 +32,7 @@ Motion<double> screw(const desktop::SceneFile& file, const Vector& at, const Vec
   answer.acceleration.head<3>() =
       pitch * alpha + cross<double>(alpha, file.object.center_of_mass - at);
   answer.acceleration.tail<3>() = alpha;
-  return describe_motion(file.view(), answer, 0.05, 1e-3);
+  return describe_motion(file.view(), answer, 0.05, 1e-3, 0.0);
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -91,30 +93,6 @@ TEST_CASE("gravity points down the front view") {
   }
 }
 
-TEST_CASE("the hull of a square with points inside and on its edges is its four corners") {
-  const std::vector<desktop::Pixel> corners = desktop::hull(
-      {{0, 0}, {2, 0}, {1, 0}, {2, 2}, {0, 2}, {1, 1}, {0, 1}, {2, 2}, {0.5, 1.5}, {0, 0}});
-  REQUIRE(corners.size() == 4);
-  double area = 0;
-  for (std::size_t k = 0; k < 4; ++k)
-    area += corners[k].x() * corners[(k + 1) % 4].y() - corners[k].y() * corners[(k + 1) % 4].x();
-  CHECK(std::abs(area / 2) == 4);
-}
-
-TEST_CASE("round numbers lie below and above, within a factor") {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> power(-9, 9);
-  for (int k = 0; k < 500; ++k) {
-    const double x = std::pow(10, power(random));
-    CHECK(desktop::round_below(x) <= x * (1 + 1e-9));
-    CHECK(desktop::round_below(x) >= 0.39 * x);
-    CHECK(desktop::round_above(x) >= x * (1 - 1e-9));
-    CHECK(desktop::round_above(x) <= 1.7 * x);
-  }
-  CHECK(desktop::round_below(0.05) == doctest::Approx(0.05));
-  CHECK(desktop::round_above(20) == doctest::Approx(20));
-}
-
 TEST_CASE("the instantaneous centre of a planar motion is com + z x a / alpha") {
   desktop::SceneFile file = bar();
   file.object.center_of_mass = {0.01, -0.02, 0.003};
@@ -127,7 +105,7 @@ TEST_CASE("the instantaneous centre of a planar motion is com + z x a / alpha") 
     const double ax = answer.acceleration[0], ay = answer.acceleration[1];
     const double alpha = answer.acceleration[5];
     if (std::abs(alpha) < 0.01) continue;
-    const Motion<double> motion = describe_motion(file.view(), answer, 0.05, 1e-3);
+    const Motion<double> motion = describe_motion(file.view(), answer, 0.05, 1e-3, 0.0);
     REQUIRE(desktop::turns(motion));
     CHECK(desktop::is_along_sight(front, motion.axis));
     CHECK_FALSE(desktop::has_pitch(motion, 0.05));
@@ -178,50 +156,58 @@ TEST_CASE("an axis along the line of sight is a point, with a pitch or without")
   CHECK_FALSE(desktop::has_pitch(across, 0.05));
   Answer<double> slide;
   slide.acceleration << 1, 0, 0, 0, 0, 0;
-  CHECK_FALSE(desktop::turns(describe_motion(file.view(), slide, 0.05, 1e-3)));
+  CHECK_FALSE(desktop::turns(describe_motion(file.view(), slide, 0.05, 1e-3, 0.0)));
 }
 
-TEST_CASE("a line is clipped to the picture, and one that misses it is not drawn") {
-  const auto across = desktop::clipped_line({50, 20}, {1, 0}, 100, 40);
-  REQUIRE(across.has_value());
-  CHECK(across->first.isApprox(desktop::Pixel(0, 20)));
-  CHECK(across->second.isApprox(desktop::Pixel(100, 20)));
-  const auto diagonal = desktop::clipped_line({0, 0}, {2, 1}, 100, 40);
-  REQUIRE(diagonal.has_value());
-  CHECK(diagonal->second.isApprox(desktop::Pixel(80, 40)));
-  CHECK_FALSE(desktop::clipped_line({0, -1}, {1, 0}, 100, 40).has_value());
-  CHECK_FALSE(desktop::clipped_line({-50, 0}, {1, 1.5}, 100, 40).has_value());
+TEST_CASE("a contact at the object's centre is drawn on the surface that its body comes from") {
+  const desktop::SceneFile coin = desktop::parse_scene(scene_text("coin.toml"), "coin.toml");
+  const std::vector<Vector> drawn = desktop::drawn_positions(coin);
+  REQUIRE(drawn.size() == 2);
+  CHECK((drawn[0] - Vector(0, -0.008, 0)).norm() < 1e-12); // the table, below
+  CHECK((drawn[1] - Vector(-0.05, 0, 0)).norm() < 1e-4);   // the thumb, on the left
+  const desktop::SceneFile slide = bar();
+  CHECK(desktop::drawn_positions(slide) == slide.positions); // what touches stays
 }
 
-TEST_CASE("labels with room around them do not cover each other or leave the picture") {
-  desktop::LabelPlaces places(400, 300);
-  std::vector<desktop::Frame> frames;
-  for (int k = 0; k < 5; ++k)
-    frames.push_back(places.place({"a name", "normal 20 N"}, {200, 150}, desktop::Pixel::Zero()));
-  for (std::size_t a = 0; a < frames.size(); ++a) {
-    CHECK(frames[a].left >= 0);
-    CHECK(frames[a].top >= 0);
-    CHECK(frames[a].right <= 400);
-    CHECK(frames[a].bottom <= 300);
-    for (std::size_t b = 0; b < a; ++b)
-      CHECK((frames[a].right <= frames[b].left || frames[b].right <= frames[a].left ||
-             frames[a].bottom <= frames[b].top || frames[b].bottom <= frames[a].top));
-  }
+TEST_CASE("the ghost lies where the object accelerates to, and there is none at rest") {
+  const Page slide(scene_text("straight_slide.toml"));
+  const std::string svg = slide.picture("isometric");
+  CHECK(count(svg, "class=\"ghost\"") == 1);
+  const auto rightmost = [&svg](const std::string& kind) {
+    const std::size_t at = svg.find("<polygon class=\"" + kind + "\" points=\"");
+    const std::size_t begin = svg.find("points=\"", at) + 8;
+    double most = 0;
+    std::istringstream corners(svg.substr(begin, svg.find('"', begin) - begin));
+    for (std::string corner; corners >> corner;) most = std::max(most, std::stod(corner));
+    return most;
+  };
+  CHECK(rightmost("ghost") > rightmost("object") + 10);
+  std::string text = scene_text("straight_slide.toml");
+  const Page held(text.substr(0, text.find("[[pusher]]")));
+  CHECK(count(held.picture("isometric"), "class=\"ghost\"") == 0);
+  const Page rolls(scene_text("rolling.toml")); // looks as it did
+  CHECK(count(rolls.picture("isometric"), "class=\"ghost\"") == 0);
 }
 
-TEST_CASE("markup escapes what ends elements and attributes, and what XML cannot hold") {
-  CHECK(desktop::escaped("<a href=\"x\">&'") == "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
-  CHECK(desktop::escaped("\u00e4 \u6f22 \U0001F600") == "\u00e4 \u6f22 \U0001F600");
-  CHECK(desktop::escaped(std::string("a\0b\x01\x1f\x7f", 6)) == "a\uFFFDb\uFFFD\uFFFD\uFFFD");
-  CHECK(desktop::escaped("\xEF\xBF\xBE!") == "\uFFFD!"); // no character at all
-  CHECK(desktop::escaped("a\nb\tc") == "a&#10;b\tc");
+TEST_CASE("a motion that is negligible beside the contacts' is not drawn") {
+  Page page(scene_text("straight_slide.toml"));
+  const auto turns = [&page] { return count(page.picture("front"), "class=\"arc\""); };
+  const double size = page.report.answer.acceleration.head<3>().norm();
+  page.report.answer.acceleration[5] = 0.5e-3 * size / page.report.scales.length;
+  CHECK(turns() == 0);
+  page.report.answer.acceleration[5] = 0.1 * size / page.report.scales.length;
+  CHECK(turns() == 1);
 }
 
-TEST_CASE("a long name is cut between letters") {
-  CHECK(desktop::shortened("wall", 4) == "wall");
-  CHECK(desktop::shortened("a longer name", 6) == "a lo..");
-  CHECK(desktop::shortened("\u00e4\u00f6\u00fc\u00df\u00e9", 4) == "\u00e4\u00f6..");
-  CHECK(desktop::shortened("\u00e4\u00f6\u00fc\u00df", 4) == "\u00e4\u00f6\u00fc\u00df");
+TEST_CASE("the page begins with what happens, in a sentence") {
+  const Page page(scene_text("straight_slide.toml"));
+  const std::string html = page.html(),
+                    sentence = desktop::escaped(desktop::push_sentence(page.file, page.report));
+  CHECK(html.find(sentence) < html.find("<svg"));
+  CHECK(count(html, "class=\"check\"") == 0);
+  const Page odd(
+      with(scene_text("straight_slide.toml"), "normal = [1, 0, 0]", "normal = [-1, 0, 0]"));
+  CHECK(count(odd.html(), "class=\"check\"") >= 1);
 }
 
 TEST_CASE("names and titles stand on the page as text, whatever they hold") {
@@ -292,7 +278,7 @@ TEST_CASE("a jam's page says who squeezes and draws no force") {
           std::string::npos);
   CHECK(count(html, "NOT SOLVED (ray)") == 1);
   CHECK(count(html, "id=\"contacts\"") == 0);
-  CHECK(desktop::report_pictures(page.content).size() == 2);
+  CHECK(desktop::report_pictures(page.content).size() == 3);
   CHECK(count(page.picture("front"), "squeezes") >= 2);
   CHECK(count(page.picture("front"), "class=\"force friction") == 0);
 }

@@ -59,6 +59,15 @@ TEST_CASE("vectors that the file leaves out are zero, and vary") {
   CHECK(pivot.at({pivot.find("gravity[1]")}, {-9.81}).gravity[1] == -9.81);
 }
 
+TEST_CASE("units are those of the table: an actuator's inertia is a mass, the object's is none") {
+  const std::string text = lcpush::test::with(scene_text("three_finger_hand.toml"), "force = 12",
+                                              "force = 12\ninertia = 0.05");
+  CHECK(VariedScene::parse(text, "hand.toml").find("motor.inertia").unit == "kg");
+  const std::string object = lcpush::test::with(
+      scene_text("straight_slide.toml"), "box = [0.1, 0.03, 0.01]", "inertia = [1e-4, 2e-4, 2e-4]");
+  CHECK(VariedScene::parse(object, "slide.toml").find("object.inertia[0]").unit == "kg m^2");
+}
+
 TEST_CASE("shift moves every point of a body, and nothing else") {
   const SceneFile given = slide().as_given();
   for (Index axis = 0; axis < 3; ++axis) {

@@ -130,6 +130,26 @@ TEST_CASE("bistable: other motions are told from other forces") {
   CHECK(two.bistable[0].motion);
   CHECK(two.bistable[0].to == doctest::Approx(0.8 * 4.905 / (1 - 0.8 * 0.3) / 0.6));
   CHECK_FALSE(two.bistable[1].motion); // held both ways
+  CHECK(two.bistable[1].force_share > 0.5);
+}
+
+TEST_CASE("bistable: what rounding leaves of a motion that is zero is no other answer") {
+  ParameterSweepOptions options;
+  options.steps = 9;
+  CHECK(swept(rigid(scene_text("rolling.toml")), "*.friction", 0.1, 0.9, options).bistable.empty());
+}
+
+TEST_CASE("a sample beside which there is no answer has lost it, whatever its contacts do") {
+  ParameterSweepOptions options;
+  options.steps = 9;
+  const VariedScene scene =
+      VariedScene::parse(scene_text("coin_jammed.toml", "rays"), "coin_jammed.toml");
+  const Sweep sweep = swept(scene, "*.friction", 0, 0.5, options);
+  Index lost = 0;
+  for (const SweepPoint& point : sweep.points)
+    for (const AnswerChange& change : point.change.push)
+      lost += change.kind == AnswerChange::Kind::lost ? 1 : 0;
+  CHECK(lost == 1);
 }
 
 TEST_CASE("a count takes no range") {

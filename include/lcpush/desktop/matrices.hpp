@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lcpush/desktop/matrix_market.hpp"
+#include "lcpush/desktop/scene_check.hpp"
 #include "lcpush/desktop/scene_io.hpp"
 #include "lcpush/mechanics/paper/patch_rigidity.hpp"
 
@@ -50,6 +51,7 @@ PaperMatrices paper_matrices(const SceneFile& file);
 /// `matrices`: tables of at most 100 columns as long as names are short; G and G-bar transposed.
 std::string matrices_text(const SceneFile& file, const PaperMatrices& matrices);
 /// `matrices --json`: M, w, G, G_bar, J with rows, columns and values (row by row); D and rigidity.
-std::string matrices_json(const PaperMatrices& matrices);
+std::string matrices_json(const PaperMatrices& matrices,
+                          const std::vector<SceneDoubt>& warnings = {});
 
 } // namespace lcpush::desktop

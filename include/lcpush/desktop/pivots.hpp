@@ -81,6 +81,7 @@ struct Cycle {
 
 struct Variable {
   std::string name, meaning; ///< "z3", "normal force of left.3"
+  std::string growth, end;   ///< of a Story; empty without a physical meaning
 };
 
 struct PivotTrace {
@@ -120,6 +121,11 @@ public:
   virtual bool is_physical() const { return false; }
   /// Of variable w_i, z_i or z0.
   virtual std::string meaning(Index variable) const = 0;
+  /// "point left.1 presses harder": what its growth is, in the middle of a sentence; empty without
+  /// a physical meaning.
+  virtual std::string growth(Index) const { return {}; }
+  /// What has happened when it is zero and leaves, whatever the basis.
+  virtual std::string end(Index) const { return {}; }
   /// What a pivot means. `basic` says which variables are basic while the entering one grows,
   /// itself included.
   virtual std::string sentence(const TracedPivot& pivot, const std::vector<bool>& basic) const = 0;
@@ -176,7 +182,7 @@ PivotTrace trace_solve(const RawProblem& problem, const PivotOptions& options, c
 
 /// A line and a sentence a pivot; tableaus where they are narrow.
 std::string pivots_text(const PivotTrace& trace);
-/// One object; docs/teach/lemke_by_hand.md describes it. `push`, if there is one, adds what is
+/// One object; docs/teach/command.md describes it. `push`, if there is one, adds what is
 /// drawn. Large traces come without a tableau a pivot; `tableaus` false leaves all of those out.
 std::string pivots_json(const PivotTrace& trace, const Push* push, bool tableaus = true);
 /// An array a basis, its pivot element boxed, for LaTeX with amsmath.

@@ -9,6 +9,8 @@
 #include "lcpush/mechanics/study/motion.hpp"
 #include "lcpush/mechanics/study/uniqueness.hpp"
 
+#include <optional>
+
 namespace lcpush::desktop {
 
 /// An unknown's value, in the solver's units.
@@ -42,10 +44,12 @@ struct PushReport : RunReport {
   Answer<double> answer{}; ///< views into the Push: valid until it is asked again
   Residuals<double> residuals;
   Uniqueness unique_wrench = Uniqueness::not_tested;
-  Index covers_compared = 0; ///< other covers that led to an answer
-  FinalBasis final_basis;    ///< other answers next to this one
-  std::string undetermined;  ///< a point or body with friction and no known normal force, or empty
-  ExistenceFound existence;  ///< does a theorem promise an answer?
+  Index covers_compared = 0;            ///< other covers that led to an answer
+  std::optional<Outcome<double>> other; ///< of the first other cover whose answer differs: the
+                                        ///< object's acceleration, all pushers' wrench
+  FinalBasis final_basis;               ///< other answers next to this one
+  std::string undetermined; ///< a point or body with friction and no known normal force, or empty
+  ExistenceFound existence; ///< does a theorem promise an answer?
 };
 
 /// Does the grasp hold the object's weight with the pushers absent?
@@ -61,6 +65,7 @@ struct BreakReport : RunReport {
   Index pusher = -1; ///< body that pushes
   Breaking<double> breaking;
   Uniqueness unique_force = Uniqueness::not_tested;
+  std::optional<double> other_force; ///< N, the breaking force of another cover, if it differs
 };
 
 } // namespace lcpush::desktop

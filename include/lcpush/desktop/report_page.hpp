@@ -21,12 +21,13 @@ struct PageContent {
 };
 
 struct Picture {
-  std::string name;  ///< "front", "top" or "side", "friction", "residuals", "sweep1", ..
+  std::string
+      name; ///< "isometric", "front", "top" or "side", "friction", "residuals", "sweep1", ..
   std::string title; ///< for people
   std::string svg;   ///< a document of its own, for light and dark
 };
 
-/// Every picture of the page. Two views of the grasp come first; friction and residuals only with
+/// Every picture of the page. Three views of the grasp come first; friction and residuals only with
 /// an answer. Cost: O(points facets) and the plots.
 std::vector<Picture> report_pictures(const PageContent& content);
 

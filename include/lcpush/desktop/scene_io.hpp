@@ -31,6 +31,18 @@ struct ObjectShape {
   Index axis = 2;                                 ///< of a cylinder: 0, 1 or 2 for x, y or z
 };
 
+/// Where a scene file says what: 1-based lines, for messages about what was read.
+struct SceneLines {
+  struct OfBody {
+    int place; ///< center, ends or points
+    int normal;
+    int motion; ///< acceleration or what else moves it; its table's line without one
+  };
+  std::string file; ///< as messages name it
+  int object = 0, center_of_mass = 0;
+  std::vector<OfBody> bodies;
+};
+
 /// The arrays behind a Scene, and the names that the core does not need.
 /// Bodies are the file's fingers, then its pushers, each in the file's order.
 template <class S> struct SceneOf {
@@ -49,6 +61,7 @@ template <class S> struct SceneOf {
   std::vector<Drive<S>> drives;
   std::vector<std::string> body_names;     ///< unique
   std::vector<std::string> actuator_names; ///< of the body or the [[actuator]]; "jaws" if parallel
+  SceneLines lines;
   /// Of an exact scene: a sentence for each thing that is irrational, which therefore is not exact.
   std::vector<std::string> inexact;
 
@@ -89,8 +102,11 @@ inline std::vector<std::string> pressure_names() {
   return names;
 }
 
-/// The text of a scene file. Throws InputError if it cannot be read or is far too large for one.
+/// The text of a scene file; of standard input for "-". Throws InputError if it cannot be read or
+/// is far too large for one.
 std::string read_scene_text(const std::string& path);
+/// As messages name the file.
+std::string scene_label(const std::string& path);
 
 /// As read_scene, for a text in memory; `file_name` only names it in messages.
 template <class S = double>
@@ -104,7 +120,7 @@ SceneOf<S> parse_scene(std::string_view text, const std::string& file_name);
 /// that takes a root, points of discs, directions of eight facets) is taken as the exact value of
 /// its double and named in `inexact`; a number of more than 10,000 digits is refused.
 template <class S = double> SceneOf<S> read_scene(const std::string& path) {
-  return parse_scene<S>(read_scene_text(path), path);
+  return parse_scene<S>(read_scene_text(path), scene_label(path));
 }
 
 /// The sentences of `inexact` for the friction directions, which depend on `facets` as it is now.

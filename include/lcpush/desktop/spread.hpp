@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lcpush/desktop/push.hpp"
+#include "lcpush/desktop/telling.hpp"
 
 namespace lcpush::desktop {
 
@@ -95,7 +96,9 @@ inline bool is_single(const Interval& interval, double tolerance) {
 double same_force(const SpreadReport& report);
 double same_acceleration(const SpreadReport& report);
 
-std::string spread_text(const SceneFile& file, const SpreadReport& report);
+/// A line a sentence: wrap them as you like.
+std::string spread_text(const SceneFile& file, const SpreadReport& report,
+                        Telling telling = Telling::brief);
 std::string spread_json(const SceneFile& file, const SpreadReport& report);
 
 } // namespace lcpush::desktop

@@ -2,6 +2,8 @@
 // breakpoints where a contact changes its mode, and in samples.
 #pragma once
 
+#include "lcpush/desktop/scene_check.hpp"
+#include "lcpush/desktop/telling.hpp"
 #include "lcpush/desktop/varied_scene.hpp"
 #include "lcpush/mechanics/model/answer.hpp"
 #include "lcpush/status.hpp"
@@ -126,7 +128,9 @@ struct SweepPoint {
 /// A range in which sweeping up and sweeping down end in different answers.
 struct BistableRange {
   double from, to;
-  bool motion; ///< the object moves in another way; else the forces alone differ
+  bool motion;             ///< the object moves in another way; else the forces alone differ
+  double force_difference; ///< N, the largest of a force, in the middle of a stretch between cuts
+  double force_share;      ///< the same, of the larger of the two forces
 };
 
 /// Where a component of the object's acceleration is zero or changes its sign.
@@ -140,7 +144,7 @@ struct Sweep {
   std::vector<Variation> variations; ///< one, or two for a map
   SceneFile scene;                   ///< as given: the names of its bodies and contacts
   std::string pusher;
-  bool asks_breaking = false;         ///< of segments: a pusher moves somewhere in the range
+  bool asks_breaking = false;         ///< a pusher moves somewhere in the range
   std::vector<SweepSegment> segments; ///< from variations[0].from to .to, without gaps
   std::vector<SweepSegment> back;     ///< the same the other way; only where it differs somewhere
   std::vector<SweepPoint> points;     ///< in the sweep's order; in a map row by row
@@ -204,17 +208,18 @@ std::string change_text(const Sweep& sweep, const SweepSegment& segment);
 std::string change_text(const Sweep& sweep, const SweepPoint& point);
 
 // One sweep, or several over the same parameter. Of several, json is {"curves": [..]} and csv has
-// one column more.
-std::string sweep_text(const std::vector<SweepCurve>& curves);
+// one column more. Text has a line a sentence: wrap them as you like.
+std::string sweep_text(const std::vector<SweepCurve>& curves, Telling telling = Telling::brief);
 std::string sweep_csv(const std::vector<SweepCurve>& curves);
-std::string sweep_json(const std::vector<SweepCurve>& curves);
+std::string sweep_json(const std::vector<SweepCurve>& curves,
+                       const std::vector<SceneDoubt>& warnings = {});
 /// The quantities, one panel a unit; none: both forces, of a map the breaking force. A map shows
 /// one. Throws InputError where one is not known.
 std::string sweep_svg(const std::vector<SweepCurve>& curves, const std::string& title,
                       const std::vector<SweepQuantity>& shown = {});
 
-inline std::string sweep_text(const Sweep& sweep) {
-  return sweep_text(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}});
+inline std::string sweep_text(const Sweep& sweep, Telling telling = Telling::full) {
+  return sweep_text(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}}, telling);
 }
 inline std::string sweep_svg(const Sweep& sweep, const std::string& title) {
   return sweep_svg(std::vector<SweepCurve>{{"", "", std::nullopt, sweep}}, title);

@@ -4,6 +4,8 @@
 #include "lcpush/desktop/final_basis.hpp"
 #include "lcpush/desktop/foreign_answer.hpp"
 #include "lcpush/desktop/raw_problem.hpp"
+#include "lcpush/desktop/scene_check.hpp"
+#include "lcpush/desktop/telling.hpp"
 #include "lcpush/mechanics/model/check.hpp"
 
 #include <optional>
@@ -94,9 +96,11 @@ struct RawVerifyReport : JudgedAnswer {
 RawVerifyReport verify_raw(const RawProblem& problem, const std::vector<double>& z,
                            const VerifyOptions& options);
 
-std::string verify_text(const SceneFile& file, const VerifyReport& report);
-std::string verify_json(const VerifyReport& report);
-std::string verify_text(const RawVerifyReport& report);
+/// A line a sentence: wrap them as you like.
+std::string verify_text(const SceneFile& file, const VerifyReport& report,
+                        Telling telling = Telling::brief);
+std::string verify_json(const VerifyReport& report, const std::vector<SceneDoubt>& warnings = {});
+std::string verify_text(const RawVerifyReport& report, Telling telling = Telling::brief);
 std::string verify_json(const RawVerifyReport& report);
 
 } // namespace lcpush::desktop

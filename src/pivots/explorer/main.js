@@ -155,6 +155,7 @@
       explorer.view_sentence.update(this);
       this.tableau.update(changed);
       explorer.view_pairs.update(this);
+      explorer.view_cones.update(this);
       explorer.view_chart.update(this);
       explorer.view_outcome.update(this);
       explorer.view_scene_text.update(this);
@@ -200,7 +201,8 @@
     const app = new Application(JSON.parse(by_id('trace').textContent));
     window.lcpush = {
       goto: (step) => { app.controls.stop(); app.go(step); }, state: () => app.state(),
-      branch: (row, rule) => app.branch(row, rule),
+      branch: (row, rule) => app.branch(row, rule), path: () => app.path,
+      told: (path, frame) => words.meant_sentence(path, frame, path.step(frame)),
     };
     app.start();
   } catch (problem) {

@@ -50,20 +50,32 @@
   /// The sign of [times S, finite]: S decides unless its part is zero.
   const sign = ([large, finite]) => Math.sign(large) || Math.sign(finite);
 
-  function mode_of(point, z, w) {
+  /// Does the object move across the body there? Without friction nothing else tells sliding from
+  /// sticking.
+  function moves_across(scene, point, { acceleration, bodies }) {
+    const arm = subtract(point.position, scene.center_of_mass);
+    const { normal } = scene.bodies[point.body];
+    const [object, body] = [acceleration, bodies[point.body]].map((twist) => at_point(twist, arm));
+    const relative = subtract(object, body);
+    const across = subtract(relative, scale(normal, dot(relative, normal)));
+    return length(across) > 1e-9 * (length(object) + length(body));
+  }
+
+  function mode_of(scene, point, z, w, levels) {
     const none = [0, 0];
     const pull = point.pull === null ? none : z[point.pull];
     // w < 0 is possible while a cushion z0 makes up for it.
     if (sign(z[point.normal]) === 0 && sign(pull) === 0)
       return ['sink', 'touch', 'separate'][sign(w[point.normal]) + 1];
-    if (point.slip === null) return 'slide';
+    if (point.slip === null)
+      return levels.some((level) => moves_across(scene, point, level)) ? 'slide' : 'stick';
     return sign(z[point.slip]) > 0 ? 'slide' : 'stick';
   }
 
   /// z, w: [times S, finite] by index in SI units, w without the cushion d z0.
   function picture(scene, z, w) {
     const levels = [0, 1].map((k) => level_of(scene, z.map((x) => x[k]), k));
-    const modes = scene.points.map((point) => mode_of(point, z, w));
+    const modes = scene.points.map((point) => mode_of(scene, point, z, w, levels));
     const size = (level) => Math.max(length(level.acceleration),
       ...level.forces.map(({ force }) => length(force)), ...level.bodies.map(length));
     [levels[0].times, levels[1].times] = [' S', '']; // what a number's unit begins with

@@ -27,13 +27,27 @@
     return text.replace(/-/g, minus);
   }
 
+  /// Is the decimal all of the fraction n/d?
+  function is_whole(text, { n, d }) {
+    const match = /^(-?)(\d+)(?:\.(\d+))?$/.exec(text.replace(minus, '-'));
+    if (!match) return false;
+    const [, sign, whole, rest = ''] = match;
+    return BigInt(`${sign}${whole}${rest}`) * d === n * 10n ** BigInt(rest.length);
+  }
+
+  /// A fraction's decimal, marked where it is rounded.
+  function fraction_decimal(x, number) {
+    const whole = short_decimal(number, longest_decimal);
+    if (is_whole(whole, x)) return whole;
+    return `\u2248${short_decimal(number, 4)}`;
+  }
+
   /// A scalar of the problem's arithmetic, for people.
   function scalar(problem, x, as_fraction = true, digits = 5) {
     if (!problem.exact) return short_decimal(x, digits);
     const text = explorer.fractions.text(x);
     if (as_fraction && text.length <= longest_fraction) return text.replace('-', minus);
-    const rounded = short_decimal(problem.number(x), 4);
-    return x.d === 1n && !rounded.includes('e') ? rounded : `\u2248${rounded}`;
+    return fraction_decimal(x, problem.number(x));
   }
 
   /// A value by level: "3 S + 1/2".
@@ -74,6 +88,6 @@
   }
 
   explorer.number_text = {
-    value_of_row, without_noise, decimal, scalar, value, full_scalar, full_value, minus,
+    value_of_row, without_noise, is_whole, decimal, scalar, value, full_scalar, full_value, minus,
   };
 })();

@@ -40,7 +40,7 @@
       Object.assign(this, { scene, view, level, common });
       const [left, top, right, bottom] = view.frame;
       this.width = common.width;
-      this.height = Math.round((bottom - top) * common.meters + 2 * 88);
+      this.height = Math.round((bottom - top) * common.meters + 2 * 100);
       this.origin = [this.width / 2 - (left + right) / 2 * common.meters,
         this.height / 2 - (top + bottom) / 2 * common.meters];
       this.places = new explorer.Places(this.width, this.height);
@@ -60,15 +60,17 @@
       const corners = outline.map((corner) => this.pixel(corner));
       const [xs, ys] = [0, 1].map((k) => corners.map((p) => p[k]));
       this.places.block(Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys), 0.6);
+      this.places.bar_edges(corners);
       if (radius === 0) return polygon('object', corners);
       const [cx, cy] = this.place(this.scene.center_of_mass);
       return svg('circle', { class: 'object', cx, cy, r: radius * this.common.meters });
     }
 
     pad({ body, behind, pad }) {
-      return pad.length === 0 ? null : polygon(
-        `pad ${this.scene.bodies[body].role}${behind ? ' behind' : ''}`,
-        pad.map(([x, y, dx, dy]) => add(this.pixel([x, y]), [dx, dy])));
+      if (pad.length === 0) return null;
+      const corners = pad.map(([x, y, dx, dy]) => add(this.pixel([x, y]), [dx, dy]));
+      this.places.bar_edges(corners);
+      return polygon(`pad ${this.scene.bodies[body].role}${behind ? ' behind' : ''}`, corners);
     }
 
     /// Forces end at the contact, the cone opens where they come from.
@@ -76,25 +78,25 @@
       const { places, common: { newtons } } = this;
       const { normal, friction } = this.level.forces[i];
       const direction = this.scene.bodies[this.scene.points[i].body].normal;
-      const tip = this.place(this.scene.points[i].position);
+      const tip = this.place(this.scene.points[i].drawn_at);
       const from = (force) => subtract(tip, scale(this.flat(force), newtons));
       const kind = (name) => `${name}${behind ? ' behind' : ''}`;
       const shapes = [];
       if (normal > 0 && cone.length > 0) {
         const corners = cone.map((corner) => add(tip, scale(corner, normal * newtons)));
         shapes.push(polygon(kind('cone'), corners));
-        for (const corner of corners) places.block_line(tip, corner, 0.8);
+        for (const corner of corners) places.block_line(tip, corner, 30);
       }
       if (length(this.flat(direction)) > 0.3) {
         const tail = from(scale(direction, normal));
         shapes.push(arrow(kind('force normal'), tail, tip));
-        places.block_line(tail, tip, 2);
+        places.block_line(tail, tip, 60);
       } else if (normal > 0) {
         shapes.push(this.mark(behind ? 'out_of' : 'into', tip));
       }
       const tail = from(friction);
       shapes.push(arrow(kind('force friction'), tail, tip));
-      places.block_line(tail, tip, 2);
+      places.block_line(tail, tip, 60);
       places.block(tip[0] - 10, tip[1] - 10, tip[0] + 10, tip[1] + 10, 2);
       return shapes;
     }
@@ -102,7 +104,7 @@
     /// An arrow of an acceleration, and where it ends.
     motion(kind, start, acceleration) {
       const tip = add(start, scale(this.flat(acceleration), this.common.accelerations));
-      this.places.block_line(start, tip, 3);
+      this.places.block_line(start, tip, 60);
       return [arrow(kind, start, tip), tip];
     }
 
@@ -139,16 +141,16 @@
       const { scene, level, common: { tiny, still }, level: { times } } = this;
       const of_body = [...scene.points.keys()].filter((i) => scene.points[i].body === b);
       if (of_body.length === 0) return null;
-      const sum = of_body.map((i) => scene.points[i].position).reduce(add);
-      const middle = scale(sum, 1 / of_body.length);
+      const middle_of = (where) => scale(of_body.map((i) => scene.points[i][where]).reduce(add),
+        1 / of_body.length);
       const flat = this.flat(body.normal);
-      const start = this.place(middle);
+      const start = this.place(middle_of('drawn_at'));
       for (const i of of_body) {
-        const [x, y] = this.place(scene.points[i].position);
+        const [x, y] = this.place(scene.points[i].drawn_at);
         this.places.block(x - 12, y - 12, x + 12, y + 12, 1.5);
       }
       const moved = explorer.mechanics.at_point(level.bodies[b],
-        subtract(middle, scene.center_of_mass));
+        subtract(middle_of('position'), scene.center_of_mass));
       const [shaft] = this.motion('motion thin', subtract(start, scale(flat, 22)), moved);
       const normal = of_body.reduce((total, i) => total + level.forces[i].normal, 0);
       const friction = length(of_body.map((i) => level.forces[i].friction).reduce(add));
@@ -167,15 +169,18 @@
       return shaft;
     }
 
-    label({ words, at, away, target, kind }) {
-      const box = this.places.place(words, ...at, away);
-      const near = [Math.max(box.left, Math.min(at[0], box.left + box.width)),
-        Math.max(box.top, Math.min(at[1], box.top + box.height))];
+    label({ words, target, kind }, box) {
+      // Words that are narrower than their place stand where the leader comes from.
+      const is_left_of = target[0] > box.left + box.width;
+      const x = is_left_of ? box.left + box.width - 2 : box.left + 2;
       return [
-        length(subtract(near, target)) > 26 && svg('line', { class: 'leader', x1: near[0],
-          y1: near[1], x2: target[0], y2: target[1] }),
-        svg('text', { class: `label ${kind}` }, words.map((text, k) => svg('tspan', {
-          x: box.left + 2, y: box.top + (k + 0.8) * box.line, class: k === 0 && 'strong' }, text))),
+        length(subtract(box.leader, target)) > 14 && [
+          svg('circle', { class: 'leader-end', cx: target[0], cy: target[1], r: 1.8 }),
+          svg('line', { class: 'leader', x1: target[0], y1: target[1], x2: box.leader[0],
+            y2: box.leader[1] })],
+        svg('text', { class: `label ${kind}`, 'text-anchor': is_left_of && 'end' },
+          words.map((text, k) => svg('tspan', { x, y: box.top + (k + 0.8) * box.line,
+            class: k === 0 && 'strong' }, text))),
       ];
     }
 
@@ -194,20 +199,21 @@
     draw(modes) {
       const { scene, view, width, height, places } = this;
       const outline = this.outline();
-      places.block(0, 0, 56, 50, 30);
-      places.block(width - 130, height - 24, width, height, 30);
+      const pads = view.bodies.map((seen) => this.pad(seen));
+      places.bar(0, 0, 56, 50);
+      places.bar(width - 130, height - 24, width, height);
       const points = view.bodies.flatMap((seen) => [...scene.points.keys()]
         .filter((i) => scene.points[i].body === seen.body).map((i) => [i, seen]));
       const contacts = points.map(([i, seen]) => this.contact(i, seen));
       const marks = points.map(([i]) =>
-        this.mark(modes[i], this.place(scene.points[i].position)));
+        this.mark(modes[i], this.place(scene.points[i].drawn_at)));
       const motions = [this.object_motion(),
         scene.bodies.map((body, b) => this.body_motion(body, b))];
+      const boxes = explorer.place_all(places, this.labels);
       return picture({ viewBox: `0 0 ${width} ${height}`, class: 'drawing view', width },
         `${view.title}${this.level.times ? ', times S' : ''}`,
         'The object, its contacts, forces and motions; the list below says the same in words.',
-        parsed(svg('g'), view.axes), outline, view.bodies.map((seen) => this.pad(seen)),
-        contacts, marks, motions, this.labels.map((label) => this.label(label)),
+        parsed(svg('g'), view.axes), outline, pads, contacts, marks, motions, this.labels.map((label, k) => this.label(label, boxes[k])),
         this.force_scale());
     }
   }
@@ -228,7 +234,7 @@
     return { meters, width, empty: most_force === 0, tiny: 1e-9 * Math.max(most_force, 1e-9),
       newtons: most_force > 0 ? scene.longest_force / round_above(most_force) : 1,
       accelerations: most_speed > 0 ? scene.fastest / most_speed : 0,
-      still: 1e-9 * largest, still_turn: 1e-9 * largest / reach };
+      still: 1e-3 * largest, still_turn: 1e-3 * largest / reach };
   }
 
   /// A figure for each view.

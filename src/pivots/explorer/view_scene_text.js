@@ -54,7 +54,7 @@
     const linear = level.acceleration.slice(0, 3);
     const spin = level.acceleration.slice(3);
     const reach = Math.max(...scene.points.map(({ position }) => length(position)));
-    const small = 1e-9 * Math.max(length(linear), length(spin) * reach,
+    const small = 1e-3 * Math.max(length(linear), length(spin) * reach,
       ...level.bodies.map(length));
     const items = [h('li', {}, length(linear) > small
       ? `The object accelerates at ${decimal(length(linear), 4)}${times} m/s\u00b2 along ${

@@ -49,14 +49,26 @@
       name(app.problem.names[variable]), enters && h('span', { class: 'role' }, 'enters'));
   }
 
+  /// The row that leaves goes on, a tied one branches off; for any other it is said why not.
+  function try_row(now, r, is_tied) {
+    if (is_tied) app.branch(r);
+    else if (r === now.row) app.go(app.frame + 1);
+    else by_id('tried').textContent = explorer.words.why_not(app.path, app.frame, r,
+      app.as_fractions);
+  }
+
   function ratio_cell(now, r) {
     const ratio = now.step && now.step.ratios ? now.step.ratios[r] : null;
     const text = ratio === null ? '\u2013' : app.text(ratio);
+    if (!now.step) return h('td', { class: 'ratio' }, text);
     const variable = now.dictionary.rows[r];
-    if (!now.tied.has(variable) || r === now.row) return h('td', { class: 'ratio' }, text);
-    const label = `What if ${app.problem.names[variable]} leaves instead? Ratio ${text}`;
-    return h('td', { class: 'ratio' }, h('button', { type: 'button', class: 'what-if-cell',
-      'aria-label': label, title: label, onclick: () => app.branch(r) }, text));
+    const name_of_row = app.problem.names[variable];
+    const is_tied = now.tied.has(variable) && r !== now.row;
+    const label = is_tied ? `What if ${name_of_row} leaves instead? Ratio ${text}`
+      : `Let ${name_of_row} leave? Ratio ${ratio === null ? 'none' : text}`;
+    return h('td', { class: 'ratio' }, h('button', { type: 'button',
+      class: is_tied ? 'what-if-cell' : 'try-cell', 'aria-label': label, title: label,
+      onclick: () => try_row(now, r, is_tied) }, text));
   }
 
   function entry_cell(now, r, c) {
@@ -156,8 +168,11 @@
     const levels = c === null ? dictionary.value(r) : [dictionary.entry(r, c)];
     const value = number_text.full_value(problem, levels);
     const text = Array.isArray(value) ? `${value[0]} S + ${value[1]}` : value;
-    const rounded = problem.exact && levels.length === 1 && text.includes('/')
-      ? ` \u2248 ${number_text.decimal(problem.number(levels[0]), 8)}` : '';
+    let rounded = '';
+    if (problem.exact && levels.length === 1 && text.includes('/')) {
+      const decimal = number_text.decimal(problem.number(levels[0]), 8);
+      rounded = ` ${number_text.is_whole(decimal, levels[0]) ? '=' : '\u2248'} ${decimal}`;
+    }
     const where = c === null ? [', value: ']
       : [' per ', name(problem.names[dictionary.columns[c]]), ': '];
     by_id('cell').replaceChildren(name(problem.names[dictionary.rows[r]]), ...where,
@@ -165,7 +180,10 @@
   }
 
   function update(changed) {
-    if (changed) follow();
+    if (changed) {
+      follow();
+      by_id('tried').textContent = '';
+    }
     draw(true);
     if (changed) { follow(); draw(false); }
     const now = context();

@@ -23,6 +23,63 @@
 
   const many = (count, word) => `${count} ${word}${count === 1 ? '' : 's'}`;
 
+  /// "+x", or three numbers.
+  function direction_text(v) {
+    for (let axis = 0; axis < 3; ++axis)
+      for (const sign of [1, -1])
+        if (Math.hypot(...v.map((x, k) => x - (k === axis ? sign : 0))) < 5e-4)
+          return `${sign > 0 ? '+' : '-'}${'xyz'[axis]}`;
+    return `(${v.map((x) => Math.round(x * 1000) / 1000 + 0).join(', ')})`;
+  }
+
+  /// " towards +x": where a point starts to slide, against the friction of the basis; as C++ says
+  /// it of recorded pivots.
+  function sliding(path, frame_number, { entering, leaving }) {
+    const { scene } = path.problem.trace;
+    const point = scene && scene.points.find(({ slip }) => slip === leaving);
+    if (!point) return '';
+    const { add, scale, length } = explorer.vectors;
+    const basic = new Set([...path.frames[frame_number].rows, entering]);
+    const acting = point.generators.filter((_, j) =>
+      basic.has(path.problem.size + point.friction[j]));
+    const force = acting.reduce((sum, generator) => add(sum, generator.force), [0, 0, 0]);
+    const size = length(force);
+    const text = size > 1e-9 ? ` towards ${direction_text(scale(force, -1 / size))}` : '';
+    if (acting.reduce((sum, { torque }) => sum + (torque || 0), 0) === 0) return text;
+    return `${text}${text ? ', turning' : ' by turning'}`;
+  }
+
+  /// As the recorded pivots are told, where the trace brings what its variables mean.
+  function meant_sentence(path, frame_number, pivot) {
+    const { entering, leaving } = pivot;
+    const { variables } = path.problem.trace;
+    const { grows } = variables[entering];
+    if (!variables[leaving].ends) return null;
+    const ends = variables[leaving].ends + sliding(path, frame_number, pivot);
+    return entering === path.problem.artificial
+      ? `The cushion z0 enters, just large enough for every law to hold with its help; ${ends}.`
+      : `As ${grows}, ${ends}.`;
+  }
+
+  /// Why the row does not leave, which neither leaves nor ties.
+  function why_not(path, frame_number, row, as_fraction = true) {
+    const { problem } = path;
+    const { entering, leaving, ratios } = path.step(frame_number);
+    const { rows } = path.dictionary(frame_number);
+    const name = (variable) => problem.names[variable];
+    const [tried, other] = [name(rows[row]), name(leaving)];
+    const at = (r) => explorer.number_text.value(problem, ratios[r], as_fraction);
+    const ratio = ratios && ratios[row];
+    if (entering === problem.artificial)
+      return !ratio ? `Not ${tried}: it is not below 0 and needs no cushion.`
+        : `Not ${tried}: it is lifted to 0 at z0 = ${at(row)} already, while ${other} would still be `
+          + 'negative.';
+    if (!ratio)
+      return `Not ${tried}: it does not fall as ${name(entering)} grows, so it never reaches 0.`;
+    return `Not ${tried}: it reaches 0 only at ${name(entering)} = ${at(row)}. There ${other}, which `
+      + `is 0 at ${at(rows.indexOf(leaving))}, would be negative.`;
+  }
+
   /// "z3 enters and grows to 5/2. w2 falls to 0 first and leaves."
   function pivot_sentence(path, pivot) {
     const { problem } = path;
@@ -62,11 +119,11 @@
     const frame = path.frames[frame_number];
     if (frame.pivot !== null) {
       const pivot = path.pivots[frame.pivot];
-      return pivot.sentence || pivot_sentence(path, pivot);
+      return pivot.sentence || meant_sentence(path, frame_number, pivot) || pivot_sentence(path, pivot);
     }
     if (frame_number === path.last) return end_sentence(path);
     return `This run ends here. Next: ${path.runs[frame.run + 1].title}.`;
   }
 
-  explorer.words = { tie_words, rule_words, status_words, many, sentence };
+  explorer.words = { tie_words, rule_words, status_words, many, sentence, meant_sentence, why_not };
 })();

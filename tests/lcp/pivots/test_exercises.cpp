@@ -1,4 +1,4 @@
-// The worked examples of docs/teach/lemke_by_hand.md and the answers to its exercises, in
+// The worked examples of docs/teach/lemke_by_hand.md and the answers of docs/teach/exercises.md, in
 // fractions.
 #include <doctest/doctest.h>
 

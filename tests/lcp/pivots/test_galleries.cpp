@@ -1,4 +1,4 @@
-// What the galleries of docs/teach/lemke_by_hand.md claim: rays, and ideas switched off one at a
+// What docs/teach/galleries.md claims: rays, and ideas switched off one at a
 // time.
 #include <doctest/doctest.h>
 

@@ -18,7 +18,7 @@ bool near(double x, double expected, double unit) { return absolute(x - expected
 
 MotionKind kind_of(const SolvedPush<double>& push) {
   return describe_motion(push.scene, push.answer(), push.scales().length,
-                         push.scales().acceleration)
+                         push.scales().acceleration, push_size(push.scene))
       .kind;
 }
 

@@ -65,21 +65,37 @@ template <class S> bool carried_by_a_surface(const Scene<S>& scene, const Answer
   return carried;
 }
 
+/// m/s^2, of the object's points of contact, in the hand's frame or against their bodies.
+template <class S> S fastest_contact(const Scene<S>& scene, const Answer<S>& answer) {
+  S fastest(0);
+  for (Index i = 0; i < answer.contacts.size; ++i)
+    fastest = Eigen::numext::maxi(
+        S(Eigen::numext::maxi(S(answer.contacts[i].acceleration.norm()),
+                              S(acceleration_at(scene.points[i], answer.acceleration).norm()))),
+        fastest);
+  return fastest;
+}
+
 } // namespace detail
 
-/// `acceleration_unit` (m/s^2) says what counts as no motion: nothing below 1e-6 of it.
+/// A motion below a thousandth of the fastest contact's is negligible: neither a slow turn nor the
+/// noise of a tiny push makes a screw. `push` (m/s^2) is the fastest prescribed one, or 0; without
+/// a push nothing moves below 1e-6 of `acceleration_unit` (m/s^2).
 template <class S>
 Motion<S> describe_motion(const Scene<S>& scene, const Answer<S>& answer, S length,
-                          S acceleration_unit) {
-  const S small = S(1) / S(1000000);
+                          S acceleration_unit, S push) {
+  const S part = S(1) / S(1000);
   const Vector3<S> a = answer.acceleration.template head<3>();
   const Vector3<S> alpha = answer.acceleration.template tail<3>();
   Motion<S> motion;
   motion.translation = a.norm();
   motion.rotation = alpha.norm();
   const S size = motion.translation + length * motion.rotation;
-  if (!(size > small * acceleration_unit)) return motion;
-  if (!(length * motion.rotation > small * size)) {
+  const S fastest = Eigen::numext::maxi(
+      push, Eigen::numext::maxi(detail::fastest_contact(scene, answer), S(size / S(2))));
+  if (!(size > part * fastest) || (!(push > S(0)) && !(size > part * part * acceleration_unit)))
+    return motion;
+  if (!(length * motion.rotation > part * fastest)) {
     motion.kind = MotionKind::slide;
     motion.direction = a / motion.translation;
     return motion;
@@ -87,6 +103,7 @@ Motion<S> describe_motion(const Scene<S>& scene, const Answer<S>& answer, S leng
   motion.axis = alpha / motion.rotation;
   motion.axis_point = cross(alpha, a) / (motion.rotation * motion.rotation);
   motion.pitch = a.dot(alpha) / (motion.rotation * motion.rotation);
+  if (!(Eigen::numext::abs(motion.pitch) * motion.rotation > part * fastest)) motion.pitch = S(0);
 
   motion.kind = MotionKind::turn;
   if (detail::axis_through_grip(scene, answer, size)) motion.kind = MotionKind::pivot;

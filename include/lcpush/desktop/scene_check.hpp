@@ -1,0 +1,40 @@
+// Is this the scene that was meant? What a scene file says can be solved and still be a slip: a
+// finger beside the object, a normal that points outward, millimetres for metres.
+#pragma once
+
+#include "lcpush/desktop/scene_io.hpp"
+
+#include <string>
+#include <vector>
+
+namespace lcpush::desktop {
+
+enum class Doubt {
+  outside_object,   ///< a contact point lies off the object's surface
+  far_from_object,  ///< .. so far off that its unit, or a digit, must be wrong
+  normal_outward,   ///< a normal points out of the object, or along its surface
+  moves_away,       ///< a pusher recedes from the object at each of its points
+  density,          ///< no material is so light, or so heavy
+  jaws_independent, ///< opposed fingers that a push carries along with it
+  center_of_mass,   ///< the contacts fit the object around the scene's origin, not where it is
+};
+
+/// As JSON spells it.
+const char* doubt_code(Doubt doubt);
+
+struct SceneDoubt {
+  Doubt doubt;
+  std::string file;
+  int line;
+  std::string text; ///< what is odd, with numbers, and what to do; without file and line
+};
+
+/// What is odd about the scene, in the order of the file's lines. Judged by the shape (box or
+/// cylinder, its middle at the centre of mass) where the file gives one. Solves nothing.
+/// Cost: O(points).
+std::vector<SceneDoubt> check_scene(const SceneFile& file);
+
+/// `FILE:LINE: TEXT`
+std::string doubt_text(const SceneDoubt& doubt);
+
+} // namespace lcpush::desktop

@@ -1,0 +1,154 @@
+// lcpush completion: what shells and man read, made from the table that --help prints.
+#include "cli/commands.hpp"
+#include "lcpush/version.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::cli {
+namespace {
+
+/// "--format --output", those of a command.
+std::string option_names(const Command& command) {
+  std::string names = "--help";
+  for (const Option& option : command.options) names += " " + option.name;
+  return names;
+}
+
+std::string command_names() {
+  std::string names;
+  for (const Command& command : all_commands()) names += (names.empty() ? "" : " ") + command.name;
+  return names;
+}
+
+/// The words of "text|json|svg"; none if the value is free.
+std::string value_words(const Option& option) {
+  std::string words = option.value;
+  if (words.find('|') == std::string::npos) return "";
+  for (char& c : words)
+    if (c == '|') c = ' ';
+  return words;
+}
+
+std::string bash_script() {
+  std::string text = "# bash completion for lcpush\n_lcpush() {\n"
+                     "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
+                     "  local words=\"\"\n  case ${COMP_WORDS[1]}:$before in\n";
+  for (const Command& command : all_commands())
+    for (const Option& option : command.options)
+      if (const std::string values = value_words(option); !values.empty())
+        text += "    " + command.name + ":" + option.name + ") words=\"" + values + "\" ;;\n";
+  text += "  esac\n  if [[ -z $words && $word == -* ]]; then\n    case ${COMP_WORDS[1]} in\n";
+  for (const Command& command : all_commands())
+    text += "      " + command.name + ") words=\"" + option_names(command) + "\" ;;\n";
+  return text + "    esac\n  elif [[ $COMP_CWORD == 1 ]]; then\n    words=\"" + command_names() +
+         "\"\n  fi\n  if [[ -n $words ]]; then\n"
+         "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
+         "  else\n    mapfile -t COMPREPLY < <(compgen -f -- \"$word\")\n  fi\n}\n"
+         "complete -o filenames -F _lcpush lcpush\n";
+}
+
+/// Fit for single quotes of a shell.
+std::string shell_quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+std::string zsh_script() {
+  std::string text = "#compdef lcpush\n_lcpush() {\n  local -a commands\n  commands=(\n";
+  for (const Command& command : all_commands())
+    text += "    " + shell_quoted(command.name + ":" + command.summary) + "\n";
+  text += "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n"
+          "  case $words[2] in\n";
+  for (const Command& command : all_commands()) {
+    text += "    " + command.name + ")\n      _arguments '*:file:_files'";
+    for (const Option& option : command.options) {
+      std::string help = option.help;
+      for (std::size_t at = 0; (at = help.find_first_of("[]:", at)) != std::string::npos; at += 2)
+        help.insert(at, "\\");
+      std::string value;
+      if (const std::string values = value_words(option); !values.empty())
+        value = ":value:(" + values + ")";
+      else if (!option.value.empty())
+        value = ":" + option.value + ":_files";
+      text += " \\\n        " + shell_quoted(option.name + "[" + help + "]" + value);
+    }
+    text += "\n      ;;\n";
+  }
+  return text + "  esac\n}\ncompdef _lcpush lcpush\n";
+}
+
+std::string fish_script() {
+  std::string text = "# fish completion for lcpush\n";
+  for (const Command& command : all_commands()) {
+    text += "complete -c lcpush -n __fish_use_subcommand -f -a " + command.name + " -d " +
+            shell_quoted(command.summary) + "\n";
+    for (const Option& option : command.options) {
+      const std::string values = value_words(option);
+      text += "complete -c lcpush -n '__fish_seen_subcommand_from " + command.name + "' -l " +
+              option.name.substr(2) + (option.value.empty() ? "" : " -r") +
+              (values.empty() ? "" : " -f -a " + shell_quoted(values)) + " -d " +
+              shell_quoted(option.help) + "\n";
+    }
+  }
+  return text;
+}
+
+/// Fit for a line of roff.
+std::string roff(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const bool starts_line = result.empty() || result.back() == '\n';
+    if (starts_line && (c == '.' || c == '\'')) result += "\\&";
+    result += c == '\\' ? std::string("\\e") : c == '-' ? std::string("\\-") : std::string(1, c);
+  }
+  return result;
+}
+
+std::string man_page() {
+  std::string text = ".TH LCPUSH 1 \"\" \"lcpush " + std::string(version_text) +
+                     "\" \"User Commands\"\n.SH NAME\nlcpush \\- what happens when a grasped "
+                     "object is pushed against its environment\n.SH SYNOPSIS\n.B lcpush\n"
+                     "COMMAND FILE.. [OPTIONS]\n.SH COMMANDS\n";
+  for (const Command& command : all_commands()) {
+    text += ".SS lcpush " + command.name + " " + roff(command.synopsis) + "\n" +
+            roff(command.summary) + "\n.nf\n\n" + roff(command.details) + "\n.fi\n";
+    for (const Option& option : command.options)
+      text += ".TP\n.B " + roff(option.name + (option.value.empty() ? "" : " " + option.value)) +
+              "\n" + roff(option.help) + "\n";
+  }
+  return text + ".SH EXIT STATUS\n0 solved, 1 not solved (the output says why), 2 bad input or "
+                "usage.\n";
+}
+
+int run_completion(const Arguments& arguments) {
+  const std::vector<std::string> known = {"bash", "zsh", "fish", "man"};
+  const std::string wanted = arguments.files().empty() ? "" : arguments.files()[0];
+  if (wanted == "bash")
+    write_output(arguments, bash_script());
+  else if (wanted == "zsh")
+    write_output(arguments, zsh_script());
+  else if (wanted == "fish")
+    write_output(arguments, fish_script());
+  else if (wanted == "man")
+    write_output(arguments, man_page());
+  else
+    throw UsageError("say for whom: " + listed(known, "or") + suggestion(wanted, known));
+  return 0;
+}
+
+} // namespace
+
+Command completion_command() {
+  return {
+      "completion",
+      "bash|zsh|fish|man [-o FILE]",
+      "completion for a shell, or the man page",
+      "`cmake --install` puts all four where the system looks for them; this is for a tool\n"
+      "that was copied. A shell reads it at its start.\n\n"
+      "Example:\n  lcpush completion bash -o ~/.local/share/bash-completion/completions/lcpush\n",
+      {output_option},
+      1,
+      run_completion};
+}
+
+} // namespace lcpush::cli

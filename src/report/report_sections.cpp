@@ -1,0 +1,165 @@
+// The parts of the page below its first screen.
+#include <algorithm>
+
+#include "lcpush/lcp/tolerances.hpp"
+#include "report/page_elements.hpp"
+#include "report/pictures.hpp"
+#include "report/report_sections.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+/// Do the same bodies squeeze at the same points? Their numbers differ by rounding.
+bool is_same_jam(const Jam& a, const Jam& b) {
+  const auto is_same_body = [](const JamBody& one, const JamBody& other) {
+    return one.body == other.body && one.points == other.points;
+  };
+  return a.running_away == b.running_away && a.uses_friction == b.uses_friction &&
+         std::equal(a.bodies.begin(), a.bodies.end(), b.bodies.begin(), b.bodies.end(),
+                    is_same_body);
+}
+
+/// Where modes change, and where there are two answers.
+std::vector<std::string> sweep_changes(const Sweep& sweep) {
+  std::vector<std::string> list;
+  const auto add = [&list](double value, const std::string& change) {
+    if (!change.empty()) list.push_back("At " + number(value) + ": " + change);
+  };
+  for (const SweepSegment& segment : sweep.segments) add(segment.to, change_text(sweep, segment));
+  for (const SweepPoint& point : sweep.points) add(point.value, change_text(sweep, point));
+  for (const BistableRange& range : sweep.bistable)
+    list.push_back("Bistable from " + number(range.from) + " to " + number(range.to) +
+                   ": the way back ends in another answer there");
+  return list;
+}
+
+} // namespace
+
+std::string failure_box(const std::string& inside) {
+  return "<div class=\"failure\">\n" + inside + "</div>\n";
+}
+
+std::string not_solved(Status status, const std::string& reason) {
+  return std::string("<p><strong>NOT SOLVED (") + status_text(status) +
+         ")</strong>: " + escaped(reason) + ".</p>\n";
+}
+
+std::string failure_html(const SceneFile& file, const RunReport& report) {
+  const std::string failure = not_solved(report.status, report.reason);
+  if (report.ray.empty()) return failure_box(failure);
+  std::vector<std::vector<std::string>> rows{{"unknown", "value"}};
+  for (const NamedValue& entry : report.ray)
+    rows.push_back({escaped(entry.name), number(entry.value)});
+  return failure_box(failure + paragraphs_html(jam_findings(file, report.jam)) +
+                     list_html(jam_remedies(report.jam))) +
+         "<details>\n<summary>The ray in numbers</summary>\n" +
+         table_html("The ray, largest entry 1", rows) + "</details>\n";
+}
+
+std::string sweep_title(const Sweep& sweep) {
+  std::string title = "Push by " + sweep.pusher + " over " + sweep.variations[0].parameter.path;
+  if (sweep.is_map()) title += " and " + sweep.variations[1].parameter.path;
+  return title;
+}
+
+Section friction_section(const PageContent& content) {
+  const std::vector<std::string> others = without_friction(content.file, content.push);
+  std::string text =
+      paragraph("Dashed: Coulomb's circle of radius friction times normal force. Polygon: what " +
+                    std::to_string(content.file.facets) +
+                    " facets keep of it. Arrow: the friction force on the object; thin, dotted: "
+                    "the direction of slip.",
+                "aside");
+  for (const FrictionGroup& group : friction_panels(content.file, content.push)) {
+    text += "<h3>" + escaped(group.body) + "</h3>\n<div class=\"panels\">\n";
+    for (const Drawing& panel : group.panels) text += svg_element(panel);
+    text += "</div>\n";
+  }
+  if (!others.empty()) text += paragraph("Not drawn: " + listed(others, "and") + ".", "aside");
+  return {"friction", "Friction, point by point", text};
+}
+
+Section contacts_section(const PageContent& content) {
+  std::vector<std::vector<std::string>> rows = contact_rows(content.file, content.push);
+  for (auto& row : rows)
+    for (std::string& cell : row) cell = escaped(cell);
+  for (std::size_t r = 1; r < rows.size(); ++r) // the second column is the mode
+    rows[r][1] =
+        sample("0 0 14 12",
+               mode_mark(content.push.answer.contacts[static_cast<Index>(r) - 1].mode, {7, 6})) +
+        rows[r][1];
+  std::string text = table_html("What each contact does, in SI units and scene axes", rows);
+  const auto add = [&text](const char* title, const std::vector<std::string>& sentences) {
+    if (!sentences.empty()) text += std::string("<h3>") + title + "</h3>\n" + list_html(sentences);
+  };
+  add("Soft contacts", torsion_sentences(content.file, content.push));
+  add("Bodies whose actuators move them", closing_sentences(content.file, content.push));
+  return {"contacts", "Contacts", text};
+}
+
+Section breaking_section(const PageContent& content) {
+  const BreakReport& report = *content.breaking;
+  std::string text;
+  if (report.status == Status::does_not_hold)
+    text = failure_box(paragraph(does_not_hold_text(content.file, report)));
+  else if (report.status == content.push.status && report.status != Status::solved &&
+           is_same_jam(report.jam, content.push.jam))
+    text = failure_box(not_solved(report.status, "it ends as the push itself does, above"));
+  else if (report.status != Status::solved)
+    text = failure_html(content.file, report);
+  else
+    text = facts_html(break_facts(content.file, report));
+  return {"breaking", "The force that breaks the grasp",
+          paragraph("The limit of an ever weaker push in the scene's direction.", "aside") + text};
+}
+
+Section sweeps_section(const PageContent& content) {
+  std::string text;
+  for (const Sweep& sweep : content.sweeps) {
+    const std::string title = sweep_title(sweep);
+    text += "<h3>" + escaped(title) + "</h3>\n<figure>\n" +
+            scrolling(title, plot_image(sweep_svg(sweep, title),
+                                        title + ", a plot; the same stands below in words and "
+                                                "numbers")) +
+            "</figure>\n";
+    if (!sweep.complete)
+      text += failure_box(paragraph("Some values have no answer; the numbers below say which."));
+    text += list_html(sweep_changes(sweep));
+    text +=
+        "<details>\n<summary>The same in numbers</summary>\n" +
+        scrolling(title + ", in numbers", "<pre>" + with_breaks(sweep_text(sweep)) + "</pre>\n") +
+        "</details>\n";
+  }
+  return {"sweeps", "What changes it", text};
+}
+
+Section residual_section(const PageContent& content) {
+  const double tolerance = Tolerances<double>().residual;
+  std::vector<std::vector<std::string>> rows{{"law", "equation"}};
+  for (const LawRow& law : law_rows(content.push.residuals)) rows.push_back({law.name, law.tag});
+  std::vector<bool> holds(rows.size(), true);
+  const auto add = [&](const char* what, const Residuals<double>& residuals) {
+    rows[0].emplace_back(what);
+    std::size_t k = 0;
+    for (const LawRow& law : law_rows(residuals)) {
+      rows[++k].push_back(residual_text(law.residual));
+      holds[k] = holds[k] && law.residual <= tolerance;
+    }
+  };
+  add("push", content.push.residuals);
+  if (content.breaking != nullptr && content.breaking->status == Status::solved)
+    add("breaking", content.breaking->breaking.residuals);
+  rows[0].insert(rows[0].end(), {"tolerance", "verdict"});
+  for (std::size_t k = 1; k < rows.size(); ++k)
+    rows[k].insert(rows[k].end(), {residual_text(tolerance), holds[k] ? "holds" : "BROKEN"});
+  return {"laws", "How well the laws hold",
+          "<div class=\"single\">\n" +
+              figure(residual_picture(content.push.residuals),
+                     "Of the push, forces in units of the grip, accelerations in what that "
+                     "force gives the object.") +
+              "</div>\n" + table_html("Largest scaled residuals", rows)};
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,20 @@
+// The surface of a box or a cylinder: how far a point is from it, and what faces it there.
+#pragma once
+
+#include "lcpush/desktop/scene_io.hpp"
+
+#include <vector>
+
+namespace lcpush::desktop {
+
+struct SurfacePoint {
+  double distance;                      ///< m, positive outside
+  Vector3<double> at;                   ///< the nearest point of the surface, scene's frame
+  std::vector<Vector3<double>> outward; ///< unit normals of the faces that meet there
+};
+
+/// Needs a box or a cylinder. `reach` (m): faces within it of the nearest point count as met.
+SurfacePoint nearest_on_surface(const SceneFile& file, const Vector3<double>& position,
+                                double reach);
+
+} // namespace lcpush::desktop

@@ -1,0 +1,242 @@
+#include "lcpush/desktop/scene_check.hpp"
+
+#include "lcpush/mechanics/model/contact.hpp"
+#include "scenes/object_surface.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+// A contact belongs to the surface if it is off by less than this part of the object's size: models
+// round edges off and leave grooves out.
+constexpr double surface_slack = 0.05;
+// .. and no deeper than this part of its thinnest edge: beyond, another face would be as near.
+constexpr double depth_slack = 0.15;
+// Beyond so many sizes, a place is a slip of the unit or of a digit.
+constexpr double far_sizes = 3;
+// The cosine between a normal and the face that it should point into. Less, and it lies along it.
+constexpr double least_into = 0.05;
+// From aerogel to osmium, with a margin for hollow things.
+constexpr double lightest = 10, heaviest = 30000; // kg/m^3
+// Directions typed with three digits.
+constexpr double typed_slack = 1e-3;
+// Independent fingers drift if this part of a push goes along their normals.
+constexpr double least_along = 0.1;
+
+const Body<double>& body_at(const SceneFile& file, std::size_t b) { return file.bodies[b]; }
+
+std::string body_label(const SceneFile& file, std::size_t b) {
+  return std::string(body_at(file, b).role == Role::finger ? "finger " : "pusher ") +
+         quoted(file.body_names[b]) + ": ";
+}
+
+std::string shape_name(const SceneFile& file) {
+  return file.shape.kind == ObjectShape::Kind::box ? "the box" : "the cylinder";
+}
+
+std::string typed(const Vector3<double>& v) {
+  const auto digits = [](double x) { return printed("%.4g", std::abs(x) < 1e-15 ? 0 : x); };
+  return "[" + digits(v[0]) + ", " + digits(v[1]) + ", " + digits(v[2]) + "]";
+}
+
+/// "3 mm" or "1.2 m".
+std::string length_text(double length) {
+  return length < 1 ? printed("%.3g mm", 1000 * length) : printed("%.3g m", length);
+}
+
+class SceneChecker {
+public:
+  explicit SceneChecker(const SceneFile& file)
+      : file_(file), has_surface_(file.shape.kind != ObjectShape::Kind::unknown && !is_particle()),
+        size_(file.shape.size.maxCoeff()) {}
+
+  std::vector<SceneDoubt> check() {
+    check_density();
+    const bool is_moved = has_surface_ && fits_around_origin_only();
+    if (is_moved)
+      doubt(Doubt::center_of_mass, file_.lines.center_of_mass,
+            "object: the contacts lie on " + shape_name(file_) +
+                " around [0, 0, 0], but center_of_mass puts its middle at " +
+                typed(file_.object.center_of_mass) +
+                "; give inertia instead of the shape if its middle is not its centre of mass");
+    for (std::size_t b = 0; b < file_.bodies.size(); ++b)
+      if (is_moved || (check_place(b) && check_normal(b))) check_motion(b);
+    check_jaws();
+    std::stable_sort(doubts_.begin(), doubts_.end(),
+                     [](const SceneDoubt& a, const SceneDoubt& b) { return a.line < b.line; });
+    return std::move(doubts_);
+  }
+
+private:
+  void doubt(Doubt doubt, int line, const std::string& text) {
+    doubts_.push_back({doubt, file_.lines.file, line, text});
+  }
+
+  /// All forces act at the centre of mass: the places are an idealisation.
+  bool is_particle() const {
+    return std::all_of(file_.points.begin(), file_.points.end(),
+                       [](const Vector3<double>& p) { return p.isZero(); });
+  }
+
+  const Vector3<double>& position(Index point) const {
+    return file_.positions[static_cast<std::size_t>(point)];
+  }
+
+  void check_density() {
+    if (file_.shape.kind == ObjectShape::Kind::unknown) return;
+    const Vector3<double>& size = file_.shape.size;
+    const double round = file_.shape.kind == ObjectShape::Kind::cylinder ? std::atan(1) : 1;
+    const double volume = round * size.prod(), density = file_.object.mass / volume;
+    if (density >= lightest && density <= heaviest) return;
+    doubt(Doubt::density, file_.lines.object,
+          "object: " + printed("%.3g kg in ", file_.object.mass) + printed("%.3g m^3 is ", volume) +
+              printed("%.3g kg/m^3, ", density) +
+              (density < lightest ? "lighter than any solid" : "heavier than any material") +
+              "; lengths are in m, masses in kg");
+  }
+
+  bool is_on_surface(const SurfacePoint& surface) const {
+    return surface.distance <= surface_slack * size_ &&
+           surface.distance >= -depth_slack * file_.shape.size.minCoeff();
+  }
+
+  bool fits_around_origin_only() const {
+    if (file_.object.center_of_mass.isZero()) return false;
+    SceneFile centered = file_;
+    centered.object.center_of_mass.setZero();
+    const auto all_on = [&](const SceneFile& scene) {
+      return std::all_of(scene.positions.begin(), scene.positions.end(), [&](const auto& p) {
+        return is_on_surface(nearest_on_surface(scene, p, 0));
+      });
+    };
+    return !all_on(file_) && all_on(centered);
+  }
+
+  /// Is every point of the body where the object is? Names the worst one.
+  bool check_place(std::size_t b) {
+    const Body<double>& body = body_at(file_, b);
+    Index worst = body.first_point;
+    const auto off = [&](Index point) {
+      return has_surface_ ? nearest_on_surface(file_, position(point), 0).distance
+                          : (position(point) - file_.object.center_of_mass).norm();
+    };
+    for (const Index i : points_of(body))
+      if (std::abs(off(i)) > std::abs(off(worst))) worst = i;
+    const double distance = off(worst);
+    const std::string which = body_label(file_, b) +
+                              (body.point_count > 1 ? "its point " : "its place ") +
+                              typed(position(worst)) + " ";
+    if (distance > far_sizes * std::max(size_, file_.shape.size.norm())) {
+      doubt(Doubt::far_from_object, file_.lines.bodies[b].place,
+            which + "is " + length_text(distance) + " away from an object of " +
+                length_text(size_) + "; positions are in m, in the scene's frame");
+      return false;
+    }
+    if (!has_surface_) return true;
+    const SurfacePoint surface = nearest_on_surface(file_, position(worst), 0);
+    if (is_on_surface(surface)) return true;
+    doubt(Doubt::outside_object, file_.lines.bodies[b].place,
+          which + "lies " + length_text(std::abs(distance)) +
+              (distance > 0 ? " outside of " : " inside of ") + shape_name(file_) +
+              "; its nearest surface point is " + typed(surface.at));
+    return false;
+  }
+
+  /// Does the normal point into a face that the body touches, at one of its points?
+  bool check_normal(std::size_t b) {
+    if (!has_surface_) return true;
+    const Body<double>& body = body_at(file_, b);
+    double into = -1;
+    Vector3<double> inward = Vector3<double>::Zero();
+    for (const Index i : points_of(body))
+      for (const Vector3<double>& outward :
+           nearest_on_surface(file_, position(i), surface_slack * size_).outward) {
+        if (-body.normal.dot(outward) <= into && !inward.isZero()) continue;
+        into = -body.normal.dot(outward);
+        inward = -outward;
+      }
+    if (into >= least_into) return true;
+    doubt(Doubt::normal_outward, file_.lines.bodies[b].normal,
+          body_label(file_, b) + "its normal " + typed(body.normal) +
+              (into < -least_into ? " points out of " : " lies along the surface of ") +
+              shape_name(file_) + "; normals point into the object, here " + typed(inward));
+    return false;
+  }
+
+  void check_motion(std::size_t b) {
+    const Body<double>& body = body_at(file_, b);
+    if (body.role != Role::pusher || body.bilateral) return;
+    double closing = -1;
+    for (const Index i : points_of(body)) {
+      const Vector3<double>& p = file_.points[static_cast<std::size_t>(i)];
+      const double speed = wrench_column<double>(p, body.normal).dot(body.acceleration);
+      const double scale =
+          body.acceleration.head<3>().norm() + p.norm() * body.acceleration.tail<3>().norm();
+      closing = std::max(closing, scale > 0 ? speed / scale : 0);
+    }
+    if (closing >= -typed_slack) return;
+    doubt(Doubt::moves_away, file_.lines.bodies[b].motion,
+          body_label(file_, b) + "moves away from the object, against its normal " +
+              typed(body.normal) + "; turn its acceleration round if it is to push");
+  }
+
+  /// The single body that an actuator drives along its normal, or none.
+  std::vector<Index> bodies_closed_alone() const {
+    std::vector<Index> count(file_.actuators.size(), 0), alone;
+    for (const Drive<double>& drive : file_.drives)
+      ++count[static_cast<std::size_t>(drive.actuator)];
+    for (const Drive<double>& drive : file_.drives)
+      if (count[static_cast<std::size_t>(drive.actuator)] == 1 &&
+          file_.body(drive.body).role == Role::finger)
+        alone.push_back(drive.body);
+    return alone;
+  }
+
+  /// Opposed fingers yield together to a push along their normals: it meets nothing but inertia.
+  void check_jaws() {
+    const std::vector<Index> alone = bodies_closed_alone();
+    for (const Index first : alone)
+      for (const Index second : alone) {
+        const Vector3<double>& normal = file_.body(first).normal;
+        if (second <= first || normal.dot(file_.body(second).normal) > -1 + typed_slack) continue;
+        const auto is_along = [&](const Body<double>& body) {
+          const Vector3<double> motion = body.acceleration.head<3>();
+          return body.role == Role::pusher &&
+                 std::abs(motion.dot(normal)) > least_along * motion.norm();
+        };
+        if (std::none_of(file_.bodies.begin(), file_.bodies.end(), is_along)) continue;
+        doubt(Doubt::jaws_independent, file_.lines.bodies[static_cast<std::size_t>(second)].normal,
+              body_label(file_, static_cast<std::size_t>(second)) + "it and " +
+                  quoted(file_.body_name(first)) +
+                  " close independently, so both yield to a push along their normals; write "
+                  "[gripper] jaws = \"parallel\" if one drive moves them");
+        return;
+      }
+  }
+
+  const SceneFile& file_;
+  bool has_surface_;
+  double size_; ///< m, the object's longest edge
+  std::vector<SceneDoubt> doubts_;
+};
+
+} // namespace
+
+const char* doubt_code(Doubt doubt) {
+  constexpr const char* codes[] = {"outside_object", "far_from_object", "normal_outward",
+                                   "moves_away",     "density",         "jaws_independent",
+                                   "center_of_mass"};
+  return codes[static_cast<int>(doubt)];
+}
+
+std::vector<SceneDoubt> check_scene(const SceneFile& file) { return SceneChecker(file).check(); }
+
+std::string doubt_text(const SceneDoubt& doubt) {
+  return doubt.file + ":" + std::to_string(doubt.line) + ": " + doubt.text;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,167 @@
+#include "solve/sentence.hpp"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+// What is said in three digits leaves out what a thousandth of the whole is.
+constexpr double unsaid = 1e-3;
+
+/// Which way gravity points: 0, 1 or 2 for an axis, or -1.
+Index vertical_axis(const SceneFile& file) {
+  Index axis = 0;
+  const double largest = file.gravity.cwiseAbs().maxCoeff(&axis);
+  return largest > 0 && file.gravity.norm() - largest <= unsaid * largest ? axis : -1;
+}
+
+/// "along x", "against x", "up".
+std::string axis_phrase(const SceneFile& file, Index axis, bool is_positive) {
+  if (axis == vertical_axis(file)) return (file.gravity[axis] < 0) == is_positive ? "up" : "down";
+  return std::string(is_positive ? "along " : "against ") + "xyz"[axis];
+}
+
+std::string direction_phrase(const SceneFile& file, const Vector3<double>& direction) {
+  Index axis = 0;
+  const double largest = direction.cwiseAbs().maxCoeff(&axis);
+  if (largest > 1 - unsaid) return axis_phrase(file, axis, direction[axis] > 0);
+  const auto digits = [](double x) { return printed("%.3g", std::abs(x) < unsaid ? 0 : x); };
+  return "along (" + digits(direction[0]) + ", " + digits(direction[1]) + ", " +
+         digits(direction[2]) + ")";
+}
+
+/// "counter-clockwise about z", seen from the axis' tip; by its direction if it is no axis.
+std::string turn_phrase(const Vector3<double>& axis) {
+  Index k = 0;
+  const double largest = axis.cwiseAbs().maxCoeff(&k);
+  if (largest > 1 - unsaid)
+    return std::string(axis[k] > 0 ? "counter-clockwise" : "clockwise") + " about " + "xyz"[k];
+  const auto digits = [](double x) { return printed("%.3g", std::abs(x) < unsaid ? 0 : x); };
+  return "about (" + digits(axis[0]) + ", " + digits(axis[1]) + ", " + digits(axis[2]) + ")";
+}
+
+struct ModeCount {
+  std::array<Index, 3> of{}; ///< by Mode
+  Index all() const { return of[0] + of[1] + of[2]; }
+  Index operator[](Mode mode) const { return of[static_cast<std::size_t>(mode)]; }
+  bool all_are(Mode mode) const { return (*this)[mode] == all(); }
+};
+
+ModeCount count_modes(const Answer<double>& answer, const Body<double>& body) {
+  ModeCount count;
+  for (const Index i : points_of(body))
+    ++count.of[static_cast<std::size_t>(answer.contacts[i].mode)];
+  return count;
+}
+
+/// "left slips", "wall opens at 1 of its 2 points and sticks at 1".
+std::string body_phrase(const std::string& name, const ModeCount& count) {
+  constexpr Mode order[] = {Mode::slide, Mode::separate, Mode::stick};
+  std::string text = name;
+  const char* joint = " ";
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (count[order[k]] == 0) continue;
+    text += joint + std::string(mode_verb(order[k]));
+    if (count[order[k]] < count.all())
+      text += " at " + std::to_string(count[order[k]]) +
+              (text.find(" of its ") == std::string::npos
+                   ? " of its " + std::to_string(count.all()) + " points"
+                   : "");
+    joint = " and ";
+  }
+  return text;
+}
+
+} // namespace
+
+std::string object_name(const SceneFile& file) {
+  switch (file.shape.kind) {
+  case ObjectShape::Kind::box: return "the box";
+  case ObjectShape::Kind::cylinder: return "the cylinder";
+  case ObjectShape::Kind::unknown: break;
+  }
+  return "the object";
+}
+
+const char* mode_verb(Mode mode) {
+  return mode == Mode::stick ? "sticks" : mode == Mode::slide ? "slips" : "opens";
+}
+
+std::string force_phrase(const SceneFile& file, const Vector3<double>& force) {
+  const double size = force.norm();
+  std::string text = printed("%.3g N", size);
+  std::vector<std::string> parts;
+  for (Index axis = 0; axis < 3; ++axis)
+    if (std::abs(force[axis]) > unsaid * size)
+      parts.push_back(printed("%.3g N ", std::abs(force[axis])) +
+                      axis_phrase(file, axis, force[axis] > 0));
+  if (parts.size() == 1) return text + parts.front().substr(parts.front().find(" N ") + 2);
+  return parts.empty() ? text : text + " (" + listed(parts, "and") + ")";
+}
+
+std::string motion_phrase(const SceneFile& file, const Motion<double>& motion, double length) {
+  std::string text;
+  switch (motion.kind) {
+  case MotionKind::rest: return "does not move in the grip";
+  case MotionKind::slide: return "slides " + direction_phrase(file, motion.direction);
+  case MotionKind::pivot: return "pivots " + turn_phrase(motion.axis) + " in the grip";
+  case MotionKind::roll: return "rolls " + turn_phrase(motion.axis);
+  case MotionKind::turn: break;
+  }
+  if (motion.pitch != 0) return "turns " + turn_phrase(motion.axis) + " and advances along it";
+  const double lever = motion.axis_point.norm();
+  if (lever < length) return "turns " + turn_phrase(motion.axis);
+  return "slides and turns " + turn_phrase(motion.axis);
+}
+
+std::string contacts_phrase(const SceneFile& file, const Answer<double>& answer) {
+  ModeCount fingers;
+  for (const Body<double>& body : file.bodies)
+    if (body.role == Role::finger)
+      for (std::size_t mode = 0; mode < 3; ++mode)
+        fingers.of[mode] += count_modes(answer, body).of[mode];
+  const bool as_one = fingers.all_are(Mode::slide) || fingers.all_are(Mode::stick);
+  std::vector<std::string> phrases;
+  if (fingers.all() > 0 && as_one)
+    phrases.push_back(fingers[Mode::slide] > 0 ? "every finger point slips"
+                                               : "no finger point slips");
+  for (std::size_t b = 0; b < file.bodies.size(); ++b)
+    if (file.bodies[b].role == Role::pusher || !as_one)
+      phrases.push_back(body_phrase(file.body_names[b], count_modes(answer, file.bodies[b])));
+  return listed(phrases, "and");
+}
+
+std::string push_sentence(const SceneFile& file, const PushReport& report) {
+  const Scene<double> scene = file.view();
+  std::vector<std::string> pushes, idle;
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    if (scene.bodies[b].role != Role::pusher) continue;
+    const Vector3<double> force = body_wrench(scene, report.answer, scene.bodies[b]).head<3>();
+    const bool presses = force.norm() > 1e-9 * report.scales.force;
+    (presses ? pushes : idle)
+        .push_back(presses ? force_phrase(file, force) + " by " + file.body_name(b)
+                           : file.body_name(b));
+  }
+  std::string text = "Nothing pushes";
+  if (!pushes.empty())
+    text = "Push with " + listed(pushes, "and");
+  else if (!idle.empty())
+    text = listed(idle, "and") + (idle.size() > 1 ? " press" : " presses") + " on nothing";
+  if (pushes.size() == 1 && idle.empty()) text.erase(text.rfind(" by "));
+  return text + ": " + object_name(file) + " " +
+         motion_phrase(file, report.motion, report.scales.length) + ", " +
+         contacts_phrase(file, report.answer) + ".";
+}
+
+std::string break_sentence(const SceneFile& file, const BreakReport& report) {
+  return "The grasp breaks at " + printed("%.3g N", report.breaking.break_force) +
+         ", the normal force of " + file.body_name(report.pusher) + ": " + object_name(file) +
+         " then " + motion_phrase(file, report.motion, report.scales.length) + ".";
+}
+
+} // namespace lcpush::desktop

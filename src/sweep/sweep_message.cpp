@@ -1,0 +1,288 @@
+// What a sweep shows, in a few sentences.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solve/sentence.hpp"
+#include "sweep/sweep_words.hpp"
+#include "text/fitted.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr double unsaid = 5e-4;        // of the largest force: less does not show in three digits
+constexpr double short_piece = 1e-3;   // of the range: the slope of a shorter one is not told
+constexpr double short_stretch = 1e-2; // of the range: an extreme is at a place
+constexpr double worth_a_word = 0.01;  // of the force, where the forces alone differ
+
+using ForceCurve = std::vector<std::pair<double, double>>;
+
+/// The answers in the sweep's order.
+ForceCurve solved_forces(const Sweep& sweep, Question question) {
+  ForceCurve curve;
+  const auto add = [&](double x, const SweepValue& value) {
+    if (value[question].is_solved()) curve.emplace_back(x, force_of(value, question));
+  };
+  for (const SweepSegment& segment : sweep.segments) {
+    add(segment.from, segment.at_from);
+    add(segment.to, segment.at_to);
+  }
+  if (!sweep.segments.empty()) return curve;
+  for (const SweepPoint& point : sweep.points) add(point.value, point.at);
+  return curve;
+}
+
+bool by_force(const ForceCurve::value_type& a, const ForceCurve::value_type& b) {
+  return a.second < b.second;
+}
+
+bool never_falls(ForceCurve::const_iterator begin, ForceCurve::const_iterator end, double noise,
+                 int sign) {
+  double largest = sign * begin->second;
+  for (; begin != end; ++begin) {
+    if (sign * begin->second < largest - noise) return false;
+    largest = std::max(largest, sign * begin->second);
+  }
+  return true;
+}
+
+std::string newtons(double force, double zero) { return in_digits(force, 3, zero) + " N"; }
+
+/// "at 8.36 N", or "from -5 to 5 degrees" where the force stays as it is there.
+std::string extreme_place(const Variation& variation, const ForceCurve& curve,
+                          ForceCurve::const_iterator extreme, double noise) {
+  const auto is_there = [&](const ForceCurve::value_type& point) {
+    return std::abs(point.second - extreme->second) <= noise;
+  };
+  auto first = extreme, last = extreme;
+  while (first != curve.begin() && is_there(*(first - 1))) --first;
+  while (last + 1 != curve.end() && is_there(*(last + 1))) ++last;
+  const double length = std::abs(last->first - first->first);
+  return length <= short_stretch * std::abs(variation.to - variation.from)
+             ? "at " + with_unit(variation, extreme->first)
+             : "from " + value_text(variation, first->first) + " to " +
+                   with_unit(variation, last->first);
+}
+
+/// "grows from 0.333 to 30 N", "falls from 5 to 2 N (at 8 N) and grows to 3 N".
+std::string course_text(const Sweep& sweep, const ForceCurve& curve) {
+  const Variation& variation = sweep.variations[0];
+  const auto [lowest, most] = std::minmax_element(curve.begin(), curve.end(), by_force);
+  const double noise = unsaid * std::max(std::abs(lowest->second), std::abs(most->second));
+  const double size = noise / unsaid;
+  const auto digits = [size](double force) { return in_digits(told_force(force, size), 3); };
+  const auto place = [&](ForceCurve::const_iterator at) {
+    return " N (" + extreme_place(variation, curve, at, noise) + ")";
+  };
+  const std::string from = digits(curve.front().second), to = digits(curve.back().second);
+  const std::string low = digits(lowest->second), high = digits(most->second);
+  if (most->second - lowest->second <= noise) return "stays at " + from + " N";
+  if (never_falls(curve.begin(), curve.end(), noise, 1))
+    return "grows from " + from + " to " + to + " N";
+  if (never_falls(curve.begin(), curve.end(), noise, -1))
+    return "falls from " + from + " to " + to + " N";
+  if (never_falls(curve.begin(), lowest + 1, noise, -1) &&
+      never_falls(lowest, curve.end(), noise, 1))
+    return "falls from " + from + " to " + low + place(lowest) + " and grows to " + to + " N";
+  if (never_falls(curve.begin(), most + 1, noise, 1) && never_falls(most, curve.end(), noise, -1))
+    return "grows from " + from + " to " + high + place(most) + " and falls to " + to + " N";
+  return "lies between " + low + place(lowest) + " and " + high + place(most);
+}
+
+/// ", by 1 to 8.76 N per N", where the force is a straight line between breakpoints.
+std::string slope_text(const Sweep& sweep, Question question, const ForceCurve& curve) {
+  if (question != Question::breaking || sweep.segments.empty()) return "";
+  const Variation& variation = sweep.variations[0];
+  const double range = std::abs(variation.to - variation.from);
+  double lowest = 0, most = 0;
+  bool any = false, jumps = false;
+  for (const SweepSegment& segment : sweep.segments) {
+    for (const AnswerChange& change : segment.change[question])
+      jumps = jumps || (change.jumps && change.from == change.to);
+    const double width = segment.to - segment.from;
+    const bool is_line =
+        segment.kind == SegmentKind::exact || segment.kind == SegmentKind::bisected;
+    if (!is_line || !segment.at_from.breaking.is_solved() || std::abs(width) < short_piece * range)
+      continue;
+    const double slope = (segment.at_to.breaking.normal - segment.at_from.breaking.normal) / width;
+    lowest = any ? std::min(lowest, slope) : slope;
+    most = any ? std::max(most, slope) : slope;
+    any = true;
+  }
+  const auto largest = std::max_element(curve.begin(), curve.end(), by_force);
+  const double zero = unsaid * std::abs(largest->second) / range;
+  if (!any || std::max(std::abs(lowest), std::abs(most)) <= zero) return "";
+  if (most <= zero && lowest < -zero) std::tie(lowest, most) = std::pair(-most, -lowest);
+  const std::string a = in_digits(lowest, 3, zero), b = in_digits(most, 3, zero);
+  const std::string& unit = variation.parameter.unit;
+  const bool turns = lowest < -zero && most > zero;
+  return (turns ? ", with slopes from " : ", by ") + (a == b ? a : a + " to " + b) + " N per " +
+         (unit.empty() ? "1" : unit) + (jumps ? (turns ? " and jumps" : " and by jumps") : "");
+}
+
+std::string range_text(const Variation& variation) {
+  return variation.parameter.path + " goes from " + value_text(variation, variation.from) + " to " +
+         with_unit(variation, variation.to);
+}
+
+/// "the force of wall that breaks the grasp".
+std::string subject(const Sweep& sweep, Question question) {
+  return question == Question::breaking ? "the force of " + sweep.pusher + " that breaks the grasp"
+                                        : "the push by " + sweep.pusher + ", as prescribed,";
+}
+
+/// Values one after the other without an answer to a question, for one reason.
+struct Gap {
+  double from, to;
+  Status status;
+  bool to_end; ///< to the end of the sweep
+
+  bool operator==(const Gap& other) const {
+    return from == other.from && to == other.to && status == other.status;
+  }
+};
+
+std::vector<Gap> gaps_of(const Sweep& sweep, Question question) {
+  std::vector<Gap> gaps;
+  bool goes_on = false;
+  const auto add = [&](double from, double to, Status status) {
+    const bool is_gap = status != Status::solved && status != Status::bad_input;
+    const bool same = goes_on && is_gap && gaps.back().status == status;
+    if (is_gap && !same) gaps.push_back({from, to, status, false});
+    if (is_gap) gaps.back().to = to;
+    goes_on = is_gap;
+  };
+  for (const SweepSegment& segment : sweep.segments)
+    add(segment.from, segment.to, segment.at_from[question].status);
+  if (sweep.segments.empty())
+    for (const SweepPoint& point : sweep.points)
+      add(point.value, point.value, point.at[question].status);
+  if (goes_on) gaps.back().to_end = true;
+  return gaps;
+}
+
+/// "Up to 3.92 N", "From 7 N on", "From 3 to 4 N", "At 3 N", or "Nowhere".
+std::string stretch_text(const Variation& variation, const Gap& gap) {
+  const bool rises = variation.to > variation.from;
+  const bool from_begin = gap.from == variation.from;
+  if (from_begin && gap.to_end) return "In the whole range";
+  if (gap.from == gap.to) return "At " + with_unit(variation, gap.from);
+  if (rises ? from_begin : gap.to_end)
+    return "Up to " + with_unit(variation, rises ? gap.to : gap.from);
+  if (rises ? gap.to_end : from_begin)
+    return "From " + with_unit(variation, rises ? gap.from : gap.to) + " on";
+  return "From " + value_text(variation, std::min(gap.from, gap.to)) + " to " +
+         with_unit(variation, std::max(gap.from, gap.to));
+}
+
+std::string gap_text(const Sweep& sweep, const Gap& gap, const std::string& what) {
+  const std::string where = stretch_text(sweep.variations[0], gap);
+  if (gap.status == Status::does_not_hold)
+    return where + " the grasp does not hold " + object_name(sweep.scene) +
+           ": it moves before it is pushed.\n";
+  return where + " there is no answer" + what + " (" + status_text(gap.status) + ").\n";
+}
+
+/// What both questions leave open is said once.
+std::string gaps_text(const Sweep& sweep) {
+  const std::vector<Gap> pushed = gaps_of(sweep, Question::push);
+  const std::vector<Gap> broken = gaps_of(sweep, Question::breaking);
+  std::string text;
+  for (const Gap& gap : broken) {
+    const bool both = std::find(pushed.begin(), pushed.end(), gap) != pushed.end();
+    text += gap_text(sweep, gap, both ? "" : " for the breaking force");
+  }
+  for (const Gap& gap : pushed)
+    if (std::find(broken.begin(), broken.end(), gap) == broken.end())
+      text += gap_text(sweep, gap, " for the push as prescribed");
+  return text;
+}
+
+std::string capital(std::string text) {
+  if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+std::string map_message(const Sweep& sweep, Question question) {
+  const Variation &x = sweep.variations[0], &y = sweep.variations[1];
+  std::string text =
+      "As " + range_text(x) + " and " + range_text(y) + ", " + subject(sweep, question) + " ";
+  const SweepPoint *lowest = nullptr, *most = nullptr;
+  std::size_t loose = 0, unsolved = 0, bistable = 0;
+  for (const SweepPoint& point : sweep.points) {
+    bistable += point.bistable ? 1 : 0;
+    const Status status = point.at[question].status;
+    loose += status == Status::does_not_hold ? 1 : 0;
+    unsolved += status != Status::solved && status != Status::does_not_hold ? 1 : 0;
+    if (status != Status::solved) continue;
+    const double force = force_of(point.at, question);
+    if (lowest == nullptr || force < force_of(lowest->at, question)) lowest = &point;
+    if (most == nullptr || force > force_of(most->at, question)) most = &point;
+  }
+  const auto at = [&](const SweepPoint& point) {
+    return newtons(force_of(point.at, question), 0) + " (at " + with_unit(x, point.value) +
+           " and " + with_unit(y, *point.second) + ")";
+  };
+  text += lowest == nullptr ? "has no value.\n"
+                            : "lies between " + at(*lowest) + " and " + at(*most) + ".\n";
+  const std::string of_all = " of the " + std::to_string(sweep.points.size()) + " places ";
+  if (loose > 0)
+    text += "At " + std::to_string(loose) + of_all + "the grasp does not hold " +
+            object_name(sweep.scene) + ": it moves before it is pushed.\n";
+  if (unsolved > 0) text += "At " + std::to_string(unsolved) + of_all + "there is no answer.\n";
+  if (bistable > 0)
+    text += "At " + std::to_string(bistable) + of_all + "there are two answers: solved from " +
+            "nothing, " + object_name(sweep.scene) + " moves in another way.\n";
+  return text;
+}
+
+} // namespace
+
+Question asked(const Sweep& sweep) {
+  bool breaks = false;
+  for_each_value(sweep, [&](const SweepValue& at) { breaks = breaks || at.breaking.is_solved(); });
+  return breaks ? Question::breaking : Question::push;
+}
+
+double force_of(const SweepValue& value, Question question) {
+  return question == Question::breaking ? value.breaking.normal : value.push.force.norm();
+}
+
+double told_force(double force, double largest) {
+  const double zero = (force < 0 ? 1e-3 : 1e-4) * largest;
+  return std::abs(force) <= zero ? 0 : force;
+}
+
+std::string message_text(const Sweep& sweep) {
+  const Question question = asked(sweep);
+  if (sweep.is_map()) return map_message(sweep, question);
+  const ForceCurve curve = solved_forces(sweep, question);
+  const std::string head = "As " + range_text(sweep.variations[0]) + ", ";
+  std::string text;
+  if (curve.empty())
+    text = head + "no push has an answer.\n";
+  else
+    text = head + subject(sweep, question) + " " + course_text(sweep, curve) +
+           slope_text(sweep, question, curve) + ".\n";
+  return text + gaps_text(sweep);
+}
+
+std::string bistable_text(const Sweep& sweep, const BistableRange& range, Telling telling) {
+  const bool is_minor = !range.motion && range.force_share < worth_a_word;
+  if (is_minor && telling == Telling::brief) return "";
+  const Variation& variation = sweep.variations[0];
+  const std::string where = range.from == range.to
+                                ? "At " + with_unit(variation, range.from)
+                                : "From " + value_text(variation, std::min(range.from, range.to)) +
+                                      " to " + with_unit(variation, std::max(range.from, range.to));
+  const std::string forces = "by up to " + newtons(range.force_difference, 0) + " (" +
+                             in_digits(100 * range.force_share, 2) + " %)";
+  return capital(where) + " there are two answers: on the way back " +
+         (range.motion
+              ? object_name(sweep.scene) + " moves in another way" +
+                    (range.force_share < worth_a_word ? "" : ", and the force is another " + forces)
+              : "the force is another " + forces + ", the motion is the same") +
+         ".\n";
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,75 @@
+#include "sweep/sweep_quantity.hpp"
+
+#include <cmath>
+
+#include "lcpush/desktop/input_error.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+using Kind = SweepQuantity::Kind;
+
+} // namespace
+
+std::string axis_label(const Parameter& parameter) {
+  return parameter.path + (parameter.unit.empty() ? "" : " in " + parameter.unit);
+}
+
+Status status_of(const SweepQuantity& quantity, const SweepValue& at) {
+  const bool breaks = quantity.kind == Kind::break_force || quantity.kind == Kind::break_twist;
+  return (breaks ? at.breaking : at.push).status;
+}
+
+bool is_force(const SweepQuantity& quantity) {
+  return quantity.kind != Kind::twist && quantity.kind != Kind::break_twist;
+}
+
+double value_of(const SweepQuantity& quantity, const SweepValue& at) {
+  switch (quantity.kind) {
+  case Kind::break_force: return at.breaking.normal;
+  case Kind::force: return at.push.force.norm();
+  case Kind::force_component: return at.push.force[quantity.component];
+  case Kind::twist: {
+    const double value = at.push.twist[quantity.component];
+    return std::abs(value) <= at.push.twist_noise(quantity.component) ? 0 : value;
+  }
+  case Kind::break_twist: return at.breaking.twist[quantity.component];
+  }
+  return 0;
+}
+
+std::string words_of(const SweepQuantity& quantity) {
+  return quantity.kind == Kind::break_force ? "breaking force (normal)"
+         : quantity.kind == Kind::force     ? "push as prescribed (size)"
+                                            : quantity.name();
+}
+
+std::string SweepQuantity::name() const {
+  constexpr const char* names[] = {"break_force", "force", "force", "twist", "break_twist"};
+  const bool is_whole = kind == Kind::break_force || kind == Kind::force;
+  return names[static_cast<int>(kind)] + (is_whole ? "" : "[" + std::to_string(component) + "]");
+}
+
+std::string SweepQuantity::unit() const {
+  if (is_force(*this)) return "N";
+  if (kind == Kind::twist) return component < 3 ? "m/s^2" : "rad/s^2";
+  return component < 3 ? "" : "rad/m";
+}
+
+SweepQuantity sweep_quantity(const std::string& name) {
+  std::vector<SweepQuantity> all = {{Kind::break_force, 0}, {Kind::force, 0}};
+  for (Index k = 0; k < 3; ++k) all.push_back({Kind::force_component, k});
+  for (Index k = 0; k < 6; ++k) all.push_back({Kind::twist, k});
+  for (Index k = 0; k < 6; ++k) all.push_back({Kind::break_twist, k});
+  std::vector<std::string> names;
+  for (const SweepQuantity& quantity : all) {
+    names.push_back(quantity.name());
+    if (quantity.name() == name) return quantity;
+  }
+  throw InputError("nothing to show is called " + quoted(name) + suggestion(name, names) +
+                   "; there are break_force, force, force[0] to force[2], twist[0] to twist[5] and "
+                   "break_twist[0] to break_twist[5]");
+}
+
+} // namespace lcpush::desktop

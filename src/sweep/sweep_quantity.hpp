@@ -1,0 +1,17 @@
+// What a picture of a sweep shows.
+#pragma once
+
+#include "lcpush/desktop/sweep.hpp"
+
+namespace lcpush::desktop {
+
+/// Of the question that the quantity belongs to.
+Status status_of(const SweepQuantity& quantity, const SweepValue& at);
+double value_of(const SweepQuantity& quantity, const SweepValue& at);
+bool is_force(const SweepQuantity& quantity);
+/// For the legend.
+std::string words_of(const SweepQuantity& quantity);
+/// "*.grip_force in N".
+std::string axis_label(const Parameter& parameter);
+
+} // namespace lcpush::desktop

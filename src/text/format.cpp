@@ -1,0 +1,54 @@
+#include "text/format.hpp"
+
+#include <algorithm>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr std::size_t margin = 2; // before each column
+
+std::vector<std::size_t> column_widths(const TableRows& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (c >= widths.size()) widths.push_back(0);
+      widths[c] = std::max(widths[c], row[c].size());
+    }
+  return widths;
+}
+
+/// The first column and those from `begin` to `end`.
+std::string block_text(const TableRows& rows, const std::vector<std::size_t>& widths,
+                       std::size_t left, std::size_t begin, std::size_t end) {
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line = std::string(margin, ' ') + row[0];
+    line.resize(margin + widths[0], ' ');
+    for (std::size_t c = begin; c < std::min(end, row.size()); ++c) {
+      const std::string padding(widths[c] - row[c].size(), ' ');
+      line += std::string(margin, ' ') + (c < left ? row[c] + padding : padding + row[c]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+} // namespace
+
+std::string table_text(const TableRows& rows, std::size_t left, std::size_t width) {
+  const std::vector<std::size_t> widths = column_widths(rows);
+  if (widths.empty()) return "";
+  std::string text;
+  std::size_t begin = 1;
+  do {
+    std::size_t end = begin, used = margin + widths[0];
+    while (end < widths.size() && (end == begin || used + margin + widths[end] <= width))
+      used += margin + widths[end++];
+    text += (text.empty() ? "" : "\n") + block_text(rows, widths, left, begin, end);
+    begin = end;
+  } while (begin < widths.size());
+  return text;
+}
+
+} // namespace lcpush::desktop

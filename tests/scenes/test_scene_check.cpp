@@ -1,0 +1,163 @@
+// Scenes that can be solved and were not meant.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <sstream>
+
+#include "lcpush/desktop/scene_check.hpp"
+#include "scenes/shipped_scenes.hpp"
+#include "support/scene_text.hpp"
+
+using namespace lcpush;
+using namespace lcpush::desktop;
+
+namespace {
+
+std::string slide() { return *scene_called(scene_templates(), "box_slide"); }
+
+/// The codes of what is odd about the scene.
+std::vector<std::string> codes(const std::string& text) {
+  std::vector<std::string> found;
+  for (const SceneDoubt& doubt : check_scene(parsed(text)))
+    found.emplace_back(doubt_code(doubt.doubt));
+  return found;
+}
+
+using Codes = std::vector<std::string>;
+
+std::string vector_of(const Vector3<double>& v) {
+  std::ostringstream text;
+  text << "[" << v[0] << ", " << v[1] << ", " << v[2] << "]";
+  return text.str();
+}
+
+/// A hand that grips a box of any size anywhere, and a wall that pushes it: all as it should be.
+std::string sensible_scene(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](double from, double to) {
+    return from + (to - from) * static_cast<double>(random() % 100001) / 100000;
+  };
+  const Vector3<double> size(uniform(0.01, 0.3), uniform(0.01, 0.3), uniform(0.002, 0.1));
+  const Vector3<double> middle(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+  const Index grip = static_cast<Index>(random() % 3), push = (grip + 1 + random() % 2) % 3;
+  const auto on_face = [&](Index axis, double side) {
+    Vector3<double> p;
+    for (Index k = 0; k < 3; ++k) p[k] = middle[k] + uniform(-0.4, 0.4) * size[k];
+    p[axis] = middle[axis] + side * size[axis] / 2;
+    return p;
+  };
+  std::ostringstream text;
+  text << "gravity = [0, " << uniform(-10, 0)
+       << ", 0]\n[object]\nmass = " << uniform(100, 9000) * size.prod()
+       << "\nbox = " << vector_of(size) << "\ncenter_of_mass = " << vector_of(middle) << "\n";
+  const double force = uniform(1, 50);
+  for (const double side : {-1.0, 1.0})
+    text << "[[finger]]\nname = \"" << (side < 0 ? "left" : "right")
+         << "\"\nshape = \"point\"\ncenter = " << vector_of(on_face(grip, side))
+         << "\nnormal = " << vector_of(-side * Vector3<double>::Unit(grip))
+         << "\nfriction = " << uniform(0, 1) << "\ngrip_force = " << force << "\n";
+  Vector3<double> motion = Vector3<double>::Zero();
+  motion[push] = uniform(0.01, 2); // toward the object
+  text << "[[pusher]]\nname = \"wall\"\nshape = \"points\"\npoints = ["
+       << vector_of(on_face(push, -1)) << ", " << vector_of(on_face(push, -1))
+       << "]\nnormal = " << vector_of(Vector3<double>::Unit(push))
+       << "\nfriction = 0.3\nacceleration = " << vector_of(motion) << "\n";
+  return text.str();
+}
+
+} // namespace
+
+TEST_CASE("nothing is odd about any shipped scene or template") {
+  Index count = 0;
+  for (const auto& folder : {"scenes", "rays", "regressions"})
+    for (const auto& entry : std::filesystem::directory_iterator(std::string(LCPUSH_SOURCE_DIR) +
+                                                                 "/fixtures/" + folder)) {
+      std::ifstream stream(entry.path());
+      const std::string text((std::istreambuf_iterator<char>(stream)), {});
+      CAPTURE(entry.path().string());
+      CHECK(codes(text) == Codes{});
+      ++count;
+    }
+  CHECK(count >= 25);
+  for (const ShippedScene& scene : scene_templates()) {
+    CAPTURE(scene.name);
+    CHECK(codes(scene.text) == Codes{});
+  }
+}
+
+TEST_CASE("nothing is odd about 1,000 random grasps of boxes, wherever they are") {
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    CAPTURE(seed);
+    CHECK(codes(sensible_scene(seed)) == Codes{});
+  }
+}
+
+TEST_CASE("a slip of the hand is named, with its line and what to do") {
+  const auto changed = [](const std::string& from, const std::string& to) {
+    return check_scene(parsed(with(slide(), from, to)));
+  };
+  const auto only = [](const std::vector<SceneDoubt>& doubts) {
+    REQUIRE(doubts.size() == 1);
+    return doubts.front();
+  };
+  SUBCASE("a finger beside the box") {
+    const SceneDoubt doubt = only(changed("center = [0, 0, 0.005]", "center = [0, 0.18, 0.005]"));
+    CHECK(doubt.doubt == Doubt::outside_object);
+    CHECK(doubt.file == "s.toml");
+    CHECK(doubt.line == 16);
+    CHECK(doubt.text.find("168 mm outside of the box") != std::string::npos);
+  }
+  SUBCASE("a finger in the middle of the box") {
+    CHECK(only(changed("center = [0, 0, 0.005]", "center = [0, 0, 0]"))
+              .text.find("5 mm inside of the box") != std::string::npos);
+  }
+  SUBCASE("a pusher far below") {
+    CHECK(only(changed("ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]",
+                       "ends = [[-0.05, -5, 0], [-0.05, -5.015, 0]]"))
+              .doubt == Doubt::far_from_object);
+  }
+  SUBCASE("a normal that points outward") {
+    const SceneDoubt doubt = only(changed("normal = [0, 0, -1]", "normal = [0, 0, 1]"));
+    CHECK(doubt.doubt == Doubt::normal_outward);
+    CHECK(doubt.text.find("here [0, 0, -1]") != std::string::npos);
+  }
+  SUBCASE("a pusher whose normal is reversed") {
+    CHECK(only(changed("normal = [1, 0, 0]", "normal = [-1, 0, 0]")).doubt ==
+          Doubt::normal_outward);
+  }
+  SUBCASE("a pusher that moves away") {
+    CHECK(only(changed("acceleration = [0.1", "acceleration = [-0.1")).doubt == Doubt::moves_away);
+  }
+  SUBCASE("a centre of mass that is not the box's middle") {
+    CHECK(only(changed("mass = 0.2", "center_of_mass = [0.3, 0, 0]\nmass = 0.2")).doubt ==
+          Doubt::center_of_mass);
+  }
+  SUBCASE("grams for kilograms") {
+    CHECK(only(changed("mass = 0.2", "mass = 200")).doubt == Doubt::density);
+  }
+  SUBCASE("millimetres for metres") {
+    const std::vector<SceneDoubt> doubts =
+        changed("box = [0.1, 0.03, 0.01]", "box = [100, 30, 10]");
+    CHECK(doubts.front().doubt == Doubt::density);
+    CHECK(doubts.size() == 4); // and no contact is on its surface
+  }
+}
+
+TEST_CASE("fingers that yield to the push are named, and only those") {
+  const std::string roll = *scene_called(scene_templates(), "cylinder_roll");
+  CHECK(codes(with(roll, "jaws = \"parallel\"", "jaws = \"independent\"")) ==
+        Codes{"jaws_independent"});
+  CHECK(codes(with(slide(), "jaws = \"parallel\"", "jaws = \"independent\"")) == Codes{});
+}
+
+TEST_CASE("where the shape is not known, only far places and retreating pushers are odd") {
+  const std::string bare = with(slide(), "box = [0.1, 0.03, 0.01]", "inertia = [1e-5, 1e-4, 1e-4]");
+  CHECK(codes(bare) == Codes{});
+  CHECK(codes(with(bare, "normal = [0, 0, -1]", "normal = [0, 0, 1]")) == Codes{});
+  CHECK(codes(with(bare, "center = [0, 0, 0.005]", "center = [0, 0, 5]")) ==
+        Codes{"far_from_object"});
+  CHECK(codes(with(bare, "acceleration = [0.1", "acceleration = [-0.1")) == Codes{"moves_away"});
+}
