@@ -3,8 +3,8 @@
 
 usage: toml_fuzz.py TOML_DUMP [CASES [SEED]]
 
-Whatever the reader accepts, tomllib must accept with equal values of equal types; a refusal must
-carry file and line; nothing may crash or hang. Texts of the subset, before mutation, must be
+Whatever the reader accepts, tomllib must accept with equal values of equal types, a byte order mark
+aside; a refusal must carry file and line; nothing may crash or hang. Texts of the subset, before mutation, must be
 accepted. Exits 1 at the first violation and leaves its text in a file that it names.
 """
 import json
@@ -123,7 +123,7 @@ def mutate(rng, text):
 def expected(text):
     """What tomllib reads, or None if it refuses."""
     try:
-        return tomllib.loads(text.decode())
+        return tomllib.loads(text.decode("utf-8-sig"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError):
         return None
 
