@@ -40,7 +40,7 @@ const problems = [
   scene('rolling'), scene('tipping'), scene('ground'), scene('coin'), scene('lever'),
   scene('soft_fingers'), scene('three_finger_hand'), scene('screw_driving'), scene('vise'),
   scene('straight_slide_point'), scene('two_pushers', '--pusher', 'upper'),
-  { ...scene('dropped'), failure: 'DOES NOT HOLD' }, { ...scene('jam'), failure: 'NOT SOLVED' },
+  { ...scene('dropped'), failure: 'The grasp does not hold' }, { ...scene('jam'), failure: 'NOT SOLVED' },
   { name: 'runaway', arguments: ['fixtures/rays/runaway.toml'], failure: 'NOT SOLVED' },
   regression('lost_warm_rounds'), regression('almost_feasible_basis'),
   regression('forces_of_the_push_alone'),

@@ -42,7 +42,8 @@ std::string sensible_scene(unsigned seed) {
   };
   const Vector3<double> size(uniform(0.01, 0.3), uniform(0.01, 0.3), uniform(0.002, 0.1));
   const Vector3<double> middle(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
-  const Index grip = static_cast<Index>(random() % 3), push = (grip + 1 + random() % 2) % 3;
+  const Index grip = static_cast<Index>(random() % 3),
+              push = (grip + 1 + static_cast<Index>(random() % 2)) % 3;
   const auto on_face = [&](Index axis, double side) {
     Vector3<double> p;
     for (Index k = 0; k < 3; ++k) p[k] = middle[k] + uniform(-0.4, 0.4) * size[k];

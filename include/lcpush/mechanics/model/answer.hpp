@@ -90,9 +90,4 @@ template <class S> S normal_sum(const Answer<S>& answer, const Body<S>& body) {
   return sum;
 }
 
-#ifdef LCPUSH_EXTERN_TEMPLATES
-extern template Vector6<double> body_wrench<double>(const Scene<double>&, const Answer<double>&,
-                                                    const Body<double>&);
-#endif
-
 } // namespace lcpush

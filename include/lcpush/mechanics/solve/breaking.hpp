@@ -207,14 +207,4 @@ template <class S, class Rounds>
   return moves ? Status::does_not_hold : Status::solved;
 }
 
-#ifdef LCPUSH_EXTERN_TEMPLATES
-namespace detail {
-extern template Breaking<double> extrapolate<double>(const SmallPush<double>*, double,
-                                                     const Scales<double>&);
-} // namespace detail
-extern template Status read_breaking<double>(Assembly<double>&, const double*, const double*,
-                                             const double&, Workspace<double>&, const Body<double>&,
-                                             double, Breaking<double>&, PressureRun&);
-#endif
-
 } // namespace lcpush

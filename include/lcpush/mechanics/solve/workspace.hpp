@@ -153,10 +153,4 @@ template <class S> Workspace<S> make_sweep_workspace(Arena arena, const Assembly
   return w;
 }
 
-#ifdef LCPUSH_EXTERN_TEMPLATES
-namespace detail {
-extern template Workspace<double> take_common<double>(Arena&, const AssemblySize&);
-} // namespace detail
-#endif
-
 } // namespace lcpush
