@@ -18,13 +18,7 @@ std::string colour(std::size_t line) {
 
 /// The values of a panel, and zero.
 Axis y_axis(const PlotPanel& panel, double begin, double end) {
-  double low = 0, high = 0;
-  for (const PlotLine& line : panel.lines)
-    for (const auto& piece : line.pieces)
-      for (const auto& [x, y] : piece) {
-        low = std::min(low, y);
-        high = std::max(high, y);
-      }
+  auto [low, high] = value_range(panel);
   if (!(high > low)) high = low + 1;
   const double room = 0.05 * (high - low);
   return {low < 0 ? low - room : low, high > 0 ? high + room : high, begin, end};
@@ -123,6 +117,17 @@ std::string mark_strokes(const Plot& plot, const Axis& x, const Axis& y) {
 }
 
 } // namespace
+
+std::pair<double, double> value_range(const PlotPanel& panel) {
+  double low = 0, high = 0;
+  for (const PlotLine& line : panel.lines)
+    for (const auto& piece : line.pieces)
+      for (const auto& [x, y] : piece) {
+        low = std::min(low, y);
+        high = std::max(high, y);
+      }
+  return {low, high};
+}
 
 std::string plot_svg(const Plot& plot) {
   const Axis x{plot.x_from, plot.x_to, left, width - right};

@@ -24,6 +24,9 @@ struct PlotPanel {
   bool nested = false; ///< lines coincide somewhere: earlier ones are drawn wider
 };
 
+/// The least and the largest value of a panel's lines, zero included.
+std::pair<double, double> value_range(const PlotPanel& panel);
+
 /// A vertical stroke with a number, which a list below the plot explains.
 struct PlotMark {
   double x;

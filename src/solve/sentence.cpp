@@ -138,21 +138,22 @@ std::string contacts_phrase(const SceneFile& file, const Answer<double>& answer)
 
 std::string push_sentence(const SceneFile& file, const PushReport& report) {
   const Scene<double> scene = file.view();
-  std::vector<std::string> pushes, idle;
+  std::vector<std::string> forces, names, idle;
   for (Index b = 0; b < scene.bodies.size; ++b) {
     if (scene.bodies[b].role != Role::pusher) continue;
     const Vector3<double> force = body_wrench(scene, report.answer, scene.bodies[b]).head<3>();
     const bool presses = force.norm() > 1e-9 * report.scales.force;
-    (presses ? pushes : idle)
-        .push_back(presses ? force_phrase(file, force) + " by " + file.body_name(b)
-                           : file.body_name(b));
+    (presses ? names : idle).push_back(file.body_name(b));
+    if (presses) forces.push_back(force_phrase(file, force));
   }
+  std::vector<std::string> pushes = forces;
+  if (forces.size() > 1 || !idle.empty())
+    for (std::size_t k = 0; k < forces.size(); ++k) pushes[k] += " by " + names[k];
   std::string text = "Nothing pushes";
   if (!pushes.empty())
     text = "Push with " + listed(pushes, "and");
   else if (!idle.empty())
     text = listed(idle, "and") + (idle.size() > 1 ? " press" : " presses") + " on nothing";
-  if (pushes.size() == 1 && idle.empty()) text.erase(text.rfind(" by "));
   return text + ": " + object_name(file) + " " +
          motion_phrase(file, report.motion, report.scales.length) + ", " +
          contacts_phrase(file, report.answer) + ".";

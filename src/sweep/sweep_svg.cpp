@@ -118,13 +118,7 @@ std::optional<double> height_at(const PlotLine& line, double x) {
 
 /// Would a curve hide a part of another?
 bool coincide(const PlotPanel& panel, double from, double to) {
-  double low = 0, high = 0;
-  for (const PlotLine& line : panel.lines)
-    for (const auto& piece : line.pieces)
-      for (const auto& [x, y] : piece) {
-        low = std::min(low, y);
-        high = std::max(high, y);
-      }
+  const auto [low, high] = value_range(panel);
   constexpr int looks = 100;
   for (std::size_t a = 0; a < panel.lines.size(); ++a)
     for (std::size_t b = a + 1; b < panel.lines.size(); ++b) {
