@@ -10,13 +10,13 @@ Vec3, Vec6 = c_double * 3, c_double * 6
 
 
 class Object(Structure):
-    _fields_ = [("mass", c_double), ("inertia", c_double * 9)]
+    _fields_ = [("mass", c_double), ("inertia", c_double * 9), ("wrench", Vec6)]
 
 
 class Body(Structure):
     _fields_ = [("role", c_int), ("normal", Vec3), ("tangent", Vec3), ("friction", c_double),
                 ("torsion_radius", c_double), ("bilateral", c_int), ("first_point", c_int),
-                ("point_count", c_int), ("acceleration", Vec6)]
+                ("point_count", c_int), ("acceleration", Vec6), ("preload", c_double)]
 
 
 class Actuator(Structure):
@@ -36,7 +36,7 @@ class Scene(Structure):
                 ("planar", c_int), ("bodies", POINTER(Body)), ("body_count", c_int),
                 ("points", POINTER(Point)), ("point_count", c_int),
                 ("actuators", POINTER(Actuator)), ("actuator_count", c_int),
-                ("drives", POINTER(Drive)), ("drive_count", c_int)]
+                ("drives", POINTER(Drive)), ("drive_count", c_int), ("weights", POINTER(c_double))]
 
 
 class Size(Structure):

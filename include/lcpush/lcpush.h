@@ -45,12 +45,14 @@ typedef enum lcpush_mistake {
   LCPUSH_BAD_MASS,         /* mass <= 0, or an inertia that is not positive definite */
   LCPUSH_BAD_FACETS,       /* not even, or outside of 4..256 */
   LCPUSH_BAD_DIRECTION,    /* a zero normal, or a tangent along it */
-  LCPUSH_BAD_FRICTION,     /* friction or torsion radius < 0 */
+  LCPUSH_BAD_FRICTION,     /* friction, torsion radius or preload < 0 */
   LCPUSH_BAD_INDEX,        /* a body without points, or an index outside of its array */
   LCPUSH_BAD_ACTUATOR,     /* force or inertia < 0, or nothing that it drives */
-  LCPUSH_UNSUPPORTED,      /* a soft contact of several points; even with a shared actuator */
+  LCPUSH_UNSUPPORTED,      /* a soft contact of several points; even with a shared actuator or a
+                              preload; a preload on a driven body */
   LCPUSH_NOTHING_MOVES,    /* break: no pusher has an acceleration */
-  LCPUSH_NOT_DESCRIBED     /* lcpush_describe was not called, or has failed */
+  LCPUSH_NOT_DESCRIBED,    /* lcpush_describe was not called, or has failed */
+  LCPUSH_BAD_WEIGHTS       /* a weight <= 0 */
 } lcpush_mistake;
 
 typedef enum lcpush_role { LCPUSH_FINGER, LCPUSH_PUSHER } lcpush_role;

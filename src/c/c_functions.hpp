@@ -48,6 +48,7 @@ lcpush_status LCPUSH_NAME(break_grasp)(LCPUSH_NAME(push) * push, int pusher,
   lcpush::c::write(breaking.inertia, out->inertia);
   lcpush::c::write(breaking.twist, out->twist);
   lcpush::c::write(breaking.rest, out->rest);
+  out->breaks = breaking.breaks ? 1 : 0;
   return lcpush::c::as_c(status);
 }
 

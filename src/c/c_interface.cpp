@@ -12,7 +12,7 @@ namespace {
 // The enumerations of lcpush.h count as ours do.
 static_assert(static_cast<int>(Status::bad_input) == LCPUSH_BAD_INPUT, "");
 static_assert(static_cast<int>(Status::ray) == LCPUSH_RAY, "");
-static_assert(static_cast<int>(Mistake::not_described) == LCPUSH_NOT_DESCRIBED, "");
+static_assert(static_cast<int>(Mistake::weights) == LCPUSH_BAD_WEIGHTS, "");
 static_assert(static_cast<int>(Mistake::index) == LCPUSH_BAD_INDEX, "");
 static_assert(static_cast<int>(Mode::separate) == LCPUSH_SEPARATE, "");
 static_assert(static_cast<int>(Pressure::rigid) == LCPUSH_RIGID, "");
@@ -22,11 +22,12 @@ static_assert(static_cast<int>(Role::pusher) == LCPUSH_PUSHER, "");
 template <class S, class CPushStruct>
 constexpr bool covers(std::size_t bytes, Index points, Index facets, Index actuators, Index drives,
                       bool by_sweeps) {
-  constexpr Index alignment_slack = 9 * static_cast<Index>(alignof(std::max_align_t));
+  constexpr Index alignment_slack = 10 * static_cast<Index>(alignof(std::max_align_t));
   const AssemblySize size{points, points * facets, actuators, drives};
-  const Index structs = points * static_cast<Index>(2 * sizeof(Body<S>) + sizeof(Vector3<S>)) +
-                        2 * actuators * static_cast<Index>(sizeof(Actuator<S>)) +
-                        2 * drives * static_cast<Index>(sizeof(Drive<S>));
+  const Index structs =
+      points * static_cast<Index>(2 * sizeof(Body<S>) + sizeof(Vector3<S>) + sizeof(S)) +
+      2 * actuators * static_cast<Index>(sizeof(Actuator<S>)) +
+      2 * drives * static_cast<Index>(sizeof(Drive<S>));
   const Index work = by_sweeps ? sweep_bytes<S>(size) : push_bytes<S>(size);
   return sizeof(CPushStruct) <= LCPUSH_STATE_BYTES_(S) &&
          sizeof(Body<S>) <= LCPUSH_BODY_BYTES_(S) && sizeof(Drive<S>) <= LCPUSH_DRIVE_BYTES_(S) &&
@@ -65,7 +66,17 @@ template <class S, class CBody> Body<S> body_from(const CBody& given) {
   body.first_point = given.first_point;
   body.point_count = given.point_count;
   body.acceleration = vector(given.acceleration);
+  body.preload = given.preload;
   return body;
+}
+
+/// As shares of their body's sum, which find_mistake judges. Pre: the bodies lie within the points.
+template <class S> void normalise(const Span<const Body<S>>& bodies, const Span<S>& weights) {
+  for (const Body<S>& body : bodies) {
+    S sum(0);
+    for (Index i = 0; i < body.point_count; ++i) sum += weights[body.first_point + i];
+    for (Index i = 0; i < body.point_count; ++i) weights[body.first_point + i] /= sum;
+  }
 }
 
 /// The scene over the push's own arrays; nothing is allocated.
@@ -87,6 +98,7 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   Scene<S> scene{};
   scene.object.mass = given.object.mass;
   for (Index i = 0; i < 9; ++i) scene.object.inertia(i / 3, i % 3) = given.object.inertia[i];
+  scene.object.wrench = vector(given.object.wrench);
   scene.object.center_of_mass.setZero();
   scene.gravity = vector(given.gravity);
   scene.facets = given.facets;
@@ -99,6 +111,14 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   scene.points = {points.data, points.size};
   scene.actuators = {actuators.data, actuators.size};
   scene.drives = {drives.data, drives.size};
+  if (given.weights == nullptr) return push.accept(scene);
+  // Without weights first: the bodies' points lie where they should.
+  const Mistake mistake = find_mistake(scene);
+  if (mistake != Mistake::none) return push.refuse(mistake);
+  const Span<S> weights = push.weights(given.point_count);
+  for (Index i = 0; i < weights.size; ++i) weights[i] = given.weights[i];
+  normalise(scene.bodies, weights);
+  scene.weights = {weights.data, weights.size};
   return push.accept(scene);
 }
 

@@ -36,7 +36,7 @@ public:
   /// Cuts everything out of `arena`; complete() says whether it was enough.
   CPush(Arena& arena, const Capacity& most, bool by_sweeps)
       : most_(most), by_sweeps_(by_sweeps), bodies_(arena.take<Body<S>>(most.bodies)),
-        points_(arena.take<Vector3<S>>(most.points)),
+        points_(arena.take<Vector3<S>>(most.points)), weights_(arena.take<S>(most.points)),
         actuators_(arena.take<Actuator<S>>(most.actuators)),
         drives_(arena.take<Drive<S>>(most.drives)),
         even_({arena.take<Body<S>>(most.points), arena.take<Actuator<S>>(most.actuators),
@@ -51,6 +51,7 @@ public:
   // What describe() fills before it calls accept(); lengths are checked against `most`.
   Span<Body<S>> bodies(Index count) { return cut(bodies_, count); }
   Span<Vector3<S>> points(Index count) { return cut(points_, count); }
+  Span<S> weights(Index count) { return cut(weights_, count); }
   Span<Actuator<S>> actuators(Index count) { return cut(actuators_, count); }
   Span<Drive<S>> drives(Index count) { return cut(drives_, count); }
 
@@ -139,6 +140,7 @@ private:
   bool by_sweeps_, described_ = false;
   Span<Body<S>> bodies_;
   Span<Vector3<S>> points_;
+  Span<S> weights_;
   Span<Actuator<S>> actuators_;
   Span<Drive<S>> drives_;
   EvenMemory<S> even_;

@@ -39,8 +39,10 @@ desktop::PivotSubject scene_subject(const Arguments& arguments) {
     file.facets = arguments.whole("--facets", {4, 256, true}).value_or(4);
     file.pressure = read_pressure(arguments, file.pressure);
   }
-  if (file.pressure == Pressure::even && file.parallel_jaws)
-    throw UsageError("--pressure even does not go with parallel jaws: no point's share is known");
+  if (file.pressure == Pressure::even &&
+      (file.hand == desktop::Hand::parallel || file.hand == desktop::Hand::locked))
+    throw UsageError("--pressure even does not go with " + std::string(hand_text(file.hand)) +
+                     " jaws: no point's share is known; write [gripper] jaws = \"independent\"");
   return desktop::scene_subject(std::move(file), text, path, as_solved, arguments.has("--exact"));
 }
 

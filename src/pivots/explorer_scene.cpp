@@ -19,9 +19,7 @@ void write_object(JsonWriter& json, const SceneFile& file) {
   const Scales<double> si{file.object.mass, 1.0, 1.0};
   const Matrix6<double> mobility = laws::newton(scene, si) / file.object.mass;
   json.list("mobility", Index{6}, [&](Index i) { json.value(Vector6<double>(mobility.row(i))); });
-  Vector6<double> weight = Vector6<double>::Zero();
-  weight.head<3>() = file.object.mass * file.gravity;
-  json.member("weight", weight).member("facets", file.facets);
+  json.member("load", laws::load(scene, {1.0, 1.0, 1.0})).member("facets", file.facets);
 }
 
 void write_bodies(JsonWriter& json, const Push& push) {

@@ -108,6 +108,7 @@ Section facts_section(const PageContent& content) {
   std::vector<Fact> facts{content.breaking != nullptr ? grip_fact(content.file, content.hold,
                                                                   *content.grip, *content.breaking)
                                                       : hold_fact(content.file, content.hold)};
+  facts.insert(facts.begin(), hand_fact(content.file));
   for (Fact& fact : push_facts(content.file, push)) facts.push_back(std::move(fact));
   std::string text;
   if (push.status == Status::solved)

@@ -41,10 +41,12 @@ bool bodies_match(const SceneFile& file, Index b, Index image, Index axis) {
       !drives_match(file, b, image, axis))
     return false;
   const auto place = [&](Index i) { return file.points[static_cast<std::size_t>(i)]; };
+  const auto weight = [&](Index i) { return file.weights[static_cast<std::size_t>(i)]; };
   const std::vector<Index> points = points_of(one), images = points_of(two);
   return std::all_of(points.begin(), points.end(), [&](Index i) {
     return std::any_of(images.begin(), images.end(), [&](Index j) {
-      return (place(j) - mirrored(place(i), axis)).norm() <= mirror_slack * place(i).norm();
+      return (place(j) - mirrored(place(i), axis)).norm() <= mirror_slack * place(i).norm() &&
+             std::abs(weight(i) - weight(j)) <= mirror_slack;
     });
   });
 }
@@ -53,7 +55,9 @@ bool is_mirrored(const SceneFile& file, Index axis) {
   const Matrix3<double>& inertia = file.object.inertia;
   for (Index k = 0; k < 3; ++k)
     if (k != axis && std::abs(inertia(k, axis)) > mirror_slack * inertia.norm()) return false;
-  if (file.gravity[axis] != 0) return false;
+  if (file.gravity[axis] != 0 ||
+      !are_close(file.object.wrench, mirrored_twist(file.object.wrench, axis)))
+    return false;
   const auto count = static_cast<Index>(file.bodies.size());
   for (Index b = 0; b < count; ++b) {
     bool found = false;

@@ -23,7 +23,8 @@ constexpr double direction_slack = 1e-9;
 
 template <class S> class SceneBuilder {
 public:
-  explicit SceneBuilder(const TomlDocument& document) : document_(document) {}
+  SceneBuilder(const TomlDocument& document, std::optional<Hand> unsaid_hand)
+      : document_(document), unsaid_hand_(unsaid_hand) {}
 
   /// Call once.
   SceneOf<S> build() {
@@ -128,6 +129,7 @@ private:
       scene_.positions.push_back(position);
       scene_.points.push_back(position - scene_.object.center_of_mass);
     }
+    scene_.weights.insert(scene_.weights.end(), patch.weights.begin(), patch.weights.end());
     if constexpr (!std::is_same_v<S, double>)
       scene_.inexact.insert(scene_.inexact.end(), patch.inexact.begin(), patch.inexact.end());
   }
@@ -146,46 +148,12 @@ private:
   }
 
   void drive_fingers() {
-    if (document_.find("gripper")) {
-      const TableReader gripper = reader("gripper");
-      if (const TomlSection* const actuator = document_.find("actuator"))
-        gripper.fail("", "[gripper] and the [[actuator]] on line " +
-                             std::to_string(actuator->tables.front().line) +
-                             " exclude each other; remove one of them");
-      if (gripper.has("jaws") && gripper.choice("jaws", {"independent", "parallel"}) == 1)
-        return drive_parallel_jaws(gripper);
-    }
-    for (std::size_t i = 0; i < count("finger"); ++i) {
-      const TableReader finger = reader("finger", i);
-      if (!finger.has("grip_force")) continue;
-      const S force = finger.number<S>("grip_force", Sign::positive);
-      if (document_.find("actuator"))
-        finger.fail("grip_force", "grip_force and [[actuator]] exclude each other; give the force "
-                                  "to an [[actuator]] that drives this finger");
-      drive_along_normal(static_cast<Index>(i), add_actuator(scene_.body_names[i], force, S(0)));
-    }
-  }
-
-  void drive_parallel_jaws(const TableReader& gripper) {
-    const std::size_t fingers = count("finger");
-    if (scene_.pressure == Pressure::even)
-      gripper.fail("jaws",
-                   "parallel jaws share one force over both fingers, so no point's even share of "
-                   "it is known; use jaws = \"independent\" or another pressure than \"even\"");
-    if (fingers != 2)
-      gripper.fail("jaws",
-                   "parallel jaws need exactly two [[finger]]s, got " + std::to_string(fingers));
-    const TableReader first = reader("finger", 0), second = reader("finger", 1);
-    const S force = first.number<S>("grip_force", Sign::positive);
-    const S other = second.number<S>("grip_force", Sign::positive);
-    if (force != other)
-      second.fail("grip_force", "parallel jaws share one grip_force; got " +
-                                    shown(as_double(other)) + ", but " + shown(as_double(force)) +
-                                    " on the other finger");
-    scene_.parallel_jaws = true;
-    const Index jaws = add_actuator("jaws", S(2) * force, S(0));
-    drive_along_normal(0, jaws);
-    drive_along_normal(1, jaws);
+    HandTables tables;
+    if (document_.find("gripper")) tables.gripper.emplace(reader("gripper"));
+    for (std::size_t i = 0; i < count("finger"); ++i) tables.fingers.push_back(reader("finger", i));
+    if (const TomlSection* const actuator = document_.find("actuator"))
+      tables.actuator_line = actuator->tables.front().line;
+    drive_hand(tables, unsaid_hand_, scene_);
   }
 
   void drive_pusher(const TableReader& table, Index body) {
@@ -199,7 +167,7 @@ private:
                                    "must have no part along it, got " +
                                        shown(along));
     }
-    drive_along_normal(body, add_actuator(scene_.body_name(body), force, S(0)));
+    drive_along_normal(scene_, body, add_actuator<S>(scene_, scene_.body_name(body), force, S(0)));
   }
 
   /// A rigid motion that moves `at` with `linear`, taken at the centre of mass.
@@ -208,18 +176,6 @@ private:
     Vector6<S> twist;
     twist << linear + cross<S>(angular, scene_.object.center_of_mass - at), angular;
     return twist;
-  }
-
-  void drive_along_normal(Index body, Index actuator) {
-    Vector6<S> twist;
-    twist << scene_.body(body).normal, Vector3<S>::Zero();
-    scene_.drives.push_back({body, actuator, twist});
-  }
-
-  Index add_actuator(const std::string& name, const S& force, const S& inertia) {
-    scene_.actuator_names.push_back(name);
-    scene_.actuators.push_back({force, inertia});
-    return static_cast<Index>(scene_.actuators.size()) - 1;
   }
 
   void read_actuator(const TableReader& table) {
@@ -244,7 +200,7 @@ private:
     if (!is_prescribed && amount == S(0) && inertia == S(0))
       table.fail("force", "an actuator without force and inertia holds nothing; give it one of "
                           "them, or remove it and its bodies");
-    const Index actuator = is_prescribed ? 0 : add_actuator(name, amount, inertia);
+    const Index actuator = is_prescribed ? 0 : add_actuator<S>(scene_, name, amount, inertia);
     const std::vector<std::string>& known = scene_.body_names;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const auto found = std::find(known.begin(), known.end(), bodies[i]);
@@ -289,16 +245,19 @@ private:
   }
 
   const TomlDocument& document_;
+  const std::optional<Hand> unsaid_hand_;
   SceneOf<S> scene_;
   std::map<std::string, int> name_lines_; ///< of bodies and [[actuator]]s
 };
 
 } // namespace
 
-template <class S> SceneOf<S> build_scene(const TomlDocument& document) {
-  return SceneBuilder<S>(document).build();
+template <class S>
+SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand) {
+  return SceneBuilder<S>(document, unsaid_hand).build();
 }
-template SceneOf<double> build_scene(const TomlDocument& document);
-template SceneOf<Rational> build_scene(const TomlDocument& document);
+template SceneOf<double> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand);
+template SceneOf<Rational> build_scene(const TomlDocument& document,
+                                       std::optional<Hand> unsaid_hand);
 
 } // namespace lcpush::desktop

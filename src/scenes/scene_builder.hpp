@@ -4,9 +4,13 @@
 #include "formats/toml.hpp"
 #include "lcpush/desktop/scene_io.hpp"
 
+#include <optional>
+
 namespace lcpush::desktop {
 
-/// Throws InputError if the document is no scene. S is double or Rational.
-template <class S> SceneOf<S> build_scene(const TomlDocument& document);
+/// Throws InputError if the document is no scene. S is double or Rational. `unsaid_hand`: of a file
+/// that names none, if it is known; else the one that its fingers belong to.
+template <class S>
+SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand = {});
 
 } // namespace lcpush::desktop

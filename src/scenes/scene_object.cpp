@@ -2,6 +2,8 @@
 
 #include "scenes/exact_frame.hpp"
 
+#include "lcpush/mechanics/model/contact.hpp"
+
 #include <Eigen/Eigenvalues>
 
 #include <string>
@@ -82,6 +84,22 @@ std::string shape_key(const TableReader& table) {
   return found;
 }
 
+/// What is applied beside the weight: a force `at` a point (the centre of mass without a word) and
+/// a moment, as a wrench at the centre of mass.
+template <class S>
+Vector6<S> applied_wrench(const TableReader& table, const Vector3<S>& center_of_mass) {
+  Vector3<S> force = Vector3<S>::Zero(), moment = force;
+  if (table.has("force")) force = table.vector3<S>("force");
+  if (table.has("moment")) moment = table.vector3<S>("moment");
+  if (table.has("at")) {
+    if (!table.has("force")) table.fail("at", "at is where a force acts; add force or remove at");
+    moment += cross<S>(table.vector3<S>("at") - center_of_mass, force);
+  }
+  Vector6<S> wrench;
+  wrench << force, moment;
+  return wrench;
+}
+
 } // namespace
 
 template <class S> Object<S> read_object(const TableReader& table, ObjectShape& shape) {
@@ -100,6 +118,7 @@ template <class S> Object<S> read_object(const TableReader& table, ObjectShape& 
   check_inertia(table, key, rounded);
   object.center_of_mass.setZero();
   if (table.has("center_of_mass")) object.center_of_mass = table.vector3<S>("center_of_mass");
+  object.wrench = applied_wrench(table, object.center_of_mass);
   return object;
 }
 

@@ -11,7 +11,7 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr Index default_round_points = 8;
+constexpr Index default_line_points = 4, default_disc_points = 12, default_ring_points = 8;
 // Points nearer than this, relative to the patch, are a slip, and make its equations singular.
 constexpr double coincidence = 1e-9;
 constexpr double shortest_direction = 1e-24;
@@ -48,7 +48,12 @@ std::vector<Vector3<S>> read_vectors(const TableReader& table, const std::string
 /// Makes room for `count` points.
 template <class S> Span<Vector3<S>> resized(Patch<S>& patch, Index count) {
   patch.positions.resize(static_cast<std::size_t>(count));
+  patch.weights.resize(static_cast<std::size_t>(count));
   return {patch.positions.data(), count};
+}
+
+template <class S> Span<S> weights_of(Patch<S>& patch) {
+  return {patch.weights.data(), static_cast<Index>(patch.weights.size())};
 }
 
 Index point_count(const TableReader& table, Index smallest, Index otherwise) {
@@ -57,28 +62,39 @@ Index point_count(const TableReader& table, Index smallest, Index otherwise) {
 
 template <class S>
 void sample_point(const TableReader& table, const ContactFrame<S>&, Patch<S>& patch) {
-  patch.positions = {table.vector3<S>("center")};
+  resized(patch, 1)[0] = table.vector3<S>("center");
+  equal_weights(weights_of(patch));
 }
 
 template <class S>
 void sample_points(const TableReader& table, const ContactFrame<S>&, Patch<S>& patch) {
   patch.positions = read_vectors<S>(table, "points", limits::patch_points);
+  const std::size_t count = patch.positions.size();
+  resized(patch, static_cast<Index>(count));
+  if (!table.has("weights")) return equal_weights(weights_of(patch));
+  patch.weights = table.numbers<S>("weights", {count}, Sign::positive);
+  S sum(0);
+  for (const S& weight : patch.weights) sum += weight;
+  for (S& weight : patch.weights) weight /= sum;
 }
 
 template <class S>
 void sample_line_shape(const TableReader& table, const ContactFrame<S>&, Patch<S>& patch) {
   const std::vector<Vector3<S>> ends = read_vectors<S>(table, "ends", 2);
   if (ends.size() != 2) table.fail("ends", "ends must be a list of 2 points, got 1");
-  sample_line<S>(ends[0], ends[1], resized(patch, point_count(table, 2, 2)));
+  sample_line<S>(ends[0], ends[1], resized(patch, point_count(table, 2, default_line_points)));
+  line_weights(weights_of(patch));
 }
 
 template <class S, bool is_disc>
 void sample_round_shape(const TableReader& table, const ContactFrame<S>& frame, Patch<S>& patch) {
   const Vector3<S> center = table.vector3<S>("center");
   const S radius = table.number<S>("radius", Sign::positive);
-  const Index count = point_count(table, is_disc ? 1 : 2, default_round_points);
+  const Index count = is_disc ? point_count(table, 1, default_disc_points)
+                              : point_count(table, 2, default_ring_points);
   if (!sample_round(is_disc, center, frame, radius, resized(patch, count)))
     patch.inexact.push_back(irrational(table, "points", true));
+  is_disc ? disc_weights(weights_of(patch)) : equal_weights(weights_of(patch));
 }
 
 template <class S>
@@ -86,13 +102,14 @@ void sample_rectangle_shape(const TableReader& table, const ContactFrame<S>&, Pa
   const Vector3<S> center = table.vector3<S>("center"), t = patch.tangent;
   const Vector3<S> o = cross(patch.normal, t);
   const std::vector<S> size = table.numbers<S>("size", {2}, Sign::positive);
-  std::vector<Index> counts = {2, 2};
+  std::vector<Index> counts = {default_line_points, default_line_points};
   if (table.has("points")) counts = table.wholes("points", 2, 1, limits::patch_points);
   const Index count = counts[0] * counts[1];
   if (count > limits::patch_points)
     table.fail("points", "points must make at most " + std::to_string(limits::patch_points) +
                              " altogether, got " + std::to_string(count));
   sample_rectangle<S>(center, t, o, size[0], size[1], counts[0], counts[1], resized(patch, count));
+  rectangle_weights(counts[0], counts[1], weights_of(patch));
 }
 
 /// A shape of the scene file: the keys that it takes, and how its points are sampled.
@@ -109,12 +126,12 @@ template <class S> const Shape<S>& read_shape(const TableReader& table) {
       {"disc", {"center", "radius", "points"}, sample_round_shape<S, true>},
       {"ring", {"center", "radius", "points"}, sample_round_shape<S, false>},
       {"rectangle", {"center", "size", "points"}, sample_rectangle_shape<S>},
-      {"points", {"points"}, sample_points<S>},
+      {"points", {"points", "weights"}, sample_points<S>},
   };
   std::vector<std::string> names;
   for (const Shape<S>& shape : shapes) names.push_back(shape.name);
   const Shape<S>& shape = shapes[table.choice("shape", names)];
-  for (const char* key : {"center", "ends", "radius", "size", "points"})
+  for (const char* key : {"center", "ends", "radius", "size", "points", "weights"})
     if (table.has(key) && std::find(shape.keys.begin(), shape.keys.end(), key) == shape.keys.end())
       table.fail(key, std::string(key) + " does not go with the shape " + quoted(shape.name) +
                           ", which takes " + listed(shape.keys, "and"));
@@ -141,7 +158,7 @@ void check_points(const TableReader& table, const std::string& key, const Patch<
 template <class S> Patch<S> read_patch(const TableReader& table) {
   const Shape<S>& shape = read_shape<S>(table);
   const ContactFrame<S> frame = read_frame<S>(table);
-  Patch<S> patch{frame.normal, frame.tangent, {}, {}};
+  Patch<S> patch{frame.normal, frame.tangent, {}, {}, {}};
   if (!frame.normal_exact) patch.inexact.push_back(irrational(table, "normal", false));
   if (!frame.tangent_exact) patch.inexact.push_back(irrational(table, "tangent", false));
   shape.sample(table, frame, patch);

@@ -1,9 +1,11 @@
-// What the builder reads of a table: [object], and where a [[finger]] or [[pusher]] touches it.
+// What the builder reads of a table: [object], where a [[finger]] or [[pusher]] touches it, and the
+// hand that moves the fingers.
 #pragma once
 
 #include "lcpush/desktop/scene_io.hpp"
 #include "scenes/table_reader.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,7 @@ template <class S> struct Patch {
   Vector3<S> normal;  ///< unit, into the object
   Vector3<S> tangent; ///< unit, orthogonal to the normal
   std::vector<Vector3<S>> positions;
+  std::vector<S> weights;           ///< of the positions, of sum 1
   std::vector<std::string> inexact; ///< as SceneOf has it
 };
 
@@ -24,5 +27,35 @@ template <class S> Patch<S> read_patch(const TableReader& table);
 /// Mass, inertia about the centre of mass, and the centre of mass; what it looks like to `shape`.
 /// S is double or Rational.
 template <class S> Object<S> read_object(const TableReader& table, ObjectShape& shape);
+
+/// What a file says about its hand.
+struct HandTables {
+  std::optional<TableReader> gripper;
+  std::vector<TableReader> fingers;
+  int actuator_line = 0; ///< of the first [[actuator]]; 0: there is none
+};
+
+/// What `jaws` may be.
+std::vector<std::string> jaws_names();
+
+/// Chooses the scene's hand and drives its fingers, the first bodies of the scene, along their
+/// normals. [[actuator]]s are read by the builder. `unsaid`: the hand of a file that names none, if
+/// it is known.
+template <class S>
+void drive_hand(const HandTables& tables, std::optional<Hand> unsaid, SceneOf<S>& scene);
+
+/// Returns the new actuator's index.
+template <class S>
+Index add_actuator(SceneOf<S>& scene, const std::string& name, const S& force, const S& inertia) {
+  scene.actuator_names.push_back(name);
+  scene.actuators.push_back({force, inertia});
+  return static_cast<Index>(scene.actuators.size()) - 1;
+}
+
+template <class S> void drive_along_normal(SceneOf<S>& scene, Index body, Index actuator) {
+  Vector6<S> twist;
+  twist << scene.body(body).normal, Vector3<S>::Zero();
+  scene.drives.push_back({body, actuator, twist});
+}
 
 } // namespace lcpush::desktop

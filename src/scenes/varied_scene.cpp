@@ -117,7 +117,8 @@ void add_defaults(TomlDocument& document) {
         {"facets", {document.root.line, std::int64_t{SceneFile{}.facets}, "8"}});
   for (TomlSection& section : document.sections)
     for (TomlTable& table : section.tables) {
-      if (section.name == "object") add(table, "center_of_mass");
+      if (section.name == "object")
+        for (const char* key : {"center_of_mass", "force", "moment"}) add(table, key);
       if (section.name != "pusher") continue;
       add(table, "acceleration");
       add(table, "angular_acceleration");
@@ -166,10 +167,10 @@ TomlDocument changed(TomlDocument document, const std::vector<Parameter>& parame
   return document;
 }
 
-SceneFile built(const TomlDocument& document, const std::vector<Parameter>& parameters,
+SceneFile built(const TomlDocument& document, Hand hand, const std::vector<Parameter>& parameters,
                 const std::vector<double>& values) {
   try {
-    return build_scene<double>(document);
+    return build_scene<double>(document, hand);
   } catch (const InputError& error) {
     std::string where;
     for (std::size_t k = 0; k < parameters.size(); ++k)
@@ -180,7 +181,8 @@ SceneFile built(const TomlDocument& document, const std::vector<Parameter>& para
 
 } // namespace
 
-VariedScene::VariedScene(TomlDocument document) {
+VariedScene::VariedScene(TomlDocument document)
+    : hand_(build_scene<double>(document).hand) { // as typed: complaints are about the file alone
   add_defaults(document);
   document_ = std::make_shared<const TomlDocument>(std::move(document));
 }
@@ -190,9 +192,7 @@ VariedScene VariedScene::read(const std::string& path) {
 }
 
 VariedScene VariedScene::parse(std::string_view text, const std::string& file_name) {
-  TomlDocument document = parse_toml(text, file_name);
-  (void)build_scene<double>(document); // as typed: complaints are about the file alone
-  return VariedScene(std::move(document));
+  return VariedScene(parse_toml(text, file_name));
 }
 
 void VariedScene::set_pressure(const std::string& law) {
@@ -201,7 +201,6 @@ void VariedScene::set_pressure(const std::string& law) {
     value->data = law;
   else
     document.root.entries.push_back({"pressure", {document.root.line, law, ""}});
-  (void)build_scene<double>(document);
   *this = VariedScene(std::move(document));
 }
 
@@ -222,12 +221,13 @@ Parameter VariedScene::find(const std::string& path) const {
 
 SceneFile VariedScene::at(const std::vector<Parameter>& parameters,
                           const std::vector<double>& values) const {
-  return built(changed(*document_, parameters, values), parameters, values);
+  return built(changed(*document_, parameters, values), hand_, parameters, values);
 }
 
 VariedScene VariedScene::with(const Parameter& parameter, double value) const {
-  VariedScene scene(changed(*document_, {parameter}, {value}));
-  (void)built(*scene.document_, {parameter}, {value});
+  VariedScene scene = *this;
+  scene.document_ = std::make_shared<const TomlDocument>(changed(*document_, {parameter}, {value}));
+  (void)built(*scene.document_, hand_, {parameter}, {value});
   return scene;
 }
 

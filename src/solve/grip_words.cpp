@@ -42,7 +42,7 @@ std::string ending(const GripReport& report, const SmallestGrip& grip, bool hold
 
 /// Where the pressure law, and not statics, sets the limit.
 std::string law_line(const GripReport& report, const SmallestGrip& grip) {
-  if (grip.source != GripSource::search) return "";
+  if (grip.source != GripSource::search || !(grip.bound > 0)) return "";
   return "\nThat is this pressure law's limit; statics alone would allow " +
          amount(report, grip.bound) + ".";
 }

@@ -125,6 +125,9 @@ std::string Push::explain(Status status, const PressureRun& run) const {
                  "the ray that names it"
                : "the sweeps make no more progress; --solver hybrid goes on with pivots";
   case Status::numerical_breakdown:
+    if (run.reason == Reason::none && file_.hand == Hand::locked)
+      return "from their preload the locked fingers press ever harder, round by round: most often "
+             "they wedge the object";
     if (run.reason == Reason::none)
       return "the pad rounds did not converge, though the rigid problem is solvable; try pressure "
              "= \"rigid\"";
@@ -150,6 +153,16 @@ Outcome<double> Push::outcome() const {
     if (scene_.bodies[b].role == Role::pusher)
       outcome.wrench += body_wrench(scene_, work_.answer, scene_.bodies[b]);
   return outcome;
+}
+
+/// How fast the driven bodies close, over `unit`; under even pressure the mean of a body's points.
+std::vector<NamedValue> Push::closings(double unit) const {
+  std::vector<NamedValue> list;
+  const Scene<double> scene = file_.view();
+  for (Index b = 0; b < scene.bodies.size; ++b)
+    if (is_driven(scene, b))
+      list.push_back({file_.body_name(b), mean_closing(work_.answer, scene.bodies[b]) / unit});
+  return list;
 }
 
 void Push::search_others(const PushOptions& options, PushReport& report) {
@@ -214,6 +227,8 @@ PushReport Push::solve(const PushOptions& options) {
   name_file_bodies();
   report.motion = describe_motion(file_.view(), report.answer, report.scales.length,
                                   report.scales.acceleration, push);
+  const double fastest = std::max(push, report.motion.translation);
+  report.hand_moves = fastest > 0 && any_moves(closings(fastest));
   // The solver has checked its own equations; this is the laws' own word, in SI units.
   if (!(report.residuals.max() <= Tolerances<double>().residual)) {
     report.status = Status::numerical_breakdown;

@@ -54,8 +54,8 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
   const SceneFile alone = hand_at_rest(file_);
   HoldReport report;
   report.length = layout().scales.length;
-  report.acceleration.head<3>() = scene_.gravity;
-  if (scene_.planar) report.acceleration[2] = 0;
+  const Scales<double> si{scene_.object.mass, 1.0, 1.0};
+  report.acceleration = laws::newton(scene_, si) * laws::load(scene_, si);
   if (alone.bodies.empty()) {
     report.status = Status::solved;
     report.holds = !(report.acceleration.norm() > 0);
@@ -103,6 +103,8 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   moving.acceleration = report.breaking.twist;
   report.motion =
       describe_motion(file_.view(), moving, report.scales.length, report.scales.acceleration, 1.0);
+  report.closings = closings(report.breaking.small_push);
+  report.hand_moves = any_moves(report.closings);
   compare_covers(options, report);
   return report;
 }

@@ -81,6 +81,7 @@ void write_jam(JsonWriter& json, const SceneFile& file, const Jam& jam) {
 
 void write_holds(JsonWriter& json, const SceneFile& file, const HoldReport& hold) {
   write_warnings(json, check_scene(file));
+  json.member("hand", hand_text(file.hand));
   json.member("holds_without_push", when(hold.status == Status::solved, hold.holds));
 }
 
@@ -162,9 +163,12 @@ std::string break_json(const SceneFile& file, const HoldReport& hold, const Grip
     if (report.status == Status::does_not_hold) json.member("rest_acceleration", b.rest);
     return json.end_object().text();
   }
-  json.member("break_force", b.break_force);
+  json.member("breaks", b.breaks).member("break_force", when(b.breaks, b.break_force));
   json.member("force", b.force.head<3>()).member("moment", b.force.tail<3>());
   json.member("inertia_force", b.inertia.head<3>()).member("twist", b.twist);
+  json.objects("closings", report.closings, [&](const NamedValue& closing) {
+    json.member("name", closing.name).member("value", closing.value);
+  });
   json.member("valid_to", when(!(b.valid_to < 0), b.valid_to)).member("line_error", b.line_error);
   json.key("unique").begin_object().member("motion", settled(report.unique_motion));
   json.member("force", settled(report.unique_force)).end_object();

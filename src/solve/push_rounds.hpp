@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/mechanics/solve/predicted_modes.hpp"
@@ -16,6 +17,12 @@ inline PressureOptions<double> pressure_options(const Scene<double>& scene,
   const double push = sigma * push_size(scene) / scales.acceleration;
   if (push > 0 && push < 1) options.tolerance *= std::max(push, 1e-4);
   return options;
+}
+
+/// Does a body move by more than a thousandth of the unit that its closing is measured in?
+inline bool any_moves(const std::vector<NamedValue>& closings) {
+  return std::any_of(closings.begin(), closings.end(),
+                     [](const NamedValue& closing) { return std::abs(closing.value) > 1e-3; });
 }
 
 /// Passes everything on, and has checks of sweeps recorded if the options ask for a history.

@@ -38,6 +38,7 @@ std::string either(double a, double b) {
 /// Is the object's motion another than its image in a mirror that leaves the scene as it is?
 std::string mirror_sentence(const SceneFile& file, const PushReport& report) {
   constexpr double same = 1e-3;
+  if (report.motion.kind == MotionKind::rest) return "";
   Vector6<double> motion = report.answer.acceleration;
   motion.tail<3>() *= report.scales.length;
   for (const Index axis : mirror_axes(file))
@@ -77,7 +78,8 @@ std::string brief_solve(const SceneFile& file, const HoldReport& hold, const Pus
   std::string text = title_line(file) + push_sentence(file, report) + "\n";
   if (hold.status == Status::solved && !hold.holds && has_pusher(file))
     text += hold_sentence(file, hold) + "\n";
-  text += "\n" + table_text(brief_contact_rows(file, report));
+  text += "\n" + facts_text({hand_fact(file)}) + "\n";
+  text += table_text(brief_contact_rows(file, report));
   text += list_text("Soft contacts:", torsion_sentences(file, report));
   text += list_text("Bodies whose actuators move them:", closing_sentences(file, report));
   const std::string others = others_text(file, report);
@@ -113,7 +115,8 @@ std::string solve_text(const SceneFile& file, const HoldReport& hold, const Push
                      : title_line(file) + failure_text(file, report);
   std::string text = title_line(file);
   text += is_solved ? push_sentence(file, report) + "\n\n" : failure_text(file, report) + "\n";
-  text += facts_text({hold_fact(file, hold)}) + facts_text(push_facts(file, report));
+  text += facts_text({hand_fact(file), hold_fact(file, hold)});
+  text += facts_text(push_facts(file, report));
   if (!is_solved) return text + ray_text(report) + "\n" + run_line(file, report);
   text += "\n" + table_text(contact_rows(file, report));
   text += list_text("Soft contacts:", torsion_sentences(file, report));
@@ -126,7 +129,7 @@ std::string solve_text(const SceneFile& file, const HoldReport& hold, const Push
 std::string break_text(const SceneFile& file, const HoldReport& hold, const GripReport& grip,
                        const BreakReport& report, Telling telling) {
   const bool is_full = telling == Telling::full;
-  const std::string before = facts_text({grip_fact(file, hold, grip, report)});
+  const std::string before = facts_text({hand_fact(file), grip_fact(file, hold, grip, report)});
   const std::string end = is_full ? ray_text(report) + "\n" + run_line(file, report) : "";
   if (report.status == Status::does_not_hold)
     return title_line(file) + does_not_hold_text(file, report) + "\n\n" + before + end;

@@ -49,18 +49,21 @@ void add_wrenches(const SceneFile& file, const PushReport& report, std::vector<F
   }
 }
 
-std::string motion_words(const SceneFile& file, const Motion<double>& motion, double length) {
+std::string motion_words(const SceneFile& file, const RunReport& report) {
+  const Motion<double>& motion = report.motion;
+  const double length = report.scales.length;
+  const std::string in_grip = report.hand_moves ? "" : " in the grip";
   const Vector3<double> at = file.object.center_of_mass + motion.axis_point;
   const std::string axis = "about the axis " + vector_text(motion.axis, 1e-6) + " through " +
                            vector_text(at, 1e-9 * length) + " m";
   const std::string turning = number(motion.rotation) + " rad/s^2 " + axis;
   std::string text;
   switch (motion.kind) {
-  case MotionKind::rest: return "the object does not move in the grip.";
+  case MotionKind::rest: return "the object does not move" + in_grip + ".";
   case MotionKind::slide:
     return "slides: " + number(motion.translation) + " m/s^2 along " +
            vector_text(motion.direction, 1e-6);
-  case MotionKind::pivot: text = "pivots in the grip: "; break;
+  case MotionKind::pivot: text = "pivots" + in_grip + ": "; break;
   case MotionKind::roll: text = "rolls on the surface that carries it: "; break;
   case MotionKind::turn: text = "slides and turns: "; break;
   }
@@ -180,7 +183,7 @@ std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report) {
   std::vector<Fact> facts;
   if (report.status == Status::solved) {
     add_wrenches(file, report, facts);
-    facts.push_back({"Motion", motion_words(file, report.motion, report.scales.length)});
+    facts.push_back({"Motion", motion_words(file, report)});
     facts.push_back({"Answer", unique_text(file, report)});
   }
   facts.push_back({"Theory", theory_words(file, report)});
@@ -192,20 +195,18 @@ std::vector<Fact> break_facts(const SceneFile& file, const BreakReport& report) 
   const std::string pusher = file.body_name(report.pusher);
   const double zero = 1e-9 * report.scales.force;
   std::vector<Fact> facts;
-  facts.push_back({"Breaking force", number(b.break_force, zero) + " N, normal force of " + pusher +
-                                         " when the object starts to move in the grip"});
+  const std::string force = number(b.break_force, zero) + " N, normal force of " + pusher;
+  facts.push_back({"Breaking force", b.breaks ? force + " when the object starts to move" +
+                                                    (report.hand_moves ? "" : " in the grip")
+                                              : "none: the object does not move; " + force});
   facts.push_back(
       {"Whole force", force_words(b.force.head<3>(), zero) +
                           moment_words(b.force.tail<3>(), zero * report.scales.length)});
   facts.push_back({"Pushing faster", "adds " + number(b.inertia_normal, 1e-9 * file.object.mass) +
                                          " N to the normal force per m/s^2 of the push"});
-  facts.push_back({"Motion", motion_words(file, report.motion, report.scales.length)});
-  if (report.motion.kind != MotionKind::rest)
-    facts.back().text += "\nper m/s^2 of the push";
-  else if (b.break_force > zero)
-    facts.back().text += "\nThe pusher slides past it, however weak the push.";
-  else
-    facts.back().text += "\nThe pusher only touches it, or moves away.";
+  facts.push_back({"Motion", motion_words(file, report)});
+  if (b.breaks) facts.back().text += "\nper m/s^2 of the push";
+  for (const Fact& fact : closing_facts(report)) facts.push_back(fact);
   if (report.unique_force != Uniqueness::not_tested)
     facts.push_back({"Answer", break_unique_words(report)});
   if (b.valid_to > 0)
@@ -228,12 +229,13 @@ std::string hold_sentence(const SceneFile& file, const HoldReport& hold) {
 
 std::vector<Fact> brief_break_facts(const SceneFile& file, const BreakReport& report) {
   const Breaking<double>& b = report.breaking;
-  std::vector<Fact> facts{{"Whole force", force_phrase(file, b.force.head<3>())}};
+  std::vector<Fact> facts;
+  if (!b.breaks) return facts;
+  facts.push_back({"Whole force", force_phrase(file, b.force.head<3>())});
+  for (const Fact& fact : closing_facts(report)) facts.push_back(fact);
   if (b.inertia_normal > 1e-9 * file.object.mass)
     facts.push_back(
         {"Pushing faster", printed("adds %.3g N per m/s^2 of the push", b.inertia_normal)});
-  if (report.motion.kind == MotionKind::rest)
-    facts.push_back({"Motion", "none: the pusher slides past it, or moves away"});
   if (b.line_error > 1e-3) facts.push_back(caution_fact(b));
   return facts;
 }

@@ -18,6 +18,8 @@ struct Fact {
 /// In two columns, the label's 18 wide.
 std::string facts_text(const std::vector<Fact>& facts);
 
+/// "Hand": what moves the fingers.
+Fact hand_fact(const SceneFile& file);
 /// "Before the push".
 Fact hold_fact(const SceneFile& file, const HoldReport& hold);
 /// The same for `break`: also from which grip force on the fingers alone hold, and the same with
@@ -28,6 +30,8 @@ Fact grip_fact(const SceneFile& file, const HoldReport& hold, const GripReport& 
 std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report);
 /// The breaking force and what follows it. Precondition: solved.
 std::vector<Fact> break_facts(const SceneFile& file, const BreakReport& report);
+/// "Hand moves": bodies that a push which just breaks the grasp opens or closes; none: no fact.
+std::vector<Fact> closing_facts(const BreakReport& report);
 /// Of a grasp that moves before it is pushed.
 std::string does_not_hold_text(const SceneFile& file, const BreakReport& report);
 

@@ -104,18 +104,19 @@ std::string force_phrase(const SceneFile& file, const Vector3<double>& force) {
   return parts.empty() ? text : text + " (" + listed(parts, "and") + ")";
 }
 
-std::string motion_phrase(const SceneFile& file, const Motion<double>& motion, double length) {
-  std::string text;
+std::string motion_phrase(const SceneFile& file, const RunReport& report) {
+  const Motion<double>& motion = report.motion;
+  const char* const in_grip = report.hand_moves ? "" : " in the grip";
   switch (motion.kind) {
-  case MotionKind::rest: return "does not move in the grip";
+  case MotionKind::rest: return std::string("does not move") + in_grip;
   case MotionKind::slide: return "slides " + direction_phrase(file, motion.direction);
-  case MotionKind::pivot: return "pivots " + turn_phrase(motion.axis) + " in the grip";
+  case MotionKind::pivot: return "pivots " + turn_phrase(motion.axis) + in_grip;
   case MotionKind::roll: return "rolls " + turn_phrase(motion.axis);
   case MotionKind::turn: break;
   }
   if (motion.pitch != 0) return "turns " + turn_phrase(motion.axis) + " and advances along it";
   const double lever = motion.axis_point.norm();
-  if (lever < length) return "turns " + turn_phrase(motion.axis);
+  if (lever < report.scales.length) return "turns " + turn_phrase(motion.axis);
   return "slides and turns " + turn_phrase(motion.axis);
 }
 
@@ -154,15 +155,42 @@ std::string push_sentence(const SceneFile& file, const PushReport& report) {
     text = "Push with " + listed(pushes, "and");
   else if (!idle.empty())
     text = listed(idle, "and") + (idle.size() > 1 ? " press" : " presses") + " on nothing";
-  return text + ": " + object_name(file) + " " +
-         motion_phrase(file, report.motion, report.scales.length) + ", " +
+  return text + ": " + object_name(file) + " " + motion_phrase(file, report) + ", " +
          contacts_phrase(file, report.answer) + ".";
 }
 
+namespace {
+
+/// What a pusher does that moves nothing.
+std::string idle_phrase(const SceneFile& file, const BreakReport& report) {
+  const Body<double>& pusher = file.body(report.pusher);
+  double speed = 0, closing = 0;
+  for (const Index i : points_of(pusher)) {
+    const Vector3<double> motion =
+        acceleration_at(file.points[static_cast<std::size_t>(i)], pusher.acceleration);
+    speed = std::max(speed, motion.norm());
+    closing = std::min(closing, motion.dot(pusher.normal));
+  }
+  if (!(speed > 0)) return " rests at ";
+  return closing < -unsaid * speed ? " moves away from " : " slides along ";
+}
+
+std::string idle_sentence(const SceneFile& file, const BreakReport& report) {
+  const double force = report.breaking.break_force;
+  return "The push does not break the grasp: " + file.body_name(report.pusher) +
+         idle_phrase(file, report) + object_name(file) + ", which does not move" +
+         (force > unsaid * report.scales.force ? printed(", and presses on it with %.3g N", force)
+                                               : "") +
+         ".";
+}
+
+} // namespace
+
 std::string break_sentence(const SceneFile& file, const BreakReport& report) {
+  if (!report.breaking.breaks) return idle_sentence(file, report);
   return "The grasp breaks at " + printed("%.3g N", report.breaking.break_force) +
          ", the normal force of " + file.body_name(report.pusher) + ": " + object_name(file) +
-         " then " + motion_phrase(file, report.motion, report.scales.length) + ".";
+         " then " + motion_phrase(file, report) + ".";
 }
 
 } // namespace lcpush::desktop

@@ -18,8 +18,9 @@ const char* mode_verb(Mode mode);
 std::string force_phrase(const SceneFile& file, const Vector3<double>& force);
 
 /// "slides through the grip along x", "pivots counter-clockwise about z in the grip": what the
-/// object does, after its name. Precondition: the motion is of this file's scene.
-std::string motion_phrase(const SceneFile& file, const Motion<double>& motion, double length);
+/// object does, after its name; nothing of the grip where the hand moves. Precondition: the report
+/// is of this file's scene.
+std::string motion_phrase(const SceneFile& file, const RunReport& report);
 
 /// "every finger point slips", "left slips, right sticks, wall opens at 1 of its 2 points".
 std::string contacts_phrase(const SceneFile& file, const Answer<double>& answer);
@@ -28,7 +29,8 @@ std::string contacts_phrase(const SceneFile& file, const Answer<double>& answer)
 /// Precondition: solved.
 std::string push_sentence(const SceneFile& file, const PushReport& report);
 
-/// "The grasp breaks at 20 N, the normal force of wall: the box then slides along x."
+/// "The grasp breaks at 20 N, the normal force of wall: the box then slides along x.", "The push
+/// does not break the grasp: sheet slides along the box, which does not move."
 /// Precondition: solved.
 std::string break_sentence(const SceneFile& file, const BreakReport& report);
 

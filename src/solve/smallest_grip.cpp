@@ -18,12 +18,16 @@ bool grips(const SceneFile& file, std::size_t actuator) {
 SceneFile scaled(SceneFile file, double factor) {
   for (std::size_t a = 0; a < file.actuators.size(); ++a)
     if (grips(file, a)) file.actuators[a].force *= factor;
+  for (Body<double>& body : file.bodies) body.preload *= factor;
   return file;
 }
 
-/// The largest acceleration that the loads could give the object, m/s^2.
-double load_acceleration(const SceneFile& file) {
-  double largest = file.planar ? file.gravity.head<2>().norm() : file.gravity.norm();
+/// The largest acceleration that the loads could give the object, m/s^2, turning at `length`.
+double load_acceleration(const SceneFile& file, double length) {
+  Vector3<double> load = file.gravity + file.object.wrench.head<3>() / file.object.mass;
+  if (file.planar) load[2] = 0;
+  const double turn = file.object.wrench.tail<3>().norm() / (file.object.mass * length);
+  double largest = std::max(load.norm(), turn);
   for (std::size_t a = 0; a < file.actuators.size(); ++a)
     if (!grips(file, a))
       largest = std::max(largest, std::abs(file.actuators[a].force) / file.object.mass);
@@ -32,7 +36,7 @@ double load_acceleration(const SceneFile& file) {
 
 /// m/s^2: a slower object is at rest, as far as its solver can say.
 double rest_limit(const SceneFile& file, const Scales<double>& scales, double tolerance) {
-  return tolerance * std::max(load_acceleration(file), scales.acceleration / 16);
+  return tolerance * std::max(load_acceleration(file, scales.length), scales.acceleration / 16);
 }
 
 using Question = std::function<bool(double factor)>; // does the scene hold at this factor?
@@ -102,13 +106,24 @@ SmallestGrip search_upwards(const Holding<double>& holding, double known,
   return grip;
 }
 
+/// What a locked finger would press with, in the preload's unit, if it had to equal the load.
+double load_over_preload(const SceneFile& file) {
+  const AssembledScene assembled(file.view());
+  const double length = assembled.assembly.layout().scales.length;
+  return file.object.mass * load_acceleration(file, length) / locked_force(file);
+}
+
 SmallestGrip smallest(const SceneFile& file, Index most_unknowns, const CountingWatcher& work,
                       double known, const Precision& precision, const Question& holds) {
   SmallestGrip grip;
   grip.source = GripSource::not_searched;
   if (size_of(EvenScene(file.view()).scene).unknowns() > most_unknowns) return grip;
   Holding<double> holding;
-  const Status status = find_holding(file, work.options(), holding);
+  Status status = Status::solved;
+  if (file.hand == Hand::locked)
+    holding.unit = load_over_preload(file); // statics lets locked fingers squeeze with any force
+  else
+    status = find_holding(file, work.options(), holding);
   if (status == Status::solved) {
     grip = search_upwards(holding, known, precision, work, holds);
     const bool holds_now = known > 0;
@@ -135,13 +150,18 @@ const Drive<double>* first_grip(const SceneFile& file) {
 
 /// The force that the report speaks of, and whose it is.
 void name_force(const SceneFile& file, GripReport& report) {
+  if (file.hand == Hand::locked) {
+    report.force = locked_force(file);
+    report.of = "per finger";
+    return;
+  }
   const Drive<double>* const first = first_grip(file);
   if (first == nullptr) return;
   const auto actuator = static_cast<std::size_t>(first->actuator);
   const std::string& name = file.actuator_names[actuator];
   report.force = file.actuators[actuator].force;
   report.of = "per finger";
-  if (file.parallel_jaws) {
+  if (file.hand == Hand::parallel) {
     report.force /= 2;
     return;
   }
@@ -161,6 +181,12 @@ void name_force(const SceneFile& file, GripReport& report) {
 
 } // namespace
 
+double locked_force(const SceneFile& file) {
+  double force = 0;
+  for (const Body<double>& body : file.bodies) force = std::max(force, body.preload);
+  return force;
+}
+
 SceneFile hand_at_rest(const SceneFile& file) {
   SceneFile alone = file;
   std::size_t bodies = 0, points = 0; // fingers come first
@@ -172,6 +198,7 @@ SceneFile hand_at_rest(const SceneFile& file) {
   alone.body_names.resize(bodies);
   alone.points.resize(points);
   alone.positions.resize(points);
+  alone.weights.resize(std::min(points, alone.weights.size()));
   alone.actuators.clear();
   alone.actuator_names.clear();
   alone.drives.clear();
@@ -212,7 +239,7 @@ bool is_at_rest(const SceneFile& file, const Vector6<double>& acceleration,
 }
 
 bool shows_a_fall(const SceneFile& file, const Scales<double>& scales, double tolerance) {
-  const double load = load_acceleration(file);
+  const double load = load_acceleration(file, scales.length);
   return load == 0 || load >= 16 * rest_limit(file, scales, tolerance);
 }
 

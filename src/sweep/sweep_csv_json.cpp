@@ -22,8 +22,9 @@ void write_segment(JsonWriter& json, const Sweep& sweep, const SweepSegment& seg
   json.member("from", segment.from).member("to", segment.to);
   json.member("kind", segment_kind_text(segment.kind)).member("status", status_text(a.push.status));
   json.member("break_status", break_status(a)).key("break_force").begin_array();
-  json.value(when(a.breaking.is_solved(), a.breaking.normal));
-  json.value(when(b.breaking.is_solved(), b.breaking.normal)).end_array();
+  json.value(when(a.breaking.has_force(), a.breaking.normal));
+  json.value(when(b.breaking.has_force(), b.breaking.normal)).end_array();
+  json.member("breaks", when(a.breaking.is_solved(), a.breaking.breaks));
   const auto pair = [&](const char* key, const auto& first, const auto& second) {
     if (a.push.is_solved())
       json.key(key).begin_array().value(first).value(second).end_array();
@@ -43,7 +44,8 @@ void write_point(JsonWriter& json, const Sweep& sweep, const SweepPoint& point) 
   json.member("value", point.value);
   if (point.second) json.member("second_value", *point.second);
   json.member("status", status_text(push.status)).member("break_status", break_status(point.at));
-  json.member("break_force", when(broken, breaking.normal));
+  json.member("break_force", when(breaking.has_force(), breaking.normal));
+  json.member("breaks", when(broken, breaking.breaks));
   json.member("force", when(pushed, push.force)).member("twist", when(pushed, push.twist));
   json.member("break_twist", when(broken, breaking.twist));
   std::vector<std::string> modes;
@@ -86,7 +88,7 @@ std::string sweep_csv(const std::vector<SweepCurve>& curves) {
       row.push_back(shown(value));
       if (second) row.push_back(shown(*second));
       const bool pushed = at.push.is_solved();
-      row.push_back(at.breaking.is_solved() ? shown(at.breaking.normal) : "");
+      row.push_back(at.breaking.has_force() ? shown(at.breaking.normal) : "");
       for (Index i = 0; i < 3; ++i) row.push_back(pushed ? shown(at.push.force[i]) : "");
       for (Index i = 0; i < 6; ++i) row.push_back(pushed ? shown(at.push.twist[i]) : "");
       row.push_back(status_text(at.push.status));

@@ -15,7 +15,7 @@ std::optional<double> force_at(const Sweep& sweep, double value, Question questi
   const auto is_here = [&](double from, double to) { return (value - from) * (value - to) <= 0; };
   for (const SweepSegment& segment : sweep.segments) {
     if (!is_here(segment.from, segment.to)) continue;
-    if (!segment.at_from[question].is_solved()) return std::nullopt;
+    if (!segment.at_from[question].has_force()) return std::nullopt;
     const double share = (value - segment.from) / (segment.to - segment.from);
     SweepValue here = segment.at_from;
     here.breaking.normal += share * (segment.at_to.breaking.normal - here.breaking.normal);
@@ -28,7 +28,7 @@ std::optional<double> force_at(const Sweep& sweep, double value, Question questi
       nearest = &point;
   const bool is_known = nearest != nullptr &&
                         are_one_place(sweep.variations[0], nearest->value, value) &&
-                        nearest->at[question].is_solved();
+                        nearest->at[question].has_force();
   return is_known ? std::optional(force_of(nearest->at, question)) : std::nullopt;
 }
 
@@ -60,7 +60,7 @@ std::string curves_table(const std::vector<SweepCurve>& curves) {
   const Question question = all_break ? Question::breaking : Question::push;
   for (const SweepCurve& curve : curves)
     for_each_value(curve.sweep, [&](const SweepValue& at) {
-      if (at[question].is_solved()) largest = std::max(largest, std::abs(force_of(at, question)));
+      if (at[question].has_force()) largest = std::max(largest, std::abs(force_of(at, question)));
     });
   const std::vector<double> values = shown_values(first);
   bool is_numbered = false;

@@ -27,13 +27,14 @@ MapPlot map_plot(const Sweep& sweep, const SweepQuantity& quantity, const std::s
   bool any = false;
   for (const SweepPoint& point : sweep.points) {
     if (point.second == sweep.points.front().second) ++plot.columns;
-    const Status status = status_of(quantity, point.at);
-    const bool known = status == Status::solved;
+    const SweepAnswer& answer = answer_of(quantity, point.at);
+    const bool known = answer.has_force();
     const double value = value_of(quantity, point.at);
     plot.cells.push_back(known ? value : std::numeric_limits<double>::quiet_NaN());
-    plot.texts.push_back(
-        number(point.value) + ", " + number(*point.second) + ": " +
-        (known ? number(value) + " " + quantity.unit() : std::string(status_text(status))));
+    plot.texts.push_back(number(point.value) + ", " + number(*point.second) + ": " +
+                         (known                ? number(value) + " " + quantity.unit()
+                          : answer.is_solved() ? "the push breaks nothing"
+                                               : std::string(status_text(answer.status))));
     plot.hatched.push_back(point.bistable);
     any = any || point.bistable;
   }

@@ -21,7 +21,7 @@ using ForceCurve = std::vector<std::pair<double, double>>;
 ForceCurve solved_forces(const Sweep& sweep, Question question) {
   ForceCurve curve;
   const auto add = [&](double x, const SweepValue& value) {
-    if (value[question].is_solved()) curve.emplace_back(x, force_of(value, question));
+    if (value[question].has_force()) curve.emplace_back(x, force_of(value, question));
   };
   for (const SweepSegment& segment : sweep.segments) {
     add(segment.from, segment.at_from);
@@ -102,7 +102,7 @@ std::string slope_text(const Sweep& sweep, Question question, const ForceCurve& 
     const double width = segment.to - segment.from;
     const bool is_line =
         segment.kind == SegmentKind::exact || segment.kind == SegmentKind::bisected;
-    if (!is_line || !segment.at_from.breaking.is_solved() || std::abs(width) < short_piece * range)
+    if (!is_line || !segment.at_from.breaking.has_force() || std::abs(width) < short_piece * range)
       continue;
     const double slope = (segment.at_to.breaking.normal - segment.at_from.breaking.normal) / width;
     lowest = any ? std::min(lowest, slope) : slope;
@@ -134,8 +134,8 @@ std::string subject(const Sweep& sweep, Question question) {
 /// Values one after the other without an answer to a question, for one reason.
 struct Gap {
   double from, to;
-  Status status;
-  bool to_end; ///< to the end of the sweep
+  Status status; ///< solved: the push breaks nothing
+  bool to_end;   ///< to the end of the sweep
 
   bool operator==(const Gap& other) const {
     return from == other.from && to == other.to && status == other.status;
@@ -145,18 +145,18 @@ struct Gap {
 std::vector<Gap> gaps_of(const Sweep& sweep, Question question) {
   std::vector<Gap> gaps;
   bool goes_on = false;
-  const auto add = [&](double from, double to, Status status) {
-    const bool is_gap = status != Status::solved && status != Status::bad_input;
+  const auto add = [&](double from, double to, const SweepAnswer& answer) {
+    const Status status = answer.status;
+    const bool is_gap = !answer.has_force() && status != Status::bad_input;
     const bool same = goes_on && is_gap && gaps.back().status == status;
     if (is_gap && !same) gaps.push_back({from, to, status, false});
     if (is_gap) gaps.back().to = to;
     goes_on = is_gap;
   };
   for (const SweepSegment& segment : sweep.segments)
-    add(segment.from, segment.to, segment.at_from[question].status);
+    add(segment.from, segment.to, segment.at_from[question]);
   if (sweep.segments.empty())
-    for (const SweepPoint& point : sweep.points)
-      add(point.value, point.value, point.at[question].status);
+    for (const SweepPoint& point : sweep.points) add(point.value, point.value, point.at[question]);
   if (goes_on) gaps.back().to_end = true;
   return gaps;
 }
@@ -180,6 +180,9 @@ std::string gap_text(const Sweep& sweep, const Gap& gap, const std::string& what
   if (gap.status == Status::does_not_hold)
     return where + " the grasp does not hold " + object_name(sweep.scene) +
            ": it moves before it is pushed.\n";
+  if (gap.status == Status::solved)
+    return where + " the push does not break the grasp: " + object_name(sweep.scene) +
+           " does not move.\n";
   return where + " there is no answer" + what + " (" + status_text(gap.status) + ").\n";
 }
 
@@ -208,13 +211,15 @@ std::string map_message(const Sweep& sweep, Question question) {
   std::string text =
       "As " + range_text(x) + " and " + range_text(y) + ", " + subject(sweep, question) + " ";
   const SweepPoint *lowest = nullptr, *most = nullptr;
-  std::size_t loose = 0, unsolved = 0, bistable = 0;
+  std::size_t loose = 0, idle = 0, unsolved = 0, bistable = 0;
   for (const SweepPoint& point : sweep.points) {
     bistable += point.bistable ? 1 : 0;
-    const Status status = point.at[question].status;
+    const SweepAnswer& answer = point.at[question];
+    const Status status = answer.status;
     loose += status == Status::does_not_hold ? 1 : 0;
-    unsolved += status != Status::solved && status != Status::does_not_hold ? 1 : 0;
-    if (status != Status::solved) continue;
+    idle += answer.is_solved() && !answer.breaks ? 1 : 0;
+    unsolved += answer.is_known() ? 0 : 1;
+    if (!answer.has_force()) continue;
     const double force = force_of(point.at, question);
     if (lowest == nullptr || force < force_of(lowest->at, question)) lowest = &point;
     if (most == nullptr || force > force_of(most->at, question)) most = &point;
@@ -229,6 +234,9 @@ std::string map_message(const Sweep& sweep, Question question) {
   if (loose > 0)
     text += "At " + std::to_string(loose) + of_all + "the grasp does not hold " +
             object_name(sweep.scene) + ": it moves before it is pushed.\n";
+  if (idle > 0)
+    text += "At " + std::to_string(idle) + of_all +
+            "the push does not break the grasp: " + object_name(sweep.scene) + " does not move.\n";
   if (unsolved > 0) text += "At " + std::to_string(unsolved) + of_all + "there is no answer.\n";
   if (bistable > 0)
     text += "At " + std::to_string(bistable) + of_all + "there are two answers: solved from " +
@@ -240,7 +248,7 @@ std::string map_message(const Sweep& sweep, Question question) {
 
 Question asked(const Sweep& sweep) {
   bool breaks = false;
-  for_each_value(sweep, [&](const SweepValue& at) { breaks = breaks || at.breaking.is_solved(); });
+  for_each_value(sweep, [&](const SweepValue& at) { breaks = breaks || at.breaking.has_force(); });
   return breaks ? Question::breaking : Question::push;
 }
 

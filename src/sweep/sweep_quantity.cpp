@@ -16,9 +16,9 @@ std::string axis_label(const Parameter& parameter) {
   return parameter.path + (parameter.unit.empty() ? "" : " in " + parameter.unit);
 }
 
-Status status_of(const SweepQuantity& quantity, const SweepValue& at) {
+const SweepAnswer& answer_of(const SweepQuantity& quantity, const SweepValue& at) {
   const bool breaks = quantity.kind == Kind::break_force || quantity.kind == Kind::break_twist;
-  return (breaks ? at.breaking : at.push).status;
+  return breaks ? at.breaking : at.push;
 }
 
 bool is_force(const SweepQuantity& quantity) {

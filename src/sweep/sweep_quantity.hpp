@@ -6,7 +6,7 @@
 namespace lcpush::desktop {
 
 /// Of the question that the quantity belongs to.
-Status status_of(const SweepQuantity& quantity, const SweepValue& at);
+const SweepAnswer& answer_of(const SweepQuantity& quantity, const SweepValue& at);
 double value_of(const SweepQuantity& quantity, const SweepValue& at);
 bool is_force(const SweepQuantity& quantity);
 /// For the legend.

@@ -63,6 +63,7 @@ DetailedAnswer judge_breaking(const ScenePoint& p, Status status,
   answer.normal = breaking.break_force;
   answer.force = breaking.force.head<3>();
   answer.twist = breaking.twist;
+  answer.breaks = breaking.breaks;
   answer.residual = breaking.residuals.max();
   answer = read_contacts(p, std::move(answer));
   answer.motion_noise /= push_size(p.scene); // of a unit push

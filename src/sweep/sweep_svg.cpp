@@ -28,7 +28,7 @@ Curve curve_of_segments(const SweepQuantity& quantity, const std::vector<SweepSe
   const int parts = quantity.kind == Kind::force ? 16 : 1;
   for (const SweepSegment& segment : segments) {
     const SweepValue &a = segment.at_from, &b = segment.at_to;
-    const bool known = status_of(quantity, a) == Status::solved;
+    const bool known = answer_of(quantity, a).has_force();
     if (known) {
       extend(curve, gap, segment.from, value_of(quantity, a));
       for (int k = 1; k <= parts; ++k) {
@@ -48,7 +48,7 @@ Curve curve_of_points(const SweepQuantity& quantity, const std::vector<SweepPoin
   Curve curve;
   bool gap = true;
   for (const SweepPoint& point : points) {
-    const bool known = status_of(quantity, point.at) == Status::solved;
+    const bool known = answer_of(quantity, point.at).has_force();
     if (known) extend(curve, gap, point.value, value_of(quantity, point.at));
     gap = !known || point.change.jumps;
   }

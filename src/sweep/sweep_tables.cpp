@@ -22,8 +22,8 @@ std::string head_of(const Parameter& parameter, bool is_long) {
 
 /// "20.02", or why there is none.
 std::string answer_cell(const SweepAnswer& answer, double value, int digits, double zero) {
-  if (answer.is_solved()) return in_digits(value, digits, zero);
-  const bool is_said = answer.status == Status::bad_input || answer.status == Status::does_not_hold;
+  if (answer.has_force()) return in_digits(value, digits, zero);
+  const bool is_said = answer.is_known() || answer.status == Status::bad_input;
   return is_said ? "-" : status_text(answer.status);
 }
 std::string force_cell(const SweepValue& at, Question question, int digits, double zero) {
@@ -200,7 +200,7 @@ std::string segment_table(const Sweep& sweep, const std::vector<SweepSegment>& s
       rows.push_back({in_digits(segment.from, digits), in_digits(segment.to, digits),
                       force_cell(a, Question::breaking, digits, zero),
                       force_cell(b, Question::breaking, digits, zero),
-                      a.breaking.is_solved() ? in_digits(slope, digits) : "-",
+                      a.breaking.has_force() ? in_digits(slope, digits) : "-",
                       force_cell(a, Question::push, digits, zero),
                       force_cell(b, Question::push, digits, zero),
                       segment_kind_text(segment.kind)});

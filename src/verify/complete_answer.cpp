@@ -89,7 +89,7 @@ bool AnswerCompleter::find_acceleration() {
   }
   if (forces_known()) {
     const Scales<double>& scales = layout_.scales;
-    Vector6<double> wrench = laws::weight(scene_, scales);
+    Vector6<double> wrench = laws::load(scene_, scales);
     for (const Body<double>& body : scene_.bodies) {
       Vector6<double> force = body_wrench(scene_, answer_, body) / scales.force;
       force.tail<3>() /= scales.length;

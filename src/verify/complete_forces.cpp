@@ -16,9 +16,9 @@ AnswerCompleter::ForceRows AnswerCompleter::force_rows() {
   const double least = tolerance_ * scales.acceleration;
   ForceRows rows{Eigen::MatrixXd::Zero(cone_rows + 4 * points, layout_.forces + points),
                  Eigen::VectorXd::Zero(cone_rows + 4 * points)};
-  rows.b.head<6>() << scene_.object.mass * (answer_.acceleration.head<3>() - scene_.gravity) /
-                          scales.force,
+  rows.b.head<6>() << scene_.object.mass * answer_.acceleration.head<3>() / scales.force,
       scene_.object.inertia * answer_.acceleration.tail<3>() / (scales.force * scales.length);
+  rows.b.head<6>() -= laws::load(scene_, scales);
   for (Index a = 0; a < grips; ++a)
     rows.b[6 + a] = factored_.sums[a].target - factored_.sums[a].inertia * answer_.closing[a] *
                                                    layout_.reach[a] / scales.acceleration;

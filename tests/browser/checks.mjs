@@ -89,7 +89,7 @@ export function check_picture(scene, picture, rigid) {
   const parts = [[picture.large, 0], [picture, 1]];
   let largest = 1e-6;
   for (const [level, k] of parts) {
-    let wrench = k === 1 ? [...scene.weight] : Array(6).fill(0);
+    let wrench = k === 1 ? [...scene.load] : Array(6).fill(0);
     level.forces.forEach((force, i) => {
       const point = scene.points[i];
       const { normal } = scene.bodies[point.body];

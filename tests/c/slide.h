@@ -10,14 +10,14 @@
   static const prefix##_point name##_points[3] = {                                                 \
       {0, 0, (real)0.005}, {0, 0, (real)-0.005}, {(real)-0.05, 0, 0}};                             \
   static const prefix##_body name##_bodies[3] = {                                                  \
-      {LCPUSH_FINGER, {0, 0, -1}, {1, 0, 0}, (real)0.5, 0, 0, 0, 1, {0}},                          \
-      {LCPUSH_FINGER, {0, 0, 1}, {1, 0, 0}, (real)0.5, 0, 0, 1, 1, {0}},                           \
-      {LCPUSH_PUSHER, {1, 0, 0}, {0, 1, 0}, 0, 0, 0, 2, 1, {(real)0.1, 0, 0, 0, 0, 0}}};           \
+      {LCPUSH_FINGER, {0, 0, -1}, {1, 0, 0}, (real)0.5, 0, 0, 0, 1, {0}, 0},                       \
+      {LCPUSH_FINGER, {0, 0, 1}, {1, 0, 0}, (real)0.5, 0, 0, 1, 1, {0}, 0},                        \
+      {LCPUSH_PUSHER, {1, 0, 0}, {0, 1, 0}, 0, 0, 0, 2, 1, {(real)0.1, 0, 0, 0, 0, 0}, 0}};        \
   static const prefix##_actuator name##_actuators[2] = {{20, 0}, {20, 0}};                         \
   static const prefix##_drive name##_drives[2] = {{0, 0, {0, 0, -1, 0, 0, 0}},                     \
                                                   {1, 1, {0, 0, 1, 0, 0, 0}}};                     \
   static const prefix##_scene name = {                                                             \
-      {(real)0.2, {(real)1e-4, 0, 0, 0, (real)1e-4, 0, 0, 0, (real)1e-4}},                         \
+      {(real)0.2, {(real)1e-4, 0, 0, 0, (real)1e-4, 0, 0, 0, (real)1e-4}, {0}},                    \
       {0, 0, 0},                                                                                   \
       4,                                                                                           \
       LCPUSH_PAD,                                                                                  \
@@ -29,6 +29,7 @@
       name##_actuators,                                                                            \
       2,                                                                                           \
       name##_drives,                                                                               \
-      2}
+      2,                                                                                           \
+      0}
 
 #endif

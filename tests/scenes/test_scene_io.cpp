@@ -74,11 +74,11 @@ TEST_CASE("a whole scene is read: settings, object, fingers before pushers") {
   CHECK(scene.body_names == std::vector<std::string>{"left", "right", "wall"});
   CHECK(scene.bodies[0].role == Role::finger);
   CHECK(scene.bodies[2].role == Role::pusher);
-  CHECK(scene.bodies[0].point_count == 8);
-  CHECK(scene.bodies[1].first_point == 8);
+  CHECK(scene.bodies[0].point_count == 12);
+  CHECK(scene.bodies[1].first_point == 12);
   CHECK(scene.bodies[1].point_count == 6);
-  CHECK(scene.bodies[2].first_point == 14);
-  CHECK(scene.bodies[2].point_count == 2);
+  CHECK(scene.bodies[2].first_point == 18);
+  CHECK(scene.bodies[2].point_count == 4);
   CHECK(scene.bodies[1].friction == 0.6);
   CHECK(scene.bodies[2].friction == 0);
 }
@@ -92,10 +92,10 @@ TEST_CASE("normals are normalised, tangents default or are projected") {
 
 TEST_CASE("positions are kept in the scene's frame and from the centre of mass") {
   const SceneFile scene = parsed(whole_scene);
-  REQUIRE(scene.points.size() == 16);
-  REQUIRE(scene.positions.size() == 16);
-  CHECK(scene.positions[14] == Vec3(-0.05, -0.015, 0));
-  for (std::size_t i = 0; i < 16; ++i)
+  REQUIRE(scene.points.size() == 22);
+  REQUIRE(scene.positions.size() == 22);
+  CHECK(scene.positions[18] == Vec3(-0.05, -0.015, 0));
+  for (std::size_t i = 0; i < 22; ++i)
     CHECK(scene.points[i] == scene.positions[i] - scene.object.center_of_mass);
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("a view spans the file's arrays") {
   const Scene<double> scene = file.view();
   CHECK(scene.points.data == file.points.data());
   CHECK(scene.bodies.size == 3);
-  CHECK(scene.points.size == 16);
+  CHECK(scene.points.size == 22);
   CHECK(scene.actuators.size == 1);
   CHECK(scene.drives.size == 1);
   CHECK(scene.facets == 12);
@@ -150,14 +150,26 @@ TEST_CASE("every shape gives its points") {
     return parsed(with_finger(plain, shape + "\n")).points.size();
   };
   CHECK(count("shape = \"point\"\ncenter = [0, 0, 0]") == 1);
-  CHECK(count("shape = \"line\"\nends = [[0, 0, 0], [1, 0, 0]]") == 2);
+  CHECK(count("shape = \"line\"\nends = [[0, 0, 0], [1, 0, 0]]") == 4);
   CHECK(count("shape = \"line\"\nends = [[0, 0, 0], [1, 0, 0]]\npoints = 5") == 5);
-  CHECK(count("shape = \"disc\"\ncenter = [0, 0, 0]\nradius = 1") == 8);
+  CHECK(count("shape = \"disc\"\ncenter = [0, 0, 0]\nradius = 1") == 12);
   CHECK(count("shape = \"ring\"\ncenter = [0, 0, 0]\nradius = 1\npoints = 3") == 3);
-  CHECK(count("shape = \"rectangle\"\ncenter = [0, 0, 0]\nsize = [1, 2]") == 4);
+  CHECK(count("shape = \"rectangle\"\ncenter = [0, 0, 0]\nsize = [1, 2]") == 16);
   CHECK(count("shape = \"rectangle\"\ncenter = [0, 0, 0]\nsize = [1, 2]\npoints = [2, 5]") == 10);
   CHECK(count("shape = \"points\"\npoints = [[0, 0, 0]]") == 1);
   CHECK(count("shape = \"points\"\npoints = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]") == 3);
+}
+
+TEST_CASE("weights of points are taken in proportion, and refused where they say nothing") {
+  const std::string plain = "shape = \"point\"\ncenter = [0, 0, 0.005]\n";
+  const auto points = [&](const std::string& weights) {
+    return with_finger(plain, "shape = \"points\"\npoints = [[0, 0, 0], [1, 0, 0]]\n" + weights);
+  };
+  CHECK(parsed(points("")).weights == std::vector<double>{0.5, 0.5});
+  CHECK(parsed(points("weights = [1, 3]\n")).weights == std::vector<double>{0.25, 0.75});
+  check_says(points("weights = [1]\n"), "weights");
+  check_says(points("weights = [1, 0]\n"), "weights");
+  check_says(with_finger(plain, plain + "weights = [1]\n"), "weights does not go with the shape");
 }
 
 TEST_CASE("independent fingers: a force-controlled actuator each; without grip_force a stop") {
@@ -187,7 +199,7 @@ TEST_CASE("parallel jaws: one actuator of twice the force closes both fingers") 
 
   check_says(jaws + object_table + left, "2: gripper: parallel jaws need exactly two");
   check_says(jaws + object_table + left + named(finger_table, "right"),
-             "finger \"right\": missing key \"grip_force\"");
+             "2: gripper: parallel jaws need exactly two [[finger]]s with a grip_force, got 1");
   check_says(jaws + object_table + left + with(right, "= 20", "= 21"),
              "finger \"right\": parallel jaws share one grip_force; got 21, but 20");
   check_says("[gripper]\njaws = \"parallell\"\n" + object_table + left,

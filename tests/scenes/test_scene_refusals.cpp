@@ -131,7 +131,7 @@ TEST_CASE("even pressure, soft points and bilateral pushers are read") {
 
 TEST_CASE("a torsion radius goes with a single point") {
   check_says(with_finger("shape = \"point\"", "torsion_radius = 1\nshape = \"disc\"\nradius = 1"),
-             "torsion_radius goes with a single point only; this patch has 8");
+             "torsion_radius goes with a single point only; this patch has 12");
 }
 
 TEST_CASE("an unknown key is refused with the nearest known one") {

@@ -14,7 +14,7 @@ constexpr desktop::Solver solvers[] = {desktop::Solver::lemke, desktop::Solver::
 
 /// Two points pinch a block of 1 g, which a rod touches at its side.
 desktop::SceneFile pinch(double friction, double grip, double gravity, Pressure pressure,
-                         const std::string& gripper = "") {
+                         const std::string& gripper = "[gripper]\njaws = \"independent\"\n") {
   const auto finger = [&](const std::string& name, const std::string& z, const std::string& n) {
     return "[[finger]]\nname = \"" + name + "\"\nshape = \"point\"\ncenter = [0, 0, " + z +
            "]\nnormal = [0, 0, " + n + "]\nfriction = 0\ngrip_force = 1\n";
@@ -133,8 +133,8 @@ TEST_CASE("[T.10] the hand before a push is at rest and has no pushers") {
 TEST_CASE("[T.12] the force spoken of is per finger for jaws that are parallel, not for a name") {
   const std::string parallel = "[gripper]\njaws = \"parallel\"\n";
   const desktop::SceneFile jaws = pinch(0.5, 1, 9.81, Pressure::pad, parallel);
-  CHECK(jaws.parallel_jaws);
-  CHECK_FALSE(pinch(0.5, 1, 9.81, Pressure::pad).parallel_jaws);
+  CHECK(jaws.hand == desktop::Hand::parallel);
+  CHECK(pinch(0.5, 1, 9.81, Pressure::pad).hand == desktop::Hand::independent);
   const desktop::GripReport per_finger = grip_of(jaws);
   CHECK(per_finger.of == "per finger");
   CHECK(per_finger.force == Approx(1));
@@ -142,7 +142,7 @@ TEST_CASE("[T.12] the force spoken of is per finger for jaws that are parallel, 
   for (const char* const name : {"tendon", "jaws"}) {
     desktop::SceneFile hand = fixture("three_finger_hand.toml");
     hand.actuator_names[0] = name;
-    CHECK_FALSE(hand.parallel_jaws);
+    CHECK(hand.hand == desktop::Hand::actuators);
     const desktop::GripReport report = grip_of(hand);
     CHECK(report.force == 24);
     CHECK(report.of_actuator);

@@ -56,7 +56,9 @@ TEST_CASE("[T.9] under rigid a patch's open pressure shows as tied contacts or o
 }
 
 TEST_CASE("[T.9] proved motions are called proved, and the final basis never contradicts a proof") {
-  CHECK(report_of("soft_fingers.toml").unique_motion == Uniqueness::yes);
+  const std::string text = with(scene_text("soft_fingers.toml"), "[object]",
+                                "[gripper]\njaws = \"independent\"\n\n[object]");
+  CHECK(Pushed(text).report.unique_motion == Uniqueness::yes);
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     CAPTURE(seed);
     SolvedPush<double> push(determined_grasp(seed));
@@ -88,6 +90,8 @@ TEST_CASE(
     "rigid may hold more than pad: a vertex on the line of the push resists with all it has") {
   const std::string bar = R"(planar = true
 facets = 16
+[gripper]
+jaws = "independent"
 [object]
 mass = 0.2
 box = [0.1, 0.03, 0.01]

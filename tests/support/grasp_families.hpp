@@ -15,6 +15,8 @@ enum class Family {
   two_pushers, ///< a second one, across the first
   stop,        ///< a fixed finger across the push
   jacobian,    ///< fingers driven along and across their normals, with inertia
+  weighted,    ///< points with uneven shares, and a wrench on the object
+  locked,      ///< fingers that stand still, with a preload; the push goes along their middle plane
 };
 
 namespace detail {
@@ -67,6 +69,30 @@ template <class S> OwnedScene<S> grasp_of(Family family, std::uint64_t seed) {
     scene.actuators[0].force *= S(2);
     scene.drives.clear();
     for (Index body = 0; body < 2; ++body) drive(body, 0, S(0));
+  }
+  if (family == Family::weighted) {
+    for (const Body<S>& body : scene.bodies) {
+      S sum(0);
+      for (Index i = 0; i < body.point_count; ++i) {
+        scene.weights.push_back(static_cast<S>(random.uniform(0.1, 1)));
+        sum += scene.weights.back();
+      }
+      for (Index i = 0; i < body.point_count; ++i)
+        scene.weights[static_cast<std::size_t>(body.first_point + i)] /= sum;
+    }
+    for (Index k = 0; k < 6; ++k)
+      scene.base.object.wrench[k] = static_cast<S>(random.uniform(-2, 2)) * (k < 3 ? S(1) : size);
+  }
+  if (family == Family::locked) {
+    for (Index body = 0; body < 2; ++body)
+      scene.bodies[static_cast<std::size_t>(body)].preload = scene.actuators[0].force;
+    scene.actuators.clear();
+    scene.drives.clear();
+    Vector6<S>& push = scene.bodies.back().acceleration; // fingers' normals lie along z
+    push[2] = push[3] = push[4] = S(0);
+    const Body<S>& pusher = scene.bodies.back();
+    for (Index i = 0; i < pusher.point_count; ++i)
+      scene.points[static_cast<std::size_t>(pusher.first_point + i)][2] = S(0);
   }
   if (family == Family::jacobian) {
     scene.drives.clear();

@@ -19,6 +19,7 @@ template <class S> struct OwnedScene {
   std::vector<Vector3<S>> points;
   std::vector<Actuator<S>> actuators;
   std::vector<Drive<S>> drives;
+  std::vector<S> weights; ///< empty: equal shares
 
   Scene<S> view() const {
     Scene<S> scene = base;
@@ -26,6 +27,7 @@ template <class S> struct OwnedScene {
     scene.points = {points.data(), static_cast<Index>(points.size())};
     scene.actuators = {actuators.data(), static_cast<Index>(actuators.size())};
     scene.drives = {drives.data(), static_cast<Index>(drives.size())};
+    scene.weights = {weights.data(), static_cast<Index>(weights.size())};
     return scene;
   }
 
@@ -42,6 +44,7 @@ template <class S> struct OwnedScene {
                                {pads.drives.data(), size.drives}};
     const bool spreads =
         base.pressure == Pressure::even && spread_evenly(view(), memory, ignored) == Status::solved;
+    pads.weights.clear();
     return spreads ? pads : *this;
   }
 
@@ -59,6 +62,7 @@ template <class S> struct OwnedScene {
     body.acceleration.setZero();
     bodies.push_back(body);
     points.insert(points.end(), at.begin(), at.end());
+    if (!weights.empty()) weights.insert(weights.end(), at.size(), S(1) / S(at.size()));
   }
 
   /// Makes the last body force-controlled along its normal.

@@ -4,6 +4,7 @@
 typedef struct LCPUSH_NAME(object) {
   LCPUSH_REAL mass;       /* kg, > 0 */
   LCPUSH_REAL inertia[9]; /* kg m^2, symmetric positive definite */
+  LCPUSH_REAL wrench[6];  /* applied beside the weight, [N; N m]; 0: nothing */
 } LCPUSH_NAME(object);
 
 /* A position, m from the centre of mass. */
@@ -21,6 +22,7 @@ typedef struct LCPUSH_NAME(body) {
   int bilateral;              /* not 0: holds its normal motion, pulling if it must */
   int first_point, point_count;
   LCPUSH_REAL acceleration[6]; /* prescribed part of its twist, [m/s^2; rad/s^2] */
+  LCPUSH_REAL preload; /* N; of a locked finger: what it pressed with before it stood still */
 } LCPUSH_NAME(body);
 
 /* A force-controlled degree of freedom of the hand. */
@@ -49,6 +51,8 @@ typedef struct LCPUSH_NAME(scene) {
   int actuator_count;
   const LCPUSH_NAME(drive) * drives;
   int drive_count;
+  const LCPUSH_REAL*
+      weights; /* a point: its share of its body's force, in proportion; NULL: equal */
 } LCPUSH_NAME(scene);
 
 /* What a contact point does. */
@@ -68,6 +72,7 @@ typedef struct LCPUSH_NAME(breaking) {
   LCPUSH_REAL inertia[6];  /* what a push of 1 m/s^2 adds to it */
   LCPUSH_REAL twist[6];    /* the object's, per m/s^2 of push */
   LCPUSH_REAL rest[6];     /* the object's acceleration before the push */
+  int breaks; /* 0: the object does not move, the pusher slides along, rests or leaves */
 } LCPUSH_NAME(breaking);
 
 typedef struct LCPUSH_NAME(push) LCPUSH_NAME(push);

@@ -69,6 +69,7 @@ private:
                      PressureRun& run);
   void name_file_bodies();
   Outcome<double> outcome() const;
+  std::vector<NamedValue> closings(double unit) const;
   std::string explain(Status status, const PressureRun& run) const;
   void read_ray(const PushOptions& options, RunReport& report) const;
   void compare_covers(const PushOptions& options, BreakReport& report);

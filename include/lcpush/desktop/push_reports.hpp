@@ -34,6 +34,8 @@ struct RunReport {
   PressureRun run;
   Scales<double> scales{};
   Motion<double> motion; ///< of a break, per unit push
+  bool hand_moves =
+      false; ///< a body that an actuator drives, by more than a thousandth of the push
   Uniqueness unique_motion = Uniqueness::not_tested;
   std::vector<SweepRecord> history; ///< of a break: of its pushes, one after the other
   std::vector<NamedValue> ray;      ///< entries that are not zero, largest 1
@@ -64,6 +66,7 @@ struct HoldReport {
 struct BreakReport : RunReport {
   Index pusher = -1; ///< body that pushes
   Breaking<double> breaking;
+  std::vector<NamedValue> closings; ///< of the driven bodies, m/s^2 per m/s^2 of the push
   Uniqueness unique_force = Uniqueness::not_tested;
   std::optional<double> other_force; ///< N, the breaking force of another cover, if it differs
 };

@@ -31,6 +31,21 @@ struct ObjectShape {
   Index axis = 2;                                 ///< of a cylinder: 0, 1 or 2 for x, y or z
 };
 
+/// What moves the fingers; docs/theory/theory.md, "Hands".
+enum class Hand {
+  fixed,       ///< nothing: no finger, or stops alone
+  independent, ///< each finger keeps its own grip force, and yields freely along its normal
+  parallel,    ///< one actuator of twice the grip force closes both; it carries the difference
+  locked,      ///< the fingers stand still; the grip force is what they pressed with before
+  actuators,   ///< as the file's [[actuator]]s say
+};
+
+/// As JSON spells it.
+constexpr const char* hand_text(Hand hand) {
+  constexpr const char* texts[] = {"fixed", "independent", "parallel", "locked", "actuators"};
+  return texts[static_cast<int>(hand)];
+}
+
 /// Where a scene file says what: 1-based lines, for messages about what was read.
 struct SceneLines {
   struct OfBody {
@@ -53,14 +68,16 @@ template <class S> struct SceneOf {
   Index facets = 8;
   Pressure pressure = Pressure::pad;
   bool planar = false;
-  bool parallel_jaws = false; ///< [gripper] jaws = "parallel": one actuator of both grip forces
+  Hand hand = Hand::fixed;
   std::vector<Body<S>> bodies;
   std::vector<Vector3<S>> points;    ///< m, from the centre of mass, body by body
   std::vector<Vector3<S>> positions; ///< m, the same points in the scene's frame
+  std::vector<S> weights;            ///< of the points, as Scene has them
   std::vector<Actuator<S>> actuators;
   std::vector<Drive<S>> drives;
-  std::vector<std::string> body_names;     ///< unique
-  std::vector<std::string> actuator_names; ///< of the body or the [[actuator]]; "jaws" if parallel
+  std::vector<std::string> body_names; ///< unique
+  std::vector<std::string>
+      actuator_names; ///< of the body or the [[actuator]]; "jaws" of a parallel hand
   SceneLines lines;
   /// Of an exact scene: a sentence for each thing that is irrational, which therefore is not exact.
   std::vector<std::string> inexact;
@@ -71,9 +88,9 @@ template <class S> struct SceneOf {
       using T = typename std::decay_t<decltype(list)>::value_type;
       return Span<const T>{list.data(), static_cast<Index>(list.size())};
     };
-    return {object,         gravity,         facets,          pressure,
-            planar,         span_of(bodies), span_of(points), span_of(actuators),
-            span_of(drives)};
+    return {object,          gravity,         facets,          pressure,
+            planar,          span_of(bodies), span_of(points), span_of(actuators),
+            span_of(drives), span_of(weights)};
   }
 
   const std::string& body_name(Index b) const { return body_names[static_cast<std::size_t>(b)]; }

@@ -44,6 +44,9 @@ struct GripReport {
 GripReport find_smallest_grip(const SceneFile& file, const HoldReport& hold,
                               const BreakReport& broken, const PushOptions& options);
 
+/// N: what locked jaws pressed with before they were locked; 0: there are none.
+double locked_force(const SceneFile& file);
+
 /// The hand before any push: its fingers alone and at rest, with the actuators that drive one.
 SceneFile hand_at_rest(const SceneFile& file);
 

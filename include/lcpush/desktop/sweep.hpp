@@ -45,12 +45,14 @@ struct SweepAnswer {
   Vector3<double> force = Vector3<double>::Zero(); ///< N, the pusher's on the object
   Vector6<double> twist = Vector6<double>::Zero(); ///< the object's acceleration; at breaking that
                                                    ///< of a unit push
-  double residual = 0;                             ///< the worst law's
-  double force_noise = 0;                          ///< N: what rounding leaves of a force
-  double motion_noise = 0, turning_noise = 0;      ///< m/s^2, rad/s^2: and of a twist
+  bool breaks = true;     ///< of breaking: does the object move? Otherwise `normal` breaks nothing
+  double residual = 0;    ///< the worst law's
+  double force_noise = 0; ///< N: what rounding leaves of a force
+  double motion_noise = 0, turning_noise = 0; ///< m/s^2, rad/s^2: and of a twist
 
   double twist_noise(Index component) const { return component < 3 ? motion_noise : turning_noise; }
   bool is_solved() const { return status == Status::solved; }
+  bool has_force() const { return is_solved() && breaks; }
   bool is_known() const { return is_solved() || status == Status::does_not_hold; }
 };
 

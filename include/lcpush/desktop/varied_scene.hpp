@@ -65,6 +65,7 @@ public:
 
 private:
   std::shared_ptr<const TomlDocument> document_; // with what a file may leave out
+  Hand hand_; // as typed: no change of a number turns one hand into another
 
   explicit VariedScene(TomlDocument document);
 };

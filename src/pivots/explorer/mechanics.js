@@ -17,7 +17,7 @@
   /// Forces and motions of one level. z: SI numbers of that level; level 0 is the part times S.
   function level_of(scene, z, level) {
     const finite = level === 1;
-    let wrench = finite ? [...scene.weight] : Array(6).fill(0);
+    let wrench = finite ? [...scene.load] : Array(6).fill(0);
     const forces = scene.points.map((point) => {
       const { normal: direction } = scene.bodies[point.body];
       const arm = subtract(point.position, scene.center_of_mass);

@@ -47,9 +47,12 @@ TEST_CASE("[T.1] Newton: the mobility turns a wrench into the acceleration that 
   a.tail<3>() /= scales.length;
   CHECK((scene.object.mass * a.head<3>() - wrench.head<3>()).norm() <= 1e-14);
   CHECK((scene.object.inertia * a.tail<3>() - wrench.tail<3>()).norm() <= 1e-15);
-  const Vector6<double> weight = laws::weight(scene, scales);
+  const Vector6<double> weight = laws::load(scene, scales);
   CHECK((weight.head<3>() * scales.force - 0.2 * Vec3(1, -9, 2)).norm() <= 1e-15);
   CHECK(weight.tail<3>().isZero(0));
+  Scene<double> pulled = scene;
+  pulled.object.wrench = wrench;
+  CHECK((laws::load(pulled, scales) - weight - scaled).norm() <= 1e-15);
 }
 
 TEST_CASE("[T.1] Newton in a planar scene: nothing moves out of the plane") {

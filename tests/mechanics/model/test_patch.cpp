@@ -48,23 +48,19 @@ template <class S> S smallest_distance(const Points<S>& points) {
 
 } // namespace
 
-TEST_CASE_TEMPLATE("a disc's centroid is its centre and its mean radius is 2R/3 for any number of "
-                   "points",
-                   S, float, double) {
+TEST_CASE_TEMPLATE("a disc's points lie within it and in its plane, its centroid is its centre", S,
+                   float, double) {
   const Plane<S> plane;
   const S radius = S(0.05);
   const S rounding = S(50) * std::numeric_limits<S>::epsilon();
   for (std::size_t k = 2; k <= 400; ++k) {
     CAPTURE(k);
     const Points<S> points = disc(plane, radius, k);
-    S mean = 0;
     for (const Vector3<S>& p : points) {
-      mean += (p - plane.center).norm() / S(k);
-      CHECK((p - plane.center).norm() <= radius);
+      CHECK((p - plane.center).norm() <= radius + rounding);
       CHECK(std::abs(plane.n.dot(p - plane.center)) <= rounding);
     }
     CHECK((centroid(points) - plane.center).norm() <= rounding);
-    CHECK(std::abs(mean - S(2) / S(3) * radius) <= rounding);
   }
 }
 

@@ -60,6 +60,17 @@ TEST_CASE("planar, soft, parallel and crookedly driven random grasps: all solved
   CHECK(solved_of<double>(5000, 100, Pressure::even, 1e-9, Family::even) == 100);
 }
 
+TEST_CASE("weighted patches and wrenches on the object: all solved, all checked") {
+  CHECK(solved_of<double>(3000, 200, Pressure::pad, 1e-9, Family::weighted) == 200);
+  CHECK(solved_of<double>(4000, 200, Pressure::rigid, 1e-9, Family::weighted) == 200);
+  CHECK(solved_of<double, StructuredLemke<double>>(3000, 200, Pressure::pad, 1e-9,
+                                                   Family::weighted) == 200);
+}
+
+TEST_CASE("locked fingers, which no theorem covers: 19 of 20 solved, the others wedge") {
+  CHECK(solved_of<double>(3000, 200, Pressure::pad, 1e-9, Family::locked) >= 190);
+}
+
 TEST_CASE("bilateral pushers: solved, unless their points pull against each other without bound") {
   CHECK(solved_of<double>(3000, 60, Pressure::pad, 1e-9, Family::bilateral) >= 59);
   CHECK(solved_of<double>(4000, 60, Pressure::rigid, 1e-9, Family::bilateral) == 60);

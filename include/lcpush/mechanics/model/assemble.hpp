@@ -110,6 +110,9 @@ private:
       push = maxi(push, maxi(S(body.acceleration.template head<3>().norm()),
                              S(length * body.acceleration.template tail<3>().norm())));
     S force = scene.object.mass * scene.gravity.norm();
+    force = maxi(force, maxi(S(scene.object.wrench.template head<3>().norm()),
+                             S(scene.object.wrench.template tail<3>().norm() / length)));
+    for (const Body<S>& body : scene.bodies) force = maxi(force, body.preload);
     for (Index a = 0; a < scene.actuators.size; ++a) {
       if (!(memory_.reach[a] > S(0))) memory_.reach[a] = S(1);
       const S tau = scene.actuators[a].force / memory_.reach[a];
@@ -124,8 +127,7 @@ private:
   /// [T.2], [T.3] and [T.4] of every point.
   void add_points() {
     const Scene<S>& scene = *scene_;
-    const Vector6<S> free_fall =
-        factored_.mobility.lazyProduct(laws::weight(scene, layout_.scales));
+    const Vector6<S> free_fall = factored_.mobility.lazyProduct(laws::load(scene, layout_.scales));
     Index force = 0, variable = 0;
     const auto add_force = [&](Index row, const Vector6<S>& column, const Vector6<S>& A_b) {
       memory_.wrenches[force++] = column;

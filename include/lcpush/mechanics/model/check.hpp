@@ -88,8 +88,8 @@ template <class S, class Visit> struct LawRows {
 
   /// [T.1]
   void newton() {
-    Vector3<S> force = scene.object.mass * scene.gravity;
-    Vector3<S> moment = Vector3<S>::Zero();
+    Vector3<S> force = scene.object.mass * scene.gravity + scene.object.wrench.template head<3>();
+    Vector3<S> moment = scene.object.wrench.template tail<3>();
     for (const Body<S>& body : scene.bodies) {
       const Vector6<S> wrench = body_wrench(scene, answer, body);
       force += wrench.template head<3>();

@@ -34,9 +34,9 @@ template <class S> bool shares_an_actuator(const Scene<S>& scene) {
 }
 
 /// [T.7] Even: a driven body of k points becomes k bodies of one point each; each of its actuators
-/// becomes k, with the k-th part of its force and inertia and the same twist. Other bodies stay.
-/// A scene of another pressure law comes back as it is. Points keep their order, bodies get new
-/// indices. Post: solved; or bad_input if the memory is too small or shares_an_actuator(scene).
+/// becomes k, with their points' shares of its force and inertia and the same twist. Other bodies
+/// stay. A scene of another pressure law comes back as it is. Points keep their order, bodies get
+/// new indices. Post: solved; or bad_input if the memory is too small or shares_an_actuator(scene).
 /// Cost: O(bodies drives + points).
 template <class S>
 [[nodiscard]] Status spread_evenly(const Scene<S>& scene, const EvenMemory<S>& memory,
@@ -62,7 +62,8 @@ template <class S>
       for (const Drive<S>& drive : scene.drives) {
         if (drive.body != b) continue;
         const Actuator<S>& whole = scene.actuators[drive.actuator];
-        memory.actuators[drives] = {whole.force / S(k), whole.inertia / S(k)};
+        const S share = weight_of(scene, scene.bodies[b], pad.first_point);
+        memory.actuators[drives] = {whole.force * share, whole.inertia * share};
         memory.drives[drives] = {bodies - 1, drives, drive.twist};
         ++drives;
       }
@@ -71,6 +72,7 @@ template <class S>
   spread.bodies = {memory.bodies.data, bodies};
   spread.actuators = {memory.actuators.data, drives};
   spread.drives = {memory.drives.data, drives};
+  spread.weights = {}; // no patch shares a force any more
   return Status::solved;
 }
 

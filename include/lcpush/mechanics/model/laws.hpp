@@ -33,10 +33,11 @@ template <class S> Matrix6<S> newton(const Scene<S>& scene, const Scales<S>& sca
   return B;
 }
 
-/// The load w of [T.1]: the object's weight, which has no moment about the centre of mass.
-template <class S> Vector6<S> weight(const Scene<S>& scene, const Scales<S>& scales) {
-  Vector6<S> w = Vector6<S>::Zero();
-  w.template head<3>() = scene.object.mass * scene.gravity / scales.force;
+/// The load w of [T.1]: the object's weight, and the wrench that is applied to it beside.
+template <class S> Vector6<S> load(const Scene<S>& scene, const Scales<S>& scales) {
+  Vector6<S> w = scene.object.wrench / scales.force;
+  w.template head<3>() += scene.object.mass * scene.gravity / scales.force;
+  w.template tail<3>() /= scales.length;
   return w;
 }
 

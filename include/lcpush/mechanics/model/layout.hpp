@@ -8,7 +8,7 @@ namespace lcpush {
 
 /// The problem is solved in these units; SI value = scaled value times unit.
 template <class S> struct Scales {
-  S force;        ///< N: F, the largest of grip forces, weight and a thousandth of m * push
+  S force;        ///< N: F, the largest of grip forces, loads and a thousandth of m * push
   S length;       ///< m: the largest distance of a contact point from the centre of mass
   S acceleration; ///< m/s^2: F / m
 };

@@ -30,17 +30,17 @@ template <class S> struct ContactMargins {
 };
 
 /// Fills `answer` (spans of the lengths its fields say) from a solution z of assembly.problem().
-/// `with_weight` false reads z as a derivative by sigma instead: the weight drops out.
+/// `with_load` false reads z as a derivative by sigma instead: the load drops out.
 template <class S>
 void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S sigma,
-                 bool with_weight = true) {
+                 bool with_load = true) {
   const Scene<S>& scene = assembly.scene();
   const Layout<S>& layout = assembly.layout();
   const Scales<S>& scales = layout.scales;
   const FactoredProblem<S>& factored = assembly.factored();
 
   Vector6<S> wrench = contact_wrench(factored, z);
-  if (with_weight) wrench += laws::weight(scene, scales);
+  if (with_load) wrench += laws::load(scene, scales);
   answer.acceleration = factored.mobility.lazyProduct(wrench) * scales.acceleration;
   answer.acceleration.template tail<3>() /= scales.length;
   for (Index a = 0; a < layout.actuators; ++a)

@@ -30,6 +30,8 @@ template <class S> struct Object {
   S mass;                    ///< kg, > 0
   Matrix3<S> inertia;        ///< kg m^2, about the centre of mass, symmetric positive definite
   Vector3<S> center_of_mass; ///< m, in the scene's frame; used to print positions only
+  /// Applied to the object beside its weight, [N; N m] at the centre of mass.
+  Vector6<S> wrench = Vector6<S>::Zero();
 };
 
 /// A rigid body that touches the object at one or more points sharing one normal.
@@ -43,6 +45,7 @@ template <class S> struct Body {
   Index first_point = 0;                        ///< index of its first point in Scene::points
   Index point_count = 0;                        ///< >= 1
   Vector6<S> acceleration = Vector6<S>::Zero(); ///< prescribed part of its twist, [m/s^2; rad/s^2]
+  S preload{0}; ///< N, >= 0; of a locked finger: what it pressed with before it stood still
 };
 
 /// A force-controlled degree of freedom of the hand.
@@ -68,6 +71,14 @@ template <class S> struct Scene {
   Span<const Vector3<S>> points; ///< m, from the centre of mass, body by body
   Span<const Actuator<S>> actuators;
   Span<const Drive<S>> drives;
+  /// Per point: its share of its patch's force under even pressure, > 0, of sum 1 a body; empty:
+  /// equal shares. They make a few points carry what the patch's surface carries (patch.hpp).
+  Span<const S> weights{};
 };
+
+/// The share of `point`, one of the body's. Pre: the body is of this scene.
+template <class S> S weight_of(const Scene<S>& scene, const Body<S>& body, Index point) {
+  return scene.weights.size > 0 ? scene.weights[point] : S(1) / S(body.point_count);
+}
 
 } // namespace lcpush

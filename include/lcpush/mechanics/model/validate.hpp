@@ -12,12 +12,14 @@ enum class Mistake {
   mass,             ///< mass <= 0, or an inertia that is not symmetric positive definite
   facets,           ///< not even, or outside of 4..256
   direction,        ///< a normal or tangent that is no unit vector, or not orthogonal
-  friction,         ///< friction or torsion radius < 0
+  friction,         ///< friction, torsion radius or preload < 0
   index,            ///< a body without points, or an index outside of its array
   actuator,         ///< force or inertia < 0, or nothing that it drives
   unsupported,      ///< a soft contact of several points; even pressure with a shared actuator
+                    ///< or a preload; a preload on a body that an actuator drives
   nothing_moves,    ///< break: no pusher has an acceleration
   not_described,    ///< there is no scene yet
+  weights,          ///< a weight <= 0, or those of a body do not sum to 1
 };
 
 constexpr const char* mistake_text(Mistake mistake) {
@@ -28,13 +30,15 @@ constexpr const char* mistake_text(Mistake mistake) {
   case Mistake::mass: return "the mass is not positive, or the inertia not positive definite";
   case Mistake::facets: return "facets must be even, from 4 to 256";
   case Mistake::direction: return "a normal is zero, or a tangent lies along it";
-  case Mistake::friction: return "friction and torsion radius must be >= 0";
+  case Mistake::friction: return "friction, torsion radius and preload must be >= 0";
   case Mistake::index: return "a body has no points, or an index is outside of its array";
   case Mistake::actuator: return "an actuator has a negative force or inertia, or drives nothing";
   case Mistake::unsupported:
-    return "a soft contact has several points, or even pressure shares an actuator";
+    return "a soft contact has several points, even pressure shares an actuator or a preload, or a "
+           "driven body has a preload";
   case Mistake::nothing_moves: return "no pusher moves: give one an acceleration";
   case Mistake::not_described: return "there is no scene: describe one first";
+  case Mistake::weights: return "weights must be > 0, one for each point";
   }
   return "";
 }
@@ -67,17 +71,41 @@ template <class S> Mistake mistake_of(const Body<S>& body, Index points) {
   const auto near = [&](const S& x, const S& y) { return Eigen::numext::abs(S(x - y)) <= slack; };
   const bool finite = all_finite(body.normal) && all_finite(body.tangent) &&
                       all_finite(body.acceleration) && is_finite(body.friction) &&
-                      is_finite(body.torsion_radius);
+                      is_finite(body.torsion_radius) && is_finite(body.preload);
   if (!finite) return Mistake::not_finite;
   if (!near(body.normal.squaredNorm(), S(1)) || !near(body.tangent.squaredNorm(), S(1)) ||
       !near(body.normal.dot(body.tangent), S(0)))
     return Mistake::direction;
-  if (body.friction < S(0) || body.torsion_radius < S(0)) return Mistake::friction;
+  if (body.friction < S(0) || body.torsion_radius < S(0) || body.preload < S(0))
+    return Mistake::friction;
   if (body.point_count < 1 || body.first_point < 0 || body.first_point > points ||
       body.point_count > points - body.first_point)
     return Mistake::index;
   if (body.torsion_radius > S(0) && body.point_count > 1) return Mistake::unsupported;
   return Mistake::none;
+}
+
+template <class S> Mistake mistake_of_weights(const Scene<S>& scene) {
+  if (scene.weights.size == 0) return Mistake::none;
+  if (scene.weights.size != scene.points.size) return Mistake::weights;
+  for (const Body<S>& body : scene.bodies) {
+    S sum(0);
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      if (!(scene.weights[i] > S(0))) return Mistake::weights;
+      sum += scene.weights[i];
+    }
+    const S slack = S(16 * body.point_count) * Eigen::NumTraits<S>::epsilon();
+    if (!(Eigen::numext::abs(S(sum - S(1))) <= slack)) return Mistake::weights;
+  }
+  return Mistake::none;
+}
+
+/// A preload is held without an actuator, and pads alone know what it is for.
+template <class S> bool has_stray_preload(const Scene<S>& scene) {
+  for (Index b = 0; b < scene.bodies.size; ++b)
+    if (scene.bodies[b].preload > S(0) && (scene.pressure == Pressure::even || is_driven(scene, b)))
+      return true;
+  return false;
 }
 
 template <class S> Mistake mistake_of_drives(const Scene<S>& scene) {
@@ -104,7 +132,8 @@ template <class S> Mistake mistake_of_drives(const Scene<S>& scene) {
 /// the other, as everything in mechanics/ expects. Cost: O(points + drives actuators).
 template <class S> Mistake find_mistake(const Scene<S>& scene) {
   using detail::all_finite;
-  if (!all_finite(scene.gravity) || !detail::is_finite(scene.object.mass))
+  if (!all_finite(scene.gravity) || !detail::is_finite(scene.object.mass) ||
+      !all_finite(scene.object.wrench))
     return Mistake::not_finite;
   if (!(scene.object.mass > S(0)) || !detail::is_positive_definite(scene.object.inertia))
     return Mistake::mass;
@@ -119,10 +148,11 @@ template <class S> Mistake find_mistake(const Scene<S>& scene) {
     covered += body.point_count;
   }
   if (covered != scene.points.size || covered == 0) return Mistake::index;
-  const Mistake mistake = detail::mistake_of_drives(scene);
+  Mistake mistake = detail::mistake_of_drives(scene);
+  if (mistake == Mistake::none) mistake = detail::mistake_of_weights(scene);
   if (mistake != Mistake::none) return mistake;
-  if (scene.pressure == Pressure::even && shares_an_actuator(scene)) return Mistake::unsupported;
-  return Mistake::none;
+  const bool shares = scene.pressure == Pressure::even && shares_an_actuator(scene);
+  return shares || detail::has_stray_preload(scene) ? Mistake::unsupported : Mistake::none;
 }
 
 } // namespace lcpush

@@ -112,7 +112,7 @@ private:
   void fill_newton(MatrixMap<S> M, S* q) const {
     const Index a = acceleration();
     const S unit = scene().object.mass * scales().length * scales().length;
-    const Vector6<S> w = laws::weight(scene(), scales());
+    const Vector6<S> w = laws::load(scene(), scales());
     for (Index k = 0; k < 6; ++k) {
       M(a + k, a + k) = S(1);
       q[a + k] = S(0);

@@ -58,10 +58,10 @@ template <class S> Matrix6<S> inertia_matrix(const Scene<S>& scene) {
   return M;
 }
 
-/// The load: the object's weight [N ; N m], which has no moment about the centre of mass.
+/// The load [N ; N m]: the object's weight, and the wrench that is applied to it beside.
 template <class S> Vector6<S> load(const Scene<S>& scene) {
-  Vector6<S> w = Vector6<S>::Zero();
-  w.template head<3>() = scene.object.mass * scene.gravity;
+  Vector6<S> w = scene.object.wrench;
+  w.template head<3>() += scene.object.mass * scene.gravity;
   return w;
 }
 

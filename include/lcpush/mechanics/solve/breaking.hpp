@@ -19,6 +19,10 @@ template <class S> struct Breaking {
   S inertia_normal{0};                     ///< N per m/s^2, the same sum of what a unit push adds
   S valid_to{-1};  ///< m/s^2, the largest push for which this holds exactly; -1: not known
   S line_error{0}; ///< `pad`: how far a third push lies off the line through two, over F
+  S small_push{0}; ///< m/s^2: the push at which work.answer is left
+  /// Does the object move when it is pushed? If not, break_force is only what the pusher meets
+  /// while it slides along, rests or leaves.
+  bool breaks = true;
   Residuals<S> residuals;
 };
 
@@ -71,6 +75,7 @@ Status read_breaking(Assembly<S>& assembly, const S* z, const S* z_push, const S
     run.reason = Reason::residual; // so short a range that rounding may have made it
     return Status::numerical_breakdown;
   }
+  breaking.small_push = sigma * unit;
   for (Index i = 0; i < assembly.layout().size; ++i) work.pressure.z[i] = z[i] + sigma * z_push[i];
   read_answer(assembly, work.pressure.z.data, work.answer, sigma);
   const Residuals<S> moving = check(scene, assembly.layout().scales, work.answer, sigma);
@@ -131,6 +136,13 @@ Status push_slowly(Assembly<S>& assembly, Rounds rounds, Workspace<S>& work, con
   return status;
 }
 
+/// Per unit push, what a push of `size` (over F / m) cannot tell from no motion at all.
+template <class S> S least_motion(const S& size) {
+  const S rounding = S(512) * Eigen::NumTraits<S>::epsilon();
+  const S noise = Eigen::numext::maxi(Tolerances<S>().residual, S(rounding / size));
+  return S(1) / S(1000000) + S(16) * noise;
+}
+
 /// The line through two pushes, judged by a third, smaller one.
 template <class S>
 Breaking<S> extrapolate(const SmallPush<S>* push, S unit, const Scales<S>& scales) {
@@ -146,6 +158,7 @@ Breaking<S> extrapolate(const SmallPush<S>* push, S unit, const Scales<S>& scale
   // What is left of the acceleration when the push is taken back to 0: nothing if it holds.
   line.rest = push[2].acceleration - (push[1].acceleration - push[2].acceleration) *
                                          (push[2].sigma / (push[1].sigma - push[2].sigma));
+  line.small_push = push[2].sigma * unit;
   line.residuals = push[1].residuals;
   for (const int k : {0, 2})
     if (!(push[k].residuals.max() <= line.residuals.max())) line.residuals = push[k].residuals;
@@ -172,6 +185,7 @@ Status break_by_pushes(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>
     if (k < 2) continue;
     const Breaking<S> line = extrapolate(push + k - 2, unit, assembly.layout().scales);
     if (k == 2 || line.line_error < breaking.line_error) breaking = line;
+    breaking.small_push = line.small_push;
     if (breaking.line_error <= straight) break;
   }
   return Status::solved;
@@ -203,8 +217,10 @@ template <class S, class Rounds>
     run.reason = Reason::residual;
     return Status::numerical_breakdown;
   }
-  const bool moves = motion_size(breaking.rest, assembly.layout().scales) > at_rest<S>();
-  return moves ? Status::does_not_hold : Status::solved;
+  const Scales<S>& scales = assembly.layout().scales;
+  breaking.breaks = motion_size(breaking.twist, scales) * scales.acceleration >
+                    detail::least_motion(breaking.small_push / scales.acceleration);
+  return motion_size(breaking.rest, scales) > at_rest<S>() ? Status::does_not_hold : Status::solved;
 }
 
 } // namespace lcpush

@@ -24,7 +24,7 @@ template <class S> void predict_modes(const Assembly<S>& assembly, Span<unsigned
   if (leader == nullptr) return;
   // q holds W(u)'(free fall - A_b) of every force.
   const Scales<S>& scales = assembly.layout().scales;
-  const Vector6<S> falls = factored.mobility.lazyProduct(laws::weight(scene, scales));
+  const Vector6<S> falls = factored.mobility.lazyProduct(laws::load(scene, scales));
   const Vector6<S> follows = laws::prescribed(*leader, scales) * assembly.sigma();
   const Vector6<S> by_forces = follows - falls;
   for (Index b = 0; b < scene.bodies.size; ++b) {

@@ -53,29 +53,32 @@ template <class S> Index affine_rank(const Scene<S>& scene, const Body<S>& body)
 } // namespace detail
 
 /// [T.7] Pad: round r adds eps_r c_i (lambda_i - lambda_i^(r-1)) to [T.2].
-/// Sets c_i: k / m on a force-controlled patch of k > 1 points; 1e-3 k / m on a position-controlled
-/// body whose k normals are linearly dependent; 0 otherwise. And lambda^(0): each patch's own force
-/// shared evenly over its points, 0 where no force is prescribed.
+/// With the points' weights w_i, sets c_i: 1 / (m w_i) on a force-controlled patch of several
+/// points and on a locked finger; a thousandth of that on another position-controlled body whose
+/// normals are linearly dependent; 0 otherwise. And lambda^(0): w_i of each patch's own force or
+/// preload, 0 where there is none.
 template <class S> void pad_preload(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
   const Scene<S>& scene = assembly.scene();
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<S>& body = scene.bodies[b];
     const Index k = body.point_count;
-    S share(0);
+    S force = body.preload;
     bool driven = false;
     for (const Drive<S>& drive : scene.drives) {
       if (drive.body != b) continue;
       const Index driven_bodies = drive_count(scene, drive.actuator);
       const S along = closing_speed(scene, body, drive);
       driven = true;
-      if (along > S(0))
-        share += scene.actuators[drive.actuator].force / (along * S(driven_bodies) * S(k));
+      if (along > S(0)) force += scene.actuators[drive.actuator].force / (along * S(driven_bodies));
     }
     const bool dependent = k > detail::affine_rank(scene, body) + 1;
-    const S c = driven ? (k > 1 ? S(k) : S(0)) : dependent ? S(k) / S(1000) : S(0);
+    const bool locked = body.preload > S(0);
+    const bool soft = locked || (driven && k > 1);
+    const S softness = soft ? S(1) : !driven && dependent ? S(1) / S(1000) : S(0);
     for (Index i = body.first_point; i < body.first_point + k; ++i) {
-      memory.preload[i] = share / assembly.layout().scales.force;
-      memory.compliance[i] = c;
+      const S weight = weight_of(scene, body, i);
+      memory.preload[i] = weight * force / assembly.layout().scales.force;
+      memory.compliance[i] = softness / weight;
     }
   }
 }

@@ -79,6 +79,11 @@ template <class S> Index rough_points(const Layout<S>& layout) {
   return count;
 }
 
+/// Row by row, the component of a wrench that has to balance: x, y and the turn in the plane.
+template <class S> Index balance_axis(const Scene<S>& scene, Index row) {
+  return scene.planar && row == 2 ? 5 : row;
+}
+
 /// The units that make a program's numbers about 1: forces are measured in the load (in the
 /// assembly's units), phi in load over grip.
 template <class S> struct HoldingProgram : StudyProgram<S> {
@@ -86,13 +91,13 @@ template <class S> struct HoldingProgram : StudyProgram<S> {
   S load{0}, grip{0};
 };
 
-/// b in the assembly's units: minus the weight, and what actuators that drive no finger hold.
+/// b in the assembly's units: minus the load, and what actuators that drive no finger hold.
 template <class S> void fill_loads(const Assembly<S>& assembly, HoldingProgram<S>& p) {
   using Eigen::numext::abs, Eigen::numext::maxi;
   const Scene<S>& scene = assembly.scene();
-  const Vector6<S> weight = laws::weight(scene, assembly.layout().scales);
+  const Vector6<S> load = laws::load(scene, assembly.layout().scales);
   const Index moving = scene.planar ? 3 : 6;
-  for (Index row = 0; row < (scene.planar ? 2 : 3); ++row) p.b[row] = -weight[row];
+  for (Index row = 0; row < moving; ++row) p.b[row] = -load[balance_axis(scene, row)];
   for (Index a = 0; a < assembly.layout().actuators; ++a) {
     const S& target = assembly.factored().sums[a].target;
     if (grips(scene, a))
@@ -109,12 +114,10 @@ template <class S> void fill_loads(const Assembly<S>& assembly, HoldingProgram<S
 template <class S> void fill_forces(const Assembly<S>& assembly, MatrixMap<S>& A, MatrixMap<S>& H) {
   const Layout<S>& layout = assembly.layout();
   const FactoredProblem<S>& factored = assembly.factored();
-  constexpr Index planar_axes[] = {0, 1, 5};
-  const bool planar = assembly.scene().planar;
-  const Index moving = planar ? 3 : 6;
+  const Index moving = assembly.scene().planar ? 3 : 6;
   for (Index j = 0; j < layout.forces; ++j)
     for (Index row = 0; row < moving; ++row)
-      A(row, j) = factored.wrenches[j][planar ? planar_axes[row] : row];
+      A(row, j) = factored.wrenches[j][balance_axis(assembly.scene(), row)];
   for (Index a = 0; a < layout.actuators; ++a) {
     const SumGroup<S>& sum = factored.sums[a];
     for (Index k = sum.first; k < sum.first + sum.count; ++k) {

@@ -1,0 +1,208 @@
+// Parallel, independent and locked hands; an applied wrench; pushes that break nothing.
+#include "support/fixture_push.hpp"
+
+#include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/report.hpp"
+#include "lcpush/desktop/varied_scene.hpp"
+
+using namespace lcpush;
+using namespace lcpush::test;
+using doctest::Approx;
+
+namespace {
+
+std::string finger(const std::string& name, int side, const std::string& force = "20") {
+  const std::string sign = side > 0 ? "" : "-", inward = side > 0 ? "-" : "";
+  return "[[finger]]\nname = \"" + name + "\"\nshape = \"disc\"\ncenter = [0, 0, " + sign +
+         "0.005]\nradius = 0.005\nnormal = [0, 0, " + inward +
+         "1]\nfriction = 0.5\ngrip_force = " + force + "\n";
+}
+
+std::string pusher(const std::string& center, const std::string& normal,
+                   const std::string& motion) {
+  return "[[pusher]]\nname = \"rod\"\nshape = \"point\"\ncenter = " + center +
+         "\nnormal = " + normal + "\nfriction = 0\nacceleration = " + motion + "\n";
+}
+const std::string along_x = pusher("[-0.05, 0, 0]", "[1, 0, 0]", "[0.1, 0, 0]");
+const std::string along_z = pusher("[0.03, 0, -0.005]", "[0, 0, 1]", "[0, 0, 0.1]");
+
+/// A box of 0.2 kg, 100 mm x 30 mm x 10 mm, between two discs of 20 N with normals along z.
+std::string box_text(const std::string& gripper, const std::string& push,
+                     const std::string& load = "") {
+  return "[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n" + load +
+         (gripper.empty() ? "" : "[gripper]\njaws = \"" + gripper + "\"\n") + finger("left", 1) +
+         finger("right", -1) + push;
+}
+desktop::SceneFile box(const std::string& gripper, const std::string& push,
+                       const std::string& load = "") {
+  return desktop::parse_scene(box_text(gripper, push, load), "box.toml");
+}
+
+struct Solved {
+  desktop::SceneFile file;
+  desktop::Push push{file};
+  explicit Solved(desktop::SceneFile given) : file(std::move(given)) {}
+
+  desktop::PushReport report() { return push.solve({}); }
+  desktop::BreakReport broken() {
+    return push.find_breaking(static_cast<Index>(file.bodies.size()) - 1, {});
+  }
+  double normal_of(Index body) {
+    return normal_sum(report().answer, file.bodies[static_cast<std::size_t>(body)]);
+  }
+};
+
+} // namespace
+
+TEST_CASE("two equal opposed fingers are a parallel jaw unless the scene says otherwise") {
+  CHECK(box("", along_x).hand == desktop::Hand::parallel);
+  CHECK(box("parallel", along_x).hand == desktop::Hand::parallel);
+  CHECK(box("independent", along_x).hand == desktop::Hand::independent);
+  CHECK(box("locked", along_x).hand == desktop::Hand::locked);
+  const std::string object = "[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n";
+  const auto hand_of = [&](const std::string& text) {
+    return desktop::parse_scene(text, "x.toml").hand;
+  };
+  CHECK(hand_of(object + finger("left", 1) + finger("right", -1, "15")) ==
+        desktop::Hand::independent);
+  CHECK(hand_of(object + finger("left", 1)) == desktop::Hand::independent);
+  CHECK(hand_of("pressure = \"even\"\n" + object + finger("left", 1) + finger("right", -1)) ==
+        desktop::Hand::independent);
+  CHECK(hand_of(object + along_x) == desktop::Hand::fixed);
+}
+
+TEST_CASE(
+    "no sweep turns one hand into another: a jaw's grip forces change together or not at all") {
+  const desktop::VariedScene scene = desktop::VariedScene::parse(box_text("", along_x), "box.toml");
+  CHECK(scene.at({scene.find("*.grip_force")}, {30}).hand == desktop::Hand::parallel);
+  CHECK_THROWS_WITH_AS((void)scene.at({scene.find("left.grip_force")}, {30}),
+                       doctest::Contains("parallel jaws share one grip_force"),
+                       desktop::InputError);
+}
+
+TEST_CASE("pushed along its normals a hand gives way at 0 N, at 2 F or not at all") {
+  Solved independent(box("independent", along_z));
+  CHECK(independent.broken().breaking.break_force == Approx(0).epsilon(1e-9));
+  Solved parallel(box("", pusher("[0, 0.01, -0.005]", "[0, 0, 1]", "[0, 0, 0.1]")));
+  const desktop::BreakReport jaw = parallel.broken();
+  REQUIRE(jaw.status == Status::solved);
+  CHECK(jaw.breaking.break_force > 1); // it tilts about the fingers before it gives way at 40 N
+  CHECK(jaw.breaking.break_force <= 40 + 1e-6);
+  Solved locked(box("locked", pusher("[0, 0, -0.005]", "[0, 0, 1]", "[0, 0, 0.1]")));
+  CHECK(locked.report().status == Status::ray);
+}
+
+TEST_CASE("a parallel jaw that is pushed along its normals at the middle gives way at 2 F") {
+  Solved jaw(box("", pusher("[0, 0, -0.005]", "[0, 0, 1]", "[0, 0, 0.1]")));
+  const desktop::BreakReport broken = jaw.broken();
+  REQUIRE(broken.status == Status::solved);
+  CHECK(broken.breaking.break_force == Approx(40).epsilon(1e-6));
+  REQUIRE(broken.closings.size() == 2);
+  CHECK(broken.closings[0].value == Approx(-1).epsilon(1e-6));
+  CHECK(broken.hand_moves);
+  CHECK(desktop::break_text(jaw.file, {}, {}, broken).find("in the grip") == std::string::npos);
+}
+
+TEST_CASE("locked jaws answer a load from their preload: what one finger gains the other loses") {
+  for (const double load : {0.0, 6.0, 30.0, 50.0}) {
+    CAPTURE(load);
+    const std::string pull = "force = [0, 0, " + std::to_string(load) + "]\n";
+    Solved locked(box("locked", "", pull)), parallel(box("", "", pull));
+    REQUIRE(locked.report().status == Status::solved);
+    const double left = std::max(20 + load / 2, load), right = std::max(20 - load / 2, 0.0);
+    CHECK(locked.normal_of(0) == Approx(left).epsilon(1e-6));
+    CHECK(locked.normal_of(1) == Approx(right).epsilon(1e-6));
+    CHECK(locked.push.holds_without_push({}).holds);
+    if (load < 40) CHECK(parallel.normal_of(0) == Approx(left).epsilon(1e-6));
+    CHECK(parallel.push.holds_without_push({}).holds == (load < 40));
+  }
+}
+
+TEST_CASE("along their plane locked jaws resist as the parallel jaw of their preload does") {
+  Solved locked(box("locked", along_x)), parallel(box("", along_x));
+  CHECK(locked.broken().breaking.break_force == Approx(20).epsilon(1e-5));
+  CHECK(parallel.broken().breaking.break_force == Approx(20).epsilon(1e-5));
+  CHECK_FALSE(locked.broken().hand_moves);
+}
+
+TEST_CASE("locked jaws hold a weight along their plane from the preload that friction asks for") {
+  desktop::SceneFile file = box("locked", along_x);
+  file.gravity = {0, -9.81, 0};
+  Solved locked(file);
+  const desktop::HoldReport hold = locked.push.holds_without_push({});
+  CHECK(hold.holds);
+  const desktop::GripReport grip =
+      desktop::find_smallest_grip(locked.file, hold, locked.broken(), {});
+  REQUIRE(grip.alone.is_known());
+  CHECK(grip.alone.factor * grip.force == Approx(0.2 * 9.81 / 2 / 0.5).epsilon(1e-6));
+}
+
+TEST_CASE("a locked hand is refused what it cannot be") {
+  const auto refuses = [](const std::string& text, const char* words) {
+    CHECK_THROWS_WITH_AS((void)desktop::parse_scene(text, "x.toml"), doctest::Contains(words),
+                         desktop::InputError);
+  };
+  refuses("pressure = \"even\"\n" + box_text("locked", along_x), "no point's even share");
+  refuses("[object]\nmass = 1\nbox = [0.1, 0.03, 0.01]\n[gripper]\njaws = \"locked\"\n" +
+              finger("left", 1) + finger("right", -1, "15"),
+          "locked jaws share one grip_force; got 15, but 20");
+  refuses("[object]\nmass = 1\nbox = [0.1, 0.03, 0.01]\n[gripper]\njaws = \"locked\"\n" +
+              finger("left", 1),
+          "locked jaws need exactly two");
+}
+
+TEST_CASE("[T.1] an applied force at the centre of mass is a weight, one beside it turns as well") {
+  desktop::SceneFile weighed = box("", along_x),
+                     pulled = box("", along_x, "force = [0, -1.5, 0]\n");
+  weighed.gravity = {0, -7.5, 0};
+  Solved a(weighed), b(pulled);
+  const desktop::PushReport first = a.report(), second = b.report();
+  CHECK((first.answer.acceleration - second.answer.acceleration).norm() <= 1e-12);
+  CHECK(second.residuals.max() <= 1e-9);
+  const desktop::SceneFile beside =
+      box("", along_x, "force = [0, -1.5, 0]\nat = [0.03, 0, 0]\nmoment = [0, 0, 0.1]\n");
+  CHECK(beside.object.wrench[5] == Approx(0.1 - 0.045));
+  CHECK(beside.object.wrench[1] == -1.5);
+  desktop::SceneFile moved = box("", along_x,
+                                 "center_of_mass = [0.01, 0, 0]\nforce = [0, -1.5, 0]\n"
+                                 "at = [0.03, 0, 0]\n");
+  CHECK(moved.object.wrench[5] == Approx(-1.5 * 0.02));
+}
+
+TEST_CASE("[T.1] an object without contacts that carry it falls as its load says") {
+  Solved loose(box("", pusher("[0, -0.015, 0]", "[0, 1, 0]", "[0, -0.1, 0]"),
+                   "force = [0, 40, 0]\nmoment = [0, 0, 0.3]\n"));
+  const desktop::HoldReport hold = loose.push.holds_without_push({});
+  REQUIRE(hold.status == Status::solved);
+  CHECK_FALSE(hold.holds);
+  CHECK(hold.acceleration[1] > 10);
+  CHECK(hold.acceleration[5] > 10);
+}
+
+TEST_CASE("[T.10] a pusher that moves away or slides along breaks nothing") {
+  for (const Pressure pressure : {Pressure::pad, Pressure::rigid})
+    for (const desktop::Solver solver : {desktop::Solver::lemke, desktop::Solver::gauss_seidel}) {
+      CAPTURE(static_cast<int>(pressure));
+      CAPTURE(static_cast<int>(solver));
+      const auto broken = [&](const std::string& motion) {
+        desktop::SceneFile file = box("", pusher("[-0.05, 0, 0]", "[1, 0, 0]", motion));
+        file.pressure = pressure;
+        desktop::PushOptions options;
+        options.solver = solver;
+        desktop::Push push(file);
+        const desktop::BreakReport report = push.find_breaking(2, options);
+        REQUIRE(report.status == Status::solved);
+        return std::pair(report.breaking.breaks, desktop::break_text(file, {}, {}, report));
+      };
+      CHECK(broken("[0.1, 0, 0]").first);
+      CHECK(broken("[0.1, 0.1, 0]").first);
+      const auto [away, away_text] = broken("[-0.1, 0, 0]");
+      CHECK_FALSE(away);
+      CHECK(away_text.find("rod moves away from the box, which does not move") !=
+            std::string::npos);
+      const auto [along, along_text] = broken("[0, 0.1, 0]");
+      CHECK_FALSE(along);
+      CHECK(along_text.find("The push does not break the grasp: rod slides along") !=
+            std::string::npos);
+    }
+}
