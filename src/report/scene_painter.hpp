@@ -39,7 +39,7 @@ std::string modes_of(const Body<double>& body, const PushReport& report);
 
 class ScenePainter {
 public:
-  static constexpr double width = 420, margin = 108, margin_above = 128;
+  static constexpr double width = 420, margin = 108, margin_above = 140;
 
   ScenePainter(const SceneFile& file, const PushReport& report, const View& view,
                const PictureScales& scales);

@@ -154,7 +154,7 @@ std::string ScenePainter::turning_axis() {
   words_.push_back("Its " + name + (is_screw ? " has " + pitch + "." : " lies in the picture."));
   const auto line = clipped_line(at, view_.flat(motion.axis), width, height_);
   if (!line) return away_mark(at, name, "");
-  places_.block_endless_line(line->first, line->second, 60);
+  places_.block_endless_line(line->first, line->second, 200);
   std::vector<std::string> lines{name};
   if (is_screw) lines.push_back(pitch);
   const Pixel near = line->first + 0.85 * (line->second - line->first);

@@ -111,7 +111,7 @@ function label_faults() {
     const boxes = groups.map((group) => group.getBoundingClientRect());
     const others = [...drawing.querySelectorAll('text')]
       .filter((text) => !text.closest('.words'));
-    const outlines = [...drawing.querySelectorAll('.object, .pad, .thing, .ghost:not(.inner)')];
+    const outlines = [...drawing.querySelectorAll('.object, .pad, .thing, .ghost:not(.inner), .screw')];
     groups.forEach((group, i) => {
       const box = boxes[i];
       const words = `${drawing.querySelector('title').textContent}: "${group.textContent}"`
