@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string_view>
 
@@ -30,8 +31,8 @@ double width_of(const std::string& text, bool is_bold) {
 
 Pixel size_of(const Label& label) {
   double width = 0;
-  for (const std::string& line : label.lines)
-    width = std::max(width, width_of(line, &line == label.lines.data()) + 6);
+  for (std::size_t k = 0; k < label.lines.size(); ++k)
+    width = std::max(width, width_of(label.lines[k], k < label.strong_lines) + 6);
   return {width, LabelPlaces::line_height * static_cast<double>(label.lines.size()) + 2};
 }
 
@@ -70,27 +71,53 @@ void LabelPlaces::block_around(const Pixel& at, double reach, double weight) {
   block({at.x() - reach, at.y() - reach, at.x() + reach, at.y() + reach}, weight);
 }
 
-void LabelPlaces::block_line(const Pixel& from, const Pixel& to, double weight) {
-  const int pieces = std::max(1, static_cast<int>(std::ceil((to - from).norm() / 8)));
-  for (int k = 0; k < pieces; ++k) {
-    const Pixel a = from + (to - from) * k / pieces, b = from + (to - from) * (k + 1) / pieces;
-    block({std::min(a.x(), b.x()) - 2, std::min(a.y(), b.y()) - 2, std::max(a.x(), b.x()) + 2,
-           std::max(a.y(), b.y()) + 2},
-          weight);
+void LabelPlaces::block(const Frame& frame, double weight) {
+  taken_.push_back({frame, weight});
+  drawn_.push_back(frame);
+}
+
+void LabelPlaces::block_pieces(const Pixel& from, const Pixel& to, double weight,
+                               std::vector<Frame>& pieces) {
+  const int count = std::max(1, static_cast<int>(std::ceil((to - from).norm() / 8)));
+  for (int k = 0; k < count; ++k) {
+    const Pixel a = from + (to - from) * k / count, b = from + (to - from) * (k + 1) / count;
+    pieces.push_back({std::min(a.x(), b.x()) - 2, std::min(a.y(), b.y()) - 2,
+                      std::max(a.x(), b.x()) + 2, std::max(a.y(), b.y()) + 2});
+    taken_.push_back({pieces.back(), weight});
   }
 }
 
+void LabelPlaces::block_line(const Pixel& from, const Pixel& to, double weight) {
+  block_pieces(from, to, weight, drawn_);
+}
+
+void LabelPlaces::block_endless_line(const Pixel& from, const Pixel& to, double weight) {
+  std::vector<Frame> pieces;
+  block_pieces(from, to, weight, pieces);
+}
+
 void LabelPlaces::bar(const Frame& frame) {
-  block({frame.left - clearance, frame.top - clearance, frame.right + clearance,
-         frame.bottom + clearance},
-        barred);
+  taken_.push_back({{frame.left - clearance, frame.top - clearance, frame.right + clearance,
+                     frame.bottom + clearance},
+                    barred});
 }
 
 void LabelPlaces::bar_edges(const std::vector<Pixel>& outline) {
-  const std::size_t first = taken_.size();
+  const std::size_t first = drawn_.size();
   for (std::size_t k = 0; k < outline.size(); ++k)
     block_line(outline[k], outline[(k + 1) % outline.size()], barred);
-  for (std::size_t k = first; k < taken_.size(); ++k) edges_.push_back(taken_[k].frame);
+  edges_.insert(edges_.end(), drawn_.begin() + static_cast<std::ptrdiff_t>(first), drawn_.end());
+}
+
+Frame LabelPlaces::used(const std::vector<Frame>& labels, const Pixel& corner, double below) const {
+  double top = height_, bottom = 0;
+  for (const auto* frames : {&drawn_, &labels})
+    for (const Frame& frame : *frames) {
+      top = std::min(top, frame.top - (frame.left < corner.x() ? corner.y() : picture_margin));
+      bottom = std::max(bottom, frame.bottom + below);
+    }
+  top = std::max(0.0, std::floor(top));
+  return {0, top, width_, std::clamp(std::ceil(bottom), top + corner.y() + below, height_)};
 }
 
 double LabelPlaces::cost_of(const Frame& frame, const Pixel& target) const {
@@ -154,8 +181,7 @@ std::vector<Frame> placed_labels(const LabelPlaces& places, const std::vector<La
   return frames;
 }
 
-std::string label_elements(const LabelPlaces& places, const std::vector<Label>& labels) {
-  const std::vector<Frame> frames = placed_labels(places, labels);
+std::string label_elements(const std::vector<Label>& labels, const std::vector<Frame>& frames) {
   std::string leaders, words;
   for (std::size_t k = 0; k < labels.size(); ++k) {
     const Label& label = labels[k];
@@ -166,11 +192,13 @@ std::string label_elements(const LabelPlaces& places, const std::vector<Label>& 
     // Words that are narrower than their frame stand where the leader comes from.
     const bool is_left_of = label.target.x() > frames[k].right;
     const double x = is_left_of ? frames[k].right - 2 : frames[k].left + 2;
+    words += "<g class=\"words\">\n";
     for (std::size_t line = 0; line < label.lines.size(); ++line)
       words += text_element(
-          line == 0 ? "label strong" : "label",
+          line < label.strong_lines ? "label strong" : "label",
           {x, frames[k].top + (static_cast<double>(line) + 0.8) * LabelPlaces::line_height},
           label.lines[line], is_left_of ? "end" : "start");
+    words += "</g>\n";
   }
   return leaders + words;
 }

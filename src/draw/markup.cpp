@@ -96,12 +96,17 @@ std::string arrow_element(const std::string& kind, const Pixel& from, const Pixe
          "</g>\n";
 }
 
+std::string shifted(const std::string& elements, const Pixel& by) {
+  return "<g transform=\"translate(" + pixels(by.x()) + " " + pixels(by.y()) + ")\">" + elements +
+         "</g>\n";
+}
+
 std::string svg_element(const Drawing& drawing, const std::string& style) {
   // A title and a description as children name the image; ids would have to differ on a page.
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" viewBox=\"0 0 " +
-         pixels(drawing.width) + " " + pixels(drawing.height) + "\" role=\"img\">\n<title>" +
-         escaped(drawing.title) + "</title>\n<desc>" + escaped(drawing.description) + "</desc>\n" +
-         style + drawing.elements + "</svg>\n";
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"drawing\" viewBox=\"0 " +
+         pixels(drawing.top) + " " + pixels(drawing.width) + " " + pixels(drawing.height) +
+         "\" role=\"img\">\n<title>" + escaped(drawing.title) + "</title>\n<desc>" +
+         escaped(drawing.description) + "</desc>\n" + style + drawing.elements + "</svg>\n";
 }
 
 std::string svg_document(const Drawing& drawing) {

@@ -42,11 +42,15 @@ std::string text_element(const std::string& kind, const Pixel& at, const std::st
 std::string arrow_element(const std::string& kind, const Pixel& from, const Pixel& to,
                           double longest_head = 9);
 
+/// Elements, moved.
+std::string shifted(const std::string& elements, const Pixel& by);
+
 /// A picture before it is written as SVG.
 struct Drawing {
   std::string name, title, description;
   double width = 420, height = 300;
   std::string elements;
+  double top = 0; ///< where its upper edge lies
 };
 
 /// An element for a page that has palette(":root") and drawing_style() once; or with its own

@@ -23,8 +23,8 @@ std::string hatch(double x, double y, double w, double h) {
 
 std::vector<std::string> map_notes(const MapPlot& plot, double low, double high) {
   std::vector<std::string> notes;
-  notes.push_back(low <= high ? plot.value_label + ": from " + number(low) + " (pale) to " +
-                                    number(high) + " (full)"
+  notes.push_back(low <= high ? plot.value_label + ": from " + printed("%.3g", low) +
+                                    " (pale) to " + printed("%.3g", high) + " (full)"
                               : plot.value_label + ": nowhere known");
   if (!plot.border_label.empty()) notes.push_back(plot.border_label);
   if (!plot.hatch_label.empty()) notes.push_back(plot.hatch_label);

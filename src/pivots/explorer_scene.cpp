@@ -133,7 +133,7 @@ struct ModeWords {
 };
 constexpr ModeWords mode_words[] = {
     {"stick", Mark::square, "sticks", "sticks"},
-    {"slide", Mark::triangle, "slides", "slides"},
+    {"slide", Mark::triangle, "slips", "slips"},
     {"separate", Mark::ring, "opens", "opens"},
     {"touch", Mark::small_ring, "touches", "only touches"},
     {"sink", Mark::cross, "sinks in", "sinks in, on the cushion"},

@@ -157,9 +157,8 @@ Drawing friction_picture(const SceneFile& file, const PushReport& report) {
       const Drawing& panel = group.panels[k];
       const std::size_t column = k % columns;
       if (column == 0 && k > 0) drawing.height += cell_height;
-      drawing.elements += "<g transform=\"translate(" +
-                          pixels(static_cast<double>(column) * cell_width) + " " +
-                          pixels(drawing.height) + ")\">" + panel.elements + "</g>\n";
+      drawing.elements +=
+          shifted(panel.elements, {static_cast<double>(column) * cell_width, drawing.height});
       drawing.description += " " + panel.title + " " + panel.description;
     }
     drawing.height += cell_height;

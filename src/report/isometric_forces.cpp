@@ -6,9 +6,15 @@
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
+namespace {
+
+constexpr double least_arrow = 6; // pixels that can be told from a dot
+
+} // namespace
 
 std::string IsometricPainter::arrow(const std::string& kind, const Pixel& from, const Pixel& to) {
   places_.block_line(from, to, 6);
+  arrows_.add(from, to);
   return arrow_element(kind, from, to, 14);
 }
 
@@ -74,6 +80,21 @@ std::string IsometricPainter::object_motion() {
   }
   labels_.push_back({lines, target, Pixel::Zero(), target});
   return text + circle_element("center", center, 3.5);
+}
+
+/// Beside the arrows that would cover it: a table's force runs the same way.
+std::string IsometricPainter::weight() {
+  const Vector3<double> force = file_.object.mass * file_.gravity;
+  if (!scales_.shows_forces || !(force.norm() > scales_.no_force)) return "";
+  const Pixel center = place(file_.object.center_of_mass);
+  const Pixel along = scales_.newtons * view_.flat(force);
+  if (along.norm() < least_arrow) return "";
+  const Pixel from = arrows_.clear_start(center, center + along);
+  labels_.push_back({{"weight " + rough_number(force.norm()) + " N"},
+                     from + along,
+                     along.normalized(),
+                     from + along});
+  return arrow("force weight", from, from + along);
 }
 
 /// Beside the body's force, which may go the same way.

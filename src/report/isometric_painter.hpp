@@ -25,6 +25,7 @@ private:
   PictureScales scales_;
   Frame frame_{};
   LabelPlaces places_;
+  ArrowPlaces arrows_;
   std::vector<Label> labels_;
   std::vector<std::string> words_; // the description's sentences
 
@@ -58,6 +59,7 @@ private:
   std::string forces(Index b);
   std::string turning();
   std::string object_motion();
+  std::string weight();
   void label_body(Index b);
   std::string body_motion(Index b);
   std::string arrow(const std::string& kind, const Pixel& from, const Pixel& to);

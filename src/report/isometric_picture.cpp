@@ -145,7 +145,8 @@ std::string IsometricPainter::ghost() {
 
 Drawing IsometricPainter::draw() {
   Drawing drawing{view_.name, view_.title, "", width, height, ""};
-  places_.bar({0, 0, 92, 92});
+  const Pixel corner(92, 92); // of the axes
+  places_.bar({0, 0, corner.x(), corner.y()});
   std::string behind, before, arrows;
   for (const Index b : bodies_back_to_front(view_, scene_.bodies))
     (view_.toward.dot(scene_.bodies[b].normal) > 0 ? behind : before) += body_elements(b);
@@ -153,14 +154,15 @@ Drawing IsometricPainter::draw() {
       object_, file_.shape.kind == ObjectShape::Kind::unknown ? "object guessed" : "object");
   const std::string ghost_elements = ghost();
   for (Index b = 0; b < scene_.bodies.size; ++b) arrows += forces(b) + body_motion(b);
-  const Vector3<double> weight = file_.object.mass * file_.gravity;
-  const Pixel center = place(file_.object.center_of_mass);
-  if (scales_.shows_forces && weight.norm() > scales_.no_force)
-    arrows += arrow("force weight", center, center + scales_.newtons * view_.flat(weight));
-  arrows += object_motion();
+  const std::string motion = object_motion();
+  arrows += weight() + motion;
   for (Index b = 0; b < scene_.bodies.size; ++b) label_body(b);
-  drawing.elements = axes() + behind + object + before + ghost_elements + arrows +
-                     label_elements(places_, labels_);
+  const std::vector<Frame> words = placed_labels(places_, labels_);
+  const Frame used = places_.used(words, corner, 8);
+  drawing.top = used.top;
+  drawing.height = used.height();
+  drawing.elements = shifted(axes(), {0, used.top}) + behind + object + before + ghost_elements +
+                     arrows + label_elements(labels_, words);
   drawing.description = scales_.shows_forces
                             ? "The object between the bodies that touch it, the forces on it, and "
                               "dashed where it goes."

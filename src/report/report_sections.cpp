@@ -85,11 +85,11 @@ Section contacts_section(const PageContent& content) {
   std::vector<std::vector<std::string>> rows = contact_rows(content.file, content.push);
   for (auto& row : rows)
     for (std::string& cell : row) cell = escaped(cell);
-  for (std::size_t r = 1; r < rows.size(); ++r) // the second column is the mode
-    rows[r][1] =
-        sample("0 0 14 12",
-               mode_mark(content.push.answer.contacts[static_cast<Index>(r) - 1].mode, {7, 6})) +
-        rows[r][1];
+  rows[0][1] = "does"; // the mode, as the pictures say it
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    const Mode mode = content.push.answer.contacts[static_cast<Index>(r) - 1].mode;
+    rows[r][1] = sample("0 0 14 12", mode_mark(mode, {7, 6})) + mode_verb(mode);
+  }
   std::string text = table_html("What each contact does, in SI units and scene axes", rows);
   const auto add = [&text](const char* title, const std::vector<std::string>& sentences) {
     if (!sentences.empty()) text += std::string("<h3>") + title + "</h3>\n" + list_html(sentences);

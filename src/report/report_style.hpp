@@ -21,7 +21,7 @@ nav ul { list-style: none; display: flex; flex-wrap: wrap; gap: 4px 20px; margin
   padding: 8px 0; border: solid var(--line); border-width: 1px 0; }
 nav a { display: inline-block; padding: 4px 0; }
 :focus-visible { outline: 3px solid var(--normal); outline-offset: 2px; }
-.lead { font-size: 20px; line-height: 1.4; max-width: 64ch; }
+.lead { font-size: 20px; line-height: 1.4; max-width: none; margin-bottom: 8px; }
 .check { border-left: 5px solid var(--cone); padding: 2px 0 2px 14px; }
 .verdict { border-left: 5px solid var(--move); padding: 4px 0 4px 14px; }
 .failure { border: 2px solid var(--bad); background: var(--bad-wash); padding: 12px 16px;

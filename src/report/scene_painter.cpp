@@ -68,11 +68,13 @@ std::string ScenePainter::pad(const Body<double>& body) {
 std::string ScenePainter::weight() {
   const Vector3<double> force = file_.object.mass * file_.gravity;
   if (!scales_.shows_forces || !(view_.flat(force).norm() > scales_.no_force)) return "";
-  const Pixel from = place(file_.object.center_of_mass);
-  const Pixel to = from + scales_.newtons * view_.flat(force);
+  const Pixel center = place(file_.object.center_of_mass);
+  const Pixel along = scales_.newtons * view_.flat(force);
+  const Pixel from = arrows_.clear_start(center, center + along), to = from + along;
   places_.block_line(from, to, 60);
   if ((to - from).norm() >= 2.5)
-    labels_.push_back({{"weight " + rough_number(force.norm()) + " N"}, to, Pixel::Zero(), to});
+    labels_.push_back(
+        {{"weight " + rough_number(force.norm()) + " N"}, to, along.normalized(), to});
   return arrow_element("force weight", from, to);
 }
 
@@ -112,20 +114,18 @@ std::vector<std::string> ScenePainter::body_words(Index b) const {
   return words;
 }
 
-std::string ScenePainter::scale_bars() {
+std::string ScenePainter::scale_bars(double bottom) {
   const auto bar = [](double left, double y, double length) {
     return path_element("scale", move_to({left, y}) + "v6h" + pixels(length) + "v-6");
   };
-  const double y = height_ - 14;
+  const double y = bottom - 14;
   const double length = round_below(70 / scales_.meters);
-  places_.bar({0, height_ - 24, 190, height_});
   std::string text =
       bar(12, y, length * scales_.meters) +
       text_element("quiet", {18 + length * scales_.meters, y + 7}, number(1000 * length) + " mm");
   if (!scales_.shows_forces || scales_.newtons == 0) return text;
   const double force = round_below(longest_force / scales_.newtons);
   const double size = force * scales_.newtons;
-  places_.bar({width - 180, height_ - 24, width, height_});
   return text + bar(width - 12 - size, y, size) +
          text_element("quiet", {width - 18 - size, y + 7}, number(force) + " N", "end");
 }
@@ -133,8 +133,11 @@ std::string ScenePainter::scale_bars() {
 Drawing ScenePainter::draw() {
   Drawing drawing{view_.name, view_.title, "", width, height_, ""};
   std::string bodies, contacts, modes, motions;
-  places_.bar({0, 0, 58, 54});
-  const std::string frame = axes_elements(view_) + scale_bars() + outline();
+  const Pixel corner(58, 54); // of the axes' names
+  constexpr double scale_height = 24;
+  places_.bar({0, 0, corner.x(), corner.y()});
+  places_.bar({0, height_ - scale_height, width, height_});
+  const std::string object = outline();
   for (const Index b : bodies_back_to_front(view_, scene_.bodies)) {
     const Body<double>& body = scene_.bodies[b];
     bodies += pad(body);
@@ -142,14 +145,18 @@ Drawing ScenePainter::draw() {
       contacts += forces(body, i);
     modes += marks(body);
   }
-  // One after the other: each leaves labels and words behind.
-  contacts += weight();
+  // One after the other: each leaves labels, words and arrows behind.
   contacts += squeezes();
   motions += object_motion();
+  contacts += weight();
   motions += turning_axis();
   for (Index b = 0; b < scene_.bodies.size; ++b) motions += body_motion(b);
-  drawing.elements = frame + bodies + contacts + modes + motions;
-  drawing.elements += label_elements(places_, labels_);
+  const std::vector<Frame> words = placed_labels(places_, labels_);
+  const Frame used = places_.used(words, corner, scale_height + 6);
+  drawing.top = used.top;
+  drawing.height = used.height();
+  drawing.elements = shifted(axes_elements(view_), {0, used.top}) + scale_bars(used.bottom) +
+                     object + bodies + contacts + modes + motions + label_elements(labels_, words);
   drawing.description = scales_.shows_forces
                             ? "The object, the bodies that touch it, forces and motions."
                             : "The object and the bodies that touch it. No answer was found, so no "

@@ -1,6 +1,7 @@
 // One view of a grasp, layer by layer.
 #pragma once
 
+#include "draw/arrow_places.hpp"
 #include "draw/label_places.hpp"
 #include "draw/prism.hpp"
 #include "report/pictures.hpp"
@@ -38,7 +39,7 @@ std::string modes_of(const Body<double>& body, const PushReport& report);
 
 class ScenePainter {
 public:
-  static constexpr double width = 420, margin = 108, margin_above = 128;
+  static constexpr double width = 420, margin = 108, margin_above = 140;
 
   ScenePainter(const SceneFile& file, const PushReport& report, const View& view,
                const PictureScales& scales);
@@ -57,6 +58,7 @@ private:
   Frame extent_;
   double height_;
   LabelPlaces places_;
+  ArrowPlaces arrows_;
   std::vector<Label> labels_;
   std::vector<std::string> words_; // the description's sentences
 
@@ -73,7 +75,7 @@ private:
   std::string away_mark(const Pixel& center, const std::string& name, const std::string& pitch);
   std::string body_motion(Index b);
   std::vector<std::string> body_words(Index b) const;
-  std::string scale_bars();
+  std::string scale_bars(double bottom);
 };
 
 } // namespace lcpush::desktop

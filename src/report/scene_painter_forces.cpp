@@ -48,6 +48,7 @@ std::string ScenePainter::forces(const Body<double>& body, Index point) {
   }
   const auto arrow = [&](const std::string& kind, const Pixel& tail) {
     places_.block_line(tail, tip, 60);
+    arrows_.add(tail, tip);
     return arrow_element(kind + behind, tail, tip);
   };
   if (view_.flat(body.normal).norm() > 0.3)
@@ -85,6 +86,7 @@ std::string ScenePainter::object_motion() {
     if (flat.norm() > scales_.still) {
       text += arrow_element("motion", center, tip);
       places_.block_line(center, tip, 60);
+      arrows_.add(center, tip);
       const double whole = a.head<3>().norm();
       lines.push_back(rough_number(flat.norm()) + " m/s\u00B2" +
                       (flat.norm() < 0.995 * whole ? " of " + rough_number(whole) : ""));
@@ -143,7 +145,7 @@ std::string ScenePainter::turning_axis() {
     // In two lines, which find a place more easily.
     std::vector<std::string> lines{"instantaneous", "centre"};
     if (is_screw) lines = {name, pitch};
-    labels_.push_back({lines, at, Pixel::Zero(), at});
+    labels_.push_back({lines, at, Pixel::Zero(), at, is_screw ? 1U : 2U});
     words_.push_back("It turns about the " + name + more + " at " +
                      vector_text(point, 1e-9 * report_.scales.length) + " m.");
     return turning_center(at);
@@ -152,7 +154,7 @@ std::string ScenePainter::turning_axis() {
   words_.push_back("Its " + name + (is_screw ? " has " + pitch + "." : " lies in the picture."));
   const auto line = clipped_line(at, view_.flat(motion.axis), width, height_);
   if (!line) return away_mark(at, name, "");
-  places_.block_line(line->first, line->second, 60);
+  places_.block_endless_line(line->first, line->second, 200);
   std::vector<std::string> lines{name};
   if (is_screw) lines.push_back(pitch);
   const Pixel near = line->first + 0.85 * (line->second - line->first);

@@ -12,6 +12,8 @@ namespace {
 /// Motions below this part of the fastest contact's are not drawn, as Motion does not name them.
 constexpr double negligible = 1e-3;
 
+constexpr double tallest_object = 160; ///< pixels: two views stand beside the isometric one
+
 /// "slip" of "slips".
 std::string plural_of(const std::string& verb) { return verb.substr(0, verb.size() - 1); }
 
@@ -108,7 +110,7 @@ std::vector<Drawing> scene_pictures(const SceneFile& file, const PushReport& rep
     const Frame frame = ScenePainter::extent(file, report, view);
     const double room = ScenePainter::width - 2 * ScenePainter::margin;
     scales.meters = std::min({scales.meters, room / std::max(frame.width(), 1e-9),
-                              200 / std::max(frame.height(), 1e-9)});
+                              tallest_object / std::max(frame.height(), 1e-9)});
   }
   std::vector<Drawing> drawings;
   for (const View& view : views)

@@ -38,7 +38,7 @@ MapPlot map_plot(const Sweep& sweep, const SweepQuantity& quantity, const std::s
     plot.hatched.push_back(point.bistable);
     any = any || point.bistable;
   }
-  if (any) plot.hatch_label = "hatched: bistable, solved from nothing the object moves otherwise";
+  if (any) plot.hatch_label = "hatched: bistable, another start gives another motion";
   for (std::size_t i = 0; i < sweep.points.size(); ++i) {
     const auto differs = [&](std::size_t other) {
       return other < sweep.points.size() && sweep.points[other].modes != sweep.points[i].modes;
@@ -46,7 +46,7 @@ MapPlot map_plot(const Sweep& sweep, const SweepQuantity& quantity, const std::s
     plot.border_right.push_back((i + 1) % plot.columns != 0 && differs(i + 1));
     plot.border_above.push_back(differs(i + plot.columns));
   }
-  plot.border_label = "lines: contacts slide, stick or separate otherwise beyond";
+  plot.border_label = "lines: beyond, other contacts slip, stick or open";
   plot.description = plot.value_label + " over " + x.parameter.path + " and " + y.parameter.path +
                      ", a cell a value.";
   return plot;

@@ -5,12 +5,12 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <vector>
 
+#include "bench/stopwatch.hpp"
 #include "lcpush/lcpush.hpp"
 #include "lcpush/mechanics/model/patch.hpp"
 #include "support/grasp_families.hpp"
@@ -152,7 +152,7 @@ Index newton(Assembly<double>& assembly, const AssemblySize& size) {
 
 void compare(const char* name, const Method& method, unsigned grasps) {
   std::vector<Index> sweeps;
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = bench::cpu_ms();
   for (unsigned seed = 0; seed < grasps; ++seed) {
     test::OwnedScene<double> owned = test::random_grasp<double>(seed);
     owned.base.pressure = Pressure::rigid;
@@ -162,8 +162,7 @@ void compare(const char* name, const Method& method, unsigned grasps) {
     assembly.assemble(scene);
     sweeps.push_back(method(assembly, size_of(scene)));
   }
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double seconds = 1e-3 * (bench::cpu_ms() - begin);
   const auto solved =
       std::count_if(sweeps.begin(), sweeps.end(), [](Index k) { return k < most_sweeps; });
   std::sort(sweeps.begin(), sweeps.end());
@@ -206,14 +205,13 @@ void cost_of_a_sweep(Index points) {
     options.max_sweeps = 60;
     const Index repeats = std::max<Index>(1, 20000 / points);
     Index passes = 0;
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = bench::cpu_ms();
     for (Index k = 0; k < repeats; ++k) {
       (void)sweeps.init(assembly.problem(), options);
       (void)sweeps.solve();
       passes += sweeps.sweeps();
     }
-    const double ns =
-        std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
+    const double ns = 1e6 * (bench::cpu_ms() - begin);
     std::printf("%s%6.0f ns a point and %s", accelerate ? "   " : "",
                 ns / static_cast<double>(points * passes),
                 accelerate ? "pass with Newton\n" : "sweep");

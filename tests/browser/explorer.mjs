@@ -236,8 +236,12 @@ async function check_layout(page, where, width) {
       labels(view).forEach((a, i) => labels(view).slice(i + 1).forEach((b) => {
         const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
         const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
-        if (across > 3 && down > 3) found.push('labels of the picture overlap');
+        if (across > 0 && down > 0) found.push('labels of the picture touch');
       }));
+      const { left, right, top, bottom } = view.getBoundingClientRect();
+      if (labels(view).some((a) => a.left < left + 2 || a.right > right - 2
+        || a.top < top + 2 || a.bottom > bottom - 2))
+        found.push("a label touches the picture's edge");
     }
     return found;
   }, width);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "draw/arrow_places.hpp"
 #include "draw/label_places.hpp"
 #include "draw/plot_svg.hpp"
 #include "draw/prism.hpp"
@@ -90,6 +91,35 @@ TEST_CASE("labels touch no edge while there is room, and no leader runs through 
         CHECK_FALSE(is_in(b, labels[a].target + t * (end - labels[a].target)));
       }
     }
+}
+
+TEST_CASE("a picture is as high as what it shows, and keeps its corner free") {
+  desktop::LabelPlaces places(400, 300);
+  places.bar({0, 0, 60, 50});
+  places.block_endless_line({200, 0}, {200, 300}, 60);
+  places.block({150, 120, 250, 180}, 1);
+  const desktop::Frame used = places.used({{100, 190, 160, 210}}, {60, 50}, 20);
+  CHECK(used.top < 120);
+  CHECK(used.top > 100);
+  CHECK(used.bottom == 230);
+  CHECK(used.width() == 400);
+  places.block({20, 120, 50, 130}, 1); // below the corner, which moves down with the edge
+  CHECK(places.used({}, {60, 50}, 20).top == 70);
+}
+
+TEST_CASE("an arrow that would lie on another stands beside it") {
+  desktop::ArrowPlaces places;
+  const desktop::Pixel from(100, 100), to(100, 150);
+  CHECK(places.clear_start(from, to) == from);
+  places.add({60, 120}, {140, 120}); // crosses it
+  CHECK(places.clear_start(from, to) == from);
+  places.add({100, 200}, {100, 160}); // on its line, farther off
+  CHECK(places.clear_start(from, to) == from);
+  places.add({101, 190}, {101, 140});
+  const desktop::Pixel beside = places.clear_start(from, to);
+  CHECK(beside.y() == doctest::Approx(100));
+  CHECK(std::abs(beside.x() - 101) >= 11);
+  CHECK(std::abs(beside.x() - 100) <= 21);
 }
 
 TEST_CASE("a prism shows the faces that are turned to the viewer") {

@@ -5,6 +5,7 @@ add_library(lcpush_peer_solvers OBJECT bench/peers/dart.cpp bench/peers/siconos.
                                        bench/peers/bullet.cpp)
 lcpush_compile_options(lcpush_peer_solvers)
 target_compile_features(lcpush_peer_solvers PRIVATE cxx_std_17)
+target_include_directories(lcpush_peer_solvers PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 target_link_libraries(lcpush_peer_solvers PRIVATE Eigen3::Eigen)
 
 add_executable(peers bench/peers.cpp)
