@@ -41,13 +41,14 @@ std::vector<std::string> names_of(const SceneFile& file, const Assembly<double>&
 
 ExistenceFound find_existence(const SceneFile& file, const Assembly<double>& assembly) {
   ExistenceFound found;
-  const AssemblySize size = size_of(assembly.scene());
-  if (size.unknowns() > limits::unknowns_existence) return found;
-  SolverMemory<double> memory(existence_scalars(size), existence_integers(size));
-  std::vector<double> witness(static_cast<std::size_t>(size.forces() + size.actuators), 0.0);
+  const ExistenceSize size = existence_size(assembly);
+  if (size.scalars() > limits::scalars_existence) return found;
+  SolverMemory<double> memory(size.scalars(), size.integers());
+  const Layout<double>& layout = assembly.layout();
+  std::vector<double> witness(static_cast<std::size_t>(layout.forces + layout.actuators), 0.0);
   found.studied = true;
   found.verdict = study_existence<double>(
-      assembly, {span_of(memory.scalars), span_of(memory.integers)}, {}, witness.data());
+      assembly, size, {span_of(memory.scalars), span_of(memory.integers)}, witness.data());
   found.bodies = names_of(file, assembly, found.verdict, witness);
   return found;
 }

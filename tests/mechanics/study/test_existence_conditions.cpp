@@ -20,16 +20,17 @@ struct Studied {
 };
 
 Studied study(const SolvedPush<double>& push) {
-  const AssemblySize size = size_of(push.scene);
-  std::vector<double> scalars(static_cast<std::size_t>(existence_scalars(size)));
-  std::vector<int> integers(static_cast<std::size_t>(existence_integers(size)));
+  const ExistenceSize size = existence_size(push.assembly);
+  std::vector<double> scalars(static_cast<std::size_t>(size.scalars()));
+  std::vector<int> integers(static_cast<std::size_t>(size.integers()));
   Studied studied;
-  studied.witness.resize(static_cast<std::size_t>(size.forces() + size.actuators));
+  studied.witness.resize(
+      static_cast<std::size_t>(size_of(push.scene).forces() + size_of(push.scene).actuators));
   studied.verdict =
-      study_existence<double>(push.assembly,
+      study_existence<double>(push.assembly, size,
                               {{scalars.data(), static_cast<Index>(scalars.size())},
                                {integers.data(), static_cast<Index>(integers.size())}},
-                              {}, studied.witness.data());
+                              studied.witness.data());
   return studied;
 }
 
