@@ -18,7 +18,9 @@ struct Fact {
 /// In two columns, the label's 18 wide.
 std::string facts_text(const std::vector<Fact>& facts);
 
-/// "Before the push".
+/// "Before the push", without a full stop.
+Fact hold_words(const SceneFile& file, const HoldReport& hold);
+/// The same, as a sentence.
 Fact hold_fact(const SceneFile& file, const HoldReport& hold);
 /// The same for `break`: also from which grip force on the fingers alone hold, and the same with
 /// the pusher in place.
