@@ -143,7 +143,7 @@ TEST_CASE("a slip of the hand is named, with its line and what to do") {
   SUBCASE("friction in percent") {
     const SceneDoubt doubt = only(changed("friction = 0.3", "friction = 30"));
     CHECK(doubt.doubt == Doubt::friction);
-    CHECK(doubt.line == 33);
+    CHECK(doubt.line == 36);
   }
   SUBCASE("gravity in mm/s^2") { CHECK(only(changed("-9.81", "-9810")).doubt == Doubt::gravity); }
   SUBCASE("a push that no machine makes") {
