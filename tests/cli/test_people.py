@@ -7,11 +7,16 @@ import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(sys.argv[2]) / "tests" / "support"))
+from random_scenes import random_scene
+
 TOOL, SOURCE = sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
 SCENES = sorted((SOURCE / "fixtures" / "scenes").glob("*.toml"))
 SLIDE = SOURCE / "fixtures" / "scenes" / "straight_slide.toml"
 COMMANDS = ["solve", "break", "lcp", "report", "sweep", "pivots", "verify", "spread", "export",
             "matrices", "example", "new", "completion"]
+ANSWERS = (["solve"], ["solve", "-v"], ["solve", "-v", "--solver", "hybrid"], ["break"], ["break", "-v"],
+           ["solve", "--solver", "gauss-seidel", "--history"], ["matrices"])
 
 
 def run(*words, text=None, data=None):
@@ -37,8 +42,26 @@ class People(unittest.TestCase):
 
     def test_answers_fit_80_columns(self):
         for scene in SCENES:
-            for command in (["solve"], ["solve", "-v"], ["break"], ["break", "-v"], ["matrices"]):
+            for command in (*ANSWERS, ["pivots"]):
                 self.fits(run(*command, scene).stdout, f"{command} {scene.stem}")
+
+    def test_spreads_and_sweeps_fit_80_columns(self):
+        for name in ("pivot", "rolling_two_answers", "tipping"):
+            scene = SOURCE / "fixtures" / "scenes" / (name + ".toml")
+            for command in (["spread"], ["spread", "-v"],
+                            ["sweep", "-v", "--vary", "gravity[1]=-10:-5", "--pressure", "rigid"]):
+                self.fits(run(*command, scene).stdout, f"{command} {name}")
+
+    def test_random_scenes_fit_80_columns_and_nothing_is_odd_about_them(self):
+        for seed in range(12):
+            for command in (*ANSWERS, ["pivots"]):
+                result = run(*command, "-", text=random_scene(seed))
+                self.assertIn(result.returncode, (0, 1), result.stderr)
+                self.assertNotIn("Check", result.stderr, f"{command} {seed}")
+                self.fits(result.stdout, f"{command} {seed}")
+        for seed in range(12, 212):
+            result = run("matrices", "-", "--strict", text=random_scene(seed))
+            self.assertEqual((result.returncode, result.stderr), (0, ""), random_scene(seed))
 
     def test_the_first_sentence_says_how_hard_which_way_and_what_moves(self):
         lines = run("solve", SLIDE).stdout.split("\n\n")
