@@ -88,6 +88,12 @@ class People(unittest.TestCase):
         text = SLIDE.read_text().replace("normal = [0, 0, -1]", "normal = [0.0000003, 0, -1]")
         self.assertIn("slides along x", " ".join(run("solve", "-", text=text).stdout.split()))
 
+    def test_where_nothing_moves_rounding_is_not_shown(self):
+        scene = run("new", "box").stdout
+        result = run("solve", "-", text=scene[:scene.index("[[pusher]]")])
+        self.assertIn("Nothing pushes: the box does not move in the grip", result.stdout)
+        self.assertNotRegex(result.stdout, r"e-|opening")
+
     def test_two_answers_are_told_with_both_numbers(self):
         text = " ".join(run("break", SOURCE / "fixtures/scenes/rolling_hard_grip.toml").stdout.split())
         mine, other = re.search(r"breaks at ([0-9.]+) N", text)[1], "3.81"
