@@ -14,8 +14,7 @@ public:
 
   std::string meaning(Index variable) const override {
     const Index n = size();
-    if (variable == artificial(n))
-      return "artificial variable: helps every violated law";
+    if (variable == artificial(n)) return "artificial variable: helps every violated law";
     const bool is_unknown = variable >= n;
     const Index i = is_unknown ? variable - n : variable;
     const Meaning meaning = name_of(push_.layout(), i).meaning;

@@ -238,8 +238,6 @@ std::vector<Fact> brief_break_facts(const SceneFile& file, const BreakReport& re
   if (b.inertia_normal > 1e-9 * file.object.mass)
     facts.push_back(
         {"Pushing faster", "adds " + brief(b.inertia_normal) + " N per m/s^2 of the push"});
-  if (report.motion.kind == MotionKind::rest)
-    facts.push_back({"Motion", "none: the pusher slides past it, or moves away"});
   if (b.line_error > 1e-3) facts.push_back(caution_fact(b));
   return facts;
 }

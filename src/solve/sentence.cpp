@@ -161,9 +161,15 @@ std::string push_sentence(const SceneFile& file, const PushReport& report) {
 }
 
 std::string break_sentence(const SceneFile& file, const BreakReport& report) {
-  return "The grasp breaks at " + brief(report.breaking.break_force) + " N, the normal force of " +
-         file.body_name(report.pusher) + ": " + object_name(file) + " then " +
-         motion_phrase(file, report.motion, report.scales.length) + ".";
+  const std::string object = object_name(file), pusher = file.body_name(report.pusher);
+  const double force = report.breaking.break_force;
+  if (report.motion.kind == MotionKind::rest)
+    return "This push does not move " + object + " in the grip: " + pusher +
+           (force > 1e-9 * report.scales.force
+                ? " slides past it, with a normal force of " + brief(force) + " N."
+                : " only touches it, or moves away.");
+  return "The grasp breaks at " + brief(force) + " N, the normal force of " + pusher + ": " +
+         object + " then " + motion_phrase(file, report.motion, report.scales.length) + ".";
 }
 
 } // namespace lcpush::desktop

@@ -29,6 +29,7 @@ std::string contacts_phrase(const SceneFile& file, const Answer<double>& answer)
 std::string push_sentence(const SceneFile& file, const PushReport& report);
 
 /// "The grasp breaks at 20 N, the normal force of wall: the box then slides along x."
+/// "This push does not move the box in the grip: wall only touches it, or moves away."
 /// Precondition: solved.
 std::string break_sentence(const SceneFile& file, const BreakReport& report);
 
