@@ -1,5 +1,7 @@
 #include "cli/arguments.hpp"
 
+#include "cli/commands.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -37,6 +39,15 @@ void refuse_foreign_format(const std::string& path) {
                        " files; it writes text, JSON, CSV, SVG and HTML");
 }
 
+/// The names of those that take an option of this name.
+std::vector<std::string> commands_with(const std::string& option) {
+  std::vector<std::string> names;
+  for (const Command& command : all_commands())
+    for (const Option& known : command.options)
+      if (known.name == option) names.push_back(command.name);
+  return names;
+}
+
 } // namespace
 
 void Arguments::read_option(const Command& command, const std::vector<std::string>& words,
@@ -66,10 +77,15 @@ void Arguments::read_option(const Command& command, const std::vector<std::strin
         throw UsageError(words[at] + " needs a value: " + words[at] + " " + option.value);
       inline_value = words[++at];
     }
+    if (name == output_option.name && inline_value->empty())
+      throw UsageError("the file to write to has an empty name");
     values_[name].push_back(*inline_value);
     return;
   }
-  throw UsageError("unknown option " + desktop::quoted(words[at]) + suggestion(name, known));
+  const std::vector<std::string> others = commands_with(name);
+  throw UsageError("unknown option " + desktop::quoted(words[at]) +
+                   (others.empty() ? suggestion(name, known)
+                                   : "; lcpush " + listed(others, "and") + " would take it"));
 }
 
 Arguments::Arguments(const Command& command, const std::vector<std::string>& words) {
@@ -80,9 +96,12 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
     } else if (!only_files && is_option(words[at])) {
       read_option(command, words, at);
     } else {
+      if (words[at].empty()) throw UsageError("the name of a file is empty");
       files_.push_back(words[at]);
       if (files_.size() > command.most_files)
-        throw UsageError("one file too many: " + desktop::quoted(words[at]));
+        throw UsageError("one name too many: " + desktop::quoted(words[at]));
+      if (words[at] == "-" && std::count(files_.begin(), files_.end(), "-") > 1)
+        throw UsageError("standard input can be read only once; name a file for the other");
     }
   }
 }
@@ -99,10 +118,7 @@ std::vector<std::string> Arguments::values(const std::string& option) const {
 }
 
 std::string Arguments::format(const std::vector<std::string>& known) const {
-  const std::string format = value("--format").value_or("text");
-  for (const std::string& name : known)
-    if (name == format) return format;
-  refuse_value("--format", format, listed(known, "or"));
+  return one_of("--format", value("--format").value_or("text"), known);
 }
 
 std::optional<Index> Arguments::whole(const std::string& option, const Range& range) const {
@@ -133,6 +149,13 @@ void refuse_value(const std::string& option, const std::string& word, const std:
                   const std::vector<std::string>& known) {
   throw UsageError(option + " is " + rule + ", not " + desktop::quoted(word) +
                    suggestion(word, known));
+}
+
+const std::string& one_of(const std::string& what, const std::string& word,
+                          const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), word) == known.end())
+    refuse_value(what, word, listed(known, "or"), known);
+  return word;
 }
 
 std::vector<Option> with_common_options(std::vector<Option> own) {

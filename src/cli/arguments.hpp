@@ -74,6 +74,10 @@ private:
 [[noreturn]] void refuse_value(const std::string& option, const std::string& word,
                                const std::string& rule, const std::vector<std::string>& known = {});
 
+/// `word`, which is one of `known`. Throws a UsageError that names them: `what` is the option.
+const std::string& one_of(const std::string& what, const std::string& word,
+                          const std::vector<std::string>& known);
+
 inline const Option output_option{"--output", "FILE",
                                   "write there instead of to standard output; -o for short"};
 

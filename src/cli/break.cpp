@@ -36,7 +36,7 @@ int run_break(const Arguments& arguments) {
                    ? push_history(format, solver, report.status, report.history)
                : format == "json" ? break_json(file, hold, grip, report)
                                   : break_text(file, hold, grip, report, telling(arguments)),
-               check_scene(file));
+               file);
   return report.status == Status::solved ? 0 : 1;
 }
 

@@ -2,6 +2,7 @@
 #include "cli/commands.hpp"
 #include "lcpush/version.hpp"
 #include "text/wording.hpp"
+#include "text/wrap.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -74,7 +75,9 @@ std::string zsh_script() {
     }
     text += "\n      ;;\n";
   }
-  return text + "  esac\n}\ncompdef _lcpush lcpush\n";
+  // In a folder of fpath zsh loads the file as the function itself; else somebody has sourced it.
+  return text + "  esac\n}\nif [[ $funcstack[1] == _lcpush ]]; then\n  _lcpush \"$@\"\nelse\n"
+                "  compdef _lcpush lcpush\nfi\n";
 }
 
 std::string fish_script() {
@@ -104,6 +107,8 @@ std::string roff(const std::string& text) {
   return result;
 }
 
+constexpr std::size_t man_width = usual_width - 8; // within man's margins
+
 std::string man_page() {
   std::string text = ".TH LCPUSH 1 \"\" \"lcpush " + std::string(version_text) +
                      "\" \"User Commands\"\n.SH NAME\nlcpush \\- what happens when a grasped "
@@ -111,7 +116,8 @@ std::string man_page() {
                      "COMMAND FILE.. [OPTIONS]\n.SH COMMANDS\n";
   for (const Command& command : all_commands()) {
     text += ".SS lcpush " + command.name + " " + roff(command.synopsis) + "\n" +
-            roff(command.summary) + "\n.nf\n\n" + roff(command.details) + "\n.fi\n";
+            roff(command.summary) + "\n.nf\n\n" +
+            roff(wrapped(reflowed(command.details), man_width)) + "\n.fi\n";
     for (const Option& option : command.options)
       text += ".TP\n.B " + roff(option.name + (option.value.empty() ? "" : " " + option.value)) +
               "\n" + roff(option.help) + "\n";

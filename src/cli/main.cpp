@@ -29,39 +29,59 @@ std::string overview(const std::vector<Command>& commands) {
   return wrapped(text, columns_of(Stream::output));
 }
 
+/// Wrong usage, and what to type instead.
+int refuse(const std::string& message, const std::string& instead) {
+  std::cerr << wrapped(message, columns_of(Stream::errors)) << "\nTry: " << instead << "\n";
+  return bad_input_or_usage;
+}
+
+/// The first word is none: what it is instead, and what to write.
+int refuse_command(const std::vector<Command>& commands, const std::vector<std::string>& words) {
+  const std::string &first = words.front(), label = "lcpush: " + desktop::quoted(first);
+  if (first[0] == '-')
+    return refuse(label + " stands before the command; options follow it",
+                  "lcpush solve SCENE.toml " + first);
+  if (first.find_first_of("./") != std::string::npos)
+    return refuse(label + " is no command", "lcpush solve " + first);
+  std::vector<std::string> names;
+  for (const Command& command : commands) names.push_back(command.name);
+  return refuse("lcpush: unknown command " + desktop::quoted(first) + suggestion(first, names),
+                "lcpush --help");
+}
+
+int run(const Command& command, const std::vector<std::string>& words, bool asks_for_help) {
+  for (const std::string& word : words) asks_for_help |= word == "--help" || word == "-h";
+  if (asks_for_help) {
+    std::cout << help_text(command);
+    return 0;
+  }
+  try {
+    return command.run(Arguments(command, words));
+  } catch (const UsageError& error) {
+    return refuse("lcpush " + command.name + ": " + error.what(),
+                  "lcpush " + command.name + " --help");
+  }
+}
+
 int run(const std::vector<Command>& commands, const std::vector<std::string>& words) {
   if (words.empty()) {
     std::cerr << overview(commands);
     return bad_input_or_usage;
   }
-  if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
-    std::cout << overview(commands);
-    return 0;
-  }
-  if (words[0] == "--version") {
+  const bool asks_for_help = words[0] == "--help" || words[0] == "-h" || words[0] == "help";
+  if (words[0] == "--version" || words[0] == "version") {
     std::cout << "lcpush " << version_text << "\n";
     return 0;
   }
-  std::vector<std::string> names;
-  for (const Command& command : commands) {
-    names.push_back(command.name);
-    if (command.name != words[0]) continue;
-    for (const std::string& word : words)
-      if (word == "--help" || word == "-h") {
-        std::cout << help_text(command);
-        return 0;
-      }
-    try {
-      return command.run(Arguments(command, {words.begin() + 1, words.end()}));
-    } catch (const UsageError& error) {
-      std::cerr << "lcpush " << command.name << ": " << error.what() << "\nTry: lcpush "
-                << command.name << " --help\n";
-      return bad_input_or_usage;
-    }
+  const std::string& name = asks_for_help && words.size() > 1 ? words[1] : words[0];
+  for (const Command& command : commands)
+    if (command.name == name)
+      return run(command, {&name + 1, words.data() + words.size()}, asks_for_help);
+  if (asks_for_help) {
+    std::cout << overview(commands);
+    return 0;
   }
-  std::cerr << "lcpush: unknown command " << desktop::quoted(words[0])
-            << suggestion(words[0], names) << "\nTry: lcpush --help\n";
-  return bad_input_or_usage;
+  return refuse_command(commands, words);
 }
 
 } // namespace

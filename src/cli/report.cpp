@@ -84,8 +84,7 @@ int run_report(const Arguments& arguments) {
                             pusher >= 0 ? &grip : nullptr,
                             std::move(sweeps)};
   write_answer(arguments, format,
-               format == "svg" ? one_picture(arguments, content) : report_html(content),
-               check_scene(file));
+               format == "svg" ? one_picture(arguments, content) : report_html(content), file);
   return is_solved(content) ? 0 : 1;
 }
 

@@ -1,6 +1,5 @@
 #include "cli/scene_arguments.hpp"
 
-#include <algorithm>
 #include <iostream>
 
 #include "formats/read_number.hpp"
@@ -53,12 +52,8 @@ void refuse_no_scene() {
 
 VariedScene read_varied_scene(const Arguments& arguments, const std::string& path) {
   VariedScene scene = VariedScene::read(path);
-  if (const auto law = arguments.value("--pressure")) {
-    const std::vector<std::string> laws = pressure_names();
-    if (std::find(laws.begin(), laws.end(), *law) == laws.end())
-      refuse_value("--pressure", *law, listed(laws, "or"), laws);
-    scene.set_pressure(*law);
-  }
+  if (const auto law = arguments.value("--pressure"))
+    scene.set_pressure(one_of("--pressure", *law, pressure_names()));
   const SceneFile file = scene.as_given();
   refuse_unknowns(arguments, file, largest_dimension, "matrix this command can hold");
   if (arguments.has("--strict")) refuse_doubts(file);
@@ -92,20 +87,28 @@ void write_answer(const Arguments& arguments, const std::string& format, const s
     std::cerr << wrapped("Check: " + doubt_text(doubt) + ".", columns_of(Stream::errors)) << "\n";
 }
 
+void write_answer(const Arguments& arguments, const std::string& format, const std::string& text,
+                  const SceneFile& file) {
+  const bool is_checked = format == "json" || arguments.has("--strict");
+  write_answer(arguments, format, text, is_checked ? std::vector<SceneDoubt>() : check_scene(file));
+}
+
 Variation read_variation(const VariedScene& scene, const std::string& text) {
-  const std::size_t equals = text.find('='), colon = text.rfind(':');
-  if (equals == std::string::npos || colon == std::string::npos || colon < equals)
+  const std::vector<std::string_view> sides = split_at(text, '=');
+  const std::vector<std::string_view> ends = split_at(sides.back(), ':');
+  if (sides.size() != 2 || ends.size() != 2)
     throw UsageError("--vary needs PATH=FROM:TO, such as left.grip_force=5:40, not " +
-                     desktop::quoted(text));
+                     desktop::quoted(text) +
+                     (ends.size() > 2 ? "; --steps says how many values" : ""));
   Variation variation;
-  variation.parameter = scene.find(text.substr(0, equals));
-  const auto number = [&](std::size_t begin, std::size_t end) {
-    const NumberText read = read_finite_number(text.substr(begin, end - begin));
+  variation.parameter = scene.find(std::string(trimmed(sides.front())));
+  const auto number = [&](std::string_view word) {
+    const NumberText read = read_finite_number(trimmed(word));
     if (read.error) throw UsageError("--vary " + desktop::quoted(text) + ": " + *read.error);
     return read.value;
   };
-  variation.from = number(equals + 1, colon);
-  variation.to = number(colon + 1, text.size());
+  variation.from = number(ends.front());
+  variation.to = number(ends.back());
   if (variation.from == variation.to)
     throw UsageError("--vary " + desktop::quoted(text) + ": from and to are the same");
   return variation;

@@ -34,6 +34,9 @@ Telling telling(const Arguments& arguments);
 /// Writes the answer; on stderr, what looks odd about its scene. JSON has that in `warnings`.
 void write_answer(const Arguments& arguments, const std::string& format, const std::string& text,
                   const std::vector<SceneDoubt>& doubts);
+/// The same, of a scene that nobody has checked yet but the writer of JSON.
+void write_answer(const Arguments& arguments, const std::string& format, const std::string& text,
+                  const SceneFile& file);
 
 /// Refuses more unknowns than the `most` "whose `what`", such as "faces can be bounded".
 void refuse_unknowns(const Arguments& arguments, const SceneFile& file, Index most,

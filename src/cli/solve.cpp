@@ -29,7 +29,7 @@ int run_solve(const Arguments& arguments) {
                    ? push_history(format, solver, report.status, report.history)
                : format == "json" ? solve_json(file, hold, report)
                                   : solve_text(file, hold, report, telling(arguments)),
-               check_scene(file));
+               file);
   return report.status == Status::solved ? 0 : 1;
 }
 

@@ -25,7 +25,7 @@ int run_spread(const Arguments& arguments) {
   write_answer(arguments, format,
                format == "json" ? spread_json(file, report)
                                 : spread_text(file, report, telling(arguments)),
-               check_scene(file));
+               file);
   return report.status == Status::solved ? 0 : 1;
 }
 

@@ -16,10 +16,11 @@ std::vector<Variation> read_each(const VariedScene& scene, const std::string& te
   if (equals == std::string::npos)
     throw UsageError("--each needs PATH=V,V,.. such as facets=4,8,16, not " +
                      desktop::quoted(text));
-  const Parameter parameter = scene.find(text.substr(0, equals));
+  const Parameter parameter =
+      scene.find(std::string(trimmed(std::string_view(text).substr(0, equals))));
   std::vector<Variation> list;
   for (const std::string_view part : split_at(std::string_view(text).substr(equals + 1), ',')) {
-    const NumberText read = read_finite_number(part);
+    const NumberText read = read_finite_number(trimmed(part));
     if (read.error) throw UsageError("--each " + desktop::quoted(text) + ": " + *read.error);
     list.push_back({parameter, read.value, read.value});
   }

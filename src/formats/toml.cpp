@@ -51,6 +51,9 @@ private:
   void check_characters() {
     (void)take("\xEF\xBB\xBF"); // a byte order mark
     if (peek() == '{') fail("this looks like JSON; a scene is TOML (`lcpush new box` writes one)");
+    if (next_is("%%MatrixMarket"))
+      fail("this is a Matrix Market file; a scene is TOML (`lcpush new box` writes one), and a "
+           "problem is two files, M.mtx and q.mtx");
     int line = 1;
     for (std::size_t i = 0; i < text_.size();) {
       const std::string_view rest = text_.substr(i);

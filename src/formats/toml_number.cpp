@@ -67,7 +67,10 @@ std::string why_not_a_number(std::string_view word) {
     return quoted(word) + ": only decimal numbers are supported";
   if (digits == "inf" || digits == "nan") return quoted(word) + ": numbers must be finite";
   if (digits.find_first_of("0123456789") != 0 && prefix.substr(0, 1) != ".")
-    return quoted(word) + " is not a value; a text needs \"double quotes\"";
+    return quoted(word) + " is not a value" +
+           (word[0] == '('
+                ? "; a list has [square brackets]"
+                : suggestion(word, {"true", "false"}) + "; a text needs \"double quotes\"");
   if (digits.find(':') != std::string_view::npos ||
       (digits.size() > 4 && digits[4] == '-' && digits.find('e') == std::string_view::npos))
     return quoted(word) + ": dates and times are not supported";

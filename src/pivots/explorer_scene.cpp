@@ -136,7 +136,7 @@ constexpr ModeWords mode_words[] = {
     {"slide", Mark::triangle, "slips", "slips"},
     {"separate", Mark::ring, "opens", "opens"},
     {"touch", Mark::small_ring, "touches", "only touches"},
-    {"sink", Mark::cross, "sinks in", "sinks in, on the cushion"},
+    {"sink", Mark::cross, "sinks in", "sinks in, while z0 > 0"},
 };
 
 /// What is drawn about the origin, to be moved where it belongs; and the key that explains it.

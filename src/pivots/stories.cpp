@@ -14,7 +14,7 @@ public:
 
   std::string meaning(Index variable) const override {
     const Index n = size();
-    if (variable == artificial(n)) return "artificial variable: a cushion under every violated law";
+    if (variable == artificial(n)) return "artificial variable: helps every violated law";
     const bool is_unknown = variable >= n;
     const Index i = is_unknown ? variable - n : variable;
     const Meaning meaning = name_of(push_.layout(), i).meaning;
@@ -27,10 +27,10 @@ public:
   }
 
   std::string sentence(const TracedPivot& pivot, const std::vector<bool>& basic) const override {
-    const std::string begin =
-        pivot.entering == artificial(size())
-            ? "The cushion z0 enters, just large enough for every law to hold with its help; "
-            : "As " + grows(pivot.entering, "the") + ", ";
+    const std::string begin = pivot.entering == artificial(size())
+                                  ? "The artificial variable z0 enters, just large enough for "
+                                    "every law to hold with its help; "
+                                  : "As " + grows(pivot.entering, "the") + ", ";
     return begin + ends(pivot.leaving, basic) + ".";
   }
 
@@ -81,7 +81,7 @@ private:
   /// What the entering variable's growth is.
   std::string grows(Index variable, const std::string& the) const {
     const Index n = size();
-    if (variable == artificial(n)) return the + " cushion z0 grows";
+    if (variable == artificial(n)) return the + " artificial variable z0 grows";
     const bool is_unknown = variable >= n;
     const Name name = name_of(push_.layout(), is_unknown ? variable - n : variable);
     switch (name.meaning) {
@@ -106,7 +106,7 @@ private:
   /// empty.
   std::string ends(Index variable, const std::vector<bool>& basic) const {
     const Index n = size();
-    if (variable == artificial(n)) return "the cushion z0 is gone: every law holds";
+    if (variable == artificial(n)) return "the artificial variable z0 is gone: every law holds";
     const bool is_unknown = variable >= n;
     const Name name = name_of(push_.layout(), is_unknown ? variable - n : variable);
     switch (name.meaning) {

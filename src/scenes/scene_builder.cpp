@@ -1,8 +1,8 @@
 #include "scenes/scene_builder.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
-#include "lcpush/mechanics/model/contact.hpp"
 #include "scenes/exact_frame.hpp"
+#include "scenes/planar_squeeze.hpp"
 #include "scenes/scene_schema.hpp"
 #include "scenes/scene_tables.hpp"
 #include "text/limits.hpp"
@@ -18,9 +18,6 @@
 namespace lcpush::desktop {
 namespace {
 
-// Rounding of a normal that no decimal number can give exactly.
-constexpr double direction_slack = 1e-9;
-
 template <class S> class SceneBuilder {
 public:
   SceneBuilder(const TomlDocument& document, std::optional<Hand> unsaid_hand)
@@ -31,8 +28,11 @@ public:
     check_sections(document_);
     read_settings();
     scene_.object = read_object<S>(reader("object"), scene_.shape);
-    scene_.lines = {
-        document_.file, reader("object").line(), reader("object").line_of({"center_of_mass"}), {}};
+    scene_.lines = {document_.file,
+                    reader("").line_of({"gravity"}),
+                    reader("object").line(),
+                    reader("object").line_of({"center_of_mass"}),
+                    {}};
     read_bodies(Role::finger);
     read_bodies(Role::pusher);
     if (scene_.bodies.empty())
@@ -120,7 +120,7 @@ private:
                            "its force; remove one of the two");
     scene_.bodies.push_back(body);
     scene_.lines.bodies.push_back({table.line_of({"center", "ends", "points"}),
-                                   table.line_of({"normal"}),
+                                   table.line_of({"normal"}), table.line_of({"friction"}),
                                    table.line_of({"acceleration", "angular_acceleration"})});
     if (scene_.points.size() + patch.positions.size() > limits::scene_points)
       table.fail("points", "more than " + std::to_string(limits::scene_points) +
@@ -221,27 +221,14 @@ private:
     }
   }
 
-  /// A planar object cannot make way for a contact whose normal force does not move it in the
-  /// plane: pressing on would be a jam of one contact.
   void refuse_squeezes_out_of_plane() const {
-    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
-      const Body<S>& body = scene_.bodies[b];
-      for (const Index i : points_of(body)) {
-        const Vector3<S>& p = scene_.points[static_cast<std::size_t>(i)];
-        const Vector6<S> column = wrench_column<S>(p, body.normal);
-        const double in_plane = std::hypot(as_double(column[0]), as_double(column[1]));
-        const double turning = std::abs(as_double(column[5]));
-        const bool moves_it =
-            in_plane > direction_slack || turning > direction_slack * as_doubles(p).norm();
-        const S closing = column.dot(body.acceleration);
-        if (moves_it || !(body.bilateral ? closing != S(0) : closing > S(0))) continue;
-        const std::string& name = scene_.body_names[b];
-        throw InputError(document_.file, name_lines_.at(name),
-                         quoted(name) + ": moves " + (body.bilateral ? "" : "into ") +
-                             "the object out of the plane, where planar = true lets nothing give "
-                             "way; move it in the x-y plane or remove planar");
-      }
-    }
+    const Index squeezed = squeezes_out_of_plane(scene_);
+    if (squeezed < 0) return;
+    const std::string& name = scene_.body_name(squeezed);
+    throw InputError(document_.file, name_lines_.at(name),
+                     quoted(name) + ": moves " + (scene_.body(squeezed).bilateral ? "" : "into ") +
+                         "the object out of the plane, where planar = true lets nothing give "
+                         "way; move it in the x-y plane or remove planar");
   }
 
   const TomlDocument& document_;

@@ -1,7 +1,8 @@
 #include "lcpush/desktop/scene_check.hpp"
 
-#include "lcpush/mechanics/model/contact.hpp"
+#include "lcpush/mechanics/model/answer.hpp"
 #include "scenes/object_surface.hpp"
+#include "scenes/unit_doubts.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
@@ -20,19 +21,10 @@ constexpr double depth_slack = 0.15;
 constexpr double far_sizes = 3;
 // The cosine between a normal and the face that it should point into. Less, and it lies along it.
 constexpr double least_into = 0.05;
-// From aerogel to osmium, with a margin for hollow things.
-constexpr double lightest = 10, heaviest = 30000; // kg/m^3
 // Directions typed with three digits.
 constexpr double typed_slack = 1e-3;
 // Independent fingers drift if this part of a push goes along their normals.
 constexpr double least_along = 0.1;
-
-const Body<double>& body_at(const SceneFile& file, std::size_t b) { return file.bodies[b]; }
-
-std::string body_label(const SceneFile& file, std::size_t b) {
-  return std::string(body_at(file, b).role == Role::finger ? "finger " : "pusher ") +
-         quoted(file.body_names[b]) + ": ";
-}
 
 std::string shape_name(const SceneFile& file) {
   return file.shape.kind == ObjectShape::Kind::box ? "the box" : "the cylinder";
@@ -43,29 +35,20 @@ std::string typed(const Vector3<double>& v) {
   return "[" + digits(v[0]) + ", " + digits(v[1]) + ", " + digits(v[2]) + "]";
 }
 
-/// "3 mm" or "1.2 m".
-std::string length_text(double length) {
-  return length < 1 ? printed("%.3g mm", 1000 * length) : printed("%.3g m", length);
-}
-
 class SceneChecker {
 public:
   explicit SceneChecker(const SceneFile& file)
-      : file_(file), has_surface_(file.shape.kind != ObjectShape::Kind::unknown && !is_particle()),
+      : file_(file),
+        has_surface_(file.shape.kind != ObjectShape::Kind::unknown && !is_particle(file)),
         size_(file.shape.size.maxCoeff()) {}
 
   std::vector<SceneDoubt> check() {
-    check_density();
-    const bool is_moved = has_surface_ && fits_around_origin_only();
-    if (is_moved)
-      doubt(Doubt::center_of_mass, file_.lines.center_of_mass,
-            "object: the contacts lie on " + shape_name(file_) +
-                " around [0, 0, 0], but center_of_mass puts its middle at " +
-                typed(file_.object.center_of_mass) +
-                "; give inertia instead of the shape if its middle is not its centre of mass");
+    doubts_ = unit_doubts(file_);
+    const bool is_moved = has_surface_ && doubts_.empty() && check_middle();
     for (std::size_t b = 0; b < file_.bodies.size(); ++b)
       if (is_moved || (check_place(b) && check_normal(b))) check_motion(b);
     check_jaws();
+    if (doubts_.empty()) check_sides();
     std::stable_sort(doubts_.begin(), doubts_.end(),
                      [](const SceneDoubt& a, const SceneDoubt& b) { return a.line < b.line; });
     return std::move(doubts_);
@@ -76,27 +59,8 @@ private:
     doubts_.push_back({doubt, file_.lines.file, line, text});
   }
 
-  /// All forces act at the centre of mass: the places are an idealisation.
-  bool is_particle() const {
-    return std::all_of(file_.points.begin(), file_.points.end(),
-                       [](const Vector3<double>& p) { return p.isZero(); });
-  }
-
   const Vector3<double>& position(Index point) const {
     return file_.positions[static_cast<std::size_t>(point)];
-  }
-
-  void check_density() {
-    if (file_.shape.kind == ObjectShape::Kind::unknown) return;
-    const Vector3<double>& size = file_.shape.size;
-    const double round = file_.shape.kind == ObjectShape::Kind::cylinder ? std::atan(1) : 1;
-    const double volume = round * size.prod(), density = file_.object.mass / volume;
-    if (density >= lightest && density <= heaviest) return;
-    doubt(Doubt::density, file_.lines.object,
-          "object: " + printed("%.3g kg in ", file_.object.mass) + printed("%.3g m^3 is ", volume) +
-              printed("%.3g kg/m^3, ", density) +
-              (density < lightest ? "lighter than any solid" : "heavier than any material") +
-              "; lengths are in m, masses in kg");
   }
 
   bool is_on_surface(const SurfacePoint& surface) const {
@@ -104,21 +68,47 @@ private:
            surface.distance >= -depth_slack * file_.shape.size.minCoeff();
   }
 
-  bool fits_around_origin_only() const {
-    if (file_.object.center_of_mass.isZero()) return false;
-    SceneFile centered = file_;
-    centered.object.center_of_mass.setZero();
-    const auto all_on = [&](const SceneFile& scene) {
-      return std::all_of(scene.positions.begin(), scene.positions.end(), [&](const auto& p) {
-        return is_on_surface(nearest_on_surface(scene, p, 0));
+  bool points_into(const Body<double>& body, const SurfacePoint& surface) const {
+    return std::any_of(
+        surface.outward.begin(), surface.outward.end(),
+        [&](const Vector3<double>& outward) { return -body.normal.dot(outward) >= least_into; });
+  }
+
+  /// With the object around `middle`: does every contact lie on it and point into it?
+  bool fits_around(const Vector3<double>& middle) const {
+    SceneFile moved = file_;
+    moved.object.center_of_mass = middle;
+    return std::all_of(file_.bodies.begin(), file_.bodies.end(), [&](const Body<double>& body) {
+      const std::vector<Index> points = points_of(body);
+      return std::all_of(points.begin(), points.end(), [&](Index i) {
+        const SurfacePoint surface = nearest_on_surface(moved, position(i), surface_slack * size_);
+        return is_on_surface(surface) && points_into(body, surface);
       });
-    };
-    return !all_on(file_) && all_on(centered);
+    });
+  }
+
+  /// Do the contacts fit the object around another middle than the file's: the scene's origin, or
+  /// where the origin is a corner, an edge or a face of it?
+  bool check_middle() {
+    if (fits_around(file_.object.center_of_mass)) return false;
+    for (int side = 0; side < 27; ++side) {
+      const Vector3<double> sides(side % 3, side / 3 % 3, side / 9); // 0, 0, 0: the origin itself
+      const Vector3<double> middle = sides.unaryExpr([](double s) { return s > 1 ? -0.5 : s / 2; })
+                                         .cwiseProduct(file_.shape.size);
+      if (!fits_around(middle)) continue;
+      doubt(Doubt::center_of_mass, file_.lines.center_of_mass,
+            "object: the contacts lie on " + shape_name(file_) + " around " + typed(middle) +
+                ", but its middle, the centre of mass, is at " +
+                typed(file_.object.center_of_mass) +
+                "; change center_of_mass, or give inertia instead of the shape if the two differ");
+      return true;
+    }
+    return false;
   }
 
   /// Is every point of the body where the object is? Names the worst one.
   bool check_place(std::size_t b) {
-    const Body<double>& body = body_at(file_, b);
+    const Body<double>& body = file_.bodies[b];
     Index worst = body.first_point;
     const auto off = [&](Index point) {
       return has_surface_ ? nearest_on_surface(file_, position(point), 0).distance
@@ -146,29 +136,52 @@ private:
     return false;
   }
 
-  /// Does the normal point into a face that the body touches, at one of its points?
-  bool check_normal(std::size_t b) {
-    if (!has_surface_) return true;
-    const Body<double>& body = body_at(file_, b);
-    double into = -1;
-    Vector3<double> inward = Vector3<double>::Zero();
+  /// The face that most of the body's points touch, from outside; of two the one that its normal
+  /// is more along.
+  Vector3<double> touched_face(const Body<double>& body) const {
+    std::vector<Vector3<double>> faces;
     for (const Index i : points_of(body))
       for (const Vector3<double>& outward :
-           nearest_on_surface(file_, position(i), surface_slack * size_).outward) {
-        if (-body.normal.dot(outward) <= into && !inward.isZero()) continue;
-        into = -body.normal.dot(outward);
-        inward = -outward;
-      }
-    if (into >= least_into) return true;
+           nearest_on_surface(file_, position(i), surface_slack * size_).outward)
+        faces.push_back(outward);
+    const auto rank = [&](const Vector3<double>& face) {
+      const auto same = std::count_if(faces.begin(), faces.end(), [&](const auto& other) {
+        return face.dot(other) > 1 - typed_slack;
+      });
+      return std::make_pair(same, std::abs(face.dot(body.normal)));
+    };
+    return *std::max_element(faces.begin(), faces.end(),
+                             [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  }
+
+  /// Does the normal point into a face that the body touches, at each of its points?
+  bool check_normal(std::size_t b) {
+    if (!has_surface_) return true;
+    const Body<double>& body = file_.bodies[b];
+    Index wrong = 0;
+    for (const Index i : points_of(body))
+      if (!points_into(body, nearest_on_surface(file_, position(i), surface_slack * size_)))
+        ++wrong;
+    if (wrong == 0) return true;
+    if (wrong < body.point_count) {
+      doubt(Doubt::normal_along, file_.lines.bodies[b].normal,
+            body_label(file_, b) + "its normal " + typed(body.normal) + " points into " +
+                shape_name(file_) +
+                " at some of its points and not at others; one contact touches "
+                "one face, and its normal points into that");
+      return false;
+    }
+    const Vector3<double> outward = touched_face(body);
     doubt(Doubt::normal_outward, file_.lines.bodies[b].normal,
           body_label(file_, b) + "its normal " + typed(body.normal) +
-              (into < -least_into ? " points out of " : " lies along the surface of ") +
-              shape_name(file_) + "; normals point into the object, here " + typed(inward));
+              (body.normal.dot(outward) > least_into ? " points out of "
+                                                     : " lies along the surface of ") +
+              shape_name(file_) + "; normals point into the object, here " + typed(-outward));
     return false;
   }
 
   void check_motion(std::size_t b) {
-    const Body<double>& body = body_at(file_, b);
+    const Body<double>& body = file_.bodies[b];
     if (body.role != Role::pusher || body.bilateral) return;
     double closing = -1;
     for (const Index i : points_of(body)) {
@@ -218,6 +231,20 @@ private:
       }
   }
 
+  void check_sides() {
+    if (file_.hand != Hand::parallel && file_.hand != Hand::locked) return;
+    std::vector<std::size_t> jaws; // other fingers are stops
+    for (std::size_t b = 0; b < file_.bodies.size(); ++b)
+      if (body_at(file_, b).preload > 0 || is_driven(file_.view(), static_cast<Index>(b)))
+        jaws.push_back(b);
+    const std::size_t one = jaws[0], other = jaws[1];
+    if (!(body_at(file_, one).normal.dot(body_at(file_, other).normal) > 0)) return;
+    doubt(Doubt::jaws_same_side, file_.lines.bodies[other].normal,
+          body_label(file_, other) + "it and " + quoted(file_.body_names[one]) +
+              " press the same way, though jaws close toward each other; turn one normal round, or "
+              "move one finger to the other side");
+  }
+
   const SceneFile& file_;
   bool has_surface_;
   double size_; ///< m, the object's longest edge
@@ -227,9 +254,10 @@ private:
 } // namespace
 
 const char* doubt_code(Doubt doubt) {
-  constexpr const char* codes[] = {"outside_object", "far_from_object", "normal_outward",
-                                   "moves_away",     "density",         "jaws_independent",
-                                   "center_of_mass"};
+  constexpr const char* codes[] = {
+      "outside_object",   "far_from_object", "normal_outward", "moves_away", "density",
+      "jaws_independent", "center_of_mass",  "normal_along",   "friction",   "gravity",
+      "acceleration",     "inertia",         "jaws_same_side"};
   return codes[static_cast<int>(doubt)];
 }
 

@@ -3,6 +3,8 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "text/wording.hpp"
 
+#include <algorithm>
+
 namespace lcpush::desktop {
 namespace {
 
@@ -80,6 +82,26 @@ const Section* section_called(const std::string& name) {
   return nullptr;
 }
 
+/// Words of other trades and programs for keys.
+struct Synonym {
+  const char *said, *meant;
+};
+constexpr Synonym synonyms[] = {
+    {"mu", "friction"},
+    {"coefficient", "friction"},
+    {"weight", "mass"},
+    {"position", "center"},
+    {"location", "center"},
+    {"at", "center"},
+    {"velocity", "acceleration"},
+    {"speed", "acceleration"},
+    {"motion", "acceleration"},
+    {"com", "center_of_mass"},
+    {"dimensions", "box"},
+    {"shape", "box"},
+    {"size", "box"},
+};
+
 } // namespace
 
 const Schema& schema_of(const std::string& section) { return section_called(section)->keys; }
@@ -88,6 +110,21 @@ const Key* key_called(const std::string& section, const std::string& name) {
   for (const Key& key : schema_of(section))
     if (key.name == name) return &key;
   return nullptr;
+}
+
+std::string key_hint(const Schema& schema, const std::string& word) {
+  std::vector<std::string> known, tables;
+  for (const Key& key : schema) known.push_back(key.name);
+  for (const Synonym& synonym : synonyms)
+    if (word == synonym.said && std::find(known.begin(), known.end(), synonym.meant) != known.end())
+      return suggestion(synonym.meant, known);
+  if (std::string near = suggestion(word, known); !near.empty()) return near;
+  if (key_called("", word) != nullptr) return "; it stands at the top, before the first table";
+  for (const Section& section : sections())
+    if (key_called(section.name, word) != nullptr)
+      tables.push_back(section.is_array ? "[[" + section.name + "]]" : "[" + section.name + "]");
+  return tables.empty() ? "; the keys here are " + listed(known, "and")
+                        : "; it goes with " + listed(tables, "or");
 }
 
 void check_sections(const TomlDocument& document) {
@@ -112,7 +149,10 @@ void check_sections(const TomlDocument& document) {
   }
   if (!document.find("object"))
     throw InputError(document.file, 1,
-                     "missing the table [object]; add [object] with mass and box, for example");
+                     document.sections.empty() && document.root.entries.empty()
+                         ? "there is nothing in it; `lcpush new box` writes a scene to start from"
+                         : "missing the table [object]; add [object] with mass and box, for "
+                           "example");
 }
 
 } // namespace lcpush::desktop

@@ -23,6 +23,10 @@ const Schema& schema_of(const std::string& section);
 /// The key of this section (as for schema_of) called `name`; nullptr if there is none.
 const Key* key_called(const std::string& section, const std::string& name);
 
+/// What to write instead of `word`, which `schema` does not have: a key that looks like it or means
+/// the same, the table that it belongs to, or else the keys there are. Goes on in the sentence.
+std::string key_hint(const Schema& schema, const std::string& word);
+
 /// Refuses unknown sections, [name] for [[name]] and the reverse, a missing [object].
 void check_sections(const TomlDocument& document);
 

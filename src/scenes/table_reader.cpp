@@ -49,14 +49,10 @@ int TableReader::line_of(const std::vector<std::string>& keys) const {
 }
 
 void TableReader::refuse_unknown_keys() const {
-  std::vector<std::string> known;
-  for (const Key& key : schema_) known.push_back(key.name);
   for (const TomlEntry& entry : table_.entries) {
-    if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-    const std::string hint = suggestion(entry.key, known);
-    fail_at(entry.value.line,
-            "unknown key " + quoted(entry.key) +
-                (hint.empty() ? "; the keys here are " + listed(known, "and") : hint));
+    const auto is_key = [&entry](const Key& known) { return known.name == entry.key; };
+    if (std::any_of(schema_.begin(), schema_.end(), is_key)) continue;
+    fail_at(entry.value.line, "unknown key " + quoted(entry.key) + key_hint(schema_, entry.key));
   }
 }
 

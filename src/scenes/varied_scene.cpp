@@ -5,6 +5,7 @@
 #include "scenes/scene_schema.hpp"
 #include "scenes/table_changes.hpp"
 #include "text/wording.hpp"
+#include "text/wrap.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -138,7 +139,7 @@ std::string choices(const TomlDocument& document) {
   }
   std::string text;
   for (const auto& [owner, keys] : owners)
-    text += "\n  " + (owner.empty() ? "" : owner + ".  ") + listed(keys, "and");
+    text += "\n" + wrapped("  " + (owner.empty() ? "" : owner + ".  ") + listed(keys, "and"));
   return text;
 }
 

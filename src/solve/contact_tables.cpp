@@ -10,15 +10,16 @@ namespace lcpush::desktop {
 std::vector<std::vector<std::string>> brief_contact_rows(const SceneFile& file,
                                                          const PushReport& report) {
   const Scene<double> scene = file.view();
-  const auto digits = [](double x, double unit) {
-    return printed("%.3g", std::abs(x) <= 1e-6 * unit ? 0 : x);
-  };
+  const auto digits = [](double x, double zero) { return brief(std::abs(x) <= zero ? 0 : x); };
   double fastest = 0, widest = 0;
   for (const ContactAnswer<double>& contact : report.answer.contacts) {
     fastest = std::max(fastest, contact.acceleration.norm());
     widest = std::max(widest, contact.acceleration.dot(scene.bodies[contact.body].normal));
   }
-  const bool opens = widest > 1e-6 * fastest;
+  // Where nothing moves, the fastest is rounding's.
+  const double zero_motion = std::max(1e-6 * fastest, 1e-9 * report.scales.acceleration);
+  const double zero_force = 1e-6 * report.scales.force;
+  const bool opens = widest > zero_motion;
   std::vector<std::vector<std::string>> rows{
       {"contact", "does", "normal N", "friction N", "along", "slip m/s^2"}};
   if (opens) rows.front().emplace_back("opening m/s^2");
@@ -26,13 +27,12 @@ std::vector<std::vector<std::string>> brief_contact_rows(const SceneFile& file,
     const ContactAnswer<double>& contact = report.answer.contacts[i];
     const Vector3<double>& n = scene.bodies[contact.body].normal;
     const double friction = contact.friction_force.norm(), opening = contact.acceleration.dot(n);
-    const bool rubs = friction > 1e-6 * report.scales.force;
+    const bool rubs = friction > zero_force;
     rows.push_back({point_name(file, i), mode_verb(contact.mode),
-                    digits(contact.normal_force, report.scales.force),
-                    digits(friction, report.scales.force),
+                    digits(contact.normal_force, zero_force), digits(friction, zero_force),
                     rubs ? direction_text(contact.friction_force / friction) : "-",
-                    digits((contact.acceleration - opening * n).norm(), fastest)});
-    if (opens) rows.back().push_back(digits(opening, fastest));
+                    digits((contact.acceleration - opening * n).norm(), zero_motion)});
+    if (opens) rows.back().push_back(digits(opening, zero_motion));
   }
   return rows;
 }

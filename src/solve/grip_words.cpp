@@ -57,13 +57,12 @@ bool same_answer(const GripReport& report, bool holds_alone, bool holds_at_rest)
 
 Fact grip_fact(const SceneFile& file, const HoldReport& hold, const GripReport& grip,
                const BreakReport& report) {
-  Fact fact = hold_fact(file, hold);
-  if (grip.force == 0) return fact; // nothing grips
+  if (grip.force == 0) return hold_fact(file, hold); // nothing grips
+  Fact fact = hold_words(file, hold);
   std::string& text = fact.text;
-  if (hold.status == Status::solved) {
-    text = text.substr(0, text.rfind('.')) + ending(grip, grip.alone, hold.holds);
-    text += law_line(grip, grip.alone);
-  }
+  text += hold.status == Status::solved
+              ? ending(grip, grip.alone, hold.holds) + law_line(grip, grip.alone)
+              : ".";
   const bool holds = report.status == Status::solved;
   if (!holds && report.status != Status::does_not_hold) return fact;
   if (hold.status == Status::solved && same_answer(grip, hold.holds, holds)) return fact;

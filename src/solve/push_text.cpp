@@ -27,12 +27,26 @@ std::string list_text(const std::string& head, const std::vector<std::string>& s
   return text;
 }
 
-/// The same number in as many digits as tell the two apart: "3.895 or 3.897".
-std::string either(double a, double b) {
-  for (const char* format : {"%.3g", "%.4g", "%.5g", "%.6g"})
-    if (printed(format, a) != printed(format, b))
-      return printed(format, std::min(a, b)) + " or " + printed(format, std::max(a, b));
-  return number(a);
+/// Two forces that the laws allow, in as many digits as tell them apart, and which law each obeys.
+std::string both_answers(const SceneFile& file, double found, double other) {
+  std::string mine = brief(found), its = brief(other);
+  for (const char* format : {"%.4g", "%.5g", "%.6g"}) {
+    if (mine != its) break;
+    mine = printed(format, found);
+    its = printed(format, other);
+  }
+  const std::string both = (found < other ? mine + " or " + its : its + " or " + mine) + " N. ";
+  switch (file.pressure) {
+  case Pressure::pad:
+    return both + mine + " N is the pad law's answer from an even preload; " + its +
+           " N is another answer of the paper's laws, which leave open how a patch shares its "
+           "force.";
+  case Pressure::even:
+    return both + "Both obey the paper's laws with an even share of the grip at every point; " +
+           mine + " N was found first.";
+  case Pressure::rigid: break;
+  }
+  return both + "Both obey the paper's laws; " + mine + " N was found first.";
 }
 
 /// Is the object's motion another than its image in a mirror that leaves the scene as it is?
@@ -62,10 +76,7 @@ std::string others_text(const SceneFile& file, const PushReport& report) {
     const double other = report.other ? report.other->wrench.head<3>().norm() : push;
     text += "The " + what + " is not unique: ";
     if (std::abs(other - push) > 1e-5 * report.scales.force)
-      text += either(push, other) + " N, both by the paper's laws" +
-              (file.pressure == Pressure::pad ? ", which leave open how a patch shares its force"
-                                              : "") +
-              ".\n";
+      text += both_answers(file, push, other) + "\n";
     else
       text += "the paper's laws leave it open" +
               std::string(motion ? "" : " how it is shared and where it acts") + ".\n";
@@ -139,9 +150,10 @@ std::string break_text(const SceneFile& file, const HoldReport& hold, const Grip
       title_line(file) + break_sentence(file, report) + "\n\n" + before +
       facts_text(is_full ? break_facts(file, report) : brief_break_facts(file, report));
   if (report.other_force)
-    text += "\nThe breaking force is not unique: " +
-            either(report.breaking.break_force, *report.other_force) +
-            " N, both by the paper's laws.\nSee: lcpush spread " + file.lines.file + "\n";
+    text += "\nThe " + std::string(report.motion.kind == MotionKind::rest ? "normal" : "breaking") +
+            " force is not unique: " +
+            both_answers(file, report.breaking.break_force, *report.other_force) +
+            "\nSee: lcpush spread " + file.lines.file + "\n";
   return is_full ? text + residual_line(report.breaking.residuals) + run_line(file, report) : text;
 }
 

@@ -19,9 +19,9 @@ std::string acceleration_text(const Vector6<double>& a, double length) {
 std::string brief_acceleration(const Vector6<double>& a, double length) {
   const double linear = a.head<3>().norm(), angular = a.tail<3>().norm();
   std::string text;
-  if (linear > 1e-3 * length * angular) text = printed("%.3g m/s^2", linear);
+  if (linear > 1e-3 * length * angular) text = brief(linear) + " m/s^2";
   if (length * angular > 1e-3 * linear)
-    text += (text.empty() ? "" : " and ") + printed("%.3g rad/s^2", angular);
+    text += (text.empty() ? "" : " and ") + brief(angular) + " rad/s^2";
   return text;
 }
 
@@ -162,20 +162,26 @@ std::string facts_text(const std::vector<Fact>& facts) {
   return all;
 }
 
-Fact hold_fact(const SceneFile& file, const HoldReport& hold) {
+Fact hold_words(const SceneFile& file, const HoldReport& hold) {
   Fact fact{"Before the push", ""};
   if (file.bodies.front().role == Role::pusher)
-    fact.text = "nothing grips the object.";
+    fact.text = "nothing grips the object";
   else if (!has_pusher(file))
-    fact = {"Pusher", "none: this is the grasp alone."};
+    fact = {"Pusher", "none: this is the grasp alone"};
   else if (hold.status != Status::solved)
     fact.text = std::string("not known: without the pusher the solve ended with \"") +
-                status_text(hold.status) + "\".";
+                status_text(hold.status) + "\"";
   else if (hold.holds)
-    fact.text = "the grasp holds the object.";
+    fact.text = "the grasp holds the object";
   else
     fact.text = "the grasp does NOT hold the object: it accelerates at " +
-                acceleration_text(hold.acceleration, hold.length) + ".";
+                acceleration_text(hold.acceleration, hold.length);
+  return fact;
+}
+
+Fact hold_fact(const SceneFile& file, const HoldReport& hold) {
+  Fact fact = hold_words(file, hold);
+  fact.text += ".";
   return fact;
 }
 
@@ -235,7 +241,7 @@ std::vector<Fact> brief_break_facts(const SceneFile& file, const BreakReport& re
   for (const Fact& fact : closing_facts(report)) facts.push_back(fact);
   if (b.inertia_normal > 1e-9 * file.object.mass)
     facts.push_back(
-        {"Pushing faster", printed("adds %.3g N per m/s^2 of the push", b.inertia_normal)});
+        {"Pushing faster", "adds " + brief(b.inertia_normal) + " N per m/s^2 of the push"});
   if (b.line_error > 1e-3) facts.push_back(caution_fact(b));
   return facts;
 }

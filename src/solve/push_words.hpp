@@ -20,7 +20,9 @@ std::string facts_text(const std::vector<Fact>& facts);
 
 /// "Hand": what moves the fingers.
 Fact hand_fact(const SceneFile& file);
-/// "Before the push".
+/// "Before the push", without a full stop.
+Fact hold_words(const SceneFile& file, const HoldReport& hold);
+/// The same, as a sentence.
 Fact hold_fact(const SceneFile& file, const HoldReport& hold);
 /// The same for `break`: also from which grip force on the fingers alone hold, and the same with
 /// the pusher in place.

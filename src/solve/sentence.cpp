@@ -26,13 +26,17 @@ std::string axis_phrase(const SceneFile& file, Index axis, bool is_positive) {
   return std::string(is_positive ? "along " : "against ") + "xyz"[axis];
 }
 
+/// "(0.924, -0.383, 0)", a unit vector.
+std::string unit_text(const Vector3<double>& v) {
+  const auto digits = [](double x) { return brief(std::abs(x) < unsaid ? 0 : x); };
+  return "(" + digits(v[0]) + ", " + digits(v[1]) + ", " + digits(v[2]) + ")";
+}
+
 std::string direction_phrase(const SceneFile& file, const Vector3<double>& direction) {
   Index axis = 0;
   const double largest = direction.cwiseAbs().maxCoeff(&axis);
   if (largest > 1 - unsaid) return axis_phrase(file, axis, direction[axis] > 0);
-  const auto digits = [](double x) { return printed("%.3g", std::abs(x) < unsaid ? 0 : x); };
-  return "along (" + digits(direction[0]) + ", " + digits(direction[1]) + ", " +
-         digits(direction[2]) + ")";
+  return "along " + unit_text(direction);
 }
 
 /// "counter-clockwise about z", seen from the axis' tip; by its direction if it is no axis.
@@ -41,8 +45,7 @@ std::string turn_phrase(const Vector3<double>& axis) {
   const double largest = axis.cwiseAbs().maxCoeff(&k);
   if (largest > 1 - unsaid)
     return std::string(axis[k] > 0 ? "counter-clockwise" : "clockwise") + " about " + "xyz"[k];
-  const auto digits = [](double x) { return printed("%.3g", std::abs(x) < unsaid ? 0 : x); };
-  return "about (" + digits(axis[0]) + ", " + digits(axis[1]) + ", " + digits(axis[2]) + ")";
+  return "about " + unit_text(axis);
 }
 
 struct ModeCount {
@@ -62,19 +65,16 @@ ModeCount count_modes(const Answer<double>& answer, const Body<double>& body) {
 /// "left slips", "wall opens at 1 of its 2 points and sticks at 1".
 std::string body_phrase(const std::string& name, const ModeCount& count) {
   constexpr Mode order[] = {Mode::slide, Mode::separate, Mode::stick};
-  std::string text = name;
-  const char* joint = " ";
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (count[order[k]] == 0) continue;
-    text += joint + std::string(mode_verb(order[k]));
-    if (count[order[k]] < count.all())
-      text += " at " + std::to_string(count[order[k]]) +
-              (text.find(" of its ") == std::string::npos
-                   ? " of its " + std::to_string(count.all()) + " points"
-                   : "");
-    joint = " and ";
+  std::vector<std::string> deeds;
+  for (const Mode mode : order) {
+    if (count[mode] == 0) continue;
+    std::string deed = mode_verb(mode);
+    if (!count.all_are(mode)) deed += " at " + std::to_string(count[mode]);
+    if (!count.all_are(mode) && deeds.empty())
+      deed += " of its " + std::to_string(count.all()) + " points";
+    deeds.push_back(deed);
   }
-  return text;
+  return name + " " + joined(deeds, " and ");
 }
 
 } // namespace
@@ -94,14 +94,15 @@ const char* mode_verb(Mode mode) {
 
 std::string force_phrase(const SceneFile& file, const Vector3<double>& force) {
   const double size = force.norm();
-  std::string text = printed("%.3g N", size);
-  std::vector<std::string> parts;
-  for (Index axis = 0; axis < 3; ++axis)
-    if (std::abs(force[axis]) > unsaid * size)
-      parts.push_back(printed("%.3g N ", std::abs(force[axis])) +
-                      axis_phrase(file, axis, force[axis] > 0));
-  if (parts.size() == 1) return text + parts.front().substr(parts.front().find(" N ") + 2);
-  return parts.empty() ? text : text + " (" + listed(parts, "and") + ")";
+  const std::string text = brief(size) + " N";
+  std::vector<std::string> ways, parts;
+  for (Index axis = 0; axis < 3; ++axis) {
+    if (std::abs(force[axis]) <= unsaid * size) continue;
+    ways.push_back(axis_phrase(file, axis, force[axis] > 0));
+    parts.push_back(brief(std::abs(force[axis])) + " N " + ways.back());
+  }
+  if (ways.empty()) return text;
+  return text + (ways.size() == 1 ? " " + ways.front() : " (" + listed(parts, "and") + ")");
 }
 
 std::string motion_phrase(const SceneFile& file, const RunReport& report) {
@@ -179,7 +180,7 @@ std::string idle_sentence(const SceneFile& file, const BreakReport& report) {
   const double force = report.breaking.break_force;
   return "The push does not break the grasp: " + file.body_name(report.pusher) +
          idle_phrase(file, report) + object_name(file) + ", which does not move" +
-         (force > unsaid * report.scales.force ? printed(", and presses on it with %.3g N", force)
+         (force > unsaid * report.scales.force ? ", and presses on it with " + brief(force) + " N"
                                                : "") +
          ".";
 }
@@ -188,9 +189,9 @@ std::string idle_sentence(const SceneFile& file, const BreakReport& report) {
 
 std::string break_sentence(const SceneFile& file, const BreakReport& report) {
   if (!report.breaking.breaks) return idle_sentence(file, report);
-  return "The grasp breaks at " + printed("%.3g N", report.breaking.break_force) +
-         ", the normal force of " + file.body_name(report.pusher) + ": " + object_name(file) +
-         " then " + motion_phrase(file, report) + ".";
+  return "The grasp breaks at " + brief(report.breaking.break_force) + " N, the normal force of " +
+         file.body_name(report.pusher) + ": " + object_name(file) + " then " +
+         motion_phrase(file, report) + ".";
 }
 
 } // namespace lcpush::desktop

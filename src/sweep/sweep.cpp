@@ -193,8 +193,9 @@ Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& va
   } else {
     const Variation& variation = variations.front();
     if (variation.parameter.whole)
-      throw InputError(variation.parameter.path + " counts something: it takes a list of whole "
-                                                  "numbers, not a range");
+      throw InputError(file.lines.file + ": " + variation.parameter.path +
+                       " counts something: it takes a list of whole numbers "
+                       "(--each facets=4,8,16), not a range");
     for (const double value : {variation.from, variation.to}) solver.go_to(value);
     const bool linear = variation.parameter.linear;
     if (linear) find_segments(scene, solver, file.pressure != Pressure::pad, options, sweep);

@@ -47,7 +47,7 @@ private:
 
   /// In SI units q is linear, and in the scene's own units it is so up to the unit of force.
   void measure_directions() {
-    const auto levels = [&](double t) {
+    const auto right_hand_sides = [&](double t) {
       go_to(t);
       const Problem<double> problem = assembly().breaking_problem();
       const double F = assembly().layout().scales.force;
@@ -55,7 +55,7 @@ private:
           F * Eigen::Map<const Eigen::VectorXd>(problem.q, problem.size),
           F * Eigen::Map<const Eigen::VectorXd>(problem.push, problem.size));
     };
-    const auto first = levels(0), last = levels(1);
+    const auto first = right_hand_sides(0), last = right_hand_sides(1);
     const auto step = [](const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
       const double rounding = 64 * Eigen::NumTraits<double>::epsilon() * from.cwiseAbs().maxCoeff();
       Eigen::VectorXd by = to - from;

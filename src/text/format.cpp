@@ -1,6 +1,7 @@
 #include "text/format.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace lcpush::desktop {
 namespace {
@@ -35,6 +36,12 @@ std::string block_text(const TableRows& rows, const std::vector<std::size_t>& wi
 }
 
 } // namespace
+
+std::string brief(double x) {
+  const std::string digits = printed("%.3g", x);
+  const double rounded = std::strtod(digits.c_str(), nullptr);
+  return std::abs(rounded) >= 1000 && std::abs(rounded) < 1e6 ? printed("%.0f", rounded) : digits;
+}
 
 std::string table_text(const TableRows& rows, std::size_t left, std::size_t width) {
   const std::vector<std::size_t> widths = column_widths(rows);

@@ -28,6 +28,9 @@ inline std::string number(double x, double zero = 0) {
   return printed("%.6g", std::abs(x) <= zero ? 0 : x);
 }
 
+/// Three significant digits, whole numbers below a million without an exponent.
+std::string brief(double x);
+
 /// A residual, without the digits that only say how rounding went.
 inline std::string residual_text(double residual) {
   return residual < 1e-12 ? "below 1e-12" : printed("%.1e", residual);

@@ -5,27 +5,35 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <numeric>
 
 namespace lcpush::desktop {
 namespace {
 
 constexpr std::size_t longest_shown = 48;
+constexpr std::size_t least_part = 4; ///< letters of a word that name a longer one
 
-/// Levenshtein's distance: insertions, deletions and substitutions between two short words.
+/// Insertions, deletions, substitutions and swapped neighbours between two short words.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({substituted, row[j] + 1, diagonal + 1});
+  // between the beginnings of i and j letters
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      d[i][j] = i + j;
+      if (i == 0 || j == 0) continue;
+      const std::size_t substituted = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      d[i][j] = std::min({substituted, d[i - 1][j] + 1, d[i][j - 1] + 1});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
     }
-  }
-  return row[b.size()];
+  return d[a.size()][b.size()];
+}
+
+/// In small letters, without the dashes that make a word an option.
+std::string letters_of(std::string_view word) {
+  std::string letters(word.substr(std::min(word.find_first_not_of('-'), word.size())));
+  for (char& c : letters)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return letters;
 }
 
 } // namespace
@@ -53,17 +61,28 @@ std::string shown(double number) {
 }
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
-  if (word.size() > longest_shown) return "";
+  const std::string letters = letters_of(word);
+  if (letters.empty() || letters.size() > longest_shown) return "";
   // Half of the letters wrong, or more than three, is another word rather than a slip.
-  std::size_t nearest = std::clamp<std::size_t>(word.size() / 2, 1, 3) + 1;
-  std::string best;
+  std::size_t nearest = std::clamp<std::size_t>((letters.size() - 1) / 2, 1, 3) + 1;
+  std::string best, longer;
   for (const std::string& candidate : known) {
-    const std::size_t distance = edit_distance(word, candidate);
+    const std::string its_letters = letters_of(candidate);
+    if (letters.size() >= least_part && its_letters.find(letters) != std::string::npos)
+      longer = candidate;
+    const std::size_t distance = edit_distance(letters, its_letters);
     if (distance >= nearest) continue;
     nearest = distance;
     best = candidate;
   }
+  if (best.empty()) best = longer;
   return best.empty() ? "" : " (did you mean \"" + best + "\"?)";
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
 }
 
 std::vector<std::string_view> split_at(std::string_view text, char separator) {

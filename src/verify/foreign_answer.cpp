@@ -19,8 +19,8 @@ std::vector<std::size_t> places(const std::vector<std::string>& given,
   std::vector<std::size_t> place(given.size());
   for (std::size_t k = 0; k < given.size(); ++k) place[k] = k;
   if (given.size() != known.size()) {
-    fault = "it has " + std::to_string(given.size()) + " " + what + ", the scene " +
-            std::to_string(known.size());
+    fault = "its number of " + std::string(what) + " is " + std::to_string(given.size()) +
+            ", the scene's " + std::to_string(known.size());
     return {};
   }
   const bool by_name = std::is_permutation(given.begin(), given.end(), known.begin());

@@ -90,7 +90,7 @@ export function own_scene({ title, mass, size, gravity, facets, bodies, planar =
     shape: { kind: 'box', size, axis: 2 }, mobility, weight, facets,
     bodies: bodies.map((body) => ({ ...body, tangent: tangent_of(body.normal) })), points };
   return { title, M, q, scene, free: drives.length, rows,
-    meanings: [...meanings_w, ...meanings_z, 'cushion under all rows'] };
+    meanings: [...meanings_w, ...meanings_z, 'artificial variable'] };
 }
 
 export const straight_slide = (facets = 4) => own_scene({ title: 'Straight slide, line pusher',

@@ -78,7 +78,7 @@ class Report(unittest.TestCase):
         result = run("report", *words)
         self.assertEqual(result.returncode, 2, result)
         self.assertEqual(result.stdout, "")
-        self.assertRegex(result.stderr, pattern)
+        self.assertRegex(result.stderr.replace("\n", " "), pattern)  # wrapped
 
     def near(self, shown, exact, zero):
         """Six digits of the exact number, or 0 for what rounding left of a zero."""

@@ -161,7 +161,7 @@ assert status == 1 and report["verdict"] == "not this scene's data", report
 short = own_answer(slide)
 short["contacts"].pop()
 status, report = verify(slide, short)
-assert status == 1 and "9 contacts, the scene 10" in report["because"], report
+assert status == 1 and "number of contacts is 9, the scene's 10" in report["because"], report
 
 # Raw problems: two solutions, a wrong one, a stationary point of z'w that is none.
 def raw(M, q, z, *options):

@@ -5,6 +5,13 @@ add_test(NAME consumer.install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINA
                                        ${consumer_prefix})
 set_tests_properties(consumer.install PROPERTIES FIXTURES_SETUP installed_lcpush)
 
+if(Python3_FOUND AND TARGET lcpush_tool)
+  add_test(NAME consumer.installed
+           COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/consumer/test_installed.py
+                   ${consumer_prefix})
+  set_tests_properties(consumer.installed PROPERTIES FIXTURES_REQUIRED installed_lcpush)
+endif()
+
 function(add_consumer_test name)
   add_test(
     NAME consumer.${name}

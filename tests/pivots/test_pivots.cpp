@@ -188,14 +188,14 @@ TEST_CASE("the coin's pivots as mechanics") {
   CHECK(
       sentences ==
       std::vector<std::string>{
-          "The cushion z0 enters, just large enough for every law to hold with its help; table.1 "
-          "touches and may press.",
+          "The artificial variable z0 enters, just large enough for every law to hold with its "
+          "help; table.1 touches and may press.",
           "As table.1 presses harder, thumb.1 touches and may press.",
           "As thumb.1 presses harder, the object moves along +x at table.1 as fast as it slips, so "
           "that friction along -x may act.",
           "As friction of table.1 along -x grows, table.1 reaches its friction cone and starts "
           "to slide towards +x.",
-          "As table.1 slides faster, the cushion z0 is gone: every law holds."});
+          "As table.1 slides faster, the artificial variable z0 is gone: every law holds."});
   CHECK(coin.trace.variables[7].meaning == "normal of table.1 (N)");
   CHECK(coin.trace.variables[10].meaning == "friction of table.1 along -x (N)");
   CHECK(coin.trace.variables[12].meaning == "slip of table.1 (m/s^2)");

@@ -125,9 +125,42 @@ TEST_CASE("a slip of the hand is named, with its line and what to do") {
     CHECK(doubt.doubt == Doubt::normal_outward);
     CHECK(doubt.text.find("here [0, 0, -1]") != std::string::npos);
   }
-  SUBCASE("a pusher whose normal is reversed") {
-    CHECK(only(changed("normal = [1, 0, 0]", "normal = [-1, 0, 0]")).doubt ==
-          Doubt::normal_outward);
+  SUBCASE("a pusher whose normal is reversed: the face that all its points touch") {
+    const SceneDoubt doubt = only(changed("normal = [1, 0, 0]", "normal = [-1, 0, 0]"));
+    CHECK(doubt.doubt == Doubt::normal_outward);
+    CHECK(doubt.text.find("points out of the box") != std::string::npos);
+    CHECK(doubt.text.find("here [1, 0, 0]") != std::string::npos);
+  }
+  SUBCASE("a line along its own normal") {
+    CHECK(only(changed("[-0.05, 0.015, 0]]", "[0.05, -0.015, 0]]")).doubt == Doubt::normal_along);
+  }
+  SUBCASE("both fingers on one side") {
+    const std::string same = with(slide(), "center = [0, 0, -0.005]", "center = [0.02, 0, 0.005]");
+    CHECK(
+        only(check_scene(parsed(with(same, "normal = [0, 0, 1]", "normal = [0, 0, -1]")))).doubt ==
+        Doubt::jaws_same_side);
+  }
+  SUBCASE("friction in percent") {
+    const SceneDoubt doubt = only(changed("friction = 0.3", "friction = 30"));
+    CHECK(doubt.doubt == Doubt::friction);
+    CHECK(doubt.line == 36);
+  }
+  SUBCASE("gravity in mm/s^2") { CHECK(only(changed("-9.81", "-9810")).doubt == Doubt::gravity); }
+  SUBCASE("a push that no machine makes") {
+    CHECK(only(changed("acceleration = [0.1", "acceleration = [1e6")).doubt == Doubt::acceleration);
+  }
+  SUBCASE("inertia in g mm^2") {
+    CHECK(only(changed("box = [0.1, 0.03, 0.01]", "inertia = [17000, 168000, 182000]")).doubt ==
+          Doubt::inertia);
+  }
+  SUBCASE("the origin at the box's corner") {
+    std::string corner = with(slide(), "center = [0, 0, 0.005]", "center = [0.05, 0.015, 0.01]");
+    corner = with(corner, "center = [0, 0, -0.005]", "center = [0.05, 0.015, 0]");
+    corner = with(corner, "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]",
+                  "ends = [[0, 0, 0.005], [0, 0.03, 0.005]]");
+    const SceneDoubt doubt = only(check_scene(parsed(corner)));
+    CHECK(doubt.doubt == Doubt::center_of_mass);
+    CHECK(doubt.text.find("around [0.05, 0.015, 0.005]") != std::string::npos);
   }
   SUBCASE("a pusher that moves away") {
     CHECK(only(changed("acceleration = [0.1", "acceleration = [-0.1")).doubt == Doubt::moves_away);
@@ -157,7 +190,7 @@ TEST_CASE("fingers that yield to the push are named, and only those") {
 TEST_CASE("where the shape is not known, only far places and retreating pushers are odd") {
   const std::string bare = with(slide(), "box = [0.1, 0.03, 0.01]", "inertia = [1e-5, 1e-4, 1e-4]");
   CHECK(codes(bare) == Codes{});
-  CHECK(codes(with(bare, "normal = [0, 0, -1]", "normal = [0, 0, 1]")) == Codes{});
+  CHECK(codes(with(bare, "normal = [0, 0, -1]", "normal = [0, 0, 1]")) == Codes{"jaws_same_side"});
   CHECK(codes(with(bare, "center = [0, 0, 0.005]", "center = [0, 0, 5]")) ==
         Codes{"far_from_object"});
   CHECK(codes(with(bare, "acceleration = [0.1", "acceleration = [-0.1")) == Codes{"moves_away"});

@@ -139,7 +139,10 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
                 "9: finger \"left\": unknown key \"fricton\" (did you mean \"friction\"?)");
   check_says("gravty = [0, 0, 0]\n" + with_finger(""), "1: unknown key \"gravty\"");
   check_says(with_finger("zzzzzzzz = 1"), "the keys here are name, friction");
-  check_says(with_finger("acceleration = [0, 0, 0]"), "unknown key \"acceleration\"");
+  check_says(with_finger("acceleration = [0, 0, 0]"), "; it goes with [[pusher]] or [[actuator]]");
+  check_says(with_finger("gravity = [0, 0, 0]"), "; it stands at the top, before the first table");
+  check_says(with_finger("mu = 0.5"), "(did you mean \"friction\"?)");
+  check_says(with_finger("grip = 20"), "(did you mean \"grip_force\"?)");
 }
 
 TEST_CASE("an unknown, single or repeated table is refused") {
@@ -151,7 +154,8 @@ TEST_CASE("an unknown, single or repeated table is refused") {
                 "1: missing the table [object]; add [object] with mass and box, for example");
   check_refusal(object_table, "1: nothing touches the object; add at least one [[finger]] or "
                               "[[pusher]]");
-  check_says("", "missing the table [object]");
+  check_says("facets = 4", "missing the table [object]");
+  check_says("# nothing yet", "1: there is nothing in it; `lcpush new box` writes a scene");
 }
 
 TEST_CASE("a missing key is named with its table, line and an example") {

@@ -16,7 +16,13 @@ enum class Doubt {
   moves_away,       ///< a pusher recedes from the object at each of its points
   density,          ///< no material is so light, or so heavy
   jaws_independent, ///< opposed fingers that a push carries along with it
-  center_of_mass,   ///< the contacts fit the object around the scene's origin, not where it is
+  center_of_mass,   ///< the contacts fit the object around another middle than the file's
+  normal_along,     ///< a patch extends along its normal, where a plane should touch
+  friction,         ///< more than any pair of materials has: percent, or an angle
+  gravity,          ///< no planet's
+  acceleration,     ///< a push that no machine makes
+  inertia,          ///< of a body far larger than where its contacts lie
+  jaws_same_side,   ///< parallel jaws that press the same way
 };
 
 /// As JSON spells it.

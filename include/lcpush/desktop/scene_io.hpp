@@ -51,10 +51,11 @@ struct SceneLines {
   struct OfBody {
     int place; ///< center, ends or points
     int normal;
+    int friction;
     int motion; ///< acceleration or what else moves it; its table's line without one
   };
   std::string file; ///< as messages name it
-  int object = 0, center_of_mass = 0;
+  int gravity = 0, object = 0, center_of_mass = 0;
   std::vector<OfBody> bodies;
 };
 

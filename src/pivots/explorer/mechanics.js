@@ -64,7 +64,7 @@
   function mode_of(scene, point, z, w, levels) {
     const none = [0, 0];
     const pull = point.pull === null ? none : z[point.pull];
-    // w < 0 is possible while a cushion z0 makes up for it.
+    // w < 0 is possible while z0 makes up for it.
     if (sign(z[point.normal]) === 0 && sign(pull) === 0)
       return ['sink', 'touch', 'separate'][sign(w[point.normal]) + 1];
     if (point.slip === null)
@@ -72,7 +72,7 @@
     return sign(z[point.slip]) > 0 ? 'slide' : 'stick';
   }
 
-  /// z, w: [times S, finite] by index in SI units, w without the cushion d z0.
+  /// z, w: [times S, finite] by index in SI units, w without d z0.
   function picture(scene, z, w) {
     const levels = [0, 1].map((k) => level_of(scene, z.map((x) => x[k]), k));
     const modes = scene.points.map((point) => mode_of(scene, point, z, w, levels));

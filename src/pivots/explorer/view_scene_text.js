@@ -1,12 +1,11 @@
-// The panel around the drawing: which part is drawn, the cushion, and the same in words.
+// The panel around the drawing: which part is drawn, what z0 hides, and the same in words.
 (() => {
   const { h, parsed, table, replace, by_id, name } = explorer.elements;
   const { decimal } = explorer.number_text;
   const { figures } = explorer.view_scene;
   const { length, cross, scale, dot, add } = explorer.vectors;
 
-  /// z and w of the present basis in SI units, by level [times S, finite], w without the cushion
-  /// d z0.
+  /// z and w of the present basis in SI units, by level [times S, finite], w without d z0.
   function unknowns(app) {
     const { problem, path, frame } = app;
     const n = problem.size;
@@ -21,10 +20,10 @@
       all[variable] = levels.map((part) => part * app.unit(run, variable));
     });
     const z0 = all[2 * n];
-    const cushion = app.cover(run).map((d, i) => z0.map((part) => part * d * app.unit(run, i)));
+    const lift = app.cover(run).map((d, i) => z0.map((part) => part * d * app.unit(run, i)));
     const w = all.slice(0, n).map((x, i) => x.map((part, k) => {
-      const size = Math.abs(part) + Math.abs(cushion[i][k]);
-      const rest = part - cushion[i][k];
+      const size = Math.abs(part) + Math.abs(lift[i][k]);
+      const rest = part - lift[i][k];
       return Math.abs(rest) < 1e-11 * size ? 0 : rest; // rounding is not a broken law
     }));
     return { z: all.slice(n, 2 * n), w, z0 };
@@ -77,7 +76,7 @@
   }
 
   /// While z0 > 0: how far each law is still broken.
-  function cushion_note(app, values) {
+  function artificial_note(app, values) {
     const { problem } = app;
     if (explorer.mechanics.sign(values.z0) <= 0) return null;
     const worst = values.w.map((x, i) => ({ i, x }))
@@ -86,7 +85,7 @@
     const text = (x) => (x[0] !== 0 ? `${decimal(x[0], 3)} S${x[1] ? ` ${
       x[1] < 0 ? '\u2212' : '+'} ${decimal(Math.abs(x[1]), 3)}` : ''}` : decimal(x[1], 3));
     return h('div', { class: 'note' },
-      h('p', {}, h('strong', {}, 'Not yet an answer.'), ' z0 > 0: a fictitious cushion still lifts '
+      h('p', {}, h('strong', {}, 'Not yet an answer.'), ' z0 > 0: the artificial variable still lifts '
         + 'every row by d\u202fz0. Without it ', worst.length > 0
         ? `${explorer.words.many(worst.length, 'law')} would be broken:`
         : 'no law would be broken.'),
@@ -117,7 +116,7 @@
     replace('scene', switcher, parts,
       figures(scene, shown.modes, level, width).map(({ title, svg }) =>
         h('figure', {}, svg, h('figcaption', {}, title))),
-      parsed(h('div'), scene.key), cushion_note(app, values), motion_list(scene, level),
+      parsed(h('div'), scene.key), artificial_note(app, values), motion_list(scene, level),
       contact_table(scene, shown.modes, level));
   }
 

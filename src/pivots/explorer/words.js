@@ -57,7 +57,7 @@
     if (!variables[leaving].ends) return null;
     const ends = variables[leaving].ends + sliding(path, frame_number, pivot);
     return entering === path.problem.artificial
-      ? `The cushion z0 enters, just large enough for every law to hold with its help; ${ends}.`
+      ? `The artificial variable z0 enters, just large enough for every law to hold with its help; ${ends}.`
       : `As ${grows}, ${ends}.`;
   }
 
@@ -71,7 +71,7 @@
     const at = (r) => explorer.number_text.value(problem, ratios[r], as_fraction);
     const ratio = ratios && ratios[row];
     if (entering === problem.artificial)
-      return !ratio ? `Not ${tried}: it is not below 0 and needs no cushion.`
+      return !ratio ? `Not ${tried}: it is not below 0 and needs no z0.`
         : `Not ${tried}: it is lifted to 0 at z0 = ${at(row)} already, while ${other} would still be `
           + 'negative.';
     if (!ratio)

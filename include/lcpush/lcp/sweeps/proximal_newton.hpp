@@ -17,6 +17,7 @@
 
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/problem.hpp"
+#include "lcpush/lcp/sweeps/coupling_table.hpp"
 #include "lcpush/lcp/sweeps/simplex.hpp"
 #include "lcpush/lcp/sweeps/small_solve.hpp"
 
@@ -55,11 +56,8 @@ private:
   Index n_ = 0, dimension_ = 0, passes_ = 0;
   S eps_{1};
   Span<S> force_, center_, rate_, wanted_; // n each; a slip's place in force_ holds theta
-  Span<S> coupling_;                       // by variable: coupling_[first_[i] .. first_[i + 1])
   Span<S> x_, trial_, phi_, step_, settled_x_, normal_, tangent_, column_, jacobian_;
-  Span<int> first_, sum_; // by variable: which sum groups
-  Span<int> slot_;        // of a sum group in x; -1: it fixes one force, and has no unknown
-  Span<int> is_fixed_;    // by variable: 1 if such a sum group fixes it
+  CouplingTable<S> sums_; // its slots are places in x
 
   const FactoredProblem<S>& factored() const { return *problem_.factored; }
 
@@ -67,73 +65,24 @@ private:
     Block<S> scalars(scalars_);
     Block<int> integers(integers_);
     for (Span<S>* span : {&force_, &center_, &rate_, &wanted_}) *span = scalars.take(n_);
-    coupling_ = scalars.take(couplings);
+    sums_.take(scalars, integers, n_, couplings, sums);
     jacobian_ = scalars.take((6 + sums) * (6 + sums));
     for (Span<S>* span : {&x_, &trial_, &phi_, &step_, &settled_x_, &normal_, &tangent_, &column_})
       *span = scalars.take(6 + sums);
-    first_ = integers.take(n_ + 1);
-    sum_ = integers.take(couplings);
-    slot_ = integers.take(sums);
-    is_fixed_ = integers.take(n_);
     return !scalars.exhausted() && !integers.exhausted();
-  }
-
-  /// A sum of one normal force, without inertia, fixes that force: one unknown less.
-  void sort_sums() {
-    for (Index i = 0; i < n_; ++i) is_fixed_[i] = 0;
-    for (const ConeGroup<S>& cone : factored().cones)
-      if (cone.normals == 1) is_fixed_[cone.variable] = -1; // a candidate
-    for (const SumGroup<S>& sum : factored().sums)
-      for (Index k = sum.first; k < sum.first + sum.count; ++k) {
-        int& fixed = is_fixed_[factored().coupled_variable[k]];
-        fixed = fixed == -1 ? -2 : 0; // coupled once: still a candidate
-      }
-    dimension_ = 6;
-    for (Index a = 0; a < factored().sums.size; ++a) {
-      const SumGroup<S>& sum = factored().sums[a];
-      const Index i = sum.count == 1 ? factored().coupled_variable[sum.first] : -1;
-      const bool fixes = i >= 0 && is_fixed_[i] == -2 && !(sum.inertia > S(0)) &&
-                         factored().coupling[sum.first] > S(0);
-      slot_[a] = fixes ? -1 : static_cast<int>(dimension_++);
-      if (!fixes) continue;
-      is_fixed_[i] = 1;
-      center_[i] = sum.target / factored().coupling[sum.first];
-    }
-    for (Index i = 0; i < n_; ++i)
-      if (is_fixed_[i] < 0) is_fixed_[i] = 0;
-  }
-
-  /// The coupling entries of the sum groups with an unknown, variable by variable.
-  void sort_couplings() {
-    for (Index i = 0; i <= n_; ++i) first_[i] = 0;
-    const auto each = [&](const auto& visit) {
-      for (Index a = 0; a < factored().sums.size; ++a) {
-        const SumGroup<S>& sum = factored().sums[a];
-        for (Index k = sum.first; slot_[a] >= 0 && k < sum.first + sum.count; ++k)
-          visit(factored().coupled_variable[k], a, factored().coupling[k]);
-      }
-    };
-    each([&](Index i, Index, const S&) { ++first_[i + 1]; });
-    for (Index i = 0; i < n_; ++i) first_[i + 1] += first_[i];
-    each([&](Index i, Index a, const S& value) {
-      sum_[first_[i]] = slot_[a];
-      coupling_[first_[i]++] = value;
-    });
-    for (Index i = n_; i > 0; --i) first_[i] = first_[i - 1];
-    first_[0] = 0;
   }
 
   S rate_at(Index variable, Index force, const S* x) const {
     const Eigen::Map<const Vector6<S>> u(x);
     S rate = factored().wrenches[force].dot(u) + problem_.q[variable];
-    for (Index e = first_[variable]; e < first_[variable + 1]; ++e)
-      rate -= coupling_[e] * x[sum_[e]];
+    for (Index e = sums_.first[variable]; e < sums_.first[variable + 1]; ++e)
+      rate -= sums_.coupling[e] * x[sums_.sum[e]];
     return rate;
   }
 
   void solve_normal(const ConeGroup<S>& cone) {
     const Index i = cone.variable;
-    if (is_fixed_[i] != 0) {
+    if (sums_.is_fixed[i] != 0) {
       force_[i] = center_[i];
       return;
     }
@@ -168,14 +117,16 @@ private:
   S residual(const S* x) {
     Vector6<S> wrench = Vector6<S>::Zero();
     for (Index a = 0; a < factored().sums.size; ++a)
-      if (slot_[a] >= 0)
-        phi_[slot_[a]] = factored().sums[a].inertia * x[slot_[a]] - factored().sums[a].target;
+      if (sums_.slot[a] >= 0)
+        phi_[sums_.slot[a]] =
+            factored().sums[a].inertia * x[sums_.slot[a]] - factored().sums[a].target;
     for (const ConeGroup<S>& cone : factored().cones)
       for (Index k = 0; k < cone.forces(); ++k) {
         const Index i = cone.variable + k;
         if (force_[i] == S(0)) continue;
         wrench += factored().wrenches[cone.force + k] * force_[i];
-        for (Index e = first_[i]; e < first_[i + 1]; ++e) phi_[sum_[e]] += coupling_[e] * force_[i];
+        for (Index e = sums_.first[i]; e < sums_.first[i + 1]; ++e)
+          phi_[sums_.sum[e]] += sums_.coupling[e] * force_[i];
       }
     const Vector6<S> u = factored().mobility.lazyProduct(wrench);
     for (Index k = 0; k < 6; ++k) phi_[k] = x[k] - u[k];
@@ -187,7 +138,8 @@ private:
   /// [W ; - coupling] of a force: what it does to u and to the sums, and what they do to its rate.
   void extend(Index force, Index variable, Span<S> column) const {
     for (Index k = 0; k < dimension_; ++k) column[k] = k < 6 ? factored().wrenches[force][k] : S(0);
-    for (Index e = first_[variable]; e < first_[variable + 1]; ++e) column[sum_[e]] -= coupling_[e];
+    for (Index e = sums_.first[variable]; e < sums_.first[variable + 1]; ++e)
+      column[sums_.sum[e]] -= sums_.coupling[e];
   }
 
   /// Adds - d(sum of a group's force columns) / dx.
@@ -199,9 +151,9 @@ private:
     const Index i = cone.variable, first = i + cone.normals;
     const S lambda = cone.normal_force(force_.data);
     if (lambda == S(0) && cone.normals == 1) return;
-    const S yields = is_fixed_[i] != 0 ? S(0) : S(1) / (eps_ + cone.compliance);
+    const S yields = sums_.is_fixed[i] != 0 ? S(0) : S(1) / (eps_ + cone.compliance);
     extend(cone.force, i, normal_);
-    if (is_fixed_[i] == 0) add(normal_, normal_, yields);
+    if (sums_.is_fixed[i] == 0) add(normal_, normal_, yields);
     if (cone.generators == 0) return;
     S support(0);
     for (Index k = 0; k < dimension_; ++k) tangent_[k] = S(0);
@@ -228,7 +180,7 @@ private:
     }
     for (Index k = 0; k < 6; ++k) J(k, k) += S(1);
     for (Index a = 0; a < factored().sums.size; ++a)
-      if (slot_[a] >= 0) J(slot_[a], slot_[a]) += factored().sums[a].inertia;
+      if (sums_.slot[a] >= 0) J(sums_.slot[a], sums_.slot[a]) += factored().sums[a].inertia;
   }
 
   /// One step of Newton's method, halved until phi_ falls. False if it does not.
@@ -259,8 +211,8 @@ template <class S> bool ProximalNewton<S>::init(const Problem<S>& problem, const
   for (const SumGroup<S>& sum : factored().sums) couplings += sum.count;
   if (!carve(couplings, factored().sums.size)) return false;
   for (Index i = 0; i < n_; ++i) center_[i] = start[i];
-  sort_sums();
-  sort_couplings();
+  dimension_ = sums_.sort_sums(factored(), 6, center_);
+  sums_.sort_couplings(factored());
   for (Index k = 0; k < dimension_; ++k) x_[k] = settled_x_[k] = S(0);
   return true;
 }
@@ -299,8 +251,8 @@ template <class S> void ProximalNewton<S>::recover(S* z) const {
   }
   for (Index a = 0; a < factored().sums.size; ++a) {
     const Index s = problem_.free_begin + a;
-    if (slot_[a] >= 0) {
-      z[s] = settled_x_[slot_[a]];
+    if (sums_.slot[a] >= 0) {
+      z[s] = settled_x_[sums_.slot[a]];
       continue;
     }
     const Index entry = factored().sums[a].first, i = factored().coupled_variable[entry];
