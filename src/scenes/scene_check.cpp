@@ -235,10 +235,10 @@ private:
     if (file_.hand != Hand::parallel && file_.hand != Hand::locked) return;
     std::vector<std::size_t> jaws; // other fingers are stops
     for (std::size_t b = 0; b < file_.bodies.size(); ++b)
-      if (body_at(file_, b).preload > 0 || is_driven(file_.view(), static_cast<Index>(b)))
+      if (file_.bodies[b].preload > 0 || is_driven(file_.view(), static_cast<Index>(b)))
         jaws.push_back(b);
     const std::size_t one = jaws[0], other = jaws[1];
-    if (!(body_at(file_, one).normal.dot(body_at(file_, other).normal) > 0)) return;
+    if (!(file_.bodies[one].normal.dot(file_.bodies[other].normal) > 0)) return;
     doubt(Doubt::jaws_same_side, file_.lines.bodies[other].normal,
           body_label(file_, other) + "it and " + quoted(file_.body_names[one]) +
               " press the same way, though jaws close toward each other; turn one normal round, or "
