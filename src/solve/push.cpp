@@ -1,3 +1,4 @@
+#include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/push_rounds.hpp"
 #include "text/wording.hpp"
 
@@ -227,8 +228,8 @@ PushReport Push::solve(const PushOptions& options) {
   name_file_bodies();
   report.motion = describe_motion(file_.view(), report.answer, report.scales.length,
                                   report.scales.acceleration, push);
-  const double fastest = std::max(push, report.motion.translation);
-  report.hand_moves = fastest > 0 && any_moves(closings(fastest));
+  const double noise = rest_tolerance(options.solver) * report.scales.acceleration;
+  report.hand_moves = any_moves(closings(std::max({push, report.motion.translation, noise})));
   // The solver has checked its own equations; this is the laws' own word, in SI units.
   if (!(report.residuals.max() <= Tolerances<double>().residual)) {
     report.status = Status::numerical_breakdown;

@@ -11,6 +11,7 @@ import unittest
 
 TOOL, SOURCE = sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
 SCENE = re.search(r"```toml\n(.*?)```", (SOURCE / "docs/guide/scenes.md").read_text(), flags=re.S)[1]
+SCENE = SCENE.replace("[[finger]]", '[gripper]\njaws = "parallel"\n\n[[finger]]', 1)  # jaws can be mistyped
 WALL = SCENE[SCENE.index("[[pusher]]"):]
 MATRIX = "%%MatrixMarket matrix array real general\n"
 
