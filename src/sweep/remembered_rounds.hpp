@@ -38,12 +38,15 @@ struct RememberedStart {
   void begins_cold() { ++memory.cold; }
 };
 
-class RememberedRounds {
+/// By Lemke over either basis.
+template <class Pivots> class RememberedRounds {
+  using Then = LemkeRounds<double, const Unwatched, Pivots>;
+
 public:
   static constexpr bool carries_push = true;
 
-  RememberedRounds(Lemke<double>& lemke, RoundMemory& memory)
-      : then_(RememberedStart{memory}, LemkeRounds<double>(lemke)) {}
+  RememberedRounds(Pivots& lemke, RoundMemory& memory)
+      : then_(RememberedStart{memory}, Then(lemke)) {}
 
   void begin(const Problem<double>& problem, bool warm, const PressureMemory<double>& pressure) {
     RememberedStart& start = then_.start;
@@ -69,11 +72,11 @@ public:
   }
 
   void vary() { then_.vary(); }
-  LemkeRounds<double>& pivots() { return then_.pivots(); }
+  Then& pivots() { return then_.pivots(); }
   void demand(double) {}
 
 private:
-  StartedRounds<double, RememberedStart> then_;
+  StartedRounds<double, RememberedStart, const Unwatched, Pivots> then_;
   BasisSolution solution_;
   bool holds_ = false; ///< is the remembered basis the answer itself?
 };

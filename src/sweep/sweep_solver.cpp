@@ -102,6 +102,16 @@ void SweepSolver::make_lemke() {
     lemke_.emplace(n);
 }
 
+void SweepSolver::make_structured() {
+  const Assembly<double>& assembly = point_->assembly;
+  const Index n = assembly.layout().size, points = assembly.layout().points;
+  const Index scalars = structured_lemke_scalars(n, points, shared_actuators(assembly.factored()));
+  const Index integers = structured_lemke_integers(n, points);
+  if (!structured_ || span_of(structured_->scalars).size < scalars ||
+      span_of(structured_->integers).size < integers)
+    structured_.emplace(scalars, integers);
+}
+
 /// From the basis `from`, if there is one; solved: `basis` receives the last one.
 Status SweepSolver::pivot(Question question, const LemkeOptions<double>& options,
                           const unsigned char* from, Basis& basis) {
@@ -188,11 +198,35 @@ DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const Ro
   return answer;
 }
 
+/// Dense pivots start slowly from a basis, as each of its unknowns has to be brought in.
 DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
-  ScenePoint& p = *point_;
-  make_lemke();
+  constexpr Index smallest_structured = 100;
+  const Problem<double> problem = point_->problem(question);
   RoundMemory memory{bases};
-  const RememberedRounds rounds(*lemke_, memory);
+  DetailedAnswer answer;
+  const bool structured =
+      problem.size >= smallest_structured &&
+      StructuredBasis<double>::supports(problem, LemkeOptions<double>().tie_rule);
+  if (structured) {
+    make_structured();
+    answer = solve_rounds(question, *structured_, memory);
+  }
+  // A ray has been verified: the whole dictionary would find it again.
+  const bool is_open = !answer.is_known() && answer.status != Status::ray;
+  if (is_open && (!structured || problem.size <= limits::unknowns_dense)) {
+    make_lemke();
+    memory.next = 0;
+    answer = solve_rounds(question, *lemke_, memory);
+  }
+  ++(memory.cold > 0 ? cold_ : warm_);
+  if (!answer.is_known()) bases.clear();
+  return answer;
+}
+
+template <class Pivots>
+DetailedAnswer SweepSolver::solve_rounds(Question question, Pivots& pivots, RoundMemory& memory) {
+  ScenePoint& p = *point_;
+  const RememberedRounds<Pivots> rounds(pivots, memory);
   PressureRun run;
   DetailedAnswer answer;
   if (question == Question::push) {
@@ -206,8 +240,6 @@ DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
     answer = judge_breaking(p, status, breaking);
     p.assembly.push_by(1.0);
   }
-  ++(memory.cold > 0 ? cold_ : warm_);
-  if (!answer.is_known()) bases.clear();
   return answer;
 }
 

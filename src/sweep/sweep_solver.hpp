@@ -45,6 +45,8 @@ struct ScenePoint {
 /// The bases that the rounds of one solve ended in, one after the other; one round of `rigid`.
 using RoundBases = std::vector<Basis>;
 
+struct RoundMemory;
+
 class SweepSolver {
 public:
   /// `warm`: samples start from their neighbours' answers.
@@ -85,10 +87,14 @@ private:
   bool is_warm_;
   std::unique_ptr<ScenePoint> point_;
   std::optional<OwnedLemke<double>> lemke_;
+  std::optional<Owned<StructuredLemke<double>>> structured_;
   Index cold_ = 0, warm_ = 0;
 
   DetailedAnswer solve_pad(Question question, RoundBases& bases);
+  template <class Pivots>
+  DetailedAnswer solve_rounds(Question question, Pivots& pivots, RoundMemory& memory);
   void make_lemke();
+  void make_structured();
   Status pivot(Question question, const LemkeOptions<double>& options, const unsigned char* from,
                Basis& basis);
 };
