@@ -56,7 +56,8 @@ int run_report(const Arguments& arguments) {
   if (arguments.has("--picture") && format != "svg")
     throw UsageError("--picture goes with --format svg");
   if (arguments.files().empty()) refuse_no_scene();
-  VariedScene scene = read_varied_scene(arguments, arguments.files()[0]);
+  const Needs needs = arguments.has("--vary") ? Needs::matrix : Needs::scene;
+  VariedScene scene = read_varied_scene(arguments, arguments.files()[0], needs);
   const SceneFile file = scene.as_given();
   const Index pusher = breaking_pusher(arguments, file);
   // Before anything is solved: what is typed wrong should not take long to say.

@@ -50,12 +50,13 @@ void refuse_no_scene() {
   throw UsageError("a scene file is needed; `lcpush new box -o mine.toml` writes one");
 }
 
-VariedScene read_varied_scene(const Arguments& arguments, const std::string& path) {
+VariedScene read_varied_scene(const Arguments& arguments, const std::string& path, Needs needs) {
   VariedScene scene = VariedScene::read(path);
   if (const auto law = arguments.value("--pressure"))
     scene.set_pressure(one_of("--pressure", *law, pressure_names()));
   const SceneFile file = scene.as_given();
-  refuse_unknowns(arguments, file, largest_dimension, "matrix this command can hold");
+  if (needs == Needs::matrix)
+    refuse_unknowns(arguments, file, largest_dimension, "matrix this command can hold");
   if (arguments.has("--strict")) refuse_doubts(file);
   return scene;
 }

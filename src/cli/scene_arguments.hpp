@@ -19,7 +19,8 @@ enum class Needs {
 /// odd in any way with --strict.
 SceneFile read_scene_argument(const Arguments& arguments, Needs needs = Needs::matrix);
 /// The same, to be varied; the law of --pressure, if it is given.
-VariedScene read_varied_scene(const Arguments& arguments, const std::string& path);
+VariedScene read_varied_scene(const Arguments& arguments, const std::string& path,
+                              Needs needs = Needs::matrix);
 /// Throws UsageError: no file was named.
 [[noreturn]] void refuse_no_scene();
 /// Throws InputError if the scene looks odd.

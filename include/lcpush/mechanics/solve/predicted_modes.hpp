@@ -7,6 +7,50 @@
 
 namespace lcpush {
 
+namespace detail {
+
+constexpr Index greatest_common_divisor(Index a, Index b) {
+  return b == 0 ? a : greatest_common_divisor(b, a % b);
+}
+
+/// Of the points that are expected to press, those stay whose normals hold the object and the
+/// actuators independently of each other: more could not be basic together. Points far apart come
+/// first: a golden section of the body's list is between one and the next.
+template <class S>
+void keep_independent_normals(const Assembly<S>& assembly, Span<unsigned char> active) {
+  constexpr Index most = 12; // 6 accelerations and the actuators of any hand that is usual
+  const FactoredProblem<S>& factored = assembly.factored();
+  const Scene<S>& scene = assembly.scene();
+  if (6 + factored.sums.size > most) return;
+  Eigen::Matrix<S, most, most> kept;
+  Index rank = 0;
+  for (const Body<S>& body : scene.bodies) {
+    Index stride = 1 + 382 * body.point_count / 1000;
+    while (stride > 1 && greatest_common_divisor(stride, body.point_count) > 1) --stride;
+    for (Index k = 0; k < body.point_count; ++k) {
+      const Index point = body.first_point + k * stride % body.point_count;
+      const ConeGroup<S>& cone = factored.cones[point];
+      if (active[cone.variable] == 0) continue;
+      Eigen::Matrix<S, most, 1> row = Eigen::Matrix<S, most, 1>::Zero();
+      row.template head<6>() = factored.wrenches[cone.force];
+      for (const Drive<S>& drive : scene.drives)
+        if (&scene.bodies[drive.body] == &body)
+          row[6 + drive.actuator] -= laws::grip_coefficient(drive, factored.wrenches[cone.force],
+                                                            assembly.layout().reach[drive.actuator],
+                                                            assembly.layout().scales);
+      const S size = row.norm();
+      for (Index l = 0; l < rank; ++l) row -= kept.col(l).dot(row) * kept.col(l);
+      const S rest = row.norm();
+      if (rank < most && rest > size / S(1000))
+        kept.col(rank++) = row / rest;
+      else
+        active[cone.variable] = 0;
+    }
+  }
+}
+
+} // namespace detail
+
 /// active[i] = 1 where z_i is expected to be positive (n flags), if the object accelerates as its
 /// leading pusher does: the points of force-controlled bodies and of pushers press; where the
 /// former slip, the generator most opposed to the slip carries friction. The pushers' own friction
@@ -46,6 +90,7 @@ template <class S> void predict_modes(const Assembly<S>& assembly, Span<unsigned
       if (against >= 0) active[against] = active[cone.slip()] = 1;
     }
   }
+  if (scene.pressure == Pressure::rigid) detail::keep_independent_normals(assembly, active);
 }
 
 /// The predicted modes as a first basis. One that leads astray shall cost no more than a cold one.
