@@ -17,10 +17,10 @@ def run(*words):
 
 class Spread(unittest.TestCase):
     def test_json_has_every_promised_key(self):
-        result = run(SCENES / "straight_slide_point.toml", "--json")
+        result = run(SCENES / "straight_slide_point.toml", "--json", "--paths")
         self.assertEqual(result.returncode, 0)
         answer = json.loads(result.stdout)
-        for key in ("status", "verdict", "laws", "pressure", "faces", "covers", "covers_solved",
+        for key in ("status", "verdict", "laws", "pressure", "breaking", "faces", "covers", "covers_solved",
                     "complete", "enumeration", "faces_left", "failures", "residual", "push_force",
                     "twist", "contacts"):
             self.assertIn(key, answer)
@@ -57,7 +57,8 @@ class Spread(unittest.TestCase):
 
     def test_every_solution_is_said_only_after_enumeration(self):
         self.assertIn("every solution", run(SCENES / "coin.toml", "--enumerate").stdout)
-        reached = run(SCENES / "coin.toml", "--covers", "7", "-v").stdout
+        self.assertIn("every solution", run(SCENES / "coin.toml").stdout)
+        reached = run(SCENES / "coin.toml", "--covers", "7", "-v", "--paths").stdout
         self.assertNotIn("every solution", reached)
         self.assertIn("the solutions that were reached: 1 face from 7 covering", reached)
         many = run(SCENES / "soft_fingers.toml", "--enumerate").stdout
@@ -73,12 +74,15 @@ class Spread(unittest.TestCase):
         text = run(SCENES / "straight_slide_point.toml").stdout
         self.assertIn("\n\nThe laws leave open how the box moves.\nThe push by wall is 18.4 to 20 N, "
                       "the sum of its normal forces.\n\n", text)
-        for word in ("linear program", "residual", "cover", "face"):
+        for word in ("linear program", "residual", "from 32 covering", "face"):
             self.assertNotIn(word, text)
-            self.assertIn(word, run(SCENES / "straight_slide_point.toml", "-v").stdout)
+            self.assertIn(word, run(SCENES / "straight_slide_point.toml", "-v", "--paths").stdout)
         # Only enumeration says what no answer does.
-        self.assertIn("In all answers that were reached, the cylinder moves in one way",
-                      run(SCENES / "coin.toml").stdout)
+        reached = run(SCENES / "coin.toml", "--paths").stdout
+        self.assertIn("In all answers that were reached, the cylinder moves in one way", reached)
+        self.assertIn("\nThe ranges are at least these, ", reached)
+        self.assertIn("The push by wall ranges at least from 18.4 to 20 N,",
+                      run(SCENES / "straight_slide_point.toml", "--paths").stdout)
         self.assertIn("\nThe cylinder moves in one way, under one set of forces.\n",
                       run(SCENES / "coin.toml", "--enumerate").stdout)
 
