@@ -138,7 +138,7 @@ std::string break_text(const SceneFile& file, const HoldReport& hold, const Grip
   if (report.other_force)
     text += "\nThe breaking force is not unique: " +
             either(report.breaking.break_force, *report.other_force) +
-            " N, both by the paper's laws.\nSee: lcpush spread " + file.lines.file + "\n";
+            " N, both by the paper's laws.\nSee: lcpush spread --break " + file.lines.file + "\n";
   return is_full ? text + residual_line(report.breaking.residuals) + run_line(file, report) : text;
 }
 
