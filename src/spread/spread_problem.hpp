@@ -2,7 +2,6 @@
 // in an answer to them.
 #pragma once
 
-#include <tuple>
 #include <vector>
 
 #include "lcpush/desktop/assembled_scene.hpp"
@@ -23,10 +22,6 @@ struct ContactMode {
   Kind kind = Kind::undecided;
   bool pulls = false;        ///< of a bilateral contact, which is never open
   std::vector<Index> active; ///< ascending
-
-  friend bool operator<(const ContactMode& a, const ContactMode& b) {
-    return std::tie(a.kind, a.pulls, a.active) < std::tie(b.kind, b.pulls, b.active);
-  }
 };
 using FaceModes = std::vector<ContactMode>; ///< one a contact point
 

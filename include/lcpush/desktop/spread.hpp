@@ -29,19 +29,19 @@ struct Interval {
 /// How far all assignments of contact modes are gone through, which alone finds every answer.
 enum class Enumeration {
   if_small, ///< given up as soon as the end is not in sight
-  thorough, ///< as far as ten times that work goes
+  thorough, ///< as far as forty times that work goes
   none,     ///< only answers that paths of pivots, and steps from them, reach
 };
 
 struct SpreadOptions {
   Index covering_vectors = 32; ///< 0, 1, .. of Lemke's method, each a path to an answer
   Enumeration enumeration = Enumeration::if_small;
-  bool breaking = false;   ///< the instant of breaking instead of the push as it is
-  Index most_faces = 2000; ///< studied on the way from the paths
-  double most_work = 1e9;  ///< multiplications after which no further face is begun, about a
-                           ///< second; enumerations: as many again, `thorough`: fifty times
-  double most_seconds = 0; ///< > 0: this time instead, whatever the work; then the same input
-                           ///< need not give the same bits
+  bool breaking = false;    ///< the instant of breaking instead of the push as it is
+  Index most_faces = 2000;  ///< studied on the way from the paths
+  double most_work = 1.3e9; ///< multiplications, about two seconds: after them no further face is
+                            ///< begun, and enumeration ends; `thorough`: after forty times that
+  double most_seconds = 0;  ///< > 0: this time instead, whatever the work; then the same input
+                            ///< need not give the same bits
   LemkeOptions<double> lemke{};
   Watcher* watcher = nullptr;           ///< told of these paths' pivots
   std::function<void(double)> progress; ///< told from time to time what share is done, 0 to 1
