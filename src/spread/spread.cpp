@@ -44,6 +44,25 @@ std::string corner_key(const Eigen::VectorXd& z) {
           static_cast<std::size_t>(rounded.size()) * sizeof(float)};
 }
 
+/// Does one report's range of a force, or of the motion, go beyond the other's by what counts?
+bool is_wider(const SpreadReport& wider, const SpreadReport& than) {
+  constexpr double counts = 1e-6; // of the scale of forces, or of motions
+  const auto exceeds = [](const Interval& one, const Interval& two, double slack) {
+    return one.low < two.low - slack || one.high > two.high + slack;
+  };
+  const double force = counts * than.scales.force;
+  for (std::size_t k = 0; k < wider.pushers.size(); ++k)
+    if (exceeds(wider.pushers[k].force, than.pushers[k].force, force)) return true;
+  for (std::size_t i = 0; i < wider.contacts.size(); ++i)
+    if (exceeds(wider.contacts[i].normal, than.contacts[i].normal, force)) return true;
+  for (Index k = 0; k < 6; ++k) {
+    const Interval& one = wider.twist[k];
+    const double size = std::max(std::abs(one.low), std::abs(one.high));
+    if (exceeds(one, than.twist[k], counts * std::max(size, than.scales.acceleration))) return true;
+  }
+  return false;
+}
+
 class Search {
 public:
   Search(const SceneFile& file, const SpreadOptions& options) : options_(options), problem_(file) {
@@ -59,8 +78,9 @@ public:
   SpreadReport run() {
     solve_covering_vectors();
     if (options_.enumeration != Enumeration::none) enumerate();
+    include_paths();
     if (!report_.complete) walk();
-    if (report_.faces > 0) {
+    if (report_.faces > 0 || (!options_.breaking && report_.covering_vectors_solved > 0)) {
       report_.status = Status::solved;
       conclude();
       return report_;
@@ -80,11 +100,17 @@ public:
   }
 
 private:
+  struct Path {
+    Face::Answer moving; ///< pushed as asked, or a little; modes and neighbours are told from it
+    Face::Answer asked;  ///< what the ranges are to hold
+    bool falls = false;  ///< the object moves before the push
+  };
+
   SpreadOptions options_;
   LiteralProblem problem_;
   SpreadReport report_;
   std::optional<FaceStudy> study_;
-  std::vector<Face::Answer> paths_;
+  std::vector<Path> paths_;
   std::unordered_set<std::string> known_, studied_; // by key_of
   std::deque<FaceModes> waiting_;
   double most_work_ = 0;
@@ -93,7 +119,7 @@ private:
   Index first_pusher() const { return report_.pushers.empty() ? 0 : report_.pushers.front().body; }
 
   /// To the push as it is; of the instant of breaking, to one so small that the modes are its own.
-  Status solve_path(OwnedLemke<double>& lemke, Index cover, Face::Answer& answer) {
+  Status solve_path(OwnedLemke<double>& lemke, Index cover, Path& path) {
     constexpr double small = 1e-3; // of F / m
     const Index n = problem_.layout().size;
     LemkeOptions<double> options = options_.lemke;
@@ -106,15 +132,14 @@ private:
     if (status == Status::running)
       status = lemke.solve(options_.watcher != nullptr ? *options_.watcher : nobody);
     if (status != Status::solved) return status;
-    answer = {Eigen::Map<const Eigen::VectorXd>(lemke.z(), n), problem_.push()};
+    const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(lemke.z(), n);
+    path.moving = path.asked = {z, options_.breaking ? 0 : problem_.push()};
     if (!options_.breaking) return status;
-    if (problem_.motion_of(answer.z, 0).head(problem_.moving()).norm() > at_rest<double>())
-      report_.falls = true;
-    answer.push = small;
-    if (lemke.valid_to() >= 0)
-      answer.push = std::min(small, lemke.valid_to() * problem_.push() / 2);
-    answer.z +=
-        answer.push / problem_.push() * Eigen::Map<const Eigen::VectorXd>(lemke.z_push(), n);
+    path.falls = problem_.motion_of(z, 0).head(problem_.moving()).norm() > at_rest<double>();
+    const double reach = lemke.valid_to() * problem_.push();
+    path.moving.push = reach < 0 ? small : std::min(small, reach / 2);
+    path.moving.z +=
+        path.moving.push / problem_.push() * Eigen::Map<const Eigen::VectorXd>(lemke.z_push(), n);
     return status;
   }
 
@@ -122,15 +147,24 @@ private:
     OwnedLemke<double> lemke(problem_.layout().size);
     for (Index k = 0; k < options_.covering_vectors; ++k) {
       ++report_.covering_vectors;
-      Face::Answer answer;
-      if (solve_path(lemke, k, answer) != Status::solved) continue;
-      if (!options_.breaking && !study_->accept(answer)) {
-        ++report_.failures;
-        continue;
-      }
-      ++report_.covering_vectors_solved;
-      paths_.push_back(answer);
+      Path path;
+      if (solve_path(lemke, k, path) == Status::solved) paths_.push_back(std::move(path));
     }
+  }
+
+  /// After an enumeration that saw every answer they bring nothing new. If they do, it did not.
+  void include_paths() {
+    const SpreadReport enumerated = report_;
+    for (const Path& path : paths_) {
+      report_.falls = report_.falls || path.falls;
+      if (path.falls || study_->accept(path.asked))
+        ++report_.covering_vectors_solved;
+      else
+        ++report_.failures;
+    }
+    if (!report_.complete || !is_wider(report_, enumerated)) return;
+    report_.complete = false;
+    report_.enumeration = "an answer was reached that lies outside of all that were enumerated";
   }
 
   void propose(const FaceModes& modes) {
@@ -176,9 +210,9 @@ private:
   void walk() {
     most_work_ = study_->work() + options_.most_work;
     const double before = study_->work();
-    for (const Face::Answer& answer : paths_) // their own faces first
-      propose(problem_.face_of(answer.z, answer.push));
-    for (const Face::Answer& answer : paths_) propose_adjacent_faces(answer);
+    for (const Path& path : paths_) // their own faces first
+      propose(problem_.face_of(path.moving.z, path.moving.push));
+    for (const Path& path : paths_) propose_adjacent_faces(path.moving);
     while (!waiting_.empty() && !is_used_up() && report_.faces < options_.most_faces) {
       const FaceModes next = std::move(waiting_.front());
       waiting_.pop_front();
