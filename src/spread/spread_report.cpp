@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -137,11 +138,22 @@ std::string push_sentences(const SceneFile& file, const SpreadReport& report) {
   return text;
 }
 
+/// No motion in any answer?
+bool is_still(const SpreadReport& report) {
+  for (Index k = 0; k < 6; ++k) {
+    const double zero = same_acceleration(report) / (k < 3 ? 1 : report.scales.length);
+    if (!(std::max(-report.twist[k].low, report.twist[k].high) <= zero)) return false;
+  }
+  return true;
+}
+
 /// What the laws leave open, and how hard the push is.
 std::string message(const SceneFile& file, const SpreadReport& report) {
+  const std::string moves = is_still(report)  ? " does not move"
+                            : report.breaking ? " begins to move in one way"
+                                              : " moves in one way";
   const std::string one_way =
-      (report.complete ? "" : "in all answers that were reached, ") + object_name(file) +
-      (report.breaking ? " begins to move in one way" : " moves in one way");
+      (report.complete ? "" : "in all answers that were reached, ") + object_name(file) + moves;
   std::string text;
   switch (report.verdict) {
   case SpreadVerdict::unique: text = sentence(one_way + ", under one set of forces"); break;
@@ -201,9 +213,9 @@ std::string spread_text(const SceneFile& file, const SpreadReport& report, Telli
            brief_end(file, report);
   std::vector<Fact> facts{law_fact(file), reach_fact(report), verdict_fact(report)};
   for (const PusherSpread& pusher : report.pushers)
-    facts.push_back(
-        {(report.breaking ? "Breaking force of " : "Push by ") + file.body_name(pusher.body),
-         interval_text(pusher.force, same_force(report), 6) + " N, the sum of its normal forces"});
+    facts.push_back({report.breaking ? "Breaking force" : "Push",
+                     interval_text(pusher.force, same_force(report), 6) +
+                         " N, the sum of the normal forces of " + file.body_name(pusher.body)});
   return text + facts_text(facts) + "\n" + motion_table(report, 6) + "\n" +
          contact_table(file, report, 6) +
          "\nBoth ends of each range belong to answers that were checked apart from the solver: "
