@@ -157,7 +157,6 @@ void Push::compare_others(const PushOptions& options, BreakReport& report) {
   for (Index k = 1; k <= options.other_covers; ++k)
     if (is_over(break_grasp(by_other_cover(options, k), report.pusher, second, ignored)))
       add_other(second, report);
-  if (layout().size > limits::unknowns_imaged) return;
   for (const SceneImage& image : scene_images(file_)) {
     const SceneFile seen = image.of(file_);
     Push push(seen);

@@ -21,13 +21,14 @@ public:
   }
   /// [vector; turn], as twists and wrenches are.
   Vector6<double> of_twist(const Vector6<double>& twist) const;
+  /// A patch that is its own image keeps the order of its points: the forces on them change places.
   SceneFile of(const SceneFile& file) const;
 
 private:
   Vector3<double> signs_;
 };
 
-/// All but the scene itself; a planar one stays in its plane. Each is its own inverse.
+/// All but the scene itself; a planar one stays in its plane.
 std::vector<SceneImage> scene_images(const SceneFile& file);
 
 } // namespace lcpush::desktop

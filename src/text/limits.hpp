@@ -20,8 +20,8 @@ constexpr Index patch_points = 10000; // each sees every other one of its patch:
 // Unknowns up to which a question is asked; beyond, its answer would take minutes.
 constexpr Index unknowns_dense = 2000; // pivots on the whole dictionary, where structured ones fail
 constexpr Index unknowns_dense_after_ray = 600; // a ray has been verified: it gets less time
-constexpr Index unknowns_searched = 2000;       // other answers, each as long as the first
-constexpr Index unknowns_imaged = 1000;         // seven images, each as long as the first
+constexpr Index unknowns_searched = 2000;       // other answers, each as long as the first: three
+                                                // covers, and for a break seven images
 constexpr Index unknowns_existence = 2000;      // the programs cost as much as the solve
 constexpr Index unknowns_holding = 2000;        // one linear program
 constexpr Index unknowns_grip = 600;            // every factor that is asked costs several pushes
