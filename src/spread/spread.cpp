@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <string>
 #include <unordered_set>
@@ -21,7 +22,7 @@ constexpr double thorough_factor = 40;
 
 using Clock = std::chrono::steady_clock;
 
-/// Two modes have the same text only if they are the same; so have lists of them.
+/// Modes, and lists of them, have the same text only if they are the same.
 std::string key_of(const ContactMode& mode) {
   std::string key{static_cast<char>('a' + static_cast<int>(mode.kind) + (mode.pulls ? 4 : 0))};
   for (const Index j : mode.active) {
@@ -88,12 +89,11 @@ public:
     Push push(problem_.file());
     PushOptions options;
     options.lemke = options_.lemke;
-    if (options_.breaking) {
+    if (options_.breaking)
       static_cast<RunReport&>(report_.failure) = push.find_breaking(first_pusher(), options);
-    } else {
+    else
       report_.failure = push.solve(options);
-      report_.failure.answer = {}; // its arrays go with the Push
-    }
+    report_.failure.answer = {}; // its arrays go with the Push
     report_.status = report_.failure.status == Status::solved ? Status::numerical_breakdown
                                                               : report_.failure.status;
     return report_;
@@ -113,7 +113,7 @@ private:
   std::vector<Path> paths_;
   std::unordered_set<std::string> known_, studied_; // by key_of
   std::deque<FaceModes> waiting_;
-  double most_work_ = 0;
+  double most_work_ = 0, most_seconds_ = 0;
   Clock::time_point begin_ = Clock::now();
 
   Index first_pusher() const { return report_.pushers.empty() ? 0 : report_.pushers.front().body; }
@@ -145,7 +145,9 @@ private:
 
   void solve_covering_vectors() {
     OwnedLemke<double> lemke(problem_.layout().size);
+    allow(0, 0.5);
     for (Index k = 0; k < options_.covering_vectors; ++k) {
+      if (k > 0 && options_.most_seconds > 0 && is_used_up()) return;
       ++report_.covering_vectors;
       Path path;
       if (solve_path(lemke, k, path) == Status::solved) paths_.push_back(std::move(path));
@@ -208,7 +210,7 @@ private:
   }
 
   void walk() {
-    most_work_ = study_->work() + options_.most_work;
+    allow(options_.most_work, 1);
     const double before = study_->work();
     for (const Path& path : paths_) // their own faces first
       propose(problem_.face_of(path.moving.z, path.moving.push));
@@ -224,10 +226,16 @@ private:
                       [&](const FaceModes& next) { return studied_.count(key_of(next)) == 0; }));
   }
 
+  /// The work, or the seconds asked for, from now on; `part` of them.
+  void allow(double work, double part) {
+    const bool timed = options_.most_seconds > 0;
+    most_work_ = timed ? std::numeric_limits<double>::infinity() : study_->work() + work;
+    most_seconds_ = timed ? part * options_.most_seconds : std::numeric_limits<double>::infinity();
+  }
+
   bool is_used_up() const {
-    if (options_.most_seconds > 0)
-      return std::chrono::duration<double>(Clock::now() - begin_).count() > options_.most_seconds;
-    return study_->work() > most_work_;
+    return study_->work() > most_work_ ||
+           std::chrono::duration<double>(Clock::now() - begin_).count() > most_seconds_;
   }
 
   void tell(double share) const {
@@ -242,7 +250,7 @@ private:
     const bool thorough = options_.enumeration == Enumeration::thorough;
     const double most = options_.most_work * (thorough ? thorough_factor : 1);
     const double before = study_->work();
-    most_work_ = before + most;
+    allow(most, thorough ? 1 : 0.8);
     const Index failures = report_.failures;
     bool given_up = false;
     ModeTree tree(problem_);

@@ -4,6 +4,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -114,6 +115,35 @@ class Spread(unittest.TestCase):
             result = run(file)
             self.assertEqual(result.returncode, 2)
             self.assertIn("bad.toml:1", result.stderr)
+
+    def test_seconds_end_it_in_time_with_what_is_found(self):
+        begin = time.monotonic()
+        result = run(SCENES / "two_pushers.toml", "--enumerate", "--seconds", "0.5", "--json")
+        self.assertLess(time.monotonic() - begin, 20)  # it takes a minute otherwise
+        answer = json.loads(result.stdout)
+        self.assertEqual(answer["status"], "solved")
+        self.assertIs(answer["complete"], False)
+        self.assertIn("--seconds is a number", run(SCENES / "coin.toml", "--seconds", "-1").stderr)
+        self.assertEqual(run(SCENES / "coin.toml", "--paths", "--enumerate").returncode, 2)
+
+    def test_the_breaking_force_is_a_range_too(self):
+        answer = json.loads(run(SCENES / "rolling_hard_grip.toml", "--break", "--json").stdout)
+        self.assertIs(answer["breaking"], True)
+        self.assertIs(answer["complete"], True)
+        self.assertIs(answer["falls"], False)
+        low, high = answer["break_force"]["sheet"]
+        self.assertAlmostEqual(low, 0, 6)
+        found = json.loads(subprocess.run(
+            [TOOL, "break", SCENES / "rolling_hard_grip.toml", "--json"], capture_output=True,
+            text=True, check=True).stdout)
+        self.assertTrue(found["others"])
+        for force in (found["break_force"], *(other["break_force"] for other in found["others"])):
+            self.assertTrue(low - 1e-6 <= force <= high + 1e-6, force)
+        text = run(SCENES / "rolling_hard_grip.toml", "--break").stdout
+        self.assertIn("The breaking force of sheet is 0 to 8.08 N", text)
+        self.assertIn("The cylinder does not move;", text)
+        self.assertEqual(run(SCENES / "dropped.toml", "--break").returncode, 1)
+        self.assertEqual(run(SCENES / "vise.toml", "--break").returncode, 2)
 
     def test_help_has_an_example(self):
         self.assertIn("lcpush spread fixtures/scenes/straight_slide.toml", run("--help").stdout)
