@@ -3,23 +3,43 @@
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_arguments.hpp"
+#include "lcpush/mechanics/solve/breaking.hpp"
 #include "text/limits.hpp"
 
 namespace lcpush::cli {
 namespace {
 
-int run_spread(const Arguments& arguments) {
-  const std::string format = arguments.format();
+SpreadOptions spread_options(const Arguments& arguments) {
+  constexpr double longest = 1e6;
   SpreadOptions options;
   options.covering_vectors =
       arguments.whole("--covers", {1, limits::covers}).value_or(options.covering_vectors);
-  options.enumerate = arguments.has("--enumerate");
+  options.breaking = arguments.has("--break");
+  if (arguments.has("--enumerate") && arguments.has("--paths"))
+    throw UsageError("--enumerate or --paths: all contact modes, or the paths alone");
+  if (arguments.has("--enumerate")) options.enumeration = Enumeration::thorough;
+  if (arguments.has("--paths")) options.enumeration = Enumeration::none;
+  options.most_seconds = arguments.number("--seconds", longest, ", in seconds").value_or(0);
+  return options;
+}
+
+int run_spread(const Arguments& arguments) {
+  const std::string format = arguments.format();
+  SpreadOptions options = spread_options(arguments);
   const SceneFile file = read_scene_argument(arguments);
+  if (options.breaking && !(push_size(file.view()) > 0))
+    throw UsageError("no body of the scene moves: give a pusher an acceleration");
   refuse_unknowns(arguments, file, limits::unknowns_spread, "faces can be bounded");
   SpreadReport report;
   {
     Progress progress;
+    StatusLine line;
     options.watcher = &progress;
+    options.progress = [&](double share) {
+      if (line.is_due())
+        line.show(line.seconds() + ", " + std::to_string(std::lround(100 * share)) +
+                  " % of the work");
+    };
     report = find_spread(file, options);
   }
   write_answer(arguments, format,
@@ -32,22 +52,25 @@ int run_spread(const Arguments& arguments) {
 } // namespace
 
 Command spread_command() {
-  return {
-      "spread",
-      "SCENE.toml [OPTIONS]",
-      "the answer as a set: bounds of the push, the motion and the contact forces",
-      "Rigid contact often leaves forces open, and now and then the motion. This solves the\n"
-      "literal laws (pressure = \"rigid\", whatever the file says) under many covering vectors,\n"
-      "walks from each answer to the faces of answers next to it, and bounds every quantity\n"
-      "over each face by linear programs. With --enumerate it goes through all contact modes,\n"
-      "so that the bounds are those of every answer; without, of the answers that were reached.\n\n"
-      "Example:\n  lcpush spread fixtures/scenes/straight_slide.toml\n",
-      with_scene_options(
-          {{"--covers", "N", "covering vectors of Lemke's method to start from (32)"},
-           {"--enumerate", "", "all contact modes: up to 16 points, while the work allows"},
-           verbose_option}),
-      1,
-      run_spread};
+  return {"spread",
+          "SCENE.toml [OPTIONS]",
+          "the answer as a set: bounds of the push, the motion and the contact forces",
+          "Rigid contact often leaves forces open, and now and then the motion. This takes the\n"
+          "literal laws (pressure = \"rigid\", whatever the file says), goes through all contact\n"
+          "modes that may have an answer, and bounds every quantity over each by linear programs:\n"
+          "the ranges of every answer. Where that would take long, it says \"at least\": of the\n"
+          "answers next to those that many covering vectors reach. With --break the same for the\n"
+          "force that breaks the grasp.\n\n"
+          "Example:\n  lcpush spread fixtures/scenes/straight_slide.toml\n",
+          with_scene_options(
+              {{"--break", "", "the force that just moves the object, and how it begins to move"},
+               {"--enumerate", "", "look longer, a minute or so, for all contact modes"},
+               {"--paths", "", "only what the covering vectors reach"},
+               {"--seconds", "S", "stop after that time, with what is found"},
+               {"--covers", "N", "covering vectors of Lemke's method to start from (32)"},
+               verbose_option}),
+          1,
+          run_spread};
 }
 
 } // namespace lcpush::cli

@@ -1,6 +1,7 @@
 // Push: the grasp without a push, and the push that breaks it.
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/push_rounds.hpp"
+#include "solve/scene_image.hpp"
 #include "text/limits.hpp"
 
 namespace lcpush::desktop {
@@ -37,6 +38,45 @@ bool only_looks_falling(const SceneFile& file, const Scene<double>& scene,
   if (motion_size(report.breaking.rest, report.scales) > 2 * smallest_push) return false;
   Holding<double> holding;
   return find_holding(file, options, holding) == Status::solved && holding.factor < room;
+}
+
+bool is_over(Status status) { return status == Status::solved || status == Status::does_not_hold; }
+
+bool is_same_motion(const Vector6<double>& one, const Vector6<double>& two, double length,
+                    double slack) {
+  Vector6<double> turn = one, off = one - two;
+  turn.tail<3>() *= length;
+  off.tail<3>() *= length;
+  return off.norm() <= slack * std::max(1.0, turn.norm());
+}
+
+/// Notes `second` if it differs from all that is known. As in a solve, what the line through small
+/// pushes leaves open is no other answer.
+void add_other(const Breaking<double>& second, BreakReport& report) {
+  constexpr double tolerance = 1e-5;
+  const Breaking<double>& first = report.breaking;
+  const double slack = tolerance + 10 * std::max(first.line_error, second.line_error);
+  const double near = slack * std::max(report.scales.force, first.break_force);
+  const auto pushes_alike = [&](double force) {
+    return std::abs(force - second.break_force) <= near;
+  };
+  const auto moves_alike = [&](const Vector6<double>& twist) {
+    return is_same_motion(twist, second.twist, report.scales.length, slack);
+  };
+  if (!moves_alike(first.twist)) report.unique_motion = Uniqueness::no;
+  if (!pushes_alike(first.break_force)) {
+    report.unique_force = Uniqueness::no;
+    const auto off = [&](double force) { return std::abs(force - first.break_force); };
+    if (!report.other_force || off(second.break_force) > off(*report.other_force))
+      report.other_force = second.break_force;
+  }
+  const bool is_known =
+      (pushes_alike(first.break_force) && moves_alike(first.twist)) ||
+      std::any_of(report.others.begin(), report.others.end(), [&](const OtherBreak& other) {
+        return pushes_alike(other.break_force) && moves_alike(other.twist);
+      });
+  if (!is_known)
+    report.others.push_back({second.break_force, second.force.head<3>(), second.twist});
 }
 
 } // namespace
@@ -105,32 +145,29 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
       describe_motion(file_.view(), moving, report.scales.length, report.scales.acceleration, 1.0);
   report.closings = closings(report.breaking.small_push);
   report.hand_moves = any_moves(report.closings);
-  compare_covers(options, report);
+  compare_others(options, report);
   return report;
 }
 
-/// The same under another cover: is this the only force that breaks the grasp?
-void Push::compare_covers(const PushOptions& options, BreakReport& report) {
-  constexpr double tolerance = 1e-5;
+/// The same under other covers and in mirrors: is this the only force that breaks the grasp? What
+/// comes of it has passed the same referee.
+void Push::compare_others(const PushOptions& options, BreakReport& report) {
   if (options.other_covers <= 0 || layout().size > limits::unknowns_searched) return;
-  const Breaking<double>& first = report.breaking;
+  report.unique_motion = report.unique_force = Uniqueness::none_other_found;
   Breaking<double> second;
   PressureRun ignored;
-  const Status status = break_grasp(by_other_cover(options, 1), report.pusher, second, ignored);
-  if (status != Status::solved && status != Status::does_not_hold) return;
-  const auto verdict = [](bool same) {
-    return same ? Uniqueness::none_other_found : Uniqueness::no;
-  };
-  // As in a solve, what the line through small pushes leaves open is no other answer.
-  const double slack = tolerance + 10 * std::max(first.line_error, second.line_error);
-  const double length = report.scales.length;
-  Vector6<double> turn = first.twist, off = first.twist - second.twist;
-  turn.tail<3>() *= length;
-  off.tail<3>() *= length;
-  report.unique_motion = verdict(off.norm() <= slack * std::max(1.0, turn.norm()));
-  report.unique_force = verdict(std::abs(first.break_force - second.break_force) <=
-                                slack * std::max(report.scales.force, first.break_force));
-  if (report.unique_force == Uniqueness::no) report.other_force = second.break_force;
+  for (Index k = 1; k <= options.other_covers; ++k)
+    if (is_over(break_grasp(by_other_cover(options, k), report.pusher, second, ignored)))
+      add_other(second, report);
+  for (const SceneImage& image : scene_images(file_)) {
+    const SceneFile seen = image.of(file_);
+    Push push(seen);
+    if (!is_over(push.break_grasp(by_other_cover(options, 0), report.pusher, second, ignored)))
+      continue;
+    second.force = image.of_twist(second.force);
+    second.twist = image.of_twist(second.twist);
+    add_other(second, report);
+  }
 }
 
 } // namespace lcpush::desktop

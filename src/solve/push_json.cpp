@@ -172,6 +172,10 @@ std::string break_json(const SceneFile& file, const HoldReport& hold, const Grip
   json.member("valid_to", when(!(b.valid_to < 0), b.valid_to)).member("line_error", b.line_error);
   json.key("unique").begin_object().member("motion", settled(report.unique_motion));
   json.member("force", settled(report.unique_force)).end_object();
+  json.objects("others", report.others, [&](const OtherBreak& other) {
+    json.member("break_force", other.break_force).member("force", other.force);
+    json.member("twist", other.twist);
+  });
   write_residual(json, b.residuals);
   return json.end_object().text();
 }

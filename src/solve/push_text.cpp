@@ -150,10 +150,10 @@ std::string break_text(const SceneFile& file, const HoldReport& hold, const Grip
       title_line(file) + break_sentence(file, report) + "\n\n" + before +
       facts_text(is_full ? break_facts(file, report) : brief_break_facts(file, report));
   if (report.other_force)
-    text += "\nThe " + std::string(report.motion.kind == MotionKind::rest ? "normal" : "breaking") +
+    text += "\nThe " + std::string(report.breaking.breaks ? "breaking" : "normal") +
             " force is not unique: " +
             both_answers(file, report.breaking.break_force, *report.other_force) +
-            "\nSee: lcpush spread " + file.lines.file + "\n";
+            "\nSee: lcpush spread --break " + file.lines.file + "\n";
   return is_full ? text + residual_line(report.breaking.residuals) + run_line(file, report) : text;
 }
 

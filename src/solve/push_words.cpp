@@ -134,15 +134,18 @@ Fact caution_fact(const Breaking<double>& b) {
                          " of the grip force off the line through two"};
 }
 
-/// What one other cover has led to.
+/// What other covers and the scene's images have led to.
 std::string break_unique_words(const BreakReport& report) {
   const bool same_force = report.unique_force != Uniqueness::no;
   const bool same_motion = report.unique_motion != Uniqueness::no;
-  if (same_force && same_motion) return "no other was found under another covering vector";
-  return std::string("NOT unique: another covering vector leads to another ") +
-         (same_motion  ? "force"
-          : same_force ? "motion"
-                       : "force and motion");
+  if (same_force && same_motion)
+    return "no other was found by other covering vectors and in mirrors";
+  const std::string open = same_motion ? "force" : same_force ? "motion" : "force and motion";
+  return "NOT unique: other covering vectors, or mirrors, lead to another " + open +
+         (same_force ? ""
+                     : ";\nfound between " + number(report.least_force()) + " and " +
+                           number(report.largest_force()) + " N") +
+         "\nAll of them: lcpush spread --break";
 }
 
 } // namespace

@@ -1,47 +1,87 @@
 #include "lcpush/desktop/spread.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <deque>
-#include <map>
-#include <set>
+#include <limits>
+#include <optional>
+#include <string>
+#include <unordered_set>
 
-#include "spread/spread_face.hpp"
-#include "spread/spread_quantities.hpp"
+#include "lcpush/mechanics/solve/breaking.hpp"
+#include "spread/face_study.hpp"
+#include "spread/mode_tree.hpp"
 #include "text/limits.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-using Kind = ContactMode::Kind;
-using Point = Eigen::VectorXd;
+constexpr double equal_answers = 1e-7; // of the scale of forces, or of motions
+constexpr double thorough_factor = 40;
 
-constexpr double equal_answers = 1e-7;    // of the scale of forces, or of motions
-constexpr double enumeration_factor = 10; // work and faces that enumeration may take
+using Clock = std::chrono::steady_clock;
+
+/// Modes, and lists of them, have the same text only if they are the same.
+std::string key_of(const ContactMode& mode) {
+  std::string key{static_cast<char>('a' + static_cast<int>(mode.kind) + (mode.pulls ? 4 : 0))};
+  for (const Index j : mode.active) {
+    key += static_cast<char>(j & 0x7f);
+    key += static_cast<char>('0' + (j >> 7));
+  }
+  return key + ';';
+}
+
+std::string key_of(const FaceModes& modes) {
+  std::string key;
+  for (const ContactMode& mode : modes) key += key_of(mode);
+  return key;
+}
+
+/// The same text for answers that are the same to a few roundings, as a rule.
+std::string corner_key(const Eigen::VectorXd& z) {
+  const Eigen::VectorXf rounded = (z.array().abs() > 1e-9).select(z, 0).cast<float>();
+  return {reinterpret_cast<const char*>(rounded.data()),
+          static_cast<std::size_t>(rounded.size()) * sizeof(float)};
+}
+
+/// Does one report's range of a force, or of the motion, go beyond the other's by what counts?
+bool is_wider(const SpreadReport& wider, const SpreadReport& than) {
+  constexpr double counts = 1e-6; // of the scale of forces, or of motions
+  const auto exceeds = [](const Interval& one, const Interval& two, double slack) {
+    return one.low < two.low - slack || one.high > two.high + slack;
+  };
+  const double force = counts * than.scales.force;
+  for (std::size_t k = 0; k < wider.pushers.size(); ++k)
+    if (exceeds(wider.pushers[k].force, than.pushers[k].force, force)) return true;
+  for (std::size_t i = 0; i < wider.contacts.size(); ++i)
+    if (exceeds(wider.contacts[i].normal, than.contacts[i].normal, force)) return true;
+  for (Index k = 0; k < 6; ++k) {
+    const Interval& one = wider.twist[k];
+    const double size = std::max(std::abs(one.low), std::abs(one.high));
+    if (exceeds(one, than.twist[k], counts * std::max(size, than.scales.acceleration))) return true;
+  }
+  return false;
+}
 
 class Search {
 public:
   Search(const SceneFile& file, const SpreadOptions& options) : options_(options), problem_(file) {
+    report_.breaking = options.breaking;
+    report_.asked = options.enumeration;
     report_.scales = problem_.layout().scales;
     report_.contacts.resize(static_cast<std::size_t>(problem_.layout().points));
     for (Index b = 0; b < problem_.scene().bodies.size; ++b)
       if (problem_.scene().bodies[b].role == Role::pusher) report_.pushers.push_back({b, {}});
-    quantities_ = list_quantities(problem_, report_);
+    study_.emplace(problem_, report_, options.breaking);
   }
 
   SpreadReport run() {
     solve_covering_vectors();
-    if (options_.enumerate) {
-      most_faces_ = static_cast<Index>(enumeration_factor) * options_.most_faces;
-      most_work_ = enumeration_factor * options_.most_work;
-      enumerate();
-    }
-    if (!report_.complete) {
-      most_faces_ = report_.faces + options_.most_faces;
-      most_work_ = work_ + options_.most_work;
-      walk();
-    }
-    if (report_.faces > 0 || report_.faces_left > 0 || report_.covering_vectors_solved > 0) {
+    if (options_.enumeration != Enumeration::none) enumerate();
+    include_paths();
+    if (!report_.complete) walk();
+    if (report_.faces > 0 || (!options_.breaking && report_.covering_vectors_solved > 0)) {
       report_.status = Status::solved;
       conclude();
       return report_;
@@ -49,7 +89,10 @@ public:
     Push push(problem_.file());
     PushOptions options;
     options.lemke = options_.lemke;
-    report_.failure = push.solve(options);
+    if (options_.breaking)
+      static_cast<RunReport&>(report_.failure) = push.find_breaking(first_pusher(), options);
+    else
+      report_.failure = push.solve(options);
     report_.failure.answer = {}; // its arrays go with the Push
     report_.status = report_.failure.status == Status::solved ? Status::numerical_breakdown
                                                               : report_.failure.status;
@@ -57,201 +100,180 @@ public:
   }
 
 private:
-  struct Waiting {
-    FaceModes modes;
-    Point z; // a point of the face
+  struct Path {
+    Face::Answer moving; ///< pushed as asked, or a little; modes and neighbours are told from it
+    Face::Answer asked;  ///< what the ranges are to hold
+    bool falls = false;  ///< the object moves before the push
   };
 
   SpreadOptions options_;
   LiteralProblem problem_;
   SpreadReport report_;
-  std::vector<Quantity> quantities_;
-  std::set<FaceModes> known_, studied_;
-  std::deque<Waiting> waiting_;
-  std::map<FaceModes, bool> possible_;
-  double work_ = 0, most_work_ = 0;
-  Index most_faces_ = 0;
+  std::optional<FaceStudy> study_;
+  std::vector<Path> paths_;
+  std::unordered_set<std::string> known_, studied_; // by key_of
+  std::deque<FaceModes> waiting_;
+  double most_work_ = 0, most_seconds_ = 0;
+  Clock::time_point begin_ = Clock::now();
+
+  Index first_pusher() const { return report_.pushers.empty() ? 0 : report_.pushers.front().body; }
+
+  /// To the push as it is; of the instant of breaking, to one so small that the modes are its own.
+  Status solve_path(OwnedLemke<double>& lemke, Index cover, Path& path) {
+    constexpr double small = 1e-3; // of F / m
+    const Index n = problem_.layout().size;
+    LemkeOptions<double> options = options_.lemke;
+    options.first_cover = cover;
+    options.covers = 1;
+    Watcher nobody;
+    Status status = lemke.init(options_.breaking ? problem_.breaking_problem()
+                                                 : problem_.problem(problem_.push()),
+                               options);
+    if (status == Status::running)
+      status = lemke.solve(options_.watcher != nullptr ? *options_.watcher : nobody);
+    if (status != Status::solved) return status;
+    const Eigen::VectorXd z = Eigen::Map<const Eigen::VectorXd>(lemke.z(), n);
+    path.moving = path.asked = {z, options_.breaking ? 0 : problem_.push()};
+    if (!options_.breaking) return status;
+    path.falls = problem_.motion_of(z, 0).head(problem_.moving()).norm() > at_rest<double>();
+    const double reach = lemke.valid_to() * problem_.push();
+    path.moving.push = reach < 0 ? small : std::min(small, reach / 2);
+    path.moving.z +=
+        path.moving.push / problem_.push() * Eigen::Map<const Eigen::VectorXd>(lemke.z_push(), n);
+    return status;
+  }
 
   void solve_covering_vectors() {
-    const Index n = problem_.layout().size;
-    OwnedLemke<double> lemke(n);
-    Watcher nobody;
+    OwnedLemke<double> lemke(problem_.layout().size);
+    allow(0, 0.5);
     for (Index k = 0; k < options_.covering_vectors; ++k) {
-      LemkeOptions<double> options = options_.lemke;
-      options.first_cover = k;
-      options.covers = 1;
+      if (k > 0 && options_.most_seconds > 0 && is_used_up()) return;
       ++report_.covering_vectors;
-      Status status = lemke.init(problem_.problem(), options);
-      if (status == Status::running)
-        status = lemke.solve(options_.watcher != nullptr ? *options_.watcher : nobody);
-      if (status != Status::solved) continue;
-      const Point z = Eigen::Map<const Point>(lemke.z(), n);
-      FaceModes modes = problem_.face_of(z, problem_.dense().w(z));
-      if (!accept_if_checked(z, modes)) {
-        ++report_.failures;
-        continue;
-      }
-      ++report_.covering_vectors_solved;
-      propose(std::move(modes), z);
+      Path path;
+      if (solve_path(lemke, k, path) == Status::solved) paths_.push_back(std::move(path));
     }
   }
 
-  void propose(FaceModes modes, const Point& z) {
-    if (known_.insert(modes).second) waiting_.push_back({std::move(modes), z});
+  /// After an enumeration that saw every answer they bring nothing new. If they do, it did not.
+  void include_paths() {
+    const SpreadReport enumerated = report_;
+    for (const Path& path : paths_) {
+      report_.falls = report_.falls || path.falls;
+      if (path.falls || study_->accept(path.asked))
+        ++report_.covering_vectors_solved;
+      else
+        ++report_.failures;
+    }
+    if (!report_.complete || !is_wider(report_, enumerated)) return;
+    report_.complete = false;
+    report_.enumeration = "an answer was reached that lies outside of all that were enumerated";
+  }
+
+  void propose(const FaceModes& modes) {
+    if (known_.insert(key_of(modes)).second) waiting_.push_back(modes);
   }
 
   /// The faces next to an answer on a known face: one contact does something else that it may be
   /// said to do there.
-  void propose_adjacent_faces(const Point& z) {
-    const Eigen::VectorXd w = problem_.dense().w(z);
-    const FaceModes modes = problem_.face_of(z, w);
-    propose(modes, z);
-    for (std::size_t i = 0; i < modes.size(); ++i)
-      for (const ContactMode& other : problem_.modes_at(static_cast<Index>(i), z, w)) {
-        FaceModes next = modes;
-        next[i] = other;
-        propose(std::move(next), z);
+  void propose_adjacent_faces(const Face::Answer& answer) {
+    FaceModes modes = problem_.face_of(answer.z, answer.push);
+    propose(modes);
+    std::vector<std::vector<ContactMode>> others = problem_.modes_at(answer.z, answer.push);
+    std::string before, after = key_of(modes);
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      const std::string own = key_of(modes[i]);
+      after.erase(0, own.size());
+      for (ContactMode& other : others[i]) {
+        if (!known_.insert(before + key_of(other) + after).second) continue;
+        std::swap(modes[i], other);
+        waiting_.push_back(modes);
+        std::swap(modes[i], other);
       }
+      before += own;
+    }
   }
 
-  /// Takes z if the referee does.
-  bool accept_if_checked(Point z, const FaceModes& modes) {
-    problem_.complete(modes, z);
-    const Answer<double>& answer = problem_.read(z);
-    const Residuals<double> residuals =
-        check(problem_.scene(), problem_.layout().scales, answer, 1.0);
-    if (!problem_.passes(residuals)) return false;
-    report_.residual = std::max(report_.residual, residuals.max());
-    include(answer, problem_.scene(), report_);
-    return true;
-  }
-
-  void study(const Waiting& waiting) {
-    Face face(problem_, waiting.modes);
-    work_ += 10 * std::pow(static_cast<double>(problem_.layout().size), 2);
-    if (!face.start_at(waiting.z) || !accept_if_checked(waiting.z, waiting.modes)) {
-      ++report_.failures;
-      return;
+  /// The bounds over a face, once; its corners lead on.
+  void study(const FaceModes& modes, bool lead_on) {
+    if (!studied_.insert(key_of(modes)).second) return;
+    std::vector<Face::Answer> corners;
+    switch (study_->study(modes, most_work_, corners)) {
+    case FaceStudy::Result::studied: ++report_.faces; break;
+    case FaceStudy::Result::failed: ++report_.failures; break;
+    case FaceStudy::Result::out_of_work: ++report_.faces_left; break;
+    case FaceStudy::Result::empty: break;
     }
-    propose_adjacent_faces(waiting.z);
-    study_bounds(face, waiting.modes);
-  }
-
-  void study_bounds(Face& face, const FaceModes& modes) {
-    if (!studied_.insert(modes).second) return;
-    bool in_time = true;
-    for (const Quantity& quantity : quantities_) {
-      if (!face.varies(quantity.f)) continue;
-      in_time = in_time && work_ + face.work() <= most_work_;
-      for (const double sign : {1.0, -1.0})
-        if (in_time) bound(face, modes, quantity, sign);
-    }
-    ++(in_time ? report_.faces : report_.faces_left);
-    report_.programs += face.programs();
-    work_ += face.work();
-  }
-
-  void bound(Face& face, const FaceModes& modes, const Quantity& quantity, double sign) {
-    Point z;
-    const Face::Point found = face.lowest(sign * quantity.f, z);
-    const bool exists = found == Face::Point::found || found == Face::Point::unbounded;
-    if (!exists || !accept_if_checked(z, modes)) {
-      ++report_.failures;
-      return;
-    }
-    if (found == Face::Point::unbounded) {
-      (sign > 0 ? quantity.bounds->low : quantity.bounds->high) =
-          -sign * std::numeric_limits<double>::infinity();
-      return;
-    }
-    problem_.complete(modes, z);
-    propose_adjacent_faces(z);
+    if (!lead_on) return;
+    std::unordered_set<std::string> seen; // corners are met again and again
+    for (const Face::Answer& corner : corners)
+      if (seen.insert(corner_key(corner.z)).second) propose_adjacent_faces(corner);
   }
 
   void walk() {
-    while (!waiting_.empty() && !is_used_up()) {
-      const Waiting next = std::move(waiting_.front());
+    allow(options_.most_work, 1);
+    const double before = study_->work();
+    for (const Path& path : paths_) // their own faces first
+      propose(problem_.face_of(path.moving.z, path.moving.push));
+    for (const Path& path : paths_) propose_adjacent_faces(path.moving);
+    while (!waiting_.empty() && !is_used_up() && report_.faces < options_.most_faces) {
+      const FaceModes next = std::move(waiting_.front());
       waiting_.pop_front();
-      if (studied_.count(next.modes) == 0) study(next);
+      study(next, true);
+      tell((study_->work() - before) / options_.most_work);
     }
     report_.faces_left += static_cast<Index>(
         std::count_if(waiting_.begin(), waiting_.end(),
-                      [&](const Waiting& next) { return studied_.count(next.modes) == 0; }));
+                      [&](const FaceModes& next) { return studied_.count(key_of(next)) == 0; }));
   }
 
-  bool is_used_up() const { return report_.faces >= most_faces_ || work_ > most_work_; }
+  /// The work, or the seconds asked for, from now on; `part` of them.
+  void allow(double work, double part) {
+    const bool timed = options_.most_seconds > 0;
+    most_work_ = timed ? std::numeric_limits<double>::infinity() : study_->work() + work;
+    most_seconds_ = timed ? part * options_.most_seconds : std::numeric_limits<double>::infinity();
+  }
+
+  bool is_used_up() const {
+    return study_->work() > most_work_ ||
+           std::chrono::duration<double>(Clock::now() - begin_).count() > most_seconds_;
+  }
+
+  void tell(double share) const {
+    if (options_.progress) options_.progress(std::min(share, 1.0));
+  }
 
   void enumerate() {
-    const Index points = problem_.layout().points;
     if (problem_.has_soft_points()) {
       report_.enumeration = "soft contacts have too many modes to enumerate";
       return;
     }
-    if (points > limits::points_enumerated) {
-      report_.enumeration = "more than " + std::to_string(limits::points_enumerated) +
-                            " contact points have too many modes to enumerate";
-      return;
-    }
-    FaceModes modes(static_cast<std::size_t>(points));
-    const Index before = report_.failures;
-    enumerate_modes_from(0, modes);
-    if (is_used_up())
+    const bool thorough = options_.enumeration == Enumeration::thorough;
+    const double most = options_.most_work * (thorough ? thorough_factor : 1);
+    const double before = study_->work();
+    allow(most, thorough ? 1 : 0.8);
+    const Index failures = report_.failures;
+    bool given_up = false;
+    ModeTree tree(problem_);
+    tree.may_have_answers = [&](const FaceModes& part) { return study_->may_have_answers(part); };
+    tree.leaf = [&](const FaceModes& modes) { study(modes, false); };
+    tree.is_used_up = [&] {
+      const double used = (study_->work() - before) / most;
+      tell(std::max(used, tree.share()));
+      // Branches are left sooner later on, so that the share grows faster than the work: small
+      // scenes have done a hundredth of the tree after a tenth of the work.
+      const bool out_of_sight = used > 0.1 && tree.share() < used * used / 2;
+      given_up =
+          given_up || is_used_up() || (out_of_sight && !thorough && options_.most_seconds <= 0);
+      return given_up;
+    };
+    tree.visit();
+    report_.assignments = tree.assignments();
+    if (given_up)
       report_.enumeration = "the limit of work was reached";
-    else if (report_.failures > before)
+    else if (report_.failures > failures)
       report_.enumeration = "some assignments of modes could not be settled";
     else
       report_.complete = true;
-  }
-
-  /// Has a face with these modes, signs alone where nothing is decided, a point? Remembered: the
-  /// same pairs of modes come back in every branch.
-  bool can_be(const FaceModes& part) {
-    const auto known = possible_.find(part);
-    if (known != possible_.end()) return known->second;
-    Face face(problem_, part);
-    const bool possible = face.find_point() != Face::Point::none;
-    report_.programs += face.programs();
-    work_ += face.work() + std::pow(static_cast<double>(problem_.layout().size), 3);
-    possible_[part] = possible;
-    return possible;
-  }
-
-  /// Does the mode of contact `next` go with each earlier one, taken by itself?
-  bool goes_with_earlier(const FaceModes& modes, std::size_t next) {
-    FaceModes pair(modes.size());
-    pair[next] = modes[next];
-    if (!can_be(pair)) return false;
-    for (std::size_t i = 0; i < next; ++i) {
-      pair[i] = modes[i];
-      if (!can_be(pair)) return false;
-      pair[i] = {};
-    }
-    return true;
-  }
-
-  /// Contact by contact, every mode; what has no point with signs alone for the rest is left.
-  void enumerate_modes_from(std::size_t next, FaceModes& modes) {
-    for (const ContactMode& mode : problem_.every_mode(static_cast<Index>(next))) {
-      if (is_used_up()) return;
-      modes[next] = mode;
-      ++report_.assignments;
-      if (!goes_with_earlier(modes, next)) continue;
-      Face face(problem_, modes);
-      const Face::Point point = face.find_point();
-      work_ += face.work() + std::pow(static_cast<double>(problem_.layout().size), 3);
-      if (point == Face::Point::none) continue;
-      if (next + 1 < modes.size()) {
-        enumerate_modes_from(next + 1, modes);
-        continue;
-      }
-      // A face of a single point has no bounds to look for: the point itself is the answer.
-      if (point == Face::Point::failed || !accept_if_checked(face.origin(), modes)) {
-        ++report_.failures;
-        continue;
-      }
-      study_bounds(face, modes);
-    }
-    modes[next] = {};
   }
 
   void conclude() {
@@ -261,7 +283,7 @@ private:
       for (const double x : {report_.twist[k].low, report_.twist[k].high})
         if (std::isfinite(x)) report_.motion = std::max(report_.motion, std::abs(x) * lever);
     }
-    report_.motion = std::max(report_.motion, push_size(problem_.scene()));
+    report_.motion = std::max(report_.motion, options_.breaking ? 1 : push_size(problem_.scene()));
     report_.verdict = verdict_on(report_);
   }
 };

@@ -1,266 +1,143 @@
 #include "spread/spread_face.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "dense/decompositions.hpp"
-
 namespace lcpush::desktop {
 namespace {
 
-using Kind = ContactMode::Kind;
+constexpr double far = 1000; // units of force, for what has no end
 
-constexpr double dependent = 1e-10; // of the largest pivot: a row that follows from the others
-constexpr double contradicts = 1e-7, agrees = 1e-9; // what is left of an equation
-constexpr double flat = 1e-10;                      // of a row's size: does not vary
-constexpr double rounding = 1e-14;                  // of a row's size: nothing
-constexpr double far = 1000;                        // units of force, for what has no end
+Face::Point point_of(Simplex::Ending ending) {
+  switch (ending) {
+  case Simplex::Ending::found: return Face::Point::found;
+  case Simplex::Ending::none: return Face::Point::none;
+  case Simplex::Ending::unbounded: return Face::Point::unbounded;
+  case Simplex::Ending::failed: break;
+  }
+  return Face::Point::failed;
+}
 
 } // namespace
 
-Face::Face(const LiteralProblem& problem, const FaceModes& modes) : problem_(problem) {
-  choose(modes);
-  eliminate();
+Face::Face(const LiteralProblem& problem, const FaceModes& modes, const ModeMotions& motions,
+           Instant instant)
+    : problem_(problem), instant_(instant) {
+  if (!motions.possible && instant != Instant::at_rest) return;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const std::vector<ConeEdge> edges = problem.edges_of(static_cast<Index>(i), modes[i]);
+    edges_.insert(edges_.end(), edges.begin(), edges.end());
+  }
+  if (instant != Instant::at_rest) {
+    span_ = motions.span;
+    moving_ = span_.cols() - 1;
+  }
+  first_edge_ = moving_ + (instant == Instant::any_push ? 1 : 0);
+  assemble(motions);
 }
 
-/// Unknowns, equations and signs of the modes.
-void Face::choose(const FaceModes& modes) {
-  const Layout<double>& layout = problem_.layout();
-  const Index free_begin = layout.size - layout.actuators;
-  std::vector<Index> zero, sign;
-  for (Index i = 0; i < layout.points; ++i) {
-    const ConeGroup<double>& cone = layout.cones[i];
-    const ContactMode& mode = modes[static_cast<std::size_t>(i)];
-    const Index normal = cone.variable;
-    if (mode.kind == Kind::open) {
-      sign.push_back(normal);
-      continue;
+/// Rows: balance of accelerations, then of actuators, then the signs of the motion, then p <= 1.
+/// Columns: free motions, p, edges, what each sign has left.
+void Face::assemble(const ModeMotions& motions) {
+  const bool rests = instant_ == Instant::at_rest, any = instant_ == Instant::any_push;
+  const Index balances = problem_.load().size(), a = problem_.moving();
+  const Index signs = rests ? 0 : motions.signs.rows();
+  const Index bounded = signs + (any ? 1 : 0), edges = static_cast<Index>(edges_.size());
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(balances + bounded, first_edge_ + edges + bounded);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(A.rows());
+  b.head(balances) = problem_.load();
+  if (!rests) {
+    Eigen::MatrixXd kinetic = span_.topRows(balances);
+    kinetic.bottomRows(balances - a) =
+        problem_.inertia().asDiagonal() * span_.middleRows(a, balances - a);
+    A.topLeftCorner(balances, first_edge_) = kinetic.leftCols(first_edge_);
+    A.block(balances, 0, signs, first_edge_) = motions.signs.leftCols(first_edge_);
+    if (!any) {
+      b.head(balances) -= problem_.push() * kinetic.col(moving_);
+      b.tail(signs) = -problem_.push() * motions.signs.col(moving_);
+    } else {
+      A(A.rows() - 1, moving_) = -1;
+      b[A.rows() - 1] = -1;
     }
-    const bool undecided = mode.kind == Kind::undecided;
-    (undecided && cone.normals == 1 ? sign : zero).push_back(normal);
-    if (undecided || !mode.pulls) unknowns_.push_back(normal);
-    if (cone.normals == 2 && (undecided || mode.pulls)) unknowns_.push_back(normal + 1);
-    if (cone.generators == 0) continue;
-    for (Index j = 0; j < cone.generators; ++j) {
-      const Index row = layout.friction_index(i, j);
-      const bool active = std::binary_search(mode.active.begin(), mode.active.end(), j);
-      if (mode.kind != Kind::slide || active) unknowns_.push_back(row);
-      (mode.kind == Kind::stick || active ? zero : sign).push_back(row);
-    }
-    if (mode.kind != Kind::stick) unknowns_.push_back(cone.slip());
-    (mode.kind == Kind::slide ? zero : sign).push_back(cone.slip());
   }
-  const Index bounded = static_cast<Index>(unknowns_.size());
-  for (Index a = free_begin; a < layout.size; ++a) {
-    unknowns_.push_back(a);
-    zero.push_back(a);
+  for (Index k = 0; k < edges; ++k) {
+    const Eigen::VectorXd effect = effect_of(problem_, edges_[static_cast<std::size_t>(k)]);
+    A.col(first_edge_ + k).head(a) = -effect.head(a);
+    A.col(first_edge_ + k).segment(a, balances - a) = effect.tail(balances - a);
   }
-  const DenseProblem& dense = problem_.dense();
-  equations_ = dense.M(zero, unknowns_);
-  right_ = -dense.q(zero);
-  const Index signs = static_cast<Index>(sign.size());
-  signs_ = Eigen::MatrixXd::Zero(signs + bounded, equations_.cols());
-  constant_ = Eigen::VectorXd::Zero(signs_.rows());
-  signs_.topRows(signs) = dense.M(sign, unknowns_);
-  constant_.head(signs) = dense.q(sign);
-  signs_.bottomLeftCorner(bounded, bounded).setIdentity();
-}
-
-/// Origin and directions of E z = right, rows scaled to length 1.
-void Face::eliminate() {
-  for (Index r = 0; r < equations_.rows(); ++r) {
-    const double size = equations_.row(r).norm();
+  A.bottomRightCorner(bounded, bounded).diagonal().setConstant(-1);
+  for (Index r = 0; r < balances; ++r) {
+    const double size = A.row(r).lpNorm<Eigen::Infinity>(); // 0 without columns
     if (!(size > 0)) continue;
-    equations_.row(r) /= size;
-    right_[r] /= size;
+    A.row(r) /= size;
+    b[r] /= size;
   }
-  const Index columns = equations_.cols();
-  directions_ = Eigen::MatrixXd::Identity(columns, columns);
-  if (equations_.size() > 0) {
-    RowSpace space = row_space(equations_, dependent);
-    basis_ = std::move(space.basis);
-    directions_ = std::move(space.complement);
-    triangle_ = std::move(space.triangle);
-    order_ = std::move(space.order);
-  }
-  origin_ = Eigen::VectorXd::Zero(columns);
-  settle(origin_);
-  const double size = 1 + right_.cwiseAbs().sum();
-  const Eigen::VectorXd off = equations_ * origin_ - right_;
-  contradictory_ = off.size() > 0 && off.cwiseAbs().maxCoeff() > contradicts * size;
-  rows_ = signs_ * directions_;
-  for (Index r = 0; r < rows_.rows(); ++r) {
-    const double length = rows_.row(r).norm(), own = signs_.row(r).norm();
-    if (length <= flat * own || !(length > 0)) {
-      rows_.row(r).setZero();
-      continue;
-    }
-    signs_.row(r) /= length;
-    constant_[r] /= length;
-    rows_.row(r) =
-        (rows_.row(r).array().abs() > rounding * length).select(rows_.row(r) / length, 0);
-  }
-  look_around();
+  work_ += static_cast<double>(A.size());
+  program_.emplace(A, b, moving_);
 }
 
-/// The nearest point that solves the equations.
-void Face::settle(Eigen::VectorXd& x) const {
-  for (int turn = 0; turn < 2; ++turn) {
-    if (order_.empty()) return;
-    const Eigen::VectorXd off = right_ - equations_ * x, picked = off(order_);
-    x += basis_ * triangle_.transpose().triangularView<Eigen::Lower>().solve(picked);
+Face::Answer Face::whole(const Eigen::VectorXd& v) const {
+  Answer answer;
+  answer.z = Eigen::VectorXd::Zero(problem_.layout().size);
+  for (std::size_t k = 0; k < edges_.size(); ++k) {
+    const double along = std::max(v[first_edge_ + static_cast<Index>(k)], 0.0);
+    answer.z[edges_[k].normal] += along;
+    if (edges_[k].friction >= 0) answer.z[edges_[k].friction] += edges_[k].mu * along;
   }
+  if (instant_ == Instant::at_rest) return answer;
+  answer.push = instant_ == Instant::any_push ? v[moving_] : problem_.push();
+  Eigen::VectorXd y(moving_ + 1);
+  y << v.head(moving_), answer.push;
+  const Eigen::VectorXd x = span_ * y;
+  answer.z.tail(problem_.actuators()) = x.segment(problem_.moving(), problem_.actuators());
+  return answer;
 }
 
-/// The room at the origin, and which rows bind first: of several that are parallel one is enough,
-/// and linear programs are less degenerate without the others.
-void Face::look_around() {
-  room_ = signs_ * origin_ + constant_;
-  first_.clear();
-  for (Index r = 0; r < rows_.rows(); ++r) {
-    if (rows_.row(r).isZero(0)) continue;
-    bool new_row = true;
-    for (Index& other : first_) {
-      if ((rows_.row(r) - rows_.row(other)).cwiseAbs().maxCoeff() > 100 * rounding) continue;
-      if (room_[r] < room_[other]) other = r;
-      new_row = false;
-      break;
-    }
-    if (new_row) first_.push_back(r);
-  }
-}
-
-/// The columns of the dual: rows_ of first_, and their room as costs without rounding's digits.
-void Face::dual(OwnedProgram& program) const {
-  const double size = 1 + room_.cwiseAbs().maxCoeff();
-  for (std::size_t k = 0; k < first_.size(); ++k) {
-    const auto column = static_cast<Index>(k);
-    program.A.col(column).head(dimension()) = rows_.row(first_[k]).transpose();
-    const double room = room_[first_[k]] / size;
-    program.c[column] = std::abs(room) <= rounding ? 0 : room;
-  }
-}
-
-bool Face::start_at(const Eigen::VectorXd& z) {
-  const Eigen::VectorXd given = z(unknowns_);
-  origin_ = given;
-  settle(origin_);
-  look_around();
-  const double size = 1 + given.cwiseAbs().sum();
-  return (origin_ - given).cwiseAbs().maxCoeff() <= agrees * size &&
-         (equations_ * origin_ - right_).cwiseAbs().maxCoeff() <= agrees * size &&
-         (room_.size() == 0 || room_.minCoeff() >= -agrees * size);
-}
-
-Eigen::VectorXd Face::whole(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd z = Eigen::VectorXd::Zero(problem_.layout().size);
-  const Index free_begin = problem_.layout().size - problem_.layout().actuators;
-  for (std::size_t k = 0; k < unknowns_.size(); ++k) {
-    const double value = x[static_cast<Index>(k)];
-    z[unknowns_[k]] = unknowns_[k] < free_begin ? std::max(value, 0.0) : value;
-  }
-  return z;
-}
-
-/// Where one cover fails others have a try, then costs a little larger, which part ties: the signs
-/// that hold such a corner hold the true one, and the referee sees what comes of it.
-Status Face::minimise(OwnedProgram& program) {
-  constexpr Index tries = 3;
-  constexpr double apart = 1e-8;
-  const Eigen::VectorXd costs = program.c;
-  const auto n = static_cast<double>(program.A.cols());
-  Status status = Status::bad_input;
-  LemkeOptions<double> options;
-  ++programs_;
-  for (Index k = 0; k < 2 * tries; ++k) {
-    options.first_cover = k * options.covers;
-    for (Index j = 0; k >= tries && j < costs.size(); ++j)
-      program.c[j] = costs[j] + apart * generic_number<double>(static_cast<std::uint32_t>(k), j);
-    status = program.solve(options);
-    work_ += n * n * static_cast<double>(program.pivots + 10) +
-             n * static_cast<double>(program.A.rows() * program.A.rows());
-    if (status == Status::solved || status == Status::ray) break;
-  }
-  return status;
-}
-
-/// t moved onto the signs rows t + room >= 0 that bind it, so that the point is exact to rounding.
-/// `multipliers` > 0 mark those of first_ that the linear program holds it with. Room 0: a
-/// direction.
-Eigen::VectorXd Face::polished(const Eigen::VectorXd& t, const Eigen::VectorXd& room,
-                               const Eigen::VectorXd& multipliers) const {
-  const double size = 1 + room.cwiseAbs().maxCoeff();
-  std::vector<bool> held(static_cast<std::size_t>(room.size()), false);
-  for (Index k = 0; k < multipliers.size(); ++k)
-    if (multipliers[k] > 1e-6)
-      held[static_cast<std::size_t>(first_[static_cast<std::size_t>(k)])] = true;
-  Eigen::VectorXd result = t;
-  for (int turn = 0; turn < 2; ++turn) {
-    const Eigen::VectorXd at = rows_ * result + room;
-    std::vector<Index> binding;
-    for (const Index r : first_)
-      if (held[static_cast<std::size_t>(r)] || at[r] <= agrees * size) binding.push_back(r);
-    if (binding.empty()) return result;
-    result += shortest_solution(rows_(binding, Eigen::all), -at(binding), dependent);
-  }
-  return result;
-}
-
-bool Face::varies(const Eigen::VectorXd& f) const {
-  const Eigen::VectorXd own = f(unknowns_);
-  return (directions_.transpose() * own).norm() > flat * own.norm();
-}
-
-/// The smallest r >= 0 with rows t + room + r >= 0: its dual is always solvable.
 Face::Point Face::find_point() {
-  if (contradictory_) return Point::none;
-  if (room_.size() == 0 || room_.minCoeff() >= 0) return Point::found;
-  const double size = 1 + room_.cwiseAbs().maxCoeff();
-  for (Index r = 0; r < room_.size(); ++r) // constant on the face
-    if (rows_.row(r).isZero(0) && room_[r] < -contradicts * size) return Point::none;
-  const Index K = static_cast<Index>(first_.size()), d = dimension();
-  if (K > 0) {
-    OwnedProgram program(K + 1, d + 1);
-    dual(program);
-    program.A.row(d).setOnes();
-    program.b[d] = 1;
-    if (minimise(program) != Status::solved) return Point::failed;
-    const Eigen::VectorXd& nu = program.multipliers;
-    if (-nu[d] > contradicts) return Point::none;
-    if (-nu[d] > agrees) return Point::failed;
-    origin_ += directions_ * polished(-size * nu.head(d), room_, program.x.head(K));
-    settle(origin_);
-    look_around();
-  }
-  return room_.minCoeff() >= -agrees * size ? Point::found : Point::failed;
+  if (!program_) return Point::none;
+  const Point ending = point_of(program_->find_point());
+  corners_ = program_->point();
+  count_ = 1;
+  return ending;
 }
 
-Face::Point Face::lowest(const Eigen::VectorXd& f, Eigen::VectorXd& z) {
-  const double size = 1 + room_.cwiseAbs().maxCoeff();
-  const Eigen::VectorXd own = f(unknowns_);
-  Eigen::VectorXd slope = directions_.transpose() * own;
-  slope /= slope.norm();
-  // min slope t over rows t + room >= 0 has the dual: min room y over rows' y = slope, y >= 0.
-  OwnedProgram program(static_cast<Index>(first_.size()), dimension());
-  dual(program);
-  program.b = slope;
-  program.c = program.c.cwiseMax(0);
-  const Status status = minimise(program);
-  const Eigen::VectorXd& nu = program.multipliers;
-  Eigen::VectorXd x = origin_;
-  if (status == Status::solved) {
-    x += directions_ * polished(-size * nu, room_, program.x);
-    settle(x);
-    z = whole(x);
-    return Point::found;
+bool Face::find_inner_point(std::vector<bool>& carries) {
+  constexpr double force = 1e-7; // of the scene's
+  carries.assign(edges_.size(), true);
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(program_->point().size());
+  for (std::size_t k = 0; k < edges_.size(); ++k) {
+    const Index column = first_edge_ + static_cast<Index>(k);
+    if (corners_[column] > count_ * force) continue;
+    Answer ignored;
+    c[column] = -1;
+    const Point ending = minimise(c, ignored);
+    c[column] = 0;
+    if (ending == Point::failed) return false;
+    carries[k] = ending == Point::unbounded || program_->point()[column] > force;
   }
-  if (status != Status::ray) return Point::failed;
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(room_.size());
-  x += far / nu.norm() * (directions_ * polished(-nu, none, Eigen::VectorXd()));
-  settle(x);
-  z = whole(x);
-  return Point::unbounded;
+  return true;
+}
+
+Face::Point Face::minimise(const Eigen::VectorXd& c, Answer& answer) {
+  const Point ending = point_of(program_->minimise(c));
+  if (ending == Point::failed) return ending;
+  Eigen::VectorXd v = program_->point();
+  if (ending == Point::unbounded) v += far * program_->ray();
+  corners_ += ending == Point::unbounded ? program_->point() + program_->ray() : v;
+  ++count_;
+  answer = whole(v);
+  return ending;
+}
+
+Face::Point Face::lowest(const Eigen::VectorXd& f, Answer& answer) {
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(program_->point().size());
+  for (std::size_t k = 0; k < edges_.size(); ++k)
+    c[first_edge_ + static_cast<Index>(k)] =
+        f[edges_[k].normal] + (edges_[k].friction < 0 ? 0 : edges_[k].mu * f[edges_[k].friction]);
+  return minimise(c, answer);
+}
+
+Face::Point Face::largest_push(Answer& answer) {
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(program_->point().size());
+  c[moving_] = -1;
+  return minimise(c, answer);
 }
 
 } // namespace lcpush::desktop

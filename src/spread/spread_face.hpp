@@ -1,20 +1,25 @@
 // A complementary face: the answers in which every contact keeps its mode. They are a polyhedron,
-// here with its equations solved: z = origin + directions t, over which signs are all that is left.
+// over the edges of the friction cones and the motions that the modes allow.
 #pragma once
 
-#include "solve/owned_program.hpp"
-#include "spread/spread_problem.hpp"
+#include <optional>
+
+#include "spread/mode_motions.hpp"
+#include "spread/simplex.hpp"
 
 namespace lcpush::desktop {
 
+/// Which of a face's answers.
+enum class Instant {
+  pushed,   ///< to the push as it is
+  any_push, ///< to a push of any size p from 0 to 1, which is an unknown of its own
+  at_rest,  ///< before the push: nothing moves, and nothing is asked of the motion
+};
+
 class Face {
 public:
-  Face(const LiteralProblem& problem, const FaceModes& modes);
-
-  Index dimension() const { return directions_.cols(); }
-
-  /// Moves the origin to z, a point of the face up to rounding. False if it is none.
-  bool start_at(const Eigen::VectorXd& z);
+  Face(const LiteralProblem& problem, const FaceModes& modes, const ModeMotions& motions,
+       Instant instant);
 
   enum class Point {
     found,
@@ -22,45 +27,44 @@ public:
     unbounded, ///< of `lowest` only: the value falls without end
     failed,    ///< the linear program's pivots, or a proof, or too near to tell
   };
-  /// Some point of the face becomes the origin.
-  Point find_point();
-  Eigen::VectorXd origin() const { return whole(origin_); }
-  /// Does the functional f z vary on the face's equations?
-  bool varies(const Eigen::VectorXd& f) const;
-  /// The point where f z is smallest, or a point far out in the direction that has no end.
-  /// Pre: the origin is a point of the face.
-  Point lowest(const Eigen::VectorXd& f, Eigen::VectorXd& z);
+  /// A point of the face: the unknowns z (slips left out), and the push that they answer.
+  struct Answer {
+    Eigen::VectorXd z;
+    double push = 0;
+  };
 
-  Index programs() const { return programs_; } ///< linear programs solved
-  double work() const { return work_; }        ///< their multiplications, about
+  Point find_point();
+  Answer point() const { return whole(program_->point()); }
+  /// The point where f z is smallest, f a functional of the forces; or a point far out in the
+  /// direction that has no end. Pre: find_point has found one.
+  Point lowest(const Eigen::VectorXd& f, Answer& answer);
+  /// `any_push`: the point with the largest push, proved to be none other than 0 if it is.
+  Point largest_push(Answer& answer);
+
+  /// After `lowest` of some functionals: the mean of their points and more, such that an edge that
+  /// can carry a force at all carries one there. False if a program fails.
+  bool find_inner_point(std::vector<bool>& carries);
+  Answer inner_point() const { return whole(corners_ / count_); }
+  const std::vector<ConeEdge>& edges() const { return edges_; }
+
+  Index programs() const { return program_ ? program_->programs() : 0; }    ///< solved
+  double work() const { return work_ + (program_ ? program_->work() : 0); } ///< multiplications
 
 private:
   const LiteralProblem& problem_;
-  std::vector<Index> unknowns_; // which may differ from 0
-  Eigen::MatrixXd equations_;   // E: E z = right_, z of unknowns_
-  Eigen::VectorXd right_;
-  Eigen::MatrixXd signs_; // C: C z + constant_ >= 0
-  Eigen::VectorXd constant_;
-  Eigen::MatrixXd basis_, triangle_; // of E', rank columns
-  std::vector<Index> order_;
-  Eigen::VectorXd origin_;
-  Eigen::MatrixXd directions_;
-  Eigen::MatrixXd rows_;     // signs_ * directions_, rows scaled to length 1
-  Eigen::VectorXd room_;     // what the rows have at the origin, in the same scale
-  std::vector<Index> first_; // of rows_: those that may bind
-  bool contradictory_ = false;
-  Index programs_ = 0;
+  Instant instant_;
+  Eigen::MatrixXd span_; // of the motions: empty at rest
+  std::vector<ConeEdge> edges_;
+  std::optional<Simplex> program_; // none: the modes contradict each other
+  Index moving_ = 0;               // columns of free motion, then the push if it is unknown
+  Index first_edge_ = 0;
   double work_ = 0;
+  Eigen::VectorXd corners_; // their sum
+  double count_ = 0;
 
-  void choose(const FaceModes& modes);
-  void eliminate();
-  void settle(Eigen::VectorXd& x) const;
-  void look_around();
-  void dual(OwnedProgram& program) const;
-  Eigen::VectorXd polished(const Eigen::VectorXd& t, const Eigen::VectorXd& room,
-                           const Eigen::VectorXd& multipliers) const;
-  Eigen::VectorXd whole(const Eigen::VectorXd& x) const;
-  Status minimise(OwnedProgram& program);
+  void assemble(const ModeMotions& motions);
+  Answer whole(const Eigen::VectorXd& v) const;
+  Point minimise(const Eigen::VectorXd& c, Answer& answer);
 };
 
 } // namespace lcpush::desktop

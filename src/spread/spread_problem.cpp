@@ -17,94 +17,169 @@ SceneFile literal(SceneFile file) {
   return file;
 }
 
+} // namespace
+
 /// What decides the mode of one contact, in the assembly's units.
-struct Look {
+struct LiteralProblem::Look {
   bool pressed, pulls, gap_closed, slips, at_limit;
   std::vector<Index> carrying; ///< generators with a force
   std::vector<Index> opposing; ///< generators that oppose the slip best
 };
 
-Look look_at(const LiteralProblem& problem, Index i, const Eigen::VectorXd& z,
-             const Eigen::VectorXd& w) {
-  const Layout<double>& layout = problem.layout();
-  const DenseProblem& dense = problem.dense();
-  const double terms = (dense.M.cwiseAbs() * z.cwiseAbs() + dense.q.cwiseAbs()).maxCoeff();
-  double force = 0, motion = 1e-5 * terms; // below it all motion is rounding's
-  for (Index k = 0; k < layout.points; ++k) {
-    const ConeGroup<double>& cone = layout.cones[k];
-    force = std::max(force, std::abs(cone.normal_force(z.data())));
-    motion = std::max(motion, std::abs(w[cone.variable]));
-    for (Index j = 0; j < cone.generators; ++j)
-      motion = std::max(motion, std::abs(w[layout.friction_index(k, j)] - z[cone.slip()]));
-  }
-  const ConeGroup<double>& cone = layout.cones[i];
-  const double lambda = cone.normal_force(z.data());
-  Look look;
-  look.pressed = std::abs(lambda) > tie * force;
-  look.pulls = lambda < 0;
-  look.gap_closed = std::abs(w[cone.variable]) <= tie * motion;
-  double fastest = 0;
-  const auto against = [&](Index j) { return z[cone.slip()] - w[layout.friction_index(i, j)]; };
-  for (Index j = 0; j < cone.generators; ++j) {
-    fastest = std::max(fastest, against(j));
-    if (z[layout.friction_index(i, j)] > tie * force) look.carrying.push_back(j);
-  }
-  for (Index j = 0; j < cone.generators; ++j)
-    if (against(j) >= fastest - tie * motion) look.opposing.push_back(j);
-  look.slips = fastest > tie * motion;
-  look.at_limit = cone.generators > 0 && w[cone.slip()] <= tie * force;
-  return look;
-}
-
-} // namespace
-
 LiteralProblem::LiteralProblem(const SceneFile& file)
-    : file_(literal(file)), assembled_(file_.view()), dense_(desktop::dense(problem())) {}
-
-void LiteralProblem::complete(const FaceModes& modes, Eigen::VectorXd& z) const {
-  for (Index i = 0; i < layout().points; ++i) {
-    const ConeGroup<double>& cone = layout().cones[i];
-    if (modes[static_cast<std::size_t>(i)].kind != Kind::open || cone.generators == 0) continue;
-    z[cone.slip()] = 0;
-    double needed = 0;
-    for (Index j = 0; j < cone.generators; ++j) {
-      const Index row = layout().friction_index(i, j);
-      needed = std::max(needed, -(dense_.M.row(row).dot(z) + dense_.q[row]));
+    : file_(literal(file)), assembled_(file_.view()) {
+  const FactoredProblem<double>& given = factored();
+  const double fastest = push_size(scene());
+  unit_ = fastest > 0 ? layout().scales.acceleration / fastest : 1;
+  push_ = 1 / unit_;
+  for (Index k = 0; k < 6; ++k)
+    if (given.mobility.row(k).norm() > 0) axes_.push_back(k);
+  const Index a = moving(), n = layout().size, first_closing = n - actuators();
+  const Eigen::Map<const Eigen::VectorXd> pushed(assembled_.assembly.breaking_problem().push, n);
+  rates_ = Eigen::MatrixXd::Zero(n, motions());
+  effects_ = Eigen::MatrixXd::Zero(a + actuators(), n);
+  load_ = Eigen::VectorXd::Zero(a + actuators());
+  inertia_ = Eigen::VectorXd::Zero(actuators());
+  for (const ConeGroup<double>& cone : given.cones)
+    for (Index k = 0; k < cone.forces(); ++k) {
+      const Index i = cone.variable + k;
+      const Vector6<double>& column = given.wrenches[cone.force + k];
+      rates_.row(i).head(a) = column(axes_).transpose();
+      rates_(i, motions() - 1) = pushed[i] * unit_;
+      const Vector6<double> effect = given.mobility * column;
+      effects_.col(i).head(a) = effect(axes_);
     }
-    z[cone.slip()] = needed;
+  for (Index k = 0; k < actuators(); ++k) {
+    const SumGroup<double>& sum = given.sums[k];
+    load_[a + k] = sum.target;
+    inertia_[k] = sum.inertia;
+    for (Index entry = sum.first; entry < sum.first + sum.count; ++entry) {
+      effects_(a + k, given.coupled_variable[entry]) += given.coupling[entry];
+      rates_(given.coupled_variable[entry], a + k) -= given.coupling[entry];
+    }
   }
+  // Without contact forces the object falls as its loads have it.
+  Vector6<double> fall = read(Eigen::VectorXd::Zero(first_closing + actuators()), 0).acceleration;
+  fall.tail<3>() *= layout().scales.length;
+  fall /= layout().scales.acceleration;
+  load_.head(a) = fall(axes_);
 }
 
-const Answer<double>& LiteralProblem::read(const Eigen::VectorXd& z) {
-  read_answer(assembled_.assembly, z.data(), assembled_.work.answer, 1.0);
+Problem<double> LiteralProblem::problem(double push) {
+  assembled_.assembly.push_by(push * unit_);
+  return assembled_.assembly.problem();
+}
+
+bool LiteralProblem::is_soft(Index i) const {
+  const Body<double>& body = scene().bodies[layout().body[i]];
+  return body.torsion_radius > 0 && body.friction > 0;
+}
+
+bool LiteralProblem::has_soft_points() const {
+  for (Index i = 0; i < layout().points; ++i)
+    if (is_soft(i)) return true;
+  return false;
+}
+
+std::vector<ConeEdge> LiteralProblem::edges_of(Index i, const ContactMode& mode) const {
+  const ConeGroup<double>& cone = layout().cones[i];
+  std::vector<ConeEdge> edges;
+  if (mode.kind == Kind::open) return edges;
+  for (Index side = 0; side < cone.normals; ++side) {
+    if (mode.kind != Kind::undecided && mode.pulls != (side == 1)) continue;
+    const Index normal = cone.variable + side;
+    if (cone.generators == 0) edges.push_back({normal, -1, 0});
+    for (Index j = 0; j < cone.generators; ++j)
+      if (mode.kind != Kind::slide || std::binary_search(mode.active.begin(), mode.active.end(), j))
+        edges.push_back({normal, layout().friction_index(i, j), cone.friction});
+  }
+  return edges;
+}
+
+Eigen::VectorXd LiteralProblem::motion_of(const Eigen::VectorXd& z, double push) const {
+  const Index a = moving();
+  Eigen::VectorXd x(motions());
+  x.head(a) = load_.head(a);
+  for (Index i = 0; i < z.size(); ++i)
+    if (z[i] != 0) x.head(a) += z[i] * effects_.col(i).head(a);
+  x.segment(a, actuators()) = z.tail(actuators());
+  x[motions() - 1] = push;
+  return x;
+}
+
+void LiteralProblem::complete(double push, Eigen::VectorXd& z) const {
+  const Eigen::VectorXd rates = rates_ * motion_of(z, push);
+  for (const ConeGroup<double>& cone : layout().cones)
+    if (cone.generators > 0)
+      z[cone.slip()] =
+          std::max(0.0, -rates.segment(cone.variable + cone.normals, cone.generators).minCoeff());
+}
+
+const Answer<double>& LiteralProblem::read(const Eigen::VectorXd& z, double push) {
+  read_answer(assembled_.assembly, z.data(), assembled_.work.answer, push * unit_);
   return assembled_.work.answer;
 }
 
-bool LiteralProblem::passes(const Residuals<double>& residuals) const {
-  constexpr double smallest_part = 1e-5; // as for an answer of Push::solve
-  const double push = push_size(scene()) / layout().scales.acceleration;
-  const double worst = residuals.max();
-  return worst <= Tolerances<double>().residual && (!(push > 0) || worst <= smallest_part * push);
+Residuals<double> LiteralProblem::check(const Answer<double>& answer, double push) const {
+  return lcpush::check(scene(), layout().scales, answer, push * unit_);
 }
 
-FaceModes LiteralProblem::face_of(const Eigen::VectorXd& z, const Eigen::VectorXd& w) const {
-  FaceModes modes;
+bool LiteralProblem::passes(const Residuals<double>& residuals, double push) const {
+  constexpr double smallest_part = 1e-5; // as for an answer of Push::solve
+  const double worst = residuals.max();
+  return worst <= Tolerances<double>().residual &&
+         (!(push_size(scene()) > 0 && push > 0) || worst <= smallest_part * push);
+}
+
+std::vector<LiteralProblem::Look> LiteralProblem::look_at(const Eigen::VectorXd& z,
+                                                          double push) const {
+  const Eigen::VectorXd x = motion_of(z, push), rates = rates_ * x;
+  Eigen::VectorXd terms = load_.head(moving()).cwiseAbs();
+  double force = 0;
+  for (const ConeGroup<double>& cone : layout().cones) {
+    force = std::max(force, std::abs(cone.normal_force(z.data())));
+    for (Index k = 0; k < cone.forces(); ++k)
+      terms += z[cone.variable + k] * effects_.col(cone.variable + k).head(moving()).cwiseAbs();
+  }
+  // Below what rounding leaves of the accelerations that cancel there is no motion.
+  const double motion = std::max(1e-5 * terms.maxCoeff(), rates.cwiseAbs().maxCoeff());
+  std::vector<Look> looks;
   for (Index i = 0; i < layout().points; ++i) {
-    const Look at = look_at(*this, i, z, w);
+    const ConeGroup<double>& cone = layout().cones[i];
+    const double lambda = cone.normal_force(z.data());
+    Look look;
+    look.pressed = std::abs(lambda) > tie * force;
+    look.pulls = lambda < 0;
+    look.gap_closed = std::abs(rates[cone.variable]) <= tie * motion;
+    double fastest = 0, used = 0;
+    const auto against = [&](Index j) { return -rates[layout().friction_index(i, j)]; };
+    for (Index j = 0; j < cone.generators; ++j) {
+      const double beta = z[layout().friction_index(i, j)];
+      fastest = std::max(fastest, against(j));
+      used += beta;
+      if (beta > tie * force) look.carrying.push_back(j);
+    }
+    for (Index j = 0; j < cone.generators; ++j)
+      if (against(j) >= fastest - tie * motion) look.opposing.push_back(j);
+    look.slips = fastest > tie * motion;
+    look.at_limit = cone.generators > 0 && cone.friction_limit(z.data()) - used <= tie * force;
+    looks.push_back(std::move(look));
+  }
+  return looks;
+}
+
+FaceModes LiteralProblem::face_of(const Eigen::VectorXd& z, double push) const {
+  FaceModes modes;
+  for (const Look& at : look_at(z, push)) {
+    const ConeGroup<double>& cone = layout().cones[static_cast<Index>(modes.size())];
     if (!at.gap_closed)
       modes.push_back({Kind::open, false, {}});
-    else if (layout().cones[i].generators == 0 || !at.slips)
+    else if (cone.generators == 0 || !at.slips)
       modes.push_back({Kind::stick, at.pulls, {}});
     else
       modes.push_back({Kind::slide, at.pulls, at.opposing});
   }
   return modes;
-}
-
-bool LiteralProblem::has_soft_points() const {
-  for (const Body<double>& body : scene().bodies)
-    if (body.torsion_radius > 0 && body.friction > 0) return true;
-  return false;
 }
 
 std::vector<ContactMode> LiteralProblem::every_mode(Index i) const {
@@ -124,9 +199,15 @@ std::vector<ContactMode> LiteralProblem::every_mode(Index i) const {
   return modes;
 }
 
-std::vector<ContactMode> LiteralProblem::modes_at(Index i, const Eigen::VectorXd& z,
-                                                  const Eigen::VectorXd& w) const {
-  const Look at = look_at(*this, i, z, w);
+std::vector<std::vector<ContactMode>> LiteralProblem::modes_at(const Eigen::VectorXd& z,
+                                                               double push) const {
+  std::vector<std::vector<ContactMode>> modes;
+  for (const Look& at : look_at(z, push))
+    modes.push_back(modes_of(static_cast<Index>(modes.size()), at));
+  return modes;
+}
+
+std::vector<ContactMode> LiteralProblem::modes_of(Index i, const Look& at) const {
   const ConeGroup<double>& cone = layout().cones[i];
   std::vector<ContactMode> modes;
   if (!at.pressed && cone.normals == 1) modes.push_back({Kind::open, false, {}});
@@ -138,7 +219,7 @@ std::vector<ContactMode> LiteralProblem::modes_at(Index i, const Eigen::VectorXd
     if (pulls ? cone.normals == 1 || (at.pressed && !at.pulls) : at.pressed && at.pulls) continue;
     if (cone.generators == 0 || !at.slips) modes.push_back({Kind::stick, pulls, {}});
     if (cone.generators == 0 || !at.at_limit) continue;
-    if (!at.slips && scene().bodies[layout().body[i]].torsion_radius > 0) {
+    if (!at.slips && is_soft(i)) {
       if (!at.carrying.empty()) modes.push_back({Kind::slide, pulls, at.carrying});
     } else if (!at.slips) { // about to slide, any way that its friction allows
       for (ContactMode& mode : every_mode(i))

@@ -1,15 +1,13 @@
-// The literal laws of a scene as one dense problem, whatever pressure law its file asks for, and
-// what a contact can do in an answer to them.
+// The literal laws of a scene, whatever pressure law its file asks for, and what a contact can do
+// in an answer to them.
 #pragma once
 
-#include <tuple>
 #include <vector>
 
 #include "lcpush/desktop/assembled_scene.hpp"
 #include "lcpush/desktop/scene_io.hpp"
 #include "lcpush/mechanics/model/check.hpp"
 #include "lcpush/mechanics/model/read_answer.hpp"
-#include "solve/dense_problem.hpp"
 
 namespace lcpush::desktop {
 
@@ -18,19 +16,26 @@ namespace lcpush::desktop {
 /// stick      lambda, beta >= 0, gap and slip 0 (without friction: the gap alone)
 /// slide      lambda >= 0, gap 0, friction at its limit on the generators `active` alone, which
 ///            oppose the slip as well as each other and not worse than the rest
-/// undecided  nothing chosen yet, signs only
+/// undecided  nothing chosen yet: the gap does not close, any force of the cone
 struct ContactMode {
   enum class Kind { open, stick, slide, undecided };
   Kind kind = Kind::undecided;
   bool pulls = false;        ///< of a bilateral contact, which is never open
   std::vector<Index> active; ///< ascending
-
-  friend bool operator<(const ContactMode& a, const ContactMode& b) {
-    return std::tie(a.kind, a.pulls, a.active) < std::tie(b.kind, b.pulls, b.active);
-  }
 };
 using FaceModes = std::vector<ContactMode>; ///< one a contact point
 
+/// An edge of a contact's friction cone: the unknowns that are 1 and mu along it. The forces that a
+/// cone holds are the sums of its edges with factors >= 0.
+struct ConeEdge {
+  Index normal;   ///< or the pull
+  Index friction; ///< -1: no friction
+  double mu;
+};
+
+/// What there is to know of the problem, in the units of its layout. Motions are columns
+/// x = (a, s, p): the object's acceleration along what can move, the actuators' closings, the size
+/// of the push; prescribed motions are p times those of a push whose fastest point moves at 1.
 class LiteralProblem {
 public:
   explicit LiteralProblem(const SceneFile& file);
@@ -40,30 +45,68 @@ public:
   const SceneFile& file() const { return file_; } ///< with pressure = "rigid"
   const Scene<double>& scene() const { return assembled_.scene; }
   const Layout<double>& layout() const { return assembled_.assembly.layout(); }
-  Problem<double> problem() { return assembled_.assembly.problem(); }
   const FactoredProblem<double>& factored() const { return assembled_.assembly.factored(); }
-  const DenseProblem& dense() const { return dense_; }
+  /// The problem pushed by p; valid until the next call.
+  Problem<double> problem(double push);
+  /// At rest, with the push of the scene as an infinitesimal one.
+  Problem<double> breaking_problem() const { return assembled_.assembly.breaking_problem(); }
 
-  /// Gives the slips of open contacts, which are in no polyhedron, their smallest value.
-  void complete(const FaceModes& modes, Eigen::VectorXd& z) const;
-  /// The referee's word on z; valid until the next call.
-  const Answer<double>& read(const Eigen::VectorXd& z);
+  double push() const { return push_; } ///< p of the scene as it is; 1 if nothing is pushed
+  Index moving() const { return static_cast<Index>(axes_.size()); }        ///< size of a
+  Index axis(Index k) const { return axes_[static_cast<std::size_t>(k)]; } ///< of a twist
+  Index actuators() const { return layout().actuators; }
+  Index motions() const { return moving() + actuators() + 1; } ///< size of x
+
+  /// Row of force unknown i over x: the acceleration of the object's point along it, relative to
+  /// the body.
+  const Eigen::MatrixXd& rates() const { return rates_; }
+  /// a = effects.top f + load.top; effects.bottom f + inertia s = load.bottom.
+  const Eigen::MatrixXd& effects() const { return effects_; }
+  const Eigen::VectorXd& load() const { return load_; }
+  const Eigen::VectorXd& inertia() const { return inertia_; } ///< of the actuators
+
+  /// The edges of the cone that a mode leaves to contact i.
+  std::vector<ConeEdge> edges_of(Index i, const ContactMode& mode) const;
+
+  /// x at forces and closings z, pushed by p.
+  Eigen::VectorXd motion_of(const Eigen::VectorXd& z, double push) const;
+  /// Gives all slips the smallest value that the laws allow.
+  void complete(double push, Eigen::VectorXd& z) const;
+  /// The referee's word on z, pushed by p; the answer is valid until the next call.
+  const Answer<double>& read(const Eigen::VectorXd& z, double push);
+  Residuals<double> check(const Answer<double>& answer, double push) const;
   /// No law broken by more than the tolerance, nor than a small part of the push.
-  bool passes(const Residuals<double>& residuals) const;
+  bool passes(const Residuals<double>& residuals, double push) const;
 
-  /// What every contact does at the answer z with slacks w, ties resolved towards more unknowns.
-  FaceModes face_of(const Eigen::VectorXd& z, const Eigen::VectorXd& w) const;
-  /// All that contact i may be said to do there: several at the limit of two modes.
-  std::vector<ContactMode> modes_at(Index i, const Eigen::VectorXd& z,
-                                    const Eigen::VectorXd& w) const;
+  /// What every contact does at the answer z, ties resolved towards more unknowns.
+  FaceModes face_of(const Eigen::VectorXd& z, double push) const;
+  /// All that each contact may be said to do there: several at the limit of two modes.
+  std::vector<std::vector<ContactMode>> modes_at(const Eigen::VectorXd& z, double push) const;
   /// All that it can do at all; not for soft points.
   std::vector<ContactMode> every_mode(Index i) const;
+  bool is_soft(Index i) const;
   bool has_soft_points() const;
 
 private:
+  struct Look;
+
   SceneFile file_;
   AssembledScene assembled_;
-  DenseProblem dense_;
+  double unit_ = 1; // m/s^2: the push of p = 1
+  double push_ = 1;
+  std::vector<Index> axes_; // of a twist: those that move
+  Eigen::MatrixXd rates_, effects_;
+  Eigen::VectorXd load_, inertia_;
+
+  std::vector<Look> look_at(const Eigen::VectorXd& z, double push) const;
+  std::vector<ContactMode> modes_of(Index i, const Look& at) const;
 };
+
+/// What a unit force along the edge does, as a column of effects().
+inline Eigen::VectorXd effect_of(const LiteralProblem& problem, const ConeEdge& edge) {
+  Eigen::VectorXd effect = problem.effects().col(edge.normal);
+  if (edge.friction >= 0) effect += edge.mu * problem.effects().col(edge.friction);
+  return effect;
+}
 
 } // namespace lcpush::desktop

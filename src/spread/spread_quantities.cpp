@@ -5,40 +5,42 @@ namespace lcpush::desktop {
 std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadReport& report) {
   std::vector<Quantity> quantities;
   const Layout<double>& layout = problem.layout();
-  const FactoredProblem<double>& factored = problem.factored();
-  const auto blank = [&] { return Eigen::VectorXd(Eigen::VectorXd::Zero(layout.size)); };
+  const double force = layout.scales.force, length = layout.scales.length;
+  const auto of = [&](Interval& bounds, double unit) {
+    return Quantity{&bounds, Eigen::VectorXd::Zero(layout.size), false, unit, 0};
+  };
   const auto add_normal = [&](Index i, Eigen::VectorXd& f) {
     for (Index k = 0; k < layout.cones[i].normals; ++k)
       f[layout.normal_index(i) + k] = k == 0 ? 1 : -1;
   };
   for (PusherSpread& pusher : report.pushers) {
-    Quantity push{&pusher.force, blank()};
+    Quantity push = of(pusher.force, force);
     for (Index i = 0; i < layout.points; ++i)
       if (layout.body[i] == pusher.body) add_normal(i, push.f);
     quantities.push_back(push);
   }
-  for (Index k = 0; k < 6; ++k) {
-    Quantity twist{&report.twist[k], blank()};
-    for (const ConeGroup<double>& cone : layout.cones)
-      for (Index j = 0; j < cone.forces(); ++j)
-        twist.f[cone.variable + j] =
-            factored.mobility.row(k).dot(factored.wrenches[cone.force + j]);
+  for (Index k = 0; k < problem.moving(); ++k) {
+    const Index axis = problem.axis(k);
+    Quantity twist = of(report.twist[axis], layout.scales.acceleration / (axis < 3 ? 1 : length));
+    twist.f = problem.effects().row(k).transpose();
+    twist.load = problem.load()[k];
+    twist.is_motion = true;
     if (twist.f.norm() > 0) quantities.push_back(twist);
   }
   for (Index i = 0; i < layout.points; ++i) {
     const Body<double>& body = problem.scene().bodies[layout.body[i]];
     ContactSpread& spread = report.contacts[static_cast<std::size_t>(i)];
-    Quantity normal{&spread.normal, blank()};
+    Quantity normal = of(spread.normal, force);
     add_normal(i, normal.f);
     quantities.push_back(normal);
     if (layout.cones[i].generators == 0) continue;
-    Quantity along{&spread.tangential[0], blank()}, across{&spread.tangential[1], blank()};
-    Quantity torsion{&spread.torsion, blank()};
+    Quantity along = of(spread.tangential[0], force), across = of(spread.tangential[1], force);
+    Quantity torsion = of(spread.torsion, force * length);
     for (Index j = 0; j < layout.cones[i].generators; ++j) {
       const Generator<double> d = generator(body, j, problem.scene().facets);
       along.f[layout.friction_index(i, j)] = d.force.dot(body.tangent);
       across.f[layout.friction_index(i, j)] = d.force.dot(cross(body.normal, body.tangent));
-      torsion.f[layout.friction_index(i, j)] = d.torque / layout.scales.length;
+      torsion.f[layout.friction_index(i, j)] = d.torque / length;
     }
     quantities.push_back(along);
     quantities.push_back(across);
@@ -48,9 +50,14 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadRepor
 }
 
 void include(const Answer<double>& answer, const Scene<double>& scene, SpreadReport& report) {
+  for (Index k = 0; k < 6; ++k) report.twist[k].include(answer.acceleration[k]);
+  include_forces(answer, scene, report);
+}
+
+void include_forces(const Answer<double>& answer, const Scene<double>& scene,
+                    SpreadReport& report) {
   for (PusherSpread& pusher : report.pushers)
     pusher.force.include(normal_sum(answer, scene.bodies[pusher.body]));
-  for (Index k = 0; k < 6; ++k) report.twist[k].include(answer.acceleration[k]);
   for (Index i = 0; i < answer.contacts.size; ++i) {
     const ContactAnswer<double>& contact = answer.contacts[i];
     const Body<double>& body = scene.bodies[contact.body];

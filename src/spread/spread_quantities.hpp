@@ -9,13 +9,18 @@ namespace lcpush::desktop {
 struct Quantity {
   Interval* bounds; ///< in the report
   Eigen::VectorXd f;
+  bool is_motion = false; ///< of the twist, else a force
+  double unit, load;      ///< SI
+
+  double value(const Eigen::VectorXd& z) const { return unit * (f.dot(z) + load); }
 };
 
 /// The push of each pusher first, then the twist, then point by point; report.pushers and
 /// report.contacts have their final size by then, and stay where they are.
 std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadReport& report);
 
-/// Widens all intervals by one answer.
+/// Widens all intervals of forces, or all, by one answer.
+void include_forces(const Answer<double>& answer, const Scene<double>& scene, SpreadReport& report);
 void include(const Answer<double>& answer, const Scene<double>& scene, SpreadReport& report);
 
 /// The verdict on the intervals; report.motion is known by then.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -42,7 +43,7 @@ Fact law_fact(const SceneFile& file) {
 /// What may be missing.
 std::vector<std::string> doubts_of(const SpreadReport& report) {
   std::vector<std::string> list;
-  if (!report.enumeration.empty())
+  if (!report.enumeration.empty() && report.asked == Enumeration::thorough)
     list.push_back("not enumerated to the end: " + report.enumeration);
   if (report.faces_left > 0 && !report.complete)
     list.push_back(counted(report.faces_left, "more face") +
@@ -83,7 +84,9 @@ Fact verdict_fact(const SpreadReport& report) {
 std::string motion_table(const SpreadReport& report, int digits) {
   const char* const names[] = {"linear x",  "linear y",  "linear z",
                                "angular x", "angular y", "angular z"};
-  std::vector<std::vector<std::string>> rows{{"motion of the object", "", ""}};
+  const char* const head =
+      report.breaking ? "motion per m/s^2 of the push" : "motion of the object";
+  std::vector<std::vector<std::string>> rows{{head, "", ""}};
   for (Index k = 0; k < 6; ++k) {
     const double zero = same_acceleration(report) / (k < 3 ? 1 : report.scales.length);
     rows.push_back(
@@ -115,17 +118,42 @@ std::string sentence(std::string text) {
   return text + ".\n";
 }
 
-/// "18.4 to 20 N", "3 N or more".
-std::string force_words(const Interval& force, double same) {
+/// "is 20 N", "is 18.4 to 20 N", "is 3 N or more"; "ranges at least from 18.4 to 20 N" where other
+/// answers may lie outside.
+std::string force_words(const Interval& force, double same, bool complete) {
   const std::string low = in_digits(force.low, 3, same), high = in_digits(force.high, 3, same);
-  if (!std::isfinite(force.high)) return "of " + low + " N or more";
-  return (is_single(force, same) ? high : low + " to " + high) + " N";
+  if (!std::isfinite(force.high)) return "is " + low + " N or more";
+  if (is_single(force, same)) return "is " + high + " N";
+  return (complete ? "is " : "ranges at least from ") + low + " to " + high + " N";
+}
+
+/// How hard each pusher pushes, or what breaks the grasp.
+std::string push_sentences(const SceneFile& file, const SpreadReport& report) {
+  std::string text;
+  for (const PusherSpread& pusher : report.pushers)
+    text += sentence((report.breaking ? "the breaking force of " : "the push by ") +
+                     file.body_name(pusher.body) + " " +
+                     force_words(pusher.force, same_force(report), report.complete) +
+                     ", the sum of its normal forces");
+  return text;
+}
+
+/// No motion in any answer?
+bool is_still(const SpreadReport& report) {
+  for (Index k = 0; k < 6; ++k) {
+    const double zero = same_acceleration(report) / (k < 3 ? 1 : report.scales.length);
+    if (!(std::max(-report.twist[k].low, report.twist[k].high) <= zero)) return false;
+  }
+  return true;
 }
 
 /// What the laws leave open, and how hard the push is.
 std::string message(const SceneFile& file, const SpreadReport& report) {
-  const std::string one_way = (report.complete ? "" : "in all answers that were reached, ") +
-                              object_name(file) + " moves in one way";
+  const std::string moves = is_still(report)  ? " does not move"
+                            : report.breaking ? " begins to move in one way"
+                                              : " moves in one way";
+  const std::string one_way =
+      (report.complete ? "" : "in all answers that were reached, ") + object_name(file) + moves;
   std::string text;
   switch (report.verdict) {
   case SpreadVerdict::unique: text = sentence(one_way + ", under one set of forces"); break;
@@ -133,23 +161,24 @@ std::string message(const SceneFile& file, const SpreadReport& report) {
     text = sentence(one_way + "; the laws leave its forces open");
     break;
   case SpreadVerdict::ambiguous:
-    text = sentence("the laws leave open how " + object_name(file) + " moves");
+    text = sentence("the laws leave open how " + object_name(file) +
+                    (report.breaking ? " begins to move" : " moves"));
     break;
   }
-  for (const PusherSpread& pusher : report.pushers)
-    text +=
-        sentence("the push by " + file.body_name(pusher.body) + " is " +
-                 force_words(pusher.force, same_force(report)) + ", the sum of its normal forces");
-  return text;
+  if (report.falls)
+    text += sentence("there are answers too in which " + object_name(file) +
+                     " moves before it is pushed; they are left out");
+  return text + push_sentences(file, report);
 }
 
 /// Of which answers the ranges speak, and what may be missing.
 std::string brief_end(const SceneFile& file, const SpreadReport& report) {
   std::string text = "These are the ranges of every solution.\n";
   if (!report.complete)
-    text = std::string("These are the ranges of the solutions that were reached; there may be "
-                       "others") +
-           (report.enumeration.empty() ? " (--enumerate looks for all)" : "") + ".\n";
+    text = std::string("The ranges are at least these, of the solutions that were reached; there "
+                       "may be others") +
+           (report.asked == Enumeration::thorough ? "" : " (--enumerate looks longer for all)") +
+           ".\n";
   for (const std::string& doubt : doubts_of(report)) text += sentence(doubt);
   const std::string law = file_law_text(file);
   return text + (law.empty() ? "" : sentence(law));
@@ -184,9 +213,9 @@ std::string spread_text(const SceneFile& file, const SpreadReport& report, Telli
            brief_end(file, report);
   std::vector<Fact> facts{law_fact(file), reach_fact(report), verdict_fact(report)};
   for (const PusherSpread& pusher : report.pushers)
-    facts.push_back(
-        {"Push by " + file.body_name(pusher.body),
-         interval_text(pusher.force, same_force(report), 6) + " N, the sum of its normal forces"});
+    facts.push_back({report.breaking ? "Breaking force" : "Push",
+                     interval_text(pusher.force, same_force(report), 6) +
+                         " N, the sum of the normal forces of " + file.body_name(pusher.body)});
   return text + facts_text(facts) + "\n" + motion_table(report, 6) + "\n" +
          contact_table(file, report, 6) +
          "\nBoth ends of each range belong to answers that were checked apart from the solver: "
@@ -202,6 +231,7 @@ std::string spread_json(const SceneFile& file, const SpreadReport& report) {
   write_warnings(json, check_scene(file));
   json.member("verdict", when(solved, verdict_text(report.verdict)));
   json.member("laws", "rigid").member("pressure", pressure_text(file.pressure));
+  json.member("breaking", report.breaking);
   json.member("faces", report.faces).member("covers", report.covering_vectors);
   json.member("covers_solved", report.covering_vectors_solved).member("complete", report.complete);
   json.member("enumeration", unless_empty(report.enumeration));
@@ -213,7 +243,8 @@ std::string spread_json(const SceneFile& file, const SpreadReport& report) {
   }
   json.member("residual", report.residual);
   const auto write_ends = [&](const Interval& interval) { json.value(ends_of(interval)); };
-  json.key("push_force").begin_object();
+  if (report.breaking) json.member("falls", report.falls);
+  json.key(report.breaking ? "break_force" : "push_force").begin_object();
   for (const PusherSpread& pusher : report.pushers)
     json.member(file.body_name(pusher.body), ends_of(pusher.force));
   json.end_object().list("twist", report.twist, write_ends);

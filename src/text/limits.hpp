@@ -20,7 +20,8 @@ constexpr Index patch_points = 10000; // each sees every other one of its patch:
 // Unknowns up to which a question is asked; beyond, its answer would take minutes.
 constexpr Index unknowns_dense = 2000; // pivots on the whole dictionary, where structured ones fail
 constexpr Index unknowns_dense_after_ray = 600; // a ray has been verified: it gets less time
-constexpr Index unknowns_searched = 2000;       // other answers, each as long as the first
+constexpr Index unknowns_searched = 2000;       // other answers, each as long as the first: three
+                                                // covers, and for a break seven images
 constexpr Index scalars_existence = 50'000'000; // 400 MB: hundreds of actuators that drag
 constexpr Index unknowns_holding = 2000;        // one linear program
 constexpr Index unknowns_grip = 600;            // every factor that is asked costs several pushes
@@ -33,7 +34,6 @@ constexpr Index unknowns_exact = 300;     // fractions grow with every pivot
 constexpr Index points_final_basis = 600; // O(points^3) costs more than the solve
 
 // Points and choices up to which sets are enumerated: the work doubles with each.
-constexpr Index points_enumerated = 16;
 constexpr std::size_t generators_enumerated = 6, pulls_enumerated = 8;
 
 // What a command may be asked for.

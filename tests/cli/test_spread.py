@@ -4,6 +4,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
@@ -17,10 +18,10 @@ def run(*words):
 
 class Spread(unittest.TestCase):
     def test_json_has_every_promised_key(self):
-        result = run(SCENES / "straight_slide_point.toml", "--json")
+        result = run(SCENES / "straight_slide_point.toml", "--json", "--paths")
         self.assertEqual(result.returncode, 0)
         answer = json.loads(result.stdout)
-        for key in ("status", "verdict", "laws", "pressure", "faces", "covers", "covers_solved",
+        for key in ("status", "verdict", "laws", "pressure", "breaking", "faces", "covers", "covers_solved",
                     "complete", "enumeration", "faces_left", "failures", "residual", "push_force",
                     "twist", "contacts"):
             self.assertIn(key, answer)
@@ -57,7 +58,8 @@ class Spread(unittest.TestCase):
 
     def test_every_solution_is_said_only_after_enumeration(self):
         self.assertIn("every solution", run(SCENES / "coin.toml", "--enumerate").stdout)
-        reached = run(SCENES / "coin.toml", "--covers", "7", "-v").stdout
+        self.assertIn("every solution", run(SCENES / "coin.toml").stdout)
+        reached = run(SCENES / "coin.toml", "--covers", "7", "-v", "--paths").stdout
         self.assertNotIn("every solution", reached)
         self.assertIn("the solutions that were reached: 1 face from 7 covering", reached)
         many = run(SCENES / "soft_fingers.toml", "--enumerate").stdout
@@ -73,12 +75,15 @@ class Spread(unittest.TestCase):
         text = run(SCENES / "straight_slide_point.toml").stdout
         self.assertIn("\n\nThe laws leave open how the box moves.\nThe push by wall is 18.4 to 20 N, "
                       "the sum of its normal forces.\n\n", text)
-        for word in ("linear program", "residual", "cover", "face"):
+        for word in ("linear program", "residual", "from 32 covering", "face"):
             self.assertNotIn(word, text)
-            self.assertIn(word, run(SCENES / "straight_slide_point.toml", "-v").stdout)
+            self.assertIn(word, run(SCENES / "straight_slide_point.toml", "-v", "--paths").stdout)
         # Only enumeration says what no answer does.
-        self.assertIn("In all answers that were reached, the cylinder moves in one way",
-                      run(SCENES / "coin.toml").stdout)
+        reached = run(SCENES / "coin.toml", "--paths").stdout
+        self.assertIn("In all answers that were reached, the cylinder moves in one way", reached)
+        self.assertIn("\nThe ranges are at least these, ", reached)
+        self.assertIn("The push by wall ranges at least from 18.4 to 20 N,",
+                      run(SCENES / "straight_slide_point.toml", "--paths").stdout)
         self.assertIn("\nThe cylinder moves in one way, under one set of forces.\n",
                       run(SCENES / "coin.toml", "--enumerate").stdout)
 
@@ -110,6 +115,35 @@ class Spread(unittest.TestCase):
             result = run(file)
             self.assertEqual(result.returncode, 2)
             self.assertIn("bad.toml:1", result.stderr)
+
+    def test_seconds_end_it_in_time_with_what_is_found(self):
+        begin = time.monotonic()
+        result = run(SCENES / "two_pushers.toml", "--enumerate", "--seconds", "0.5", "--json")
+        self.assertLess(time.monotonic() - begin, 20)  # it takes a minute otherwise
+        answer = json.loads(result.stdout)
+        self.assertEqual(answer["status"], "solved")
+        self.assertIs(answer["complete"], False)
+        self.assertIn("--seconds is a number", run(SCENES / "coin.toml", "--seconds", "-1").stderr)
+        self.assertEqual(run(SCENES / "coin.toml", "--paths", "--enumerate").returncode, 2)
+
+    def test_the_breaking_force_is_a_range_too(self):
+        answer = json.loads(run(SCENES / "rolling_hard_grip.toml", "--break", "--json").stdout)
+        self.assertIs(answer["breaking"], True)
+        self.assertIs(answer["complete"], True)
+        self.assertIs(answer["falls"], False)
+        low, high = answer["break_force"]["sheet"]
+        self.assertAlmostEqual(low, 0, 6)
+        found = json.loads(subprocess.run(
+            [TOOL, "break", SCENES / "rolling_hard_grip.toml", "--json"], capture_output=True,
+            text=True, check=True).stdout)
+        self.assertTrue(found["others"])
+        for force in (found["break_force"], *(other["break_force"] for other in found["others"])):
+            self.assertTrue(low - 1e-6 <= force <= high + 1e-6, force)
+        text = run(SCENES / "rolling_hard_grip.toml", "--break").stdout
+        self.assertIn("The breaking force of sheet is 0 to 8.08 N", text)
+        self.assertIn("The cylinder does not move;", text)
+        self.assertEqual(run(SCENES / "dropped.toml", "--break").returncode, 1)
+        self.assertEqual(run(SCENES / "vise.toml", "--break").returncode, 2)
 
     def test_help_has_an_example(self):
         self.assertIn("lcpush spread fixtures/scenes/straight_slide.toml", run("--help").stdout)

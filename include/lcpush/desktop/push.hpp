@@ -72,7 +72,7 @@ private:
   std::vector<NamedValue> closings(double unit) const;
   std::string explain(Status status, const PressureRun& run) const;
   void read_ray(const PushOptions& options, RunReport& report) const;
-  void compare_covers(const PushOptions& options, BreakReport& report);
+  void compare_others(const PushOptions& options, BreakReport& report);
   void search_others(const PushOptions& options, PushReport& report);
 };
 

@@ -9,6 +9,7 @@
 #include "lcpush/mechanics/study/motion.hpp"
 #include "lcpush/mechanics/study/uniqueness.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace lcpush::desktop {
@@ -62,13 +63,33 @@ struct HoldReport {
   double length = 1; ///< m, the size of the grasp, for telling rounding from motion
 };
 
-/// Its uniqueness compares one other cover.
+/// Another instant of breaking that obeys the same laws.
+struct OtherBreak {
+  double break_force = 0;                          ///< N, as Breaking::break_force
+  Vector3<double> force = Vector3<double>::Zero(); ///< N, the pusher's on the object
+  Vector6<double> twist = Vector6<double>::Zero(); ///< as Breaking::twist
+};
+
+/// Its uniqueness compares other covers, and the scene's images in mirrors.
 struct BreakReport : RunReport {
   Index pusher = -1; ///< body that pushes
   Breaking<double> breaking;
   std::vector<NamedValue> closings; ///< of the driven bodies, m/s^2 per m/s^2 of the push
   Uniqueness unique_force = Uniqueness::not_tested;
-  std::optional<double> other_force; ///< N, the breaking force of another cover, if it differs
+  std::vector<OtherBreak> others;    ///< that differ from it and from each other
+  std::optional<double> other_force; ///< N, of the others' the farthest from it, if any differs
+
+  /// N, the smallest and the largest that were found.
+  double least_force() const {
+    double least = breaking.break_force;
+    for (const OtherBreak& other : others) least = std::min(least, other.break_force);
+    return least;
+  }
+  double largest_force() const {
+    double largest = breaking.break_force;
+    for (const OtherBreak& other : others) largest = std::max(largest, other.break_force);
+    return largest;
+  }
 };
 
 } // namespace lcpush::desktop

@@ -2,6 +2,7 @@
 // over all answers of the literal laws (pressure = "rigid") that are reached? docs/guide/spread.md.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -25,14 +26,25 @@ struct Interval {
   }
 };
 
+/// How far all assignments of contact modes are gone through, which alone finds every answer.
+enum class Enumeration {
+  if_small, ///< given up as soon as the end is not in sight
+  thorough, ///< as far as forty times that work goes
+  none,     ///< only answers that paths of pivots, and steps from them, reach
+};
+
 struct SpreadOptions {
   Index covering_vectors = 32; ///< 0, 1, .. of Lemke's method, each a path to an answer
-  bool enumerate = false; ///< look at all assignments of contact modes, not only at those reached
-  Index most_faces = 200; ///< faces studied; `enumerate`: ten times as many
-  double most_work = 2e9; ///< multiplications after which no further face is begun; `enumerate`:
-                          ///< ten times as many
+  Enumeration enumeration = Enumeration::if_small;
+  bool breaking = false;    ///< the instant of breaking instead of the push as it is
+  Index most_faces = 2000;  ///< studied on the way from the paths
+  double most_work = 1.3e9; ///< multiplications, about two seconds: after them no further face is
+                            ///< begun, and enumeration ends; `thorough`: after forty times that
+  double most_seconds = 0;  ///< > 0: this time instead, whatever the work; then the same input
+                            ///< need not give the same bits
   LemkeOptions<double> lemke{};
-  Watcher* watcher = nullptr; ///< told of these paths' pivots
+  Watcher* watcher = nullptr;           ///< told of these paths' pivots
+  std::function<void(double)> progress; ///< told from time to time what share is done, 0 to 1
 };
 
 enum class SpreadVerdict {
@@ -63,8 +75,11 @@ struct SpreadReport {
   /// solved: a set was found. Else nothing is: as Push::solve ends on the literal laws.
   Status status = Status::bad_input;
   SpreadVerdict verdict = SpreadVerdict::unique;
+  bool breaking = false; ///< of the instant of breaking: forces there, twist of a unit push
   std::vector<PusherSpread> pushers;
-  Interval twist[6]; ///< the object's acceleration, [m/s^2; rad/s^2]
+  /// The object's acceleration, [m/s^2; rad/s^2]; breaking: per unit push (Breaking), [1; rad/m].
+  Interval twist[6];
+  bool falls = false; ///< breaking: there are answers in which the object moves before the push
   std::vector<ContactSpread> contacts;
   Scales<double> scales{};
   double motion = 0; ///< m/s^2, the largest |acceleration| reached or the push: the scale of `same`
@@ -73,11 +88,12 @@ struct SpreadReport {
   Index covering_vectors = 0; ///< tried
   /// That led to an answer; the others ended in a ray or a failure.
   Index covering_vectors_solved = 0;
-  Index faces = 0;         ///< studied: bounds over all of it
-  Index faces_left = 0;    ///< known, not studied: the limit was reached; their bounds may be wider
-  Index programs = 0;      ///< linear programs solved for bounds and points
-  Index failures = 0;      ///< bounds or faces that could not be settled: the set may be wider
-  Index assignments = 0;   ///< of contact modes, whole or in part, that enumeration has looked at
+  Index faces = 0;       ///< studied: bounds over all of it
+  Index faces_left = 0;  ///< known, not studied: the limit was reached; their bounds may be wider
+  Index programs = 0;    ///< linear programs solved for bounds and points
+  Index failures = 0;    ///< bounds or faces that could not be settled: the set may be wider
+  Index assignments = 0; ///< of contact modes, whole or in part, that enumeration has looked at
+  Enumeration asked = Enumeration::if_small;
   bool complete = false;   ///< every answer lies on a studied face: enumeration ended, no failure
   std::string enumeration; ///< why it is not complete, empty otherwise
 
@@ -85,7 +101,8 @@ struct SpreadReport {
 };
 
 /// [T.13] The set of answers under the literal laws, whatever pressure law `file` names. Cost: the
-/// pivots of each covering vector, and some 6 + 3 points linear programs a face.
+/// pivots of each covering vector, and a linear program for each end of each interval a face, a
+/// few pivots long. Pre, with `breaking`: a body moves.
 SpreadReport find_spread(const SceneFile& file, const SpreadOptions& options);
 
 /// The interval as one number, if its ends agree to `tolerance`?

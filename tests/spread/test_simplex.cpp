@@ -1,0 +1,96 @@
+// The simplex tableau: by hand, and against linear programs by Lemke's pivots.
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "solve/owned_program.hpp"
+#include "spread/simplex.hpp"
+
+using namespace lcpush;
+using desktop::Simplex;
+using Ending = Simplex::Ending;
+
+namespace {
+
+/// Whole numbers: many corners on which more rows meet than they need to.
+Eigen::MatrixXd random_matrix(std::mt19937& draw, Index rows, Index columns) {
+  std::uniform_int_distribution<int> small(-2, 2);
+  return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return double(small(draw)); });
+}
+
+} // namespace
+
+TEST_CASE("corner after corner of a triangle, and its open side") {
+  // x + y - s = 1, x and y >= 0: a corner each, and no end away from the origin.
+  const Eigen::MatrixXd A = Eigen::RowVector3d(1, 1, -1);
+  Simplex simplex(A, Eigen::VectorXd::Ones(1), 0);
+  REQUIRE(simplex.find_point() == Ending::found);
+  REQUIRE(simplex.minimise(Eigen::Vector3d(1, 2, 0)) == Ending::found);
+  CHECK(simplex.point() == Eigen::Vector3d(1, 0, 0));
+  REQUIRE(simplex.minimise(Eigen::Vector3d(2, 1, 0)) == Ending::found);
+  CHECK(simplex.point() == Eigen::Vector3d(0, 1, 0));
+  REQUIRE(simplex.minimise(Eigen::Vector3d(0, -1, 0)) == Ending::unbounded);
+  CHECK((A * simplex.ray()).norm() == 0);
+  CHECK(simplex.ray()[1] == 1);
+}
+
+TEST_CASE("a free variable may be negative, a row may follow from another, or contradict it") {
+  Eigen::MatrixXd A(2, 2);
+  A << 1, 1, 2, 2;
+  Simplex follows(A, Eigen::Vector2d(-1, -2), 1);
+  REQUIRE(follows.find_point() == Ending::found);
+  REQUIRE(follows.minimise(Eigen::Vector2d(-1, 0)) == Ending::found);
+  CHECK(follows.point() == Eigen::Vector2d(-1, 0));
+  CHECK(Simplex(A, Eigen::Vector2d(-1, -3), 1).find_point() == Ending::none);
+  CHECK(Simplex(A, Eigen::Vector2d(-1, -2), 0).find_point() == Ending::none);
+}
+
+TEST_CASE("no columns, no rows") {
+  CHECK(Simplex(Eigen::MatrixXd(1, 0), Eigen::VectorXd::Ones(1), 0).find_point() == Ending::none);
+  CHECK(Simplex(Eigen::MatrixXd(1, 0), Eigen::VectorXd::Zero(1), 0).find_point() == Ending::found);
+  Simplex orthant(Eigen::MatrixXd(0, 2), Eigen::VectorXd(0), 0);
+  REQUIRE(orthant.find_point() == Ending::found);
+  REQUIRE(orthant.minimise(Eigen::Vector2d(1, 1)) == Ending::found);
+  CHECK(orthant.minimise(Eigen::Vector2d(1, -1)) == Ending::unbounded);
+}
+
+TEST_CASE("random programs end as by Lemke's pivots, one after the other on one tableau") {
+  std::mt19937 draw(7);
+  Index found = 0, none = 0, unbounded = 0;
+  for (int scene = 0; scene < 400; ++scene) {
+    CAPTURE(scene);
+    const Index rows = 2 + scene % 6, columns = rows + 1 + scene % 5;
+    const Eigen::MatrixXd A = random_matrix(draw, rows, columns);
+    Eigen::VectorXd b = random_matrix(draw, rows, 1);
+    if (scene % 3 != 0) b = A * random_matrix(draw, columns, 1).cwiseMax(0);
+    Simplex simplex(A, b, 0);
+    const Ending first = simplex.find_point();
+    desktop::OwnedProgram program(columns, rows);
+    program.A = A;
+    program.b = b;
+    const Status other = program.solve();
+    REQUIRE(first == (other == Status::solved ? Ending::found : Ending::none));
+    if (first == Ending::none) {
+      ++none;
+      continue;
+    }
+    for (int k = 0; k < 4; ++k) {
+      const Eigen::VectorXd c = random_matrix(draw, columns, 1);
+      const Ending ending = simplex.minimise(c);
+      program.c = c;
+      const Status status = program.solve();
+      REQUIRE((ending == Ending::found || ending == Ending::unbounded));
+      REQUIRE((ending == Ending::found) == (status == Status::solved));
+      if (ending == Ending::found) {
+        ++found;
+        CHECK(c.dot(simplex.point()) == doctest::Approx(c.dot(program.x)).epsilon(1e-9));
+      } else {
+        ++unbounded;
+        CHECK(c.dot(simplex.ray()) < 0);
+      }
+    }
+  }
+  CHECK(found > 100);
+  CHECK(none > 50);
+  CHECK(unbounded > 100);
+}
