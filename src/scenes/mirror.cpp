@@ -40,13 +40,13 @@ bool bodies_match(const SceneFile& file, Index b, Index image, Index axis) {
       !are_close(two.acceleration, mirrored_twist(one.acceleration, axis)) ||
       !drives_match(file, b, image, axis))
     return false;
+  const Scene<double> scene = file.view();
   const auto place = [&](Index i) { return file.points[static_cast<std::size_t>(i)]; };
-  const auto weight = [&](Index i) { return file.weights[static_cast<std::size_t>(i)]; };
   const std::vector<Index> points = points_of(one), images = points_of(two);
   return std::all_of(points.begin(), points.end(), [&](Index i) {
     return std::any_of(images.begin(), images.end(), [&](Index j) {
       return (place(j) - mirrored(place(i), axis)).norm() <= mirror_slack * place(i).norm() &&
-             std::abs(weight(i) - weight(j)) <= mirror_slack;
+             std::abs(weight_of(scene, one, i) - weight_of(scene, two, j)) <= mirror_slack;
     });
   });
 }

@@ -27,7 +27,7 @@ void restore_order(const SceneFile& file, const Body<double>& body, SceneFile& i
     const auto here = static_cast<std::size_t>(i), there = static_cast<std::size_t>(*found);
     ordered.points[here] = image.points[there];
     ordered.positions[here] = image.positions[there];
-    ordered.weights[here] = image.weights[there];
+    if (!image.weights.empty()) ordered.weights[here] = image.weights[there];
   }
   image = std::move(ordered);
 }

@@ -74,6 +74,7 @@ public:
   void vary() { then_.vary(); }
   Then& pivots() { return then_.pivots(); }
   void demand(double) {}
+  bool propose_breaking(const PressureMemory<double>&, FirstBasis&) { return false; }
 
 private:
   StartedRounds<double, RememberedStart, const Unwatched, Pivots> then_;

@@ -209,14 +209,14 @@ DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
       StructuredBasis<double>::supports(problem, LemkeOptions<double>().tie_rule);
   if (structured) {
     make_structured();
-    answer = solve_rounds(question, *structured_, memory);
+    answer = solve_rounds<StructuredLemke<double>>(question, *structured_, memory);
   }
   // A ray has been verified: the whole dictionary would find it again.
   const bool is_open = !answer.is_known() && answer.status != Status::ray;
   if (is_open && (!structured || problem.size <= limits::unknowns_dense)) {
     make_lemke();
     memory.next = 0;
-    answer = solve_rounds(question, *lemke_, memory);
+    answer = solve_rounds<Lemke<double>>(question, *lemke_, memory);
   }
   ++(memory.cold > 0 ? cold_ : warm_);
   if (!answer.is_known()) bases.clear();

@@ -86,14 +86,26 @@ Status read_breaking(Assembly<S>& assembly, const S* z, const S* z_push, const S
 namespace detail {
 
 /// `rigid` and `even`: the push is one more right-hand side, so the limit is exact.
-template <class S, class Watcher, class Pivots>
-Status break_exactly(Assembly<S>& assembly, LemkeRounds<S, Watcher, Pivots>& rounds,
-                     Workspace<S>& work, const Body<S>& pusher, S unit, Breaking<S>& breaking,
-                     PressureRun& run) {
-  Pivots& lemke = rounds.lemke;
-  Status status = lemke.init(assembly.breaking_problem(), rounds.options);
-  if (status == Status::running) status = lemke.solve(rounds.watcher);
-  run.pivots += lemke.pivots();
+template <class S, class Rounds>
+Status break_exactly(Assembly<S>& assembly, Rounds& rounds, Workspace<S>& work,
+                     const Body<S>& pusher, S unit, Breaking<S>& breaking, PressureRun& run) {
+  const Problem<S> problem = assembly.breaking_problem();
+  auto& by_pivots = rounds.pivots();
+  auto& lemke = by_pivots.lemke;
+  const auto solve = [&](Status begun) {
+    const Status status = begun == Status::running ? lemke.solve(by_pivots.watcher) : begun;
+    run.pivots += lemke.pivots();
+    return status;
+  };
+  FirstBasis first;
+  Status status = Status::running;
+  if (rounds.propose_breaking(work.pressure, first)) {
+    LemkeOptions<S> options = by_pivots.options;
+    options.covers = 1;
+    options.max_pivots = first.limit;
+    status = solve(lemke.init(problem, options, work.pressure.active.data, first.guess));
+  }
+  if (status != Status::solved) status = solve(lemke.init(problem, by_pivots.options));
   run.reason = lemke.reason();
   if (status != Status::solved) return status;
   return read_breaking(assembly, lemke.z(), lemke.z_push(), lemke.valid_to(), work, pusher, unit,
@@ -209,7 +221,7 @@ template <class S, class Rounds>
   Status status = Status::running;
   if constexpr (Rounds::carries_push)
     if (assembly.scene().pressure != Pressure::pad)
-      status = detail::break_exactly(assembly, rounds.pivots(), work, pusher, unit, breaking, run);
+      status = detail::break_exactly(assembly, rounds, work, pusher, unit, breaking, run);
   if (status == Status::running)
     status = detail::break_by_pushes(assembly, rounds, work, pusher, options, unit, breaking, run);
   if (status != Status::solved) return status;

@@ -13,40 +13,70 @@ constexpr Index greatest_common_divisor(Index a, Index b) {
   return b == 0 ? a : greatest_common_divisor(b, a % b);
 }
 
-/// Of the points that are expected to press, those stay whose normals hold the object and the
-/// actuators independently of each other: more could not be basic together. Points far apart come
-/// first: a golden section of the body's list is between one and the next.
-template <class S>
-void keep_independent_normals(const Assembly<S>& assembly, Span<unsigned char> active) {
-  constexpr Index most = 12; // 6 accelerations and the actuators of any hand that is usual
-  const FactoredProblem<S>& factored = assembly.factored();
-  const Scene<S>& scene = assembly.scene();
-  if (6 + factored.sums.size > most) return;
-  Eigen::Matrix<S, most, most> kept;
-  Index rank = 0;
-  for (const Body<S>& body : scene.bodies) {
+/// Forces that hold the object and the actuators independently of each other: more of them could
+/// not be basic together, unless a compliance tells them apart.
+template <class S> class IndependentForces {
+public:
+  explicit IndependentForces(const Assembly<S>& assembly) : assembly_(assembly) {}
+
+  /// As many as a hand that is usual has: 6 accelerations and its actuators.
+  static constexpr Index most = 12;
+  bool fits() const { return 6 + assembly_.factored().sums.size <= most; }
+
+  /// Is column `force` of G, of a contact of `body`, independent of those that were taken?
+  bool take(Index body, Index force) {
+    const Vector6<S>& wrench = assembly_.factored().wrenches[force];
+    Eigen::Matrix<S, most, 1> row = Eigen::Matrix<S, most, 1>::Zero();
+    row.template head<6>() = wrench;
+    for (const Drive<S>& drive : assembly_.scene().drives)
+      if (drive.body == body)
+        row[6 + drive.actuator] -= laws::grip_coefficient(
+            drive, wrench, assembly_.layout().reach[drive.actuator], assembly_.layout().scales);
+    const S size = row.norm();
+    for (Index l = 0; l < rank_; ++l) row -= taken_.col(l).dot(row) * taken_.col(l);
+    const S rest = row.norm();
+    if (rank_ == most || !(rest > size / S(1000))) return false;
+    taken_.col(rank_++) = row / rest;
+    return true;
+  }
+
+private:
+  const Assembly<S>& assembly_;
+  Eigen::Matrix<S, most, most> taken_;
+  Index rank_ = 0;
+};
+
+/// visit(body, point), a body's points such that neighbours in turn lie far apart: a golden section
+/// of its list is between one and the next.
+template <class S, class Visit> void for_each_point(const Scene<S>& scene, const Visit& visit) {
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const Body<S>& body = scene.bodies[b];
     Index stride = 1 + 382 * body.point_count / 1000;
     while (stride > 1 && greatest_common_divisor(stride, body.point_count) > 1) --stride;
-    for (Index k = 0; k < body.point_count; ++k) {
-      const Index point = body.first_point + k * stride % body.point_count;
-      const ConeGroup<S>& cone = factored.cones[point];
-      if (active[cone.variable] == 0) continue;
-      Eigen::Matrix<S, most, 1> row = Eigen::Matrix<S, most, 1>::Zero();
-      row.template head<6>() = factored.wrenches[cone.force];
-      for (const Drive<S>& drive : scene.drives)
-        if (&scene.bodies[drive.body] == &body)
-          row[6 + drive.actuator] -= laws::grip_coefficient(drive, factored.wrenches[cone.force],
-                                                            assembly.layout().reach[drive.actuator],
-                                                            assembly.layout().scales);
-      const S size = row.norm();
-      for (Index l = 0; l < rank; ++l) row -= kept.col(l).dot(row) * kept.col(l);
-      const S rest = row.norm();
-      if (rank < most && rest > size / S(1000))
-        kept.col(rank++) = row / rest;
-      else
-        active[cone.variable] = 0;
-    }
+    for (Index k = 0; k < body.point_count; ++k)
+      visit(b, body.first_point + k * stride % body.point_count);
   }
+}
+
+/// Only points whose normals are independent press; and where nothing slips, as many points stick.
+template <class S>
+void keep_independent(const Assembly<S>& assembly, bool sticks, Span<unsigned char> active) {
+  const FactoredProblem<S>& factored = assembly.factored();
+  const bool rigid = assembly.scene().pressure == Pressure::rigid;
+  IndependentForces<S> forces(assembly);
+  if (!forces.fits() || !(rigid || sticks)) return;
+  for_each_point(assembly.scene(), [&](Index b, Index i) {
+    const ConeGroup<S>& cone = factored.cones[i];
+    if (active[cone.variable] == 0) return;
+    const bool independent = forces.take(b, cone.force);
+    if (rigid && !independent) active[cone.variable] = 0;
+  });
+  for_each_point(assembly.scene(), [&](Index b, Index i) {
+    const ConeGroup<S>& cone = factored.cones[i];
+    for (Index k = cone.normals; sticks && k < cone.forces(); ++k)
+      if (active[cone.variable + k] != 0 && !forces.take(b, cone.force + k))
+        active[cone.variable + k] = 0;
+  });
 }
 
 } // namespace detail
@@ -54,8 +84,10 @@ void keep_independent_normals(const Assembly<S>& assembly, Span<unsigned char> a
 /// active[i] = 1 where z_i is expected to be positive (n flags), if the object accelerates as its
 /// leading pusher does: the points of force-controlled bodies and of pushers press; where the
 /// former slip, the generator most opposed to the slip carries friction. The pushers' own friction
-/// is left to the pivots, closings are always basic. A guess: pivots from there end at an answer or
-/// say that they did not. Pre: `assembly` is of `scene`, pushed. Cost: O(forces).
+/// is left to the pivots, closings are always basic. Where nothing pushes, the object is expected
+/// to rest: friction is most opposed to its fall, and no point slips. A guess: pivots from there
+/// end at an answer or say that they did not. Pre: `assembly` is of `scene`, pushed. Cost:
+/// O(forces).
 template <class S> void predict_modes(const Assembly<S>& assembly, Span<unsigned char> active) {
   const Scene<S>& scene = assembly.scene();
   const Problem<S> problem = assembly.problem();
@@ -65,12 +97,13 @@ template <class S> void predict_modes(const Assembly<S>& assembly, Span<unsigned
   for (const Body<S>& body : scene.bodies)
     if (leader == nullptr && body.role == Role::pusher && !body.acceleration.isZero(S(0)))
       leader = &body;
-  if (leader == nullptr) return;
+  const bool rests = leader == nullptr || !(assembly.sigma() > S(0));
   // q holds W(u)'(free fall - A_b) of every force.
   const Scales<S>& scales = assembly.layout().scales;
-  const Vector6<S> falls = factored.mobility.lazyProduct(laws::load(scene, scales));
-  const Vector6<S> follows = laws::prescribed(*leader, scales) * assembly.sigma();
-  const Vector6<S> by_forces = follows - falls;
+  Vector6<S> by_forces = Vector6<S>::Zero(); // what the forces add to the fall
+  if (!rests)
+    by_forces = laws::prescribed(*leader, scales) * assembly.sigma() -
+                factored.mobility.lazyProduct(laws::load(scene, scales));
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<S>& body = scene.bodies[b];
     const bool driven = is_driven(scene, b);
@@ -87,22 +120,25 @@ template <class S> void predict_modes(const Assembly<S>& assembly, Span<unsigned
         slip = rate;
         against = cone.variable + k;
       }
-      if (against >= 0) active[against] = active[cone.slip()] = 1;
+      if (against < 0) continue;
+      active[against] = 1;
+      if (!rests) active[cone.slip()] = 1;
     }
   }
-  if (scene.pressure == Pressure::rigid) detail::keep_independent_normals(assembly, active);
+  detail::keep_independent(assembly, rests, active);
 }
 
 /// The predicted modes as a first basis. One that leads astray shall cost no more than a cold one.
 template <class S> struct PredictedStart {
+  static constexpr bool knows_breaking = true;
   const Assembly<S>& assembly; ///< of the problems that the rounds solve
 
   PredictedStart(const Assembly<S>& of) : assembly(of) {}
 
-  bool propose(const Problem<S>& problem, const PressureMemory<S>& memory, PressureRun&,
+  bool propose(const Problem<S>&, const PressureMemory<S>& memory, PressureRun&,
                FirstBasis& first) {
     predict_modes(assembly, memory.active);
-    first = {Guess::near, 2, problem.size / 2 + 16};
+    first = {Guess::near, 2, assembly.layout().size / 2 + 16};
     return true;
   }
   void begins_cold() {}

@@ -32,6 +32,14 @@ template <class S> struct PressureMemory {
   Span<unsigned char> active; ///< unknowns: its basis
 };
 
+/// Where pivots are to begin: at memory.active, taken as `guess` says, under `covers` covering
+/// vectors one after the other, each of at most `limit` pivots.
+struct FirstBasis {
+  Guess guess = Guess::near;
+  Index covers = 1;
+  Index limit = 0;
+};
+
 /// `Pivots`, Lemke over either basis: cold under its covering vectors, warm from the last basis.
 template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> struct LemkeRounds {
   Pivots& lemke;
@@ -71,6 +79,7 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
   /// Other covering vectors from now on.
   void vary() { options.first_cover += options.covers; }
   LemkeRounds& pivots() { return *this; }
+  bool propose_breaking(const PressureMemory<S>&, FirstBasis&) { return false; }
   void demand(const S&) {} // pivots end at rounding anyway
 
   void begin_cold(const Problem<S>& problem) {
@@ -143,19 +152,12 @@ private:
   Index size_ = 0;
 };
 
-/// Where pivots are to begin: at memory.active, taken as `guess` says, under `covers` covering
-/// vectors one after the other, each of at most `limit` pivots.
-struct FirstBasis {
-  Guess guess = Guess::near;
-  Index covers = 1;
-  Index limit = 0;
-};
-
 /// Lemke's pivots from a first basis, cold if there is none or if it leads nowhere; warm rounds go
 /// on from the last answer. It is never less reliable than LemkeRounds. The basis is Start's:
 ///
 ///     bool propose(problem, memory, run, first)     fills memory.active and `first`, if it can
 ///     void begins_cold()                            it could not, or its basis led nowhere
+///     knows_breaking                                does it propose for a vanishing push as well?
 template <class S, class Start, class Watcher = const Unwatched, class Pivots = Lemke<S>>
 struct StartedRounds {
   Start start;
@@ -188,6 +190,11 @@ struct StartedRounds {
   void vary() { then.vary(); }
   LemkeRounds<S, Watcher, Pivots>& pivots() { return then; }
   void demand(const S&) {}
+  /// A first basis for the limit of a vanishing push, if Start knows one.
+  bool propose_breaking(const PressureMemory<S>& memory, FirstBasis& first) {
+    PressureRun ignored;
+    return Start::knows_breaking && start.propose(problem_, memory, ignored, first);
+  }
 
 private:
   enum class Phase { start, proposed, pivots };
@@ -204,6 +211,7 @@ private:
 
 /// A few sweeps: their positive unknowns are the first basis.
 template <class S, class Watcher = const Unwatched> struct SweptStart {
+  static constexpr bool knows_breaking = false;
   SweepRounds<S, Watcher> sweeps;
 
   SweptStart(const SweepRounds<S, Watcher>& its_sweeps) : sweeps(its_sweeps) {}
