@@ -43,8 +43,10 @@ TEST_CASE("[T.10] a scene and its image in a mirror are told of each other's bre
     const desktop::SceneFile file = couple(at.law, at.shape, at.facets);
     const desktop::BreakReport own = broken(file, "upper");
     REQUIRE(own.status == Status::solved);
-    CHECK(own.unique_force == Uniqueness::no);
-    CHECK(own.largest_force() - own.least_force() > 0.005);
+    if (file.pressure == Pressure::rigid) { // which leaves a patch's pressure open
+      CHECK(own.unique_force == Uniqueness::no);
+      CHECK(own.largest_force() - own.least_force() > 0.005);
+    }
     for (const desktop::SceneImage& image : desktop::scene_images(file)) {
       const desktop::SceneFile mirrored = image.of(file);
       const desktop::BreakReport seen = broken(mirrored, "upper");

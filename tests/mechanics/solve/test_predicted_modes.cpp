@@ -157,16 +157,29 @@ TEST_CASE("a straight push: each finger point is predicted to slide against it, 
   CHECK(active[layout.closing_index(0)] == 1);
 }
 
-TEST_CASE("without a pusher that moves nothing is predicted but the closings") {
-  Scene3 owned = straight_slide();
-  owned.bodies.back().acceleration.setZero();
-  GuessedPush<double, Structured> push(owned);
-  const Span<unsigned char> active = push.memory.work.pressure.active;
-  predict_modes(push.assembly, active);
-  Index count = 0;
-  for (const unsigned char flag : active) count += flag;
-  CHECK(count == push.assembly.layout().actuators);
-  CHECK(push.predicted() == Status::solved);
+TEST_CASE(
+    "without a pusher that moves rest is predicted: no slip, and no more friction than holds") {
+  for (const Pressure pressure : {Pressure::pad, Pressure::rigid}) {
+    Scene3 owned = straight_slide();
+    owned.base.pressure = pressure;
+    owned.bodies.back().acceleration.setZero();
+    GuessedPush<double, Structured> push(owned);
+    const Span<unsigned char> active = push.memory.work.pressure.active;
+    predict_modes(push.assembly, active);
+    Index presses = 0, rubs = 0;
+    for (Index i = 0; i < push.scene.points.size; ++i) {
+      const ConeGroup<double>& cone = push.assembly.layout().cones[i];
+      CHECK(active[cone.slip()] == 0);
+      presses += active[cone.variable];
+      for (Index k = 1; k < cone.forces(); ++k) rubs += active[cone.variable + k];
+    }
+    CHECK(presses >= 3);
+    CHECK((pressure == Pressure::pad || presses <= 6 + push.assembly.layout().actuators));
+    CHECK(rubs >= 1);
+    CHECK(rubs <= 6);
+    CHECK(push.predicted() == Status::solved);
+    CHECK(push.run.pivots <= 12);
+  }
 }
 
 TEST_CASE_TEMPLATE("a random guess costs pivots and no answer", Pivots, Dense, Structured) {
