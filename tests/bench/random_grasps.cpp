@@ -143,6 +143,9 @@ template <class Pivots> void run_laws(unsigned from, unsigned to) {
   law("bilateral, pad", Family::bilateral, Pressure::pad, from, fewer);
   law("two pushers, pad", Family::two_pushers, Pressure::pad, from, fewer);
   law("with a stop, pad", Family::stop, Pressure::pad, from, fewer);
+  law("weighted, pad", Family::weighted, Pressure::pad, from, to);
+  law("weighted, rigid", Family::weighted, Pressure::rigid, from, to);
+  law("locked jaws, pad", Family::locked, Pressure::pad, from, fewer);
 }
 
 } // namespace
