@@ -75,6 +75,24 @@ void write_rigidity(JsonWriter& json, const PatchRigidity& patch) {
   json.member("weights", patch.weights);
 }
 
+/// What moves as it is told, and the right-hand side of [P.10] that comes of it.
+std::string prescribed_text(const PaperMatrices& matrices) {
+  std::string text;
+  if (!matrices.J_prescribed.columns.empty())
+    text += "\nColumns of J of actuators with a prescribed acceleration\n" +
+            matrix_table(matrices.J_prescribed, false) + "\nTheir accelerations\n" +
+            matrix_table(matrices.s_prescribed, true);
+  for (const PusherJacobian& pusher : matrices.J_pusher)
+    text += "\n" + pusher.body +
+            "'s block of J: acceleration of its points for a unit of its twist\n" +
+            matrix_table(pusher.J, false) + "\n" + pusher.body + "'s twist, as prescribed\n" +
+            matrix_table(pusher.twist, true);
+  return text +
+         "\nRight-hand side v of [P.10], transposed: how the bodies' points move as prescribed.\n"
+         "r = G' a - J s - v is the acceleration of the object relative to each body.\n" +
+         matrix_table(matrices.v, true);
+}
+
 } // namespace
 
 std::string matrices_text(const SceneFile& file, const PaperMatrices& matrices) {
@@ -93,6 +111,7 @@ std::string matrices_text(const SceneFile& file, const PaperMatrices& matrices) 
   text += "\nHand Jacobian J: acceleration of the body's point for a unit of an actuator\n";
   text += matrices.J.columns.empty() ? "  none: no actuator is force-controlled\n"
                                      : matrix_table(matrices.J, false);
+  text += prescribed_text(matrices);
   text += "\nFriction generators D of a body's points, transposed: components of a unit of each\n";
   for (const BodyGenerators& generators : matrices.D)
     text += "\n" + generators.body +
@@ -108,16 +127,27 @@ std::string matrices_json(const PaperMatrices& matrices, const std::vector<Scene
   JsonWriter json;
   json.begin_object();
   write_warnings(json, warnings);
-  const std::pair<const char*, const NamedMatrix&> named[] = {{"M", matrices.M},
-                                                              {"w", matrices.w},
-                                                              {"G", matrices.G},
-                                                              {"G_bar", matrices.G_bar},
-                                                              {"J", matrices.J}};
+  const std::pair<const char*, const NamedMatrix&> named[] = {
+      {"M", matrices.M},
+      {"w", matrices.w},
+      {"G", matrices.G},
+      {"G_bar", matrices.G_bar},
+      {"J", matrices.J},
+      {"J_prescribed", matrices.J_prescribed},
+      {"s_prescribed", matrices.s_prescribed},
+      {"v", matrices.v}};
   for (const auto& [name, matrix] : named) {
     json.key(name).begin_object();
     write_matrix(json, matrix);
     json.end_object();
   }
+  json.objects("J_pusher", matrices.J_pusher, [&](const PusherJacobian& pusher) {
+    json.member("body", pusher.body);
+    write_matrix(json, pusher.J);
+    json.key("twist").begin_object();
+    write_matrix(json, pusher.twist);
+    json.end_object();
+  });
   json.objects("D", matrices.D, [&](const BodyGenerators& generators) {
     json.member("body", generators.body);
     write_matrix(json, generators.D);
