@@ -75,22 +75,28 @@ void write_rigidity(JsonWriter& json, const PatchRigidity& patch) {
   json.member("weights", patch.weights);
 }
 
-/// What moves as it is told, and the right-hand side of [P.10] that comes of it.
-std::string prescribed_text(const PaperMatrices& matrices) {
-  std::string text;
-  if (!matrices.J_prescribed.columns.empty())
-    text += "\nColumns of J of actuators with a prescribed acceleration\n" +
-            matrix_table(matrices.J_prescribed, false) + "\nTheir accelerations\n" +
+/// Matrices of the same rows, side by side.
+NamedMatrix beside(NamedMatrix left, const NamedMatrix& right) {
+  left.columns.insert(left.columns.end(), right.columns.begin(), right.columns.end());
+  left.values.values.insert(left.values.values.end(), right.values.values.begin(),
+                            right.values.values.end());
+  left.values.cols += right.values.cols;
+  return left;
+}
+
+std::string jacobian_text(const PaperMatrices& matrices) {
+  std::string text =
+      "\nHand Jacobian J: acceleration of the body's point for a unit of an actuator;\n"
+      "v: its acceleration as prescribed. Relative to its body a point of the object\n"
+      "accelerates with r = G' a - J s - v [P.10]\n" +
+      matrix_table(beside(beside(matrices.J, matrices.J_prescribed), matrices.v), false);
+  if (!matrices.s_prescribed.rows.empty())
+    text += "\nPrescribed accelerations of actuators; their columns times these are part of v\n" +
             matrix_table(matrices.s_prescribed, true);
   for (const PusherJacobian& pusher : matrices.J_pusher)
-    text += "\n" + pusher.body +
-            "'s block of J: acceleration of its points for a unit of its twist\n" +
-            matrix_table(pusher.J, false) + "\n" + pusher.body + "'s twist, as prescribed\n" +
-            matrix_table(pusher.twist, true);
-  return text +
-         "\nRight-hand side v of [P.10], transposed: how the bodies' points move as prescribed.\n"
-         "r = G' a - J s - v is the acceleration of the object relative to each body.\n" +
-         matrix_table(matrices.v, true);
+    text += "\nThe block of J of " + pusher.body + ", times its twist A a part of v\n" +
+            matrix_table(pusher.J, false) + "\n" + matrix_table(pusher.twist, true);
+  return text;
 }
 
 } // namespace
@@ -108,10 +114,7 @@ std::string matrices_text(const SceneFile& file, const PaperMatrices& matrices) 
   text +=
       "\nPolyhedral grasp matrix G-bar, transposed: the wrench of a unit along each generator\n" +
       matrix_table(matrices.G_bar, true);
-  text += "\nHand Jacobian J: acceleration of the body's point for a unit of an actuator\n";
-  text += matrices.J.columns.empty() ? "  none: no actuator is force-controlled\n"
-                                     : matrix_table(matrices.J, false);
-  text += prescribed_text(matrices);
+  text += jacobian_text(matrices);
   text += "\nFriction generators D of a body's points, transposed: components of a unit of each\n";
   for (const BodyGenerators& generators : matrices.D)
     text += "\n" + generators.body +
