@@ -161,8 +161,8 @@ class Sweep(unittest.TestCase):
         self.assertEqual(len([e for e in tree.iter(SVG + "rect") if e.get("class") == "frame"]), 2)
 
     def test_a_map_tells_where_another_motion_is_an_answer(self):
-        answer = self.answer(SCENES / "rolling_two_answers.toml", "--vary", "*.grip_force=7:10",
-                             "--vary", "sheet.friction=0.5:0.9", "--steps", "9")
+        answer = self.answer(SCENES / "rolling_two_answers.toml", "--pressure", "rigid", "--vary",
+                             "*.grip_force=7:10", "--vary", "sheet.friction=0.5:0.9", "--steps", "9")
         marked = [(p["value"], p["second_value"]) for p in answer["points"] if p["bistable"]]
         self.assertTrue(marked)
         for grip, sheet in marked:  # 2 mu_f F between m g and T*
@@ -210,7 +210,8 @@ class Sweep(unittest.TestCase):
         self.assertIn("another direction", flat(run(*words, "-v").stdout))
 
     def test_two_answers_are_told_where_they_matter(self):
-        words = (SCENES / "rolling_two_answers.toml", "--vary", "*.grip_force=7:10")
+        words = (SCENES / "rolling_two_answers.toml", "--pressure", "rigid", "--vary",
+                 "*.grip_force=7:10")
         moves, forces = self.answer(*words)["bistable"]
         self.assertTrue(moves["motion"])
         self.assertFalse(forces["motion"])
