@@ -16,7 +16,7 @@ from judge import Judge, lcpush  # noqa: E402
 
 TOOL, SOURCE, PYTHON, OCTAVE = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3], sys.argv[4]
 INFEASIBLE = {"jam"}  # its linear constraints alone have no solution
-STUCK = {("rolling_two_answers", "SLSQP")}  # a false minimum from each of its starts, and says so
+STUCK = set()  # a false minimum from each of its starts, and says so
 
 
 def runs(folder):
