@@ -181,22 +181,23 @@ def scene_points(**changes):
         path = pathlib.Path(folder) / "scene.toml"
         path.write_text(text)
         solved = json.loads(run(["solve", path, "--json"]).stdout)
-    return [c["position"][:2] for c in solved["contacts"] if c["body"] != "rod"]
+    # Under "even" a point's normal force is its weight's share of the grip.
+    return [(*c["position"][:2], c["normal_force"]) for c in solved["contacts"] if c["body"] != "rod"]
 
 
 def dissipation(points, facets, lever, spin):
     """Power against friction when the object's point at x = `lever` moves at 1 along y and the object
     turns at `spin`: what the push must be, at least. facets None: round cones."""
     total = 0
-    for x, y in points:
+    for x, y, normal in points:
         vx, vy = -spin * y, 1 + spin * (x - lever)
         speed = math.hypot(vx, vy)
         if facets and speed > 0:
             step = 2 * math.pi / facets
             angle = math.atan2(vy, vx)
             speed *= math.cos(angle - step * round(angle / step))
-        total += speed
-    return 2 * MU * GRIP * total / len(points)
+        total += MU * normal * speed
+    return total
 
 
 def least(function, low, high):
@@ -220,7 +221,8 @@ def disc_push(radius, lever):
     """The same for a disc of even pressure and round cones."""
     rings, rays = 24, 48
     points = [(radius * math.sqrt((i + 0.5) / rings) * math.cos(2 * math.pi * (j + 0.5) / rays),
-               radius * math.sqrt((i + 0.5) / rings) * math.sin(2 * math.pi * (j + 0.5) / rays))
+               radius * math.sqrt((i + 0.5) / rings) * math.sin(2 * math.pi * (j + 0.5) / rays),
+               2 * GRIP / (rings * rays))
               for i in range(rings) for j in range(rays)]
     return least(lambda spin: dissipation(points, None, lever, spin), 0, 1000)
 
