@@ -355,6 +355,11 @@ class Rolling(unittest.TestCase):
                 expected = min(5, max(0, 5 * (last - middle) / (last - rolls_to)))
                 spin = sum(t[5] for t in segment["twist"]) / 2
                 self.assertAlmostEqual(spin, expected, delta=1e-6)
+                # A held cylinder does not break loose: no force there.
+                breaks = middle < last
+                self.assertIs(segment["breaks"], breaks)
+                self.assertEqual([force is None for force in segment["break_force"]],
+                                 [not breaks] * 2)
             moving = [b for b in curve["bistable"] if b["motion"]]
             if sheet * (1 + self.FINGER) < 1:
                 self.assertEqual(moving, [])
