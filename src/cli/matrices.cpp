@@ -24,9 +24,11 @@ Command matrices_command() {
           "SCENE.toml [OPTIONS]",
           "the paper's matrices: inertia, grasp matrix, hand Jacobian, generators",
           "Prints the object's inertia M and load w, the grasp matrix G and its polyhedral form\n"
-          "G-bar, the hand Jacobian J, the friction generators D and, for each patch, its\n"
-          "reference points, weights and number of independent rigidity conditions. SI units,\n"
-          "scene axes, at the object's centre of mass; the scene as written, unsolved.\n\n"
+          "G-bar, the hand Jacobian J with the pushers' blocks, what moves as prescribed (the\n"
+          "right-hand side v of the contact accelerations r = G' a - J s - v), the friction\n"
+          "generators D and, for each patch, its reference points, weights and number of\n"
+          "independent rigidity conditions. SI units, scene axes, at the object's centre of mass;\n"
+          "the scene as written, unsolved.\n\n"
           "Example:\n  lcpush matrices fixtures/scenes/straight_slide.toml\n",
           with_scene_options({}),
           1,

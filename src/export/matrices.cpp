@@ -9,6 +9,7 @@ namespace lcpush::desktop {
 namespace {
 
 const std::vector<std::string> wrench_rows = {"fx", "fy", "fz", "mx", "my", "mz"};
+const std::vector<std::string> twist_rows = {"ax", "ay", "az", "rx", "ry", "rz"};
 
 NamedMatrix named(std::vector<std::string> rows, std::vector<std::string> columns) {
   const auto size = [](const auto& names) { return static_cast<Index>(names.size()); };
@@ -18,13 +19,17 @@ NamedMatrix named(std::vector<std::string> rows, std::vector<std::string> column
 
 MatrixMap<double> map_of(NamedMatrix& matrix) { return map_of(matrix.values); }
 
-std::vector<std::string> component_names(const SceneFile& file) {
+void add_component_names(const SceneFile& file, const Body<double>& body,
+                         std::vector<std::string>& names) {
   static const std::vector<std::string> components = {" n", " t", " o", " torsion"};
+  for (const Index i : points_of(body))
+    for (Index c = 0; c < contact_components(body); ++c)
+      names.push_back(point_name(file, i) + components[static_cast<std::size_t>(c)]);
+}
+
+std::vector<std::string> component_names(const SceneFile& file) {
   std::vector<std::string> names;
-  for (const Body<double>& body : file.bodies)
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
-      for (Index c = 0; c < contact_components(body); ++c)
-        names.push_back(point_name(file, i) + components[static_cast<std::size_t>(c)]);
+  for (const Body<double>& body : file.bodies) add_component_names(file, body, names);
   return names;
 }
 
@@ -58,6 +63,36 @@ BodyGenerators body_generators(const SceneFile& file, std::size_t b) {
   return generators;
 }
 
+/// The actuators whose acceleration is prescribed, as columns of J beside the others.
+void add_prescribed(const SceneFile& file, PaperMatrices& matrices) {
+  std::vector<std::string> names;
+  std::vector<Drive<double>> drives;
+  std::vector<double> accelerations;
+  for (const PrescribedDrive<double>& drive : file.prescribed) {
+    if (names.empty() || names.back() != drive.actuator) { // an actuator's bodies stand together
+      names.push_back(drive.actuator);
+      accelerations.push_back(drive.acceleration);
+    }
+    drives.push_back({drive.body, static_cast<Index>(names.size()) - 1, drive.twist});
+  }
+  matrices.J_prescribed = named(component_names(file), names);
+  hand_jacobian<double>(file.view(), span_of(std::as_const(drives)), map_of(matrices.J_prescribed));
+  matrices.s_prescribed = named(names, {"s"});
+  matrices.s_prescribed.values.values = accelerations;
+}
+
+PusherJacobian pusher_jacobian(const SceneFile& file, Index b) {
+  std::vector<std::string> rows;
+  add_component_names(file, file.body(b), rows);
+  PusherJacobian pusher{file.body_name(b), named(rows, twist_rows), named(twist_rows, {"A"})};
+  body_jacobian(file.view(), file.body(b), map_of(pusher.J));
+  Vector6<double> own = file.body(b).acceleration;
+  for (const PrescribedDrive<double>& drive : file.prescribed)
+    if (drive.body == b) own -= drive.acceleration * drive.twist;
+  map_of(pusher.twist) = own;
+  return pusher;
+}
+
 PatchRigidity patch_rigidity(const SceneFile& file, std::size_t b) {
   const Body<double>& body = file.bodies[b];
   const Span<const Vector3<double>> points = patch_points(file.view(), body);
@@ -86,7 +121,7 @@ PatchRigidity patch_rigidity(const SceneFile& file, std::size_t b) {
 PaperMatrices paper_matrices(const SceneFile& file) {
   const Scene<double> scene = file.view();
   PaperMatrices matrices;
-  matrices.M = named(wrench_rows, {"ax", "ay", "az", "rx", "ry", "rz"});
+  matrices.M = named(wrench_rows, twist_rows);
   map_of(matrices.M) = inertia_matrix(scene);
   matrices.w = named(wrench_rows, {"w"});
   map_of(matrices.w) = load(scene);
@@ -96,6 +131,11 @@ PaperMatrices paper_matrices(const SceneFile& file) {
   polyhedral_grasp_matrix(scene, map_of(matrices.G_bar));
   matrices.J = named(component_names(file), file.actuator_names);
   hand_jacobian(scene, map_of(matrices.J));
+  add_prescribed(file, matrices);
+  for (Index b = 0; b < scene.bodies.size; ++b)
+    if (file.body(b).role == Role::pusher) matrices.J_pusher.push_back(pusher_jacobian(file, b));
+  matrices.v = named(component_names(file), {"v"});
+  prescribed_motion(scene, map_of(matrices.v));
   for (std::size_t b = 0; b < file.bodies.size(); ++b) {
     matrices.D.push_back(body_generators(file, b));
     matrices.rigidity.push_back(patch_rigidity(file, b));

@@ -75,6 +75,30 @@ void write_rigidity(JsonWriter& json, const PatchRigidity& patch) {
   json.member("weights", patch.weights);
 }
 
+/// Matrices of the same rows, side by side.
+NamedMatrix beside(NamedMatrix left, const NamedMatrix& right) {
+  left.columns.insert(left.columns.end(), right.columns.begin(), right.columns.end());
+  left.values.values.insert(left.values.values.end(), right.values.values.begin(),
+                            right.values.values.end());
+  left.values.cols += right.values.cols;
+  return left;
+}
+
+std::string jacobian_text(const PaperMatrices& matrices) {
+  std::string text =
+      "\nHand Jacobian J: acceleration of the body's point for a unit of an actuator;\n"
+      "v: its acceleration as prescribed. Relative to its body a point of the object\n"
+      "accelerates with r = G' a - J s - v [P.10]\n" +
+      matrix_table(beside(beside(matrices.J, matrices.J_prescribed), matrices.v), false);
+  if (!matrices.s_prescribed.rows.empty())
+    text += "\nPrescribed accelerations of actuators; their columns times these are part of v\n" +
+            matrix_table(matrices.s_prescribed, true);
+  for (const PusherJacobian& pusher : matrices.J_pusher)
+    text += "\nThe block of J of " + pusher.body + ", times its twist A a part of v\n" +
+            matrix_table(pusher.J, false) + "\n" + matrix_table(pusher.twist, true);
+  return text;
+}
+
 } // namespace
 
 std::string matrices_text(const SceneFile& file, const PaperMatrices& matrices) {
@@ -90,9 +114,7 @@ std::string matrices_text(const SceneFile& file, const PaperMatrices& matrices) 
   text +=
       "\nPolyhedral grasp matrix G-bar, transposed: the wrench of a unit along each generator\n" +
       matrix_table(matrices.G_bar, true);
-  text += "\nHand Jacobian J: acceleration of the body's point for a unit of an actuator\n";
-  text += matrices.J.columns.empty() ? "  none: no actuator is force-controlled\n"
-                                     : matrix_table(matrices.J, false);
+  text += jacobian_text(matrices);
   text += "\nFriction generators D of a body's points, transposed: components of a unit of each\n";
   for (const BodyGenerators& generators : matrices.D)
     text += "\n" + generators.body +
@@ -108,16 +130,27 @@ std::string matrices_json(const PaperMatrices& matrices, const std::vector<Scene
   JsonWriter json;
   json.begin_object();
   write_warnings(json, warnings);
-  const std::pair<const char*, const NamedMatrix&> named[] = {{"M", matrices.M},
-                                                              {"w", matrices.w},
-                                                              {"G", matrices.G},
-                                                              {"G_bar", matrices.G_bar},
-                                                              {"J", matrices.J}};
+  const std::pair<const char*, const NamedMatrix&> named[] = {
+      {"M", matrices.M},
+      {"w", matrices.w},
+      {"G", matrices.G},
+      {"G_bar", matrices.G_bar},
+      {"J", matrices.J},
+      {"J_prescribed", matrices.J_prescribed},
+      {"s_prescribed", matrices.s_prescribed},
+      {"v", matrices.v}};
   for (const auto& [name, matrix] : named) {
     json.key(name).begin_object();
     write_matrix(json, matrix);
     json.end_object();
   }
+  json.objects("J_pusher", matrices.J_pusher, [&](const PusherJacobian& pusher) {
+    json.member("body", pusher.body);
+    write_matrix(json, pusher.J);
+    json.key("twist").begin_object();
+    write_matrix(json, pusher.twist);
+    json.end_object();
+  });
   json.objects("D", matrices.D, [&](const BodyGenerators& generators) {
     json.member("body", generators.body);
     write_matrix(json, generators.D);

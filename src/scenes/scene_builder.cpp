@@ -214,10 +214,12 @@ private:
       if (twist == Vector6<S>(Vector6<S>::Zero()))
         table.fail("twists", "the twist of " + quoted(bodies[i]) + " is zero");
       const auto body = found - known.begin();
-      if (is_prescribed)
+      if (is_prescribed) {
         scene_.bodies[static_cast<std::size_t>(body)].acceleration += amount * twist;
-      else
+        scene_.prescribed.push_back({name, body, amount, twist});
+      } else {
         scene_.drives.push_back({body, actuator, twist});
+      }
     }
   }
 

@@ -189,9 +189,11 @@ std::string idle_sentence(const SceneFile& file, const BreakReport& report) {
 
 std::string break_sentence(const SceneFile& file, const BreakReport& report) {
   if (!report.breaking.breaks) return idle_sentence(file, report);
-  return "The grasp breaks at " + brief(report.breaking.break_force) + " N, the normal force of " +
-         file.body_name(report.pusher) + ": " + object_name(file) + " then " +
-         motion_phrase(file, report) + ".";
+  const double force = report.breaking.break_force; // 0 where rounding is all there is
+  return "The grasp breaks at " +
+         brief(std::abs(force) > 1e-12 * report.scales.force ? force : 0.0) +
+         " N, the normal force of " + file.body_name(report.pusher) + ": " + object_name(file) +
+         " then " + motion_phrase(file, report) + ".";
 }
 
 } // namespace lcpush::desktop

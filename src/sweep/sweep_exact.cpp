@@ -156,6 +156,7 @@ private:
     for (DetailedAnswer* answer : {&piece.at_from, &piece.at_to}) {
       answer->status = middle.status;
       answer->contacts = middle.contacts;
+      answer->breaks = middle.breaks;
       answer->residual = std::max(a.residual, std::max(b.residual, middle.residual));
     }
     pieces_.push_back(std::move(piece));

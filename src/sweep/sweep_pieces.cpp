@@ -36,7 +36,7 @@ bool goes_on(const Piece& last, const Piece& piece, Question question, double to
       same_contacts(last.at_from, piece.at_from, [](const ContactState& a, const ContactState& b) {
         return a.mode == b.mode && a.pressed == b.pressed;
       });
-  if (last.kind != piece.kind || !same_states ||
+  if (last.kind != piece.kind || !same_states || last.at_from.breaks != piece.at_from.breaks ||
       differ(last.at_to, piece.at_from, question, tolerance))
     return false;
   // A short piece says little about the direction of a long one.

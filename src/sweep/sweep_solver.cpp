@@ -83,6 +83,8 @@ DetailedAnswer read_breaking(ScenePoint& p, const BasisSolution& solution) {
   if (status == Status::solved &&
       motion_size(breaking.rest, p.assembly.layout().scales) > at_rest<double>())
     status = Status::does_not_hold;
+  if (status == Status::solved)
+    breaking.breaks = moves_object(breaking, p.assembly.layout().scales);
   return judge_breaking(p, status, breaking);
 }
 

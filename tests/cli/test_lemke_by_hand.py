@@ -224,7 +224,7 @@ for words, (step, size, pivots, push) in zip(STEPS, rows):
 shown = re.findall(r"^\| (?:normal force|friction force|slip|closing).* \| (\d+) \| (\d+) \|$", bridge,
                    flags=re.M)
 assert [[int(n) for n in column] for column in zip(*shown)] == [counts["0"], counts["7"]], shown
-assert counts["7"] == [10, 80, 10, 2]
+assert counts["7"] == [10, 80, 10, 1]
 # Entries that it explains: 1/m and turning in step 3, the pad's compliance and preload in step 5.
 starts = [trace(*STEPS[k], "--exact")["runs"][0]["start"] for k in (3, 4, 5)]
 assert starts[0]["entries"][2][2] == "13/2"

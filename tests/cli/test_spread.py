@@ -50,6 +50,15 @@ class Spread(unittest.TestCase):
                     self.assertGreaterEqual(contact["normal_force"], low - 1e-5)
                     self.assertLessEqual(contact["normal_force"], high + 1e-5)
 
+    def test_rolling_and_held_are_both_answers_of_the_fixture(self):
+        scene = SCENES / "rolling_two_answers.toml"
+        low, high = json.loads(run(scene, "--covers", "2000", "--json").stdout)["twist"][5]
+        self.assertAlmostEqual(low, 0, 6)
+        self.assertAlmostEqual(high, 5, 6)
+        solved = json.loads(subprocess.run([TOOL, "solve", scene, "--json"], capture_output=True,
+                                           text=True, check=True).stdout)
+        self.assertIs(solved["unique"]["motion"], False)
+
     def test_an_end_without_bound_is_null(self):
         answer = json.loads(run(SCENES / "vise.toml", "--json", "--enumerate").stdout)
         self.assertIs(answer["complete"], True)
@@ -157,9 +166,17 @@ class Theory(unittest.TestCase):
         return json.loads(result.stdout)
 
     def test_covered_scenes_say_so(self):
-        answer = self.solved(SCENES / "soft_fingers.toml")
+        text = (SCENES / "soft_fingers.toml").read_text()
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "independent.toml"
+            file.write_text(text.replace("[[finger]]", '[gripper]\njaws = "independent"\n[[finger]]', 1))
+            answer = self.solved(file)
         self.assertIs(answer["existence"]["covered"], True)
         self.assertIs(answer["uniqueness"]["covered"], True)
+        # A jaw's gear shares its force over the fingers as it must: neither normal is known.
+        answer = self.solved(SCENES / "soft_fingers.toml")
+        self.assertIs(answer["existence"]["covered"], True)
+        self.assertIs(answer["uniqueness"]["covered"], False)
         answer = self.solved(SCENES / "straight_slide.toml")
         self.assertIs(answer["existence"]["covered"], True)
         self.assertIs(answer["uniqueness"]["covered"], False)

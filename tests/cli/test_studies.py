@@ -181,22 +181,23 @@ def scene_points(**changes):
         path = pathlib.Path(folder) / "scene.toml"
         path.write_text(text)
         solved = json.loads(run(["solve", path, "--json"]).stdout)
-    return [c["position"][:2] for c in solved["contacts"] if c["body"] != "rod"]
+    # Under "even" a point's normal force is its weight's share of the grip.
+    return [(*c["position"][:2], c["normal_force"]) for c in solved["contacts"] if c["body"] != "rod"]
 
 
 def dissipation(points, facets, lever, spin):
     """Power against friction when the object's point at x = `lever` moves at 1 along y and the object
     turns at `spin`: what the push must be, at least. facets None: round cones."""
     total = 0
-    for x, y in points:
+    for x, y, normal in points:
         vx, vy = -spin * y, 1 + spin * (x - lever)
         speed = math.hypot(vx, vy)
         if facets and speed > 0:
             step = 2 * math.pi / facets
             angle = math.atan2(vy, vx)
             speed *= math.cos(angle - step * round(angle / step))
-        total += speed
-    return 2 * MU * GRIP * total / len(points)
+        total += MU * normal * speed
+    return total
 
 
 def least(function, low, high):
@@ -220,7 +221,8 @@ def disc_push(radius, lever):
     """The same for a disc of even pressure and round cones."""
     rings, rays = 24, 48
     points = [(radius * math.sqrt((i + 0.5) / rings) * math.cos(2 * math.pi * (j + 0.5) / rays),
-               radius * math.sqrt((i + 0.5) / rings) * math.sin(2 * math.pi * (j + 0.5) / rays))
+               radius * math.sqrt((i + 0.5) / rings) * math.sin(2 * math.pi * (j + 0.5) / rays),
+               2 * GRIP / (rings * rays))
               for i in range(rings) for j in range(rays)]
     return least(lambda spin: dissipation(points, None, lever, spin), 0, 1000)
 
@@ -271,6 +273,42 @@ class OffsetPush(unittest.TestCase):
             self.check_curve(curve, scene_points(points=curve["each_value"]), 16)
 
 
+class Tipping(unittest.TestCase):
+    def test_a_disc_keeps_a_bar_straight_over_its_diameter(self):
+        """It tips where the resultant of study 1 leaves the points: 2 R apart, 4 R / 3 with four."""
+        height, radius = -0.05 * MASS * GRAVITY / (2 * MU * GRIP + MASS * SIGMA), 0.012
+        for curve in answers("tipping.svg"):
+            half = 2 * radius / 3 if curve["each_value"] < 6 else radius
+            [straight] = [z for z in curve["zeros"] if z["of"] == "twist[5]"]
+            self.assertAlmostEqual(straight["from"], height - half, delta=1e-6)
+            self.assertAlmostEqual(straight["to"], height + half, delta=1e-6)
+
+
+class RotatingPusher(unittest.TestCase):
+    def test_force_and_slip_over_rotation_fall_with_the_distance(self):
+        """And far out the moment is the torsion of two discs, less at most what a pyramid takes."""
+        rows = re.findall(r"(?m)^\| (\d+) mm \|" + r" ([\d.]+) (?:N|mm/rad) \|" * 4, PAGE)
+        for curve in answers("rotating.svg"):
+            column = {8: 0, 16: 1}[curve["each_value"]]
+            before = (math.inf, math.inf)
+            for point, row in zip(steps(curve), rows, strict=True):
+                twist = point["break_twist"]
+                now = (point["break_force"], 1e3 * math.hypot(*twist[:2]) / twist[5])
+                self.assertAlmostEqual(40 + 1e3 * point["value"], float(row[0]))
+                for k in (0, 1):
+                    self.assertAlmostEqual(now[k], float(row[1 + 2 * k + column]), delta=0.0051)
+                    self.assertLessEqual(now[k], before[k] * (1 + 1e-6))
+                before = now
+        with tempfile.TemporaryDirectory() as folder:
+            far = pathlib.Path(folder) / "far.toml"
+            text = (SOURCE / "fixtures/scenes/rotating_pusher.toml").read_text()
+            far.write_text(text.replace("[0.04, -0.01", "[0.07, -0.01"))
+            moment = json.loads(run(["break", far, "--json"]).stdout)["moment"][2]
+        torsion = 2 * 2 / 3 * MU * GRIP * 0.005
+        self.assertLessEqual(moment, torsion)
+        self.assertGreaterEqual(moment, torsion * math.cos(math.pi / 8))
+
+
 class Guided(unittest.TestCase):
     def test_direction(self):
         """The object follows the wall up to the last generator that the wall's friction carries."""
@@ -317,6 +355,11 @@ class Rolling(unittest.TestCase):
                 expected = min(5, max(0, 5 * (last - middle) / (last - rolls_to)))
                 spin = sum(t[5] for t in segment["twist"]) / 2
                 self.assertAlmostEqual(spin, expected, delta=1e-6)
+                # A held cylinder does not break loose: no force there.
+                breaks = middle < last
+                self.assertIs(segment["breaks"], breaks)
+                self.assertEqual([force is None for force in segment["break_force"]],
+                                 [not breaks] * 2)
             moving = [b for b in curve["bistable"] if b["motion"]]
             if sheet * (1 + self.FINGER) < 1:
                 self.assertEqual(moving, [])

@@ -82,7 +82,7 @@ class Sweep(unittest.TestCase):
     def test_csv_reads_back(self):
         rows = list(csv.DictReader(io.StringIO(
             run(self.slide, "--vary", "*.grip_force=2:30", "--format", "csv").stdout)))
-        self.assertEqual(float(rows[-1]["break_force"]), 30)
+        self.assertAlmostEqual(float(rows[-1]["break_force"]), 30, 12)
         self.assertAlmostEqual(float(rows[-1]["force_x"]), 30.02, 9)
         self.assertIn("wall sticks", rows[-3]["change"])
         self.assertEqual(len(rows) % 2, 0)
@@ -161,8 +161,8 @@ class Sweep(unittest.TestCase):
         self.assertEqual(len([e for e in tree.iter(SVG + "rect") if e.get("class") == "frame"]), 2)
 
     def test_a_map_tells_where_another_motion_is_an_answer(self):
-        answer = self.answer(SCENES / "rolling_two_answers.toml", "--vary", "*.grip_force=7:10",
-                             "--vary", "sheet.friction=0.5:0.9", "--steps", "9")
+        answer = self.answer(SCENES / "rolling_two_answers.toml", "--pressure", "rigid", "--vary",
+                             "*.grip_force=7:10", "--vary", "sheet.friction=0.5:0.9", "--steps", "9")
         marked = [(p["value"], p["second_value"]) for p in answer["points"] if p["bistable"]]
         self.assertTrue(marked)
         for grip, sheet in marked:  # 2 mu_f F between m g and T*
@@ -210,7 +210,8 @@ class Sweep(unittest.TestCase):
         self.assertIn("another direction", flat(run(*words, "-v").stdout))
 
     def test_two_answers_are_told_where_they_matter(self):
-        words = (SCENES / "rolling_two_answers.toml", "--vary", "*.grip_force=7:10")
+        words = (SCENES / "rolling_two_answers.toml", "--pressure", "rigid", "--vary",
+                 "*.grip_force=7:10")
         moves, forces = self.answer(*words)["bistable"]
         self.assertTrue(moves["motion"])
         self.assertFalse(forces["motion"])
@@ -229,7 +230,7 @@ class Sweep(unittest.TestCase):
 
     def test_text_is_at_most_80_columns_wide(self):
         for words in (("straight_slide", "*.grip_force=2:30"), ("pivot", "edge.shift[0]=0:0.03"),
-                      ("rolling_two_answers", "*.grip_force=7:10"), ("jam", "left.grip_force=1:2"),
+                      ("rolling_two_answers", "*.grip_force=7:10"), ("jam", "*.grip_force=1:2"),
                       ("straight_slide", "wall.angular_acceleration[2]=-4.00001:4.12345"),
                       ("pivot", "edge.acceleration[1]=-0.1:0.123456")):
             for verbose in ((), ("-v",)):
@@ -259,7 +260,7 @@ class Sweep(unittest.TestCase):
         self.assertFalse([e for e in apart.iter(SVG + "polyline") if e.get("style")])
 
     def test_a_range_without_answers_exits_with_1(self):
-        answer = self.answer(SCENES / "jam.toml", "--vary", "left.grip_force=1:2", code=1)
+        answer = self.answer(SCENES / "jam.toml", "--vary", "*.grip_force=1:2", code=1)
         self.assertIs(answer["complete"], False)
         self.assertEqual(answer["segments"][0]["status"], "ray")
         self.assertIsNone(answer["segments"][0]["force"])

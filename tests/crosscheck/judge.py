@@ -64,7 +64,7 @@ class Judge:
         if "actuator" in self.file:
             return [actuator["force"] for actuator in self.file["actuator"]] + pushers
         grips = [b["grip_force"] for b in self.bodies.values() if "grip_force" in b]
-        if self.file.get("gripper", {}).get("jaws") == "parallel":
+        if "jaws" in self.m["J"]["columns"]:  # one drive for both fingers
             grips = [sum(grips)]
         return grips + pushers
 

@@ -1,6 +1,8 @@
 // Every fixture by pivots, by sweeps and by both: the same motion, every answer checked.
 #include "support/fixture_push.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 using namespace lcpush;
@@ -49,6 +51,11 @@ TEST_CASE("on every fixture, under pad and even, sweeps and pivots find the same
         REQUIRE(pivots.status == Status::solved);
         REQUIRE(other.status == Status::solved);
         CHECK(other.residuals.max() <= 1e-9);
+        if (name == "rolling_two_answers.toml") { // each finds one of the two: held, or rolling
+          const double spin = other.answer.acceleration[5];
+          CHECK(std::min(std::abs(spin), std::abs(spin - 5)) <= 1e-5);
+          continue;
+        }
         const double size = std::max(motion_size(pivots.answer.acceleration, pivots.scales), 1e-3);
         CHECK(motion_size<double>(other.answer.acceleration - pivots.answer.acceleration,
                                   pivots.scales) <= 1e-5 * size);

@@ -125,7 +125,7 @@ TEST_CASE("zeros of the motion: exact on segments, ranges where the bar stays st
 }
 
 TEST_CASE("bistable: other motions are told from other forces") {
-  const Sweep two = swept(scene_text("rolling_two_answers.toml"), "*.grip_force", 7, 10);
+  const Sweep two = swept(rigid(scene_text("rolling_two_answers.toml")), "*.grip_force", 7, 10);
   REQUIRE(two.bistable.size() == 2);
   CHECK(two.bistable[0].motion);
   CHECK(two.bistable[0].to == doctest::Approx(0.8 * 4.905 / (1 - 0.8 * 0.3) / 0.6));

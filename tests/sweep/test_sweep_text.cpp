@@ -35,7 +35,7 @@ TEST_CASE("a brief text has a message, what matters, and at most a dozen rows") 
 }
 
 TEST_CASE("forces alone that differ by less than 1 % are told in the full text") {
-  Sweep sweep = swept(scene_text("rolling_two_answers.toml"), "*.grip_force", 7, 10);
+  Sweep sweep = swept(rigid(scene_text("rolling_two_answers.toml")), "*.grip_force", 7, 10);
   REQUIRE(sweep.bistable.size() == 2);
   const std::string words = "From 8.61 to 10 N there are two answers";
   CHECK(says(sweep_text(sweep, Telling::brief), words));

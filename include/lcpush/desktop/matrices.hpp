@@ -22,6 +22,13 @@ struct BodyGenerators {
   NamedMatrix D; ///< rows t, o and, at a soft point, torsion (m); a column a generator
 };
 
+/// A pusher's block of J, and the twist that multiplies it.
+struct PusherJacobian {
+  std::string body;
+  NamedMatrix J;     ///< components of its points x 6
+  NamedMatrix twist; ///< 6 x 1, as the file prescribes it for the pusher itself
+};
+
 /// [T.6] One body's references and weights, and what check_rigidity says of them.
 struct PatchRigidity {
   std::string body;
@@ -41,7 +48,11 @@ struct PaperMatrices {
   NamedMatrix w;     ///< 6 x 1
   NamedMatrix G;     ///< 6 x components, "left.1 n", "left.1 t", "left.1 o", "left.1 torsion"
   NamedMatrix G_bar; ///< 6 x forces, "left.1 n", "left.1 d0", "left.1 d1", ..
-  NamedMatrix J;     ///< components x actuators
+  NamedMatrix J;     ///< components x force-controlled actuators
+  NamedMatrix J_prescribed; ///< components x actuators whose acceleration is prescribed
+  NamedMatrix s_prescribed; ///< their accelerations
+  std::vector<PusherJacobian> J_pusher;
+  NamedMatrix v; ///< components x 1, the right-hand side of [P.10]: r = G' a - J s - v
   std::vector<BodyGenerators> D;
   std::vector<PatchRigidity> rigidity;
 };
@@ -50,7 +61,8 @@ PaperMatrices paper_matrices(const SceneFile& file);
 
 /// `matrices`: tables of at most 100 columns as long as names are short; G and G-bar transposed.
 std::string matrices_text(const SceneFile& file, const PaperMatrices& matrices);
-/// `matrices --json`: M, w, G, G_bar, J with rows, columns and values (row by row); D and rigidity.
+/// `matrices --json`: M, w, G, G_bar, J, J_prescribed, s_prescribed and v with rows, columns and
+/// values (row by row); J_pusher, D and rigidity.
 std::string matrices_json(const PaperMatrices& matrices,
                           const std::vector<SceneDoubt>& warnings = {});
 

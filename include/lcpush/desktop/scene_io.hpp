@@ -46,6 +46,14 @@ constexpr const char* hand_text(Hand hand) {
   return texts[static_cast<int>(hand)];
 }
 
+/// What an [[actuator]] with an acceleration does to one body. The body's own acceleration has it.
+template <class S> struct PrescribedDrive {
+  std::string actuator;
+  Index body;
+  S acceleration;   ///< m/s^2 or rad/s^2
+  Vector6<S> twist; ///< for a unit of it, at the object's centre of mass
+};
+
 /// Where a scene file says what: 1-based lines, for messages about what was read.
 struct SceneLines {
   struct OfBody {
@@ -76,7 +84,8 @@ template <class S> struct SceneOf {
   std::vector<S> weights;            ///< of the points, as Scene has them
   std::vector<Actuator<S>> actuators;
   std::vector<Drive<S>> drives;
-  std::vector<std::string> body_names; ///< unique
+  std::vector<PrescribedDrive<S>> prescribed; ///< for reading only: nothing is solved with them
+  std::vector<std::string> body_names;        ///< unique
   std::vector<std::string>
       actuator_names; ///< of the body or the [[actuator]]; "jaws" of a parallel hand
   SceneLines lines;

@@ -9,7 +9,11 @@
 //
 //   M a = w + G f                                                                         [P.8]
 //   f = E y, y >= 0,  so that G f = G-bar y, G-bar = G E, E = diag(n, D)                  [P.3]
-//   r = G' a - J s - (G' A_b, point by point)                                        [P.9, P.10]
+//   r = G' a - J s - v,  v = G' A_b, point by point                                  [P.9, P.10]
+//
+// The columns of J are the hand's and, in the paper, the environment's too: a pusher's block is G'
+// of its own points, six columns that its prescribed twist multiplies. Those products, with the
+// columns of actuators whose acceleration is prescribed, are v, the right-hand side of [P.10].
 //
 // Every matrix is written into a view of exactly its shape, which the caller owns.
 #pragma once
@@ -97,23 +101,47 @@ template <class S> void polyhedral_grasp_matrix(const Scene<S>& scene, MatrixMap
         G_bar.col(column++) = polyhedral_column(scene, body, scene.points[i], k);
 }
 
-/// J [P.9]: contact_components(scene) x actuators. Entry: acceleration of the *body's* point along
-/// a component (m/s^2; rad/s^2 for a spin) per unit of the actuator's closing acceleration.
-/// Positive closes along the component. J' f is the load that the contact forces put on the
-/// actuators, [T.5]: J' f + m_a s = tau.
-template <class S> void hand_jacobian(const Scene<S>& scene, MatrixMap<S> J) {
+/// J [P.9]: contact_components(scene) x the actuators of `drives`. Entry: acceleration of the
+/// *body's* point along a component (m/s^2; rad/s^2 for a spin) per unit of the actuator's closing
+/// acceleration. Positive closes along the component. J' f is the load that the contact forces put
+/// on the actuators, [T.5]: J' f + m_a s = tau.
+template <class S>
+void hand_jacobian(const Scene<S>& scene, Span<const Drive<S>> drives, MatrixMap<S> J) {
   J.setZero();
   Index row = 0;
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<S>& body = scene.bodies[b];
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
       for (Index c = 0; c < contact_components(body); ++c) {
-        for (const Drive<S>& drive : scene.drives)
+        for (const Drive<S>& drive : drives)
           if (drive.body == b)
             J(row, drive.actuator) += contact_column(body, scene.points[i], c).dot(drive.twist);
         ++row;
       }
   }
+}
+
+template <class S> void hand_jacobian(const Scene<S>& scene, MatrixMap<S> J) {
+  hand_jacobian(scene, scene.drives, J);
+}
+
+/// A body's own block of J: components of its points x 6. Times a twist of the body (at the
+/// object's centre of mass) it is the acceleration of its points.
+template <class S> void body_jacobian(const Scene<S>& scene, const Body<S>& body, MatrixMap<S> J) {
+  Index row = 0;
+  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    for (Index c = 0; c < contact_components(body); ++c)
+      J.row(row++) = contact_column(body, scene.points[i], c).transpose();
+}
+
+/// v, the right-hand side of [P.10]: contact_components(scene) x 1. How each body's points move as
+/// prescribed, along each component.
+template <class S> void prescribed_motion(const Scene<S>& scene, MatrixMap<S> v) {
+  Index row = 0;
+  for (const Body<S>& body : scene.bodies)
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      for (Index c = 0; c < contact_components(body); ++c)
+        v(row++, 0) = contact_column(body, scene.points[i], c).dot(body.acceleration);
 }
 
 /// D of one point of this body: (contact_components(body) - 1) x generator_count(scene, body).

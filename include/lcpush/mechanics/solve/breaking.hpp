@@ -83,6 +83,16 @@ Status read_breaking(Assembly<S>& assembly, const S* z, const S* z_push, const S
   return Status::solved;
 }
 
+/// Does the object move under the smallest push that was looked at? Beside it a millionth of the
+/// push is no motion, nor is what rounding and the residual leave of one.
+template <class S> bool moves_object(const Breaking<S>& breaking, const Scales<S>& scales) {
+  const S rounding = S(512) * Eigen::NumTraits<S>::epsilon();
+  const S noise = Eigen::numext::maxi(Tolerances<S>().residual,
+                                      S(rounding * scales.acceleration / breaking.small_push));
+  return motion_size(breaking.twist, scales) * scales.acceleration >
+         S(1) / S(1000000) + S(16) * noise;
+}
+
 namespace detail {
 
 /// `rigid` and `even`: the push is one more right-hand side, so the limit is exact.
@@ -146,13 +156,6 @@ Status push_slowly(Assembly<S>& assembly, Rounds rounds, Workspace<S>& work, con
   push.acceleration = work.answer.acceleration;
   push.residuals = check(scene, scales, work.answer, push.sigma);
   return status;
-}
-
-/// Per unit push, what a push of `size` (over F / m) cannot tell from no motion at all.
-template <class S> S least_motion(const S& size) {
-  const S rounding = S(512) * Eigen::NumTraits<S>::epsilon();
-  const S noise = Eigen::numext::maxi(Tolerances<S>().residual, S(rounding / size));
-  return S(1) / S(1000000) + S(16) * noise;
 }
 
 /// The line through two pushes, judged by a third, smaller one.
@@ -230,8 +233,7 @@ template <class S, class Rounds>
     return Status::numerical_breakdown;
   }
   const Scales<S>& scales = assembly.layout().scales;
-  breaking.breaks = motion_size(breaking.twist, scales) * scales.acceleration >
-                    detail::least_motion(breaking.small_push / scales.acceleration);
+  breaking.breaks = moves_object(breaking, scales);
   return motion_size(breaking.rest, scales) > at_rest<S>() ? Status::does_not_hold : Status::solved;
 }
 
