@@ -127,17 +127,6 @@ std::string force_words(const Interval& force, double same, bool complete) {
   return (complete ? "is " : "ranges at least from ") + low + " to " + high + " N";
 }
 
-/// How hard each pusher pushes, or what breaks the grasp.
-std::string push_sentences(const SceneFile& file, const SpreadReport& report) {
-  std::string text;
-  for (const PusherSpread& pusher : report.pushers)
-    text += sentence((report.breaking ? "the breaking force of " : "the push by ") +
-                     file.body_name(pusher.body) + " " +
-                     force_words(pusher.force, same_force(report), report.complete) +
-                     ", the sum of its normal forces");
-  return text;
-}
-
 /// No motion in any answer?
 bool is_still(const SpreadReport& report) {
   for (Index k = 0; k < 6; ++k) {
@@ -145,6 +134,19 @@ bool is_still(const SpreadReport& report) {
     if (!(std::max(-report.twist[k].low, report.twist[k].high) <= zero)) return false;
   }
   return true;
+}
+
+/// How hard each pusher pushes, or what breaks the grasp.
+std::string push_sentences(const SceneFile& file, const SpreadReport& report) {
+  std::string text;
+  for (const PusherSpread& pusher : report.pushers)
+    text += sentence((!report.breaking   ? "the push by "
+                      : is_still(report) ? "the force, which breaks nothing, of "
+                                         : "the breaking force of ") +
+                     file.body_name(pusher.body) + " " +
+                     force_words(pusher.force, same_force(report), report.complete) +
+                     ", the sum of its normal forces");
+  return text;
 }
 
 /// What the laws leave open, and how hard the push is.

@@ -28,7 +28,11 @@ ForceCurve solved_forces(const Sweep& sweep, Question question) {
     add(segment.to, segment.at_to);
   }
   if (!sweep.segments.empty()) return curve;
-  for (const SweepPoint& point : sweep.points) add(point.value, point.at);
+  bool jumped = false; // next to a jump either of its sides may be what a solve finds
+  for (const SweepPoint& point : sweep.points) {
+    if (!(jumped && point.refined)) add(point.value, point.at);
+    jumped = point.change.jumps;
+  }
   return curve;
 }
 

@@ -202,7 +202,7 @@ DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const Ro
 
 /// Dense pivots start slowly from a basis, as each of its unknowns has to be brought in.
 DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
-  constexpr Index smallest_structured = 100;
+  constexpr Index smallest_structured = 200; // as a solve: the same path, the same answers
   const Problem<double> problem = point_->problem(question);
   RoundMemory memory{bases};
   DetailedAnswer answer;
