@@ -87,7 +87,7 @@ export function own_scene({ title, mass, size, gravity, facets, bodies, planar =
     return large === 0 ? finite : [large, finite];
   });
   const scene = { title, planar, gravity, mass, center_of_mass: [0, 0, 0],
-    shape: { kind: 'box', size, axis: 2 }, mobility, weight, facets,
+    shape: { kind: 'box', size, axis: 2 }, mobility, load: weight, facets,
     bodies: bodies.map((body) => ({ ...body, tangent: tangent_of(body.normal) })), points };
   return { title, M, q, scene, free: drives.length, rows,
     meanings: [...meanings_w, ...meanings_z, 'artificial variable'] };

@@ -384,6 +384,6 @@ TEST_CASE("export: pad and rigid scenes have the same files, even ones are sprea
     CHECK(pad.files[i].text == rigid.files[i].text);
   }
   CHECK(!pad.free.empty());
-  CHECK(std::count(pad.free.begin(), pad.free.end(), ',') == 0); // one jaw
+  CHECK(std::count(pad.free.begin(), pad.free.end(), ',') == 0);   // one jaw
   CHECK(std::count(even.free.begin(), even.free.end(), ',') == 7); // four points a finger
 }
