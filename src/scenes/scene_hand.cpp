@@ -100,6 +100,10 @@ void drive_hand(const HandTables& tables, std::optional<Hand> unsaid, SceneOf<S>
     return;
   }
   case Hand::locked: {
+    if (scene.pressure == Pressure::rigid)
+      tables.gripper->fail("jaws",
+                           "locked jaws keep what they closed with under pressure = \"pad\" "
+                           "alone; under \"rigid\" nothing says how hard they press");
     const S force = jaw_force(tables, gripping, scene, "locked");
     for (const std::size_t i : gripping) scene.bodies[i].preload = force;
   }

@@ -143,6 +143,7 @@ TEST_CASE("a locked hand is refused what it cannot be") {
                          desktop::InputError);
   };
   refuses("pressure = \"even\"\n" + box_text("locked", along_x), "no point's even share");
+  refuses("pressure = \"rigid\"\n" + box_text("locked", along_x), "under pressure = \"pad\" alone");
   refuses("[object]\nmass = 1\nbox = [0.1, 0.03, 0.01]\n[gripper]\njaws = \"locked\"\n" +
               finger("left", 1) + finger("right", -1, "15"),
           "locked jaws share one grip_force; got 15, but 20");
