@@ -5,6 +5,7 @@
 #include "report/page_elements.hpp"
 #include "report/pictures.hpp"
 #include "report/report_sections.hpp"
+#include "solve/sentence.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
