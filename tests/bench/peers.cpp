@@ -1,14 +1,16 @@
 // lcpush and the other libraries' solvers on the same problems, in one process:
 //
 //     peers [--quick] [--sizes K:G,K:G,...] [--seeds N] [--no-peers] [--only SOLVER]
-//           [--law rigid|pad] [--peer-seconds S]
+//           [--law rigid|pad] [--peer-seconds S] [--peer FILE.so]...
 //
 // Two round fingers of K points, a line pusher, G facets (n unknowns, seeded variations), and the
 // paper's three primitives; each under `rigid` and in the first round of `pad`. The other libraries
 // and lcpush's dense basis get the same n x n problem: the free unknowns are pivoted out
 // (lcp/pivots/reduce.hpp) and rows and columns scaled. The structured basis and the sweeps get the
 // factored problem that it stands for. Every answer is brought back to that one and judged by
-// lcp/residual.hpp. Times are processor times; set-up and the final check included.
+// lcp/residual.hpp. Times are processor times; set-up and the final check included. Other libraries
+// are plug-ins (peers/peer.h). `warm` starts from the answer with the pusher 1 % slower, theirs and
+// ours; ratios compare cold with cold and warm with warm.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -18,10 +20,11 @@
 #include <functional>
 #include <iostream>
 #include <map>
+#include <sstream>
 #include <string>
 
 #include "bench/bandwidth.hpp"
-#include "bench/peers/peer.hpp"
+#include "bench/peers/plugin.hpp"
 #include "bench/stopwatch.hpp"
 #include "bench/wide_grasp.hpp"
 #include "lcpush/lcp/pivots/reduce.hpp"
@@ -40,6 +43,7 @@ struct Arguments {
   std::string law;          // empty: both
   double peer_seconds = 45; // of each library on each size
   unsigned seeds = 8;
+  std::vector<std::string> plugins; // further peers
   std::vector<std::pair<Index, Index>> sizes = {{1, 4},   {2, 8},  {6, 8},  {20, 8},
                                                 {20, 16}, {50, 8}, {50, 16}};
   std::vector<std::pair<Index, Index>> wide = {{100, 8}, {200, 8}, {500, 8}};
@@ -88,6 +92,8 @@ public:
     return {sweeps_.sweep_scalars, sweeps_.sweep_integers};
   }
   const Problem<double>& reduced() const { return reduction_->problem(); }
+  /// The same with the pusher 1 % slower.
+  const Problem<double>& neighbour() const { return neighbour_; }
   bool has_dense() const { return reduction_ != nullptr; }
   /// Complementary pairs: the size of the problem that the others get.
   Index pairs() const { return problem().free_begin; }
@@ -118,6 +124,8 @@ private:
   std::vector<int> dense_integers_, reduction_integers_;
   std::vector<unsigned char> is_free_, sweep_memory_;
   std::unique_ptr<Reduction<double>> reduction_;
+  Problem<double> neighbour_;
+  std::vector<double> neighbour_q_;
   Workspace<double> sweeps_;
 
   void reduce(Index n) {
@@ -131,10 +139,17 @@ private:
     reduction_ = std::make_unique<Reduction<double>>(
         Span<double>{reduction_memory_.data(), reduction_scalars(n)},
         Span<int>{reduction_integers_.data(), reduction_integers(n)});
-    const Status status =
-        reduction_->init(n, matrix_.data(), problem().q, is_free_.data(), SingularBlock::exchange);
-    if (status != Status::solved || reduction_->problem().free_begin < reduction_->problem().size)
-      reduction_.reset();
+    const auto reduce_push = [&](double sigma) {
+      push_by(sigma);
+      return reduction_->init(n, matrix_.data(), problem().q, is_free_.data(),
+                              SingularBlock::exchange);
+    };
+    (void)reduce_push(0.99);
+    neighbour_q_.assign(reduced().q, reduced().q + reduced().size);
+    const Status status = reduce_push(1);
+    neighbour_ = reduced();
+    neighbour_.q = neighbour_q_.data();
+    if (status != Status::solved || reduced().free_begin < reduced().size) reduction_.reset();
     matrix_ = {};
   }
 };
@@ -245,6 +260,8 @@ public:
     std::string name;
     double ms;
     bool right;
+    std::string peer; // empty: ours
+    bool is_warm;
   };
 
   void begin_size(std::string label, Index n) {
@@ -253,7 +270,9 @@ public:
     tallies_.clear();
     order_.clear();
   }
-  Row add(const std::string& name, Instance& instance, const Run& run, double budget) {
+  Row add(const std::string& name, Instance& instance, const Run& run, double budget,
+          const std::string& peer = {}) {
+    const bool is_warm = name.rfind("warm") != std::string::npos;
     if (tallies_.count(name) == 0) order_.push_back(name);
     Tally& tally = tallies_[name];
     std::fill(instance.full_z.begin(), instance.full_z.end(), 0.0);
@@ -266,20 +285,19 @@ public:
     tally.wrong += outcome.solved && !is_right ? 1 : 0;
     const double ms = bench::median(times);
     tally.tried_ms.push_back(ms);
-    if (!is_right) return {name, ms, false};
+    if (!is_right) return {name, ms, false, peer, is_warm};
     tally.times.insert(tally.times.end(), times.begin(), times.end());
     tally.per_instance.push_back(ms);
     tally.pivots.push_back(static_cast<double>(outcome.pivots));
     if (outcome.pivots > 0)
       tally.us_a_pivot.push_back(1e3 * ms / static_cast<double>(outcome.pivots));
-    return {name, ms, true};
+    return {name, ms, true, peer, is_warm};
   }
-  void compare(const std::vector<Row>& rows, const std::vector<std::string>& peers) {
+  void compare(const std::vector<Row>& rows) {
     for (const Row& ours : rows)
       for (const Row& theirs : rows)
-        if (ours.right && theirs.right &&
-            std::find(peers.begin(), peers.end(), theirs.name) != peers.end())
-          tallies_[ours.name].ratios[theirs.name].push_back(theirs.ms / ours.ms);
+        if (ours.right && theirs.right && !theirs.peer.empty() && ours.is_warm == theirs.is_warm)
+          tallies_[ours.name].ratios[theirs.peer].push_back(theirs.ms / ours.ms);
   }
   void print(const std::vector<std::string>& peers) {
     for (const std::string& name : order_) {
@@ -289,7 +307,7 @@ public:
                   bench::median(tally.times), bench::quantile(tally.times, 0.99));
       for (const std::string& peer : peers) {
         const auto found = tally.ratios.find(peer);
-        if (found == tally.ratios.end() || peer == name)
+        if (found == tally.ratios.end() || name.rfind(peer, 0) == 0)
           std::printf(" %9s", "");
         else
           std::printf(" %8.1fx", bench::median(found->second));
@@ -353,37 +371,55 @@ public:
     last_ms_ = bench::median(tally.tried_ms);
   }
   bool has_time() const { return spent_ < limit_ && expected_ < limit_; }
-  Table::Row run(Instance& instance, Table& table) {
-    const Problem<double>& lcp = instance.reduced();
-    peer_->load(static_cast<int>(lcp.size), lcp.matrix, lcp.q);
-    std::vector<double> z(static_cast<std::size_t>(lcp.size));
-    const Silence silence;
+  void run(Instance& instance, Table& table, std::vector<Table::Row>& rows) {
     const double begin = bench::cpu_ms();
-    const Run run = [&] {
-      const bool solved = peer_->solve(z.data());
-      instance.take_reduced(z.data());
-      return Outcome{solved, 0};
-    };
-    const Table::Row row = table.add(name(), instance, run, 5);
+    rows.push_back(time(instance, table, lcpush_peer_cold, name()));
+    if (prepare_warm(instance))
+      rows.push_back(time(instance, table, lcpush_peer_warm, name() + " warm"));
     spent_ += bench::cpu_ms() - begin;
-    return row;
   }
 
 private:
   std::unique_ptr<Peer> peer_;
   double limit_, spent_ = 0, expected_ = 0, last_ms_ = 0;
   Index last_n_ = 0;
+  std::vector<double> start_, z_; // of the neighbour; of the last solve
+
+  Table::Row time(Instance& instance, Table& table, lcpush_peer_task task,
+                  const std::string& label) {
+    load(instance.reduced());
+    z_.resize(static_cast<std::size_t>(instance.reduced().size));
+    const Silence silence;
+    const Run run = [&] {
+      if (task == lcpush_peer_warm) z_ = start_;
+      const bool solved = peer_->solve(task, z_.data()) == lcpush_peer_solved;
+      instance.take_reduced(z_.data());
+      return Outcome{solved, 0};
+    };
+    return table.add(label, instance, run, 5, name());
+  }
+  /// The neighbour's answer; false where this library knows no warm start.
+  bool prepare_warm(Instance& instance) {
+    const Silence silence;
+    load(instance.neighbour());
+    start_.resize(static_cast<std::size_t>(instance.neighbour().size));
+    if (peer_->solve(lcpush_peer_cold, start_.data()) != lcpush_peer_solved) return false;
+    std::vector<double> answer = start_;
+    return peer_->solve(lcpush_peer_warm, answer.data()) != lcpush_peer_cannot;
+  }
+  void load(const Problem<double>& lcp) {
+    peer_->load(static_cast<int>(lcp.size), lcp.matrix, lcp.q);
+  }
 };
 
 std::vector<PeerRun> find_peers(const Arguments& arguments) {
   std::vector<PeerRun> peers;
-  if (!arguments.peers) return peers;
-  const double limit = 1e3 * arguments.peer_seconds;
-  for (auto make : {bench::dart_lemke, bench::siconos_lexicographic, bench::siconos_pivot,
-                    bench::bullet_lemke}) {
-    std::unique_ptr<Peer> peer = make();
-    if (peer != nullptr) peers.emplace_back(std::move(peer), limit);
-  }
+  std::vector<std::string> files;
+  std::stringstream built(LCPUSH_PEERS);
+  for (std::string file; arguments.peers && std::getline(built, file, ':');) files.push_back(file);
+  files.insert(files.end(), arguments.plugins.begin(), arguments.plugins.end());
+  for (const std::string& file : files)
+    peers.emplace_back(std::make_unique<Peer>(file), 1e3 * arguments.peer_seconds);
   return peers;
 }
 
@@ -492,8 +528,8 @@ private:
       for (const auto& [name, make] : ours)
         if (asks_for(name)) rows.push_back(table_.add(name, instance, make(instance), budget));
       for (PeerRun& peer : peers_)
-        if (instance.has_dense() && peer.has_time()) rows.push_back(peer.run(instance, table_));
-      table_.compare(rows, names_);
+        if (instance.has_dense() && peer.has_time()) peer.run(instance, table_, rows);
+      table_.compare(rows);
     }
     for (PeerRun& peer : peers_)
       if (table_.tallies().count(peer.name()) > 0)
@@ -510,6 +546,8 @@ bool read(int count, char** words, Arguments& arguments) {
       arguments.peer_seconds = 2;
     } else if (std::strcmp(words[i], "--no-peers") == 0) {
       arguments.peers = false;
+    } else if (std::strcmp(words[i], "--peer") == 0 && i + 1 < count) {
+      arguments.plugins.push_back(words[++i]);
     } else if (std::strcmp(words[i], "--only") == 0 && i + 1 < count) {
       arguments.only = words[++i];
     } else if (std::strcmp(words[i], "--law") == 0 && i + 1 < count) {
@@ -545,8 +583,14 @@ int main(int count, char** words) {
   Arguments arguments;
   if (!read(count, words, arguments)) {
     std::fprintf(stderr, "usage: peers [--quick] [--sizes K:G,K:G,...] [--seeds N] [--no-peers]\n"
-                         "             [--only SOLVER] [--law rigid|pad] [--peer-seconds S]\n");
+                         "             [--only SOLVER] [--law rigid|pad] [--peer-seconds S]\n"
+                         "             [--peer FILE.so]...\n");
     return 2;
   }
-  Bench(arguments).run();
+  try {
+    Bench(arguments).run();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "peers: %s\n", error.what());
+    return 2;
+  }
 }

@@ -1,43 +1,25 @@
 // Bullet's Lemke (Debian: libbullet-dev, the build for double).
-#include "bench/peers/peer.hpp"
-
-#ifdef LCPUSH_HAS_BULLET
 #define BT_USE_DOUBLE_PRECISION
 #include <BulletDynamics/MLCPSolvers/btLemkeAlgorithm.h>
-#endif
 
-namespace lcpush::bench {
+#include "bench/peers/peer.h"
 
-#ifdef LCPUSH_HAS_BULLET
-namespace {
-class Bullet : public Peer {
-public:
-  const char* name() const override { return "Bullet"; }
-  void load(int n, const double* M, const double* q) override {
-    M_.resize(n, n);
-    q_.resize(n);
+int lcpush_peer(int task, int n, const double* M, const double* q, double* z) {
+  static btMatrixXu matrix;
+  static btVectorXu constants;
+  if (task == lcpush_peer_load) {
+    matrix.resize(n, n);
+    constants.resize(n);
     for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < n; ++j) M_.setElem(i, j, M[j * n + i]);
-      q_[i] = q[i];
+      for (int j = 0; j < n; ++j) matrix.setElem(i, j, M[j * n + i]);
+      constants[i] = q[i];
     }
+    return lcpush_peer_solved;
   }
-  bool solve(double* z) override {
-    btLemkeAlgorithm lemke(M_, q_);
-    // More would only be spent where it cycles.
-    const btVectorXu answer = lemke.solve(static_cast<unsigned>(100 + 4 * q_.size()));
-    for (int i = 0; i < q_.size(); ++i) z[i] = i < answer.size() ? answer[i] : 0;
-    return lemke.getInfo() == 0;
-  }
-
-private:
-  btMatrixXu M_;
-  btVectorXu q_;
-};
-} // namespace
-
-std::unique_ptr<Peer> bullet_lemke() { return std::make_unique<Bullet>(); }
-#else
-std::unique_ptr<Peer> bullet_lemke() { return nullptr; }
-#endif
-
-} // namespace lcpush::bench
+  if (task != lcpush_peer_cold) return lcpush_peer_cannot;
+  btLemkeAlgorithm lemke(matrix, constants);
+  // More pivots would only be spent where it cycles.
+  const btVectorXu answer = lemke.solve(static_cast<unsigned>(100 + 4 * n));
+  for (int i = 0; i < n; ++i) z[i] = i < answer.size() ? answer[i] : 0;
+  return lemke.getInfo() == 0 ? lcpush_peer_solved : lcpush_peer_failed;
+}

@@ -1,38 +1,20 @@
 // DART's Lemke (Debian: libdart-dev).
-#include "bench/peers/peer.hpp"
-
-#ifdef LCPUSH_HAS_DART
 #include <Eigen/Dense>
 #include <dart/lcpsolver/Lemke.hpp>
-#endif
 
-namespace lcpush::bench {
+#include "bench/peers/peer.h"
 
-#ifdef LCPUSH_HAS_DART
-namespace {
-class Dart : public Peer {
-public:
-  const char* name() const override { return "DART"; }
-  void load(int n, const double* M, const double* q) override {
-    M_ = Eigen::Map<const Eigen::MatrixXd>(M, n, n);
-    q_ = Eigen::Map<const Eigen::VectorXd>(q, n);
+int lcpush_peer(int task, int n, const double* M, const double* q, double* z) {
+  static Eigen::MatrixXd matrix;
+  static Eigen::VectorXd constants, answer;
+  if (task == lcpush_peer_load) {
+    matrix = Eigen::Map<const Eigen::MatrixXd>(M, n, n);
+    constants = Eigen::Map<const Eigen::VectorXd>(q, n);
+    return lcpush_peer_solved;
   }
-  bool solve(double* z) override {
-    z_.setZero(q_.size());
-    const int error = dart::lcpsolver::Lemke(M_, q_, &z_);
-    for (Eigen::Index i = 0; i < q_.size(); ++i) z[i] = i < z_.size() ? z_[i] : 0;
-    return error == 0;
-  }
-
-private:
-  Eigen::MatrixXd M_;
-  Eigen::VectorXd q_, z_;
-};
-} // namespace
-
-std::unique_ptr<Peer> dart_lemke() { return std::make_unique<Dart>(); }
-#else
-std::unique_ptr<Peer> dart_lemke() { return nullptr; }
-#endif
-
-} // namespace lcpush::bench
+  if (task != lcpush_peer_cold) return lcpush_peer_cannot;
+  answer.setZero(n);
+  const int error = dart::lcpsolver::Lemke(matrix, constants, &answer);
+  for (Eigen::Index i = 0; i < n; ++i) z[i] = i < answer.size() ? answer[i] : 0;
+  return error == 0 ? lcpush_peer_solved : lcpush_peer_failed;
+}

@@ -1,23 +1,18 @@
-# lcpush against the solvers of other libraries, those that are found (Debian: libdart-dev,
-# libsiconos-numerics-dev, libbullet-dev). The headers alone, compiled for this machine's processor;
-# the others run as they are installed, so the files that call them are compiled without that.
-add_library(lcpush_peer_solvers OBJECT bench/peers/dart.cpp bench/peers/siconos.cpp
-                                       bench/peers/bullet.cpp)
-lcpush_compile_options(lcpush_peer_solvers)
-target_compile_features(lcpush_peer_solvers PRIVATE cxx_std_17)
-target_include_directories(lcpush_peer_solvers PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-target_link_libraries(lcpush_peer_solvers PRIVATE Eigen3::Eigen)
-
+# lcpush against the solvers of other libraries: each is a shared library with one function
+# (peer.h). Those that Debian packages are built where they are found (libdart-dev,
+# libsiconos-numerics-dev, libbullet-dev); any other comes by `peers --peer FILE`. lcpush's headers
+# are compiled for this machine's processor, the others run as they are installed.
 add_executable(peers bench/peers.cpp)
 lcpush_compile_options(peers)
 target_compile_options(peers PRIVATE -O3 -march=native)
 target_include_directories(peers PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-target_link_libraries(peers PRIVATE lcpush::lcpush lcpush_peer_solvers)
+target_link_libraries(peers PRIVATE lcpush::lcpush ${CMAKE_DL_LIBS})
 set_target_properties(peers PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+set(built_peers)
 
-function(lcpush_add_peer name definition header suffix)
-  find_path(LCPUSH_${name}_INCLUDE ${header} PATH_SUFFIXES ${suffix})
-  set(found ${LCPUSH_${name}_INCLUDE})
+function(lcpush_add_peer peer source header suffix)
+  find_path(LCPUSH_${peer}_INCLUDE ${header} PATH_SUFFIXES ${suffix})
+  set(found ${LCPUSH_${peer}_INCLUDE})
   set(libraries)
   foreach(library IN LISTS ARGN)
     find_library(LCPUSH_${library}_LIBRARY ${library})
@@ -27,15 +22,26 @@ function(lcpush_add_peer name definition header suffix)
     list(APPEND libraries ${LCPUSH_${library}_LIBRARY})
   endforeach()
   if(NOT found)
-    message(STATUS "Not compared with ${name}: it was not found")
+    message(STATUS "Not compared with ${peer}: it was not found")
     return()
   endif()
-  target_include_directories(lcpush_peer_solvers SYSTEM PRIVATE ${LCPUSH_${name}_INCLUDE})
-  target_compile_definitions(lcpush_peer_solvers PRIVATE ${definition})
-  target_link_libraries(peers PRIVATE ${libraries})
+  add_library(peer_${peer} MODULE bench/peers/${source})
+  lcpush_compile_options(peer_${peer})
+  target_compile_features(peer_${peer} PRIVATE cxx_std_17)
+  target_include_directories(peer_${peer} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_include_directories(peer_${peer} SYSTEM PRIVATE ${LCPUSH_${peer}_INCLUDE})
+  target_link_libraries(peer_${peer} PRIVATE Eigen3::Eigen ${libraries})
+  set_target_properties(peer_${peer} PROPERTIES PREFIX "")
+  add_dependencies(peers peer_${peer})
+  set(built_peers ${built_peers} $<TARGET_FILE:peer_${peer}> PARENT_SCOPE)
 endfunction()
 
-lcpush_add_peer(DART LCPUSH_HAS_DART dart/lcpsolver/Lemke.hpp "" dart)
-lcpush_add_peer(Siconos LCPUSH_HAS_SICONOS numerics/LCP_Solvers.h siconos siconos_numerics)
-lcpush_add_peer(Bullet LCPUSH_HAS_BULLET BulletDynamics/MLCPSolvers/btLemkeAlgorithm.h bullet
+lcpush_add_peer(DART dart.cpp dart/lcpsolver/Lemke.hpp "" dart)
+lcpush_add_peer(Siconos siconos.cpp numerics/LCP_Solvers.h siconos siconos_numerics)
+lcpush_add_peer(Siconos_pivot siconos.cpp numerics/LCP_Solvers.h siconos siconos_numerics)
+if(TARGET peer_Siconos_pivot)
+  target_compile_definitions(peer_Siconos_pivot PRIVATE LCPUSH_SICONOS_PIVOT)
+endif()
+lcpush_add_peer(Bullet bullet.cpp BulletDynamics/MLCPSolvers/btLemkeAlgorithm.h bullet
                 BulletDynamics-float64 LinearMath-float64)
+target_compile_definitions(peers PRIVATE "LCPUSH_PEERS=\"$<JOIN:${built_peers},:>\"")
