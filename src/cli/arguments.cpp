@@ -196,35 +196,39 @@ void write_text(const Arguments& arguments, const std::string& text) {
 
 void write_output(const Arguments& arguments, const std::string& text) {
   const std::optional<std::string> path = arguments.value("--output");
-  if (path) refuse_foreign_format(*path);
-  errno = 0;
-  if (!path) {
-    std::cout << text << std::flush;
-    if (!std::cout) refuse_file("standard output", "written", errno);
-    return;
+  if (path) {
+    refuse_foreign_format(*path);
+    return write_file(*path, text);
   }
+  errno = 0;
+  std::cout << text << std::flush;
+  if (!std::cout) refuse_file("standard output", "written", errno);
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  errno = 0;
   std::error_code ignored;
-  if (std::filesystem::is_directory(*path, ignored))
-    throw InputError(*path + ": is a directory; name a file inside it");
+  if (std::filesystem::is_directory(path, ignored))
+    throw InputError(path + ": is a directory; name a file inside it");
   // A device or a pipe cannot be renamed over.
   const bool direct =
-      std::filesystem::exists(*path, ignored) && !std::filesystem::is_regular_file(*path, ignored);
-  const std::string partial = direct ? *path : *path + ".part";
+      std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
+  const std::string partial = direct ? path : path + ".part";
   std::ofstream stream(partial, std::ios::binary);
-  if (!stream) refuse_file(*path, "written", errno);
+  if (!stream) refuse_file(path, "written", errno);
   stream << text << std::flush;
   if (!stream) {
     const int reason = errno;
     if (!direct) std::remove(partial.c_str());
-    refuse_file(*path, "written", reason);
+    refuse_file(path, "written", reason);
   }
   stream.close();
   if (direct) return;
   std::error_code failure;
-  std::filesystem::rename(partial, *path, failure);
+  std::filesystem::rename(partial, path, failure);
   if (!failure) return;
   std::remove(partial.c_str());
-  refuse_file(*path, "written", failure.value());
+  refuse_file(path, "written", failure.value());
 }
 
 Solver chosen_solver(const Arguments& arguments) {

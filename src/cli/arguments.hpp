@@ -96,6 +96,9 @@ void write_text(const Arguments& arguments, const std::string& text);
 /// Writes to the file of -o (whole or not at all), or to standard output. Throws InputError.
 void write_output(const Arguments& arguments, const std::string& text);
 
+/// The same to the file at `path`.
+void write_file(const std::string& path, const std::string& text);
+
 /// Refuses solvers that do not exist; returns the one asked for.
 Solver chosen_solver(const Arguments& arguments);
 inline const Option solver_option{"--solver", "NAME",

@@ -1,4 +1,5 @@
 // lcpush break: the force that just moves the object in the grip.
+#include "cli/certificate.hpp"
 #include "cli/commands.hpp"
 #include "cli/history.hpp"
 #include "cli/progress.hpp"
@@ -11,6 +12,7 @@ namespace {
 int run_break(const Arguments& arguments) {
   const Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
+  refuse_certificate_of_stdin(arguments);
   const SceneFile file = read_scene_argument(arguments, Needs::scene);
   const Index pusher = chosen_pusher(arguments, file);
   if (!(push_size(file.view()) > 0))
@@ -37,7 +39,18 @@ int run_break(const Arguments& arguments) {
                : format == "json" ? break_json(file, hold, grip, report)
                                   : break_text(file, hold, grip, report, telling(arguments)),
                file);
-  return report.status == Status::solved ? 0 : 1;
+  const bool is_proved = write_certificate(arguments, [&]() -> std::optional<Certificate> {
+    const std::string text = read_scene_text(arguments.files()[0]);
+    if (report.status == Status::does_not_hold) return certify_cannot_hold(text, file);
+    if (report.status != Status::solved) return certify_squeeze(text, file, report.ray);
+    PushOptions again; // the answer at the small push; the search for others has overwritten it
+    again.solver = solver;
+    again.other_covers = 0;
+    push.find_breaking(pusher, again);
+    return certify_answer(text, file, push.last_answer(),
+                          report.breaking.small_push / push_size(file.view()));
+  });
+  return report.status == Status::solved && is_proved ? 0 : 1;
 }
 
 } // namespace
@@ -53,7 +66,8 @@ Command break_command() {
       with_scene_options({{"--pusher", "NAME", "whose normal force is meant, among several"},
                           verbose_option,
                           solver_option,
-                          history_option}),
+                          history_option,
+                          certify_option}),
       1,
       run_break};
 }

@@ -1,4 +1,5 @@
 // lcpush solve: the push that the scene prescribes.
+#include "cli/certificate.hpp"
 #include "cli/commands.hpp"
 #include "cli/history.hpp"
 #include "cli/progress.hpp"
@@ -11,6 +12,7 @@ namespace {
 int run_solve(const Arguments& arguments) {
   const Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
+  refuse_certificate_of_stdin(arguments);
   const SceneFile file = read_scene_argument(arguments, Needs::scene);
   Push push(file);
   HoldReport hold;
@@ -30,7 +32,12 @@ int run_solve(const Arguments& arguments) {
                : format == "json" ? solve_json(file, hold, report)
                                   : solve_text(file, hold, report, telling(arguments)),
                file);
-  return report.status == Status::solved ? 0 : 1;
+  const bool is_proved = write_certificate(arguments, [&]() -> std::optional<Certificate> {
+    const std::string text = read_scene_text(arguments.files()[0]);
+    if (report.status == Status::solved) return certify_answer(text, file, report.answer, 1);
+    return certify_squeeze(text, file, report.ray);
+  });
+  return report.status == Status::solved && is_proved ? 0 : 1;
 }
 
 } // namespace
@@ -42,7 +49,7 @@ Command solve_command() {
           "Reads a scene, assembles its complementarity problem and solves it by Lemke's pivots.\n"
           "Accelerations are the object's, in the gripper's frame and SI units.\n\n"
           "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
-          with_scene_options({verbose_option, solver_option, history_option}),
+          with_scene_options({verbose_option, solver_option, history_option, certify_option}),
           1,
           run_solve};
 }

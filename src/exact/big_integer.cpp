@@ -167,6 +167,13 @@ void BigInteger::divide(const BigInteger& a, const BigInteger& b, BigInteger* qu
   if (remainder != nullptr) *remainder = std::move(rest);
 }
 
+BigInteger::Limb BigInteger::modulo(Limb modulus) const {
+  Wide rest = 0;
+  for (std::size_t i = count(); i-- > 0;) rest = ((rest << limb_bits) | limbs()[i]) % modulus;
+  const auto remainder = static_cast<Limb>(rest);
+  return size_ < 0 && remainder != 0 ? modulus - remainder : remainder;
+}
+
 BigInteger operator/(const BigInteger& a, const BigInteger& b) {
   BigInteger quotient;
   BigInteger::divide(a, b, &quotient, nullptr);

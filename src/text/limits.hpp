@@ -29,9 +29,11 @@ constexpr Index unknowns_remedied = 1000;       // a solve for each change that 
 constexpr Index unknowns_spread = 2000;         // hundreds of linear programs
 constexpr Index unknowns_refined = 2000;        // one dense system
 constexpr Index unknowns_stationary = 400;      // one quadratic program's conditions
-constexpr Index unknowns_traced = 1000;   // every pivot keeps its ratios; the page draws every row
-constexpr Index unknowns_exact = 300;     // fractions grow with every pivot
-constexpr Index points_final_basis = 600; // O(points^3) costs more than the solve
+constexpr Index unknowns_traced = 1000;    // every pivot keeps its ratios; the page draws every row
+constexpr Index unknowns_exact = 300;      // fractions grow with every pivot
+constexpr Index unknowns_certified = 3000; // the basis in doubles comes from the dense dictionary
+constexpr std::size_t pivots_certified = 400; // each solves an exact system anew
+constexpr Index points_final_basis = 600;     // O(points^3) costs more than the solve
 
 // Points and choices up to which sets are enumerated: the work doubles with each.
 constexpr std::size_t generators_enumerated = 6, pulls_enumerated = 8;

@@ -89,6 +89,8 @@ public:
   /// Both parts of a / b at once; either may be nullptr or &a or &b. Pre: b != 0.
   static void divide(const BigInteger& a, const BigInteger& b, BigInteger* quotient,
                      BigInteger* remainder);
+  /// The remainder in 0..modulus-1, of negative numbers too. Pre: modulus != 0.
+  Limb modulo(Limb modulus) const;
   /// >= 0; that of 0 and b is |b|. Cost: quadratic, by Lehmer's method.
   friend BigInteger gcd(const BigInteger& a, const BigInteger& b);
   /// The largest whole number whose square is not above a. Pre: a >= 0.

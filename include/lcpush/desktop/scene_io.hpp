@@ -12,9 +12,10 @@
 #include <vector>
 
 namespace lcpush {
-/// Of an exact scene's friction directions: 0, +-1/2 and +-1 exactly, else the value of the double,
-/// so that no series is summed in fractions.
+/// Of an exact scene's friction directions: with circle_sine a point of the unit circle without any
+/// error, within 1e-12 of the angle; docs/check/certificates.md has the rule.
 template <> desktop::Rational circle_cosine<desktop::Rational>(Index j, Index g);
+template <> desktop::Rational circle_sine<desktop::Rational>(Index j, Index g);
 } // namespace lcpush
 
 namespace lcpush::desktop {

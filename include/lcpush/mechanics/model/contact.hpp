@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <type_traits>
 
 #include "lcpush/mechanics/model/scene.hpp"
 
@@ -64,14 +65,22 @@ template <class S> Vector3<S> tangent_along(const Vector3<S>& normal, const Vect
   return (direction - normal * normal.dot(direction)).normalized();
 }
 
-/// The tangent of a contact that names none: along the projection of the axis (x, y or z) least
-/// aligned with `normal`, the first of them on a tie. Precondition: `normal` is a unit vector.
-template <class S> Vector3<S> default_tangent(const Vector3<S>& normal) {
-  using std::abs;
+/// The axis (0, 1 or 2 for x, y or z) least aligned with `normal`, the first of them on a tie. A
+/// tie is up to 1e-9 (a float's rounding: 1e-6), so that a normal which is a rounding error off an
+/// axis does not turn the friction pyramid. Precondition: `normal` is a unit vector.
+template <class S> Index least_aligned_axis(const Vector3<S>& normal) {
+  using Eigen::numext::abs;
+  const S tie = S(1) / S(std::is_same_v<S, float> ? 1000000 : 1000000000);
   Index axis = 0;
   for (Index i = 1; i < 3; ++i)
-    if (abs(normal[i]) < abs(normal[axis])) axis = i;
-  return tangent_along<S>(normal, Vector3<S>::Unit(axis));
+    if (abs(normal[i]) < abs(normal[axis]) - tie) axis = i;
+  return axis;
+}
+
+/// The tangent of a contact that names none: along the projection of the axis least aligned with
+/// `normal`. Precondition: `normal` is a unit vector.
+template <class S> Vector3<S> default_tangent(const Vector3<S>& normal) {
+  return tangent_along<S>(normal, Vector3<S>::Unit(least_aligned_axis(normal)));
 }
 
 /// A unit of friction: a force in the contact plane, at a soft point a torque about the normal too.

@@ -1,0 +1,231 @@
+#include "lcpush/desktop/certify.hpp"
+
+#include "certify/exact_cones.hpp"
+#include "certify/exact_pivots.hpp"
+#include "certify/sha256.hpp"
+#include "solve/owned_assembly.hpp"
+#include "text/limits.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+/// The doubles next to which the exact answer is looked for.
+struct Guess {
+  std::vector<double> x, w;           ///< SI units
+  std::vector<double> x_unit, w_unit; ///< what counts as large; 0 of the free ones
+};
+
+/// In the order of scene_problem. `scene` is spread, as the answer's.
+Guess guess_of(const Scene<double>& scene, const MixedProblem& problem,
+               const Answer<double>& answer) {
+  double force = 0;
+  for (const ContactAnswer<double>& contact : answer.contacts)
+    force = std::max(force, std::abs(contact.normal_force));
+  if (!(force > 0)) force = 1;
+  const double acceleration = force / scene.object.mass;
+  Guess guess;
+  const auto add = [&](double x, bool is_force) {
+    guess.x.push_back(x);
+    guess.x_unit.push_back(is_force ? force : acceleration);
+    guess.w_unit.push_back(is_force ? acceleration : force);
+  };
+  Index entry = 0;
+  for (const Body<double>& body : scene.bodies)
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      const ContactAnswer<double>& contact = answer.contacts[i];
+      add(std::max(contact.normal_force, 0.0), true);
+      if (body.bilateral) add(std::max(-contact.normal_force, 0.0), true);
+      const Index generators = generator_count(scene, body);
+      for (Index j = 0; j < generators; ++j) add(answer.friction[entry++], true);
+      if (generators > 0) add(contact.slip, false);
+    }
+  guess.x.insert(guess.x.end(), answer.closing.begin(), answer.closing.end());
+  for (Index i = 0; i < 6; ++i)
+    if (!scene.planar || i < 2 || i == 5) guess.x.push_back(answer.acceleration[i]);
+  guess.x_unit.resize(guess.x.size(), 0);
+  guess.w_unit.resize(guess.x.size(), 0);
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    double sum = problem.q[0][i].value();
+    for (const ExactEntry& e : problem.rows[i])
+      sum += e.value.value() * guess.x[static_cast<std::size_t>(e.column)];
+    guess.w.push_back(sum);
+  }
+  return guess;
+}
+
+/// What stands out from rounding, and more than its partner.
+std::vector<Part> acting_of(const Guess& guess, double tolerance) {
+  std::vector<Part> acting;
+  for (std::size_t i = 0; i < guess.x.size(); ++i) {
+    const double x = guess.x_unit[i] > 0 ? guess.x[i] / guess.x_unit[i] : 0;
+    const double w = guess.w_unit[i] > 0 ? guess.w[i] / guess.w_unit[i] : 0;
+    acting.push_back(std::max(x, w) <= tolerance ? Part::neither : x > w ? Part::x : Part::w);
+  }
+  return acting;
+}
+
+/// The final basis of Lemke's pivots on the literal problem in doubles, by pairs; empty if they end
+/// otherwise.
+std::vector<unsigned char> pivoted_basis(const Scene<double>& scene, double push,
+                                         std::size_t size) {
+  OwnedAssembly<double> assembly(scene);
+  assembly.get().push_by(push);
+  const Problem<double> problem = assembly.get().problem();
+  if (problem.size > limits::unknowns_certified) return {};
+  OwnedLemke<double> lemke(problem.size);
+  (void)lemke.init(problem);
+  if (lemke.solve() != Status::solved) return {};
+  std::vector<unsigned char> basic(size, 0);
+  for (Index i = 0; i < problem.free_begin; ++i)
+    basic[static_cast<std::size_t>(i)] = lemke.is_basic(i) ? 1 : 0;
+  return basic;
+}
+
+SceneOf<Rational> exact_scene(const std::string& text, const SceneFile& file,
+                              const Rational& push) {
+  SceneOf<Rational> scene = parse_scene<Rational>(text, file.lines.file);
+  scene.facets = file.facets;
+  scene.pressure = file.pressure == Pressure::even ? Pressure::even : Pressure::rigid;
+  for (Body<Rational>& body : scene.bodies) body.acceleration *= push;
+  return scene;
+}
+
+Certificate scene_certificate(Proof proof, const std::string& text, const SceneFile& file) {
+  Certificate certificate;
+  certificate.proof = proof;
+  certificate.law = file.pressure == Pressure::even ? "even" : "literal";
+  certificate.facets = file.facets;
+  certificate.sha256 = {sha256(text)};
+  return certificate;
+}
+
+void take_basis(const MixedProblem& problem, Certificate& certificate) {
+  for (std::size_t i = 0; i < problem.size(); ++i)
+    if (!problem.is_free(i) && certificate.x[i].sign() > 0)
+      certificate.basis.push_back(static_cast<Index>(i));
+}
+
+} // namespace
+
+std::optional<Certificate> certify_answer(const std::string& text, const SceneFile& file,
+                                          const Answer<double>& answer, double push) {
+  Certificate certificate = scene_certificate(Proof::answer, text, file);
+  certificate.push = Rational(push);
+  const MixedProblem problem = scene_problem(exact_scene(text, file, certificate.push), false);
+  const EvenScene even(file.view());
+  const Guess guess = guess_of(even.scene, problem, answer);
+  std::optional<ExactAnswer> exact;
+  for (const double tolerance : {1e-9, 1e-12, 1e-7})
+    if (!exact) exact = answer_near(problem, acting_of(guess, tolerance), {guess.x});
+  if (!exact) {
+    Scene<double> literal = even.scene;
+    literal.pressure = Pressure::rigid;
+    const std::vector<unsigned char> basic = pivoted_basis(literal, push, problem.size());
+    if (!basic.empty()) exact = answer_from_basis(problem, basic, limits::pivots_certified);
+  }
+  if (!exact) return std::nullopt;
+  certificate.x = std::move(exact->x[0]);
+  take_basis(problem, certificate);
+  for (std::size_t i = 0; i < problem.size(); ++i)
+    if (guess.x_unit[i] > 0)
+      certificate.distance = std::max(
+          certificate.distance, std::abs(certificate.x[i].value() - guess.x[i]) / guess.x_unit[i]);
+  return certificate;
+}
+
+std::optional<Certificate> certify_squeeze(const std::string& text, const SceneFile& file,
+                                           const std::vector<NamedValue>& ray) {
+  Certificate certificate = scene_certificate(Proof::squeeze, text, file);
+  const SceneOf<Rational> scene = exact_scene(text, file, 1);
+  const MixedProblem problem = scene_problem(scene, true);
+  std::vector<double> guess(problem.size(), 0.0);
+  double largest = 0;
+  for (const NamedValue& entry : ray) {
+    const auto i = static_cast<std::size_t>(entry.unknown);
+    // A slip's row holds forces alone.
+    const bool is_slip =
+        !problem.is_free(i) && !problem.rows[i].empty() &&
+        !problem.is_free(static_cast<std::size_t>(problem.rows[i].front().column)) &&
+        !problem.is_free(static_cast<std::size_t>(problem.rows[i].back().column));
+    if (problem.is_free(i) || is_slip) continue;
+    guess[i] = entry.value;
+    largest = std::max(largest, entry.value);
+  }
+  if (!(largest > 0)) return std::nullopt;
+  for (double& value : guess) value /= largest;
+  std::optional<std::vector<Rational>> forces = squeeze_near(problem, guess);
+  if (!forces) return std::nullopt;
+  certificate.x = std::move(*forces);
+  take_basis(problem, certificate);
+  return certificate;
+}
+
+std::optional<Certificate> certify_cannot_hold(const std::string& text, const SceneFile& file) {
+  Certificate certificate = scene_certificate(Proof::cannot_hold, text, file);
+  certificate.push = 0;
+  std::vector<std::vector<Rational>> columns;
+  std::vector<Rational> load;
+  holding_question(scene_problem(exact_scene(text, file, 1), true), columns, load);
+  std::optional<std::vector<Rational>> motion = separation(columns, load);
+  if (!motion) return std::nullopt;
+  certificate.x = std::move(*motion);
+  return certificate;
+}
+
+std::optional<Certificate> certify_raw(const ExactMatrix& M, const ExactMatrix& q,
+                                       const std::vector<unsigned char>& free,
+                                       const RawAnswer& answer) {
+  Certificate certificate;
+  certificate.law = "raw";
+  certificate.free = free;
+  const MixedProblem problem = raw_mixed_problem(M, q, free);
+  if (answer.status == Status::solved) {
+    std::optional<ExactAnswer> exact = answer_from_basis(problem, answer.basic, 0);
+    Guess guess{answer.z, answer.w, {}, {}};
+    double x_unit = 0, w_unit = 0;
+    for (const double z : answer.z) x_unit = std::max(x_unit, std::abs(z));
+    for (const double w : answer.w) w_unit = std::max(w_unit, std::abs(w));
+    guess.x_unit.assign(answer.z.size(), x_unit);
+    guess.w_unit.assign(answer.z.size(), w_unit);
+    for (const double tolerance : {1e-9, 1e-12, 1e-7})
+      if (!exact) exact = answer_near(problem, acting_of(guess, tolerance), {answer.z});
+    if (!exact) exact = answer_from_basis(problem, answer.basic, limits::pivots_certified);
+    if (!exact) return std::nullopt;
+    certificate.x = std::move(exact->x[0]);
+    take_basis(problem, certificate);
+    double largest = 0;
+    for (const Rational& x : certificate.x) largest = std::max(largest, std::abs(x.value()));
+    for (std::size_t i = 0; largest > 0 && i < answer.z.size(); ++i)
+      certificate.distance = std::max(certificate.distance,
+                                      std::abs(certificate.x[i].value() - answer.z[i]) / largest);
+    return certificate;
+  }
+  // q = w - M z with w, z >= 0 has no answer if a combination of the rows forbids it.
+  const std::size_t n = problem.size();
+  std::vector<std::vector<Rational>> columns;
+  for (std::size_t j = 0; j < n; ++j) {
+    std::vector<Rational> of_w(n), of_z(n);
+    of_w[j] = 1;
+    for (std::size_t i = 0; i < n; ++i) of_z[i] = -M(static_cast<Index>(i), static_cast<Index>(j));
+    if (problem.is_free(j)) {
+      std::vector<Rational> other = of_z;
+      for (Rational& x : other) x.negate();
+      columns.push_back(std::move(other));
+    } else {
+      columns.push_back(std::move(of_w));
+    }
+    columns.push_back(std::move(of_z));
+  }
+  std::optional<std::vector<Rational>> y = separation(columns, q.values);
+  if (!y) return std::nullopt;
+  for (Rational& x : *y) x.negate();
+  certificate.proof = Proof::no_answer;
+  certificate.x = std::move(*y);
+  return certificate;
+}
+
+} // namespace lcpush::desktop

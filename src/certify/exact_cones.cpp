@@ -1,0 +1,187 @@
+#include "certify/exact_cones.hpp"
+
+#include "lcpush/desktop/owned.hpp"
+#include "lcpush/lcp/cone_membership.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr double nearly = 1e-9; // of the largest: an equality in exact numbers
+
+Rational dot(const std::vector<Rational>& a, const std::vector<Rational>& b) {
+  Rational sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i].sign() != 0 && b[i].sign() != 0) sum += a[i] * b[i];
+  return sum;
+}
+
+/// The part of b that is orthogonal to the columns. Pre: they are independent.
+std::optional<std::vector<Rational>>
+orthogonal_part(const std::vector<const std::vector<Rational>*>& columns,
+                const std::vector<Rational>& b) {
+  std::vector<ExactRow> gram;
+  std::vector<Rational> right;
+  for (const auto* row : columns) {
+    ExactRow& products = gram.emplace_back();
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      products.push_back({static_cast<Index>(j), dot(*row, *columns[j])});
+    right.push_back(dot(*row, b));
+  }
+  std::vector<Rational> part = b;
+  if (columns.empty()) return part;
+  const auto weights = ExactSystem(gram).solve(right);
+  if (!weights) return std::nullopt;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    for (std::size_t i = 0; i < b.size(); ++i) part[i] -= (*weights)[j] * (*columns[j])[i];
+  return part;
+}
+
+} // namespace
+
+std::optional<std::vector<Rational>> separation(const std::vector<std::vector<Rational>>& columns,
+                                                const std::vector<Rational>& b) {
+  const auto m = static_cast<Index>(b.size()), n = static_cast<Index>(columns.size());
+  std::vector<double> scalars(static_cast<std::size_t>(cone_membership_scalars(m, n)));
+  std::vector<int> integers(static_cast<std::size_t>(least_squares_integers(m, n)));
+  ConeMembership<double> question(span_of(scalars), span_of(integers), m, n);
+  for (Index i = 0; i < m; ++i) {
+    question.b[i] = b[static_cast<std::size_t>(i)].value();
+    for (Index j = 0; j < n; ++j)
+      question.A(i, j) = columns[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)].value();
+  }
+  for (Index j = 0; j < n; ++j)
+    if (question.A.col(j).norm() > 0) question.A.col(j).normalize();
+  question.b.normalize();
+  if (question.ask(n) != Status::ray) return std::nullopt;
+  std::vector<std::size_t> active;
+  for (Index j = 0; j < n; ++j)
+    if (std::abs(question.A.col(j).dot(question.residual)) <= nearly * question.residual.norm())
+      active.push_back(static_cast<std::size_t>(j));
+  std::vector<ExactRow> rows(b.size());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    for (std::size_t j = 0; j < active.size(); ++j)
+      if (columns[active[j]][i].sign() != 0)
+        rows[i].push_back({static_cast<Index>(j), columns[active[j]][i]});
+  std::vector<const std::vector<Rational>*> independent;
+  for (const std::size_t j : largest_minor(rows, active.size()).columns)
+    independent.push_back(&columns[active[j]]);
+  const auto y = orthogonal_part(independent, b);
+  if (!y || dot(*y, b).sign() <= 0) return std::nullopt;
+  for (const std::vector<Rational>& column : columns)
+    if (dot(*y, column).sign() > 0) return std::nullopt;
+  return y;
+}
+
+std::optional<std::vector<Rational>> squeeze_near(const MixedProblem& problem,
+                                                  const std::vector<double>& guess) {
+  std::vector<std::size_t> forces;
+  std::vector<Index> place(problem.size(), -1);
+  for (std::size_t i = 0; i < problem.size(); ++i)
+    if (guess[i] > nearly) {
+      place[i] = static_cast<Index>(forces.size());
+      forces.push_back(i);
+    }
+  // What has to vanish: the free rows, and what is left of the cones that are used up.
+  std::vector<ExactRow> rows;
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    ExactRow row;
+    double sum = 0, size = 0;
+    for (const ExactEntry& entry : problem.rows[i]) {
+      const auto j = static_cast<std::size_t>(entry.column);
+      if (place[j] < 0) continue;
+      row.push_back({place[j], entry.value});
+      sum += entry.value.value() * guess[j];
+      size += std::abs(entry.value.value() * guess[j]);
+    }
+    const bool is_cone =
+        !problem.is_free(i) && guess[i] <= nearly && !row.empty() &&
+        std::all_of(problem.rows[i].begin(), problem.rows[i].end(), [&](const ExactEntry& entry) {
+          return !problem.is_free(static_cast<std::size_t>(entry.column));
+        });
+    if (problem.is_free(i) || (is_cone && std::abs(sum) <= nearly * size))
+      rows.push_back(std::move(row));
+  }
+  const ExactMinor minor = largest_minor(rows, forces.size());
+  std::vector<Rational> f(forces.size());
+  for (std::size_t j = 0; j < forces.size(); ++j)
+    f[j] =
+        Rational(std::round(std::ldexp(guess[forces[j]], 40))) / Rational(BigInteger(1) << 40U, 1);
+  std::vector<Index> column(forces.size(), -1);
+  for (std::size_t j = 0; j < minor.columns.size(); ++j) {
+    column[minor.columns[j]] = static_cast<Index>(j);
+    f[minor.columns[j]] = 0;
+  }
+  std::vector<ExactRow> matrix;
+  std::vector<Rational> right;
+  for (const std::size_t i : minor.rows) {
+    ExactRow& row = matrix.emplace_back();
+    right.emplace_back(0);
+    for (const ExactEntry& entry : rows[i]) {
+      const auto j = static_cast<std::size_t>(entry.column);
+      if (column[j] >= 0)
+        row.push_back({column[j], entry.value});
+      else
+        right.back() -= entry.value * f[j];
+    }
+  }
+  const auto solution = ExactSystem(matrix).solve(right);
+  if (!solution) return std::nullopt;
+  for (std::size_t j = 0; j < minor.columns.size(); ++j) f[minor.columns[j]] = (*solution)[j];
+  std::vector<Rational> x(problem.size());
+  Rational work = 0;
+  for (std::size_t j = 0; j < forces.size(); ++j) {
+    if (f[j].sign() < 0) return std::nullopt;
+    x[forces[j]] = f[j];
+    work -= f[j] * problem.q[1][forces[j]];
+  }
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    bool bounds_forces = true;
+    Rational sum = 0;
+    for (const ExactEntry& entry : problem.rows[i]) {
+      const auto j = static_cast<std::size_t>(entry.column);
+      bounds_forces = bounds_forces && !problem.is_free(j);
+      if (!problem.is_free(j)) sum += entry.value * x[j];
+    }
+    if (problem.is_free(i) ? sum.sign() != 0 : bounds_forces && sum.sign() < 0) return std::nullopt;
+  }
+  if (work.sign() <= 0) return std::nullopt;
+  return x;
+}
+
+void holding_question(const MixedProblem& problem, std::vector<std::vector<Rational>>& columns,
+                      std::vector<Rational>& b) {
+  std::vector<std::size_t> rows; // what has to balance
+  for (std::size_t i = 0; i < problem.size(); ++i)
+    if (problem.is_free(i)) rows.push_back(i);
+  std::vector<std::vector<Rational>> of(problem.size(), std::vector<Rational>(rows.size()));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    b.push_back(-problem.q[0][rows[k]]);
+    for (const ExactEntry& entry : problem.rows[rows[k]])
+      of[static_cast<std::size_t>(entry.column)][k] = entry.value;
+  }
+  std::vector<unsigned char> is_frictionless(problem.size(), 1);
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    if (problem.is_free(i) || problem.rows[i].empty() ||
+        problem.is_free(static_cast<std::size_t>(problem.rows[i].back().column)) ||
+        problem.is_free(static_cast<std::size_t>(problem.rows[i].front().column)))
+      continue;
+    is_frictionless[i] = 0; // the slip itself
+    for (const ExactEntry& normal : problem.rows[i])
+      for (const ExactEntry& friction : problem.rows[i]) {
+        const auto n = static_cast<std::size_t>(normal.column);
+        const auto f = static_cast<std::size_t>(friction.column);
+        if (normal.value.sign() < 0 || friction.value.sign() > 0) continue;
+        is_frictionless[n] = is_frictionless[f] = 0;
+        std::vector<Rational> ray = of[n];
+        for (std::size_t k = 0; k < ray.size(); ++k) ray[k] += normal.value * of[f][k];
+        columns.push_back(std::move(ray));
+      }
+  }
+  for (std::size_t i = 0; i < problem.size(); ++i)
+    if (!problem.is_free(i) && is_frictionless[i] != 0) columns.push_back(of[i]);
+}
+
+} // namespace lcpush::desktop

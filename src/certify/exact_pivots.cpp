@@ -1,0 +1,300 @@
+#include "certify/exact_pivots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace lcpush::desktop {
+namespace {
+
+using Column = std::vector<Rational>;
+
+Rational row_times(const ExactRow& row, const Column& x) {
+  Rational sum = 0;
+  for (const ExactEntry& entry : row) {
+    const Rational& by = x[static_cast<std::size_t>(entry.column)];
+    if (by.sign() != 0) sum += entry.value * by;
+  }
+  return sum;
+}
+
+Column times(const MixedProblem& problem, const Column& x) {
+  Column result;
+  for (const ExactRow& row : problem.rows) result.push_back(row_times(row, x));
+  return result;
+}
+
+/// Of the numbers at `i`, the first that is not zero decides.
+int sign_at(const std::vector<Column>& columns, std::size_t i) {
+  for (const Column& column : columns)
+    if (column[i].sign() != 0) return column[i].sign();
+  return 0;
+}
+
+bool are_zero(const std::vector<Column>& columns, std::size_t i) {
+  return sign_at(columns, i) == 0;
+}
+
+/// The submatrix of these rows and columns, in their order.
+std::vector<ExactRow> cut(const MixedProblem& problem, const std::vector<std::size_t>& rows,
+                          const std::vector<std::size_t>& columns) {
+  std::vector<Index> place(problem.size(), -1);
+  for (std::size_t j = 0; j < columns.size(); ++j) place[columns[j]] = static_cast<Index>(j);
+  std::vector<ExactRow> result;
+  for (const std::size_t i : rows) {
+    ExactRow& row = result.emplace_back();
+    for (const ExactEntry& entry : problem.rows[i])
+      if (place[static_cast<std::size_t>(entry.column)] >= 0)
+        row.push_back({place[static_cast<std::size_t>(entry.column)], entry.value});
+  }
+  return result;
+}
+
+/// Small whole numbers that look like chance, the same ones every time.
+class Generic {
+public:
+  explicit Generic(std::uint32_t seed) : state_(seed) {}
+  Rational next() {
+    state_ = state_ * 1664525U + 1013904223U;
+    return 1000 + static_cast<int>(state_ >> 22U);
+  }
+
+private:
+  std::uint32_t state_;
+};
+
+/// Lemke's method on the original rows: every pivot solves for what is basic anew.
+class Pivots {
+public:
+  Pivots(const MixedProblem& problem, std::vector<unsigned char> basic)
+      : problem_(problem), n_(problem.size()), basic_(std::move(basic)) {
+    for (std::size_t i = 0; i < n_; ++i)
+      if (problem_.is_free(i)) basic_[i] = 1;
+  }
+
+  std::optional<ExactAnswer> run(std::size_t most_pivots) {
+    if (!evaluate(problem_.q)) return std::nullopt;
+    if (is_feasible()) return answer(0);
+    choose_cover();
+    if (!evaluate(rhs_)) return std::nullopt;
+    enter_artificial();
+    for (std::size_t pivots = 2; pivots <= most_pivots; ++pivots) {
+      if (!step()) return std::nullopt;
+      if (blocked_ == none)
+        return evaluate(problem_.q) ? std::optional(answer(pivots)) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  const MixedProblem& problem_;
+  const std::size_t n_;
+  std::vector<unsigned char> basic_; // is x_i (else w_i) basic?
+  std::size_t blocked_ = none;       // the pair of which neither is, while z0 is
+  bool x_enters_ = false;            // or w, of that pair
+  Column cover_;
+  std::vector<Column> rhs_;          // q, then the perturbation that decides ties
+  std::vector<Column> x_, w_;        // for every right-hand side
+  std::vector<Rational> artificial_; // z0 for each of them
+
+  bool is_feasible() const {
+    for (std::size_t i = 0; i < n_; ++i)
+      if (!problem_.is_free(i) && (sign_at(x_, i) < 0 || sign_at(w_, i) < 0)) return false;
+    return true;
+  }
+  ExactAnswer answer(std::size_t pivots) const { return {x_, w_, pivots}; }
+
+  /// The matrix of what is basic, z0 last.
+  ExactSystem system(std::vector<std::size_t>& places) const {
+    places.clear();
+    for (std::size_t i = 0; i < n_; ++i)
+      if (basic_[i] != 0) places.push_back(i);
+    std::vector<std::size_t> rows = places;
+    if (blocked_ != none) rows.push_back(blocked_);
+    std::vector<ExactRow> matrix = cut(problem_, rows, places);
+    for (std::size_t k = 0; blocked_ != none && k < rows.size(); ++k)
+      if (cover_[rows[k]].sign() != 0)
+        matrix[k].push_back({static_cast<Index>(places.size()), cover_[rows[k]]});
+    places = rows; // of the rows; the unknowns are the same but the last
+    return ExactSystem(matrix);
+  }
+
+  /// x, w and z0 with L x + cover z0 + constant = w and everything that is not basic zero but, by
+  /// `right`, the rows of `places`.
+  bool spread(const ExactSystem& system, const std::vector<std::size_t>& places,
+              const Column& constant, const Column& right, Column& x, Column& w,
+              Rational& z0) const {
+    std::vector<Rational> b;
+    for (std::size_t k = 0; k < places.size(); ++k) b.push_back(right[k] - constant[places[k]]);
+    const auto solution = system.solve(b);
+    if (!solution) return false;
+    const std::size_t count = blocked_ == none ? places.size() : places.size() - 1;
+    for (std::size_t k = 0; k < count; ++k) x[places[k]] = (*solution)[k];
+    z0 = blocked_ == none ? Rational(0) : solution->back();
+    w = times(problem_, x);
+    for (std::size_t i = 0; i < n_; ++i) {
+      w[i] += constant[i];
+      if (z0.sign() != 0) w[i] += cover_[i] * z0;
+    }
+    return true;
+  }
+
+  bool evaluate(const std::vector<Column>& rhs) {
+    std::vector<std::size_t> places;
+    const ExactSystem matrix = system(places);
+    if (matrix.is_singular()) return false;
+    x_.assign(rhs.size(), Column(n_));
+    w_.assign(rhs.size(), Column(n_));
+    artificial_.assign(rhs.size(), Rational(0));
+    for (std::size_t k = 0; k < rhs.size(); ++k)
+      if (!spread(matrix, places, rhs[k], Column(places.size()), x_[k], w_[k], artificial_[k]))
+        return false;
+    return true;
+  }
+
+  /// A column that is the given positive numbers in terms of the present basis.
+  Column positive_here(Generic generic) const {
+    Column x(n_), size(n_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      size[i] = generic.next();
+      if (basic_[i] != 0 && !problem_.is_free(i)) x[i] = size[i];
+    }
+    Column column = times(problem_, x);
+    for (std::size_t i = 0; i < n_; ++i)
+      column[i] = (basic_[i] != 0 ? Rational(0) : size[i]) - column[i];
+    return column;
+  }
+  void choose_cover() {
+    cover_ = positive_here(Generic(1));
+    rhs_ = problem_.q;
+    rhs_.push_back(positive_here(Generic(2)));
+  }
+
+  /// The pair's value in terms of the basis.
+  const std::vector<Column>& values(std::size_t i) const { return basic_[i] != 0 ? x_ : w_; }
+
+  /// z0 rises until nothing is negative; what was the last to be leaves.
+  void enter_artificial() {
+    Generic sizes(1);
+    std::vector<Rational> most;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const Rational size = sizes.next();
+      if (problem_.is_free(i) || sign_at(values(i), i) >= 0) continue;
+      std::vector<Rational> need;
+      for (const Column& column : values(i)) need.push_back(-column[i] / size);
+      if (blocked_ != none && !(most < need)) continue;
+      most = std::move(need);
+      blocked_ = i;
+    }
+    x_enters_ = basic_[blocked_] == 0;
+    basic_[blocked_] = 0;
+  }
+
+  /// One pivot; false on a ray.
+  bool step() {
+    if (!evaluate(rhs_)) return false;
+    std::vector<std::size_t> places;
+    const ExactSystem matrix = system(places);
+    Column constant(n_), right(places.size()), dx(n_), dw;
+    Rational dz0;
+    if (x_enters_) {
+      for (std::size_t i = 0; i < n_; ++i)
+        for (const ExactEntry& entry : problem_.rows[i])
+          if (static_cast<std::size_t>(entry.column) == blocked_) constant[i] = entry.value;
+    } else {
+      right.back() = 1;
+    }
+    if (!spread(matrix, places, constant, right, dx, dw, dz0)) return false;
+    std::size_t leaving = none;
+    std::vector<Rational> least;
+    const auto consider = [&](std::size_t i, const Rational& falls, const auto& value) {
+      if (falls.sign() >= 0) return;
+      std::vector<Rational> ratio;
+      for (std::size_t k = 0; k < rhs_.size(); ++k) ratio.push_back(value(k) / -falls);
+      if (leaving != none && !(ratio < least)) return;
+      least = std::move(ratio);
+      leaving = i;
+    };
+    consider(n_, dz0, [&](std::size_t k) { return artificial_[k]; }); // first: it wins a tie
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (problem_.is_free(i) || i == blocked_) continue;
+      consider(i, basic_[i] != 0 ? dx[i] : dw[i], [&](std::size_t k) { return values(i)[k][i]; });
+    }
+    if (leaving == none) return false;
+    basic_[blocked_] = x_enters_ ? 1 : 0;
+    blocked_ = leaving == n_ ? none : leaving;
+    if (blocked_ == none) return true;
+    x_enters_ = basic_[blocked_] == 0;
+    basic_[blocked_] = 0;
+    return true;
+  }
+};
+
+} // namespace
+
+bool solves_exactly(const MixedProblem& problem, const ExactAnswer& answer) {
+  for (std::size_t k = 0; k < problem.q.size(); ++k) {
+    const Column product = times(problem, answer.x[k]);
+    for (std::size_t i = 0; i < problem.size(); ++i)
+      if (product[i] + problem.q[k][i] != answer.w[k][i]) return false;
+  }
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const bool rests = are_zero(answer.w, i);
+    if (problem.is_free(i) ? !rests
+                           : sign_at(answer.x, i) < 0 || sign_at(answer.w, i) < 0 ||
+                                 (!rests && !are_zero(answer.x, i)))
+      return false;
+  }
+  return true;
+}
+
+std::optional<ExactAnswer> answer_near(const MixedProblem& problem, const std::vector<Part>& acting,
+                                       const std::vector<std::vector<double>>& guess) {
+  // The free ones first: they are not to stay at a guess. Then the rows of pairs of which neither
+  // acts, as far as the acting ones can make them vanish.
+  std::vector<std::size_t> unknowns, equations;
+  for (const bool is_free : {true, false})
+    for (std::size_t i = 0; i < problem.size(); ++i)
+      if (problem.is_free(i) == is_free && (is_free || acting[i] == Part::x)) unknowns.push_back(i);
+  equations = unknowns;
+  for (std::size_t i = 0; i < problem.size(); ++i)
+    if (!problem.is_free(i) && acting[i] == Part::neither) equations.push_back(i);
+  const ExactMinor minor = largest_minor(cut(problem, equations, unknowns), unknowns.size());
+  std::vector<std::size_t> rows, columns;
+  for (const std::size_t i : minor.rows) rows.push_back(equations[i]);
+  for (const std::size_t j : minor.columns) columns.push_back(unknowns[j]);
+  const ExactSystem system(cut(problem, rows, columns));
+  ExactAnswer answer;
+  for (std::size_t k = 0; k < problem.q.size(); ++k) {
+    Column x(problem.size());
+    double largest = 0;
+    for (const double value : guess[k]) largest = std::max(largest, std::abs(value));
+    const double grid = largest > 0 ? std::exp2(std::floor(std::log2(largest)) - 40) : 1;
+    for (const std::size_t i : unknowns) // short numbers: the others make up for them
+      x[i] = Rational(std::round(guess[k][i] / grid) * grid);
+    for (const std::size_t i : columns) x[i] = 0;
+    Column b;
+    for (const std::size_t i : rows)
+      b.push_back(-(row_times(problem.rows[i], x) + problem.q[k][i]));
+    const auto solution = system.solve(b);
+    if (!solution) return std::nullopt;
+    for (std::size_t j = 0; j < columns.size(); ++j) x[columns[j]] = (*solution)[j];
+    Column w = times(problem, x);
+    for (std::size_t i = 0; i < problem.size(); ++i) w[i] += problem.q[k][i];
+    answer.x.push_back(std::move(x));
+    answer.w.push_back(std::move(w));
+  }
+  if (!solves_exactly(problem, answer)) return std::nullopt;
+  return answer;
+}
+
+std::optional<ExactAnswer> answer_from_basis(const MixedProblem& problem,
+                                             const std::vector<unsigned char>& basic,
+                                             std::size_t most_pivots) {
+  std::optional<ExactAnswer> answer = Pivots(problem, basic).run(most_pivots);
+  if (answer && !solves_exactly(problem, *answer)) return std::nullopt;
+  return answer;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,61 @@
+// Linear equations in fractions, solved exactly.
+#pragma once
+
+#include "lcpush/desktop/rational.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace lcpush::desktop {
+
+/// An entry of a sparse row.
+struct ExactEntry {
+  Index column;
+  Rational value;
+};
+using ExactRow = std::vector<ExactEntry>;
+
+/// A x = b for many b. Dixon's p-adic lifting: the inverse modulo one prime gives a digit of x for
+/// a product with A, so that numbers only become long where x is (J. D. Dixon, Exact solution of
+/// linear equations using p-adic expansions, Numer. Math. 40, 1982). Cost: n^3 word operations, and
+/// a solve n^2 times the digits of x.
+class ExactSystem {
+public:
+  /// `rows` is n x n.
+  explicit ExactSystem(const std::vector<ExactRow>& rows);
+
+  /// Has A no inverse? (Modulo 2^61 - 1, which a matrix that has one divides with a chance of 1e-18
+  /// a digit of its determinant; then a true basis is refused, and nothing wrong is said.)
+  bool is_singular() const { return is_singular_; }
+  /// x, checked in A x = b; nullopt where its digits do not end within the bound for such an A.
+  std::optional<std::vector<Rational>> solve(const std::vector<Rational>& b) const;
+
+private:
+  using Limb = BigInteger::Limb;
+  struct Entry {
+    Index column;
+    BigInteger value;
+  };
+  std::size_t n_;
+  std::vector<std::vector<Entry>> rows_; // whole numbers: row i times row_unit_[i]
+  std::vector<BigInteger> row_unit_;
+  std::vector<Rational> column_unit_; // x_j is the unit times the integer system's unknown
+  std::vector<Limb> inverse_;         // n x n by rows, modulo the prime
+  std::size_t most_bits_ = 0;         // of numerators and denominators, by Hadamard's bound
+  bool is_singular_ = false;
+
+  void scale(const std::vector<ExactRow>& rows);
+  void invert();
+  std::vector<Limb> digit(const std::vector<BigInteger>& rest) const;
+  bool solves(const std::vector<BigInteger>& numerators, const BigInteger& denominator,
+              const std::vector<BigInteger>& b) const;
+};
+
+/// Rows and columns of a largest minor that is not zero, modulo a prime. Rows in their order: what
+/// depends on those before is left out.
+struct ExactMinor {
+  std::vector<std::size_t> rows, columns;
+};
+ExactMinor largest_minor(const std::vector<ExactRow>& rows, std::size_t columns);
+
+} // namespace lcpush::desktop
