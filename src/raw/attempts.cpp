@@ -13,7 +13,10 @@ namespace {
 struct LastPoint {
   std::vector<double> z;
   std::vector<unsigned char> basic;
+  double artificial = 0; ///< as the dictionary is scaled
 };
+
+constexpr double hardly_any = 1e-9;
 
 /// Tells another watcher, and keeps the points at which covering vectors failed.
 class PointKeeper : public Watcher {
@@ -41,6 +44,7 @@ private:
                     std::vector<unsigned char>(static_cast<std::size_t>(n), 0)};
     for (Index i = 0; i < n; ++i) {
       const Index j = dictionary.basic[i] - n;
+      if (j == n) point.artificial = dictionary.values(i, finite);
       if (j < 0 || j >= n) continue;
       point.z[static_cast<std::size_t>(j)] =
           dictionary.values(i, finite) * lemke.unknown_unit(j);
@@ -137,6 +141,10 @@ void Attempts::fail(Status status, Reason reason, std::vector<double> ray) {
   answer_.ray = std::move(ray);
 }
 
+void Attempts::keep_near(std::vector<double> point, double artificial) {
+  if (std::abs(artificial) <= hardly_any) near_points_.push_back(std::move(point));
+}
+
 bool Attempts::standard(const DensePiece& piece, const LemkeOptions<double>& options) {
   const Index n = piece.size();
   OwnedLemke<double> lemke(n);
@@ -148,6 +156,7 @@ bool Attempts::standard(const DensePiece& piece, const LemkeOptions<double>& opt
     std::vector<unsigned char> basic;
     for (Index i = 0; i < n; ++i) basic.push_back(lemke.is_basic(i) ? 1 : 0);
     if (take(piece.original(lemke.z()), basic)) return true;
+    keep_near(piece.original(lemke.z()), 0);
     fail(Status::numerical_breakdown, Reason::residual, {});
     return options_.searches && from(piece, basic, Guess::near);
   }
@@ -155,8 +164,10 @@ bool Attempts::standard(const DensePiece& piece, const LemkeOptions<double>& opt
   if (lemke.status() == Status::ray) ray = piece.original(lemke.ray());
   fail(lemke.status(), lemke.reason(), std::move(ray));
   if (!options_.searches) return false;
-  for (const LastPoint& point : keeper.points)
+  for (const LastPoint& point : keeper.points) {
     if (take(piece.original(point.z.data()), point.basic)) return true;
+    keep_near(piece.original(point.z.data()), point.artificial);
+  }
   return false;
 }
 
@@ -218,6 +229,7 @@ bool Attempts::mixed(const DensePiece& piece, const LemkeOptions<double>& option
     const auto basic = free_basis(
         [&](Index k) { return point.basic[static_cast<std::size_t>(k)] != 0; });
     if (take(recovered(point.z.data()), in_problem_order(piece, basic))) return settle();
+    keep_near(recovered(point.z.data()), point.artificial);
   }
   return false;
 }

@@ -61,10 +61,11 @@ RawProblem cut_out(const RawProblem& problem, const std::vector<Index>& rows) {
   RawProblem part;
   part.M.cols = static_cast<Index>(rows.size());
   for (const Index i : rows) {
-    // The rows ascend and hold all of an entry's columns: its place among them is its new column.
+    // The rows ascend: a column's place among them is its new number.
     for (const SparseEntry& entry : problem.M.row(i)) {
       const auto place = std::lower_bound(rows.begin(), rows.end(), Index{entry.column});
-      part.M.add(place - rows.begin(), entry.value);
+      if (place != rows.end() && *place == entry.column)
+        part.M.add(place - rows.begin(), entry.value);
     }
     part.M.end_row();
     part.q.push_back(problem.q[static_cast<std::size_t>(i)]);

@@ -11,7 +11,7 @@ namespace lcpush::desktop {
 /// first. Row i and column i belong together.
 std::vector<std::vector<Index>> pieces_of(const SparseRows& M);
 
-/// These rows and columns alone, in their order.
+/// These rows and columns alone; the list ascends.
 RawProblem cut_out(const RawProblem& problem, const std::vector<Index>& rows);
 
 /// A raw problem as pivots store it: dense, scaled by powers of two, free unknowns last.
@@ -52,6 +52,8 @@ public:
   bool from(const DensePiece& piece, const std::vector<unsigned char>& active, Guess guess);
   /// Is z an answer? If so it is taken.
   bool take(std::vector<double> z, const std::vector<unsigned char>& basic);
+  /// Points, in the problem's units, at which hardly anything of the covering vector was left.
+  const std::vector<std::vector<double>>& near_points() const { return near_points_; }
   /// Of the last point that was taken or refused, in the problem's order.
   const std::vector<unsigned char>& last_basis() const { return last_basis_; }
 
@@ -61,20 +63,29 @@ private:
   Referee referee_;
   RawAnswer answer_;
   std::vector<unsigned char> last_basis_;
+  std::vector<std::vector<double>> near_points_;
   bool tried_ = false;
 
   bool standard(const DensePiece& piece, const LemkeOptions<double>& lemke);
   bool mixed(const DensePiece& piece, const LemkeOptions<double>& lemke, bool exchanges);
+  void keep_near(std::vector<double> point, double artificial);
   void fail(Status status, Reason reason, std::vector<double> ray);
 };
 
 /// Looks further after a failure: other scales, rounding noise, other starts, all bases.
-void search_further(const RawProblem& problem, const RawOptions& options, Attempts& attempts);
+/// `level` counts how often the undecided pairs of a problem have become one of their own.
+void search_further(const RawProblem& problem, const RawOptions& options, int level,
+                    Attempts& attempts);
+
+/// From a point that is nearly an answer: pairs with a clearly positive z or w stay decided, the
+/// others are solved alone, at their own size. True if that is an answer.
+bool settle_undecided(const RawProblem& problem, const std::vector<double>& point,
+                      const RawOptions& options, int level, Attempts& attempts);
 
 /// Lemke's pivots from zero, piece by piece. Precondition: options.watcher is set, no boxes.
 /// `near`, unless it is empty, is a point to start from.
 RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options,
-                          const std::vector<double>& near);
+                          const std::vector<double>& near, int level = 0);
 
 /// Sweeps over the rows until the residual is `tolerance`.
 void sweep_rows(const RawProblem& problem, const RawOptions& options, double tolerance,

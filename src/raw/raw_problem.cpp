@@ -28,7 +28,7 @@ std::vector<unsigned char> positive(const std::vector<double>& z) {
 }
 
 RawAnswer solve_piece(const RawProblem& problem, const RawOptions& options,
-                      const std::vector<double>& near) {
+                      const std::vector<double>& near, int level) {
   Attempts attempts(problem, options);
   const DensePiece plain(problem, DensePiece::Scaled::no);
   if (!near.empty() && attempts.from(plain, positive(near), Guess::near)) {
@@ -36,7 +36,7 @@ RawAnswer solve_piece(const RawProblem& problem, const RawOptions& options,
     return attempts.answer();
   }
   if (!attempts.cold(plain, options.lemke) && !attempts.hopeless() && options.searches)
-    search_further(problem, options, attempts);
+    search_further(problem, options, level, attempts);
   return attempts.answer();
 }
 
@@ -85,10 +85,10 @@ RawAnswer solve_by_sweeps(const RawProblem& problem, const RawOptions& options) 
   return answer;
 }
 
-/// A problem without boxes; `sweeps`, unless it is null, is what sweeps have left of it.
+/// A problem without boxes.
 RawAnswer solve_complementary(const RawProblem& problem, const RawOptions& options,
                               const std::vector<double>& near) {
-  if (!options.searches) return solve_piece(problem, options, near);
+  if (!options.searches) return solve_piece(problem, options, near, 0);
   return solve_by_pivots(problem, options, near);
 }
 
@@ -126,7 +126,7 @@ RawAnswer solve_hybrid(const RawProblem& problem, const RawOptions& options) {
 } // namespace
 
 RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options,
-                          const std::vector<double>& near) {
+                          const std::vector<double>& near, int level) {
   const auto n = static_cast<std::size_t>(problem.size());
   RawAnswer answer;
   answer.status = Status::solved;
@@ -136,9 +136,9 @@ RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options,
   answer.search.pieces = static_cast<Index>(pieces.size());
   for (const std::vector<Index>& rows : pieces) {
     const RawAnswer part = pieces.size() == 1
-                               ? solve_piece(problem, options, near)
+                               ? solve_piece(problem, options, near, level)
                                : solve_piece(cut_out(problem, rows), options,
-                                             near.empty() ? near : at_rows(near, rows));
+                                             near.empty() ? near : at_rows(near, rows), level);
     merge(rows, part, answer);
     if (part.status != Status::solved) break;
   }

@@ -85,12 +85,26 @@ bool try_all_cones(const DensePiece& scaled, Attempts& attempts) {
   return false;
 }
 
+/// The first two points at which a covering vector has all but gone.
+bool settle_near_points(const RawProblem& problem, const RawOptions& options, int level,
+                        Attempts& attempts) {
+  constexpr std::size_t most = 2;
+  const std::vector<std::vector<double>> points = attempts.near_points();
+  for (std::size_t k = 0; k < points.size() && k < most; ++k)
+    if (settle_undecided(problem, points[points.size() - 1 - k], options, level, attempts))
+      return true;
+  return false;
+}
+
 } // namespace
 
-void search_further(const RawProblem& problem, const RawOptions& options, Attempts& attempts) {
+void search_further(const RawProblem& problem, const RawOptions& options, int level,
+                    Attempts& attempts) {
+  if (settle_near_points(problem, options, level, attempts)) return;
   const DensePiece scaled(problem, DensePiece::Scaled::yes);
   if (try_without_noise(scaled, options, attempts)) return;
   if (try_covers(scaled, options, attempts)) return;
+  if (settle_near_points(problem, options, level, attempts)) return;
   if (try_starts(scaled, attempts)) return;
   (void)try_all_cones(scaled, attempts);
 }
