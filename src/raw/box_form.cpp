@@ -135,6 +135,14 @@ void BoxForm::take_back(RawAnswer& answer) const {
                                                      : row.sign * v[first];
     answer.ray.push_back(along);
   }
+  // What rounding has left outside of the box comes back; rows that follow another after it.
+  for (const bool follows : {false, true})
+    for (Index i = 0; i < static_cast<Index>(answer.z.size()); ++i) {
+      if ((boxed_.bounds.leader(i) >= 0) != follows) continue;
+      const BoxEnds ends = ends_of(boxed_, i, answer.z);
+      double& z = answer.z[static_cast<std::size_t>(i)];
+      z = std::min(std::max(z, ends.lo), ends.hi);
+    }
 }
 
 } // namespace lcpush::desktop

@@ -10,32 +10,44 @@ namespace {
 
 constexpr Index patience = 1000; // sweeps without a better residual
 
-std::vector<double> diagonal_of(const SparseRows& M) {
-  std::vector<double> diagonal;
-  for (Index i = 0; i < M.rows(); ++i) diagonal.push_back(M(i, i));
-  return diagonal;
+/// What a sweep reads of each row besides its entries; fixed ends are looked up once.
+struct SweptRow {
+  double step, q, lo, hi; ///< step: relaxation / M_ii
+  Index leader;
+};
+
+std::vector<SweptRow> rows_to_sweep(const RawProblem& problem, double relaxation) {
+  std::vector<SweptRow> rows;
+  for (Index i = 0; i < problem.size(); ++i) {
+    const Index leader = problem.bounds.leader(i);
+    const BoxEnds ends = leader < 0 ? ends_of(problem, i, {}) : BoxEnds{0, 0};
+    rows.push_back({relaxation / problem.M(i, i), problem.q[static_cast<std::size_t>(i)], ends.lo,
+                    ends.hi, leader});
+  }
+  return rows;
 }
 
-void sweep_once(const RawProblem& problem, const std::vector<double>& diagonal, double relaxation,
+void sweep_once(const RawProblem& problem, const std::vector<SweptRow>& rows,
                 std::vector<double>& z) {
+  double* const values = z.data();
   for (Index i = 0; i < problem.size(); ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    double w = problem.q[at];
-    for (const SparseEntry& entry : problem.M.row(i))
-      w += entry.value * z[static_cast<std::size_t>(entry.column)];
-    const BoxEnds ends = ends_of(problem, i, z);
-    z[at] = std::min(std::max(z[at] - relaxation * w / diagonal[at], ends.lo), ends.hi);
+    const SweptRow& row = rows[static_cast<std::size_t>(i)];
+    double w = row.q;
+    for (const SparseEntry& entry : problem.M.row(i)) w += entry.value * values[entry.column];
+    double lo = row.lo, hi = row.hi;
+    if (row.leader >= 0) {
+      const BoxEnds ends = ends_of(problem, i, z);
+      lo = ends.lo;
+      hi = ends.hi;
+    }
+    values[i] = std::min(std::max(values[i] - w * row.step, lo), hi);
   }
 }
 
-/// A point inside of all fixed ends to begin with: zero where it may be.
-std::vector<double> start_of(const RawProblem& problem) {
-  std::vector<double> z(problem.q.size(), 0.0);
-  for (Index i = 0; i < problem.size(); ++i) {
-    if (problem.bounds.leader(i) >= 0) continue;
-    const BoxEnds ends = ends_of(problem, i, z);
-    z[static_cast<std::size_t>(i)] = std::min(std::max(0.0, ends.lo), ends.hi);
-  }
+/// Zero, or the end next to it.
+std::vector<double> start_of(const std::vector<SweptRow>& rows) {
+  std::vector<double> z;
+  for (const SweptRow& row : rows) z.push_back(std::min(std::max(0.0, row.lo), row.hi));
   return z;
 }
 
@@ -49,9 +61,9 @@ Index first_bad_diagonal(const RawProblem& problem) {
 
 void sweep_rows(const RawProblem& problem, const RawOptions& options, double tolerance,
                 RawAnswer& answer) {
-  const std::vector<double> diagonal = diagonal_of(problem.M);
+  const std::vector<SweptRow> rows = rows_to_sweep(problem, options.sweeps.relaxation);
   Referee referee(problem);
-  answer.z = start_of(problem);
+  answer.z = start_of(rows);
   double best = 0;
   Index best_sweep = 0;
   for (answer.sweeps = 0;; ++answer.sweeps) {
@@ -72,7 +84,7 @@ void sweep_rows(const RawProblem& problem, const RawOptions& options, double tol
                                                    : Status::running;
       if (answer.status != Status::running) return;
     }
-    sweep_once(problem, diagonal, options.sweeps.relaxation, answer.z);
+    sweep_once(problem, rows, answer.z);
   }
 }
 

@@ -71,13 +71,16 @@ bool try_all_cones(const DensePiece& scaled, Attempts& attempts) {
       if (!is_z) basic[static_cast<std::size_t>(scaled.order[static_cast<std::size_t>(j)])] = 0;
     }
     if (solver.solve(columns_of, VectorMap<double>(b.data(), n)) != Status::solved) continue;
+    // Least squares leave crumbs where a column is not needed.
+    const double crumb = 1e-13 * solver.x().maxCoeff();
+    const auto x = [&](Index j) { return solver.x()[j] > crumb ? solver.x()[j] : 0.0; };
     std::vector<double> z(static_cast<std::size_t>(n), 0.0);
     for (Index j = 0; j < n; ++j) {
       const auto at = static_cast<std::size_t>(j);
       if (j >= pairs)
-        z[at] = solver.x()[j] - solver.x()[j + n - pairs];
+        z[at] = x(j) - x(j + n - pairs);
       else if ((cone >> j & 1) != 0)
-        z[at] = solver.x()[j];
+        z[at] = x(j);
     }
     if (attempts.take(scaled.original(z.data()), basic)) return true;
   }
