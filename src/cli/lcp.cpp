@@ -63,7 +63,8 @@ void announce_effort(const Arguments& arguments, const RawProblem& problem) {
                      other);
   if (n < announced) return;
   const double entries = static_cast<double>(n) * static_cast<double>(n);
-  const bool has_free = std::find(problem.free.begin(), problem.free.end(), 1) != problem.free.end();
+  const bool has_free =
+      std::find(problem.free.begin(), problem.free.end(), 1) != problem.free.end();
   const double bytes = 8 * entries * (has_free ? 5 : 2);
   std::fputs(wrapped("lcpush: " + size + ": pivots store " + printed("%.1f GB", bytes / 1e9) +
                          " and are mostly " + std::to_string(n / 2) + " to " +

@@ -54,8 +54,7 @@ MatrixNames names_of(const Arguments& arguments, const std::vector<std::string>&
 
 void check_sizes(const MatrixNames& names, Index rows, Index cols, Index q_rows, Index q_cols) {
   const auto by = [](Index m, Index n) { return std::to_string(m) + " x " + std::to_string(n); };
-  if (cols != rows)
-    throw InputError(names.M + ": M must be square, but it is " + by(rows, cols));
+  if (cols != rows) throw InputError(names.M + ": M must be square, but it is " + by(rows, cols));
   if (q_cols != 1 || q_rows != rows)
     throw InputError(names.q + ": q must be " + by(rows, 1) + " like M's rows, but it is " +
                      by(q_rows, q_cols));

@@ -82,9 +82,8 @@ void check_leader(const RawBounds& bounds, const OptionList& hi, const OptionLis
     throw InputError(hi.where + ": " + row_name(i) + " follows another row: its --hi is the " +
                      "friction, a finite number >= 0, not " + shown(friction));
   const auto leader = static_cast<std::size_t>(bounds.follows[i]);
-  const std::string what =
-      findex.where + ": " + row_name(i) + " follows " + row_name(leader) + " (from 0: " +
-      std::to_string(leader) + "), ";
+  const std::string what = findex.where + ": " + row_name(i) + " follows " + row_name(leader) +
+                           " (from 0: " + std::to_string(leader) + "), ";
   if (bounds.follows[leader] >= 0)
     throw InputError(what + "which follows a row itself; name one with ends of its own");
   if (!(bounds.lo[leader] >= 0))

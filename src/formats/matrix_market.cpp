@@ -40,8 +40,8 @@ template <class S> Parsed<S> parse_file(const std::string& path, Entries kind, I
   stream.clear();
   stream.seekg(0);
   stream.clear();
-  return MatrixReader<S>(stream, bytes > 0 ? static_cast<std::uintmax_t>(bytes) : UINTMAX_MAX,
-                         path, kind, largest)
+  return MatrixReader<S>(stream, bytes > 0 ? static_cast<std::uintmax_t>(bytes) : UINTMAX_MAX, path,
+                         kind, largest)
       .read();
 }
 

@@ -25,7 +25,8 @@ inline std::string lower_case(std::string_view word) {
   return result;
 }
 
-/// What a file says: the entries of an array column by column, or of a coordinate file as they come.
+/// What a file says: the entries of an array column by column, or of a coordinate file as they
+/// come.
 template <class S> struct Parsed {
   struct Entry {
     std::size_t row, column;
@@ -181,7 +182,9 @@ private:
   /// Of a symmetric matrix a file holds the lower triangle, of a skew-symmetric one what is below
   /// the diagonal.
   std::size_t first_row(std::size_t column) const {
-    return symmetry_ == Symmetry::general ? 0 : symmetry_ == Symmetry::symmetric ? column : column + 1;
+    return symmetry_ == Symmetry::general     ? 0
+           : symmetry_ == Symmetry::symmetric ? column
+                                              : column + 1;
   }
 
   /// Column by column, however many numbers a line has: as the format's own reader does.

@@ -1,5 +1,5 @@
-// Attempts at one raw problem by Lemke's pivots: from zero, with free unknowns pivoted out first, or
-// from a basis. The referee judges every point that one of them ends at.
+// Attempts at one raw problem by Lemke's pivots: from zero, with free unknowns pivoted out first,
+// or from a basis. The referee judges every point that one of them ends at.
 #include <algorithm>
 #include <cmath>
 
@@ -46,8 +46,7 @@ private:
       const Index j = dictionary.basic[i] - n;
       if (j == n) point.artificial = dictionary.values(i, finite);
       if (j < 0 || j >= n) continue;
-      point.z[static_cast<std::size_t>(j)] =
-          dictionary.values(i, finite) * lemke.unknown_unit(j);
+      point.z[static_cast<std::size_t>(j)] = dictionary.values(i, finite) * lemke.unknown_unit(j);
       point.basic[static_cast<std::size_t>(j)] = 1;
     }
     points.push_back(std::move(point));
@@ -226,8 +225,8 @@ bool Attempts::mixed(const DensePiece& piece, const LemkeOptions<double>& option
   fail(lemke.status(), lemke.reason(), std::move(ray));
   if (!options_.searches) return false;
   for (const LastPoint& point : keeper.points) {
-    const auto basic = free_basis(
-        [&](Index k) { return point.basic[static_cast<std::size_t>(k)] != 0; });
+    const auto basic =
+        free_basis([&](Index k) { return point.basic[static_cast<std::size_t>(k)] != 0; });
     if (take(recovered(point.z.data()), in_problem_order(piece, basic))) return settle();
     keep_near(recovered(point.z.data()), point.artificial);
   }

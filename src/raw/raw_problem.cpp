@@ -95,8 +95,8 @@ RawAnswer solve_complementary(const RawProblem& problem, const RawOptions& optio
 RawAnswer solve_in_box(const RawProblem& problem, const RawOptions& options,
                        const std::vector<double>& near) {
   const BoxForm form(problem);
-  RawAnswer answer = solve_complementary(form.problem(), options,
-                                         near.empty() ? near : form.inside(near));
+  RawAnswer answer =
+      solve_complementary(form.problem(), options, near.empty() ? near : form.inside(near));
   form.take_back(answer);
   if (answer.status != Status::solved) return answer;
   answer.residual = raw_residual(problem, answer.z, answer.w).residual;

@@ -106,7 +106,8 @@ std::string raw_text(const RawProblem& problem, const RawAnswer& answer) {
   return text + (problem.bounds.given() ? box_table(problem, answer) : pair_table(problem, answer));
 }
 
-std::string raw_json(const RawProblem& problem, const RawAnswer& answer, const std::string& solver) {
+std::string raw_json(const RawProblem& problem, const RawAnswer& answer,
+                     const std::string& solver) {
   const bool solved = answer.status == Status::solved;
   JsonWriter json;
   json.begin_object();

@@ -1,5 +1,5 @@
-// The referee of raw problems: is z an answer of the problem as it was given? [T.11] on sparse rows,
-// with boxes; it shares no code with the solvers.
+// The referee of raw problems: is z an answer of the problem as it was given? [T.11] on sparse
+// rows, with boxes; it shares no code with the solvers.
 #include <algorithm>
 #include <cmath>
 #include <limits>

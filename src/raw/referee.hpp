@@ -12,7 +12,8 @@ struct Scales {
 /// R and C for which the largest entries of all rows and columns of R M C are near 1.
 Scales balanced_scales(const SparseRows& M, int passes);
 
-/// [T.11] on sparse rows. The unit of an unknown is its column's scale, so that units do not matter.
+/// [T.11] on sparse rows. The unit of an unknown is its column's scale, so that units do not
+/// matter.
 class Referee {
 public:
   /// `problem` outlives it.

@@ -60,8 +60,8 @@ bool settle_undecided(const RawProblem& problem, const std::vector<double>& poin
     return false;
   const Problem<double>& reduced = reduction.problem();
   RawProblem rest;
-  rest.M = rows_of(HostMatrix{reduced.size, reduced.size,
-                              {reduced.matrix, reduced.matrix + reduced.size * reduced.size}});
+  rest.M = rows_of(HostMatrix{
+      reduced.size, reduced.size, {reduced.matrix, reduced.matrix + reduced.size * reduced.size}});
   rest.q.assign(reduced.q, reduced.q + reduced.size);
   for (Index i = 0; i < reduced.size; ++i) rest.free.push_back(i >= reduced.free_begin ? 1 : 0);
   const RawAnswer answer = solve_by_pivots(rest, options, {}, level + 1);

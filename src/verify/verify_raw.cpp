@@ -112,8 +112,8 @@ RawVerifyReport verify_raw(const RawProblem& problem, const std::vector<double>&
     if (report.refined.residual < report.residual) nearest = found;
   }
   if (!(report.residual <= options.tolerance)) {
-    const bool stuck = looks_whole && is_feasible(problem, z, w, options.tolerance) &&
-                       is_stationary(dense, point);
+    const bool stuck =
+        looks_whole && is_feasible(problem, z, w, options.tolerance) && is_stationary(dense, point);
     report.verdict = stuck ? Verdict::spurious_minimum : Verdict::not_a_solution;
     report.because = "row " + std::to_string(report.row + 1);
     return report;

@@ -91,15 +91,18 @@ TEST_CASE("a line may hold several numbers, column by column, and the file a byt
 
 TEST_CASE("of a symmetric matrix the lower triangle is written, of a skew-symmetric one less") {
   const std::string start = "%%MatrixMarket matrix ";
-  const std::vector<double> symmetric{1, 2, 3, 2, 4, 5, 3, 5, 6}, skew{0, 2, 3, -2, 0, 5, -3, -5, 0};
+  const std::vector<double> symmetric{1, 2, 3, 2, 4, 5, 3, 5, 6},
+      skew{0, 2, 3, -2, 0, 5, -3, -5, 0};
   CHECK(parse(start + "array real symmetric\n3 3\n1\n2\n3\n4\n5\n6\n").values == symmetric);
   CHECK(parse(start + "array integer skew-symmetric\n3 3\n2 3\n5\n").values == skew);
-  CHECK(parse(start + "coordinate real symmetric\n3 3 6\n1 1 1\n2 1 2\n3 1 3\n2 2 4\n3 2 5\n3 3 6\n")
-            .values == symmetric);
+  CHECK(
+      parse(start + "coordinate real symmetric\n3 3 6\n1 1 1\n2 1 2\n3 1 3\n2 2 4\n3 2 5\n3 3 6\n")
+          .values == symmetric);
   CHECK(parse(start + "coordinate real skew-symmetric\n3 3 3\n2 1 2\n3 1 3\n3 2 5\n").values ==
         skew);
   check_refused(start + "coordinate real symmetric\n2 2 1\n1 2 5\n", "3", "not row 1 of column 2");
-  check_refused(start + "coordinate real skew-symmetric\n2 2 1\n1 1 5\n", "3", "below the diagonal");
+  check_refused(start + "coordinate real skew-symmetric\n2 2 1\n1 1 5\n", "3",
+                "below the diagonal");
   check_refused(start + "array real symmetric\n2 3\n", "2", "only a square matrix is symmetric");
 }
 
@@ -110,7 +113,8 @@ TEST_CASE("a matrix without rows is a matrix") {
 }
 
 TEST_CASE("sparse rows hold what is not zero, and may be many") {
-  const SparseRows m = parse_sparse_matrix(coordinate_banner + "2 3 4\n2 3 5\n2 1 4\n1 2 0\n1 3 7\n", "M.mtx");
+  const SparseRows m =
+      parse_sparse_matrix(coordinate_banner + "2 3 4\n2 3 5\n2 1 4\n1 2 0\n1 3 7\n", "M.mtx");
   CHECK(m.rows() == 2);
   CHECK(m.cols == 3);
   REQUIRE(m.row(0).size == 1);
@@ -119,7 +123,8 @@ TEST_CASE("sparse rows hold what is not zero, and may be many") {
   CHECK(m.row(1)[0].column == 0);
   CHECK(m(1, 2) == 5);
   CHECK(m(1, 1) == 0);
-  CHECK(parse_sparse_matrix(coordinate_banner + "500000 500000 1\n7 8 1\n", "M.mtx").rows() == 500000);
+  CHECK(parse_sparse_matrix(coordinate_banner + "500000 500000 1\n7 8 1\n", "M.mtx").rows() ==
+        500000);
   CHECK(refusal([] {
           parse_sparse_matrix(coordinate_banner + "2000000 1 1\n1 1 1\n", "M.mtx");
         }).find("the limit is 1000000") != std::string::npos);

@@ -75,7 +75,7 @@ RawProblem boxed(const DenseRaw& given, Random& random, bool has_friction) {
     const bool follows = has_friction && i % 2 == 1;
     const bool leads = has_friction && i % 2 == 0;
     problem.bounds.lo.push_back(leads || kind == 0 ? 0 : kind < 3 ? -infinite : lo);
-    problem.bounds.hi.push_back(follows ? (kind == 5 ? 0 : width)
+    problem.bounds.hi.push_back(follows                  ? (kind == 5 ? 0 : width)
                                 : leads || kind % 3 == 0 ? infinite
                                 : kind == 5              ? lo
                                                          : lo + width);
@@ -163,10 +163,10 @@ TEST_CASE("the referee of sparse rows says what natural_residual says") {
     dense.matrix = M.data();
     dense.q = q.data();
     const std::vector<double> unit(z.size(), 1.0);
-    const double expected =
-        natural_residual(dense, q.data(), z.data(), unit.data(), [](Index) { return false; },
-                         dense_w.data(), scratch.data())
-            .residual;
+    const double expected = natural_residual(
+                                dense, q.data(), z.data(), unit.data(), [](Index) { return false; },
+                                dense_w.data(), scratch.data())
+                                .residual;
     // definite() has entries near 1: its balanced units are powers of two around it.
     const double found = raw_residual(dense_raw(M, q).raw(), z, w).residual;
     CHECK(found >= expected / 4);

@@ -78,7 +78,8 @@ TEST_CASE("rounding noise in q makes no ray") {
     const Index n = random.integer(2, 12);
     DenseRaw given = dense_raw(definite(n, random), Eigen::VectorXd::Zero(n));
     for (Index i = 0; i < n; ++i)
-      given.q[i] = random.integer(0, 2) == 0 ? random.uniform(-40, 40) : random.uniform(-1, 1) * 1e-16;
+      given.q[i] =
+          random.integer(0, 2) == 0 ? random.uniform(-40, 40) : random.uniform(-1, 1) * 1e-16;
     check_solved(given);
     DenseRaw chain = given; // one piece, and hardly connected
     for (Index i = 0; i + 1 < n; ++i) chain.M(i, i + 1) += 1e-3;
@@ -88,8 +89,10 @@ TEST_CASE("rounding noise in q makes no ray") {
 
 TEST_CASE("four contacts of which one carries nothing but noise") {
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(12, 12);
-  const double block[4][4] = {
-      {0.5, -0.27, 0.3, 1.8}, {0.7, -0.36, 0.4, 1.8}, {0.6, -0.63, 0.7, 1.8}, {0.2, -0.54, 0.6, 1.8}};
+  const double block[4][4] = {{0.5, -0.27, 0.3, 1.8},
+                              {0.7, -0.36, 0.4, 1.8},
+                              {0.6, -0.63, 0.7, 1.8},
+                              {0.2, -0.54, 0.6, 1.8}};
   for (Index c = 0; c < 4; ++c) {
     M(2 * c, 2 * c) = block[c][0];
     M(2 * c + 1, 2 * c) = block[c][1];

@@ -1,5 +1,5 @@
-// Small problems against all their complementary bases: what is called solved is right, and what has a
-// solution is solved.
+// Small problems against all their complementary bases: what is called solved is right, and what
+// has a solution is solved.
 #include "lcpush/desktop/raw_problem.hpp"
 #include "support/raw_families.hpp"
 

@@ -148,7 +148,8 @@ inline double violation(const DenseRaw& given, const std::vector<double>& z, dou
     const Long scaled_w = size > 0 ? w / size : 0;
     const Long sign = z[at] < 0 ? -1 : 1;
     const Long scaled_z = z_size > 0 ? sign * scaled(i) / z_size : 0;
-    worst = std::max(worst, std::abs(given.free[at] != 0 ? scaled_w : std::min(scaled_w, scaled_z)));
+    worst =
+        std::max(worst, std::abs(given.free[at] != 0 ? scaled_w : std::min(scaled_w, scaled_z)));
   }
   return static_cast<double>(worst);
 }
