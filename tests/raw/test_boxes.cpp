@@ -193,7 +193,7 @@ TEST_CASE("units do not change what the referee says") {
 TEST_CASE("an unknown in small units does not hide a wrong one beside it") {
   // z = (1, 1), the first one in units of 1e-12.
   const DenseRaw given =
-      dense_raw(Eigen::Matrix2d{{2e-12, 0}, {1e-15, 2}}, Eigen::Vector2d(-2, -2.001));
+      dense_raw(Eigen::Matrix2d{{2e-12, 1}, {1e-12, 2}}, Eigen::Vector2d(-3, -3));
   std::vector<double> w;
   CHECK(raw_residual(given.raw(), {1e12, 1.0}, w).residual <= 1e-12);
   CHECK(raw_residual(given.raw(), {1e12, 1.5}, w).residual >= 0.01);
