@@ -4,11 +4,15 @@
 #include "cli/history.hpp"
 #include "cli/progress.hpp"
 #include "cli/raw_arguments.hpp"
-#include "formats/json_writer.hpp"
+#include "cli/raw_bounds.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/raw_problem.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
+#include "text/wrap.hpp"
+
+#include <algorithm>
+#include <cstdio>
 
 namespace lcpush::cli {
 namespace {
@@ -47,78 +51,28 @@ std::string read_format(const Arguments& arguments) {
   throw InputError(arguments.files()[0] + ": " + message);
 }
 
-std::string reason_of(const RawAnswer& answer) {
-  const std::string at = printed(" (the scaled residual is %.1e)", answer.residual);
-  if (answer.status == Status::sweep_limit)
-    return "the limit of sweeps was reached" + at + "; raise --sweeps";
-  if (answer.status == Status::stagnated)
-    return "the sweeps make no more progress" + at + "; use hybrid or lemke";
-  if (answer.status == Status::ray)
-    return "Lemke ended on a secondary ray under " + counted(answer.covers, "covering vector");
-  if (answer.status == Status::pivot_limit) return "the limit of pivots was reached";
-  return reason_text(answer.reason);
-}
-
-std::vector<std::string> basis_of(const RawAnswer& answer) {
-  std::vector<std::string> basis;
-  for (std::size_t i = 0; i < answer.basic.size(); ++i)
-    basis.push_back((answer.basic[i] != 0 ? "z" : "w") + std::to_string(i + 1));
-  return basis;
-}
-
-std::string as_json(const RawAnswer& answer, const std::string& solver) {
-  const bool solved = answer.status == Status::solved;
-  JsonWriter json;
-  json.begin_object();
-  json.member("status", status_text(answer.status)).member("solver", solver);
-  json.member("pivots", answer.pivots).member("sweeps", answer.sweeps);
-  json.member("covers", answer.covers).member("residual", when(solved, answer.residual));
-  json.member("z", when(solved, answer.z)).member("w", when(solved, answer.w));
-  json.member("basis", when(solved, basis_of(answer)));
-  if (!solved) json.member("reason", reason_of(answer)).member("ray", unless_empty(answer.ray));
-  json.list("redundant_rows", answer.redundant_rows, [&](Index row) { json.value(row + 1); });
-  return json.end_object().text();
-}
-
-/// "12 sweeps and 3 pivots", without what was not tried.
-std::string effort_of(const RawAnswer& answer) {
-  const std::string sweeps = std::to_string(answer.sweeps) + " sweeps";
-  const std::string pivots = std::to_string(answer.pivots) + " pivots";
-  if (answer.covers == 0) return sweeps;
-  return answer.history.empty() ? pivots : sweeps + " and " + pivots;
-}
-
-std::string as_text(const RawProblem& problem, const RawAnswer& answer) {
-  const std::size_t n = problem.free.size();
-  std::string text;
-  if (answer.status != Status::solved) {
-    text = "Not solved (" + std::string(status_text(answer.status)) + "): " + reason_of(answer) +
-           ".\n" +
-           (answer.covers == 0 ? "Sweeps: " + std::to_string(answer.sweeps)
-                               : "Pivots: " + std::to_string(answer.pivots)) +
-           ".\n";
-    if (answer.ray.empty()) return text;
-    text += "\nThe ray v (v >= 0, M v >= 0 along it up to the covering vector, largest entry 1):\n";
-    for (std::size_t i = 0; i < n; ++i)
-      if (answer.ray[i] != 0)
-        text += "  v" + std::to_string(i + 1) + printed(" = %.9g\n", answer.ray[i]);
-    return text;
-  }
-  text =
-      "Solved in " + effort_of(answer) +
-      (answer.covers > 1 ? " under " + std::to_string(answer.covers) + " covering vectors" : "") +
-      "; largest scaled residual " + residual_text(answer.residual) + ".\n";
-  for (const Index row : answer.redundant_rows)
-    text += "Equality " + std::to_string(row + 1) + " follows from the others and was dropped.\n";
-  text += "\n    i  basic" + std::string("                z                w\n");
-  for (std::size_t i = 0; i < n; ++i) {
-    std::string row = std::to_string(i + 1);
-    row.insert(0, row.size() < 5 ? 5 - row.size() : 0, ' ');
-    row += answer.basic[i] != 0 ? "  z    " : "  w    ";
-    text += row + printed("%17.9g", answer.z[i]) +
-            (problem.free[i] != 0 ? "             free\n" : printed("%17.9g\n", answer.w[i]));
-  }
-  return text;
+/// Lemke's pivots store the largest piece whole: what that will take, before it is taken.
+void announce_effort(const Arguments& arguments, const RawProblem& problem) {
+  constexpr Index announced = 2000;
+  const Index n = largest_piece(problem);
+  const std::string size = std::to_string(n) + " unknowns in one piece";
+  const std::string other = "; --solver gauss-seidel stores only what is not zero";
+  if (n > largest_dimension)
+    throw InputError((arguments.files().empty() ? "--M" : arguments.files()[0]) + ": " + size +
+                     " are too many for pivots, which take " + std::to_string(largest_dimension) +
+                     other);
+  if (n < announced) return;
+  const double entries = static_cast<double>(n) * static_cast<double>(n);
+  const bool has_free =
+      std::find(problem.free.begin(), problem.free.end(), 1) != problem.free.end();
+  const double bytes = 8 * entries * (has_free ? 5 : 2);
+  std::fputs(wrapped("lcpush: " + size + ": pivots store " + printed("%.1f GB", bytes / 1e9) +
+                         " and are mostly " + std::to_string(n / 2) + " to " +
+                         std::to_string(2 * n) + printed(", each %.0f million", entries / 1e6) +
+                         " multiplications" + other + "\n",
+                     usual_width)
+                 .c_str(),
+             stderr);
 }
 
 int run_lcp(const Arguments& arguments) {
@@ -126,6 +80,7 @@ int run_lcp(const Arguments& arguments) {
   RawOptions options = read_options(arguments);
   const std::string solver = solver_text(options.solver);
   const RawProblem problem = read_raw_problem(arguments, arguments.files());
+  if (options.solver != Solver::gauss_seidel) announce_effort(arguments, problem);
   RawAnswer answer;
   {
     Progress progress;
@@ -142,9 +97,9 @@ int run_lcp(const Arguments& arguments) {
   if (arguments.has("--history"))
     write_output(arguments, history_text(format, solver, answer.status, {"residual"}, rows));
   else if (format == "json")
-    write_output(arguments, as_json(answer, solver));
+    write_output(arguments, raw_json(problem, answer, solver));
   else
-    write_text(arguments, as_text(problem, answer));
+    write_text(arguments, raw_text(problem, answer));
   return answer.status == Status::solved ? 0 : 1;
 }
 
@@ -155,14 +110,20 @@ Command lcp_command() {
           "M.mtx q.mtx | --M \"2 1; 1 2\" --q \"-5 -6\" [OPTIONS]",
           "solve a raw linear complementarity problem",
           "Finds z with w = M z + q, z >= 0, w >= 0, z'w = 0. M and q are Matrix Market files\n"
-          "(real general, array or coordinate), or typed in place. Rows named by --free are\n"
-          "equalities w_i = 0 with a free z_i. Gauss-Seidel takes row by row and needs a\n"
-          "positive diagonal; hybrid does not, and goes on with Lemke's pivots.\n\n"
-          "Example:\n  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\"\n",
+          "(- is standard input), or typed in place. Rows named by --free are equalities\n"
+          "w_i = 0 with a free z_i. Or in a box: lo <= z <= hi, w >= 0 where z is at lo, <= 0\n"
+          "at hi, 0 in between. ENDS and ROWS are n x 1 files or numbers, inf among them.\n"
+          "Gauss-Seidel takes row by row, stores no zeros and needs a positive diagonal; hybrid\n"
+          "does not, and goes on with Lemke's pivots.\n\n"
+          "Example:\n  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\"\n"
+          "  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\" --lo 0 --hi \"1 inf\"\n",
           with_common_options({
               {"--M", "MATRIX", "rows by semicolons, numbers by blanks"},
               {"--q", "VECTOR", "n numbers"},
               {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
+              lo_option,
+              hi_option,
+              findex_option,
               solver_option,
               {"--sweeps", "N", "most sweeps (default 5000; 200 before hybrid's pivots)"},
               {"--relaxation", "W", "of the sweeps, between 0 and 2 (default 1)"},

@@ -1,10 +1,10 @@
 #include "cli/raw_arguments.hpp"
 
+#include "cli/raw_bounds.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/wording.hpp"
 
 #include <charconv>
-#include <tuple>
 
 namespace lcpush::cli {
 namespace {
@@ -34,41 +34,59 @@ std::vector<unsigned char> read_free(const Arguments& arguments, Index n) {
 
 } // namespace
 
+namespace {
+
+/// Where M and q come from: two files, or the command line.
+struct MatrixNames {
+  bool typed = false;
+  std::string M = "--M", q = "--q"; ///< as messages name them, and the paths of files
+};
+
+MatrixNames names_of(const Arguments& arguments, const std::vector<std::string>& files) {
+  const bool typed = arguments.has("--M");
+  if (typed != arguments.has("--q")) throw UsageError("--M and --q go together");
+  if (typed && !files.empty()) throw UsageError("give either files or --M and --q, not both");
+  if (typed) return {true};
+  if (files.size() != 2)
+    throw UsageError("two files are needed: M.mtx q.mtx (or --M \"2 1; 1 2\" --q \"-5 -6\")");
+  return {false, files[0], files[1]};
+}
+
+void check_sizes(const MatrixNames& names, Index rows, Index cols, Index q_rows, Index q_cols) {
+  const auto by = [](Index m, Index n) { return std::to_string(m) + " x " + std::to_string(n); };
+  if (cols != rows) throw InputError(names.M + ": M must be square, but it is " + by(rows, cols));
+  if (q_cols != 1 || q_rows != rows)
+    throw InputError(names.q + ": q must be " + by(rows, 1) + " like M's rows, but it is " +
+                     by(q_rows, q_cols));
+}
+
+} // namespace
+
 template <class S>
 std::pair<MatrixOf<S>, MatrixOf<S>> read_matrices(const Arguments& arguments,
                                                   const std::vector<std::string>& files) {
-  const auto M_text = arguments.value("--M"), q_text = arguments.value("--q");
-  if (M_text.has_value() != q_text.has_value()) throw UsageError("--M and --q go together");
-  if (M_text && !files.empty()) throw UsageError("give either files or --M and --q, not both");
-  MatrixOf<S> M, q;
-  std::string of_M = "--M", of_q = "--q";
-  if (M_text) {
-    M = parse_inline_matrix<S>(*M_text, "--M");
-    q = parse_inline_vector<S>(*q_text, "--q");
-  } else {
-    if (files.size() != 2)
-      throw UsageError("two files are needed: M.mtx q.mtx (or --M \"2 1; 1 2\" --q \"-5 -6\")");
-    of_M = files[0];
-    of_q = files[1];
-    M = read_matrix_market<S>(of_M);
-    q = read_matrix_market<S>(of_q);
-  }
-  const Index n = M.rows;
-  if (M.cols != n)
-    throw InputError(of_M + ": M must be square, but it is " + std::to_string(n) + " x " +
-                     std::to_string(M.cols));
-  if (q.cols != 1 || q.rows != n)
-    throw InputError(of_q + ": q must be " + std::to_string(n) + " x 1 like M's rows, but it is " +
-                     std::to_string(q.rows) + " x " + std::to_string(q.cols));
+  const MatrixNames names = names_of(arguments, files);
+  MatrixOf<S> M = names.typed ? parse_inline_matrix<S>(*arguments.value("--M"), "--M")
+                              : read_matrix_market<S>(names.M);
+  MatrixOf<S> q = names.typed ? parse_inline_vector<S>(*arguments.value("--q"), "--q")
+                              : read_matrix_market<S>(names.q);
+  check_sizes(names, M.rows, M.cols, q.rows, q.cols);
   return {std::move(M), std::move(q)};
 }
 template std::pair<ExactMatrix, ExactMatrix> read_matrices(const Arguments& arguments,
                                                            const std::vector<std::string>& files);
 
 RawProblem read_raw_problem(const Arguments& arguments, const std::vector<std::string>& files) {
+  const MatrixNames names = names_of(arguments, files);
   RawProblem problem;
-  std::tie(problem.M, problem.q) = read_matrices<double>(arguments, files);
-  problem.free = read_free(arguments, problem.M.rows);
+  problem.M = names.typed ? rows_of(parse_inline_matrix(*arguments.value("--M"), "--M"))
+                          : read_sparse_matrix(names.M);
+  HostMatrix q = names.typed ? parse_inline_vector(*arguments.value("--q"), "--q")
+                             : read_matrix_market(names.q);
+  check_sizes(names, problem.M.rows(), problem.M.cols, q.rows, q.cols);
+  problem.q = std::move(q.values);
+  problem.free = read_free(arguments, problem.size());
+  problem.bounds = read_bounds(arguments, problem.size());
   return problem;
 }
 

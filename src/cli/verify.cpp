@@ -2,6 +2,7 @@
 #include "lcpush/desktop/verify.hpp"
 #include "cli/commands.hpp"
 #include "cli/raw_arguments.hpp"
+#include "cli/raw_bounds.hpp"
 #include "cli/scene_arguments.hpp"
 #include "formats/json_fields.hpp"
 #include "text/limits.hpp"
@@ -46,7 +47,7 @@ int verify_raw_problem(const Arguments& arguments, const std::string& format) {
 int run_verify(const Arguments& arguments) {
   const std::string format = arguments.format();
   if (arguments.has("--lcp") || arguments.has("--M")) return verify_raw_problem(arguments, format);
-  for (const char* option : {"--q", "--free"})
+  for (const char* option : {"--q", "--free", "--lo", "--hi", "--findex"})
     if (arguments.has(option)) throw UsageError(std::string(option) + " goes with --lcp");
   if (arguments.files().size() != 2)
     throw UsageError(arguments.files().size() == 3
@@ -73,7 +74,8 @@ Command verify_command() {
           "ANSWER.json has the shape of `lcpush solve --json`, or any part of it: the forces, or\n"
           "the motion, alone; what follows is filled in. Every law is checked row by row, by code\n"
           "that solves nothing, and the answer is compared with lcpush's own. With --lcp (or --M\n"
-          "and --q) it is the z of a raw problem. Here exit status 0 means valid, 1 not.\n\n"
+          "and --q) it is the z of a raw problem, in a box if one is given, as for `lcpush lcp`.\n"
+          "Here exit status 0 means valid, 1 not.\n\n"
           "Example:\n"
           "  lcpush solve fixtures/scenes/tipping.toml --json -o answer.json\n"
           "  lcpush verify fixtures/scenes/tipping.toml answer.json\n",
@@ -83,6 +85,9 @@ Command verify_command() {
               {"--M", "MATRIX", "rows by semicolons, numbers by blanks"},
               {"--q", "VECTOR", "n numbers"},
               {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
+              lo_option,
+              hi_option,
+              findex_option,
               verbose_option,
           }),
           3,

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <system_error>
 
 namespace lcpush::desktop {
@@ -46,6 +47,17 @@ template <> NumberTextOf<Rational> read_finite_number<Rational>(std::string_view
   number.error = read_finite_number<double>(word).error;
   if (!number.error) number.error = quoted(word) + " has too many digits or too large an exponent";
   return number;
+}
+
+std::optional<double> read_infinite(std::string_view word) {
+  const bool is_negative = !word.empty() && word[0] == '-';
+  if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.remove_prefix(1);
+  std::string letters(word);
+  for (char& c : letters)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (letters != "inf" && letters != "infinity") return std::nullopt;
+  const double infinite = std::numeric_limits<double>::infinity();
+  return is_negative ? -infinite : infinite;
 }
 
 template <class S> NumberTextOf<S> read_number_or_fraction(std::string_view word) {

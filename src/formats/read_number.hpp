@@ -24,6 +24,9 @@ template <class S = double> NumberTextOf<S> read_finite_number(std::string_view 
 template <> NumberText read_finite_number<double>(std::string_view word);
 template <> NumberTextOf<Rational> read_finite_number<Rational>(std::string_view word);
 
+/// "inf" or "infinity", with a sign or without, in capitals or not.
+std::optional<double> read_infinite(std::string_view word);
+
 /// The same, and fractions of whole numbers such as 1/3.
 template <class S = double> NumberTextOf<S> read_number_or_fraction(std::string_view word);
 

@@ -226,9 +226,10 @@ PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& sto
 }
 
 PivotTrace trace_solve(const RawProblem& problem, const PivotOptions& options, const Story& story) {
-  PivotTrace trace = empty_trace(problem.M.rows, 0, TieRule::generic, story);
+  PivotTrace trace = empty_trace(problem.size(), 0, TieRule::generic, story);
   RecordingWatcher<double> watcher(trace, story, options);
   RawOptions solving;
+  solving.searches = false; // one run, on all of it
   solving.watcher = &watcher;
   const RawAnswer answer = solve_raw(problem, solving);
   trace.status = answer.status;

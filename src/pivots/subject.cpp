@@ -79,8 +79,8 @@ PivotSubject raw_subject(ExactProblem problem, const std::string& name, bool is_
 
 PivotTrace trace_solve(const PivotSubject& subject) {
   if (subject.push) return trace_solve(*subject.push, {}, *subject.story);
-  RawProblem raw{rounded(subject.problem.M), rounded(subject.problem.q), {}};
-  raw.free.assign(static_cast<std::size_t>(raw.M.rows), 0);
+  RawProblem raw{rows_of(rounded(subject.problem.M)), rounded(subject.problem.q).values, {}, {}};
+  raw.free.assign(raw.q.size(), 0);
   return trace_solve(raw, {}, *subject.story);
 }
 

@@ -3,27 +3,94 @@
 
 #include "lcpush/desktop/owned.hpp"
 #include "lcpush/desktop/raw_problem.hpp"
+#include "raw/referee.hpp"
 
 namespace lcpush::desktop {
 
-/// Some rows and columns of the problem, in a given order.
-struct Submatrix {
-  std::vector<Index> rows, columns;
-  std::vector<double> M, q;
-  Problem<double> problem;
+/// Without boxes: rows that no entry of M connects to others, each list ascending, short lists
+/// first. Row i and column i belong together.
+std::vector<std::vector<Index>> pieces_of(const SparseRows& M);
 
-  void cut(const RawProblem& from, Index free_begin) {
-    for (const Index j : columns)
-      for (const Index i : rows) M.push_back(from.M(i, j));
-    for (const Index i : rows) q.push_back(from.q(i, 0));
-    problem.size = static_cast<Index>(rows.size());
-    problem.free_begin = free_begin;
-    problem.matrix = M.data();
-    problem.q = q.data();
-  }
+/// These rows and columns alone; the list ascends.
+RawProblem cut_out(const RawProblem& problem, const std::vector<Index>& rows);
+
+/// A raw problem as pivots store it: dense, scaled by powers of two, free unknowns last.
+struct DensePiece {
+  std::vector<Index> order; ///< row of the raw problem, for each row here
+  Index pairs = 0;          ///< rows whose unknown is not free; they come first
+  std::vector<double> M, q, column_scale;
+  double q_scale = 1;
+  std::vector<unsigned char> free; ///< in this order
+
+  /// Scaled so that the largest entries of rows, columns and q are near 1, or as it is.
+  enum class Scaled { no, yes };
+  DensePiece(const RawProblem& from, Scaled scaled);
+
+  Index size() const { return static_cast<Index>(order.size()); }
+  Problem<double> problem() const;
+  /// The unknowns of the raw problem, from those of this one.
+  std::vector<double> original(const double* z) const;
+  /// Takes entries of q within a few roundings of its largest as zero. False if there is none.
+  bool drop_noise();
 };
 
-/// Lemke's pivots from zero. Precondition: options.watcher is set.
-RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options);
+/// Attempts at one raw problem without boxes, by Lemke's pivots; what passes the referee stays.
+class Attempts {
+public:
+  /// Precondition: options.watcher is set. Both outlive it.
+  Attempts(const RawProblem& problem, const RawOptions& options);
+
+  bool solved() const { return answer_.status == Status::solved; }
+  /// Does the problem contradict itself, so that no other attempt can help?
+  bool hopeless() const { return answer_.inconsistent_row >= 0; }
+  RawAnswer& answer() { return answer_; }
+
+  /// From zero, under the covering vectors of `lemke`. The first attempt's failure is the one that
+  /// is told, a ray before others.
+  bool cold(const DensePiece& piece, const LemkeOptions<double>& lemke);
+  /// From the complementary basis of `active`, in the problem's order; free unknowns are basic.
+  bool from(const DensePiece& piece, const std::vector<unsigned char>& active, Guess guess);
+  /// Is z an answer? If so it is taken.
+  bool take(std::vector<double> z, const std::vector<unsigned char>& basic);
+  /// Points, in the problem's units, at which hardly anything of the covering vector was left.
+  const std::vector<std::vector<double>>& near_points() const { return near_points_; }
+  /// Of the last point that was taken or refused, in the problem's order.
+  const std::vector<unsigned char>& last_basis() const { return last_basis_; }
+
+private:
+  const RawProblem& problem_;
+  const RawOptions& options_;
+  Referee referee_;
+  RawAnswer answer_;
+  std::vector<unsigned char> last_basis_;
+  std::vector<std::vector<double>> near_points_;
+  bool tried_ = false;
+
+  bool standard(const DensePiece& piece, const LemkeOptions<double>& lemke);
+  bool mixed(const DensePiece& piece, const LemkeOptions<double>& lemke, bool exchanges);
+  void keep_near(std::vector<double> point, double artificial);
+  void fail(Status status, Reason reason, std::vector<double> ray);
+};
+
+/// Looks further after a failure: other scales, rounding noise, other starts, all bases.
+/// `level` counts how often the undecided pairs of a problem have become one of their own.
+void search_further(const RawProblem& problem, const RawOptions& options, int level,
+                    Attempts& attempts);
+
+/// From a point that is nearly an answer: pairs with a clearly positive z or w stay decided, the
+/// others are solved alone, at their own size. True if that is an answer.
+bool settle_undecided(const RawProblem& problem, const std::vector<double>& point,
+                      const RawOptions& options, int level, Attempts& attempts);
+
+/// Lemke's pivots from zero, piece by piece. Precondition: options.watcher is set, no boxes.
+/// `near`, unless it is empty, is a point to start from.
+RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options,
+                          const std::vector<double>& near, int level = 0);
+
+/// Sweeps over the rows until the residual is `tolerance`.
+void sweep_rows(const RawProblem& problem, const RawOptions& options, double tolerance,
+                RawAnswer& answer);
+/// -1 if every diagonal entry is positive.
+Index first_bad_diagonal(const RawProblem& problem);
 
 } // namespace lcpush::desktop

@@ -1,138 +1,103 @@
 #include "lcpush/desktop/raw_problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "lcpush/lcp/pivots/reduce.hpp"
+#include "raw/box_form.hpp"
 #include "raw/raw_parts.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-/// Runs the pivots; `answer` receives how they ended.
-void pivot(Lemke<double>& lemke, const Problem<double>& problem, const RawOptions& options,
-           RawAnswer& answer) {
-  if (lemke.init(problem, options.lemke) == Status::running) (void)lemke.solve(*options.watcher);
-  answer.status = lemke.status();
-  answer.reason = lemke.reason();
-  answer.pivots = lemke.pivots();
-  answer.covers = lemke.covers_tried();
+/// The residual at which sweeps leave the rest to pivots, and the part of the largest unknown
+/// below which one counts as zero then.
+constexpr double near_enough = 1e-6;
+
+std::vector<double> at_rows(const std::vector<double>& all, const std::vector<Index>& rows) {
+  std::vector<double> part;
+  for (const Index i : rows) part.push_back(all[static_cast<std::size_t>(i)]);
+  return part;
 }
 
-Problem<double> as_given(const RawProblem& problem) {
-  Problem<double> given;
-  given.size = given.free_begin = problem.M.rows;
-  given.matrix = problem.M.values.data();
-  given.q = problem.q.values.data();
-  return given;
-}
-
-RawAnswer solve_standard(const RawProblem& problem, const RawOptions& options) {
-  const Index n = problem.M.rows;
-  RawAnswer answer;
-  OwnedLemke<double> lemke(n);
-  pivot(lemke, as_given(problem), options, answer);
-  if (answer.status == Status::ray) answer.ray.assign(lemke.ray(), lemke.ray() + n);
-  if (answer.status != Status::solved) return answer;
-  answer.z.assign(lemke.z(), lemke.z() + n);
-  for (Index i = 0; i < n; ++i) answer.basic.push_back(lemke.is_basic(i) ? 1 : 0);
-  return answer;
-}
-
-/// The basis that the reduced problem found, refined and checked on the problem as given: its
-/// complementary pairs first, then the equalities and free unknowns that are independent.
-bool certify(const RawProblem& problem, const Reduction<double>& reduction,
-             const RawOptions& options, RawAnswer& answer) {
-  const Index n = problem.M.rows;
-  const auto contains = [](const Span<const int>& list, Index i) {
-    return std::find(list.begin(), list.end(), i) != list.end();
-  };
-  Submatrix whole;
-  for (Index i = 0; i < n; ++i)
-    if (problem.free[static_cast<std::size_t>(i)] == 0) whole.rows.push_back(i);
-  whole.columns = whole.rows;
-  const Index pairs = static_cast<Index>(whole.rows.size());
-  for (Index i = 0; i < n; ++i) {
-    if (problem.free[static_cast<std::size_t>(i)] == 0) continue;
-    if (!contains(reduction.redundant_rows(), i)) whole.rows.push_back(i);
-    if (!contains(reduction.fixed_unknowns(), i)) whole.columns.push_back(i);
-  }
-  whole.cut(problem, pairs);
+std::vector<unsigned char> positive(const std::vector<double>& z) {
+  double largest = 0;
+  for (const double x : z) largest = std::max(largest, std::abs(x));
   std::vector<unsigned char> active;
-  for (const Index j : whole.columns) active.push_back(answer.basic[static_cast<std::size_t>(j)]);
-  OwnedLemke<double> lemke(whole.problem.size);
-  if (lemke.init(whole.problem, options.lemke, active.data()) != Status::running) return false;
-  if (lemke.solve(*options.watcher) != Status::solved) return false;
-  answer.pivots += lemke.pivots();
-  answer.z.assign(static_cast<std::size_t>(n), 0.0);
-  for (std::size_t k = 0; k < whole.columns.size(); ++k) {
-    const auto j = static_cast<std::size_t>(whole.columns[k]);
-    answer.z[j] = lemke.z()[k];
-    answer.basic[j] = lemke.is_basic(static_cast<Index>(k)) ? 1 : 0;
-  }
-  return true;
+  for (const double x : z) active.push_back(x > near_enough * largest ? 1 : 0);
+  return active;
 }
 
-RawAnswer solve_mixed(const RawProblem& problem, const RawOptions& options,
-                      SingularBlock singular) {
-  const Index n = problem.M.rows;
-  RawAnswer answer;
-  Owned<Reduction<double>> reduction(reduction_scalars(n), reduction_integers(n));
-  if (reduction.init(n, problem.M.values.data(), problem.q.values.data(), problem.free.data(),
-                     singular) != Status::solved) {
-    answer.inconsistent_row = reduction.inconsistent_row();
-    return answer;
+RawAnswer solve_piece(const RawProblem& problem, const RawOptions& options,
+                      const std::vector<double>& near, int level) {
+  Attempts attempts(problem, options);
+  const DensePiece plain(problem, DensePiece::Scaled::no);
+  if (!near.empty() && attempts.from(plain, positive(near), Guess::near)) {
+    attempts.answer().covers = 1;
+    return attempts.answer();
   }
-  for (const int row : reduction.redundant_rows()) answer.redundant_rows.push_back(row);
+  if (!attempts.cold(plain, options.lemke) && !attempts.hopeless() && options.searches)
+    search_further(problem, options, level, attempts);
+  return attempts.answer();
+}
 
-  OwnedLemke<double> lemke(reduction.problem().size);
-  pivot(lemke, reduction.problem(), options, answer);
-  if (answer.status == Status::ray) {
-    answer.ray.resize(static_cast<std::size_t>(n));
-    reduction.recover_direction(lemke.ray(), answer.ray.data());
+/// The answer of a piece goes to its rows. A failure becomes that of the whole.
+void merge(const std::vector<Index>& rows, const RawAnswer& part, RawAnswer& whole) {
+  whole.pivots += part.pivots;
+  whole.covers = std::max(whole.covers, part.covers);
+  whole.search.starts += part.search.starts;
+  for (const Index row : part.redundant_rows)
+    whole.redundant_rows.push_back(rows[static_cast<std::size_t>(row)]);
+  if (part.inconsistent_row >= 0)
+    whole.inconsistent_row = rows[static_cast<std::size_t>(part.inconsistent_row)];
+  const bool is_solved = part.status == Status::solved;
+  if (!is_solved) {
+    whole.status = part.status;
+    whole.reason = part.reason;
+    whole.search.whole = part.search.whole;
   }
-  if (answer.status != Status::solved) return answer;
-  answer.z.resize(static_cast<std::size_t>(n));
-  reduction.recover(lemke.z(), answer.z.data());
-  answer.basic.assign(problem.free.begin(), problem.free.end());
-  for (const int j : reduction.fixed_unknowns()) answer.basic[static_cast<std::size_t>(j)] = 0;
-  for (Index k = 0; k < reduction.problem().free_begin; ++k) {
-    const ReducedUnknown pair = reduction.unknown_of(k);
-    answer.basic[static_cast<std::size_t>(pair.index)] = lemke.is_basic(k) != pair.swapped ? 1 : 0;
+  if (!part.ray.empty()) whole.ray.assign(whole.z.size(), 0.0);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const auto i = static_cast<std::size_t>(rows[k]);
+    if (is_solved) {
+      whole.z[i] = part.z[k];
+      whole.basic[i] = part.basic[k];
+    }
+    if (!part.ray.empty()) whole.ray[i] = part.ray[k];
   }
-  if (!certify(problem, reduction, options, answer)) {
-    answer.status = Status::numerical_breakdown;
-    answer.reason = Reason::residual;
+}
+
+/// Largest entry 1.
+void normalise(std::vector<double>& ray) {
+  double largest = 0;
+  for (const double x : ray) largest = std::max(largest, std::abs(x));
+  for (double& x : ray) x /= largest > 0 ? largest : 1;
+}
+
+RawAnswer solve_by_sweeps(const RawProblem& problem, const RawOptions& options) {
+  RawAnswer answer;
+  answer.bad_diagonal = first_bad_diagonal(problem);
+  if (answer.bad_diagonal >= 0) return answer;
+  sweep_rows(problem, options, options.lemke.tolerances.residual, answer);
+  for (Index i = 0; i < problem.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    answer.basic.push_back(problem.is_free(i) || answer.z[at] > 0 ? 1 : 0);
   }
   return answer;
 }
 
-/// Lemke's pivots from zero.
-RawAnswer solve_cold(const RawProblem& problem, const RawOptions& options) {
-  const auto pairs = std::count(problem.free.begin(), problem.free.end(), 0);
-  if (pairs == problem.M.rows) return solve_standard(problem, options);
-  // Bounding keeps the class that Lemke is proved for; exchanging reaches what it leaves out.
-  RawAnswer answer = solve_mixed(problem, options, SingularBlock::bound);
-  if (answer.status == Status::solved || answer.inconsistent_row >= 0) return answer;
-  RawAnswer other = solve_mixed(problem, options, SingularBlock::exchange);
-  other.pivots += answer.pivots;
-  other.covers += answer.covers;
-  return other.status == Status::solved || answer.status != Status::ray ? other : answer;
+/// A problem without boxes.
+RawAnswer solve_complementary(const RawProblem& problem, const RawOptions& options,
+                              const std::vector<double>& near) {
+  if (!options.searches) return solve_piece(problem, options, near, 0);
+  return solve_by_pivots(problem, options, near);
 }
 
-} // namespace
-
-WorstRow<double> raw_residual(const RawProblem& problem, const std::vector<double>& z,
-                              std::vector<double>& w) {
-  const std::size_t n = z.size();
-  std::vector<double> unit(n, 1.0), scratch(2 * n);
-  w.resize(n);
-  const auto is_free = [&](Index i) { return problem.free[static_cast<std::size_t>(i)] != 0; };
-  return natural_residual(as_given(problem), problem.q.values.data(), z.data(), unit.data(),
-                          is_free, w.data(), scratch.data());
-}
-
-RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options) {
-  RawAnswer answer = solve_cold(problem, options);
+RawAnswer solve_in_box(const RawProblem& problem, const RawOptions& options,
+                       const std::vector<double>& near) {
+  const BoxForm form(problem);
+  RawAnswer answer =
+      solve_complementary(form.problem(), options, near.empty() ? near : form.inside(near));
+  form.take_back(answer);
   if (answer.status != Status::solved) return answer;
   answer.residual = raw_residual(problem, answer.z, answer.w).residual;
   if (!(answer.residual <= options.lemke.tolerances.residual)) {
@@ -140,6 +105,68 @@ RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options) 
     answer.reason = Reason::residual;
   }
   return answer;
+}
+
+RawAnswer solve_with_pivots(const RawProblem& problem, const RawOptions& options,
+                            const std::vector<double>& near) {
+  return problem.bounds.given() ? solve_in_box(problem, options, near)
+                                : solve_complementary(problem, options, near);
+}
+
+RawAnswer solve_hybrid(const RawProblem& problem, const RawOptions& options) {
+  RawAnswer near;
+  if (first_bad_diagonal(problem) < 0) sweep_rows(problem, options, near_enough, near);
+  // Sweeps that have come nowhere near are no start.
+  RawAnswer answer = solve_with_pivots(problem, options, near.z);
+  answer.sweeps = near.sweeps;
+  answer.history = near.history;
+  return answer;
+}
+
+} // namespace
+
+RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options,
+                          const std::vector<double>& near, int level) {
+  const auto n = static_cast<std::size_t>(problem.size());
+  RawAnswer answer;
+  answer.status = Status::solved;
+  answer.z.assign(n, 0.0);
+  answer.basic.assign(n, 0);
+  const std::vector<std::vector<Index>> pieces = pieces_of(problem.M);
+  answer.search.pieces = static_cast<Index>(pieces.size());
+  for (const std::vector<Index>& rows : pieces) {
+    const RawAnswer part = pieces.size() == 1
+                               ? solve_piece(problem, options, near, level)
+                               : solve_piece(cut_out(problem, rows), options,
+                                             near.empty() ? near : at_rows(near, rows), level);
+    merge(rows, part, answer);
+    if (part.status != Status::solved) break;
+  }
+  std::sort(answer.redundant_rows.begin(), answer.redundant_rows.end());
+  normalise(answer.ray);
+  if (answer.status != Status::solved) {
+    answer.z.clear();
+    answer.basic.clear();
+    return answer;
+  }
+  answer.residual = raw_residual(problem, answer.z, answer.w).residual;
+  if (!(answer.residual <= options.lemke.tolerances.residual)) {
+    answer.status = Status::numerical_breakdown;
+    answer.reason = Reason::residual;
+  }
+  return answer;
+}
+
+RawAnswer solve_raw(const RawProblem& problem, const RawOptions& given) {
+  Watcher nobody;
+  RawOptions options = given;
+  if (options.watcher == nullptr) options.watcher = &nobody;
+  switch (options.solver) {
+  case Solver::gauss_seidel: return solve_by_sweeps(problem, options);
+  case Solver::hybrid: return solve_hybrid(problem, options);
+  case Solver::lemke: break;
+  }
+  return solve_with_pivots(problem, options, {});
 }
 
 } // namespace lcpush::desktop

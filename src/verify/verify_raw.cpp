@@ -1,4 +1,5 @@
 #include "lcpush/desktop/verify.hpp"
+#include "text/limits.hpp"
 #include "verify/foreign_point.hpp"
 
 #include <algorithm>
@@ -7,24 +8,81 @@
 namespace lcpush::desktop {
 namespace {
 
-bool is_feasible(const DenseProblem& problem, const Eigen::VectorXd& z, double tolerance) {
-  const Eigen::VectorXd w = problem.w(z);
-  const double z_size = z.cwiseAbs().maxCoeff();
-  const Eigen::VectorXd w_size = problem.M.cwiseAbs() * z.cwiseAbs() + problem.q.cwiseAbs();
-  for (Index i = 0; i < z.size(); ++i) {
-    const double least = -tolerance * w_size[i];
-    if (problem.is_free(i) ? !(std::abs(w[i]) <= -least)
-                           : !(w[i] >= least && z[i] >= -tolerance * z_size))
+/// Every row but the products, each by the size of its terms.
+bool is_feasible(const RawProblem& problem, const std::vector<double>& z,
+                 const std::vector<double>& w, double tolerance) {
+  double z_size = 0;
+  for (const double x : z) z_size = std::max(z_size, std::abs(x));
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    double w_size = std::abs(problem.q[i]);
+    for (const SparseEntry& entry : problem.M.row(static_cast<Index>(i)))
+      w_size += std::abs(entry.value * z[static_cast<std::size_t>(entry.column)]);
+    const double least = -tolerance * w_size;
+    if (problem.free[i] != 0 ? !(std::abs(w[i]) <= -least)
+                             : !(w[i] >= least && z[i] >= -tolerance * z_size))
       return false;
   }
   return true;
+}
+
+double burmeister(double a, double b) { return std::isinf(a) ? -b : std::hypot(a, b) - a - b; }
+
+/// In a box as well: phi(z - lo, phi(hi - z, -w)), and z'w is what each end adds.
+ForeignMetrics measure(const RawProblem& problem, const std::vector<double>& z,
+                       const std::vector<double>& w) {
+  ForeignMetrics metrics;
+  double squares = 0;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    const BoxEnds ends = ends_of(problem, static_cast<Index>(i), z);
+    const double above_lo = z[i] - ends.lo, below_hi = ends.hi - z[i];
+    const double natural = std::min(std::max(-below_hi, w[i]), above_lo);
+    metrics.natural_map = std::max(metrics.natural_map, std::abs(natural));
+    const double phi = burmeister(above_lo, burmeister(below_hi, -w[i]));
+    squares += phi * phi;
+    const double room = w[i] > 0 || std::isinf(below_hi) ? above_lo : -below_hi;
+    if (std::isfinite(room)) metrics.products += room * w[i];
+  }
+  metrics.fischer_burmeister = std::sqrt(squares);
+  return metrics;
+}
+
+/// The matrix written out, for what looks at it as a whole.
+DenseProblem written_out(const RawProblem& problem) {
+  const Index n = problem.size();
+  DenseProblem dense{Eigen::MatrixXd::Zero(n, n),
+                     Eigen::Map<const Eigen::VectorXd>(problem.q.data(), n), problem.free};
+  for (Index i = 0; i < n; ++i)
+    for (const SparseEntry& entry : problem.M.row(i)) dense.M(i, entry.column) = entry.value;
+  return dense;
+}
+
+/// The largest |a_i - b_i|.
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+double size_of(const std::vector<double>& z) {
+  return distance(z, std::vector<double>(z.size(), 0.0));
+}
+
+/// lcpush's own answer beside `nearest`.
+void compare(const RawProblem& problem, const std::vector<double>& nearest,
+             RawVerifyReport& report) {
+  const RawAnswer own = solve_raw(problem, RawOptions());
+  report.own.status = own.status;
+  if (own.status != Status::solved) return;
+  report.own.force = distance(nearest, own.z);
+  if (report.own.force <= std::max(1e-6, 10 * report.tolerance) * size_of(own.z))
+    report.verdict = Verdict::same_solution;
 }
 
 } // namespace
 
 RawVerifyReport verify_raw(const RawProblem& problem, const std::vector<double>& z,
                            const VerifyOptions& options) {
-  const Index n = problem.M.rows;
+  const Index n = problem.size();
   RawVerifyReport report;
   report.tolerance = options.tolerance;
   if (static_cast<Index>(z.size()) != n) {
@@ -32,41 +90,36 @@ RawVerifyReport verify_raw(const RawProblem& problem, const std::vector<double>&
                      std::to_string(n) + " unknowns";
     return report;
   }
-  const DenseProblem dense{Eigen::Map<const Eigen::MatrixXd>(problem.M.values.data(), n, n),
-                           Eigen::Map<const Eigen::VectorXd>(problem.q.values.data(), n),
-                           problem.free};
-  const Eigen::VectorXd point = Eigen::Map<const Eigen::VectorXd>(z.data(), n);
   std::vector<double> w;
   const WorstRow<double> worst = raw_residual(problem, z, w);
   report.residual = worst.residual;
   report.row = worst.row;
-  report.metrics = measure_point(dense, point);
+  report.metrics = measure(problem, z, w);
   if (report.row >= 0) {
-    report.z = point[report.row];
-    report.w = dense.w(point)[report.row];
+    report.z = z[static_cast<std::size_t>(report.row)];
+    report.w = w[static_cast<std::size_t>(report.row)];
   }
+  const bool looks_whole = n <= limits::unknowns_refined && !problem.bounds.given();
+  const DenseProblem dense = looks_whole ? written_out(problem) : DenseProblem{};
+  const Eigen::VectorXd point = Eigen::Map<const Eigen::VectorXd>(z.data(), n);
   std::vector<double> nearest = z;
-  if (const auto refined = refine_point(dense, point)) {
+  if (const auto refined = looks_whole ? refine_point(dense, point) : std::nullopt) {
     report.refined.found = true;
     const std::vector<double> found(refined->data(), refined->data() + n);
-    report.refined.residual = raw_residual(problem, found, w).residual;
-    report.refined.moved = (*refined - point).cwiseAbs().maxCoeff();
+    std::vector<double> found_w;
+    report.refined.residual = raw_residual(problem, found, found_w).residual;
+    report.refined.moved = distance(found, z);
     if (report.refined.residual < report.residual) nearest = found;
   }
   if (!(report.residual <= options.tolerance)) {
-    const bool stuck = is_feasible(dense, point, options.tolerance) && is_stationary(dense, point);
+    const bool stuck =
+        looks_whole && is_feasible(problem, z, w, options.tolerance) && is_stationary(dense, point);
     report.verdict = stuck ? Verdict::spurious_minimum : Verdict::not_a_solution;
     report.because = "row " + std::to_string(report.row + 1);
     return report;
   }
   report.verdict = Verdict::other_solution;
-  const RawAnswer own = solve_raw(problem, RawOptions());
-  report.own.status = own.status;
-  if (own.status != Status::solved) return report;
-  const Eigen::Map<const Eigen::VectorXd> near(nearest.data(), n), mine(own.z.data(), n);
-  report.own.force = (near - mine).cwiseAbs().maxCoeff();
-  if (report.own.force <= std::max(1e-6, 10 * options.tolerance) * mine.cwiseAbs().maxCoeff())
-    report.verdict = Verdict::same_solution;
+  if (largest_piece(problem) <= largest_dimension) compare(problem, nearest, report);
   return report;
 }
 

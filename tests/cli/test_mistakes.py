@@ -19,6 +19,7 @@ MATRIX = "%%MatrixMarket matrix array real general\n"
 FILES = {
     "good.toml": SCENE, "empty.toml": "", "comments.toml": "# nothing yet\n", "zeros.toml": "\0\1\2",
     "M.mtx": MATRIX + "2 2\n2\n1\n1\n2\n", "q.mtx": MATRIX + "2 1\n-5\n-6\n",
+    "packed.mtx": "\x1f\udc8b\x08",  # the first bytes of gzip
     "q3.mtx": MATRIX + "3 1\n-5\n-6\n-7\n", "empty.json": "{}", "open.json": "[1,2",
 }
 
@@ -79,6 +80,20 @@ COMMANDS = [
     ("lcp --M '2 1; 1' --q '1 2'", "--M: row 2: expected 2 numbers, as in row 1, got 1"),
     ("lcp --M '2 1; 1 2' --q 1", "--q: q must be 2 x 1"),
     ("lcp --M '2 1; 1 2' --q '1 2' --free 3", "--free is a list of rows from 1 to 2"),
+    ("lcp M.mtx q.mtx --lo 2 --hi 1", "--lo: row 1: the lower end 2 is above the upper end 1"),
+    ("lcp M.mtx q.mtx --lo q3.mtx", "q3.mtx: --lo has 3 numbers, M has 2 rows"),
+    ("lcp M.mtx q.mtx --lo '1 2 3'", "--lo: --lo has 3 numbers, M has 2 rows"),
+    ("lcp M.mtx q.mtx --lo nofile.mtx", "nofile.mtx: cannot be read"),
+    ("lcp M.mtx q.mtx --lo M.mtx", "M.mtx: --lo must be 2 x 1, but it is 2 x 2"),
+    ("lcp M.mtx q.mtx --findex '-1 0'", "--findex needs --hi"),
+    ("lcp M.mtx q.mtx --hi '1 1' --findex '-1 1'", "--findex: row 2 follows itself (rows count from 0)"),
+    ("lcp M.mtx q.mtx --hi '1 1' --findex '-1 2'", "--findex: row 2 follows 2; give -1, or a row counted from 0"),
+    ("lcp M.mtx q.mtx --hi '1 inf' --findex '-1 0'", "--hi: row 2 follows another row: its --hi is the friction"),
+    ("lcp M.mtx q.mtx --hi '1 1' --findex '1 0'", "which follows a row itself"),
+    ("lcp M.mtx q.mtx --lo -1 --hi '1 1' --findex '-1 0'", "which may be negative; its --lo must be >= 0"),
+    ("lcp M.mtx q.mtx --hi 1 --free 1", "--free goes without --lo, --hi and --findex"),
+    ("lcp packed.mtx q.mtx", "packed.mtx:1: the file is compressed; unpack it on the way: gunzip -c FILE"),
+    ("verify good.toml empty.json --lo 0", "--lo goes with --lcp"),
     ("export good.toml", "say where to: -o DIRECTORY"),
     ("export good.toml --target mosek -o out", 'unknown option "--target"'),
     ("report good.toml -o x.png", "does not write .png files"),
@@ -172,7 +187,7 @@ class Mistakes(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         (self.folder / "folder").mkdir()
         for name, text in FILES.items():
-            (self.folder / name).write_text(text)
+            (self.folder / name).write_text(text, errors="surrogateescape")
         self.names = sorted(os.listdir(self.folder))
 
     def run_tool(self, words, text=""):

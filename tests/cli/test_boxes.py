@@ -1,0 +1,89 @@
+"""lcpush lcp and verify --lcp in boxes: --lo, --hi and --findex, from files, typed, and from standard input."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOL = sys.argv.pop(1)
+sys.argv.pop(1)  # the sources' folder
+ARRAY = "%%MatrixMarket matrix array real general\n"
+CONTACT = ("--M", "2 0; 0 2", "--q", "-5 -3")
+
+
+def run(*words, text=""):
+    return subprocess.run([TOOL, *map(str, words)], input=text, capture_output=True, text=True, timeout=60)
+
+
+def answer(*words, text=""):
+    return json.loads(run("lcp", *words, "--json", text=text).stdout)
+
+
+class Boxes(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def file(self, name, *numbers):
+        path = self.folder / name
+        path.write_text(f"{ARRAY}{len(numbers)} 1\n" + "\n".join(numbers) + "\n")
+        return path
+
+    def test_ends_are_files_or_numbers_or_one_for_all(self):
+        typed = answer(*CONTACT, "--lo", "-1 -1", "--hi", "1 1")
+        self.assertEqual((typed["status"], typed["z"], typed["at"]), ("solved", [1, 1], ["hi", "hi"]))
+        self.assertIsNone(typed["basis"])
+        self.assertEqual(answer(*CONTACT, "--lo", "-1", "--hi", "1"), typed)
+        files = answer(*CONTACT, "--lo", self.file("lo.mtx", "-1", "-1"), "--hi", self.file("hi.mtx", "1", "1"))
+        self.assertEqual(files, typed)
+        self.assertEqual(answer(*CONTACT, "--hi", self.file("hi.mtx", "inf", "Infinity"))["z"], [2.5, 1.5])
+        self.assertEqual(answer(*CONTACT, "--lo", "-inf", "--hi", "inf")["at"], ["between", "between"])
+
+    def test_a_row_follows_another_ones_force(self):
+        for solver in ("lemke", "gauss-seidel", "hybrid"):
+            found = answer(*CONTACT, "--hi", "inf 0.5", "--findex", "-1 0", "--solver", solver)
+            self.assertEqual((found["status"], found["z"], found["at"]),
+                             ("solved", [2.5, 1.25], ["between", "hi"]), solver)
+        self.assertIn("between", run("lcp", *CONTACT, "--hi", "inf 0.5", "--findex", "-1 0").stdout)
+
+    def test_verify_judges_in_the_form_given(self):
+        path = self.folder / "z.json"
+        for z, valid in (([2.5, 1.25], True), ([2.5, 1.5], False), ([2.5, -1.25], False)):
+            path.write_text(json.dumps({"z": z}))
+            result = run("verify", *CONTACT, path, "--hi", "inf 0.5", "--findex", "-1 0", "--json")
+            report = json.loads(result.stdout)
+            self.assertEqual(report["valid"] if "valid" in report else result.returncode == 0, valid, report)
+            self.assertEqual(result.returncode, 0 if valid else 1)
+            if valid:
+                self.assertEqual((report["verdict"], report["products"] if "products" in report else 0),
+                                 ("same solution", 0))
+
+    def test_matrices_come_from_standard_input_and_may_be_empty(self):
+        q = self.file("q.mtx", "-5", "-6")
+        matrix = ARRAY.replace("general", "symmetric") + "2 2\n2 1\n2\n"
+        self.assertEqual(answer("-", q, text=matrix)["w"], [0, 0])
+        empty = self.folder / "empty.mtx"
+        empty.write_text(ARRAY + "0 0\n")
+        none = self.folder / "none.mtx"
+        none.write_text(ARRAY + "0 1\n")
+        found = answer(empty, none)
+        self.assertEqual((found["status"], found["z"], found["pieces"]), ("solved", [], 0))
+
+    def test_large_pieces_are_announced_and_gauss_seidel_needs_none(self):
+        n, lines = 2001, []
+        for i in range(1, n + 1):
+            lines.append(f"{i} {i} 2.5")
+            if i < n:
+                lines.append(f"{i + 1} {i} -1")
+        M = self.folder / "chain.mtx"
+        M.write_text(f"%%MatrixMarket matrix coordinate real symmetric\n{n} {n} {len(lines)}\n" + "\n".join(lines))
+        q = self.file("q.mtx", *["1"] * n)
+        told = " ".join(run("lcp", M, q).stderr.split())
+        self.assertIn("lcpush: 2001 unknowns in one piece: pivots store 0.1 GB", told)
+        self.assertIn("--solver gauss-seidel stores only what is not zero", told)
+        self.assertEqual(run("lcp", M, q, "--solver", "gauss-seidel").stderr, "")
+
+
+unittest.main()
