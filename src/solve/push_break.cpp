@@ -100,8 +100,7 @@ Status Push::rest(const PushOptions& options) {
     const std::vector<double> z = rest_by_friction(assembly_, work_.pressure.preload.data);
     if (!z.empty()) {
       read_answer(assembly_, z.data(), work_.answer, 0.0);
-      const Residuals<double> worst =
-          check(assembly_.scene(), layout().scales, work_.answer, 0.0);
+      const Residuals<double> worst = check(assembly_.scene(), layout().scales, work_.answer, 0.0);
       if (worst.max() <= Tolerances<double>().residual) return Status::solved;
     }
   }

@@ -15,8 +15,8 @@ bool spread_friction(double along, double across, double limit, Index g, double*
   if (!(size > 0)) return true;
   constexpr double turn = 6.283185307179586;
   const double angle = std::atan2(across, along) / turn;
-  const auto j = static_cast<Index>(
-      std::floor((angle < 0 ? angle + 1 : angle) * static_cast<double>(g)));
+  const auto j =
+      static_cast<Index>(std::floor((angle < 0 ? angle + 1 : angle) * static_cast<double>(g)));
   const Index k = j % g, next = (j + 1) % g;
   const double c = circle_cosine<double>(k, g), s = circle_sine<double>(k, g);
   const double c_next = circle_cosine<double>(next, g), s_next = circle_sine<double>(next, g);
@@ -46,8 +46,8 @@ std::vector<double> rest_by_friction(const Assembly<double>& assembly, const dou
     for (Index k = 2; scene.planar && k <= 4; ++k) does[k] = 0; // nothing moves out of the plane
     for (const Drive<double>& drive : scene.drives)
       if (drive.body == layout.body[i])
-        does[6 + drive.actuator] += laws::grip_coefficient(
-            drive, wrench, layout.reach[drive.actuator], layout.scales);
+        does[6 + drive.actuator] +=
+            laws::grip_coefficient(drive, wrench, layout.reach[drive.actuator], layout.scales);
     return does;
   };
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(balances, balances);

@@ -131,7 +131,8 @@ private:
   Index pivots_of_try_ = 0;
   Index repairs_ = 0; // refactorisations since the try began
   Index entering_ = -1;
-  bool covered_ = true; // false: started from given unknowns, covered when it turns out to be needed
+  bool covered_ =
+      true;            // false: started from given unknowns, covered when it turns out to be needed
   bool fresh_ = false; // no pivot since the basis was last factored from the problem as given
   Status status_ = Status::bad_input;
   Reason reason_ = Reason::none;

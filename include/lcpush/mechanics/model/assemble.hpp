@@ -152,10 +152,10 @@ private:
         add_force(variable, normal, A_b);
         if (cone.normals == 2) add_force(variable + 1, -normal, A_b);
         for (Index j = 0; j < g; ++j)
-          add_force(variable + cone.normals + j,
-                    laws::friction_direction(body, p, generator_at(i, cone.normals, j),
-                                             layout_.scales),
-                    A_b);
+          add_force(
+              variable + cone.normals + j,
+              laws::friction_direction(body, p, generator_at(i, cone.normals, j), layout_.scales),
+              A_b);
         if (g > 0) memory_.rest[cone.slip()] = memory_.push[cone.slip()] = S(0);
         variable += cone.size();
       }

@@ -49,9 +49,9 @@ template <class S> constexpr S quarter_cosine(Index j, Index g) {
   const S x = circle_angle<S>(g - 4 * j, 4 * g);
   return sine_series(x, x, 2);
 }
-/// The same numbers for multiples of a 64th of the circle, computed by the compiler: in the working precision, so
-/// that the bits are those of the series. Used for powers of two g alone: there reducing j / g
-/// rounds nothing.
+/// The same numbers for multiples of a 64th of the circle, computed by the compiler: in the working
+/// precision, so that the bits are those of the series. Used for powers of two g alone: there
+/// reducing j / g rounds nothing.
 template <class S> struct CosineTable {
   static constexpr Index steps = 64;
   S quarter[steps / 4 + 1];
