@@ -124,17 +124,20 @@ private:
     }
   }
 
-  /// From x towards z as far as nothing turns negative; what reaches zero leaves.
+  /// From x towards z as far as nothing turns negative; what reaches zero leaves. Every turn but
+  /// the last lets one leave.
   void move_there(const Balance<S>& target) {
-    for (;;) {
+    const auto reach = [&](Index k) { return S(x_[k] / (x_[k] - z_[k])); };
+    const auto blocks = [&](Index k) { return !(z_[k] > S(0)) && x_[k] > z_[k]; };
+    for (Index turn = 0; turn <= most_balances; ++turn) {
       S share(1);
       for (Index k = 0; k < count_; ++k)
-        if (!(z_[k] > S(0)) && x_[k] < share * (x_[k] - z_[k])) share = x_[k] / (x_[k] - z_[k]);
+        if (blocks(k) && reach(k) < share) share = reach(k);
       const bool arrives = !(share < S(1));
       const Index before = count_;
       count_ = 0;
       for (Index k = 0; k < before; ++k) {
-        const bool leaves = !arrives && !(z_[k] > S(0)) && !(x_[k] > share * (x_[k] - z_[k]));
+        const bool leaves = !arrives && blocks(k) && !(reach(k) > share);
         const S moved = arrives ? S(z_[k]) : S(x_[k] + share * (z_[k] - x_[k]));
         const Ray ray = rays_[k];
         const Balance<S> column = columns_.col(k);
