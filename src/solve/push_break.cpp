@@ -1,6 +1,7 @@
 // Push: the grasp without a push, and the push that breaks it.
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/push_rounds.hpp"
+#include "solve/rest_by_friction.hpp"
 #include "solve/scene_image.hpp"
 #include "text/limits.hpp"
 
@@ -90,6 +91,23 @@ Status holding_verdict(const SceneFile& file, const Scene<double>& scene, const 
   return report.status;
 }
 
+/// Solves the assembled hand at rest: without pivots where friction plainly holds the load, which
+/// the laws' own check confirms. Few points are pivoted all the same: that costs nothing.
+Status Push::rest(const PushOptions& options) {
+  if (options.solver == Solver::lemke && takes_structure(options)) {
+    assembly_.push_by(0.0);
+    pad_preload(assembly_, work_.pressure);
+    const std::vector<double> z = rest_by_friction(assembly_, work_.pressure.preload.data);
+    if (!z.empty()) {
+      read_answer(assembly_, z.data(), work_.answer, 0.0);
+      const Residuals<double> worst = check(assembly_.scene(), layout().scales, work_.answer, 0.0);
+      if (worst.max() <= Tolerances<double>().residual) return Status::solved;
+    }
+  }
+  PressureRun ignored;
+  return run(options, 0.0, ignored);
+}
+
 HoldReport Push::holds_without_push(const PushOptions& options) {
   const SceneFile alone = hand_at_rest(file_);
   HoldReport report;
@@ -103,8 +121,7 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
   }
   const EvenScene even(alone.view());
   assembly_.assemble(even.scene);
-  PressureRun ignored;
-  report.status = run(options, 0.0, ignored);
+  report.status = rest(options);
   if (report.status == Status::solved) {
     const double tolerance = rest_tolerance(options.solver);
     report.acceleration = work_.answer.acceleration;

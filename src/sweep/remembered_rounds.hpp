@@ -44,6 +44,7 @@ template <class Pivots> class RememberedRounds {
 
 public:
   static constexpr bool carries_push = true;
+  static constexpr bool predicts = false;
 
   RememberedRounds(Pivots& lemke, RoundMemory& memory)
       : then_(RememberedStart{memory}, Then(lemke)) {}

@@ -67,6 +67,7 @@ private:
   template <class Pivots, class Use>
   Status with_pivots(const PushOptions& options, Pivots& pivots, Watcher& watcher, const Use& use);
   Status run(const PushOptions& options, double sigma, PressureRun& run);
+  Status rest(const PushOptions& options);
   Status break_grasp(const PushOptions& options, Index pusher, Breaking<double>& breaking,
                      PressureRun& run);
   void name_file_bodies();

@@ -131,6 +131,8 @@ private:
   Index pivots_of_try_ = 0;
   Index repairs_ = 0; // refactorisations since the try began
   Index entering_ = -1;
+  bool covered_ =
+      true;            // false: started from given unknowns, covered when it turns out to be needed
   bool fresh_ = false; // no pivot since the basis was last factored from the problem as given
   Status status_ = Status::bad_input;
   Reason reason_ = Reason::none;
@@ -185,6 +187,7 @@ private:
   void load();
   void cover_cold();
   void cover_here();
+  bool is_feasible() const;
   void bound_rhs() {
     if (finite_rhs() > 0) basis_.set_bound_rhs(problem_.free_begin, column_scale_, rhs_scale_[0]);
   }
@@ -196,6 +199,7 @@ private:
   template <class Watcher> Status advance(Watcher& watcher);
   Status try_next_covering_vector();
   Status accept();
+  void read(Index rhs);
   void refine(Index rhs);
   WorstRow<S> referee(const S* q, const S* z) {
     return natural_residual(

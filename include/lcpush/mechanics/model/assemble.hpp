@@ -137,7 +137,12 @@ private:
     for (Index b = 0; b < scene.bodies.size; ++b) {
       const Body<S>& body = scene.bodies[b];
       const Vector6<S> A_b = laws::prescribed(body, layout_.scales);
-      const Index g = generator_count(scene, body);
+      const Index g = generator_count(scene, body), first_force = force;
+      // The directions are the body's: those of its first point are there to be read.
+      const auto generator_at = [&](Index i, Index normals, Index j) -> Generator<S> {
+        if (i == body.first_point) return generator(body, j, scene.facets);
+        return {memory_.wrenches[first_force + normals + j].template head<3>(), S(0)};
+      };
       for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
         const Vector3<S>& p = scene.points[i];
         const ConeGroup<S> cone = laws::friction_cone(body, g, force, variable);
@@ -147,8 +152,10 @@ private:
         add_force(variable, normal, A_b);
         if (cone.normals == 2) add_force(variable + 1, -normal, A_b);
         for (Index j = 0; j < g; ++j)
-          add_force(variable + cone.normals + j,
-                    laws::friction_direction(body, p, j, scene.facets, layout_.scales), A_b);
+          add_force(
+              variable + cone.normals + j,
+              laws::friction_direction(body, p, generator_at(i, cone.normals, j), layout_.scales),
+              A_b);
         if (g > 0) memory_.rest[cone.slip()] = memory_.push[cone.slip()] = S(0);
         variable += cone.size();
       }

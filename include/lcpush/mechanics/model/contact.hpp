@@ -29,7 +29,7 @@ namespace detail {
 /// Taylor's series, exact to rounding for 0 <= x <= pi/4. Own code, because the bits of a libm
 /// differ between machines. Each term is less than a third of the one before, so that after one
 /// that changes nothing no other does.
-template <class S> S sine_series(const S& x, S term, int k) {
+template <class S> constexpr S sine_series(const S& x, S term, int k) {
   S sum = term;
   for (; k < 26; k += 2) {
     term = -term * x * x / S(k * (k + 1));
@@ -39,9 +39,27 @@ template <class S> S sine_series(const S& x, S term, int k) {
   }
   return sum;
 }
-template <class S> S circle_angle(Index j, Index g) {
+template <class S> constexpr S circle_angle(Index j, Index g) {
   return S(6.283185307179586476925286766559L) * S(j) / S(g);
 }
+/// cos(2 pi j / g) in the first quarter.
+template <class S> constexpr S quarter_cosine(Index j, Index g) {
+  if (4 * j == g) return S(0);
+  if (8 * j <= g) return sine_series(circle_angle<S>(j, g), S(1), 1);
+  const S x = circle_angle<S>(g - 4 * j, 4 * g);
+  return sine_series(x, x, 2);
+}
+/// The same numbers for multiples of a 64th of the circle, computed by the compiler: in the working
+/// precision, so that the bits are those of the series. Used for powers of two g alone: there
+/// reducing j / g rounds nothing.
+template <class S> struct CosineTable {
+  static constexpr Index steps = 64;
+  S quarter[steps / 4 + 1];
+  constexpr CosineTable() : quarter{} {
+    for (Index k = 0; k <= steps / 4; ++k) quarter[k] = quarter_cosine<S>(k, steps);
+  }
+};
+template <class S> inline constexpr CosineTable<S> cosine_table{};
 } // namespace detail
 
 /// cos(2 pi j / g) for g even, through the circle's symmetries: multiples of 90 degrees are exactly
@@ -50,10 +68,12 @@ template <class S> S circle_cosine(Index j, Index g) {
   j = ((j % g) + g) % g;
   if (2 * j > g) j = g - j;
   if (4 * j > g) return -circle_cosine<S>(g / 2 - j, g);
-  if (4 * j == g) return S(0);
-  if (8 * j <= g) return detail::sine_series(detail::circle_angle<S>(j, g), S(1), 1);
-  const S x = detail::circle_angle<S>(g - 4 * j, 4 * g);
-  return detail::sine_series(x, x, 2);
+  if constexpr (std::is_floating_point_v<S>) {
+    constexpr Index steps = detail::CosineTable<S>::steps;
+    const bool is_power = (g & (g - 1)) == 0;
+    if (is_power && j * steps % g == 0) return detail::cosine_table<S>.quarter[j * steps / g];
+  }
+  return detail::quarter_cosine<S>(j, g);
 }
 
 /// sin(2 pi j / g), in the same way.

@@ -62,9 +62,10 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
     contact.closing_acceleration =
         acceleration_at<S>(scene.points[i], twist - sigma * body.acceleration).dot(body.normal);
     for (Index j = 0; j < g; ++j) {
-      const Generator<S> d = generator(body, j, scene.facets);
       const S beta = z[layout.friction_index(i, j)] * scales.force;
       answer.friction[entry++] = beta;
+      if (beta == S(0)) continue; // most are, and directions cost time
+      const Generator<S> d = generator(body, j, scene.facets);
       contact.friction_force += beta * d.force;
       contact.torsion += beta * d.torque;
     }

@@ -139,6 +139,9 @@ Status push_slowly(Assembly<S>& assembly, Rounds rounds, Workspace<S>& work, con
   push.sigma = size * scales.acceleration / unit;
   options.tolerance = Eigen::numext::maxi(S(size * Tolerances<S>().residual),
                                           S(512 * Eigen::NumTraits<S>::epsilon()));
+  // Pads that yield more than a slow push moves would turn every slip away from what was predicted.
+  constexpr S slow = S(1) / S(1000);
+  if (Rounds::predicts && size < slow) options.first_compliance *= size / slow;
   assembly.push_by(push.sigma);
   PressureRun one;
   rounds.demand(options.tolerance);

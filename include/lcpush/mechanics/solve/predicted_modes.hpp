@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lcpush/mechanics/model/assemble.hpp"
+#include "lcpush/mechanics/solve/expected_forces.hpp"
 #include "lcpush/mechanics/solve/rounds.hpp"
 
 namespace lcpush {
@@ -12,39 +13,6 @@ namespace detail {
 constexpr Index greatest_common_divisor(Index a, Index b) {
   return b == 0 ? a : greatest_common_divisor(b, a % b);
 }
-
-/// Forces that hold the object and the actuators independently of each other: more of them could
-/// not be basic together, unless a compliance tells them apart.
-template <class S> class IndependentForces {
-public:
-  explicit IndependentForces(const Assembly<S>& assembly) : assembly_(assembly) {}
-
-  /// As many as a hand that is usual has: 6 accelerations and its actuators.
-  static constexpr Index most = 12;
-  bool fits() const { return 6 + assembly_.factored().sums.size <= most; }
-
-  /// Is column `force` of G, of a contact of `body`, independent of those that were taken?
-  bool take(Index body, Index force) {
-    const Vector6<S>& wrench = assembly_.factored().wrenches[force];
-    Eigen::Matrix<S, most, 1> row = Eigen::Matrix<S, most, 1>::Zero();
-    row.template head<6>() = wrench;
-    for (const Drive<S>& drive : assembly_.scene().drives)
-      if (drive.body == body)
-        row[6 + drive.actuator] -= laws::grip_coefficient(
-            drive, wrench, assembly_.layout().reach[drive.actuator], assembly_.layout().scales);
-    const S size = row.norm();
-    for (Index l = 0; l < rank_; ++l) row -= taken_.col(l).dot(row) * taken_.col(l);
-    const S rest = row.norm();
-    if (rank_ == most || !(rest > size / S(1000))) return false;
-    taken_.col(rank_++) = row / rest;
-    return true;
-  }
-
-private:
-  const Assembly<S>& assembly_;
-  Eigen::Matrix<S, most, most> taken_;
-  Index rank_ = 0;
-};
 
 /// visit(body, point), a body's points such that neighbours in turn lie far apart: a golden section
 /// of its list is between one and the next.
@@ -88,7 +56,9 @@ void keep_independent(const Assembly<S>& assembly, bool sticks, Span<unsigned ch
 /// to rest: friction is most opposed to its fall, and no point slips. A guess: pivots from there
 /// end at an answer or say that they did not. Pre: `assembly` is of `scene`, pushed. Cost:
 /// O(forces).
-template <class S> void predict_modes(const Assembly<S>& assembly, Span<unsigned char> active) {
+template <class S>
+void predict_modes(const Assembly<S>& assembly, Span<unsigned char> active,
+                   const S* preload = nullptr) {
   const Scene<S>& scene = assembly.scene();
   const Problem<S> problem = assembly.problem();
   const FactoredProblem<S>& factored = *problem.factored;
@@ -125,6 +95,7 @@ template <class S> void predict_modes(const Assembly<S>& assembly, Span<unsigned
       if (!rests) active[cone.slip()] = 1;
     }
   }
+  if (!rests && detail::ExpectedForces<S>(assembly, by_forces, preload, active).find()) return;
   detail::keep_independent(assembly, rests, active);
 }
 
@@ -137,7 +108,7 @@ template <class S> struct PredictedStart {
 
   bool propose(const Problem<S>&, const PressureMemory<S>& memory, PressureRun&,
                FirstBasis& first) {
-    predict_modes(assembly, memory.active);
+    predict_modes(assembly, memory.active, memory.preload.data);
     first = {Guess::near, 2, assembly.layout().size / 2 + 16};
     return true;
   }

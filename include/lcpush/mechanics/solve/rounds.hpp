@@ -46,6 +46,7 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
   LemkeOptions<S> options;
   Watcher& watcher;
   static constexpr bool carries_push = true; ///< solves for the limit of a vanishing push exactly
+  static constexpr bool predicts = false;    ///< starts from the modes that one expects
 
   explicit LemkeRounds(Pivots& solver, const LemkeOptions<S>& its_options = {},
                        Watcher& its_watcher = unwatched)
@@ -122,6 +123,7 @@ template <class S, class Watcher = const Unwatched> struct SweepRounds {
   SweepOptions<S> options;
   Watcher& watcher;
   static constexpr bool carries_push = false;
+  static constexpr bool predicts = false;
 
   explicit SweepRounds(BlockGaussSeidel<S>& solver, const SweepOptions<S>& its_options = {},
                        Watcher& its_watcher = unwatched)
@@ -163,6 +165,7 @@ struct StartedRounds {
   Start start;
   LemkeRounds<S, Watcher, Pivots> then;
   static constexpr bool carries_push = true;
+  static constexpr bool predicts = Start::knows_breaking;
 
   StartedRounds(const Start& its_start, const LemkeRounds<S, Watcher, Pivots>& pivots)
       : start(its_start), then(pivots) {}

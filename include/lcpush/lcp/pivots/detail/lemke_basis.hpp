@@ -77,6 +77,7 @@ template <class S, class B> void Lemke<S, B>::cover_cold() {
       covering_(i, k) = k == 0 && options_.cover != nullptr ? S(options_.cover[i] * row_scale_[i])
                                                             : generic_number<S>(seed(k), i);
   load();
+  covered_ = true;
   entering_ = -1;
   tie_tolerance_ = options_.tolerances.tie;
   pivots_of_try_ = repairs_ = 0;
@@ -86,6 +87,7 @@ template <class S, class B> void Lemke<S, B>::cover_cold() {
 /// basis. In the problem as given they are w - M z of the point (z, w) that they describe.
 template <class S, class B> void Lemke<S, B>::cover_here() {
   const Index n = n_;
+  covered_ = true;
   for (Index k = 0; k < covering_.cols(); ++k) {
     trial_.setZero();
     covering_.col(k).setZero();
@@ -103,6 +105,17 @@ template <class S, class B> void Lemke<S, B>::cover_here() {
   }
   basis_.set_covering_vector(covering_.col(0),
                              [&](Index i) { return generic_number<S>(seed(0), i); });
+}
+
+/// Is every basic value >= 0, the right-hand sides taken in order? Then there is nothing to cover.
+template <class S, class B> bool Lemke<S, B>::is_feasible() const {
+  for (Index i = 0; i < n_; ++i)
+    for (Index k = 0; k < rhs_count_; ++k) {
+      const S value = basis_.dictionary.values(i, k);
+      if (value > tie_tolerance_) break;
+      if (!(value >= -tie_tolerance_)) return false;
+    }
+  return true;
 }
 
 /// out = R M C z.
@@ -148,18 +161,23 @@ template <class S, class B> bool Lemke<S, B>::drifted() {
   return !(product_.cwiseAbs().maxCoeff() <= allowed);
 }
 
-/// z at one right-hand side: read from the dictionary, then refined on the problem as given: the
-/// basis' response to a residual in the nonbasic w removes it.
-template <class S, class B> void Lemke<S, B>::refine(Index rhs) {
-  const Index n = n_;
-  const S scale = rhs_scale_[rhs];
+/// z at one right-hand side, from the dictionary.
+template <class S, class B> void Lemke<S, B>::read(Index rhs) {
   auto z = solution_.col(rhs);
   z.setZero();
-  for (Index i = 0; i < n; ++i)
-    if (basis_.dictionary.basic[i] >= n && basis_.dictionary.basic[i] < artificial(n)) {
-      const Index j = basis_.dictionary.basic[i] - n;
-      z[j] = basis_.dictionary.values(i, rhs) * scale * column_scale_[j];
+  for (Index i = 0; i < n_; ++i)
+    if (basis_.dictionary.basic[i] >= n_ && basis_.dictionary.basic[i] < artificial(n_)) {
+      const Index j = basis_.dictionary.basic[i] - n_;
+      z[j] = basis_.dictionary.values(i, rhs) * rhs_scale_[rhs] * column_scale_[j];
     }
+}
+
+/// The same, refined on the problem as given: the basis' response to a residual in the nonbasic w
+/// removes it.
+template <class S, class B> void Lemke<S, B>::refine(Index rhs) {
+  const Index n = n_;
+  auto z = solution_.col(rhs);
+  read(rhs);
   S before(-1);
   for (int round = 0; round < 4; ++round) {
     multiply(problem_, z.data(), product_.data());
@@ -258,7 +276,7 @@ Status Lemke<S, B>::init(const Problem<S>& problem, const LemkeOptions<S>& optio
   };
   if (left > 0 && (guess == Guess::basis || !drop())) return end_unfactored();
   bound_rhs();
-  cover_here();
+  covered_ = false;
   entering_ = -1;
   return status_;
 }

@@ -6,8 +6,10 @@
 namespace lcpush {
 
 template <class S, class B> template <class Watcher> Status Lemke<S, B>::start(Watcher& watcher) {
+  const bool is_done = !covered_ && is_feasible();
+  if (!covered_ && !is_done) cover_here();
   watcher.starts(*this);
-  if (n_ == 0) return accept();
+  if (n_ == 0 || is_done) return accept();
   const Index column = basis_.enter(artificial(n_));
   RatioTest<S> test(basis_.dictionary, rhs_count_, options_.tie_rule, ratio_tolerances(),
                     candidates_);
@@ -79,7 +81,10 @@ template <class S, class B> Status Lemke<S, B>::try_next_covering_vector() {
 /// that passes barely sits on a basis with a small violation, that a tie has hidden: look closer
 /// once, unless no other covering vector is left if that fails.
 template <class S, class B> Status Lemke<S, B>::accept() {
-  for (Index k = 0; k < rhs_count_; ++k) refine(k);
+  // The bound's values are written down, not computed: mostly nothing has to be refined.
+  for (Index k = 0; k < finite_rhs(); ++k) read(k);
+  if (!bound_is_slack()) refine(0);
+  for (Index k = finite_rhs(); k < rhs_count_; ++k) refine(k);
   if (!passes_check()) return reject();
   const bool barely = residual_.residual > options_.tolerances.residual / S(16);
   const bool is_last_try = options_.cover != nullptr || tries_ + 1 >= options_.covers;
