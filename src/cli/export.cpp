@@ -6,6 +6,7 @@
 #include "cli/scene_arguments.hpp"
 #include "lcpush/desktop/export.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -27,6 +28,7 @@ int run_export(const Arguments& arguments) {
   const std::optional<std::string> directory = arguments.value("--output");
   if (!directory) throw UsageError("say where to: -o DIRECTORY");
   const SceneFile file = read_scene_argument(arguments);
+  refuse_unknowns(arguments, file, limits::unknowns_exported, "files fit into 1 GB");
   const Export result = export_scene(file);
   const filesystem::path into(*directory);
   const std::string prefix = (into / "").string();

@@ -25,7 +25,8 @@ std::string overview(const std::vector<Command>& commands) {
   }
   text += "\nExample:\n  lcpush solve fixtures/scenes/straight_slide.toml\n\n"
           "`lcpush COMMAND --help` explains a command; `lcpush --version` says which "
-          "version this is.\n";
+          "version this is. No command takes more than about 1 GB of memory: what would is "
+          "refused before it is begun.\n";
   return wrapped(text, columns_of(Stream::output));
 }
 

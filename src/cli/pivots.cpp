@@ -91,6 +91,9 @@ desktop::PivotTrace trace(const desktop::PivotSubject& subject, const Arguments&
   options.keeps_fractions =
       arguments.has("--exact") ||
       (arguments.value("--format") == std::string("html") && subject.problem.M.rows <= quick);
+  // The page has no tableau but the first and the last: it pivots by itself.
+  if (arguments.value("--format") == std::string("html") && !arguments.has("--choose"))
+    options.most_entries = 0;
   options.rule = arguments.has("--first-row") ? TieRule::first_row : TieRule::lexicographic;
   options.z0_wins_ties = !arguments.has("--z0-last");
   options.cover = read_cover(arguments, subject.problem.M.rows);

@@ -1,10 +1,13 @@
 #include "cli/scene_arguments.hpp"
 
+#include <cmath>
 #include <iostream>
 
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
+#include "text/format.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 #include "text/wrap.hpp"
 
@@ -19,12 +22,32 @@ void refuse_unknowns(const Arguments& arguments, const SceneFile& file, Index mo
                      "; use fewer points or facets");
 }
 
+namespace {
+
+void refuse_size(const Arguments& arguments, const SceneFile& file, Needs needs) {
+  if (needs == Needs::matrix)
+    refuse_unknowns(arguments, file, limits::unknowns_matrix, "matrix fits into 1 GB");
+  else
+    refuse_unknowns(arguments, file, limits::unknowns_held, "solution fits into 1 GB");
+}
+
+} // namespace
+
+void refuse_samples(double samples, const SceneFile& file) {
+  const auto points = static_cast<double>(file.view().points.size);
+  const double most = std::floor(limits::memory /
+                                 (limits::bytes_a_sample + limits::bytes_a_sampled_point * points));
+  if (samples > most)
+    throw UsageError(desktop::printed("%.0f", samples) +
+                     " samples of this scene are more than the " + desktop::printed("%.0f", most) +
+                     " that fit into 1 GB; ask for fewer --steps");
+}
+
 SceneFile read_scene_argument(const Arguments& arguments, Needs needs) {
   if (arguments.files().empty()) refuse_no_scene();
   SceneFile file = read_scene(arguments.files()[0]);
   if (arguments.has("--strict")) refuse_doubts(file);
-  if (needs == Needs::matrix)
-    refuse_unknowns(arguments, file, largest_dimension, "matrix this command can hold");
+  refuse_size(arguments, file, needs);
   return file;
 }
 
@@ -55,8 +78,7 @@ VariedScene read_varied_scene(const Arguments& arguments, const std::string& pat
   if (const auto law = arguments.value("--pressure"))
     scene.set_pressure(one_of("--pressure", *law, pressure_names()));
   const SceneFile file = scene.as_given();
-  if (needs == Needs::matrix)
-    refuse_unknowns(arguments, file, largest_dimension, "matrix this command can hold");
+  refuse_size(arguments, file, needs);
   if (arguments.has("--strict")) refuse_doubts(file);
   return scene;
 }

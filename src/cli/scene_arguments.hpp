@@ -39,6 +39,9 @@ void write_answer(const Arguments& arguments, const std::string& format, const s
 void write_answer(const Arguments& arguments, const std::string& format, const std::string& text,
                   const SceneFile& file);
 
+/// More samples of a sweep than the memory's ceiling holds.
+void refuse_samples(double samples, const SceneFile& file);
+
 /// Refuses more unknowns than the `most` "whose `what`", such as "faces can be bounded".
 void refuse_unknowns(const Arguments& arguments, const SceneFile& file, Index most,
                      const std::string& what);

@@ -6,8 +6,22 @@
 #include "lcpush/mechanics/solve/breaking.hpp"
 #include "text/limits.hpp"
 
+#include <csignal>
+
 namespace lcpush::cli {
 namespace {
+
+volatile std::sig_atomic_t is_interrupted = 0;
+
+/// Once: the next one ends the process, as it would without this.
+void end_early(int) { is_interrupted = 1; }
+
+void listen_for_signals() {
+  struct sigaction action {};
+  action.sa_handler = end_early;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
 
 SpreadOptions spread_options(const Arguments& arguments) {
   constexpr double longest = 1e6;
@@ -35,6 +49,8 @@ int run_spread(const Arguments& arguments) {
     Progress progress;
     StatusLine line;
     options.watcher = &progress;
+    listen_for_signals();
+    options.is_interrupted = [] { return is_interrupted != 0; };
     options.progress = [&](double share) {
       if (line.is_due())
         line.show(line.seconds() + ", " + std::to_string(std::lround(100 * share)) +
@@ -66,7 +82,7 @@ Command spread_command() {
               {{"--break", "", "the force that just moves the object, and how it begins to move"},
                {"--enumerate", "", "look longer, a minute or so, for all contact modes"},
                {"--paths", "", "only what the covering vectors reach"},
-               {"--seconds", "S", "stop after that time, with what is found"},
+               {"--seconds", "S", "stop after that time, with what is found; so does Ctrl-C"},
                {"--covers", "N", "covering vectors of Lemke's method to start from (32)"},
                verbose_option}),
           1,

@@ -1,9 +1,11 @@
 // lcpush sweep: how the push changes with a number of the scene.
-#include "lcpush/desktop/sweep.hpp"
+#include <cmath>
+
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_arguments.hpp"
 #include "formats/read_number.hpp"
+#include "lcpush/desktop/sweep.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 
@@ -87,6 +89,8 @@ int run_sweep(const Arguments& arguments) {
   options.steps =
       arguments.whole("--steps", {2, varied.size() > 1 ? limits::map_steps : limits::sweep_steps})
           .value_or(0);
+  const double samples = std::pow(options.steps, static_cast<double>(varied.size()));
+  refuse_samples(samples * static_cast<double>(curves.size()), scenes.front().as_given());
   bool complete = true;
   {
     StatusLine line;

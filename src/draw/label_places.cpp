@@ -42,11 +42,35 @@ double overlap(const Frame& a, const Frame& b) {
   return across > 0 && down > 0 ? across * down : 0;
 }
 
+/// What of a line lies in the frame; of a line that is no longer than any picture needs, all of it.
+/// An arrow of friction 1e7 is ten thousand kilometres long: that many pieces fill no memory here.
+/// False: nothing.
+bool clip(const Frame& frame, Pixel& from, Pixel& to) {
+  constexpr double usual = 20000; // pixels
+  const Pixel start = from, along = to - from;
+  if (along.norm() <= usual) return true;
+  double first = 0, last = 1;
+  const auto keep = [&](double begin, double rate, double low, double high) {
+    if (rate == 0) return begin >= low && begin <= high;
+    const double a = (low - begin) / rate, b = (high - begin) / rate;
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+    return first <= last; // not for NaN
+  };
+  if (!keep(start.x(), along.x(), frame.left, frame.right) ||
+      !keep(start.y(), along.y(), frame.top, frame.bottom) || !along.allFinite())
+    return false;
+  from = start + first * along;
+  to = start + last * along;
+  return true;
+}
+
 /// How many pixels of the line lie in the frame, in steps of 4.
-double length_inside(const Frame& frame, const Pixel& from, const Pixel& to) {
+double length_inside(const Frame& frame, Pixel from, Pixel to) {
   if (std::max(from.x(), to.x()) < frame.left || std::min(from.x(), to.x()) > frame.right ||
       std::max(from.y(), to.y()) < frame.top || std::min(from.y(), to.y()) > frame.bottom)
     return 0;
+  if (!clip(frame, from, to)) return 0;
   const int pieces = std::max(1, static_cast<int>((to - from).norm() / 4));
   double inside = 0;
   for (int k = 0; k <= pieces; ++k) {
@@ -76,8 +100,8 @@ void LabelPlaces::block(const Frame& frame, double weight) {
   drawn_.push_back(frame);
 }
 
-void LabelPlaces::block_pieces(const Pixel& from, const Pixel& to, double weight,
-                               std::vector<Frame>& pieces) {
+void LabelPlaces::block_pieces(Pixel from, Pixel to, double weight, std::vector<Frame>& pieces) {
+  if (!clip({-width_, -height_, 2 * width_, 2 * height_}, from, to)) return;
   const int count = std::max(1, static_cast<int>(std::ceil((to - from).norm() / 8)));
   for (int k = 0; k < count; ++k) {
     const Pixel a = from + (to - from) * k / count, b = from + (to - from) * (k + 1) / count;

@@ -56,7 +56,7 @@ private:
   std::vector<Frame> words_; // of the labels placed
   std::vector<Frame> edges_; // those barred, piece by piece
 
-  void block_pieces(const Pixel& from, const Pixel& to, double weight, std::vector<Frame>& pieces);
+  void block_pieces(Pixel from, Pixel to, double weight, std::vector<Frame>& pieces);
   double cost_of(const Frame& frame, const Pixel& target) const;
 };
 

@@ -133,32 +133,32 @@ std::string Rational::text() const {
   return is_whole() ? numerator_.text() : numerator_.text() + '/' + denominator_.text();
 }
 
-double Rational::value() const {
+double Rational::value(const BigInteger& numerator, const BigInteger& denominator) {
   constexpr std::size_t exact_bits = 53;
   constexpr int smallest_exponent = -1074;
-  if (is_whole()) return numerator_.value();
-  const std::size_t above = numerator_.bit_length(), below = denominator_.bit_length();
+  if (denominator.is_one()) return numerator.value();
+  const std::size_t above = numerator.bit_length(), below = denominator.bit_length();
   if (above <= exact_bits && below <= exact_bits) // one rounding
-    return numerator_.value() / denominator_.value();
+    return numerator.value() / denominator.value();
   const auto difference = static_cast<std::ptrdiff_t>(above) - static_cast<std::ptrdiff_t>(below);
-  if (difference > 1025) return sign() < 0 ? -HUGE_VAL : HUGE_VAL;
-  if (difference < -1080) return sign() < 0 ? -0.0 : 0.0;
+  if (difference > 1025) return numerator.sign() < 0 ? -HUGE_VAL : HUGE_VAL;
+  if (difference < -1080) return numerator.sign() < 0 ? -0.0 : 0.0;
   const auto scaled = [](const BigInteger& a, int bits) {
     return bits > 0 ? a << static_cast<std::size_t>(bits) : a;
   };
   // 2^exponent <= |value| < 2^(exponent + 1)
   int exponent = static_cast<int>(difference);
-  const BigInteger size = abs(numerator_);
-  if (scaled(size, -exponent) < scaled(denominator_, exponent)) --exponent;
+  const BigInteger size = abs(numerator);
+  if (scaled(size, -exponent) < scaled(denominator, exponent)) --exponent;
   // |value| in units of its last bit, whose weight is 2^last.
   const int last = std::max(exponent - static_cast<int>(exact_bits) + 1, smallest_exponent);
-  const BigInteger divisor = scaled(denominator_, last);
+  const BigInteger divisor = scaled(denominator, last);
   BigInteger units, rest;
   BigInteger::divide(scaled(size, -last), divisor, &units, &rest);
   const int half = BigInteger::compare(rest << 1U, divisor);
   if (half > 0 || (half == 0 && units.is_odd())) units += 1;
   const double result = std::ldexp(units.value(), last);
-  return sign() < 0 ? -result : result;
+  return numerator.sign() < 0 ? -result : result;
 }
 
 std::size_t Rational::bit_length() const {

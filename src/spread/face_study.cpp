@@ -44,7 +44,7 @@ void FaceStudy::take(const Face& face) {
 }
 
 bool FaceStudy::may_have_answers(const FaceModes& part) {
-  const ModeMotions motions = motions_of(problem_, part);
+  const ModeMotions motions = motions_of(problem_, part, true);
   ++report_.programs;
   if (!has_own_motion(motions, work_)) return false;
   if (breaking_) {

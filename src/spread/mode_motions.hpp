@@ -15,7 +15,8 @@ struct ModeMotions {
   std::vector<bool> strict; ///< a sign that is 0 in another mode only: a gap, a slip, a direction
 };
 
-ModeMotions motions_of(const LiteralProblem& problem, const FaceModes& modes);
+/// `own`: only to ask has_own_motion, so that a contradiction ends the work.
+ModeMotions motions_of(const LiteralProblem& problem, const FaceModes& modes, bool own = false);
 
 /// Is there a motion with this push with which no strict sign is 0? Then no other modes have it.
 bool has_own_motion(const ModeMotions& motions, double& work);

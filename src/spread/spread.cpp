@@ -81,6 +81,7 @@ public:
     if (options_.enumeration != Enumeration::none) enumerate();
     include_paths();
     if (!report_.complete) walk();
+    if (report_.complete) report_.stop = SpreadReport::Stop::none;
     if (report_.faces > 0 || (!options_.breaking && report_.covering_vectors_solved > 0)) {
       report_.status = Status::solved;
       conclude();
@@ -147,7 +148,7 @@ private:
     OwnedLemke<double> lemke(problem_.layout().size);
     allow(0, 0.5);
     for (Index k = 0; k < options_.covering_vectors; ++k) {
-      if (k > 0 && options_.most_seconds > 0 && is_used_up()) return;
+      if (k > 0 && is_stopped()) return;
       ++report_.covering_vectors;
       Path path;
       if (solve_path(lemke, k, path) == Status::solved) paths_.push_back(std::move(path));
@@ -233,10 +234,22 @@ private:
     most_seconds_ = timed ? part * options_.most_seconds : std::numeric_limits<double>::infinity();
   }
 
-  bool is_used_up() const {
-    return study_->work() > most_work_ ||
-           std::chrono::duration<double>(Clock::now() - begin_).count() > most_seconds_;
+  /// By the clock or by the user, whatever work is left.
+  bool is_stopped() {
+    using Stop = SpreadReport::Stop;
+    const auto passed = [&] {
+      return std::chrono::duration<double>(Clock::now() - begin_).count();
+    };
+    if (options_.is_interrupted && options_.is_interrupted())
+      report_.stop = Stop::signal;
+    else if (options_.most_seconds > 0 && passed() > most_seconds_)
+      report_.stop = Stop::time;
+    else
+      return false;
+    return true;
   }
+
+  bool is_used_up() { return study_->work() > most_work_ || is_stopped(); }
 
   void tell(double share) const {
     if (options_.progress) options_.progress(std::min(share, 1.0));
@@ -269,7 +282,10 @@ private:
     tree.visit();
     report_.assignments = tree.assignments();
     if (given_up)
-      report_.enumeration = "the limit of work was reached";
+      report_.enumeration = report_.stop == SpreadReport::Stop::signal ? "it was interrupted"
+                            : report_.stop == SpreadReport::Stop::time
+                                ? "the time was up"
+                                : "the limit of work was reached";
     else if (report_.failures > failures)
       report_.enumeration = "some assignments of modes could not be settled";
     else

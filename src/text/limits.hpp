@@ -17,6 +17,13 @@ constexpr int fraction_exponent = 1000; // 1e1000 has a thousand digits, and pro
 constexpr std::size_t scene_points = 100000, scene_bodies = 1000;
 constexpr Index patch_points = 10000; // each sees every other one of its patch: [T.6]
 
+// No command takes more than a gigabyte, about: what would is refused before it is begun.
+constexpr double memory = 1e9;             // bytes
+constexpr Index unknowns_held = 1'500'000; // 510 bytes each
+constexpr Index unknowns_matrix = 10'000;  // 8 bytes an entry
+constexpr Index unknowns_exported = 4'000; // 63 bytes an entry, most of them of text
+constexpr double bytes_a_sample = 2400, bytes_a_sampled_point = 40; // of a sweep, text included
+
 // Unknowns up to which a question is asked; beyond, its answer would take minutes.
 constexpr Index unknowns_dense = 2000; // pivots on the whole dictionary, where structured ones fail
 constexpr Index unknowns_dense_after_ray = 600; // a ray has been verified: it gets less time

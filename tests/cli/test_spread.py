@@ -1,6 +1,7 @@
 """lcpush spread on the command line: exit codes, keys, words that claim no more than was done."""
 import json
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -132,8 +133,32 @@ class Spread(unittest.TestCase):
         answer = json.loads(result.stdout)
         self.assertEqual(answer["status"], "solved")
         self.assertIs(answer["complete"], False)
+        self.assertEqual((answer["stopped"], answer["enumeration"]), ("time", "the time was up"))
         self.assertIn("--seconds is a number", run(SCENES / "coin.toml", "--seconds", "-1").stderr)
         self.assertEqual(run(SCENES / "coin.toml", "--paths", "--enumerate").returncode, 2)
+
+    def test_a_signal_ends_it_with_what_is_found(self):
+        for options, words in (((), "Interrupted before all was seen."), (("--json",), '"signal"')):
+            process = subprocess.Popen(
+                [TOOL, "spread", SCENES / "two_pushers.toml", "--enumerate", *options],
+                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            time.sleep(1)
+            process.send_signal(signal.SIGINT)
+            out, _ = process.communicate(timeout=20)
+            self.assertEqual(process.returncode, 0)
+            self.assertIn(words, out)
+
+    def test_nothing_that_touches_is_a_set_of_one_answer(self):
+        # Of a face without an edge there is nothing to start a linear program from.
+        scene = (SCENES / "coin.toml").read_text()
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "apart.toml"
+            file.write_text(scene.replace("[0, -10, 0]", "[9.81, 0, 0]"))
+            self.assertNotEqual(file.read_text(), scene)
+            for options in ((), ("--break",), ("--paths",)):
+                result = run(file, "--covers", "1", *options)
+                self.assertEqual(result.returncode, 1 if "--break" in options else 0, result.stdout)
+            self.assertIn("moves in one way", run(file, "--covers", "1").stdout)
 
     def test_the_breaking_force_is_a_range_too(self):
         answer = json.loads(run(SCENES / "rolling_hard_grip.toml", "--break", "--json").stdout)

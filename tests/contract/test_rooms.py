@@ -50,6 +50,8 @@ ROOMS = {
                   f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/spread": ("Which other answers are there?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/verify": ("Is somebody else's answer right?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
+    "src/certify": ("What proves an answer without rounding?",
+                    f"{CORE} {TOOLBOX} desktop scenes solve"),
     "src/export": ("How do other solvers get the problem?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/pivots": ("What happens at every pivot?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/report": ("What does all this look like on a page?",

@@ -35,7 +35,9 @@ public:
   /// "-2/7", or "3" for whole numbers. Cost: quadratic in the digits.
   std::string text() const;
   /// The nearest double, ties to even; infinite beyond its range, whatever the parts' lengths.
-  double value() const;
+  double value() const { return value(numerator_, denominator_); }
+  /// The same of a fraction that need not be in lowest terms. Pre: denominator > 0.
+  static double value(const BigInteger& numerator, const BigInteger& denominator);
 
   const BigInteger& numerator() const { return numerator_; }
   const BigInteger& denominator() const { return denominator_; }

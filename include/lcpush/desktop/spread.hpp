@@ -45,6 +45,7 @@ struct SpreadOptions {
   LemkeOptions<double> lemke{};
   Watcher* watcher = nullptr;           ///< told of these paths' pivots
   std::function<void(double)> progress; ///< told from time to time what share is done, 0 to 1
+  std::function<bool()> is_interrupted; ///< true ends it with what is found
 };
 
 enum class SpreadVerdict {
@@ -96,6 +97,8 @@ struct SpreadReport {
   Enumeration asked = Enumeration::if_small;
   bool complete = false;   ///< every answer lies on a studied face: enumeration ended, no failure
   std::string enumeration; ///< why it is not complete, empty otherwise
+  /// What ended it before its work was done: most_seconds, or is_interrupted.
+  enum class Stop { none, time, signal } stop = Stop::none;
 
   PushReport failure; ///< not solved: how Push::solve ends, with reason, ray and jam
 };
