@@ -1,3 +1,4 @@
+#include "certify/sha256.hpp"
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/certify.hpp"
 
@@ -10,7 +11,11 @@ std::string certificate_json(const Certificate& certificate) {
   json.member("law", certificate.law);
   if (certificate.facets > 0) json.member("facets", certificate.facets);
   json.member("push", certificate.push.text());
-  json.list("sha256", certificate.sha256, [&](const std::string& digits) { json.value(digits); });
+  std::string numbers;
+  for (const Rational& x : certificate.x) numbers += (numbers.empty() ? "" : ",") + x.text();
+  std::vector<std::string> fingerprints = certificate.fingerprints;
+  fingerprints.push_back(sha256(numbers));
+  json.list("sha256", fingerprints, [&](const std::string& digits) { json.value(digits); });
   if (certificate.law == "raw") {
     json.key("free").begin_array();
     for (std::size_t i = 0; i < certificate.free.size(); ++i)

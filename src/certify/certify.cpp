@@ -19,7 +19,7 @@ struct Guess {
   std::vector<double> x_unit, w_unit; ///< what counts as large; 0 of the free ones
 };
 
-/// In the order of scene_problem. `scene` is spread, as the answer's.
+/// In the order of scene_problem.
 Guess guess_of(const Scene<double>& scene, const MixedProblem& problem,
                const Answer<double>& answer) {
   double force = 0;
@@ -89,7 +89,7 @@ SceneOf<Rational> exact_scene(const std::string& text, const SceneFile& file,
                               const Rational& push) {
   SceneOf<Rational> scene = parse_scene<Rational>(text, file.lines.file);
   scene.facets = file.facets;
-  scene.pressure = file.pressure == Pressure::even ? Pressure::even : Pressure::rigid;
+  scene.pressure = Pressure::rigid;
   for (Body<Rational>& body : scene.bodies) body.acceleration *= push;
   return scene;
 }
@@ -97,9 +97,9 @@ SceneOf<Rational> exact_scene(const std::string& text, const SceneFile& file,
 Certificate scene_certificate(Proof proof, const std::string& text, const SceneFile& file) {
   Certificate certificate;
   certificate.proof = proof;
-  certificate.law = file.pressure == Pressure::even ? "even" : "literal";
+  certificate.law = "literal";
   certificate.facets = file.facets;
-  certificate.sha256 = {sha256(text)};
+  certificate.add_fingerprint(text);
   return certificate;
 }
 
@@ -111,20 +111,21 @@ void take_basis(const MixedProblem& problem, Certificate& certificate) {
 
 } // namespace
 
+void Certificate::add_fingerprint(const std::string& bytes) {
+  fingerprints.push_back(sha256(bytes));
+}
+
 std::optional<Certificate> certify_answer(const std::string& text, const SceneFile& file,
                                           const Answer<double>& answer, double push) {
   Certificate certificate = scene_certificate(Proof::answer, text, file);
   certificate.push = Rational(push);
   const MixedProblem problem = scene_problem(exact_scene(text, file, certificate.push), false);
-  const EvenScene even(file.view());
-  const Guess guess = guess_of(even.scene, problem, answer);
+  const Guess guess = guess_of(file.view(), problem, answer);
   std::optional<ExactAnswer> exact;
   for (const double tolerance : {1e-9, 1e-12, 1e-7})
     if (!exact) exact = answer_near(problem, acting_of(guess, tolerance), {guess.x});
   if (!exact) {
-    Scene<double> literal = even.scene;
-    literal.pressure = Pressure::rigid;
-    const std::vector<unsigned char> basic = pivoted_basis(literal, push, problem.size());
+    const std::vector<unsigned char> basic = pivoted_basis(file.view(), push, problem.size());
     if (!basic.empty()) exact = answer_from_basis(problem, basic, limits::pivots_certified);
   }
   if (!exact) return std::nullopt;
@@ -224,6 +225,7 @@ std::optional<Certificate> certify_raw(const ExactMatrix& M, const ExactMatrix& 
   if (!y) return std::nullopt;
   for (Rational& x : *y) x.negate();
   certificate.proof = Proof::no_answer;
+  certificate.push = 0;
   certificate.x = std::move(*y);
   return certificate;
 }

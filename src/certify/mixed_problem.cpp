@@ -1,6 +1,5 @@
 #include "certify/mixed_problem.hpp"
 
-#include "lcpush/desktop/assembled_scene.hpp"
 #include "lcpush/mechanics/model/laws.hpp"
 
 namespace lcpush::desktop {
@@ -107,8 +106,8 @@ private:
 } // namespace
 
 MixedProblem scene_problem(const SceneOf<Rational>& scene, bool breaks) {
-  const EvenSceneOf<Rational> even(scene.view());
-  return SceneRows(even.scene, breaks).build();
+  const Scene<Rational> view = scene.view();
+  return SceneRows(view, breaks).build();
 }
 
 MixedProblem raw_mixed_problem(const ExactMatrix& M, const ExactMatrix& q,

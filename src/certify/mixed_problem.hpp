@@ -20,10 +20,9 @@ struct MixedProblem {
   bool is_free(std::size_t i) const { return free[i] != 0; }
 };
 
-/// The literal equations of a scene (under `even` those of its points' own shares), in SI units:
-/// the pairs in the order of Layout, then the actuators' s, then the object's acceleration [linear;
-/// angular], of a planar scene x, y and the rotation about z. With `breaks`, the push is
-/// infinitesimal.
+/// The literal equations of a scene in SI units: the pairs in the order of Layout, then the
+/// actuators' s, then the object's acceleration [linear; angular], of a planar scene x, y and the
+/// rotation about z. With `breaks`, the push is infinitesimal.
 MixedProblem scene_problem(const SceneOf<Rational>& scene, bool breaks);
 
 /// A raw problem as typed.

@@ -12,8 +12,8 @@ namespace {
 int run_break(const Arguments& arguments) {
   const Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
-  refuse_certificate_of_stdin(arguments);
   const SceneFile file = read_scene_argument(arguments, Needs::scene);
+  check_certifiable(arguments, file);
   const Index pusher = chosen_pusher(arguments, file);
   if (!(push_size(file.view()) > 0))
     throw UsageError("no body of the scene moves: give a pusher an acceleration");

@@ -20,6 +20,13 @@ void refuse_certificate_of_stdin(const Arguments& arguments) {
     throw UsageError("--certify ties its proof to a file: name one instead of -");
 }
 
+void check_certifiable(const Arguments& arguments, const SceneFile& file) {
+  refuse_certificate_of_stdin(arguments);
+  if (arguments.has("--certify") && file.pressure == Pressure::even)
+    throw UsageError("--certify proves the literal equations, which pressure = \"even\" replaces: "
+                     "use \"pad\" or \"rigid\"");
+}
+
 bool write_certificate(const Arguments& arguments,
                        const std::function<std::optional<Certificate>()>& certify) {
   const std::optional<std::string> path = arguments.value("--certify");

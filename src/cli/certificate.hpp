@@ -15,6 +15,8 @@ inline const Option certify_option{"--certify", "FILE",
 
 /// Before any work: throws UsageError if --certify is asked of standard input.
 void refuse_certificate_of_stdin(const Arguments& arguments);
+/// The same, and of a scene whose law has no certificate.
+void check_certifiable(const Arguments& arguments, const SceneFile& file);
 
 /// Writes what `certify` makes to the file of --certify, and says so on stderr; nothing without the
 /// option. Returns false if there was to be a certificate and is none.

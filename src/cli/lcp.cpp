@@ -1,5 +1,6 @@
 // lcpush lcp: raw linear complementarity problems.
 
+#include "cli/certificate.hpp"
 #include "cli/commands.hpp"
 #include "cli/history.hpp"
 #include "cli/progress.hpp"
@@ -8,6 +9,8 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/raw_problem.hpp"
 #include "text/format.hpp"
+#include "text/limits.hpp"
+#include "text/text_file.hpp"
 #include "text/wording.hpp"
 #include "text/wrap.hpp"
 
@@ -75,11 +78,25 @@ void announce_effort(const Arguments& arguments, const RawProblem& problem) {
              stderr);
 }
 
+/// Before any work.
+void check_certifiable(const Arguments& arguments, const RawProblem& problem) {
+  if (!arguments.has("--certify")) return;
+  refuse_certificate_of_stdin(arguments);
+  if (arguments.files().empty())
+    throw UsageError("--certify ties its proof to files: give M and q as M.mtx q.mtx");
+  if (problem.bounds.given())
+    throw UsageError("--certify proves problems without boxes; leave --lo, --hi and --findex out");
+  if (problem.size() > limits::rows_certified)
+    throw UsageError("--certify takes at most " + std::to_string(limits::rows_certified) +
+                     " rows, and M has " + std::to_string(problem.size()));
+}
+
 int run_lcp(const Arguments& arguments) {
   const std::string format = read_format(arguments);
   RawOptions options = read_options(arguments);
   const std::string solver = solver_text(options.solver);
   const RawProblem problem = read_raw_problem(arguments, arguments.files());
+  check_certifiable(arguments, problem);
   if (options.solver != Solver::gauss_seidel) announce_effort(arguments, problem);
   RawAnswer answer;
   {
@@ -100,7 +117,14 @@ int run_lcp(const Arguments& arguments) {
     write_output(arguments, raw_json(problem, answer, solver));
   else
     write_text(arguments, raw_text(problem, answer));
-  return answer.status == Status::solved ? 0 : 1;
+  const bool is_proved = write_certificate(arguments, [&]() -> std::optional<Certificate> {
+    const auto [M, q] = read_matrices<Rational>(arguments, arguments.files());
+    std::optional<Certificate> certificate = certify_raw(M, q, problem.free, answer);
+    for (const std::string& path : arguments.files())
+      if (certificate) certificate->add_fingerprint(read_text_file(path, limits::matrix_bytes));
+    return certificate;
+  });
+  return answer.status == Status::solved && is_proved ? 0 : 1;
 }
 
 } // namespace
@@ -128,6 +152,7 @@ Command lcp_command() {
               {"--sweeps", "N", "most sweeps (default 5000; 200 before hybrid's pivots)"},
               {"--relaxation", "W", "of the sweeps, between 0 and 2 (default 1)"},
               {"--history", "", "the residual after each check instead; also --format csv"},
+              certify_option,
           }),
           2,
           run_lcp};

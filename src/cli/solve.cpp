@@ -12,8 +12,8 @@ namespace {
 int run_solve(const Arguments& arguments) {
   const Solver solver = chosen_solver(arguments);
   const std::string format = push_format(arguments, solver);
-  refuse_certificate_of_stdin(arguments);
   const SceneFile file = read_scene_argument(arguments, Needs::scene);
+  check_certifiable(arguments, file);
   Push push(file);
   HoldReport hold;
   PushReport report;

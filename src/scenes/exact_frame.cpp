@@ -138,7 +138,7 @@ template <> Rational circle_cosine<Rational>(Index j, Index g) {
   const bool is_small = 8 * j <= g;
   const Rational x{is_small ? scaled_half_tangent(j, g) : scaled_half_tangent(g - 4 * j, 4 * g),
                    *desktop::BigInteger::parse("1" + std::string(circle_decimals, '0'))};
-  const Rational t = simplest_near(x, 2'000'000), square = t * t;
+  const Rational t = simplest_near(x, 1'000'000'000), square = t * t;
   return is_small ? (1 - square) / (1 + square) : 2 * t / (1 + square);
 }
 

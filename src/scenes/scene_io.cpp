@@ -21,7 +21,7 @@ template SceneOf<double> parse_scene(std::string_view text, const std::string& f
 template SceneOf<Rational> parse_scene(std::string_view text, const std::string& file_name);
 
 std::vector<std::string> irrational_directions(const SceneOf<Rational>& scene) {
-  const std::string are_irrational = " are irrational: their 53-bit values are used";
+  const std::string are_irrational = " are irrational: fractions within 1e-12 of them are used";
   std::vector<std::string> sentences;
   bool rubs = false;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {

@@ -19,7 +19,8 @@ constexpr double shortest_direction = 1e-24;
 /// The sentence that a report gives to something irrational.
 std::string irrational(const TableReader& table, const std::string& what, bool is_plural) {
   return "the " + what + " of " + table.label() + (is_plural ? " are" : " is") + " irrational: " +
-         (is_plural ? "their 53-bit values are used" : "its 53-bit value is used");
+         (is_plural ? "fractions within 1e-12 of them are used"
+                    : "a fraction within 1e-12 of it is used");
 }
 
 template <class S> ContactFrame<S> read_frame(const TableReader& table) {

@@ -9,6 +9,7 @@ namespace lcpush::desktop::limits {
 
 // What is read. No honest file comes near; the others must not use up the machine.
 constexpr std::size_t scene_bytes = std::size_t{64} << 20U;
+constexpr std::size_t matrix_bytes = std::size_t{1} << 28U;   // of a certified problem
 constexpr std::size_t answer_bytes = std::size_t{256} << 20U; // full precision, all contacts
 constexpr std::size_t toml_items = 1'000'000;                 // tables and values
 constexpr int toml_list_depth = 8, json_depth = 100;          // the readers call themselves
@@ -39,6 +40,7 @@ constexpr Index unknowns_stationary = 400;      // one quadratic program's condi
 constexpr Index unknowns_traced = 1000;    // every pivot keeps its ratios; the page draws every row
 constexpr Index unknowns_exact = 300;      // fractions grow with every pivot
 constexpr Index unknowns_certified = 3000; // the basis in doubles comes from the dense dictionary
+constexpr Index rows_certified = 1000;     // of a raw problem: a dense matrix of fractions
 constexpr std::size_t pivots_certified = 400; // each solves an exact system anew
 constexpr Index points_final_basis = 600;     // O(points^3) costs more than the solve
 

@@ -38,17 +38,22 @@ constexpr const char* proof_statement(Proof proof) {
 
 struct Certificate {
   Proof proof = Proof::answer;
-  std::string law;                 ///< "literal", "even" or "raw"
-  Index facets = 0;                ///< of a scene
-  Rational push = 1;               ///< the prescribed motions are this times the scene's
-  std::vector<std::string> sha256; ///< of the scene, or of M and q
-  std::vector<Index> basis;        ///< pairs whose x is basic, from 0 on
-  std::vector<Rational> x;         ///< every unknown; SI units
+  std::string law;                       ///< "literal" or "raw"
+  Index facets = 0;                      ///< of a scene
+  Rational push = 1;                     ///< the prescribed motions are this times the scene's
+  std::vector<std::string> fingerprints; ///< of the scene, or of M and q; JSON adds that of x
+  std::vector<Index> basis;              ///< pairs whose x is basic, from 0 on
+  std::vector<Rational> x;               ///< every unknown; SI units
+
+  /// Ties it to one more file with these bytes.
+  void add_fingerprint(const std::string& bytes);
+
   double distance = 0; ///< of an answer's forces from the printed ones, over the largest
   std::vector<unsigned char> free; ///< of a raw problem
 };
 
-/// The exact answer next to `answer`, which the scene of `text` has under `push` times its motions.
+/// Of all laws but `even`, which gives points forces of their own: the exact answer of the literal
+/// equations next to `answer`, which the scene of `text` has under `push` times its motions.
 /// `file` is that scene as it was solved (its law, its facets). nullopt if none was found.
 std::optional<Certificate> certify_answer(const std::string& text, const SceneFile& file,
                                           const Answer<double>& answer, double push);

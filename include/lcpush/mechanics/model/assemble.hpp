@@ -138,9 +138,11 @@ private:
       const Body<S>& body = scene.bodies[b];
       const Vector6<S> A_b = laws::prescribed(body, layout_.scales);
       const Index g = generator_count(scene, body), first_force = force;
-      // The directions are the body's: those of its first point are there to be read.
+      // Directions are the body's: those of its first point are there to be read, but for a soft
+      // point's torques.
       const auto generator_at = [&](Index i, Index normals, Index j) -> Generator<S> {
-        if (i == body.first_point) return generator(body, j, scene.facets);
+        if (i == body.first_point || body.torsion_radius > S(0))
+          return generator(body, j, scene.facets);
         return {memory_.wrenches[first_force + normals + j].template head<3>(), S(0)};
       };
       for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
