@@ -68,16 +68,18 @@ std::vector<Part> acting_of(const Guess& guess, double tolerance) {
   return acting;
 }
 
-/// The final basis of Lemke's pivots on the literal problem in doubles, by pairs; empty if they end
-/// otherwise.
-std::vector<unsigned char> pivoted_basis(const Scene<double>& scene, double push,
+/// The final basis of Lemke's pivots on the literal problem in doubles, from this covering vector
+/// on; empty if they end otherwise.
+std::vector<unsigned char> pivoted_basis(const Scene<double>& scene, double push, Index first_cover,
                                          std::size_t size) {
   OwnedAssembly<double> assembly(scene);
   assembly.get().push_by(push);
   const Problem<double> problem = assembly.get().problem();
   if (problem.size > limits::unknowns_certified) return {};
   OwnedLemke<double> lemke(problem.size);
-  (void)lemke.init(problem);
+  LemkeOptions<double> options;
+  options.first_cover = first_cover;
+  (void)lemke.init(problem, options);
   if (lemke.solve() != Status::solved) return {};
   std::vector<unsigned char> basic(size, 0);
   for (Index i = 0; i < problem.free_begin; ++i)
@@ -125,11 +127,13 @@ std::optional<Certificate> certify_answer(const std::string& text, const SceneFi
   for (const double tolerance : {1e-9, 1e-12, 1e-7})
     if (!exact) exact = answer_near(problem, acting_of(guess, tolerance), {guess.x});
   if (!exact) {
-    const std::vector<unsigned char> basic = pivoted_basis(file.view(), push, problem.size());
-    if (!basic.empty()) exact = answer_from_basis(problem, basic, limits::pivots_certified);
-    // What is near need not lie on a path that ends in an answer; from zero the lemma promises one.
-    const std::vector<unsigned char> none(problem.size(), 0);
-    if (!exact) exact = answer_from_basis(problem, none, limits::pivots_certified);
+    // Another cover ends in another basis, where less may tie.
+    constexpr Index covers = 12, apart = 20; // a cover that fails goes on to the next
+    for (Index cover = 0; cover < covers && !exact; ++cover) {
+      const std::vector<unsigned char> basic =
+          pivoted_basis(file.view(), push, apart * cover, problem.size());
+      if (!basic.empty()) exact = answer_from_basis(problem, basic, limits::pivots_certified);
+    }
   }
   if (!exact) return std::nullopt;
   certificate.x = std::move(exact->x[0]);

@@ -72,7 +72,9 @@ public:
       if (problem_.is_free(i)) basic_[i] = 1;
   }
 
-  std::optional<ExactAnswer> run(std::size_t most_pivots) {
+  /// `seed` chooses the covering vector, and with it the path.
+  std::optional<ExactAnswer> run(std::size_t most_pivots, std::uint32_t seed) {
+    seed_ = seed;
     if (!evaluate(problem_.q)) return std::nullopt;
     if (is_feasible()) return answer(0);
     choose_cover();
@@ -93,6 +95,7 @@ private:
   std::vector<unsigned char> basic_; // is x_i (else w_i) basic?
   std::size_t blocked_ = none;       // the pair of which neither is, while z0 is
   bool x_enters_ = false;            // or w, of that pair
+  std::uint32_t seed_ = 0;
   Column cover_;
   std::vector<Column> rhs_;          // q, then the perturbation that decides ties
   std::vector<Column> x_, w_;        // for every right-hand side
@@ -166,9 +169,9 @@ private:
     return column;
   }
   void choose_cover() {
-    cover_ = positive_here(Generic(1));
+    cover_ = positive_here(Generic(seed_));
     rhs_ = problem_.q;
-    rhs_.push_back(positive_here(Generic(2)));
+    rhs_.push_back(positive_here(Generic(seed_ + 1)));
   }
 
   /// The pair's value in terms of the basis.
@@ -176,7 +179,7 @@ private:
 
   /// z0 rises until nothing is negative; what was the last to be leaves.
   void enter_artificial() {
-    Generic sizes(1);
+    Generic sizes(seed_);
     std::vector<Rational> most;
     for (std::size_t i = 0; i < n_; ++i) {
       const Rational size = sizes.next();
@@ -292,7 +295,11 @@ std::optional<ExactAnswer> answer_near(const MixedProblem& problem, const std::v
 std::optional<ExactAnswer> answer_from_basis(const MixedProblem& problem,
                                              const std::vector<unsigned char>& basic,
                                              std::size_t most_pivots) {
-  std::optional<ExactAnswer> answer = Pivots(problem, basic).run(most_pivots);
+  // A basis in the middle promises nothing: some paths from it end on rays, others do not.
+  constexpr std::uint32_t covers = 4;
+  std::optional<ExactAnswer> answer;
+  for (std::uint32_t cover = 0; cover < covers && !answer; ++cover)
+    answer = Pivots(problem, basic).run(most_pivots, 1 + 2 * cover);
   if (answer && !solves_exactly(problem, *answer)) return std::nullopt;
   return answer;
 }
