@@ -59,10 +59,10 @@ template <class A, class B> bool same_motion(const A& a, const B& b) {
 }
 
 /// The columns of ExpectedForces, for all to see.
-struct OpenColumns : detail::ForceColumns<double> {
-  using detail::ForceColumns<double>::ForceColumns;
-  using detail::ForceColumns<double>::column;
-  using detail::ForceColumns<double>::seen_by;
+struct OpenColumns : lcpush::detail::ForceColumns<double> {
+  using lcpush::detail::ForceColumns<double>::ForceColumns;
+  using lcpush::detail::ForceColumns<double>::column;
+  using lcpush::detail::ForceColumns<double>::seen_by;
 };
 
 using Dense = Lemke<double>;
@@ -226,7 +226,7 @@ TEST_CASE("what a rest is worth to a force is its column's product with it") {
     for (std::uint64_t seed = 0; seed < 25; ++seed) {
       GuessedPush<double, Structured> push(grasp_under(Pressure::rigid, family, seed));
       const OpenColumns columns(push.assembly);
-      detail::Balance<double> rest = detail::Balance<double>::LinSpaced(1, -3);
+      lcpush::detail::Balance<double> rest = lcpush::detail::Balance<double>::LinSpaced(1, -3);
       for (Index i = 0; i < push.assembly.layout().points; ++i) {
         const ConeGroup<double>& cone = push.assembly.layout().cones[i];
         const Index b = push.assembly.layout().body[i];
