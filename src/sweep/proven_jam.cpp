@@ -22,8 +22,7 @@ bool is_proven_jam(const Assembly<double>& assembly) {
   std::vector<int> integers(static_cast<std::size_t>(size.integers()));
   std::vector<double> forces(static_cast<std::size_t>(layout.forces));
   const StudyMemory<double> memory{span_of(scalars), span_of(integers)};
-  if (detail::find_tightened_squeeze(assembly, size, memory, forces.data(), true) != Status::solved)
-    return false;
+  if (find_smooth_squeeze(assembly, size, memory, forces.data()) != Status::solved) return false;
   // The same as a ray of the whole problem, by whose reading a solve calls it a jam.
   std::vector<double> v(static_cast<std::size_t>(layout.size), 0.0);
   double total = 0;

@@ -268,4 +268,12 @@ template <class S>
   return cannot_retreat(assembly) ? Existence::proved : Existence::may_retreat;
 }
 
+/// Squeezes of normal forces alone that (H2) forbids: they prove that there is no answer, and
+/// friction is no part of it. Post: solved, `witness` is one, per column of G; ray, there is none.
+template <class S>
+[[nodiscard]] Status find_smooth_squeeze(const Assembly<S>& assembly, const ExistenceSize& size,
+                                         const StudyMemory<S>& memory, S* witness) {
+  return detail::find_tightened_squeeze(assembly, size, memory, witness, true);
+}
+
 } // namespace lcpush
