@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "solve/push_rounds.hpp"
+#include "sweep/proven_jam.hpp"
 #include "sweep/remembered_rounds.hpp"
 
 namespace lcpush::desktop {
@@ -90,6 +91,12 @@ DetailedAnswer read_breaking(ScenePoint& p, const BasisSolution& solution) {
 
 } // namespace
 
+/// Every cover would end in a ray, each after pivots of its own.
+bool ScenePoint::has_no_answer() {
+  if (!jammed_) jammed_ = is_proven_jam(assembly);
+  return *jammed_;
+}
+
 SweepSolver::SweepSolver(const VariedScene& scene, const std::vector<Variation>& variations,
                          Index pusher, bool warm)
     : variations_(variations), scene_(scene), pusher_(pusher), is_warm_(warm) {}
@@ -163,6 +170,12 @@ DetailedAnswer SweepSolver::on_basis(Question question, const Basis& basis, bool
 
 DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const RoundBases* others) {
   if (!has(question)) return {};
+  if (bases.empty() && point_->has_no_answer()) {
+    ++cold_;
+    DetailedAnswer none;
+    none.status = Status::ray;
+    return none;
+  }
   if (point_->scene.pressure == Pressure::pad) return solve_pad(question, bases);
   if (others != nullptr && !others->empty() && !bases.empty()) {
     for (const RoundBases* candidate : {static_cast<const RoundBases*>(&bases), others}) {

@@ -40,6 +40,11 @@ struct ScenePoint {
   Problem<double> problem(Question question) const {
     return question == Question::push ? assembly.problem() : assembly.breaking_problem();
   }
+  /// Proved; asked once.
+  bool has_no_answer();
+
+private:
+  std::optional<bool> jammed_;
 };
 
 /// The bases that the rounds of one solve ended in, one after the other; one round of `rigid`.

@@ -58,6 +58,13 @@ template <class A, class B> bool same_motion(const A& a, const B& b) {
   return off.norm() <= 1e-5 * std::max(a.scales().acceleration, size.norm());
 }
 
+/// The columns of ExpectedForces, for all to see.
+struct OpenColumns : lcpush::detail::ForceColumns<double> {
+  using lcpush::detail::ForceColumns<double>::ForceColumns;
+  using lcpush::detail::ForceColumns<double>::column;
+  using lcpush::detail::ForceColumns<double>::seen_by;
+};
+
 using Dense = Lemke<double>;
 using Structured = StructuredLemke<double>;
 
@@ -197,6 +204,37 @@ TEST_CASE("a wide straight push is predicted whole, its pusher's friction includ
       REQUIRE(push.predicted() == Status::solved);
       CHECK(push.residuals.max() <= 1e-9);
       CHECK(push.run.pivots == 0);
+    }
+}
+
+TEST_CASE("a grasp of a usual hand's points is predicted whole too; a tiny one by its pivots") {
+  for (const Pressure law : {Pressure::rigid, Pressure::pad})
+    for (const Index points : {1, 4}) {
+      CAPTURE(pressure_text(law));
+      CAPTURE(points);
+      const OwnedScene<double> scene = bench::primitive(bench::Primitive::slide, points, 8, law);
+      GuessedPush<double, Structured> push(scene);
+      REQUIRE(push.predicted() == Status::solved);
+      CHECK(push.run.pivots <= (points == 1 ? 12 : 0));
+    }
+}
+
+TEST_CASE("what a rest is worth to a force is its column's product with it") {
+  const Family families[] = {Family::plain, Family::parallel, Family::jacobian,
+                             Family::two_pushers};
+  for (const Family family : families)
+    for (std::uint64_t seed = 0; seed < 25; ++seed) {
+      GuessedPush<double, Structured> push(grasp_under(Pressure::rigid, family, seed));
+      const OpenColumns columns(push.assembly);
+      lcpush::detail::Balance<double> rest = lcpush::detail::Balance<double>::LinSpaced(1, -3);
+      for (Index i = 0; i < push.assembly.layout().points; ++i) {
+        const ConeGroup<double>& cone = push.assembly.layout().cones[i];
+        const Index b = push.assembly.layout().body[i];
+        for (Index k = cone.force; k < cone.force + cone.forces(); ++k)
+          CHECK(
+              columns.column(b, k).dot(rest) ==
+              doctest::Approx(push.assembly.factored().wrenches[k].dot(columns.seen_by(b, rest))));
+      }
     }
 }
 

@@ -80,14 +80,19 @@ SumGroup<S> grip_force(const Scene<S>& scene, Index actuator, S reach, const Sca
   return {0, 0, a.force / (scales.force * reach), a.inertia / (scene.object.mass * reach * reach)};
 }
 
+/// The motion of a unit of the actuator, without units.
+template <class S> Vector6<S> drive_twist(const Drive<S>& drive, S reach, const Scales<S>& scales) {
+  Vector6<S> twist = drive.twist / reach;
+  twist.template tail<3>() *= scales.length;
+  return twist;
+}
+
 /// The coefficient of [T.5]: power of a unit force with this column per unit of the actuator. The
 /// same number, with a minus sign, is what the actuator's closing does to that force's row.
 template <class S>
 S grip_coefficient(const Drive<S>& drive, const Vector6<S>& column, S reach,
                    const Scales<S>& scales) {
-  Vector6<S> twist = drive.twist / reach;
-  twist.template tail<3>() *= scales.length;
-  return column.dot(twist);
+  return column.dot(drive_twist(drive, reach, scales));
 }
 
 /// [T.6] Patch rigidity: the relative accelerations of a patch's points are one rigid motion. [P.5]

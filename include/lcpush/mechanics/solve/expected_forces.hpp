@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lcpush/mechanics/solve/few_forces.hpp"
+#include "lcpush/mechanics/solve/force_columns.hpp"
 
 namespace lcpush {
 namespace detail {
@@ -9,13 +10,17 @@ namespace detail {
 /// The forces that let the object follow its leader, at no more points than there are equations:
 /// who presses, and who holds by friction. First friction may be anything, which says where the
 /// pressure is; then it is looked for there, inside the cones of what is rigid.
-template <class S> class ExpectedForces {
+template <class S> class ExpectedForces : ForceColumns<S> {
+  using Base = ForceColumns<S>;
+  using Base::assembly_, Base::cone, Base::body, Base::wrench, Base::is_soft, Base::seen_by,
+      Base::column;
+
 public:
   /// `by_forces`: what the forces add to the object's fall. `preload`: of soft pads.
   /// `active`: the flags of predict_modes, where the slides are noted.
   ExpectedForces(const Assembly<S>& assembly, const Vector6<S>& by_forces, const S* preload,
                  Span<unsigned char> active)
-      : assembly_(assembly), by_forces_(by_forces), preload_(preload), active_(active) {
+      : Base(assembly), by_forces_(by_forces), preload_(preload), active_(active) {
     const S unit = S(1) + by_forces.cwiseAbs().maxCoeff();
     still_ = S(256) * Eigen::NumTraits<S>::epsilon() * unit;
   }
@@ -33,7 +38,6 @@ public:
 
 private:
   static constexpr Index most_pads = 4, leans = 5;
-  const Assembly<S>& assembly_;
   Vector6<S> by_forces_;
   const S* preload_;
   Span<unsigned char> active_;
@@ -52,48 +56,45 @@ private:
       target[k] = assembly_.factored().mobility.row(k).isZero(S(0)) ? S(0) : by_forces_[k];
     for (Index a = 0; a < sums; ++a) target[6 + a] = -assembly_.factored().sums[a].target;
     FewForces<S> loose, tight;
-    const auto anywhere = [&](const auto& visit) {
-      for_each_normal(visit);
-      for_each_sticking([&](Index b, Index i) {
-        for (Index k = 0; k < cone(i).generators; ++k)
-          visit(Ray{b, i, k}, column(b, cone(i).force + cone(i).normals + k));
-      });
-    };
+    const auto loose_column = [&](const Ray& ray) { return ray_column(ray, false); };
     // Pressure first: friction is for what it leaves.
-    const auto pressed_only = [&](const auto& visit) { for_each_normal(visit); };
-    if (!loose.solve(target, pressed_only) && !loose.solve(target, anywhere)) return false;
+    const auto pressed_only = [&](const Balance<S>& rest, const auto& visit) {
+      for_each_normal(rest, visit);
+    };
+    const auto anywhere = [&](const Balance<S>& rest, const auto& visit) {
+      for_each_normal(rest, visit);
+      for_each_sticking(
+          rest, false, [](Index, Index) { return true; }, visit);
+    };
+    if (!loose.solve(target, pressed_only, loose_column) &&
+        !loose.solve(target, anywhere, loose_column))
+      return false;
     find_most_loaded(loose);
-    const auto where_loaded = [&](const auto& visit) {
-      for_each_normal([&](const Ray& ray, const Balance<S>& force) {
+    const auto tight_column = [&](const Ray& ray) { return ray_column(ray, true); };
+    const auto pressed_there = [&](const Balance<S>& rest, const auto& visit) {
+      for_each_normal(rest, [&](const Ray& ray, S slope) {
         const bool sticks = ray.point >= 0 && opposed(ray.point) < 0;
-        if (!sticks || pressure(loose, ray.body, ray.point) > S(0)) visit(ray, force);
-      });
-      for_each_sticking([&](Index b, Index i) {
-        const S share = is_soft(b) ? S(0) : cone(i).friction;
-        if (is_soft(b) ? !is_most_loaded(b, i) : !(pressure(loose, b, i) > S(0))) return;
-        for (Index k = 0; k < cone(i).generators; ++k) {
-          Balance<S> ray = column(b, cone(i).force + cone(i).normals + k);
-          if (share > S(0)) ray = column(b, cone(i).force) + share * ray;
-          visit(Ray{b, i, k}, ray);
-        }
+        if (!sticks || pressure(loose, ray.body, ray.point) > S(0)) visit(ray, slope);
       });
     };
-    const auto pressed_there = [&](const auto& visit) {
-      where_loaded([&](const Ray& ray, const Balance<S>& force) {
-        if (ray.generator < 0 || ray.point < 0) visit(ray, force);
-      });
+    const auto where_loaded = [&](const Balance<S>& rest, const auto& visit) {
+      pressed_there(rest, visit);
+      for_each_sticking(
+          rest, true,
+          [&](Index b, Index i) {
+            return is_soft(b) ? is_most_loaded(b, i) : pressure(loose, b, i) > S(0);
+          },
+          visit);
     };
-    if (!tight.solve(target, pressed_there) && !tight.solve(target, where_loaded)) return false;
+    if (!tight.solve(target, pressed_there, tight_column) &&
+        !tight.solve(target, where_loaded, tight_column))
+      return false;
     for (Index p = 0; p < pads_; ++p)
       if (!can_be(tight, pad_of_[p])) return false;
     mark(tight);
     return true;
   }
 
-  const ConeGroup<S>& cone(Index i) const { return assembly_.factored().cones[i]; }
-  const Body<S>& body(Index b) const { return assembly_.scene().bodies[b]; }
-  /// Its points share their force as their compliance says.
-  bool is_soft(Index b) const { return cone(body(b).first_point).compliance > S(0); }
   bool is_preloaded(Index b) const {
     return is_driven(assembly_.scene(), b) || body(b).preload > S(0);
   }
@@ -101,16 +102,14 @@ private:
     return is_preloaded(b) ? preload_[i] : weight_of(assembly_.scene(), body(b), i);
   }
 
-  /// What a unit of the force adds to the object's acceleration and to the actuators' sums.
-  Balance<S> column(Index b, Index force) const {
-    const Vector6<S>& wrench = assembly_.factored().wrenches[force];
-    Balance<S> column = Balance<S>::Zero();
-    column.template head<6>() = assembly_.factored().mobility.lazyProduct(wrench);
-    for (const Drive<S>& drive : assembly_.scene().drives)
-      if (drive.body == b)
-        column[6 + drive.actuator] -= laws::grip_coefficient(
-            drive, wrench, assembly_.layout().reach[drive.actuator], assembly_.layout().scales);
-    return column;
+  /// Column of a ray. `at_limit`: a rigid point's friction comes with the pressure that bears it.
+  Balance<S> ray_column(const Ray& ray, bool at_limit) const {
+    if (ray.point < 0) return pad_columns_.col(pad(ray.body) * leans + ray.generator);
+    if (ray.generator < 0) return pressed(ray.body, ray.point);
+    const ConeGroup<S>& of = cone(ray.point);
+    const Balance<S> friction = column(ray.body, of.force + of.normals + ray.generator);
+    if (!at_limit || is_soft(ray.body)) return friction;
+    return column(ray.body, of.force) + of.friction * friction;
   }
   /// A normal force, with the friction of a point that slides.
   Balance<S> pressed(Index b, Index i) const {
@@ -192,23 +191,42 @@ private:
     return true;
   }
 
-  template <class Visit> void for_each_normal(const Visit& visit) const {
+  template <class Visit> void for_each_normal(const Balance<S>& rest, const Visit& visit) const {
     for (Index p = 0; p < pads_; ++p)
       for (Index k = 0; k < leans; ++k)
-        visit(Ray{pad_of_[p], -1, k}, Balance<S>(pad_columns_.col(p * leans + k)));
-    for_each_point([&](Index b, Index i) {
-      if (!is_soft(b)) visit(Ray{b, i, -1}, pressed(b, i));
-    });
+        visit(Ray{pad_of_[p], -1, k}, S(pad_columns_.col(p * leans + k).dot(rest)));
+    for (Index b = 0; b < assembly_.scene().bodies.size; ++b) {
+      if (is_soft(b)) continue;
+      const Vector6<S> seen = seen_by(b, rest);
+      for_each_point(b, [&](Index i) {
+        const Index against = opposed(i), first = cone(i).force;
+        S slope = wrench(first).dot(seen);
+        if (against >= 0)
+          slope += cone(i).friction * wrench(first + cone(i).normals + against).dot(seen);
+        visit(Ray{b, i, -1}, slope);
+      });
+    }
   }
-  template <class Visit> void for_each_sticking(const Visit& visit) const {
-    for_each_point([&](Index b, Index i) {
-      if (opposed(i) < 0) visit(b, i);
-    });
+  /// The friction of points that stick, where `takes_part(body, point)`; as ray_column has it.
+  template <class Visit, class TakesPart>
+  void for_each_sticking(const Balance<S>& rest, bool at_limit, const TakesPart& takes_part,
+                         const Visit& visit) const {
+    for (Index b = 0; b < assembly_.scene().bodies.size; ++b) {
+      const Vector6<S> seen = seen_by(b, rest);
+      const bool with_pressure = at_limit && !is_soft(b);
+      for_each_point(b, [&](Index i) {
+        if (opposed(i) >= 0 || !takes_part(b, i)) return;
+        const Index normal = cone(i).force, first = normal + cone(i).normals;
+        const S pressed = with_pressure ? S(wrench(normal).dot(seen)) : S(0);
+        const S part = with_pressure ? cone(i).friction : S(1);
+        for (Index k = 0; k < cone(i).generators; ++k)
+          visit(Ray{b, i, k}, pressed + part * wrench(first + k).dot(seen));
+      });
+    }
   }
-  template <class Visit> void for_each_point(const Visit& visit) const {
-    for (Index b = 0; b < assembly_.scene().bodies.size; ++b)
-      for (Index i = body(b).first_point; i < body(b).first_point + body(b).point_count; ++i)
-        if (!moves_away(b, i)) visit(b, i);
+  template <class Visit> void for_each_point(Index b, const Visit& visit) const {
+    for (Index i = body(b).first_point; i < body(b).first_point + body(b).point_count; ++i)
+      if (!moves_away(b, i)) visit(i);
   }
 
   /// The normal force that `few` gives a point.
@@ -264,9 +282,10 @@ private:
       for (Index i = body(b).first_point; i < body(b).first_point + body(b).point_count; ++i)
         active_[cone(i).variable] = pressure(few, b, i, !is_soft(b)) > S(0) ? 1 : 0;
     IndependentForces<S> forces(assembly_);
-    for_each_point([&](Index b, Index i) {
-      if (!is_soft(b) && active_[cone(i).variable] != 0) (void)forces.take(b, cone(i).force);
-    });
+    for (Index b = 0; b < assembly_.scene().bodies.size; ++b)
+      for_each_point(b, [&](Index i) {
+        if (!is_soft(b) && active_[cone(i).variable] != 0) (void)forces.take(b, cone(i).force);
+      });
     for (Index k = 0; k < few.size(); ++k) {
       const Ray& ray = few.ray(k);
       if (ray.point < 0 || ray.generator < 0 || !(few.force(k) > S(0))) continue;

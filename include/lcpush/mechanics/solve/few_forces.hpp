@@ -24,17 +24,18 @@ struct Ray {
 };
 
 /// Minimises |sum of columns x - target| over x >= 0, as NonnegativeLeastSquares does (lcp/), for
-/// columns that are computed when they are looked at. [Lawson, Hanson 1974, ch. 23]
+/// columns that are computed when they enter. [Lawson, Hanson 1974, ch. 23]
 template <class S> class FewForces {
 public:
-  /// for_each(visit) calls visit(ray, column) for every candidate, column_of(ray) is one of them.
+  /// for_each(rest, visit) calls visit(ray, its column's product with rest) for every candidate.
   /// True: the target is met.
-  template <class ForEach> bool solve(const Balance<S>& target, const ForEach& for_each) {
+  template <class ForEach, class ColumnOf>
+  bool solve(const Balance<S>& target, const ForEach& for_each, const ColumnOf& column_of) {
     const S met = Tolerances<S>().settled * target.norm();
     for (int step = 0; step < 8 * static_cast<int>(most_balances); ++step) {
       const Balance<S> rest = residual(target);
       if (!(rest.norm() > met)) return true;
-      if (!let_in(target, rest, for_each)) return false;
+      if (!let_in(target, rest, for_each, column_of)) return false;
     }
     return false;
   }
@@ -68,22 +69,20 @@ private:
 
   /// The candidate that lessens the residual most steeply comes into use; those that it makes
   /// negative leave.
-  template <class ForEach>
-  bool let_in(const Balance<S>& target, const Balance<S>& rest, const ForEach& for_each) {
+  template <class ForEach, class ColumnOf>
+  bool let_in(const Balance<S>& target, const Balance<S>& rest, const ForEach& for_each,
+              const ColumnOf& column_of) {
     barred_count_ = 0;
     while (count_ < most_balances && barred_count_ < most_barred) {
       Ray best;
-      Balance<S> entering;
       S steepest = rounding() * rest.norm();
-      for_each([&](const Ray& ray, const Balance<S>& column) {
-        const S slope = column.dot(rest);
+      for_each(rest, [&](const Ray& ray, S slope) {
         if (!(slope > steepest) || is_barred(ray)) return;
         steepest = slope;
         best = ray;
-        entering = column;
       });
       if (best.body < 0) return false;
-      if (append(best, entering)) {
+      if (append(best, column_of(best))) {
         find_least_squares(target);
         if (z_[count_ - 1] > S(0)) {
           move_there(target);

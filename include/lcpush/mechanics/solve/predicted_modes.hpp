@@ -95,7 +95,11 @@ void predict_modes(const Assembly<S>& assembly, Span<unsigned char> active,
       if (!rests) active[cone.slip()] = 1;
     }
   }
-  if (!rests && detail::ExpectedForces<S>(assembly, by_forces, preload, active).find()) return;
+  // With fewer unknowns the pivots that this saves cost less than it does.
+  constexpr Index worth_expecting = 40;
+  if (!rests && problem.size >= worth_expecting &&
+      detail::ExpectedForces<S>(assembly, by_forces, preload, active).find())
+    return;
   detail::keep_independent(assembly, rests, active);
 }
 

@@ -75,10 +75,12 @@ template <class S> bool closes_on_something(const Assembly<S>& assembly, Index a
 }
 
 /// Extreme rays of a point's cone: visit(normal, friction), columns of G, equal without friction.
-template <class S, class Visit> void for_each_ray(const ConeGroup<S>& cone, const Visit& visit) {
+template <class S, class Visit>
+void for_each_ray(const ConeGroup<S>& cone, const Visit& visit, bool smooth = false) {
   for (Index normal = cone.force; normal < cone.force + cone.normals; ++normal) {
-    if (cone.generators == 0) visit(normal, normal);
-    for (Index j = 0; j < cone.generators; ++j) visit(normal, cone.force + cone.normals + j);
+    if (smooth || cone.generators == 0) visit(normal, normal);
+    for (Index j = 0; !smooth && j < cone.generators; ++j)
+      visit(normal, cone.force + cone.normals + j);
   }
 }
 
@@ -163,10 +165,11 @@ Status find_idle_closing(const Assembly<S>& assembly, const ExistenceSize& size,
 }
 
 /// (H2): of the rays that no actuator closes on, is there a sum with G f = 0, Q_a(f) = 0, P(f) = 1?
+/// `smooth`: of normal forces alone, which proves that there is no answer.
 /// Post: solved, `witness` is a squeeze, per column of G; ray, there is none.
 template <class S>
 Status find_tightened_squeeze(const Assembly<S>& assembly, const ExistenceSize& size,
-                              const StudyMemory<S>& memory, S* witness) {
+                              const StudyMemory<S>& memory, S* witness, bool smooth = false) {
   const Scene<S>& scene = assembly.scene();
   const Layout<S>& layout = assembly.layout();
   const FactoredProblem<S>& factored = assembly.factored();
@@ -187,8 +190,9 @@ Status find_tightened_squeeze(const Assembly<S>& assembly, const ExistenceSize& 
     Index column = 0;
     for (Index i = 0; i < layout.points; ++i)
       if (is_closed_on[i] == 0)
-        for_each_ray(layout.cones[i],
-                     [&](Index normal, Index friction) { visit(column++, i, normal, friction); });
+        for_each_ray(
+            layout.cones[i],
+            [&](Index normal, Index friction) { visit(column++, i, normal, friction); }, smooth);
   };
   const auto mu = [&](Index i, Index normal, Index friction) {
     return normal == friction ? S(0) : layout.cones[i].friction;
@@ -262,6 +266,14 @@ template <class S>
   if (squeeze == Status::solved) return Existence::can_be_squeezed;
   if (squeeze != Status::ray) return Existence::not_known;
   return cannot_retreat(assembly) ? Existence::proved : Existence::may_retreat;
+}
+
+/// Squeezes of normal forces alone that (H2) forbids: they prove that there is no answer, and
+/// friction is no part of it. Post: solved, `witness` is one, per column of G; ray, there is none.
+template <class S>
+[[nodiscard]] Status find_smooth_squeeze(const Assembly<S>& assembly, const ExistenceSize& size,
+                                         const StudyMemory<S>& memory, S* witness) {
+  return detail::find_tightened_squeeze(assembly, size, memory, witness, true);
 }
 
 } // namespace lcpush
