@@ -60,6 +60,13 @@ template <class S> struct Residuals {
     S* const all[] = {&newton, &normal, &dissipation, &cone, &grip, &rigidity, &pusher};
     return *all[static_cast<int>(law)];
   }
+  /// Of two answers' residuals those with the worse row.
+  void take(const Residuals& other) {
+    const S most = beside;
+    if (!(other.max() <= max())) *this = other;
+    detail::keep_worst(beside, most);
+    detail::keep_worst(beside, other.beside);
+  }
   S max() const {
     S worst = newton;
     for (const S& r : {normal, dissipation, cone, grip, rigidity, pusher})
