@@ -50,6 +50,17 @@ template <class S> struct TermSizes {
   Vector6<S> acceleration; ///< what forces of that size make of the object: m/s^2, rad/s^2
   S load{0};               ///< N: the object's weight and the wrench on it, which are given
 
+  /// |I^-1| |moment|, by Cramer's rule: row k of the adjugate over the determinant.
+  static Vector3<S> turning_size(const Matrix3<S>& inertia, const Vector3<S>& moment) {
+    const Vector3<S> x = inertia.col(0), y = inertia.col(1), z = inertia.col(2);
+    const Vector3<S> rows[] = {cross(y, z), cross(z, x), cross(x, y)};
+    const S determinant = x.dot(rows[0]);
+    Vector3<S> size;
+    for (Index k = 0; k < 3; ++k)
+      size[k] = rows[k].cwiseAbs().dot(moment) / Eigen::numext::abs(determinant);
+    return size;
+  }
+
   TermSizes(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer) {
     const Object<S>& object = scene.object;
     const Vector3<S> weight = object.mass * scene.gravity;
@@ -65,7 +76,7 @@ template <class S> struct TermSizes {
     if (scene.planar)
       acceleration[5] += moment[2] / object.inertia(2, 2);
     else
-      acceleration.template tail<3>() += object.inertia.inverse().cwiseAbs().lazyProduct(moment);
+      acceleration.template tail<3>() += turning_size(object.inertia, moment);
     wrench.template head<3>() += object.mass * a.template head<3>();
     wrench.template tail<3>() += object.inertia.cwiseAbs().lazyProduct(a.template tail<3>());
   }
