@@ -42,6 +42,8 @@ enum class Reason {
   residual,       ///< numerical_breakdown: the answer reached fails its residual check
   false_ray,      ///< numerical_breakdown: the ray reached fails its certificate
   singular_basis, ///< numerical_breakdown: the basis cannot be factored
+  small_load,     ///< numerical_breakdown: a row is right beside the largest force, but not by its
+                  ///< own terms
   retreat,        ///< a free unknown ended at its symbolic bound -S: it runs away
 };
 
@@ -56,6 +58,8 @@ constexpr const char* reason_text(Reason reason) {
     return "a soft contact of several points, or even pressure that was not spread over its points";
   case Reason::not_finite: return "a number of M or q is not finite, or overflows when scaled";
   case Reason::residual: return "an answer was reached but fails the residual check";
+  case Reason::small_load:
+    return "a small load cannot be told from rounding beside the largest force";
   case Reason::false_ray: return "nothing blocks, yet the ray fails its certificate";
   case Reason::singular_basis: return "a basis is singular to working precision";
   case Reason::retreat: return "a free unknown runs off to minus infinity";

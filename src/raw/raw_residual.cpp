@@ -75,41 +75,81 @@ BoxEnds ends_of(const RawProblem& problem, Index i, const std::vector<double>& z
 Referee::Referee(const RawProblem& problem)
     : problem_(problem), unit_(balanced_scales(problem.M, 20).column) {}
 
-WorstRow<double> Referee::judge(const std::vector<double>& z, std::vector<double>& w) {
+/// How large z_j may be for rounding in it to be excused: its own size and what it may have caught
+/// of the unknowns that share a row with it. What of these a row brings, it brings through its
+/// terms: a huge unknown with a tiny coefficient hides nothing.
+void Referee::measure_unknowns(const std::vector<double>& z) {
   const Index n = problem_.size();
-  w.resize(z.size());
   size_.assign(z.size(), 0.0);
-  double z_max = 0;
-  for (std::size_t j = 0; j < z.size(); ++j) z_max = std::max(z_max, std::abs(z[j]) / unit_[j]);
-  // The largest unknown of a row, and from there the largest that shares a row with z_j.
+  caught_.assign(z.size(), 0.0);
   for (Index i = 0; i < n; ++i) {
-    double largest = 0;
+    double largest = 0, terms = std::abs(problem_.q[static_cast<std::size_t>(i)]);
     for (const SparseEntry& entry : problem_.M.row(i)) {
       const auto j = static_cast<std::size_t>(entry.column);
       largest = std::max(largest, std::abs(z[j]) / unit_[j]);
+      terms = std::max(terms, std::abs(entry.value * z[j]));
     }
     for (const SparseEntry& entry : problem_.M.row(i)) {
-      double& size = size_[static_cast<std::size_t>(entry.column)];
-      size = std::max(size, largest);
+      const auto j = static_cast<std::size_t>(entry.column);
+      size_[j] = std::max(size_[j], largest);
+      if (entry.value != 0) caught_[j] = std::max(caught_[j], terms / std::abs(entry.value));
     }
   }
   const double noise = Tolerances<double>().noise;
   for (std::size_t j = 0; j < z.size(); ++j)
-    size_[j] = std::abs(z[j]) + (z[j] != 0 ? size_[j] * unit_[j] * noise : 0.0);
-  WorstRow<double> worst;
+    size_[j] =
+        std::abs(z[j]) + (z[j] != 0 ? std::min(size_[j] * unit_[j], caught_[j]) * noise : 0.0);
+}
+
+/// w, the sum of each row's |terms|, and what a unit of z_j is of its own row, or without a
+/// diagonal of the row where it is most.
+void Referee::measure_rows(const std::vector<double>& z, std::vector<double>& w) {
+  const Index n = problem_.size();
+  w.resize(z.size());
+  scale_.assign(z.size(), 0.0);
+  share_.assign(z.size(), 0.0);
   for (Index i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    double sum = 0, scale = std::abs(problem_.q[at]);
+    double sum = 0, scale = std::abs(problem_.q[at]), diagonal = 0;
     for (const SparseEntry& entry : problem_.M.row(i)) {
       const auto j = static_cast<std::size_t>(entry.column);
       sum += entry.value * z[j];
       scale += std::abs(entry.value) * size_[j];
+      if (entry.column == i) diagonal += std::abs(entry.value);
     }
     w[at] = sum + problem_.q[at];
+    scale_[at] = scale;
+    caught_[at] = diagonal;
+  }
+  for (Index i = 0; i < n; ++i) {
+    const double scale = scale_[static_cast<std::size_t>(i)];
+    for (const SparseEntry& entry : problem_.M.row(i)) {
+      const auto j = static_cast<std::size_t>(entry.column);
+      const bool counts = entry.column == i || caught_[j] == 0;
+      if (counts && scale > 0) share_[j] = std::max(share_[j], std::abs(entry.value) / scale);
+    }
+  }
+}
+
+WorstRow<double> Referee::judge(const std::vector<double>& z, std::vector<double>& w) {
+  double z_max = 0;
+  for (std::size_t j = 0; j < z.size(); ++j) z_max = std::max(z_max, std::abs(z[j]) / unit_[j]);
+  measure_unknowns(z);
+  measure_rows(z, w);
+  WorstRow<double> worst;
+  for (Index i = 0; i < problem_.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double scale = scale_[at];
     const double scaled_w = scale > 0 ? w[at] / scale : w[at];
     const BoxEnds ends = ends_of(problem_, i, z);
-    const double unit = unit_[at] * z_max;
-    const double below = scaled(z[at] - ends.lo, unit), above = scaled(z[at] - ends.hi, unit);
+    const double unit = unit_[at] * z_max, share = share_[at];
+    // Beside the largest unknown, and as a term of its row: the larger of the two.
+    const auto side = [&](double distance) {
+      const double beside = scaled(distance, unit);
+      const double as_term = share > 0 ? distance * share : 0.0;
+      return std::abs(as_term) > std::abs(beside) ? as_term : beside;
+    };
+    const double below = side(z[at] - ends.lo), above = side(z[at] - ends.hi);
     // x - x is 0 unless x is NaN or infinite, and then no other row can make up for it.
     const double not_finite = (z[at] - z[at]) + (scaled_w - scaled_w) + (scale - scale);
     if (!(not_finite == 0)) return {not_finite, i};

@@ -19,12 +19,15 @@ public:
   /// `problem` outlives it.
   explicit Referee(const RawProblem& problem);
 
-  /// w becomes M z + q. Cost: three passes over the entries of M.
+  /// w becomes M z + q. Cost: four passes over the entries of M.
   WorstRow<double> judge(const std::vector<double>& z, std::vector<double>& w);
 
 private:
   const RawProblem& problem_;
-  std::vector<double> unit_, size_;
+  std::vector<double> unit_, size_, caught_, scale_, share_;
+
+  void measure_unknowns(const std::vector<double>& z);
+  void measure_rows(const std::vector<double>& z, std::vector<double>& w);
 };
 
 } // namespace lcpush::desktop

@@ -3,6 +3,7 @@
 
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
+#include "solve/told_force.hpp"
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
@@ -17,8 +18,9 @@ std::vector<std::vector<std::string>> brief_contact_rows(const SceneFile& file,
     widest = std::max(widest, contact.acceleration.dot(scene.bodies[contact.body].normal));
   }
   // Where nothing moves, the fastest is rounding's.
-  const double zero_motion = std::max(1e-6 * fastest, 1e-9 * report.scales.acceleration);
-  const double zero_force = 1e-6 * report.scales.force;
+  const double told = told_force(file, report.scales);
+  const double zero_motion = std::max(1e-6 * fastest, 1e-9 * told / file.object.mass);
+  const double zero_force = 1e-6 * told;
   const bool opens = widest > zero_motion;
   std::vector<std::vector<std::string>> rows{
       {"contact", "does", "normal N", "friction N", "along", "slip m/s^2"}};
@@ -40,8 +42,8 @@ std::vector<std::vector<std::string>> brief_contact_rows(const SceneFile& file,
 std::vector<std::vector<std::string>> contact_rows(const SceneFile& file,
                                                    const PushReport& report) {
   const Scene<double> scene = file.view();
-  const double zero_force = 1e-9 * report.scales.force;
-  const double zero_motion = 1e-9 * report.scales.acceleration;
+  const double zero_force = 1e-9 * told_force(file, report.scales);
+  const double zero_motion = zero_force / file.object.mass;
   std::vector<std::vector<std::string>> rows{
       {"contact", "mode", "normal N", "friction N", "along", "slip m/s^2", "opening m/s^2"}};
   for (Index i = 0; i < report.answer.contacts.size; ++i) {
@@ -60,9 +62,10 @@ std::vector<std::vector<std::string>> contact_rows(const SceneFile& file,
 
 std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report) {
   const Scene<double> scene = file.view();
+  const double zero_motion = 1e-9 * told_force(file, report.scales) / file.object.mass;
   std::vector<std::string> list;
   const auto add = [&](const std::string& name, double s) {
-    if (std::abs(s) > 1e-9 * report.scales.acceleration)
+    if (std::abs(s) > zero_motion)
       list.push_back(name + (s > 0 ? " closes at " : " is forced open at ") + number(std::abs(s)) +
                      " m/s^2");
   };

@@ -1,5 +1,6 @@
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/push_rounds.hpp"
+#include "solve/told_force.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
@@ -208,6 +209,24 @@ void Push::begin(const PushOptions& options, RunReport& report) {
   swept_before_ = 0;
 }
 
+/// Why an answer that the solver found fails the laws' check.
+std::string Push::untold(const PushReport& report) const {
+  const double passes = Tolerances<double>().residual;
+  Violation<double> worst;
+  bool beside = true;
+  check_rows(scene_, report.scales, report.answer, 1.0, [&](const Violation<double>& row) {
+    beside = beside && std::abs(row.scaled * row.unit) <= passes * row.common;
+    if (!(std::abs(row.scaled) <= std::abs(worst.scaled))) worst = row;
+  });
+  if (!beside) return reason_text(Reason::residual);
+  std::string text = reason_text(Reason::small_load);
+  const std::string largest = shown(report.scales.force) + " N";
+  if (worst.law == Law::grip)
+    return text + ": " + actuator_name(worst.of) + " holds " +
+           shown(std::abs(scene_.actuators[worst.of].force)) + ", the largest force is " + largest;
+  return text + ": the largest force is " + largest;
+}
+
 PushReport Push::solve(const PushOptions& options) {
   PushReport report;
   begin(options, report);
@@ -227,18 +246,21 @@ PushReport Push::solve(const PushOptions& options) {
   const double push = push_size(scene_);
   name_file_bodies();
   report.motion = describe_motion(file_.view(), report.answer, report.scales.length,
-                                  report.scales.acceleration, push);
+                                  told_force(file_, report.scales) / scene_.object.mass, push);
   const double noise = rest_tolerance(options.solver) * report.scales.acceleration;
   report.hand_moves = any_moves(closings(std::max({push, report.motion.translation, noise})));
   // The solver has checked its own equations; this is the laws' own word, in SI units.
   if (!(report.residuals.max() <= Tolerances<double>().residual)) {
     report.status = Status::numerical_breakdown;
-    report.reason = reason_text(Reason::residual);
+    report.reason = untold(report);
+    report.unique_motion = report.unique_wrench = Uniqueness::not_tested; // of no answer
+    report.final_basis = {};
+    report.other.reset();
   }
   // What the push does must stand out from what rounding does.
   constexpr double smallest_part = 1e-5;
   const double relative_push = push / report.scales.acceleration;
-  if (relative_push > 0 && !(report.residuals.max() <= smallest_part * relative_push)) {
+  if (relative_push > 0 && !(report.residuals.beside <= smallest_part * relative_push)) {
     report.status = Status::numerical_breakdown;
     report.reason = "the push, " + shown(push) + " m/s^2, is too slow beside the grip (" +
                     shown(report.scales.force) + " N on " + shown(scene_.object.mass) +

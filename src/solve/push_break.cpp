@@ -22,7 +22,7 @@ bool falls_slowly(const SceneFile& file, const Scene<double>& scene, const Break
   const double tolerance = rest_tolerance(options.solver);
   if (is_at_rest(file, breaking.rest, report.scales, tolerance)) return false;
   if (is_exact(file, options))
-    return motion_size(breaking.rest, report.scales) > 64 * breaking.residuals.max();
+    return motion_size(breaking.rest, report.scales) > 64 * breaking.residuals.beside;
   if (size_of(scene).unknowns() > limits::unknowns_holding) return false;
   Holding<double> holding;
   const Status status = find_holding(file, options, holding);

@@ -1,4 +1,5 @@
 #include "solve/push_words.hpp"
+#include "solve/told_force.hpp"
 
 #include <algorithm>
 
@@ -39,7 +40,7 @@ std::string moment_words(const Vector3<double>& moment, double zero) {
 
 void add_wrenches(const SceneFile& file, const PushReport& report, std::vector<Fact>& facts) {
   const Scene<double> scene = file.view();
-  const double zero = 1e-9 * report.scales.force;
+  const double zero = 1e-9 * told_force(file, report.scales);
   for (Index b = 0; b < scene.bodies.size; ++b) {
     if (scene.bodies[b].role != Role::pusher) continue;
     const Vector6<double> wrench = body_wrench(scene, report.answer, scene.bodies[b]);
@@ -202,7 +203,7 @@ std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report) {
 std::vector<Fact> break_facts(const SceneFile& file, const BreakReport& report) {
   const Breaking<double>& b = report.breaking;
   const std::string pusher = file.body_name(report.pusher);
-  const double zero = 1e-9 * report.scales.force;
+  const double zero = 1e-9 * told_force(file, report.scales);
   std::vector<Fact> facts;
   const std::string force = number(b.break_force, zero) + " N, normal force of " + pusher;
   facts.push_back({"Breaking force", b.breaks ? force + " when the object starts to move" +

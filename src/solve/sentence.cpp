@@ -1,4 +1,5 @@
 #include "solve/sentence.hpp"
+#include "solve/told_force.hpp"
 
 #include <array>
 #include <cmath>
@@ -144,7 +145,7 @@ std::string push_sentence(const SceneFile& file, const PushReport& report) {
   for (Index b = 0; b < scene.bodies.size; ++b) {
     if (scene.bodies[b].role != Role::pusher) continue;
     const Vector3<double> force = body_wrench(scene, report.answer, scene.bodies[b]).head<3>();
-    const bool presses = force.norm() > 1e-9 * report.scales.force;
+    const bool presses = force.norm() > 1e-9 * told_force(file, report.scales);
     (presses ? names : idle).push_back(file.body_name(b));
     if (presses) forces.push_back(force_phrase(file, force));
   }

@@ -128,7 +128,7 @@ bool LiteralProblem::passes(const Residuals<double>& residuals, double push) con
   constexpr double smallest_part = 1e-5; // as for an answer of Push::solve
   const double worst = residuals.max();
   return worst <= Tolerances<double>().residual &&
-         (!(push_size(scene()) > 0 && push > 0) || worst <= smallest_part * push);
+         (!(push_size(scene()) > 0 && push > 0) || residuals.beside <= smallest_part * push);
 }
 
 std::vector<LiteralProblem::Look> LiteralProblem::look_at(const Eigen::VectorXd& z,

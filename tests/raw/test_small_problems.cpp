@@ -124,3 +124,30 @@ TEST_CASE("all cones tried is a proof: what it says has no solution has none") {
     if (answer.search.whole) CHECK_FALSE(has_solution(given));
   }
 }
+
+TEST_CASE("a row is judged by its own terms beside a huge unknown") {
+  const auto given = [](double huge, double coupling) {
+    DenseRaw raw;
+    raw.M = Eigen::MatrixXd::Zero(2, 2);
+    raw.M(0, 0) = 2 / huge;
+    raw.M(1, 0) = coupling / huge;
+    raw.M(1, 1) = 2;
+    raw.q = Eigen::Vector2d(-2, -2 - coupling);
+    raw.free.assign(2, 0);
+    return raw;
+  };
+  for (const double huge : {1e3, 1e6, 1e9, 1e12, 1e15})
+    for (const double coupling : {0.0, 1e-3, 1.0}) {
+      CAPTURE(huge);
+      CAPTURE(coupling);
+      const RawProblem problem = given(huge, coupling).raw();
+      std::vector<double> w;
+      CHECK(raw_residual(problem, {huge, 1.0}, w).residual <= 1e-12);
+      // z_2 = 1.5 leaves w_2 = 1: neither is zero.
+      CHECK(raw_residual(problem, {huge, 1.5}, w).residual > 0.1);
+      CHECK(raw_residual(problem, {huge, 0.5}, w).residual > 0.1);
+      const RawAnswer answer = solve_raw(problem, RawOptions());
+      REQUIRE(answer.status == Status::solved);
+      CHECK(answer.z[1] == doctest::Approx(1).epsilon(1e-9));
+    }
+}

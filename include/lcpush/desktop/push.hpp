@@ -74,6 +74,7 @@ private:
   Outcome<double> outcome() const;
   std::vector<NamedValue> closings(double unit) const;
   std::string explain(Status status, const PressureRun& run) const;
+  std::string untold(const PushReport& report) const;
   void read_ray(const PushOptions& options, RunReport& report) const;
   void compare_others(const PushOptions& options, BreakReport& report);
   void search_others(const PushOptions& options, PushReport& report);

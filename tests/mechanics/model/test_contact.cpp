@@ -97,3 +97,40 @@ TEST_CASE("a wrench column's power is the force along u times the point's accele
     CHECK((cross<double>(p, u) - p.cross(u)).norm() <= 1e-15);
   }
 }
+
+TEST_CASE_TEMPLATE("a normal that is a rounding error off an axis has the axis' tangent", S, float,
+                   double) {
+  const S eps = Eigen::NumTraits<S>::epsilon();
+  for (Index along = 0; along < 3; ++along)
+    for (const S sign : {S(1), S(-1)}) {
+      const Vector3<S> axis = sign * Vector3<S>::Unit(along);
+      const Index chosen = least_aligned_axis<S>(axis);
+      CHECK(chosen == (along == 0 ? 1 : 0)); // the first of the two that are as little aligned
+      for (const S off : {S(1e-17), eps / 2, eps, S(4) * eps})
+        for (Index k = 0; k < 27; ++k) {
+          Vector3<S> normal = axis + off * Vector3<S>(S(k % 3 - 1), S(k / 3 % 3 - 1), S(k / 9 - 1));
+          normal.normalize();
+          CHECK(least_aligned_axis<S>(normal) == chosen);
+          const Vector3<S> turned = default_tangent<S>(normal) - default_tangent<S>(axis);
+          CHECK(turned.norm() <= S(16) * eps);
+        }
+    }
+  // What is further off than rounding is another normal.
+  CHECK(least_aligned_axis<S>(Vector3<S>(S(1e-3), S(0), S(1)).normalized()) == 1);
+}
+
+TEST_CASE("a double's normal may be off by a picometre a metre") {
+  CHECK(least_aligned_axis<double>({1e-17, 0, 1}) == 0);
+  CHECK(least_aligned_axis<double>({1e-12, 0, 1}) == 0);
+  CHECK(least_aligned_axis<double>({0, 1e-12, 1}) == 0);
+  CHECK(least_aligned_axis<double>({1, 1e-12, 0}) == 1);
+}
+
+TEST_CASE("a diagonal's normal has one tangent, however it was rounded") {
+  const double r = std::sqrt(0.5), s = std::sqrt(1.0 / 3);
+  for (const double off : {-1e-16, 0.0, 1e-16, -1e-12, 1e-12}) {
+    CHECK(least_aligned_axis<double>({r, r + off, 0}) == 2);
+    CHECK(least_aligned_axis<double>({s, s + off, s - off}) == 0);
+    CHECK(least_aligned_axis<double>({s + off, s, s - off}) == 0);
+  }
+}

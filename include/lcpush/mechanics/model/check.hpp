@@ -5,6 +5,7 @@
 
 #include "lcpush/mechanics/model/answer.hpp"
 #include "lcpush/mechanics/model/laws.hpp"
+#include "lcpush/mechanics/model/term_sizes.hpp"
 
 namespace lcpush {
 
@@ -37,10 +38,11 @@ template <class S> struct Violation {
                ///< do not make up, 3 for torsion, or -1; rigidity: component, or 3 + other point
   S scaled{0}; ///< signed
   S unit{1};   ///< SI value = scaled times this: N, N m, m/s^2 or the actuator's
+  S common{1}; ///< what the scene's largest force makes of the same unit: unit <= common
 };
 
-/// The largest scaled violation of each law. Forces are measured by F, accelerations by F / m,
-/// moments by F L (Scales).
+/// The largest scaled violation of each law. A row is measured by the sum of its own |terms|, plus
+/// what rounding leaves of F, F / m or F L (Scales), at most by these (term_sizes.hpp).
 template <class S> struct Residuals {
   S newton{0};      ///< [T.1]
   S normal{0};      ///< [T.2]
@@ -50,9 +52,20 @@ template <class S> struct Residuals {
   S rigidity{0};    ///< [T.6]
   S pusher{0};      ///< pushers in contact move as prescribed: |normal acceleration| where pressed
 
+  /// The largest violation of all, measured by F, F / m or F L alone: what rounding does to the
+  /// scene as a whole.
+  S beside{0};
+
   S& operator[](Law law) {
     S* const all[] = {&newton, &normal, &dissipation, &cone, &grip, &rigidity, &pusher};
     return *all[static_cast<int>(law)];
+  }
+  /// Of two answers' residuals those with the worse row.
+  void take(const Residuals& other) {
+    const S most = beside;
+    if (!(other.max() <= max())) *this = other;
+    detail::keep_worst(beside, most);
+    detail::keep_worst(beside, other.beside);
   }
   S max() const {
     S worst = newton;
@@ -70,20 +83,43 @@ template <class S, class Visit> struct LawRows {
   const Scales<S>& scales;
   const Answer<S>& answer;
   Visit& visit;
+  TermSizes<S> sizes{scene, scales, answer};
+  S pressing{0};                          // of the present body: its forces' sum
+  Vector6<S> moving = Vector6<S>::Zero(); // its twist's terms, and the object's
 
-  /// The row fails by `amount` in SI units, of which `unit` is 1.
-  void show(Law law, Index of, Index part, const S& amount, const S& unit) {
-    visit(Violation<S>{law, of, part, amount / unit, unit});
+  /// The row fails by `amount` in SI units; `own` is the sum of its |terms|, `common` what F makes
+  /// of such a unit, `given` a load that must not be lost in it.
+  void show(Law law, Index of, Index part, const S& amount, const S& own, const S& common,
+            const S& given = S(0)) {
+    const S unit = row_unit_of(own, common, given);
+    visit(Violation<S>{law, of, part, unit > S(0) ? S(amount / unit) : amount, unit, common});
   }
 
   /// The smaller of a force and an acceleration that exclude each other, both scaled: negative, or
-  /// positive where both are.
-  Violation<S> complementarity(Law law, Index of, Index part, S force, S acceleration) const {
-    force /= scales.force;
-    acceleration /= scales.acceleration;
+  /// positive where both are. `size` is that of the acceleration's terms.
+  Violation<S> complementarity(Law law, Index of, Index part, S force, S acceleration,
+                               const S& size) const {
+    const S force_unit = row_unit_of(pressing, scales.force);
+    const S acceleration_unit = row_unit_of(size, scales.acceleration);
+    force /= force_unit;
+    acceleration /= acceleration_unit;
     const bool is_force = !(acceleration < force) && acceleration == acceleration;
-    return {law, of, part, is_force ? force : acceleration,
+    return {law,
+            of,
+            part,
+            is_force ? force : acceleration,
+            is_force ? force_unit : acceleration_unit,
             is_force ? scales.force : scales.acceleration};
+  }
+
+  /// The body whose points come next.
+  void enter(Index b, const S& sigma) {
+    const Body<S>& body = scene.bodies[b];
+    pressing = S(0);
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      pressing += Eigen::numext::abs(answer.contacts[i].normal_force) +
+                  answer.contacts[i].friction_force.norm();
+    moving = sizes.acceleration + twist_size(scene, answer, b, sigma);
   }
 
   /// [T.1]
@@ -100,11 +136,12 @@ template <class S, class Visit> struct LawRows {
     const S turn = scales.acceleration / scales.length;
     for (Index k = 0; k < 6; ++k)
       if (scene.planar && k >= 2 && k <= 4) // nothing moves out of the plane
-        show(Law::newton, k, -1, answer.acceleration[k], k < 3 ? scales.acceleration : turn);
+        show(Law::newton, k, -1, answer.acceleration[k], S(0), k < 3 ? scales.acceleration : turn);
       else if (k < 3)
-        show(Law::newton, k, -1, force[k], scales.force);
+        show(Law::newton, k, -1, force[k], sizes.wrench[k], scales.force, sizes.load);
       else
-        show(Law::newton, k, -1, moment[k - 3], scales.force * scales.length);
+        show(Law::newton, k, -1, moment[k - 3], sizes.wrench[k], scales.force * scales.length,
+             sizes.load * scales.length);
   }
 
   /// [T.3] and [T.4] of point i, and that its friction is made of its generators; `beta`: theirs.
@@ -112,6 +149,8 @@ template <class S, class Visit> struct LawRows {
     const ContactAnswer<S>& contact = answer.contacts[i];
     const Vector3<S> acceleration = acceleration_at<S>(scene.points[i], relative);
     const S spin = relative.template tail<3>().dot(body.normal);
+    const Vector3<S> speed = size_at<S>(scene.points[i], moving);
+    const S turning = moving.template tail<3>().dot(body.normal.cwiseAbs());
     const S lambda =
         body.bilateral ? Eigen::numext::abs(contact.normal_force) : contact.normal_force;
     S room = body.friction * lambda;
@@ -121,14 +160,16 @@ template <class S, class Visit> struct LawRows {
     for (Index j = 0; j < g; ++j) {
       const Generator<S> d = generator(body, j, scene.facets);
       const S slides = acceleration.dot(d.force) + spin * d.torque + contact.slip;
-      visit(complementarity(Law::dissipation, i, j, beta[j], slides));
+      const S size = speed.dot(d.force.cwiseAbs()) + turning * Eigen::numext::abs(d.torque) +
+                     Eigen::numext::abs(contact.slip);
+      visit(complementarity(Law::dissipation, i, j, beta[j], slides, size));
       room -= beta[j];
       left -= beta[j] * d.force;
       torsion -= beta[j] * d.torque;
     }
-    for (Index k = 0; k < 3; ++k) show(Law::cone, i, k, left[k], scales.force);
-    show(Law::cone, i, 3, torsion, scales.force * scales.length);
-    if (g > 0) visit(complementarity(Law::cone, i, -1, room, contact.slip));
+    for (Index k = 0; k < 3; ++k) show(Law::cone, i, k, left[k], pressing, scales.force);
+    show(Law::cone, i, 3, torsion, pressing * scales.length, scales.force * scales.length);
+    if (g > 0) visit(complementarity(Law::cone, i, -1, room, contact.slip, speed.norm()));
   }
 
   /// [T.2], [T.6] and the pusher's motion at point i.
@@ -137,8 +178,13 @@ template <class S, class Visit> struct LawRows {
     const S unit = scales.acceleration;
     const Vector3<S> acceleration = acceleration_at<S>(scene.points[i], relative);
     const S opening = acceleration.dot(body.normal);
-    Violation<S> normal = complementarity(Law::normal, i, -1, contact.normal_force, opening);
-    if (body.bilateral) normal = {Law::normal, i, -1, opening / unit, unit};
+    const Vector3<S> speed = size_at<S>(scene.points[i], moving);
+    const S size = speed.dot(body.normal.cwiseAbs());
+    Violation<S> normal = complementarity(Law::normal, i, -1, contact.normal_force, opening, size);
+    if (body.bilateral) {
+      const S own = row_unit_of(size, unit);
+      normal = {Law::normal, i, -1, opening / own, own, unit};
+    }
     visit(normal);
     if (body.role == Role::pusher &&
         (body.bilateral || contact.normal_force / scales.force > S(0))) {
@@ -149,27 +195,30 @@ template <class S, class Visit> struct LawRows {
     // bounds them all: of a wide patch each point is told against some.
     constexpr Index some = 32;
     for (Index k = 0; k < 3; ++k)
-      show(Law::rigidity, i, k, contact.acceleration[k] - acceleration[k], unit);
+      show(Law::rigidity, i, k, contact.acceleration[k] - acceleration[k], speed[k], unit);
     for (Index k = i - body.first_point > some ? i - some : body.first_point; k < i; ++k)
       show(Law::rigidity, i, 3 + k,
            laws::patch_rigidity<S>(scene.points[i], contact.acceleration, scene.points[k],
                                    answer.contacts[k].acceleration),
-           unit);
+           speed.norm(), unit);
   }
 
   /// [T.5]
   void grip(Index a) {
     const Actuator<S>& actuator = scene.actuators[a];
     S balance = actuator.inertia * answer.closing[a] - actuator.force;
-    S reach(0);
+    using Eigen::numext::abs;
+    const S given = abs(actuator.force);
+    S reach(0), own = abs(actuator.inertia * answer.closing[a]) + given;
     for (const Drive<S>& drive : scene.drives) {
       if (drive.actuator != a) continue;
       const Body<S>& body = scene.bodies[drive.body];
       balance += drive.twist.dot(body_wrench(scene, answer, body));
+      own += drive.twist.cwiseAbs().dot(wrench_size(scene, answer, body));
       for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
         reach = Eigen::numext::maxi(reach, S(acceleration_at(scene.points[i], drive.twist).norm()));
     }
-    show(Law::grip, a, -1, balance, scales.force * (reach > S(0) ? reach : S(1)));
+    show(Law::grip, a, -1, balance, own, scales.force * (reach > S(0) ? reach : S(1)), given);
   }
 };
 
@@ -186,6 +235,7 @@ void check_rows(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>&
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<S>& body = scene.bodies[b];
     const Vector6<S> relative = answer.acceleration - body_twist(scene, answer, b, sigma);
+    rows.enter(b, sigma);
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
       rows.motion(body, i, relative);
       rows.friction(body, i, beta, relative);
@@ -200,8 +250,10 @@ template <class S>
 Residuals<S> check(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer,
                    S sigma) {
   Residuals<S> worst;
-  check_rows(scene, scales, answer, sigma,
-             [&](const Violation<S>& row) { detail::keep_worst(worst[row.law], row.scaled); });
+  check_rows(scene, scales, answer, sigma, [&](const Violation<S>& row) {
+    detail::keep_worst(worst[row.law], row.scaled);
+    detail::keep_worst(worst.beside, S(row.scaled * (row.unit / row.common)));
+  });
   return worst;
 }
 

@@ -79,7 +79,7 @@ Status read_breaking(Assembly<S>& assembly, const S* z, const S* z_push, const S
   for (Index i = 0; i < assembly.layout().size; ++i) work.pressure.z[i] = z[i] + sigma * z_push[i];
   read_answer(assembly, work.pressure.z.data, work.answer, sigma);
   const Residuals<S> moving = check(scene, assembly.layout().scales, work.answer, sigma);
-  if (!(moving.max() <= breaking.residuals.max())) breaking.residuals = moving;
+  breaking.residuals.take(moving);
   return Status::solved;
 }
 
@@ -178,8 +178,7 @@ Breaking<S> extrapolate(const SmallPush<S>* push, S unit, const Scales<S>& scale
                                          (push[2].sigma / (push[1].sigma - push[2].sigma));
   line.small_push = push[2].sigma * unit;
   line.residuals = push[1].residuals;
-  for (const int k : {0, 2})
-    if (!(push[k].residuals.max() <= line.residuals.max())) line.residuals = push[k].residuals;
+  for (const int k : {0, 2}) line.residuals.take(push[k].residuals);
   return line;
 }
 

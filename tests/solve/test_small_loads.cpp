@@ -1,0 +1,130 @@
+// A small load beside a large one: it is answered, or the answer says that it cannot be told; it is
+// never lost in a residual that the large one makes small.
+#include "support/fixture_push.hpp"
+
+#include "lcpush/desktop/report.hpp"
+#include "lcpush/desktop/scene_io.hpp"
+
+#include <string>
+
+using namespace lcpush;
+using namespace lcpush::test;
+using doctest::Approx;
+
+namespace {
+
+struct Hand {
+  double squeeze = 1e6, grip = 3e-4;
+  bool actuators = false;
+  std::string pressure = "pad";
+};
+
+/// A cube of 0.1 g: two smooth fingers squeeze it along x, two rough ones grip it along y; a rod
+/// lifts it.
+desktop::SceneFile cube(const Hand& hand, double lift = 1) {
+  std::string text = "gravity = [0, 0, -9.81]\npressure = \"" + hand.pressure +
+                     "\"\n[object]\nmass = 1e-4\nbox = [0.01, 0.01, 0.01]\n";
+  if (!hand.actuators) text += "[gripper]\njaws = \"independent\"\n";
+  std::string actuators;
+  const auto finger = [&](const std::string& name, const std::string& center,
+                          const std::string& normal, const std::string& friction, double force) {
+    text += "[[finger]]\nname = \"" + name + "\"\nshape = \"point\"\ncenter = [" + center +
+            "]\nnormal = [" + normal + "]\nfriction = " + friction + "\n";
+    const std::string value = std::to_string(force * 1e9) + "e-9\n";
+    if (hand.actuators)
+      actuators += "[[actuator]]\nname = \"m_" + name + "\"\nbodies = [\"" + name +
+                   "\"]\ntwists = [[" + normal + ", 0, 0, 0]]\nforce = " + value;
+    else
+      text += "grip_force = " + value;
+  };
+  finger("right", "0.005, 0, 0", "-1, 0, 0", "0", hand.squeeze);
+  finger("left", "-0.005, 0, 0", "1, 0, 0", "0", hand.squeeze);
+  finger("front", "0, -0.005, 0", "0, 1, 0", "0.5", hand.grip);
+  finger("back", "0, 0.005, 0", "0, -1, 0", "0.5", hand.grip);
+  text += actuators;
+  if (lift > 0)
+    text += "[[pusher]]\nname = \"rod\"\nshape = \"point\"\ncenter = [0, 0, -0.005]\n"
+            "normal = [0, 0, 1]\nfriction = 0\nacceleration = [0, 0, " +
+            std::to_string(lift) + "]\n";
+  return desktop::parse_scene(text, "cube.toml");
+}
+
+constexpr desktop::Solver solvers[] = {desktop::Solver::lemke, desktop::Solver::hybrid,
+                                       desktop::Solver::gauss_seidel};
+
+/// Solved, then with the small grip's friction and the push it takes; or it says that it cannot.
+void check_small_grip(const desktop::SceneFile& file, const Hand& hand, desktop::Solver solver) {
+  desktop::PushOptions options;
+  options.solver = solver;
+  const desktop::PushReport report = desktop::Push(file).solve(options);
+  CAPTURE(report.reason);
+  if (report.status != Status::solved) {
+    CHECK(solver != desktop::Solver::lemke);
+    CHECK(!report.reason.empty());
+    return;
+  }
+  CHECK(report.answer.contacts[2].normal_force == Approx(hand.grip).epsilon(1e-4));
+  CHECK(report.answer.contacts[2].friction_force[2] == Approx(-hand.grip / 2).epsilon(1e-4));
+  CHECK(report.answer.contacts[4].normal_force ==
+        Approx(1e-4 * (9.81 + 1) + hand.grip).epsilon(1e-4));
+}
+
+} // namespace
+
+TEST_CASE("a grip of 0.0003 N beside one of 1e6 N is answered by every solver that ends") {
+  for (const Hand& hand : {Hand{}, Hand{1e6, 3e-4, true}, Hand{1e6, 3e-4, false, "rigid"},
+                           Hand{1e5, 1e-4, false, "pad"}, Hand{1e3, 1, true, "rigid"}})
+    for (const desktop::Solver solver : solvers) {
+      CAPTURE(hand.squeeze);
+      CAPTURE(hand.actuators);
+      CAPTURE(static_cast<int>(solver));
+      check_small_grip(cube(hand), hand, solver);
+    }
+}
+
+// 1e-6 is what verify allows, a thousand times what an answer called solved may be off by.
+TEST_CASE("an answer without the small grip's force is refused beside any other force") {
+  const desktop::SceneFile file = cube({});
+  desktop::Push push(file);
+  desktop::PushReport report = push.solve({});
+  REQUIRE(report.status == Status::solved);
+  const double passes = Tolerances<double>().residual;
+  REQUIRE(report.residuals.max() <= passes);
+  for (const std::size_t finger : {2, 3})
+    report.answer.contacts[static_cast<Index>(finger)].normal_force = 0;
+  const Residuals<double> residuals = check(push.scene(), report.scales, report.answer, 1.0);
+  CHECK(residuals.grip > 1e-6);
+  CHECK(residuals.cone > 1e-6);
+}
+
+TEST_CASE("the weight of a small object is a load that a large grip does not hide") {
+  const desktop::SceneFile file = cube({}, 0);
+  desktop::Push push(file);
+  desktop::PushReport report = push.solve({});
+  REQUIRE(report.status == Status::solved);
+  CHECK(report.answer.acceleration[2] == Approx(-9.81 + 3).epsilon(1e-6));
+  report.answer.acceleration[2] = 0; // "it does not move"
+  for (ContactAnswer<double>& contact : report.answer.contacts) contact.acceleration.setZero();
+  CHECK(check(push.scene(), report.scales, report.answer, 1.0).newton > 1e-6);
+}
+
+TEST_CASE("texts show the small forces that the answer has") {
+  const desktop::SceneFile file = cube({});
+  desktop::Push push(file);
+  const desktop::PushReport report = push.solve({});
+  for (const desktop::Telling telling : {desktop::Telling::brief, desktop::Telling::full}) {
+    const std::string text = desktop::solve_text(file, {}, report, telling);
+    CAPTURE(text);
+    CHECK(text.find("0.0003  ") != std::string::npos);
+    CHECK(text.find("0.00015") != std::string::npos);
+    CHECK(text.find("  0.00138") != std::string::npos);
+  }
+}
+
+TEST_CASE("nothing that falls is said to stay") {
+  const desktop::SceneFile file = cube({}, 0);
+  const desktop::PushReport report = desktop::Push(file).solve({});
+  const std::string text = desktop::solve_text(file, {}, report, desktop::Telling::brief);
+  CAPTURE(text);
+  CHECK(text.find("does not move") == std::string::npos);
+}
