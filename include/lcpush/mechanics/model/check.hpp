@@ -136,7 +136,7 @@ template <class S, class Visit> struct LawRows {
     const ContactAnswer<S>& contact = answer.contacts[i];
     const S unit = scales.acceleration;
     const Vector3<S> acceleration = acceleration_at<S>(scene.points[i], relative);
-    const S opening = acceleration.dot(body.normal);
+    const S opening = acceleration.dot(body.normal) + clearance_of(scene, i);
     Violation<S> normal = complementarity(Law::normal, i, -1, contact.normal_force, opening);
     if (body.bilateral) normal = {Law::normal, i, -1, opening / unit, unit};
     visit(normal);
