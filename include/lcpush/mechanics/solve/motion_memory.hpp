@@ -90,14 +90,27 @@ template <class S> Index motion_bytes(const MotionSize& size) {
   return bytes;
 }
 
+/// The same for a Motion over StructuredLemke, O(unknowns); `shared` as structured_bytes says.
+template <class S> Index structured_motion_bytes(const MotionSize& size, Index shared) {
+  return motion_bytes<S>(size) - push_bytes<S>(size.assembly) +
+         structured_bytes<S>(size.assembly, shared);
+}
+
 /// Cuts a motion's arrays out of an arena; work.complete says whether it was long enough.
 template <class S> MotionMemory<S> make_motion_memory(Arena arena, const MotionSize& size) {
   MotionMemory<S> memory;
   detail::for_each_motion_array(memory, size,
                                 [&](Index count, auto& span) { arena.fill(count, span); });
-  const bool exhausted = arena.exhausted();
   memory.work = make_workspace<S>(arena, size.assembly);
-  memory.work.complete = memory.work.complete && !exhausted;
+  return memory;
+}
+/// The same for a Motion over StructuredLemke.
+template <class S>
+MotionMemory<S> make_structured_motion_memory(Arena arena, const MotionSize& size, Index shared) {
+  MotionMemory<S> memory;
+  detail::for_each_motion_array(memory, size,
+                                [&](Index count, auto& span) { arena.fill(count, span); });
+  memory.work = make_structured_workspace<S>(arena, size.assembly, shared);
   return memory;
 }
 

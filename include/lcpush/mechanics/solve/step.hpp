@@ -28,7 +28,7 @@ template <class S> struct StepRun {
 
 /// The motion of `scene`'s object. Positions, poses and twists are in the hand's axes, from the
 /// place of the object's centre of mass at the start: there the hand has its origin.
-template <class S> class Motion {
+template <class S, class Pivots = Lemke<S>> class Motion {
 public:
   /// Memory of at least motion_bytes(motion_size(scene)); `scene` and `surroundings` outlive the
   /// motion.
@@ -72,7 +72,7 @@ private:
   const Surroundings<S>* around_;
   MotionMemory<S> m_;
   Assembly<S> assembly_;
-  Lemke<S> lemke_;
+  Pivots lemke_;
   Pose<S> pose_{};
   Vector6<S> velocity_ = Vector6<S>::Zero();
   Scene<S> present_{}, push_{}, solved_{};
@@ -124,7 +124,7 @@ private:
   Status correct(const S& h);
 };
 
-template <class S> Status Motion<S>::start() {
+template <class S, class Pivots> Status Motion<S, Pivots>::start() {
   run_ = {};
   run_.mistake = find_mistake(*scene_);
   if (run_.mistake == Mistake::none) run_.touch = find_touch_mistake(*scene_, *around_);
@@ -148,7 +148,7 @@ template <class S> Status Motion<S>::start() {
 }
 
 /// The push over m_.gaps. Post: solved, and the answer passed the check of the laws.
-template <class S> Status Motion<S>::solve_push(const S& h) {
+template <class S, class Pivots> Status Motion<S, Pivots>::solve_push(const S& h) {
   const StepStart<S> from{h,
                           velocity_,
                           {m_.body_twists.data, present_.bodies.size},
@@ -163,8 +163,8 @@ template <class S> Status Motion<S>::solve_push(const S& h) {
     carry_basis(true);
     LastStep last{{m_.kept.data, assembly_.layout().size}, knows_last_};
     PressureRun run;
-    const Status status = solve_pressure(assembly_, StepRounds<S>(lemke_, last), m_.work.pressure,
-                                         PressureOptions<S>(), run);
+    const Status status = solve_pressure(assembly_, StepRounds<S, Pivots>(lemke_, last),
+                                         m_.work.pressure, PressureOptions<S>(), run);
     run_.rounds += run.rounds;
     run_.pivots += run.pivots;
     run_.cold_restarts += run.cold_restarts;
@@ -183,7 +183,7 @@ template <class S> Status Motion<S>::solve_push(const S& h) {
 
 /// Solves again with the gaps of the step's end while a point ends in its face. An answer without
 /// that stays where there is none with it: the gaps >= 0 that it has always have one.
-template <class S> Status Motion<S>::correct(const S& h) {
+template <class S, class Pivots> Status Motion<S, Pivots>::correct(const S& h) {
   bool missed = false;
   for (Index k = 0; k < most_corrections; ++k) {
     const S depth = deepest(h, missed);
@@ -197,7 +197,7 @@ template <class S> Status Motion<S>::correct(const S& h) {
   return Status::solved;
 }
 
-template <class S> Status Motion<S>::advance(const S& h) {
+template <class S, class Pivots> Status Motion<S, Pivots>::advance(const S& h) {
   run_ = {};
   if (!(h > S(0)) || !detail::all_finite(velocity_)) {
     run_.mistake = Mistake::not_finite;
