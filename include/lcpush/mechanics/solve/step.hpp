@@ -82,10 +82,14 @@ private:
   // The end that the last solve leads to.
   Vector6<S> next_velocity_ = Vector6<S>::Zero();
 
-  static constexpr Index most_corrections = 4;
+  static constexpr Index most_corrections = 12;
 
   S penetration_tolerance() const {
     return length_ * Eigen::numext::maxi(S(1e-9), S(4 * Eigen::NumTraits<S>::epsilon()));
+  }
+  /// What rounding leaves of a closed gap is none: over h^2 it would be a force.
+  S settled(const S& gap) const {
+    return Eigen::numext::abs(gap) <= penetration_tolerance() ? S(0) : gap;
   }
   Touching touching(Index body) const {
     return around_->touching.size > 0 ? around_->touching[body] : Touching{};
@@ -121,6 +125,7 @@ private:
   }
 
   Status solve_push(const S& h);
+  Status solve_rounds();
   Status correct(const S& h);
 };
 
@@ -158,11 +163,26 @@ template <class S, class Pivots> Status Motion<S, Pivots>::solve_push(const S& h
   if (spread_evenly(push_, m_.even, solved_) != Status::solved ||
       assembly_.assemble(solved_) != Status::running)
     return Status::bad_input;
-  Answer<S>& answer = m_.work.answer;
-  if (assembly_.layout().size > 0) {
+  Status status = solve_rounds();
+  if (status != Status::solved && knows_last_) {
+    knows_last_ = false; // the last step's basis led astray
+    ++run_.cold_restarts;
+    status = solve_rounds();
+  }
+  if (status != Status::solved) return status;
+  next_velocity_ = velocity_ + h * m_.work.answer.acceleration;
+  read_speeds(h);
+  return Status::solved;
+}
+
+/// From the last step's basis, if it is known. Post: as solve_push says.
+template <class S, class Pivots> Status Motion<S, Pivots>::solve_rounds() {
+  const Index unknowns = assembly_.layout().size;
+  if (unknowns > 0) {
     carry_basis(true);
-    LastStep last{{m_.kept.data, assembly_.layout().size}, knows_last_};
+    LastStep last{{m_.kept.data, unknowns}, knows_last_};
     PressureRun run;
+    assembly_.push_by(S(1)); // without the compliance of rounds before
     const Status status = solve_pressure(assembly_, StepRounds<S, Pivots>(lemke_, last),
                                          m_.work.pressure, PressureOptions<S>(), run);
     run_.rounds += run.rounds;
@@ -170,14 +190,13 @@ template <class S, class Pivots> Status Motion<S, Pivots>::solve_push(const S& h
     run_.cold_restarts += run.cold_restarts;
     run_.reason = run.reason;
     if (status != Status::solved) return status;
-    knows_last_ = true;
-    carry_basis(false);
   }
+  Answer<S>& answer = m_.work.answer;
   read_answer(assembly_, m_.work.pressure.z.data, answer, S(1));
   run_.residual = check(solved_, assembly_.layout().scales, answer, S(1)).max();
   if (!(run_.residual <= Tolerances<S>().residual)) return Status::numerical_breakdown;
-  next_velocity_ = velocity_ + h * answer.acceleration;
-  read_speeds(h);
+  knows_last_ = unknowns > 0;
+  carry_basis(false);
   return Status::solved;
 }
 

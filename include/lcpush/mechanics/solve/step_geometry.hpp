@@ -111,8 +111,7 @@ template <class S, class Pivots> void Motion<S, Pivots>::carry_basis(bool to_pre
 template <class S, class Pivots> void Motion<S, Pivots>::straight_gaps() {
   for (Index k = 0; k < present_.points.size; ++k) {
     const bool holds = scene_->bodies[m_.body_of[body_at(k)]].bilateral;
-    const S gap = m_.true_gaps[k];
-    m_.gaps[k] = holds || gap > S(0) ? gap : S(0);
+    m_.gaps[k] = holds || m_.true_gaps[k] > S(0) ? settled(m_.true_gaps[k]) : S(0);
   }
 }
 
@@ -125,7 +124,7 @@ template <class S, class Pivots> void Motion<S, Pivots>::bend_gaps(const S& h) {
     const Vector6<S> relative = next_velocity_ - twist_at(end_twist(b), pose_.position);
     const S opening = acceleration_at(m_.points[k], relative).dot(m_.bodies[present].normal);
     const PlacedPoint<S> then = placed(b, i, object, hand);
-    if (then.absence == Absence::none) m_.gaps[k] = then.gap - h * opening;
+    if (then.absence == Absence::none) m_.gaps[k] = settled(S(then.gap - h * opening));
   }
 }
 
