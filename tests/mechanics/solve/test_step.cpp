@@ -36,13 +36,16 @@ Vec3 momentum_of_spin(const Matrix3<double>& I, const OwnedMotion<double>& run) 
 } // namespace
 
 TEST_CASE("[T.13] the first step from rest is the push with A_b = V_b / h, bit for bit") {
+  Index compared = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);
     OwnedMotion<double> run(random_grasp<double>(seed));
     REQUIRE(run.begin() == Status::running);
-    const double h = 0.25; // a power of two: A_b h / h is A_b
+    const double h = 0x1p-12; // a power of two: A_b h / h is A_b
     run->prescribed(2) = run.owned.bodies[2].acceleration * h;
-    if (run->advance(h) != Status::solved) continue;
+    REQUIRE(run->advance(h) == Status::solved);
+    if (run->run().corrections > 0) continue; // bent gaps are another problem
+    ++compared;
     const Scene<double> scene = run.owned.view();
     OwnedWorkspace<double> work(size_of(scene));
     Assembly<double> push(work.work.assembly);
@@ -58,6 +61,7 @@ TEST_CASE("[T.13] the first step from rest is the push with A_b = V_b / h, bit f
     fill_matrix(step.problem(), MatrixMap<double>(b.data(), n, n));
     CHECK(std::memcmp(a.data(), b.data(), sizeof(double) * std::size_t(n * n)) == 0);
   }
+  CHECK(compared >= 36);
 }
 
 TEST_CASE("[T.13] velocities, gaps, spin and jaws in motion enter as the law says") {
@@ -104,8 +108,7 @@ TEST_CASE("held for ten seconds, a part does not creep") {
       OwnedMotion<double> run(scene);
       REQUIRE(run.begin() == Status::running);
       CHECK(run_to(run, 10, 0.02) <= 1e-9);
-      CHECK(run->pose().position.norm() <= 1e-12);
-      CHECK((run->pose().rotation - Matrix3<double>::Identity()).norm() <= 1e-12);
+      for (const Vec3& p : scene.points) CHECK((run->pose().at(p) - p).norm() <= 1e-12);
       CHECK(run->run().pivots <= 3);
     }
 }

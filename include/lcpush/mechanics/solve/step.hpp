@@ -91,6 +91,12 @@ private:
   S settled(const S& gap) const {
     return Eigen::numext::abs(gap) <= penetration_tolerance() ? S(0) : gap;
   }
+  /// A residue of the pads is a speed, and in thousands of steps a way.
+  static PressureOptions<S> pressure_options() {
+    PressureOptions<S> options;
+    options.tolerance /= S(64);
+    return options;
+  }
   Touching touching(Index body) const {
     return around_->touching.size > 0 ? around_->touching[body] : Touching{};
   }
@@ -184,7 +190,7 @@ template <class S, class Pivots> Status Motion<S, Pivots>::solve_rounds() {
     PressureRun run;
     assembly_.push_by(S(1)); // without the compliance of rounds before
     const Status status = solve_pressure(assembly_, StepRounds<S, Pivots>(lemke_, last),
-                                         m_.work.pressure, PressureOptions<S>(), run);
+                                         m_.work.pressure, pressure_options(), run);
     run_.rounds += run.rounds;
     run_.pivots += run.pivots;
     run_.cold_restarts += run.cold_restarts;
