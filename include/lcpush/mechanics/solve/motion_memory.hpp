@@ -79,9 +79,9 @@ void for_each_motion_array(MotionMemory<S>& m, const MotionSize& size, const Tak
 
 } // namespace detail
 
-/// Bytes that make_motion_memory takes. O(unknowns^2), as push_bytes.
-template <class S> Index motion_bytes(const MotionSize& size) {
-  Index bytes = push_bytes<S>(size.assembly);
+/// Bytes that take_motion_arrays takes. O(unknowns).
+template <class S> Index motion_array_bytes(const MotionSize& size) {
+  Index bytes = 0;
   MotionMemory<S> none;
   detail::for_each_motion_array(none, size, [&](Index count, auto& span) {
     bytes +=
@@ -89,27 +89,37 @@ template <class S> Index motion_bytes(const MotionSize& size) {
   });
   return bytes;
 }
-
+/// Bytes that make_motion_memory takes. O(unknowns^2), as push_bytes.
+template <class S> Index motion_bytes(const MotionSize& size) {
+  return motion_array_bytes<S>(size) + push_bytes<S>(size.assembly);
+}
 /// The same for a Motion over StructuredLemke, O(unknowns); `shared` as structured_bytes says.
 template <class S> Index structured_motion_bytes(const MotionSize& size, Index shared) {
   return motion_bytes<S>(size) - push_bytes<S>(size.assembly) +
          structured_bytes<S>(size.assembly, shared);
 }
 
-/// Cuts a motion's arrays out of an arena; work.complete says whether it was long enough.
-template <class S> MotionMemory<S> make_motion_memory(Arena arena, const MotionSize& size) {
+/// Cuts a motion's arrays out of an arena, beside a workspace that there is: the motion's while it
+/// lasts. work.complete says whether both were long enough.
+template <class S>
+MotionMemory<S> take_motion_arrays(Arena& arena, const MotionSize& size, const Workspace<S>& work) {
   MotionMemory<S> memory;
   detail::for_each_motion_array(memory, size,
                                 [&](Index count, auto& span) { arena.fill(count, span); });
+  memory.work = work;
+  memory.work.complete = work.complete && !arena.exhausted();
+  return memory;
+}
+/// The same with a workspace of its own.
+template <class S> MotionMemory<S> make_motion_memory(Arena arena, const MotionSize& size) {
+  MotionMemory<S> memory = take_motion_arrays<S>(arena, size, {});
   memory.work = make_workspace<S>(arena, size.assembly);
   return memory;
 }
 /// The same for a Motion over StructuredLemke.
 template <class S>
 MotionMemory<S> make_structured_motion_memory(Arena arena, const MotionSize& size, Index shared) {
-  MotionMemory<S> memory;
-  detail::for_each_motion_array(memory, size,
-                                [&](Index count, auto& span) { arena.fill(count, span); });
+  MotionMemory<S> memory = take_motion_arrays<S>(arena, size, {});
   memory.work = make_structured_workspace<S>(arena, size.assembly, shared);
   return memory;
 }
