@@ -131,7 +131,7 @@ private:
   }
 
   Status solve_push(const S& h);
-  Status solve_rounds();
+  Status solve_rounds(int attempt);
   Status correct(const S& h);
 };
 
@@ -169,11 +169,13 @@ template <class S, class Pivots> Status Motion<S, Pivots>::solve_push(const S& h
   if (spread_evenly(push_, m_.even, solved_) != Status::solved ||
       assembly_.assemble(solved_) != Status::running)
     return Status::bad_input;
-  Status status = solve_rounds();
-  if (status != Status::solved && knows_last_) {
-    knows_last_ = false; // the last step's basis led astray
+  // The last step's basis may lead astray; and pads of nearly the same normal force may end under
+  // one covering vector or schedule and not under another.
+  Status status = solve_rounds(0);
+  for (int attempt = knows_last_ ? 0 : 1; status != Status::solved && attempt < 4; ++attempt) {
+    knows_last_ = false;
     ++run_.cold_restarts;
-    status = solve_rounds();
+    status = solve_rounds(attempt);
   }
   if (status != Status::solved) return status;
   next_velocity_ = velocity_ + h * m_.work.answer.acceleration;
@@ -181,16 +183,21 @@ template <class S, class Pivots> Status Motion<S, Pivots>::solve_push(const S& h
   return Status::solved;
 }
 
-/// From the last step's basis, if it is known. Post: as solve_push says.
-template <class S, class Pivots> Status Motion<S, Pivots>::solve_rounds() {
+/// From the last step's basis, if it is known. Later attempts take other covering vectors and
+/// slower pads. Post: as solve_push says.
+template <class S, class Pivots> Status Motion<S, Pivots>::solve_rounds(int attempt) {
   const Index unknowns = assembly_.layout().size;
   if (unknowns > 0) {
     carry_basis(true);
     LastStep last{{m_.kept.data, unknowns}, knows_last_};
     PressureRun run;
     assembly_.push_by(S(1)); // without the compliance of rounds before
-    const Status status = solve_pressure(assembly_, StepRounds<S, Pivots>(lemke_, last),
-                                         m_.work.pressure, pressure_options(), run);
+    LemkeOptions<S> pivots;
+    pivots.first_cover = attempt * pivots.covers;
+    PressureOptions<S> pads = pressure_options();
+    for (int k = 0; k < attempt; ++k) pads.factor = Eigen::numext::sqrt(pads.factor);
+    const Status status = solve_pressure(assembly_, StepRounds<S, Pivots>(lemke_, last, pivots),
+                                         m_.work.pressure, pads, run);
     run_.rounds += run.rounds;
     run_.pivots += run.pivots;
     run_.cold_restarts += run.cold_restarts;

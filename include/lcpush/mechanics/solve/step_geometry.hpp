@@ -124,7 +124,7 @@ template <class S, class Pivots> void Motion<S, Pivots>::bend_gaps(const S& h) {
     const Vector6<S> relative = next_velocity_ - twist_at(end_twist(b), pose_.position);
     const S opening = acceleration_at(m_.points[k], relative).dot(m_.bodies[present].normal);
     const PlacedPoint<S> then = placed(b, i, object, hand);
-    if (then.absence == Absence::none) m_.gaps[k] = settled(S(then.gap - h * opening));
+    if (then.absence != Absence::no_line) m_.gaps[k] = settled(S(then.gap - h * opening));
   }
 }
 
