@@ -16,7 +16,7 @@ template <class S, class Pivots = Lemke<S>> struct OwnedMotion {
   Scene<S> scene{};
   Surroundings<S> around{};
   std::vector<unsigned char> bytes;
-  std::vector<Motion<S, Pivots>> motion; ///< one, once begun
+  std::vector<TimeStepper<S, Pivots>> motion; ///< one, once begun
 
   explicit OwnedMotion(const OwnedScene<S>& its_scene) : owned(its_scene) {}
   OwnedMotion(const OwnedMotion&) = delete;
@@ -52,8 +52,8 @@ template <class S, class Pivots = Lemke<S>> struct OwnedMotion {
     }
     return motion[0].start();
   }
-  Motion<S, Pivots>& operator*() { return motion[0]; }
-  Motion<S, Pivots>* operator->() { return &motion[0]; }
+  TimeStepper<S, Pivots>& operator*() { return motion[0]; }
+  TimeStepper<S, Pivots>* operator->() { return &motion[0]; }
 
 private:
   Arena block() { return {bytes.data(), static_cast<Index>(bytes.size())}; }

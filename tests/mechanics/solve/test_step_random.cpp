@@ -31,7 +31,8 @@ double turn_of_push(double h, bool follows) {
 }
 
 /// Kinetic energy, the weight's and that of the forces which actuators hold.
-double energy(const OwnedScene<double>& owned, const Motion<double, StructuredLemke<double>>& run) {
+double energy(const OwnedScene<double>& owned,
+              const TimeStepper<double, StructuredLemke<double>>& run) {
   const Object<double>& object = owned.base.object;
   const Vector6<double>& v = run.velocity();
   const Matrix3<double>& R = run.pose().rotation;

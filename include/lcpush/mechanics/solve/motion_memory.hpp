@@ -93,7 +93,7 @@ template <class S> Index motion_array_bytes(const MotionSize& size) {
 template <class S> Index motion_bytes(const MotionSize& size) {
   return motion_array_bytes<S>(size) + push_bytes<S>(size.assembly);
 }
-/// The same for a Motion over StructuredLemke, O(unknowns); `shared` as structured_bytes says.
+/// The same for a TimeStepper over StructuredLemke, O(unknowns); `shared` as structured_bytes says.
 template <class S> Index structured_motion_bytes(const MotionSize& size, Index shared) {
   return motion_bytes<S>(size) - push_bytes<S>(size.assembly) +
          structured_bytes<S>(size.assembly, shared);
@@ -116,7 +116,7 @@ template <class S> MotionMemory<S> make_motion_memory(Arena arena, const MotionS
   memory.work = make_workspace<S>(arena, size.assembly);
   return memory;
 }
-/// The same for a Motion over StructuredLemke.
+/// The same for a TimeStepper over StructuredLemke.
 template <class S>
 MotionMemory<S> make_structured_motion_memory(Arena arena, const MotionSize& size, Index shared) {
   MotionMemory<S> memory = take_motion_arrays<S>(arena, size, {});

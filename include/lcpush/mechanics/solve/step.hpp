@@ -28,11 +28,12 @@ template <class S> struct StepRun {
 
 /// The motion of `scene`'s object. Positions, poses and twists are in the hand's axes, from the
 /// place of the object's centre of mass at the start: there the hand has its origin.
-template <class S, class Pivots = Lemke<S>> class Motion {
+template <class S, class Pivots = Lemke<S>> class TimeStepper {
 public:
   /// Memory of at least motion_bytes(motion_size(scene)); `scene` and `surroundings` outlive the
   /// motion.
-  Motion(const Scene<S>& scene, const Surroundings<S>& surroundings, const MotionMemory<S>& memory)
+  TimeStepper(const Scene<S>& scene, const Surroundings<S>& surroundings,
+              const MotionMemory<S>& memory)
       : scene_(&scene), around_(&surroundings), m_(memory), assembly_(memory.work.assembly),
         lemke_(memory.work.lemke_scalars, memory.work.lemke_integers) {}
 
@@ -135,7 +136,7 @@ private:
   Status correct(const S& h);
 };
 
-template <class S, class Pivots> Status Motion<S, Pivots>::start() {
+template <class S, class Pivots> Status TimeStepper<S, Pivots>::start() {
   run_ = {};
   run_.mistake = find_mistake(*scene_);
   if (run_.mistake == Mistake::none) run_.touch = find_touch_mistake(*scene_, *around_);
@@ -159,7 +160,7 @@ template <class S, class Pivots> Status Motion<S, Pivots>::start() {
 }
 
 /// The push over m_.gaps. Post: solved, and the answer passed the check of the laws.
-template <class S, class Pivots> Status Motion<S, Pivots>::solve_push(const S& h) {
+template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_push(const S& h) {
   const StepStart<S> from{h,
                           velocity_,
                           {m_.body_twists.data, present_.bodies.size},
@@ -185,7 +186,7 @@ template <class S, class Pivots> Status Motion<S, Pivots>::solve_push(const S& h
 
 /// From the last step's basis, if it is known. Later attempts take other covering vectors and
 /// slower pads. Post: as solve_push says.
-template <class S, class Pivots> Status Motion<S, Pivots>::solve_rounds(int attempt) {
+template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_rounds(int attempt) {
   const Index unknowns = assembly_.layout().size;
   if (unknowns > 0) {
     carry_basis(true);
@@ -215,7 +216,7 @@ template <class S, class Pivots> Status Motion<S, Pivots>::solve_rounds(int atte
 
 /// Solves again with the gaps of the step's end while a point ends in its face. An answer without
 /// that stays where there is none with it: the gaps >= 0 that it has always have one.
-template <class S, class Pivots> Status Motion<S, Pivots>::correct(const S& h) {
+template <class S, class Pivots> Status TimeStepper<S, Pivots>::correct(const S& h) {
   bool missed = false;
   for (Index k = 0; k < most_corrections; ++k) {
     const S depth = deepest(h, missed);
@@ -229,7 +230,7 @@ template <class S, class Pivots> Status Motion<S, Pivots>::correct(const S& h) {
   return Status::solved;
 }
 
-template <class S, class Pivots> Status Motion<S, Pivots>::advance(const S& h) {
+template <class S, class Pivots> Status TimeStepper<S, Pivots>::advance(const S& h) {
   run_ = {};
   if (!(h > S(0)) || !detail::all_finite(velocity_)) {
     run_.mistake = Mistake::not_finite;

@@ -6,7 +6,7 @@
 namespace lcpush {
 
 /// How far a gap may be and close within the step, generously.
-template <class S, class Pivots> S Motion<S, Pivots>::reach(const S& h) const {
+template <class S, class Pivots> S TimeStepper<S, Pivots>::reach(const S& h) const {
   const auto speed = [&](const Vector6<S>& twist) {
     return S(twist.template head<3>().norm() + length_ * twist.template tail<3>().norm());
   };
@@ -18,7 +18,7 @@ template <class S, class Pivots> S Motion<S, Pivots>::reach(const S& h) const {
   return S(4) * h * (fastest + speed(velocity_) + h * falls) + length_ / S(1000);
 }
 
-template <class S, class Pivots> void Motion<S, Pivots>::place_points(const S& reach) {
+template <class S, class Pivots> void TimeStepper<S, Pivots>::place_points(const S& reach) {
   for (Index b = 0; b < scene_->bodies.size; ++b) {
     const Body<S>& body = scene_->bodies[b];
     const bool closes = is_massless(b); // at any speed: nothing is too far for it
@@ -31,7 +31,7 @@ template <class S, class Pivots> void Motion<S, Pivots>::place_points(const S& r
 }
 
 template <class S, class Pivots>
-void Motion<S, Pivots>::gather_points(Index b, Index first, Index count, Index& points) {
+void TimeStepper<S, Pivots>::gather_points(Index b, Index first, Index count, Index& points) {
   const Body<S>& body = scene_->bodies[b];
   const bool all = count == body.point_count;
   S sum(0);
@@ -48,7 +48,7 @@ void Motion<S, Pivots>::gather_points(Index b, Index first, Index count, Index& 
 
 /// The scene of the present contacts, in the hand's axes about the present centre of mass. False:
 /// an actuator without inertia has lost what it drives.
-template <class S, class Pivots> bool Motion<S, Pivots>::gather() {
+template <class S, class Pivots> bool TimeStepper<S, Pivots>::gather() {
   Index bodies = 0, points = 0, drives = 0;
   for (Index b = 0; b < scene_->bodies.size; ++b) {
     const Body<S>& body = scene_->bodies[b];
@@ -86,7 +86,7 @@ template <class S, class Pivots> bool Motion<S, Pivots>::gather() {
 
 /// Flags of the last step's basis, from all points to the present ones or back; those that are no
 /// contact keep nothing.
-template <class S, class Pivots> void Motion<S, Pivots>::carry_basis(bool to_present) {
+template <class S, class Pivots> void TimeStepper<S, Pivots>::carry_basis(bool to_present) {
   const Layout<S>& layout = assembly_.layout();
   if (!to_present)
     for (Index i = 0; i < m_.active.size; ++i) m_.active[i] = 0;
@@ -108,7 +108,7 @@ template <class S, class Pivots> void Motion<S, Pivots>::carry_basis(bool to_pre
 }
 
 /// The gaps as they are now, none below 0: squeezes stay what they were (theory, [T.13]).
-template <class S, class Pivots> void Motion<S, Pivots>::straight_gaps() {
+template <class S, class Pivots> void TimeStepper<S, Pivots>::straight_gaps() {
   for (Index k = 0; k < present_.points.size; ++k) {
     const bool holds = scene_->bodies[m_.body_of[body_at(k)]].bilateral;
     m_.gaps[k] = holds || m_.true_gaps[k] > S(0) ? settled(m_.true_gaps[k]) : S(0);
@@ -116,7 +116,7 @@ template <class S, class Pivots> void Motion<S, Pivots>::straight_gaps() {
 }
 
 /// The gaps less what a straight step misses by: those that its end will have, not its tangent.
-template <class S, class Pivots> void Motion<S, Pivots>::bend_gaps(const S& h) {
+template <class S, class Pivots> void TimeStepper<S, Pivots>::bend_gaps(const S& h) {
   const Pose<S> object = moved(pose_, next_velocity_, h);
   for (Index k = 0; k < present_.points.size; ++k) {
     const Index i = m_.from[k], present = body_at(k), b = m_.body_of[present];
@@ -129,7 +129,7 @@ template <class S, class Pivots> void Motion<S, Pivots>::bend_gaps(const S& h) {
 }
 
 /// The closing speeds at the step's end; of an actuator whose points have one each, their mean.
-template <class S, class Pivots> void Motion<S, Pivots>::read_speeds(const S& h) {
+template <class S, class Pivots> void TimeStepper<S, Pivots>::read_speeds(const S& h) {
   const Answer<S>& answer = m_.work.answer;
   for (Index a = 0; a < m_.next_speeds.size; ++a)
     m_.next_speeds[a] = push_.pressure == Pressure::even ? S(0) : S(h * answer.closing[a]);
@@ -144,7 +144,7 @@ template <class S, class Pivots> void Motion<S, Pivots>::read_speeds(const S& h)
 }
 
 /// A body's twist at the step's end, at the hand's origin.
-template <class S, class Pivots> Vector6<S> Motion<S, Pivots>::end_twist(Index body) const {
+template <class S, class Pivots> Vector6<S> TimeStepper<S, Pivots>::end_twist(Index body) const {
   Vector6<S> twist = m_.velocities[body];
   for (const Drive<S>& drive : scene_->drives)
     if (drive.body == body) twist += m_.next_speeds[drive.actuator] * drive.twist;
@@ -153,7 +153,7 @@ template <class S, class Pivots> Vector6<S> Motion<S, Pivots>::end_twist(Index b
 
 /// How deep the deepest point is in its face at the step's end; 0 if none is. `missed`: one is that
 /// was left out as too far away.
-template <class S, class Pivots> S Motion<S, Pivots>::deepest(const S& h, bool& missed) const {
+template <class S, class Pivots> S TimeStepper<S, Pivots>::deepest(const S& h, bool& missed) const {
   const Pose<S> object = moved(pose_, next_velocity_, h);
   S depth(0);
   missed = false;
@@ -174,8 +174,8 @@ template <class S, class Pivots> S Motion<S, Pivots>::deepest(const S& h, bool& 
 
 /// What point i did; `present`: its place in the push, < 0 if it has none.
 template <class S, class Pivots>
-void Motion<S, Pivots>::read_contact(Index i, Index present, const PlacedPoint<S>& then,
-                                     const S& h) {
+void TimeStepper<S, Pivots>::read_contact(Index i, Index present, const PlacedPoint<S>& then,
+                                          const S& h) {
   StepContact<S>& contact = m_.contacts[i];
   contact = {};
   contact.absence = m_.placed[i].absence;
@@ -192,7 +192,7 @@ void Motion<S, Pivots>::read_contact(Index i, Index present, const PlacedPoint<S
 }
 
 /// The solved push happens.
-template <class S, class Pivots> void Motion<S, Pivots>::commit(const S& h) {
+template <class S, class Pivots> void TimeStepper<S, Pivots>::commit(const S& h) {
   pose_ = moved(pose_, next_velocity_, h);
   velocity_ = next_velocity_;
   Index present = 0;
