@@ -58,6 +58,11 @@ typedef enum lcpush_mistake {
 typedef enum lcpush_role { LCPUSH_FINGER, LCPUSH_PUSHER } lcpush_role;
 typedef enum lcpush_pressure { LCPUSH_PAD, LCPUSH_EVEN, LCPUSH_RIGID } lcpush_pressure;
 typedef enum lcpush_mode { LCPUSH_STICK, LCPUSH_SLIDE, LCPUSH_SEPARATE } lcpush_mode;
+/* In a motion: a body's points ride on the body and press on the object's faces, or the object's
+ * points ride on the object and press on the body's plane. */
+typedef enum lcpush_riding { LCPUSH_ON_BODY, LCPUSH_ON_OBJECT } lcpush_riding;
+/* Where a body is asked for: the object. */
+#define LCPUSH_OBJECT (-1)
 typedef enum lcpush_solver { LCPUSH_LEMKE, LCPUSH_GAUSS_SEIDEL } lcpush_solver;
 
 /* Constant text, never NULL. */
@@ -90,6 +95,11 @@ typedef struct lcpush_size {
                         (size_t)(points) * ((size_t)(facets) + 1) *                                \
                             ((drives) > 0 ? (size_t)(drives) : 1),                                 \
                         (size_t)(actuators)))
+
+/* Bytes that lcpush_set_off needs at most, beside the push's own. */
+#define LCPUSH_MOTION_BYTES(real, bodies, points, facets, actuators, drives)                       \
+  LCPUSH_MOTION_BYTES_(real, (size_t)(bodies), (size_t)(points), (size_t)(actuators),              \
+                       (size_t)(drives), (size_t)LCPUSH_UNKNOWNS(points, facets, actuators))
 
 #include "lcpush/c/bytes.h"
 

@@ -23,6 +23,7 @@
 #include "lcpush/mechanics/solve/breaking.hpp"
 #include "lcpush/mechanics/solve/predicted_modes.hpp"
 #include "lcpush/mechanics/solve/pressure.hpp"
+#include "lcpush/mechanics/solve/step.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
 #include "lcpush/mechanics/study/holding.hpp"
 #include "lcpush/mechanics/study/motion.hpp"

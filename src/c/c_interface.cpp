@@ -182,12 +182,14 @@ const char* lcpush_mode_text(lcpush_mode mode) {
 #define LCPUSH_REAL double
 #define LCPUSH_NAME(name) lcpush_##name
 #include "c_functions.hpp"
+#include "c_motion_functions.hpp"
 #undef LCPUSH_REAL
 #undef LCPUSH_NAME
 
 #define LCPUSH_REAL float
 #define LCPUSH_NAME(name) lcpushf_##name
 #include "c_functions.hpp"
+#include "c_motion_functions.hpp"
 
 namespace lcpush::c {
 namespace {

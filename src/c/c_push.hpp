@@ -3,6 +3,7 @@
 
 #include <new>
 
+#include "c_motion.hpp"
 #include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/validate.hpp"
 #include "lcpush/mechanics/solve/breaking.hpp"
@@ -65,6 +66,7 @@ public:
   /// Takes a scene over this push's own arrays.
   Status accept(const Scene<S>& scene) {
     given_ = scene;
+    motion_ = nullptr;
     return assemble();
   }
 
@@ -78,6 +80,7 @@ public:
         assembly_.assemble(scene_) != Status::running)
       return refuse(Mistake::memory_too_small);
     described_ = true;
+    moved_ = false;
     mistake_ = Mistake::none;
     run_ = {};
     return status_ = Status::running;
@@ -124,11 +127,41 @@ public:
     return status_;
   }
 
+  /// A motion of the scene as described.
+  Status set_off(Arena arena) {
+    motion_ = nullptr;
+    if (!described_) return refuse(Mistake::not_described);
+    if (by_sweeps_) return refuse(Mistake::unsupported);
+    solve_.forget();
+    described_ = false; // its equations' arrays are the motion's from now on
+    moved_ = true;
+    motion_ = begin_motion(given_, work_, arena, mistake_);
+    return motion_ == nullptr ? refuse(mistake_) : status_ = Status::running;
+  }
+
+  Status advance(S h) {
+    if (motion_ == nullptr) return refuse(Mistake::not_described);
+    solve_.forget();
+    described_ = false;
+    moved_ = true;
+    status_ = motion_->motion.advance(h);
+    const StepRun<S>& step = motion_->motion.run();
+    if (status_ == Status::bad_input) mistake_ = step.mistake;
+    run_ = {};
+    run_.pivots = step.pivots;
+    run_.rounds = step.rounds;
+    return status_;
+  }
+
+  CMotion<S>* motion() const { return motion_; }
+
   void limit(Index pivots) { limit_ = pivots; }
 
   Status status() const { return status_; }
   Mistake mistake() const { return mistake_; }
-  bool has_answer() const { return status_ == Status::solved || status_ == Status::does_not_hold; }
+  bool has_answer() const {
+    return !moved_ && (status_ == Status::solved || status_ == Status::does_not_hold);
+  }
   const Answer<S>& answer() const { return work_.answer; }
   const Scene<S>& given() const { return given_; }
   const PressureRun& run() const { return run_; }
@@ -155,6 +188,8 @@ private:
   Status status_ = Status::bad_input;
   Mistake mistake_ = Mistake::not_described;
   Index limit_ = 0;
+  CMotion<S>* motion_ = nullptr;
+  bool moved_ = false; ///< the answer's arrays hold a step's
   S residual_{0};
 
   static AssemblySize assembly_size(const Capacity& most) {

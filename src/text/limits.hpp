@@ -42,7 +42,7 @@ constexpr Index unknowns_exact = 300;      // fractions grow with every pivot
 constexpr Index unknowns_certified = 3000; // the basis in doubles comes from the dense dictionary
 constexpr Index rows_certified = 1000;     // of a raw problem: a dense matrix of fractions
 constexpr std::size_t pivots_certified = 40; // each solves an exact system anew
-constexpr Index points_final_basis = 600;     // O(points^3) costs more than the solve
+constexpr Index points_final_basis = 600;    // O(points^3) costs more than the solve
 
 // Points and choices up to which sets are enumerated: the work doubles with each.
 constexpr std::size_t generators_enumerated = 6, pulls_enumerated = 8;

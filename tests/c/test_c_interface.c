@@ -218,6 +218,51 @@ static void wants_enough_memory(void) {
   CHECK(lcpush_make(memory_d, sizeof memory_d, &negative, LCPUSH_LEMKE) == NULL);
 }
 
+static double motion_memory[LCPUSH_MOTION_BYTES(double, 3, 3, 4, 2, 2) / sizeof(double) + 1];
+
+static void moves_on(void) {
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size, LCPUSH_LEMKE);
+  lcpushf_push* in_float = lcpushf_make(memory_f, sizeof memory_f, &size, LCPUSH_LEMKE);
+  const double velocity[6] = {0.01, 0, 0, 0, 0, 0};
+  const float slowly[6] = {0.01F, 0, 0, 0, 0, 0};
+  double position[3], rotation[9], twist[6];
+  float place[3], turn[9];
+  lcpush_touch touch;
+  int k;
+  if (push == NULL || in_float == NULL) return;
+  CHECK(lcpush_advance(push, 0.01) == LCPUSH_BAD_INPUT);
+  CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING);
+  CHECK(lcpush_advance(push, 0.01) == LCPUSH_BAD_INPUT && lcpush_why(push) == LCPUSH_NOT_DESCRIBED);
+  CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING);
+  CHECK(lcpush_motion_bytes(push) <= sizeof motion_memory);
+  CHECK(lcpush_set_off(push, motion_memory, 100, NULL) == LCPUSH_BAD_INPUT);
+  CHECK(lcpush_why(push) == LCPUSH_MEMORY_TOO_SMALL);
+  CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING);
+  CHECK(lcpush_set_off(push, motion_memory, sizeof motion_memory, NULL) == LCPUSH_RUNNING);
+  lcpush_set_velocity(push, 2, velocity);
+  for (k = 0; k < 100; ++k) CHECK(lcpush_advance(push, 0.01) == LCPUSH_SOLVED);
+  lcpush_pose_of(push, LCPUSH_OBJECT, position, rotation);
+  CHECK(near(position[0], 0.01, 1e-12) && near(position[1], 0, 1e-12) && rotation[0] == 1);
+  lcpush_pose_of(push, 2, position, rotation);
+  CHECK(near(position[0], 0.01, 1e-12));
+  lcpush_velocity(push, twist);
+  CHECK(near(twist[0], 0.01, 1e-12));
+  lcpush_touch_at(push, 2, &touch);
+  CHECK(touch.present && touch.body == 2 && near(touch.normal_force, 20, 1e-6));
+  CHECK(near(touch.gap, 0, 1e-9) && lcpush_penetration(push) <= 1e-9);
+  lcpush_touch_at(push, 0, &touch);
+  CHECK(touch.mode == LCPUSH_SLIDE && near(touch.velocity[0], 0.01, 1e-9));
+  CHECK(lcpush_step_residual(push) <= 1e-9 && near(lcpush_closed_by(push, 0), 0, 1e-9));
+  CHECK(lcpush_advance(push, 0) == LCPUSH_BAD_INPUT);
+  CHECK(lcpush_solve(push) == LCPUSH_BAD_INPUT);
+  CHECK(lcpushf_describe(in_float, &slide_f) == LCPUSH_RUNNING);
+  CHECK(lcpushf_set_off(in_float, motion_memory, sizeof motion_memory, NULL) == LCPUSH_RUNNING);
+  lcpushf_set_velocity(in_float, 2, slowly);
+  for (k = 0; k < 100; ++k) CHECK(lcpushf_advance(in_float, 0.01F) == LCPUSH_SOLVED);
+  lcpushf_pose_of(in_float, LCPUSH_OBJECT, place, turn);
+  CHECK(near(place[0], 0.01, 1e-5) && near(place[1], 0, 1e-5));
+}
+
 int main(void) {
   solves_in_double();
   solves_in_float();
@@ -228,6 +273,7 @@ int main(void) {
   even_pressure_spreads();
   refuses_nonsense();
   wants_enough_memory();
+  moves_on();
   CHECK(strcmp(lcpush_status_text(LCPUSH_RAY), "ray") == 0);
   CHECK(strcmp(lcpush_mode_text(LCPUSH_SLIDE), "slide") == 0);
   if (faults == 0) printf("the C interface holds; %u bytes in double, %u in float\n",

@@ -32,7 +32,7 @@ desktop::SceneFile scene(const std::string& gravity, const std::string& normal,
 
 } // namespace
 
-TEST_CASE("[T.13] a face with an answer at rest alone says nothing about breaking") {
+TEST_CASE("[T.15] a face with an answer at rest alone says nothing about breaking") {
   // The rod pushes along x, the fingers' friction, all of it upwards, just carries 10 N: an answer
   // at rest. To slip downwards rather than along x the box would have to fall, which nothing makes
   // it do.
@@ -51,7 +51,7 @@ TEST_CASE("[T.13] a face with an answer at rest alone says nothing about breakin
                     corners) == FaceStudy::Result::studied);
 }
 
-TEST_CASE("[T.13] a push between two generators slides between them, along neither") {
+TEST_CASE("[T.15] a push between two generators slides between them, along neither") {
   // Friction of 10 N, shared between -x and -y alone: 10 / sqrt 2 along the push.
   const desktop::SceneFile file =
       scene("[0, 0, 0]", "[1, 1, 0]", "[0.070710678118654752, 0.070710678118654752, 0]");

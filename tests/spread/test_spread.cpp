@@ -120,7 +120,7 @@ acceleration = [0.2, 0, 0]
 
 } // namespace
 
-TEST_CASE("[T.13] point fingers and a frictionless rod: one answer, by enumeration too") {
+TEST_CASE("[T.15] point fingers and a frictionless rod: one answer, by enumeration too") {
   for (const Enumeration enumeration : {Enumeration::none, Enumeration::if_small}) {
     const SpreadReport report = spread_of(point_fingers, enumeration);
     REQUIRE(report.status == Status::solved);
@@ -134,7 +134,7 @@ TEST_CASE("[T.13] point fingers and a frictionless rod: one answer, by enumerati
 }
 
 TEST_CASE(
-    "[T.13] four-point patches leave the push of a straight slide open, from 2 mu F + m a down") {
+    "[T.15] four-point patches leave the push of a straight slide open, from 2 mu F + m a down") {
   // With the force of a finger on one of its points the weight's moment decides how much of the
   // friction goes against the push; with even pressure all of it does.
   std::string text = with(scene_text("straight_slide.toml"), "grip_force = 20", "grip_force = 10");
@@ -168,7 +168,7 @@ TEST_CASE(
   CHECK(reached.width() > 0.05);
 }
 
-TEST_CASE("[T.13] the vise: every squeeze from none to without end, held and falling") {
+TEST_CASE("[T.15] the vise: every squeeze from none to without end, held and falling") {
   const SpreadReport report = spread_of(scene_text("vise.toml"), Enumeration::thorough);
   REQUIRE(report.status == Status::solved);
   CHECK(report.complete);
@@ -181,7 +181,7 @@ TEST_CASE("[T.13] the vise: every squeeze from none to without end, held and fal
   }
 }
 
-TEST_CASE("[T.13] steps to neighbouring faces find the held block, which no cover's pivots do") {
+TEST_CASE("[T.15] steps to neighbouring faces find the held block, which no cover's pivots do") {
   const SpreadReport report = spread_of(scene_text("vise.toml"));
   CHECK_FALSE(report.complete);
   CHECK(report.verdict == SpreadVerdict::ambiguous);
@@ -190,7 +190,7 @@ TEST_CASE("[T.13] steps to neighbouring faces find the held block, which no cove
 }
 
 TEST_CASE(
-    "[T.13] a bistable cylinder: rolling and held are found, as theory 8 says, and all else") {
+    "[T.15] a bistable cylinder: rolling and held are found, as theory 8 says, and all else") {
   constexpr double weight = 0.3 * 9.81;
   const double most = 0.8 * weight / (1 - 0.24); // T*, in units of 2 mu_f F
   const double between = (weight + most) / 2 / 0.6;
@@ -206,7 +206,7 @@ TEST_CASE(
   CHECK(turning.twist[5].width() <= 1e-6);
 }
 
-TEST_CASE("[T.13] a jam: nothing is reached, and enumeration proves that there is nothing") {
+TEST_CASE("[T.15] a jam: nothing is reached, and enumeration proves that there is nothing") {
   const SpreadReport report =
       spread_of(scene_text("coin_jammed.toml", "rays"), Enumeration::thorough);
   CHECK(report.status == Status::ray);
@@ -218,7 +218,7 @@ TEST_CASE("[T.13] a jam: nothing is reached, and enumeration proves that there i
   CHECK_FALSE(reached.complete);
 }
 
-TEST_CASE("[T.13] enumeration never narrows what was reached") {
+TEST_CASE("[T.15] enumeration never narrows what was reached") {
   for (const char* name : {"coin.toml", "squeeze.toml", "vise.toml", "lever.toml"}) {
     CAPTURE(name);
     const SpreadReport reached = spread_of(scene_text(name));
@@ -233,14 +233,14 @@ TEST_CASE("[T.13] enumeration never narrows what was reached") {
   }
 }
 
-TEST_CASE("[T.13] soft contacts and many points are not enumerated, and it says why") {
+TEST_CASE("[T.15] soft contacts and many points are not enumerated, and it says why") {
   CHECK_FALSE(spread_of(scene_text("soft_fingers.toml"), Enumeration::thorough).complete);
   CHECK(
       spread_of(scene_text("soft_fingers.toml"), Enumeration::thorough).enumeration.find("soft") !=
       std::string::npos);
 }
 
-TEST_CASE("[T.13] random grasps: every other cover's answer lies within the intervals") {
+TEST_CASE("[T.15] random grasps: every other cover's answer lies within the intervals") {
   Index outside = 0, answers = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
@@ -280,7 +280,7 @@ TEST_CASE("[T.13] random grasps: every other cover's answer lies within the inte
   CHECK(outside * 50 <= answers);
 }
 
-TEST_CASE("[T.13] a mirrored scene has the mirrored set") {
+TEST_CASE("[T.15] a mirrored scene has the mirrored set") {
   const std::string text = scene_text("straight_slide_point.toml");
   desktop::SceneFile file = desktop::parse_scene(text, "test.toml");
   desktop::SceneFile mirrored = file;
@@ -311,7 +311,7 @@ TEST_CASE("[T.13] a mirrored scene has the mirrored set") {
                    20);
 }
 
-TEST_CASE("[T.13] the set is about the literal laws whatever law the file names") {
+TEST_CASE("[T.15] the set is about the literal laws whatever law the file names") {
   const std::string text = scene_text("straight_slide_point.toml");
   const SpreadReport pad = spread_of(text);
   const SpreadReport rigid = spread_of(with(text, "\ntitle", "\npressure = \"rigid\"\ntitle"));
@@ -322,7 +322,7 @@ TEST_CASE("[T.13] the set is about the literal laws whatever law the file names"
   CHECK(contains(pad.pushers[0].force, pushed.normal_of("wall"), 1e-6));
 }
 
-TEST_CASE("[T.13] same input, same bits; a limit of faces is reported, not hidden") {
+TEST_CASE("[T.15] same input, same bits; a limit of faces is reported, not hidden") {
   const desktop::SceneFile file = desktop::parse_scene(scene_text("pivot.toml"), "test.toml");
   desktop::SpreadOptions options;
   options.enumeration = Enumeration::none;

@@ -84,7 +84,7 @@ acceleration = [0.06, 0, 0]
 
 } // namespace
 
-TEST_CASE("[T.13] three contacts, rolling or held: all of it without being asked to enumerate") {
+TEST_CASE("[T.15] three contacts, rolling or held: all of it without being asked to enumerate") {
   const SpreadReport report = spread_of(desktop::parse_scene(bistable(17.5), "test.toml"), false);
   REQUIRE(report.status == Status::solved);
   CHECK(report.complete);
@@ -97,7 +97,7 @@ TEST_CASE("[T.13] three contacts, rolling or held: all of it without being asked
   CHECK(report.twist[5].high == doctest::Approx(0.06 / 0.03));
 }
 
-TEST_CASE("[T.13] breaking: rolling and held, with the twist per unit push") {
+TEST_CASE("[T.15] breaking: rolling and held, with the twist per unit push") {
   const SpreadReport report = breaking(bistable(17.5));
   REQUIRE(report.status == Status::solved);
   CHECK(report.complete);
@@ -109,7 +109,7 @@ TEST_CASE("[T.13] breaking: rolling and held, with the twist per unit push") {
   CHECK(report.twist[0].high == doctest::Approx(0));
 }
 
-TEST_CASE("[T.13] the breaking set is the limit of the sets of smaller and smaller pushes") {
+TEST_CASE("[T.15] the breaking set is the limit of the sets of smaller and smaller pushes") {
   for (const char* name : {"coin.toml", "lever.toml", "squeeze.toml", "tipping.toml",
                            "rolling.toml", "rolling_hard_grip.toml", "rolling_low_friction.toml",
                            "rolling_two_answers.toml", "three_finger_hand.toml"}) {
@@ -139,7 +139,7 @@ TEST_CASE("[T.13] the breaking set is the limit of the sets of smaller and small
   }
 }
 
-TEST_CASE("[T.13] the set holds what break finds, and a grasp that falls has none") {
+TEST_CASE("[T.15] the set holds what break finds, and a grasp that falls has none") {
   for (const char* name : {"pivot.toml", "ground.toml", "soft_fingers.toml"}) {
     CAPTURE(name);
     const desktop::SceneFile file = desktop::parse_scene(scene_text(name), "test.toml");

@@ -22,3 +22,11 @@
 #define LCPUSH_SWEEPS_BYTES_(real, n, couplings, actuators)                                        \
   ((9 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) +               \
    (4 * (n) + 1 + (couplings) + (actuators)) * sizeof(int))
+
+/* A motion itself, and what it keeps of bodies, points, actuators, drives and unknowns; under even
+ * pressure a point is a body too. */
+#define LCPUSH_MOTION_BYTES_(real, bodies, points, actuators, drives, n)                           \
+  (200 * LCPUSH_WORD_ + 220 * sizeof(real) + 900 +                                                 \
+   (bodies) * (2 * LCPUSH_BODY_BYTES_(real) + 24 * sizeof(real) + 2 * LCPUSH_WORD_ + 16) +         \
+   (points) * (LCPUSH_BODY_BYTES_(real) + 40 * sizeof(real) + 6 * LCPUSH_WORD_) +                  \
+   (actuators)*8 * sizeof(real) + (drives)*2 * LCPUSH_DRIVE_BYTES_(real) + 2 * (n))

@@ -123,3 +123,5 @@ lcpush_mistake LCPUSH_NAME(why)(const LCPUSH_NAME(push) * push); /* after BAD_IN
 int LCPUSH_NAME(pivots)(const LCPUSH_NAME(push) * push);
 int LCPUSH_NAME(sweeps)(const LCPUSH_NAME(push) * push);
 int LCPUSH_NAME(rounds)(const LCPUSH_NAME(push) * push); /* of the pad law */
+
+#include "lcpush/c/motion.h"

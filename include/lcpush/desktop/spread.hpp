@@ -103,7 +103,7 @@ struct SpreadReport {
   PushReport failure; ///< not solved: how Push::solve ends, with reason, ray and jam
 };
 
-/// [T.13] The set of answers under the literal laws, whatever pressure law `file` names. Cost: the
+/// [T.15] The set of answers under the literal laws, whatever pressure law `file` names. Cost: the
 /// pivots of each covering vector, and a linear program for each end of each interval a face, a
 /// few pivots long. Pre, with `breaking`: a body moves.
 SpreadReport find_spread(const SceneFile& file, const SpreadOptions& options);

@@ -153,6 +153,11 @@ private:
         const Vector6<S> normal = laws::normal_direction(body, p, layout_.scales);
         add_force(variable, normal, A_b);
         if (cone.normals == 2) add_force(variable + 1, -normal, A_b);
+        if (scene.clearances.size > 0) {
+          const S clearance = scene.clearances[i] / layout_.scales.acceleration;
+          memory_.rest[variable] += clearance;
+          if (cone.normals == 2) memory_.rest[variable + 1] -= clearance;
+        }
         for (Index j = 0; j < g; ++j)
           add_force(
               variable + cone.normals + j,

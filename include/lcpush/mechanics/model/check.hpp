@@ -177,9 +177,10 @@ template <class S, class Visit> struct LawRows {
     const ContactAnswer<S>& contact = answer.contacts[i];
     const S unit = scales.acceleration;
     const Vector3<S> acceleration = acceleration_at<S>(scene.points[i], relative);
-    const S opening = acceleration.dot(body.normal);
+    const S gap = clearance_of(scene, i);
+    const S opening = acceleration.dot(body.normal) + gap;
     const Vector3<S> speed = size_at<S>(scene.points[i], moving);
-    const S size = speed.dot(body.normal.cwiseAbs());
+    const S size = speed.dot(body.normal.cwiseAbs()) + gap;
     Violation<S> normal = complementarity(Law::normal, i, -1, contact.normal_force, opening, size);
     if (body.bilateral) {
       const S own = row_unit_of(size, unit);

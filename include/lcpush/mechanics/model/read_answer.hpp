@@ -23,8 +23,8 @@ template <class S> struct ContactMargins {
     const Vector3<S> tangential = contact.acceleration - opening * body.normal;
     return tangential.norm() + body.torsion_radius * Eigen::numext::abs(contact.spin) > motion;
   }
-  Mode mode(const ContactAnswer<S>& contact, const Body<S>& body) const {
-    if (!presses(contact) && opens(contact, body)) return Mode::separate;
+  Mode mode(const ContactAnswer<S>& contact, const Body<S>& body, bool apart = false) const {
+    if (!presses(contact) && (apart || opens(contact, body))) return Mode::separate;
     return slides(contact, body) ? Mode::slide : Mode::stick;
   }
 };
@@ -83,7 +83,9 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   const ContactMargins<S> margins{S(tolerance * scales.force), S(tolerance * unit)};
   for (Index i = 0; i < layout.points; ++i) {
     ContactAnswer<S>& contact = answer.contacts[i];
-    contact.mode = margins.mode(contact, scene.bodies[contact.body]);
+    const Body<S>& body = scene.bodies[contact.body];
+    const S opening = contact.acceleration.dot(body.normal) + clearance_of(scene, i);
+    contact.mode = margins.mode(contact, body, opening > margins.motion);
   }
 }
 

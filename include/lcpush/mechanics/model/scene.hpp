@@ -74,11 +74,18 @@ template <class S> struct Scene {
   /// Per point: its share of its patch's force under even pressure, > 0, of sum 1 a body; empty:
   /// equal shares. They make a few points carry what the patch's surface carries (patch.hpp).
   Span<const S> weights{};
+  /// Per point: the normal acceleration that it may take up before it touches, m/s^2: phi / h^2 of
+  /// a time step's gap phi [T.13]; empty: every point touches.
+  Span<const S> clearances{};
 };
 
 /// The share of `point`, one of the body's. Pre: the body is of this scene.
 template <class S> S weight_of(const Scene<S>& scene, const Body<S>& body, Index point) {
   return scene.weights.size > 0 ? scene.weights[point] : S(1) / S(body.point_count);
+}
+
+template <class S> S clearance_of(const Scene<S>& scene, Index point) {
+  return scene.clearances.size > 0 ? scene.clearances[point] : S(0);
 }
 
 } // namespace lcpush

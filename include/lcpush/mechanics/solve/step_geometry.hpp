@@ -1,0 +1,215 @@
+// Of a step: which points touch, and where its push takes them. Included by step.hpp.
+#pragma once
+
+#include "lcpush/mechanics/solve/step.hpp"
+
+namespace lcpush {
+
+/// How far a gap may be and close within the step, generously.
+template <class S, class Pivots> S TimeStepper<S, Pivots>::reach(const S& h) const {
+  const auto speed = [&](const Vector6<S>& twist) {
+    return S(twist.template head<3>().norm() + length_ * twist.template tail<3>().norm());
+  };
+  S fastest(0), force = scene_->object.wrench.template head<3>().norm();
+  for (const Vector6<S>& twist : m_.velocities)
+    fastest = Eigen::numext::maxi(fastest, speed(twist));
+  for (const Actuator<S>& actuator : scene_->actuators) force += actuator.force;
+  const S falls = scene_->gravity.norm() + force / scene_->object.mass;
+  return S(4) * h * (fastest + speed(velocity_) + h * falls) + length_ / S(1000);
+}
+
+template <class S, class Pivots> void TimeStepper<S, Pivots>::place_points(const S& reach) {
+  for (Index b = 0; b < scene_->bodies.size; ++b) {
+    const Body<S>& body = scene_->bodies[b];
+    const bool closes = is_massless(b); // at any speed: nothing is too far for it
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      m_.placed[i] = placed(b, i, pose_, m_.poses[b]);
+      const bool is_far = !closes && !body.bilateral && m_.placed[i].gap > reach;
+      if (is_far && m_.placed[i].absence == Absence::none) m_.placed[i].absence = Absence::far;
+    }
+  }
+}
+
+template <class S, class Pivots>
+void TimeStepper<S, Pivots>::gather_points(Index b, Index first, Index count, Index& points) {
+  const Body<S>& body = scene_->bodies[b];
+  const bool all = count == body.point_count;
+  S sum(0);
+  for (Index k = first; k < first + count; ++k) sum += weight_of(*scene_, body, m_.from[k]);
+  for (Index k = first; k < first + count; ++k) {
+    const PlacedPoint<S>& placed = m_.placed[m_.from[k]];
+    const S weight = weight_of(*scene_, body, m_.from[k]);
+    m_.weights[k] = all ? weight : S(weight / sum);
+    m_.points[k] = placed.position - pose_.position;
+    m_.true_gaps[k] = placed.gap;
+  }
+  points += count;
+}
+
+/// The scene of the present contacts, in the hand's axes about the present centre of mass. False:
+/// an actuator without inertia has lost what it drives.
+template <class S, class Pivots> bool TimeStepper<S, Pivots>::gather() {
+  Index bodies = 0, points = 0, drives = 0;
+  for (Index b = 0; b < scene_->bodies.size; ++b) {
+    const Body<S>& body = scene_->bodies[b];
+    Index count = 0;
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      if (m_.placed[i].absence == Absence::none) m_.from[points + count++] = i;
+    if (count == 0) continue;
+    Body<S>& now = m_.bodies[bodies];
+    now = body;
+    now.normal = m_.placed[m_.from[points]].normal;
+    now.tangent = m_.placed[m_.from[points]].tangent;
+    now.first_point = points;
+    now.point_count = count;
+    m_.body_of[bodies] = b;
+    m_.body_twists[bodies] = twist_at(m_.velocities[b], pose_.position);
+    for (const Drive<S>& drive : scene_->drives)
+      if (drive.body == b)
+        m_.drives[drives++] = {bodies, drive.actuator, twist_at(drive.twist, pose_.position)};
+    ++bodies;
+    gather_points(b, points, count, points);
+  }
+  present_ = *scene_;
+  const Matrix3<S> turned = pose_.rotation.lazyProduct(scene_->object.inertia);
+  const Matrix3<S> inertia = turned.lazyProduct(pose_.rotation.transpose());
+  present_.object.inertia = (inertia + inertia.transpose()) / S(2);
+  present_.bodies = {m_.bodies.data, bodies};
+  present_.points = {m_.points.data, points};
+  present_.drives = {m_.drives.data, drives};
+  straight_gaps();
+  present_.weights = {m_.weights.data, scene_->weights.size > 0 ? points : 0};
+  for (Index a = 0; a < scene_->actuators.size; ++a)
+    if (drive_count(present_, a) == 0) return false;
+  return true;
+}
+
+/// Flags of the last step's basis, from all points to the present ones or back; those that are no
+/// contact keep nothing.
+template <class S, class Pivots> void TimeStepper<S, Pivots>::carry_basis(bool to_present) {
+  const Layout<S>& layout = assembly_.layout();
+  if (!to_present)
+    for (Index i = 0; i < m_.active.size; ++i) m_.active[i] = 0;
+  Index all = 0, k = 0;
+  for (const Body<S>& body : scene_->bodies) {
+    const Index generators = generator_count(*scene_, body);
+    const Index unknowns = (body.bilateral ? 2 : 1) + generators + (generators > 0 ? 1 : 0);
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      const bool is_present = k < layout.points && m_.from[k] == i;
+      for (Index j = 0; is_present && j < unknowns; ++j) {
+        unsigned char& there = m_.kept[layout.normal_index(k) + j];
+        (to_present ? there : m_.active[all + j]) = to_present ? m_.active[all + j] : there;
+      }
+      k += is_present ? 1 : 0;
+      all += unknowns;
+    }
+  }
+  for (Index i = layout.size - layout.actuators; to_present && i < layout.size; ++i) m_.kept[i] = 1;
+}
+
+/// The gaps as they are now, none below 0: squeezes stay what they were (theory, [T.13]).
+template <class S, class Pivots> void TimeStepper<S, Pivots>::straight_gaps() {
+  for (Index k = 0; k < present_.points.size; ++k) {
+    const bool holds = scene_->bodies[m_.body_of[body_at(k)]].bilateral;
+    m_.gaps[k] = holds || m_.true_gaps[k] > S(0) ? settled(m_.true_gaps[k]) : S(0);
+  }
+}
+
+/// The gaps less what a straight step misses by: those that its end will have, not its tangent.
+template <class S, class Pivots> void TimeStepper<S, Pivots>::bend_gaps(const S& h) {
+  const Pose<S> object = moved(pose_, next_velocity_, h);
+  for (Index k = 0; k < present_.points.size; ++k) {
+    const Index i = m_.from[k], present = body_at(k), b = m_.body_of[present];
+    const Pose<S> hand = carried(m_.poses[b], end_twist(b), h);
+    const Vector6<S> relative = next_velocity_ - twist_at(end_twist(b), pose_.position);
+    const S opening = acceleration_at(m_.points[k], relative).dot(m_.bodies[present].normal);
+    const PlacedPoint<S> then = placed(b, i, object, hand);
+    if (then.absence != Absence::no_line) m_.gaps[k] = settled(S(then.gap - h * opening));
+  }
+}
+
+/// The closing speeds at the step's end; of an actuator whose points have one each, their mean.
+template <class S, class Pivots> void TimeStepper<S, Pivots>::read_speeds(const S& h) {
+  const Answer<S>& answer = m_.work.answer;
+  for (Index a = 0; a < m_.next_speeds.size; ++a)
+    m_.next_speeds[a] = push_.pressure == Pressure::even ? S(0) : S(h * answer.closing[a]);
+  if (push_.pressure != Pressure::even) return;
+  Index share = 0;
+  for (Index b = 0; b < push_.bodies.size; ++b)
+    for (Index i = 0; i < push_.bodies[b].point_count; ++i)
+      for (const Drive<S>& drive : push_.drives)
+        if (drive.body == b)
+          m_.next_speeds[drive.actuator] +=
+              h * answer.closing[share++] / S(push_.bodies[b].point_count);
+}
+
+/// A body's twist at the step's end, at the hand's origin.
+template <class S, class Pivots> Vector6<S> TimeStepper<S, Pivots>::end_twist(Index body) const {
+  Vector6<S> twist = m_.velocities[body];
+  for (const Drive<S>& drive : scene_->drives)
+    if (drive.body == body) twist += m_.next_speeds[drive.actuator] * drive.twist;
+  return twist;
+}
+
+/// How deep the deepest point is in its face at the step's end; 0 if none is. `missed`: one is that
+/// was left out as too far away.
+template <class S, class Pivots> S TimeStepper<S, Pivots>::deepest(const S& h, bool& missed) const {
+  const Pose<S> object = moved(pose_, next_velocity_, h);
+  S depth(0);
+  missed = false;
+  for (Index b = 0; b < scene_->bodies.size; ++b) {
+    const Body<S>& body = scene_->bodies[b];
+    const Pose<S> hand = carried(m_.poses[b], end_twist(b), h);
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      const Absence absence = m_.placed[i].absence;
+      if (absence != Absence::none && absence != Absence::far) continue;
+      const PlacedPoint<S> then = placed(b, i, object, hand);
+      if (then.absence == Absence::outside || then.absence == Absence::no_line) continue;
+      missed = missed || (absence == Absence::far && then.gap < S(0));
+      depth = Eigen::numext::maxi(depth, S(-then.gap));
+    }
+  }
+  return depth;
+}
+
+/// What point i did; `present`: its place in the push, < 0 if it has none.
+template <class S, class Pivots>
+void TimeStepper<S, Pivots>::read_contact(Index i, Index present, const PlacedPoint<S>& then,
+                                          const S& h) {
+  StepContact<S>& contact = m_.contacts[i];
+  contact = {};
+  contact.absence = m_.placed[i].absence;
+  contact.position = m_.placed[i].position;
+  contact.normal = m_.placed[i].normal;
+  contact.gap = then.gap;
+  if (present < 0) return;
+  const ContactAnswer<S>& answer = m_.work.answer.contacts[present];
+  contact.mode = answer.mode;
+  contact.normal_force = answer.normal_force;
+  contact.friction_force = answer.friction_force;
+  contact.torsion = answer.torsion;
+  contact.velocity = h * answer.acceleration;
+}
+
+/// The solved push happens.
+template <class S, class Pivots> void TimeStepper<S, Pivots>::commit(const S& h) {
+  pose_ = moved(pose_, next_velocity_, h);
+  velocity_ = next_velocity_;
+  Index present = 0;
+  for (Index b = 0; b < scene_->bodies.size; ++b) {
+    const Body<S>& body = scene_->bodies[b];
+    m_.poses[b] = carried(m_.poses[b], end_twist(b), h);
+    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      const bool touches = m_.placed[i].absence == Absence::none;
+      read_contact(i, touches ? present : -1, placed(b, i, pose_, m_.poses[b]), h);
+      present += touches ? 1 : 0;
+    }
+  }
+  for (Index a = 0; a < m_.speeds.size; ++a) {
+    m_.speeds[a] = m_.next_speeds[a];
+    m_.closings[a] += h * m_.speeds[a];
+  }
+  time_ += h;
+}
+
+} // namespace lcpush

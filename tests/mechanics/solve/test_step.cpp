@@ -1,0 +1,214 @@
+// Steps in time: the law, holds, slides, falls, tumbles, rolls.
+#include <doctest/doctest.h>
+
+#include <cstring>
+
+#include "support/owned_motion.hpp"
+
+using namespace lcpush;
+using namespace lcpush::test;
+
+namespace {
+
+/// Steps to `time`, each solved and checked; the deepest penetration.
+template <class S, class Pivots> double run_to(OwnedMotion<S, Pivots>& run, double time, double h) {
+  double deepest = 0;
+  const Index steps = static_cast<Index>(std::lround(time / h));
+  for (Index k = 0; k < steps; ++k) {
+    CAPTURE(k);
+    const Status status = run->advance(S(h));
+    REQUIRE(status_text(status) == std::string("solved"));
+    REQUIRE(double(run->run().residual) <= double(Tolerances<S>().residual));
+    deepest = std::max(deepest, double(run->run().penetration));
+  }
+  return deepest;
+}
+
+double turned_about_z(const Pose<double>& pose) {
+  return std::atan2(pose.rotation(1, 0), pose.rotation(0, 0));
+}
+
+Vec3 momentum_of_spin(const Matrix3<double>& I, const OwnedMotion<double>& run) {
+  const Matrix3<double> R = run.motion[0].pose().rotation;
+  return R * I * R.transpose() * run.motion[0].velocity().tail<3>();
+}
+
+} // namespace
+
+TEST_CASE("[T.13] the first step from rest is the push with A_b = V_b / h, bit for bit") {
+  Index compared = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    CAPTURE(seed);
+    OwnedMotion<double> run(random_grasp<double>(seed));
+    REQUIRE(run.begin() == Status::running);
+    const double h = 0x1p-12; // a power of two: A_b h / h is A_b
+    run->prescribed(2) = run.owned.bodies[2].acceleration * h;
+    REQUIRE(run->advance(h) == Status::solved);
+    if (run->run().corrections > 0) continue; // bent gaps are another problem
+    ++compared;
+    const Scene<double> scene = run.owned.view();
+    OwnedWorkspace<double> work(size_of(scene));
+    Assembly<double> push(work.work.assembly);
+    REQUIRE(push.assemble(scene) == Status::running);
+    Assembly<double> step(run->assembly());
+    step.push_by(1.0); // without the pads' compliance
+    const Index n = push.layout().size;
+    REQUIRE(step.layout().size == n);
+    CHECK(std::memcmp(push.problem().q, step.problem().q, sizeof(double) * std::size_t(n)) == 0);
+    for (ConeGroup<double>& cone : step.cones()) cone.compliance = 0;
+    Eigen::MatrixXd a(n, n), b(n, n);
+    fill_matrix(push.problem(), MatrixMap<double>(a.data(), n, n));
+    fill_matrix(step.problem(), MatrixMap<double>(b.data(), n, n));
+    CHECK(std::memcmp(a.data(), b.data(), sizeof(double) * std::size_t(n * n)) == 0);
+  }
+  CHECK(compared >= 36);
+}
+
+TEST_CASE("[T.13] velocities, gaps, spin and jaws in motion enter as the law says") {
+  const Scene3 scene = straight_slide();
+  const Scene<double> view = scene.view();
+  std::vector<Body<double>> bodies(3);
+  std::vector<Actuator<double>> actuators(2);
+  std::vector<double> clearances(4);
+  std::vector<Vector6<double>> twists(3, Vector6<double>::Constant(0.3));
+  const std::vector<double> speeds{0.2, 0.0}, gaps{0, 0, 0.001, 0.004};
+  StepStart<double> start;
+  start.h = 0.1;
+  start.velocity << 0.1, 0.2, 0.3, 1, 2, 3;
+  start.bodies = {twists.data(), 3};
+  start.closing_speeds = {speeds.data(), 2};
+  start.gaps = {gaps.data(), 4};
+  Scene<double> heavy = view;
+  const std::vector<Actuator<double>> jaws{{20, 0.5}, {20, 0.5}};
+  heavy.actuators = {jaws.data(), 2};
+  const Scene<double> step = laws::time_step(
+      heavy, start, {{bodies.data(), 3}, {actuators.data(), 2}, {clearances.data(), 4}});
+  CHECK((step.bodies[1].acceleration - (twists[1] - start.velocity) / 0.1).norm() == 0);
+  CHECK(step.actuators[0].force == doctest::Approx(20 + 0.5 * 0.2 / 0.1));
+  CHECK(step.actuators[1].force == 20);
+  CHECK(step.clearances[3] == doctest::Approx(0.4));
+  const Vec3 omega(1, 2, 3);
+  const Vec3 torque = -cross<double>(omega, view.object.inertia * omega);
+  CHECK((step.object.wrench.tail<3>() - torque).norm() < 1e-18);
+  CHECK(step.object.wrench.head<3>().norm() == 0);
+}
+
+TEST_CASE("held for ten seconds, a part does not creep") {
+  for (const double F : {12.0, 30.0, 60.0})
+    for (const bool parallel : {false, true}) {
+      CAPTURE(F);
+      CAPTURE(parallel);
+      Scene3 scene = bare_scene(0.045, {1e-5, 2e-5, 2.5e-5}, {0, -9.81, 0});
+      add_pinch(scene, ring(4, 0.005), 0.01, 0.7, F);
+      if (parallel) {
+        scene.actuators.resize(1);
+        scene.actuators[0].force = 2 * F;
+        for (Drive<double>& drive : scene.drives) drive.actuator = 0;
+      }
+      OwnedMotion<double> run(scene);
+      REQUIRE(run.begin() == Status::running);
+      CHECK(run_to(run, 10, 0.02) <= 1e-9);
+      for (const Vec3& p : scene.points) CHECK((run->pose().at(p) - p).norm() <= 1e-12);
+      CHECK(run->run().pivots <= 3);
+    }
+}
+
+TEST_CASE("just below the holding grip the fall is the scheme's, exactly") {
+  const double m = 0.045, mu = 0.7, F = 0.95 * m * 9.81 / (2 * mu), h = 1e-3;
+  Scene3 scene = bare_scene(m, {1e-5, 2e-5, 2.5e-5}, {0, -9.81, 0});
+  add_pinch(scene, {Vec3::Zero()}, 0.01, mu, F);
+  OwnedMotion<double> run(scene);
+  REQUIRE(run.begin() == Status::running);
+  run_to(run, 0.1, h);
+  const double a = 9.81 - 2 * mu * F / m;
+  CHECK(std::abs(run->pose().position[1] + a * h * h * 100 * 101 / 2) <= 1e-14);
+}
+
+TEST_CASE("a straight slide under gravity over 30 mm drops nothing and follows its wall") {
+  Slide slide;
+  slide.pads = ring(4, 0.005);
+  OwnedMotion<double> run(straight_slide(slide));
+  REQUIRE(run.begin() == Status::running);
+  run->prescribed(2)[0] = 0.01;
+  CHECK(run_to(run, 3, 0.01) <= 1e-9);
+  CHECK(std::abs(run->pose().position[0] - 0.03) <= 1e-12);
+  CHECK(std::abs(run->pose().position[1]) <= 1e-12);
+  CHECK(std::abs(turned_about_z(run->pose())) <= 1e-12);
+  CHECK(run->run().pivots <= 3);
+}
+
+TEST_CASE("nothing touches: free fall is the scheme's, spin keeps momentum and energy to order") {
+  Scene3 scene = bare_scene(0.2, {1e-4, 2e-4, 2.5e-4}, {0, -9.81, 0});
+  scene.add_body(Role::pusher, {0, 1, 0}, 0.5, {{0, -1, 0}}); // a floor far below
+  std::vector<double> errors;
+  for (const double h : {2e-3, 1e-3, 5e-4}) {
+    OwnedMotion<double> run(scene);
+    run.touching = {
+        {Riding::on_body, 0, 0},
+    };
+    run.add_face({0, -1, 0}, {0, -1, 0}, {0.01, 0, 0}, {0, 0, 0.01});
+    REQUIRE(run.begin() == Status::running);
+    run->prescribed(0)[1] = -100; // and it leaves
+    run->velocity() << 0.3, 0.4, 0, 3, -5, 4;
+    const Vec3 L = momentum_of_spin(scene.base.object.inertia, run);
+    const double energy = L.dot(run->velocity().tail<3>());
+    run_to(run, 0.2, h);
+    const double k = std::round(0.2 / h);
+    CHECK(std::abs(run->pose().position[0] - 0.3 * 0.2) <= 1e-14);
+    CHECK(std::abs(run->pose().position[1] - (0.4 * 0.2 - 9.81 * h * h * k * (k + 1) / 2)) <=
+          1e-14);
+    const Vec3 now = momentum_of_spin(scene.base.object.inertia, run);
+    const double drift = std::abs(now.dot(run->velocity().tail<3>()) / energy - 1);
+    errors.push_back((now - L).norm() / L.norm() + drift);
+    CHECK(errors.back() <= 20 * h);
+  }
+  CHECK(errors[0] / errors[1] == doctest::Approx(2).epsilon(0.05));
+  CHECK(errors[1] / errors[2] == doctest::Approx(2).epsilon(0.05));
+}
+
+TEST_CASE("a cylinder in a parallel jaw rolls on a moving sheet by s / R") {
+  Roll roll;
+  roll.F = 0.3;
+  OwnedMotion<double> run(rolling(roll));
+  run.touching.assign(3, {Riding::on_side, -1, 0});
+  RoundSide<double> side;
+  side.radius = roll.radius;
+  run.sides = {side};
+  REQUIRE(run.begin() == Status::running);
+  // As slowly as an even speed-up below the sheet's grip.
+  double travelled = 0, deepest = 0;
+  for (Index k = 1; k <= 1000; ++k) {
+    run->prescribed(2)[0] = 0.1 * std::min(1.0, double(k) / 500);
+    travelled += 1e-3 * run->prescribed(2)[0];
+    REQUIRE(run->advance(1e-3) == Status::solved);
+    deepest = std::max(deepest, run->run().penetration);
+  }
+  CHECK(std::abs(turned_about_z(run->pose()) -
+                 std::remainder(travelled / roll.radius, 6.283185307179586)) <= 1e-9);
+  CHECK(std::abs(run->pose().position[0]) <= 1e-9);
+  CHECK(deepest <= 1e-9);
+}
+
+TEST_CASE("a rod between two plates goes half as far as the moving one and turns by s / 2R") {
+  Scene3 scene = bare_scene(0.1, {4e-5, 4e-5, 2e-5}, {0, -9.81, 0});
+  const double R = 0.02;
+  for (const double below : {1.0, -1.0})
+    scene.add_body(Role::finger, {0, below, 0}, 0.8,
+                   {{0, -below * R, -0.03}, {0, -below * R, 0.03}});
+  Vector6<double> down = Vector6<double>::Zero();
+  down[1] = -1;
+  scene.drives.push_back({1, 0, down});
+  scene.actuators.push_back({5, 0});
+  OwnedMotion<double> run(scene);
+  run.touching.assign(2, {Riding::on_side, -1, 0});
+  RoundSide<double> side;
+  side.radius = R;
+  run.sides = {side};
+  REQUIRE(run.begin() == Status::running);
+  run->prescribed(1)[0] = 0.05;
+  CHECK(run_to(run, 1, 1e-3) <= 1e-9);
+  CHECK(std::abs(run->pose().position[0] - 0.025) <= 1e-9);
+  CHECK(std::abs(turned_about_z(run->pose()) + 0.05 / (2 * R)) <= 1e-9);
+  CHECK(std::abs(run->pose().position[1]) <= 1e-9);
+  CHECK(std::abs(run->closing(0)) <= 1e-9);
+}
