@@ -135,7 +135,7 @@ def check(c, texts):
         inside = {k for slip, (_, a, b) in cones.items() for k in (slip, *a, *b)} | (set() if rest else free)
         rays += [abs(gain[j]) if j in free else gain[j] for j in range(n) if j not in inside]
         return require(max(rays) <= 0, "a force takes more")
-    require([i + 1 for i in range(n) if i not in free and x[i]] == c["basis"] and len(x) == n, "another basis")
+    require([i + 1 for i in range(n) if i not in free and x[i]] == c["basis"] and len(x) == n and (push == 1 or not rest), "another basis")
     w = [sum((v * x[j] for j, v in row.items() if x[j]), F(0)) for row in L]
     if c["proof"] == "squeeze":
         require(push == 1 and all(v >= 0 for v in x) and not any(x[i] for i in (*cones, *free)), "not forces")

@@ -129,11 +129,12 @@ std::optional<Certificate> certify_answer(const std::string& text, const SceneFi
   if (!exact) {
     // Another cover ends in another basis, where less may tie.
     constexpr Index covers = 12, apart = 20; // a cover that fails goes on to the next
-    for (Index cover = 0; cover < covers && !exact; ++cover) {
-      const std::vector<unsigned char> basic =
-          pivoted_basis(file.view(), push, apart * cover, problem.size());
-      if (!basic.empty()) exact = answer_from_basis(problem, basic, limits::pivots_certified);
-    }
+    std::vector<std::vector<unsigned char>> bases;
+    for (Index cover = 0; cover < covers; ++cover)
+      bases.push_back(pivoted_basis(file.view(), push, apart * cover, problem.size()));
+    for (const std::size_t few : {std::size_t{6}, limits::pivots_certified})
+      for (const std::vector<unsigned char>& basic : bases)
+        if (!exact && !basic.empty()) exact = answer_from_basis(problem, basic, few);
   }
   if (!exact) return std::nullopt;
   certificate.x = std::move(exact->x[0]);

@@ -31,10 +31,6 @@ int sign_at(const std::vector<Column>& columns, std::size_t i) {
   return 0;
 }
 
-bool are_zero(const std::vector<Column>& columns, std::size_t i) {
-  return sign_at(columns, i) == 0;
-}
-
 /// The submatrix of these rows and columns, in their order.
 std::vector<ExactRow> cut(const MixedProblem& problem, const std::vector<std::size_t>& rows,
                           const std::vector<std::size_t>& columns) {
@@ -76,14 +72,14 @@ public:
   std::optional<ExactAnswer> run(std::size_t most_pivots, std::uint32_t seed) {
     seed_ = seed;
     if (!evaluate(problem_.q)) return std::nullopt;
-    if (is_feasible()) return answer(0);
+    if (is_feasible()) return ExactAnswer{x_, w_, 0};
     choose_cover();
     if (!evaluate(rhs_)) return std::nullopt;
     enter_artificial();
     for (std::size_t pivots = 2; pivots <= most_pivots; ++pivots) {
       if (!step()) return std::nullopt;
       if (blocked_ == none)
-        return evaluate(problem_.q) ? std::optional(answer(pivots)) : std::nullopt;
+        return evaluate(problem_.q) ? std::optional(ExactAnswer{x_, w_, pivots}) : std::nullopt;
     }
     return std::nullopt;
   }
@@ -106,7 +102,6 @@ private:
       if (!problem_.is_free(i) && (sign_at(x_, i) < 0 || sign_at(w_, i) < 0)) return false;
     return true;
   }
-  ExactAnswer answer(std::size_t pivots) const { return {x_, w_, pivots}; }
 
   /// The matrix of what is basic, z0 last.
   ExactSystem system(std::vector<std::size_t>& places) const {
@@ -243,10 +238,10 @@ bool solves_exactly(const MixedProblem& problem, const ExactAnswer& answer) {
       if (product[i] + problem.q[k][i] != answer.w[k][i]) return false;
   }
   for (std::size_t i = 0; i < problem.size(); ++i) {
-    const bool rests = are_zero(answer.w, i);
+    const bool rests = sign_at(answer.w, i) == 0;
     if (problem.is_free(i) ? !rests
                            : sign_at(answer.x, i) < 0 || sign_at(answer.w, i) < 0 ||
-                                 (!rests && !are_zero(answer.x, i)))
+                                 (!rests && sign_at(answer.x, i) != 0))
       return false;
   }
   return true;

@@ -1,5 +1,8 @@
 #include "spread/spread_quantities.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace lcpush::desktop {
 
 std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadReport& report) {
@@ -79,6 +82,24 @@ SpreadVerdict verdict_on(const SpreadReport& report) {
         !is_single(contact.tangential[1], force) || !is_single(contact.torsion, force * length))
       return SpreadVerdict::same_motion;
   return SpreadVerdict::unique;
+}
+
+bool is_wider(const SpreadReport& wider, const SpreadReport& than) {
+  constexpr double counts = 1e-6; // of the scale of forces, or of motions
+  const auto exceeds = [](const Interval& one, const Interval& two, double slack) {
+    return one.low < two.low - slack || one.high > two.high + slack;
+  };
+  const double force = counts * than.scales.force;
+  for (std::size_t k = 0; k < wider.pushers.size(); ++k)
+    if (exceeds(wider.pushers[k].force, than.pushers[k].force, force)) return true;
+  for (std::size_t i = 0; i < wider.contacts.size(); ++i)
+    if (exceeds(wider.contacts[i].normal, than.contacts[i].normal, force)) return true;
+  for (Index k = 0; k < 6; ++k) {
+    const Interval& one = wider.twist[k];
+    const double size = std::max(std::abs(one.low), std::abs(one.high));
+    if (exceeds(one, than.twist[k], counts * std::max(size, than.scales.acceleration))) return true;
+  }
+  return false;
 }
 
 } // namespace lcpush::desktop

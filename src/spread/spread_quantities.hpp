@@ -23,6 +23,9 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadRepor
 void include_forces(const Answer<double>& answer, const Scene<double>& scene, SpreadReport& report);
 void include(const Answer<double>& answer, const Scene<double>& scene, SpreadReport& report);
 
+/// Does one report's range of a force, or of the motion, go beyond the other's by what counts?
+bool is_wider(const SpreadReport& wider, const SpreadReport& than);
+
 /// The verdict on the intervals; report.motion is known by then.
 SpreadVerdict verdict_on(const SpreadReport& report);
 

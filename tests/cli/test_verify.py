@@ -153,7 +153,7 @@ for name in ("straight_slide", "straight_slide_point", "straight_slide_point_low
     low = " ".join(brief.split())
     assert "is allowed" in low and ("Every law holds" in low) == (name == "straight_slide"), brief
 assert "Not a solution, because of dissipation: friction of wall.1" in low, brief
-assert "The worst row's error is 0.015 N, 3.8e-04 in scaled units, where 1e-06" in low, brief
+assert "The worst row's error is 1 m/s^2, 4.7e-02 in scaled units, where 1e-06" in low, brief
 
 # Another scene's answer, and one with a point too few.
 status, report = verify(slide, own_answer(scenes / "tipping.toml"))
