@@ -148,8 +148,7 @@ constexpr const char* touch_mistake_text(TouchMistake mistake) {
       "", "a body names a face or a side that there is not",
       "edge against edge is not modelled: a body's normal has to be that of the face it touches",
       "a point does not lie in the plane of its face",
-      "a round side needs a radius and an axis "
-      "across the normal"};
+      "a round side needs a radius, and an axis across the normal"};
   return texts[static_cast<int>(mistake)];
 }
 
