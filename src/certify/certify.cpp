@@ -68,6 +68,13 @@ std::vector<Part> acting_of(const Guess& guess, double tolerance) {
   return acting;
 }
 
+std::optional<ExactAnswer> answer_near(const MixedProblem& problem, const Guess& guess) {
+  std::optional<ExactAnswer> exact;
+  for (const double tolerance : {1e-9, 1e-12, 1e-7})
+    if (!exact) exact = answer_near(problem, acting_of(guess, tolerance), {guess.x});
+  return exact;
+}
+
 /// The final basis of Lemke's pivots on the literal problem in doubles, from this covering vector
 /// on; empty if they end otherwise.
 std::vector<unsigned char> pivoted_basis(const Scene<double>& scene, double push, Index first_cover,
@@ -123,9 +130,7 @@ std::optional<Certificate> certify_answer(const std::string& text, const SceneFi
   certificate.push = Rational(push);
   const MixedProblem problem = scene_problem(exact_scene(text, file, certificate.push), false);
   const Guess guess = guess_of(file.view(), problem, answer);
-  std::optional<ExactAnswer> exact;
-  for (const double tolerance : {1e-9, 1e-12, 1e-7})
-    if (!exact) exact = answer_near(problem, acting_of(guess, tolerance), {guess.x});
+  std::optional<ExactAnswer> exact = answer_near(problem, guess);
   if (!exact) {
     // Another cover ends in another basis, where less may tie.
     constexpr Index covers = 12, apart = 20; // a cover that fails goes on to the next
@@ -155,12 +160,7 @@ std::optional<Certificate> certify_squeeze(const std::string& text, const SceneF
   double largest = 0;
   for (const NamedValue& entry : ray) {
     const auto i = static_cast<std::size_t>(entry.unknown);
-    // A slip's row holds forces alone.
-    const bool is_slip =
-        !problem.is_free(i) && !problem.rows[i].empty() &&
-        !problem.is_free(static_cast<std::size_t>(problem.rows[i].front().column)) &&
-        !problem.is_free(static_cast<std::size_t>(problem.rows[i].back().column));
-    if (problem.is_free(i) || is_slip) continue;
+    if (problem.is_free(i) || problem.limits_forces(i)) continue;
     guess[i] = entry.value;
     largest = std::max(largest, entry.value);
   }
@@ -200,8 +200,7 @@ std::optional<Certificate> certify_raw(const ExactMatrix& M, const ExactMatrix& 
     for (const double w : answer.w) w_unit = std::max(w_unit, std::abs(w));
     guess.x_unit.assign(answer.z.size(), x_unit);
     guess.w_unit.assign(answer.z.size(), w_unit);
-    for (const double tolerance : {1e-9, 1e-12, 1e-7})
-      if (!exact) exact = answer_near(problem, acting_of(guess, tolerance), {answer.z});
+    if (!exact) exact = answer_near(problem, guess);
     if (!exact) exact = answer_from_basis(problem, answer.basic, limits::pivots_certified);
     if (!exact) return std::nullopt;
     certificate.x = std::move(exact->x[0]);

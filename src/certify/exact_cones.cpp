@@ -96,40 +96,15 @@ std::optional<std::vector<Rational>> squeeze_near(const MixedProblem& problem,
       sum += entry.value.value() * guess[j];
       size += std::abs(entry.value.value() * guess[j]);
     }
-    const bool is_cone =
-        !problem.is_free(i) && guess[i] <= nearly && !row.empty() &&
-        std::all_of(problem.rows[i].begin(), problem.rows[i].end(), [&](const ExactEntry& entry) {
-          return !problem.is_free(static_cast<std::size_t>(entry.column));
-        });
+    const bool is_cone = problem.limits_forces(i) && !row.empty();
     if (problem.is_free(i) || (is_cone && std::abs(sum) <= nearly * size))
       rows.push_back(std::move(row));
   }
-  const ExactMinor minor = largest_minor(rows, forces.size());
-  std::vector<Rational> f(forces.size());
-  for (std::size_t j = 0; j < forces.size(); ++j)
-    f[j] =
-        Rational(std::round(std::ldexp(guess[forces[j]], 40))) / Rational(BigInteger(1) << 40U, 1);
-  std::vector<Index> column(forces.size(), -1);
-  for (std::size_t j = 0; j < minor.columns.size(); ++j) {
-    column[minor.columns[j]] = static_cast<Index>(j);
-    f[minor.columns[j]] = 0;
-  }
-  std::vector<ExactRow> matrix;
-  std::vector<Rational> right;
-  for (const std::size_t i : minor.rows) {
-    ExactRow& row = matrix.emplace_back();
-    right.emplace_back(0);
-    for (const ExactEntry& entry : rows[i]) {
-      const auto j = static_cast<std::size_t>(entry.column);
-      if (column[j] >= 0)
-        row.push_back({column[j], entry.value});
-      else
-        right.back() -= entry.value * f[j];
-    }
-  }
-  const auto solution = ExactSystem(matrix).solve(right);
+  std::vector<double> near;
+  for (const std::size_t j : forces) near.push_back(guess[j]);
+  const auto solution = solution_near(rows, std::vector<Rational>(rows.size()), near);
   if (!solution) return std::nullopt;
-  for (std::size_t j = 0; j < minor.columns.size(); ++j) f[minor.columns[j]] = (*solution)[j];
+  const std::vector<Rational>& f = *solution;
   std::vector<Rational> x(problem.size());
   Rational work = 0;
   for (std::size_t j = 0; j < forces.size(); ++j) {
@@ -138,14 +113,11 @@ std::optional<std::vector<Rational>> squeeze_near(const MixedProblem& problem,
     work -= f[j] * problem.q[1][forces[j]];
   }
   for (std::size_t i = 0; i < problem.size(); ++i) {
-    bool bounds_forces = true;
     Rational sum = 0;
-    for (const ExactEntry& entry : problem.rows[i]) {
-      const auto j = static_cast<std::size_t>(entry.column);
-      bounds_forces = bounds_forces && !problem.is_free(j);
-      if (!problem.is_free(j)) sum += entry.value * x[j];
-    }
-    if (problem.is_free(i) ? sum.sign() != 0 : bounds_forces && sum.sign() < 0) return std::nullopt;
+    for (const ExactEntry& entry : problem.rows[i])
+      sum += entry.value * x[static_cast<std::size_t>(entry.column)];
+    if (problem.is_free(i) ? sum.sign() != 0 : problem.limits_forces(i) && sum.sign() < 0)
+      return std::nullopt;
   }
   if (work.sign() <= 0) return std::nullopt;
   return x;
@@ -164,10 +136,7 @@ void holding_question(const MixedProblem& problem, std::vector<std::vector<Ratio
   }
   std::vector<unsigned char> is_frictionless(problem.size(), 1);
   for (std::size_t i = 0; i < problem.size(); ++i) {
-    if (problem.is_free(i) || problem.rows[i].empty() ||
-        problem.is_free(static_cast<std::size_t>(problem.rows[i].back().column)) ||
-        problem.is_free(static_cast<std::size_t>(problem.rows[i].front().column)))
-      continue;
+    if (!problem.limits_forces(i)) continue;
     is_frictionless[i] = 0; // the slip itself
     for (const ExactEntry& normal : problem.rows[i])
       for (const ExactEntry& friction : problem.rows[i]) {

@@ -258,26 +258,17 @@ std::optional<ExactAnswer> answer_near(const MixedProblem& problem, const std::v
   equations = unknowns;
   for (std::size_t i = 0; i < problem.size(); ++i)
     if (!problem.is_free(i) && acting[i] == Part::neither) equations.push_back(i);
-  const ExactMinor minor = largest_minor(cut(problem, equations, unknowns), unknowns.size());
-  std::vector<std::size_t> rows, columns;
-  for (const std::size_t i : minor.rows) rows.push_back(equations[i]);
-  for (const std::size_t j : minor.columns) columns.push_back(unknowns[j]);
-  const ExactSystem system(cut(problem, rows, columns));
+  const std::vector<ExactRow> rows = cut(problem, equations, unknowns);
   ExactAnswer answer;
   for (std::size_t k = 0; k < problem.q.size(); ++k) {
-    Column x(problem.size());
-    double largest = 0;
-    for (const double value : guess[k]) largest = std::max(largest, std::abs(value));
-    const double grid = largest > 0 ? std::exp2(std::floor(std::log2(largest)) - 40) : 1;
-    for (const std::size_t i : unknowns) // short numbers: the others make up for them
-      x[i] = Rational(std::round(guess[k][i] / grid) * grid);
-    for (const std::size_t i : columns) x[i] = 0;
-    Column b;
-    for (const std::size_t i : rows)
-      b.push_back(-(row_times(problem.rows[i], x) + problem.q[k][i]));
-    const auto solution = system.solve(b);
+    Column right;
+    std::vector<double> near;
+    for (const std::size_t i : equations) right.push_back(-problem.q[k][i]);
+    for (const std::size_t i : unknowns) near.push_back(guess[k][i]);
+    const auto solution = solution_near(rows, right, near);
     if (!solution) return std::nullopt;
-    for (std::size_t j = 0; j < columns.size(); ++j) x[columns[j]] = (*solution)[j];
+    Column x(problem.size());
+    for (std::size_t j = 0; j < unknowns.size(); ++j) x[unknowns[j]] = (*solution)[j];
     Column w = times(problem, x);
     for (std::size_t i = 0; i < problem.size(); ++i) w[i] += problem.q[k][i];
     answer.x.push_back(std::move(x));

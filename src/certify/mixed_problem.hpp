@@ -5,6 +5,7 @@
 #include "lcpush/desktop/matrix_market.hpp"
 #include "lcpush/desktop/scene_io.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace lcpush::desktop {
@@ -18,6 +19,13 @@ struct MixedProblem {
 
   std::size_t size() const { return rows.size(); }
   bool is_free(std::size_t i) const { return free[i] != 0; }
+  /// Of a scene: is row i that of a slip, which holds forces alone?
+  bool limits_forces(std::size_t i) const {
+    const auto is_pair = [&](const ExactEntry& entry) {
+      return !is_free(static_cast<std::size_t>(entry.column));
+    };
+    return !is_free(i) && !rows[i].empty() && std::all_of(rows[i].begin(), rows[i].end(), is_pair);
+  }
 };
 
 /// The literal equations of a scene in SI units: the pairs in the order of Layout, then the

@@ -3,6 +3,7 @@
 #include "exact/limbs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lcpush::desktop {
@@ -239,6 +240,37 @@ ExactMinor largest_minor(const std::vector<ExactRow>& rows, std::size_t columns)
     }
   }
   return minor;
+}
+
+std::optional<std::vector<Rational>> solution_near(const std::vector<ExactRow>& rows,
+                                                   const std::vector<Rational>& right,
+                                                   const std::vector<double>& guess) {
+  double largest = 0;
+  for (const double value : guess) largest = std::max(largest, std::abs(value));
+  const double grid = largest > 0 ? std::exp2(std::floor(std::log2(largest)) - 40) : 1;
+  std::vector<Rational> x;
+  for (const double value : guess) x.emplace_back(std::round(value / grid) * grid);
+  const ExactMinor minor = largest_minor(rows, guess.size());
+  std::vector<Index> place(guess.size(), -1);
+  for (std::size_t j = 0; j < minor.columns.size(); ++j)
+    place[minor.columns[j]] = static_cast<Index>(j);
+  std::vector<ExactRow> matrix;
+  std::vector<Rational> b;
+  for (const std::size_t i : minor.rows) {
+    ExactRow& row = matrix.emplace_back();
+    b.push_back(right[i]);
+    for (const ExactEntry& entry : rows[i]) {
+      const auto j = static_cast<std::size_t>(entry.column);
+      if (place[j] >= 0)
+        row.push_back({place[j], entry.value});
+      else
+        b.back() -= entry.value * x[j];
+    }
+  }
+  const auto solution = ExactSystem(matrix).solve(b);
+  if (!solution) return std::nullopt;
+  for (std::size_t j = 0; j < minor.columns.size(); ++j) x[minor.columns[j]] = (*solution)[j];
+  return x;
 }
 
 } // namespace lcpush::desktop

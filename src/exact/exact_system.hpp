@@ -58,4 +58,10 @@ struct ExactMinor {
 };
 ExactMinor largest_minor(const std::vector<ExactRow>& rows, std::size_t columns);
 
+/// x with `rows` x = right, as far as the rows do not depend on those before them: what they leave
+/// open stays at `guess`, rounded to 40 bits of the largest guess. nullopt if there is none.
+std::optional<std::vector<Rational>> solution_near(const std::vector<ExactRow>& rows,
+                                                   const std::vector<Rational>& right,
+                                                   const std::vector<double>& guess);
+
 } // namespace lcpush::desktop
