@@ -52,6 +52,7 @@ public:
   void begin(const Problem<double>& problem, bool warm, const PressureMemory<double>& pressure) {
     RememberedStart& start = then_.start;
     start.round = start.memory.next++;
+    size_ = problem.size;
     holds_ = start.knows(problem.size) && solve_on_basis(problem, start.basis(), solution_);
     if (!holds_) then_.begin(problem, warm, pressure);
   }
@@ -68,7 +69,7 @@ public:
     if (status != Status::solved) return status;
     std::vector<Basis>& bases = start.memory.bases;
     if (bases.size() <= start.round) bases.resize(start.round + 1);
-    bases[start.round].assign(pressure.active.begin(), pressure.active.end());
+    bases[start.round].assign(pressure.active.begin(), pressure.active.begin() + size_);
     return status;
   }
 
@@ -80,6 +81,7 @@ public:
 private:
   StartedRounds<double, RememberedStart, const Unwatched, Pivots> then_;
   BasisSolution solution_;
+  Index size_ = 0;     ///< unknowns of the round: the memory may have room for more
   bool holds_ = false; ///< is the remembered basis the answer itself?
 };
 

@@ -1,5 +1,7 @@
 #include "sweep/sweep_solver.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "solve/push_rounds.hpp"
@@ -23,6 +25,11 @@ DetailedAnswer read_contacts(const ScenePoint& p, DetailedAnswer answer) {
   answer.force_noise = 1e-11 * scales.force;
   answer.motion_noise = 1e-11 * scales.acceleration;
   answer.turning_noise = answer.motion_noise / scales.length;
+  double fastest = 0;
+  for (const ContactAnswer<double>& contact : solved.contacts)
+    fastest = std::max(fastest, contact.acceleration.norm());
+  // A residual that passes leaves slips open, and each would be an event of the sweep.
+  const double rounded = std::min(answer.motion_noise, 5e-7 * fastest);
   Index entry = 0;
   for (Index i = 0; i < solved.contacts.size; ++i) {
     const ContactAnswer<double>& contact = solved.contacts[i];
@@ -31,6 +38,9 @@ DetailedAnswer read_contacts(const ScenePoint& p, DetailedAnswer answer) {
     state.mode = contact.mode;
     state.pressed = std::abs(contact.normal_force) > pressed;
     const Vector3<double> slip = contact.acceleration - contact.acceleration.dot(n) * n;
+    const double sliding =
+        slip.norm() + p.scene.bodies[contact.body].torsion_radius * std::abs(contact.spin);
+    if (state.mode == Mode::slide && sliding <= rounded) state.mode = Mode::stick;
     if (state.mode == Mode::slide && slip.norm() > 0) state.slip = slip.normalized();
     for (Index j = 0; j < p.assembly.layout().cones[i].generators; ++j, ++entry)
       if (solved.friction[entry] > pressed) state.rubs.push_back(j);

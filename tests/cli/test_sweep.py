@@ -192,6 +192,13 @@ class Sweep(unittest.TestCase):
         self.assertIn("grows from 19.1 to 20 N (from -4.8 to 4.8 degrees) and falls to 19.1 N.",
                       flat(plateau.stdout))
 
+    def test_neighbours_start_from_each_other_and_rounding_is_no_event(self):
+        for scene in ("tipping", "screw_driving"):
+            sweep = json.loads(run(SCENES / f"{scene}.toml", "--vary", "object.mass=0.01:1", "--steps",
+                                   "101", "--json").stdout)
+            self.assertLess(sweep["cold_solves"], 20, scene)
+            self.assertLess(len(sweep["points"]), 120, scene)
+
     def test_where_the_grasp_does_not_hold_the_message_says_so(self):
         drop = self.path / "drop.toml"
         drop.write_text(self.slide.read_text().replace("friction = 0.3", "friction = 0"))
