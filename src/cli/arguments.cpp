@@ -178,7 +178,8 @@ std::string help_text(const Command& command) {
   }
   return wrapped(text +
                      "  --help                    this text\n\nExit status: 0 solved, 1 not solved "
-                     "(the output says why), 2 bad input or usage.\n",
+                     "(the output says why), 2 bad input or usage.\nMemory: about 1 GB at most; "
+                     "what would take more is refused before it begins.\n",
                  columns_of(Stream::output));
 }
 

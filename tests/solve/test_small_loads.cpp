@@ -56,7 +56,8 @@ constexpr desktop::Solver solvers[] = {desktop::Solver::lemke, desktop::Solver::
 void check_small_grip(const desktop::SceneFile& file, const Hand& hand, desktop::Solver solver) {
   desktop::PushOptions options;
   options.solver = solver;
-  const desktop::PushReport report = desktop::Push(file).solve(options);
+  desktop::Push push(file); // the report's answer is its memory
+  const desktop::PushReport report = push.solve(options);
   CAPTURE(report.reason);
   if (report.status != Status::solved) {
     CHECK(solver != desktop::Solver::lemke);
@@ -123,7 +124,8 @@ TEST_CASE("texts show the small forces that the answer has") {
 
 TEST_CASE("nothing that falls is said to stay") {
   const desktop::SceneFile file = cube({}, 0);
-  const desktop::PushReport report = desktop::Push(file).solve({});
+  desktop::Push push(file);
+  const desktop::PushReport report = push.solve({});
   const std::string text = desktop::solve_text(file, {}, report, desktop::Telling::brief);
   CAPTURE(text);
   CHECK(text.find("does not move") == std::string::npos);
