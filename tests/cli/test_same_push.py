@@ -3,13 +3,14 @@
     test_same_push.py TOOL ROOT [FIRST LAST]      seeds
 
 Of random grasps the fingers, the points of every patch and the pusher's come in another order; and
-every solver is asked. Where `unique` does not say that the motion is open, it is the same, to 1e-5 of
+every solver is asked, the path of a sweep among them. Where `unique` does not say that the motion is open, it is the same, to 1e-5 of
 what the push moves.
 """
 import json
 import math
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -60,13 +61,24 @@ def solved(text, *words):
     return "solved", [*twist[:3], *(.05 * x for x in twist[3:])], answer["unique"]
 
 
+def swept(text, mass):
+    """The same at the end of a sweep, each step from its neighbour's answer."""
+    PATH.write_text(text)
+    result = subprocess.run([TOOL, "sweep", PATH, "--vary", f"object.mass={mass / 2}:{mass}", "--steps", "3", "--json"],
+                            capture_output=True, text=True)
+    last = json.loads(result.stdout)["points"][-1]
+    if last["status"] != "solved":
+        return last["status"], None, None
+    return "solved", [*last["twist"][:3], *(.05 * x for x in last["twist"][3:])], {"motion": True}
+
+
 def main():
     faults, compared, solvers = [], 0, 0
     for seed in range(FIRST, LAST):
         pick, (head, fingers, pusher) = random.Random(f"order {seed}"), grasp(seed)
         status, motion, unique = solved(written(head, fingers, pusher))
         if status != "solved":
-            if motion["promised"]:
+            if motion["covered"]:
                 faults.append(f"seed {seed}: {status}")
             continue
         if unique["motion"] is False:
@@ -76,6 +88,7 @@ def main():
         asked = [("another order", other)]
         if unique["motion"] is True:
             asked += [(name, solved(written(head, fingers, pusher), "--solver", name)) for name in ("gauss-seidel", "hybrid")]
+            asked.append(("path", swept(written(head, fingers, pusher), float(re.search(r"mass = (\S+)", head)[1]))))
         for what, (said, moved, still) in asked:
             if said != "solved":
                 if what != "gauss-seidel":  # which may stagnate, and says so
