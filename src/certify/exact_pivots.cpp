@@ -9,18 +9,27 @@ namespace {
 
 using Column = std::vector<Rational>;
 
-Rational row_times(const ExactRow& row, const Column& x) {
-  Rational sum = 0;
-  for (const ExactEntry& entry : row) {
-    const Rational& by = x[static_cast<std::size_t>(entry.column)];
-    if (by.sign() != 0) sum += entry.value * by;
-  }
-  return sum;
-}
-
-Column times(const MixedProblem& problem, const Column& x) {
+/// L x + cover z0 + constant. All over one denominator first, so that of long numbers no more than
+/// one divisor a row is sought.
+Column times(const MixedProblem& problem, Column x, const Column& constant = {},
+             const Column& cover = {}, const Rational& z0 = 0) {
+  x.push_back(z0);
+  BigInteger below = 1;
+  for (const Rational& number : x)
+    if (const BigInteger& its = number.denominator(); !(below % its).is_zero())
+      below = below / gcd(below, its) * its;
+  for (Rational& number : x)
+    number = Rational(number.numerator() * (below / number.denominator()), 1);
   Column result;
-  for (const ExactRow& row : problem.rows) result.push_back(row_times(row, x));
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    Rational sum = constant.empty() ? Rational(0) : constant[i] * Rational(below, 1);
+    for (const ExactEntry& entry : problem.rows[i]) {
+      const Rational& by = x[static_cast<std::size_t>(entry.column)];
+      if (by.sign() != 0) sum += entry.value * by;
+    }
+    if (z0.sign() != 0) sum += cover[i] * x.back();
+    result.push_back(sum.sign() == 0 ? sum : Rational(sum.numerator(), sum.denominator() * below));
+  }
   return result;
 }
 
@@ -130,11 +139,7 @@ private:
     const std::size_t count = blocked_ == none ? places.size() : places.size() - 1;
     for (std::size_t k = 0; k < count; ++k) x[places[k]] = (*solution)[k];
     z0 = blocked_ == none ? Rational(0) : solution->back();
-    w = times(problem_, x);
-    for (std::size_t i = 0; i < n_; ++i) {
-      w[i] += constant[i];
-      if (z0.sign() != 0) w[i] += cover_[i] * z0;
-    }
+    w = times(problem_, x, constant, cover_, z0);
     return true;
   }
 

@@ -1,6 +1,7 @@
 #include "cli/arguments.hpp"
 
 #include "cli/commands.hpp"
+#include "cli/time_limit.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -196,6 +197,7 @@ void write_text(const Arguments& arguments, const std::string& text) {
 }
 
 void write_output(const Arguments& arguments, const std::string& text) {
+  lift_time_limit();
   const std::optional<std::string> path = arguments.value("--output");
   if (path) {
     refuse_foreign_format(*path);
@@ -207,6 +209,7 @@ void write_output(const Arguments& arguments, const std::string& text) {
 }
 
 void write_file(const std::string& path, const std::string& text) {
+  lift_time_limit();
   errno = 0;
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))

@@ -4,6 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/scene_arguments.hpp"
+#include "cli/time_limit.hpp"
 #include "lcpush/desktop/export.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/limits.hpp"
@@ -32,6 +33,7 @@ int run_export(const Arguments& arguments) {
   const Export result = export_scene(file);
   const filesystem::path into(*directory);
   const std::string prefix = (into / "").string();
+  lift_time_limit();
   for (const ExportFile& text : result.files) write_file(into / text.name, text.text);
   std::error_code nothing_there;
   for (const std::string& name : result.absent) filesystem::remove(into / name, nothing_there);

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "cli/commands.hpp"
+#include "cli/time_limit.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/version.hpp"
 #include "text/wording.hpp"
@@ -57,7 +58,9 @@ int run(const Command& command, const std::vector<std::string>& words, bool asks
     return 0;
   }
   try {
-    return command.run(Arguments(command, words));
+    const Arguments arguments(command, words);
+    limit_time(command, arguments);
+    return command.run(arguments);
   } catch (const UsageError& error) {
     return refuse("lcpush " + command.name + ": " + error.what(),
                   "lcpush " + command.name + " --help");
@@ -101,7 +104,7 @@ int main(int count, char** words) {
   try {
     return cli::run(cli::all_commands(), std::vector<std::string>(words + 1, words + count));
   } catch (const desktop::InputError& error) {
-    std::cerr << error.what() << "\n";
+    std::cerr << desktop::wrapped(error.what(), cli::columns_of(cli::Stream::errors)) << "\n";
   } catch (const std::bad_alloc&) {
     std::cerr << "lcpush: out of memory; the problem is too large for this machine\n";
   } catch (const std::exception& error) {

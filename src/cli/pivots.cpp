@@ -3,6 +3,7 @@
 #include "cli/choose.hpp"
 #include "cli/commands.hpp"
 #include "cli/raw_arguments.hpp"
+#include "cli/time_limit.hpp"
 #include "pivots/explorer_text.hpp"
 #include "pivots/subject.hpp"
 #include "scenes/shipped_scenes.hpp"
@@ -158,6 +159,7 @@ Command pivots_command() {
           {"--as-solved", "", "replay what solve or lcp does: scaled, generic covers, all rounds"},
           {"--facets", "G", "sides of a scene's friction pyramids (default 4)"},
           {"--pressure", "LAW", "pad, even or rigid instead of the scene's"},
+          seconds_option,
           {"--format", "NAME", "text (default), json, latex or html; --json for short"},
       }),
       2,

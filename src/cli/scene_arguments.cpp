@@ -1,8 +1,10 @@
 #include "cli/scene_arguments.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
+#include "cli/time_limit.hpp"
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
@@ -92,6 +94,8 @@ void refuse_doubts(const SceneFile& file) {
 
 std::vector<Option> with_scene_options(std::vector<Option> own) {
   own.push_back({"--strict", "", "what looks odd about the scene is an error"});
+  const auto has_its_own = [](const Option& option) { return option.name == seconds_option.name; };
+  if (std::none_of(own.begin(), own.end(), has_its_own)) own.push_back(seconds_option);
   return with_common_options(std::move(own));
 }
 

@@ -3,6 +3,7 @@
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_arguments.hpp"
+#include "cli/time_limit.hpp"
 #include "lcpush/mechanics/solve/breaking.hpp"
 #include "text/limits.hpp"
 
@@ -22,6 +23,7 @@ void listen_for_signals() {
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
+constexpr double longest_enumeration = 300; // seconds
 
 SpreadOptions spread_options(const Arguments& arguments) {
   constexpr double longest = 1e6;
@@ -41,6 +43,9 @@ int run_spread(const Arguments& arguments) {
   const std::string format = arguments.format();
   SpreadOptions options = spread_options(arguments);
   const SceneFile file = read_scene_argument(arguments);
+  // What was asked for at length takes it, and what is then under way is finished.
+  if (arguments.has("--enumerate")) limit_time("spread", longest_enumeration);
+  if (options.most_seconds > 0) limit_time("spread", options.most_seconds + usual_seconds);
   if (options.breaking && !(push_size(file.view()) > 0))
     throw UsageError("no body of the scene moves: give a pusher an acceleration");
   refuse_unknowns(arguments, file, limits::unknowns_spread, "faces can be bounded");

@@ -81,8 +81,9 @@ void Push::record(Index sweep, const double* z) {
                       check(assembly_.scene(), layout().scales, work_.answer, assembly_.sigma())});
 }
 
-Status Push::run(const PushOptions& options, double sigma, PressureRun& spent) {
-  const PressureOptions<double> pressure = pressure_options(scene_, layout().scales, sigma);
+Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, double part) {
+  PressureOptions<double> pressure = pressure_options(scene_, layout().scales, sigma);
+  pressure.tolerance *= part;
   assembly_.push_by(sigma);
   const Status status = with_rounds(options, [&](const auto& rounds) {
     return solve_pressure(assembly_, rounds, work_.pressure, pressure, spent);
@@ -97,7 +98,7 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent) {
   PushOptions stricter = options;
   stricter.sweeps.tolerance /= 100;
   PressureRun again;
-  const Status improved = run(stricter, sigma, again);
+  const Status improved = run(stricter, sigma, again, part);
   spent.sweeps += again.sweeps;
   return improved;
 }

@@ -27,7 +27,9 @@ std::vector<std::size_t> gap_ends(std::string_view line) {
 }
 
 std::string wrapped_line(std::string_view line, std::size_t width) {
-  const std::vector<std::size_t> gaps = gap_ends(line);
+  std::vector<std::size_t> gaps = gap_ends(line);
+  // A comment after a long sentence: what stands before it is no label.
+  if (gaps.size() == 1 && gaps.front() > width - width / 4) gaps.clear();
   if (columns(line) <= width || gaps.size() > 1) return std::string(line);
   std::size_t start = gaps.empty() ? line.find_first_not_of(' ') : gaps.front();
   if (line.substr(start, 2) == "- ") start += 2; // an entry of a list

@@ -141,13 +141,25 @@ private:
   }
 };
 
+/// Where most of an actuator's load is missing, the load itself is the unit: no tolerance allows
+/// that, however large the scene's other forces are.
+Violation<double> beside_its_load(const Scene<double>& scene, Violation<double> row) {
+  if (row.law != Law::grip) return row;
+  const double load = std::abs(scene.actuators[row.of].force), off = row.scaled * row.unit;
+  if (!(load < row.unit) || !(std::abs(off) > load / 2) || !(load > 0)) return row;
+  row.unit = load;
+  row.scaled = off / load;
+  return row;
+}
+
 } // namespace
 
 std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
                                    const Answer<double>& answer) {
   std::vector<Violation<double>> worst(static_cast<std::size_t>(law_count));
   std::vector<bool> any(worst.size());
-  check_rows(push.scene(), push.layout().scales, answer, 1.0, [&](const Violation<double>& row) {
+  check_rows(push.scene(), push.layout().scales, answer, 1.0, [&](const Violation<double>& shown) {
+    const Violation<double> row = beside_its_load(push.scene(), shown);
     const auto law = static_cast<std::size_t>(row.law);
     if (!any[law] || is_worse(row.scaled, std::abs(worst[law].scaled))) worst[law] = row;
     any[law] = true;

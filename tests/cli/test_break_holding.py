@@ -1,12 +1,15 @@
 """lcpush break says from which grip force on the grasp holds, without and with the pusher."""
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
 
 TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(SOURCE / "tests/support"))
+from random_scenes import random_scene
 SCENES = SOURCE / "fixtures/scenes"
 SLIDE_TEXT = (SCENES / "straight_slide.toml").read_text()
 KEYS = ("smallest_grip", "smallest_grip_factor", "smallest_grip_from", "holds_at_rest",
@@ -191,6 +194,17 @@ class Holding(unittest.TestCase):
             self.assertAlmostEqual(self.answer(text)["smallest_grip"], 1.962, 6)
             self.assertIn(f"It would hold only at about 1.962 N at below (of {force} N).",
                           self.text(text))
+
+    def test_what_compliance_leaves_of_a_motion_is_no_fall(self):
+        # A hair above the least grip these two were called falling at 1e-8 m/s^2, and at 0.1 % less not.
+        for seed, least in ((16, 0.02822077078110312), (112, 1.3007331747683242)):
+            text = random_scene(seed)
+            for factor in (0.999, 1, 1.001, 1.002, 1.02):
+                scaled = re.sub(r"grip_force = (\S+)", lambda m: f"grip_force = {float(m[1]) * least * factor!r}", text)
+                file = pathlib.Path(self.folder.name) / "scene.toml"
+                file.write_text(scaled)
+                result = subprocess.run([TOOL, "solve", file, "--json"], capture_output=True, text=True)
+                self.assertIs(json.loads(result.stdout)["holds_without_push"], factor >= 1, (seed, factor))
 
     def test_a_force_controlled_pusher_is_a_load_and_not_part_of_the_grip(self):
         lifting = scene(pinch(left=5, right=5)).replace("center = [-0.05, 0, 0]", "center = [0, -0.015, 0]")

@@ -126,6 +126,25 @@ for name in ("straight_slide", "rolling", "tipping"):
     assert status == 0 and report["verdict"] == "same solution", (name, report)
     assert report["basis"]["refined"] and report["basis"]["residual"] < max(1e-12, report["residual"]), (name, report)
 
+# A small grip that is missing beside a large one is missing at every tolerance.
+hand = "gravity = [0, 0, -9.81]\n[object]\nmass = 1e-4\nbox = [0.01, 0.01, 0.01]\n[gripper]\njaws = \"independent\"\n"
+for name, n, force, friction in (("right", [-1, 0, 0], 1e6, 0), ("left", [1, 0, 0], 1e6, 0),
+                                 ("front", [0, 1, 0], 3e-4, 0.5), ("back", [0, -1, 0], 3e-4, 0.5)):
+    hand += (f"[[finger]]\nname = \"{name}\"\nshape = \"point\"\ncenter = {[-0.005 * x for x in n]}\nnormal = {n}\n"
+             f"friction = {friction}\ngrip_force = {force}\n")
+hand += ("[[pusher]]\nname = \"rod\"\nshape = \"point\"\ncenter = [0, 0, -0.005]\nnormal = [0, 0, 1]\nfriction = 0\n"
+         "acceleration = [0, 0, 1]\n")
+cube = pathlib.Path(folder.name, "cube.toml")
+cube.write_text(hand)
+given = own_answer(cube)
+assert verify(cube, given)[0] == 0
+for contact, normal in zip(given["contacts"], (None, None, 0, 0, 1.081e-3)):
+    if normal is not None:
+        contact["normal_force"], contact["friction_force"] = normal, [0, 0, 0]
+given = {key: given[key] for key in ("contacts", "object")}
+for tolerance in ("1e-9", "1e-6", "1e-4", "1e-2", "0.5"):
+    assert verify(cube, given, "--tolerance", tolerance)[1]["verdict"] != "same solution", tolerance
+
 # Every number counts.
 mutations = sum(check_mutations(name, own_answer(scenes / f"{name}.toml"))
                 for name in ("straight_slide", "soft_fingers", "rolling", "dropped"))
@@ -193,7 +212,7 @@ for text, words in (("{", "expected a key"), ("[1]", "an answer is a JSON object
                     ('{"contacts": [' + ", ".join(['{"normal_force": 1}'] * 10) + "]}",
                      "give also the object's acceleration")):
     status, message = verify(slide, text)
-    assert status == 2 and str(answer_path) in message and words in message, (text, message)
+    assert status == 2 and str(answer_path) in message and words in message.replace("\n", " "), (text, message)
 status, message = verify(slide, "\n\n  [1,]")
 assert f"{answer_path}:3: " in message, message
 for words in (("verify", slide), ("verify", slide, answer_path, answer_path),

@@ -19,6 +19,10 @@ TEST_CASE("what follows a label goes on below itself") {
         "Motion    slides\n          along\n          x");
 }
 
+TEST_CASE("a sentence with a comment at its end is no label") {
+  CHECK(wrapped("add the mass of it  # kg", 21) == "add the mass of it  #\nkg");
+}
+
 TEST_CASE("a row of a table stays whole") {
   const std::string row = "left.1    5    2.5";
   CHECK(wrapped(row, 8) == row);

@@ -66,7 +66,8 @@ private:
   template <class Use> Status with_rounds(const PushOptions& options, const Use& use);
   template <class Pivots, class Use>
   Status with_pivots(const PushOptions& options, Pivots& pivots, Watcher& watcher, const Use& use);
-  Status run(const PushOptions& options, double sigma, PressureRun& run);
+  /// Until the rounds leave `part` of what they usually do.
+  Status run(const PushOptions& options, double sigma, PressureRun& run, double part = 1);
   Status rest(const PushOptions& options);
   Status break_grasp(const PushOptions& options, Index pusher, Breaking<double>& breaking,
                      PressureRun& run);

@@ -1,0 +1,70 @@
+#include "cli/time_limit.hpp"
+
+#include <cmath>
+#include <csignal>
+
+#include <sys/time.h>
+#include <unistd.h>
+
+#include "text/wording.hpp"
+#include "text/wrap.hpp"
+
+namespace lcpush::cli {
+namespace {
+
+// A sanitized program takes several times as long for the same.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr double slowness = 6;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr double slowness = 6;
+#else
+constexpr double slowness = 1;
+#endif
+#else
+constexpr double slowness = 1;
+#endif
+
+// Made beforehand: a signal's handler may neither allocate nor format.
+std::string last_words;
+
+extern "C" void say_last_words(int) {
+  const ssize_t written = write(STDERR_FILENO, last_words.data(), last_words.size());
+  _exit(written < 0 ? 2 : 1);
+}
+
+void set_timer(double seconds) {
+  itimerval timer{};
+  const double whole = std::floor(seconds);
+  timer.it_value.tv_sec = static_cast<time_t>(whole);
+  timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (seconds - whole));
+  setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
+} // namespace
+
+void limit_time(const std::string& command, double seconds) {
+  last_words = wrapped("lcpush " + command + ": stopped after " + shown(seconds) +
+                           " s of processor time, nothing is written. --seconds " +
+                           shown(std::ceil(10 * seconds)) +
+                           " gives it more; fewer points, facets or --steps and a narrower range "
+                           "take less.",
+                       columns_of(Stream::errors)) +
+               "\n";
+  struct sigaction action {};
+  action.sa_handler = say_last_words;
+  sigaction(SIGPROF, &action, nullptr);
+  set_timer(slowness * seconds);
+}
+
+void limit_time(const Command& command, const Arguments& arguments) {
+  constexpr double longest = 1e6;
+  for (const Option& option : command.options)
+    if (option.name == seconds_option.name)
+      limit_time(command.name,
+                 arguments.number(option.name, longest, ", in seconds").value_or(usual_seconds));
+}
+
+void lift_time_limit() { set_timer(0); }
+
+} // namespace lcpush::cli
