@@ -138,7 +138,7 @@ SCENES = [
     ('"dics"', '"disc"', 12, '(did you mean "disc"?)'),
     ("center = [-0.05, 0, 0]", "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]", 31,
      'center does not go with the shape "line", which takes ends'),
-    ("", "acceleration = [0.1, 0, 0]", 28, "missing the motion; add acceleration"),
+    ("", "acceleration = [0.1, 0, 0]", 28, "missing the motion; add velocity"),
     ("acceleration = 0.1", "acceleration = [0.1, 0, 0]", 34, "acceleration must be a list of 3 numbers"),
     ("[finger]", "[[finger]]", 19, "write [[finger]] in both places"),
     ("[[object]]", "[object]", 3, "there is only one object; write [object]"),

@@ -61,6 +61,22 @@ public:
   const StepRun<S>& run() const { return run_; }
   S time() const { return time_; }
 
+  /// What a step changes beside the arrays of take_motion_arrays: who keeps a copy of those and
+  /// this can go back. step_scene() and step_answer() stay those of the last step.
+  struct Moment {
+    Pose<S> pose;
+    Vector6<S> velocity;
+    S time;
+    bool knows_last;
+  };
+  Moment moment() const { return {pose_, velocity_, time_, knows_last_}; }
+  void return_to(const Moment& moment) {
+    pose_ = moment.pose;
+    velocity_ = moment.velocity;
+    time_ = moment.time;
+    knows_last_ = moment.knows_last;
+  }
+
   /// The step just made as a push: its scene [T.13], answer and scales, for whoever checks it.
   const Scene<S>& step_scene() const { return solved_; }
   const Answer<S>& step_answer() const { return m_.work.answer; }
@@ -257,3 +273,9 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::advance(const S&
 } // namespace lcpush
 
 #include "lcpush/mechanics/solve/step_geometry.hpp"
+
+#ifdef LCPUSH_EXTERN_TEMPLATES
+namespace lcpush {
+extern template class TimeStepper<double, StructuredLemke<double>>;
+} // namespace lcpush
+#endif

@@ -24,6 +24,7 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::place_points(const
     const bool closes = is_massless(b); // at any speed: nothing is too far for it
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
       m_.placed[i] = placed(b, i, pose_, m_.poses[b]);
+      if (is_absent(*around_, b)) m_.placed[i].absence = Absence::away;
       const bool is_far = !closes && !body.bilateral && m_.placed[i].gap > reach;
       if (is_far && m_.placed[i].absence == Absence::none) m_.placed[i].absence = Absence::far;
     }
