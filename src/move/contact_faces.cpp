@@ -197,7 +197,8 @@ private:
 } // namespace
 
 Surroundings<double> ContactFaces::view() {
-  for (std::size_t k = 0; k < faces.size(); ++k) faces[k].corners = span_of(std::as_const(corners[k]));
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    faces[k].corners = span_of(std::as_const(corners[k]));
   return {span_of(std::as_const(touching)), span_of(std::as_const(faces)),
           span_of(std::as_const(sides)), span_of(std::as_const(absent))};
 }

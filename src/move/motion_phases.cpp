@@ -6,8 +6,10 @@
 namespace lcpush::desktop {
 namespace {
 
-// What moves the object by less than this part of the whole motion is no phase of its own.
+// What moves the object by less than this part of the whole motion is no phase of its own; where
+// that leaves more than a sentence holds, twice that, and so on.
 constexpr double least_part = 0.02;
+constexpr std::size_t most_phases = 4;
 // Beyond so many degrees about another axis, a turn is another turn.
 constexpr double same_axis = 0.95; // cosine
 
@@ -40,30 +42,16 @@ std::vector<MotionPhase> joined_neighbours(const std::vector<MotionPhase>& phase
   return merged;
 }
 
-} // namespace
-
-MotionPhase phase_of(const Motion<double>& motion, const MotionFrame& end, double h) {
-  MotionPhase phase;
-  phase.kind = motion.kind;
-  phase.from = end.time - h;
-  phase.until = end.time;
-  phase.along = h * end.twist.head<3>();
-  phase.way = phase.along.norm();
-  phase.turn = h * end.twist.tail<3>();
-  phase.angle = phase.turn.norm();
-  return phase;
-}
-
-std::vector<MotionPhase> merged_phases(std::vector<MotionPhase> phases, double size) {
+/// Without those that are less than this part of the whole.
+std::vector<MotionPhase> without_slight(std::vector<MotionPhase> phases, double size, double part) {
   double whole = 0, length = 0;
   for (const MotionPhase& phase : phases) {
     whole += amount(phase, size);
     length += phase.until - phase.from;
   }
-  phases = joined_neighbours(phases);
   const auto is_slight = [&](const MotionPhase& phase) {
-    const bool is_short = phase.until - phase.from < least_part * length;
-    return phase.kind == MotionKind::rest ? is_short : amount(phase, size) < least_part * whole;
+    const bool is_short = phase.until - phase.from < 2 * part * length;
+    return phase.kind == MotionKind::rest ? is_short : amount(phase, size) < part * whole;
   };
   while (phases.size() > 1) {
     const auto least = std::min_element(phases.begin(), phases.end(),
@@ -86,4 +74,26 @@ std::vector<MotionPhase> merged_phases(std::vector<MotionPhase> phases, double s
   return phases;
 }
 
+} // namespace
+
+MotionPhase phase_of(const Motion<double>& motion, const MotionFrame& end, double h) {
+  MotionPhase phase;
+  phase.kind = motion.kind;
+  phase.from = end.time - h;
+  phase.until = end.time;
+  phase.along = h * end.twist.head<3>();
+  phase.way = phase.along.norm();
+  phase.turn = h * end.twist.tail<3>();
+  phase.angle = phase.turn.norm();
+  return phase;
+}
+
+std::vector<MotionPhase> merged_phases(std::vector<MotionPhase> phases, double size) {
+  phases = joined_neighbours(phases);
+  for (double part = least_part; part < 1; part *= 2) {
+    phases = without_slight(std::move(phases), size, part);
+    if (phases.size() <= most_phases) break;
+  }
+  return phases;
+}
 } // namespace lcpush::desktop

@@ -125,7 +125,7 @@ Motion<double> MotionRun::describe(double length) const {
                                               solved.contacts.data + solved.contacts.size);
   // The instant's words are about a motion from rest: the velocities at the step's end.
   std::vector<Body<double>> bodies(push.bodies.data, push.bodies.data + push.bodies.size);
-  double fastest = 0;
+  double speed = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     if (bodies[b].point_count == 0) continue;
     const Index of = file_.body_of(stepper_.point_of(bodies[b].first_point));
@@ -133,7 +133,7 @@ Motion<double> MotionRun::describe(double length) const {
     for (const Index i : points_of(bodies[b])) {
       contacts[static_cast<std::size_t>(i)].acceleration =
           stepper_.contact(stepper_.point_of(i)).velocity;
-      fastest = std::max(fastest, acceleration_at(push.points[i], bodies[b].acceleration).norm());
+      speed = std::max(speed, acceleration_at(push.points[i], bodies[b].acceleration).norm());
     }
   }
   Answer<double> answer = solved;
@@ -141,7 +141,7 @@ Motion<double> MotionRun::describe(double length) const {
   answer.acceleration = stepper_.velocity();
   Scene<double> scene = push;
   scene.bodies = span_of(std::as_const(bodies));
-  return describe_motion(scene, answer, length, fastest > 0 ? fastest : length, fastest);
+  return describe_motion(scene, answer, length, speed > 0 ? speed : length, speed);
 }
 
 Index MotionRun::inside(double slack) const {

@@ -1,5 +1,6 @@
 #include "lcpush/desktop/move.hpp"
 
+#include "move/motion_painter.hpp"
 #include "move/move_words.hpp"
 #include "solve/push_words.hpp"
 #include "text/fitted.hpp"
@@ -47,14 +48,6 @@ std::vector<Index> moving_axes(const MotionReport& report, bool turns, double le
   return axes;
 }
 
-std::vector<std::size_t> told_frames(const MotionReport& report, std::size_t most) {
-  const std::size_t count = report.frames.size();
-  std::vector<std::size_t> list;
-  for (std::size_t k = 0; k < std::min(count, most); ++k)
-    list.push_back(count <= most ? k : k * (count - 1) / (most - 1));
-  return list;
-}
-
 std::string frames_table(const SceneFile& file, const MotionReport& report, bool verbose) {
   double way = 0, turned = 0;
   for (const MotionFrame& frame : report.frames) {
@@ -70,7 +63,8 @@ std::string frames_table(const SceneFile& file, const MotionReport& report, bool
     for (const Index axis : shifts) rows[0].push_back(std::string(1, "xyz"[axis]) + " mm");
     for (const Index axis : turns) rows[0].push_back(std::string("turn ") + "xyz"[axis] + " deg");
     rows[0].insert(rows[0].end(), {"push N"});
-    for (const std::size_t k : told_frames(report, verbose ? report.frames.size() : brief_rows)) {
+    for (const std::size_t k :
+         spread_out(report.frames.size(), verbose ? report.frames.size() : brief_rows)) {
       const MotionFrame& frame = report.frames[k];
       rows.push_back({in_digits(frame.time, digits)});
       const Vector3<double> turn = rotation_vector(frame.pose.rotation);
@@ -87,13 +81,10 @@ std::string frames_table(const SceneFile& file, const MotionReport& report, bool
 }
 
 std::string events_text(const SceneFile& file, const MotionReport& report, bool verbose) {
-  // Points of a patch that do the same in the same step are one line.
   std::vector<std::string> lines;
-  for (const MotionEvent& event : report.events) {
-    const std::string line = in_digits(event.time, 4) + " s: " + event_words(file, event) +
-                             (verbose ? printed(" (within %.1g s)", event.within) : "");
-    lines.push_back(line);
-  }
+  for (const EventGroup& group : grouped_events(file, report))
+    lines.push_back(in_digits(group.event.time, 4) + " s: " + event_words(file, group) +
+                    (verbose ? printed(" (within %.1g s)", group.event.within) : ""));
   std::string text;
   const std::size_t told = verbose ? lines.size() : std::min(lines.size(), brief_events);
   for (std::size_t k = 0; k < told; ++k) text += (k > 0 ? "\n" : "") + lines[k];

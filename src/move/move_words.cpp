@@ -80,19 +80,20 @@ Vector3<double> push_force(const SceneFile& file, const MotionFrame& frame) {
 }
 
 std::string phase_words(const SceneFile& file, const MotionPhase& phase) {
+  const double angle = phase.turn.norm(), way = phase.along.norm();
   const double turned = object_size(file) / 2 * phase.angle;
   const std::string about = phase.turn.norm() > 0 ? " " + turn_phrase(phase.turn.normalized()) : "";
-  const bool goes = phase.along.norm() > worth_a_word * (phase.way + turned);
+  const bool goes = way > worth_a_word * (phase.way + turned);
   const std::string along =
       goes ? " along " + direction_text(phase.along.normalized()) : std::string();
   switch (phase.kind) {
   case MotionKind::rest: return "stays for " + brief(phase.until - phase.from) + " s";
-  case MotionKind::slide: return "slides " + millimetres(phase.way) + along;
-  case MotionKind::pivot: return "pivots " + degrees(phase.angle) + about;
-  case MotionKind::roll: return "rolls " + degrees(phase.angle) + about;
+  case MotionKind::slide: return "slides " + millimetres(way) + along;
+  case MotionKind::pivot: return "pivots " + degrees(angle) + about;
+  case MotionKind::roll: return "rolls " + degrees(angle) + about;
   case MotionKind::turn: break;
   }
-  return "turns " + degrees(phase.angle) + about + " and goes " + millimetres(phase.way) + along;
+  return "turns " + degrees(angle) + about + " and goes " + millimetres(way) + along;
 }
 
 std::string move_sentence(const SceneFile& file, const MotionReport& report) {
@@ -105,8 +106,30 @@ std::string move_sentence(const SceneFile& file, const MotionReport& report) {
   return name + " " + what + (is_long ? ", " : " ") + end_words(file, report) + ".";
 }
 
-std::string event_words(const SceneFile& file, const MotionEvent& event) {
-  return point_name(file, event.point) + " " + touch_verb(event.from, event.to);
+std::vector<EventGroup> grouped_events(const SceneFile& file, const MotionReport& report) {
+  std::vector<EventGroup> groups;
+  for (const MotionEvent& event : report.events) {
+    const auto same = std::find_if(groups.rbegin(), groups.rend(), [&](const EventGroup& group) {
+      return group.event.time == event.time && group.event.from == event.from &&
+             group.event.to == event.to &&
+             file.body_of(group.event.point) == file.body_of(event.point);
+    });
+    if (same == groups.rend())
+      groups.push_back({event});
+    else
+      ++same->points;
+  }
+  return groups;
+}
+
+std::string event_words(const SceneFile& file, const EventGroup& group) {
+  const MotionEvent& event = group.event;
+  const Index b = file.body_of(event.point), all = file.body(b).point_count;
+  const std::string verb = touch_verb(event.from, event.to);
+  if (group.points == all) return file.body_name(b) + " " + verb;
+  if (group.points == 1) return point_name(file, event.point) + " " + verb;
+  return file.body_name(b) + " " + verb + " at " + std::to_string(group.points) + " of its " +
+         std::to_string(all) + " points";
 }
 
 std::string step_words(const MotionReport& report) {

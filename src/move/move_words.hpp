@@ -10,8 +10,14 @@ namespace lcpush::desktop {
 std::string move_sentence(const SceneFile& file, const MotionReport& report);
 /// "slides 12.3 mm along x".
 std::string phase_words(const SceneFile& file, const MotionPhase& phase);
-/// "0.302 s: left.3 leaves its face".
-std::string event_words(const SceneFile& file, const MotionEvent& event);
+/// Points of one body that do the same after the same step.
+struct EventGroup {
+  MotionEvent event; ///< of the first of them
+  Index points = 1;
+};
+std::vector<EventGroup> grouped_events(const SceneFile& file, const MotionReport& report);
+/// "left.3 leaves its face", "left begins to slip at 4 of its 12 points".
+std::string event_words(const SceneFile& file, const EventGroup& group);
 /// How well it was stepped, without a full stop.
 std::string step_words(const MotionReport& report);
 /// "30 mm along x, turned by 12 degrees counter-clockwise about z".
