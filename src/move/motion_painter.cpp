@@ -87,8 +87,7 @@ double MotionPainter::largest_force() const {
   double most = 0;
   for (std::size_t k = 1; k < report_.frames.size(); ++k)
     for (const BodyForce& body : report_.frames[k].bodies)
-      if (k > 1 || report_.frames.size() < 3)
-        most = std::max(most, view_.flat(body.force).norm());
+      if (k > 1 || report_.frames.size() < 3) most = std::max(most, view_.flat(body.force).norm());
   return most;
 }
 

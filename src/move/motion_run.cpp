@@ -77,6 +77,16 @@ void MotionRun::restore(const Saved& saved) {
   stepper_.return_to(saved.moment);
 }
 
+bool MotionRun::leaves() const {
+  for (Index i = 0; i < scene_.points.size; ++i) {
+    const StepContact<double>& contact = stepper_.contact(i);
+    if (contact.absence == Absence::none &&
+        (contact.ends == Absence::outside || contact.ends == Absence::behind))
+      return true;
+  }
+  return false;
+}
+
 MotionFrame MotionRun::frame(double h) const {
   MotionFrame frame;
   frame.time = stepper_.time();
@@ -121,8 +131,9 @@ MotionFrame MotionRun::frame(double h) const {
 Motion<double> MotionRun::describe(double length) const {
   const Scene<double>& push = stepper_.step_scene();
   const Answer<double>& solved = stepper_.step_answer();
+  // Behind those of the present points stand contacts of earlier steps.
   std::vector<ContactAnswer<double>> contacts(solved.contacts.data,
-                                              solved.contacts.data + solved.contacts.size);
+                                              solved.contacts.data + push.points.size);
   // The instant's words are about a motion from rest: the velocities at the step's end.
   std::vector<Body<double>> bodies(push.bodies.data, push.bodies.data + push.bodies.size);
   double speed = 0;

@@ -36,6 +36,8 @@ public:
   bool is_absent(Index body) const { return faces_.absent[static_cast<std::size_t>(body)] != 0; }
   /// What prescribes a body's motion at `time`, a twist at the object's first centre of mass.
   Vector6<double> prescribed(Index body, double time) const;
+  /// Has the step just made taken a point that touched beside its face?
+  bool leaves() const;
   /// The end of the step just made; or the start.
   MotionFrame frame(double h) const;
   /// Of the step just made, in words of the instant: its twist where an acceleration stands.

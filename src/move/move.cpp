@@ -52,8 +52,10 @@ private:
     const double rounding = 1e-12 * time_;
     while (now() < target - rounding) {
       if (options_.progress) options_.progress(now() / time_, now());
-      if (!begin_strokes() || report_.solves >= options_.most_steps) {
-        if (report_.solves >= options_.most_steps) report_.end = MoveEnd::steps;
+      if (!begin_strokes()) return false;
+      if (report_.solves >= options_.most_steps) {
+        report_.end = MoveEnd::steps;
+        report_.status = Status::pivot_limit;
         return false;
       }
       const double room = std::min(target, next_stroke()) - now();
@@ -119,7 +121,9 @@ private:
     const double error = distance(whole, run_.stepper().pose());
     const double allowed = report_.tolerance * h / time_;
     const Taken end = taken(h / 2);
-    const bool has_event = changes(last_, half.frame) || changes(half.frame, end.frame);
+    // What leaves its face at the end of a step is seen there, before the next one begins.
+    const bool has_event =
+        changes(last_, half.frame) || changes(half.frame, end.frame) || run_.leaves();
     const bool locates = has_event && located_ < most_located && h > event_step * time_;
     if ((error > allowed && h > shortest_step * time_) || locates) {
       run_.restore(before);

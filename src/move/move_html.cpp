@@ -130,11 +130,9 @@ std::string events_list(const SceneFile& file, const MotionReport& report) {
   std::string text = "<h2>Events</h2>\n<ul>\n";
   const std::vector<EventGroup> groups = grouped_events(file, report);
   for (std::size_t k = 0; k < std::min(groups.size(), most); ++k)
-    text += "<li>" +
-            escaped(brief(groups[k].event.time) + " s: " + event_words(file, groups[k])) +
+    text += "<li>" + escaped(brief(groups[k].event.time) + " s: " + event_words(file, groups[k])) +
             "</li>\n";
-  if (groups.size() > most)
-    text += "<li>" + std::to_string(groups.size() - most) + " more</li>\n";
+  if (groups.size() > most) text += "<li>" + std::to_string(groups.size() - most) + " more</li>\n";
   return text + "</ul>\n";
 }
 

@@ -79,6 +79,7 @@ public:
 
   /// The step just made as a push: its scene [T.13], answer and scales, for whoever checks it.
   const Scene<S>& step_scene() const { return solved_; }
+  /// Its contacts are those of the present points; behind them stand some of earlier steps.
   const Answer<S>& step_answer() const { return m_.work.answer; }
   const Assembly<S>& assembly() const { return assembly_; }
   /// The point of the motion's scene that is point `present` of step_scene().

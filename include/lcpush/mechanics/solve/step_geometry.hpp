@@ -182,6 +182,7 @@ void TimeStepper<S, Pivots>::read_contact(Index i, Index present, const PlacedPo
   contact.absence = m_.placed[i].absence;
   contact.position = m_.placed[i].position;
   contact.normal = m_.placed[i].normal;
+  contact.ends = then.absence;
   contact.gap = then.gap;
   if (present < 0) return;
   const ContactAnswer<S>& answer = m_.work.answer.contacts[present];
