@@ -48,7 +48,7 @@ const char* touch_verb(Touch from, Touch to) {
   switch (to) {
   case Touch::sticks: return from == Touch::slips ? "stops slipping" : "touches and sticks";
   case Touch::slips: return from == Touch::sticks ? "begins to slip" : "touches and slips";
-  case Touch::parted: return "parts from the object";
+  case Touch::parted: return from == Touch::away ? "comes" : "parts from the object";
   case Touch::beside: return "leaves its face";
   case Touch::behind: return "comes round an edge";
   case Touch::no_line: return "stands on the side's end";

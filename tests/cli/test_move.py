@@ -51,7 +51,7 @@ def faults(answer, mass, friction):
                     continue
                 if normal < 0 or norm(contact["friction_force"]) > mu * normal + 1e-9:
                     found.append(f"{name} leaves its cone at {frame['time']} s")
-                if contact["gap"] < -1e-9:
+                if contact["gap"] is None or contact["gap"] < -1e-9:
                     found.append(f"{name} is {contact['gap']} m deep at {frame['time']} s")
                 power = sum(f * v for f, v in zip(contact["friction_force"], contact["velocity"]))
                 if power > 1e-9:
@@ -188,6 +188,9 @@ class Move(unittest.TestCase):
         solved = subprocess.run([TOOL, "solve", "-", "--json"], input=text, capture_output=True,
                                 text=True)
         self.assertNotIn("back", solved.stdout)
+        # Who is not there has no gap.
+        first = printed["frames"][1]["contacts"]
+        self.assertEqual({c["gap"] for c in first if c["mode"] == "away"}, {None})
 
 
 if __name__ == "__main__":
