@@ -168,14 +168,19 @@ std::string MotionPainter::moment(const MotionFrame& frame) const {
          circle_element("center", place(at), 3.4) + before;
 }
 
-std::string MotionPainter::path(const std::vector<std::size_t>& ghosts) const {
-  std::string text, way;
-  for (const std::size_t k : ghosts) text += polygon_element("ghost", outline(report_.frames[k]));
+std::string MotionPainter::ghosts(const std::vector<std::size_t>& frames) const {
+  std::string text;
+  for (const std::size_t k : frames) text += polygon_element("ghost", outline(report_.frames[k]));
+  return text;
+}
+
+std::string MotionPainter::way() const {
+  std::string strokes;
   for (const MotionFrame& frame : report_.frames) {
     const Pixel at = place(file_.object.center_of_mass + frame.pose.position);
-    way += way.empty() ? move_to(at) : "L" + move_to(at).substr(1);
+    strokes += strokes.empty() ? move_to(at) : "L" + move_to(at).substr(1);
   }
-  return text + path_element("turning", way);
+  return path_element("turning", strokes);
 }
 
 std::string MotionPainter::surroundings() const {

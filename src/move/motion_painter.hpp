@@ -16,8 +16,10 @@ public:
 
   /// The object with its bodies and forces at one moment.
   std::string moment(const MotionFrame& frame) const;
-  /// The way of the centre of mass, and outlines of the object along it.
-  std::string path(const std::vector<std::size_t>& ghosts) const;
+  /// Outlines of the object at these frames.
+  std::string ghosts(const std::vector<std::size_t>& frames) const;
+  /// The way of the centre of mass.
+  std::string way() const;
   /// Axes and scales.
   std::string surroundings() const;
   const View& view() const { return view_; }

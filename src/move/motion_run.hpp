@@ -31,6 +31,11 @@ public:
   Saved save() const;
   void restore(const Saved& saved);
 
+  /// The object is there, then, at this speed; the bodies stay where they are.
+  void begin_at(double time, const Pose<double>& pose, const Vector6<double>& twist) {
+    stepper_.return_to({pose, twist, time, stepper_.moment().knows_last});
+  }
+
   const Stepper& stepper() const { return stepper_; }
   const Scene<double>& scene() const { return scene_; }
   bool is_absent(Index body) const { return faces_.absent[static_cast<std::size_t>(body)] != 0; }

@@ -149,7 +149,8 @@ std::string move_html(const SceneFile& file, const MotionReport& report) {
                   MotionPainter::width,
                   MotionPainter::height,
                   ""};
-  drawing.elements = painter.surroundings() + painter.path({0}) + moments(painter, report, told);
+  drawing.elements =
+      painter.surroundings() + painter.ghosts({0}) + moments(painter, report, told) + painter.way();
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
          "<meta name=\"color-scheme\" content=\"light dark\"/>\n"

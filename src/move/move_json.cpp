@@ -101,7 +101,8 @@ std::string move_csv(const SceneFile& file, const MotionReport& report) {
       for (Index k = 0; k < 3; ++k) text += "," + exact(body.moment[k]);
     }
     for (const PointState& contact : frame.contacts)
-      text += "," + std::string(touch_text(contact.touch)) + "," + (is_over_its_face(contact) ? exact(contact.gap) : "") + "," +
+      text += "," + std::string(touch_text(contact.touch)) + "," +
+              (is_over_its_face(contact) ? exact(contact.gap) : "") + "," +
               exact(contact.normal_force);
     text += "\n";
   }

@@ -17,8 +17,8 @@ std::string move_svg(const SceneFile& file, const MotionReport& report) {
                   MotionPainter::width,
                   MotionPainter::height,
                   ""};
-  drawing.elements =
-      painter.surroundings() + painter.path(ghosts) + painter.moment(report.frames.back());
+  drawing.elements = painter.surroundings() + painter.ghosts(ghosts) +
+                     painter.moment(report.frames.back()) + painter.way();
   return svg_document(drawing);
 }
 

@@ -113,7 +113,7 @@ SCENES = [
     ("grip = 20 ", "grip_force = 20 ", 17, '(did you mean "grip_force"?)'),
     ("force = 20 ", "grip_force = 20 ", 17, '(did you mean "grip_force"?)'),
     ("position = [0, 0, 0.005]", "center = [0, 0, 0.005]", 13, '(did you mean "center"?)'),
-    ("velocity = [", "acceleration = [", 34, '(did you mean "acceleration"?)'),
+    ("accelerate = [", "acceleration = [", 34, '(did you mean "acceleration"?)'),
     ("grip_force = 5\nacceleration", "acceleration", 34, '"grip_force"; it goes with [[finger]]'),
     ("acceleration = [0, 0, 1]", "grip_force = 20 ", 17, "; it goes with [[pusher]] or [[actuator]]"),
     ("facets = 8\nmass =", "mass =", 4, '"facets"; it stands at the top, before the first table'),

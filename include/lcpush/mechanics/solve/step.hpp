@@ -138,7 +138,7 @@ private:
   Vector6<S> end_twist(Index body) const;
   S deepest(const S& h, bool& missed) const;
   void straight_gaps();
-  void bend_gaps(const S& h);
+  void bend_gaps(const S& h, Index times);
   void commit(const S& h);
   void read_contact(Index i, Index present, const PlacedPoint<S>& then, const S& h);
   /// Of a present point: its body among the present ones.
@@ -238,7 +238,7 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::correct(const S&
   for (Index k = 0; k < most_corrections; ++k) {
     const S depth = deepest(h, missed);
     if (missed || !(depth > penetration_tolerance())) return Status::solved;
-    bend_gaps(h);
+    bend_gaps(h, k);
     ++run_.corrections;
     if (solve_push(h) == Status::solved) continue;
     straight_gaps();
