@@ -42,6 +42,13 @@ std::vector<MotionPhase> joined_neighbours(const std::vector<MotionPhase>& phase
   return merged;
 }
 
+/// A turn that is next to nothing beside the way is none.
+void name_by_whole(MotionPhase& phase, double size) {
+  constexpr double negligible = 1e-3;
+  const bool may_slide = phase.kind == MotionKind::turn || phase.kind == MotionKind::pivot;
+  if (may_slide && size / 2 * phase.angle < negligible * phase.way) phase.kind = MotionKind::slide;
+}
+
 /// Without those that are less than this part of the whole.
 std::vector<MotionPhase> without_slight(std::vector<MotionPhase> phases, double size, double part) {
   double whole = 0, length = 0;
@@ -89,6 +96,8 @@ MotionPhase phase_of(const Motion<double>& motion, const MotionFrame& end, doubl
 }
 
 std::vector<MotionPhase> merged_phases(std::vector<MotionPhase> phases, double size) {
+  phases = joined_neighbours(phases);
+  for (MotionPhase& phase : phases) name_by_whole(phase, size);
   phases = joined_neighbours(phases);
   for (double part = least_part; part < 1; part *= 2) {
     phases = without_slight(std::move(phases), size, part);

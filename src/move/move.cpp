@@ -13,8 +13,8 @@ namespace {
 
 // Parts of the whole time.
 constexpr double first_step = 1e-3, longest_step = 0.02, event_step = 1.0 / 4096;
-constexpr double shortest_step = 0x1p-24;
-constexpr Index most_located = 64; // events; a patch that flickers must not take for ever
+constexpr double shortest_step = 0x1p-16; // what chatters must not take for ever either
+constexpr Index most_located = 64;        // events; a patch that flickers must not take for ever
 constexpr double usual_tolerance = 1e-3;
 
 class Mover {
