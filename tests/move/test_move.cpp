@@ -97,6 +97,8 @@ TEST_CASE("a slide of 30 mm under gravity drops nothing, and a patch that runs o
   REQUIRE(lost.body >= 0);
   CHECK(file.body_name(lost.body) == "left");
   CHECK(std::abs(lost.frames.back().time - 7.5) <= 0.01);
+  REQUIRE(lost.phases.size() == 1);
+  CHECK(lost.phases[0].kind == MotionKind::slide);
   REQUIRE(!lost.events.empty());
   CHECK(lost.events[0].to == Touch::beside);
   CHECK(std::abs(lost.events[0].time - 6.5) <= 10.0 / 4096 + lost.events[0].within);
