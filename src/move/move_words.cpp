@@ -140,8 +140,13 @@ std::string step_words(const MotionReport& report) {
   if (report.error)
     text += ", together within about " + millimetres(*report.error) + " (tolerance " +
             millimetres(report.tolerance) + ")";
-  return text + "; laws within " + residual_text(report.residual) + ", deepest point " +
-         printed("%.1g", 1000 * report.penetration) + " mm";
+  // Below these, digits only say how rounding went.
+  constexpr double no_residual = 1e-9, no_depth = 1e-9;
+  text += "; laws within " +
+          (report.residual <= no_residual ? std::string("1e-9") : residual_text(report.residual));
+  return text + (report.penetration <= no_depth
+                     ? std::string(", no point inside its face")
+                     : ", deepest point inside its face " + millimetres(report.penetration));
 }
 
 std::string pose_words(const SceneFile& file, const Pose<double>& pose) {
