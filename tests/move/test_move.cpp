@@ -104,6 +104,14 @@ TEST_CASE("a slide of 30 mm under gravity drops nothing, and a patch that runs o
   CHECK(std::abs(lost.events[0].time - 6.5) <= 10.0 / 4096 + lost.events[0].within);
 }
 
+TEST_CASE("a patch that loses points goes on as it went, in words too") {
+  const SceneFile file = read_scene(LCPUSH_SOURCE_DIR "/fixtures/scenes/straight_slide.toml");
+  const MotionReport report = moved_to(file, 2);
+  CHECK(report.end == MoveEnd::lost);
+  REQUIRE(report.phases.size() == 1);
+  CHECK(report.phases[0].kind == MotionKind::slide);
+}
+
 TEST_CASE("a bar about a pin follows the push in closed form, however it is stepped") {
   const SceneFile file = scene_of(pinned);
   for (const std::optional<double> step : {std::optional<double>(), std::optional<double>(0.01)}) {
@@ -181,6 +189,7 @@ TEST_CASE("strokes come and go, and what moves is what is there") {
                     "[0.01, -0.02, 0], [0.05, -0.02, 0]", "[0.01, -0.01, 0], [0.05, -0.01, 0]"));
   const MotionReport ends = moved_to(inside, 2);
   CHECK(ends.end == MoveEnd::inside);
+  REQUIRE(ends.body >= 0);
   CHECK(inside.body_name(ends.body) == "below");
   CHECK(ends.frames.back().time == doctest::Approx(1));
 }
