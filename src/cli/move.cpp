@@ -3,7 +3,11 @@
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_arguments.hpp"
+#include "text/format.hpp"
 #include "text/limits.hpp"
+#include "text/wording.hpp"
+
+#include <cmath>
 
 namespace lcpush::cli {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "lcpush/desktop/scene_io.hpp"
 #include "lcpush/mechanics/model/pose.hpp"
+#include "lcpush/status.hpp"
 
 #include <optional>
 #include <string>
