@@ -35,6 +35,9 @@ std::string end_words(const SceneFile& file, const MotionReport& report) {
   case MoveEnd::steps:
     return "as far as " + counted(report.solves, "solve") + " go, " + after +
            "; ask for a longer --step, a coarser --tolerance or less --time";
+  case MoveEnd::leaps:
+    return "until it would leap out of its place within one step of " + brief(report.shortest) +
+           " s, after " + after;
   case MoveEnd::failed: break;
   }
   if (report.status == Status::ray)

@@ -212,6 +212,18 @@ TEST_CASE("a way or a number of steps ends the motion, with what there is so far
   CHECK(move_text(file, cut).find("solves go, ") != std::string::npos);
 }
 
+TEST_CASE("pushers that squeeze the object end its motion: it does not leap through them") {
+  const SceneFile file = read_scene(LCPUSH_SOURCE_DIR "/fixtures/scenes/two_pushers.toml");
+  for (const std::optional<double> step :
+       {std::optional<double>(), std::optional<double>(2e-3), std::optional<double>(5e-4)}) {
+    const MotionReport report = moved_to(file, 1, step);
+    CHECK(report.status != Status::solved);
+    CHECK((report.end == MoveEnd::leaps || report.end == MoveEnd::failed));
+    CHECK(std::abs(report.frames.back().time - 0.7071) <= 0.01);
+    CHECK(std::abs(turned_z(report)) <= 1);
+  }
+}
+
 TEST_CASE("who touches no face is refused by name and line") {
   const auto refused = [](const std::string& text) {
     try {

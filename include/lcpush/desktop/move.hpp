@@ -87,6 +87,7 @@ enum class MoveEnd {
   lost,   ///< a finger without inertia touches nothing any more
   inside, ///< a stroke begins inside the object
   steps,  ///< most_steps
+  leaps,  ///< a step that goes too far to be one: a squeeze that gives way, or --step is too long
   failed, ///< a step without an answer: `status` says why
 };
 const char* move_end_text(MoveEnd end);
