@@ -104,7 +104,8 @@ std::string move_sentence(const SceneFile& file, const MotionReport& report) {
   for (const MotionPhase& phase : report.phases) deeds.push_back(phase_words(file, phase));
   std::string name = object_name(file);
   name[0] = 'T';
-  const std::string what = deeds.empty() ? "does not move" : joined(deeds, ", then ");
+  const bool rests = report.phases.size() == 1 && report.phases[0].kind == MotionKind::rest;
+  const std::string what = deeds.empty() || rests ? "does not move" : joined(deeds, ", then ");
   const bool is_long = deeds.size() > 1 || report.end != MoveEnd::time;
   return name + " " + what + (is_long ? ", " : " ") + end_words(file, report) + ".";
 }
