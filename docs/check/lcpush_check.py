@@ -54,7 +54,7 @@ def patch(body, t, o):  # its points
 def scene_problem(text, g):  # w = L x + q0 + push q1: L, q0, q1, the free rows, the cones
     scene = tomllib.loads(text, parse_float=F)
     require(scene.get("pressure") != "even" and scene.get("facets", 8) == g, "another law")
-    obj, fingers, pushers = scene["object"], scene.get("finger", []), scene.get("pusher", [])
+    obj, fingers, pushers = scene["object"], scene.get("finger", []), [b for b in scene.get("pusher", []) if not b.get("from")]
     m, com, box, r = F(obj["mass"]), obj.get("center_of_mass", ZERO), obj.get("box"), obj.get("cylinder_radius")
     I = (list(obj.get("inertia", [])) or (box and [m * (dot(box, box) - e*e) / 12 for e in box]) or
          [m * (6*r*r if obj.get("axis", "z") == a else 3*r*r + obj["cylinder_length"]**2) / 12 for a in "xyz"]) + ZERO
@@ -67,8 +67,8 @@ def scene_problem(text, g):  # w = L x + q0 + push q1: L, q0, q1, the free rows,
         for i in (1, 2): axis = i if abs(n[i]) < abs(n[axis]) - F(1, 10**9) else axis
         along = body.get("tangent", [i == axis for i in range(3)])
         t = unit(add([dot(v, v) * x for x in along], v, -dot(v, along)))
-        body.update(n=n, t=t, o=cross(n, t), moves=twist(*(body.get(k, ZERO) if body in pushers else ZERO for k in (
-            "acceleration", "angular_acceleration")), add(com, body.get("about", ZERO), -1)))
+        body.update(n=n, t=t, o=cross(n, t), moves=twist(*(body.get(k + "velocity", body.get(k + "acceleration", ZERO))
+            if body in pushers else ZERO for k in ("", "angular_")), add(com, body.get("about", ZERO), -1)))
     grips, jaws = [b for b in fingers if "grip_force" in b], scene.get("gripper", {}).get("jaws")
     if not jaws and len(grips) == 2 and grips[0]["grip_force"] == grips[1]["grip_force"] and max(
             map(abs, add(grips[0]["n"], grips[1]["n"]))) < F(1, 10**9): jaws = "parallel"

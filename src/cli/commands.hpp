@@ -13,6 +13,7 @@ Command matrices_command();
 Command pivots_command();
 Command report_command();
 Command sweep_command();
+Command move_command();
 Command verify_command();
 Command spread_command();
 Command example_command();

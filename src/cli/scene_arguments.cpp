@@ -45,9 +45,9 @@ void refuse_samples(double samples, const SceneFile& file) {
                      " that fit into 1 GB; ask for fewer --steps");
 }
 
-SceneFile read_scene_argument(const Arguments& arguments, Needs needs) {
+SceneFile read_scene_argument(const Arguments& arguments, Needs needs, Strokes strokes) {
   if (arguments.files().empty()) refuse_no_scene();
-  SceneFile file = read_scene(arguments.files()[0]);
+  SceneFile file = read_scene(arguments.files()[0], strokes);
   if (arguments.has("--strict")) refuse_doubts(file);
   refuse_size(arguments, file, needs);
   return file;

@@ -17,7 +17,8 @@ enum class Needs {
 
 /// The scene of the first file. Throws UsageError without one, InputError if it is too large, or
 /// odd in any way with --strict.
-SceneFile read_scene_argument(const Arguments& arguments, Needs needs = Needs::matrix);
+SceneFile read_scene_argument(const Arguments& arguments, Needs needs = Needs::matrix,
+                              Strokes strokes = Strokes::first);
 /// The same, to be varied; the law of --pressure, if it is given.
 VariedScene read_varied_scene(const Arguments& arguments, const std::string& path,
                               Needs needs = Needs::matrix);

@@ -5,6 +5,7 @@
 #include "cli/raw_bounds.hpp"
 #include "cli/scene_arguments.hpp"
 #include "formats/json_fields.hpp"
+#include "lcpush/desktop/trajectory.hpp"
 #include "text/limits.hpp"
 #include "text/text_file.hpp"
 
@@ -44,8 +45,22 @@ int verify_raw_problem(const Arguments& arguments, const std::string& format) {
   return is_valid(report.verdict) ? 0 : 1;
 }
 
+int verify_motion(const Arguments& arguments, const std::string& format) {
+  constexpr double usual_tolerance = 0.01;
+  if (arguments.files().size() != 1)
+    throw UsageError("--trajectory needs one file beside it: SCENE.toml");
+  const SceneFile file = read_scene_argument(arguments, Needs::scene, Strokes::all);
+  const TrajectoryReport report = verify_trajectory(
+      file, read_trajectory(*arguments.value("--trajectory")),
+      arguments.number("--tolerance", 1, " such as 0.01").value_or(usual_tolerance));
+  write_answer(arguments, format,
+               format == "json" ? trajectory_json(report) : trajectory_text(file, report), file);
+  return report.verdict == TrajectoryVerdict::follows ? 0 : 1;
+}
+
 int run_verify(const Arguments& arguments) {
   const std::string format = arguments.format();
+  if (arguments.has("--trajectory")) return verify_motion(arguments, format);
   if (arguments.has("--lcp") || arguments.has("--M")) return verify_raw_problem(arguments, format);
   for (const char* option : {"--q", "--free", "--lo", "--hi", "--findex"})
     if (arguments.has(option)) throw UsageError(std::string(option) + " goes with --lcp");
@@ -68,30 +83,35 @@ int run_verify(const Arguments& arguments) {
 } // namespace
 
 Command verify_command() {
-  return {"verify",
-          "SCENE.toml ANSWER.json | --lcp M.mtx q.mtx ANSWER.json [OPTIONS]",
-          "is somebody else's answer right, and if not, why?",
-          "ANSWER.json has the shape of `lcpush solve --json`, or any part of it: the forces, or\n"
-          "the motion, alone; what follows is filled in. Every law is checked row by row, by code\n"
-          "that solves nothing, and the answer is compared with lcpush's own. With --lcp (or --M\n"
-          "and --q) it is the z of a raw problem, in a box if one is given, as for `lcpush lcp`.\n"
-          "Here exit status 0 means valid, 1 not.\n\n"
-          "Example:\n"
-          "  lcpush solve fixtures/scenes/tipping.toml --json -o answer.json\n"
-          "  lcpush verify fixtures/scenes/tipping.toml answer.json\n",
-          with_scene_options({
-              {"--tolerance", "T", "what a row may be off by, scaled (default 1e-6)"},
-              {"--lcp", "", "a raw problem: M.mtx q.mtx ANSWER.json"},
-              {"--M", "MATRIX", "rows by semicolons, numbers by blanks"},
-              {"--q", "VECTOR", "n numbers"},
-              {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
-              lo_option,
-              hi_option,
-              findex_option,
-              verbose_option,
-          }),
-          3,
-          run_verify};
+  return {
+      "verify",
+      "SCENE.toml ANSWER.json | SCENE.toml --trajectory FILE | --lcp M.mtx q.mtx ANSWER.json",
+      "is somebody else's answer right, and if not, why?",
+      "ANSWER.json has the shape of `lcpush solve --json`, or any part of it: the forces, or\n"
+      "the motion, alone; what follows is filled in. Every law is checked row by row, by code\n"
+      "that solves nothing, and the answer is compared with lcpush's own. With --lcp (or --M\n"
+      "and --q) it is the z of a raw problem, in a box if one is given, as for `lcpush lcp`.\n"
+      "With --trajectory it is a motion, frames as of `lcpush move --json` or --format csv: each\n"
+      "step is compared with the laws' own, begun where the motion is. Here exit status 0 means\n"
+      "valid, 1 not.\n\n"
+      "Example:\n"
+      "  lcpush solve fixtures/scenes/tipping.toml --json -o answer.json\n"
+      "  lcpush verify fixtures/scenes/tipping.toml answer.json\n",
+      with_scene_options({
+          {"--tolerance", "T", "what a row may be off by, scaled (default 1e-6)"},
+          {"--trajectory", "FILE",
+           "a motion, JSON or CSV; then T is a part of the fastest speed (0.01)"},
+          {"--lcp", "", "a raw problem: M.mtx q.mtx ANSWER.json"},
+          {"--M", "MATRIX", "rows by semicolons, numbers by blanks"},
+          {"--q", "VECTOR", "n numbers"},
+          {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
+          lo_option,
+          hi_option,
+          findex_option,
+          verbose_option,
+      }),
+      3,
+      run_verify};
 }
 
 } // namespace lcpush::cli

@@ -59,4 +59,8 @@ struct MapPlot {
 
 std::string map_svg(const MapPlot& plot);
 
+/// A plot that stands in its document's own style, which would reach the whole page otherwise.
+/// `words`: for those who do not see it.
+std::string plot_image(const std::string& svg, const std::string& words);
+
 } // namespace lcpush::desktop

@@ -1,6 +1,8 @@
 // The one compiled copy of the laws, for double.
+#include "lcpush/lcp/pivots/structured_lemke.hpp"
 #include "lcpush/mechanics/model/check.hpp"
 #include "lcpush/mechanics/model/read_answer.hpp"
+#include "lcpush/mechanics/solve/step.hpp"
 
 namespace lcpush {
 template double circle_cosine<double>(Index, Index);
@@ -10,4 +12,5 @@ template void read_answer<double>(const Assembly<double>&, const double*, Answer
                                   bool);
 template Residuals<double> check<double>(const Scene<double>&, const Scales<double>&,
                                          const Answer<double>&, double);
+template class TimeStepper<double, StructuredLemke<double>>;
 } // namespace lcpush

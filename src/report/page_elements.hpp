@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "draw/markup.hpp"
+#include "draw/plot_svg.hpp"
 #include "solve/push_words.hpp"
 #include "text/wording.hpp"
 
@@ -65,25 +66,6 @@ inline std::string table_html(const std::string& caption,
     text += "</tr>\n";
   }
   return scrolling(caption, text + "</tbody>\n</table>\n");
-}
-
-/// A plot that stands in its document's own style, which would reach the whole page otherwise.
-/// `words`: for those who do not see it.
-inline std::string plot_image(const std::string& svg, const std::string& words) {
-  constexpr const char* digits = "0123456789ABCDEF";
-  std::string data;
-  for (const char c : svg) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                          (c >= '0' && c <= '9') ||
-                          std::string_view("-_.~:/;=,()").find(c) != std::string_view::npos;
-    if (is_plain)
-      data += c;
-    else
-      (((data += '%') += digits[byte >> 4U]) += digits[byte & 15U]);
-  }
-  return "<img class=\"plot\" alt=\"" + escaped(words) + "\" src=\"data:image/svg+xml," + data +
-         "\"/>\n";
 }
 
 inline std::string figure(const Drawing& drawing, const std::string& caption) {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "draw/page_style.hpp"
 #include "lcpush/desktop/scene_check.hpp"
 #include "lcpush/version.hpp"
 #include "report/page_elements.hpp"
 #include "report/pictures.hpp"
 #include "report/report_sections.hpp"
-#include "report/report_style.hpp"
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
 #include "text/format.hpp"

@@ -20,8 +20,8 @@ namespace {
 
 template <class S> class SceneBuilder {
 public:
-  SceneBuilder(const TomlDocument& document, std::optional<Hand> unsaid_hand)
-      : document_(document), unsaid_hand_(unsaid_hand) {}
+  SceneBuilder(const TomlDocument& document, std::optional<Hand> unsaid_hand, Strokes strokes)
+      : document_(document), unsaid_hand_(unsaid_hand), strokes_(strokes) {}
 
   /// Call once.
   SceneOf<S> build() {
@@ -33,15 +33,18 @@ public:
                     reader("object").line(),
                     reader("object").line_of({"center_of_mass"}),
                     {}};
-    read_bodies(Role::finger);
-    read_bodies(Role::pusher);
+    for (std::size_t i = 0; i < count("finger"); ++i) read_body(Role::finger, reader("finger", i));
+    read_pushers();
     if (scene_.bodies.empty())
       throw InputError(document_.file, 1,
                        "nothing touches the object; add at least one [[finger]] or [[pusher]]");
     drive_fingers();
     for (std::size_t i = 0; i < count("actuator"); ++i) read_actuator(reader("actuator", i));
-    for (std::size_t i = 0; i < count("pusher"); ++i)
-      drive_pusher(reader("pusher", i), static_cast<Index>(count("finger") + i));
+    for (std::size_t i = 0; i < pushers_.size(); ++i)
+      drive_pusher(pushers_[i], static_cast<Index>(count("finger") + i));
+    for (std::size_t i = 0; i < count("face"); ++i)
+      scene_.faces.push_back(
+          read_face(reader("face", i), as_doubles<S>(scene_.object.center_of_mass)));
     if (scene_.planar) refuse_squeezes_out_of_plane();
     return std::move(scene_);
   }
@@ -84,18 +87,21 @@ private:
     if (root.has("planar")) scene_.planar = root.boolean("planar");
   }
 
-  void read_bodies(Role role) {
-    const std::string section = role == Role::finger ? "finger" : "pusher";
-    for (std::size_t i = 0; i < count(section); ++i) {
-      const TableReader table = reader(section, i);
-      if (scene_.bodies.size() == limits::scene_bodies)
-        table.fail("", "more than " + std::to_string(limits::scene_bodies) +
-                           " bodies in the scene; use fewer");
-      read_body(role, table);
+  /// Of the strokes that are meant.
+  void read_pushers() {
+    for (std::size_t i = 0; i < count("pusher"); ++i) {
+      const TableReader table = reader("pusher", i);
+      if (strokes_ == Strokes::first && read_stroke(table).from > 0) continue;
+      read_body(Role::pusher, table);
+      pushers_.push_back(table);
     }
   }
 
   void read_body(Role role, const TableReader& table) {
+    if (scene_.bodies.size() == limits::scene_bodies)
+      table.fail("", "more than " + std::to_string(limits::scene_bodies) +
+                         " bodies in the scene; use fewer");
+    scene_.strokes.push_back(read_stroke(table));
     scene_.body_names.push_back(claim_name(table));
     const Patch<S> patch = read_patch<S>(table);
     Body<S> body{};
@@ -119,9 +125,10 @@ private:
       table.fail("follow", "follow = \"bilateral\" holds the pusher's normal motion, normal_force "
                            "its force; remove one of the two");
     scene_.bodies.push_back(body);
-    scene_.lines.bodies.push_back({table.line_of({"center", "ends", "points"}),
-                                   table.line_of({"normal"}), table.line_of({"friction"}),
-                                   table.line_of({"acceleration", "angular_acceleration"})});
+    scene_.lines.bodies.push_back(
+        {table.line_of({"center", "ends", "points"}), table.line_of({"normal"}),
+         table.line_of({"friction"}),
+         table.line_of({"velocity", "angular_velocity", "acceleration", "angular_acceleration"})});
     if (scene_.points.size() + patch.positions.size() > limits::scene_points)
       table.fail("points", "more than " + std::to_string(limits::scene_points) +
                                " contact points in the scene; use fewer");
@@ -138,13 +145,8 @@ private:
     const auto optional = [&table](const std::string& key) {
       return table.has(key) ? table.vector3<S>(key) : Vector3<S>(Vector3<S>::Zero());
     };
-    if (table.has("about") && !table.has("angular_acceleration"))
-      table.fail("about", "about goes with angular_acceleration; add that or remove about");
-    if (!table.has("acceleration") && !table.has("angular_acceleration") &&
-        !table.has("normal_force"))
-      table.fail("acceleration", "missing the motion; add acceleration, angular_acceleration or "
-                                 "normal_force (for a wall at rest acceleration = [0, 0, 0])");
-    return twist_at(optional("acceleration"), optional("angular_acceleration"), optional("about"));
+    const MotionKeys keys = motion_keys(table);
+    return twist_at(optional(keys.linear), optional(keys.angular), optional("about"));
   }
 
   void drive_fingers() {
@@ -159,13 +161,13 @@ private:
   void drive_pusher(const TableReader& table, Index body) {
     if (!table.has("normal_force")) return;
     const S force = table.number<S>("normal_force", Sign::positive);
-    if (table.has("acceleration")) {
-      const Vector3<S> acceleration = table.vector3<S>("acceleration");
-      const double along = as_double(acceleration.dot(scene_.body(body).normal));
-      if (std::abs(along) > direction_slack * as_doubles(acceleration).norm())
-        table.fail("acceleration", "normal_force decides the motion along the normal; acceleration "
-                                   "must have no part along it, got " +
-                                       shown(along));
+    const std::string key = motion_keys(table).linear;
+    if (table.has(key)) {
+      const Vector3<S> motion = table.vector3<S>(key);
+      const double along = as_double(motion.dot(scene_.body(body).normal));
+      if (std::abs(along) > direction_slack * as_doubles(motion).norm())
+        table.fail(key, "normal_force decides the motion along the normal; " + key +
+                            " must have no part along it, got " + shown(along));
     }
     drive_along_normal(scene_, body, add_actuator<S>(scene_, scene_.body_name(body), force, S(0)));
   }
@@ -214,6 +216,10 @@ private:
       if (twist == Vector6<S>(Vector6<S>::Zero()))
         table.fail("twists", "the twist of " + quoted(bodies[i]) + " is zero");
       const auto body = found - known.begin();
+      if (scene_.strokes[static_cast<std::size_t>(body)].is_limited())
+        table.fail("bodies",
+                   "an actuator moves its bodies all the time; remove from and until of " +
+                       quoted(bodies[i]));
       if (is_prescribed) {
         scene_.bodies[static_cast<std::size_t>(body)].acceleration += amount * twist;
         scene_.prescribed.push_back({name, body, amount, twist});
@@ -235,6 +241,8 @@ private:
 
   const TomlDocument& document_;
   const std::optional<Hand> unsaid_hand_;
+  const Strokes strokes_;
+  std::vector<TableReader> pushers_; ///< of the scene's pushers
   SceneOf<S> scene_;
   std::map<std::string, int> name_lines_; ///< of bodies and [[actuator]]s
 };
@@ -242,11 +250,17 @@ private:
 } // namespace
 
 template <class S>
-SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand) {
-  return SceneBuilder<S>(document, unsaid_hand).build();
+SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand,
+                       Strokes strokes) {
+  SceneOf<S> all = SceneBuilder<S>(document, unsaid_hand, Strokes::all).build();
+  const bool has_later = std::any_of(all.strokes.begin(), all.strokes.end(),
+                                     [](const Stroke& stroke) { return stroke.from > 0; });
+  if (strokes == Strokes::all || !has_later) return all;
+  return SceneBuilder<S>(document, unsaid_hand, strokes).build();
 }
-template SceneOf<double> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand);
+template SceneOf<double> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand,
+                                     Strokes strokes);
 template SceneOf<Rational> build_scene(const TomlDocument& document,
-                                       std::optional<Hand> unsaid_hand);
+                                       std::optional<Hand> unsaid_hand, Strokes strokes);
 
 } // namespace lcpush::desktop

@@ -45,8 +45,10 @@ public:
   std::vector<SceneDoubt> check() {
     doubts_ = unit_doubts(file_);
     const bool is_moved = has_surface_ && doubts_.empty() && check_middle();
-    for (std::size_t b = 0; b < file_.bodies.size(); ++b)
+    for (std::size_t b = 0; b < file_.bodies.size(); ++b) {
+      if (file_.strokes[b].from > 0) continue; // it comes to an object that has moved
       if (is_moved || (check_place(b) && check_normal(b))) check_motion(b);
+    }
     check_jaws();
     if (doubts_.empty()) check_sides();
     std::stable_sort(doubts_.begin(), doubts_.end(),

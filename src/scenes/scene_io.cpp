@@ -14,11 +14,14 @@ std::string read_scene_text(const std::string& path) {
 
 std::string scene_label(const std::string& path) { return file_label(path); }
 
-template <class S> SceneOf<S> parse_scene(std::string_view text, const std::string& file_name) {
-  return build_scene<S>(parse_toml(text, file_name));
+template <class S>
+SceneOf<S> parse_scene(std::string_view text, const std::string& file_name, Strokes strokes) {
+  return build_scene<S>(parse_toml(text, file_name), {}, strokes);
 }
-template SceneOf<double> parse_scene(std::string_view text, const std::string& file_name);
-template SceneOf<Rational> parse_scene(std::string_view text, const std::string& file_name);
+template SceneOf<double> parse_scene(std::string_view text, const std::string& file_name,
+                                     Strokes strokes);
+template SceneOf<Rational> parse_scene(std::string_view text, const std::string& file_name,
+                                       Strokes strokes);
 
 std::vector<std::string> irrational_directions(const SceneOf<Rational>& scene) {
   const std::string are_irrational = " are irrational: fractions within 1e-12 of them are used";

@@ -29,6 +29,7 @@ Schema body_keys(const Schema& own) {
       {"weights", "[1, 2]  # shares of the patch's force"},
       {"normal", "[0, 0, -1]"},
       {"tangent", "[1, 0, 0]"},
+      {"points_on", "\"object\""},
   };
   keys.insert(keys.end(), own.begin(), own.end());
   return keys;
@@ -60,7 +61,11 @@ const std::vector<Section>& sections() {
       {"pusher", true,
        body_keys({{"acceleration", "[0.1, 0, 0]", "m/s^2", true},
                   {"angular_acceleration", "[0, 0, 1]", "rad/s^2", true},
+                  {"velocity", "[0.01, 0, 0]", "m/s", true},
+                  {"angular_velocity", "[0, 0, 1]", "rad/s", true},
                   {"about", "[0, 0, 0]", "m"},
+                  {"from", "0.5", "s"},
+                  {"until", "2", "s"},
                   {"follow", "\"unilateral\""},
                   {"normal_force", "5", "N", true}})},
       {"actuator",
@@ -71,6 +76,7 @@ const std::vector<Section>& sections() {
         {"force", "20", "N", true},
         {"acceleration", "0.1", "m/s^2", true},
         {"inertia", "0.05", "kg"}}},
+      {"face", true, {{"corners", "[[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0]]", "m"}}},
   };
   return list;
 }
@@ -93,8 +99,12 @@ constexpr Synonym synonyms[] = {
     {"position", "center"},
     {"location", "center"},
     {"at", "center"},
-    {"velocity", "acceleration"},
-    {"speed", "acceleration"},
+    {"speed", "velocity"},
+    {"start", "from"},
+    {"begin", "from"},
+    {"end", "until"},
+    {"to", "until"},
+    {"vertices", "corners"},
     {"motion", "acceleration"},
     {"com", "center_of_mass"},
     {"dimensions", "box"},

@@ -28,6 +28,20 @@ template <class S> Patch<S> read_patch(const TableReader& table);
 /// S is double or Rational.
 template <class S> Object<S> read_object(const TableReader& table, ObjectShape& shape);
 
+/// The keys that say how a pusher moves, linear and angular: as velocities or as accelerations.
+struct MotionKeys {
+  std::string linear, angular;
+  bool is_velocity;
+};
+/// Refuses a [[pusher]] that mixes the two, or says nothing.
+MotionKeys motion_keys(const TableReader& table);
+
+/// Of a [[finger]] or [[pusher]].
+Stroke read_stroke(const TableReader& table);
+
+/// Of a [[face]]; `inside`: a point of the object, which is convex.
+ObjectFace read_face(const TableReader& table, const Vector3<double>& inside);
+
 /// What a file says about its hand.
 struct HandTables {
   std::optional<TableReader> gripper;

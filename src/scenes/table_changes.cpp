@@ -72,8 +72,9 @@ void shift_points(TomlTable& table, std::size_t axis, double by) {
     if (is_position(entry)) shift(entry.value, axis, by);
 }
 
-void turn_acceleration(TomlTable& table, double degrees) {
-  TomlValue& value = *table.find("acceleration");
+void turn_motion(TomlTable& table, double degrees) {
+  TomlValue* const velocity = table.find("velocity");
+  TomlValue& value = velocity != nullptr ? *velocity : *table.find("acceleration");
   const Vector3<double> v = vector_in(value);
   const auto [c, s] = circle_point(degrees);
   set_vector(value, {c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]});

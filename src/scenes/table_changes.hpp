@@ -15,8 +15,8 @@ bool is_count(const TomlEntry& entry);
 /// A body's points move by so many m along an axis.
 void shift_points(TomlTable& table, std::size_t axis, double by);
 
-/// The acceleration turns in the x-y plane.
-void turn_acceleration(TomlTable& table, double degrees);
+/// The velocity, or the acceleration, turns in the x-y plane.
+void turn_motion(TomlTable& table, double degrees);
 
 /// The tangent turns about the normal, and with it every friction generator.
 void turn_tangent(TomlTable& table, double degrees);

@@ -61,7 +61,8 @@ void add_motions(const TomlTable& table, const std::string& owner, const Place& 
   for (Index axis = 0; axis < 3; ++axis)
     add(Kind::shift, "shift[" + std::to_string(axis) + "]", "m", axis);
   add(Kind::tangent_turn, "tangent_turn", "degrees", 0);
-  if (table.find("acceleration")) add(Kind::turn, "turn", "degrees", 0);
+  if (table.find("acceleration") != nullptr || table.find("velocity") != nullptr)
+    add(Kind::turn, "turn", "degrees", 0);
 }
 
 /// Each number that one path names, without those of `*`.
@@ -121,8 +122,10 @@ void add_defaults(TomlDocument& document) {
       if (section.name == "object")
         for (const char* key : {"center_of_mass", "force", "moment"}) add(table, key);
       if (section.name != "pusher") continue;
-      add(table, "acceleration");
-      add(table, "angular_acceleration");
+      const bool has_speed =
+          table.find("velocity") != nullptr || table.find("angular_velocity") != nullptr;
+      add(table, has_speed ? "velocity" : "acceleration");
+      add(table, has_speed ? "angular_velocity" : "angular_acceleration");
     }
 }
 
@@ -153,7 +156,7 @@ TomlDocument changed(TomlDocument document, const std::vector<Parameter>& parame
                              : document.sections[static_cast<std::size_t>(place.section)]
                                    .tables[static_cast<std::size_t>(place.table)];
       switch (parameter.kind) {
-      case Kind::turn: turn_acceleration(table, values[k]); break;
+      case Kind::turn: turn_motion(table, values[k]); break;
       case Kind::tangent_turn: turn_tangent(table, values[k]); break;
       case Kind::shift:
         shift_points(table, static_cast<std::size_t>(parameter.axis), values[k]);

@@ -40,15 +40,6 @@ std::string direction_phrase(const SceneFile& file, const Vector3<double>& direc
   return "along " + unit_text(direction);
 }
 
-/// "counter-clockwise about z", seen from the axis' tip; by its direction if it is no axis.
-std::string turn_phrase(const Vector3<double>& axis) {
-  Index k = 0;
-  const double largest = axis.cwiseAbs().maxCoeff(&k);
-  if (largest > 1 - unsaid)
-    return std::string(axis[k] > 0 ? "counter-clockwise" : "clockwise") + " about " + "xyz"[k];
-  return "about " + unit_text(axis);
-}
-
 struct ModeCount {
   std::array<Index, 3> of{}; ///< by Mode
   Index all() const { return of[0] + of[1] + of[2]; }
@@ -79,6 +70,14 @@ std::string body_phrase(const std::string& name, const ModeCount& count) {
 }
 
 } // namespace
+
+std::string turn_phrase(const Vector3<double>& axis) {
+  Index k = 0;
+  const double largest = axis.cwiseAbs().maxCoeff(&k);
+  if (largest > 1 - unsaid)
+    return std::string(axis[k] > 0 ? "counter-clockwise" : "clockwise") + " about " + "xyz"[k];
+  return "about " + unit_text(axis);
+}
 
 std::string object_name(const SceneFile& file) {
   switch (file.shape.kind) {

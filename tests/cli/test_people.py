@@ -13,7 +13,7 @@ from random_scenes import random_scene
 TOOL, SOURCE = sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
 SCENES = sorted((SOURCE / "fixtures" / "scenes").glob("*.toml"))
 SLIDE = SOURCE / "fixtures" / "scenes" / "straight_slide.toml"
-COMMANDS = ["solve", "break", "lcp", "report", "sweep", "pivots", "verify", "spread", "export",
+COMMANDS = ["solve", "break", "lcp", "report", "sweep", "move", "pivots", "verify", "spread", "export",
             "matrices", "example", "new", "completion"]
 ANSWERS = (["solve"], ["solve", "-v"], ["solve", "-v", "--solver", "hybrid"], ["break"], ["break", "-v"],
            ["solve", "--solver", "gauss-seidel", "--history"], ["matrices"])

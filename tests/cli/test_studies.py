@@ -1,6 +1,7 @@
 """The studies of docs/studies: every picture comes from its command, and shows its closed form.
 
-Each ```sh block of docs/studies/README.md is one `lcpush sweep ... --format svg -o docs/studies/X.svg`.
+Each line of a ```sh block of docs/studies/README.md or motion.md is one `lcpush sweep ... --format svg
+-o docs/studies/X.svg`, or one `lcpush move ...`.
 It is run again, and the picture compared with the stored one number by number: compilers differ in the
 last bits. Run with --json instead, the answers are held to closed forms that share nothing with the
 solver.
@@ -18,7 +19,7 @@ import xml.etree.ElementTree as ElementTree
 
 TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
 STUDIES = SOURCE / "docs/studies"
-PAGE = (STUDIES / "README.md").read_text()
+PAGE = "".join((STUDIES / name).read_text() for name in ("README.md", "motion.md"))
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 PIXEL = 0.002  # in a picture 640 wide: the last of three decimals, rounded either way
 
@@ -29,7 +30,7 @@ def commands(text):
     for block in re.findall(r"```sh\n(.*?)```", text, flags=re.S):
         for line in block.replace("\\\n", " ").strip().split("\n"):
             words = shlex.split(line)
-            assert words[:2] == ["lcpush", "sweep"] and words[-2] == "-o", line
+            assert words[0] == "lcpush" and words[1] in ("sweep", "move") and words[-2] == "-o", line
             found[pathlib.Path(words[-1]).name] = words[1:-2]
     return found
 

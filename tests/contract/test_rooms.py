@@ -54,6 +54,8 @@ ROOMS = {
                     f"{CORE} {TOOLBOX} desktop scenes solve"),
     "src/export": ("How do other solvers get the problem?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/pivots": ("What happens at every pivot?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
+    "src/move": ("Where does the object end up in the grip?",
+                 f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/report": ("What does all this look like on a page?",
                    f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/cli": ("What do the words of a command line ask for?",

@@ -5,6 +5,7 @@
 #include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/scene.hpp"
 
+#include <limits>
 #include <numeric>
 #include <string>
 #include <string_view>
@@ -55,13 +56,29 @@ template <class S> struct PrescribedDrive {
   Vector6<S> twist; ///< for a unit of it, at the object's centre of mass
 };
 
+/// When a body is there and how it moves, for a motion. Its speeds are those of Body::acceleration.
+struct Stroke {
+  bool is_velocity = false;     ///< m/s and rad/s all the time; else m/s^2 and rad/s^2, from rest
+  bool rides_on_object = false; ///< its points are the object's, and press on its plane
+  double from = 0;              ///< s; it touches nothing before
+  double until = std::numeric_limits<double>::infinity(); ///< s; nor after
+
+  bool is_limited() const { return from > 0 || until < std::numeric_limits<double>::infinity(); }
+};
+
+/// A flat part of the object's surface, convex.
+struct ObjectFace {
+  Vector3<double> normal = Vector3<double>::UnitZ(); ///< unit, out of the object
+  std::vector<Vector3<double>> corners;              ///< m, in the scene's frame, in order
+};
+
 /// Where a scene file says what: 1-based lines, for messages about what was read.
 struct SceneLines {
   struct OfBody {
     int place; ///< center, ends or points
     int normal;
     int friction;
-    int motion; ///< acceleration or what else moves it; its table's line without one
+    int motion; ///< velocity or what else moves it; its table's line without one
   };
   std::string file; ///< as messages name it
   int gravity = 0, object = 0, center_of_mass = 0;
@@ -86,6 +103,8 @@ template <class S> struct SceneOf {
   std::vector<Actuator<S>> actuators;
   std::vector<Drive<S>> drives;
   std::vector<PrescribedDrive<S>> prescribed; ///< for reading only: nothing is solved with them
+  std::vector<Stroke> strokes;                ///< of the bodies
+  std::vector<ObjectFace> faces;              ///< as the file's [[face]]s say; none: the shape's
   std::vector<std::string> body_names;        ///< unique
   std::vector<std::string>
       actuator_names; ///< of the body or the [[actuator]]; "jaws" of a parallel hand
@@ -130,6 +149,12 @@ inline std::vector<std::string> pressure_names() {
   return names;
 }
 
+/// Which of a file's pushers are meant.
+enum class Strokes {
+  first, ///< those that are there at the start: what `solve` and `break` speak of
+  all,
+};
+
 /// The text of a scene file; of standard input for "-". Throws InputError if it cannot be read or
 /// is far too large for one.
 std::string read_scene_text(const std::string& path);
@@ -138,7 +163,8 @@ std::string scene_label(const std::string& path);
 
 /// As read_scene, for a text in memory; `file_name` only names it in messages.
 template <class S = double>
-SceneOf<S> parse_scene(std::string_view text, const std::string& file_name);
+SceneOf<S> parse_scene(std::string_view text, const std::string& file_name,
+                       Strokes strokes = Strokes::first);
 
 /// Reads the scene file at `path`. Every value of the result is finite and physical: unit normals
 /// and tangents, a positive definite inertia, at least one contact point, no coincident points in
@@ -147,8 +173,9 @@ SceneOf<S> parse_scene(std::string_view text, const std::string& file_name);
 /// S = Rational takes decimals as typed, so that 0.2 is 1/5. What no fraction can say (a normal
 /// that takes a root, points of discs, directions of eight facets) is taken as the exact value of
 /// its double and named in `inexact`; a number of more than 10,000 digits is refused.
-template <class S = double> SceneOf<S> read_scene(const std::string& path) {
-  return parse_scene<S>(read_scene_text(path), scene_label(path));
+template <class S = double>
+SceneOf<S> read_scene(const std::string& path, Strokes strokes = Strokes::first) {
+  return parse_scene<S>(read_scene_text(path), scene_label(path), strokes);
 }
 
 /// The sentences of `inexact` for the friction directions, which depend on `facets` as it is now.

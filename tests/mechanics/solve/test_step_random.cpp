@@ -75,12 +75,27 @@ TEST_CASE("random motions: every step is checked, and a step goes on from the la
       const Residuals<double> residuals =
           check(run->step_scene(), assembly.layout().scales, run->step_answer(), 1.0);
       REQUIRE(residuals.max() <= Tolerances<double>().residual);
-      CHECK(run->run().penetration <= 1e-8);
+      CHECK(run->run().penetration <= 1e-9);
       if (k > 0) pivots.push_back(run->run().pivots);
     }
   }
   std::sort(pivots.begin(), pivots.end());
   CHECK(pivots[pivots.size() / 2] <= 3);
+}
+
+TEST_CASE("two answers that lead to each other's gaps do not take turns for ever") {
+  // Corrections that only repeat themselves end 2.1e-9 and 8.2e-9 m deep here.
+  for (const auto& [seed, steps] : {std::pair(14, 154), std::pair(130, 30)}) {
+    CAPTURE(seed);
+    OwnedMotion<double, StructuredLemke<double>> run(
+        random_grasp<double>(static_cast<std::uint64_t>(seed)));
+    begin_random(run, static_cast<std::uint64_t>(seed));
+    for (Index k = 0; k < steps; ++k) {
+      CAPTURE(k);
+      REQUIRE(run->advance(1e-3) == Status::solved);
+      CHECK(run->run().penetration <= 1e-10);
+    }
+  }
 }
 
 TEST_CASE("where nothing drives, energy never grows") {

@@ -42,7 +42,12 @@ template <class S> struct Surroundings {
   Span<const Touching> touching{}; ///< a body; empty: all as Touching() says
   Span<const Face<S>> faces{};
   Span<const RoundSide<S>> sides{};
+  Span<const unsigned char> absent{}; ///< a body: 1 while it is not there; empty: all are
 };
+
+template <class S> bool is_absent(const Surroundings<S>& surroundings, Index body) {
+  return surroundings.absent.size > 0 && surroundings.absent[body] != 0;
+}
 
 /// Why a point is no contact at present.
 enum class Absence {
@@ -51,11 +56,13 @@ enum class Absence {
   behind,  ///< on the wrong side of its face: it came round an edge, which is not modelled
   far,     ///< too far away to touch within the step
   no_line, ///< a plane that does not touch the round side along a line: its end does
+  away,    ///< its body is not there
 };
 
 constexpr const char* absence_text(Absence absence) {
-  constexpr const char* texts[] = {"", "beside its face", "behind its face", "far away",
-                                   "on the end of a round side"};
+  constexpr const char* texts[] = {
+      "",         "beside its face", "behind its face", "far away", "on the end of a round side",
+      "not there"};
   return texts[static_cast<int>(absence)];
 }
 
@@ -67,10 +74,8 @@ template <class S> struct PlacedPoint {
   Absence absence = Absence::none;
 };
 
-namespace detail {
-
 /// Is x, given as the face is, over the face? What lies on its rim is.
-template <class S> bool is_over(const Face<S>& face, const Vector3<S>& x, const S& slack) {
+template <class S> bool is_over_face(const Face<S>& face, const Vector3<S>& x, const S& slack) {
   const Vector3<S> from = x - face.point;
   if (face.radius > S(0))
     return (from - from.dot(face.normal) * face.normal).norm() <= face.radius + slack;
@@ -85,6 +90,8 @@ template <class S> bool is_over(const Face<S>& face, const Vector3<S>& x, const 
   }
   return !(left && right);
 }
+
+namespace detail {
 
 /// The point of a round side that a plane with this normal (into the object) touches, abreast of
 /// `start`. False: the plane stands across the axis.
@@ -126,7 +133,7 @@ PlacedPoint<S> place(const Surroundings<S>& surroundings, const Touching& touchi
   const S height = Vector3<S>(placed.position - plane).dot(placed.normal);
   placed.gap = on_body ? S(-height) : height;
   if (placed.absence != Absence::none) return placed;
-  if (face != nullptr && !detail::is_over(*face, carrier.back(placed.position), S(depth / S(1000))))
+  if (face != nullptr && !is_over_face(*face, carrier.back(placed.position), S(depth / S(1000))))
     placed.absence = Absence::outside;
   else if (placed.gap < -depth)
     placed.absence = Absence::behind;
@@ -155,6 +162,8 @@ constexpr const char* touch_mistake_text(TouchMistake mistake) {
 /// The first mistake in `surroundings`, for a motion of `scene`. Cost: O(points).
 template <class S>
 TouchMistake find_touch_mistake(const Scene<S>& scene, const Surroundings<S>& surroundings) {
+  if (surroundings.absent.size != 0 && surroundings.absent.size != scene.bodies.size)
+    return TouchMistake::index;
   if (surroundings.touching.size == 0) return TouchMistake::none;
   if (surroundings.touching.size != scene.bodies.size) return TouchMistake::index;
   const S slack = S(1) / S(1000000);
@@ -178,7 +187,9 @@ TouchMistake find_touch_mistake(const Scene<S>& scene, const Surroundings<S>& su
     if (!((face.normal * sign - body.normal).norm() <= slack)) return TouchMistake::plane;
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
       const S height = Vector3<S>(scene.points[i] - face.point).dot(body.normal);
-      if (!on_side && !(Eigen::numext::abs(height) <= slack * length)) return TouchMistake::apart;
+      if (!on_side && !is_absent(surroundings, b) &&
+          !(Eigen::numext::abs(height) <= slack * length))
+        return TouchMistake::apart;
     }
   }
   return TouchMistake::none;

@@ -10,6 +10,7 @@ namespace lcpush {
 /// What a contact point does in a step.
 template <class S> struct StepContact {
   Absence absence = Absence::none; ///< not none: it is no contact, and nothing else is known
+  Absence ends = Absence::none;    ///< the same of the place where the step has taken it
   Mode mode = Mode::separate;
   S gap{0};                                       ///< m, at the step's end; below 0: penetration
   S normal_force{0};                              ///< N, the step's mean

@@ -61,8 +61,25 @@ public:
   const StepRun<S>& run() const { return run_; }
   S time() const { return time_; }
 
+  /// What a step changes beside the arrays of take_motion_arrays: who keeps a copy of those and
+  /// this can go back. step_scene() and step_answer() stay those of the last step.
+  struct Moment {
+    Pose<S> pose;
+    Vector6<S> velocity;
+    S time;
+    bool knows_last;
+  };
+  Moment moment() const { return {pose_, velocity_, time_, knows_last_}; }
+  void return_to(const Moment& moment) {
+    pose_ = moment.pose;
+    velocity_ = moment.velocity;
+    time_ = moment.time;
+    knows_last_ = moment.knows_last;
+  }
+
   /// The step just made as a push: its scene [T.13], answer and scales, for whoever checks it.
   const Scene<S>& step_scene() const { return solved_; }
+  /// Its contacts are those of the present points; behind them stand some of earlier steps.
   const Answer<S>& step_answer() const { return m_.work.answer; }
   const Assembly<S>& assembly() const { return assembly_; }
   /// The point of the motion's scene that is point `present` of step_scene().
@@ -121,7 +138,7 @@ private:
   Vector6<S> end_twist(Index body) const;
   S deepest(const S& h, bool& missed) const;
   void straight_gaps();
-  void bend_gaps(const S& h);
+  void bend_gaps(const S& h, Index times);
   void commit(const S& h);
   void read_contact(Index i, Index present, const PlacedPoint<S>& then, const S& h);
   /// Of a present point: its body among the present ones.
@@ -221,7 +238,7 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::correct(const S&
   for (Index k = 0; k < most_corrections; ++k) {
     const S depth = deepest(h, missed);
     if (missed || !(depth > penetration_tolerance())) return Status::solved;
-    bend_gaps(h);
+    bend_gaps(h, k);
     ++run_.corrections;
     if (solve_push(h) == Status::solved) continue;
     straight_gaps();
@@ -257,3 +274,9 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::advance(const S&
 } // namespace lcpush
 
 #include "lcpush/mechanics/solve/step_geometry.hpp"
+
+#ifdef LCPUSH_EXTERN_TEMPLATES
+namespace lcpush {
+extern template class TimeStepper<double, StructuredLemke<double>>;
+} // namespace lcpush
+#endif

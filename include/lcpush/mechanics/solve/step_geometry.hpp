@@ -24,6 +24,7 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::place_points(const
     const bool closes = is_massless(b); // at any speed: nothing is too far for it
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
       m_.placed[i] = placed(b, i, pose_, m_.poses[b]);
+      if (is_absent(*around_, b)) m_.placed[i].absence = Absence::away;
       const bool is_far = !closes && !body.bilateral && m_.placed[i].gap > reach;
       if (is_far && m_.placed[i].absence == Absence::none) m_.placed[i].absence = Absence::far;
     }
@@ -116,7 +117,11 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::straight_gaps() {
 }
 
 /// The gaps less what a straight step misses by: those that its end will have, not its tangent.
-template <class S, class Pivots> void TimeStepper<S, Pivots>::bend_gaps(const S& h) {
+/// Two answers that lead to each other's gaps would take turns for ever: from the fourth time on
+/// only half the way there, and near the end only closer, so that nothing is left inside.
+template <class S, class Pivots> void TimeStepper<S, Pivots>::bend_gaps(const S& h, Index times) {
+  const S part(times < 3 ? 1 : 0.5);
+  const bool only_closer = times >= most_corrections - 4;
   const Pose<S> object = moved(pose_, next_velocity_, h);
   for (Index k = 0; k < present_.points.size; ++k) {
     const Index i = m_.from[k], present = body_at(k), b = m_.body_of[present];
@@ -124,7 +129,9 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::bend_gaps(const S&
     const Vector6<S> relative = next_velocity_ - twist_at(end_twist(b), pose_.position);
     const S opening = acceleration_at(m_.points[k], relative).dot(m_.bodies[present].normal);
     const PlacedPoint<S> then = placed(b, i, object, hand);
-    if (then.absence != Absence::no_line) m_.gaps[k] = settled(S(then.gap - h * opening));
+    if (then.absence == Absence::no_line) continue;
+    const S change = settled(S(then.gap - h * opening)) - m_.gaps[k];
+    m_.gaps[k] += only_closer ? Eigen::numext::mini(change, S(0)) : S(part * change);
   }
 }
 
@@ -181,6 +188,7 @@ void TimeStepper<S, Pivots>::read_contact(Index i, Index present, const PlacedPo
   contact.absence = m_.placed[i].absence;
   contact.position = m_.placed[i].position;
   contact.normal = m_.placed[i].normal;
+  contact.ends = then.absence;
   contact.gap = then.gap;
   if (present < 0) return;
   const ContactAnswer<S>& answer = m_.work.answer.contacts[present];

@@ -1,4 +1,4 @@
-// The page's looks; palette(":root") and drawing_style() come with it.
+// The looks of pages; palette(":root") and drawing_style() come with it.
 #pragma once
 
 namespace lcpush::desktop {

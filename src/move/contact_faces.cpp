@@ -1,0 +1,208 @@
+#include "move/contact_faces.hpp"
+
+#include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/owned.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lcpush::desktop {
+namespace {
+
+// Directions and places typed with three or four digits.
+constexpr double typed_direction = 1e-3, typed_place = 1e-3;
+
+/// A face of the object before it is known who touches it.
+struct Surface {
+  Face<double> face;
+  std::vector<Vector3<double>> corners;
+};
+
+Surface flat(const Vector3<double>& normal, std::vector<Vector3<double>> corners) {
+  Surface surface;
+  surface.face.normal = normal;
+  for (const Vector3<double>& corner : corners)
+    surface.face.point += corner / static_cast<double>(corners.size());
+  surface.corners = std::move(corners);
+  return surface;
+}
+
+std::vector<Surface> box_faces(const Vector3<double>& size) {
+  std::vector<Surface> faces;
+  for (Index axis = 0; axis < 3; ++axis)
+    for (const double side : {1.0, -1.0}) {
+      const Vector3<double> n = side * Vector3<double>::Unit(axis);
+      const Vector3<double> a = size[(axis + 1) % 3] / 2 * Vector3<double>::Unit((axis + 1) % 3);
+      const Vector3<double> b = size[(axis + 2) % 3] / 2 * Vector3<double>::Unit((axis + 2) % 3);
+      const Vector3<double> middle = size[axis] / 2 * n;
+      faces.push_back(flat(n, {middle - a - b, middle + a - b, middle + a + b, middle - a + b}));
+    }
+  return faces;
+}
+
+std::vector<Surface> cylinder_ends(const ObjectShape& shape) {
+  std::vector<Surface> faces;
+  for (const double side : {1.0, -1.0}) {
+    Surface surface;
+    surface.face.normal = side * Vector3<double>::Unit(shape.axis);
+    surface.face.point = shape.size[shape.axis] / 2 * surface.face.normal;
+    surface.face.radius = shape.size[(shape.axis + 1) % 3] / 2;
+    faces.push_back(surface);
+  }
+  return faces;
+}
+
+/// About the centre of mass.
+std::vector<Surface> object_surfaces(const SceneFile& file) {
+  std::vector<Surface> faces;
+  for (const ObjectFace& face : file.faces) {
+    std::vector<Vector3<double>> corners = face.corners;
+    for (Vector3<double>& corner : corners) corner -= file.object.center_of_mass;
+    faces.push_back(flat(face.normal, corners));
+  }
+  if (!faces.empty()) return faces;
+  if (file.shape.kind == ObjectShape::Kind::box) return box_faces(file.shape.size);
+  if (file.shape.kind == ObjectShape::Kind::cylinder) return cylinder_ends(file.shape);
+  return {};
+}
+
+class FaceFinder {
+public:
+  explicit FaceFinder(const SceneFile& file) : file_(file), surfaces_(object_surfaces(file)) {
+    length_ = file.shape.size.maxCoeff();
+    for (const Vector3<double>& p : file.points) length_ = std::max(length_, p.norm());
+  }
+
+  ContactFaces find() {
+    for (Index b = 0; b < static_cast<Index>(file_.bodies.size()); ++b)
+      found_.touching.push_back(touching(b));
+    found_.absent.assign(file_.bodies.size(), 0);
+    return std::move(found_);
+  }
+
+private:
+  const Stroke& stroke(Index b) const { return file_.strokes[static_cast<std::size_t>(b)]; }
+
+  Touching touching(Index b) {
+    const Body<double>& body = file_.body(b);
+    if (is_on_round_side(b)) return round_side(b);
+    if (stroke(b).rides_on_object) return {Riding::on_object, -1, 0};
+    if (surfaces_.empty() && file_.shape.kind != ObjectShape::Kind::cylinder) return {};
+    std::vector<const Surface*> facing;
+    for (const Surface& surface : surfaces_)
+      if ((surface.face.normal + body.normal).norm() <= typed_direction) facing.push_back(&surface);
+    if (facing.empty()) refuse_edge(b);
+    for (const Surface* surface : facing)
+      if (carries(*surface, b)) return {Riding::on_body, add(*surface, b), 0};
+    refuse_place(b);
+  }
+
+  /// The same face, at the height where the body's points are: what is typed with few digits, or
+  /// taken at the middle of a planar scene, does not begin with a gap.
+  Index add(const Surface& surface, Index b) {
+    Face<double> face = surface.face;
+    const Body<double>& body = file_.body(b);
+    const Vector3<double> by =
+        stroke(b).from > 0 ? Vector3<double>(Vector3<double>::Zero())
+                           : Vector3<double>(face.normal * height(surface, body.first_point));
+    face.normal = -body.normal;
+    face.point += by;
+    std::vector<Vector3<double>> corners = surface.corners;
+    for (Vector3<double>& corner : corners) corner += by;
+    found_.faces.push_back(face);
+    found_.corners.push_back(corners);
+    return static_cast<Index>(found_.faces.size()) - 1;
+  }
+
+  double height(const Surface& surface, Index point) const {
+    return (file_.points[static_cast<std::size_t>(point)] - surface.face.point)
+        .dot(surface.face.normal);
+  }
+
+  /// A stroke that begins later may begin anywhere; its place is judged then.
+  bool carries(const Surface& surface, Index b) const {
+    if (stroke(b).from > 0) return true;
+    const Vector3<double>& n = surface.face.normal;
+    const bool is_flat = file_.planar && std::abs(n.z()) > 0.5; // its height does not matter
+    Face<double> face = surface.face;
+    face.corners = span_of(surface.corners);
+    for (const Index i : points_of(file_.body(b))) {
+      if (!is_flat && std::abs(height(surface, i)) > typed_place * length_) return false;
+      if (!is_over_face(face, file_.points[static_cast<std::size_t>(i)], typed_place * length_))
+        return false;
+    }
+    return true;
+  }
+
+  bool is_on_round_side(Index b) const {
+    if (file_.shape.kind != ObjectShape::Kind::cylinder || !file_.faces.empty()) return false;
+    const Vector3<double> axis = Vector3<double>::Unit(file_.shape.axis);
+    return !stroke(b).rides_on_object && std::abs(axis.dot(file_.body(b).normal)) < 0.5;
+  }
+
+  Touching round_side(Index b) {
+    const Body<double>& body = file_.body(b);
+    const double radius = file_.shape.size[(file_.shape.axis + 1) % 3] / 2;
+    const Vector3<double> axis = Vector3<double>::Unit(file_.shape.axis);
+    for (const Index i : points_of(body)) {
+      const Vector3<double>& p = file_.points[static_cast<std::size_t>(i)];
+      const Vector3<double> across = p - axis * axis.dot(p);
+      if (stroke(b).from > 0) break;
+      if ((across + radius * body.normal).norm() > typed_place * 10 * length_) refuse_side(b);
+    }
+    RoundSide<double> side;
+    side.axis = axis;
+    side.radius = radius;
+    if (stroke(b).from == 0) // as typed: no gap to begin with
+      side.radius = -body.normal.dot(file_.points[static_cast<std::size_t>(body.first_point)]);
+    found_.sides.push_back(side);
+    return {Riding::on_side, -1, static_cast<Index>(found_.sides.size()) - 1};
+  }
+
+  [[noreturn]] void refuse(Index b, int line, const std::string& what) const {
+    throw InputError(file_.lines.file, line,
+                     std::string(file_.body(b).role == Role::pusher ? "pusher " : "finger ") +
+                         quoted(file_.body_name(b)) + ": " + what);
+  }
+  const SceneLines::OfBody& lines(Index b) const {
+    return file_.lines.bodies[static_cast<std::size_t>(b)];
+  }
+  [[noreturn]] void refuse_edge(Index b) const {
+    refuse(b, lines(b).normal,
+           "no face of the object has this normal; a motion of edge against edge is not modelled. "
+           "If a corner or an edge of the object presses on a plane of this body, say "
+           "points_on = \"object\"; if the object is no box or cylinder, give its [[face]]s");
+  }
+  [[noreturn]] void refuse_place(Index b) const {
+    refuse(b, lines(b).place,
+           "not all its points lie on the object's face that its normal points into; a motion "
+           "needs the face that they press on: move them, or say points_on = \"object\" if they "
+           "are the object's");
+  }
+  [[noreturn]] void refuse_side(Index b) const {
+    refuse(b, lines(b).place,
+           "a body that touches a cylinder's side is a plane along it: its points lie on the side, "
+           "where the normal points to the axis");
+  }
+
+  const SceneFile& file_;
+  const std::vector<Surface> surfaces_;
+  double length_ = 0;
+  ContactFaces found_;
+};
+
+} // namespace
+
+Surroundings<double> ContactFaces::view() {
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    faces[k].corners = span_of(std::as_const(corners[k]));
+  return {span_of(std::as_const(touching)), span_of(std::as_const(faces)),
+          span_of(std::as_const(sides)), span_of(std::as_const(absent))};
+}
+
+ContactFaces contact_faces(const SceneFile& file) { return FaceFinder(file).find(); }
+
+} // namespace lcpush::desktop

@@ -1,0 +1,44 @@
+// A motion drawn: the object at each moment, who touches it, forces, and where it came along.
+#pragma once
+
+#include "draw/prism.hpp"
+#include "draw/view.hpp"
+#include "lcpush/desktop/move.hpp"
+
+namespace lcpush::desktop {
+
+class MotionPainter {
+public:
+  static constexpr double width = 640, height = 420;
+
+  /// Along the axis from which most of the motion is seen.
+  MotionPainter(const SceneFile& file, const MotionReport& report);
+
+  /// The object with its bodies and forces at one moment.
+  std::string moment(const MotionFrame& frame) const;
+  /// Outlines of the object at these frames.
+  std::string ghosts(const std::vector<std::size_t>& frames) const;
+  /// The way of the centre of mass.
+  std::string way() const;
+  /// Axes and scales.
+  std::string surroundings() const;
+  const View& view() const { return view_; }
+
+private:
+  const SceneFile& file_;
+  const MotionReport& report_;
+  Prism object_;
+  View view_;
+  Frame extent_{};
+  double meters_ = 1, newtons_ = 0; ///< pixels per m, per N
+
+  Pixel place(const Vector3<double>& at) const;
+  std::vector<Pixel> outline(const MotionFrame& frame) const;
+  std::string body(const MotionFrame& frame, Index b) const;
+  double largest_force() const;
+};
+
+/// So many of `count`, evenly spread, the last included.
+std::vector<std::size_t> spread_out(std::size_t count, std::size_t most);
+
+} // namespace lcpush::desktop

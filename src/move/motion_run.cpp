@@ -1,0 +1,171 @@
+#include "move/motion_run.hpp"
+
+#include "lcpush/desktop/owned.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+Index shared_of(const SceneFile& file) { return static_cast<Index>(file.actuators.size()); }
+
+std::size_t motion_bytes_of(const SceneFile& file) {
+  return static_cast<std::size_t>(
+      structured_motion_bytes<double>(motion_size(file.view()), shared_of(file)));
+}
+
+Touch touch_of(const StepContact<double>& contact) {
+  switch (contact.absence) {
+  case Absence::none: break;
+  case Absence::outside: return Touch::beside;
+  case Absence::behind: return Touch::behind;
+  case Absence::far: return Touch::parted;
+  case Absence::no_line: return Touch::no_line;
+  case Absence::away: return Touch::away;
+  }
+  return contact.mode == Mode::stick   ? Touch::sticks
+         : contact.mode == Mode::slide ? Touch::slips
+                                       : Touch::parted;
+}
+
+} // namespace
+
+MotionRun::MotionRun(const SceneFile& file)
+    : file_(file), scene_(file.view()), faces_(contact_faces(file)), around_(faces_.view()),
+      bytes_(motion_bytes_of(file)),
+      kept_(static_cast<std::size_t>(motion_array_bytes<double>(motion_size(scene_)))),
+      stepper_(scene_, around_,
+               make_structured_motion_memory<double>(span_of(bytes_), motion_size(scene_),
+                                                     shared_of(file))) {
+  place_strokes(0);
+}
+
+void MotionRun::place_strokes(double middle) {
+  for (std::size_t b = 0; b < file_.strokes.size(); ++b)
+    faces_.absent[b] = middle < file_.strokes[b].from || middle >= file_.strokes[b].until;
+}
+
+Vector6<double> MotionRun::prescribed(Index body, double time) const {
+  const Stroke& stroke = file_.strokes[static_cast<std::size_t>(body)];
+  const double since = std::clamp(time, stroke.from, stroke.until) - stroke.from;
+  const bool is_over = time < stroke.from || time > stroke.until;
+  return (is_over ? 0.0 : stroke.is_velocity ? 1.0 : since) * file_.body(body).acceleration;
+}
+
+Status MotionRun::advance(double h) {
+  const double now = stepper_.time();
+  place_strokes(now + h / 2);
+  for (Index b = 0; b < scene_.bodies.size; ++b) {
+    // Without inertia, what a step takes is the velocity at its end; over it, the way that an
+    // acceleration makes is that of its mean.
+    const Vector6<double> end = prescribed(b, now + h), begin = prescribed(b, now);
+    const bool speeds_up = !file_.strokes[static_cast<std::size_t>(b)].is_velocity;
+    stepper_.prescribed(b) = is_absent(b) ? Vector6<double>(Vector6<double>::Zero())
+                             : speeds_up  ? Vector6<double>((begin + end) / 2)
+                                          : end;
+  }
+  return stepper_.advance(h);
+}
+
+MotionRun::Saved MotionRun::save() const {
+  return {{bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(kept_)}, stepper_.moment()};
+}
+
+void MotionRun::restore(const Saved& saved) {
+  std::copy(saved.arrays.begin(), saved.arrays.end(), bytes_.begin());
+  stepper_.return_to(saved.moment);
+}
+
+bool MotionRun::leaves() const {
+  for (Index i = 0; i < scene_.points.size; ++i) {
+    const StepContact<double>& contact = stepper_.contact(i);
+    if (contact.absence == Absence::none &&
+        (contact.ends == Absence::outside || contact.ends == Absence::behind))
+      return true;
+  }
+  return false;
+}
+
+MotionFrame MotionRun::frame(double h) const {
+  MotionFrame frame;
+  frame.time = stepper_.time();
+  frame.step = h;
+  frame.pose = stepper_.pose();
+  frame.twist = stepper_.velocity();
+  // Points press where they were when the step began.
+  const Vector3<double> center = frame.pose.position - h * frame.twist.head<3>();
+  for (Index b = 0; b < scene_.bodies.size; ++b) {
+    const Body<double>& body = scene_.bodies[b];
+    BodyForce sum;
+    for (const Drive<double>& drive : scene_.drives)
+      if (drive.body == b && !sum.closing) sum.closing = stepper_.closing(drive.actuator);
+    for (const Index i : points_of(body)) {
+      const StepContact<double>& contact = stepper_.contact(i);
+      PointState state;
+      state.touch = h > 0 ? touch_of(contact) : is_absent(b) ? Touch::away : Touch::sticks;
+      state.position = file_.points[static_cast<std::size_t>(i)];
+      state.normal = body.normal;
+      if (h > 0) {
+        state.gap = contact.gap;
+        state.normal_force = contact.normal_force;
+        state.friction_force = contact.friction_force;
+        state.velocity = contact.velocity;
+        state.position = contact.position;
+        state.normal = contact.normal;
+        const Vector3<double> f = contact.normal_force * contact.normal + contact.friction_force;
+        sum.force += f;
+        sum.normal_force += contact.normal_force;
+        sum.moment +=
+            cross<double>(contact.position - center, f) + contact.torsion * contact.normal;
+      }
+      state.position += file_.object.center_of_mass;
+      frame.contacts.push_back(state);
+    }
+    frame.bodies.push_back(sum);
+    frame.body_poses.push_back(stepper_.pose_of(b));
+  }
+  return frame;
+}
+
+Motion<double> MotionRun::describe(double length) const {
+  const Scene<double>& push = stepper_.step_scene();
+  const Answer<double>& solved = stepper_.step_answer();
+  // Behind those of the present points stand contacts of earlier steps.
+  std::vector<ContactAnswer<double>> contacts(solved.contacts.data,
+                                              solved.contacts.data + push.points.size);
+  // The instant's words are about a motion from rest: the velocities at the step's end.
+  std::vector<Body<double>> bodies(push.bodies.data, push.bodies.data + push.bodies.size);
+  double speed = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].point_count == 0) continue;
+    const Index of = file_.body_of(stepper_.point_of(bodies[b].first_point));
+    bodies[b].acceleration = twist_at(prescribed(of, stepper_.time()), stepper_.pose().position);
+    for (const Index i : points_of(bodies[b])) {
+      contacts[static_cast<std::size_t>(i)].acceleration =
+          stepper_.contact(stepper_.point_of(i)).velocity;
+      speed = std::max(speed, acceleration_at(push.points[i], bodies[b].acceleration).norm());
+    }
+  }
+  Answer<double> answer = solved;
+  answer.contacts = span_of(contacts);
+  answer.acceleration = stepper_.velocity();
+  Scene<double> scene = push;
+  scene.bodies = span_of(std::as_const(bodies));
+  return describe_motion(scene, answer, length, speed > 0 ? speed : length, speed);
+}
+
+Index MotionRun::inside(double slack) const {
+  for (Index b = 0; b < scene_.bodies.size; ++b) {
+    if (file_.strokes[static_cast<std::size_t>(b)].from != stepper_.time()) continue;
+    for (const Index i : points_of(scene_.bodies[b])) {
+      const PlacedPoint<double> placed =
+          place(around_, faces_.touching[static_cast<std::size_t>(b)], scene_.bodies[b],
+                scene_.points[i], stepper_.pose(), stepper_.pose_of(b), slack);
+      if (placed.absence != Absence::outside && placed.gap < -slack) return b;
+    }
+  }
+  return -1;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,66 @@
+// A motion's stepper with its memory: it goes forward, and back to where it was.
+#pragma once
+
+#include "lcpush/desktop/move.hpp"
+#include "lcpush/mechanics/solve/step.hpp"
+#include "move/contact_faces.hpp"
+
+#include <vector>
+
+namespace lcpush::desktop {
+
+class MotionRun {
+public:
+  using Stepper = TimeStepper<double, StructuredLemke<double>>;
+
+  /// `file` must outlive it.
+  explicit MotionRun(const SceneFile& file);
+  MotionRun(const MotionRun&) = delete; // the views inside would point into the other one
+  MotionRun& operator=(const MotionRun&) = delete;
+
+  [[nodiscard]] Status start() { return stepper_.start(); }
+
+  /// One step of h seconds that ends within the same strokes as it begins.
+  [[nodiscard]] Status advance(double h);
+
+  /// All that a step changes.
+  struct Saved {
+    std::vector<unsigned char> arrays;
+    Stepper::Moment moment;
+  };
+  Saved save() const;
+  void restore(const Saved& saved);
+
+  /// The object is there, then, at this speed; the bodies stay where they are.
+  void begin_at(double time, const Pose<double>& pose, const Vector6<double>& twist) {
+    stepper_.return_to({pose, twist, time, stepper_.moment().knows_last});
+  }
+
+  const Stepper& stepper() const { return stepper_; }
+  const Scene<double>& scene() const { return scene_; }
+  bool is_absent(Index body) const { return faces_.absent[static_cast<std::size_t>(body)] != 0; }
+  /// What prescribes a body's motion at `time`, a twist at the object's first centre of mass.
+  Vector6<double> prescribed(Index body, double time) const;
+  /// Has the step just made taken a point that touched beside its face?
+  bool leaves() const;
+  /// The end of the step just made; or the start.
+  MotionFrame frame(double h) const;
+  /// Of the step just made, in words of the instant: its twist where an acceleration stands.
+  Motion<double> describe(double length) const;
+  /// The body, of those whose strokes begin at the present time, that stands deeper than `slack`
+  /// in its face; < 0: none.
+  Index inside(double slack) const;
+
+private:
+  void place_strokes(double middle);
+
+  const SceneFile& file_;
+  Scene<double> scene_;
+  ContactFaces faces_;
+  Surroundings<double> around_;
+  std::vector<unsigned char> bytes_;
+  std::size_t kept_; ///< of the bytes, those that a step leaves to the next
+  Stepper stepper_;
+};
+
+} // namespace lcpush::desktop

@@ -1,0 +1,279 @@
+// The control of the steps.
+#include "lcpush/desktop/move.hpp"
+
+#include "lcpush/desktop/input_error.hpp"
+#include "move/motion_phases.hpp"
+#include "move/motion_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+// Parts of the whole time.
+constexpr double first_step = 1e-3, longest_step = 0.02, event_step = 1.0 / 4096;
+constexpr double shortest_step = 0x1p-16; // what chatters must not take for ever either
+constexpr Index most_located = 64;        // events; a patch that flickers must not take for ever
+constexpr double usual_tolerance = 1e-3;
+// A step sees faces as they stand at its begin: one that turns the object farther says nothing.
+constexpr double farthest_turn = 0.5, farthest_way = 0.5; // rad, of the object's size
+constexpr double deepest = 1e-4; // of its size: a body that is squeezed in this far goes through
+
+class Mover {
+public:
+  Mover(const SceneFile& file, const MoveOptions& options)
+      : file_(file), options_(options), run_(file), size_(object_size(file)),
+        time_(options.time.value_or(motion_time(file))) {
+    report_.tolerance = options.tolerance.value_or(usual_tolerance * size_);
+    if (!options.step) report_.error = 0;
+  }
+
+  MotionReport move() {
+    report_.status = run_.start();
+    if (report_.status != Status::running) {
+      report_.reason = Reason::none;
+      return std::move(report_);
+    }
+    report_.status = Status::solved;
+    report_.frames.push_back(run_.frame(0));
+    last_ = report_.frames.back();
+    next_ = options_.step.value_or(first_step * time_);
+    bool goes_on = true;
+    for (Index k = 1; goes_on && k < options_.frames; ++k) {
+      goes_on = go_to(time_ * static_cast<double>(k) / static_cast<double>(options_.frames - 1));
+      if (last_.time > report_.frames.back().time) report_.frames.push_back(last_);
+    }
+    if (goes_on) report_.end = MoveEnd::time;
+    report_.phases = merged_phases(std::move(phases_), size_);
+    return std::move(report_);
+  }
+
+private:
+  /// False: the motion has ended before.
+  bool go_to(double target) {
+    const double rounding = 1e-12 * time_;
+    while (now() < target - rounding) {
+      if (options_.progress) options_.progress(now() / time_, now());
+      if (!begin_strokes()) return false;
+      if (report_.solves >= options_.most_steps) {
+        report_.end = MoveEnd::steps;
+        report_.status = Status::pivot_limit;
+        return false;
+      }
+      const double room = std::min(target, next_stroke()) - now();
+      // Equal steps up to there: a sliver that is left over would be an instant of its own, in
+      // which gaps of second order have no time to close.
+      const double h = room / std::max(1.0, std::ceil(room / next_ - 1e-6));
+      const bool went = options_.step ? fixed_step(h) : controlled_step(h);
+      if (!went) return false;
+    }
+    return true;
+  }
+
+  double now() const { return run_.stepper().time(); }
+
+  bool begin_strokes() {
+    report_.body = run_.inside(1e-6 * size_);
+    if (report_.body < 0) return true;
+    report_.end = MoveEnd::inside;
+    report_.status = Status::bad_input;
+    return false;
+  }
+
+  double next_stroke() const {
+    double next = time_;
+    for (const Stroke& stroke : file_.strokes)
+      for (const double t : {stroke.from, stroke.until})
+        if (t > now() * (1 + 1e-12)) next = std::min(next, t);
+    return next;
+  }
+
+  Status solve(double h) {
+    ++report_.solves;
+    const Status status = run_.advance(h);
+    const Vector6<double>& v = run_.stepper().velocity();
+    leaps_ = status == Status::solved && (h * v.tail<3>().norm() > farthest_turn ||
+                                          h * v.head<3>().norm() > farthest_way * size_ ||
+                                          run_.stepper().run().penetration > deepest * size_);
+    return leaps_ ? Status::numerical_breakdown : status;
+  }
+
+  bool fixed_step(double h) {
+    const MotionRun::Saved before = run_.save();
+    const Status status = solve(h);
+    if (status != Status::solved) return fail(status);
+    if (passes_distance()) return go_last(before, h);
+    keep(taken(h));
+    return true;
+  }
+
+  /// One step of h against two of h / 2, which are kept if they agree.
+  bool controlled_step(double h) {
+    const MotionRun::Saved before = run_.save();
+    Status status = solve(h);
+    const Pose<double> whole = run_.stepper().pose();
+    run_.restore(before);
+    if (status == Status::solved) status = solve(h / 2);
+    Taken half;
+    if (status == Status::solved) {
+      half = taken(h / 2);
+      status = solve(h / 2);
+    }
+    if (status != Status::solved) {
+      const bool is_lost = run_.stepper().run().lost;
+      run_.restore(before);
+      next_ = h / 2;
+      return h > event_step * time_ / 4 || fail(status, is_lost);
+    }
+    const double error = distance(whole, run_.stepper().pose());
+    const double allowed = report_.tolerance * h / time_;
+    const Taken end = taken(h / 2);
+    // What leaves its face at the end of a step is seen there, before the next one begins.
+    const bool has_event =
+        changes(last_, half.frame) || changes(half.frame, end.frame) || run_.leaves();
+    const bool locates = has_event && located_ < most_located && h > event_step * time_;
+    if ((error > allowed && h > shortest_step * time_) || locates) {
+      run_.restore(before);
+      next_ = h / 2;
+      return true;
+    }
+    if (has_event) ++located_;
+    *report_.error += error;
+    if (passes_distance()) return go_last(before, h);
+    keep(half);
+    keep(end);
+    if (error < allowed / 4) next_ = std::min(std::max(next_, 2 * h), longest_step * time_);
+    return true;
+  }
+
+  /// Between two ends of the same step, m: of the point of the object that differs most.
+  double distance(const Pose<double>& a, const Pose<double>& b) const {
+    return (a.position - b.position).norm() + size_ / 2 * (a.rotation - b.rotation).norm();
+  }
+
+  double gone() const {
+    double most = 0;
+    const Pose<double>& pose = run_.stepper().pose();
+    for (const Vector3<double>& p : file_.points) most = std::max(most, (pose.at(p) - p).norm());
+    return most;
+  }
+  bool passes_distance() const { return gone() > options_.distance; }
+
+  /// A step so long that the distance is reached, by halving.
+  bool go_last(const MotionRun::Saved& before, double h) {
+    double least = 0, most = h;
+    for (int k = 0; k < 40; ++k) {
+      run_.restore(before);
+      const double middle = (least + most) / 2;
+      if (const Status status = solve(middle); status != Status::solved) return fail(status);
+      (passes_distance() ? most : least) = middle;
+    }
+    run_.restore(before);
+    if (const Status status = solve(most); status != Status::solved) return fail(status);
+    keep(taken(most));
+    report_.end = MoveEnd::distance;
+    return false;
+  }
+
+  bool fail(Status status, bool is_lost) {
+    report_.status = status;
+    report_.end = is_lost ? MoveEnd::lost : leaps_ ? MoveEnd::leaps : MoveEnd::failed;
+    report_.reason = run_.stepper().run().reason;
+    if (is_lost) report_.body = lost_body();
+    return false;
+  }
+  bool fail(Status status) { return fail(status, run_.stepper().run().lost); }
+
+  /// The one whose points have all left their faces.
+  Index lost_body() const {
+    for (const Drive<double>& drive : file_.drives) {
+      bool touches = false;
+      for (const Index i : points_of(file_.body(drive.body))) {
+        const Touch touch = last_.contacts[static_cast<std::size_t>(i)].touch;
+        touches = touches || touch == Touch::sticks || touch == Touch::slips;
+      }
+      if (!touches) return drive.body;
+    }
+    return file_.drives.empty() ? -1 : file_.drives.front().body;
+  }
+
+  static bool changes(const MotionFrame& from, const MotionFrame& to) {
+    if (from.step == 0) return false; // nothing has been seen yet
+    for (std::size_t i = 0; i < from.contacts.size(); ++i)
+      if (from.contacts[i].touch != to.contacts[i].touch) return true;
+    return false;
+  }
+
+  /// A step that is solved, and may be undone.
+  struct Taken {
+    MotionFrame frame;
+    MotionPhase phase;
+    double penetration = 0, residual = 0;
+  };
+  Taken taken(double h) const {
+    const StepRun<double>& step = run_.stepper().run();
+    const MotionFrame frame = run_.frame(h);
+    return {frame, phase_of(run_.describe(size_), frame, h), step.penetration, step.residual};
+  }
+
+  void keep(const Taken& step) {
+    const MotionFrame& frame = step.frame;
+    const double h = frame.step;
+    for (std::size_t i = 0; last_.step > 0 && i < frame.contacts.size(); ++i)
+      if (frame.contacts[i].touch != last_.contacts[i].touch)
+        report_.events.push_back({frame.time - h, h, static_cast<Index>(i), last_.contacts[i].touch,
+                                  frame.contacts[i].touch});
+    phases_.push_back(step.phase);
+    report_.penetration = std::max(report_.penetration, step.penetration);
+    report_.residual = std::max(report_.residual, step.residual);
+    report_.shortest = report_.steps == 0 ? h : std::min(report_.shortest, h);
+    report_.longest = std::max(report_.longest, h);
+    ++report_.steps;
+    last_ = frame;
+  }
+
+  const SceneFile& file_;
+  const MoveOptions& options_;
+  MotionRun run_;
+  const double size_, time_;
+  MotionReport report_;
+  MotionFrame last_;
+  std::vector<MotionPhase> phases_;
+  double next_ = 0;
+  Index located_ = 0;
+  bool leaps_ = false; ///< the last step solved
+};
+
+} // namespace
+
+double motion_time(const SceneFile& file) {
+  double last = 0;
+  for (const Stroke& stroke : file.strokes)
+    if (std::isfinite(stroke.until)) last = std::max(last, stroke.until);
+  return last > 0 ? last : 1;
+}
+
+double object_size(const SceneFile& file) {
+  double size = file.shape.size.norm();
+  for (const Vector3<double>& p : file.points) size = std::max(size, 2 * p.norm());
+  return size > 0 ? size : 1;
+}
+
+const char* touch_text(Touch touch) {
+  constexpr const char* texts[] = {"stick",  "slide",   "separate", "beside",
+                                   "behind", "no_line", "away"};
+  return texts[static_cast<int>(touch)];
+}
+
+const char* move_end_text(MoveEnd end) {
+  constexpr const char* texts[] = {"time",  "distance", "lost",  "inside",
+                                   "steps", "leaps",    "failed"};
+  return texts[static_cast<int>(end)];
+}
+
+MotionReport move(const SceneFile& file, const MoveOptions& options) {
+  return Mover(file, options).move();
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,172 @@
+// One page that plays a motion: every moment is drawn here, the page shows one of them.
+#include "lcpush/desktop/move.hpp"
+
+#include "draw/page_style.hpp"
+#include "draw/plot_parts.hpp"
+#include "draw/plot_svg.hpp"
+#include "formats/json_writer.hpp"
+#include "lcpush/version.hpp"
+#include "move/motion_painter.hpp"
+#include "move/move_script.hpp"
+#include "move/move_words.hpp"
+#include "solve/sentence.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr std::size_t most_moments = 151, most_marks = 8;
+constexpr double least_between = 0.03; // of the time: marks nearer than that are one
+
+/// "8 slip", "3 stick, 1 beside".
+std::string doing_words(const SceneFile& file, const MotionFrame& frame, std::size_t b) {
+  constexpr const char* verbs[] = {
+      "stick",           "slip",    "are off", "are beside their face", "are behind an edge",
+      "stand on an end", "are away"};
+  std::vector<Index> counts(7, 0);
+  for (const Index i : points_of(file.bodies[b]))
+    ++counts[static_cast<std::size_t>(frame.contacts[static_cast<std::size_t>(i)].touch)];
+  std::vector<std::string> parts;
+  for (std::size_t t = 0; t < counts.size(); ++t)
+    if (counts[t] > 0) parts.push_back(std::to_string(counts[t]) + " " + verbs[t]);
+  return listed(parts, "and");
+}
+
+std::string moments(const MotionPainter& painter, const MotionReport& report,
+                    const std::vector<std::size_t>& told) {
+  std::string text;
+  for (const std::size_t k : told)
+    text += std::string("<g class=\"moment") + (k == told.back() ? " shown" : "") + "\">\n" +
+            painter.moment(report.frames[k]) + "</g>\n";
+  return text;
+}
+
+std::string frames_json(const SceneFile& file, const MotionReport& report,
+                        const std::vector<std::size_t>& told) {
+  const double last = report.frames.back().time;
+  JsonWriter json;
+  json.begin_array();
+  for (const std::size_t k : told) {
+    const MotionFrame& frame = report.frames[k];
+    std::vector<std::string> cells;
+    for (std::size_t b = 0; b < file.bodies.size(); ++b) {
+      const BodyForce& body = frame.bodies[b];
+      const Vector3<double>& f = body.force;
+      const double square = f.squaredNorm() - body.normal_force * body.normal_force;
+      cells.push_back(k == 0 ? "-" : brief(body.normal_force));
+      cells.push_back(k == 0 ? "-" : brief(std::sqrt(std::max(square, 0.0))));
+      cells.push_back(k == 0 ? "-" : doing_words(file, frame, b));
+    }
+    const double share = last > 0 ? frame.time / last : 0;
+    json.begin_object()
+        .member("clock", printed("%.3f s", frame.time))
+        .member("place", pose_words(file, frame.pose))
+        .member("left",
+                100 * (plot::left + share * (plot::width - plot::left - plot::right)) / plot::width)
+        .member("cells", cells)
+        .end_object();
+  }
+  std::string text = json.end_array().text();
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;)
+    text.replace(at, 1, "\\u003c"); // no name ends the script
+  return text;
+}
+
+std::string force_plot(const SceneFile& file, const MotionReport& report) {
+  if (report.frames.size() < 3) return "";
+  Plot plot;
+  plot.title = "Force of the pushers on the object";
+  plot.x_label = "time, s";
+  plot.x_to = report.frames.back().time;
+  PlotLine line{"push force", {{}}};
+  for (std::size_t k = 1; k < report.frames.size(); ++k)
+    line.pieces[0].emplace_back(report.frames[k].time, push_force(file, report.frames[k]).norm());
+  plot.panels.push_back({"N", {line}});
+  for (const EventGroup& group : grouped_events(file, report)) {
+    const double time = group.event.time;
+    const bool is_near =
+        !plot.marks.empty() && time - plot.marks.back().x < least_between * plot.x_to;
+    if (!is_near && plot.marks.size() == most_marks) break;
+    const std::string words = event_words(file, group);
+    if (is_near)
+      plot.marks.back().text += ", " + words;
+    else
+      plot.marks.push_back({time, brief(time) + " s", words});
+  }
+  plot.description = "The force against time.";
+  return "<h2 id=\"push\">Push force against time</h2>\n<div class=\"over\">" +
+         plot_image(plot_svg(plot), "The pushers' force on the object against time.") +
+         "<span class=\"cursor\" id=\"cursor\" aria-hidden=\"true\"></span></div>\n";
+}
+
+std::string now_table(const SceneFile& file) {
+  std::string text =
+      "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"Forces and contacts "
+      "now\">\n<table id=\"now\">\n<thead><tr><th scope=\"col\">body</th><th scope=\"col\">normal "
+      "N</th><th scope=\"col\">friction N</th><th scope=\"col\">its points</th></tr></thead>\n"
+      "<tbody>\n";
+  for (const std::string& name : file.body_names)
+    text += "<tr><th scope=\"row\">" + escaped(name) + "</th><td></td><td></td><td></td></tr>\n";
+  return text + "</tbody>\n</table>\n</div>\n";
+}
+
+std::string controls(std::size_t count) {
+  return "<div class=\"player\" id=\"controls\" hidden=\"hidden\">\n<button type=\"button\" "
+         "id=\"play\">Play</button>\n<input type=\"range\" id=\"time\" min=\"0\" max=\"" +
+         std::to_string(count - 1) + "\" value=\"" + std::to_string(count - 1) +
+         "\" aria-label=\"Time\"/>\n<output id=\"clock\" for=\"time\"></output>\n</div>\n"
+         "<p class=\"aside\"><span id=\"place\"></span></p>\n"
+         "<p class=\"aside\">Space plays, the arrow keys step. Squares stick, triangles slip, "
+         "rings are off; solid arrows press, dashed ones are friction; the line is the way of "
+         "the centre of mass.</p>\n";
+}
+
+std::string events_list(const SceneFile& file, const MotionReport& report) {
+  if (report.events.empty()) return "";
+  constexpr std::size_t most = 60;
+  std::string text = "<h2>Events</h2>\n<ul>\n";
+  const std::vector<EventGroup> groups = grouped_events(file, report);
+  for (std::size_t k = 0; k < std::min(groups.size(), most); ++k)
+    text += "<li>" + escaped(brief(groups[k].event.time) + " s: " + event_words(file, groups[k])) +
+            "</li>\n";
+  if (groups.size() > most) text += "<li>" + std::to_string(groups.size() - most) + " more</li>\n";
+  return text + "</ul>\n";
+}
+
+} // namespace
+
+std::string move_html(const SceneFile& file, const MotionReport& report) {
+  const MotionPainter painter(file, report);
+  const std::vector<std::size_t> told = spread_out(report.frames.size(), most_moments);
+  const std::string title = escaped(file.title.empty() ? "A motion without a title" : file.title);
+  const std::string sentence = move_sentence(file, report);
+  Drawing drawing{"move",
+                  "The object on its way",
+                  sentence + " Seen in " + painter.view().title + ".",
+                  MotionPainter::width,
+                  MotionPainter::height,
+                  ""};
+  drawing.elements =
+      painter.surroundings() + painter.ghosts({0}) + moments(painter, report, told) + painter.way();
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+         "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
+         "data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'\"/>\n"
+         "<link rel=\"icon\" href=\"data:,\"/>\n<title>" +
+         title + "</title>\n<style>\n" + palette(":root") + drawing_style() + page_style +
+         player_style + "</style>\n</head>\n<body>\n<header>\n<h1>" + title +
+         "</h1>\n</header>\n<main>\n<p class=\"lead\">" + escaped(sentence) +
+         "</p>\n<div class=\"stage\">\n" + svg_element(drawing) + controls(told.size()) +
+         now_table(file) + "</div>\n" + force_plot(file, report) + events_list(file, report) +
+         "</main>\n<footer>\n<p>SI units, the scene's axes, the gripper's frame. " +
+         escaped(step_words(report)) + ". Written by lcpush " + version_text +
+         ".</p>\n</footer>\n<script type=\"application/json\" id=\"frames\">" +
+         frames_json(file, report, told) + "</script>\n<script>" + player_script +
+         "</script>\n</body>\n</html>\n";
+}
+
+} // namespace lcpush::desktop

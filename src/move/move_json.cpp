@@ -1,0 +1,112 @@
+// For programs: JSON and CSV.
+#include "formats/json_writer.hpp"
+#include "lcpush/desktop/move.hpp"
+#include "lcpush/desktop/naming.hpp"
+#include "scenes/warnings_json.hpp"
+#include "text/format.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+std::vector<double> row_by_row(const Matrix3<double>& R) {
+  return {R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2)};
+}
+
+std::string exact(double x) { return printed("%.17g", x); }
+
+/// Elsewhere there is no gap to speak of.
+bool is_over_its_face(const PointState& contact) {
+  return contact.touch == Touch::sticks || contact.touch == Touch::slips ||
+         contact.touch == Touch::parted;
+}
+
+void write_frame(JsonWriter& json, const SceneFile& file, const MotionFrame& frame) {
+  json.member("time", frame.time)
+      .member("step", frame.step)
+      .member("position", frame.pose.position)
+      .member("rotation", row_by_row(frame.pose.rotation))
+      .member("twist", frame.twist);
+  std::size_t b = 0;
+  json.objects("bodies", frame.bodies, [&](const BodyForce& body) {
+    json.member("name", file.body_names[b++])
+        .member("force", body.force)
+        .member("moment", body.moment)
+        .member("normal_force", body.normal_force)
+        .member("closing", body.closing);
+  });
+  Index i = 0;
+  json.objects("contacts", frame.contacts, [&](const PointState& contact) {
+    json.member("name", point_name(file, i++))
+        .member("mode", touch_text(contact.touch))
+        .member("gap", when(is_over_its_face(contact), contact.gap))
+        .member("normal_force", contact.normal_force)
+        .member("friction_force", contact.friction_force)
+        .member("velocity", contact.velocity);
+  });
+}
+
+} // namespace
+
+std::string move_json(const SceneFile& file, const MotionReport& report) {
+  JsonWriter json;
+  json.begin_object()
+      .member("status", status_text(report.status))
+      .member("end", move_end_text(report.end))
+      .member("end_body", when(report.body >= 0,
+                               report.body >= 0 ? file.body_name(report.body) : std::string()))
+      .member("time", report.frames.empty() ? 0.0 : report.frames.back().time)
+      .member("steps", report.steps)
+      .member("step", std::vector<double>{report.shortest, report.longest})
+      .member("tolerance", when(report.error.has_value(), report.tolerance))
+      .member("error", report.error)
+      .member("penetration", report.penetration);
+  json.key("residual").begin_object().member("max", report.residual).end_object();
+  json.objects("phases", report.phases, [&](const MotionPhase& phase) {
+    constexpr const char* kinds[] = {"rest", "slide", "pivot", "roll", "turn"};
+    json.member("motion", kinds[static_cast<int>(phase.kind)])
+        .member("from", phase.from)
+        .member("until", phase.until)
+        .member("way", phase.way)
+        .member("angle", phase.angle);
+  });
+  json.objects("events", report.events, [&](const MotionEvent& event) {
+    json.member("time", event.time)
+        .member("within", event.within)
+        .member("contact", point_name(file, event.point))
+        .member("from", touch_text(event.from))
+        .member("to", touch_text(event.to));
+  });
+  json.objects("frames", report.frames,
+               [&](const MotionFrame& frame) { write_frame(json, file, frame); });
+  write_warnings(json, check_scene(file));
+  json.end_object();
+  return json.text();
+}
+
+std::string move_csv(const SceneFile& file, const MotionReport& report) {
+  std::string text = "time,x,y,z,r11,r12,r13,r21,r22,r23,r31,r32,r33,vx,vy,vz,wx,wy,wz";
+  for (const std::string& name : file.body_names)
+    for (const char* part : {"fx", "fy", "fz", "mx", "my", "mz"}) text += "," + name + "." + part;
+  for (Index i = 0; i < static_cast<Index>(file.points.size()); ++i)
+    for (const char* part : {"mode", "gap", "normal"})
+      text += "," + point_name(file, i) + "." + part;
+  text += "\n";
+  for (const MotionFrame& frame : report.frames) {
+    text += exact(frame.time);
+    for (Index k = 0; k < 3; ++k) text += "," + exact(frame.pose.position[k]);
+    for (const double x : row_by_row(frame.pose.rotation)) text += "," + exact(x);
+    for (Index k = 0; k < 6; ++k) text += "," + exact(frame.twist[k]);
+    for (const BodyForce& body : frame.bodies) {
+      for (Index k = 0; k < 3; ++k) text += "," + exact(body.force[k]);
+      for (Index k = 0; k < 3; ++k) text += "," + exact(body.moment[k]);
+    }
+    for (const PointState& contact : frame.contacts)
+      text += "," + std::string(touch_text(contact.touch)) + "," +
+              (is_over_its_face(contact) ? exact(contact.gap) : "") + "," +
+              exact(contact.normal_force);
+    text += "\n";
+  }
+  return text;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,110 @@
+#include "lcpush/desktop/move.hpp"
+
+#include "move/motion_painter.hpp"
+#include "move/move_words.hpp"
+#include "solve/push_words.hpp"
+#include "text/fitted.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr std::size_t brief_rows = 11, brief_events = 12;
+constexpr double degrees_of = 180 / 3.14159265358979323846;
+
+/// "left 8 slip; wall 2 stick, 2 beside": bodies that touch first.
+std::string contacts_words(const SceneFile& file, const MotionFrame& frame) {
+  std::vector<std::string> parts;
+  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
+    std::vector<Index> counts(7, 0);
+    for (const Index i : points_of(file.bodies[b]))
+      ++counts[static_cast<std::size_t>(frame.contacts[static_cast<std::size_t>(i)].touch)];
+    constexpr const char* verbs[] = {"sticks", "slips", "parted", "beside",
+                                     "behind", "end",   "away"};
+    std::vector<std::string> deeds;
+    for (std::size_t t = 0; t < counts.size(); ++t)
+      if (counts[t] == file.bodies[b].point_count)
+        deeds.emplace_back(verbs[t]);
+      else if (counts[t] > 0)
+        deeds.push_back(std::to_string(counts[t]) + " " + verbs[t]);
+    parts.push_back(file.body_names[b] + " " + joined(deeds, " "));
+  }
+  return joined(parts, ", ");
+}
+
+/// Axes along or about which something happens.
+std::vector<Index> moving_axes(const MotionReport& report, bool turns, double least) {
+  std::vector<Index> axes;
+  for (Index axis = 0; axis < 3; ++axis) {
+    double most = 0;
+    for (const MotionFrame& frame : report.frames)
+      most = std::max(most, std::abs(turns ? rotation_vector(frame.pose.rotation)[axis]
+                                           : frame.pose.position[axis]));
+    if (most > least) axes.push_back(axis);
+  }
+  return axes;
+}
+
+std::string frames_table(const SceneFile& file, const MotionReport& report, bool verbose) {
+  double way = 0, turned = 0;
+  for (const MotionFrame& frame : report.frames) {
+    way = std::max(way, frame.pose.position.norm());
+    turned = std::max(turned, object_size(file) / 2 * rotation_vector(frame.pose.rotation).norm());
+  }
+  const double least = 1e-3 * std::max(way, turned);
+  std::vector<Index> shifts = moving_axes(report, false, least);
+  const std::vector<Index> turns = moving_axes(report, true, 2 * least / object_size(file));
+  if (shifts.empty() && turns.empty()) shifts = {0, 1, 2};
+  const auto made = [&](int digits) {
+    TableRows rows{{"time s"}};
+    for (const Index axis : shifts) rows[0].push_back(std::string(1, "xyz"[axis]) + " mm");
+    for (const Index axis : turns) rows[0].push_back(std::string("turn ") + "xyz"[axis] + " deg");
+    rows[0].insert(rows[0].end(), {"push N"});
+    for (const std::size_t k :
+         spread_out(report.frames.size(), verbose ? report.frames.size() : brief_rows)) {
+      const MotionFrame& frame = report.frames[k];
+      rows.push_back({in_digits(frame.time, digits)});
+      const Vector3<double> turn = rotation_vector(frame.pose.rotation);
+      for (const Index axis : shifts)
+        rows.back().push_back(
+            in_digits(1000 * frame.pose.position[axis], digits, 1000 * least / 10));
+      for (const Index axis : turns)
+        rows.back().push_back(in_digits(degrees_of * turn[axis], digits, degrees_of * least / 10));
+      rows.back().push_back(k == 0 ? "-" : in_digits(push_force(file, frame).norm(), digits, 1e-9));
+    }
+    return rows;
+  };
+  return table_text(made(verbose ? 6 : 4));
+}
+
+std::string events_text(const SceneFile& file, const MotionReport& report, bool verbose) {
+  std::vector<std::string> lines;
+  for (const EventGroup& group : grouped_events(file, report))
+    lines.push_back(in_digits(group.event.time, 4) + " s: " + event_words(file, group) +
+                    (verbose ? printed(" (within %.1g s)", group.event.within) : ""));
+  std::string text;
+  const std::size_t told = verbose ? lines.size() : std::min(lines.size(), brief_events);
+  for (std::size_t k = 0; k < told; ++k) text += (k > 0 ? "\n" : "") + lines[k];
+  if (told < lines.size()) text += "\n" + std::to_string(lines.size() - told) + " more, with -v";
+  return text;
+}
+
+} // namespace
+
+std::string move_text(const SceneFile& file, const MotionReport& report, bool verbose) {
+  std::vector<Fact> facts{{"Ends", pose_words(file, report.frames.back().pose)},
+                          {"Contacts then", contacts_words(file, report.frames.back())}};
+  if (!report.events.empty()) facts.push_back({"Events", events_text(file, report, verbose)});
+  if (verbose)
+    for (const MotionPhase& phase : report.phases)
+      facts.push_back({"Phase", brief(phase.from) + " to " + brief(phase.until) +
+                                    " s: " + phase_words(file, phase)});
+  facts.push_back({"Steps", step_words(report)});
+  return title_line(file) + move_sentence(file, report) + "\n\n" +
+         frames_table(file, report, verbose) + "\n" + facts_text(facts);
+}
+
+} // namespace lcpush::desktop

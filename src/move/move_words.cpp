@@ -1,0 +1,167 @@
+#include "move/move_words.hpp"
+
+#include "lcpush/desktop/naming.hpp"
+#include "solve/sentence.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr double degrees_a_radian = 180 / 3.14159265358979323846;
+// What is less than this part of the rest is not worth a word.
+constexpr double worth_a_word = 1e-3;
+
+std::string millimetres(double metres) { return brief(1000 * metres) + " mm"; }
+std::string degrees(double radians) {
+  const std::string text = brief(degrees_a_radian * radians);
+  return text + (text == "1" ? " degree" : " degrees");
+}
+
+/// "until left leaves its face, after 0.71 s".
+std::string end_words(const SceneFile& file, const MotionReport& report) {
+  const std::string after = brief(report.frames.back().time) + " s";
+  const std::string body = report.body >= 0 ? file.body_name(report.body) : "";
+  switch (report.end) {
+  case MoveEnd::time: return "in " + after;
+  case MoveEnd::distance: return "and has then gone as far as was asked, after " + after;
+  case MoveEnd::lost:
+    return "until " + (body.empty() ? std::string("a finger") : body) +
+           " touches it nowhere, after " + after;
+  case MoveEnd::inside: return "until " + body + " comes and stands inside it, after " + after;
+  case MoveEnd::steps:
+    return "as far as " + counted(report.solves, "solve") + " go, " + after +
+           "; ask for a longer --step, a coarser --tolerance or less --time";
+  case MoveEnd::leaps:
+    return "until it would leap out of its place within one step of " + brief(report.shortest) +
+           " s, after " + after;
+  case MoveEnd::failed: break;
+  }
+  if (report.status == Status::ray)
+    return "until it jams, after " + after +
+           ": the contacts squeeze it, and no forces let it go on";
+  return "until a step has no answer (" + std::string(status_text(report.status)) + "), after " +
+         after;
+}
+
+const char* touch_verb(Touch from, Touch to) {
+  switch (to) {
+  case Touch::sticks: return from == Touch::slips ? "stops slipping" : "touches and sticks";
+  case Touch::slips: return from == Touch::sticks ? "begins to slip" : "touches and slips";
+  case Touch::parted: return from == Touch::away ? "comes" : "parts from the object";
+  case Touch::beside: return "leaves its face";
+  case Touch::behind: return "comes round an edge";
+  case Touch::no_line: return "stands on the side's end";
+  case Touch::away: return "goes away";
+  }
+  return "";
+}
+
+} // namespace
+
+Vector3<double> rotation_vector(const Matrix3<double>& R) {
+  const Vector3<double> twice(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+  const double sine = twice.norm() / 2, cosine = (R.trace() - 1) / 2;
+  const double angle = std::atan2(sine, cosine);
+  if (sine > 1e-6) return twice * (angle / (2 * sine));
+  if (cosine > 0) return twice / 2;
+  // Half a turn: R + 1 is twice the axis' square.
+  const Matrix3<double> square = (R + Matrix3<double>::Identity()) / 2;
+  Index k = 0;
+  square.diagonal().maxCoeff(&k);
+  return angle * square.col(k) / std::sqrt(square(k, k));
+}
+
+Vector3<double> push_force(const SceneFile& file, const MotionFrame& frame) {
+  Vector3<double> force = Vector3<double>::Zero();
+  for (std::size_t b = 0; b < frame.bodies.size(); ++b)
+    if (file.bodies[b].role == Role::pusher) force += frame.bodies[b].force;
+  return force;
+}
+
+std::string phase_words(const SceneFile& file, const MotionPhase& phase) {
+  const double angle = phase.turn.norm(), way = phase.along.norm();
+  const double turned = object_size(file) / 2 * phase.angle;
+  const std::string about = phase.turn.norm() > 0 ? " " + turn_phrase(phase.turn.normalized()) : "";
+  const bool goes = way > worth_a_word * (phase.way + turned);
+  const std::string along =
+      goes ? " along " + direction_text(phase.along.normalized()) : std::string();
+  switch (phase.kind) {
+  case MotionKind::rest: return "stays for " + brief(phase.until - phase.from) + " s";
+  case MotionKind::slide: return "slides " + millimetres(way) + along;
+  case MotionKind::pivot: return "pivots " + degrees(angle) + about;
+  case MotionKind::roll: return "rolls " + degrees(angle) + about;
+  case MotionKind::turn: break;
+  }
+  return "turns " + degrees(angle) + about + " and goes " + millimetres(way) + along;
+}
+
+std::string move_sentence(const SceneFile& file, const MotionReport& report) {
+  std::vector<std::string> deeds;
+  for (const MotionPhase& phase : report.phases) deeds.push_back(phase_words(file, phase));
+  std::string name = object_name(file);
+  name[0] = 'T';
+  const bool rests = report.phases.size() == 1 && report.phases[0].kind == MotionKind::rest;
+  const std::string what = deeds.empty() || rests ? "does not move" : joined(deeds, ", then ");
+  const bool is_long = deeds.size() > 1 || report.end != MoveEnd::time;
+  return name + " " + what + (is_long ? ", " : " ") + end_words(file, report) + ".";
+}
+
+std::vector<EventGroup> grouped_events(const SceneFile& file, const MotionReport& report) {
+  std::vector<EventGroup> groups;
+  for (const MotionEvent& event : report.events) {
+    const auto same = std::find_if(groups.rbegin(), groups.rend(), [&](const EventGroup& group) {
+      return group.event.time == event.time && group.event.from == event.from &&
+             group.event.to == event.to &&
+             file.body_of(group.event.point) == file.body_of(event.point);
+    });
+    if (same == groups.rend())
+      groups.push_back({event});
+    else
+      ++same->points;
+  }
+  return groups;
+}
+
+std::string event_words(const SceneFile& file, const EventGroup& group) {
+  const MotionEvent& event = group.event;
+  const Index b = file.body_of(event.point), all = file.body(b).point_count;
+  const std::string verb = touch_verb(event.from, event.to);
+  if (group.points == all) return file.body_name(b) + " " + verb;
+  if (group.points == 1) return point_name(file, event.point) + " " + verb;
+  return file.body_name(b) + " " + verb + " at " + std::to_string(group.points) + " of its " +
+         std::to_string(all) + " points";
+}
+
+std::string step_words(const MotionReport& report) {
+  std::string text = counted(report.steps, "step") + " of ";
+  text += report.shortest == report.longest
+              ? brief(report.longest) + " s"
+              : brief(report.shortest) + " to " + brief(report.longest) + " s";
+  if (report.error)
+    text += ", together within about " + millimetres(*report.error) + " (tolerance " +
+            millimetres(report.tolerance) + ")";
+  // Below these, digits only say how rounding went.
+  constexpr double no_residual = 1e-9, no_depth = 1e-9;
+  text += "; laws within " +
+          (report.residual <= no_residual ? std::string("1e-9") : residual_text(report.residual));
+  return text + (report.penetration <= no_depth
+                     ? std::string(", no point inside its face")
+                     : ", deepest point inside its face " + millimetres(report.penetration));
+}
+
+std::string pose_words(const SceneFile& file, const Pose<double>& pose) {
+  const Vector3<double> turn = rotation_vector(pose.rotation);
+  const double way = pose.position.norm(), turned = object_size(file) / 2 * turn.norm();
+  std::vector<std::string> parts;
+  if (way > worth_a_word * turned)
+    parts.push_back(millimetres(way) + " along " + direction_text(pose.position / way));
+  if (turned > worth_a_word * way)
+    parts.push_back("turned by " + degrees(turn.norm()) + " " + turn_phrase(turn.normalized()));
+  return parts.empty() ? "where it was" : joined(parts, ", ");
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,130 @@
+#include "lcpush/desktop/trajectory.hpp"
+
+#include "lcpush/desktop/move.hpp"
+#include "lcpush/desktop/smallest_grip.hpp"
+#include "move/motion_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+// The laws hold what moves slower than this part of the motion that is judged.
+constexpr double at_rest = 1e-3;
+// Places are printed with so many digits, of the object's size.
+constexpr double printed_digits = 1e-9;
+
+/// m/s over a step: the largest difference of a contact point's place on the object.
+double speed_between(const SceneFile& file, const Pose<double>& a, const Pose<double>& b,
+                     double h) {
+  double most = 0;
+  for (const Vector3<double>& p : file.points) most = std::max(most, (a.at(p) - b.at(p)).norm());
+  return std::max(0.0, most - printed_digits * object_size(file)) / h;
+}
+
+/// The velocity of the way between two frames.
+Vector6<double> mean_twist(const Pose<double>& from, const Pose<double>& to, double h) {
+  const Matrix3<double> turned = to.rotation * from.rotation.transpose();
+  const Vector3<double> twice(turned(2, 1) - turned(1, 2), turned(0, 2) - turned(2, 0),
+                              turned(1, 0) - turned(0, 1));
+  const double sine = twice.norm() / 2;
+  const double angle = std::atan2(sine, (turned.trace() - 1) / 2);
+  Vector6<double> twist;
+  twist << (to.position - from.position) / h, twice / 2 * (sine > 1e-9 ? angle / sine : 1.0) / h;
+  return twist;
+}
+
+/// How many times the grip that holds the scene's grip is.
+std::optional<double> held_times(const SceneFile& file) {
+  Push push(file);
+  PushOptions options;
+  const HoldReport hold = push.holds_without_push(options);
+  if (!hold.holds) return std::nullopt;
+  const GripReport grip = find_smallest_grip(file, hold, BreakReport(), options);
+  if (!(grip.alone.factor > 0)) return std::nullopt;
+  return 1 / grip.alone.factor;
+}
+
+class TrajectoryJudge {
+public:
+  TrajectoryJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given)
+      : file_(file), given_(given), run_(file) {}
+
+  TrajectoryReport judge(double tolerance) {
+    report_.tolerance = tolerance;
+    report_.status = run_.start();
+    if (report_.status == Status::running) report_.status = Status::solved;
+    for (std::size_t k = 1; k < given_.size() && report_.status == Status::solved; ++k) step(k);
+    const double span = given_.back().time - given_.front().time;
+    report_.creep = speed_between(file_, given_.front().pose, given_.back().pose, span);
+    if (report_.steps > 0) report_.mean /= static_cast<double>(report_.steps);
+    decide();
+    return report_;
+  }
+
+private:
+  /// From frame k - 1 to frame k, by the laws and as given.
+  void step(std::size_t k) {
+    const TrajectoryFrame &from = given_[k - 1], &to = given_[k];
+    const double h = to.time - from.time;
+    if (!from.twist && k == 1) { // its speed is not known before it has gone a way
+      run_.begin_at(from.time, from.pose, mean_twist(from.pose, to.pose, h));
+      report_.status = run_.advance(h);
+      return;
+    }
+    const double before = k > 1 ? from.time - given_[k - 2].time : h;
+    run_.begin_at(from.time, from.pose,
+                  from.twist ? *from.twist : mean_twist(given_[k - 2].pose, from.pose, before));
+    report_.status = run_.advance(h);
+    if (report_.status != Status::solved) {
+      report_.worst_time = to.time;
+      return;
+    }
+    const Pose<double>& own = run_.stepper().pose();
+    const double off = speed_between(file_, own, to.pose, h);
+    goes_ = std::max(goes_, speed_between(file_, from.pose, to.pose, h));
+    own_ = std::max(own_, speed_between(file_, from.pose, own, h));
+    for (Index b = 0; b < run_.scene().bodies.size; ++b)
+      for (const Index i : points_of(run_.scene().bodies[b]))
+        report_.fastest =
+            std::max(report_.fastest,
+                     acceleration_at(run_.scene().points[i], run_.prescribed(b, to.time)).norm());
+    if (off > report_.worst) report_.worst_time = to.time;
+    report_.worst = std::max(report_.worst, off);
+    report_.mean += off;
+    ++report_.steps;
+  }
+
+  void decide() {
+    report_.fastest = std::max(report_.fastest, goes_);
+    const bool is_near = report_.worst <= report_.tolerance * report_.fastest;
+    const bool goes_on = report_.status == Status::solved;
+    if (is_near)
+      report_.verdict = goes_on ? TrajectoryVerdict::follows : TrajectoryVerdict::stopped;
+    else if (goes_on && own_ <= at_rest * goes_)
+      report_.verdict = TrajectoryVerdict::creeps;
+    if (report_.verdict == TrajectoryVerdict::creeps) report_.held = held_times(file_);
+  }
+
+  const SceneFile& file_;
+  const std::vector<TrajectoryFrame>& given_;
+  MotionRun run_;
+  TrajectoryReport report_;
+  double goes_ = 0, own_ = 0; ///< m/s, the fastest step as given and by the laws
+};
+
+} // namespace
+
+const char* verdict_text(TrajectoryVerdict verdict) {
+  constexpr const char* texts[] = {"follows", "creeps", "differs", "stopped"};
+  return texts[static_cast<int>(verdict)];
+}
+
+TrajectoryReport verify_trajectory(const SceneFile& file,
+                                   const std::vector<TrajectoryFrame>& trajectory,
+                                   double tolerance) {
+  return TrajectoryJudge(file, trajectory).judge(tolerance);
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,197 @@
+"""lcpush move: text, JSON, CSV, a picture and a page; frames that obey the laws as printed."""
+import csv
+import io
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+SCENES = SOURCE / "fixtures/scenes"
+PIVOT, SLIDE = SCENES / "pivot.toml", SCENES / "straight_slide.toml"
+MODES = {"stick", "slide", "separate", "beside", "behind", "no_line", "away"}
+
+
+def run(*words, text=None):
+    return subprocess.run([TOOL, "move", *map(str, words)], capture_output=True, text=True,
+                          timeout=100, input=text)
+
+
+def answer(*words):
+    result = run(*words, "--json")
+    return json.loads(result.stdout), result.returncode
+
+
+def norm(v):
+    return math.sqrt(sum(x * x for x in v))
+
+
+def faults(answer, mass, friction):
+    """What the printed frames of equal steps say against the laws: one sentence each."""
+    found, before = [], None
+    for frame in answer["frames"]:
+        if before is not None:
+            h = frame["time"] - before["time"]
+            for axis in range(3):
+                force = sum(body["force"][axis] for body in frame["bodies"])
+                change = frame["twist"][axis] - before["twist"][axis]
+                if abs(mass * change - h * force) > 1e-9 * max(1, abs(force)):
+                    found.append(f"Newton fails along {'xyz'[axis]} at {frame['time']} s")
+                way = frame["position"][axis] - before["position"][axis]
+                if abs(way - h * frame["twist"][axis]) > 1e-12:
+                    found.append(f"the way is not the velocity's at {frame['time']} s")
+            for contact in frame["contacts"]:
+                name, normal = contact["name"], contact["normal_force"]
+                mu = friction[name.split(".")[0]]
+                if contact["mode"] not in ("stick", "slide"):
+                    continue
+                if normal < 0 or norm(contact["friction_force"]) > mu * normal + 1e-9:
+                    found.append(f"{name} leaves its cone at {frame['time']} s")
+                if contact["gap"] is None or contact["gap"] < -1e-9:
+                    found.append(f"{name} is {contact['gap']} m deep at {frame['time']} s")
+                power = sum(f * v for f, v in zip(contact["friction_force"], contact["velocity"]))
+                if power > 1e-9:
+                    found.append(f"{name} is driven by its friction at {frame['time']} s")
+        before = frame
+    return found
+
+
+class Move(unittest.TestCase):
+    def test_says_first_where_it_goes(self):
+        result = run(SLIDE)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("The box slides 50 mm along +x in 1 s.", result.stdout)
+        self.assertLess(max(map(len, result.stdout.splitlines())), 81)
+        self.assertIn("pivots", run(PIVOT).stdout.split("\n\n")[1])
+        self.assertIn("rolls 143 degrees", run(SCENES / "rolling.toml").stdout)
+
+    def test_frames_obey_the_laws_as_they_are_printed(self):
+        printed, code = answer(PIVOT, "--time", 0.5, "--step", 0.005, "--frames", 101)
+        friction = {"left": 0.5, "right": 0.5, "edge": 0.3}
+        self.assertEqual(code, 0)
+        self.assertEqual((printed["status"], printed["end"]), ("solved", "time"))
+        self.assertEqual(len(printed["frames"]), 101)
+        self.assertEqual(faults(printed, 0.2, friction), [])
+        # The check sees what is planted.
+        for plant, fault in (
+                (lambda f: f["twist"].__setitem__(0, f["twist"][0] + 1e-3), "Newton"),
+                (lambda f: f["position"].__setitem__(1, f["position"][1] + 1e-6), "the way"),
+                (lambda f: f["contacts"][0].__setitem__("friction_force", [9, 9, 0]), "cone"),
+                (lambda f: f["contacts"][-1].__setitem__("gap", -1e-6), "deep")):
+            spoilt = json.loads(json.dumps(printed))
+            plant(spoilt["frames"][40])
+            self.assertTrue(any(fault in words for words in faults(spoilt, 0.2, friction)), fault)
+
+    def test_json_has_its_keys(self):
+        printed, _ = answer(SLIDE, "--frames", 6)
+        for key in ("status", "end", "time", "steps", "step", "frames", "events", "phases",
+                    "penetration", "residual", "error", "tolerance", "warnings"):
+            self.assertIn(key, printed)
+        for frame, time in zip(printed["frames"], (0, 0.2, 0.4, 0.6, 0.8, 1)):
+            self.assertAlmostEqual(frame["time"], time, delta=1e-12)
+        first = printed["frames"][0]
+        self.assertEqual(first["position"], [0, 0, 0])
+        self.assertEqual(first["rotation"], [1, 0, 0, 0, 1, 0, 0, 0, 1])
+        for frame in printed["frames"]:
+            for contact in frame["contacts"]:
+                self.assertIn(contact["mode"], MODES)
+        self.assertLessEqual(printed["residual"]["max"], 1e-9)
+        self.assertLessEqual(printed["penetration"], 1e-9)
+        self.assertLessEqual(printed["error"], printed["tolerance"])
+
+    def test_csv_says_what_json_says(self):
+        rows = list(csv.DictReader(io.StringIO(run(PIVOT, "--frames", 5, "--format", "csv").stdout)))
+        frames = answer(PIVOT, "--frames", 5)[0]["frames"]
+        self.assertEqual(len(rows), 5)
+        for row, frame in zip(rows, frames):
+            self.assertEqual([float(row[k]) for k in ("time", "x", "y", "z")],
+                             [frame["time"], *frame["position"]])
+            self.assertEqual([float(row[f"edge.f{k}"]) for k in "xyz"],
+                             frame["bodies"][2]["force"])
+            self.assertEqual(row["left.1.mode"], frame["contacts"][0]["mode"])
+            self.assertEqual(float(row["r21"]), frame["rotation"][3])
+
+    def test_the_picture_is_an_image_with_words(self):
+        svg = ElementTree.fromstring(run(PIVOT, "--format", "svg").stdout)
+        text = "".join(svg.itertext())
+        self.assertIn("pivots", text)
+        self.assertEqual(svg.get("role"), "img")
+        ghosts = [e for e in svg.iter() if e.get("class") == "ghost"]
+        self.assertEqual(len(ghosts), 6)
+
+    def test_the_page_plays_by_itself(self):
+        result = run(PIVOT, "--format", "html", "--frames", 21)
+        page = result.stdout
+        root = ElementTree.fromstring(page.split("<script>")[0].replace("<!DOCTYPE html>", "") +
+                                      "</body></html>")
+        moments = [e for e in root.iter() if (e.get("class") or "").split()[:1] == ["moment"]]
+        self.assertEqual(len(moments), 21)
+        self.assertEqual(sum("shown" in e.get("class") for e in moments), 1)
+        data = json.loads(next(e for e in root.iter() if e.get("id") == "frames").text)
+        self.assertEqual(len(data), 21)
+        self.assertEqual(len(data[0]["cells"]), 3 * 3)
+        for part in ("https://", "src=\"/", "<link rel=\"stylesheet"):
+            self.assertNotIn(part, page.replace("http://www.w3.org/2000/svg", ""))
+        for needed in ("prefers-color-scheme: dark", "aria-label=\"Time\"", "width=device-width",
+                       "default-src 'none'", "aria-valuetext"):
+            self.assertIn(needed, page)
+
+    def test_names_stay_names_on_the_page(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "odd.toml")
+            path.write_text(SLIDE.read_text().replace('"wall"', '"</script><b>&"'))
+            page = run(path, "--format", "html", "--frames", 3).stdout
+            self.assertEqual(page.count("</script>"), 2)
+            self.assertNotIn("<b>&", page)
+
+    def test_ends_where_it_is_told_to(self):
+        printed, code = answer(SLIDE, "--stop-after", 0.0123)
+        self.assertEqual((printed["end"], code), ("distance", 0))
+        self.assertAlmostEqual(printed["frames"][-1]["position"][0], 0.0123, delta=1e-9)
+        printed, code = answer(SLIDE, "--time", 2)
+        self.assertEqual((printed["end"], printed["status"], code), ("lost", "does_not_hold", 1))
+        self.assertIn(printed["end_body"], ("left", "right"))
+        self.assertGreater(len(printed["frames"]), 40)
+        self.assertIn("touches it nowhere", " ".join(run(SLIDE, "--time", 2).stdout.split()))
+
+    def test_wrong_usage_says_what_to_type(self):
+        for words, message in (
+                (("--time", "-1"), "--time"), (("--step", "0"), "--step"),
+                (("--time", "10", "--step", "1e-7"), "makes more than the 1000000"),
+                (("--step", "0.1", "--tolerance", "1e-4"), "give one of the two"),
+                (("--frames", "1"), "--frames"), (("--format", "png"), "--format")):
+            result = run(SLIDE, *words)
+            self.assertEqual(result.returncode, 2, words)
+            self.assertIn(message, " ".join(result.stderr.split()))
+            self.assertEqual(result.stdout, "")
+        result = run(SCENES / "coin.toml")
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"coin.toml:\d+: finger \"table\": ")
+
+    def test_strokes_of_one_file(self):
+        text = SLIDE.read_text().replace("acceleration = [0.1, 0, 0]",
+                                         "velocity = [0.01, 0, 0]\nuntil = 1")
+        self.assertIn("velocity", text)
+        text += ("\n[[pusher]]\nname = \"back\"\nshape = \"line\"\nends = [[0.07, -0.015, 0], "
+                 "[0.07, 0.015, 0]]\nnormal = [-1, 0, 0]\nfriction = 0.3\n"
+                 "velocity = [-0.01, 0, 0]\nfrom = 1\nuntil = 3\n")
+        printed = json.loads(run("-", "--json", text=text).stdout)
+        self.assertEqual((printed["end"], printed["time"]), ("time", 3))
+        # It starts at 70 mm, meets the end face at 60 mm after 1 s, and takes it back 10 mm.
+        self.assertAlmostEqual(printed["frames"][-1]["position"][0], 0, delta=1e-6)
+        self.assertEqual([phase["motion"] for phase in printed["phases"]],
+                         ["slide", "rest", "slide"])
+        solved = subprocess.run([TOOL, "solve", "-", "--json"], input=text, capture_output=True,
+                                text=True)
+        self.assertNotIn("back", solved.stdout)
+        # Who is not there has no gap.
+        first = printed["frames"][1]["contacts"]
+        self.assertEqual({c["gap"] for c in first if c["mode"] == "away"}, {None})
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,112 @@
+"""lcpush verify --trajectory: other people's motions, step by step."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+PIVOT = SOURCE / "fixtures/scenes/pivot.toml"
+HELD = """gravity = [0, -9.81, 0]
+[object]
+mass = 0.045
+box = [0.04, 0.04, 0.04]
+[[finger]]
+name = "left"
+shape = "disc"
+center = [0, 0, 0.02]
+radius = 0.005
+normal = [0, 0, -1]
+friction = 0.7
+grip_force = 12
+[[finger]]
+name = "right"
+shape = "disc"
+center = [0, 0, -0.02]
+radius = 0.005
+normal = [0, 0, 1]
+friction = 0.7
+grip_force = 12
+"""
+
+
+def run(*words):
+    return subprocess.run([TOOL, *map(str, words)], capture_output=True, text=True, timeout=100)
+
+
+class Trajectory(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def file(self, name, text):
+        path = pathlib.Path(self.folder.name, name)
+        path.write_text(text)
+        return path
+
+    def verdict(self, scene, motion, *words):
+        result = run("verify", scene, "--trajectory", motion, "--json", *words)
+        self.assertIn(result.returncode, (0, 1), result.stderr)
+        return json.loads(result.stdout), result.returncode
+
+    def own(self, *words):
+        return run("move", PIVOT, "--time", 0.4, "--step", 0.005, "--frames", 81, *words).stdout
+
+    def test_its_own_motions_follow_the_laws_in_either_format(self):
+        for name, words in (("m.json", ["--json"]), ("m.csv", ["--format", "csv"])):
+            report, code = self.verdict(PIVOT, self.file(name, self.own(*words)))
+            self.assertEqual((report["verdict"], code), ("follows", 0))
+            self.assertEqual(report["steps"], 80)
+            self.assertLessEqual(report["worst"], 1e-9)
+
+    def test_without_velocities_too(self):
+        motion = json.loads(self.own("--json"))
+        for frame in motion["frames"]:
+            del frame["twist"]
+        report, _ = self.verdict(PIVOT, self.file("m.json", json.dumps(motion)))
+        self.assertEqual((report["verdict"], report["steps"]), ("follows", 79))
+
+    def test_what_is_planted_is_found_where_it_is(self):
+        motion = json.loads(self.own("--json"))
+        motion["frames"][40]["position"][0] += 1e-4
+        report, code = self.verdict(PIVOT, self.file("m.json", json.dumps(motion)))
+        self.assertEqual((report["verdict"], code), ("differs", 1))
+        self.assertAlmostEqual(report["worst"], 1e-4 / 0.005, delta=1e-3)
+        self.assertIn(round(report["worst_time"], 6), (0.2, 0.205))
+
+    def test_creep_is_told_from_friction(self):
+        scene = self.file("held.toml", HELD)
+        rows = [f"{k / 10},0,{-155e-6 * k / 10},0,1,0,0,0" for k in range(11)]
+        motion = self.file("m.csv", "\n".join(["time,x,y,z,qw,qx,qy,qz", *rows]))
+        report, code = self.verdict(scene, motion)
+        self.assertEqual((report["verdict"], code), ("creeps", 1))
+        self.assertAlmostEqual(report["creep"], 155e-6, delta=1e-9)
+        # 2 mu F over the weight.
+        self.assertAlmostEqual(report["held"], 2 * 0.7 * 12 / (0.045 * 9.81), delta=0.01)
+        self.assertIn("creeps", run("verify", scene, "--trajectory", motion).stdout)
+        still = self.file("s.csv", "\n".join(["time,x,y,z,qw,qx,qy,qz", "0,0,0,0,1,0,0,0",
+                                              "0.1,0,0,0,1,0,0,0", "0.2,0,0,0,1,0,0,0"]))
+        self.assertEqual(self.verdict(scene, still)[0]["verdict"], "follows")
+
+    def test_files_that_are_none_are_refused_with_their_line(self):
+        head = "time,x,y,z,qw,qx,qy,qz\n"
+        for text, line, message in (
+                ("", 1, "no motion"), ("time,x,y,z\n", 1, "no rotation"),
+                (head + "0,0,0,0,1,0,0\n", 2, "names 8 columns, this one has 7"),
+                (head + "0,0,0,x,1,0,0,0\n", 2, "z: "),
+                (head + "0,0,0,0,1,0,0,0\n0,0,0,0,1,0,0,0\n", 3, "time must grow"),
+                (head + "0,0,0,0,1,0,0,0\n", 1, "two frames or more"),
+                (head + "0,0,0,0,0,0,0,0\n1,0,0,0,1,0,0,0\n", 2, "not orthonormal"),
+                ("{}", 1, 'give "frames"'),
+                ('{"frames": [{"time": 0}]}', 1, 'a frame needs "time"')):
+            result = run("verify", PIVOT, "--trajectory", self.file("m.txt", text))
+            self.assertEqual((result.returncode, result.stdout), (2, ""), text)
+            self.assertIn(f"m.txt:{line}: ", result.stderr)
+            self.assertIn(message, " ".join(result.stderr.split()))
+        result = run("verify", PIVOT, PIVOT, "--trajectory", "m.txt")
+        self.assertIn("one file beside it", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
