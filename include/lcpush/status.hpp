@@ -45,6 +45,7 @@ enum class Reason {
   small_load,     ///< numerical_breakdown: a row is right beside the largest force, but not by its
                   ///< own terms
   retreat,        ///< a free unknown ended at its symbolic bound -S: it runs away
+  leap,           ///< numerical_breakdown: a time step leads too far to be one
 };
 
 /// The reason as a sentence for people.
@@ -63,6 +64,7 @@ constexpr const char* reason_text(Reason reason) {
   case Reason::false_ray: return "nothing blocks, yet the ray fails its certificate";
   case Reason::singular_basis: return "a basis is singular to working precision";
   case Reason::retreat: return "a free unknown runs off to minus infinity";
+  case Reason::leap: return "a time step leads too far to be one: take a shorter one";
   }
   return "";
 }

@@ -16,9 +16,6 @@ constexpr double first_step = 1e-3, longest_step = 0.02, event_step = 1.0 / 4096
 constexpr double shortest_step = 0x1p-16; // what chatters must not take for ever either
 constexpr Index most_located = 64;        // events; a patch that flickers must not take for ever
 constexpr double usual_tolerance = 1e-3;
-// A step sees faces as they stand at its begin: one that turns the object farther says nothing.
-constexpr double farthest_turn = 0.5, farthest_way = 0.5; // rad, of the object's size
-constexpr double deepest = 1e-4; // of its size: a body that is squeezed in this far goes through
 
 class Mover {
 public:
@@ -91,12 +88,7 @@ private:
 
   Status solve(double h) {
     ++report_.solves;
-    const Status status = run_.advance(h);
-    const Vector6<double>& v = run_.stepper().velocity();
-    leaps_ = status == Status::solved && (h * v.tail<3>().norm() > farthest_turn ||
-                                          h * v.head<3>().norm() > farthest_way * size_ ||
-                                          run_.stepper().run().penetration > deepest * size_);
-    return leaps_ ? Status::numerical_breakdown : status;
+    return run_.advance(h);
   }
 
   bool fixed_step(double h) {
@@ -178,8 +170,10 @@ private:
 
   bool fail(Status status, bool is_lost) {
     report_.status = status;
-    report_.end = is_lost ? MoveEnd::lost : leaps_ ? MoveEnd::leaps : MoveEnd::failed;
     report_.reason = run_.stepper().run().reason;
+    report_.end = is_lost                          ? MoveEnd::lost
+                  : report_.reason == Reason::leap ? MoveEnd::leaps
+                                                   : MoveEnd::failed;
     if (is_lost) report_.body = lost_body();
     return false;
   }
@@ -242,7 +236,6 @@ private:
   std::vector<MotionPhase> phases_;
   double next_ = 0;
   Index located_ = 0;
-  bool leaps_ = false; ///< the last step solved
 };
 
 } // namespace

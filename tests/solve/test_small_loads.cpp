@@ -91,8 +91,7 @@ TEST_CASE("an answer without the small grip's force is refused beside any other 
   REQUIRE(report.status == Status::solved);
   const double passes = Tolerances<double>().residual;
   REQUIRE(report.residuals.max() <= passes);
-  for (const Index finger : {2, 3})
-    report.answer.contacts[finger].normal_force = 0;
+  for (const Index finger : {2, 3}) report.answer.contacts[finger].normal_force = 0;
   const Residuals<double> residuals = check(push.scene(), report.scales, report.answer, 1.0);
   CHECK(residuals.grip > 1e-6);
   CHECK(residuals.cone > 1e-6);

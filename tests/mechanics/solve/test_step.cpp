@@ -189,6 +189,30 @@ TEST_CASE("a cylinder in a parallel jaw rolls on a moving sheet by s / R") {
   CHECK(deepest <= 1e-9);
 }
 
+TEST_CASE("a step that would leap is refused with its reason, and nothing has moved") {
+  Scene3 scene = bare_scene(0.2, {1e-4, 1e-4, 1e-4}, {0, 0, 0});
+  scene.add_body(Role::pusher, {0, 1, 0}, 0.5, {{0, -1, 0}}); // a floor far below
+  OwnedMotion<double> run(scene);
+  run.touching = {{Riding::on_body, 0, 0}};
+  run.add_face({0, -1, 0}, {0, -1, 0}, {0.01, 0, 0}, {0, 0, 0.01});
+  REQUIRE(run.begin() == Status::running);
+  run->prescribed(0)[1] = -2000; // and it leaves
+  for (const double leap : {1.0001, 0.9999}) {
+    for (const bool turns : {true, false}) {
+      run->velocity().setZero();
+      run->velocity()[turns ? 3 : 0] = turns ? 0.5 * leap / 1e-3 : leap / 1e-3;
+      const Vec3 before = run->pose().position;
+      const Status status = run->advance(1e-3);
+      CHECK((status == Status::solved) == (leap < 1));
+      if (leap < 1) continue;
+      CHECK(status == Status::numerical_breakdown);
+      CHECK(run->run().reason == Reason::leap);
+      CHECK(run->pose().position == before);
+      CHECK(run->time() == 0);
+    }
+  }
+}
+
 TEST_CASE("a rod between two plates goes half as far as the moving one and turns by s / 2R") {
   Scene3 scene = bare_scene(0.1, {4e-5, 4e-5, 2e-5}, {0, -9.81, 0});
   const double R = 0.02;

@@ -49,7 +49,8 @@ public:
   Vector6<S>& prescribed(Index body) { return m_.velocities[body]; }
 
   /// One step of h seconds. Post: solved; or why not, and nothing has moved: does_not_hold with
-  /// run().lost, ray (a jam), bad_input (h is not > 0), or a solver's failure. Cost: a warm solve,
+  /// run().lost, ray (a jam), bad_input (h is not > 0), numerical_breakdown with Reason::leap
+  /// (shorter steps may do), or a solver's failure. Cost: a warm solve,
   /// more where a turning face asks for corrections.
   [[nodiscard]] Status advance(const S& h);
 
@@ -139,6 +140,7 @@ private:
   S deepest(const S& h, bool& missed) const;
   void straight_gaps();
   void bend_gaps(const S& h, Index times);
+  bool leaps(const S& h) const;
   void commit(const S& h);
   void read_contact(Index i, Index present, const PlacedPoint<S>& then, const S& h);
   /// Of a present point: its body among the present ones.
@@ -266,6 +268,10 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::advance(const S&
     run_.penetration = deepest(h, missed);
     if (!missed || tries == 1) break;
     within = Eigen::NumTraits<S>::highest();
+  }
+  if (leaps(h)) {
+    run_.reason = Reason::leap;
+    return Status::numerical_breakdown;
   }
   commit(h);
   return Status::solved;

@@ -158,6 +158,18 @@ template <class S, class Pivots> Vector6<S> TimeStepper<S, Pivots>::end_twist(In
   return twist;
 }
 
+/// Does the solved push take the object farther than a step can tell of? Beside its fingers it
+/// turns and goes little in one, or a squeeze that gives way would throw it through a face.
+template <class S, class Pivots> bool TimeStepper<S, Pivots>::leaps(const S& h) const {
+  S slowest = next_velocity_.template head<3>().norm();
+  for (Index b = 0; b < scene_->bodies.size; ++b) {
+    const Vector6<S> beside = next_velocity_ - twist_at(end_twist(b), pose_.position);
+    slowest = Eigen::numext::mini(slowest, S(beside.template head<3>().norm()));
+  }
+  return h * next_velocity_.template tail<3>().norm() > S(0.5) || h * slowest > length_ ||
+         run_.penetration > S(2e-4) * length_;
+}
+
 /// How deep the deepest point is in its face at the step's end; 0 if none is. `missed`: one is that
 /// was left out as too far away.
 template <class S, class Pivots> S TimeStepper<S, Pivots>::deepest(const S& h, bool& missed) const {
