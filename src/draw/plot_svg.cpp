@@ -118,6 +118,10 @@ std::string mark_strokes(const Plot& plot, const Axis& x, const Axis& y) {
   return text;
 }
 
+double height_of_panels(const Plot& plot) {
+  return plot.panels.size() > 1 ? one_of_many : lone_panel;
+}
+
 } // namespace
 
 std::pair<double, double> value_range(const PlotPanel& panel) {
@@ -131,9 +135,15 @@ std::pair<double, double> value_range(const PlotPanel& panel) {
   return {low, high};
 }
 
+std::pair<double, double> first_axes(const Plot& plot) {
+  const double top = title_height(plot.title) + legend_height(plot.panels.front()) +
+                     (plot.marks.empty() ? 0 : number_room);
+  return {top / width, (top + height_of_panels(plot)) / width};
+}
+
 std::string plot_svg(const Plot& plot) {
   const Axis x{plot.x_from, plot.x_to, left, width - right};
-  const double tall = plot.panels.size() > 1 ? one_of_many : lone_panel;
+  const double tall = height_of_panels(plot);
   std::string body;
   double top = title_height(plot.title);
   for (std::size_t p = 0; p < plot.panels.size(); ++p) {

@@ -44,6 +44,9 @@ struct Plot {
 
 std::string plot_svg(const Plot& plot);
 
+/// Where the first panel's axes begin and end, from the top, in parts of the plot's width.
+std::pair<double, double> first_axes(const Plot& plot);
+
 /// A map: cells of equal size, row by row from below; a cell that is not finite stays empty.
 struct MapPlot {
   std::string title, description, x_label, y_label, value_label;

@@ -97,9 +97,14 @@ std::string force_plot(const SceneFile& file, const MotionReport& report) {
       plot.marks.push_back({time, brief(time) + " s", words});
   }
   plot.description = "The force against time.";
+  // Margins and paddings in per cent are of the width, whatever the height.
+  const auto [top, bottom] = first_axes(plot);
+  const std::string place = "margin-top:" + printed("%.3f", 100 * top) +
+                            "%;padding-bottom:" + printed("%.3f", 100 * (bottom - top)) + "%";
   return "<h2 id=\"push\">Push force against time</h2>\n<div class=\"over\">" +
          plot_image(plot_svg(plot), "The pushers' force on the object against time.") +
-         "<span class=\"cursor\" id=\"cursor\" aria-hidden=\"true\"></span></div>\n";
+         "<span class=\"cursor\" id=\"cursor\" style=\"" + place +
+         "\" aria-hidden=\"true\"></span></div>\n";
 }
 
 std::string now_table(const SceneFile& file) {

@@ -13,7 +13,7 @@ constexpr const char* player_style = R"css(
 .player input { flex: 1 1 220px; min-height: 44px; accent-color: var(--normal); }
 .player output { font-variant-numeric: tabular-nums; min-width: 7em; }
 .over { position: relative; }
-.over .cursor { position: absolute; top: 4%; bottom: 12%; width: 2px; background: var(--friction); }
+.over .cursor { position: absolute; top: 0; height: 0; width: 2px; background: var(--friction); }
 .plot { display: block; width: 100%; height: auto; }
 td { font-variant-numeric: tabular-nums; }
 )css";
