@@ -85,7 +85,8 @@ TEST_CASE("random motions: every step is checked, and a step goes on from the la
 
 TEST_CASE("two answers that lead to each other's gaps do not take turns for ever") {
   // Corrections that only repeat themselves end 2.1e-9 and 8.2e-9 m deep here.
-  for (const auto& [seed, steps] : {std::pair(14, 154), std::pair(130, 30)}) {
+  for (const auto& run_of : {std::pair(14, 154), std::pair(130, 30)}) {
+    const int seed = run_of.first, steps = run_of.second;
     CAPTURE(seed);
     OwnedMotion<double, StructuredLemke<double>> run(
         random_grasp<double>(static_cast<std::uint64_t>(seed)));
