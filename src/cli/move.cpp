@@ -3,11 +3,15 @@
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_arguments.hpp"
+#include "cli/stop_signal.hpp"
+#include "cli/time_limit.hpp"
 #include "text/format.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
+#include "text/wrap.hpp"
 
 #include <cmath>
+#include <iostream>
 
 namespace lcpush::cli {
 namespace {
@@ -39,6 +43,8 @@ int run_move(const Arguments& arguments) {
   const std::string format = arguments.format({"text", "json", "csv", "svg", "html"});
   const SceneFile file = read_scene_argument(arguments, Needs::scene, Strokes::all);
   MoveOptions options = move_options(arguments, file);
+  const double seconds =
+      arguments.number("--seconds", longest_time, "it is in seconds").value_or(usual_seconds);
   MotionReport report;
   {
     StatusLine line;
@@ -47,8 +53,16 @@ int run_move(const Arguments& arguments) {
         line.show(line.seconds() + ", " + std::to_string(std::lround(100 * done)) +
                   " % of the motion, at " + printed("%.3g s", time));
     };
+    listen_for_signals();
+    limit_time("move", seconds + usual_seconds); // a step under way is finished
+    options.is_interrupted = [seconds] { return is_asked_to_end() || is_over(seconds); };
     report = move(file, options);
   }
+  if (report.end == MoveEnd::stopped && !is_asked_to_end())
+    std::cerr << wrapped("lcpush move: stopped after " + shown(seconds) +
+                             " s of processor time; --seconds " + shown(10 * seconds) +
+                             " gives it more.\n",
+                         columns_of(Stream::errors));
   write_answer(arguments, format,
                format == "json"   ? move_json(file, report)
                : format == "csv"  ? move_csv(file, report)
@@ -83,6 +97,8 @@ Command move_command() {
            {"--tolerance", "M", "error of the whole path (a thousandth of the object's size)"},
            {"--frames", "N", "moments that are kept, evenly spread, ends included (101)"},
            verbose_option,
+           {"--seconds", "S",
+            "stop after so much processor time (8), with what there is; so does Ctrl-C"},
            {"--format", "FORMAT", "text (default), json, csv, svg or html; --json for short"}}),
       1,
       run_move};

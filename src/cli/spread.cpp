@@ -3,26 +3,14 @@
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene_arguments.hpp"
+#include "cli/stop_signal.hpp"
 #include "cli/time_limit.hpp"
 #include "lcpush/mechanics/solve/breaking.hpp"
 #include "text/limits.hpp"
 
-#include <csignal>
-
 namespace lcpush::cli {
 namespace {
 
-volatile std::sig_atomic_t is_interrupted = 0;
-
-/// Once: the next one ends the process, as it would without this.
-void end_early(int) { is_interrupted = 1; }
-
-void listen_for_signals() {
-  struct sigaction action {};
-  action.sa_handler = end_early;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
-}
 constexpr double longest_enumeration = 300; // seconds
 
 SpreadOptions spread_options(const Arguments& arguments) {
@@ -55,7 +43,7 @@ int run_spread(const Arguments& arguments) {
     StatusLine line;
     options.watcher = &progress;
     listen_for_signals();
-    options.is_interrupted = [] { return is_interrupted != 0; };
+    options.is_interrupted = is_asked_to_end;
     options.progress = [&](double share) {
       if (line.is_due())
         line.show(line.seconds() + ", " + std::to_string(std::lround(100 * share)) +

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <csignal>
+#include <ctime>
 
 #include <sys/time.h>
 #include <unistd.h>
@@ -63,6 +64,11 @@ void limit_time(const Command& command, const Arguments& arguments) {
     if (option.name == seconds_option.name)
       limit_time(command.name,
                  arguments.number(option.name, longest, ", in seconds").value_or(usual_seconds));
+}
+
+bool is_over(double seconds) {
+  return static_cast<double>(std::clock()) >
+         slowness * seconds * static_cast<double>(CLOCKS_PER_SEC);
 }
 
 void lift_time_limit() { set_timer(0); }

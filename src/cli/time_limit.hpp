@@ -15,6 +15,9 @@ void limit_time(const std::string& command, double seconds);
 /// If it takes --seconds: those, or the usual ones. `lcpush lcp` says beforehand what it will take.
 void limit_time(const Command& command, const Arguments& arguments);
 
+/// Has this process taken more processor time than `seconds` by now?
+bool is_over(double seconds);
+
 /// The work is done: what is left is to write it down, whole.
 void lift_time_limit();
 

@@ -58,6 +58,11 @@ private:
         report_.status = Status::pivot_limit;
         return false;
       }
+      if (options_.is_interrupted && options_.is_interrupted()) {
+        report_.end = MoveEnd::stopped;
+        report_.status = Status::pivot_limit;
+        return false;
+      }
       const double room = std::min(target, next_stroke()) - now();
       // Equal steps up to there: a sliver that is left over would be an instant of its own, in
       // which gaps of second order have no time to close.
@@ -261,7 +266,7 @@ const char* touch_text(Touch touch) {
 
 const char* move_end_text(MoveEnd end) {
   constexpr const char* texts[] = {"time",  "distance", "lost",  "inside",
-                                   "steps", "leaps",    "failed"};
+                                   "steps", "stopped",  "leaps", "failed"};
   return texts[static_cast<int>(end)];
 }
 

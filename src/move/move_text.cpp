@@ -54,7 +54,7 @@ std::string frames_table(const SceneFile& file, const MotionReport& report, bool
     way = std::max(way, frame.pose.position.norm());
     turned = std::max(turned, object_size(file) / 2 * rotation_vector(frame.pose.rotation).norm());
   }
-  const double least = 1e-3 * std::max(way, turned);
+  const double least = std::max(1e-3 * std::max(way, turned), unmoved * object_size(file));
   std::vector<Index> shifts = moving_axes(report, false, least);
   const std::vector<Index> turns = moving_axes(report, true, 2 * least / object_size(file));
   if (shifts.empty() && turns.empty()) shifts = {0, 1, 2};

@@ -35,6 +35,7 @@ std::string end_words(const SceneFile& file, const MotionReport& report) {
   case MoveEnd::steps:
     return "as far as " + counted(report.solves, "solve") + " go, " + after +
            "; ask for a longer --step, a coarser --tolerance or less --time";
+  case MoveEnd::stopped: return "until it was stopped, after " + after;
   case MoveEnd::leaps:
     return "until it would leap out of its place within one step of " + brief(report.shortest) +
            " s, after " + after;
@@ -157,9 +158,10 @@ std::string pose_words(const SceneFile& file, const Pose<double>& pose) {
   const Vector3<double> turn = rotation_vector(pose.rotation);
   const double way = pose.position.norm(), turned = object_size(file) / 2 * turn.norm();
   std::vector<std::string> parts;
-  if (way > worth_a_word * turned)
+  const double least = unmoved * object_size(file);
+  if (way > std::max(worth_a_word * turned, least))
     parts.push_back(millimetres(way) + " along " + direction_text(pose.position / way));
-  if (turned > worth_a_word * way)
+  if (turned > std::max(worth_a_word * way, least))
     parts.push_back("turned by " + degrees(turn.norm()) + " " + turn_phrase(turn.normalized()));
   return parts.empty() ? "where it was" : joined(parts, ", ");
 }

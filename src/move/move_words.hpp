@@ -5,6 +5,8 @@
 
 namespace lcpush::desktop {
 
+constexpr double unmoved = 1e-9; ///< of the object's size: rounding goes farther in no run
+
 /// "The box slides 12.3 mm along x, then pivots 14 degrees clockwise about z, until left leaves its
 /// face after 0.71 s."
 std::string move_sentence(const SceneFile& file, const MotionReport& report);

@@ -158,6 +158,17 @@ class Move(unittest.TestCase):
         self.assertGreater(len(printed["frames"]), 40)
         self.assertIn("touches it nowhere", " ".join(run(SLIDE, "--time", 2).stdout.split()))
 
+    def test_ended_early_it_has_what_there_is(self):
+        result = run(SCENES / "three_finger_hand.toml", "--seconds", "0.02", "--json")
+        motion = json.loads(result.stdout)
+        self.assertEqual((result.returncode, motion["end"]), (1, "stopped"))
+        self.assertGreater(len(motion["frames"]), 1)
+        self.assertLess(motion["frames"][-1]["time"], 0.7)
+        self.assertIn("stopped after 0.02 s of processor time; --seconds 0.2 gives it", result.stderr)
+        motion, status = answer(SCENES / "rolling_hard_grip.toml")
+        self.assertEqual((motion["end"], status), ("time", 0))
+        self.assertNotRegex(run(SCENES / "rolling_hard_grip.toml").stdout, "[0-9]e-[0-9]+  ")
+
     def test_wrong_usage_says_what_to_type(self):
         for words, message in (
                 (("--time", "-1"), "--time"), (("--step", "0"), "--step"),

@@ -22,6 +22,7 @@ struct MoveOptions {
   Index frames = 101;                                        ///< kept, the first and last included
   Index most_steps = 100'000;                                ///< solved
   std::function<void(double done, double time)> progress;    ///< done: 0 to 1
+  std::function<bool()> is_interrupted;                      ///< true ends it with what there is
 };
 
 /// What a contact point does.
@@ -84,16 +85,18 @@ struct MotionPhase {
 enum class MoveEnd {
   time,
   distance,
-  lost,   ///< a finger without inertia touches nothing any more
-  inside, ///< a stroke begins inside the object
-  steps,  ///< most_steps
-  leaps,  ///< a step that goes too far to be one: a squeeze that gives way, or --step is too long
-  failed, ///< a step without an answer: `status` says why
+  lost,    ///< a finger without inertia touches nothing any more
+  inside,  ///< a stroke begins inside the object
+  steps,   ///< most_steps
+  stopped, ///< is_interrupted said so
+  leaps,   ///< a step that goes too far to be one: a squeeze that gives way, or --step is too long
+  failed,  ///< a step without an answer: `status` says why
 };
 const char* move_end_text(MoveEnd end);
 
 struct MotionReport {
-  Status status = Status::bad_input; ///< solved unless the end is lost, inside, steps or failed
+  Status status = Status::bad_input; ///< solved unless the end is lost, inside, steps, stopped,
+                                     ///< leaps or failed
   MoveEnd end = MoveEnd::failed;
   Reason reason = Reason::none;    ///< of a step that failed
   Index body = -1;                 ///< lost or inside: which
