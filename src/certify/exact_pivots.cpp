@@ -1,59 +1,11 @@
 #include "certify/exact_pivots.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
+
+#include "certify/exact_columns.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-using Column = std::vector<Rational>;
-
-/// L x + cover z0 + constant. All over one denominator first, so that of long numbers no more than
-/// one divisor a row is sought.
-Column times(const MixedProblem& problem, Column x, const Column& constant = {},
-             const Column& cover = {}, const Rational& z0 = 0) {
-  x.push_back(z0);
-  BigInteger below = 1;
-  for (const Rational& number : x)
-    if (const BigInteger& its = number.denominator(); !(below % its).is_zero())
-      below = below / gcd(below, its) * its;
-  for (Rational& number : x)
-    number = Rational(number.numerator() * (below / number.denominator()), 1);
-  Column result;
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    Rational sum = constant.empty() ? Rational(0) : constant[i] * Rational(below, 1);
-    for (const ExactEntry& entry : problem.rows[i]) {
-      const Rational& by = x[static_cast<std::size_t>(entry.column)];
-      if (by.sign() != 0) sum += entry.value * by;
-    }
-    if (z0.sign() != 0) sum += cover[i] * x.back();
-    result.push_back(sum.sign() == 0 ? sum : Rational(sum.numerator(), sum.denominator() * below));
-  }
-  return result;
-}
-
-/// Of the numbers at `i`, the first that is not zero decides.
-int sign_at(const std::vector<Column>& columns, std::size_t i) {
-  for (const Column& column : columns)
-    if (column[i].sign() != 0) return column[i].sign();
-  return 0;
-}
-
-/// The submatrix of these rows and columns, in their order.
-std::vector<ExactRow> cut(const MixedProblem& problem, const std::vector<std::size_t>& rows,
-                          const std::vector<std::size_t>& columns) {
-  std::vector<Index> place(problem.size(), -1);
-  for (std::size_t j = 0; j < columns.size(); ++j) place[columns[j]] = static_cast<Index>(j);
-  std::vector<ExactRow> result;
-  for (const std::size_t i : rows) {
-    ExactRow& row = result.emplace_back();
-    for (const ExactEntry& entry : problem.rows[i])
-      if (place[static_cast<std::size_t>(entry.column)] >= 0)
-        row.push_back({place[static_cast<std::size_t>(entry.column)], entry.value});
-  }
-  return result;
-}
 
 /// Small whole numbers that look like chance, the same ones every time.
 class Generic {
@@ -102,8 +54,10 @@ private:
   bool x_enters_ = false;            // or w, of that pair
   std::uint32_t seed_ = 0;
   Column cover_;
-  std::vector<Column> rhs_;          // q, then the perturbation that decides ties
-  std::vector<Column> x_, w_;        // for every right-hand side
+  std::vector<Column> rhs_; // q, then the perturbation that decides ties
+  std::optional<ExactSystem> system_;
+  std::vector<std::size_t> places_;  // rows and columns of the system
+  std::vector<Column> x_, w_;        // for the right-hand sides that were needed
   std::vector<Rational> artificial_; // z0 for each of them
 
   bool is_feasible() const {
@@ -128,32 +82,38 @@ private:
   }
 
   /// x, w and z0 with L x + cover z0 + constant = w and everything that is not basic zero but, by
-  /// `right`, the rows of `places`.
-  bool spread(const ExactSystem& system, const std::vector<std::size_t>& places,
-              const Column& constant, const Column& right, Column& x, Column& w,
+  /// `right`, the rows of places_.
+  bool spread(const Column& right, const Column& constant, Column& x, Column& w,
               Rational& z0) const {
     std::vector<Rational> b;
-    for (std::size_t k = 0; k < places.size(); ++k) b.push_back(right[k] - constant[places[k]]);
-    const auto solution = system.solve(b);
+    for (std::size_t k = 0; k < places_.size(); ++k) b.push_back(right[k] - constant[places_[k]]);
+    const auto solution = system_->solve(b);
     if (!solution) return false;
-    const std::size_t count = blocked_ == none ? places.size() : places.size() - 1;
-    for (std::size_t k = 0; k < count; ++k) x[places[k]] = (*solution)[k];
+    const std::size_t count = blocked_ == none ? places_.size() : places_.size() - 1;
+    for (std::size_t k = 0; k < count; ++k) x[places_[k]] = (*solution)[k];
     z0 = blocked_ == none ? Rational(0) : solution->back();
     w = times(problem_, x, constant, cover_, z0);
     return true;
   }
 
   bool evaluate(const std::vector<Column>& rhs) {
-    std::vector<std::size_t> places;
-    const ExactSystem matrix = system(places);
-    if (matrix.is_singular()) return false;
-    x_.assign(rhs.size(), Column(n_));
-    w_.assign(rhs.size(), Column(n_));
-    artificial_.assign(rhs.size(), Rational(0));
-    for (std::size_t k = 0; k < rhs.size(); ++k)
-      if (!spread(matrix, places, rhs[k], Column(places.size()), x_[k], w_[k], artificial_[k]))
-        return false;
+    factor();
+    if (system_->is_singular()) return false;
+    for (const Column& q : rhs)
+      if (!append(q)) return false;
     return true;
+  }
+  void factor() {
+    system_.emplace(system(places_));
+    x_.clear();
+    w_.clear();
+    artificial_.clear();
+  }
+  bool append(const Column& q) {
+    x_.emplace_back(n_);
+    w_.emplace_back(n_);
+    artificial_.emplace_back(0);
+    return spread(Column(places_.size()), q, x_.back(), w_.back(), artificial_.back());
   }
 
   /// A column that is the given positive numbers in terms of the present basis.
@@ -196,10 +156,9 @@ private:
 
   /// One pivot; false on a ray.
   bool step() {
-    if (!evaluate(rhs_)) return false;
-    std::vector<std::size_t> places;
-    const ExactSystem matrix = system(places);
-    Column constant(n_), right(places.size()), dx(n_), dw;
+    factor();
+    if (system_->is_singular() || !append(rhs_.front())) return false;
+    Column constant(n_), right(places_.size()), dx(n_), dw;
     Rational dz0;
     if (x_enters_) {
       for (std::size_t i = 0; i < n_; ++i)
@@ -208,21 +167,32 @@ private:
     } else {
       right.back() = 1;
     }
-    if (!spread(matrix, places, constant, right, dx, dw, dz0)) return false;
-    std::size_t leaving = none;
-    std::vector<Rational> least;
-    const auto consider = [&](std::size_t i, const Rational& falls, const auto& value) {
-      if (falls.sign() >= 0) return;
-      std::vector<Rational> ratio;
-      for (std::size_t k = 0; k < rhs_.size(); ++k) ratio.push_back(value(k) / -falls);
-      if (leaving != none && !(ratio < least)) return;
-      least = std::move(ratio);
-      leaving = i;
+    if (!spread(right, constant, dx, dw, dz0)) return false;
+    const auto falls = [&](std::size_t i) -> const Rational& {
+      return i == n_ ? dz0 : basic_[i] != 0 ? dx[i] : dw[i];
     };
-    consider(n_, dz0, [&](std::size_t k) { return artificial_[k]; }); // first: it wins a tie
-    for (std::size_t i = 0; i < n_; ++i) {
-      if (problem_.is_free(i) || i == blocked_) continue;
-      consider(i, basic_[i] != 0 ? dx[i] : dw[i], [&](std::size_t k) { return values(i)[k][i]; });
+    const auto ratio = [&](std::size_t i, std::size_t k) {
+      return (i == n_ ? artificial_[k] : values(i)[k][i]) / -falls(i);
+    };
+    std::size_t leaving = none;
+    std::vector<Rational> least, mine;
+    // Most pivots are decided by q: the other right-hand sides are solved for at the first tie.
+    const auto blocks_before = [&](std::size_t i) {
+      mine.clear();
+      for (std::size_t k = 0; k < rhs_.size(); ++k) {
+        if (k == x_.size() && !append(rhs_[k])) return false;
+        if (k == least.size()) least.push_back(ratio(leaving, k));
+        mine.push_back(ratio(i, k));
+        if (mine[k] != least[k]) return mine[k] < least[k];
+      }
+      return false;
+    };
+    for (std::size_t k = 0; k <= n_; ++k) {
+      const std::size_t i = k == 0 ? n_ : k - 1; // z0 first: it wins a tie
+      if (i < n_ && (problem_.is_free(i) || i == blocked_)) continue;
+      if (falls(i).sign() >= 0 || (leaving != none && !blocks_before(i))) continue;
+      leaving = i;
+      least.swap(mine);
     }
     if (leaving == none) return false;
     basic_[blocked_] = x_enters_ ? 1 : 0;
