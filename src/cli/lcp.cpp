@@ -142,9 +142,9 @@ Command lcp_command() {
           "Example:\n  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\"\n"
           "  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\" --lo 0 --hi \"1 inf\"\n",
           with_common_options({
-              {"--M", "MATRIX", "rows by semicolons, numbers by blanks"},
-              {"--q", "VECTOR", "n numbers"},
-              {"--free", "I,J,..", "1-based rows that are equalities with free unknowns"},
+              matrix_option,
+              vector_option,
+              free_option,
               lo_option,
               hi_option,
               findex_option,

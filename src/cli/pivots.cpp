@@ -3,6 +3,7 @@
 #include "cli/choose.hpp"
 #include "cli/commands.hpp"
 #include "cli/raw_arguments.hpp"
+#include "cli/raw_bounds.hpp"
 #include "cli/time_limit.hpp"
 #include "pivots/explorer_text.hpp"
 #include "pivots/subject.hpp"
@@ -149,7 +150,7 @@ Command pivots_command() {
       "  lcpush pivots fixtures/scenes/straight_slide_point.toml --format html -o pivots.html\n",
       with_common_options({
           {"--M", "MATRIX", "rows by semicolons, numbers (0.2 or 1/3) by blanks"},
-          {"--q", "VECTOR", "n numbers"},
+          vector_option,
           {"--exact", "", "in fractions, decimals taken as typed; proves the final basis"},
           {"--cover", "D1,D2,..", "the covering vector, numbers > 0 (default 1 in every row)"},
           {"--first-row", "", "the first tied row leaves, which may cycle (found, exit 1)"},

@@ -53,13 +53,9 @@ private:
     while (now() < target - rounding) {
       if (options_.progress) options_.progress(now() / time_, now());
       if (!begin_strokes()) return false;
-      if (report_.solves >= options_.most_steps) {
-        report_.end = MoveEnd::steps;
-        report_.status = Status::pivot_limit;
-        return false;
-      }
-      if (options_.is_interrupted && options_.is_interrupted()) {
-        report_.end = MoveEnd::stopped;
+      const bool is_stopped = options_.is_interrupted && options_.is_interrupted();
+      if (is_stopped || report_.solves >= options_.most_steps) {
+        report_.end = is_stopped ? MoveEnd::stopped : MoveEnd::steps;
         report_.status = Status::pivot_limit;
         return false;
       }

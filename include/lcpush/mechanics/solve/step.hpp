@@ -227,7 +227,10 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_rounds(int
   Answer<S>& answer = m_.work.answer;
   read_answer(assembly_, m_.work.pressure.z.data, answer, S(1));
   run_.residual = check(solved_, assembly_.layout().scales, answer, S(1)).max();
-  if (!(run_.residual <= Tolerances<S>().residual)) return Status::numerical_breakdown;
+  if (!(run_.residual <= Tolerances<S>().residual)) {
+    run_.reason = Reason::residual;
+    return Status::numerical_breakdown;
+  }
   knows_last_ = unknowns > 0;
   carry_basis(false);
   return Status::solved;
