@@ -34,7 +34,8 @@ typedef enum lcpush_status {
   LCPUSH_SWEEP_LIMIT,         /* the allowed number of sweeps was used up */
   LCPUSH_STAGNATED,           /* the sweeps make no more progress */
   LCPUSH_NUMERICAL_BREAKDOWN, /* an answer or a ray was reached, but it fails its check */
-  LCPUSH_BAD_INPUT            /* see lcpush_mistake_text */
+  LCPUSH_BAD_INPUT,           /* see lcpush_mistake_text */
+  LCPUSH_NOT_SETTLED          /* LCPUSH_ROUND: slips turn from round to round without end */
 } lcpush_status;
 
 /* What is wrong with the input. */
@@ -52,7 +53,8 @@ typedef enum lcpush_mistake {
                               preload; a preload on a driven body */
   LCPUSH_NOTHING_MOVES,    /* break: no pusher has an acceleration */
   LCPUSH_NOT_DESCRIBED,    /* lcpush_describe was not called, or has failed */
-  LCPUSH_BAD_WEIGHTS       /* a weight <= 0 */
+  LCPUSH_BAD_WEIGHTS,      /* a weight <= 0 */
+  LCPUSH_BAD_AIMS          /* not this interface's */
 } lcpush_mistake;
 
 typedef enum lcpush_role { LCPUSH_FINGER, LCPUSH_PUSHER } lcpush_role;
@@ -61,6 +63,8 @@ typedef enum lcpush_mode { LCPUSH_STICK, LCPUSH_SLIDE, LCPUSH_SEPARATE } lcpush_
 /* In a motion: a body's points ride on the body and press on the object's faces, or the object's
  * points ride on the object and press on the body's plane. */
 typedef enum lcpush_riding { LCPUSH_ON_BODY, LCPUSH_ON_OBJECT } lcpush_riding;
+/* As a scene's facets: friction is round. It takes the memory of 8 facets. */
+#define LCPUSH_ROUND (-8)
 /* Where a body is asked for: the object. */
 #define LCPUSH_OBJECT (-1)
 typedef enum lcpush_solver { LCPUSH_LEMKE, LCPUSH_GAUSS_SEIDEL } lcpush_solver;

@@ -13,6 +13,7 @@ enum class Status {
   stagnated,           ///< Gauss-Seidel makes no more progress
   numerical_breakdown, ///< an answer or a ray was reached, but it fails its check
   bad_input,           ///< sizes or numbers that do not describe a problem
+  not_settled,         ///< rounds of round friction came to no end: see Reason
 };
 
 /// The status as `--json` and the C interface print it.
@@ -25,6 +26,7 @@ constexpr const char* status_text(Status status) {
   case Status::pivot_limit: return "pivot_limit";
   case Status::sweep_limit: return "sweep_limit";
   case Status::stagnated: return "stagnated";
+  case Status::not_settled: return "not_settled";
   case Status::numerical_breakdown: return "numerical_breakdown";
   case Status::bad_input: return "bad_input";
   }
@@ -45,6 +47,8 @@ enum class Reason {
   small_load,     ///< numerical_breakdown: a row is right beside the largest force, but not by its
                   ///< own terms
   retreat,        ///< a free unknown ended at its symbolic bound -S: it runs away
+  unsettled,      ///< numerical_breakdown: the pads' pressures settle in no number of rounds
+  turning,        ///< not_settled: slips turn from round to round, and friction with them
   leap,           ///< numerical_breakdown: a time step leads too far to be one
 };
 
@@ -64,6 +68,8 @@ constexpr const char* reason_text(Reason reason) {
   case Reason::false_ray: return "nothing blocks, yet the ray fails its certificate";
   case Reason::singular_basis: return "a basis is singular to working precision";
   case Reason::retreat: return "a free unknown runs off to minus infinity";
+  case Reason::unsettled: return "the pads' pressures do not settle";
+  case Reason::turning: return "round friction does not settle: slips turn from round to round";
   case Reason::leap: return "a time step leads too far to be one: take a shorter one";
   }
   return "";

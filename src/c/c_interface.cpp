@@ -101,7 +101,8 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   scene.object.wrench = vector(given.object.wrench);
   scene.object.center_of_mass.setZero();
   scene.gravity = vector(given.gravity);
-  scene.facets = given.facets;
+  const bool is_round = given.facets == LCPUSH_ROUND;
+  scene.facets = is_round ? -given.facets : given.facets;
   const auto pressure = number_of(given.pressure);
   if (pressure != LCPUSH_PAD && pressure != LCPUSH_EVEN && pressure != LCPUSH_RIGID)
     return push.refuse(Mistake::unsupported);
@@ -111,7 +112,7 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   scene.points = {points.data, points.size};
   scene.actuators = {actuators.data, actuators.size};
   scene.drives = {drives.data, drives.size};
-  if (given.weights == nullptr) return push.accept(scene);
+  if (given.weights == nullptr) return push.accept(scene, is_round);
   // Without weights first: the bodies' points lie where they should.
   const Mistake mistake = find_mistake(scene);
   if (mistake != Mistake::none) return push.refuse(mistake);
@@ -119,7 +120,7 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   for (Index i = 0; i < weights.size; ++i) weights[i] = given.weights[i];
   normalise(scene.bodies, weights);
   scene.weights = {weights.data, weights.size};
-  return push.accept(scene);
+  return push.accept(scene, is_round);
 }
 
 template <class S> Status command(CPush<S>& push, const S* forces, const S* accelerations) {

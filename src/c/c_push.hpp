@@ -64,8 +64,9 @@ public:
   }
 
   /// Takes a scene over this push's own arrays.
-  Status accept(const Scene<S>& scene) {
+  Status accept(const Scene<S>& scene, bool is_round) {
     given_ = scene;
+    if (is_round) given_.aims = {work_.aims.data, scene.points.size};
     motion_ = nullptr;
     return assemble();
   }
@@ -93,7 +94,7 @@ public:
     if (solve_.get() == nullptr) {
       assembly_.push_by(S(1));
       PivotSolve& solve = solve_.make(assembly_, LemkeRounds<S>{lemke_, options_}, work_.pressure,
-                                      PressureOptions<S>());
+                                      PressureOptions<S>(), work_.friction_memory(scene_));
       status_ = solve.init();
     }
     for (int k = 0; k < pivots && status_ == Status::running; ++k) {
@@ -212,7 +213,7 @@ private:
     Index sweeps = 0;
     for (;;) {
       status_ = solve_pressure(assembly_, SweepRounds<S>{sweeps_, options}, work_.pressure,
-                               PressureOptions<S>(), run_);
+                               PressureOptions<S>(), run_, work_.friction_memory(scene_));
       run_.sweeps += sweeps;
       sweeps = run_.sweeps;
       const bool refused = conclude() == Status::numerical_breakdown;

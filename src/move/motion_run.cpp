@@ -32,13 +32,19 @@ Touch touch_of(const StepContact<double>& contact) {
 } // namespace
 
 MotionRun::MotionRun(const SceneFile& file)
-    : file_(file), scene_(file.view()), faces_(contact_faces(file)), around_(faces_.view()),
-      bytes_(motion_bytes_of(file)),
+    : file_(file), aims_(file.is_round ? file.points.size() : 0), scene_(scene_of(file)),
+      faces_(contact_faces(file)), around_(faces_.view()), bytes_(motion_bytes_of(file)),
       kept_(static_cast<std::size_t>(motion_array_bytes<double>(motion_size(scene_)))),
       stepper_(scene_, around_,
                make_structured_motion_memory<double>(span_of(bytes_), motion_size(scene_),
                                                      shared_of(file))) {
   place_strokes(0);
+}
+
+Scene<double> MotionRun::scene_of(const SceneFile& file) const {
+  Scene<double> scene = file.view();
+  scene.aims = {aims_.data(), static_cast<Index>(aims_.size())};
+  return scene;
 }
 
 void MotionRun::place_strokes(double middle) {

@@ -54,7 +54,10 @@ public:
 private:
   void place_strokes(double middle);
 
+  Scene<double> scene_of(const SceneFile& file) const;
+
   const SceneFile& file_;
+  std::vector<Aim<double>> aims_; ///< of round friction
   Scene<double> scene_;
   ContactFaces faces_;
   Surroundings<double> around_;

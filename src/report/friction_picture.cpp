@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/drawn_facets.hpp"
 #include "report/pictures.hpp"
 #include "solve/sentence.hpp"
 
@@ -66,8 +67,9 @@ std::string cell_elements(const SceneFile& file, const Cell& cell, const PushRep
   const Pixel center(cell_width / 2, 88);
   const double scale = radius / cell.bound;
   std::vector<Pixel> rim;
-  for (Index j = 0; j < file.facets; ++j)
-    rim.push_back(center + radius * in_plane(body, generator(body, j, file.facets).force));
+  const Index corners = drawn_facets(file);
+  for (Index j = 0; j < corners; ++j)
+    rim.push_back(center + radius * in_plane(body, generator(body, j, corners).force));
   const Vector3<double> other = cross(body.normal, body.tangent);
   const std::string name = cell_name(file, cell.point);
   std::string text = text_element("strong", {cell_width / 2, 16}, name, "middle") +

@@ -67,12 +67,14 @@ std::string sweep_title(const Sweep& sweep) {
 
 Section friction_section(const PageContent& content) {
   const std::vector<std::string> others = without_friction(content.file, content.push);
-  std::string text =
-      paragraph("Dashed: Coulomb's circle of radius friction times normal force. Polygon: what " +
-                    std::to_string(content.file.facets) +
-                    " facets keep of it. Arrow: the friction force on the object; thin, dotted: "
-                    "the direction of slip.",
-                "aside");
+  const std::string circle = "Coulomb's circle of radius friction times normal force. ";
+  const std::string cone = content.file.is_round
+                               ? circle
+                               : "Dashed: " + circle + "Polygon: what " +
+                                     std::to_string(content.file.facets) + " facets keep of it. ";
+  std::string text = paragraph(
+      cone + "Arrow: the friction force on the object; thin, dotted: the direction of slip.",
+      "aside");
   for (const FrictionGroup& group : friction_panels(content.file, content.push)) {
     text += "<h3>" + escaped(group.body) + "</h3>\n<div class=\"panels\">\n";
     for (const Drawing& panel : group.panels) text += svg_element(panel);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "report/drawn_facets.hpp"
 #include "report/scene_painter.hpp"
 #include "solve/sentence.hpp"
 #include "text/format.hpp"
@@ -38,9 +39,10 @@ std::string ScenePainter::forces(const Body<double>& body, Index point) {
   const bool is_pressed = answer.normal_force > scales_.no_force;
   if (is_pressed && body.friction > 0) {
     std::vector<Pixel> rim;
-    for (Index j = 0; j < scene_.facets; ++j)
-      rim.push_back(from(normal + body.friction * answer.normal_force *
-                                      generator(body, j, scene_.facets).force));
+    const Index corners = drawn_facets(file_);
+    for (Index j = 0; j < corners; ++j)
+      rim.push_back(
+          from(normal + body.friction * answer.normal_force * generator(body, j, corners).force));
     rim.push_back(tip);
     const std::vector<Pixel> outline = hull(rim);
     for (const Pixel& corner : outline) places_.block_line(tip, corner, 30);

@@ -64,6 +64,11 @@ const TomlValue& TableReader::require(const std::string& key) const {
                 (known->unit.empty() ? "" : "  # " + known->unit));
 }
 
+bool TableReader::is_text(const std::string& key) const {
+  const TomlValue* const value = table_.find(key);
+  return value != nullptr && std::holds_alternative<std::string>(value->data);
+}
+
 bool TableReader::boolean(const std::string& key) const {
   const TomlValue& value = require(key);
   if (const auto* truth = std::get_if<bool>(&value.data)) return *truth;

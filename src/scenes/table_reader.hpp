@@ -33,6 +33,8 @@ public:
   int line_of(const std::vector<std::string>& keys) const;
   const std::string& label() const { return label_; }
 
+  /// Is it there, and a text?
+  bool is_text(const std::string& key) const;
   bool boolean(const std::string& key) const;
   /// Neither empty nor with control characters, so that every report can print it.
   std::string text(const std::string& key) const;

@@ -34,7 +34,7 @@ std::string Push::row_name(Index i) const {
 
 std::string Push::along(const Name& name, double sign) const {
   const Body<double>& body = scene_.bodies[layout().body[name.of]];
-  const Generator<double> d = generator(body, name.generator, file_.facets);
+  const Generator<double> d = generator(scene_, body, name.of, name.generator);
   return generator_text({sign * d.force, sign * d.torque}, body.torsion_radius);
 }
 
@@ -46,7 +46,8 @@ std::string Push::actuator_name(Index actuator) const {
 }
 
 Push::Push(const SceneFile& file)
-    : file_(file), assembled_(file.view()), sweeps_(work_.sweep_scalars, work_.sweep_integers) {}
+    : file_(file), assembled_(file.view(), file.is_round),
+      sweeps_(work_.sweep_scalars, work_.sweep_integers) {}
 
 /// The pivots' dictionary is large: only who pivots pays for it.
 Lemke<double>& Push::pivots() {
@@ -73,6 +74,15 @@ StructuredLemke<double>& Push::structured_pivots() {
   return *structured_;
 }
 
+void Push::aim_at(const std::vector<Vector3<double>>& forces) {
+  for (Index i = 0; i < scene_.aims.size; ++i) {
+    work_.aims[i] = {};
+    const Vector3<double>& force = forces[static_cast<std::size_t>(i)];
+    if (force.norm() > 0) work_.aims[i].along = force.normalized();
+  }
+  assembly_.assemble(scene_);
+}
+
 void Push::record(Index sweep, const double* z) {
   const bool new_round = !history_.empty() && swept_before_ + sweep < history_.back().sweep;
   if (new_round) swept_before_ = history_.back().sweep;
@@ -86,7 +96,8 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
   pressure.tolerance *= part;
   assembly_.push_by(sigma);
   const Status status = with_rounds(options, [&](const auto& rounds) {
-    return solve_pressure(assembly_, rounds, work_.pressure, pressure, spent);
+    return solve_pressure(assembly_, rounds, work_.pressure, pressure, spent,
+                          work_.friction_memory(scene_));
   });
   if (status != Status::solved) return status;
   read_answer(assembly_, work_.pressure.z.data, work_.answer, sigma);
@@ -131,10 +142,13 @@ std::string Push::explain(Status status, const PressureRun& run) const {
     if (run.reason == Reason::none && file_.hand == Hand::locked)
       return "from their preload the locked fingers press ever harder, round by round: most often "
              "they wedge the object";
-    if (run.reason == Reason::none)
+    if (run.reason == Reason::none || run.reason == Reason::unsettled)
       return "the pad rounds did not converge, though the rigid problem is solvable; try pressure "
              "= \"rigid\"";
     break;
+  case Status::not_settled:
+    return "friction did not become round: the slip of " + point_name(file_, run.worst_point) +
+           " turns from round to round; a number of facets has an answer, facets = 32 for example";
   default: break;
   }
   return reason_text(run.reason);
@@ -176,7 +190,7 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
     report.undetermined = file_.body_name(file_.body_of(scene_.bodies[open].first_point));
   bool same_a = true, same_f = true;
   const Outcome<double> first = outcome();
-  report.final_basis = study_final_basis(assembly_, work_.answer);
+  if (!file_.is_round) report.final_basis = study_final_basis(assembly_, work_.answer);
   const bool affordable = layout().size <= limits::unknowns_searched;
   for (Index k = 1; affordable && k <= options.other_covers; ++k) {
     PressureRun ignored;
@@ -240,7 +254,10 @@ PushReport Push::solve(const PushOptions& options) {
     return report;
   }
   const std::vector<double> z(work_.pressure.z.begin(), work_.pressure.z.end());
+  const std::vector<Aim<double>> aims(work_.aims.begin(), work_.aims.end());
   search_others(options, report);
+  std::copy(aims.begin(), aims.end(), work_.aims.begin());
+  assembly_.assemble(scene_);
   read_answer(assembly_, z.data(), work_.answer, 1.0); // the search has overwritten it
   report.answer = work_.answer;
   report.residuals = check(scene_, report.scales, report.answer, 1.0);

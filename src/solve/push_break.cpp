@@ -10,7 +10,7 @@ namespace {
 
 /// One basis gives the breaking force; nothing is extrapolated from finite pushes.
 bool is_exact(const SceneFile& file, const PushOptions& options) {
-  return file.pressure != Pressure::pad && options.solver != Solver::gauss_seidel;
+  return !takes_rounds(file) && options.solver != Solver::gauss_seidel;
 }
 
 /// The core calls rest what is slow beside the grip; beside the load it may be a fall. Where finite

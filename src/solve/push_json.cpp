@@ -1,5 +1,6 @@
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/report.hpp"
+#include "lcpush/mechanics/model/round_distance.hpp"
 #include "scenes/warnings_json.hpp"
 #include "solve/push_words.hpp"
 
@@ -138,6 +139,9 @@ std::string solve_json(const SceneFile& file, const HoldReport& hold, const Push
   json.member("motion_open", report.final_basis.motion_open);
   json.member("wrench_open", report.final_basis.wrench_open).end_object().end_object();
   write_residual(json, report.residuals);
+  const Scene<double> scene = file.view();
+  json.member("off_round_cone",
+              RoundDistance<double>(scene, report.scales, report.answer).worst().distance);
   json.key("object").begin_object();
   json.member("acceleration", report.answer.acceleration).end_object();
   write_contacts(json, file, report);

@@ -1,4 +1,5 @@
 #include "solve/push_words.hpp"
+#include "lcpush/mechanics/model/round_distance.hpp"
 #include "solve/told_force.hpp"
 
 #include <algorithm>
@@ -189,6 +190,20 @@ Fact hold_fact(const SceneFile& file, const HoldReport& hold) {
   return fact;
 }
 
+/// How far friction is from a round cone's.
+Fact friction_fact(const SceneFile& file, const PushReport& report) {
+  const Scene<double> scene = file.view();
+  const RoundDistance<double>::Worst worst =
+      RoundDistance<double>(scene, report.scales, report.answer).worst();
+  const double off = worst.distance * report.scales.force;
+  if (file.is_round) return {"Friction", "round, to " + printed("%.1g", off) + " N"};
+  if (off < 1e-9 * report.scales.force)
+    return {"Friction", "as a round cone's: every slip is along a generator"};
+  return {"Friction", std::to_string(file.facets) + " facets cost up to " + number(off) +
+                          " N, the friction of " + point_name(file, worst.point) +
+                          "; facets = \"round\" costs none"};
+}
+
 std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report) {
   std::vector<Fact> facts;
   if (report.status == Status::solved) {
@@ -196,6 +211,7 @@ std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report) {
     facts.push_back({"Motion", motion_words(file, report)});
     facts.push_back({"Answer", unique_text(file, report)});
   }
+  if (report.status == Status::solved) facts.push_back(friction_fact(file, report));
   facts.push_back({"Theory", theory_words(file, report)});
   return facts;
 }
@@ -265,7 +281,7 @@ std::string run_words(const SceneFile& file, const RunReport& report) {
   if (run.rounds > 0) text += " in " + counted(run.rounds, "round");
   if (run.cold_restarts > 0) text += ", " + std::to_string(run.cold_restarts) + " restarted cold";
   return text + "; pressure law " + pressure_text(file.pressure) + "; " +
-         std::to_string(file.facets) + " facets";
+         (file.is_round ? "round friction" : std::to_string(file.facets) + " facets");
 }
 
 } // namespace lcpush::desktop

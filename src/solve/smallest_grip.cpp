@@ -217,7 +217,10 @@ SceneFile hand_at_rest(const SceneFile& file) {
 }
 
 Status find_holding(const SceneFile& file, const PushOptions& options, Holding<double>& holding) {
-  const AssembledScene assembled(file.view());
+  constexpr Index nearly_round = 64; // facets, 0.1 % short of a circle
+  Scene<double> scene = file.view();
+  if (file.is_round) scene.facets = nearly_round;
+  const AssembledScene assembled(scene);
   const AssemblySize size = size_of(assembled.scene);
   SolverMemory<double> memory(holding_scalars(size), holding_integers(size));
   Watcher nobody;

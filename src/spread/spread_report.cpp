@@ -36,8 +36,11 @@ std::string file_law_text(const SceneFile& file) {
 
 Fact law_fact(const SceneFile& file) {
   const std::string other = file_law_text(file);
-  return {"Laws",
-          "the paper's, literally (pressure = \"rigid\")" + (other.empty() ? "" : ";\n" + other)};
+  return {"Laws", "the paper's, literally (pressure = \"rigid\")" +
+                      (other.empty() ? "" : ";\n" + other) +
+                      (file.is_round ? ";\nfriction by pyramids of " + std::to_string(file.facets) +
+                                           " facets, not round"
+                                     : "")};
 }
 
 std::string stop_name(SpreadReport::Stop stop) {

@@ -197,7 +197,7 @@ Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& va
                        " counts something: it takes a list of whole numbers "
                        "(--each facets=4,8,16), not a range");
     for (const double value : {variation.from, variation.to}) solver.go_to(value);
-    const bool linear = variation.parameter.linear;
+    const bool linear = variation.parameter.linear && !file.is_round;
     if (linear) find_segments(scene, solver, file.pressure != Pressure::pad, options, sweep);
     if (!linear || options.steps > 0) sample_line(scene, solver, options, sweep);
     find_zeros(solver, sweep);

@@ -186,7 +186,7 @@ DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const Ro
     none.status = Status::ray;
     return none;
   }
-  if (point_->scene.pressure == Pressure::pad) return solve_pad(question, bases);
+  if (takes_rounds(point_->file)) return solve_pad(question, bases);
   if (others != nullptr && !others->empty() && !bases.empty()) {
     for (const RoundBases* candidate : {static_cast<const RoundBases*>(&bases), others}) {
       const DetailedAnswer answer = on_basis(question, candidate->front(), false);
@@ -257,7 +257,8 @@ DetailedAnswer SweepSolver::solve_rounds(Question question, Pivots& pivots, Roun
   if (question == Question::push) {
     p.assembly.push_by(1.0);
     const auto options = pressure_options(p.scene, p.assembly.layout().scales, 1.0);
-    answer.status = solve_pressure(p.assembly, rounds, p.work.pressure, options, run);
+    answer.status = solve_pressure(p.assembly, rounds, p.work.pressure, options, run,
+                                   p.work.friction_memory(p.scene));
     if (answer.is_solved()) answer = read_push(p, p.work.pressure.z.data);
   } else {
     Breaking<double> breaking;

@@ -30,7 +30,7 @@ struct DetailedAnswer : SweepAnswer {
 struct ScenePoint {
   SceneFile file;
   const Body<double>& pusher;
-  AssembledScene assembled{file.view()};
+  AssembledScene assembled{file.view(), file.is_round};
   const Scene<double>& scene = assembled.scene; ///< as solved
   Workspace<double>& work = assembled.work;
   Assembly<double>& assembly = assembled.assembly;

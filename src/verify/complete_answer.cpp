@@ -202,7 +202,7 @@ Vector6<double> AnswerCompleter::relative_twist(Index point) const {
 double AnswerCompleter::slides_against(Index point, Index j) const {
   const Body<double>& body = body_of(point);
   const Vector6<double> relative = relative_twist(point);
-  const Generator<double> d = generator(body, j, scene_.facets);
+  const Generator<double> d = generator(scene_, body, point, j);
   return acceleration_at<double>(scene_.points[point], relative).dot(d.force) +
          relative.tail<3>().dot(body.normal) * d.torque + answer_.contacts[point].slip;
 }

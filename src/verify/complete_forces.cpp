@@ -37,7 +37,7 @@ AnswerCompleter::ForceRows AnswerCompleter::force_rows() {
               drive, factored_.wrenches[cone.force + k], layout_.reach[drive.actuator], scales);
       if (cone.generators > 0) column[cone_row] = is_normal ? cone.friction : -1;
       if (!is_normal && !friction_is_known && contact_of(i).friction_force)
-        column.segment<3>(given_row) = generator(body_of(i), k - cone.normals, scene_.facets).force;
+        column.segment<3>(given_row) = generator(scene_, body_of(i), i, k - cone.normals).force;
       const double beta = is_normal ? 0 : answer_.friction[entry++];
       const double lambda = (k == 0 ? 1 : -1) * answer_.contacts[i].normal_force;
       if (is_normal ? normal_known(i) : friction_is_known)
@@ -101,7 +101,7 @@ void AnswerCompleter::find_forces() {
     contact.torsion = 0;
     for (Index j = 0; j < cone.generators; ++j) {
       const double beta = force(cone.normals + j);
-      const Generator<double> d = generator(body_of(i), j, scene_.facets);
+      const Generator<double> d = generator(scene_, body_of(i), i, j);
       answer_.friction[entry++] = beta;
       contact.friction_force += beta * d.force;
       contact.torsion += beta * d.torque;
@@ -118,8 +118,8 @@ void AnswerCompleter::split_friction(Index point, double* beta) {
   if (body.torsion_radius > 0) return split_soft(point, beta);
   double best = -1;
   for (Index j = 0; j < g; ++j) {
-    const Vector3<double> d = generator(body, j, g).force,
-                          e = generator(body, (j + 1) % g, g).force;
+    const Vector3<double> d = generator(scene_, body, point, j).force,
+                          e = generator(scene_, body, point, (j + 1) % g).force;
     const double c = d.dot(e), determinant = 1 - c * c;
     const double x = (f.dot(d) - c * f.dot(e)) / determinant;
     const double y = (f.dot(e) - c * f.dot(d)) / determinant;
@@ -145,7 +145,7 @@ void AnswerCompleter::split_soft(Index point, double* beta) {
   program.b /= size;
   program.c.setOnes();
   for (Index j = 0; j < g; ++j) {
-    const Generator<double> d = generator(body, j, scene_.facets);
+    const Generator<double> d = generator(scene_, body, point, j);
     program.A.col(j) << d.force.dot(body.tangent), d.force.dot(o), d.torque / body.torsion_radius;
   }
   if (program.solve() != Status::solved) return;

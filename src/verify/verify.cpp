@@ -72,6 +72,7 @@ class Verification {
 public:
   Verification(const SceneFile& file, const ForeignAnswer& given, const VerifyOptions& options)
       : given_(given), push_(file), layout_(push_.layout()), answer_(layout_) {
+    if (file.is_round) push_.aim_at(friction_directions());
     report_.tolerance = options.tolerance;
   }
 
@@ -100,6 +101,27 @@ private:
   VerifyReport report_;
   bool has_forces_ = false; // filled in
 
+  /// Of round friction: where each point's force acts as far as the file tells, else against its
+  /// slip.
+  std::vector<Vector3<double>> friction_directions() const {
+    const Scene<double>& scene = push_.scene();
+    std::vector<Vector3<double>> list;
+    for (Index i = 0; i < layout_.points; ++i) {
+      const Body<double>& body = scene.bodies[layout_.body[i]];
+      const ForeignContact contact =
+          given_.contacts.empty() ? ForeignContact() : given_.contacts[static_cast<std::size_t>(i)];
+      ContactAnswer<double> known;
+      if (contact.friction_force) known.friction_force = *contact.friction_force;
+      if (contact.torsion) known.torsion = *contact.torsion;
+      if (contact.friction_force || !given_.acceleration)
+        list.push_back(friction_of(body, known));
+      else
+        list.push_back(
+            -slip_of<double>(body, scene.points[i], *given_.acceleration - body.acceleration));
+    }
+    return list;
+  }
+
   /// Everything that needs the literal problem, before a pressure law changes it.
   void study_point() {
     const DenseProblem problem = dense(push_.assembly().problem());
@@ -107,7 +129,7 @@ private:
     report_.metrics = measure_point(problem, z);
     report_.objective =
         report_.metrics.products * layout_.scales.force * layout_.scales.acceleration;
-    report_.basis = study_final_basis(push_.assembly(), answer_);
+    if (!push_.file().is_round) report_.basis = study_final_basis(push_.assembly(), answer_);
     report_.motion_proved = motion_is_determined(push_.scene());
     OwnedAnswer nearest(layout_);
     refine(problem, z, nearest);

@@ -61,7 +61,10 @@ private:
     return contact.normal_force < 0 ? point + " pulls" : point + " moves into its body";
   }
   std::string dissipation(const Violation<double>& row, const std::string& point) const {
-    const Generator<double> d = generator(body_of(row.of), row.part, scene_.facets);
+    if (row.part < 0)
+      return "friction of " + point +
+             (row.scaled < 0 ? " is none" : " is not opposite to its slip");
+    const Generator<double> d = generator(scene_, body_of(row.of), row.of, row.part);
     return "friction of " + point + generator_text(d, body_of(row.of).torsion_radius) +
            (row.scaled < 0 ? " is negative or too slow a slip" : " does not oppose the slip");
   }

@@ -1,8 +1,8 @@
-// Reliability on seeded random grasps: `random_grasps [FROM] [TO] [structured] [predicted]`
-// (default 0 10000, on the dense basis, cold; `predicted`: first rounds start from the predicted
-// modes). One line a pressure law and family: how many were solved, the worst residual of
-// mechanics/model/check.hpp, pivots, and on how many of every tenth grasp four covers agree on the
-// motion. Then the force of breaking on the first thousand.
+// Reliability on seeded random grasps: `random_grasps [FROM] [TO] [structured] [predicted]
+// [round]` (default 0 10000, on the dense basis, cold; `predicted`: first rounds start from the
+// predicted modes; `round`: friction is round). One line a pressure law and family: how many were
+// solved, the worst residual of mechanics/model/check.hpp, pivots, and on how many of every tenth
+// grasp four covers agree on the motion. Then the force of breaking on the first thousand.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -25,9 +25,13 @@ struct Solved {
 };
 
 bool starts_predicted = false;
+bool is_round = false;
+Index turned = 0;
 
 template <class Pivots>
-Solved solve(const Scene<double>& scene, Workspace<double>& work, Index first_cover) {
+Solved solve(Scene<double> scene, Workspace<double>& work, Index first_cover) {
+  if (is_round) scene.aims = {work.aims.data, scene.points.size};
+  const FrictionMemory<double> friction = work.friction_memory(scene);
   Assembly<double> assembly(work.assembly);
   assembly.assemble(scene);
   Pivots lemke(work.lemke_scalars, work.lemke_integers);
@@ -35,10 +39,11 @@ Solved solve(const Scene<double>& scene, Workspace<double>& work, Index first_co
   rounds.options.first_cover = first_cover;
   Solved solved{};
   using Predicted = PredictedRounds<double, const Unwatched, Pivots>;
-  solved.status =
-      starts_predicted
-          ? solve_pressure(assembly, Predicted{assembly, rounds}, work.pressure, {}, solved.run)
-          : solve_pressure(assembly, rounds, work.pressure, {}, solved.run);
+  solved.status = starts_predicted
+                      ? solve_pressure(assembly, Predicted{assembly, rounds}, work.pressure, {},
+                                       solved.run, friction)
+                      : solve_pressure(assembly, rounds, work.pressure, {}, solved.run, friction);
+  turned += solved.run.turns;
   if (solved.status != Status::solved) return solved;
   read_answer(assembly, work.pressure.z.data, work.answer, 1.0);
   solved.residual = check(scene, assembly.layout().scales, work.answer, 1.0).max();
@@ -57,6 +62,7 @@ void run_law(const char* name, test::Family family, Pressure pressure, unsigned 
   for (unsigned seed = from; seed < to; ++seed) {
     test::OwnedScene<double> owned = test::grasp_of<double>(family, seed);
     owned.base.pressure = pressure;
+    if (is_round) owned.base.facets = 8;
     owned = owned.spread();
     const Scene<double> scene = owned.view();
     auto memory = test::workspace_for<Pivots>(scene);
@@ -159,6 +165,7 @@ int main(int count, char** words) {
   bool structured = false;
   for (int i = 3; i < count; ++i) {
     structured = structured || std::strcmp(words[i], "structured") == 0;
+    is_round = is_round || std::strcmp(words[i], "round") == 0;
     starts_predicted = starts_predicted || std::strcmp(words[i], "predicted") == 0;
   }
   if (structured)

@@ -17,10 +17,12 @@ template <class S, class Pivots = Lemke<S>> struct SolvedPush {
   Status status = Status::bad_input;
   Residuals<S> residuals;
 
-  explicit SolvedPush(const OwnedScene<S>& given)
+  /// `is_round`: friction is, beginning with the scene's facets.
+  explicit SolvedPush(const OwnedScene<S>& given, bool is_round = false)
       : owned(given.spread()), scene(owned.view()), memory(workspace_for<Pivots>(scene)),
         assembly(memory.work.assembly),
         lemke(memory.work.lemke_scalars, memory.work.lemke_integers) {
+    if (is_round) scene.aims = {memory.work.aims.data, scene.points.size};
     assembly.assemble(scene);
   }
   SolvedPush(const SolvedPush&) = delete;
@@ -29,7 +31,8 @@ template <class S, class Pivots = Lemke<S>> struct SolvedPush {
   /// Solves for the push scaled by sigma and reads the answer.
   Status solve(S sigma = S(1)) {
     assembly.push_by(sigma);
-    status = solve_pressure(assembly, LemkeRounds{lemke}, memory.work.pressure, options, run);
+    status = solve_pressure(assembly, LemkeRounds{lemke}, memory.work.pressure, options, run,
+                            memory.work.friction_memory(scene));
     if (status != Status::solved) return status;
     read_answer(assembly, memory.work.pressure.z.data, memory.work.answer, sigma);
     residuals = check(scene, scales(), answer(), sigma);

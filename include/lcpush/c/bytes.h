@@ -3,10 +3,10 @@
 
 #define LCPUSH_WORD_ sizeof(ptrdiff_t)
 /* A push itself, a body, a drive, a contact and what its assembly keeps. */
-#define LCPUSH_STATE_BYTES_(real) (348 * LCPUSH_WORD_ + 184 * sizeof(real))
+#define LCPUSH_STATE_BYTES_(real) (364 * LCPUSH_WORD_ + 184 * sizeof(real))
 #define LCPUSH_BODY_BYTES_(real) (17 * sizeof(real) + 2 * LCPUSH_WORD_ + 32)
 #define LCPUSH_DRIVE_BYTES_(real) (6 * sizeof(real) + 2 * LCPUSH_WORD_ + 16)
-#define LCPUSH_POINT_BYTES_(real) (19 * sizeof(real) + 7 * LCPUSH_WORD_ + 16)
+#define LCPUSH_POINT_BYTES_(real) (26 * sizeof(real) + 7 * LCPUSH_WORD_ + 16)
 
 #define LCPUSH_COMMON_BYTES_(real, points, friction_forces, actuators, drives)                     \
   (LCPUSH_STATE_BYTES_(real) + (points)*LCPUSH_BODY_BYTES_(real) * 2 +                             \

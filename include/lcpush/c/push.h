@@ -40,7 +40,7 @@ typedef struct LCPUSH_NAME(drive) {
 typedef struct LCPUSH_NAME(scene) {
   LCPUSH_NAME(object) object;
   LCPUSH_REAL gravity[3]; /* m/s^2 */
-  int facets;             /* sides of a friction pyramid: even, 4..256 */
+  int facets;             /* sides of a friction pyramid: even, 4..256; or LCPUSH_ROUND */
   lcpush_pressure pressure;
   int planar; /* not 0: motion in the x-y plane only */
   const LCPUSH_NAME(body) * bodies;

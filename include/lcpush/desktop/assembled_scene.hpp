@@ -25,7 +25,8 @@ template <class S> struct EvenSceneOf {
 };
 using EvenScene = EvenSceneOf<double>;
 
-/// The arrays behind `given` outlive this. Memory: sweep_bytes.
+/// The arrays behind `given` outlive this. Memory: sweep_bytes. `is_round`: friction is round, and
+/// the scene has aims.
 struct AssembledScene {
   EvenScene even;
   const Scene<double>& scene; ///< as solved
@@ -33,11 +34,12 @@ struct AssembledScene {
   Workspace<double> work;
   Assembly<double> assembly;
 
-  explicit AssembledScene(const Scene<double>& given)
+  explicit AssembledScene(const Scene<double>& given, bool is_round = false)
       : even(given), scene(even.scene),
         bytes(static_cast<std::size_t>(sweep_bytes<double>(size_of(scene)))),
         work(make_sweep_workspace<double>(span_of(bytes), size_of(scene))),
         assembly(work.assembly) {
+    if (is_round) even.scene.aims = {work.aims.data, scene.points.size};
     assembly.assemble(scene);
   }
   AssembledScene(const AssembledScene&) = delete; // the views inside would point into the other one

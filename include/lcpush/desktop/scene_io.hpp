@@ -93,6 +93,7 @@ template <class S> struct SceneOf {
   ObjectShape shape;
   Vector3<S> gravity = Vector3<S>::Zero(); ///< m/s^2
   Index facets = 8;
+  bool is_round = false; ///< facets = "round": pyramids of 8 facets are turned until it is [T.15]
   Pressure pressure = Pressure::pad;
   bool planar = false;
   Hand hand = Hand::fixed;
@@ -134,6 +135,11 @@ template <class S> struct SceneOf {
 };
 
 using SceneFile = SceneOf<double>;
+
+/// Is the answer the last of several complementarity problems, and no basis' exact one?
+inline bool takes_rounds(const SceneFile& file) {
+  return file.pressure == Pressure::pad || file.is_round;
+}
 
 /// The body's points, as indices into Scene::points.
 template <class S> std::vector<Index> points_of(const Body<S>& body) {

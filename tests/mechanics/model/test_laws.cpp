@@ -154,3 +154,38 @@ TEST_CASE("[T.6] patch rigidity: zero for every rigid motion, the stretching rat
           doctest::Approx(0.3));
   }
 }
+
+TEST_CASE("[T.15] round friction: an inertia across the slip resists what turns it") {
+  Scene3 owned = crooked();
+  for (const double torsion_radius : {0.0, 0.007}) {
+    Body<double>& body = owned.bodies[0];
+    body.torsion_radius = torsion_radius;
+    const Scene<double> scene = owned.view();
+    const bool is_soft = torsion_radius > 0;
+    Aim<double> aim;
+    aim.along = Vec3(0.6, -0.7, is_soft ? 0.5 : 0).normalized();
+    aim.carried = {0.1, 0.2, is_soft ? -0.3 : 0};
+    aim.inertia = 3;
+    const Vec3 p = scene.points[0];
+    Matrix6<double> B = laws::newton(scene, scales);
+    Vector6<double> wrench, load = laws::load(scene, scales);
+    wrench << 1, -2, 3, 0.4, 0.5, -0.6;
+    laws::round_cone(body, p, aim, scene.object.mass, scales, B, load);
+    Vector6<double> a = B * (wrench + load) * scales.acceleration; // as a round solves for it
+    a.tail<3>() /= scales.length;
+
+    // M a = w + contact forces + the resistance - k (1 - u u') (v - c), by hand.
+    const Vec3 t = body.tangent, o = body.normal.cross(t), r = point_acceleration(a, p);
+    Vec3 v(r.dot(t), r.dot(o), torsion_radius * a.tail<3>().dot(body.normal));
+    v -= aim.carried;
+    Vec3 resists = -3 * (v - aim.along * aim.along.dot(v));
+    if (!is_soft) resists[2] = 0;
+    CHECK((laws::turning_force(body, p, aim, a) - resists).norm() <= 1e-12 * resists.norm());
+    const Vec3 force = resists[0] * t + resists[1] * o;
+    const Vec3 moment = p.cross(force) + torsion_radius * resists[2] * body.normal;
+    const Vec3 pushed = scales.force * wrench.head<3>() + 0.2 * scene.gravity + force;
+    const Vec3 turned = scales.force * scales.length * wrench.tail<3>() + moment;
+    CHECK((0.2 * a.head<3>() - pushed).norm() <= 1e-12 * pushed.norm());
+    CHECK((scene.object.inertia * a.tail<3>() - turned).norm() <= 1e-11 * turned.norm());
+  }
+}

@@ -84,12 +84,16 @@ public:
   Span<ConeGroup<S>> cones() const { return {memory_.cones.data, layout_.points}; }
   Span<S> q() const { return {memory_.q.data, layout_.size}; }
   const FactoredProblem<S>& factored() const { return factored_; }
+  /// The load that factored().mobility belongs to, scaled: the object's, and of round friction what
+  /// stands on the other side of its inertia.
+  const Vector6<S>& load() const { return load_; }
 
 private:
   AssemblyMemory<S> memory_;
   const Scene<S>* scene_ = nullptr;
   Layout<S> layout_{};
   FactoredProblem<S> factored_{};
+  Vector6<S> load_;
   S sigma_{1};
 
   /// F, L and F / m of a scene. Cost: O(points).
@@ -124,10 +128,22 @@ private:
     layout_.scales = {force, length, force / scene.object.mass};
   }
 
+  /// [T.1], and [T.15] of every point.
+  void add_object() {
+    const Scene<S>& scene = *scene_;
+    factored_.mobility = laws::newton(scene, layout_.scales);
+    load_ = laws::load(scene, layout_.scales);
+    if (scene.aims.size == 0) return;
+    for (const Body<S>& body : scene.bodies)
+      for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+        laws::round_cone(body, scene.points[i], scene.aims[i], scene.object.mass, layout_.scales,
+                         factored_.mobility, load_);
+  }
+
   /// [T.2], [T.3] and [T.4] of every point.
   void add_points() {
     const Scene<S>& scene = *scene_;
-    const Vector6<S> free_fall = factored_.mobility.lazyProduct(laws::load(scene, layout_.scales));
+    const Vector6<S> free_fall = factored_.mobility.lazyProduct(load_);
     Index force = 0, variable = 0;
     const auto add_force = [&](Index row, const Vector6<S>& column, const Vector6<S>& A_b) {
       memory_.wrenches[force++] = column;
@@ -141,8 +157,8 @@ private:
       // Directions are the body's: those of its first point are there to be read, but for a soft
       // point's torques.
       const auto generator_at = [&](Index i, Index normals, Index j) -> Generator<S> {
-        if (i == body.first_point || body.torsion_radius > S(0))
-          return generator(body, j, scene.facets);
+        if (i == body.first_point || body.torsion_radius > S(0) || scene.aims.size > 0)
+          return generator(scene, body, i, j);
         return {memory_.wrenches[first_force + normals + j].template head<3>(), S(0)};
       };
       for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
@@ -217,7 +233,7 @@ template <class S> Status Assembly<S>::assemble(const Scene<S>& scene) {
   layout_ = {};
   if (!fits(scene)) return Status::bad_input;
   choose_scales();
-  factored_.mobility = laws::newton(scene, layout_.scales);
+  add_object();
   add_points();
   layout_.actuators = scene.actuators.size;
   layout_.cones = {memory_.cones.data, layout_.points};

@@ -154,6 +154,7 @@ template <class S, class Visit> struct LawRows {
     const S lambda =
         body.bilateral ? Eigen::numext::abs(contact.normal_force) : contact.normal_force;
     S room = body.friction * lambda;
+    if (scene.aims.size > 0) return round_friction(body, i, room, relative, speed.norm());
     Vector3<S> left = contact.friction_force;
     S torsion = contact.torsion;
     const Index g = generator_count(scene, body);
@@ -170,6 +171,20 @@ template <class S, class Visit> struct LawRows {
     for (Index k = 0; k < 3; ++k) show(Law::cone, i, k, left[k], pressing, scales.force);
     show(Law::cone, i, 3, torsion, pressing * scales.length, scales.force * scales.length);
     if (g > 0) visit(complementarity(Law::cone, i, -1, room, contact.slip, speed.norm()));
+  }
+
+  /// [T.15] of point i: friction within the round cone, and none across the slip or along it.
+  void round_friction(const Body<S>& body, Index i, const S& limit, const Vector6<S>& relative,
+                      const S& size) {
+    if (!(body.friction > S(0))) return;
+    const Vector3<S> f = friction_of(body, answer.contacts[i]);
+    const Vector3<S> v = slip_of(body, scene.points[i], relative);
+    const S slip = v.norm(), force = f.norm();
+    visit(complementarity(Law::cone, i, -1, limit - force, slip, size));
+    if (slip == S(0)) return;
+    const S along = f.dot(v) / slip;
+    const S astray = along > S(0) ? force : S((f - along / slip * v).norm());
+    visit(complementarity(Law::dissipation, i, -1, astray, slip, size));
   }
 
   /// [T.2], [T.6] and the pusher's motion at point i.

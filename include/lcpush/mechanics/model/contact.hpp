@@ -113,20 +113,60 @@ template <class S> struct Generator {
 /// and the pure torques.
 constexpr Index soft_generators(Index g) { return 5 * g + 2; }
 
-/// Friction generator k of a body with g facets. The first g are the forces
-/// d_j = cos(2 pi j / g) t + sin(2 pi j / g) o, o = n x t. A soft point of torsion radius r goes on
-/// with [cos(psi) d_j ; r sin(psi)] for psi = 30, -30, 60, -60 degrees and ends with [0 ; +-r].
-template <class S> Generator<S> generator(const Body<S>& body, Index k, Index g) {
+/// Generator k of a point with g facets in its friction space (Aim). The first g are
+/// (cos(2 pi k / g), sin(2 pi k / g), 0). A soft point goes on with
+/// (cos(psi) cos(2 pi j / g), cos(psi) sin(2 pi j / g), sin(psi)) for psi = 30, -30, 60, -60
+/// degrees and ends with (0, 0, +-1).
+template <class S> Vector3<S> generator_direction(Index k, Index g) {
   const Index angle = k / g;
-  const S r = body.torsion_radius;
-  if (angle == 5) return {Vector3<S>::Zero(), k == 5 * g ? r : S(-r)};
-  const Vector3<S> d = circle_cosine<S>(k, g) * body.tangent +
-                       circle_sine<S>(k, g) * cross(body.normal, body.tangent);
-  if (angle == 0) return {d, S(0)};
+  if (angle == 5) return {S(0), S(0), S(k == 5 * g ? 1 : -1)};
+  const S x = circle_cosine<S>(k, g), y = circle_sine<S>(k, g);
+  if (angle == 0) return {x, y, S(0)};
   const S half = S(1) / S(2), cos_30 = circle_cosine<S>(1, 12);
   const S cosine[] = {cos_30, cos_30, half, half};
   const S sine[] = {half, S(-half), cos_30, S(-cos_30)};
-  return {cosine[angle - 1] * d, sine[angle - 1] * r};
+  return {cosine[angle - 1] * x, cosine[angle - 1] * y, sine[angle - 1]};
+}
+
+/// A direction of a body's friction space as a force and a torque.
+template <class S> Generator<S> generator_along(const Body<S>& body, const Vector3<S>& u) {
+  return {u[0] * body.tangent + u[1] * cross(body.normal, body.tangent),
+          u[2] * body.torsion_radius};
+}
+
+/// A motion at a point of a body in its friction space: m/s^2, and rad/s^2 about the normal.
+template <class S>
+Vector3<S> in_friction_space(const Body<S>& body, const Vector3<S>& acceleration, const S& spin) {
+  return {acceleration.dot(body.tangent), acceleration.dot(cross(body.normal, body.tangent)),
+          S(body.torsion_radius * spin)};
+}
+
+/// Friction generator k of a body with g facets: d_j = cos(2 pi j / g) t + sin(2 pi j / g) o,
+/// o = n x t, and at a soft point the others of generator_direction.
+template <class S> Generator<S> generator(const Body<S>& body, Index k, Index g) {
+  return generator_along(body, generator_direction<S>(k, g));
+}
+
+/// The directions across an aim: two unit vectors at a soft point, at a hard one the first alone
+/// (the other is the torque that it has not).
+template <class S> struct Across { Vector3<S> first, second; };
+template <class S> Across<S> across(const Aim<S>& aim, bool is_soft) {
+  const Vector3<S>& m = aim.along;
+  if (!is_soft) return {{S(-m[1]), m[0], S(0)}, Vector3<S>::UnitZ()};
+  // Any right-handed frame will do; this one needs no square root (Duff et al., JCGT 6, 2017).
+  const S sign = m[0] < S(0) ? S(-1) : S(1), a = S(-1) / (sign + m[0]), b = m[1] * m[2] * a;
+  return {{S(-sign * m[1]), S(1) + sign * m[1] * m[1] * a, sign * b},
+          {S(-m[2]), b, sign + m[2] * m[2] * a}};
+}
+
+/// Friction generator k of a point of this body: turned as the scene aims it.
+template <class S>
+Generator<S> generator(const Scene<S>& scene, const Body<S>& body, Index point, Index k) {
+  const Vector3<S> u = generator_direction<S>(k, scene.facets);
+  if (scene.aims.size == 0) return generator_along(body, u);
+  const Aim<S>& aim = scene.aims[point];
+  const Across<S> side = across(aim, body.torsion_radius > S(0));
+  return generator_along<S>(body, u[0] * aim.along + u[1] * side.first + u[2] * side.second);
 }
 
 /// Friction generators of one point of this body: none without friction.

@@ -40,7 +40,7 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   const FactoredProblem<S>& factored = assembly.factored();
 
   Vector6<S> wrench = contact_wrench(factored, z);
-  if (with_load) wrench += laws::load(scene, scales);
+  if (with_load) wrench += assembly.load();
   answer.acceleration = factored.mobility.lazyProduct(wrench) * scales.acceleration;
   answer.acceleration.template tail<3>() /= scales.length;
   for (Index a = 0; a < layout.actuators; ++a)
@@ -65,9 +65,15 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
       const S beta = z[layout.friction_index(i, j)] * scales.force;
       answer.friction[entry++] = beta;
       if (beta == S(0)) continue; // most are, and directions cost time
-      const Generator<S> d = generator(body, j, scene.facets);
+      const Generator<S> d = generator(scene, body, i, j);
       contact.friction_force += beta * d.force;
       contact.torsion += beta * d.torque;
+    }
+    if (scene.aims.size > 0) {
+      const Generator<S> turning = generator_along(
+          body, laws::turning_force(body, scene.points[i], scene.aims[i], answer.acceleration));
+      contact.friction_force += turning.force;
+      contact.torsion += turning.torque;
     }
     if (g > 0) contact.slip = z[layout.slip_index(i)] * scales.acceleration;
     if (contact.acceleration.norm() > fastest) fastest = contact.acceleration.norm();

@@ -61,6 +61,14 @@ template <class S> struct Drive {
   Vector6<S> twist; ///< at the object's centre of mass
 };
 
+/// Where a point's pyramid is turned to, in the point's friction space: (along the tangent, along
+/// n x tangent, torque over the torsion radius).
+template <class S> struct Aim {
+  Vector3<S> along = Vector3<S>::UnitX();  ///< unit: generator 0; a hard point has no torque
+  Vector3<S> carried = Vector3<S>::Zero(); ///< m/s^2: how the body itself moved there
+  S inertia{0}; ///< kg, >= 0: what resists a slip across it, mu lambda over the slip [T.15]
+};
+
 template <class S> struct Scene {
   Object<S> object;
   Vector3<S> gravity; ///< m/s^2
@@ -77,6 +85,9 @@ template <class S> struct Scene {
   /// Per point: the normal acceleration that it may take up before it touches, m/s^2: phi / h^2 of
   /// a time step's gap phi [T.13]; empty: every point touches.
   Span<const S> clearances{};
+  /// Per point: the pyramid that stands for its round cone in this round; empty: friction is a
+  /// pyramid, along the body's tangent.
+  Span<const Aim<S>> aims{};
 };
 
 /// The share of `point`, one of the body's. Pre: the body is of this scene.

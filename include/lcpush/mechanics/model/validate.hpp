@@ -20,6 +20,7 @@ enum class Mistake {
   nothing_moves,    ///< break: no pusher has an acceleration
   not_described,    ///< there is no scene yet
   weights,          ///< a weight <= 0, or those of a body do not sum to 1
+  aims,             ///< of round friction: not one for each point
 };
 
 constexpr const char* mistake_text(Mistake mistake) {
@@ -38,6 +39,7 @@ constexpr const char* mistake_text(Mistake mistake) {
            "driven body has a preload";
   case Mistake::nothing_moves: return "no pusher moves: give one an acceleration";
   case Mistake::not_described: return "there is no scene: describe one first";
+  case Mistake::aims: return "round friction needs an aim for each point";
   case Mistake::weights: return "weights must be > 0, one for each point";
   }
   return "";
@@ -85,7 +87,8 @@ template <class S> Mistake mistake_of(const Body<S>& body, Index points) {
   return Mistake::none;
 }
 
-template <class S> Mistake mistake_of_weights(const Scene<S>& scene) {
+template <class S> Mistake mistake_of_point_data(const Scene<S>& scene) {
+  if (scene.aims.size != 0 && scene.aims.size != scene.points.size) return Mistake::aims;
   if (scene.weights.size == 0) return Mistake::none;
   if (scene.weights.size != scene.points.size) return Mistake::weights;
   for (const Body<S>& body : scene.bodies) {
@@ -149,7 +152,7 @@ template <class S> Mistake find_mistake(const Scene<S>& scene) {
   }
   if (covered != scene.points.size || covered == 0) return Mistake::index;
   Mistake mistake = detail::mistake_of_drives(scene);
-  if (mistake == Mistake::none) mistake = detail::mistake_of_weights(scene);
+  if (mistake == Mistake::none) mistake = detail::mistake_of_point_data(scene);
   if (mistake != Mistake::none) return mistake;
   const bool shares = scene.pressure == Pressure::even && shares_an_actuator(scene);
   return shares || detail::has_stray_preload(scene) ? Mistake::unsupported : Mistake::none;

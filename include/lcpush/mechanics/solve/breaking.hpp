@@ -145,7 +145,8 @@ Status push_slowly(Assembly<S>& assembly, Rounds rounds, Workspace<S>& work, con
   assembly.push_by(push.sigma);
   PressureRun one;
   rounds.demand(options.tolerance);
-  const Status status = solve_pressure(assembly, rounds, work.pressure, options, one);
+  const Status status =
+      solve_pressure(assembly, rounds, work.pressure, options, one, work.friction_memory(scene));
   run.pivots += one.pivots;
   run.sweeps += one.sweeps;
   run.rounds += one.rounds;
@@ -182,7 +183,8 @@ Breaking<S> extrapolate(const SmallPush<S>* push, S unit, const Scales<S>& scale
   return line;
 }
 
-/// `pad`: compliance has to vanish before the push does, so finite small pushes are extrapolated;
+/// `pad`: compliance has to vanish before the push does, so finite small pushes are extrapolated,
+/// as they are under round friction, whose slips have no direction before they begin;
 /// and so they are where the solver knows no infinitesimal ones. Where the third is off the line of
 /// the first two, a change of mode lies between: go smaller.
 template <class S, class Rounds>
@@ -225,7 +227,7 @@ template <class S, class Rounds>
   if (!(unit > S(0)) || run.reason != Reason::none) return Status::bad_input;
   Status status = Status::running;
   if constexpr (Rounds::carries_push)
-    if (assembly.scene().pressure != Pressure::pad)
+    if (assembly.scene().pressure != Pressure::pad && assembly.scene().aims.size == 0)
       status = detail::break_exactly(assembly, rounds, work, pusher, unit, breaking, run);
   if (status == Status::running)
     status = detail::break_by_pushes(assembly, rounds, work, pusher, options, unit, breaking, run);

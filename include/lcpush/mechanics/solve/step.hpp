@@ -186,9 +186,9 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_push(const
                           {m_.speeds.data, m_.speeds.size},
                           {m_.gaps.data, present_.points.size}};
   push_ = laws::time_step(present_, from, m_.push);
-  if (spread_evenly(push_, m_.even, solved_) != Status::solved ||
-      assembly_.assemble(solved_) != Status::running)
-    return Status::bad_input;
+  if (spread_evenly(push_, m_.even, solved_) != Status::solved) return Status::bad_input;
+  if (scene_->aims.size > 0) solved_.aims = {m_.work.aims.data, solved_.points.size};
+  if (assembly_.assemble(solved_) != Status::running) return Status::bad_input;
   // The last step's basis may lead astray; and pads of nearly the same normal force may end under
   // one covering vector or schedule and not under another.
   Status status = solve_rounds(0);
@@ -216,8 +216,9 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_rounds(int
     pivots.first_cover = attempt * pivots.covers;
     PressureOptions<S> pads = pressure_options();
     for (int k = 0; k < attempt; ++k) pads.factor = Eigen::numext::sqrt(pads.factor);
-    const Status status = solve_pressure(assembly_, StepRounds<S, Pivots>(lemke_, last, pivots),
-                                         m_.work.pressure, pads, run);
+    const Status status =
+        solve_pressure(assembly_, StepRounds<S, Pivots>(lemke_, last, pivots), m_.work.pressure,
+                       pads, run, m_.work.friction_memory(solved_));
     run_.rounds += run.rounds;
     run_.pivots += run.pivots;
     run_.cold_restarts += run.cold_restarts;

@@ -60,7 +60,14 @@ template <class S> struct Workspace {
   Span<S> sweep_scalars; ///< empty in a workspace for pivots
   Span<int> sweep_integers;
   Answer<S> answer;
+  Span<Aim<S>> aims;     ///< for round friction: a scene of round friction looks at them
   bool complete = false; ///< false: the block was too small, use nothing of it
+
+  /// What solve_pressure takes: something where the scene's friction is round.
+  FrictionMemory<S> friction_memory(const Scene<S>& scene) {
+    if (scene.aims.size == 0) return {};
+    return {{aims.data, scene.aims.size}, &answer};
+  }
 };
 
 namespace detail {
@@ -85,9 +92,10 @@ constexpr SolverSize sweeps_size(const AssemblySize& size) {
 template <class S> constexpr Index bytes_with(const SolverSize& solver, const AssemblySize& size) {
   const Index n = size.unknowns(), p = size.points;
   const Index scalars = 4 * n + size.couplings() + 2 * size.actuators + 2 * p + size.generators;
-  const Index structs = size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
-                        p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>)) +
-                        size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
+  const Index structs =
+      size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
+      p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>) + sizeof(Aim<S>)) +
+      size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
   constexpr Index alignment_slack = 20 * static_cast<Index>(alignof(std::max_align_t));
   return (scalars + solver.scalars) * static_cast<Index>(sizeof(S)) + structs +
          (size.couplings() + solver.integers) * static_cast<Index>(sizeof(int)) +
@@ -99,7 +107,8 @@ template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& si
   Workspace<S> w;
   AssemblyMemory<S>& a = w.assembly;
   arena.fill(size.forces(), a.wrenches);
-  arena.fill(p, a.cones, a.body, w.pressure.preload, w.pressure.compliance, w.answer.contacts);
+  arena.fill(p, a.cones, a.body, w.pressure.preload, w.pressure.compliance, w.answer.contacts,
+             w.aims);
   arena.fill(n, a.rest, a.push, a.q, w.pressure.z, w.pressure.active);
   arena.fill(size.actuators, a.sums, a.reach, w.answer.closing);
   arena.fill(size.couplings(), a.coupled_variable, a.coupling);

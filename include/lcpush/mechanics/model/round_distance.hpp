@@ -1,0 +1,69 @@
+// How far an answer's friction is from the round cone's law [T.15]: of round friction what the
+// rounds leave, of pyramids what their facets cost.
+#pragma once
+
+#include "lcpush/lcp/tolerances.hpp"
+#include "lcpush/mechanics/model/answer.hpp"
+#include "lcpush/mechanics/model/layout.hpp"
+
+namespace lcpush {
+
+/// Of the answer to a scene; looks at both.
+template <class S> class RoundDistance {
+public:
+  RoundDistance(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer)
+      : scene_(scene), scales_(scales), answer_(answer), fastest_(still() * scales.acceleration) {
+    for (Index i = 0; i < answer.contacts.size; ++i)
+      fastest_ = Eigen::numext::maxi(fastest_, S(slip(i).norm()));
+  }
+
+  const Body<S>& body(Index i) const { return scene_.bodies[answer_.contacts[i].body]; }
+  Vector3<S> friction(Index i) const { return friction_of(body(i), answer_.contacts[i]); }
+  Vector3<S> slip(Index i) const {
+    const ContactAnswer<S>& contact = answer_.contacts[i];
+    return in_friction_space(body(i), contact.acceleration, contact.spin);
+  }
+  /// mu lambda
+  S limit(Index i) const {
+    return body(i).friction * Eigen::numext::abs(answer_.contacts[i].normal_force);
+  }
+  /// Slower than this beside the fastest point, rounding tells a slip from none; and a point that
+  /// sticks is within its pyramid, and so within its cone.
+  bool sticks(const S& speed) const {
+    const S slow = S(1) / S(std::is_same_v<S, float> ? 1000 : 10000000);
+    return !(speed > slow * fastest_);
+  }
+
+  /// |f - projection of (f - v) onto the cone|, f over F, v over the fastest slip.
+  S of(Index i) const {
+    const Vector3<S> v = slip(i);
+    if (sticks(v.norm())) return S(0);
+    const S room = limit(i) / scales_.force;
+    const Vector3<S> f = friction(i) / scales_.force;
+    Vector3<S> there = f - v / fastest_;
+    if (there.norm() > room) there *= room / there.norm();
+    return (f - there).norm();
+  }
+
+  struct Worst {
+    S distance; ///< over F
+    Index point;
+  };
+  Worst worst() const {
+    Worst most{S(0), 0};
+    for (Index i = 0; i < answer_.contacts.size; ++i)
+      if (const S distance = of(i); !(distance <= most.distance)) most = {distance, i};
+    return most;
+  }
+
+private:
+  const Scene<S>& scene_;
+  const Scales<S>& scales_;
+  const Answer<S>& answer_;
+  S fastest_;
+
+  /// Of F / m: where nothing is faster, all slips are rounding.
+  static constexpr S still() { return S(256) * Tolerances<S>().residual; }
+};
+
+} // namespace lcpush

@@ -1,0 +1,106 @@
+// The law of pads [T.7]: how compliant a patch's points are, and around which pressure.
+#pragma once
+
+#include "lcpush/mechanics/model/answer.hpp"
+#include "lcpush/mechanics/model/assemble.hpp"
+#include "lcpush/mechanics/solve/rounds.hpp"
+
+namespace lcpush {
+namespace detail {
+
+/// Dimension (0 to 2) of the affine hull of a body's points, projected onto its contact plane.
+template <class S> Index affine_rank(const Scene<S>& scene, const Body<S>& body) {
+  using std::abs;
+  Vector3<S> basis[2];
+  Index rank = 0;
+  S size(0);
+  const Vector3<S>& origin = scene.points[body.first_point];
+  for (Index i = 1; i < body.point_count; ++i)
+    size = Eigen::numext::maxi(size, S((scene.points[body.first_point + i] - origin).norm()));
+  for (Index i = 1; i < body.point_count && rank < 2; ++i) {
+    // Only the part in the contact plane tells the columns W(n) of two points apart.
+    Vector3<S> between = scene.points[body.first_point + i] - origin;
+    between -= between.dot(body.normal) * body.normal;
+    for (Index k = 0; k < rank; ++k) between -= between.dot(basis[k]) * basis[k];
+    const S rest = between.norm();
+    if (rest > size * S(1) / S(1000)) basis[rank++] = between / rest;
+  }
+  return rank;
+}
+
+} // namespace detail
+
+/// [T.7] Pad: round r adds eps_r c_i (lambda_i - lambda_i^(r-1)) to [T.2].
+/// With the points' weights w_i, sets c_i: 1 / (m w_i) on a force-controlled patch of several
+/// points and on a locked finger; a thousandth of that on another position-controlled body whose
+/// normals are linearly dependent; 0 otherwise. And lambda^(0): w_i of each patch's own force or
+/// preload, 0 where there is none.
+template <class S> void pad_preload(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
+  const Scene<S>& scene = assembly.scene();
+  for (Index b = 0; b < scene.bodies.size; ++b) {
+    const Body<S>& body = scene.bodies[b];
+    const Index k = body.point_count;
+    S force = body.preload;
+    bool driven = false;
+    for (const Drive<S>& drive : scene.drives) {
+      if (drive.body != b) continue;
+      const Index driven_bodies = drive_count(scene, drive.actuator);
+      const S along = closing_speed(scene, body, drive);
+      driven = true;
+      if (along > S(0)) force += scene.actuators[drive.actuator].force / (along * S(driven_bodies));
+    }
+    const bool dependent = k > detail::affine_rank(scene, body) + 1;
+    const bool locked = body.preload > S(0);
+    const bool soft = locked || (driven && k > 1);
+    const S softness = soft ? S(1) : !driven && dependent ? S(1) / S(1000) : S(0);
+    for (Index i = body.first_point; i < body.first_point + k; ++i) {
+      const S weight = weight_of(scene, body, i);
+      memory.preload[i] = weight * force / assembly.layout().scales.force;
+      memory.compliance[i] = softness / weight;
+    }
+  }
+}
+
+/// Sets eps c_i on the normal rows, around the last round's pressure.
+template <class S>
+void set_compliance(Assembly<S>& assembly, const PressureMemory<S>& memory, S eps) {
+  assembly.push_by(assembly.sigma());
+  for (Index i = 0; i < assembly.layout().points; ++i) {
+    const S c = eps * memory.compliance[i];
+    const ConeGroup<S>& cone = assembly.cones()[i];
+    assembly.cones()[i].compliance = c;
+    assembly.q()[cone.variable] -= c * memory.preload[i];
+    if (cone.normals == 2) assembly.q()[cone.variable + 1] += c * memory.preload[i];
+  }
+}
+
+namespace detail {
+
+/// By how much the round's answer violates the literal [T.2]; the pressure becomes the next
+/// round's preload. `largest` receives the largest normal force.
+template <class S>
+S take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory, S& largest) {
+  S violation(0);
+  largest = S(0);
+  for (Index i = 0; i < assembly.layout().points; ++i) {
+    const ConeGroup<S>& cone = assembly.cones()[i];
+    const S lambda = cone.normal_force(memory.z.data);
+    const S change = cone.compliance * (lambda - memory.preload[i]);
+    violation = Eigen::numext::maxi(violation, Eigen::numext::abs(change));
+    largest = Eigen::numext::maxi(largest, Eigen::numext::abs(lambda));
+    memory.preload[i] = lambda;
+  }
+  return violation;
+}
+
+/// A normal force beyond this is a squeeze that the rounds only tighten: a thousand times what the
+/// scene's forces and prescribed motions ask for.
+template <class S> S runaway_force(const Assembly<S>& assembly) {
+  S largest(1);
+  for (const S& x : assembly.q()) largest = Eigen::numext::maxi(largest, S(Eigen::numext::abs(x)));
+  return S(1000) * largest;
+}
+
+} // namespace detail
+
+} // namespace lcpush

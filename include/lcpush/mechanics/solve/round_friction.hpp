@@ -1,0 +1,108 @@
+// Round friction [T.15] by rounds: each is the same complementarity problem over pyramids that are
+// turned to the last round's slips. Near the answer it is Newton's method.
+#pragma once
+
+#include "lcpush/mechanics/model/check.hpp"
+#include "lcpush/mechanics/model/read_answer.hpp"
+#include "lcpush/mechanics/model/round_distance.hpp"
+#include "lcpush/mechanics/solve/rounds.hpp"
+
+namespace lcpush {
+
+/// What rounds of round friction need beside a pressure law's memory: the scene's own aims, to be
+/// turned, and an answer to read. Empty aims: friction is a pyramid, and every answer is settled.
+template <class S> struct FrictionMemory {
+  Span<Aim<S>> aims; ///< points, those that Scene::aims looks at
+  Answer<S>* answer = nullptr;
+};
+
+/// The aims of an assembled scene.
+template <class S> class RoundFriction {
+public:
+  RoundFriction(Assembly<S>& assembly, const FrictionMemory<S>& memory)
+      : assembly_(assembly), aims_(memory.aims), answer_(memory.answer) {}
+
+  bool is_round() const { return aims_.size > 0; }
+
+  /// Every point's pyramid along its tangent.
+  void begin() {
+    if (!is_round()) return;
+    for (Aim<S>& aim : aims_) aim = {};
+    reassemble();
+  }
+
+  /// Do the forces of z oppose their slips? Notes worst_point().
+  bool is_settled(const S* z) {
+    if (!is_round()) return true;
+    read_answer(assembly_, z, *answer_, assembly_.sigma());
+    const typename RoundDistance<S>::Worst worst = distance().worst();
+    worst_ = worst.point;
+    return worst.distance <= Tolerances<S>().residual;
+  }
+
+  /// Does the answer that is_settled looked at obey all laws? Their rows are judged by their own
+  /// terms, which may be smaller than F.
+  bool passes() const {
+    if (!is_round()) return true;
+    const Residuals<S> residuals =
+        check(assembly_.scene(), assembly_.layout().scales, *answer_, assembly_.sigma());
+    return residuals.max() <= Tolerances<S>().residual / S(2);
+  }
+
+  /// Turns every pyramid to the answer that is_settled looked at, and with it what later rounds
+  /// start from: the basis and the unknowns.
+  void turn(const PressureMemory<S>& memory) {
+    const RoundDistance<S> cones = distance();
+    for (Index i = 0; i < assembly_.layout().points; ++i)
+      if (assembly_.layout().cones[i].generators > 0) turn_point(cones, i, memory);
+    reassemble();
+  }
+
+  Index worst_point() const { return worst_; }
+
+private:
+  Assembly<S>& assembly_;
+  Span<Aim<S>> aims_;
+  Answer<S>* answer_;
+  Index worst_ = 0;
+
+  RoundDistance<S> distance() const {
+    return {assembly_.scene(), assembly_.layout().scales, *answer_};
+  }
+
+  void turn_point(const RoundDistance<S>& cones, Index i, const PressureMemory<S>& memory) {
+    const Body<S>& body = cones.body(i);
+    Aim<S>& aim = aims_[i];
+    const Vector3<S> v = cones.slip(i), f = cones.friction(i);
+    const S room = cones.limit(i), speed = v.norm(), force = f.norm();
+    const Vector3<S> in_pyramid =
+        f - laws::turning_force(body, assembly_.scene().points[i], aim, answer_->acceleration);
+    aim.inertia = S(0);
+    const bool slides = answer_->contacts[i].slip > S(0) && !cones.sticks(speed);
+    const S least = slides ? S(0.5) : S(0.9);
+    if (!(force > least * room)) return;
+    // Along an edge a polygon gives way before the circle does: first fill it out there.
+    const bool on_edge = in_pyramid.norm() < S(0.9999) * room;
+    aim.along = slides && !on_edge ? Vector3<S>(v / -speed) : Vector3<S>(f / force);
+    if (!slides) return;
+    aim.inertia = room / speed;
+    const Vector6<S> twist =
+        body_twist(assembly_.scene(), *answer_, assembly_.layout().body[i], assembly_.sigma());
+    aim.carried = slip_of(body, assembly_.scene().points[i], twist);
+    const ConeGroup<S>& cone = assembly_.layout().cones[i];
+    const Index first = cone.variable + cone.normals;
+    for (Index k = 0; k < cone.generators; ++k) {
+      memory.active[first + k] = k == 0 ? 1 : 0;
+      memory.z[first + k] = k == 0 ? cone.friction_limit(memory.z.data) : S(0);
+    }
+  }
+
+  /// The same push over the pyramids as they are now.
+  void reassemble() {
+    const S sigma = assembly_.sigma();
+    (void)assembly_.assemble(assembly_.scene()); // it has fitted before
+    assembly_.push_by(sigma);
+  }
+};
+
+} // namespace lcpush
