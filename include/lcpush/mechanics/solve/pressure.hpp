@@ -143,10 +143,8 @@ private:
     bool is_settled = friction_.is_settled(memory_.z.data);
     if (is_pressed) is_settled = is_settled && friction_.passes();
     if (is_pressed && is_settled) return Status::solved;
-    const bool turns = !is_settled;
-    if (turns && !turn()) return unsettled();
-    if (largest > detail::runaway_force(assembly_))
-      return end_pads(Status::numerical_breakdown, Reason::unsettled);
+    if (!is_settled && !turn()) return unsettled();
+    if (largest > detail::runaway_force(assembly_)) return end_pads(Status::numerical_breakdown);
     last_eps_ = eps_;
     if (is_pressed) return next_round();
     factor_ = maxi(options_.factor, S(factor_ * factor_));
