@@ -2,8 +2,10 @@
 #include "lcpush/desktop/move.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
+#include "move/force_jumps.hpp"
 #include "move/motion_phases.hpp"
 #include "move/motion_run.hpp"
+#include "move/move_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +45,7 @@ public:
     }
     if (goes_on) report_.end = MoveEnd::time;
     report_.phases = merged_phases(std::move(phases_), size_);
+    report_.jumps = jumps_.take();
     return std::move(report_);
   }
 
@@ -220,6 +223,7 @@ private:
         report_.events.push_back({frame.time - h, h, static_cast<Index>(i), last_.contacts[i].touch,
                                   frame.contacts[i].touch});
     phases_.push_back(step.phase);
+    jumps_.add(frame.time - h, h, push_force(file_, frame).norm());
     report_.penetration = std::max(report_.penetration, step.penetration);
     report_.residual = std::max(report_.residual, step.residual);
     report_.shortest = report_.steps == 0 ? h : std::min(report_.shortest, h);
@@ -235,6 +239,7 @@ private:
   MotionReport report_;
   MotionFrame last_;
   std::vector<MotionPhase> phases_;
+  ForceJumps jumps_;
   double next_ = 0;
   Index located_ = 0;
 };
