@@ -18,6 +18,7 @@ constexpr double first_step = 1e-3, longest_step = 0.02, event_step = 1.0 / 4096
 constexpr double shortest_step = 0x1p-16; // what chatters must not take for ever either
 constexpr Index most_located = 64;        // events; a patch that flickers must not take for ever
 constexpr double usual_tolerance = 1e-3;
+constexpr int most_halvings = 4; // of a fixed step that has no answer
 
 class Mover {
 public:
@@ -95,10 +96,16 @@ private:
     return run_.advance(h);
   }
 
-  bool fixed_step(double h) {
+  /// One without an answer is tried as two of half its length, and these so again: pivots that went
+  /// astray once need not do so twice, and a jam is a jam however short the step.
+  bool fixed_step(double h, int halvings = most_halvings) {
     const MotionRun::Saved before = run_.save();
     const Status status = solve(h);
-    if (status != Status::solved) return fail(status);
+    if (status != Status::solved) {
+      if (run_.stepper().run().lost || halvings == 0) return fail(status);
+      run_.restore(before);
+      return fixed_step(h / 2, halvings - 1) && fixed_step(h / 2, halvings - 1);
+    }
     if (passes_distance()) return go_last(before, h);
     keep(taken(h));
     return true;
