@@ -8,6 +8,7 @@ import os
 import pathlib
 import signal
 import sys
+import sysconfig
 import threading
 from typing import Any, Callable, Dict, Optional, Tuple
 
@@ -25,14 +26,22 @@ class _Listener(ctypes.Structure):
                 ("is_cancelled", _IsCancelled)]
 
 
+def _multiarch() -> str:
+    return sysconfig.get_config_var("MULTIARCH") or "lib"
+
+
 def _path() -> str:
     given = os.environ.get("LCPUSH_LIBRARY")
     if given:
         return given
     suffix = {"darwin": ".dylib", "win32": ".dll"}.get(sys.platform, ".so")
-    beside = pathlib.Path(__file__).with_name("liblcpush_desktop" + suffix)
-    if beside.exists():
-        return str(beside)
+    name = "liblcpush_desktop" + suffix
+    here = pathlib.Path(__file__).resolve().parent
+    # In a wheel beside this file; in a package of Debian's form it is a prefix' lib/python3/
+    # dist-packages/lcpush that this stands in.
+    for folder in (here, here.parents[2], here.parents[2] / _multiarch()):
+        if (folder / name).exists():
+            return str(folder / name)
     found = ctypes.util.find_library("lcpush_desktop")
     if found:
         return found
