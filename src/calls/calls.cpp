@@ -17,11 +17,19 @@ struct lcpush_desktop_answer {
 namespace lcpush::desktop {
 
 const std::vector<Call>& calls() {
-  static const std::vector<Call> list{
-      {"scene", ask_scene},     {"solve", ask_solve},   {"break", ask_break},
-      {"sweep", ask_sweep},     {"spread", ask_spread}, {"verify", ask_verify},
-      {"move", ask_move},       {"report", ask_report}, {"matrices", ask_matrices},
-      {"problem", ask_problem}, {"lcp", ask_lcp},       {"verify_lcp", ask_verify_lcp}};
+  static const std::vector<Call> list{{"scene", ask_scene},
+                                      {"solve", ask_solve},
+                                      {"break", ask_break},
+                                      {"sweep", ask_sweep},
+                                      {"spread", ask_spread},
+                                      {"verify", ask_verify},
+                                      {"verify_motion", ask_verify_motion},
+                                      {"move", ask_move},
+                                      {"report", ask_report},
+                                      {"matrices", ask_matrices},
+                                      {"problem", ask_problem},
+                                      {"lcp", ask_lcp},
+                                      {"verify_lcp", ask_verify_lcp}};
   return list;
 }
 

@@ -25,6 +25,7 @@ Told ask_break(const std::string& request, Listener& listener);
 Told ask_spread(const std::string& request, Listener& listener);
 Told ask_move(const std::string& request, Listener& listener);
 Told ask_verify(const std::string& request, Listener& listener);
+Told ask_verify_motion(const std::string& request, Listener& listener);
 Told ask_matrices(const std::string& request, Listener& listener);
 Told ask_problem(const std::string& request, Listener& listener);
 Told ask_sweep(const std::string& request, Listener& listener);

@@ -7,6 +7,7 @@
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/desktop/report.hpp"
 #include "lcpush/desktop/spread.hpp"
+#include "lcpush/desktop/trajectory.hpp"
 #include "lcpush/desktop/verify.hpp"
 #include "lcpush/lcp/problem.hpp"
 #include "lcpush/mechanics/solve/breaking.hpp"
@@ -156,6 +157,20 @@ Told ask_verify(const std::string& text, Listener&) {
   const VerifyReport report = verify_answer(file, answer, options);
   return {is_valid(report.verdict), format == "json" ? verify_json(report, check_scene(file))
                                                      : verify_text(file, report, told_as(format))};
+}
+
+Told ask_verify_motion(const std::string& text, Listener&) {
+  constexpr double usual_tolerance = 0.01;
+  const Request request(text, scene_keys({"motion", "tolerance"}));
+  const std::string format = request.format(words_and_json);
+  if (request.find("motion") == nullptr)
+    request.refuse("motion", "is missing: the text of frames as move gives them, JSON or CSV");
+  const double tolerance = request.positive("tolerance").value_or(usual_tolerance);
+  const SceneFile file = request.scene(Strokes::all);
+  const TrajectoryReport report =
+      verify_trajectory(file, parse_trajectory(request.text("motion"), "motion"), tolerance);
+  return {report.verdict == TrajectoryVerdict::follows,
+          format == "json" ? trajectory_json(report) : trajectory_text(file, report)};
 }
 
 Told ask_matrices(const std::string& text, Listener&) {

@@ -7,6 +7,7 @@ import hashlib
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sysconfig
 import tempfile
@@ -32,7 +33,8 @@ def library(build):
     if "LCPUSH_LIBRARY" in os.environ:
         return pathlib.Path(os.environ["LCPUSH_LIBRARY"]).resolve()
     run = lambda *words: subprocess.run(["cmake", *map(str, words)], check=True)
-    run("-S", SOURCES, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DLCPUSH_BUILD_TESTS=OFF",
+    ninja = ["-G", "Ninja"] if shutil.which("ninja") and "CMAKE_GENERATOR" not in os.environ else []
+    run(*ninja, "-S", SOURCES, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DLCPUSH_BUILD_TESTS=OFF",
         "-DLCPUSH_BUILD_TOOL=OFF", "-DLCPUSH_BUILD_SHARED=ON", "-DLCPUSH_INSTALL=OFF")
     run("--build", build, "--config", "Release", "--target", "lcpush_desktop_shared", "--parallel",
         os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", "2"))

@@ -127,6 +127,22 @@ class Judging(unittest.TestCase):
         self.assertFalse(verdict)
         self.assertTrue(verdict.because)
 
+    def test_of_motions(self):
+        scene = lcpush.read(SLIDE)
+        motion = scene.move(time=0.1, step=0.001, frames=101)
+        self.assertTrue(scene.verify_motion(motion))
+        frames = [{"time": t, "position": p, "rotation": [1, 0, 0, 0, 1, 0, 0, 0, 1]}
+                  for t, p in zip(listed(motion.times), listed(motion.positions))]
+        self.assertTrue(scene.verify_motion(frames))
+        frames[50]["position"] = [x + 1e-5 for x in frames[50]["position"]]
+        self.assertEqual(scene.verify_motion(frames).verdict, "differs")
+        creeping = pathlib.Path("docs/guide/creeping_box.csv").read_text(encoding="utf-8")
+        verdict = lcpush.read("docs/guide/held_box.toml").verify_motion(creeping)
+        self.assertEqual(verdict.json,
+                         printed("verify", "docs/guide/held_box.toml", "--trajectory",
+                                 "docs/guide/creeping_box.csv", "--json"))
+        self.assertIn("creeps", repr(verdict))
+
     def test_of_raw_problems(self):
         M, q = [[2, 1], [1, 2]], [-5, -6]
         self.assertTrue(lcpush.check(M, q, lcpush.lcp(M, q).z))

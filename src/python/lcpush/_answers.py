@@ -285,3 +285,11 @@ class LcpVerdict(Verdict):
 
     def _repr_html_(self) -> Optional[str]:  # type: ignore[override]
         return None
+
+
+class MotionVerdict(Answer):
+    """Of `Scene.verify_motion()`: `verdict` ("follows", "creeps", "differs" or "stopped"), `worst` m/s,
+    `worst_time` s, `creep` m/s, `held`. True where it follows."""
+
+    def __bool__(self) -> bool:
+        return bool(self._data["verdict"] == "follows")

@@ -6,7 +6,7 @@ import os
 from typing import Any, Dict, Mapping, Optional, Tuple, Type, TypeVar, Union
 
 from . import _toml
-from ._answers import (Answer, Body, Breaking, Motion, Record, Solution, Spread, Sweep, Verdict)
+from ._answers import (Answer, Body, Breaking, Motion, MotionVerdict, Record, Solution, Spread, Sweep, Verdict)
 from ._errors import InputError, NotSolved
 from ._library import NOT_SOLVED, Progress, ask
 
@@ -141,6 +141,21 @@ class Scene:
         text = answer if isinstance(answer, str) else json.dumps(_listed(answer))
         return self._answer(Verdict, "verify", {"answer": text, "tolerance": tolerance}, False,
                             None)
+
+    def verify_motion(self, frames: Any, *, tolerance: Optional[float] = None) -> MotionVerdict:
+        """Does somebody else's motion follow the laws, step by step, or does it creep?
+
+        Args:
+            frames: a list of {"time": s, "position": (3,), "rotation": (9,) row by row, "twist":
+                (6,)} (arrays may be NumPy's; a twist need not be known), how far the object has
+                gone from the scene's place; a Motion; or the text of such a JSON object, or of CSV
+            tolerance: as a part of the fastest speed (0.01)
+        """
+        if isinstance(frames, Answer):
+            frames = frames.json
+        text = frames if isinstance(frames, str) else json.dumps({"frames": _listed(frames)})
+        return self._answer(MotionVerdict, "verify_motion",
+                            {"motion": text, "tolerance": tolerance}, False, None)
 
     def move(self, *, time: Optional[float] = None, step: Optional[float] = None,
              tolerance: Optional[float] = None, stop_after: Optional[float] = None,
