@@ -150,6 +150,38 @@ class Judging(unittest.TestCase):
         self.assertEqual((bool(verdict), verdict.row), (False, 1))
 
 
+class Arrays(unittest.TestCase):
+    def test_of_numpy_and_scipy_come_and_go(self):
+        try:
+            import numpy
+            from scipy import sparse
+        except ImportError:
+            self.skipTest("SciPy is not installed")
+        M, q = numpy.array([[2.0, 1], [1, 2]]), numpy.array([[-5.0], [-6]])
+        twice = sparse.coo_matrix(([1, 1, 1, 1, 2], ([0, 0, 0, 1, 1], [0, 0, 1, 0, 1])))
+        for matrix in (M, M.astype(int), sparse.csr_matrix(M), sparse.csc_matrix(M), twice):
+            answer = lcpush.lcp(matrix, q)
+            self.assertEqual((answer.z.shape, answer.z.dtype), ((2,), numpy.dtype(float)))
+            self.assertTrue(numpy.allclose(answer.w, M @ answer.z + q.ravel()))
+            self.assertTrue(lcpush.check(matrix, q, answer.z))
+        scene = lcpush.read(SLIDE)
+        solution, motion = scene.solve(), scene.move(time=0.1, frames=4)
+        n = len(solution.names)
+        for array, shape in ((solution.M, (n, n)), (solution.q, (n,)),
+                             (solution.acceleration, (6,)), (solution.bodies[0].force, (3,)),
+                             (motion.times, (4,)), (motion.positions, (4, 3)),
+                             (motion.rotations, (4, 3, 3)), (motion.twists, (4, 6)),
+                             (scene.sweep("*.grip_force", 5, 30, pressure="rigid").force, (8, 3))):
+            self.assertEqual(array.shape, shape)
+        own = scene.to_dict()
+        own["pusher"][0]["acceleration"] = numpy.array([0.2, 0, 0])
+        own["finger"][0]["friction"] = numpy.float64(0.5)
+        self.assertAlmostEqual(lcpush.Scene(own).solve().acceleration[0], 0.2, places=9)
+        given = {"object": {"acceleration": solution.acceleration},
+                 "contacts": [contact.to_dict() for contact in solution.contacts]}
+        self.assertTrue(scene.verify(given))
+
+
 class Mistakes(unittest.TestCase):
     def refused(self, call):
         with self.assertRaises(lcpush.InputError) as caught:
