@@ -8,8 +8,16 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/lcpush ${PROJECT_BINARY_DIR}/inc
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(TARGETS lcpush lcpush_desktop lcpush_c EXPORT lcpushTargets
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT lcpushTargets NAMESPACE lcpush:: DESTINATION ${package_dir})
+if(TARGET lcpush_desktop_shared)
+  install(TARGETS lcpush_desktop_shared EXPORT lcpushTargets
+          INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  # Where Debian's Python looks; it finds the library in the folders above.
+  set(LCPUSH_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where the Python package goes")
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/python/lcpush DESTINATION ${LCPUSH_PYTHON_DIR}
+          FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+endif()
 
+install(EXPORT lcpushTargets NAMESPACE lcpush:: DESTINATION ${package_dir})
 configure_package_config_file(cmake/lcpushConfig.cmake.in lcpushConfig.cmake
                               INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(lcpushConfigVersion.cmake COMPATIBILITY SameMajorVersion)

@@ -1,6 +1,7 @@
 #include "move/contact_faces.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/owned.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
@@ -97,7 +98,7 @@ private:
     if (facing.empty()) refuse_edge(b);
     for (const Surface* surface : facing)
       if (carries(*surface, b)) return {Riding::on_body, add(*surface, b), 0};
-    refuse_place(b);
+    refuse_place(b, *facing.front());
   }
 
   /// The same face, at the height where the body's points are: what is typed with few digits, or
@@ -125,16 +126,19 @@ private:
   /// A stroke that begins later may begin anywhere; its place is judged then.
   bool carries(const Surface& surface, Index b) const {
     if (stroke(b).from > 0) return true;
-    const Vector3<double>& n = surface.face.normal;
-    const bool is_flat = file_.planar && std::abs(n.z()) > 0.5; // its height does not matter
+    for (const Index i : points_of(file_.body(b)))
+      if (!is_on(surface, i)) return false;
+    return true;
+  }
+  bool is_at_height(const Surface& surface, Index point) const {
+    const bool is_flat = file_.planar && std::abs(surface.face.normal.z()) > 0.5;
+    return is_flat || std::abs(height(surface, point)) <= typed_place * length_;
+  }
+  bool is_on(const Surface& surface, Index point) const {
     Face<double> face = surface.face;
     face.corners = span_of(surface.corners);
-    for (const Index i : points_of(file_.body(b))) {
-      if (!is_flat && std::abs(height(surface, i)) > typed_place * length_) return false;
-      if (!is_over_face(face, file_.points[static_cast<std::size_t>(i)], typed_place * length_))
-        return false;
-    }
-    return true;
+    return is_at_height(surface, point) &&
+           is_over_face(face, file_.points[static_cast<std::size_t>(point)], typed_place * length_);
   }
 
   bool is_on_round_side(Index b) const {
@@ -176,16 +180,27 @@ private:
            "If a corner or an edge of the object presses on a plane of this body, say "
            "points_on = \"object\"; if the object is no box or cylinder, give its [[face]]s");
   }
-  [[noreturn]] void refuse_place(Index b) const {
+  [[noreturn]] void refuse_place(Index b, const Surface& surface) const {
+    Index i = file_.body(b).first_point;
+    while (is_on(surface, i)) ++i;
+    const double h = height(surface, i);
+    const std::string point = point_name(file_, i) + " lies ";
+    if (is_at_height(surface, i))
+      refuse(b, lines(b).place,
+             point + "beside the object's face that its normal points into. A motion takes only "
+                     "what touches: leave out points that do not; or, if corners of the object "
+                     "meet a plane of this body, give those and say points_on = \"object\"");
     refuse(b, lines(b).place,
-           "not all its points lie on the object's face that its normal points into; a motion "
-           "needs the face that they press on: move them, or say points_on = \"object\" if they "
-           "are the object's");
+           point + brief(1000 * std::abs(h)) + " mm " + (h < 0 ? "inside" : "off") +
+               " the object, not on the face that its normal points into. A motion needs the "
+               "place where they touch: move it there; or, if it is a point of the object that "
+               "meets a plane of this body, say points_on = \"object\"");
   }
   [[noreturn]] void refuse_side(Index b) const {
     refuse(b, lines(b).place,
            "a body that touches a cylinder's side is a plane along it: its points lie on the side, "
-           "where the normal points to the axis");
+           "where the normal points to the axis. If they are points of the object that meet a "
+           "plane of this body, say points_on = \"object\"");
   }
 
   const SceneFile& file_;

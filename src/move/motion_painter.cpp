@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lcpush::desktop {
 namespace {
@@ -103,8 +104,10 @@ std::vector<Pixel> MotionPainter::outline(const MotionFrame& frame) const {
   return hull(corners);
 }
 
-/// Its pad, its points by what they do, its force on the object in the plane, and its name.
-std::string MotionPainter::body(const MotionFrame& frame, Index b) const {
+/// Its pad, its points by what they do, and its force on the object in the plane; its name joins
+/// `names`.
+std::string MotionPainter::body(const MotionFrame& frame, Index b,
+                                std::vector<PlacedName>& names) const {
   const Body<double>& body = file_.body(b);
   std::vector<Pixel> around;
   std::string marks;
@@ -135,13 +138,13 @@ std::string MotionPainter::body(const MotionFrame& frame, Index b) const {
                       hull(around));
   const Frame pad = bounds(around);
   const Pixel back = -view_.flat(normal);
-  text += text_element("label quiet",
-                       {(pad.left + pad.right) / 2 + 14 * back.x(),
-                        back.y() > 0.5 ? pad.bottom + 16 : pad.top - 6 + 6 * std::abs(back.x())},
-                       shortened(file_.body_name(b), 18),
-                       back.x() > 0.5    ? "start"
-                       : back.x() < -0.5 ? "end"
-                                         : "middle");
+  names.push_back({{(pad.left + pad.right) / 2 + 14 * back.x(),
+                    back.y() > 0.5 ? pad.bottom + 16 : pad.top - 6 + 6 * std::abs(back.x())},
+                   shortened(file_.body_name(b), 18),
+                   back.x() > 0.5    ? "start"
+                   : back.x() < -0.5 ? "end"
+                                     : "middle",
+                   back.y() > 0.5 ? 1.0 : -1.0});
   if (touching > 0) {
     const BodyForce& sum = frame.bodies[static_cast<std::size_t>(b)];
     const Pixel at = place(middle / static_cast<double>(touching));
@@ -155,8 +158,9 @@ std::string MotionPainter::body(const MotionFrame& frame, Index b) const {
 
 std::string MotionPainter::moment(const MotionFrame& frame) const {
   std::string behind, before;
+  std::vector<PlacedName> names;
   for (Index b = 0; b < static_cast<Index>(file_.bodies.size()); ++b)
-    (view_.is_behind(file_.body(b).normal) ? behind : before) += body(frame, b);
+    (view_.is_behind(file_.body(b).normal) ? behind : before) += body(frame, b, names);
   const bool guessed = file_.shape.kind == ObjectShape::Kind::unknown;
   const Vector3<double>& center = file_.object.center_of_mass;
   // A mark that turns with it, where a cylinder's outline would not show it.
@@ -165,7 +169,32 @@ std::string MotionPainter::moment(const MotionFrame& frame) const {
   const Vector3<double> at = center + frame.pose.position;
   return behind + polygon_element(guessed ? "object guessed" : "object", outline(frame)) +
          line_element("tick", place(at), place(at + reach * right)) +
-         circle_element("center", place(at), 3.4) + before;
+         circle_element("center", place(at), 3.4) + before + apart(names);
+}
+
+/// Fingers that face each other along the view have one place: names stand in lines then.
+std::string MotionPainter::apart(std::vector<PlacedName> names) {
+  // As large as they are on a phone, where player_style has larger letters.
+  constexpr double letter = 12, line = 23;
+  const auto extent = [](const PlacedName& name) {
+    const double wide = letter * static_cast<double>(name.text.size());
+    const std::string anchor = name.anchor;
+    const double left = name.at.x() - (anchor == "start" ? 0 : anchor == "end" ? wide : wide / 2);
+    return std::pair(left, left + wide);
+  };
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto [left, right] = extent(names[k]);
+    for (std::size_t other = 0; other < k;) {
+      const auto [from, to] = extent(names[other]);
+      const bool is_free =
+          right < from || to < left || std::abs(names[k].at.y() - names[other].at.y()) > line - 1;
+      if (!is_free) names[k].at.y() += line * names[k].outward;
+      other = is_free ? other + 1 : 0;
+    }
+    text += text_element("label quiet", names[k].at, names[k].text, names[k].anchor);
+  }
+  return text;
 }
 
 std::string MotionPainter::ghosts(const std::vector<std::size_t>& frames) const {

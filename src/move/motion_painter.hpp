@@ -34,7 +34,14 @@ private:
 
   Pixel place(const Vector3<double>& at) const;
   std::vector<Pixel> outline(const MotionFrame& frame) const;
-  std::string body(const MotionFrame& frame, Index b) const;
+  struct PlacedName {
+    Pixel at;
+    std::string text;
+    const char* anchor;
+    double outward; ///< 1 or -1: down or up the picture, away from the object
+  };
+  std::string body(const MotionFrame& frame, Index b, std::vector<PlacedName>& names) const;
+  static std::string apart(std::vector<PlacedName> names);
   double largest_force() const;
 };
 

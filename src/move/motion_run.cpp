@@ -1,6 +1,7 @@
 #include "move/motion_run.hpp"
 
 #include "lcpush/desktop/owned.hpp"
+#include "lcpush/mechanics/model/even_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,12 @@
 namespace lcpush::desktop {
 namespace {
 
-Index shared_of(const SceneFile& file) { return static_cast<Index>(file.actuators.size()); }
+/// Actuators whose closing a turned face's friction may feel as well: all, a point each under even
+/// pressure.
+Index shared_of(const SceneFile& file) {
+  if (file.pressure == Pressure::even) return even_size(file.view()).drives;
+  return static_cast<Index>(file.actuators.size());
+}
 
 std::size_t motion_bytes_of(const SceneFile& file) {
   return static_cast<std::size_t>(

@@ -2,8 +2,10 @@
 #include "lcpush/desktop/move.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
+#include "move/force_jumps.hpp"
 #include "move/motion_phases.hpp"
 #include "move/motion_run.hpp"
+#include "move/move_words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +18,7 @@ constexpr double first_step = 1e-3, longest_step = 0.02, event_step = 1.0 / 4096
 constexpr double shortest_step = 0x1p-16; // what chatters must not take for ever either
 constexpr Index most_located = 64;        // events; a patch that flickers must not take for ever
 constexpr double usual_tolerance = 1e-3;
+constexpr int most_halvings = 4; // of a fixed step that has no answer
 
 class Mover {
 public:
@@ -43,6 +46,7 @@ public:
     }
     if (goes_on) report_.end = MoveEnd::time;
     report_.phases = merged_phases(std::move(phases_), size_);
+    report_.jumps = jumps_.take();
     return std::move(report_);
   }
 
@@ -92,10 +96,16 @@ private:
     return run_.advance(h);
   }
 
-  bool fixed_step(double h) {
+  /// One without an answer is tried as two of half its length, and these so again: pivots that went
+  /// astray once need not do so twice, and a jam is a jam however short the step.
+  bool fixed_step(double h, int halvings = most_halvings) {
     const MotionRun::Saved before = run_.save();
     const Status status = solve(h);
-    if (status != Status::solved) return fail(status);
+    if (status != Status::solved) {
+      if (run_.stepper().run().lost || halvings == 0) return fail(status);
+      run_.restore(before);
+      return fixed_step(h / 2, halvings - 1) && fixed_step(h / 2, halvings - 1);
+    }
     if (passes_distance()) return go_last(before, h);
     keep(taken(h));
     return true;
@@ -220,6 +230,7 @@ private:
         report_.events.push_back({frame.time - h, h, static_cast<Index>(i), last_.contacts[i].touch,
                                   frame.contacts[i].touch});
     phases_.push_back(step.phase);
+    jumps_.add(frame.time - h, h, push_force(file_, frame).norm());
     report_.penetration = std::max(report_.penetration, step.penetration);
     report_.residual = std::max(report_.residual, step.residual);
     report_.shortest = report_.steps == 0 ? h : std::min(report_.shortest, h);
@@ -235,6 +246,7 @@ private:
   MotionReport report_;
   MotionFrame last_;
   std::vector<MotionPhase> phases_;
+  ForceJumps jumps_;
   double next_ = 0;
   Index located_ = 0;
 };

@@ -85,16 +85,14 @@ std::string force_plot(const SceneFile& file, const MotionReport& report) {
   for (std::size_t k = 1; k < report.frames.size(); ++k)
     line.pieces[0].emplace_back(report.frames[k].time, push_force(file, report.frames[k]).norm());
   plot.panels.push_back({"N", {line}});
-  for (const EventGroup& group : grouped_events(file, report)) {
-    const double time = group.event.time;
+  for (const ToldEvent& event : told_events(file, report)) {
     const bool is_near =
-        !plot.marks.empty() && time - plot.marks.back().x < least_between * plot.x_to;
+        !plot.marks.empty() && event.time - plot.marks.back().x < least_between * plot.x_to;
     if (!is_near && plot.marks.size() == most_marks) break;
-    const std::string words = event_words(file, group);
     if (is_near)
-      plot.marks.back().text += ", " + words;
+      plot.marks.back().text += ", " + event.words;
     else
-      plot.marks.push_back({time, brief(time) + " s", words});
+      plot.marks.push_back({event.time, brief(event.time) + " s", event.words});
   }
   plot.description = "The force against time.";
   // Margins and paddings in per cent are of the width, whatever the height.
@@ -130,14 +128,13 @@ std::string controls(std::size_t count) {
 }
 
 std::string events_list(const SceneFile& file, const MotionReport& report) {
-  if (report.events.empty()) return "";
   constexpr std::size_t most = 60;
+  const std::vector<ToldEvent> events = told_events(file, report);
+  if (events.empty()) return "";
   std::string text = "<h2>Events</h2>\n<ul>\n";
-  const std::vector<EventGroup> groups = grouped_events(file, report);
-  for (std::size_t k = 0; k < std::min(groups.size(), most); ++k)
-    text += "<li>" + escaped(brief(groups[k].event.time) + " s: " + event_words(file, groups[k])) +
-            "</li>\n";
-  if (groups.size() > most) text += "<li>" + std::to_string(groups.size() - most) + " more</li>\n";
+  for (std::size_t k = 0; k < std::min(events.size(), most); ++k)
+    text += "<li>" + escaped(brief(events[k].time) + " s: " + events[k].words) + "</li>\n";
+  if (events.size() > most) text += "<li>" + std::to_string(events.size() - most) + " more</li>\n";
   return text + "</ul>\n";
 }
 

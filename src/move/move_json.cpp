@@ -76,6 +76,12 @@ std::string move_json(const SceneFile& file, const MotionReport& report) {
         .member("from", touch_text(event.from))
         .member("to", touch_text(event.to));
   });
+  json.objects("jumps", report.jumps, [&](const ForceJump& jump) {
+    json.member("time", jump.time)
+        .member("within", jump.within)
+        .member("from", jump.from)
+        .member("to", jump.to);
+  });
   json.objects("frames", report.frames,
                [&](const MotionFrame& frame) { write_frame(json, file, frame); });
   write_warnings(json, check_scene(file));

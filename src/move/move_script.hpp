@@ -7,6 +7,7 @@ constexpr const char* player_style = R"css(
 .stage { max-width: 860px; margin: 0 auto; }
 .stage .moment { display: none; }
 .stage .moment.shown { display: inline; }
+@media (max-width: 600px) { .stage .drawing { font-size: 21px; } }
 .player { display: flex; flex-wrap: wrap; align-items: center; gap: 10px 14px; margin: 10px 0; }
 .player button { font: inherit; min-width: 5.4em; min-height: 44px; color: var(--ink);
   background: var(--raised); border: 1px solid var(--faint); border-radius: 6px; }

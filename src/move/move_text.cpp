@@ -82,9 +82,9 @@ std::string frames_table(const SceneFile& file, const MotionReport& report, bool
 
 std::string events_text(const SceneFile& file, const MotionReport& report, bool verbose) {
   std::vector<std::string> lines;
-  for (const EventGroup& group : grouped_events(file, report))
-    lines.push_back(in_digits(group.event.time, 4) + " s: " + event_words(file, group) +
-                    (verbose ? printed(" (within %.1g s)", group.event.within) : ""));
+  for (const ToldEvent& event : told_events(file, report))
+    lines.push_back(in_digits(event.time, 4) + " s: " + event.words +
+                    (verbose ? printed(" (within %.1g s)", event.within) : ""));
   std::string text;
   const std::size_t told = verbose ? lines.size() : std::min(lines.size(), brief_events);
   for (std::size_t k = 0; k < told; ++k) text += (k > 0 ? "\n" : "") + lines[k];
@@ -97,7 +97,8 @@ std::string events_text(const SceneFile& file, const MotionReport& report, bool 
 std::string move_text(const SceneFile& file, const MotionReport& report, bool verbose) {
   std::vector<Fact> facts{{"Ends", pose_words(file, report.frames.back().pose)},
                           {"Contacts then", contacts_words(file, report.frames.back())}};
-  if (!report.events.empty()) facts.push_back({"Events", events_text(file, report, verbose)});
+  if (!report.events.empty() || !report.jumps.empty())
+    facts.push_back({"Events", events_text(file, report, verbose)});
   if (verbose)
     for (const MotionPhase& phase : report.phases)
       facts.push_back({"Phase", brief(phase.from) + " to " + brief(phase.until) +

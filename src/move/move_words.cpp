@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lcpush::desktop {
 namespace {
@@ -61,6 +62,67 @@ const char* touch_verb(Touch from, Touch to) {
   return "";
 }
 
+bool is_touching(Touch touch) { return touch == Touch::sticks || touch == Touch::slips; }
+
+/// Points of one body that do the same after the same step.
+struct EventGroup {
+  MotionEvent event; ///< of the first of them
+  Index points = 1;
+};
+
+std::vector<EventGroup> grouped_events(const SceneFile& file, const MotionReport& report) {
+  std::vector<EventGroup> groups;
+  for (const MotionEvent& event : report.events) {
+    const auto same = std::find_if(groups.rbegin(), groups.rend(), [&](const EventGroup& group) {
+      return group.event.time == event.time && group.event.from == event.from &&
+             group.event.to == event.to &&
+             file.body_of(group.event.point) == file.body_of(event.point);
+    });
+    if (same == groups.rend())
+      groups.push_back({event});
+    else
+      ++same->points;
+  }
+  return groups;
+}
+
+std::string event_words(const SceneFile& file, const EventGroup& group) {
+  const MotionEvent& event = group.event;
+  const Index b = file.body_of(event.point), all = file.body(b).point_count;
+  const std::string verb = touch_verb(event.from, event.to);
+  if (group.points == all) return file.body_name(b) + " " + verb;
+  if (group.points == 1) return point_name(file, event.point) + " " + verb;
+  return file.body_name(b) + " " + verb + " at " + std::to_string(group.points) + " of its " +
+         std::to_string(all) + " points";
+}
+
+/// Who touched the object and, when it ends, does so nowhere: "From 0.976 s on edge touches it no
+/// more."; who is lost is in the sentence before.
+std::string parted_words(const SceneFile& file, const MotionReport& report) {
+  std::vector<double> since(file.bodies.size(), -1);
+  for (const MotionEvent& event : report.events)
+    if (is_touching(event.from) && !is_touching(event.to))
+      since[static_cast<std::size_t>(file.body_of(event.point))] = event.time;
+  std::vector<std::pair<double, std::vector<std::string>>> groups;
+  for (Index b = 0; b < static_cast<Index>(file.bodies.size()); ++b) {
+    bool touches = false, is_away = false;
+    for (const Index i : points_of(file.body(b))) {
+      const Touch touch = report.frames.back().contacts[static_cast<std::size_t>(i)].touch;
+      touches = touches || is_touching(touch);
+      is_away = is_away || touch == Touch::away;
+    }
+    const double time = since[static_cast<std::size_t>(b)];
+    if (touches || is_away || time < 0 || b == report.body) continue;
+    if (groups.empty() || brief(groups.back().first) != brief(time)) groups.push_back({time, {}});
+    groups.back().second.push_back(file.body_name(b));
+  }
+  std::string text;
+  for (const auto& [time, names] : groups)
+    text += " From " + brief(time) + " s on " + listed(names, "and") +
+            (names.size() == 1 ? " touches it no more." : " touch it no more.");
+  return text;
+}
+
 } // namespace
 
 Vector3<double> rotation_vector(const Matrix3<double>& R) {
@@ -108,33 +170,21 @@ std::string move_sentence(const SceneFile& file, const MotionReport& report) {
   const bool rests = report.phases.size() == 1 && report.phases[0].kind == MotionKind::rest;
   const std::string what = deeds.empty() || rests ? "does not move" : joined(deeds, ", then ");
   const bool is_long = deeds.size() > 1 || report.end != MoveEnd::time;
-  return name + " " + what + (is_long ? ", " : " ") + end_words(file, report) + ".";
+  return name + " " + what + (is_long ? ", " : " ") + end_words(file, report) + "." +
+         parted_words(file, report);
 }
 
-std::vector<EventGroup> grouped_events(const SceneFile& file, const MotionReport& report) {
-  std::vector<EventGroup> groups;
-  for (const MotionEvent& event : report.events) {
-    const auto same = std::find_if(groups.rbegin(), groups.rend(), [&](const EventGroup& group) {
-      return group.event.time == event.time && group.event.from == event.from &&
-             group.event.to == event.to &&
-             file.body_of(group.event.point) == file.body_of(event.point);
-    });
-    if (same == groups.rend())
-      groups.push_back({event});
-    else
-      ++same->points;
-  }
-  return groups;
-}
-
-std::string event_words(const SceneFile& file, const EventGroup& group) {
-  const MotionEvent& event = group.event;
-  const Index b = file.body_of(event.point), all = file.body(b).point_count;
-  const std::string verb = touch_verb(event.from, event.to);
-  if (group.points == all) return file.body_name(b) + " " + verb;
-  if (group.points == 1) return point_name(file, event.point) + " " + verb;
-  return file.body_name(b) + " " + verb + " at " + std::to_string(group.points) + " of its " +
-         std::to_string(all) + " points";
+std::vector<ToldEvent> told_events(const SceneFile& file, const MotionReport& report) {
+  std::vector<ToldEvent> told;
+  for (const EventGroup& group : grouped_events(file, report))
+    told.push_back({group.event.time, group.event.within, event_words(file, group)});
+  for (const ForceJump& jump : report.jumps)
+    told.push_back({jump.time, jump.within,
+                    std::string("the push ") + (jump.to < jump.from ? "falls" : "rises") +
+                        " from " + brief(jump.from) + " to " + brief(jump.to) + " N"});
+  std::stable_sort(told.begin(), told.end(),
+                   [](const ToldEvent& a, const ToldEvent& b) { return a.time < b.time; });
+  return told;
 }
 
 std::string step_words(const MotionReport& report) {

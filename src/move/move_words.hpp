@@ -12,14 +12,13 @@ constexpr double unmoved = 1e-9; ///< of the object's size: rounding goes farthe
 std::string move_sentence(const SceneFile& file, const MotionReport& report);
 /// "slides 12.3 mm along x".
 std::string phase_words(const SceneFile& file, const MotionPhase& phase);
-/// Points of one body that do the same after the same step.
-struct EventGroup {
-  MotionEvent event; ///< of the first of them
-  Index points = 1;
+struct ToldEvent {
+  double time, within; ///< s; at the end of a step so long
+  std::string words;   ///< "left.3 leaves its face", "left begins to slip at 4 of its 12 points"
 };
-std::vector<EventGroup> grouped_events(const SceneFile& file, const MotionReport& report);
-/// "left.3 leaves its face", "left begins to slip at 4 of its 12 points".
-std::string event_words(const SceneFile& file, const EventGroup& group);
+/// In order of time: what contacts do, points of one body that do the same at once as one, and
+/// jumps of the push.
+std::vector<ToldEvent> told_events(const SceneFile& file, const MotionReport& report);
 /// How well it was stepped, without a full stop.
 std::string step_words(const MotionReport& report);
 /// "30 mm along x, turned by 12 degrees counter-clockwise about z".

@@ -141,8 +141,10 @@ std::vector<TrajectoryFrame> from_csv(const std::string& text, const std::string
 } // namespace
 
 std::vector<TrajectoryFrame> read_trajectory(const std::string& path) {
-  const std::string text = read_text_file(path, limits::answer_bytes);
-  const std::string file = file_label(path);
+  return parse_trajectory(read_text_file(path, limits::answer_bytes), file_label(path));
+}
+
+std::vector<TrajectoryFrame> parse_trajectory(const std::string& text, const std::string& file) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool is_json = first != std::string::npos && text[first] == '{';
   return is_json ? from_json(text, file) : from_csv(text, file);

@@ -242,7 +242,7 @@ std::string Push::untold(const PushReport& report) const {
   return text + ": the largest force is " + largest;
 }
 
-PushReport Push::solve(const PushOptions& options) {
+PushReport Push::solve(const PushOptions& options) & {
   PushReport report;
   begin(options, report);
   if (options.study_existence) report.existence = find_existence(file_, assembly_);
@@ -292,7 +292,8 @@ bool has_answer(const SceneFile& file) {
   options.other_covers = 0;
   options.explain_jams = false;
   options.study_existence = false;
-  return Push(file).solve(options).status == Status::solved;
+  Push push(file);
+  return push.solve(options).status == Status::solved;
 }
 
 } // namespace lcpush::desktop

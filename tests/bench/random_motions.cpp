@@ -14,8 +14,18 @@ namespace {
 
 using namespace lcpush;
 
+/// As `lcpush move --step` does: a step without an answer is tried as two of half its length.
+template <class Pivots>
+Status advance(TimeStepper<double, Pivots>& stepper, double h, int halvings, Index& split) {
+  const Status status = stepper.advance(h);
+  if (status == Status::solved || stepper.run().lost || halvings == 0) return status;
+  ++split;
+  const Status half = advance(stepper, h / 2, halvings - 1, split);
+  return half == Status::solved ? advance(stepper, h / 2, halvings - 1, split) : half;
+}
+
 template <class Pivots> void run_all(unsigned from, unsigned to) {
-  Index ends[16] = {}, lost = 0, cold = 0, corrections = 0, steps = 0;
+  Index ends[16] = {}, lost = 0, cold = 0, corrections = 0, steps = 0, split = 0;
   std::vector<Index> pivots;
   double residual = 0, penetration = 0;
   const double begin = bench::cpu_ms();
@@ -24,7 +34,7 @@ template <class Pivots> void run_all(unsigned from, unsigned to) {
     test::begin_random(run, seed);
     Status status = Status::solved;
     for (Index k = 0; k < 200 && status == Status::solved; ++k) {
-      status = run->advance(1e-3);
+      status = advance(*run, 1e-3, 4, split);
       const StepRun<double>& step = run->run();
       ++steps;
       if (k > 0) pivots.push_back(step.pivots);
@@ -56,8 +66,8 @@ template <class Pivots> void run_all(unsigned from, unsigned to) {
               static_cast<long>(pivots[pivots.size() / 2]),
               static_cast<long>(pivots[pivots.size() * 99 / 100]), static_cast<long>(pivots.back()),
               static_cast<long>(cold), static_cast<long>(corrections), static_cast<long>(steps));
-  std::printf("residual %.1e, penetration %.1e m, %.3f ms a step\n", residual, penetration,
-              ms / static_cast<double>(steps));
+  std::printf("residual %.1e, penetration %.1e m, %.3f ms a step; %ld steps halved\n", residual,
+              penetration, ms / static_cast<double>(steps), static_cast<long>(split));
 }
 
 } // namespace

@@ -12,6 +12,13 @@ if(Python3_FOUND AND TARGET lcpush_tool)
   set_tests_properties(consumer.installed PROPERTIES FIXTURES_REQUIRED installed_lcpush)
 endif()
 
+find_program(LCPUSH_DPKG_DEB dpkg-deb)
+if(LCPUSH_DPKG_DEB AND Python3_FOUND AND TARGET lcpush_tool AND TARGET lcpush_desktop_shared)
+  add_test(NAME consumer.package
+           COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_SOURCE_DIR}/consumer/test_package.py
+                   ${CMAKE_CPACK_COMMAND} ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
+endif()
+
 function(add_consumer_test name)
   add_test(
     NAME consumer.${name}

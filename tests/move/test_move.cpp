@@ -2,6 +2,7 @@
 #include "lcpush/desktop/move.hpp"
 
 #include "formats/json_reader.hpp"
+#include "support/fixture_push.hpp"
 #include "support/scene_text.hpp"
 
 #include <doctest/doctest.h>
@@ -224,6 +225,19 @@ TEST_CASE("pushers that squeeze the object end its motion: it does not leap thro
   }
 }
 
+TEST_CASE("a pusher that has left the object is told, and a push that falls at once is an event") {
+  const SceneFile file = read_scene(LCPUSH_SOURCE_DIR "/fixtures/scenes/pivot.toml");
+  const MotionReport report = moved_to(file, 1);
+  CHECK(move_text(file, report).find("From 0.976 s on edge") != std::string::npos);
+  REQUIRE(report.jumps.size() == 2);
+  CHECK(std::abs(report.jumps[0].time - 0.5455) <= 0.005);
+  CHECK(report.jumps[0].to < 0.85 * report.jumps[0].from);
+  CHECK(report.jumps[1].to == 0);
+  const MotionReport before = moved_to(file, 0.5);
+  CHECK(before.jumps.empty());
+  CHECK(move_text(file, before).find("no more") == std::string::npos);
+}
+
 TEST_CASE("who touches no face is refused by name and line") {
   const auto refused = [](const std::string& text) {
     try {
@@ -238,7 +252,16 @@ TEST_CASE("who touches no face is refused by name and line") {
                              "motion of edge against edge is not modelled") == 0);
   CHECK(refused(tilted + "points_on = \"object\"\n") == "accepted");
   CHECK(refused(with(pinned, "[-0.04, -0.015, 0]", "[-0.06, -0.015, 0]"))
-            .find("s.toml:22: pusher \"pin\": not all its points lie on the object's face") == 0);
+            .find("s.toml:22: pusher \"pin\": pin.1 lies beside the object's face") == 0);
+  CHECK(refused(with(pinned, "[-0.04, -0.015, 0]", "[-0.04, -0.013, 0]"))
+            .find("s.toml:22: pusher \"pin\": pin.1 lies 2 mm inside the object") == 0);
+  // The coin's contacts are taken at its centre: they are the object's, on planes of the bodies.
+  std::string coin = test::scene_text("coin.toml");
+  CHECK(refused(coin).find("finger \"table\": table.1 lies 8 mm inside") != std::string::npos);
+  for (const std::string normal : {"normal = [0, 1, 0]", "normal = [1, 0, 0]"})
+    coin = with(coin, normal, normal + "\npoints_on = \"object\"");
+  const SceneFile on_planes = scene_of(coin);
+  CHECK(std::abs(last_pose(moved_to(on_planes, 1)).position.x() - 0.5) <= 1e-9);
   const std::string face = "[[face]]\ncorners = [[-0.05, -0.015, -0.005], [0.05, -0.015, -0.005], "
                            "[0.05, -0.015, 0.005], [-0.05, -0.015, 0.005]]\n";
   CHECK(refused(pinned + face).find("finger \"left\": no face of the object") != std::string::npos);

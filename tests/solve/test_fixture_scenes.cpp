@@ -2,6 +2,8 @@
 #include "support/fixture_push.hpp"
 
 #include <filesystem>
+#include <type_traits>
+#include <utility>
 
 using namespace lcpush;
 using namespace lcpush::test;
@@ -22,7 +24,18 @@ desktop::BreakReport broken(const std::string& text) {
   return desktop::Push(file).find_breaking(static_cast<Index>(file.bodies.size()) - 1, {});
 }
 
+template <class P, class = void> struct Solves : std::false_type {};
+template <class P>
+struct Solves<P, std::void_t<decltype(std::declval<P>().solve(desktop::PushOptions{}))>>
+    : std::true_type {};
+
 } // namespace
+
+TEST_CASE("a report that looks into its push cannot outlive the push's line") {
+  CHECK(Solves<desktop::Push&>::value);
+  CHECK_FALSE(Solves<desktop::Push>::value);
+  CHECK_FALSE(std::is_constructible_v<desktop::Push, desktop::SceneFile>);
+}
 
 TEST_CASE("every scene of fixtures/scenes says what it is, and is solved or jams as it says") {
   int scenes = 0;

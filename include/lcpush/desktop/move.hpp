@@ -72,6 +72,12 @@ struct MotionEvent {
   Touch from, to;
 };
 
+/// The pushers' force on the object changes at once, whatever the contacts' modes say.
+struct ForceJump {
+  double time, within; ///< s; in a step so long
+  double from, to;     ///< N
+};
+
 /// A part of the motion that one word describes.
 struct MotionPhase {
   MotionKind kind = MotionKind::rest;
@@ -102,6 +108,7 @@ struct MotionReport {
   Index body = -1;                 ///< lost or inside: which
   std::vector<MotionFrame> frames; ///< the first at time 0, before anything moves
   std::vector<MotionEvent> events;
+  std::vector<ForceJump> jumps;
   std::vector<MotionPhase> phases;
   Index steps = 0, solves = 0;
   double shortest = 0, longest = 0; ///< s, steps

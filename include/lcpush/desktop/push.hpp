@@ -18,7 +18,8 @@ public:
   Push(const Push&) = delete;               // the views inside would point into the other one
   Push& operator=(const Push&) = delete;
 
-  PushReport solve(const PushOptions& options);
+  PushReport solve(const PushOptions& options) &;
+  PushReport solve(const PushOptions& options) && = delete; // the report looks into the Push
   /// The fingers alone, with the actuators that drive one.
   HoldReport holds_without_push(const PushOptions& options);
   BreakReport find_breaking(Index pusher, const PushOptions& options);

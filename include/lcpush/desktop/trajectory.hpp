@@ -22,6 +22,9 @@ struct TrajectoryFrame {
 /// columns time, x, y, z, then r11 .. r33 or qw, qx, qy, qz, and if they are known vx .. wz. Throws
 /// InputError: not of this shape, times that do not grow, no rotation.
 std::vector<TrajectoryFrame> read_trajectory(const std::string& path);
+/// The same for a text; `file_name` only names it in messages.
+std::vector<TrajectoryFrame> parse_trajectory(const std::string& text,
+                                              const std::string& file_name);
 
 enum class TrajectoryVerdict {
   follows, ///< every step is the laws' own, within the tolerance

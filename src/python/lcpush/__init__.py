@@ -1,0 +1,21 @@
+"""The mechanics of prehensile pushing, solved as the complementarity problem that it is.
+
+>>> import lcpush
+>>> answer = lcpush.lcp([[2, 1], [1, 2]], [-5, -6])
+>>> answer.status
+'solved'
+
+`read` a scene file, or build a `Scene` from a dictionary, and ask it: `solve()`, `break_()`,
+`sweep()`, `spread()`, `verify()`, `move()`, `report()`. SI units, the scene's axes, the gripper's
+frame. Arrays are NumPy's where NumPy is installed, else lists. docs/guide/python.md explains.
+"""
+from ._answers import (Answer, Body, Breaking, Contact, LcpAnswer, LcpVerdict, Motion,
+                       MotionVerdict, Record, Solution, Spread, Sweep, Verdict)
+from ._errors import InputError, NotSolved
+from ._library import version as __version__
+from ._raw import check, lcp
+from ._scene import Scene, read, verify_scene
+
+__all__ = ["Answer", "Body", "Breaking", "Contact", "InputError", "LcpAnswer", "LcpVerdict",
+           "Motion", "MotionVerdict", "NotSolved", "Record", "Scene", "Solution", "Spread", "Sweep", "Verdict",
+           "__version__", "check", "lcp", "read", "verify_scene"]

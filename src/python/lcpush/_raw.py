@@ -1,0 +1,66 @@
+"""Raw problems: w = M z + q."""
+from __future__ import annotations
+
+import math
+from typing import Any, Dict, Iterable, Optional
+
+from ._answers import LcpAnswer, LcpVerdict
+from ._arrays import ends, entries, plain
+from ._errors import NotSolved
+from ._library import NOT_SOLVED, Progress, ask
+
+
+def _problem(M: Any, q: Any, free: Optional[Iterable[int]], lo: Any, hi: Any) -> Dict[str, Any]:
+    matrix = entries(M)
+    count = matrix["rows"]
+    return {"M": matrix, "q": plain(q),
+            "free": None if free is None else [int(row) + 1 for row in free],
+            "lo": ends(lo, count, -math.inf), "hi": ends(hi, count, math.inf)}
+
+
+def lcp(M: Any, q: Any, *, free: Optional[Iterable[int]] = None, lo: Any = None, hi: Any = None,
+        solver: Optional[str] = None, check: bool = True,
+        progress: Optional[Progress] = None) -> LcpAnswer:
+    """Finds z with w = M z + q, z >= 0, w >= 0, z'w = 0.
+
+    Args:
+        M: shape (n, n): a list of rows, a NumPy array or a SciPy sparse matrix
+        q: shape (n,)
+        free: rows, from 0, that are equalities w_i = 0 with a free z_i
+        lo, hi: ends of a box instead, shape (n,) or one for all, infinities among them:
+            lo <= z <= hi, w >= 0 where z is at lo, <= 0 at hi, 0 in between
+        solver: "lemke" (default), "gauss-seidel" or "hybrid"
+        check: raise NotSolved if there is no answer
+
+    >>> answer = lcp([[2, 1], [1, 2]], [-5, -6])
+    >>> [round(float(z), 6) for z in answer.z]
+    [1.333333, 2.333333]
+    """
+    request = {**_problem(M, q, free, lo, hi), "solver": solver}
+    code, text = ask("lcp", request, progress)
+
+    def again(question: str, changes: Dict[str, Any]) -> str:
+        return ask(question, {**request, **changes})[1]
+
+    answer = LcpAnswer(text, "lcp", again)
+    if check and code == NOT_SOLVED:
+        raise NotSolved(answer.sentence, answer.to_dict())
+    return answer
+
+
+def check(M: Any, q: Any, z: Any, *, free: Optional[Iterable[int]] = None, lo: Any = None,
+              hi: Any = None, tolerance: Optional[float] = None) -> LcpVerdict:
+    """Is z, shape (n,), a solution of lcp(M, q)? Judged by code that solves nothing.
+
+    >>> bool(check([[2, 1], [1, 2]], [-5, -6], [4 / 3, 7 / 3]))
+    True
+    >>> bool(check([[2, 1], [1, 2]], [-5, -6], [1.3, 2.3]))
+    False
+    """
+    request = {**_problem(M, q, free, lo, hi), "z": plain(z), "tolerance": tolerance}
+    text = ask("verify_lcp", request)[1]
+
+    def again(question: str, changes: Dict[str, Any]) -> str:
+        return ask(question, {**request, **changes})[1]
+
+    return LcpVerdict(text, "verify_lcp", again)

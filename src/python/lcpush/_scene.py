@@ -1,0 +1,247 @@
+"""Scenes: a file, a text, or a dictionary; and the questions they are asked."""
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Dict, Mapping, Optional, Tuple, Type, TypeVar, Union
+
+from . import _toml
+from ._answers import (Answer, Body, Breaking, Motion, MotionVerdict, Record, Solution, Spread, Sweep, Verdict)
+from ._errors import InputError, NotSolved
+from ._library import NOT_SOLVED, Progress, ask
+
+A = TypeVar("A", bound=Answer)
+
+
+class Scene:
+    """An object, the fingers that hold it and the pushers that push it.
+
+    Args:
+        source: the text of a scene file, or a dictionary of the same tables and keys, such as
+            {"object": {"mass": 0.2, ..}, "finger": [{"name": "left", ..}, ..], "pusher": [..]};
+            docs/guide/scenes.md has them. Arrays may be NumPy's.
+        name: what messages call the file
+
+    Raises InputError, with file and line, if that is no scene.
+
+    >>> scene = Scene({"object": {"mass": 0.2, "box": [0.1, 0.03, 0.01]},
+    ...                "finger": [{"name": "table", "shape": "point", "center": [0, 0, 0.005],
+    ...                            "normal": [0, 0, -1], "friction": 0.5, "grip_force": 10}],
+    ...                "pusher": [{"name": "wall", "shape": "point", "center": [-0.05, 0, 0],
+    ...                            "normal": [1, 0, 0], "friction": 0,
+    ...                            "acceleration": [0.1, 0, 0]}]})
+    >>> scene.names
+    ['table', 'wall']
+    """
+
+    def __init__(self, source: Union[str, Mapping[str, Any]], name: str = "scene") -> None:
+        self._text = source if isinstance(source, str) else _toml.write(source)
+        self._name = name
+        self._facts = json.loads(self._ask("scene", {}))
+
+    @property
+    def text(self) -> str:
+        """The scene file's text."""
+        return self._text
+
+    @property
+    def title(self) -> str:
+        """As the scene says, '' without one."""
+        return str(self._facts["title"])
+
+    @property
+    def hand(self) -> str:
+        """What moves the fingers: "parallel", "independent", "locked", "fixed", "actuators"."""
+        return str(self._facts["hand"])
+
+    @property
+    def names(self) -> "list[str]":
+        """Of the fingers and pushers, in the file's order."""
+        return [body["name"] for body in self._facts["bodies"]]
+
+    @property
+    def parameters(self) -> "list[str]":
+        """What sweep() can vary, such as "left.grip_force"; "*." stands for all bodies."""
+        return list(self._facts["parameters"])
+
+    @property
+    def warnings(self) -> "list[Record]":
+        """What looks odd about the scene: `code`, `file`, `line`, `text`."""
+        return [Record(warning) for warning in self._facts["warnings"]]
+
+    def to_dict(self) -> Dict[str, Any]:
+        """The tables and keys; `Scene(scene.to_dict())` is the same scene."""
+        return _toml.read(self._text)
+
+    def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the scene file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self._text)
+
+    def solve(self, *, solver: Optional[str] = None, check: bool = True,
+              progress: Optional[Progress] = None) -> Solution:
+        """What the scene's push does: forces, motion in the grip, contact modes.
+
+        Args:
+            solver: "lemke" (default), "gauss-seidel" or "hybrid"
+            check: raise NotSolved if there is no answer; else look at its `status`
+            progress: is called with the share that is done, 0 to 1, as in all questions; what it
+                raises ends the work
+        """
+        return self._answer(Solution, "solve", {"solver": solver}, check, progress)
+
+    def break_(self, *, pusher: Optional[str] = None, solver: Optional[str] = None,
+               check: bool = True, progress: Optional[Progress] = None) -> Breaking:
+        """The force that just moves the object in the grip; `pusher`: whose, among several."""
+        return self._answer(Breaking, "break", {"pusher": pusher, "solver": solver}, check,
+                            progress)
+
+    def sweep(self, path: str, start: float, stop: float, *, steps: Optional[int] = None,
+              pressure: Optional[str] = None, pusher: Optional[str] = None,
+              over: Optional[Tuple[str, float, float]] = None,
+              progress: Optional[Progress] = None) -> Sweep:
+        """How the push changes with a number of the scene.
+
+        Args:
+            path: one of `parameters`, such as "*.grip_force"
+            start, stop: its values, in the file's unit
+            steps: values evenly spread, ends included; none where exact segments are found
+            pressure: "pad", "even" or "rigid" instead of the file's
+            over: a second number for a map, (path, start, stop)
+        """
+        given = [(path, start, stop)] if over is None else [(path, start, stop), over]
+        vary = [{"path": name, "from": first, "to": last} for name, first, last in given]
+        return self._answer(Sweep, "sweep",
+                            {"vary": {"list": vary}, "steps": steps, "pressure": pressure,
+                             "pusher": pusher}, False, progress)
+
+    def spread(self, *, breaking: bool = False, enumerate_all: bool = False,
+               paths_only: bool = False, covers: Optional[int] = None,
+               seconds: Optional[float] = None, check: bool = True,
+               progress: Optional[Progress] = None) -> Spread:
+        """The answer as a set: bounds of the push, the motion and the contact forces.
+
+        Args:
+            breaking: of the force that just moves the object
+            enumerate_all: look longer for all contact modes
+            paths_only: only what `covers` covering vectors (32) reach
+            seconds: stop after that time with what is found
+        """
+        return self._answer(Spread, "spread",
+                            {"break": breaking or None, "enumerate": enumerate_all or None,
+                             "paths": paths_only or None, "covers": covers, "seconds": seconds},
+                            check, progress)
+
+    def verify(self, answer: Any, *, tolerance: Optional[float] = None) -> Verdict:
+        """Is somebody's answer right? `answer`: a dictionary shaped as `solve().to_dict()`, or any
+        part of it (arrays may be NumPy's), the text of such a JSON object, or an Answer.
+        `tolerance`: what a row may be off by, scaled (1e-6)."""
+        if isinstance(answer, Answer):
+            answer = answer.json
+        text = answer if isinstance(answer, str) else json.dumps(_listed(answer))
+        return self._answer(Verdict, "verify", {"answer": text, "tolerance": tolerance}, False,
+                            None)
+
+    def verify_motion(self, frames: Any, *, tolerance: Optional[float] = None) -> MotionVerdict:
+        """Does somebody else's motion follow the laws, step by step, or does it creep?
+
+        Args:
+            frames: a list of {"time": s, "position": (3,), "rotation": (9,) row by row, "twist":
+                (6,)} (arrays may be NumPy's; a twist need not be known), how far the object has
+                gone from the scene's place; a Motion; or the text of such a JSON object, or of CSV
+            tolerance: as a part of the fastest speed (0.01)
+        """
+        if isinstance(frames, Answer):
+            frames = frames.json
+        text = frames if isinstance(frames, str) else json.dumps({"frames": _listed(frames)})
+        return self._answer(MotionVerdict, "verify_motion",
+                            {"motion": text, "tolerance": tolerance}, False, None)
+
+    def move(self, *, time: Optional[float] = None, step: Optional[float] = None,
+             tolerance: Optional[float] = None, stop_after: Optional[float] = None,
+             frames: Optional[int] = None, progress: Optional[Progress] = None) -> Motion:
+        """Where the object ends up: the push goes on, step by step.
+
+        Args:
+            time: s; to the end of the last stroke, else 1 s
+            step: s, of equal steps; else as `tolerance` asks
+            tolerance: m, of the whole path; a thousandth of the object's size
+            stop_after: m, that a contact's place on the object goes
+            frames: moments kept, ends included (101)
+
+        A motion that ends early is an answer: see its `status` and `end`.
+        """
+        return self._answer(Motion, "move",
+                            {"time": time, "step": step, "tolerance": tolerance,
+                             "stop_after": stop_after, "frames": frames}, False, progress)
+
+    def report(self, *, vary: Optional[Tuple[str, float, float]] = None,
+               steps: Optional[int] = None, pusher: Optional[str] = None,
+               progress: Optional[Progress] = None) -> str:
+        """One HTML page to look at; `vary`: with a plot of a sweep, (path, start, stop)."""
+        request: Dict[str, Any] = {"steps": steps, "pusher": pusher}
+        if vary:
+            request["vary"] = {"list": [{"path": vary[0], "from": vary[1], "to": vary[2]}]}
+        return self._ask("report", request, progress)
+
+    def picture(self, name: str = "front") -> str:
+        """One picture of the report, as SVG: "isometric", "front", "top", "side", "friction", .."""
+        return self._ask("report", {"format": "svg", "picture": name})
+
+    def matrices(self) -> Record:
+        """The paper's matrices: `M`, `w`, `G`, `G_bar`, `J`, `v`, each with `rows`, `columns` and
+        `values`; SI units, at the object's centre of mass."""
+        return Record(json.loads(self._ask("matrices", {})))
+
+    def __repr__(self) -> str:
+        return f"<Scene {self.title or self._name}: {', '.join(self.names)}>"
+
+    def _repr_html_(self) -> str:
+        return self.picture("isometric")
+
+    def _request(self, changes: Mapping[str, Any]) -> Dict[str, Any]:
+        return {"scene": self._text, "file": self._name, **changes}
+
+    def _ask(self, question: str, changes: Mapping[str, Any],
+             progress: Optional[Progress] = None) -> str:
+        return ask(question, self._request(changes), progress)[1]
+
+    def _answer(self, kind: Type[A], question: str, options: Dict[str, Any], check: bool,
+                progress: Optional[Progress]) -> A:
+        code, text = ask(question, self._request(options), progress)
+
+        def again(other: str, changes: Dict[str, Any]) -> str:
+            return self._ask(other, {**options, **changes} if other == question else
+                             {key: value for key, value in changes.items() if value is not None})
+
+        answer = kind(text, question, again, self.title)
+        if check and code == NOT_SOLVED:
+            raise NotSolved(answer.sentence, answer.to_dict())
+        return answer
+
+
+def _listed(value: Any) -> Any:
+    """NumPy's arrays and numbers as JSON has them."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, Record):
+        return value.to_dict()
+    if isinstance(value, Mapping):
+        return {key: _listed(entry) for key, entry in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_listed(entry) for entry in value]
+    return value
+
+
+def read(path: Union[str, "os.PathLike[str]"]) -> Scene:
+    """The scene of a file. Raises InputError, or OSError if it cannot be read."""
+    with open(path, encoding="utf-8-sig") as file:
+        return Scene(file.read(), os.fspath(path))
+
+
+def verify_scene(scene: Union[Scene, str, Mapping[str, Any]], answer: Any, *,
+                 tolerance: Optional[float] = None) -> Verdict:
+    """`scene.verify(answer)`, for a scene in whatever form."""
+    if not isinstance(scene, Scene):
+        scene = Scene(scene)
+    return scene.verify(answer, tolerance=tolerance)

@@ -1,0 +1,156 @@
+"""The Python package under strain: eight threads, a thousand solves, Ctrl-C, and what a call costs.
+
+    python3 test_endurance.py TOOL LIBRARY SOURCE
+"""
+import json
+import os
+import pathlib
+import resource
+import signal
+import sys
+import threading
+import time
+import unittest
+
+TOOL, LIBRARY, SOURCE = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+os.environ["LCPUSH_LIBRARY"] = LIBRARY
+sys.path.insert(0, str(SOURCE / "src/python"))
+os.chdir(SOURCE)
+import lcpush  # noqa: E402
+
+SLIDE = "fixtures/scenes/straight_slide.toml"
+LONG = ("left.friction", 0.1, 1.0)  # 200,000 values of it take a minute
+
+
+def resident():
+    """Bytes of memory in use now."""
+    with open("/proc/self/statm", encoding="ascii") as file:
+        return int(file.read().split()[1]) * resource.getpagesize()
+
+
+class Threads(unittest.TestCase):
+    def test_eight_ask_at_once_and_get_what_one_gets(self):
+        scenes = [lcpush.read(str(path))
+                  for path in sorted(pathlib.Path("fixtures/scenes").glob("*.toml"))[:8]]
+        alone = [scene.solve(check=False).json for scene in scenes]
+        wrong = []
+
+        def work(first):
+            for k in range(first, first + 24):
+                i = k % len(scenes)
+                if scenes[i].solve(check=False).json != alone[i]:
+                    wrong.append(scenes[i].title)
+                try:
+                    lcpush.Scene("[object]\n", f"{first}.toml")
+                    wrong.append("no error")
+                except lcpush.InputError as error:
+                    if error.file != f"{first}.toml":
+                        wrong.append(str(error))
+
+        threads = [threading.Thread(target=work, args=(k,)) for k in range(8)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(wrong, [])
+
+
+class Memory(unittest.TestCase):
+    def test_is_flat_over_a_thousand_solves(self):
+        scene = lcpush.read(SLIDE)
+
+        def some(count):
+            for _ in range(count):
+                scene.solve()
+                try:
+                    lcpush.Scene("[object]\nmass = -1\n")
+                except lcpush.InputError:
+                    pass
+
+        some(200)
+        before = resident()
+        some(1000)
+        self.assertLess(resident() - before, 500_000)
+
+
+class Interrupts(unittest.TestCase):
+    def ended_after(self, work):
+        """s, from Ctrl-C to its KeyboardInterrupt."""
+        sent = []
+
+        def press():
+            time.sleep(0.5)
+            sent.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+
+        presser = threading.Thread(target=press)
+        presser.start()
+        before = signal.getsignal(signal.SIGINT)
+        with self.assertRaises(KeyboardInterrupt):
+            work()
+        ended = time.monotonic()
+        presser.join()
+        self.assertIs(signal.getsignal(signal.SIGINT), before)
+        return ended - sent[0]
+
+    def test_end_long_work_soon(self):
+        scene = lcpush.read(SLIDE)
+        for work in (lambda: scene.sweep(*LONG, steps=200_000),
+                     lambda: lcpush.read("docs/guide/held_box.toml").move(time=90, step=1e-4),
+                     lambda: scene.spread(enumerate_all=True, seconds=60)):
+            self.assertLess(self.ended_after(work), 0.2)
+
+    def test_come_from_progress_as_well(self):
+        seen = []
+
+        def stop(done):
+            seen.append(done)
+            if done > 0.001:
+                raise ZeroDivisionError("enough")
+
+        with self.assertRaisesRegex(ZeroDivisionError, "enough"):
+            lcpush.read(SLIDE).sweep(*LONG, steps=200_000, progress=stop)
+        self.assertTrue(seen and seen == sorted(seen) and seen[-1] < 0.5)
+
+
+class Cost(unittest.TestCase):
+    def test_of_a_call_is_below_a_millisecond(self):
+        """Beside the tool's own time, for the ten points of a slide: what Python and JSON add."""
+        scene = lcpush.read(SLIDE)
+        self.assertEqual(len(scene.solve().contacts), 10)
+        from lcpush import _library
+        inside = []
+        plain = _library._library.lcpush_desktop_ask
+
+        class Timed:
+            def __getattr__(self, name):
+                return getattr(plain_library, name)
+
+            def lcpush_desktop_ask(self, *words):
+                begin = time.perf_counter()
+                answer = plain(*words)
+                inside.append(time.perf_counter() - begin)
+                return answer
+
+        plain_library, _library._library = _library._library, Timed()
+        try:
+            whole = []
+            for _ in range(200):
+                begin = time.perf_counter()
+                scene.solve()
+                whole.append(time.perf_counter() - begin)
+        finally:
+            _library._library = plain_library
+        around = sorted(a - b for a, b in zip(whole, inside))[100]
+        json_text = scene.solve().json
+        begin = time.perf_counter()
+        for _ in range(100):
+            json.loads(json_text)
+        self.assertGreater(around, 0)
+        print(f"around the library {1e3 * around:.3f} ms, of which JSON's reader "
+              f"{10 * (time.perf_counter() - begin):.3f} ms; in it {1e3 * sorted(inside)[100]:.3f} ms")
+        self.assertLess(around, 1e-3)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])

@@ -1,0 +1,238 @@
+"""The Python package: the tool's answers byte for byte, located errors, arrays, words, pictures.
+
+    python3 test_package.py TOOL LIBRARY SOURCE
+"""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+
+TOOL, LIBRARY, SOURCE = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+os.environ["LCPUSH_LIBRARY"] = LIBRARY
+sys.path.insert(0, str(SOURCE / "src/python"))
+os.chdir(SOURCE)
+import lcpush  # noqa: E402
+from lcpush import _toml  # noqa: E402
+
+SLIDE, JAM, TIPPING = (f"fixtures/scenes/{name}.toml"
+                       for name in ("straight_slide", "jam", "tipping"))
+
+
+def printed(*words):
+    return subprocess.run([TOOL, *words], capture_output=True, text=True, timeout=100).stdout
+
+
+def listed(numbers):
+    return numbers.tolist() if hasattr(numbers, "tolist") else numbers
+
+
+class SameJson(unittest.TestCase):
+    def test_of_every_scene(self):
+        scenes = sorted(map(str, pathlib.Path("fixtures/scenes").glob("*.toml")))
+        self.assertGreater(len(scenes), 15)
+        for path in scenes:
+            scene = lcpush.read(path)
+            self.assertEqual(scene.solve(check=False).json, printed("solve", path, "--json"), path)
+            self.assertEqual(lcpush.Scene(scene.to_dict(), path).solve(check=False).to_dict(),
+                             scene.solve(check=False).to_dict(), path)
+
+    def test_of_every_question(self):
+        scene = lcpush.read(TIPPING)
+        pusher = scene.names[-1]
+        self.assertEqual(scene.break_().json, printed("break", TIPPING, "--json"))
+        self.assertEqual(scene.spread(paths_only=True).json,
+                         printed("spread", TIPPING, "--paths", "--json"))
+        self.assertEqual(scene.move(time=0.1, frames=5).json,
+                         printed("move", TIPPING, "--time", "0.1", "--frames", "5", "--json"))
+        for more, words in (({}, []), ({"steps": 4}, ["--steps", "4"]),
+                            ({"pressure": "rigid"}, ["--pressure", "rigid"])):
+            path = f"{pusher}.friction"
+            self.assertEqual(scene.sweep(path, 0.1, 0.5, **more).json,
+                             printed("sweep", TIPPING, "--vary", f"{path}=0.1:0.5", "--json",
+                                     *words))
+        both = scene.sweep("object.mass", 0.1, 0.5, steps=3, over=(f"{pusher}.friction", 0.1, 0.5))
+        self.assertEqual(both.json,
+                         printed("sweep", TIPPING, "--vary", "object.mass=0.1:0.5", "--vary",
+                                 f"{pusher}.friction=0.1:0.5", "--steps", "3", "--json"))
+        self.assertEqual(json.dumps(scene.matrices().to_dict()),
+                         json.dumps(json.loads(printed("matrices", TIPPING, "--json"))))
+        self.assertEqual(scene.report(), printed("report", TIPPING))
+        self.assertEqual(scene.picture("top"),
+                         printed("report", TIPPING, "--format", "svg", "--picture", "top"))
+
+    def test_of_raw_problems(self):
+        self.assertEqual(lcpush.lcp([[2, 1], [1, 2]], [-5, -6]).json,
+                         printed("lcp", "--M", "2 1; 1 2", "--q", "-5 -6", "--json"))
+        boxed = lcpush.lcp([[2, 1], [1, 2]], [-5, -6], lo=0, hi=[1, float("inf")])
+        self.assertEqual(boxed.json, printed("lcp", "--M", "2 1; 1 2", "--q", "-5 -6", "--lo", "0",
+                                             "--hi", "1 inf", "--json"))
+        free = lcpush.lcp([[2, 1], [1, 2]], [5, -6], free=[0])
+        self.assertEqual(free.json, printed("lcp", "--M", "2 1; 1 2", "--q", "5 -6", "--free", "1",
+                                            "--json"))
+        self.assertLess(free.z[0], 0)
+
+
+class Answers(unittest.TestCase):
+    def test_say_what_the_tool_says(self):
+        scene = lcpush.read(SLIDE)
+        solution = scene.solve()
+        self.assertIn("Push with 20.1 N", repr(solution))
+        told = " ".join(printed("solve", SLIDE).split())
+        self.assertIn(repr(solution), told)
+        self.assertIn("The grasp breaks at 20 N", repr(scene.break_()))
+        self.assertIn("The box slides", repr(scene.move(time=0.2, frames=3)))
+        self.assertIn("Solved in", repr(lcpush.lcp([[1]], [-1])))
+        for answer in (solution, scene.move(time=0.2, frames=3),
+                       scene.sweep("*.grip_force", 5, 30, pressure="rigid")):
+            self.assertTrue(answer._repr_html_().startswith("<svg"))
+        self.assertIn("<svg", scene._repr_html_())
+
+    def test_have_arrays_and_names(self):
+        solution = lcpush.read(SLIDE).solve()
+        self.assertEqual(len(listed(solution.acceleration)), 6)
+        self.assertAlmostEqual(solution.acceleration[0], 0.1, places=9)
+        self.assertAlmostEqual(solution.body("wall").force[0], 20.02, places=6)
+        self.assertEqual([contact.mode for contact in solution.contacts][-1], "stick")
+        n = len(solution.q)
+        self.assertEqual((len(solution.M), len(solution.M[0]), len(solution.names)), (n, n, n))
+        again = lcpush.lcp(solution.M, solution.q, free=solution.free)
+        self.assertLess(again.residual, 1e-9)
+        with self.assertRaises(AttributeError):
+            solution.no_such_key  # noqa: B018
+
+    def test_of_sweeps_and_motions_are_columns(self):
+        scene = lcpush.read(SLIDE)
+        sweep = scene.sweep("*.grip_force", 5, 30, steps=6)
+        self.assertEqual(len(listed(sweep.values)), len(listed(sweep.break_force)))
+        self.assertAlmostEqual(sweep.break_force[-1], 30, places=6)
+        exact = scene.sweep("*.grip_force", 5, 30, pressure="rigid")
+        self.assertEqual(listed(exact.values)[0], 5)
+        self.assertAlmostEqual(exact.force[-1][0], 30.02, places=6)
+        motion = scene.move(time=1, frames=11)
+        self.assertAlmostEqual(motion.positions[-1][0], 0.05, places=6)
+        self.assertEqual([len(listed(motion.times)), len(listed(motion.rotations))], [11, 11])
+        self.assertEqual(listed(motion.rotations[0]), [[1, 0, 0], [0, 1, 0], [0, 0, 1]])
+
+
+class Judging(unittest.TestCase):
+    def test_of_answers(self):
+        scene = lcpush.read(SLIDE)
+        solution = scene.solve()
+        self.assertTrue(scene.verify(solution))
+        wrong = solution.to_dict()
+        wrong["object"] = {"acceleration": [0.11, 0, 0, 0, 0, 0]}
+        verdict = lcpush.verify_scene(scene, wrong)
+        self.assertFalse(verdict)
+        self.assertTrue(verdict.because)
+
+    def test_of_motions(self):
+        scene = lcpush.read(SLIDE)
+        motion = scene.move(time=0.1, step=0.001, frames=101)
+        self.assertTrue(scene.verify_motion(motion))
+        frames = [{"time": t, "position": p, "rotation": [1, 0, 0, 0, 1, 0, 0, 0, 1]}
+                  for t, p in zip(listed(motion.times), listed(motion.positions))]
+        self.assertTrue(scene.verify_motion(frames))
+        frames[50]["position"] = [x + 1e-5 for x in frames[50]["position"]]
+        self.assertEqual(scene.verify_motion(frames).verdict, "differs")
+        creeping = pathlib.Path("docs/guide/creeping_box.csv").read_text(encoding="utf-8")
+        verdict = lcpush.read("docs/guide/held_box.toml").verify_motion(creeping)
+        self.assertEqual(verdict.json,
+                         printed("verify", "docs/guide/held_box.toml", "--trajectory",
+                                 "docs/guide/creeping_box.csv", "--json"))
+        self.assertIn("creeps", repr(verdict))
+
+    def test_of_raw_problems(self):
+        M, q = [[2, 1], [1, 2]], [-5, -6]
+        self.assertTrue(lcpush.check(M, q, lcpush.lcp(M, q).z))
+        verdict = lcpush.check(M, q, [1.3, 2.3])
+        self.assertEqual((bool(verdict), verdict.row), (False, 1))
+
+
+class Arrays(unittest.TestCase):
+    def test_of_numpy_and_scipy_come_and_go(self):
+        try:
+            import numpy
+            from scipy import sparse
+        except ImportError:
+            self.skipTest("SciPy is not installed")
+        M, q = numpy.array([[2.0, 1], [1, 2]]), numpy.array([[-5.0], [-6]])
+        twice = sparse.coo_matrix(([1, 1, 1, 1, 2], ([0, 0, 0, 1, 1], [0, 0, 1, 0, 1])))
+        for matrix in (M, M.astype(int), sparse.csr_matrix(M), sparse.csc_matrix(M), twice):
+            answer = lcpush.lcp(matrix, q)
+            self.assertEqual((answer.z.shape, answer.z.dtype), ((2,), numpy.dtype(float)))
+            self.assertTrue(numpy.allclose(answer.w, M @ answer.z + q.ravel()))
+            self.assertTrue(lcpush.check(matrix, q, answer.z))
+        scene = lcpush.read(SLIDE)
+        solution, motion = scene.solve(), scene.move(time=0.1, frames=4)
+        n = len(solution.names)
+        for array, shape in ((solution.M, (n, n)), (solution.q, (n,)),
+                             (solution.acceleration, (6,)), (solution.bodies[0].force, (3,)),
+                             (motion.times, (4,)), (motion.positions, (4, 3)),
+                             (motion.rotations, (4, 3, 3)), (motion.twists, (4, 6)),
+                             (scene.sweep("*.grip_force", 5, 30, pressure="rigid").force, (8, 3))):
+            self.assertEqual(array.shape, shape)
+        own = scene.to_dict()
+        own["pusher"][0]["acceleration"] = numpy.array([0.2, 0, 0])
+        own["finger"][0]["friction"] = numpy.float64(0.5)
+        self.assertAlmostEqual(lcpush.Scene(own).solve().acceleration[0], 0.2, places=9)
+        given = {"object": {"acceleration": solution.acceleration},
+                 "contacts": [contact.to_dict() for contact in solution.contacts]}
+        self.assertTrue(scene.verify(given))
+
+
+class Mistakes(unittest.TestCase):
+    def refused(self, call):
+        with self.assertRaises(lcpush.InputError) as caught:
+            call()
+        return caught.exception
+
+    def test_are_located(self):
+        error = self.refused(lambda: lcpush.Scene("[object]\nmass = -1\n", "mine.toml"))
+        self.assertEqual((error.file, error.line), ("mine.toml", 2))
+        self.assertTrue(str(error).startswith("mine.toml:2: "))
+        scene = lcpush.read(SLIDE)
+        self.assertIn("left.grip", str(self.refused(lambda: scene.sweep("left.grip", 1, 2))))
+        self.assertIn("wall", str(self.refused(lambda: scene.break_(pusher="wal"))))
+        self.assertIn("square", str(self.refused(lambda: lcpush.lcp([[1, 2]], [1]))))
+        self.assertIn("finite", str(self.refused(lambda: lcpush.lcp([[float("nan")]], [1]))))
+        self.assertIn('"q"', str(self.refused(lambda: lcpush.lcp([[1]], [1, 2]))))
+
+    def test_what_has_no_answer_says_why(self):
+        with self.assertRaises(lcpush.NotSolved) as caught:
+            lcpush.read(JAM).solve()
+        self.assertEqual(caught.exception.status, "ray")
+        self.assertTrue(any(entry["name"] == "normal of wall.1" for entry in caught.exception.ray))
+        self.assertIn("jam", str(caught.exception).lower())
+        with self.assertRaises(lcpush.NotSolved) as caught:
+            lcpush.lcp([[-1]], [-1])
+        self.assertEqual(caught.exception.ray, [1])
+        with self.assertRaises(lcpush.NotSolved) as caught:
+            lcpush.read("fixtures/scenes/dropped.toml").break_()
+        self.assertEqual(caught.exception.status, "does_not_hold")
+
+
+class Scenes(unittest.TestCase):
+    def test_survive_dictionaries_and_files(self):
+        own = 0
+        for path in sorted(pathlib.Path("fixtures/scenes").glob("*.toml")):
+            text = path.read_text(encoding="utf-8")
+            self.assertEqual(_toml._read(text), _toml.read(text), path)
+            self.assertEqual(_toml.read(_toml.write(_toml.read(text))), _toml.read(text), path)
+            own += 1
+        self.assertGreater(own, 15)
+        awkward = {"title": 'a "b" \\ # \u00e4', "gravity": [0, -9.81, 1e-300], "planar": True}
+        self.assertEqual(_toml.read(_toml.write(awkward)), awkward)
+        self.assertEqual(_toml._read(_toml.write(awkward)), awkward)
+
+    def test_tell_themselves(self):
+        scene = lcpush.read(SLIDE)
+        self.assertEqual(scene.names, ["left", "right", "wall"])
+        self.assertIn("wall.friction", scene.parameters)
+        self.assertIn("Straight slide", repr(scene))
+        self.assertEqual(lcpush.__version__, printed("--version").split()[1])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])
