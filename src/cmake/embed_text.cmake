@@ -42,6 +42,7 @@ foreach(entry IN ITEMS
         explorer_template=${SOURCES}/pivots/explorer/explorer.html
         explorer_style=${SOURCES}/pivots/explorer/explorer.css
         play_template=${SOURCES}/play/page/page.html
+        gallery_template=${SOURCES}/play/page/gallery.html
         play_style=${SOURCES}/play/page/page.css
         solver_text=${SOURCES}/play/wasm/solver.txt
         python_script=${SOURCES}/export/solve_push.py

@@ -35,10 +35,8 @@
       number(name, unit, 0, most, step, (toml) => tidy(planar_length(read(toml))),
         (state, value) => write(state, in_plane(value, direction(now(state)), now(state)[2]))),
       number('direction', '\u00b0', -180, 180, 1, (toml) => direction(read(toml)),
-        (state, value) => {
-          last = value;
-          return write(state, in_plane(planar_length(now(state)), value, now(state)[2]));
-        }),
+        (state, value) =>
+          write(state, in_plane(planar_length(now(state)), value, now(state)[2]))),
     ];
   }
 
@@ -100,8 +98,8 @@
 
   class Controls {
     /// `change(text, is_done)` is told of every change.
-    constructor(change) {
-      this.change = change;
+    constructor(change, region) {
+      Object.assign(this, { change, region });
       this.shown = [];
       this.key = '';
     }
@@ -144,12 +142,15 @@
       const name = `${title}: ${label}${unit && `, ${unit}`}`;
       const range = h('input', { type: 'range', min: least, max: most, step, 'aria-label': name });
       const box = h('input', { type: 'number', step: 'any', 'aria-label': `${name}, as a number` });
-      const region = h('span', { class: 'region', hidden: true });
+      const shades = h('span', { class: 'region', hidden: true });
+      const key = h('span', { class: 'region-key', hidden: true });
       const row = h('div', { class: 'control' },
-        h('span', {}, label, h('span', { class: 'quiet' }, unit && ` ${unit}`)), range, box, region);
+        h('span', {}, label, h('span', { class: 'quiet' }, unit && ` ${unit}`)), range, box, shades, key);
       range.addEventListener('input', () => this.write(control, Number(range.value), false));
       range.addEventListener('change', () => this.write(control, Number(range.value), true));
-      range.addEventListener('focus', () => play.region?.show(region, control, this.state));
+      range.addEventListener('focus', () =>
+        this.region.show(shades, key, range, control, this.state));
+      range.addEventListener('blur', () => this.region.leave());
       box.addEventListener('change', () => {
         if (box.value !== '') this.write(control, Number(box.value), true);
       });

@@ -6,9 +6,11 @@
     constructor(module, text) {
       this.solver = new play.Solver(module);
       this.background = new play.Background(module);
+      this.region = new play.Region(this.background);
       this.view = new play.View();
       this.history = new play.History(text);
-      this.controls = new play.Controls((changed, is_done) => this.change(changed, is_done));
+      this.controls = new play.Controls((changed, is_done) => this.change(changed, is_done),
+        this.region);
       this.motion = new play.Motion(this);
       this.hands = new play.Hands(this);
       play.raw.create(this);
@@ -86,15 +88,16 @@
         this.took = performance.now() - begin;
         this.buttons();
       }
-      if (in_full) this.find_breaking(text);
+      if (!in_full) return;
+      this.find_breaking(text);
+      this.region.again(this.state);
     }
 
     read(text, reply) {
-      const { answer, text: words, scene } = JSON.parse(reply);
-      const written = reply.slice(reply.indexOf('{', 1), reply.indexOf('\n, "text": ') + 1);
+      const { answer, sentence, scene } = JSON.parse(reply);
+      const written = reply.slice(reply.indexOf('{', 1), reply.indexOf('\n, "sentence": ') + 1);
       this.motion.forget();
-      this.state = { text, answer, scene, written,
-        sentence: play.facts.sentence_of(words, scene.title) };
+      this.state = { text, answer, scene, written, sentence };
       by_id('failure').hidden = true;
       by_id('picture').classList.remove('stale');
       by_id('title').textContent = scene.title || 'lcpush playground';
