@@ -131,7 +131,9 @@ std::string typed_answer(std::string_view text) {
 } // namespace
 
 std::string first_sentence(const SceneFile& file, const PushReport& report) {
-  return report.status == Status::solved ? push_sentence(file, report) : failure_text(file, report);
+  if (report.status == Status::solved) return push_sentence(file, report);
+  if (report.ray.empty()) return failure_text(file, report);
+  return "No answer. " + jam_sentences(file, report.jam).front();
 }
 
 std::string answer_to(std::string_view question, std::string_view text) {

@@ -36,7 +36,8 @@
       fact('Push that breaks the grasp', break_words(breaking)),
       answer.residual && fact('Residual of the laws', decimal(answer.residual.max)),
       fact('Pivots', String(answer.pivots)),
-      answer.jam && fact('Jam', answer.jam.words.join(' '), true),
+      answer.jam && h('div', { class: 'jam' }, h('dt', {}, 'Why it jams'),
+        answer.jam.words.map((words) => h('dd', {}, words))),
     ].filter(Boolean));
     contacts(answer);
   }
