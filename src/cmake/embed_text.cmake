@@ -41,6 +41,10 @@ endfunction()
 foreach(entry IN ITEMS
         explorer_template=${SOURCES}/pivots/explorer/explorer.html
         explorer_style=${SOURCES}/pivots/explorer/explorer.css
+        play_template=${SOURCES}/play/page/page.html
+        gallery_template=${SOURCES}/play/page/gallery.html
+        play_style=${SOURCES}/play/page/page.css
+        solver_text=${SOURCES}/play/wasm/solver.txt
         python_script=${SOURCES}/export/solve_push.py
         octave_script=${SOURCES}/export/solve_push.m)
   string(REGEX MATCH "^([a-z_]+)=(.*)$" found "${entry}")
@@ -64,16 +68,23 @@ endfunction()
 embed_files(example_scenes "${FIXTURES}/scenes/*.toml")
 embed_files(scene_templates "${SOURCES}/scenes/templates/*.toml")
 
-file(STRINGS "${SOURCES}/pivots/explorer/scripts.txt" names)
-set(script "")
-foreach(name IN LISTS names)
-  file(READ "${SOURCES}/pivots/explorer/${name}" part)
-  string(APPEND script "${part}\n")
-endforeach()
-embed(explorer_script "${script}")
+# The function `name` returns the scripts that FOLDER/scripts.txt lists, joined.
+function(embed_scripts name folder)
+  file(STRINGS "${folder}/scripts.txt" files)
+  set(script "")
+  foreach(file IN LISTS files)
+    file(READ "${folder}/${file}" part)
+    string(APPEND script "${part}\n")
+  endforeach()
+  embed(${name} "${script}")
+  set(definitions "${definitions}" PARENT_SCOPE)
+endfunction()
+embed_scripts(explorer_script "${SOURCES}/pivots/explorer")
+embed_scripts(play_script "${SOURCES}/play/page")
 
 file(WRITE "${OUTPUT}"
      "// Made by src/cmake/embed_text.cmake; not to be edited.\n"
      "#include \"export/export_parts.hpp\"\n#include \"pivots/explorer_text.hpp\"\n"
+     "#include \"play/page_text.hpp\"\n"
      "#include \"scenes/shipped_scenes.hpp\"\n\n"
      "namespace lcpush::desktop {\n${definitions}} // namespace lcpush::desktop\n")

@@ -5,7 +5,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <string>
 #include <system_error>
 
 namespace lcpush::desktop {
@@ -21,13 +23,39 @@ std::vector<std::string_view> split_words(std::string_view line) {
   }
 }
 
+namespace {
+
+#if defined(__cpp_lib_to_chars)
+std::from_chars_result read_digits(const char* begin, const char* end, double& value) {
+  return std::from_chars(begin, end, value);
+}
+#else
+// libc++ reads no doubles so far. strtod does, by the same rounding, but it also takes blanks,
+// plus signs and hexadecimal digits.
+std::from_chars_result read_digits(const char* begin, const char* end, double& value) {
+  const std::string digits(begin, end);
+  if (digits.empty() || digits.find_first_not_of("-.0123456789eEinfatyINFATY") == 0 ||
+      digits.find_first_of("xX") != std::string::npos)
+    return {begin, std::errc::invalid_argument};
+  char* stopped = nullptr;
+  value = std::strtod(digits.c_str(), &stopped);
+  const bool leaves_range = std::isinf(value) && digits.find_first_of("iI") == std::string::npos;
+  const auto read = stopped - digits.c_str();
+  return {begin + read, read == 0      ? std::errc::invalid_argument
+                        : leaves_range ? std::errc::result_out_of_range
+                                       : std::errc()};
+}
+#endif
+
+} // namespace
+
 template <> NumberText read_finite_number<double>(std::string_view word) {
   std::string_view digits = word;
   // std::from_chars knows no plus sign; "+-1" must not pass for that reason.
   if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
   NumberText number;
   const char* const end = digits.data() + digits.size();
-  const auto [stopped, outcome] = std::from_chars(digits.data(), end, number.value);
+  const auto [stopped, outcome] = read_digits(digits.data(), end, number.value);
   if (outcome == std::errc::invalid_argument || stopped != end)
     number.error = quoted(word) + " is not a number; write it like 12, -0.5 or 1e-3";
   else if (outcome == std::errc::result_out_of_range)

@@ -28,7 +28,7 @@ export async function open(browser, file, options) {
   });
   page.on('pageerror', (error) => faults.push(error.stack));
   page.on('request', (request) => {
-    if (!request.url().startsWith('file:') && !request.url().startsWith('data:'))
+    if (!/^(file|data|blob):/.test(request.url()))
       faults.push(`request of ${request.url()}`);
   });
   await page.goto(pathToFileURL(file).href);

@@ -1,0 +1,150 @@
+#include "play/answers.hpp"
+
+#include "formats/json_writer.hpp"
+#include "formats/read_number.hpp"
+#include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/matrix_market.hpp"
+#include "lcpush/desktop/move.hpp"
+#include "lcpush/desktop/report.hpp"
+#include "move/move_words.hpp"
+#include "pivots/explorer_scene.hpp"
+#include "pivots/subject.hpp"
+#include "solve/push_words.hpp"
+#include "solve/sentence.hpp"
+#include "text/limits.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+
+namespace lcpush::desktop {
+namespace {
+
+const std::string scene_name = "scene";
+
+/// {"answer": .., "sentence": .., more}: `answer` and `more` are JSON.
+std::string with_words(const std::string& answer, const std::string& sentence,
+                       const std::string& more = {}) {
+  JsonWriter text;
+  text.value(sentence);
+  return "{\"answer\": " + answer + ", \"sentence\": " + text.text() + more + "}\n";
+}
+
+SceneFile small_scene(std::string_view text, Strokes strokes = Strokes::first) {
+  SceneFile file = parse_scene(text, scene_name, strokes);
+  if (size_of(file.view()).unknowns() > limits::unknowns_searched)
+    throw InputError(scene_name + ": more than the " + std::to_string(limits::unknowns_searched) +
+                     " unknowns that are solved while you look; use fewer points or facets");
+  return file;
+}
+
+std::string solve_answer(std::string_view text, bool searches) {
+  const SceneFile file = small_scene(text);
+  Push push(file);
+  PushOptions options;
+  if (!searches) {
+    options.other_covers = 0;
+    options.study_existence = false;
+  }
+  const HoldReport hold = push.holds_without_push(options);
+  const PushReport report = push.solve(options);
+  JsonWriter scene;
+  write_scene(scene, push, true);
+  return with_words(solve_json(file, hold, report), first_sentence(file, report),
+                    ", \"scene\": " + scene.text());
+}
+
+/// The pusher whose force is meant: the first.
+Index first_pusher(const SceneFile& file) {
+  for (std::size_t b = 0; b < file.bodies.size(); ++b)
+    if (file.bodies[b].role == Role::pusher) return static_cast<Index>(b);
+  throw InputError(scene_name + ": no [[pusher]]: nothing can break the grasp");
+}
+
+std::string break_answer(std::string_view text) {
+  const SceneFile file = small_scene(text);
+  const Index pusher = first_pusher(file);
+  if (!(push_size(file.view()) > 0))
+    throw InputError(scene_name + ": no body moves: give a pusher an acceleration");
+  Push push(file);
+  PushOptions options;
+  const HoldReport hold = push.holds_without_push(options);
+  const BreakReport report = push.find_breaking(pusher, options);
+  const GripReport grip = find_smallest_grip(file, hold, report, options);
+  return with_words(break_json(file, hold, grip, report),
+                    report.status == Status::solved ? break_sentence(file, report) : std::string());
+}
+
+std::string move_answer(std::string_view text, std::string_view time, std::string_view frames) {
+  const SceneFile file = small_scene(text, Strokes::all);
+  MoveOptions options;
+  options.most_steps = limits::motion_solves;
+  const double seconds = read_finite_number(time).value;
+  if (seconds > 0) options.time = seconds;
+  options.frames = static_cast<Index>(read_finite_number(frames).value);
+  if (options.frames < 2 || options.frames > limits::motion_frames)
+    throw InputError("move: frames must be 2 .. " + std::to_string(limits::motion_frames));
+  const MotionReport report = move(file, options);
+  JsonWriter poses;
+  poses.begin_array();
+  for (const MotionFrame& frame : report.frames)
+    for (const Pose<double>& pose : frame.body_poses) {
+      const Eigen::Map<const Eigen::Matrix<double, 9, 1>> columns(pose.rotation.data());
+      poses.value(pose.position).value(Eigen::Matrix<double, 9, 1>(columns));
+    }
+  poses.end_array();
+  return with_words(move_json(file, report), move_sentence(file, report),
+                    ", \"poses\": " + poses.text());
+}
+
+/// As `pivots --format html` asks.
+std::string traced(const PivotSubject& subject) {
+  constexpr Index quick = 64; // the page can show fractions and decimals where fractions are quick
+  PivotOptions options;
+  options.is_exact = subject.is_short;
+  options.keeps_fractions = subject.problem.M.rows <= quick;
+  options.most_entries = 0;
+  PivotTrace trace = trace_pivots(subject.problem, options, *subject.story);
+  if (subject.scene) trace.title = subject.scene->title;
+  trace.notes = subject.notes;
+  trace.prefers_decimals = trace.has_fractions;
+  return pivots_html(trace, subject.push.get());
+}
+
+std::string pivots_answer(std::string_view text) {
+  SceneFile file = small_scene(text);
+  file.facets = 4;
+  return traced(scene_subject(std::move(file), std::string(text), scene_name, false, false));
+}
+
+/// M on the first line, its rows divided by semicolons; q on the second.
+std::string typed_answer(std::string_view text) {
+  const std::vector<std::string_view> lines = split_at(text, '\n');
+  if (lines.size() != 2) throw InputError("two lines are needed: M such as 2 1; 1 2, and q");
+  ExactMatrix M = parse_inline_matrix<Rational>(lines[0], "M");
+  ExactMatrix q = parse_inline_vector<Rational>(lines[1], "q");
+  if (M.cols != M.rows || q.rows != M.rows)
+    throw InputError("M must be square and q as long as its rows: M is " + std::to_string(M.rows) +
+                     " x " + std::to_string(M.cols) + ", q has " + std::to_string(q.rows));
+  return traced(raw_subject({std::move(M), std::move(q), 0}, "M", false));
+}
+
+} // namespace
+
+std::string first_sentence(const SceneFile& file, const PushReport& report) {
+  if (report.status == Status::solved) return push_sentence(file, report);
+  if (report.ray.empty()) return failure_text(file, report);
+  return "No answer. " + jam_sentences(file, report.jam).front();
+}
+
+std::string answer_to(std::string_view question, std::string_view text) {
+  const std::vector<std::string_view> words = split_words(question);
+  const std::string_view asked = words.empty() ? question : words[0];
+  if (asked == "solve" || asked == "drag") return solve_answer(text, asked == "solve");
+  if (asked == "break") return break_answer(text);
+  if (asked == "move" && words.size() == 3) return move_answer(text, words[1], words[2]);
+  if (asked == "pivots") return pivots_answer(text);
+  if (asked == "lcp") return typed_answer(text);
+  throw InputError("no question of the page: " + quoted(question));
+}
+
+} // namespace lcpush::desktop

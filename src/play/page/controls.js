@@ -1,0 +1,169 @@
+// Sliders with number boxes, made anew when the scene has other bodies. A control says how its
+// value is read from the scene and how it is written into it.
+(() => {
+  const { h, by_id } = play.elements;
+  const { edits, Toml } = play;
+  const degrees = 180 / Math.PI;
+  const tidy = (x) => Number(x.toPrecision(5));
+  const number = (label, unit, least, most, step, read, write) =>
+    ({ label, unit, least, most, step, read, write });
+
+  /// A vector's length and its angle in the x-y plane.
+  const angle_of = ([x, y]) => tidy(Math.atan2(y, x) * degrees);
+  const planar_length = ([x, y]) => Math.hypot(x, y);
+  const in_plane = (length, angle, z) =>
+    [length * Math.cos(angle / degrees), length * Math.sin(angle / degrees), z || 0]
+      .map((x) => Math.round(x * 1e6) / 1e6);
+
+  function number_of(label, unit, section, key, least, most, step) {
+    return number(label, unit, least, most, step,
+      (toml) => toml.get(section(toml), key),
+      (state, value) => edits.set(state.text, section, key, value));
+  }
+
+  /// The length and the direction in the x-y plane of the vector `key`; z stays.
+  function vector_of(name, section, key, unit, most, step) {
+    const read = (toml) => toml.get(section(toml), key) || [0, 0, 0];
+    const now = (state) => read(new Toml(state.text));
+    const write = (state, value) => edits.set(state.text, section, key, value);
+    let last = -90; // a vector of no length keeps its direction here
+    const direction = (v) => {
+      if (planar_length(v) > 0) last = angle_of(v);
+      return last;
+    };
+    return [
+      number(name, unit, 0, most, step, (toml) => tidy(planar_length(read(toml))),
+        (state, value) => write(state, in_plane(value, direction(now(state)), now(state)[2]))),
+      number('direction', '\u00b0', -180, 180, 1, (toml) => direction(read(toml)),
+        (state, value) =>
+          write(state, in_plane(planar_length(now(state)), value, now(state)[2]))),
+    ];
+  }
+
+  const choice = (label, options, read, write) => ({ label, options, read, write });
+
+  function of_scene() {
+    return [
+      ...vector_of('gravity', edits.top, 'gravity', 'm/s\u00b2', 20, 0.01),
+      choice('facets', [4, 8, 16, 32], (toml) => toml.get(edits.top(toml), 'facets') || 8,
+        (state, value) => edits.set(state.text, edits.top, 'facets', Number(value))),
+      choice('pressure', ['pad', 'even', 'rigid'],
+        (toml) => toml.get(edits.top(toml), 'pressure') || 'pad',
+        (state, value) => edits.set(state.text, edits.top, 'pressure', value)),
+      choice('jaws', ['as usual', 'parallel', 'independent', 'locked'],
+        (toml) => toml.get(toml.first('gripper'), 'jaws') || 'as usual',
+        (state, value) => edits.with_hand(state.text, value === 'as usual' ? '' : value)),
+    ];
+  }
+
+  function of_object(state, toml) {
+    const mass = toml.get(edits.object(toml), 'mass');
+    const box = toml.get(edits.object(toml), 'box');
+    const controls = [number_of('mass', 'kg', edits.object, 'mass', 0.001, round_up(4 * mass),
+      0.001)];
+    if (Array.isArray(box))
+      for (const axis of [0, 1, 2])
+        controls.push(number(`size ${'xyz'[axis]}`, 'm', 0.002, round_up(3 * box[axis]), 0.001,
+          (now) => now.get(edits.object(now), 'box')?.[axis],
+          (current, value) => edits.resized(current, axis, value)));
+    return controls;
+  }
+
+  function of_body(toml, section) {
+    const named = edits.named(toml.get(section, 'name'));
+    const controls = [];
+    const force = toml.get(section, 'grip_force');
+    if (force !== undefined)
+      controls.push(number_of('grip', 'N', named, 'grip_force', 0, round_up(3 * force), 0.1));
+    controls.push(number_of('friction', '', named, 'friction', 0, 1.5, 0.01));
+    if (section.name !== 'pusher') return controls;
+    const push = toml.get(section, 'acceleration') || [0, 0, 0];
+    controls.push(...vector_of('push', named, 'acceleration', 'm/s\u00b2',
+      round_up(3 * Math.max(planar_length(push), 0.1)), 0.001));
+    controls.push(number('turning z', 'rad/s\u00b2', -20, 20, 0.1,
+      (now) => (now.get(named(now), 'angular_acceleration') || [0, 0, 0])[2],
+      (state, value) => {
+        const now = new Toml(state.text);
+        const [x, y] = now.get(named(now), 'angular_acceleration') || [0, 0];
+        return edits.set(state.text, named, 'angular_acceleration', [x, y, value]);
+      }));
+    return controls;
+  }
+
+  function round_up(x) {
+    if (!(x > 0)) return 1;
+    const power = 10 ** Math.floor(Math.log10(x));
+    return Number(([1, 2, 5, 10].find((k) => k * power >= x) * power).toPrecision(1));
+  }
+
+  class Controls {
+    /// `change(text, is_done)` is told of every change.
+    constructor(change, region) {
+      Object.assign(this, { change, region });
+      this.shown = [];
+      this.key = '';
+    }
+
+    update(state) {
+      this.state = state;
+      const toml = new Toml(state.text);
+      const bodies = toml.sections.filter(({ name }) => name === 'finger' || name === 'pusher');
+      const key = bodies.map((section) => `${section.name} ${toml.get(section, 'name')} ${
+        toml.get(section, 'grip_force') === undefined}`).join();
+      if (edits.object(toml) && key !== this.key) {
+        this.key = key;
+        this.shown = [];
+        by_id('controls').replaceChildren(
+          ...bodies.map((section) => this.group(toml.get(section, 'name'), of_body(toml, section))),
+          this.group('object', of_object(state, toml)), this.group('scene', of_scene()));
+      }
+      for (const show of this.shown) show(toml);
+    }
+
+    group(title, controls) {
+      return h('fieldset', {}, h('legend', {}, title),
+        controls.map((control) => (control.options ? this.choice(title, control)
+          : this.slider(title, control))));
+    }
+
+    write(control, value, is_done) { this.change(control.write(this.state, value), is_done); }
+
+    choice(title, control) {
+      const select = h('select', { 'aria-label': `${title}: ${control.label}` },
+        control.options.map((option) => h('option', {}, String(option))));
+      select.addEventListener('change', () => this.write(control, select.value, true));
+      this.shown.push((toml) => { select.value = String(control.read(toml)); });
+      return h('label', { class: 'control' }, h('span', {}, control.label),
+        h('span', { class: 'wide' }, select));
+    }
+
+    slider(title, control) {
+      const { label, unit, least, most, step } = control;
+      const name = `${title}: ${label}${unit && `, ${unit}`}`;
+      const range = h('input', { type: 'range', min: least, max: most, step, 'aria-label': name });
+      const box = h('input', { type: 'number', step: 'any', 'aria-label': `${name}, as a number` });
+      const shades = h('span', { class: 'region', hidden: true });
+      const key = h('span', { class: 'region-key', hidden: true });
+      const row = h('div', { class: 'control' },
+        h('span', {}, label, h('span', { class: 'quiet' }, unit && ` ${unit}`)), range, box, shades, key);
+      range.addEventListener('input', () => this.write(control, Number(range.value), false));
+      range.addEventListener('change', () => this.write(control, Number(range.value), true));
+      range.addEventListener('focus', () =>
+        this.region.show(shades, key, range, control, this.state));
+      range.addEventListener('blur', () => this.region.leave());
+      box.addEventListener('change', () => {
+        if (box.value !== '') this.write(control, Number(box.value), true);
+      });
+      this.shown.push((toml) => {
+        const value = control.read(toml);
+        row.hidden = !Number.isFinite(value);
+        if (document.activeElement !== box || Number(box.value) !== value) box.value = value;
+        range.max = Math.max(most, value);
+        range.value = value;
+      });
+      return row;
+    }
+  }
+
+  play.Controls = Controls;
+})();

@@ -1,0 +1,57 @@
+// The answer in words and numbers.
+(() => {
+  const { h, by_id, decimal } = play.elements;
+
+  const verbs = { stick: 'sticks', slide: 'slips', separate: 'opens', touch: 'touches' };
+
+  const fact = (name, value, bad) =>
+    h('div', {}, h('dt', {}, name), h('dd', { class: bad && 'bad' }, value));
+
+  function held_words(answer) {
+    if (answer.holds_without_push === null) return ['not known', false];
+    return answer.holds_without_push ? ['yes', false] : ['no, it falls', true];
+  }
+
+  function break_words(breaking) {
+    if (!breaking) return '\u2026';
+    if (breaking.refusal) return '\u2013';
+    if (breaking.status === 'does_not_hold') return 'it does not hold';
+    if (breaking.status !== 'solved') return 'not found';
+    return breaking.breaks ? `${decimal(breaking.break_force)} N` : 'the push does not break it';
+  }
+
+  function grip_words(breaking) {
+    if (!breaking) return '\u2026';
+    if (breaking.smallest_grip_from === 'no_grip') return 'none is enough';
+    return Number.isFinite(breaking.smallest_grip) && breaking.smallest_grip !== null
+      ? `${decimal(breaking.smallest_grip)} N` : 'not known';
+  }
+
+  function update(state, breaking) {
+    const { answer } = state;
+    const [held, bad] = held_words(answer);
+    by_id('facts').replaceChildren(...[
+      fact('Held without the push', held, bad),
+      fact('Grip that just holds it', grip_words(breaking)),
+      fact('Push that breaks the grasp', break_words(breaking)),
+      answer.residual && fact('Residual of the laws', decimal(answer.residual.max)),
+      fact('Pivots', String(answer.pivots)),
+      answer.jam && h('div', { class: 'jam' }, h('dt', {}, 'Why it jams'),
+        answer.jam.words.map((words) => h('dd', {}, words))),
+    ].filter(Boolean));
+    contacts(answer);
+  }
+
+  function contacts({ contacts: list }) {
+    const row = (c) => h('tr', {}, h('th', { scope: 'row' }, c.name),
+      [verbs[c.mode] || c.mode, decimal(c.normal_force), decimal(Math.hypot(...c.friction_force)),
+        decimal(Math.hypot(...c.acceleration))].map((x) => h('td', {}, x)));
+    by_id('contacts').replaceChildren(list
+      ? h('table', {}, h('thead', {}, h('tr', {},
+        ['contact', 'does', 'normal N', 'friction N', 'slip m/s\u00b2'].map((x) =>
+          h('th', { scope: 'col' }, x)))), h('tbody', {}, list.map(row)))
+      : h('p', {}, 'No answer, no forces.'));
+  }
+
+  play.facts = { update };
+})();

@@ -1,0 +1,68 @@
+// Addresses that carry a scene (#scene=.., or plainly #text=..) or a typed problem (#lcp=..), and
+// files to keep.
+(() => {
+  const { by_id } = play.elements;
+
+  const through = async (bytes, stream) => new Uint8Array(await new Response(
+    new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+
+  async function packed(text) {
+    const bytes = await through(new TextEncoder().encode(text), new CompressionStream('deflate-raw'));
+    return btoa(String.fromCharCode(...bytes)).replace(/\+/g, '-').replace(/\//g, '_')
+      .replace(/=+$/, '');
+  }
+  async function unpacked(word) {
+    const bytes = Uint8Array.from(atob(word.replace(/-/g, '+').replace(/_/g, '/')),
+      (c) => c.charCodeAt(0));
+    return new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw')));
+  }
+
+  /// {scene} or {lcp}: what the address carries; {} if nothing, or nothing that can be read.
+  async function carried() {
+    const plain = /^#text=(.+)$/.exec(location.hash);
+    const found = /^#(scene|lcp)=([\w-]+)$/.exec(location.hash);
+    try {
+      if (plain) return { scene: decodeURIComponent(plain[1]) };
+      if (!found) return {};
+      return { [found[1]]: await unpacked(found[2]) };
+    } catch {
+      return {};
+    }
+  }
+
+  async function copy(kind, text) {
+    const hash = `#${kind}=${await packed(text)}`;
+    try {
+      history.replaceState(null, '', hash);
+    } catch {
+      // A page in a sandbox may not touch its address.
+    }
+    const address = location.href.replace(/#.*$/, '') + hash;
+    try {
+      await navigator.clipboard.writeText(address);
+      return 'The link is copied.';
+    } catch {
+      return 'The link stands in the address bar.';
+    }
+  }
+
+  function save(name, type, text) {
+    const address = URL.createObjectURL(new Blob([text], { type }));
+    const link = document.createElement('a');
+    Object.assign(link, { href: address, download: name });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(address), 1000);
+  }
+
+  /// The picture with the page's colours in it, as they are now.
+  function picture() {
+    const svg = document.querySelector('#picture svg').cloneNode(true);
+    svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+    const style = document.createElementNS('http://www.w3.org/2000/svg', 'style');
+    style.textContent = document.querySelector('style').textContent;
+    svg.prepend(style);
+    return new XMLSerializer().serializeToString(svg);
+  }
+
+  play.links = { carried, copy, save, picture, say: (words) => { by_id('done').textContent = words; } };
+})();

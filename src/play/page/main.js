@@ -1,0 +1,204 @@
+// Puts the page together and offers window.lcpush to tests.
+(() => {
+  const { by_id } = play.elements;
+
+  class Application {
+    constructor(module, text) {
+      this.solver = new play.Solver(module);
+      this.background = new play.Background(module);
+      this.region = new play.Region(this.background);
+      this.view = new play.View();
+      this.history = new play.History(text);
+      this.controls = new play.Controls((changed, is_done) => this.change(changed, is_done),
+        this.region);
+      this.motion = new play.Motion(this);
+      this.hands = new play.Hands(this);
+      play.raw.create(this);
+      this.listen();
+      this.wanted = text;
+      this.solve(true);
+    }
+
+    listen() {
+      const click = (id, act) => by_id(id).addEventListener('click', act);
+      click('undo', () => this.go(this.history.undo()));
+      click('redo', () => this.go(this.history.redo()));
+      document.addEventListener('keydown', (event) => {
+        if (!(event.ctrlKey || event.metaKey) || event.target.matches('textarea, input')) return;
+        const key = event.key.toLowerCase();
+        if (key !== 'z' && key !== 'y') return;
+        event.preventDefault();
+        this.go(key === 'y' || event.shiftKey ? this.history.redo() : this.history.undo());
+      });
+      for (const button of document.querySelectorAll('[data-view]'))
+        button.addEventListener('click', () => {
+          this.view.choose(button.dataset.view);
+          this.meters = null;
+          this.draw();
+        });
+      by_id('text').addEventListener('change', () => this.change(by_id('text').value, true));
+      click('pivots', async () => play.links.say(await this.explore('pivots', this.wanted)));
+      click('close', () => by_id('explorer').close());
+      click('link', async () => play.links.say(await play.links.copy('scene', this.wanted)));
+      click('save-scene', () => play.links.save('scene.toml', 'text/plain', this.wanted));
+      click('save-answer', () =>
+        play.links.save('answer.json', 'application/json', this.state.written));
+      click('save-picture', () =>
+        play.links.save('grasp.svg', 'image/svg+xml', play.links.picture()));
+      window.addEventListener('hashchange', async () => {
+        const { scene, lcp } = await play.links.carried();
+        if (scene && scene !== this.wanted) this.change(scene, true);
+        if (lcp) play.raw.show(lcp);
+      });
+    }
+
+    /// Undo's and redo's: another text that is in the history already.
+    go(text) {
+      this.wanted = text;
+      this.solve(true);
+    }
+
+    /// While a hand drags, once a frame; when it is done, in full.
+    change(text, is_done) {
+      this.wanted = text;
+      if (is_done) {
+        this.history.push(text);
+        this.solve(true);
+        return;
+      }
+      if (this.due) return;
+      this.due = requestAnimationFrame(() => {
+        this.due = null;
+        this.solve(false);
+      });
+    }
+
+    solve(in_full) {
+      if (this.due) cancelAnimationFrame(this.due);
+      this.due = null;
+      const text = this.wanted;
+      const begin = performance.now();
+      try {
+        this.read(text, this.solver.ask(in_full ? 'solve' : 'drag', text));
+      } catch (refusal) {
+        this.refuse(refusal.message);
+        if (!(refusal instanceof play.Refusal)) throw refusal;
+        return;
+      } finally {
+        this.took = performance.now() - begin;
+        this.buttons();
+      }
+      if (!in_full) return;
+      this.find_breaking(text);
+      this.region.again(this.state);
+    }
+
+    read(text, reply) {
+      const { answer, sentence, scene } = JSON.parse(reply);
+      const written = reply.slice(reply.indexOf('{', 1), reply.indexOf('\n, "sentence": ') + 1);
+      this.motion.forget();
+      this.state = { text, answer, scene, written, sentence };
+      by_id('failure').hidden = true;
+      by_id('picture').classList.remove('stale');
+      by_id('title').textContent = scene.title || 'lcpush playground';
+      document.title = `${scene.title || 'Playground'} \u2013 lcpush`;
+      by_id('sentence').textContent = this.state.sentence;
+      if (document.activeElement !== by_id('text')) by_id('text').value = text;
+      play.facts.update(this.state, this.breaking?.text === text && this.breaking.answer);
+      this.controls.update(this.state);
+      if (!this.hands.held) this.meters = null;
+      this.draw();
+    }
+
+    /// The last scene that was one stays, and the text can be mended.
+    refuse(message) {
+      by_id('failure').hidden = false;
+      by_id('failure').textContent = message;
+      by_id('picture').classList.add('stale');
+      if (document.activeElement !== by_id('text')) by_id('text').value = this.wanted;
+      if (!this.state) by_id('text').closest('details').open = true;
+    }
+
+    async find_breaking(text) {
+      let answer;
+      try {
+        const reply = await this.background.ask('break', 'break', text);
+        if (reply === null) return;
+        ({ answer } = JSON.parse(reply));
+      } catch (refusal) {
+        answer = { refusal: refusal.message };
+      }
+      this.breaking = { text, answer };
+      if (this.state.text === text) play.facts.update(this.state, answer);
+    }
+
+    draw(frame, path) {
+      if (!this.state) return;
+      const focused = document.activeElement?.closest?.('#picture [data-body]')?.dataset.body;
+      const painter = new play.Painter({ ...this.state, meters: this.meters }, this.view, frame);
+      this.meters = painter.meters;
+      by_id('picture').replaceChildren(painter.draw(path));
+      const find = (name) => [...document.querySelectorAll('#picture [data-body]')]
+        .find((element) => element.dataset.body === name);
+      if (focused) find(focused)?.focus({ preventScroll: true });
+      if (this.held) find(this.held)?.classList.add('held');
+      for (const button of document.querySelectorAll('[data-view]'))
+        button.setAttribute('aria-pressed', String(button.dataset.view === this.view.name));
+    }
+
+    /// The object will go so far [m], and may turn: all of that is to be seen.
+    make_room(way) {
+      const { width, height } = play.picture_size;
+      const most = (Math.min(width, height) / 2 - 20)
+        / (way + play.figures.reach(this.state.scene));
+      this.meters = Math.min(this.meters, most);
+    }
+
+    hold(name) { this.held = name; }
+    turn(dx, dy) {
+      this.view.turn(dx, dy);
+      if (this.motion.shown === null || this.motion.shown === undefined) this.draw();
+      else this.motion.seek(this.motion.shown);
+    }
+    pixels_per_meter() {
+      const { width } = by_id('picture').getBoundingClientRect();
+      return this.meters * width / play.picture_size.width;
+    }
+
+    buttons() {
+      const can = this.history.can();
+      by_id('undo').disabled = !can.undo;
+      by_id('redo').disabled = !can.redo;
+    }
+
+    /// Opens the explorer; a sentence if it cannot.
+    async explore(question, text) {
+      try {
+        const page = await this.background.ask(question, question, text);
+        if (page === null) return '';
+        by_id('frame').srcdoc = page;
+        by_id('explorer').showModal();
+        return '';
+      } catch (refusal) {
+        return refusal.message;
+      }
+    }
+  }
+
+  (async () => {
+    try {
+      const module = await play.module_of(by_id('solver').textContent);
+      const { scene, lcp } = await play.links.carried();
+      const given = document.createElement('textarea');
+      given.innerHTML = by_id('scene').textContent; // undoes what made it safe in the page
+      const app = new Application(module, scene || given.value);
+      if (lcp) play.raw.show(lcp);
+      window.lcpush = { app, play };
+    } catch (problem) {
+      by_id('failure').hidden = false;
+      by_id('failure').textContent = `This page needs a browser with WebAssembly and
+        DecompressionStream (2023 or later): ${problem.message}`;
+      throw problem;
+    }
+  })();
+})();

@@ -1,0 +1,107 @@
+// The push goes on: steps of `move`, shown as they go.
+(() => {
+  const { by_id, decimal } = play.elements;
+  const { add, scale, length } = play.vectors;
+  const frames = 201;
+  const duration = 4000; // ms for the whole motion
+
+  /// v turned by a matrix given column by column.
+  const by_columns = (m) => (v) => add(add(scale(m.slice(0, 3), v[0]), scale(m.slice(3, 6), v[1])),
+    scale(m.slice(6, 9), v[2]));
+  const by_rows = (m) => by_columns([0, 3, 6, 1, 4, 7, 2, 5, 8].map((k) => m[k]));
+
+  class Motion {
+    /// `app`: state, background, draw(frame, path).
+    constructor(app) {
+      this.app = app;
+      by_id('play').addEventListener('click', () => (this.playing ? this.pause() : this.start()));
+      by_id('reset').addEventListener('click', () => this.reset());
+      by_id('time').addEventListener('input', () => {
+        this.pause();
+        this.seek(Number(by_id('time').value));
+      });
+    }
+
+    /// Another scene: what was computed is none of its.
+    forget() {
+      this.pause();
+      this.run = null;
+      this.shown = null;
+      by_id('time').value = 0;
+      by_id('clock').textContent = '';
+      by_id('motion').textContent = '';
+    }
+
+    async load() {
+      const { text } = this.app.state;
+      if (this.run?.text === text) return true;
+      by_id('motion').textContent = 'following the push ..';
+      try {
+        const reply = await this.app.background.ask('move', `move 0 ${frames}`, text);
+        if (reply === null || this.app.state.text !== text) return false;
+        const { answer, sentence, poses } = JSON.parse(reply);
+        this.run = { text, answer, poses };
+        by_id('time').max = answer.frames.length - 1;
+        by_id('motion').textContent = sentence;
+        if (answer.frames.length < 2) return false;
+        this.app.make_room(Math.max(...answer.frames.map(({ position }) => length(position))));
+      } catch (refusal) {
+        by_id('motion').textContent = refusal.message;
+        return false;
+      }
+      return true;
+    }
+
+    async start() {
+      by_id('play').setAttribute('aria-pressed', 'true');
+      by_id('play').textContent = 'Pause';
+      this.playing = true;
+      if (!await this.load() || !this.playing) {
+        this.pause();
+        return;
+      }
+      const last = this.run.answer.frames.length - 1;
+      const from = Number(by_id('time').value) < last ? Number(by_id('time').value) : 0;
+      const begin = performance.now();
+      const step = (now) => {
+        if (!this.playing) return;
+        const at = Math.min(last, from + Math.max(0, now - begin) / duration * last);
+        this.seek(Math.round(at));
+        if (at < last) requestAnimationFrame(step);
+        else this.pause();
+      };
+      requestAnimationFrame(step);
+    }
+
+    pause() {
+      this.playing = false;
+      by_id('play').setAttribute('aria-pressed', 'false');
+      by_id('play').textContent = 'Play the push';
+    }
+
+    reset() {
+      this.pause();
+      this.shown = null;
+      by_id('time').value = 0;
+      by_id('clock').textContent = '';
+      this.app.draw();
+    }
+
+    async seek(k) {
+      if (!await this.load()) return;
+      const { answer, poses } = this.run;
+      const frame = answer.frames[k];
+      by_id('time').value = k;
+      by_id('clock').textContent = `${decimal(frame.time)} s`;
+      const bodies = new Map(frame.bodies.map(({ name }, b) => {
+        const at = 2 * (k * frame.bodies.length + b);
+        return [name, { position: poses[at], turned: by_columns(poses[at + 1]) }];
+      }));
+      this.shown = k;
+      this.app.draw({ pose: { position: frame.position, turned: by_rows(frame.rotation) }, bodies },
+        answer.frames.slice(0, k + 1).map(({ position }) => position));
+    }
+  }
+
+  play.Motion = Motion;
+})();
