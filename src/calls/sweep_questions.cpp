@@ -34,8 +34,9 @@ ParameterSweepOptions sweep_options(const Request& request, Listener& listener, 
   options.steps = request.whole("steps", 2, most).value_or(0);
   options.progress = [&listener](double done) {
     listener.pass_on(done);
-    listener.end_if_cancelled();
+    listener.end_if_cancelled(); // where a neighbour's basis does, nothing pivots
   };
+  options.pivoted = [&listener] { listener.end_if_cancelled(); };
   return options;
 }
 

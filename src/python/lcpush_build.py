@@ -50,13 +50,27 @@ def metadata():
             "See docs/guide/python.md in lcpush's sources.\n")
 
 
+def wheel_facts():
+    return ("Wheel-Version: 1.0\nGenerator: lcpush_build\n"
+            f"Root-Is-Purelib: false\nTag: {tag()}\n")
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """Without it pip would build everything twice."""
+    name = f"lcpush-{version()}.dist-info"
+    folder = pathlib.Path(metadata_directory) / name
+    folder.mkdir()
+    (folder / "METADATA").write_text(metadata(), encoding="utf-8")
+    (folder / "WHEEL").write_text(wheel_facts(), encoding="utf-8")
+    return name
+
+
 def write_wheel(folder, files):
     """`files`: name in the wheel -> bytes."""
     info = f"lcpush-{version()}.dist-info"
     files = dict(files)
     files[f"{info}/METADATA"] = metadata().encode()
-    files[f"{info}/WHEEL"] = ("Wheel-Version: 1.0\nGenerator: lcpush_build\n"
-                              f"Root-Is-Purelib: false\nTag: {tag()}\n").encode()
+    files[f"{info}/WHEEL"] = wheel_facts().encode()
     record = f"{info}/RECORD"
     lines = []
     for name, data in files.items():

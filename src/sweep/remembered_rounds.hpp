@@ -6,6 +6,7 @@
 
 #include "lcpush/mechanics/solve/rounds.hpp"
 #include "sweep/basis_solution.hpp"
+#include "sweep/sweep_solver.hpp"
 
 namespace lcpush::desktop {
 
@@ -40,16 +41,17 @@ struct RememberedStart {
 
 /// By Lemke over either basis.
 template <class Pivots> class RememberedRounds {
-  using Then = LemkeRounds<double, const Unwatched, Pivots>;
+  using Then = LemkeRounds<double, const Attendant, Pivots>;
 
 public:
   static constexpr bool carries_push = true;
   static constexpr bool predicts = false;
 
-  RememberedRounds(Pivots& lemke, RoundMemory& memory)
-      : then_(RememberedStart{memory}, Then(lemke)) {}
+  RememberedRounds(Pivots& lemke, RoundMemory& memory, const Attendant& attendant)
+      : then_(RememberedStart{memory}, Then(lemke, {}, attendant)) {}
 
   void begin(const Problem<double>& problem, bool warm, const PressureMemory<double>& pressure) {
+    then_.pivots().watcher.look();
     RememberedStart& start = then_.start;
     start.round = start.memory.next++;
     size_ = problem.size;
@@ -79,7 +81,7 @@ public:
   bool propose_breaking(const PressureMemory<double>&, FirstBasis&) { return false; }
 
 private:
-  StartedRounds<double, RememberedStart, const Unwatched, Pivots> then_;
+  StartedRounds<double, RememberedStart, const Attendant, Pivots> then_;
   BasisSolution solution_;
   Index size_ = 0;     ///< unknowns of the round: the memory may have room for more
   bool holds_ = false; ///< is the remembered basis the answer itself?

@@ -152,7 +152,7 @@ void find_segments(const VariedScene& scene, SweepSolver& solver, bool exact,
   sweep.asks_breaking = !there.breaking.empty();
   sweep.segments = segments_of(variation, there);
   if (options.both_ways) {
-    SweepSolver backwards(scene, {back_again}, solver.pusher(), options.warm);
+    SweepSolver backwards(scene, {back_again}, solver.pusher(), options);
     const Tracks back = find_tracks(backwards, exact, options, share, share);
     const double shortest = exact ? 4 * merge_distance : bisection_blur;
     sweep.bistable = disagreements(compared(there, back, variation, shortest),
@@ -187,7 +187,7 @@ Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& va
   sweep.variations = variations;
   const Index pusher = options.pusher >= 0 ? options.pusher : only_pusher(file);
   sweep.pusher = file.body_name(pusher);
-  SweepSolver solver(scene, variations, pusher, options.warm);
+  SweepSolver solver(scene, variations, pusher, options);
   if (sweep.is_map()) {
     sample_map(solver, options, sweep);
   } else {

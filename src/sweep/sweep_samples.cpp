@@ -117,7 +117,7 @@ void sample_line(const VariedScene& scene, SweepSolver& solver,
     sweep.asks_breaking = sweep.asks_breaking || point.at.breaking.status != Status::bad_input;
   }
   if (!back) return;
-  SweepSolver backwards(scene, {reversed(sweep.variations.front())}, solver.pusher(), options.warm);
+  SweepSolver backwards(scene, {reversed(sweep.variations.front())}, solver.pusher(), options);
   std::vector<SweepPoint> returning =
       sampled(backwards, steps, part_of(options.progress, 0.5, 0.5));
   sweep.cold += backwards.cold();

@@ -108,8 +108,9 @@ bool ScenePoint::has_no_answer() {
 }
 
 SweepSolver::SweepSolver(const VariedScene& scene, const std::vector<Variation>& variations,
-                         Index pusher, bool warm)
-    : variations_(variations), scene_(scene), pusher_(pusher), is_warm_(warm) {}
+                         Index pusher, const ParameterSweepOptions& options)
+    : variations_(variations), scene_(scene), pusher_(pusher),
+      is_warm_(options.warm), attendant_{&options.pivoted} {}
 
 void SweepSolver::go_to(const std::vector<double>& values) {
   point_ = std::make_unique<ScenePoint>(scene_.at(parameters_of(variations_), values), pusher_);
@@ -138,7 +139,7 @@ Status SweepSolver::pivot(Question question, const LemkeOptions<double>& options
   const Problem<double> problem = point_->problem(question);
   Status status =
       from == nullptr ? lemke_->init(problem, options) : lemke_->init(problem, options, from);
-  if (status == Status::running) status = lemke_->solve();
+  if (status == Status::running) status = lemke_->solve(attendant_);
   if (status != Status::solved) return status;
   basis.resize(static_cast<std::size_t>(problem.size));
   for (std::size_t i = 0; i < basis.size(); ++i)
@@ -251,7 +252,7 @@ DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
 template <class Pivots>
 DetailedAnswer SweepSolver::solve_rounds(Question question, Pivots& pivots, RoundMemory& memory) {
   ScenePoint& p = *point_;
-  const RememberedRounds<Pivots> rounds(pivots, memory);
+  const RememberedRounds<Pivots> rounds(pivots, memory, attendant_);
   PressureRun run;
   DetailedAnswer answer;
   if (question == Question::push) {

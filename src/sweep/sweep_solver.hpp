@@ -6,6 +6,7 @@
 #include "lcpush/desktop/sweep.hpp"
 #include "sweep/basis_solution.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -47,6 +48,20 @@ private:
   std::optional<bool> jammed_;
 };
 
+/// Tells somebody of every pivot.
+struct Attendant {
+  const std::function<void()>* pivoted = nullptr;
+
+  template <class L> void starts(const L&) const {}
+  template <class L> Index choose_leaving_row(const L&, const PendingPivot& pending) const {
+    return pending.blocking.row;
+  }
+  template <class L> void stepped(const L&) const { look(); }
+  void look() const {
+    if (pivoted != nullptr && *pivoted) (*pivoted)();
+  }
+};
+
 /// The bases that the rounds of one solve ended in, one after the other; one round of `rigid`.
 using RoundBases = std::vector<Basis>;
 
@@ -54,9 +69,10 @@ struct RoundMemory;
 
 class SweepSolver {
 public:
-  /// `warm`: samples start from their neighbours' answers.
+  /// `options` outlive it: they are told of its pivots, and say whether samples start from their
+  /// neighbours' answers.
   SweepSolver(const VariedScene& scene, const std::vector<Variation>& variations, Index pusher,
-              bool warm);
+              const ParameterSweepOptions& options);
 
   void go_to(const std::vector<double>& values);
   void go_to(double value) { go_to(std::vector<double>{value}); }
@@ -93,6 +109,7 @@ private:
   std::unique_ptr<ScenePoint> point_;
   std::optional<OwnedLemke<double>> lemke_;
   std::optional<Owned<StructuredLemke<double>>> structured_;
+  Attendant attendant_;
   Index cold_ = 0, warm_ = 0;
 
   DetailedAnswer solve_pad(Question question, RoundBases& bases);

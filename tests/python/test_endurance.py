@@ -95,7 +95,12 @@ class Interrupts(unittest.TestCase):
 
     def test_end_long_work_soon(self):
         scene = lcpush.read(SLIDE)
+        tables = scene.to_dict()
+        for finger, z in zip(tables["finger"], (0.005, -0.005)):
+            finger.update(shape="disc", center=[0, 0, z], radius=0.005, points=100)
+        wide = lcpush.Scene({**tables, "facets": 32})  # each value takes half a second
         for work in (lambda: scene.sweep(*LONG, steps=200_000),
+                     lambda: wide.sweep(*LONG, steps=1000),
                      lambda: lcpush.read("docs/guide/held_box.toml").move(time=90, step=1e-4),
                      lambda: scene.spread(enumerate_all=True, seconds=60)):
             self.assertLess(self.ended_after(work), 0.2)

@@ -29,11 +29,14 @@ class Wheel(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         os.environ["LCPUSH_LIBRARY"] = LIBRARY  # built already
 
-    def build(self):
+    def backend(self):
         spec = importlib.util.spec_from_file_location("lcpush_build", PACKAGE / "lcpush_build.py")
         backend = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(backend)
-        return pathlib.Path(self.folder.name) / backend.build_wheel(self.folder.name)
+        return backend
+
+    def build(self):
+        return pathlib.Path(self.folder.name) / self.backend().build_wheel(self.folder.name)
 
     def solved(self, place):
         without = {key: value for key, value in os.environ.items()
@@ -67,6 +70,15 @@ class Wheel(unittest.TestCase):
         version = self.solved(place)
         self.assertIn(f"VERSION {version}\n", (SOURCE / "CMakeLists.txt").read_text())
         self.assertIn(f"lcpush-{version}-py3-none-", path.name)
+
+    def test_is_built_once(self):
+        """pip asks for the metadata first; without this hook it builds a wheel to read them."""
+        folder = pathlib.Path(self.folder.name) / "metadata"
+        folder.mkdir()
+        name = self.backend().prepare_metadata_for_build_wheel(str(folder))
+        with zipfile.ZipFile(self.build()) as wheel:
+            for part in ("METADATA", "WHEEL"):
+                self.assertEqual((folder / name / part).read_bytes(), wheel.read(f"{name}/{part}"))
 
     def test_is_what_pip_installs(self):
         if importlib.util.find_spec("pip") is None:

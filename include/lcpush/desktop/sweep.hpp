@@ -174,6 +174,8 @@ struct ParameterSweepOptions {
   bool both_ways = true; ///< sweep back as well, in search of other answers
   bool warm = true;      ///< start from the neighbour's answer
   std::function<void(double done)> progress; ///< 0 to 1
+  /// Is called after each round and pivot; what it throws, or `progress`, ends the sweep.
+  std::function<void()> pivoted;
 };
 
 /// Sweeps one parameter, or two for a map. Where `rigid` or `even` pressure meets a parameter that
