@@ -1,0 +1,56 @@
+// Motion under round friction.
+#include "lcpush/desktop/move.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace lcpush;
+using namespace lcpush::desktop;
+
+namespace {
+
+constexpr double speed = 1e-4, way = 0.01; // m/s: slow, so that inertia is nothing; m
+constexpr double radius = 0.01;            // m, the fingers' torsion radius
+
+/// A plate that soft fingers ride on, and a tip that sticks to its side and pushes it off its axis.
+SceneFile pushed_plate(const std::string& facets) {
+  const auto finger = [](const std::string& name, const std::string& z, const std::string& n) {
+    return "[[finger]]\nname = \"" + name + "\"\nshape = \"point\"\ncenter = [0, 0, " + z +
+           "]\nnormal = [0, 0, " + n +
+           "]\nfriction = 0.5\ntorsion_radius = 0.01\ngrip_force = 20\npoints_on = \"object\"\n";
+  };
+  return parse_scene("facets = " + facets +
+                         "\nplanar = true\n[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n" +
+                         finger("left", "0.005", "-1") + finger("right", "-0.005", "1") +
+                         "[[pusher]]\nname = \"tip\"\nshape = \"point\"\n"
+                         "center = [-0.005, -0.015, 0]\nnormal = [0, 1, 0]\nfriction = 5\n"
+                         "velocity = [0, 0.0001, 0]\n",
+                     "s.toml", Strokes::all);
+}
+
+double turned(const std::string& facets, int steps) {
+  MoveOptions options;
+  options.time = way / speed;
+  options.step = options.time / steps;
+  const MotionReport report = move(pushed_plate(facets), options);
+  REQUIRE(report.status == Status::solved);
+  const Matrix3<double>& R = report.frames.back().pose.rotation;
+  return std::abs(std::atan2(R(1, 0), R(0, 0)));
+}
+
+} // namespace
+
+TEST_CASE(
+    "[T.15] a point push on soft fingers: tan(theta / 2) grows as exp(rho s / (c^2 + rho^2))") {
+  const double x = 0.005, y = 0.015; // from the tip to the middle
+  const double rho = std::hypot(x, y), begin = std::atan2(x, y);
+  const double grown = std::exp(rho * way / (radius * radius + rho * rho));
+  const double exact = 2 * std::atan(std::tan(begin / 2) * grown) - begin;
+  const double coarse = turned("\"round\"", 100) - exact, fine = turned("\"round\"", 200) - exact;
+  CHECK(std::abs(fine) < 1e-2 * exact);
+  CHECK(coarse / fine > 1.9);
+  CHECK(coarse / fine < 2.1);
+  // What eight facets make of it.
+  CHECK(std::abs(turned("8", 200) - exact) > 10 * std::abs(fine));
+}
