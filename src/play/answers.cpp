@@ -6,8 +6,11 @@
 #include "lcpush/desktop/matrix_market.hpp"
 #include "lcpush/desktop/move.hpp"
 #include "lcpush/desktop/report.hpp"
+#include "move/move_words.hpp"
 #include "pivots/explorer_scene.hpp"
 #include "pivots/subject.hpp"
+#include "solve/push_words.hpp"
+#include "solve/sentence.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 
@@ -18,12 +21,12 @@ namespace {
 
 const std::string scene_name = "scene";
 
-/// {"answer": .., "text": .., more}: `answer` and `more` are JSON.
-std::string with_words(const std::string& answer, const std::string& words,
+/// {"answer": .., "sentence": .., more}: `answer` and `more` are JSON.
+std::string with_words(const std::string& answer, const std::string& sentence,
                        const std::string& more = {}) {
   JsonWriter text;
-  text.value(words);
-  return "{\"answer\": " + answer + ", \"text\": " + text.text() + more + "}\n";
+  text.value(sentence);
+  return "{\"answer\": " + answer + ", \"sentence\": " + text.text() + more + "}\n";
 }
 
 SceneFile small_scene(std::string_view text, Strokes strokes = Strokes::first) {
@@ -41,12 +44,13 @@ std::string solve_answer(std::string_view text, bool searches) {
   if (!searches) {
     options.other_covers = 0;
     options.study_existence = false;
+    options.explain_jams = false;
   }
   const HoldReport hold = push.holds_without_push(options);
   const PushReport report = push.solve(options);
   JsonWriter scene;
   write_scene(scene, push, true);
-  return with_words(solve_json(file, hold, report), solve_text(file, hold, report),
+  return with_words(solve_json(file, hold, report), first_sentence(file, report),
                     ", \"scene\": " + scene.text());
 }
 
@@ -67,7 +71,8 @@ std::string break_answer(std::string_view text) {
   const HoldReport hold = push.holds_without_push(options);
   const BreakReport report = push.find_breaking(pusher, options);
   const GripReport grip = find_smallest_grip(file, hold, report, options);
-  return with_words(break_json(file, hold, grip, report), break_text(file, hold, grip, report));
+  return with_words(break_json(file, hold, grip, report),
+                    report.status == Status::solved ? break_sentence(file, report) : std::string());
 }
 
 std::string move_answer(std::string_view text, std::string_view time, std::string_view frames) {
@@ -88,7 +93,7 @@ std::string move_answer(std::string_view text, std::string_view time, std::strin
       poses.value(pose.position).value(Eigen::Matrix<double, 9, 1>(columns));
     }
   poses.end_array();
-  return with_words(move_json(file, report), move_text(file, report),
+  return with_words(move_json(file, report), move_sentence(file, report),
                     ", \"poses\": " + poses.text());
 }
 
@@ -109,7 +114,7 @@ std::string traced(const PivotSubject& subject) {
 std::string pivots_answer(std::string_view text) {
   SceneFile file = small_scene(text);
   file.facets = 4;
-  return traced(scene_subject(std::move(file), std::string(text), scene_name, false, false));
+  return traced(rounded_subject(std::move(file), scene_name));
 }
 
 /// M on the first line, its rows divided by semicolons; q on the second.
@@ -125,6 +130,12 @@ std::string typed_answer(std::string_view text) {
 }
 
 } // namespace
+
+std::string first_sentence(const SceneFile& file, const PushReport& report) {
+  if (report.status == Status::solved) return push_sentence(file, report);
+  if (report.ray.empty()) return failure_text(file, report);
+  return "No answer. " + jam_sentences(file, report.jam).front();
+}
 
 std::string answer_to(std::string_view question, std::string_view text) {
   const std::vector<std::string_view> words = split_words(question);

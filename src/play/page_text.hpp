@@ -9,6 +9,8 @@ namespace lcpush::desktop {
 std::string play_template();
 std::string play_style();
 std::string play_script();
+/// With the places /*STYLE*/ and /*SCENES*/.
+std::string gallery_template();
 /// wasm/solver.txt: made by wasm/refresh.py, which says how it is packed.
 std::string solver_text();
 

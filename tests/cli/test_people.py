@@ -14,7 +14,7 @@ TOOL, SOURCE = sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
 SCENES = sorted((SOURCE / "fixtures" / "scenes").glob("*.toml"))
 SLIDE = SOURCE / "fixtures" / "scenes" / "straight_slide.toml"
 COMMANDS = ["solve", "break", "lcp", "report", "sweep", "move", "pivots", "verify", "spread", "export",
-            "matrices", "example", "new", "completion"]
+            "matrices", "play", "example", "new", "completion"]
 ANSWERS = (["solve"], ["solve", "-v"], ["solve", "-v", "--solver", "hybrid"], ["break"], ["break", "-v"],
            ["solve", "--solver", "gauss-seidel", "--history"], ["matrices"])
 

@@ -59,7 +59,7 @@ ROOMS = {
     "src/report": ("What does all this look like on a page?",
                    f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/play": ("What does the playground show, and what may its page ask?",
-                 f"{CORE} {TOOLBOX} desktop pivots"),
+                 f"{CORE} {TOOLBOX} desktop scenes solve move pivots"),
     "src/play/wasm": ("How does a browser run the solver?", "play"),
     "src/cli": ("What do the words of a command line ask for?",
                 f"{CORE} text formats desktop scenes pivots"),

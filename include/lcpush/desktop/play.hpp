@@ -2,11 +2,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace lcpush::desktop {
 
 /// One page with the solver inside, nothing from elsewhere. It begins with the scene of `text`,
 /// which need not be one: the page says what is wrong, and can be edited.
 std::string play_html(const std::string& text);
+
+struct PlayFile {
+  std::string name, text;
+};
+
+/// index.html, play.html and a picture of each shipped scene.
+std::vector<PlayFile> play_gallery();
 
 } // namespace lcpush::desktop

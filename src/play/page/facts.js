@@ -4,12 +4,6 @@
 
   const verbs = { stick: 'sticks', slide: 'slips', separate: 'opens', touch: 'touches' };
 
-  /// The sentence of `solve`: the first line under the title, if there is one.
-  function sentence_of(text, title) {
-    const lines = text.split('\n').filter((line) => line.trim() !== '');
-    return (lines[0] === title ? lines[1] : lines[0]) || '';
-  }
-
   const fact = (name, value, bad) =>
     h('div', {}, h('dt', {}, name), h('dd', { class: bad && 'bad' }, value));
 
@@ -42,7 +36,8 @@
       fact('Push that breaks the grasp', break_words(breaking)),
       answer.residual && fact('Residual of the laws', decimal(answer.residual.max)),
       fact('Pivots', String(answer.pivots)),
-      answer.jam && fact('Jam', answer.jam.words.join(' '), true),
+      answer.jam && h('div', { class: 'jam' }, h('dt', {}, 'Why it jams'),
+        answer.jam.words.map((words) => h('dd', {}, words))),
     ].filter(Boolean));
     contacts(answer);
   }
@@ -58,5 +53,5 @@
       : h('p', {}, 'No answer, no forces.'));
   }
 
-  play.facts = { update, sentence_of };
+  play.facts = { update };
 })();

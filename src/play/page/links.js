@@ -1,4 +1,5 @@
-// Addresses that carry a scene (#scene=..) or a typed problem (#lcp=..), and files to keep.
+// Addresses that carry a scene (#scene=.., or plainly #text=..) or a typed problem (#lcp=..), and
+// files to keep.
 (() => {
   const { by_id } = play.elements;
 
@@ -18,9 +19,11 @@
 
   /// {scene} or {lcp}: what the address carries; {} if nothing, or nothing that can be read.
   async function carried() {
+    const plain = /^#text=(.+)$/.exec(location.hash);
     const found = /^#(scene|lcp)=([\w-]+)$/.exec(location.hash);
-    if (!found) return {};
     try {
+      if (plain) return { scene: decodeURIComponent(plain[1]) };
+      if (!found) return {};
       return { [found[1]]: await unpacked(found[2]) };
     } catch {
       return {};

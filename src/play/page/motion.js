@@ -39,11 +39,10 @@
       try {
         const reply = await this.app.background.ask('move', `move 0 ${frames}`, text);
         if (reply === null || this.app.state.text !== text) return false;
-        const { answer, text: words, poses } = JSON.parse(reply);
+        const { answer, sentence, poses } = JSON.parse(reply);
         this.run = { text, answer, poses };
         by_id('time').max = answer.frames.length - 1;
-        [by_id('motion').textContent] = words.split('\n').filter((line, k) => line && k > 0)
-          .slice(0, 1);
+        by_id('motion').textContent = sentence;
         if (answer.frames.length < 2) return false;
         this.app.make_room(Math.max(...answer.frames.map(({ position }) => length(position))));
       } catch (refusal) {

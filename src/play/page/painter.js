@@ -102,14 +102,24 @@
       const force = (this.state.answer.bodies || []).find((body) => body.name === name);
       const words = this.answer && force ? `${name}  ${decimal(force.normal_force)} N` : name;
       const sideways = length(away) > 0.3 ? unit(away) : [behind ? -0.5 : 0.5, behind ? 1 : -1];
-      const [x, y] = add(tip, scale(sideways, length(away) > 0.3 ? 58 : 76));
+      const [x, y] = this.kept_inside(words, sideways,
+      add(tip, scale(sideways, length(away) > 0.3 ? 58 : 76)));
+    const squeezes = this.answer?.jam?.bodies.some((one) => one.name === name);
       return { name, behind, shape: svg('g', { class: 'body', tabindex: 0, role: 'button',
         'data-body': name, 'aria-label': `${name}, ${first.role}: arrow keys move it` },
-      shape(`thing ${first.role}${behind ? ' behind' : ''}`,
+      shape(`thing ${first.role}${behind ? ' behind' : ''}${squeezes ? ' squeezes' : ''}`,
         hull(corners.map((c) => this.place(c))))),
       label: svg('text', { class: `label ${first.role}`, x, y: y + 4,
         'text-anchor': sideways[0] < -0.3 ? 'end' : sideways[0] > 0.3 ? 'start' : 'middle' },
       words) };
+    }
+
+    /// Words that would run over the picture's edge stand further in, above their body.
+    kept_inside(words, sideways, [x, y]) {
+      const size = words.length * (window.innerWidth < 900 ? 11.5 : 7.5);
+      const left = sideways[0] < -0.3 ? x - size : sideways[0] > 0.3 ? x : x - size / 2;
+      const by = Math.max(6 - left, 0) - Math.max(left + size - (width - 6), 0);
+      return [x + by, by === 0 ? y : y - 34];
     }
 
     /// Forces end at their contact; the cone opens to where they come from.
@@ -148,6 +158,16 @@
         this.place(add(this.center, at)).map((x) => x.toFixed(1)).join()).join(' ') });
     }
 
+    /// What would happen with the body in other places of its face.
+    dots() {
+      return (this.answer ? this.state.dots || [] : []).map(({ at, kind }) => {
+        const [cx, cy] = this.place(at);
+        return svg('g', { class: `dot ${kind}` }, svg('circle', { cx, cy, r: 4.5 }),
+          kind === 'jams' && svg('path', { d: `M${cx - 3} ${cy - 3}l6 6m0 -6l-6 6` }),
+          svg('title', {}, play.kinds[kind] || 'no scene'));
+      });
+    }
+
     draw(path) {
       const { scene, state } = this;
       const bodies = figures.names(scene).map((name) => this.body(name));
@@ -155,7 +175,7 @@
       return svg('svg', { class: 'drawing', viewBox: `0 0 ${width} ${height}`, role: 'group',
         'aria-label': `The grasp: ${state.sentence}`, tabindex: 0 },
       this.axes(), bodies.filter((b) => b.behind).map((b) => b.shape), this.object(), this.ghost(),
-      bodies.filter((b) => !b.behind).map((b) => b.shape), this.trace(path),
+      bodies.filter((b) => !b.behind).map((b) => b.shape), this.trace(path), this.dots(),
       contacts.map((contact, i) => this.contact(contact, i)),
       bodies.map((b) => b.label));
     }

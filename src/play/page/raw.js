@@ -2,20 +2,33 @@
 (() => {
   const { h, by_id } = play.elements;
 
+  /// Of fixtures/textbook, by their names there.
   const examples = {
-    'two unknowns, one pivot after the other': ['2 1; 1 2', '-5 -6'],
-    'a ray: no solution': ['-1 0; 0 -1', '-1 -1'],
-    'two solutions': ['1 2; 2 1', '-4 -5'],
-    'a skew matrix: a linear program': ['0 0 -1; 0 0 -2; 1 2 0', '3 4 -2'],
-    'Murty, 3 unknowns: as many pivots as can be': ['1 2 2; 0 1 2; 0 0 1', '-4 -6 -7'],
-    'Fathi, 3 unknowns': ['1 2 2; 2 5 6; 2 6 9', '-1 -1 -1'],
+    two_by_two: ['2 1; 1 2', '-5 -6', 'the first one to do by hand'],
+    cps_4_4_7: ['0 -1 2; 2 0 -2; -1 1 0', '-3 6 -1',
+      'Cottle, Pang, Stone, Example 4.4.7: a plain run'],
+    cps_4_4_16: ['1 -1; -1 1', '1 -1',
+      'Cottle, Pang, Stone, Example 4.4.16: a tie that z0 must win'],
+    murty_2_8: ['1 -1 -1 -1; -1 1 -1 -1; 1 1 2 0; 1 1 0 2', '3 5 -9 -5',
+      'Murty, Example 2.8: a quadratic program'],
+    murty_2_9: ['-1 0 -3; 1 -2 -5; -2 -1 -2', '-3 -2 -1', 'Murty, Example 2.9: a ray'],
+    murty_2_11: ['-1.5 2; -4 4', '-5 17', 'Murty, Example 2.11: the cover decides'],
+    murty_6_4: ['1 0 0 0; 2 1 0 0; 2 2 1 0; 2 2 2 1', '-16 -24 -28 -30',
+      'Murty, chapter 6: 2^n pivots'],
+    kostreva_1: ['1 2 0; 0 1 2; 2 0 1', '-1 -1 -1',
+      'Kostreva, example 1: cycles if the first tied row leaves'],
+    infeasible_psd: ['1 -1; -1 1', '1 -2', 'no solution, and the ray proves it'],
+    copositive_ray: ['0 1; 0 0', '-1 1', 'no solution, and the ray proves nothing'],
+    solvable_ray: ['-2 2 -2; 0 -1 -1; 3 3 0', '3 0 -4', 'a ray, although there is a solution'],
+    floudas_10_2_2: ['1 1; 1 1', '-1 -1', 'a whole segment of solutions'],
   };
 
   const problem = () => `${by_id('M').value.trim().replace(/;?\s*\n\s*/g, '; ')}\n${
     by_id('q').value.trim().replace(/\s*[;,\n]\s*/g, ' ')}`;
 
   function create(app) {
-    by_id('examples').append(...Object.keys(examples).map((name) => h('option', {}, name)));
+    by_id('examples').append(...Object.entries(examples).map(([name, [, , words]]) =>
+      h('option', { value: name }, words)));
     by_id('examples').addEventListener('change', () => {
       [by_id('M').value, by_id('q').value] = examples[by_id('examples').value];
     });
@@ -36,5 +49,5 @@
     by_id('raw').scrollIntoView();
   }
 
-  play.raw = { create, show };
+  play.raw = { create, show, examples };
 })();

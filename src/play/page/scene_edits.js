@@ -20,7 +20,7 @@
       const value = section && toml.get(section, key);
       if (!is_place(value)) continue;
       result = toml.with_value(section, key,
-        each_place(value, (at) => change(at).map(finer)));
+        each_place(value, (at) => change(at).map((x, k) => (x === at[k] ? x : finer(x)))));
     }
     return result;
   }

@@ -69,7 +69,7 @@
 
     /// The text with another value there.
     with_value(section, key, value) {
-      const written = typeof value === 'string' ? JSON.stringify(value) : written_value(value);
+      const written = written_value(value);
       const { text } = this;
       const place = section.keys[key];
       if (place) return text.slice(0, place.from) + written + text.slice(place.to);
@@ -85,13 +85,9 @@
     }
   }
 
-  /// Six digits are more than a hand can set.
-  function written_number(x) {
-    return String(Number(x.toPrecision(6)));
-  }
   function written_value(value) {
     if (Array.isArray(value)) return `[${value.map(written_value).join(', ')}]`;
-    return typeof value === 'number' ? written_number(value) : String(value);
+    return typeof value === 'string' ? JSON.stringify(value) : String(value);
   }
 
   play.Toml = Toml;

@@ -1,0 +1,107 @@
+// The playground's scripts that touch no page: changes of a scene's text, and the examples.
+// Run by `node --test`; needs no browser and no tool.
+import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { root } from './engine.mjs';
+
+const names = ['namespace.js', 'vectors.js', 'toml.js', 'figures.js', 'scene_edits.js', 'raw.js'];
+const text_of = (name) => readFileSync(join(root, 'src', 'play', 'page', name), 'utf8');
+const play = new Function(`${text_of('namespace.js')}\nplay.elements = {};
+${names.slice(1).map(text_of).join('\n')}\nreturn play;`)();
+const { Toml, edits } = play;
+
+const scenes = join(root, 'fixtures', 'scenes');
+const fixtures = readdirSync(scenes).map((name) => [name, readFileSync(join(scenes, name), 'utf8')]);
+
+const sample = `# a title = "that is none"
+title = "A # in a string"
+[object]
+mass = 0.2  # kg
+box = [0.1, # long
+  0.03, 0.01,
+]
+[[finger]]
+name = "left" # with a name
+center = [0, 0, 0.005]
+friction = 5e-1`;
+
+test('values are found behind comments, over lines and at the end', () => {
+  const toml = new Toml(sample);
+  const object = toml.first('object');
+  assert.equal(toml.get(toml.sections[0], 'title'), 'A # in a string');
+  assert.equal(toml.get(object, 'mass'), 0.2);
+  assert.deepEqual(toml.get(object, 'box'), [0.1, 0.03, 0.01]);
+  assert.equal(toml.get(toml.body('left'), 'friction'), 0.5);
+  assert.equal(toml.get(object, 'center_of_mass'), undefined);
+  assert.equal(toml.get(undefined, 'jaws'), undefined);
+});
+
+test('a change leaves everything else as it is', () => {
+  const text = edits.set(sample, edits.object, 'mass', 0.35);
+  assert.equal(text, sample.replace('mass = 0.2 ', 'mass = 0.35 '));
+  const longer = edits.set(text, edits.object, 'box', [0.2, 0.03, 0.01]);
+  assert.match(longer, /box = \[0\.2, 0\.03, 0\.01\]\n\[\[finger\]\]/);
+  assert.match(edits.set(sample, edits.top, 'facets', 16), /^facets = 16\n# a title/);
+  assert.match(edits.set(sample, edits.named('left'), 'grip_force', 20),
+    /friction = 5e-1\ngrip_force = 20$/);
+  assert.equal(edits.with_hand(edits.with_hand(sample, 'locked'), 'parallel'),
+    edits.with_hand(sample, 'parallel'));
+});
+
+test('every number of a shipped scene can be written back without a change of the others', () => {
+  let count = 0;
+  for (const [name, text] of fixtures) {
+    const toml = new Toml(text);
+    for (const section of toml.sections) {
+      for (const key of Object.keys(section.keys)) {
+        const value = toml.get(section, key);
+        assert.notEqual(value, undefined, `${name}: ${key}`);
+        const again = new Toml(toml.with_value(section, key, value));
+        for (const [k, other] of toml.sections.entries())
+          for (const [one, was] of Object.entries(other.keys).map(([x]) => [x, toml.get(other, x)]))
+            assert.deepEqual(again.get(again.sections[k], one), was, `${name}: ${key}, ${one}`);
+        count += 1;
+      }
+    }
+  }
+  assert.ok(count > 300, `${count} values`);
+});
+
+test('a dragged body stays on its face, and a jaw takes its other finger along', () => {
+  const [, text] = fixtures.find(([name]) => name === 'pivot.toml');
+  const state = { text, answer: { hand: 'parallel' }, scene: { bodies: [
+    { name: 'left', role: 'finger', normal: [0, 0, -1] },
+    { name: 'right', role: 'finger', normal: [0, 0, 1] },
+    { name: 'edge', role: 'pusher', normal: [0, 1, 0] }] } };
+  const both = edits.dragged_together(state, 'left', false);
+  assert.deepEqual(both, ['left', 'right']);
+  assert.deepEqual(edits.dragged_together(state, 'left', true), ['left']);
+  assert.deepEqual(edits.dragged_together(state, 'edge', false), ['edge']);
+  const moved = new Toml(edits.dragged(state, both, [0.001, 0.002, 0.5]));
+  const was = new Toml(text);
+  for (const name of both) {
+    const from = was.get(was.body(name), 'points');
+    const to = moved.get(moved.body(name), 'points');
+    from.forEach(([x, y, z], k) => to[k].forEach((value, i) =>
+      assert.ok(Math.abs(value - [x + 0.001, y + 0.002, z][i]) < 1e-12)));
+  }
+  const pushed = new Toml(edits.dragged(state, ['edge'], [0.001, 0.5, 0]));
+  assert.equal(pushed.get(pushed.body('edge'), 'ends')[0][1],
+    was.get(was.body('edge'), 'ends')[0][1]);
+});
+
+test('the examples are those of fixtures/textbook', () => {
+  const numbers = (name) => readFileSync(join(root, 'fixtures', 'textbook', name), 'utf8')
+    .split('\n').filter((line) => line && !line.startsWith('%')).slice(1).join(' ').trim()
+    .split(/\s+/).map(Number);
+  const examples = Object.entries(play.raw.examples);
+  assert.ok(examples.length > 8);
+  for (const [name, [M, q]] of examples) {
+    const rows = M.split(';').map((row) => row.trim().split(/\s+/).map(Number));
+    const columns = rows[0].flatMap((_, j) => rows.map((row) => row[j]));
+    assert.deepEqual(columns, numbers(`${name}.M.mtx`), name);
+    assert.deepEqual(q.split(' ').map(Number), numbers(`${name}.q.mtx`), name);
+  }
+});

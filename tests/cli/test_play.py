@@ -1,0 +1,76 @@
+"""lcpush play: one page that carries the solver and the scene, and a gallery of the shipped scenes."""
+import html
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import urllib.parse
+
+TOOL, SOURCE = sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
+SCENES = SOURCE / "fixtures" / "scenes"
+
+
+def run(*words, text=None):
+    return subprocess.run([TOOL, "play", *map(str, words)], cwd=SOURCE, input=text,
+                          capture_output=True, text=True, timeout=100)
+
+
+def scene_of(page):
+    return html.unescape(re.search(r'id="scene">(.*?)</script>', page, re.DOTALL).group(1))
+
+
+class Play(unittest.TestCase):
+    def test_the_page_carries_its_scene_and_needs_nothing_else(self):
+        for name in ("pivot", "jam", "rolling"):
+            path = SCENES / f"{name}.toml"
+            result = run(path)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertEqual(scene_of(result.stdout), path.read_text(encoding="utf-8"))
+            for address in re.findall(r"(?:src|href)=\"([^\"]*)\"", result.stdout):
+                self.assertTrue(address.startswith("data:"), address)
+            for place in ("STYLE", "SCRIPT", "SOLVER", "SCENE"):
+                self.assertFalse(f"/*{place}*/" in result.stdout, place)
+            self.assertLess(len(result.stdout.encode()), 400_000)
+
+    def test_without_a_scene_it_begins_with_the_straight_slide(self):
+        self.assertEqual(scene_of(run().stdout),
+                         (SCENES / "straight_slide.toml").read_text(encoding="utf-8"))
+
+    def test_a_scene_cannot_leave_its_place_in_the_page(self):
+        text = (SCENES / "pivot.toml").read_text(encoding="utf-8").replace(
+            'title = "', 'title = "</script><script>alert(1)</script> /*SOLVER*/ ')
+        page = run("-", text=text).stdout
+        self.assertEqual(scene_of(page), text)
+        self.assertEqual(page.count("<script"), 3)
+
+    def test_what_is_no_scene_is_refused_with_its_line(self):
+        result = run("-", text="[object]\nmass = -1\n")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertRegex(result.stderr, r":\d+: .*(mass|missing)")
+
+    def test_the_gallery_leads_to_every_shipped_scene(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(run("--gallery", "-o", folder).returncode, 0)
+            index = (pathlib.Path(folder) / "index.html").read_text(encoding="utf-8")
+            links = re.findall(r'href="(play\.html)#text=([^"]*)"', index)
+            texts = {urllib.parse.unquote(text) for _, text in links}
+            self.assertEqual(texts, {path.read_text(encoding="utf-8") for path in SCENES.glob("*.toml")})
+            for path in SCENES.glob("*.toml"):
+                picture = (pathlib.Path(folder) / f"{path.stem}.svg").read_text(encoding="utf-8")
+                self.assertTrue(picture.startswith("<svg"), path.stem)
+            sentence = subprocess.run([TOOL, "solve", SCENES / "pivot.toml"], capture_output=True,
+                                      text=True, timeout=60).stdout.split("\n\n")[1]
+            self.assertIn(html.escape(" ".join(sentence.split())), index)
+
+    def test_a_gallery_is_a_folder_and_takes_no_scene(self):
+        for words, said in ((["--gallery"], "-o DIRECTORY"),
+                            (["--gallery", SCENES / "pivot.toml", "-o", "x"], "leave the scene out")):
+            result = run(*words)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(said, " ".join(result.stderr.split()))
+
+
+if __name__ == "__main__":
+    unittest.main()
