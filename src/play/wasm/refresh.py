@@ -23,7 +23,7 @@ TEXT = HERE / "solver.txt"
 # No quotes, no < > & and no backslash: it stands in C++, CMake and HTML as it is.
 ALPHABET = ("0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
             "!#%()*+,-./:=?@^_{|}~$;")
-WIDTH = 100
+WIDTH = 1000
 
 
 def run(*words):
