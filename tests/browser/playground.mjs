@@ -257,6 +257,8 @@ async function looks(browser) {
   for (const [size, scheme] of [[wide, 'light'], [phone, 'dark'],
     [{ viewport: { width: 390, height: 844 } }, 'light']]) {
     const { page, end } = await played(browser, fixture('pivot'), { ...size, colorScheme: scheme });
+    await page.evaluate(() => document.querySelectorAll('details')
+      .forEach((part) => part.setAttribute('open', '')));
     for (const name of size === wide ? names : ['pivot', 'jam', 'rolling']) {
       await page.evaluate((text) => window.lcpush.app.replace(text),
         readFileSync(fixture(name), 'utf8'));
