@@ -36,6 +36,19 @@ HostMatrix rounded(const ExactMatrix& matrix) {
   return nearest;
 }
 
+std::string problem_note(const SceneFile& file) {
+  return (file.pressure == Pressure::pad ? "The first round of the pad law, in SI units, "
+                                         : "SI units, ") +
+         std::to_string(file.facets) + " facets.";
+}
+
+/// What the problem's variables mean.
+void tell(PivotSubject& subject, SceneFile file) {
+  subject.scene = std::make_unique<SceneFile>(std::move(file));
+  subject.push = std::make_unique<Push>(*subject.scene);
+  subject.story = push_story(*subject.push);
+}
+
 } // namespace
 
 PivotSubject scene_subject(SceneFile file, const std::string& text, const std::string& path,
@@ -57,14 +70,17 @@ PivotSubject scene_subject(SceneFile file, const std::string& text, const std::s
   } else if (!as_solved) {
     subject.problem = exact_problem(file);
   }
-  if (!as_solved)
-    subject.notes.push_back((file.pressure == Pressure::pad
-                                 ? "The first round of the pad law, in SI units, "
-                                 : "SI units, ") +
-                            std::to_string(file.facets) + " facets.");
-  subject.scene = std::make_unique<SceneFile>(std::move(file));
-  subject.push = std::make_unique<Push>(*subject.scene);
-  subject.story = push_story(*subject.push);
+  if (!as_solved) subject.notes.push_back(problem_note(file));
+  tell(subject, std::move(file));
+  return subject;
+}
+
+PivotSubject rounded_subject(SceneFile file, const std::string& path) {
+  refuse_size(path, size_of(file.view()).unknowns(), false);
+  PivotSubject subject;
+  subject.problem = exact_problem(file);
+  subject.notes.push_back(problem_note(file));
+  tell(subject, std::move(file));
   return subject;
 }
 

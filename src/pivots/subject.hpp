@@ -18,6 +18,9 @@ struct PivotSubject {
 /// messages. Throws InputError if it is too large to be shown, or for fractions if `is_exact`.
 PivotSubject scene_subject(SceneFile file, const std::string& text, const std::string& path,
                            bool as_solved, bool is_exact);
+/// Of the doubles that the scene was read as: no fraction is, and the reader of fractions is not
+/// needed, which is a fifth of a program.
+PivotSubject rounded_subject(SceneFile file, const std::string& path);
 /// `name` is M's in messages.
 PivotSubject raw_subject(ExactProblem problem, const std::string& name, bool is_exact);
 

@@ -44,6 +44,7 @@ std::string solve_answer(std::string_view text, bool searches) {
   if (!searches) {
     options.other_covers = 0;
     options.study_existence = false;
+    options.explain_jams = false;
   }
   const HoldReport hold = push.holds_without_push(options);
   const PushReport report = push.solve(options);
@@ -113,7 +114,7 @@ std::string traced(const PivotSubject& subject) {
 std::string pivots_answer(std::string_view text) {
   SceneFile file = small_scene(text);
   file.facets = 4;
-  return traced(scene_subject(std::move(file), std::string(text), scene_name, false, false));
+  return traced(rounded_subject(std::move(file), scene_name));
 }
 
 /// M on the first line, its rows divided by semicolons; q on the second.

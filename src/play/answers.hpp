@@ -11,13 +11,13 @@ namespace lcpush::desktop {
 
 /// `question` is a word and what goes with it, `text` a scene:
 ///   "solve"        {"answer": as `solve --json`, "sentence": its first, "scene": what is drawn}
-///   "drag"         the same without the search for other answers, which takes most of the time
+///   "drag"         the same without other answers and remedies, which take most of the time
 ///   "break"        {"answer": as `break --json`, "sentence": empty without an answer}
 ///   "move T N"     {"answer": as `move --json --time T --frames N`, "sentence": its first,
 ///   "poses":
 ///                  where the bodies are, frame by frame: position, rotation column by column};
 ///                  T = 0: as long as the scene says
-///   "pivots"       the page of `pivots --format html`
+///   "pivots"       the page of `pivots --format html`, in decimals
 ///   "lcp"          that page of a typed problem: M on the first line, q on the second
 /// Throws InputError where the commands would.
 std::string answer_to(std::string_view question, std::string_view text);

@@ -32,7 +32,7 @@ SceneFile pushed_plate(const std::string& facets) {
 double turned(const std::string& facets, int steps) {
   MoveOptions options;
   options.time = way / speed;
-  options.step = options.time / steps;
+  options.step = way / speed / steps;
   const MotionReport report = move(pushed_plate(facets), options);
   REQUIRE(report.status == Status::solved);
   const Matrix3<double>& R = report.frames.back().pose.rotation;
@@ -42,7 +42,7 @@ double turned(const std::string& facets, int steps) {
 } // namespace
 
 TEST_CASE(
-    "[T.15] a point push on soft fingers: tan(theta / 2) grows as exp(rho s / (c^2 + rho^2))") {
+    "[T.16] a point push on soft fingers: tan(theta / 2) grows as exp(rho s / (c^2 + rho^2))") {
   const double x = 0.005, y = 0.015; // from the tip to the middle
   const double rho = std::hypot(x, y), begin = std::atan2(x, y);
   const double grown = std::exp(rho * way / (radius * radius + rho * rho));

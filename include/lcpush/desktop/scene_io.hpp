@@ -93,7 +93,7 @@ template <class S> struct SceneOf {
   ObjectShape shape;
   Vector3<S> gravity = Vector3<S>::Zero(); ///< m/s^2
   Index facets = 8;
-  bool is_round = false; ///< facets = "round": pyramids of 8 facets are turned until it is [T.15]
+  bool is_round = false; ///< facets = "round": pyramids of 8 facets are turned until it is [T.16]
   Pressure pressure = Pressure::pad;
   bool planar = false;
   Hand hand = Hand::fixed;

@@ -8,12 +8,20 @@
   const number = (label, unit, least, most, step, read, write) =>
     ({ label, unit, least, most, step, read, write });
 
-  /// A vector's length and its angle in the x-y plane.
-  const angle_of = ([x, y]) => tidy(Math.atan2(y, x) * degrees);
-  const planar_length = ([x, y]) => Math.hypot(x, y);
-  const in_plane = (length, angle, z) =>
-    [length * Math.cos(angle / degrees), length * Math.sin(angle / degrees), z || 0]
-      .map((x) => Math.round(x * 1e6) / 1e6);
+  /// Axes of the plane in which a vector is turned: x and y, unless it points out of that.
+  function plane_of([x, y, z]) {
+    if (Math.abs(z) <= Math.hypot(x, y)) return [0, 1];
+    return Math.abs(y) > Math.abs(x) ? [1, 2] : [0, 2];
+  }
+  const angle_in = ([i, j], v) => tidy(Math.atan2(v[j], v[i]) * degrees);
+  const length_in = ([i, j], v) => Math.hypot(v[i], v[j]);
+  function in_plane([i, j], v, length, angle) {
+    const result = [...v];
+    const micro = (x) => Math.round(x * 1e6) / 1e6;
+    result[i] = micro(length * Math.cos(angle / degrees));
+    result[j] = micro(length * Math.sin(angle / degrees));
+    return result;
+  }
 
   function number_of(label, unit, section, key, least, most, step) {
     return number(label, unit, least, most, step,
@@ -21,37 +29,39 @@
       (state, value) => edits.set(state.text, section, key, value));
   }
 
-  /// The length and the direction in the x-y plane of the vector `key`; z stays.
-  function vector_of(name, section, key, unit, most, step) {
+  /// The length and the direction of the vector `key` in a plane; the rest of it stays.
+  function vector_of(name, section, key, unit, most, step, plane) {
     const read = (toml) => toml.get(section(toml), key) || [0, 0, 0];
     const now = (state) => read(new Toml(state.text));
     const write = (state, value) => edits.set(state.text, section, key, value);
     let last = -90; // a vector of no length keeps its direction here
     const direction = (v) => {
-      if (planar_length(v) > 0) last = angle_of(v);
+      if (length_in(plane, v) > 0) last = angle_in(plane, v);
       return last;
     };
+    const axes = plane.map((k) => 'xyz'[k]).join('-');
     return [
-      number(name, unit, 0, most, step, (toml) => tidy(planar_length(read(toml))),
-        (state, value) => write(state, in_plane(value, direction(now(state)), now(state)[2]))),
-      number('direction', '\u00b0', -180, 180, 1, (toml) => direction(read(toml)),
+      number(name, unit, 0, most, step, (toml) => tidy(length_in(plane, read(toml))),
+        (state, value) => write(state, in_plane(plane, now(state), value, direction(now(state))))),
+      number(`in ${axes}`, '\u00b0', -180, 180, 1, (toml) => direction(read(toml)),
         (state, value) =>
-          write(state, in_plane(planar_length(now(state)), value, now(state)[2]))),
+          write(state, in_plane(plane, now(state), length_in(plane, now(state)), value))),
     ];
   }
 
   const choice = (label, options, read, write) => ({ label, options, read, write });
 
-  function of_scene() {
+  function of_scene(toml) {
+    const gravity = toml.get(edits.top(toml), 'gravity') || [0, 0, 0];
     return [
-      ...vector_of('gravity', edits.top, 'gravity', 'm/s\u00b2', 20, 0.01),
-      choice('facets', [4, 8, 16, 32], (toml) => toml.get(edits.top(toml), 'facets') || 8,
+      ...vector_of('gravity', edits.top, 'gravity', 'm/s\u00b2', 20, 0.01, plane_of(gravity)),
+      choice('facets', [4, 8, 16, 32], (now) => now.get(edits.top(now), 'facets') || 8,
         (state, value) => edits.set(state.text, edits.top, 'facets', Number(value))),
       choice('pressure', ['pad', 'even', 'rigid'],
-        (toml) => toml.get(edits.top(toml), 'pressure') || 'pad',
+        (now) => now.get(edits.top(now), 'pressure') || 'pad',
         (state, value) => edits.set(state.text, edits.top, 'pressure', value)),
       choice('jaws', ['as usual', 'parallel', 'independent', 'locked'],
-        (toml) => toml.get(toml.first('gripper'), 'jaws') || 'as usual',
+        (now) => now.get(now.first('gripper'), 'jaws') || 'as usual',
         (state, value) => edits.with_hand(state.text, value === 'as usual' ? '' : value)),
     ];
   }
@@ -71,22 +81,28 @@
 
   function of_body(toml, section) {
     const named = edits.named(toml.get(section, 'name'));
+    if (section.name === 'actuator')
+      return [number_of('force', 'N', named, 'force', 0,
+        round_up(3 * toml.get(section, 'force') || 1), 0.1)];
     const controls = [];
     const force = toml.get(section, 'grip_force');
     if (force !== undefined)
       controls.push(number_of('grip', 'N', named, 'grip_force', 0, round_up(3 * force), 0.1));
     controls.push(number_of('friction', '', named, 'friction', 0, 1.5, 0.01));
     if (section.name !== 'pusher') return controls;
-    const push = toml.get(section, 'acceleration') || [0, 0, 0];
-    controls.push(...vector_of('push', named, 'acceleration', 'm/s\u00b2',
-      round_up(3 * Math.max(planar_length(push), 0.1)), 0.001));
-    controls.push(number('turning z', 'rad/s\u00b2', -20, 20, 0.1,
-      (now) => (now.get(named(now), 'angular_acceleration') || [0, 0, 0])[2],
-      (state, value) => {
-        const now = new Toml(state.text);
-        const [x, y] = now.get(named(now), 'angular_acceleration') || [0, 0];
-        return edits.set(state.text, named, 'angular_acceleration', [x, y, value]);
-      }));
+    const key = toml.get(section, 'velocity') ? 'velocity' : 'acceleration';
+    const push = toml.get(section, key) || [0, 0, 0];
+    const plane = plane_of(push);
+    const axis = 3 - plane[0] - plane[1];
+    const turning = `angular_${key}`;
+    const [metres, radians] = key === 'velocity' ? ['m/s', 'rad/s'] : ['m/s\u00b2', 'rad/s\u00b2'];
+    controls.push(...vector_of('push', named, key, metres,
+      round_up(3 * Math.max(length_in(plane, push), 0.1)), 0.001, plane));
+    const rates = (now) => now.get(named(now), turning) || [0, 0, 0];
+    controls.push(number(`turning ${'xyz'[axis]}`, radians, -20, 20, 0.1,
+      (now) => rates(now)[axis],
+      (state, value) => edits.set(state.text, named, turning,
+        rates(new Toml(state.text)).map((x, k) => (k === axis ? value : x)))));
     return controls;
   }
 
@@ -104,10 +120,14 @@
       this.key = '';
     }
 
+    /// The next scene gets controls of its own.
+    forget() { this.key = ''; }
+
     update(state) {
       this.state = state;
       const toml = new Toml(state.text);
-      const bodies = toml.sections.filter(({ name }) => name === 'finger' || name === 'pusher');
+      const bodies = toml.sections.filter(({ name }) =>
+        ['finger', 'actuator', 'pusher'].includes(name));
       const key = bodies.map((section) => `${section.name} ${toml.get(section, 'name')} ${
         toml.get(section, 'grip_force') === undefined}`).join();
       if (edits.object(toml) && key !== this.key) {
@@ -115,7 +135,7 @@
         this.shown = [];
         by_id('controls').replaceChildren(
           ...bodies.map((section) => this.group(toml.get(section, 'name'), of_body(toml, section))),
-          this.group('object', of_object(state, toml)), this.group('scene', of_scene()));
+          this.group('object', of_object(state, toml)), this.group('scene', of_scene(toml)));
       }
       for (const show of this.shown) show(toml);
     }

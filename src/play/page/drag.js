@@ -15,6 +15,12 @@
       for (const end of ['pointerup', 'pointercancel'])
         box.addEventListener(end, (event) => this.leave(event));
       box.addEventListener('keydown', (event) => this.press(event));
+      // A picture that is drawn anew takes the focus away to nowhere.
+      box.addEventListener('focusout', ({ relatedTarget }) => {
+        if (!relatedTarget || box.contains(relatedTarget)) return;
+        this.app.reach.hide();
+        this.app.redraw();
+      });
     }
 
     take(event) {
@@ -62,6 +68,7 @@
       const names = play.edits.dragged_together(state, body, event.altKey);
       const moved = view.lifted(scale(by, event.shiftKey ? 1e-4 : 1e-3));
       this.app.change(play.edits.dragged(state, names, moved), true);
+      this.app.reach.show(body);
     }
   }
 

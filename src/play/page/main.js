@@ -7,6 +7,7 @@
       this.solver = new play.Solver(module);
       this.background = new play.Background(module);
       this.region = new play.Region(this.background);
+      this.reach = new play.Reach(this);
       this.view = new play.View();
       this.history = new play.History(text);
       this.controls = new play.Controls((changed, is_done) => this.change(changed, is_done),
@@ -36,7 +37,7 @@
           this.meters = null;
           this.draw();
         });
-      by_id('text').addEventListener('change', () => this.change(by_id('text').value, true));
+      by_id('text').addEventListener('change', () => this.replace(by_id('text').value));
       click('pivots', async () => play.links.say(await this.explore('pivots', this.wanted)));
       click('close', () => by_id('explorer').close());
       click('link', async () => play.links.say(await play.links.copy('scene', this.wanted)));
@@ -47,13 +48,20 @@
         play.links.save('grasp.svg', 'image/svg+xml', play.links.picture()));
       window.addEventListener('hashchange', async () => {
         const { scene, lcp } = await play.links.carried();
-        if (scene && scene !== this.wanted) this.change(scene, true);
+        if (scene && scene !== this.wanted) this.replace(scene);
         if (lcp) play.raw.show(lcp);
       });
     }
 
+    /// Another text than the controls were made for.
+    replace(text) {
+      this.controls.forget();
+      this.change(text, true);
+    }
+
     /// Undo's and redo's: another text that is in the history already.
     go(text) {
+      this.controls.forget();
       this.wanted = text;
       this.solve(true);
     }
@@ -135,7 +143,8 @@
     draw(frame, path) {
       if (!this.state) return;
       const focused = document.activeElement?.closest?.('#picture [data-body]')?.dataset.body;
-      const painter = new play.Painter({ ...this.state, meters: this.meters }, this.view, frame);
+      const painter = new play.Painter({ ...this.state, meters: this.meters,
+        dots: this.reach.dots }, this.view, frame);
       this.meters = painter.meters;
       by_id('picture').replaceChildren(painter.draw(path));
       const find = (name) => [...document.querySelectorAll('#picture [data-body]')]
@@ -154,7 +163,16 @@
       this.meters = Math.min(this.meters, most);
     }
 
-    hold(name) { this.held = name; }
+    /// A body in somebody's hand.
+    hold(name) {
+      this.held = name;
+      if (name) this.reach.show(name);
+      else this.reach.hide();
+      this.redraw();
+    }
+    redraw() {
+      if (this.motion.shown === null || this.motion.shown === undefined) this.draw();
+    }
     turn(dx, dy) {
       this.view.turn(dx, dy);
       if (this.motion.shown === null || this.motion.shown === undefined) this.draw();

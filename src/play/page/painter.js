@@ -158,6 +158,16 @@
         this.place(add(this.center, at)).map((x) => x.toFixed(1)).join()).join(' ') });
     }
 
+    /// What would happen with the body in other places of its face.
+    dots() {
+      return (this.answer ? this.state.dots || [] : []).map(({ at, kind }) => {
+        const [cx, cy] = this.place(at);
+        return svg('g', { class: `dot ${kind}` }, svg('circle', { cx, cy, r: 4.5 }),
+          kind === 'jams' && svg('path', { d: `M${cx - 3} ${cy - 3}l6 6m0 -6l-6 6` }),
+          svg('title', {}, play.kinds[kind] || 'no scene'));
+      });
+    }
+
     draw(path) {
       const { scene, state } = this;
       const bodies = figures.names(scene).map((name) => this.body(name));
@@ -165,7 +175,7 @@
       return svg('svg', { class: 'drawing', viewBox: `0 0 ${width} ${height}`, role: 'group',
         'aria-label': `The grasp: ${state.sentence}`, tabindex: 0 },
       this.axes(), bodies.filter((b) => b.behind).map((b) => b.shape), this.object(), this.ghost(),
-      bodies.filter((b) => !b.behind).map((b) => b.shape), this.trace(path),
+      bodies.filter((b) => !b.behind).map((b) => b.shape), this.trace(path), this.dots(),
       contacts.map((contact, i) => this.contact(contact, i)),
       bodies.map((b) => b.label));
     }

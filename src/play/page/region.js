@@ -84,5 +84,5 @@
     }
   }
 
-  play.Region = Region;
+  Object.assign(play, { Region, kind_of, kinds });
 })();

@@ -4,7 +4,7 @@
     python3 src/play/wasm/refresh.py --check    exits 1 if solver.txt is not what the sources make
 
 Debian 12: clang-14 lld-14 libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 wasi-libc
-libclang-rt-14-dev-wasm32 binaryen cmake ninja-build libeigen3-dev. It builds in build/solver.
+libclang-rt-14-dev-wasm32 binaryen zopfli cmake ninja-build libeigen3-dev. It builds in build/solver.
 
 solver.txt is the module, deflated, four bytes as five characters of the alphabet below: a number in
 base 85, largest digit first. The page's unpack.js reads it back.
@@ -23,7 +23,7 @@ TEXT = HERE / "solver.txt"
 # No quotes, no < > & and no backslash: it stands in C++, CMake and HTML as it is.
 ALPHABET = ("0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
             "!#%()*+,-./:=?@^_{|}~$;")
-WIDTH = 100
+WIDTH = 1000
 
 
 def run(*words):
@@ -42,8 +42,8 @@ def build():
 
 
 def packed(module):
-    deflate = zlib.compressobj(9, zlib.DEFLATED, -15, 9)
-    data = deflate.compress(module) + deflate.flush()
+    run("zopfli", "--deflate", BUILD / "small.wasm")
+    data = (BUILD / "small.wasm.deflate").read_bytes()
     header = f"{len(module)} {len(data)}\n"
     data += bytes(-len(data) % 4)
     digits = []

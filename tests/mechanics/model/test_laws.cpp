@@ -155,7 +155,7 @@ TEST_CASE("[T.6] patch rigidity: zero for every rigid motion, the stretching rat
   }
 }
 
-TEST_CASE("[T.15] round friction: an inertia across the slip resists what turns it") {
+TEST_CASE("[T.16] round friction: an inertia across the slip resists what turns it") {
   Scene3 owned = crooked();
   for (const double torsion_radius : {0.0, 0.007}) {
     Body<double>& body = owned.bodies[0];

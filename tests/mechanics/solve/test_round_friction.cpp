@@ -1,4 +1,4 @@
-// [T.15] Round friction: the rounds against a convex oracle, the laws, and themselves seen
+// [T.16] Round friction: the rounds against a convex oracle, the laws, and themselves seen
 // otherwise.
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ struct CarriedPlate {
   }
 };
 
-TEST_CASE("[T.15] a carried plate turns as the convex oracle says, in at most 16 rounds") {
+TEST_CASE("[T.16] a carried plate turns as the convex oracle says, in at most 16 rounds") {
   constexpr double reach = 0.02;
   unsigned settled = 0, total = 300;
   for (unsigned seed = 0; seed < total; ++seed) {
@@ -127,7 +127,7 @@ template <class S> double cone_violation(const test::SolvedPush<S>& push) {
   return worst;
 }
 
-TEST_CASE("[T.15] of random grasps nearly all settle, and what settles is round") {
+TEST_CASE("[T.16] of random grasps nearly all settle, and what settles is round") {
   constexpr unsigned total = 150;
   for (const Family family : {Family::plain, Family::soft, Family::even})
     for (const Pressure pressure : {Pressure::pad, Pressure::rigid, Pressure::even}) {
@@ -148,7 +148,7 @@ TEST_CASE("[T.15] of random grasps nearly all settle, and what settles is round"
     }
 }
 
-TEST_CASE("[T.15] round friction does not see how a body's tangent points") {
+TEST_CASE("[T.16] round friction does not see how a body's tangent points") {
   unsigned compared = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
     test::OwnedScene<double> scene = test::grasp_of<double>(Family::even, seed);
@@ -169,7 +169,7 @@ TEST_CASE("[T.15] round friction does not see how a body's tangent points") {
   CHECK(compared >= 38);
 }
 
-TEST_CASE("[T.15] single precision settles as well") {
+TEST_CASE("[T.16] single precision settles as well") {
   unsigned settled = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {
     test::OwnedScene<float> scene = test::grasp_of<float>(Family::even, seed);
@@ -185,7 +185,7 @@ TEST_CASE("[T.15] single precision settles as well") {
   CHECK(settled >= 95);
 }
 
-TEST_CASE("[T.15] of a pyramid the distance from the round cone is what its facets cost") {
+TEST_CASE("[T.16] of a pyramid the distance from the round cone is what its facets cost") {
   const CarriedPlate plate(7);
   test::SolvedPush<double> few(plate.scene), round(plate.scene, true);
   REQUIRE(few.solve() == Status::solved);
@@ -198,7 +198,7 @@ TEST_CASE("[T.15] of a pyramid the distance from the round cone is what its face
   CHECK(cost(round) <= 1e-9);
 }
 
-TEST_CASE("[T.15] rounds that may not turn do not settle, and name the worst point") {
+TEST_CASE("[T.16] rounds that may not turn do not settle, and name the worst point") {
   test::SolvedPush<double> push(CarriedPlate(3).scene, true);
   push.options.max_turns = 1;
   CHECK(push.solve() == Status::not_settled);
@@ -207,7 +207,7 @@ TEST_CASE("[T.15] rounds that may not turn do not settle, and name the worst poi
   CHECK(push.run.worst_point < push.scene.points.size);
 }
 
-TEST_CASE("[T.15] Gauss-Seidel's sweeps and pivots agree on round friction") {
+TEST_CASE("[T.16] Gauss-Seidel's sweeps and pivots agree on round friction") {
   unsigned compared = 0;
   for (unsigned seed = 0; seed < 30; ++seed) {
     const CarriedPlate plate(seed);

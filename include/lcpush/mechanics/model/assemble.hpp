@@ -128,7 +128,7 @@ private:
     layout_.scales = {force, length, force / scene.object.mass};
   }
 
-  /// [T.1], and [T.15] of every point.
+  /// [T.1], and [T.16] of every point.
   void add_object() {
     const Scene<S>& scene = *scene_;
     factored_.mobility = laws::newton(scene, layout_.scales);

@@ -173,7 +173,7 @@ template <class S, class Visit> struct LawRows {
     if (g > 0) visit(complementarity(Law::cone, i, -1, room, contact.slip, speed.norm()));
   }
 
-  /// [T.15] of point i: friction within the round cone, and none across the slip or along it.
+  /// [T.16] of point i: friction within the round cone, and none across the slip or along it.
   void round_friction(const Body<S>& body, Index i, const S& limit, const Vector6<S>& relative,
                       const S& size) {
     if (!(body.friction > S(0))) return;

@@ -1,4 +1,4 @@
-// How far an answer's friction is from the round cone's law [T.15]: of round friction what the
+// How far an answer's friction is from the round cone's law [T.16]: of round friction what the
 // rounds leave, of pyramids what their facets cost.
 #pragma once
 

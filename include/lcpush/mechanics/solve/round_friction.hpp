@@ -1,4 +1,4 @@
-// Round friction [T.15] by rounds: each is the same complementarity problem over pyramids that are
+// Round friction [T.16] by rounds: each is the same complementarity problem over pyramids that are
 // turned to the last round's slips. Near the answer it is Newton's method.
 #pragma once
 

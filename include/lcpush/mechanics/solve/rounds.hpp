@@ -20,7 +20,7 @@ struct PressureRun {
   Index sweeps = 0;
   Index cold_restarts = 0; ///< rounds that could not go on from the last basis
   Index turns = 0;         ///< times that round friction has turned its pyramids
-  Index worst_point = -1;  ///< not_settled: the point whose friction is farthest from [T.15]
+  Index worst_point = -1;  ///< not_settled: the point whose friction is farthest from [T.16]
   Reason reason = Reason::none;
   bool jammed = false; ///< a ray of the problem without compliance: a squeeze, not a pad's failure
 };

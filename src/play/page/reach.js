@@ -1,0 +1,68 @@
+// What would happen if a body stood elsewhere along its face: the push solved at many places, shown
+// as dots while the body is held or has the focus.
+(() => {
+  const { h, by_id } = play.elements;
+  const { add, subtract, scale, dot, length, unit } = play.vectors;
+  const samples = 25;
+
+  /// The direction along a body's face that runs most across the picture.
+  function along(view, normal) {
+    const in_face = (v) => subtract(v, scale(normal, dot(v, normal)));
+    const [across, upward] = [in_face(view.right), in_face(view.up)];
+    return unit(length(across) > 0.5 ? across : upward);
+  }
+
+  class Reach {
+    /// `app`: state, view, background, redraw().
+    constructor(app) { Object.assign(this, { app, turn: 0, dots: [] }); }
+
+    /// Dots for the body `name`, from one end of the object to the other; null: none.
+    async show(name) {
+      this.turn += 1;
+      const { turn, app } = this;
+      const { state, view } = app;
+      const body = state.scene.bodies.find((one) => one.name === name);
+      if (!body) {
+        this.dots = [];
+        this.tell('');
+        return;
+      }
+      const way = along(view, body.normal);
+      const middle = play.figures.middle(state.scene.points.filter((point) =>
+        state.scene.bodies[point.body].name === name).map(({ drawn_at }) => drawn_at));
+      const now = dot(subtract(middle, state.scene.center_of_mass), way);
+      const half = play.figures.has_shape(state.scene)
+        ? 0.5 * dot(state.scene.shape.size, way.map(Math.abs)) : play.figures.reach(state.scene);
+      const names = play.edits.dragged_together(state, name, false);
+      const found = [];
+      for (let k = 0; k < samples; k += 1) {
+        const by = scale(way, half * (2 * (k + 0.5) / samples - 1) - now);
+        let kind = 'none';
+        try {
+          const reply = await app.background.ask('reach', 'drag',
+            play.edits.dragged(state, names, by));
+          if (turn !== this.turn || reply === null) return;
+          kind = play.kind_of(JSON.parse(reply).answer);
+        } catch {
+          if (turn !== this.turn) return;
+        }
+        found.push({ at: add(middle, by), kind });
+      }
+      this.dots = found;
+      this.tell(name);
+      app.redraw();
+    }
+
+    /// The key of the dots that are there.
+    tell(name) {
+      const seen = Object.keys(play.kinds).filter((kind) =>
+        this.dots.some((dot_there) => dot_there.kind === kind));
+      by_id('dot-key').replaceChildren(...(seen.length === 0 ? [] : [`With ${name} there: `,
+        ...seen.map((kind) => h('span', {}, h('i', { class: kind }), play.kinds[kind]))]));
+    }
+
+    hide() { this.show(null); }
+  }
+
+  play.Reach = Reach;
+})();
