@@ -81,8 +81,8 @@ private:
     if (root.has("gravity")) scene_.gravity = root.vector3<S>("gravity");
     scene_.is_round = root.is_text("facets");
     if (scene_.is_round && root.text("facets") != "round")
-      root.fail("facets",
-                "facets must be an even number or \"round\", got " + quoted(root.text("facets")));
+      root.fail("facets", "facets must be a whole number from 4 to 256, or \"round\", got " +
+                              quoted(root.text("facets")));
     if (root.has("facets") && !scene_.is_round) scene_.facets = root.whole("facets", 4, 256);
     if (scene_.facets % 2 != 0)
       root.fail("facets", "facets must be even, got " + std::to_string(scene_.facets));

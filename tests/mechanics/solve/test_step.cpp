@@ -108,8 +108,7 @@ TEST_CASE("held for ten seconds, a part does not creep") {
       OwnedMotion<double> run(scene);
       REQUIRE(run.begin() == Status::running);
       CHECK(run_to(run, 10, 0.02) <= 1e-9);
-      constexpr double rounding = 500 * 2.5e-15; // m, of the steps
-      for (const Vec3& p : scene.points) CHECK((run->pose().at(p) - p).norm() <= rounding);
+      for (const Vec3& p : scene.points) CHECK((run->pose().at(p) - p).norm() <= 1e-12);
       CHECK(run->run().pivots <= 3);
     }
 }

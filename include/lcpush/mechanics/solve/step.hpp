@@ -113,7 +113,7 @@ private:
   /// A residue of the pads is a speed, and in thousands of steps a way.
   static PressureOptions<S> pressure_options() {
     PressureOptions<S> options;
-    options.tolerance /= S(64);
+    options.tolerance /= S(128);
     return options;
   }
   Touching touching(Index body) const {
