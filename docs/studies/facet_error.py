@@ -17,7 +17,7 @@ STEPS = 21
 def sweep(scene, *more):
     """(breaking force, turning rate in u/R) at each distance of the rod."""
     command = [LCPUSH, "sweep", scene, "--vary", "rod.shift[0]=0:0.04", *more,
-               "--steps", str(STEPS), "--format", "csv"]
+               "--steps", str(STEPS), "--seconds", "60", "--format", "csv"]
     text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
     rows = {float(row["rod.shift[0]"]): row for row in csv.DictReader(io.StringIO(text))}
     at = [rows[min(rows, key=lambda x: abs(x - k * 0.04 / (STEPS - 1)))] for k in range(STEPS)]

@@ -192,7 +192,9 @@ Status break_by_pushes(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>
                        const Body<S>& pusher, const PressureOptions<S>& options, S unit,
                        Breaking<S>& breaking, PressureRun& run) {
   constexpr int most_pushes = 5;
-  const S straight = S(1) / S(1000000);
+  // Of round friction the force is a smooth function of the push: a line only in the small.
+  const bool is_round = assembly.scene().aims.size > 0;
+  const S straight = S(1) / S(is_round ? 1000000000 : 1000000);
   SmallPush<S> push[most_pushes];
   // Sweeps see less far down, and so does single precision.
   S size = Rounds::carries_push ? S(1) / S(1000) : S(1) / S(100);
