@@ -34,13 +34,17 @@ std::string file_law_text(const SceneFile& file) {
                                          : "\" spreads each patch's force: other equations");
 }
 
+/// What is enumerated in place of a round cone, or nothing.
+std::string pyramid_text(const SceneFile& file) {
+  if (!file.is_round) return "";
+  return "friction is by pyramids of " + std::to_string(file.facets) + " facets, not round";
+}
+
 Fact law_fact(const SceneFile& file) {
-  const std::string other = file_law_text(file);
+  const std::string other = file_law_text(file), pyramids = pyramid_text(file);
   return {"Laws", "the paper's, literally (pressure = \"rigid\")" +
                       (other.empty() ? "" : ";\n" + other) +
-                      (file.is_round ? ";\nfriction by pyramids of " + std::to_string(file.facets) +
-                                           " facets, not round"
-                                     : "")};
+                      (pyramids.empty() ? "" : ";\n" + pyramids)};
 }
 
 std::string stop_name(SpreadReport::Stop stop) {
@@ -198,7 +202,8 @@ std::string brief_end(const SceneFile& file, const SpreadReport& report) {
            ".\n";
   for (const std::string& doubt : doubts_of(report)) text += sentence(doubt);
   const std::string law = file_law_text(file);
-  return text + (law.empty() ? "" : sentence(law));
+  const std::string pyramids = pyramid_text(file);
+  return text + (law.empty() ? "" : sentence(law)) + (pyramids.empty() ? "" : sentence(pyramids));
 }
 
 std::string failed_text(const SceneFile& file, const SpreadReport& report, Telling telling) {

@@ -1,0 +1,105 @@
+"""Round friction from the command line: facets = "round".
+
+    test_round.py TOOL SOURCE
+"""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+FOLDER = tempfile.TemporaryDirectory()
+
+
+def run(*words):
+    return subprocess.run([TOOL, *map(str, words)], capture_output=True, text=True)
+
+
+def scene(name, facets='"round"'):
+    lines = (SOURCE / f"fixtures/scenes/{name}.toml").read_text().splitlines()
+    kept = [line for line in lines if not line.startswith("facets")]
+    path = pathlib.Path(FOLDER.name) / f"{name}.toml"
+    path.write_text("\n".join([f"facets = {facets}", *kept]) + "\n")
+    return path
+
+
+def answer(path):
+    return json.loads(run("solve", path, "--json").stdout)
+
+
+def verdict(path, data):
+    file = pathlib.Path(FOLDER.name) / "answer.json"
+    file.write_text(json.dumps(data))
+    return run("verify", path, file)
+
+
+class Round(unittest.TestCase):
+    def test_friction_is_opposite_to_every_slip(self):
+        for name in ("pivot", "tipping", "screw_driving", "soft_fingers", "rotating_pusher"):
+            found = answer(scene(name))
+            self.assertEqual(found["status"], "solved", name)
+            self.assertLessEqual(found["residual"]["max"], 1e-9)
+            self.assertLessEqual(found["off_round_cone"], 1e-9)
+
+    def test_a_pyramid_is_told_what_it_costs(self):
+        path = scene("pivot", "8")
+        self.assertGreater(answer(path)["off_round_cone"], 1e-3)
+        self.assertIn("8 facets cost up to", run("solve", path, "-v").stdout)
+
+    def test_verify_judges_by_the_round_cone(self):
+        of_pyramids = answer(scene("pivot", "8"))
+        path = scene("pivot")
+        mine = answer(path)
+        self.assertIn("Same solution.", verdict(path, mine).stdout)
+        self.assertEqual(verdict(path, of_pyramids).returncode, 1)
+        turned = json.loads(json.dumps(mine))
+        force = turned["contacts"][0]["friction_force"]
+        c, s = math.cos(0.01), math.sin(0.01)
+        turned["contacts"][0]["friction_force"] = [c * force[0] - s * force[1],
+                                                   s * force[0] + c * force[1], force[2]]
+        self.assertEqual(verdict(path, turned).returncode, 1)
+        long = json.loads(json.dumps(mine))
+        long["contacts"][0]["friction_force"] = [1.01 * x for x in force]
+        self.assertEqual(verdict(path, long).returncode, 1)
+
+    def test_verify_fills_in_the_forces_of_a_motion(self):
+        path = scene("pivot")
+        motion = {"object": answer(path)["object"]}
+        self.assertEqual(verdict(path, motion).returncode, 0, verdict(path, motion).stdout)
+
+    def test_a_line_between_forces_is_no_line_and_sweeps_say_so(self):
+        path = scene("pivot")
+        swept = json.loads(run("sweep", path, "--vary", "*.grip_force=10:20", "--steps", "5",
+                               "--json").stdout)
+        self.assertFalse([s for s in swept.get("segments", []) if s["kind"] == "exact"])
+        self.assertEqual({p["status"] for p in swept["points"]}, {"solved"})
+
+    def test_what_speaks_of_pyramids_says_so(self):
+        path = scene("pivot")
+        self.assertIn("pyramids of 8 facets", " ".join(run("spread", path).stdout.split()))
+        refused = run("solve", path, "--certify", pathlib.Path(FOLDER.name) / "c.json")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("number of facets", " ".join(refused.stderr.split()))
+
+    def test_every_command_takes_it(self):
+        path = scene("pivot")
+        page = pathlib.Path(FOLDER.name) / "page.html"
+        for words in (["break", path], ["report", path, "-o", page], ["matrices", path],
+                      ["pivots", path], ["move", path, "--time", "0.1"],
+                      ["solve", path, "--solver", "gauss-seidel"],
+                      ["solve", path, "--solver", "hybrid"]):
+            done = run(*words)
+            self.assertEqual(done.returncode, 0, (words, done.stdout, done.stderr))
+
+    def test_a_word_that_is_no_number_of_facets_is_refused_with_its_line(self):
+        done = run("solve", scene("pivot", '"rund"'))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('pivot.toml:1: facets must be a whole number from 4 to 256, or "round"',
+                      " ".join(done.stderr.split()))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
