@@ -216,7 +216,8 @@ private:
                                PressureOptions<S>(), run_, work_.friction_memory(scene_));
       run_.sweeps += sweeps;
       sweeps = run_.sweeps;
-      const bool refused = conclude() == Status::numerical_breakdown;
+      const Status judged = conclude();
+      const bool refused = judged == Status::numerical_breakdown || judged == Status::not_settled;
       if (!refused || options.tolerance < S(64) * Eigen::NumTraits<S>::epsilon()) return status_;
       options.tolerance /= S(16);
     }

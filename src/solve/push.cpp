@@ -77,8 +77,8 @@ StructuredLemke<double>& Push::structured_pivots() {
 void Push::aim_at(const std::vector<Vector3<double>>& forces) {
   for (Index i = 0; i < scene_.aims.size; ++i) {
     work_.aims[i] = {};
-    const Vector3<double>& force = forces[static_cast<std::size_t>(i)];
-    if (force.norm() > 0) work_.aims[i].along = force.normalized();
+    if (const Vector3<double>& f = forces[static_cast<std::size_t>(i)]; f.norm() > 0)
+      work_.aims[i].along = f.normalized();
   }
   assembly_.assemble(scene_);
 }
@@ -99,18 +99,20 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
     return solve_pressure(assembly_, rounds, work_.pressure, pressure, spent,
                           work_.friction_memory(scene_));
   });
-  if (status != Status::solved) return status;
-  read_answer(assembly_, work_.pressure.z.data, work_.answer, sigma);
-  // Sweeps stop at a residual that large forces make look small: the laws may ask for more.
+  // Sweeps stop at a residual that large forces make look small: laws and slips may ask for more.
   const bool can_improve = options.solver == Solver::gauss_seidel &&
                            options.sweeps.tolerance > 64 * Eigen::NumTraits<double>::epsilon();
-  const double worst = check(assembly_.scene(), layout().scales, work_.answer, sigma).max();
-  if (!can_improve || worst <= Tolerances<double>().residual) return status;
+  if (status != Status::solved && !(can_improve && status == Status::not_settled)) return status;
+  if (status == Status::solved) {
+    read_answer(assembly_, work_.pressure.z.data, work_.answer, sigma);
+    const double worst = check(assembly_.scene(), layout().scales, work_.answer, sigma).max();
+    if (!can_improve || worst <= Tolerances<double>().residual) return status;
+  }
   PushOptions stricter = options;
   stricter.sweeps.tolerance /= 100;
-  PressureRun again;
-  const Status improved = run(stricter, sigma, again, part);
-  spent.sweeps += again.sweeps;
+  const Index sweeps = spent.sweeps;
+  const Status improved = run(stricter, sigma, spent, part);
+  spent.sweeps += sweeps;
   return improved;
 }
 
@@ -148,7 +150,7 @@ std::string Push::explain(Status status, const PressureRun& run) const {
     break;
   case Status::not_settled:
     return "friction did not become round: the slip of " + point_name(file_, run.worst_point) +
-           " turns from round to round; a number of facets has an answer, facets = 32 for example";
+           " turns from round to round; take a number of facets instead, 32 for example";
   default: break;
   }
   return reason_text(run.reason);
@@ -276,9 +278,8 @@ PushReport Push::solve(const PushOptions& options) & {
     report.other.reset();
   }
   // What the push does must stand out from what rounding does.
-  constexpr double smallest_part = 1e-5;
   const double relative_push = push / report.scales.acceleration;
-  if (relative_push > 0 && !(report.residuals.beside <= smallest_part * relative_push)) {
+  if (relative_push > 0 && !(report.residuals.beside <= 1e-5 * relative_push)) {
     report.status = Status::numerical_breakdown;
     report.reason = "the push, " + shown(push) + " m/s^2, is too slow beside the grip (" +
                     shown(report.scales.force) + " N on " + shown(scene_.object.mass) +

@@ -108,6 +108,45 @@ static void breaks_the_grasp(void) {
   CHECK(lcpush_why(push) == LCPUSH_BAD_INDEX);
 }
 
+/* Between two generators of eight a pyramid holds 2 mu F cos(22.5 degrees); a round cone all of it.
+ */
+static void friction_may_be_round(void) {
+  static const lcpush_size most = {3, 3, 8, 2, 2, 0};
+  static double memory[LCPUSH_BYTES(double, 3, 8, 2, 2) / sizeof(double) + 1];
+  static double memory_of_sweeps[LCPUSH_SWEEP_BYTES(double, 3, 8, 2, 2) / sizeof(double) + 1];
+  lcpush_push* pushes[2];
+  lcpush_body bodies[3];
+  lcpush_scene scene = slide_d;
+  lcpush_contact contact;
+  lcpush_breaking breaking;
+  int i;
+  pushes[0] = lcpush_make(memory, sizeof memory, &most, LCPUSH_LEMKE);
+  pushes[1] = lcpush_make(memory_of_sweeps, sizeof memory_of_sweeps, &most, LCPUSH_GAUSS_SEIDEL);
+  for (i = 0; i < 3; ++i) bodies[i] = slide_d.bodies[i];
+  for (i = 0; i < 2; ++i) {
+    bodies[i].tangent[0] = cos(atan(1) / 2);
+    bodies[i].tangent[1] = sin(atan(1) / 2);
+  }
+  scene.bodies = bodies;
+  for (i = 0; i < 2; ++i) {
+    CHECK(pushes[i] != NULL);
+    if (pushes[i] == NULL) return;
+    scene.facets = 8;
+    CHECK(lcpush_describe(pushes[i], &scene) == LCPUSH_RUNNING);
+    CHECK(lcpush_solve(pushes[i]) == LCPUSH_SOLVED);
+    lcpush_contact_at(pushes[i], 2, &contact);
+    CHECK(contact.normal_force < 20);
+    scene.facets = LCPUSH_ROUND;
+    CHECK(lcpush_describe(pushes[i], &scene) == LCPUSH_RUNNING);
+    CHECK(lcpush_solve(pushes[i]) == LCPUSH_SOLVED);
+    lcpush_contact_at(pushes[i], 2, &contact);
+    CHECK(near(contact.normal_force, 20.02, 1e-6));
+  }
+  CHECK(lcpush_break_grasp(pushes[0], 2, &breaking) == LCPUSH_SOLVED);
+  CHECK(near(breaking.break_force, 20, 1e-6));
+  CHECK(strcmp(lcpush_status_text(LCPUSH_NOT_SETTLED), "not_settled") == 0);
+}
+
 static void sweeps_agree(void) {
   lcpush_push* push = lcpush_make(sweep_memory, sizeof sweep_memory, &size, LCPUSH_GAUSS_SEIDEL);
   lcpush_contact contact;
@@ -122,8 +161,8 @@ static void sweeps_agree(void) {
 
 static void even_pressure_spreads(void) {
   /* A line finger of two points, by their shares; every driven point counts as an actuator. */
-  static const lcpush_point points[4] = {{-0.01, 0, 0.005}, {0.01, 0, 0.005}, {0, 0, -0.005},
-                                      {-0.05, 0, 0}};
+  static const lcpush_point points[4] = {
+      {-0.01, 0, 0.005}, {0.01, 0, 0.005}, {0, 0, -0.005}, {-0.05, 0, 0}};
   static const lcpush_size even_size = {4, 4, 4, 3, 3, 0};
   static double memory[LCPUSH_BYTES(double, 4, 4, 3, 3) / sizeof(double) + 1];
   lcpush_body bodies[3];
@@ -269,6 +308,7 @@ int main(void) {
   steps_as_it_solves();
   obeys_commands();
   breaks_the_grasp();
+  friction_may_be_round();
   sweeps_agree();
   even_pressure_spreads();
   refuses_nonsense();
@@ -276,7 +316,8 @@ int main(void) {
   moves_on();
   CHECK(strcmp(lcpush_status_text(LCPUSH_RAY), "ray") == 0);
   CHECK(strcmp(lcpush_mode_text(LCPUSH_SLIDE), "slide") == 0);
-  if (faults == 0) printf("the C interface holds; %u bytes in double, %u in float\n",
-                          (unsigned)sizeof memory_d, (unsigned)sizeof memory_f);
+  if (faults == 0)
+    printf("the C interface holds; %u bytes in double, %u in float\n", (unsigned)sizeof memory_d,
+           (unsigned)sizeof memory_f);
   return faults == 0 ? 0 : 1;
 }
