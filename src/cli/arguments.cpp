@@ -146,6 +146,23 @@ std::optional<double> Arguments::number(const std::string& option, double end,
   return number.value;
 }
 
+std::optional<std::vector<double>> Arguments::numbers(const std::string& option, std::size_t count,
+                                                      const std::string& what) const {
+  const std::optional<std::string> text = value(option);
+  if (!text) return std::nullopt;
+  std::vector<double> numbers;
+  for (const std::string_view part : split_at(*text, ','))
+    for (const std::string_view word : split_words(part)) {
+      const NumberText number = read_finite_number(word);
+      if (number.error) throw UsageError(option + ": " + *number.error);
+      numbers.push_back(number.value);
+    }
+  if (numbers.size() != count)
+    throw UsageError(option + " takes " + what + ", " + std::to_string(count) +
+                     " numbers in quotes, not " + std::to_string(numbers.size()));
+  return numbers;
+}
+
 void refuse_value(const std::string& option, const std::string& word, const std::string& rule,
                   const std::vector<std::string>& known) {
   throw UsageError(option + " is " + rule + ", not " + desktop::quoted(word) +

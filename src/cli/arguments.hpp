@@ -62,6 +62,9 @@ public:
   /// The number of an option, between 0 and `end` without the two; `hint` goes on with what it is.
   std::optional<double> number(const std::string& option, double end,
                                const std::string& hint) const;
+  /// The `count` numbers of an option, between blanks or commas; `what` goes on with what they are.
+  std::optional<std::vector<double>> numbers(const std::string& option, std::size_t count,
+                                             const std::string& what) const;
 
 private:
   std::vector<std::string> files_;

@@ -14,6 +14,7 @@ Command pivots_command();
 Command report_command();
 Command sweep_command();
 Command move_command();
+Command cone_command();
 Command play_command();
 Command verify_command();
 Command spread_command();

@@ -148,37 +148,6 @@ const Drive<double>* first_grip(const SceneFile& file) {
   return first;
 }
 
-/// The force that the report speaks of, and whose it is.
-void name_force(const SceneFile& file, GripReport& report) {
-  if (file.hand == Hand::locked) {
-    report.force = locked_force(file);
-    report.of = "per finger";
-    return;
-  }
-  const Drive<double>* const first = first_grip(file);
-  if (first == nullptr) return;
-  const auto actuator = static_cast<std::size_t>(first->actuator);
-  const std::string& name = file.actuator_names[actuator];
-  report.force = file.actuators[actuator].force;
-  report.of = "per finger";
-  if (file.hand == Hand::parallel) {
-    report.force /= 2;
-    return;
-  }
-  // Names are unique, so only a grip_force's actuator shares its body's.
-  report.of_actuator = name != file.body_name(first->body);
-  bool same = true;
-  std::size_t forces = 0;
-  for (std::size_t a = 0; a < file.actuators.size(); ++a) {
-    if (!grips(file, a) || file.actuators[a].force == 0) continue;
-    ++forces;
-    same = same && file.actuators[a].force == report.force;
-  }
-  if (forces > 1 && same && !report.of_actuator) return;
-  report.of = (report.of_actuator ? "of actuator " : "at ") + name;
-  if (forces > 1) report.of += ", the others in proportion";
-}
-
 } // namespace
 
 double locked_force(const SceneFile& file) {
@@ -246,10 +215,41 @@ bool shows_a_fall(const SceneFile& file, const Scales<double>& scales, double to
   return load == 0 || load >= 16 * rest_limit(file, scales, tolerance);
 }
 
+GripReport named_grip(const SceneFile& file) {
+  GripReport report;
+  if (file.hand == Hand::locked) {
+    report.force = locked_force(file);
+    report.of = "per finger";
+    return report;
+  }
+  const Drive<double>* const first = first_grip(file);
+  if (first == nullptr) return report;
+  const auto actuator = static_cast<std::size_t>(first->actuator);
+  const std::string& name = file.actuator_names[actuator];
+  report.force = file.actuators[actuator].force;
+  report.of = "per finger";
+  if (file.hand == Hand::parallel) {
+    report.force /= 2;
+    return report;
+  }
+  // Names are unique, so only a grip_force's actuator shares its body's.
+  report.of_actuator = name != file.body_name(first->body);
+  bool same = true;
+  std::size_t forces = 0;
+  for (std::size_t a = 0; a < file.actuators.size(); ++a) {
+    if (!grips(file, a) || file.actuators[a].force == 0) continue;
+    ++forces;
+    same = same && file.actuators[a].force == report.force;
+  }
+  if (forces > 1 && same && !report.of_actuator) return report;
+  report.of = (report.of_actuator ? "of actuator " : "at ") + name;
+  if (forces > 1) report.of += ", the others in proportion";
+  return report;
+}
+
 GripReport find_smallest_grip(const SceneFile& file, const HoldReport& hold,
                               const BreakReport& broken, const PushOptions& options) {
-  GripReport report;
-  name_force(file, report);
+  GripReport report = named_grip(file);
   if (report.force == 0) return report;
   const SceneFile alone = hand_at_rest(file);
   const bool holds_now = hold.status == Status::solved && hold.holds;

@@ -56,6 +56,7 @@ ROOMS = {
                     f"{CORE} {TOOLBOX} desktop scenes solve"),
     "src/export": ("How do other solvers get the problem?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/pivots": ("What happens at every pivot?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
+    "src/cone": ("With which pushes does a pusher stick?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/move": ("Where does the object end up in the grip?",
                  f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/report": ("What does all this look like on a page?",

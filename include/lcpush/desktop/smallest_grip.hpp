@@ -40,6 +40,9 @@ struct GripReport {
   bool of_actuator = false; ///< it is an [[actuator]]'s
 };
 
+/// The force that a factor on the grip is told of, and whose it is; nothing is searched.
+GripReport named_grip(const SceneFile& file);
+
 /// `hold` and `broken` are the answers for the scene as it is.
 GripReport find_smallest_grip(const SceneFile& file, const HoldReport& hold,
                               const BreakReport& broken, const PushOptions& options);

@@ -1,0 +1,75 @@
+// The motion cone of a pusher: the twists with which it takes the object along without slipping, in
+// the limit of a slow push (docs/theory/theory.md, [T.17] and [T.18]).
+#pragma once
+
+#include "lcpush/desktop/scene_check.hpp"
+#include "lcpush/desktop/scene_io.hpp"
+#include "lcpush/desktop/telling.hpp"
+#include "lcpush/status.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lcpush::desktop {
+
+struct ConeReport {
+  /// Where one extreme wrench of the pusher, one of its points alone at its limit of friction,
+  /// takes the object. Twists in scene axes, of the object at its centre of mass, scaled such that
+  /// the fastest point of the pusher moves at 1 m/s: [1; rad/m].
+  struct Edge {
+    Index point = -1;      ///< of the scene
+    Vector3<double> slips; ///< unit: where the object is about to slip to at that point
+    Vector6<double> twist;
+    Vector6<double> wrench; ///< of the pusher on the object, [N; N m] at the centre of mass
+  };
+
+  /// The boundary between two edges.
+  struct Side {
+    std::size_t from = 0, to = 0; ///< edges
+    /// What begins there: the object slips over the pusher along `slips`, or turns about `point`
+    /// off its other points.
+    bool is_slip = false;
+    Vector3<double> slips = Vector3<double>::Zero();
+    Index point = -1;
+    std::vector<Vector6<double>> twists; ///< from edge to edge; flat between neighbours
+  };
+
+  /// How a given motion of the pusher fares.
+  struct Verdict {
+    Vector6<double> twist; ///< of the object at its centre of mass, as given
+    bool sticks = false; ///< inside the cone
+    /// It moves away everywhere: it may leave, and where it sticks that is one of two answers.
+    bool leaves = false;
+    /// rad, of the twists (v_x, v_y, omega L): from it to the nearest twist of the boundary, < 0
+    /// from outside; of a pusher that presses at one place, of that place's velocities.
+    double margin = 0;
+    std::size_t nearest = 0;    ///< the side; of a pusher at one place the edge
+    std::optional<double> grip; ///< the least factor on all grip forces with which it sticks;
+                                ///< none: with no grip
+  };
+
+  Status status = Status::bad_input; ///< solved; does_not_hold: the load alone moves the object
+  Index pusher = -1;
+  double length = 1;            ///< m, the L of angles between twists
+  bool is_single_place = false; ///< the pusher presses at one place, and turns the object as it may
+  std::vector<Edge> edges;      ///< around the cone
+  std::vector<Side> sides;
+  double holding_grip = 0; ///< the factor on all grip forces that just holds the load
+  std::optional<Verdict> verdict;
+};
+
+/// `twist`: the pusher's motion to be judged, at the object's centre of mass; none: the scene's
+/// own. Throws InputError where the scene is not planar, a finger does not press across the plane
+/// with a force of its own, or the pusher has no friction. Cost: O(points facets) for each flat
+/// part.
+ConeReport find_cone(const SceneFile& file, Index pusher,
+                     const std::optional<Vector6<double>>& twist = std::nullopt);
+
+std::string cone_text(const SceneFile& file, const ConeReport& report,
+                      Telling telling = Telling::brief);
+std::string cone_json(const SceneFile& file, const ConeReport& report);
+/// The cone in space, and as velocities of the pusher where it presses.
+std::string cone_svg(const SceneFile& file, const ConeReport& report);
+
+} // namespace lcpush::desktop
