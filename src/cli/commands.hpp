@@ -15,6 +15,7 @@ Command report_command();
 Command sweep_command();
 Command move_command();
 Command cone_command();
+Command plan_command();
 Command play_command();
 Command verify_command();
 Command spread_command();

@@ -91,10 +91,11 @@ int run(const std::vector<Command>& commands, const std::vector<std::string>& wo
 } // namespace
 
 std::vector<Command> all_commands() {
-  return {solve_command(),    break_command(),   lcp_command(),    report_command(),
-          sweep_command(),    move_command(),    cone_command(),   play_command(),
-          pivots_command(),   verify_command(),  spread_command(), export_command(),
-          matrices_command(), example_command(), new_command(),    completion_command()};
+  return {solve_command(),     break_command(),    lcp_command(),     report_command(),
+          sweep_command(),     move_command(),     cone_command(),    plan_command(),
+          play_command(),      pivots_command(),   verify_command(),  spread_command(),
+          export_command(),    matrices_command(), example_command(), new_command(),
+          completion_command()};
 }
 
 } // namespace lcpush::cli

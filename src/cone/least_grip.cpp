@@ -7,23 +7,6 @@
 namespace lcpush::desktop {
 namespace {
 
-/// The grip's wrench against a motion is in proportion to its force s: s R - load lies in the
-/// pusher's cone where it is on the inner side of each of its faces.
-std::optional<double> least_of_faces(const PusherCone& pusher, const Vector3<double>& resistance,
-                                     const Vector3<double>& load) {
-  double least = 0, most = std::numeric_limits<double>::infinity();
-  for (const ConeFace& face : pusher.faces) {
-    const double by_grip = face.inward.dot(resistance), by_load = face.inward.dot(load);
-    if (by_grip > 0)
-      least = std::max(least, by_load / by_grip);
-    else if (by_grip < 0)
-      most = std::min(most, by_load / by_grip);
-    else if (by_load > 0)
-      return std::nullopt;
-  }
-  return least <= most ? std::optional<double>(least) : std::nullopt;
-}
-
 /// By bisection, between the grip that just holds the load and one beside which it counts little.
 std::optional<double> least_at_place(const LimitSurface& grip, const PusherCone& pusher,
                                      const Vector3<double>& load, const Vector3<double>& twist) {
@@ -69,6 +52,21 @@ PlaceVerdict judge_at_place(const PusherCone& pusher, const std::vector<Crossing
   const double above = at - angle(edges[first].twist), below = angle(edges[last].twist) - at;
   const bool is_first = std::abs(above) <= std::abs(below);
   return {above >= 0 && below >= 0, std::abs(is_first ? above : below), is_first ? first : last};
+}
+
+std::optional<double> least_of_faces(const PusherCone& pusher, const Vector3<double>& resistance,
+                                     const Vector3<double>& load) {
+  double least = 0, most = std::numeric_limits<double>::infinity();
+  for (const ConeFace& face : pusher.faces) {
+    const double by_grip = face.inward.dot(resistance), by_load = face.inward.dot(load);
+    if (by_grip > 0)
+      least = std::max(least, by_load / by_grip);
+    else if (by_grip < 0)
+      most = std::min(most, by_load / by_grip);
+    else if (by_load > 0)
+      return std::nullopt;
+  }
+  return least <= most ? std::optional<double>(least) : std::nullopt;
 }
 
 std::optional<double> least_grip(const LimitSurface& grip, const PusherCone& pusher,

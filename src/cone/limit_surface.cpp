@@ -35,6 +35,11 @@ double room_inside(const Triangle& t, const Vector3<double>& ray) {
 
 } // namespace
 
+Vector3<double> turned(const Vector3<double>& v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x() - s * v.y(), s * v.x() + c * v.y(), v.z()};
+}
+
 Vector6<double> spatial_twist(const Vector3<double>& twist, double length) {
   Vector6<double> v = Vector6<double>::Zero();
   v[0] = twist[0];
@@ -69,7 +74,7 @@ GripPoints::GripPoints(const SceneFile& file) : is_round_(file.is_round) {
 }
 
 LimitSurface::LimitSurface(const GripPoints& grip, double length, const Vector3<double>& center,
-                           const std::vector<bool>& touches)
+                           double angle, const std::vector<bool>& touches)
     : is_round_(grip.is_round_) {
   const auto& points = grip.points_;
   for (std::size_t first = 0, end = 0; first < points.size(); first = end) { // patch by patch
@@ -78,16 +83,18 @@ LimitSurface::LimitSurface(const GripPoints& grip, double length, const Vector3<
       whole += points[end].limit;
       touching += touches.empty() || touches[end] ? points[end].limit : 0;
     }
+    touches_everywhere_ = touches_everywhere_ && touching > 0;
     for (std::size_t i = first; i < end; ++i)
-      if (touches.empty() || touches[i]) add(points[i], whole / touching, length, center);
+      if (touches.empty() || touches[i])
+        add(points[i], whole / touching, length, turned(points[i].place - center, -angle));
   }
 }
 
 void LimitSurface::add(const GripPoints::Point& point, double share, double length,
-                       const Vector3<double>& center) {
+                       const Vector3<double>& at) {
   points_.push_back({wrenches_.size(), point.friction.size()});
   for (const Generator<double>& d : point.friction) {
-    Vector6<double> w = wrench_column<double>(point.place - center, d.force);
+    Vector6<double> w = wrench_column<double>(at, d.force);
     w.tail<3>() += d.torque * point.normal;
     wrenches_.push_back(share * point.limit * planar_wrench(w, length));
   }

@@ -18,6 +18,8 @@ inline Vector3<double> planar_twist(const Vector6<double>& twist, double length)
 inline Vector3<double> planar_wrench(const Vector6<double>& wrench, double length) {
   return {wrench[0], wrench[1], wrench[5] / length};
 }
+/// About z.
+Vector3<double> turned(const Vector3<double>& v, double angle);
 Vector6<double> spatial_twist(const Vector3<double>& twist, double length);
 Vector6<double> spatial_wrench(const Vector3<double>& wrench, double length);
 
@@ -60,10 +62,11 @@ private:
 
 class LimitSurface {
 public:
-  /// With the object's centre of mass at `center`; of each patch the points in `touches` share the
-  /// patch's force in the same proportions, all of them if it is empty.
+  /// In the object's axes, with its centre of mass at `center` and turned by `angle` about z, as
+  /// friction's directions then are (they turn with the face); of each patch the points in
+  /// `touches` share the patch's force in the same proportions, all of them if it is empty.
   LimitSurface(const GripPoints& grip, double length,
-               const Vector3<double>& center = Vector3<double>::Zero(),
+               const Vector3<double>& center = Vector3<double>::Zero(), double angle = 0,
                const std::vector<bool>& touches = {});
 
   /// The most power with which a motion can be resisted, and one wrench that does: the fingers'
@@ -71,6 +74,8 @@ public:
   double power(const Vector3<double>& twist) const { return resistance(twist).dot(twist); }
   Vector3<double> resistance(const Vector3<double>& twist) const;
 
+  /// Has each patch a point that touches?
+  bool touches_everywhere() const { return touches_everywhere_; }
   /// Is every direction resisted?
   bool is_solid() const;
   /// The ray load + k direction from inside. Pre: is_solid, the load is held.
@@ -87,10 +92,9 @@ private:
   };
   std::vector<Vector3<double>> wrenches_; ///< N, times mu lambda
   std::vector<PointFriction> points_;
-  bool is_round_;
+  bool is_round_, touches_everywhere_ = true;
 
-  void add(const GripPoints::Point& point, double share, double length,
-           const Vector3<double>& center);
+  void add(const GripPoints::Point& point, double share, double length, const Vector3<double>& at);
   Vector3<double> polished(const Vector3<double>& load, const Vector3<double>& direction,
                            Vector3<double> twist) const;
 };

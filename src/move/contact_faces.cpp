@@ -15,6 +15,7 @@ namespace {
 
 // Directions and places typed with three or four digits.
 constexpr double typed_direction = 1e-3, typed_place = 1e-3;
+constexpr double turned_by_then = 0.76; // of a unit vector: up to 45 degrees
 
 /// A face of the object before it is known who touches it.
 struct Surface {
@@ -92,9 +93,11 @@ private:
     if (is_on_round_side(b)) return round_side(b);
     if (stroke(b).rides_on_object) return {Riding::on_object, -1, 0};
     if (surfaces_.empty() && file_.shape.kind != ObjectShape::Kind::cylinder) return {};
+    // A later stroke meets an object that may have turned by then.
+    const double within = stroke(b).from > 0 ? turned_by_then : typed_direction;
     std::vector<const Surface*> facing;
     for (const Surface& surface : surfaces_)
-      if ((surface.face.normal + body.normal).norm() <= typed_direction) facing.push_back(&surface);
+      if ((surface.face.normal + body.normal).norm() <= within) facing.push_back(&surface);
     if (facing.empty()) refuse_edge(b);
     for (const Surface* surface : facing)
       if (carries(*surface, b)) return {Riding::on_body, add(*surface, b), 0};
@@ -109,7 +112,7 @@ private:
     const Vector3<double> by =
         stroke(b).from > 0 ? Vector3<double>(Vector3<double>::Zero())
                            : Vector3<double>(face.normal * height(surface, body.first_point));
-    face.normal = -body.normal;
+    if (stroke(b).from == 0) face.normal = -body.normal;
     face.point += by;
     std::vector<Vector3<double>> corners = surface.corners;
     for (Vector3<double>& corner : corners) corner += by;

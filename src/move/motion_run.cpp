@@ -38,8 +38,9 @@ Touch touch_of(const StepContact<double>& contact) {
 } // namespace
 
 MotionRun::MotionRun(const SceneFile& file)
-    : file_(file), aims_(file.is_round ? file.points.size() : 0), scene_(scene_of(file)),
-      faces_(contact_faces(file)), around_(faces_.view()), bytes_(motion_bytes_of(file)),
+    : file_(file), faces_(contact_faces(file)), bodies_(facing_bodies()),
+      aims_(file.is_round ? file.points.size() : 0), scene_(scene_of(file)), around_(faces_.view()),
+      bytes_(motion_bytes_of(file)),
       kept_(static_cast<std::size_t>(motion_array_bytes<double>(motion_size(scene_)))),
       stepper_(scene_, around_,
                make_structured_motion_memory<double>(span_of(bytes_), motion_size(scene_),
@@ -49,8 +50,27 @@ MotionRun::MotionRun(const SceneFile& file)
 
 Scene<double> MotionRun::scene_of(const SceneFile& file) const {
   Scene<double> scene = file.view();
+  scene.bodies = span_of(bodies_);
   scene.aims = {aims_.data(), static_cast<Index>(aims_.size())};
   return scene;
+}
+
+/// A normal turns with the face that it points into. One that is given for a later stroke, when the
+/// object has turned, is that of the face as it was at first.
+std::vector<Body<double>> MotionRun::facing_bodies() const {
+  std::vector<Body<double>> bodies = file_.bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Touching& touching = faces_.touching[b];
+    if (touching.riding != Riding::on_body || touching.face < 0) continue;
+    Body<double>& body = bodies[b];
+    const Vector3<double> n = -faces_.faces[static_cast<std::size_t>(touching.face)].normal;
+    if (n == body.normal) continue;
+    const Vector3<double> middle = n + body.normal, t = body.tangent; // the shortest turn to n
+    body.tangent =
+        t - t.dot(middle) / (1 + n.dot(body.normal)) * middle + 2 * t.dot(body.normal) * n;
+    body.normal = n;
+  }
+  return bodies;
 }
 
 void MotionRun::place_strokes(double middle) {

@@ -55,11 +55,13 @@ private:
   void place_strokes(double middle);
 
   Scene<double> scene_of(const SceneFile& file) const;
+  std::vector<Body<double>> facing_bodies() const;
 
   const SceneFile& file_;
-  std::vector<Aim<double>> aims_; ///< of round friction
-  Scene<double> scene_;
   ContactFaces faces_;
+  std::vector<Body<double>> bodies_; ///< with their faces' normals
+  std::vector<Aim<double>> aims_;    ///< of round friction
+  Scene<double> scene_;
   Surroundings<double> around_;
   std::vector<unsigned char> bytes_;
   std::size_t kept_; ///< of the bytes, those that a step leaves to the next

@@ -59,6 +59,8 @@ ROOMS = {
     "src/cone": ("With which pushes does a pusher stick?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/move": ("Where does the object end up in the grip?",
                  f"{CORE} {TOOLBOX} desktop dense scenes solve"),
+    "src/plan": ("Which pushes take the object to another place in the grip?",
+                 f"{CORE} {TOOLBOX} desktop dense scenes solve cone"),
     "src/report": ("What does all this look like on a page?",
                    f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/play": ("What does the playground show, and what may its page ask?",

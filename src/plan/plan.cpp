@@ -1,0 +1,104 @@
+// The search for a plan, and its replay.
+#include "lcpush/desktop/plan.hpp"
+
+#include "plan/plan_scene.hpp"
+#include "plan/roadmap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr int smoothing_tries = 150;
+constexpr double way_a_step = 1e-3; // m, of a pusher, in the replay
+// Of the object's size: a replay that is ahead of the plan by more stands in the next pusher's way.
+constexpr double gaps[] = {2e-4, 1e-3, 5e-3};
+
+class Planner {
+public:
+  Planner(std::string_view text, const std::string& file_name, const PlanarPose& goal,
+          const PlanOptions& options)
+      : text_(text), file_name_(file_name), options_(options),
+        file_(parse_scene(text, file_name, Strokes::all)), pushing_(file_),
+        roadmap_(pushing_, PlanarPose(), goal) {
+    report_.goal = goal;
+  }
+
+  PlanReport plan() {
+    std::optional<Legs> way = roadmap_.cheapest();
+    while (!way && roadmap_.places() < options_.samples && goes_on()) {
+      for (int k = 0; k < 8; ++k) roadmap_.add_place();
+      way = roadmap_.cheapest();
+    }
+    report_.tried = roadmap_.places() - 2;
+    if (!way) {
+      report_.nearest = roadmap_.nearest_reached();
+      return std::move(report_);
+    }
+    take(roadmap_.smoothed(std::move(*way), smoothing_tries));
+    for (const double gap : gaps) {
+      replay(gap * object_size(file_));
+      if (report_.replay.end != MoveEnd::inside) break;
+    }
+    return std::move(report_);
+  }
+
+private:
+  const std::string_view text_;
+  const std::string file_name_;
+  const PlanOptions& options_;
+  const SceneFile file_;
+  const Pushing pushing_;
+  Roadmap roadmap_;
+  PlanReport report_;
+
+  bool goes_on() const {
+    if (options_.progress)
+      options_.progress(static_cast<double>(roadmap_.places()) /
+                        static_cast<double>(options_.samples));
+    return !(options_.is_interrupted && options_.is_interrupted());
+  }
+
+  void take(const Legs& legs) {
+    report_.cost = legs.cost;
+    for (const Leg& leg : legs.list) {
+      PlannedPush push;
+      push.pusher = pushing_.body(leg.pusher);
+      push.from = leg.from;
+      push.to = leg.to;
+      const PushNeeds needs = pushing_.needs(leg.pusher, Arc(leg.from, leg.to));
+      push.friction = needs.friction;
+      push.reach = needs.reach;
+      push.grip = needs.grip;
+      report_.pushes.push_back(push);
+    }
+  }
+
+  void replay(double gap) {
+    report_.scene_text = strokes_text(text_, file_, report_.pushes, options_.speed, gap);
+    report_.scene = parse_scene(report_.scene_text, "the plan for " + file_name_, Strokes::all);
+    MoveOptions options;
+    options.step = way_a_step / options_.speed;
+    report_.replay = move(report_.scene, options);
+    if (report_.replay.frames.empty()) return;
+    const Pose<double>& end = report_.replay.frames.back().pose;
+    const double angle = std::atan2(end.rotation(1, 0), end.rotation(0, 0));
+    report_.nearest = {end.position.x(), end.position.y(), angle};
+    report_.position_error = (end.position.head<2>() - place_of(report_.goal)).norm();
+    report_.angle_error = std::abs(angle - report_.goal.angle);
+    report_.found = report_.replay.end == MoveEnd::time &&
+                    report_.position_error <= options_.position_error &&
+                    report_.angle_error <= options_.angle_error;
+  }
+};
+
+} // namespace
+
+PlanReport find_plan(std::string_view text, const std::string& file_name, const PlanarPose& goal,
+                     const PlanOptions& options) {
+  return Planner(text, file_name, goal, options).plan();
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,76 @@
+#include "lcpush/desktop/plan.hpp"
+#include "lcpush/desktop/smallest_grip.hpp"
+#include "solve/push_words.hpp"
+#include "solve/sentence.hpp"
+#include "text/fitted.hpp"
+
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr double degrees = 180 / 3.14159265358979323846;
+
+std::string place_words(const PlanarPose& pose) {
+  return "(" + brief(1000 * pose.x) + ", " + brief(1000 * pose.y) + ") mm and " +
+         brief(degrees * pose.angle) + " degrees";
+}
+
+/// "east slides it 30 mm along (-1, 0) and turns it by 5 degrees".
+std::string push_words(const SceneFile& file, const PlannedPush& push) {
+  const double way = std::hypot(push.to.x - push.from.x, push.to.y - push.from.y);
+  const double turn = degrees * (push.to.angle - push.from.angle);
+  return file.body_name(push.pusher) + " takes it " + brief(1000 * way) + " mm along (" +
+         brief((push.to.x - push.from.x) / way) + ", " + brief((push.to.y - push.from.y) / way) +
+         ") and turns it by " + brief(turn) + " degrees";
+}
+
+std::string plan_sentence(const SceneFile& file, const PlanReport& report) {
+  const std::string goal = place_words(report.goal);
+  if (report.pushes.empty())
+    return "No plan was found that takes " + object_name(file) + " to " + goal + ": of " +
+           counted(report.tried, "place") + " tried on the way, the nearest that pushes reach is " +
+           place_words(report.nearest) + ".";
+  if (!report.found)
+    return "A plan of " + counted(static_cast<Index>(report.pushes.size()), "push") +
+           " was found, but its replay ends at " + place_words(report.nearest) + ", not at " +
+           goal + ".";
+  std::string text = "To take " + object_name(file) + " to " + goal + ": ";
+  for (std::size_t k = 0; k < report.pushes.size(); ++k)
+    text += (k == 0                          ? ""
+             : k + 1 == report.pushes.size() ? ", then "
+                                             : ", ") +
+            push_words(file, report.pushes[k]);
+  return text + ".";
+}
+
+} // namespace
+
+std::string plan_text(const SceneFile& file, const PlanReport& report, bool verbose) {
+  std::string text = title_line(file) + plan_sentence(file, report) + "\n";
+  if (report.pushes.empty()) return text;
+  const GripReport grip = named_grip(file);
+  const int digits = verbose ? 9 : 4;
+  TableRows rows{
+      {"push", "from s", "to s", "x mm", "y mm", "turn deg", "friction", "reach mm", "grip N"}};
+  for (const PlannedPush& push : report.pushes)
+    rows.push_back(
+        {file.body_name(push.pusher), in_digits(push.begin, digits), in_digits(push.end, digits),
+         in_digits(1000 * push.to.x, digits, 1e-9), in_digits(1000 * push.to.y, digits, 1e-9),
+         in_digits(degrees * push.to.angle, digits, 1e-9), in_digits(push.friction, digits),
+         in_digits(1000 * push.reach, digits), in_digits(push.grip * grip.force, digits)});
+  text += "\n" + table_text(rows) + "\n";
+  std::vector<Fact> facts{
+      {"Columns", "where each push ends; and what it takes to stick all the way: friction of the "
+                  "pusher, how far from its middle it has to press, grip " +
+                      grip.of},
+      {"Replay", "by `move`, ends " + brief(1000 * report.position_error) + " mm and " +
+                     brief(degrees * report.angle_error) + " degrees from there"}};
+  if (verbose)
+    facts.push_back({"Cost", brief(1000 * report.cost) +
+                                 " mm: way, turns at the object's size, and " +
+                                 brief(1000 * change_of_pusher) + " mm a change of pusher"});
+  return text + facts_text(facts);
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,185 @@
+#include "plan/roadmap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr double far = std::numeric_limits<double>::infinity();
+constexpr double wider = 0.4;        // of the object's size: beyond start and goal
+constexpr double wider_angle = 0.35; // rad
+
+} // namespace
+
+/// The cheapest way to a place by a push of this pusher.
+struct Roadmap::Label {
+  double cost = far;
+  std::size_t from = 0, pusher_before = 0;
+};
+
+Roadmap::Roadmap(const Pushing& pushing, const PlanarPose& start, const PlanarPose& goal)
+    : pushing_(pushing), places_{start, goal}, edges_(2) {
+  const double by = wider * pushing.length();
+  low_ = {std::min(start.x, goal.x) - by, std::min(start.y, goal.y) - by,
+          std::min(start.angle, goal.angle) - wider_angle};
+  high_ = {std::max(start.x, goal.x) + by, std::max(start.y, goal.y) + by,
+           std::max(start.angle, goal.angle) + wider_angle};
+  join(0, 1);
+}
+
+double Roadmap::drawn(double low, double high) {
+  // The distributions of the standard library differ from one to the next.
+  return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
+}
+
+PlanarPose Roadmap::drawn_place() {
+  PlanarPose place;
+  do place = {drawn(low_.x, high_.x), drawn(low_.y, high_.y), drawn(low_.angle, high_.angle)};
+  while (!pushing_.holds(place));
+  return place;
+}
+
+void Roadmap::join(std::size_t from, std::size_t to) {
+  const Arc arc(places_[from], places_[to]);
+  if (const unsigned pushers = pushing_.sticking(arc); pushers != 0)
+    edges_[from].push_back({to, pushers, pushing_.way(arc)});
+}
+
+void Roadmap::add_place() {
+  const std::size_t added = places_.size();
+  places_.push_back(drawn_place());
+  edges_.emplace_back();
+  for (std::size_t k = 0; k < added; ++k) {
+    if (k != 1) join(k, added);
+    if (k != 0) join(added, k);
+  }
+}
+
+// Dijkstra over places and the pusher that was used last.
+std::vector<Roadmap::Label> Roadmap::labels() const {
+  const std::size_t pushers = pushing_.pushers();
+  std::vector<Label> label(places_.size() * pushers);
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  const auto visit = [&](std::size_t from, std::size_t before, double cost) {
+    for (const Edge& edge : edges_[from])
+      for (std::size_t k = 0; k < pushers; ++k) {
+        if ((edge.pushers >> k & 1U) == 0) continue;
+        const double there = cost + edge.way + (k == before ? 0 : change_of_pusher);
+        Label& next = label[edge.to * pushers + k];
+        if (there >= next.cost) continue;
+        next = {there, from, before};
+        open.push({there, edge.to * pushers + k});
+      }
+  };
+  visit(0, pushers, 0);
+  while (!open.empty()) {
+    const auto [cost, state] = open.top();
+    open.pop();
+    if (cost == label[state].cost) visit(state / pushers, state % pushers, cost);
+  }
+  return label;
+}
+
+std::optional<Legs> Roadmap::cheapest() const {
+  const std::size_t pushers = pushing_.pushers();
+  const std::vector<Label> label = labels();
+  std::size_t place = 1, pusher = 0;
+  for (std::size_t k = 0; k < pushers; ++k)
+    if (label[pushers + k].cost < label[pushers + pusher].cost) pusher = k;
+  Legs way;
+  way.cost = label[pushers + pusher].cost;
+  if (way.cost == far) return std::nullopt;
+  while (pusher != pushers) {
+    const Label& at = label[place * pushers + pusher];
+    way.list.push_back({pusher, places_[at.from], places_[place]});
+    place = at.from;
+    pusher = at.pusher_before;
+  }
+  std::reverse(way.list.begin(), way.list.end());
+  return way;
+}
+
+PlanarPose Roadmap::nearest_reached() const {
+  const std::vector<Label> label = labels();
+  const std::size_t pushers = pushing_.pushers();
+  const auto is_reached = [&](std::size_t place) {
+    for (std::size_t k = 0; k < pushers; ++k)
+      if (label[place * pushers + k].cost < far) return true;
+    return place == 0;
+  };
+  std::size_t best = 0;
+  double least = far;
+  for (std::size_t place = 0; place < places_.size(); ++place)
+    if (const double way = pushing_.way(Arc(places_[place], places_[1]));
+        is_reached(place) && way < least) {
+      least = way;
+      best = place;
+    }
+  return places_[best];
+}
+
+std::optional<Legs> Roadmap::along(const std::vector<PlanarPose>& places) const {
+  const std::size_t pushers = pushing_.pushers(), count = places.size();
+  std::vector<double> cost(pushers, 0);
+  std::vector<std::vector<std::size_t>> before;
+  double way = 0;
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    const Arc arc(places[i], places[i + 1]);
+    const unsigned sticking = pushing_.sticking(arc);
+    if (sticking == 0) return std::nullopt;
+    way += pushing_.way(arc);
+    const std::size_t cheapest =
+        static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin());
+    std::vector<double> next(pushers, far);
+    before.emplace_back(pushers, cheapest);
+    for (std::size_t k = 0; k < pushers; ++k) {
+      if ((sticking >> k & 1U) == 0) continue;
+      const bool changes = i == 0 || cost[cheapest] + change_of_pusher < cost[k];
+      next[k] = changes ? cost[cheapest] + change_of_pusher : cost[k];
+      if (!changes) before.back()[k] = k;
+    }
+    cost = next;
+  }
+  Legs legs;
+  std::size_t pusher =
+      static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin());
+  legs.cost = way + cost[pusher];
+  for (std::size_t i = count - 1; i-- > 0;) {
+    legs.list.push_back({pusher, places[i], places[i + 1]});
+    pusher = before[i][pusher];
+  }
+  std::reverse(legs.list.begin(), legs.list.end());
+  return legs;
+}
+
+Legs Roadmap::smoothed(Legs way, int tries) {
+  for (int k = 0; k < tries && way.list.size() > 1; ++k) {
+    std::vector<PlanarPose> places{way.list.front().from};
+    for (const Leg& leg : way.list) places.push_back(leg.to);
+    const auto at = static_cast<std::size_t>(drawn(1, static_cast<double>(places.size() - 1)));
+    if (k % 4 == 0) {
+      places.erase(places.begin() + static_cast<std::ptrdiff_t>(at));
+    } else {
+      // Nearer and nearer, and towards the straight way between its neighbours.
+      const double spread =
+          pushing_.length() * 0.5 * std::pow(0.02, static_cast<double>(k) / tries);
+      const PlanarPose middle = Arc(places[at - 1], places[at + 1]).at(drawn(0, 1));
+      const double pull = drawn(0, 0.5);
+      PlanarPose& place = places[at];
+      place.x += pull * (middle.x - place.x) + spread * drawn(-1, 1);
+      place.y += pull * (middle.y - place.y) + spread * drawn(-1, 1);
+      place.angle +=
+          pull * (middle.angle - place.angle) + spread / pushing_.length() * drawn(-1, 1);
+    }
+    if (auto cheaper = along(places); cheaper && cheaper->cost < way.cost)
+      way = std::move(*cheaper);
+  }
+  return way;
+}
+
+} // namespace lcpush::desktop

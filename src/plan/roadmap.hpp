@@ -1,0 +1,56 @@
+// Places between a start and a goal, joined by pushes that stick.
+#pragma once
+
+#include "plan/pushing.hpp"
+
+#include <cstdint>
+#include <random>
+
+namespace lcpush::desktop {
+
+/// One push of a plan under way.
+struct Leg {
+  std::size_t pusher;
+  PlanarPose from, to;
+};
+struct Legs {
+  std::vector<Leg> list;
+  double cost = 0;
+};
+
+class Roadmap {
+public:
+  Roadmap(const Pushing& pushing, const PlanarPose& start, const PlanarPose& goal);
+
+  /// Adds one place, drawn at random, and joins it to all others.
+  void add_place();
+  /// The cheapest way from the start to the goal; none: no way yet.
+  std::optional<Legs> cheapest() const;
+  /// The same way with its turning places moved, as often as asked, to where it is cheaper.
+  Legs smoothed(Legs way, int tries);
+  /// Of all places that are reached from the start, the one nearest to the goal.
+  PlanarPose nearest_reached() const;
+  Index places() const { return static_cast<Index>(places_.size()); }
+
+private:
+  struct Edge {
+    std::size_t to;
+    unsigned pushers;
+    double way;
+  };
+  const Pushing& pushing_;
+  std::vector<PlanarPose> places_; ///< the start, the goal, others
+  std::vector<std::vector<Edge>> edges_;
+  std::mt19937 random_{2018};
+  PlanarPose low_, high_;
+
+  double drawn(double low, double high);
+  PlanarPose drawn_place();
+  void join(std::size_t from, std::size_t to);
+  /// The cheapest pushers along these places, if all legs stick.
+  std::optional<Legs> along(const std::vector<PlanarPose>& places) const;
+  struct Label;
+  std::vector<Label> labels() const;
+};
+
+} // namespace lcpush::desktop
