@@ -2,7 +2,7 @@
 #include "lcpush/desktop/plan.hpp"
 
 #include "plan/plan_scene.hpp"
-#include "plan/roadmap.hpp"
+#include "plan/slide.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,9 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr int smoothing_tries = 150;
+constexpr int smoothing_tries = 150, attempts = 3;
+// Sticking pushes first: each is a matter of microseconds, where a slipping one takes a motion.
+constexpr Index places_without_slips = 150, slips_every = 4, looks_every = 4;
 constexpr double way_a_step = 1e-3; // m, of a pusher, in the replay
 // Of the object's size: a replay that is ahead of the plan by more stands in the next pusher's way.
 constexpr double gaps[] = {2e-4, 1e-3, 5e-3};
@@ -27,20 +29,18 @@ public:
   }
 
   PlanReport plan() {
-    std::optional<Legs> way = roadmap_.cheapest();
-    while (!way && roadmap_.places() < options_.samples && goes_on()) {
-      for (int k = 0; k < 8; ++k) roadmap_.add_place();
-      way = roadmap_.cheapest();
-    }
-    report_.tried = roadmap_.places() - 2;
-    if (!way) {
-      report_.nearest = roadmap_.nearest_reached();
-      return std::move(report_);
-    }
-    take(roadmap_.smoothed(std::move(*way), smoothing_tries));
-    for (const double gap : gaps) {
-      replay(gap * object_size(file_));
-      if (report_.replay.end != MoveEnd::inside) break;
+    for (int attempt = 0; attempt < attempts && !report_.found; ++attempt) {
+      const std::optional<Legs> way = found_way();
+      report_.tried = roadmap_.places() - 2;
+      if (!way) {
+        report_.nearest = roadmap_.nearest_reached();
+        break;
+      }
+      take(roadmap_.smoothed(*way, smoothing_tries));
+      for (const double gap : gaps) {
+        replay(gap * object_size(file_));
+        if (report_.replay.end != MoveEnd::inside) break;
+      }
     }
     return std::move(report_);
   }
@@ -54,6 +54,21 @@ private:
   Roadmap roadmap_;
   PlanReport report_;
 
+  std::optional<Legs> found_way() {
+    std::optional<Legs> way = roadmap_.cheapest();
+    while (!way && roadmap_.places() < options_.samples && goes_on()) {
+      roadmap_.add_place();
+      if (roadmap_.places() > places_without_slips && roadmap_.places() % slips_every == 0)
+        roadmap_.add_slip(
+            [&](const PlanarPose& from, const Slip& slip) {
+              return slid(file_, pushing_.body(slip.pusher), from, slip);
+            },
+            options_.speed);
+      if (roadmap_.places() % looks_every == 0) way = roadmap_.cheapest();
+    }
+    return way ? way : roadmap_.cheapest();
+  }
+
   bool goes_on() const {
     if (options_.progress)
       options_.progress(static_cast<double>(roadmap_.places()) /
@@ -63,11 +78,19 @@ private:
 
   void take(const Legs& legs) {
     report_.cost = legs.cost;
+    report_.pushes.clear();
     for (const Leg& leg : legs.list) {
       PlannedPush push;
       push.pusher = pushing_.body(leg.pusher);
       push.from = leg.from;
       push.to = leg.to;
+      if (leg.slip) {
+        push.kind = PushKind::slip;
+        push.twist << leg.slip->velocity.x(), leg.slip->velocity.y(), 0, 0, 0, leg.slip->turn;
+        push.end = leg.slip->time;
+        report_.pushes.push_back(push);
+        continue;
+      }
       const PushNeeds needs = pushing_.needs(leg.pusher, Arc(leg.from, leg.to));
       push.friction = needs.friction;
       push.reach = needs.reach;

@@ -60,12 +60,19 @@ std::string strokes_text(std::string_view text, const SceneFile& file,
     const double back = k > 0 ? gap : 0;
     const PlanarPose from =
         pose_at(place_of(push.from) - back * Planar(normal.x(), normal.y()), push.from.angle);
-    const Arc arc(from, push.to);
-    const double time = longest_way(file, push, arc) / speed;
+    const double planned = push.end - push.begin; // of a slipping push
     push.begin = now;
-    push.end = now += time;
-    const Planar v = arc.velocity(0) / time;
-    push.twist << v.x(), v.y(), 0, 0, 0, arc.turn() / time;
+    if (push.kind == PushKind::slip) {
+      push.end = now += planned;
+    } else {
+      const Arc arc(from, push.to);
+      const double time = longest_way(file, push, arc) / speed;
+      push.end = now += time;
+      const Planar v = arc.velocity(0) / time;
+      push.twist << v.x(), v.y(), 0, 0, 0, arc.turn() / time;
+    }
+    Vector3<double> velocity = push.twist.head<3>();
+    if (push.kind == PushKind::slip) velocity += back / planned * normal;
     const Vector3<double> center = file.object.center_of_mass + Vector3<double>(from.x, from.y, 0);
     const int turn = turn_of(pushes, k);
     scene += "\n[[pusher]]\nname = \"" + file.body_name(push.pusher) +
@@ -78,10 +85,10 @@ std::string strokes_text(std::string_view text, const SceneFile& file,
     }
     scene += "]\nnormal = " + listed(normal) +
              "\ntangent = " + listed(turned(body.tangent, push.from.angle)) +
-             "\nfriction = " + exact(body.friction) + "\nvelocity = [" + exact(v.x()) + ", " +
-             exact(v.y()) + ", 0]\nangular_velocity = [0, 0, " + exact(push.twist[5]) +
-             "]\nabout = " + listed(center) + "\nfrom = " + exact(push.begin) +
-             "\nuntil = " + exact(push.end) + "\n";
+             "\nfriction = " + exact(body.friction) + "\nvelocity = [" + exact(velocity.x()) +
+             ", " + exact(velocity.y()) + ", 0]\nangular_velocity = [0, 0, " +
+             exact(push.twist[5]) + "]\nabout = " + listed(center) +
+             "\nfrom = " + exact(push.begin) + "\nuntil = " + exact(push.end) + "\n";
   }
   return scene;
 }

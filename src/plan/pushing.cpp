@@ -77,6 +77,11 @@ std::vector<bool> Pushing::touching(const PlanarPose& pose) const {
   return touches;
 }
 
+bool Pushing::touches_whole(const PlanarPose& pose) const {
+  const std::vector<bool> touches = touching(pose);
+  return std::find(touches.begin(), touches.end(), false) == touches.end();
+}
+
 bool Pushing::holds(const PlanarPose& pose) const {
   const LimitSurface grip(grip_, length_, {pose.x, pose.y, 0}, pose.angle, touching(pose));
   return grip.touches_everywhere() && grip.is_solid() &&

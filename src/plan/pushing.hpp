@@ -20,10 +20,15 @@ public:
 
   std::size_t pushers() const { return pushers_.size(); }
   Index body(std::size_t pusher) const { return pushers_[pusher].body; }
+  const Vector3<double>& normal(std::size_t pusher) const {
+    return file_.body(pushers_[pusher].body).normal;
+  }
   double length() const { return length_; }
 
   /// Does the grip hold the object there, with a part of every patch on it?
   bool holds(const PlanarPose& pose) const;
+  /// Does every finger point press on the object there?
+  bool touches_whole(const PlanarPose& pose) const;
   /// The pushers that stick from end to end, with some room: bit k for pusher k.
   unsigned sticking(const Arc& arc) const;
   /// m: the way of the centre of mass, and of the turn at the object's size.

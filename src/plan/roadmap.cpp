@@ -12,6 +12,7 @@ namespace {
 constexpr double far = std::numeric_limits<double>::infinity();
 constexpr double wider = 0.4;        // of the object's size: beyond start and goal
 constexpr double wider_angle = 0.35; // rad
+constexpr double widest_slip = 1.4;  // rad, from the pusher's normal
 
 } // namespace
 
@@ -46,17 +47,43 @@ PlanarPose Roadmap::drawn_place() {
 void Roadmap::join(std::size_t from, std::size_t to) {
   const Arc arc(places_[from], places_[to]);
   if (const unsigned pushers = pushing_.sticking(arc); pushers != 0)
-    edges_[from].push_back({to, pushers, pushing_.way(arc)});
+    edges_[from].push_back({to, pushers, pushing_.way(arc), std::nullopt});
 }
 
 void Roadmap::add_place() {
-  const std::size_t added = places_.size();
   places_.push_back(drawn_place());
   edges_.emplace_back();
+  join_to_all(places_.size() - 1);
+}
+
+void Roadmap::join_to_all(std::size_t added) {
   for (std::size_t k = 0; k < added; ++k) {
     if (k != 1) join(k, added);
     if (k != 0) join(added, k);
   }
+}
+
+void Roadmap::add_slip(const Slide& slide, double speed) {
+  const std::vector<std::size_t> starts = reached();
+  const auto chosen = [&](std::size_t count) {
+    return static_cast<std::size_t>(drawn(0, static_cast<double>(count)));
+  };
+  const std::size_t from = starts[chosen(starts.size())];
+  if (!pushing_.touches_whole(places_[from])) return; // no motion begins with points beside a face
+  Slip slip;
+  slip.pusher = chosen(pushing_.pushers());
+  const Vector3<double> n =
+      turned(pushing_.normal(slip.pusher), places_[from].angle + drawn(-1, 1) * widest_slip);
+  slip.velocity = speed * n.head<2>();
+  slip.turn = drawn(-1, 1) * speed / pushing_.length();
+  slip.time = drawn(0.1, 0.5) * pushing_.length() / speed;
+  const std::optional<PlanarPose> end = slide(places_[from], slip);
+  if (!end || !pushing_.holds(*end)) return;
+  const std::size_t added = places_.size();
+  places_.push_back(*end);
+  edges_.emplace_back();
+  edges_[from].push_back({added, 1U << slip.pusher, pushing_.way(Arc(places_[from], *end)), slip});
+  join_to_all(added);
 }
 
 // Dijkstra over places and the pusher that was used last.
@@ -96,7 +123,10 @@ std::optional<Legs> Roadmap::cheapest() const {
   if (way.cost == far) return std::nullopt;
   while (pusher != pushers) {
     const Label& at = label[place * pushers + pusher];
-    way.list.push_back({pusher, places_[at.from], places_[place]});
+    Leg leg{pusher, places_[at.from], places_[place], std::nullopt};
+    for (const Edge& edge : edges_[at.from]) // a slipping push has its end for itself
+      if (edge.to == place && edge.slip) leg.slip = edge.slip;
+    way.list.push_back(leg);
     place = at.from;
     pusher = at.pusher_before;
   }
@@ -104,22 +134,24 @@ std::optional<Legs> Roadmap::cheapest() const {
   return way;
 }
 
-PlanarPose Roadmap::nearest_reached() const {
+std::vector<std::size_t> Roadmap::reached() const {
   const std::vector<Label> label = labels();
   const std::size_t pushers = pushing_.pushers();
-  const auto is_reached = [&](std::size_t place) {
+  std::vector<std::size_t> list{0};
+  for (std::size_t place = 1; place < places_.size(); ++place)
     for (std::size_t k = 0; k < pushers; ++k)
-      if (label[place * pushers + k].cost < far) return true;
-    return place == 0;
-  };
+      if (label[place * pushers + k].cost < far) {
+        list.push_back(place);
+        break;
+      }
+  return list;
+}
+
+PlanarPose Roadmap::nearest_reached() const {
   std::size_t best = 0;
-  double least = far;
-  for (std::size_t place = 0; place < places_.size(); ++place)
-    if (const double way = pushing_.way(Arc(places_[place], places_[1]));
-        is_reached(place) && way < least) {
-      least = way;
-      best = place;
-    }
+  const auto way = [&](std::size_t place) { return pushing_.way(Arc(places_[place], places_[1])); };
+  for (const std::size_t place : reached())
+    if (way(place) < way(best)) best = place;
   return places_[best];
 }
 
@@ -150,7 +182,7 @@ std::optional<Legs> Roadmap::along(const std::vector<PlanarPose>& places) const 
       static_cast<std::size_t>(std::min_element(cost.begin(), cost.end()) - cost.begin());
   legs.cost = way + cost[pusher];
   for (std::size_t i = count - 1; i-- > 0;) {
-    legs.list.push_back({pusher, places[i], places[i + 1]});
+    legs.list.push_back({pusher, places[i], places[i + 1], std::nullopt});
     pusher = before[i][pusher];
   }
   std::reverse(legs.list.begin(), legs.list.end());
@@ -158,6 +190,8 @@ std::optional<Legs> Roadmap::along(const std::vector<PlanarPose>& places) const 
 }
 
 Legs Roadmap::smoothed(Legs way, int tries) {
+  for (const Leg& leg : way.list)
+    if (leg.slip) return way; // what comes after begins where it ends
   for (int k = 0; k < tries && way.list.size() > 1; ++k) {
     std::vector<PlanarPose> places{way.list.front().from};
     for (const Leg& leg : way.list) places.push_back(leg.to);

@@ -3,15 +3,26 @@
 
 #include "plan/pushing.hpp"
 
-#include <cstdint>
+#include <functional>
 #include <random>
 
 namespace lcpush::desktop {
+
+/// A push in which the object slips over the pusher.
+struct Slip {
+  std::size_t pusher;
+  Planar velocity; ///< m/s, of the pusher where the object's centre of mass is at the begin
+  double turn;     ///< rad/s
+  double time;     ///< s
+};
+/// Where the object then ends up, if anywhere.
+using Slide = std::function<std::optional<PlanarPose>(const PlanarPose& from, const Slip& slip)>;
 
 /// One push of a plan under way.
 struct Leg {
   std::size_t pusher;
   PlanarPose from, to;
+  std::optional<Slip> slip; ///< none: it sticks
 };
 struct Legs {
   std::vector<Leg> list;
@@ -24,6 +35,8 @@ public:
 
   /// Adds one place, drawn at random, and joins it to all others.
   void add_place();
+  /// Adds the place where a push drawn at random ends, which may slip.
+  void add_slip(const Slide& slide, double speed);
   /// The cheapest way from the start to the goal; none: no way yet.
   std::optional<Legs> cheapest() const;
   /// The same way with its turning places moved, as often as asked, to where it is cheaper.
@@ -37,6 +50,7 @@ private:
     std::size_t to;
     unsigned pushers;
     double way;
+    std::optional<Slip> slip;
   };
   const Pushing& pushing_;
   std::vector<PlanarPose> places_; ///< the start, the goal, others
@@ -47,9 +61,11 @@ private:
   double drawn(double low, double high);
   PlanarPose drawn_place();
   void join(std::size_t from, std::size_t to);
+  void join_to_all(std::size_t added);
   /// The cheapest pushers along these places, if all legs stick.
   std::optional<Legs> along(const std::vector<PlanarPose>& places) const;
   struct Label;
+  std::vector<std::size_t> reached() const;
   std::vector<Label> labels() const;
 };
 
