@@ -81,7 +81,9 @@ void MotionRun::place_strokes(double middle) {
 Vector6<double> MotionRun::prescribed(Index body, double time) const {
   const Stroke& stroke = file_.strokes[static_cast<std::size_t>(body)];
   const double since = std::clamp(time, stroke.from, stroke.until) - stroke.from;
-  const bool is_over = time < stroke.from || time > stroke.until;
+  // A step that ends with the stroke may end a rounding error after it.
+  const double rounding = 1e-12 * time;
+  const bool is_over = time < stroke.from - rounding || time > stroke.until + rounding;
   return (is_over ? 0.0 : stroke.is_velocity ? 1.0 : since) * file_.body(body).acceleration;
 }
 

@@ -13,8 +13,9 @@ namespace {
 
 constexpr int smoothing_tries = 150, attempts = 3;
 // Sticking pushes first: each is a matter of microseconds, where a slipping one takes a motion.
-constexpr Index places_without_slips = 150, slips_every = 4, looks_every = 4;
-constexpr double way_a_step = 1e-3; // m, of a pusher, in the replay
+constexpr Index tries_without_slips = 150, slips_every = 4, looks_every = 4;
+// m, of a pusher, in the replay; where a step has no answer, others are tried.
+constexpr double first_way_a_step = 1e-3;
 // Of the object's size: a replay that is ahead of the plan by more stands in the next pusher's way.
 constexpr double gaps[] = {2e-4, 1e-3, 5e-3};
 
@@ -31,14 +32,13 @@ public:
   PlanReport plan() {
     for (int attempt = 0; attempt < attempts && !report_.found; ++attempt) {
       const std::optional<Legs> way = found_way();
-      report_.tried = roadmap_.places() - 2;
       if (!way) {
         report_.nearest = roadmap_.nearest_reached();
         break;
       }
       take(roadmap_.smoothed(*way, smoothing_tries));
       for (const double gap : gaps) {
-        replay(gap * object_size(file_));
+        replay(gap * object_size(file_), first_way_a_step / std::pow(1.7, attempt));
         if (report_.replay.end != MoveEnd::inside) break;
       }
     }
@@ -56,23 +56,26 @@ private:
 
   std::optional<Legs> found_way() {
     std::optional<Legs> way = roadmap_.cheapest();
-    while (!way && roadmap_.places() < options_.samples && goes_on()) {
-      roadmap_.add_place();
-      if (roadmap_.places() > places_without_slips && roadmap_.places() % slips_every == 0)
+    while (!way && report_.tried < options_.tries && goes_on()) {
+      const Index k = ++report_.tried;
+      if (k % 2 == 0)
+        roadmap_.add_place();
+      else
+        roadmap_.add_pushed();
+      if (k > tries_without_slips && k % slips_every == 0)
         roadmap_.add_slip(
             [&](const PlanarPose& from, const Slip& slip) {
               return slid(file_, pushing_.body(slip.pusher), from, slip);
             },
             options_.speed);
-      if (roadmap_.places() % looks_every == 0) way = roadmap_.cheapest();
+      if (k % looks_every == 0) way = roadmap_.cheapest();
     }
     return way ? way : roadmap_.cheapest();
   }
 
   bool goes_on() const {
     if (options_.progress)
-      options_.progress(static_cast<double>(roadmap_.places()) /
-                        static_cast<double>(options_.samples));
+      options_.progress(static_cast<double>(report_.tried) / static_cast<double>(options_.tries));
     return !(options_.is_interrupted && options_.is_interrupted());
   }
 
@@ -99,7 +102,7 @@ private:
     }
   }
 
-  void replay(double gap) {
+  void replay(double gap, double way_a_step) {
     report_.scene_text = strokes_text(text_, file_, report_.pushes, options_.speed, gap);
     report_.scene = parse_scene(report_.scene_text, "the plan for " + file_name_, Strokes::all);
     MoveOptions options;

@@ -31,6 +31,10 @@ public:
     begin_ = turned(way, -half) / chord;
   }
 
+  /// That begins with this velocity, in units of its time.
+  Arc(const PlanarPose& from, const Planar& velocity, double turn)
+      : from_(from), turn_(turn), begin_(velocity) {}
+
   double turn() const { return turn_; }
   /// The velocity of the centre of mass at a share of the way.
   Planar velocity(double share) const { return turned(begin_, share * turn_); }

@@ -132,6 +132,17 @@ unsigned Pushing::sticking(const Arc& arc) const {
   return left;
 }
 
+Arc Pushing::mixed(std::size_t k, const PlanarPose& pose, const std::vector<double>& shares,
+                   double way) const {
+  const LimitSurface grip(grip_, length_, {pose.x, pose.y, 0}, pose.angle, touching(pose));
+  const Vector3<double> load = turned(load_, -pose.angle);
+  Vector3<double> sum = Vector3<double>::Zero();
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    sum += shares[i] * grip.crossing(load, pushers_[k].cone.edges[i].wrench).twist.normalized();
+  sum *= way / (sum.head<2>().norm() + std::abs(sum.z()));
+  return {pose, turned(Planar(sum.x(), sum.y()), pose.angle), sum.z() / length_};
+}
+
 PushNeeds Pushing::needs(std::size_t k, const Arc& arc) const {
   const Pusher& pusher = pushers_[k];
   const Vector3<double>&n = file_.body(pusher.body).normal, &t = pusher.cone.along;

@@ -31,6 +31,11 @@ public:
   bool touches_whole(const PlanarPose& pose) const;
   /// The pushers that stick from end to end, with some room: bit k for pusher k.
   unsigned sticking(const Arc& arc) const;
+  /// A twist between those of the pusher's cone there, mixed in these shares, over a way in m
+  /// (see `way`); backwards if it is negative. Pre: as many shares as `edges`.
+  Arc mixed(std::size_t pusher, const PlanarPose& pose, const std::vector<double>& shares,
+            double way) const;
+  std::size_t edges(std::size_t pusher) const { return pushers_[pusher].cone.edges.size(); }
   /// m: the way of the centre of mass, and of the turn at the object's size.
   double way(const Arc& arc) const {
     return arc.velocity(0).norm() + length_ * std::abs(arc.turn());

@@ -44,10 +44,15 @@ PlanarPose Roadmap::drawn_place() {
   return place;
 }
 
-void Roadmap::join(std::size_t from, std::size_t to) {
+std::size_t Roadmap::chosen(std::size_t count) {
+  return static_cast<std::size_t>(drawn(0, static_cast<double>(count)));
+}
+
+bool Roadmap::join(std::size_t from, std::size_t to) {
   const Arc arc(places_[from], places_[to]);
-  if (const unsigned pushers = pushing_.sticking(arc); pushers != 0)
-    edges_[from].push_back({to, pushers, pushing_.way(arc), std::nullopt});
+  const unsigned pushers = pushing_.sticking(arc);
+  if (pushers != 0) edges_[from].push_back({to, pushers, pushing_.way(arc), std::nullopt});
+  return pushers != 0;
 }
 
 void Roadmap::add_place() {
@@ -63,11 +68,31 @@ void Roadmap::join_to_all(std::size_t added) {
   }
 }
 
+void Roadmap::add_pushed() {
+  const bool is_forward = random_() % 2 == 0;
+  const std::vector<std::size_t> ends = is_forward ? reached() : leading();
+  const std::size_t from = ends[chosen(ends.size())], pusher = chosen(pushing_.pushers());
+  std::vector<double> shares;
+  for (std::size_t k = 0; k < pushing_.edges(pusher); ++k)
+    shares.push_back(-std::log(1 - drawn(0, 1)));
+  const double way = drawn(0.05, 0.8) * pushing_.length();
+  const PlanarPose place =
+      pushing_.mixed(pusher, places_[from], shares, is_forward ? way : -way).at(1);
+  if (!pushing_.holds(place)) return;
+  const std::size_t added = places_.size();
+  places_.push_back(place);
+  edges_.emplace_back();
+  if (is_forward ? join(from, added) : join(added, from)) {
+    edges_[is_forward ? from : added].pop_back(); // it is found again with all others
+    join_to_all(added);
+  } else {
+    places_.pop_back();
+    edges_.pop_back();
+  }
+}
+
 void Roadmap::add_slip(const Slide& slide, double speed) {
   const std::vector<std::size_t> starts = reached();
-  const auto chosen = [&](std::size_t count) {
-    return static_cast<std::size_t>(drawn(0, static_cast<double>(count)));
-  };
   const std::size_t from = starts[chosen(starts.size())];
   if (!pushing_.touches_whole(places_[from])) return; // no motion begins with points beside a face
   Slip slip;
@@ -144,6 +169,20 @@ std::vector<std::size_t> Roadmap::reached() const {
         list.push_back(place);
         break;
       }
+  return list;
+}
+
+std::vector<std::size_t> Roadmap::leading() const {
+  std::vector<std::size_t> list{1};
+  std::vector<bool> leads(places_.size(), false);
+  leads[1] = true;
+  for (std::size_t known = 0; known < list.size(); ++known)
+    for (std::size_t place = 0; place < places_.size(); ++place)
+      for (const Edge& edge : edges_[place])
+        if (edge.to == list[known] && !leads[place]) {
+          leads[place] = true;
+          list.push_back(place);
+        }
   return list;
 }
 

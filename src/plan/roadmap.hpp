@@ -35,6 +35,9 @@ public:
 
   /// Adds one place, drawn at random, and joins it to all others.
   void add_place();
+  /// Adds the place where a sticking push drawn at random leads from one that is reached, or comes
+  /// from to one that leads to the goal; none if that does not stick.
+  void add_pushed();
   /// Adds the place where a push drawn at random ends, which may slip.
   void add_slip(const Slide& slide, double speed);
   /// The cheapest way from the start to the goal; none: no way yet.
@@ -43,7 +46,6 @@ public:
   Legs smoothed(Legs way, int tries);
   /// Of all places that are reached from the start, the one nearest to the goal.
   PlanarPose nearest_reached() const;
-  Index places() const { return static_cast<Index>(places_.size()); }
 
 private:
   struct Edge {
@@ -60,12 +62,14 @@ private:
 
   double drawn(double low, double high);
   PlanarPose drawn_place();
-  void join(std::size_t from, std::size_t to);
+  std::size_t chosen(std::size_t count);
+  bool join(std::size_t from, std::size_t to);
   void join_to_all(std::size_t added);
   /// The cheapest pushers along these places, if all legs stick.
   std::optional<Legs> along(const std::vector<PlanarPose>& places) const;
   struct Label;
   std::vector<std::size_t> reached() const;
+  std::vector<std::size_t> leading() const; ///< to the goal, by sticking pushes
   std::vector<Label> labels() const;
 };
 

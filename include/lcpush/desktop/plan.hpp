@@ -18,7 +18,7 @@ struct PlanarPose {
 };
 
 struct PlanOptions {
-  Index samples = 600; ///< places that are tried on the way
+  Index tries = 600;   ///< places that are tried on the way
   double speed = 0.01; ///< m/s, of the fastest point of a pusher
   double position_error = 1e-3, angle_error = 3.14159265358979323846 / 180; ///< of the replay
   std::function<void(double done)> progress;                                ///< 0 to 1
