@@ -75,6 +75,8 @@ private:
       side.point = report_.edges[side.from].point;
       for (const Vector3<double>& twist : cone.arcs()[k].twists)
         side.twists.push_back(scaled(file_, report_.pusher, twist, length_));
+      side.twists.front() = report_.edges[side.from].twist;
+      side.twists.back() = report_.edges[side.to].twist;
       report_.sides.push_back(std::move(side));
     }
   }

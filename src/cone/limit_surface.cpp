@@ -40,6 +40,13 @@ Vector3<double> turned(const Vector3<double>& v, double angle) {
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y(), v.z()};
 }
 
+Vector3<double> beside(const Vector3<double>& v) {
+  const Vector3<double> along = v.normalized();
+  const Vector3<double> a =
+      cross<double>(along, Vector3<double>::Unit(least_aligned_axis(along))).normalized();
+  return v + v.norm() * 1e-9 * (a + 0.6 * cross<double>(along, a));
+}
+
 Vector6<double> spatial_twist(const Vector3<double>& twist, double length) {
   Vector6<double> v = Vector6<double>::Zero();
   v[0] = twist[0];
@@ -141,14 +148,15 @@ double LimitSurface::share_of(const Vector3<double>& load) const {
 
 // Portal refinement: a triangle of the body's points that the ray pierces goes out, corner by
 // corner, to where the body ends along its normal. A polytope's facet is reached in finitely many
-// steps.
+// steps. Grips are symmetric, and rays through their corners and edges are the rule: one beside it,
+// that rounding cannot take to another facet, meets a facet that the ray meets too.
 Crossing LimitSurface::crossing(const Vector3<double>& load,
                                 const Vector3<double>& direction) const {
   constexpr int most_steps = 500;
   const auto reach = [&](const Vector3<double>& n) -> Vector3<double> {
     return resistance(n) - load;
   };
-  const Vector3<double> ray = direction.normalized();
+  const Vector3<double> ray = beside(direction.normalized());
   Triangle t{reach(ray), {}, {}};
   Vector3<double> n = cross<double>(t[0], ray);
   if (n.norm() <= 1e-9 * t[0].norm())

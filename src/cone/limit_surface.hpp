@@ -30,6 +30,10 @@ inline Eigen::Vector2d solved(const Eigen::Matrix2d& A, const Eigen::Vector2d& b
          determinant;
 }
 
+/// A twist or a wrench so near that it differs in nothing but ties: where a point's friction may be
+/// either of two generators, or a ray meets an edge, there it is one of the sides.
+Vector3<double> beside(const Vector3<double>& v);
+
 /// Where a ray leaves the limit surface.
 struct Crossing {
   double force;          ///< k >= 0: the ray's parameter

@@ -27,13 +27,6 @@ double angle_to_arc(const Vector3<double>& v, const Vector3<double>& a, const Ve
 
 } // namespace
 
-Vector3<double> beside(const Vector3<double>& twist) {
-  const Vector3<double> along = twist.normalized();
-  const Vector3<double> a =
-      cross<double>(along, Vector3<double>::Unit(least_aligned_axis(along))).normalized();
-  return twist + twist.norm() * 1e-10 * (a + 0.6 * cross<double>(along, a));
-}
-
 MotionCone::MotionCone(const LimitSurface& grip, PusherCone pusher, const Vector3<double>& load)
     : grip_(grip), pusher_(std::move(pusher)), load_(load) {
   for (const ExtremeWrench& edge : pusher_.edges)

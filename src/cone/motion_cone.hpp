@@ -7,10 +7,6 @@
 
 namespace lcpush::desktop {
 
-/// A twist so near that it differs in nothing but ties: where a point's friction may be either of
-/// two generators, there it is one of them.
-Vector3<double> beside(const Vector3<double>& twist);
-
 /// The boundary of the cone between two extreme wrenches of the pusher, both included.
 struct ConeArc {
   std::vector<Vector3<double>> twists; ///< unit; neighbours span a flat part of the boundary

@@ -1,0 +1,126 @@
+"""lcpush cone: edges, verdicts and refusals on the command line."""
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+SQUARE = SOURCE / "docs/guide/square.toml"
+
+
+def run(*words, text=None):
+    return subprocess.run([TOOL, "cone", *map(str, words)], capture_output=True, text=True,
+                          timeout=60, input=text)
+
+
+def square(*changes):
+    text = SQUARE.read_text()
+    for old, new in changes:
+        assert old in text, old
+        text = text.replace(old, new)
+    return text
+
+
+class Cone(unittest.TestCase):
+    def answer(self, *words, text):
+        result = run("-", *words, "--json", text=text)
+        self.assertEqual(result.stderr, "")
+        return json.loads(result.stdout)
+
+    def test_json_has_every_promised_key(self):
+        answer = self.answer("--pusher", "east", text=square())
+        self.assertEqual(set(answer), {
+            "status", "pusher", "exact", "single_place", "length", "edges", "sides",
+            "holding_grip_factor", "twist", "sticks", "leaves", "margin", "nearest_side",
+            "smallest_grip", "smallest_grip_factor", "warnings"})
+        self.assertEqual(answer["status"], "solved")
+        self.assertTrue(answer["sticks"] and answer["exact"])
+        self.assertEqual(len(answer["edges"]), 4)
+        for edge in answer["edges"]:
+            vx, vy, _, _, _, wz = edge["twist"]
+            ends = [math.hypot(vx - wz * y, vy + wz * x) for x, y in ((.05, -.04), (.05, .04))]
+            self.assertAlmostEqual(max(ends), 1, 12)
+            n, t = -edge["wrench"][0], edge["wrench"][1]
+            self.assertAlmostEqual(abs(t) / n, 0.9, 12)
+            self.assertLess(edge["slips"][1] * t, 0)  # friction against the slip
+        for side in answer["sides"]:
+            self.assertEqual(side["slips"] is None, side["turns_about"] is not None)
+            self.assertEqual(side["twists"][0], answer["edges"][side["from"]]["twist"])
+            self.assertEqual(side["twists"][-1], answer["edges"][side["to"]]["twist"])
+
+    def test_the_mirrored_square_has_the_mirrored_cone(self):
+        twist = lambda s: f"-0.01 {s * 0.004} {s * 0.05}"
+        one = self.answer("--pusher", "east", "--twist", twist(1), text=square())
+        two = self.answer("--pusher", "east", "--twist", twist(-1), text=square())
+        self.assertAlmostEqual(one["margin"], two["margin"], 9)
+
+    def test_a_twist_is_judged_by_its_direction(self):
+        margins = [self.answer("--pusher", "east", "--twist", f"{-k} {0.2 * k} {3 * k}",
+                               text=square())["margin"] for k in (1e-6, 1, 1e3)]
+        self.assertAlmostEqual(margins[0], margins[1], 9)
+        self.assertAlmostEqual(margins[2], margins[1], 9)
+
+    def test_solve_slips_where_the_cone_says_so(self):
+        for vy, wz in ((0.3, 0), (0.3, 6), (1.5, 0), (0, 25), (-0.8, -3)):
+            text = square(("velocity = [-0.01, 0, 0]       # m/s",
+                           f"acceleration = [-1e-4, {vy * 1e-4}, 0]\n"
+                           f"angular_acceleration = [0, 0, {wz * 1e-4}]"))
+            for name in ("south", "north"):  # cone leaves the others out
+                begin = text.index(f'[[pusher]]\nname = "{name}"')
+                end = text.find("[[pusher]]", begin + 5)
+                text = text[:begin] + (text[end:] if end > 0 else "")
+            cone = self.answer(text=text)
+            solved = json.loads(subprocess.run([TOOL, "solve", "-", "--json"], input=text,
+                                               capture_output=True, text=True, timeout=60).stdout)
+            slips = any(c["mode"] != "stick" for c in solved["contacts"]
+                        if c["name"].startswith("east"))
+            self.assertEqual(cone["sticks"], not slips, (vy, wz))
+
+    def test_text_fits_and_says_what_is_beyond(self):
+        result = run(SQUARE, "--pusher", "east", "-v")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("The push of east sticks:", result.stdout)
+        self.assertIn("the box slips over east along +y", result.stdout)
+        self.assertTrue(all(len(line) <= 80 for line in result.stdout.splitlines()))
+        away = run(SQUARE, "--pusher", "east", "--twist", "1 0 0")
+        self.assertIn("moves away everywhere", away.stdout)
+
+    def test_the_picture_is_an_image_with_words(self):
+        root = ElementTree.fromstring(run(SQUARE, "--pusher", "east", "--format", "svg").stdout)
+        self.assertIn("The push of east sticks", root.find("{*}desc").text)
+
+    def test_a_load_that_the_grip_does_not_hold_has_no_cone(self):
+        text = "gravity = [0, -9.81, 0]\n" + square(("grip_force = 50", "grip_force = 2"))
+        result = run("-", "--pusher", "east", text=text)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("does not hold the box", result.stdout)
+        self.assertEqual(self.answer("--pusher", "east", text=text)["status"], "does_not_hold")
+
+    def test_what_has_no_cone_is_refused_with_its_line(self):
+        refused = [
+            ((("planar = true\n", ""),), "say planar = true"),
+            ((("planar = true", 'planar = true\npressure = "rigid"'),), "pad"),
+            ((("normal = [0, 0, 1]", "normal = [0, 1, 0]"),), "lies in the plane"),
+            ((('shape = "disc"', 'shape = "point"'), ("radius = 0.01\n", "")), "resist no turning"),
+            ((("friction = 0.9\nvelocity = [-0.01", "friction = 0\nvelocity = [-0.01"),),
+             "without friction"),
+        ]
+        for changes, words in refused:
+            result = run("-", "--pusher", "east", text=square(*changes))
+            self.assertEqual(result.returncode, 2, words)
+            self.assertIn(words, " ".join(result.stderr.split()))
+            self.assertRegex(result.stderr, r"<stdin>:\d+:|standard input:\d+:|:\d+: ")
+            self.assertEqual(result.stdout, "")
+
+    def test_mistyped_twists_are_refused(self):
+        for twist in ("1 2", "1 2 x", "0 0 0", "", "1 2 3 4", "nan 0 0"):
+            result = run(SQUARE, "--pusher", "east", "--twist", twist)
+            self.assertEqual(result.returncode, 2, twist)
+            self.assertIn("--twist", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
