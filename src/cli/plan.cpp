@@ -18,7 +18,9 @@ int run_plan(const Arguments& arguments) {
   if (!to) throw UsageError("--to \"x y angle\" says where the object is to go, in m, m and rad");
   if (arguments.files().empty()) refuse_no_scene();
   const std::string text = read_scene_text(arguments.files()[0]);
-  const SceneFile file = read_scene_argument(arguments, Needs::scene, Strokes::all);
+  const std::string label = scene_label(arguments.files()[0]);
+  const SceneFile file = parse_scene(text, label, Strokes::all);
+  if (arguments.has("--strict")) refuse_doubts(file);
   const double seconds =
       arguments.number("--seconds", 1e6, "it is in seconds").value_or(usual_seconds);
   PlanReport report;
@@ -33,8 +35,7 @@ int run_plan(const Arguments& arguments) {
     listen_for_signals();
     limit_time("plan", seconds + usual_seconds); // the replay is finished
     options.is_interrupted = [seconds] { return is_asked_to_end() || is_over(seconds); };
-    report =
-        find_plan(text, scene_label(arguments.files()[0]), {(*to)[0], (*to)[1], (*to)[2]}, options);
+    report = find_plan(text, label, {(*to)[0], (*to)[1], (*to)[2]}, options);
   }
   if (format == "html" || format == "toml") {
     if (report.pushes.empty())

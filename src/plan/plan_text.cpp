@@ -32,8 +32,8 @@ std::string plan_sentence(const SceneFile& file, const PlanReport& report) {
            counted(report.tried, "place") + " tried on the way, the nearest that pushes reach is " +
            place_words(report.nearest) + ".";
   if (!report.found)
-    return "A plan of " + counted(static_cast<Index>(report.pushes.size()), "push") +
-           " was found, but its replay ends at " + place_words(report.nearest) + ", not at " +
+    return "A plan of " + std::to_string(report.pushes.size()) +
+           " pushes was found, but its replay ends at " + place_words(report.nearest) + ", not at " +
            goal + ".";
   std::string text = "To take " + object_name(file) + " to " + goal + ": ";
   for (std::size_t k = 0; k < report.pushes.size(); ++k)

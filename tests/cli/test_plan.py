@@ -1,0 +1,132 @@
+"""lcpush plan: plans whose replay ends where they say, refusals, words."""
+import json
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+SQUARE = SOURCE / "docs/guide/square.toml"
+
+
+def tool(*words, text=None):
+    return subprocess.run([TOOL, *map(str, words)], capture_output=True, text=True, timeout=100,
+                          input=text)
+
+
+def square(grip=(0.0, 0.0), head=""):
+    text = SQUARE.read_text()
+    for z in ("0.005", "-0.005"):
+        text = text.replace(f"center = [0, 0, {z}]", f"center = [{grip[0]}, {grip[1]}, {z}]")
+    return head + text
+
+
+def without(text, *names):
+    for name in names:
+        begin = text.index(f'[[pusher]]\nname = "{name}"')
+        end = text.find("[[pusher]]", begin + 5)
+        text = text[:begin] + (text[end:] if end > 0 else "")
+    return text
+
+
+def goal(dx, dy, angle):
+    return f"{dx} {dy} {angle}"
+
+
+class Plan(unittest.TestCase):
+    def replayed(self, text):
+        """Where `lcpush move` takes the object in this scene: x, y, angle."""
+        frames = json.loads(tool("move", "-", "--step", "0.07", "--json", text=text).stdout)["frames"]
+        R = frames[-1]["rotation"]
+        return (*frames[-1]["position"][:2], math.atan2(R[3], R[0]))
+
+    def test_random_goals_are_reached_within_a_millimetre_and_a_degree(self):
+        draw = random.Random(2018)
+        reached = 0
+        for head in ("", "gravity = [0, -9.81, 0]\n", 'facets = "round"\n'):
+            for _ in range(8):
+                sx, sy = draw.uniform(0, .03), draw.uniform(-.005, .005)
+                gx, gy = draw.uniform(-.045, -.025), draw.uniform(-.04, .02)
+                to = (gx - sx, gy - sy, draw.uniform(-.2, .2))
+                text = square((-sx, -sy), head)
+                plan = json.loads(tool("plan", "-", "--to", goal(*to), "--json", text=text).stdout)
+                if not plan["found"]:
+                    continue
+                reached += 1
+                x, y, angle = self.replayed(plan["scene"])  # in steps of its own
+                self.assertLess(math.hypot(x - to[0], y - to[1]), 1e-3)
+                self.assertLess(abs(angle - to[2]), math.radians(1))
+                self.check_pushes(plan, to)
+        self.assertGreaterEqual(reached, 23)
+
+    def check_pushes(self, plan, to):
+        pushes = plan["pushes"]
+        self.assertEqual(pushes[0]["from"], [0, 0, 0])
+        for one, two in zip(pushes, pushes[1:]):
+            self.assertEqual(one["to"], two["from"])
+            self.assertAlmostEqual(one["begin"] + one["time"], two["begin"], 9)
+        for value, wanted in zip(pushes[-1]["to"], to):
+            self.assertAlmostEqual(value, wanted, 12)
+        for push in pushes:
+            self.assertEqual(push["kind"], "stick")
+            self.assertLess(push["friction"], 0.9)
+            self.assertLess(push["reach"], 0.04)
+            self.assertLess(push["grip"], 50)
+
+    def test_pushes_stick_in_the_replay(self):
+        text = tool("plan", SQUARE, "--to", "-0.04 0.02 0.1", "--format", "toml").stdout
+        motion = json.loads(tool("move", "-", "--step", "0.02", "--frames", "400", "--json",
+                                 text=text).stdout)
+        slipping = touching = 0
+        for frame in motion["frames"][1:]:
+            modes = [c["mode"] for c in frame["contacts"] if c["name"].split(".")[0] not in
+                     ("left", "right")]
+            touching += "stick" in modes
+            slipping += "slide" in modes
+        self.assertGreater(touching, 300)
+        self.assertLess(slipping, 10)  # where a pusher comes
+
+    def test_needs_are_where_sticking_ends(self):
+        plan = json.loads(tool("plan", SQUARE, "--to", "-0.03 0 0", "--json").stdout)
+        self.assertEqual([push["pusher"] for push in plan["pushes"]], ["east"])
+        needs = plan["pushes"][0]
+        self.assertLess(needs["friction"], 1e-9)  # straight through the middle
+        self.assertLess(needs["reach"], 1e-6)
+        turn = json.loads(tool("plan", SQUARE, "--to", "-0.03 0 0.2", "--json").stdout)["pushes"][0]
+        self.assertGreater(turn["friction"] + turn["reach"], 1e-3)
+
+    def test_what_cannot_be_reached_says_how_near_it_came(self):
+        text = without(square(), "south", "north")
+        result = tool("plan", "-", "--to", "0.02 0 0", "--seconds", "1", text=text)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("No plan was found that takes the box to (20, 0) mm and 0 degrees",
+                      " ".join(result.stdout.split()))
+        self.assertIn("the nearest that pushes reach is (0, 0) mm", " ".join(result.stdout.split()))
+        answer = json.loads(tool("plan", "-", "--to", "0.02 0 0", "--seconds", "1", "--json",
+                                 text=text).stdout)
+        self.assertEqual((answer["found"], answer["pushes"], answer["scene"]), (False, [], None))
+
+    def test_formats(self):
+        page = tool("plan", SQUARE, "--to", "-0.04 0.02 0.1", "--format", "html").stdout
+        self.assertIn("<!doctype html>", page.lower())
+        text = tool("plan", SQUARE, "--to", "-0.04 0.02 0.1", "-v").stdout
+        self.assertTrue(all(len(line) <= 80 for line in text.splitlines()), text)
+        again = tool("plan", SQUARE, "--to", "-0.04 0.02 0.1", "-v").stdout
+        self.assertEqual(text, again)
+
+    def test_bad_input_is_refused(self):
+        for words, said in ((("--to", "1 2"), "x y angle"), (("--to", "a b c"), "--to"), ((), "--to"),
+                            (("--to", "0 0 inf"), "--to")):
+            result = tool("plan", SQUARE, *words)
+            self.assertEqual(result.returncode, 2, words)
+            self.assertIn(said, result.stderr)
+        alone = tool("plan", "-", "--to", "0 0.01 0", text=without(square(), "east", "south", "north"))
+        self.assertEqual(alone.returncode, 2)
+        self.assertIn("add a [[pusher]]", " ".join(alone.stderr.split()))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
