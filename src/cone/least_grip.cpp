@@ -66,7 +66,7 @@ std::optional<double> least_of_faces(const PusherCone& pusher, const Vector3<dou
     else if (by_load > 0)
       return std::nullopt;
   }
-  return least <= most ? std::optional<double>(least) : std::nullopt;
+  return least <= most && most > 0 ? std::optional<double>(least) : std::nullopt;
 }
 
 std::optional<double> least_grip(const LimitSurface& grip, const PusherCone& pusher,

@@ -93,6 +93,17 @@ TEST_CASE("[T.18] the least grip is where the verdict turns") {
   CHECK(found > 10);
 }
 
+TEST_CASE("[T.18] without a load a motion sticks with every grip, or with none") {
+  std::mt19937 random(8);
+  for (int k = 0; k < 200; ++k) {
+    RandomPush push = random_push(random);
+    push.file.gravity.setZero();
+    const ConeReport cone = desktop::find_cone(push.file, 2, push.twist);
+    CHECK(cone.verdict->grip.has_value() == cone.verdict->sticks);
+    CHECK(cone.verdict->grip.value_or(0) == 0);
+  }
+}
+
 TEST_CASE("[T.18] without a load the cone of a soft grip is convex, and its edges span it") {
   std::mt19937 random(9);
   std::exponential_distribution<double> share;
