@@ -22,8 +22,9 @@ constexpr double typed_direction = 1e-6;
 void refuse_no_cone(const SceneFile& file, Index pusher) {
   if (!file.planar)
     throw InputError(file.lines.file, file.lines.object,
-                     "a motion cone is one of motions in the plane: say planar = true, if the "
-                     "object moves in the x-y plane");
+                     "a whole motion cone is one of motions in the plane: say planar = true, if "
+                     "the object moves in the x-y plane; or cut the cone with --vary, such as " +
+                         file.body_name(pusher) + ".acceleration[1]=-1:1");
   if (file.pressure == Pressure::rigid)
     throw InputError(file.lines.file, 1,
                      "under rigid pressure it is open how a patch shares its force, and so is the "

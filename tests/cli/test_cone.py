@@ -24,6 +24,14 @@ def square(*changes):
     return text
 
 
+def without(text, *names):
+    for name in names:
+        begin = text.index(f'[[pusher]]\nname = "{name}"')
+        end = text.find("[[pusher]]", begin + 5)
+        text = text[:begin] + (text[end:] if end > 0 else "")
+    return text
+
+
 class Cone(unittest.TestCase):
     def answer(self, *words, text):
         result = run("-", *words, "--json", text=text)
@@ -68,10 +76,7 @@ class Cone(unittest.TestCase):
             text = square(("velocity = [-0.01, 0, 0]       # m/s",
                            f"acceleration = [-1e-4, {vy * 1e-4}, 0]\n"
                            f"angular_acceleration = [0, 0, {wz * 1e-4}]"))
-            for name in ("south", "north"):  # cone leaves the others out
-                begin = text.index(f'[[pusher]]\nname = "{name}"')
-                end = text.find("[[pusher]]", begin + 5)
-                text = text[:begin] + (text[end:] if end > 0 else "")
+            text = without(text, "south", "north")  # cone leaves the others out
             cone = self.answer(text=text)
             solved = json.loads(subprocess.run([TOOL, "solve", "-", "--json"], input=text,
                                                capture_output=True, text=True, timeout=60).stdout)
@@ -114,6 +119,28 @@ class Cone(unittest.TestCase):
             self.assertIn(words, " ".join(result.stderr.split()))
             self.assertRegex(result.stderr, r"<stdin>:\d+:|standard input:\d+:|:\d+: ")
             self.assertEqual(result.stdout, "")
+
+    def test_a_cut_ends_where_the_cone_does(self):
+        text = without(square(("velocity = [-0.01, 0, 0]       # m/s", "velocity = [-0.01, 0, 0.0]"),
+                              ("planar = true", 'planar = true\npressure = "even"')),
+                       "south", "north")
+        vary = ("--vary", "east.velocity[1]=-0.03:0.03")
+        cut = self.answer(*vary, text=text)
+        self.assertTrue(cut["exact"])
+        self.assertEqual([r["sticks"] for r in cut["ranges"]], [False, True, False])
+        low, high = cut["ranges"][1]["from"], cut["ranges"][1]["to"]
+        self.assertAlmostEqual(low, -high, 9)
+        for vy, sticks in ((high * (1 - 1e-8), True), (high * (1 + 1e-8), False)):
+            verdict = self.answer("--twist", f"-0.01 {vy:.17g} 0", text=text)
+            self.assertEqual(verdict["sticks"], sticks)
+
+    def test_scenes_in_space_are_cut(self):
+        result = run(SOURCE / "fixtures/scenes/straight_slide.toml", "--vary",
+                     "wall.acceleration[1]=-0.3:0.3")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("wall sticks for wall.acceleration[1] of -0.0414 to 0.0414", result.stdout)
+        both = run(SQUARE, "--pusher", "east", "--vary", "east.velocity[1]=0:1", "--twist", "1 0 0")
+        self.assertEqual(both.returncode, 2)
 
     def test_mistyped_twists_are_refused(self):
         for twist in ("1 2", "1 2 x", "0 0 0", "", "1 2 3 4", "nan 0 0"):

@@ -4,6 +4,7 @@
 
 #include "lcpush/desktop/scene_check.hpp"
 #include "lcpush/desktop/scene_io.hpp"
+#include "lcpush/desktop/sweep.hpp"
 #include "lcpush/desktop/telling.hpp"
 #include "lcpush/status.hpp"
 
@@ -38,7 +39,7 @@ struct ConeReport {
   /// How a given motion of the pusher fares.
   struct Verdict {
     Vector6<double> twist; ///< of the object at its centre of mass, as given
-    bool sticks = false; ///< inside the cone
+    bool sticks = false;   ///< inside the cone
     /// It moves away everywhere: it may leave, and where it sticks that is one of two answers.
     bool leaves = false;
     /// rad, of the twists (v_x, v_y, omega L): from it to the nearest twist of the boundary, < 0
@@ -65,6 +66,28 @@ struct ConeReport {
 /// part.
 ConeReport find_cone(const SceneFile& file, Index pusher,
                      const std::optional<Vector6<double>>& twist = std::nullopt);
+
+/// A cut through the cone of any scene, in space as well: along one number of the pusher's motion,
+/// where does it stick?
+struct ConeSlice {
+  struct Range {
+    double from = 0, to = 0;
+    Status status = Status::solved; ///< of `break` in its middle
+    bool sticks = false;            ///< all its points, in the limit of a slow push
+    std::vector<Index> changing;    ///< contacts that do something else from `to` on
+  };
+  Variation variation;
+  Index pusher = -1;
+  bool is_exact = true;      ///< ends by parametric pivots; else by bisection
+  std::vector<Range> ranges; ///< from end to end; neighbours differ
+};
+
+/// `pusher`: a body. By a sweep of the breaking force (sweep.hpp): exact where that is. Throws
+/// InputError as sweep_parameter does.
+ConeSlice find_slice(const VariedScene& scene, const Variation& variation, Index pusher);
+
+std::string slice_text(const SceneFile& file, const ConeSlice& slice);
+std::string slice_json(const SceneFile& file, const ConeSlice& slice);
 
 std::string cone_text(const SceneFile& file, const ConeReport& report,
                       Telling telling = Telling::brief);
