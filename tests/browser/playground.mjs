@@ -178,6 +178,19 @@ async function keyboard(browser) {
   await page.keyboard.press('Enter');
   assert.match((await state(page)).text, /mass = 0\.4/);
   assert.match(await page.locator('#sentence').textContent(), /Push with/);
+  await page.evaluate((text) => window.lcpush.app.replace(text),
+    readFileSync(fixture('rolling'), 'utf8'));
+  await settled(page);
+  const rim = (text) => [/cylinder_radius = ([\d.]+)/, /ends = \[\[(-?[\d.]+)/]
+    .map((pattern) => Math.abs(pattern.exec(text)[1]));
+  const [radius, place] = rim((await state(page)).text);
+  await page.getByRole('spinbutton', { name: 'object: radius, m, as a number' })
+    .fill(String(2 * radius));
+  await page.keyboard.press('Enter');
+  assert.equal((await state(page)).failure, '');
+  assert.deepEqual(rim((await state(page)).text), [2 * radius, 2 * place],
+    'the finger stays on the rim');
+  await agrees(page);
   await end();
 }
 
@@ -236,6 +249,10 @@ async function playing(browser) {
   const frame = page.frameLocator('#frame');
   await frame.locator('#forward').click();
   assert.match(await frame.locator('#step').textContent(), /Step 1 of/);
+  // The explorer takes its palette and what it draws with from this page.
+  assert.match(await frame.locator('html').evaluate((root_there) =>
+    getComputedStyle(root_there).getPropertyValue('--paper')), /#/);
+  assert.ok(await frame.locator('#scene .drawing .head').count() > 0, 'arrows');
   await page.click('#close');
   await page.click('#raw summary');
   await page.selectOption('#examples', 'infeasible_psd');
