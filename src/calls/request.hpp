@@ -51,6 +51,10 @@ private:
   JsonValue root_;
 };
 
+/// Keys of a question about a scene, beside its `own`.
+std::vector<std::string> scene_keys(std::vector<std::string> own);
+/// Throws InputError if nothing moves.
+void refuse_still(const Request& request, const SceneFile& file);
 /// Throws InputError if the scene has more unknowns than `most`, whose `what`.
 void refuse_unknowns(const Request& request, const SceneFile& file, Index most, const char* what);
 

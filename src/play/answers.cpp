@@ -100,15 +100,9 @@ std::string move_answer(std::string_view text, std::string_view time, std::strin
 
 /// As `pivots --format html` asks, but for what the playground's page has itself.
 std::string traced(const PivotSubject& subject) {
-  constexpr Index quick = 64; // the page can show fractions and decimals where fractions are quick
-  PivotOptions options;
-  options.is_exact = subject.is_short;
-  options.keeps_fractions = subject.problem.M.rows <= quick;
-  options.most_entries = 0;
-  PivotTrace trace = trace_pivots(subject.problem, options, *subject.story);
-  if (subject.scene) trace.title = subject.scene->title;
-  trace.notes = subject.notes;
-  trace.prefers_decimals = trace.has_fractions;
+  PivotTrace trace =
+      trace_pivots(subject.problem, pivot_options(subject, false, true), *subject.story);
+  finish_trace(trace, subject, false);
   return open_pivots_html(trace, subject.push.get());
 }
 
