@@ -62,7 +62,7 @@ LCPUSH_DESKTOP_API const char* lcpush_desktop_message(const lcpush_desktop_answe
 /* NULL is fine. */
 LCPUSH_DESKTOP_API void lcpush_desktop_free(lcpush_desktop_answer* answer);
 
-/* "0.2.0" */
+/* Such as "1.2.3". */
 LCPUSH_DESKTOP_API const char* lcpush_desktop_version(void);
 
 #ifdef __cplusplus

@@ -103,7 +103,7 @@
 
     /// Words that would run over the picture's edge stand further in, above their body.
     kept_inside(words, sideways, [x, y]) {
-      const size = words.length * (window.innerWidth < 900 ? 11.5 : 7.5);
+      const size = words.length * (window.innerWidth < 900 ? 12.5 : 7.5);
       const left = sideways[0] < -0.3 ? x - size : sideways[0] > 0.3 ? x : x - size / 2;
       const by = Math.max(6 - left, 0) - Math.max(left + size - (width - 6), 0);
       return [x + by, by === 0 ? y : y - 34];
