@@ -72,7 +72,7 @@ Told ask_certify(const std::string& text, Listener& listener) {
 }
 
 /// Of a scene, or of "M" and "q" as they are typed in place: "2 1; 1 2" and "-5 -6", or "1/3 ..".
-Told ask_pivots(const std::string& text, Listener&) {
+Told ask_pivots(const std::string& text, Listener& listener) {
   const Request request(text, scene_keys({"M", "q", "exact", "as_solved", "facets", "pressure"}));
   const std::string format = request.format({"json", "text", "latex", "html"});
   const bool is_exact = request.flag("exact"), as_solved = request.flag("as_solved");
@@ -83,10 +83,11 @@ Told ask_pivots(const std::string& text, Listener&) {
   if (is_exact && as_solved) request.refuse("exact", "goes without \"as_solved\"");
   const PivotSubject subject = is_scene ? scene_subject_of(request, as_solved, is_exact)
                                         : typed_subject_of(request, is_exact);
-  PivotTrace trace =
-      as_solved ? trace_solve(subject)
-                : trace_pivots(subject.problem, pivot_options(subject, is_exact, format == "html"),
-                               *subject.story);
+  PivotOptions options =
+      as_solved ? PivotOptions() : pivot_options(subject, is_exact, format == "html");
+  options.pivoted = [&listener] { listener.end_if_cancelled(); };
+  PivotTrace trace = as_solved ? trace_solve(subject, options)
+                               : trace_pivots(subject.problem, options, *subject.story);
   finish_trace(trace, subject, is_exact);
   const Push* const push = subject.push.get();
   return {trace.status == Status::solved, format == "json"    ? pivots_json(trace, push)

@@ -115,11 +115,11 @@ void finish_trace(PivotTrace& trace, const PivotSubject& subject, bool is_exact)
   trace.prefers_decimals = trace.has_fractions && !is_exact;
 }
 
-PivotTrace trace_solve(const PivotSubject& subject) {
-  if (subject.push) return trace_solve(*subject.push, {}, *subject.story);
+PivotTrace trace_solve(const PivotSubject& subject, const PivotOptions& options) {
+  if (subject.push) return trace_solve(*subject.push, options, *subject.story);
   RawProblem raw{rows_of(rounded(subject.problem.M)), rounded(subject.problem.q).values, {}, {}};
   raw.free.assign(raw.q.size(), 0);
-  return trace_solve(raw, {}, *subject.story);
+  return trace_solve(raw, options, *subject.story);
 }
 
 } // namespace lcpush::desktop

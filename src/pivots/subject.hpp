@@ -31,7 +31,7 @@ std::string unknown_shares(const SceneFile& file);
 /// decimals where they are quick.
 PivotOptions pivot_options(const PivotSubject& subject, bool is_exact, bool is_page);
 /// The real run of a scene or of matrices.
-PivotTrace trace_solve(const PivotSubject& subject);
+PivotTrace trace_solve(const PivotSubject& subject, const PivotOptions& options = {});
 /// The subject's title and notes.
 void finish_trace(PivotTrace& trace, const PivotSubject& subject, bool is_exact);
 

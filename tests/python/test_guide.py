@@ -85,6 +85,25 @@ class Docstrings(unittest.TestCase):
                                  str(PACKAGE / "lcpush")], capture_output=True, text=True)
         self.assertEqual(result.returncode, 0, result.stdout)
 
+    def test_types_are_seen_from_outside(self):
+        """A program of a user's, with a mistake in its third line and its last."""
+        if shutil.which("mypy") is None:
+            self.skipTest("mypy is not installed")
+        program = ('import lcpush\n'
+                   'push: lcpush.Solution = lcpush.read("a.toml").solve(solver="lemke")\n'
+                   'push = lcpush.read("a.toml").break_()\n'
+                   'sentence: str = lcpush.lcp([[1]], [-1], free=[0]).sentence\n'
+                   'curves: "list[lcpush.Curve]" = lcpush.Scene({}).sweep("a", 1, 2).curves\n'
+                   'lcpush.Scene({}).sweep("a", "b", 2)\n')
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "mine.py")
+            path.write_text(program, encoding="utf-8")
+            result = subprocess.run(["mypy", "--strict", "--cache-dir", os.devnull, str(path)],
+                                    capture_output=True, text=True,
+                                    env={**os.environ, "MYPYPATH": str(PACKAGE)})
+        wrong = re.findall(r"mine\.py:(\d+): error: .*\[([a-z-]+)\]", result.stdout)
+        self.assertEqual(wrong, [("3", "assignment"), ("6", "arg-type")], result.stdout)
+
 
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0], *sys.argv[4:]])

@@ -58,7 +58,8 @@ def check(M: Any, q: Any, z: Any, *, free: Optional[Iterable[int]] = None, lo: A
     return LcpVerdict(text, "verify_lcp", Asker("verify_lcp", problem, options))
 
 
-def pivots(M: Any, q: Any, *, exact: bool = False) -> Pivots:
+def pivots(M: Any, q: Any, *, exact: bool = False,
+           progress: Optional[Progress] = None) -> Pivots:
     """Lemke's method on M and q pivot by pivot, as textbooks do it.
 
     Args:
@@ -75,5 +76,5 @@ def pivots(M: Any, q: Any, *, exact: bool = False) -> Pivots:
     problem = {"M": "; ".join(" ".join(map(str, row)) for row in table_of(M, "M")),
                "q": " ".join(str(x) for row in table_of(numbers, "q") for x in row)}
     options = {"exact": exact or None}
-    text = ask("pivots", {**problem, **options})[1]
+    text = ask("pivots", {**problem, **options}, progress)[1]
     return Pivots(text, "pivots", Asker("pivots", problem, options))

@@ -219,7 +219,7 @@ class Scene:
         return Certificate(text)
 
     def pivots(self, *, exact: bool = False, as_solved: bool = False, facets: Optional[int] = None,
-               pressure: Optional[str] = None) -> Pivots:
+               pressure: Optional[str] = None, progress: Optional[Progress] = None) -> Pivots:
         """Lemke's method pivot by pivot, and what each pivot means.
 
         Args:
@@ -230,7 +230,7 @@ class Scene:
         """
         return self._answer(Pivots, "pivots",
                             {"exact": exact or None, "as_solved": as_solved or None,
-                             "facets": facets, "pressure": pressure}, False, None)
+                             "facets": facets, "pressure": pressure}, False, progress)
 
     def export(self, folder: Union[str, "os.PathLike[str]"]) -> "list[str]":
         """Writes the problem for other solvers: M.mtx, q.mtx, names.txt, the paper's program, FCLIB's
