@@ -26,6 +26,8 @@ const std::vector<Call>& calls() {
                                       {"verify_motion", ask_verify_motion},
                                       {"move", ask_move},
                                       {"report", ask_report},
+                                      {"cone", ask_cone},
+                                      {"plan", ask_plan},
                                       {"certify", ask_certify},
                                       {"pivots", ask_pivots},
                                       {"export", ask_export},

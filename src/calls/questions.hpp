@@ -28,6 +28,8 @@ Told ask_verify(const std::string& request, Listener& listener);
 Told ask_verify_motion(const std::string& request, Listener& listener);
 Told ask_matrices(const std::string& request, Listener& listener);
 Told ask_problem(const std::string& request, Listener& listener);
+Told ask_cone(const std::string& request, Listener& listener);
+Told ask_plan(const std::string& request, Listener& listener);
 Told ask_certify(const std::string& request, Listener& listener);
 Told ask_pivots(const std::string& request, Listener& listener);
 Told ask_export(const std::string& request, Listener& listener);

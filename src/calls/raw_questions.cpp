@@ -124,9 +124,7 @@ Told ask_verify_lcp(const std::string& text, Listener&) {
   options.tolerance = request.positive("tolerance").value_or(options.tolerance);
   const RawVerifyReport report = verify_raw(problem, *z, options);
   return {is_valid(report.verdict),
-          format == "json"
-              ? verify_json(report)
-              : verify_text(report, format == "full_text" ? Telling::full : Telling::brief)};
+          format == "json" ? verify_json(report) : verify_text(report, told_as(format))};
 }
 
 } // namespace lcpush::desktop

@@ -120,6 +120,10 @@ void Request::refuse(const char* key, const std::string& message) const {
   fields_.refuse(value != nullptr ? *value : root_, quoted(key) + " " + message);
 }
 
+Telling told_as(const std::string& format) {
+  return format == "full_text" ? Telling::full : Telling::brief;
+}
+
 std::vector<std::string> scene_keys(std::vector<std::string> own) {
   own.insert(own.begin(), {"scene", "file", "format"});
   return own;

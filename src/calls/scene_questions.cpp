@@ -4,7 +4,6 @@
 #include "calls/request.hpp"
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/matrices.hpp"
-#include "lcpush/desktop/move.hpp"
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/desktop/report.hpp"
 #include "lcpush/desktop/spread.hpp"
@@ -19,9 +18,6 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-Telling told_as(const std::string& format) {
-  return format == "full_text" ? Telling::full : Telling::brief;
-}
 const Keys words_and_json{"json", "text", "full_text"};
 
 } // namespace
@@ -95,32 +91,6 @@ Told ask_spread(const std::string& text, Listener& listener) {
   return {report.status == Status::solved, format == "json"
                                                ? spread_json(file, report)
                                                : spread_text(file, report, told_as(format))};
-}
-
-Told ask_move(const std::string& text, Listener& listener) {
-  const Request request(
-      text, scene_keys({"time", "step", "tolerance", "stop_after", "frames", "most_steps"}));
-  const std::string format = request.format({"json", "text", "full_text", "csv", "svg", "html"});
-  const SceneFile file = request.scene(Strokes::all);
-  MoveOptions options;
-  options.time = request.positive("time");
-  options.step = request.positive("step");
-  options.tolerance = request.positive("tolerance");
-  options.distance = request.positive("stop_after").value_or(options.distance);
-  options.frames = request.whole("frames", 2, limits::motion_frames).value_or(options.frames);
-  options.most_steps =
-      request.whole("most_steps", 1, limits::motion_solves).value_or(limits::motion_solves);
-  if (options.step && options.tolerance)
-    request.refuse("tolerance", "chooses steps, \"step\" is a fixed one: give one of the two");
-  options.progress = [&](double done, double) { listener.pass_on(done); };
-  options.is_interrupted = [&] { return listener.is_cancelled(); };
-  const MotionReport report = move(file, options);
-  return {report.status == Status::solved, format == "json"  ? move_json(file, report)
-                                           : format == "csv" ? move_csv(file, report)
-                                           : format == "svg" ? move_svg(file, report)
-                                           : format == "html"
-                                               ? move_html(file, report)
-                                               : move_text(file, report, format == "full_text")};
 }
 
 Told ask_verify(const std::string& text, Listener&) {

@@ -99,8 +99,7 @@ Told ask_sweep(const std::string& text, Listener& listener) {
   return {complete, format == "json"  ? sweep_json(curves, check_scene(file))
                     : format == "csv" ? sweep_csv(curves)
                     : format == "svg" ? sweep_svg(curves, sweep_title(curves))
-                                      : sweep_text(curves, format == "full_text" ? Telling::full
-                                                                                 : Telling::brief)};
+                                      : sweep_text(curves, told_as(format))};
 }
 
 Told ask_report(const std::string& text, Listener& listener) {

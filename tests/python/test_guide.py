@@ -58,6 +58,19 @@ class Guide(unittest.TestCase):
             self.assertTrue(callable(getattr(lcpush.Scene, question)), question)
 
 
+    def test_has_every_question_of_the_library(self):
+        from lcpush import _library
+        with self.assertRaises(lcpush.InputError) as caught:
+            _library.ask("nothing", {})
+        questions = re.split(r", | and ", caught.exception.message.split("there are ")[1])
+        self.assertGreater(len(questions), 15)
+        page = (SOURCE / "docs/embed/desktop.md").read_text(encoding="utf-8")
+        header = (SOURCE / "include/lcpush/lcpush_desktop.h").read_text(encoding="utf-8")
+        for question in questions:
+            self.assertIn(f"`{question}`", page)
+            self.assertRegex(header, rf"\b{question}\b")
+
+
 class Docstrings(unittest.TestCase):
     def test_examples_hold(self):
         tried = 0

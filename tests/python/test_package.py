@@ -71,6 +71,23 @@ class SameJson(unittest.TestCase):
         self.assertEqual(scene.picture("top"),
                          printed("report", TIPPING, "--format", "svg", "--picture", "top"))
 
+    def test_of_cones_and_plans(self):
+        path = "docs/guide/square.toml"
+        scene = lcpush.read(path)
+        pusher = scene.names[-1]
+        self.assertEqual(scene.cone(pusher=pusher).json,
+                         printed("cone", path, "--pusher", pusher, "--json"))
+        cone = scene.cone((0.002, 0.01, 1), pusher=pusher)
+        words = ("cone", path, "--pusher", pusher, "--twist", "0.002 0.01 1")
+        self.assertEqual(cone.json, printed(*words, "--json"))
+        self.assertEqual(cone._repr_html_(), printed(*words, "--format", "svg"))
+        plan = scene.plan((-0.01, 0, 0))
+        words = ("plan", path, "--to", "-0.01 0 0")
+        self.assertEqual(plan.json, printed(*words, "--json"))
+        if plan:
+            self.assertEqual(plan.page(), printed(*words, "--format", "html"))
+            self.assertEqual(lcpush.Scene(plan.scene).text, printed(*words, "--format", "toml"))
+
     def test_of_work_that_is_shown(self):
         scene = lcpush.read(SLIDE)
         for more, words in (({}, []), ({"facets": 8, "pressure": "rigid"},

@@ -1,13 +1,32 @@
 """Answers that go on: over a number of the scene, and over time."""
 from __future__ import annotations
 
-from typing import Any, List
+from typing import Any, Dict, List, Optional
 
 from ._answers import Answer, Record
-from ._arrays import array
+from ._arrays import array, number, plain
 from ._errors import InputError
 
 _nan = float("nan")
+
+
+def _parts(given: Any, count: int, name: str, example: str) -> Any:
+    if not isinstance(given, (tuple, list)) or len(given) != count:
+        raise InputError(f"{name} must be {example}, not {given!r}")
+    return given
+
+
+def variation(given: Any, name: str) -> Dict[str, Any]:
+    """(path, start, stop) as the library takes it; `name` is its in messages."""
+    path, start, stop = _parts(given, 3, name, '("left.friction", 0.1, 0.5)')
+    return {"path": path, "from": number(start, f"{name}'s start"),
+            "to": number(stop, f"{name}'s stop")}
+
+
+def values_of(given: Any) -> Dict[str, Any]:
+    """The (path, values) of `each`."""
+    path, values = _parts(given, 2, "each", '("facets", [4, 8, 16])')
+    return {"path": path, "values": plain(values, "each's values")}
 
 
 class Curve(Record):
@@ -104,6 +123,31 @@ class Sweep(Answer):
     def twist(self) -> Any:
         """Of its curve."""
         return self._only().twist
+
+
+class Cone(Answer):
+    """The pushes with which a pusher sticks, of `Scene.cone()`: `edges`, `sides`, `sticks`, `margin` rad,
+    `smallest_grip` N. True where the push sticks."""
+
+    _picture = ("cone", {"format": "svg"})
+
+    def __bool__(self) -> bool:
+        return bool(self._data["sticks"])
+
+
+class Plan(Answer):
+    """Pushes that take the object to another place, of `Scene.plan()`: `found`, `pushes`, `cost`,
+    `replay`, and as `scene` the text of the scene with its strokes. True where it was found."""
+
+    def __bool__(self) -> bool:
+        return bool(self._data["found"])
+
+    def page(self) -> str:
+        """An HTML page that plays it."""
+        return self._ask("plan", {"format": "html"})
+
+    def _repr_html_(self) -> Optional[str]:  # type: ignore[override]
+        return None
 
 
 class Motion(Answer):

@@ -9,8 +9,8 @@ from typing import Any, Dict, Mapping, Optional, Sequence, Tuple, Type, TypeVar,
 from . import _toml
 from ._answers import (Answer, Breaking, Certificate, MotionVerdict, Pivots, Record, Solution, Spread,
                        Verdict)
-from ._arrays import as_json, number, plain
-from ._courses import Motion, Sweep
+from ._arrays import as_json, plain
+from ._courses import Cone, Motion, Plan, Sweep, values_of, variation
 from ._errors import InputError, NotSolved
 from ._library import NOT_SOLVED, Asker, Progress, ask
 
@@ -121,11 +121,10 @@ class Scene:
             each: a curve for each value of another number, such as ("facets", [4, 8, 16]); see
                 `curves` of the answer
         """
-        vary = [_variation((path, start, stop), "sweep"), *([_variation(over, "over")] if over else [])]
-        curves = None
-        if each is not None:
-            name, values = _parts(each, 2, "each", '("facets", [4, 8, 16])')
-            curves = {"path": name, "values": plain(values, "each's values")}
+        vary = [variation((path, start, stop), "sweep")]
+        if over is not None:
+            vary.append(variation(over, "over"))
+        curves = None if each is None else values_of(each)
         return self._answer(Sweep, "sweep",
                             {"vary": {"list": vary}, "each": curves, "steps": steps,
                              "pressure": pressure, "pusher": pusher}, False, progress)
@@ -190,13 +189,37 @@ class Scene:
                             {"time": time, "step": step, "tolerance": tolerance,
                              "stop_after": stop_after, "frames": frames}, False, progress)
 
+    def cone(self, twist: Optional[Sequence[float]] = None, *,
+             pusher: Optional[str] = None) -> Cone:
+        """The motion cone: all pushes with which the pusher sticks to the object, in the plane.
+
+        Args:
+            twist: shape (3,), the motion that is judged, v_x, v_y m/s and the turn rad/s, of the
+                object at its centre of mass; the scene's own
+            pusher: whose, among several
+        """
+        judged = None if twist is None else plain(twist, "twist")
+        return self._answer(Cone, "cone", {"twist": judged, "pusher": pusher}, False, None)
+
+    def plan(self, to: Sequence[float], *, seconds: Optional[float] = None,
+             progress: Optional[Progress] = None) -> Plan:
+        """Pushes against the scene's pushers that take the object to another place.
+
+        Args:
+            to: shape (3,), where the centre of mass is to go from where it is, x, y m, and the turn
+                rad
+            seconds: stop the search after that time
+        """
+        return self._answer(Plan, "plan", {"to": plain(to, "to"), "seconds": seconds}, False,
+                            progress)
+
     def report(self, *, vary: Optional[Tuple[str, float, float]] = None,
                steps: Optional[int] = None, pusher: Optional[str] = None,
                progress: Optional[Progress] = None) -> str:
         """One HTML page to look at; `vary`: with a plot of a sweep, (path, start, stop)."""
         request: Dict[str, Any] = {"steps": steps, "pusher": pusher}
         if vary:
-            request["vary"] = {"list": [_variation(vary, "vary")]}
+            request["vary"] = {"list": [variation(vary, "vary")]}
         return self._ask("report", request, progress)
 
     def picture(self, name: str = "front") -> str:
@@ -270,18 +293,6 @@ class Scene:
         if check and code == NOT_SOLVED:
             raise NotSolved(answer.sentence, answer.to_dict())
         return answer
-
-
-def _parts(given: Any, count: int, name: str, example: str) -> Any:
-    if not isinstance(given, (tuple, list)) or len(given) != count:
-        raise InputError(f"{name} must be {example}, not {given!r}")
-    return given
-
-
-def _variation(given: Any, name: str) -> Dict[str, Any]:
-    path, start, stop = _parts(given, 3, name, '("left.friction", 0.1, 0.5)')
-    return {"path": path, "from": number(start, f"{name}'s start"),
-            "to": number(stop, f"{name}'s stop")}
 
 
 def _json_of(value: Any) -> str:
