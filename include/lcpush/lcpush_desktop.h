@@ -6,8 +6,9 @@
  *   lcpush_desktop_free(answer);
  *
  * Questions are the tool's commands: scene, solve, break, sweep, spread, verify, verify_motion,
- * move, report, matrices, problem, lcp and verify_lcp; docs/embed/desktop.md has their keys. An
- * answer's text is what the tool prints with --json, byte for byte, or in another "format".
+ * move, report, cone, plan, certify, pivots, export, matrices, problem, lcp and verify_lcp;
+ * docs/embed/desktop.md has their keys. An answer's text is what the tool prints with --json, byte
+ * for byte, or in another "format".
  *
  * All functions may be called from several threads at once, each with answers of its own. No
  * exception leaves them. This is not the interface for microcontrollers: that is lcpush.h. */
@@ -62,7 +63,7 @@ LCPUSH_DESKTOP_API const char* lcpush_desktop_message(const lcpush_desktop_answe
 /* NULL is fine. */
 LCPUSH_DESKTOP_API void lcpush_desktop_free(lcpush_desktop_answer* answer);
 
-/* "0.2.0" */
+/* Such as "1.2.3". */
 LCPUSH_DESKTOP_API const char* lcpush_desktop_version(void);
 
 #ifdef __cplusplus

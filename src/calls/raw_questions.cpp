@@ -63,7 +63,7 @@ RawBounds bounds_of(const Request& request, Index n) {
   bounds.follows.assign(count, -1);
   for (std::size_t i = 0; i < count; ++i)
     if (!(bounds.lo[i] <= bounds.hi[i]))
-      request.refuse("lo", "is above \"hi\" in row " + std::to_string(i + 1));
+      request.refuse("lo", "is above \"hi\" in row " + std::to_string(i + 1) + ", counted from 1");
   return bounds;
 }
 
@@ -105,10 +105,10 @@ Told ask_lcp(const std::string& text, Listener& listener) {
   if (answer.bad_diagonal >= 0)
     request.refuse("solver", "gauss-seidel needs a positive diagonal, which row " +
                                  std::to_string(answer.bad_diagonal + 1) +
-                                 " has not; use lemke or hybrid");
+                                 ", counted from 1, has not; use lemke or hybrid");
   if (answer.inconsistent_row >= 0)
-    request.refuse("free", "names equality " + std::to_string(answer.inconsistent_row + 1) +
-                               ", which cannot hold beside the others");
+    request.refuse("free", "names row " + std::to_string(answer.inconsistent_row + 1) +
+                               ", counted from 1, which cannot hold beside the others");
   return {answer.status == Status::solved,
           format == "json" ? raw_json(problem, answer, solver_text(options.solver))
                            : raw_text(problem, answer)};
@@ -124,9 +124,7 @@ Told ask_verify_lcp(const std::string& text, Listener&) {
   options.tolerance = request.positive("tolerance").value_or(options.tolerance);
   const RawVerifyReport report = verify_raw(problem, *z, options);
   return {is_valid(report.verdict),
-          format == "json"
-              ? verify_json(report)
-              : verify_text(report, format == "full_text" ? Telling::full : Telling::brief)};
+          format == "json" ? verify_json(report) : verify_text(report, told_as(format))};
 }
 
 } // namespace lcpush::desktop

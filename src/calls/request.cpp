@@ -1,5 +1,6 @@
 #include "calls/request.hpp"
 
+#include "lcpush/mechanics/solve/breaking.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
 #include "text/limits.hpp"
 
@@ -117,6 +118,21 @@ Index Request::pusher(const SceneFile& file) const {
 void Request::refuse(const char* key, const std::string& message) const {
   const JsonValue* const value = find(key);
   fields_.refuse(value != nullptr ? *value : root_, quoted(key) + " " + message);
+}
+
+Telling told_as(const std::string& format) {
+  return format == "full_text" ? Telling::full : Telling::brief;
+}
+
+std::vector<std::string> scene_keys(std::vector<std::string> own) {
+  own.insert(own.begin(), {"scene", "file", "format"});
+  return own;
+}
+
+void refuse_still(const Request& request, const SceneFile& file) {
+  if (!(push_size(file.view()) > 0))
+    throw InputError(request.scene_name() +
+                     ": no body of the scene moves: give a pusher an acceleration");
 }
 
 void refuse_unknowns(const Request& request, const SceneFile& file, Index most, const char* what) {

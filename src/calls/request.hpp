@@ -4,6 +4,7 @@
 #include "formats/json_fields.hpp"
 #include "lcpush/desktop/scene_io.hpp"
 #include "lcpush/desktop/solver.hpp"
+#include "lcpush/desktop/telling.hpp"
 #include "lcpush/desktop/varied_scene.hpp"
 
 #include <string>
@@ -51,6 +52,12 @@ private:
   JsonValue root_;
 };
 
+/// "full_text" is words as -v has them.
+Telling told_as(const std::string& format);
+/// Keys of a question about a scene, beside its `own`.
+std::vector<std::string> scene_keys(std::vector<std::string> own);
+/// Throws InputError if nothing moves.
+void refuse_still(const Request& request, const SceneFile& file);
 /// Throws InputError if the scene has more unknowns than `most`, whose `what`.
 void refuse_unknowns(const Request& request, const SceneFile& file, Index most, const char* what);
 

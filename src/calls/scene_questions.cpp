@@ -1,16 +1,15 @@
 // Questions about a scene.
+#include "calls/asked_push.hpp"
 #include "calls/questions.hpp"
 #include "calls/request.hpp"
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/matrices.hpp"
-#include "lcpush/desktop/move.hpp"
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/desktop/report.hpp"
 #include "lcpush/desktop/spread.hpp"
 #include "lcpush/desktop/trajectory.hpp"
 #include "lcpush/desktop/verify.hpp"
 #include "lcpush/lcp/problem.hpp"
-#include "lcpush/mechanics/solve/breaking.hpp"
 #include "scenes/warnings_json.hpp"
 #include "text/limits.hpp"
 
@@ -19,22 +18,7 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-/// Keys that every question about a scene has.
-Keys scene_keys(Keys own) {
-  own.insert(own.begin(), {"scene", "file", "format"});
-  return own;
-}
-
-Telling told_as(const std::string& format) {
-  return format == "full_text" ? Telling::full : Telling::brief;
-}
 const Keys words_and_json{"json", "text", "full_text"};
-
-void refuse_still(const Request& request, const SceneFile& file) {
-  if (!(push_size(file.view()) > 0))
-    throw InputError(request.scene_name() +
-                     ": no body of the scene moves: give a pusher an acceleration");
-}
 
 } // namespace
 
@@ -61,37 +45,27 @@ Told ask_scene(const std::string& text, Listener&) {
 Told ask_solve(const std::string& text, Listener& listener) {
   const Request request(text, scene_keys({"solver"}));
   const std::string format = request.format(words_and_json);
-  const SceneFile file = request.scene();
-  Push push(file);
-  ListeningWatcher watcher(listener);
-  PushOptions options;
-  options.solver = request.solver();
-  options.watcher = &watcher;
-  const HoldReport hold = push.holds_without_push(options);
-  const PushReport report = push.solve(options);
-  return {report.status == Status::solved, format == "json"
-                                               ? solve_json(file, hold, report)
-                                               : solve_text(file, hold, report, told_as(format))};
+  AskedPush asked(request.scene(), request.solver(), listener);
+  const HoldReport hold = asked.holds_without_push();
+  const PushReport report = asked.push.solve(asked.options);
+  return {report.status == Status::solved,
+          format == "json" ? solve_json(asked.file, hold, report)
+                           : solve_text(asked.file, hold, report, told_as(format))};
 }
 
 Told ask_break(const std::string& text, Listener& listener) {
   const Request request(text, scene_keys({"solver", "pusher"}));
   const std::string format = request.format(words_and_json);
-  const SceneFile file = request.scene();
-  const Index pusher = request.pusher(file);
-  refuse_still(request, file);
-  Push push(file);
-  ListeningWatcher watcher(listener);
-  PushOptions options;
-  options.solver = request.solver();
-  options.watcher = &watcher;
-  const HoldReport hold = push.holds_without_push(options);
-  const BreakReport report = push.find_breaking(pusher, options);
-  options.solver = Solver::lemke;
-  const GripReport grip = find_smallest_grip(file, hold, report, options);
+  AskedPush asked(request.scene(), request.solver(), listener);
+  const Index pusher = request.pusher(asked.file);
+  refuse_still(request, asked.file);
+  const HoldReport hold = asked.holds_without_push();
+  const BreakReport report = asked.push.find_breaking(pusher, asked.options);
+  asked.options.solver = Solver::lemke; // the search for the grip is its own
+  const GripReport grip = find_smallest_grip(asked.file, hold, report, asked.options);
   return {report.status == Status::solved,
-          format == "json" ? break_json(file, hold, grip, report)
-                           : break_text(file, hold, grip, report, told_as(format))};
+          format == "json" ? break_json(asked.file, hold, grip, report)
+                           : break_text(asked.file, hold, grip, report, told_as(format))};
 }
 
 Told ask_spread(const std::string& text, Listener& listener) {
@@ -117,32 +91,6 @@ Told ask_spread(const std::string& text, Listener& listener) {
   return {report.status == Status::solved, format == "json"
                                                ? spread_json(file, report)
                                                : spread_text(file, report, told_as(format))};
-}
-
-Told ask_move(const std::string& text, Listener& listener) {
-  const Request request(
-      text, scene_keys({"time", "step", "tolerance", "stop_after", "frames", "most_steps"}));
-  const std::string format = request.format({"json", "text", "full_text", "csv", "svg", "html"});
-  const SceneFile file = request.scene(Strokes::all);
-  MoveOptions options;
-  options.time = request.positive("time");
-  options.step = request.positive("step");
-  options.tolerance = request.positive("tolerance");
-  options.distance = request.positive("stop_after").value_or(options.distance);
-  options.frames = request.whole("frames", 2, limits::motion_frames).value_or(options.frames);
-  options.most_steps =
-      request.whole("most_steps", 1, limits::motion_solves).value_or(limits::motion_solves);
-  if (options.step && options.tolerance)
-    request.refuse("tolerance", "chooses steps, \"step\" is a fixed one: give one of the two");
-  options.progress = [&](double done, double) { listener.pass_on(done); };
-  options.is_interrupted = [&] { return listener.is_cancelled(); };
-  const MotionReport report = move(file, options);
-  return {report.status == Status::solved, format == "json"  ? move_json(file, report)
-                                           : format == "csv" ? move_csv(file, report)
-                                           : format == "svg" ? move_svg(file, report)
-                                           : format == "html"
-                                               ? move_html(file, report)
-                                               : move_text(file, report, format == "full_text")};
 }
 
 Told ask_verify(const std::string& text, Listener&) {

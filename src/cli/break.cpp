@@ -39,16 +39,8 @@ int run_break(const Arguments& arguments) {
                : format == "json" ? break_json(file, hold, grip, report)
                                   : break_text(file, hold, grip, report, telling(arguments)),
                file);
-  const bool is_proved = write_certificate(arguments, [&]() -> std::optional<Certificate> {
-    const std::string text = read_scene_text(arguments.files()[0]);
-    if (report.status == Status::does_not_hold) return certify_cannot_hold(text, file);
-    if (report.status != Status::solved) return certify_squeeze(text, file, report.ray);
-    PushOptions again; // the answer at the small push; the search for others has overwritten it
-    again.solver = solver;
-    again.other_covers = 0;
-    push.find_breaking(pusher, again);
-    return certify_answer(text, file, push.last_answer(),
-                          report.breaking.small_push / push_size(file.view()));
+  const bool is_proved = write_certificate(arguments, [&] {
+    return certify_break(read_scene_text(arguments.files()[0]), file, push, pusher, report);
   });
   return report.status == Status::solved && is_proved ? 0 : 1;
 }

@@ -22,12 +22,8 @@ void refuse_certificate_of_stdin(const Arguments& arguments) {
 
 void check_certifiable(const Arguments& arguments, const SceneFile& file) {
   refuse_certificate_of_stdin(arguments);
-  if (arguments.has("--certify") && file.is_round)
-    throw UsageError("--certify proves pyramids, whose directions are fractions: give the scene a "
-                     "number of facets");
-  if (arguments.has("--certify") && file.pressure == Pressure::even)
-    throw UsageError("--certify proves the literal equations, which pressure = \"even\" replaces: "
-                     "use \"pad\" or \"rigid\"");
+  const std::string refusal = uncertified_law(file);
+  if (arguments.has("--certify") && !refusal.empty()) throw UsageError("--certify " + refusal);
 }
 
 bool write_certificate(const Arguments& arguments,

@@ -41,10 +41,8 @@ desktop::PivotSubject scene_subject(const Arguments& arguments) {
     file.facets = arguments.whole("--facets", {4, 256, true}).value_or(4);
     file.pressure = read_pressure(arguments, file.pressure);
   }
-  if (file.pressure == Pressure::even &&
-      (file.hand == desktop::Hand::parallel || file.hand == desktop::Hand::locked))
-    throw UsageError("--pressure even does not go with " + std::string(hand_text(file.hand)) +
-                     " jaws: no point's share is known; write [gripper] jaws = \"independent\"");
+  if (const std::string refusal = desktop::unknown_shares(file); !refusal.empty())
+    throw UsageError("--pressure " + refusal);
   return desktop::scene_subject(std::move(file), text, path, as_solved, arguments.has("--exact"));
 }
 
@@ -86,16 +84,10 @@ void refuse_combinations(const Arguments& arguments, bool is_scene) {
 
 desktop::PivotTrace trace(const desktop::PivotSubject& subject, const Arguments& arguments) {
   if (arguments.has("--as-solved")) return desktop::trace_solve(subject);
-  desktop::PivotOptions options;
-  options.is_exact = arguments.has("--exact") || subject.is_short;
-  // The page can show both, where its own fractions are quick.
-  constexpr Index quick = 64;
-  options.keeps_fractions =
-      arguments.has("--exact") ||
-      (arguments.value("--format") == std::string("html") && subject.problem.M.rows <= quick);
-  // The page has no tableau but the first and the last: it pivots by itself.
-  if (arguments.value("--format") == std::string("html") && !arguments.has("--choose"))
-    options.most_entries = 0;
+  desktop::PivotOptions options = desktop::pivot_options(
+      subject, arguments.has("--exact"), arguments.value("--format") == std::string("html"));
+  // Who chooses sees the tableaus.
+  if (arguments.has("--choose")) options.most_entries = desktop::PivotOptions().most_entries;
   options.rule = arguments.has("--first-row") ? TieRule::first_row : TieRule::lexicographic;
   options.z0_wins_ties = !arguments.has("--z0-last");
   options.cover = read_cover(arguments, subject.problem.M.rows);
@@ -115,9 +107,7 @@ int run_pivots(const Arguments& arguments) {
   const desktop::PivotSubject subject =
       is_scene ? scene_subject(arguments) : raw_subject(arguments);
   desktop::PivotTrace traced = trace(subject, arguments);
-  if (subject.scene) traced.title = subject.scene->title;
-  traced.notes = subject.notes;
-  traced.prefers_decimals = traced.has_fractions && !arguments.has("--exact");
+  desktop::finish_trace(traced, subject, arguments.has("--exact"));
   std::string text;
   if (format == "json")
     text = desktop::pivots_json(traced, subject.push.get());

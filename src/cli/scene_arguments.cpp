@@ -36,13 +36,8 @@ void refuse_size(const Arguments& arguments, const SceneFile& file, Needs needs)
 } // namespace
 
 void refuse_samples(double samples, const SceneFile& file) {
-  const auto points = static_cast<double>(file.view().points.size);
-  const double most = std::floor(limits::memory /
-                                 (limits::bytes_a_sample + limits::bytes_a_sampled_point * points));
-  if (samples > most)
-    throw UsageError(desktop::printed("%.0f", samples) +
-                     " samples of this scene are more than the " + desktop::printed("%.0f", most) +
-                     " that fit into 1 GB; ask for fewer --steps");
+  const std::string refusal = desktop::too_many_samples(samples, file);
+  if (!refusal.empty()) throw UsageError(refusal + "; ask for fewer --steps");
 }
 
 SceneFile read_scene_argument(const Arguments& arguments, Needs needs, Strokes strokes) {

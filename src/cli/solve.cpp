@@ -32,11 +32,8 @@ int run_solve(const Arguments& arguments) {
                : format == "json" ? solve_json(file, hold, report)
                                   : solve_text(file, hold, report, telling(arguments)),
                file);
-  const bool is_proved = write_certificate(arguments, [&]() -> std::optional<Certificate> {
-    const std::string text = read_scene_text(arguments.files()[0]);
-    if (report.status == Status::solved) return certify_answer(text, file, report.answer, 1);
-    return certify_squeeze(text, file, report.ray);
-  });
+  const bool is_proved = write_certificate(
+      arguments, [&] { return certify_push(read_scene_text(arguments.files()[0]), file, report); });
   return report.status == Status::solved && is_proved ? 0 : 1;
 }
 

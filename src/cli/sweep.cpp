@@ -43,9 +43,7 @@ std::vector<SweepCurve> read_curves(const Arguments& arguments, std::vector<Vari
       continue;
     }
     for (const Variation& value : read_each(scene, *each)) {
-      const std::string label = value.parameter.path + " = " + shown(value.from) +
-                                (value.parameter.unit.empty() ? "" : " " + value.parameter.unit);
-      curves.push_back({mine.empty() ? label : mine + ", " + label, title, value, {}});
+      curves.push_back(curve_at(value, title, mine));
       scenes.push_back(scene.with(value.parameter, value.from));
     }
   }
@@ -53,16 +51,6 @@ std::vector<SweepCurve> read_curves(const Arguments& arguments, std::vector<Vari
     for (const std::string& text : arguments.values("--vary"))
       curves[k].sweep.variations.push_back(read_variation(scenes[k], text));
   return curves;
-}
-
-std::string title_of(const std::vector<SweepCurve>& curves) {
-  const Sweep& sweep = curves.front().sweep;
-  std::string over = sweep.variations[0].parameter.path;
-  if (sweep.is_map()) over += " and " + sweep.variations[1].parameter.path;
-  bool same = true;
-  for (const SweepCurve& curve : curves) same = same && curve.scene == curves.front().scene;
-  return (same ? curves.front().scene + ": push" : "Push") + " by " + sweep.pusher + " over " +
-         over;
 }
 
 int run_sweep(const Arguments& arguments) {
@@ -110,7 +98,7 @@ int run_sweep(const Arguments& arguments) {
   write_answer(arguments, format,
                format == "json"  ? sweep_json(curves, doubts)
                : format == "csv" ? sweep_csv(curves)
-               : format == "svg" ? sweep_svg(curves, title_of(curves), shown)
+               : format == "svg" ? sweep_svg(curves, sweep_title(curves), shown)
                                  : sweep_text(curves, telling(arguments)),
                doubts);
   return complete ? 0 : 1;

@@ -38,12 +38,24 @@ function(embed name text)
   set(definitions "${definitions}" PARENT_SCOPE)
 endfunction()
 
+# The blanks that begin lines say nothing in a page, and are a fifth of it.
+function(without_margin variable text)
+  string(REGEX REPLACE "\n +" "\n" text "${text}")
+  set(${variable} "${text}" PARENT_SCOPE)
+endfunction()
+
 foreach(entry IN ITEMS
         explorer_template=${SOURCES}/pivots/explorer/explorer.html
         explorer_style=${SOURCES}/pivots/explorer/explorer.css
         play_template=${SOURCES}/play/page/page.html
         gallery_template=${SOURCES}/play/page/gallery.html
-        play_style=${SOURCES}/play/page/page.css
+        play_style=${SOURCES}/play/page/page.css)
+  string(REGEX MATCH "^([a-z_]+)=(.*)$" found "${entry}")
+  file(READ "${CMAKE_MATCH_2}" text)
+  without_margin(text "${text}")
+  embed(${CMAKE_MATCH_1} "${text}")
+endforeach()
+foreach(entry IN ITEMS
         solver_text=${SOURCES}/play/wasm/solver.txt
         python_script=${SOURCES}/export/solve_push.py
         octave_script=${SOURCES}/export/solve_push.m)
@@ -68,8 +80,8 @@ endfunction()
 embed_files(example_scenes "${FIXTURES}/scenes/*.toml")
 embed_files(scene_templates "${SOURCES}/scenes/templates/*.toml")
 
-# The function `name` returns the scripts that FOLDER/scripts.txt lists, joined; without the blanks
-# and the comments that begin their lines, which are a fifth of what a page would carry.
+# The function `name` returns the scripts that FOLDER/scripts.txt lists, joined; without their margin
+# and the comments that have a line of their own.
 function(embed_scripts name folder)
   file(STRINGS "${folder}/scripts.txt" files)
   set(script "")
@@ -77,18 +89,20 @@ function(embed_scripts name folder)
     file(READ "${folder}/${file}" part)
     string(APPEND script "${part}\n")
   endforeach()
-  string(REGEX REPLACE "\n +" "\n" script "\n${script}")
+  without_margin(script "\n${script}")
   string(REGEX REPLACE "\n//[^\n]*" "" script "${script}")
   string(REGEX REPLACE "\n\n+" "\n" script "${script}")
   embed(${name} "${script}")
   set(definitions "${definitions}" PARENT_SCOPE)
 endfunction()
+embed_scripts(drawing_script "${SOURCES}/draw/script")
 embed_scripts(explorer_script "${SOURCES}/pivots/explorer")
 embed_scripts(play_script "${SOURCES}/play/page")
 
 file(WRITE "${OUTPUT}"
      "// Made by src/cmake/embed_text.cmake; not to be edited.\n"
-     "#include \"export/export_parts.hpp\"\n#include \"pivots/explorer_text.hpp\"\n"
+     "#include \"draw/markup.hpp\"\n#include \"export/export_parts.hpp\"\n"
+     "#include \"pivots/explorer_text.hpp\"\n"
      "#include \"play/page_text.hpp\"\n"
      "#include \"scenes/shipped_scenes.hpp\"\n\n"
      "namespace lcpush::desktop {\n${definitions}} // namespace lcpush::desktop\n")

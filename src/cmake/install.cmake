@@ -17,6 +17,10 @@ if(TARGET lcpush_desktop_shared)
           FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 endif()
 
+# Debian's place of a licence.
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/lcpush
+        RENAME copyright)
+
 install(EXPORT lcpushTargets NAMESPACE lcpush:: DESTINATION ${package_dir})
 configure_package_config_file(cmake/lcpushConfig.cmake.in lcpushConfig.cmake
                               INSTALL_DESTINATION ${package_dir})

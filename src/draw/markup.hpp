@@ -62,5 +62,7 @@ std::string svg_document(const Drawing& drawing);
 /// The colours as CSS variables of `selector`, in light and in dark.
 std::string palette(const std::string& selector);
 std::string drawing_style();
+/// What pages that draw by themselves begin their scripts with: script/, embedded.
+std::string drawing_script();
 
 } // namespace lcpush::desktop

@@ -19,12 +19,20 @@ std::string embedded(const std::string& json) {
 
 } // namespace
 
-std::string pivots_html(const PivotTrace& trace, const Push* push) {
+std::string open_pivots_html(const PivotTrace& trace, const Push* push) {
   std::string page = explorer_template();
-  // The trace last: what it says must not be taken for a placeholder.
-  put(page, "/*STYLE*/", palette(":root") + drawing_style() + explorer_style());
+  // The trace last: what it says must not be taken for a placeholder. The places that stay stand
+  // before it.
+  put(page, "/*STYLE*/", explorer_style());
   put(page, "/*SCRIPT*/", explorer_script());
   put(page, "/*TRACE*/", embedded(pivots_json(trace, push, false)));
+  return page;
+}
+
+std::string pivots_html(const PivotTrace& trace, const Push* push) {
+  std::string page = open_pivots_html(trace, push);
+  put(page, "/*LOOKS*/", palette(":root") + drawing_style());
+  put(page, "/*DRAWING*/", drawing_script());
   return page;
 }
 

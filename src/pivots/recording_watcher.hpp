@@ -73,6 +73,7 @@ public:
   }
 
   Index choose_leaving_row(const LemkeOf<S>& lemke, const PendingPivot& pending) {
+    if (options_.pivoted) options_.pivoted();
     const Dictionary<S>& d = lemke.dictionary();
     TracedPivot pivot;
     pivot.entering = pending.entering;

@@ -93,11 +93,33 @@ PivotSubject raw_subject(ExactProblem problem, const std::string& name, bool is_
   return subject;
 }
 
-PivotTrace trace_solve(const PivotSubject& subject) {
-  if (subject.push) return trace_solve(*subject.push, {}, *subject.story);
+std::string unknown_shares(const SceneFile& file) {
+  if (file.pressure != Pressure::even || (file.hand != Hand::parallel && file.hand != Hand::locked))
+    return {};
+  return "even does not go with " + std::string(hand_text(file.hand)) +
+         " jaws: no point's share is known; write [gripper] jaws = \"independent\"";
+}
+
+PivotOptions pivot_options(const PivotSubject& subject, bool is_exact, bool is_page) {
+  constexpr Index quick = 64;
+  PivotOptions options;
+  options.is_exact = is_exact || subject.is_short;
+  options.keeps_fractions = is_exact || (is_page && subject.problem.M.rows <= quick);
+  if (is_page) options.most_entries = 0; // it has no tableau but the first and the last
+  return options;
+}
+
+void finish_trace(PivotTrace& trace, const PivotSubject& subject, bool is_exact) {
+  if (subject.scene) trace.title = subject.scene->title;
+  trace.notes = subject.notes;
+  trace.prefers_decimals = trace.has_fractions && !is_exact;
+}
+
+PivotTrace trace_solve(const PivotSubject& subject, const PivotOptions& options) {
+  if (subject.push) return trace_solve(*subject.push, options, *subject.story);
   RawProblem raw{rows_of(rounded(subject.problem.M)), rounded(subject.problem.q).values, {}, {}};
   raw.free.assign(raw.q.size(), 0);
-  return trace_solve(raw, {}, *subject.story);
+  return trace_solve(raw, options, *subject.story);
 }
 
 } // namespace lcpush::desktop

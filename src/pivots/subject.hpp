@@ -24,7 +24,15 @@ PivotSubject rounded_subject(SceneFile file, const std::string& path);
 /// `name` is M's in messages.
 PivotSubject raw_subject(ExactProblem problem, const std::string& name, bool is_exact);
 
+/// Why the scene's pressure law goes without an answer, "even does not go with .."; or empty.
+std::string unknown_shares(const SceneFile& file);
+
+/// For text, JSON and LaTeX; or for the page, which pivots by itself and can show fractions beside
+/// decimals where they are quick.
+PivotOptions pivot_options(const PivotSubject& subject, bool is_exact, bool is_page);
 /// The real run of a scene or of matrices.
-PivotTrace trace_solve(const PivotSubject& subject);
+PivotTrace trace_solve(const PivotSubject& subject, const PivotOptions& options = {});
+/// The subject's title and notes.
+void finish_trace(PivotTrace& trace, const PivotSubject& subject, bool is_exact);
 
 } // namespace lcpush::desktop

@@ -8,6 +8,7 @@
 #include "lcpush/desktop/report.hpp"
 #include "move/move_words.hpp"
 #include "pivots/explorer_scene.hpp"
+#include "pivots/explorer_text.hpp"
 #include "pivots/subject.hpp"
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
@@ -97,18 +98,12 @@ std::string move_answer(std::string_view text, std::string_view time, std::strin
                     ", \"poses\": " + poses.text());
 }
 
-/// As `pivots --format html` asks.
+/// As `pivots --format html` asks, but for what the playground's page has itself.
 std::string traced(const PivotSubject& subject) {
-  constexpr Index quick = 64; // the page can show fractions and decimals where fractions are quick
-  PivotOptions options;
-  options.is_exact = subject.is_short;
-  options.keeps_fractions = subject.problem.M.rows <= quick;
-  options.most_entries = 0;
-  PivotTrace trace = trace_pivots(subject.problem, options, *subject.story);
-  if (subject.scene) trace.title = subject.scene->title;
-  trace.notes = subject.notes;
-  trace.prefers_decimals = trace.has_fractions;
-  return pivots_html(trace, subject.push.get());
+  PivotTrace trace =
+      trace_pivots(subject.problem, pivot_options(subject, false, true), *subject.story);
+  finish_trace(trace, subject, false);
+  return open_pivots_html(trace, subject.push.get());
 }
 
 std::string pivots_answer(std::string_view text) {

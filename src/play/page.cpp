@@ -15,7 +15,9 @@ void fill(std::string& page, const std::string& placeholder, const std::string& 
 std::string play_html(const std::string& text) {
   std::string page = play_template();
   // The scene last: what it says must not be taken for a placeholder.
-  fill(page, "/*STYLE*/", palette(":root") + drawing_style() + play_style());
+  fill(page, "/*LOOKS*/", palette(":root") + drawing_style());
+  fill(page, "/*STYLE*/", play_style());
+  fill(page, "/*DRAWING*/", drawing_script());
   fill(page, "/*SCRIPT*/", play_script());
   fill(page, "/*SOLVER*/", solver_text());
   fill(page, "/*SCENE*/", escaped(text));

@@ -5,7 +5,8 @@
 
 namespace lcpush::desktop {
 
-/// The page, with the places /*STYLE*/, /*SCRIPT*/, /*SOLVER*/ and /*SCENE*/.
+/// The page, with the explorer's places /*LOOKS*/ and /*DRAWING*/, and /*STYLE*/, /*SCRIPT*/,
+/// /*SOLVER*/ and /*SCENE*/.
 std::string play_template();
 std::string play_style();
 std::string play_script();

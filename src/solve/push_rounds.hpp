@@ -93,7 +93,7 @@ inline PushOptions by_other_cover(const PushOptions& options, Index k) {
   PushOptions other = options;
   other.solver = Solver::lemke;
   other.record_history = false;
-  other.watcher = nullptr;
+  other.watcher = options.searching;
   other.lemke.first_cover += k * other.lemke.covers;
   return other;
 }

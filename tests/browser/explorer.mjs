@@ -5,13 +5,12 @@
 //
 // Exit 0: all held. chromium.mjs says where the browser and its driver come from.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { check_after, check_marks, check_picture, check_pivot } from './checks.mjs';
 import { check_all, open, phone, wide } from './chromium.mjs';
-import { root } from './engine.mjs';
 import { problems } from './problems.mjs';
+import { run_tool } from './tool.mjs';
 
 const [tool, folder, ...chosen] = process.argv.slice(2);
 if (!tool || !folder) {
@@ -21,18 +20,8 @@ if (!tool || !folder) {
 const out = resolve(folder);
 mkdirSync(out, { recursive: true });
 
-/// What the tool writes; a run that is not solved exits with 1 and still writes.
-function run_tool(name, args, format) {
-  const file = join(out, `${name}.${format}`);
-  const call = ['pivots', ...args, '--format', format, '-o', file];
-  try {
-    execFileSync(tool, call, { cwd: root, stdio: ['ignore', 'ignore', 'pipe'] });
-  } catch (failure) {
-    if (failure.status !== 1 || !existsSync(file))
-      throw new Error(`${tool} ${call.join(' ')}: ${failure.stderr}`);
-  }
-  return file;
-}
+const written = (name, words, format) =>
+  run_tool(tool, ['pivots', ...words, '--format', format], join(out, `${name}.${format}`));
 
 const state_of = (page) => page.evaluate(() => {
   const state = window.lcpush.state();
@@ -270,8 +259,8 @@ async function check_swipes(page) {
 
 async function check_problem(browser, problem) {
   const { name } = problem;
-  const json = run_tool(name, problem.arguments, 'json');
-  const html = run_tool(name, problem.arguments, 'html');
+  const json = written(name, problem.arguments, 'json');
+  const html = written(name, problem.arguments, 'html');
   const trace = JSON.parse(readFileSync(json, 'utf8'));
   if (problem.status) assert.equal(trace.status, problem.status, `${name}: status`);
   let branches = 0;

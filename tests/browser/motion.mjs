@@ -6,12 +6,11 @@
 //
 // Exit 0: all held. chromium.mjs says where the browser and its driver come from.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { check_all, open, phone, wide } from './chromium.mjs';
-import { root } from './engine.mjs';
 import { contrast_faults, covered_words, layout_faults } from './page_faults.mjs';
+import { run_tool } from './tool.mjs';
 
 const [tool, folder, ...chosen] = process.argv.slice(2);
 if (!tool || !folder) {
@@ -29,21 +28,8 @@ const problems = [
 ];
 const most_moments = 151; // drawn on a page
 
-/// What the tool writes; a motion that ends early exits with 1 and still writes.
-function run_tool(problem, format) {
-  const file = join(out, `${problem.name}.${format}`);
-  const call = ['move', ...problem.arguments, '--format', format, '-o', file];
-  let code = 0;
-  try {
-    execFileSync(tool, call, { cwd: root, stdio: ['ignore', 'ignore', 'pipe'] });
-  } catch (failure) {
-    code = failure.status;
-    if (code !== 1 || !existsSync(file))
-      throw new Error(`${tool} ${call.join(' ')}: ${failure.stderr}`);
-  }
-  assert.equal(code, problem.ends_early ? 1 : 0, `${problem.name}: exit`);
-  return file;
-}
+const written = ({ name, arguments: words, ends_early }, format) => run_tool(tool,
+  ['move', ...words, '--format', format], join(out, `${name}.${format}`), Boolean(ends_early));
 
 /// What the page shows now.
 const shown = (page) => page.evaluate(() => {
@@ -179,8 +165,8 @@ async function check_looks(page, where, device, scheme) {
 
 async function check_problem(browser, problem) {
   const { name } = problem;
-  const html = run_tool(problem, 'html');
-  const { frames } = JSON.parse(readFileSync(run_tool(problem, 'json'), 'utf8'));
+  const html = written(problem, 'html');
+  const { frames } = JSON.parse(readFileSync(written(problem, 'json'), 'utf8'));
   for (const [size, device] of [['wide', wide], ['phone', phone]]) {
     for (const colorScheme of ['light', 'dark']) {
       const label = `${name}_${size}_${colorScheme}`;

@@ -11,6 +11,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { check_all, open, phone, wide } from './chromium.mjs';
 import { root } from './engine.mjs';
+import { contrast_faults, covered_words, layout_faults } from './page_faults.mjs';
 
 const [tool, folder, ...chosen] = process.argv.slice(2);
 if (!tool || !folder) {
@@ -127,6 +128,37 @@ async function dragging(browser) {
   await end();
 }
 
+async function touching(browser) {
+  const { page, end } = await played(browser, fixture('pivot'), phone);
+  await settled(page);
+  const before = await state(page);
+  const devtools = await page.context().newCDPSession(page);
+  const swipe = async ([x, y], by) => {
+    const touch = (type, ...touchPoints) =>
+      devtools.send('Input.dispatchTouchEvent', { type, touchPoints });
+    await touch('touchStart', { x, y });
+    for (let k = 1; k <= 10; k += 1) await touch('touchMove', { x: x + by * k / 10, y });
+    await touch('touchEnd');
+  };
+  await swipe(await middle_of(page, 'edge'), 40);
+  await page.waitForFunction((text) => window.lcpush.app.state.text !== text, before.text);
+  await settled(page);
+  await agrees(page);
+  assert.equal(await page.evaluate(() => window.scrollY), 0, 'the page stays');
+  await page.tap('#undo');
+  assert.equal((await state(page)).text, before.text, 'undo');
+  const seen_from = () => page.evaluate(() => window.lcpush.app.view.right.join());
+  const front = await seen_from();
+  const [left, top] = await page.evaluate(() => {
+    const box = document.getElementById('picture').getBoundingClientRect();
+    return [box.x, box.y];
+  });
+  await swipe([left + 12, top + 12], 60);
+  assert.notEqual(await seen_from(), front, 'the view turns');
+  assert.equal((await state(page)).text, before.text, 'and nothing else');
+  await end();
+}
+
 /// From the change of the text to the picture: solve, read, draw.
 async function speed(browser) {
   const text = readFileSync(fixture('pivot'), 'utf8');
@@ -178,6 +210,19 @@ async function keyboard(browser) {
   await page.keyboard.press('Enter');
   assert.match((await state(page)).text, /mass = 0\.4/);
   assert.match(await page.locator('#sentence').textContent(), /Push with/);
+  await page.evaluate((text) => window.lcpush.app.replace(text),
+    readFileSync(fixture('rolling'), 'utf8'));
+  await settled(page);
+  const rim = (text) => [/cylinder_radius = ([\d.]+)/, /ends = \[\[(-?[\d.]+)/]
+    .map((pattern) => Math.abs(pattern.exec(text)[1]));
+  const [radius, place] = rim((await state(page)).text);
+  await page.getByRole('spinbutton', { name: 'object: radius, m, as a number' })
+    .fill(String(2 * radius));
+  await page.keyboard.press('Enter');
+  assert.equal((await state(page)).failure, '');
+  assert.deepEqual(rim((await state(page)).text), [2 * radius, 2 * place],
+    'the finger stays on the rim');
+  await agrees(page);
   await end();
 }
 
@@ -236,6 +281,10 @@ async function playing(browser) {
   const frame = page.frameLocator('#frame');
   await frame.locator('#forward').click();
   assert.match(await frame.locator('#step').textContent(), /Step 1 of/);
+  // The explorer takes its palette and what it draws with from this page.
+  assert.match(await frame.locator('html').evaluate((root_there) =>
+    getComputedStyle(root_there).getPropertyValue('--paper')), /#/);
+  assert.ok(await frame.locator('#scene .drawing .head').count() > 0, 'arrows');
   await page.click('#close');
   await page.click('#raw summary');
   await page.selectOption('#examples', 'infeasible_psd');
@@ -255,7 +304,7 @@ async function looks(browser) {
     .map((line) => line.trim().split(/\s+/)[0]).filter(Boolean);
   assert.ok(names.length > 15);
   for (const [size, scheme] of [[wide, 'light'], [phone, 'dark'],
-    [{ viewport: { width: 390, height: 844 } }, 'light']]) {
+    [{ ...phone, viewport: { width: 390, height: 844 } }, 'light']]) {
     const { page, end } = await played(browser, fixture('pivot'), { ...size, colorScheme: scheme });
     await page.evaluate(() => document.querySelectorAll('details')
       .forEach((part) => part.setAttribute('open', '')));
@@ -271,7 +320,16 @@ async function looks(browser) {
       }));
       assert.ok(seen.wide <= 0, `${name}: ${seen.wide} px too wide`);
       assert.ok(seen.bodies > 0 && seen.broken === 0, `${name}: ${JSON.stringify(seen)}`);
+      const layout = { viewport: size.viewport.width, least: 10.4 };
+      const { found, texts, lines } = await page.evaluate(contrast_faults);
+      assert.ok(texts > 40 && lines > 2, `${name}: ${texts} texts, ${lines} lines`);
+      assert.deepEqual([...await page.evaluate(layout_faults, layout),
+        ...await page.evaluate(covered_words), ...found], [], `${name}, ${scheme}`);
     }
+    const small = await page.evaluate(() => [...document.querySelectorAll('button, select, input')]
+      .filter((part) => part.getClientRects().length > 0
+        && part.getBoundingClientRect().height < 40).map((part) => part.id || part.type));
+    if (size.hasTouch) assert.deepEqual(small, [], 'large enough to touch');
     await end();
   }
 }
@@ -292,7 +350,7 @@ async function gallery(browser) {
   await close();
 }
 
-const tests = { random_scenes, dragging, speed, keyboard, errors, links, playing, looks, gallery };
+const tests = { random_scenes, dragging, touching, speed, keyboard, errors, links, playing, looks, gallery };
 await check_all(Object.keys(tests).map((name) => ({ name })), chosen,
   async (browser, { name }) => {
     await tests[name](browser);

@@ -6,12 +6,12 @@
 //
 // Exit 0: all held. chromium.mjs says where the browser and its driver come from.
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { check_all, open, phone, wide } from './chromium.mjs';
 import { root } from './engine.mjs';
 import { contrast_faults, covered_words, layout_faults } from './page_faults.mjs';
+import { run_tool } from './tool.mjs';
 
 const [tool, folder, ...chosen] = process.argv.slice(2);
 if (!tool || !folder) {
@@ -57,20 +57,8 @@ const problems = [
   changed('many_points', 'ground', [['points = 6', 'points = 30']]),
 ];
 
-/// What the tool writes; a push that is not solved exits with 1 and still writes.
-function run_tool(problem, file, ...more) {
-  const call = ['report', ...problem.arguments, ...more, '-o', file];
-  let code = 0;
-  try {
-    execFileSync(tool, call, { cwd: root, stdio: ['ignore', 'ignore', 'pipe'] });
-  } catch (failure) {
-    code = failure.status;
-    if (code !== 1 || !existsSync(file))
-      throw new Error(`${tool} ${call.join(' ')}: ${failure.stderr}`);
-  }
-  assert.equal(code, problem.failure ? 1 : 0, `${problem.name}: exit`);
-  return file;
-}
+const written = ({ arguments: words, failure }, file, ...more) =>
+  run_tool(tool, ['report', ...words, ...more], file, Boolean(failure));
 
 /// Runs in the page: labels in drawings of the grasp that touch something, as sentences. A label is
 /// a group of lines; what it must not touch are the picture's border, other words and outlines.
@@ -173,7 +161,7 @@ async function check_print(page, where) {
 
 /// A sweep's plot, which stands on the page as an image of its own.
 async function check_plot(browser, problem) {
-  const file = run_tool(problem, join(out, `${problem.name}_sweep.svg`), '--format', 'svg',
+  const file = written(problem, join(out, `${problem.name}_sweep.svg`), '--format', 'svg',
     '--picture', 'sweep1');
   for (const colorScheme of ['light', 'dark']) {
     const { page, faults, close } = await open(browser, file, { ...wide, colorScheme });
@@ -186,7 +174,7 @@ async function check_plot(browser, problem) {
 
 async function check_problem(browser, problem) {
   const { name } = problem;
-  const html = run_tool(problem, join(out, `${name}.html`));
+  const html = written(problem, join(out, `${name}.html`));
   for (const [size, device] of [['wide', wide], ['phone', phone]]) {
     for (const colorScheme of ['light', 'dark']) {
       const label = `${name}_${size}_${colorScheme}`;
@@ -203,7 +191,7 @@ async function check_problem(browser, problem) {
   }
   if (problem.arguments.includes('--vary')) await check_plot(browser, problem);
   for (const colorScheme of ['light', 'dark']) {
-    const file = run_tool(problem, join(out, `${name}.svg`), '--format', 'svg');
+    const file = written(problem, join(out, `${name}.svg`), '--format', 'svg');
     const { page, faults, close } = await open(browser, file, { ...wide, colorScheme });
     const paper = await page.evaluate(() =>
       getComputedStyle(document.documentElement).backgroundColor);

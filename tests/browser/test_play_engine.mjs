@@ -4,12 +4,9 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { root } from './engine.mjs';
+import { root, script_of } from './engine.mjs';
 
-const names = ['namespace.js', 'vectors.js', 'toml.js', 'figures.js', 'scene_edits.js', 'raw.js'];
-const text_of = (name) => readFileSync(join(root, 'src', 'play', 'page', name), 'utf8');
-const play = new Function(`${text_of('namespace.js')}\nplay.elements = {};
-${names.slice(1).map(text_of).join('\n')}\nreturn play;`)();
+const play = new Function(`${script_of('play/page', 'raw.js')}\nreturn play;`)();
 const { Toml, edits } = play;
 
 const scenes = join(root, 'fixtures', 'scenes');
@@ -90,6 +87,30 @@ test('a dragged body stays on its face, and a jaw takes its other finger along',
   const pushed = new Toml(edits.dragged(state, ['edge'], [0.001, 0.5, 0]));
   assert.equal(pushed.get(pushed.body('edge'), 'ends')[0][1],
     was.get(was.body('edge'), 'ends')[0][1]);
+});
+
+test('what touches the ends of an object stays on them as it grows', () => {
+  const text_of = (name) => fixtures.find(([file]) => file === `${name}.toml`)[1];
+  const state = (text, axis, ...names) => ({ text, scene: { center_of_mass: [0, 0, 0],
+    shape: { axis }, bodies: names.map((name) => ({ name })) } });
+  const table = `[object]\nmass = 1\ncylinder_radius = 0.01\ncylinder_length = 0.04\naxis = "z"
+[[finger]]\nname = "rim"\ncenter = [0.006, 0.008, 0.001]
+[[finger]]\nname = "lid"\npoints = [[0, 0.004, 0.02], [0.004, 0, 0.02]]\n`;
+  const coin = state(table, 2, 'rim', 'lid');
+  const wide = new Toml(edits.with_cylinder(coin, 'cylinder_radius', 0.02));
+  assert.equal(wide.get(wide.first('object'), 'cylinder_radius'), 0.02);
+  assert.deepEqual(wide.get(wide.body('rim'), 'center'), [0.012, 0.016, 0.001]);
+  assert.deepEqual(wide.get(wide.body('lid'), 'points'), [[0, 0.008, 0.02], [0.008, 0, 0.02]]);
+  const long = new Toml(edits.with_cylinder(coin, 'cylinder_length', 0.06));
+  assert.equal(long.get(long.first('object'), 'cylinder_radius'), 0.01);
+  assert.deepEqual(long.get(long.body('rim'), 'center'), [0.006, 0.008, 0.0015]);
+  assert.deepEqual(long.get(long.body('lid'), 'points')[0], [0, 0.004, 0.03]);
+  const bar = state(text_of('pivot'), undefined, 'left', 'right', 'edge');
+  const [x, y, z] = new Toml(bar.text).get(new Toml(bar.text).first('object'), 'box');
+  const high = new Toml(edits.with_edge(bar, 1, 2 * y));
+  assert.deepEqual(high.get(high.first('object'), 'box'), [x, 2 * y, z]);
+  const [ends, were] = [high, new Toml(bar.text)].map((toml) => toml.get(toml.body('edge'), 'ends'));
+  ends.forEach((at, k) => assert.deepEqual(at, [were[k][0], 2 * were[k][1], were[k][2]]));
 });
 
 test('the examples are those of fixtures/textbook', () => {

@@ -37,7 +37,7 @@ ROOMS = {
     "include/lcpush/desktop": ("What can be asked on a desktop? One header a question.", CORE),
     "src/c": ("How is the C interface made of the core?", CORE),
     "src/calls": ("What does another language ask the desktop, and how is it told?",
-                  "lcp mechanics/solve text formats desktop scenes"),
+                  "lcp mechanics/solve text formats desktop scenes pivots"),
     "src/lcp": ("Which solvers are compiled once?", CORE),
     "src/mechanics": ("Which laws are compiled once?", CORE),
     "src/text": ("How are numbers and lists put into words?", "desktop"),

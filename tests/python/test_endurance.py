@@ -99,10 +99,19 @@ class Interrupts(unittest.TestCase):
         for finger, z in zip(tables["finger"], (0.005, -0.005)):
             finger.update(shape="disc", center=[0, 0, z], radius=0.005, points=100)
         wide = lcpush.Scene({**tables, "facets": 32})  # each value takes half a second
+        pivot = lcpush.read("fixtures/scenes/pivot.toml").to_dict()
+        for finger, z in zip(pivot["finger"], (0.005, -0.005)):
+            del finger["points"]
+            finger.update(shape="disc", center=[0, 0, z], radius=0.005, points=90)
+        searched = lcpush.Scene(pivot)  # most of two seconds go into other covers and mirrors
+        for finger in pivot["finger"]:
+            finger["points"] = 20
+        exact = lcpush.Scene(pivot)  # its pivots in fractions take many seconds
         for work in (lambda: scene.sweep(*LONG, steps=200_000),
                      lambda: wide.sweep(*LONG, steps=1000),
                      lambda: lcpush.read("docs/guide/held_box.toml").move(time=90, step=1e-4),
-                     lambda: scene.spread(enumerate_all=True, seconds=60)):
+                     lambda: scene.spread(enumerate_all=True, seconds=60), searched.break_,
+                     lambda: exact.pivots(exact=True)):
             self.assertLess(self.ended_after(work), 0.2)
 
     def test_come_from_progress_as_well(self):

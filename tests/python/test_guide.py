@@ -58,6 +58,19 @@ class Guide(unittest.TestCase):
             self.assertTrue(callable(getattr(lcpush.Scene, question)), question)
 
 
+    def test_has_every_question_of_the_library(self):
+        from lcpush import _library
+        with self.assertRaises(lcpush.InputError) as caught:
+            _library.ask("nothing", {})
+        questions = re.split(r", | and ", caught.exception.message.split("there are ")[1])
+        self.assertGreater(len(questions), 15)
+        page = (SOURCE / "docs/embed/desktop.md").read_text(encoding="utf-8")
+        header = (SOURCE / "include/lcpush/lcpush_desktop.h").read_text(encoding="utf-8")
+        for question in questions:
+            self.assertIn(f"`{question}`", page)
+            self.assertRegex(header, rf"\b{question}\b")
+
+
 class Docstrings(unittest.TestCase):
     def test_examples_hold(self):
         tried = 0
@@ -84,6 +97,25 @@ class Docstrings(unittest.TestCase):
         result = subprocess.run(["mypy", "--strict", "--cache-dir", os.devnull,
                                  str(PACKAGE / "lcpush")], capture_output=True, text=True)
         self.assertEqual(result.returncode, 0, result.stdout)
+
+    def test_types_are_seen_from_outside(self):
+        """A program of a user's, with a mistake in its third line and its last."""
+        if shutil.which("mypy") is None:
+            self.skipTest("mypy is not installed")
+        program = ('import lcpush\n'
+                   'push: lcpush.Solution = lcpush.read("a.toml").solve(solver="lemke")\n'
+                   'push = lcpush.read("a.toml").break_()\n'
+                   'sentence: str = lcpush.lcp([[1]], [-1], free=[0]).sentence\n'
+                   'curves: "list[lcpush.Curve]" = lcpush.Scene({}).sweep("a", 1, 2).curves\n'
+                   'lcpush.Scene({}).sweep("a", "b", 2)\n')
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "mine.py")
+            path.write_text(program, encoding="utf-8")
+            result = subprocess.run(["mypy", "--strict", "--cache-dir", os.devnull, str(path)],
+                                    capture_output=True, text=True,
+                                    env={**os.environ, "MYPYPATH": str(PACKAGE)})
+        wrong = re.findall(r"mine\.py:(\d+): error: .*\[([a-z-]+)\]", result.stdout)
+        self.assertEqual(wrong, [("3", "assignment"), ("6", "arg-type")], result.stdout)
 
 
 if __name__ == "__main__":

@@ -2,11 +2,14 @@
 
     python3 test_package.py TOOL LIBRARY SOURCE
 """
+import fractions
 import json
 import os
 import pathlib
+import pickle
 import subprocess
 import sys
+import tempfile
 import unittest
 
 TOOL, LIBRARY, SOURCE = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
@@ -56,11 +59,72 @@ class SameJson(unittest.TestCase):
         self.assertEqual(both.json,
                          printed("sweep", TIPPING, "--vary", "object.mass=0.1:0.5", "--vary",
                                  f"{pusher}.friction=0.1:0.5", "--steps", "3", "--json"))
+        several = scene.sweep(f"{pusher}.friction", 0.1, 0.5, steps=3, each=("facets", [4, 8]))
+        words = ("sweep", TIPPING, "--vary", f"{pusher}.friction=0.1:0.5", "--steps", "3", "--each",
+                 "facets=4,8")
+        self.assertEqual(several.json, printed(*words, "--json"))
+        self.assertEqual(several._repr_html_(), printed(*words, "--format", "svg"))
+        self.assertEqual([curve.each_value for curve in several.curves], [4, 8])
         self.assertEqual(json.dumps(scene.matrices().to_dict()),
                          json.dumps(json.loads(printed("matrices", TIPPING, "--json"))))
         self.assertEqual(scene.report(), printed("report", TIPPING))
         self.assertEqual(scene.picture("top"),
                          printed("report", TIPPING, "--format", "svg", "--picture", "top"))
+
+    def test_of_cones_and_plans(self):
+        path = "docs/guide/square.toml"
+        scene = lcpush.read(path)
+        pusher = scene.names[-1]
+        self.assertEqual(scene.cone(pusher=pusher).json,
+                         printed("cone", path, "--pusher", pusher, "--json"))
+        cone = scene.cone((0.002, 0.01, 1), pusher=pusher)
+        words = ("cone", path, "--pusher", pusher, "--twist", "0.002 0.01 1")
+        self.assertEqual(cone.json, printed(*words, "--json"))
+        self.assertEqual(cone._repr_html_(), printed(*words, "--format", "svg"))
+        plan = scene.plan((-0.01, 0, 0))
+        words = ("plan", path, "--to", "-0.01 0 0")
+        self.assertEqual(plan.json, printed(*words, "--json"))
+        if plan:
+            self.assertEqual(plan.page(), printed(*words, "--format", "html"))
+            self.assertEqual(lcpush.Scene(plan.scene).text, printed(*words, "--format", "toml"))
+
+    def test_of_work_that_is_shown(self):
+        scene = lcpush.read(SLIDE)
+        for more, words in (({}, []), ({"facets": 8, "pressure": "rigid"},
+                                       ["--facets", "8", "--pressure", "rigid"]),
+                            ({"as_solved": True}, ["--as-solved"])):
+            self.assertEqual(scene.pivots(**more).json, printed("pivots", SLIDE, *words, "--json"))
+        typed = ("pivots", "--M", "2 1; 1 1/2", "--q", "-5 -6", "--exact")
+        raw = lcpush.pivots([[2, 1], ["1", fractions.Fraction(1, 2)]], (-5, -6), exact=True)
+        self.assertEqual(raw.json, printed(*typed, "--json"))
+        self.assertEqual(raw.latex(), printed(*typed, "--format", "latex"))
+        self.assertEqual(raw.page(), printed(*typed, "--format", "html"))
+        self.assertIn("srcdoc", raw._repr_html_())
+        self.assertIn("pivots: solved", repr(raw))
+        with tempfile.TemporaryDirectory() as folder:
+            mine, tools = pathlib.Path(folder, "mine"), pathlib.Path(folder, "tools")
+            printed("export", SLIDE, "-o", str(tools))
+            mine.joinpath("fclib").mkdir(parents=True)
+            names = scene.export(mine)
+            self.assertEqual(sorted(names), sorted(str(path.relative_to(tools)) for path
+                                                   in tools.rglob("*") if path.is_file()))
+            for name in names:
+                self.assertEqual((mine / name).read_bytes(), (tools / name).read_bytes(), name)
+
+    def test_of_certificates_which_a_stranger_accepts(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path, proof, tools = (pathlib.Path(folder, name) for name in ("s.toml", "p.json", "t.json"))
+            for name, breaking in ((SLIDE, False), (SLIDE, True), (JAM, False)):
+                scene = lcpush.Scene(lcpush.read(name).to_dict())
+                scene.save(path)
+                certificate = scene.certify(breaking=breaking)
+                certificate.save(proof)
+                printed("break" if breaking else "solve", str(path), "--certify", str(tools))
+                self.assertEqual(certificate.json, tools.read_text(encoding="utf-8"))
+                accepted = subprocess.run([sys.executable, "docs/check/lcpush_check.py", str(proof),
+                                           str(path)], capture_output=True, text=True)
+                self.assertEqual(accepted.returncode, 0, accepted.stdout + accepted.stderr)
+                self.assertIn(certificate.statement, repr(certificate))
 
     def test_of_raw_problems(self):
         self.assertEqual(lcpush.lcp([[2, 1], [1, 2]], [-5, -6]).json,
@@ -114,6 +178,14 @@ class Answers(unittest.TestCase):
         self.assertAlmostEqual(motion.positions[-1][0], 0.05, places=6)
         self.assertEqual([len(listed(motion.times)), len(listed(motion.rotations))], [11, 11])
         self.assertEqual(listed(motion.rotations[0]), [[1, 0, 0], [0, 1, 0], [0, 0, 1]])
+
+
+    def test_go_through_pickle(self):
+        solution = pickle.loads(pickle.dumps(lcpush.read(SLIDE).solve()))
+        self.assertIn("Push with 20.1 N", repr(solution))
+        self.assertEqual(len(solution.M), len(solution.names))
+        raw = pickle.loads(pickle.dumps(lcpush.lcp([[2, 1], [1, 2]], [-5, -6])))
+        self.assertIn("Solved in", repr(raw))
 
 
 class Judging(unittest.TestCase):
@@ -182,24 +254,8 @@ class Arrays(unittest.TestCase):
         self.assertTrue(scene.verify(given))
 
 
-class Mistakes(unittest.TestCase):
-    def refused(self, call):
-        with self.assertRaises(lcpush.InputError) as caught:
-            call()
-        return caught.exception
-
-    def test_are_located(self):
-        error = self.refused(lambda: lcpush.Scene("[object]\nmass = -1\n", "mine.toml"))
-        self.assertEqual((error.file, error.line), ("mine.toml", 2))
-        self.assertTrue(str(error).startswith("mine.toml:2: "))
-        scene = lcpush.read(SLIDE)
-        self.assertIn("left.grip", str(self.refused(lambda: scene.sweep("left.grip", 1, 2))))
-        self.assertIn("wall", str(self.refused(lambda: scene.break_(pusher="wal"))))
-        self.assertIn("square", str(self.refused(lambda: lcpush.lcp([[1, 2]], [1]))))
-        self.assertIn("finite", str(self.refused(lambda: lcpush.lcp([[float("nan")]], [1]))))
-        self.assertIn('"q"', str(self.refused(lambda: lcpush.lcp([[1]], [1, 2]))))
-
-    def test_what_has_no_answer_says_why(self):
+class WithoutAnswer(unittest.TestCase):
+    def test_says_why(self):
         with self.assertRaises(lcpush.NotSolved) as caught:
             lcpush.read(JAM).solve()
         self.assertEqual(caught.exception.status, "ray")

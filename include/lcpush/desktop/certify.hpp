@@ -64,6 +64,15 @@ std::optional<Certificate> certify_squeeze(const std::string& text, const SceneF
 /// Of a scene that does not hold its load without a push, or nullopt: some forces would.
 std::optional<Certificate> certify_cannot_hold(const std::string& text, const SceneFile& file);
 
+/// Of what `report` says of the scene's push, as the three above.
+std::optional<Certificate> certify_push(const std::string& text, const SceneFile& file,
+                                        const PushReport& report);
+/// Of the push by `pusher` that breaks the grasp. `push` is solved once more.
+std::optional<Certificate> certify_break(const std::string& text, const SceneFile& file, Push& push,
+                                         Index pusher, const BreakReport& report);
+/// Why answers of a scene have no certificate, "proves .."; empty if they can have one.
+std::string uncertified_law(const SceneFile& file);
+
 /// Of a raw problem with these typed numbers: of its answer, or that there is none.
 std::optional<Certificate> certify_raw(const ExactMatrix& M, const ExactMatrix& q,
                                        const std::vector<unsigned char>& free,

@@ -158,6 +158,7 @@ struct PivotOptions {
   std::size_t most_entries = 400000; ///< of all tableaus together that are kept
   /// Asked before every pivot, the trace's last: the row that leaves, one of those tied.
   std::function<Index(const PivotTrace&)> choose;
+  std::function<void()> pivoted; ///< called at every pivot; what it throws ends the run
 };
 
 /// w = M z + q in somebody's units; the last free_count unknowns are free.

@@ -193,6 +193,14 @@ struct SweepCurve {
   Sweep sweep;
 };
 
+/// The curve, not swept yet, of `scene` with another number at `each`; `mine`: what tells the scene
+/// from others, if there are others.
+SweepCurve curve_at(const Variation& each, const std::string& scene, const std::string& mine = "");
+/// For a picture of all of them.
+std::string sweep_title(const std::vector<SweepCurve>& curves);
+/// That so many samples do not fit into memory; empty if they do.
+std::string too_many_samples(double samples, const SceneFile& file);
+
 /// What a picture shows.
 struct SweepQuantity {
   enum class Kind { break_force, force, force_component, twist, break_twist };

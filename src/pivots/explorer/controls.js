@@ -1,6 +1,6 @@
 // Buttons, slider, keys, swipes and the address: all ways to choose a step.
 (() => {
-  const { by_id } = explorer.elements;
+  const { by_id } = drawing.elements;
   const pauses = { slow: 2400, medium: 1200, fast: 350 };
 
   function create(app) {

@@ -1,6 +1,6 @@
 // Puts the page together and offers window.lcpush to tests.
 (() => {
-  const { by_id } = explorer.elements;
+  const { by_id } = drawing.elements;
   const { number_text, words } = explorer;
 
   class Application {
@@ -31,7 +31,7 @@
         `in ${trace.arithmetic}`, words.rule_words[trace.rule] || trace.rule].join(' \u00b7 ');
       const notes = trace.notes || [];
       by_id('notes').hidden = notes.length === 0;
-      by_id('notes').append(...notes.map((note) => explorer.elements.h('li', {}, note)));
+      by_id('notes').append(...notes.map((note) => drawing.elements.h('li', {}, note)));
       by_id('arithmetic').hidden = !problem.exact;
       by_id('as-fractions').checked = this.as_fractions;
       by_id('as-fractions').addEventListener('change', (event) => {
@@ -70,7 +70,7 @@
       if (this.problem.levels === 1) return 1;
       if (!this.units_of_S.has(run)) {
         const { scene } = this.problem.trace;
-        const { dot, subtract } = explorer.vectors;
+        const { dot, subtract } = drawing.vectors;
         const given = explorer.certificate.as_given(this.recorded, run);
         let [best, unit] = [0, 1];
         for (const point of scene.points) {

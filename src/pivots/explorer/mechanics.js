@@ -3,13 +3,7 @@
 // Numbers come in two levels, [times S, finite]: while the method runs, an actuator may stand at
 // its symbolic bound -S, and then forces and motions have a part that is a multiple of S.
 (() => {
-  const add = (a, b) => a.map((x, i) => x + b[i]);
-  const scale = (a, factor) => a.map((x) => x * factor);
-  const subtract = (a, b) => a.map((x, i) => x - b[i]);
-  const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
-  const length = (a) => Math.hypot(...a);
-  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-    a[0] * b[1] - a[1] * b[0]];
+  const { add, scale, subtract, dot, length, cross } = drawing.vectors;
 
   /// The acceleration that a twist at the centre of mass gives the point at `arm` from it.
   const at_point = (twist, arm) => add(twist.slice(0, 3), cross(twist.slice(3), arm));
@@ -82,6 +76,5 @@
     return { large: levels[0], finite: levels[1], modes, has_large: size(levels[0]) > 1e-12 };
   }
 
-  explorer.vectors = { add, scale, subtract, dot, length, cross };
   explorer.mechanics = { picture, at_point, sign };
 })();

@@ -1,6 +1,6 @@
 // Numbers as text. A minus is a real minus sign; a fraction too long to read becomes a decimal.
 (() => {
-  const minus = '\u2212';
+  const { minus, decimal } = drawing.numbers;
   const longest_fraction = 10;
   const longest_decimal = 8;
 
@@ -11,20 +11,6 @@
       if (text.length <= longest_decimal) return text;
     }
     return decimal(x, 2);
-  }
-
-  function decimal(x, digits = 5) {
-    if (x === 0) return '0';
-    if (!Number.isFinite(x)) return x > 0 ? '\u221e' : `${minus}\u221e`;
-    const size = Math.abs(x);
-    let text;
-    if (size >= 1e6 || size < 1e-4) {
-      const [mantissa, exponent] = x.toExponential(Math.max(1, digits - 3)).split('e');
-      text = `${Number(mantissa)}e${Number(exponent)}`;
-    } else {
-      text = String(Number(x.toPrecision(digits)));
-    }
-    return text.replace(/-/g, minus);
   }
 
   /// Is the decimal all of the fraction n/d?

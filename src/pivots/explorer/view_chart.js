@@ -1,6 +1,7 @@
 // z0 against the step. Where values have a part times S, that part has a panel of its own above.
 (() => {
-  const { svg, picture, replace, by_id } = explorer.elements;
+  const { svg, replace, by_id } = drawing.elements;
+  const { picture } = explorer.elements;
   const { decimal } = explorer.number_text;
   const [left, right] = [58, 12];
   let width = 420; // of the place on the page, so that text keeps its size

@@ -3,8 +3,9 @@
 // w - M z = q + z0 d: the point lies in the cone of the columns I_i (of basic w_i) and -M_i (of
 // basic z_i).
 (() => {
-  const { svg, picture, replace, by_id } = explorer.elements;
-  const { add, scale, subtract, length } = explorer.vectors;
+  const { svg, replace, by_id } = drawing.elements;
+  const { picture } = explorer.elements;
+  const { add, scale, subtract, length } = drawing.vectors;
   const size = 320;
   const room = 34; // around what is drawn, for names
 

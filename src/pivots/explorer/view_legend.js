@@ -1,6 +1,7 @@
 // All variables with their meanings; built when it is first opened.
 (() => {
-  const { h, name, table, by_id } = explorer.elements;
+  const { h, table, by_id } = drawing.elements;
+  const { name } = explorer.elements;
 
   function create(app) {
     const { problem } = app;

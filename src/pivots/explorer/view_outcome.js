@@ -1,6 +1,7 @@
 // How the path ends: a solution, a ray with its checks, a cycle, or a stop.
 (() => {
-  const { h, name, table, by_id, replace } = explorer.elements;
+  const { h, table, by_id, replace } = drawing.elements;
+  const { name } = explorer.elements;
   const { number_text } = explorer;
 
   function solution_table(app) {

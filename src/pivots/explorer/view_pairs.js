@@ -1,6 +1,7 @@
 // Complementary pairs: a column of two boxes each, w above z, the basic one filled.
 (() => {
-  const { svg, picture, replace, h, name, names, by_id } = explorer.elements;
+  const { svg, replace, h, by_id } = drawing.elements;
+  const { picture, name, names } = explorer.elements;
 
   function update(app) {
     const { path, frame, problem } = app;

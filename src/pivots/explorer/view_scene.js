@@ -2,8 +2,10 @@
 // outlines, pads, cones of a unit force, marks, the axes. Here they are placed, and forces, motions
 // and labels drawn over them.
 (() => {
-  const { svg, picture, parsed } = explorer.elements;
-  const { add, scale, subtract, dot, length, cross } = explorer.vectors;
+  const { svg, parsed } = drawing.elements;
+  const { polygon, arrow, mark } = drawing.shapes;
+  const { picture } = explorer.elements;
+  const { add, scale, subtract, dot, length, cross } = drawing.vectors;
   const { decimal } = explorer.number_text;
 
   /// The largest of 1, 2, 5 times a power of ten that is not above x.
@@ -16,22 +18,6 @@
   function round_above(x) {
     const power = 10 ** Math.floor(Math.log10(x));
     return [1, 1.5, 2, 3, 5, 7, 10].find((k) => k * power >= x * (1 - 1e-9)) * power;
-  }
-
-  const polygon = (kind, points) => svg('polygon',
-    { class: kind, points: points.map((p) => p.map((x) => x.toFixed(1)).join()).join(' ') });
-
-  /// An arrow with its own head, so that colour is not needed to see its end.
-  function arrow(kind, [x0, y0], [x1, y1]) {
-    const size = Math.hypot(x1 - x0, y1 - y0);
-    if (size < 2.5) return null;
-    const [dx, dy] = [(x1 - x0) / size, (y1 - y0) / size];
-    const head = Math.min(9, size * 0.6);
-    const back = [x1 - dx * head, y1 - dy * head];
-    const wing = (s) => [back[0] - dy * s * head * 0.42, back[1] + dx * s * head * 0.42];
-    return svg('g', { class: kind },
-      svg('line', { class: 'shaft', x1: x0, y1: y0, x2: back[0], y2: back[1] }),
-      polygon('head', [[x1, y1], wing(1), wing(-1)]));
   }
 
   /// One view of one level: the finite one, or the part times S.
@@ -51,9 +37,7 @@
     /// Of a flat place in metres.
     pixel(at) { return add(this.origin, scale(at, this.common.meters)); }
     place(position) { return this.pixel(this.flat(position)); }
-    mark(name, [x, y]) {
-      return parsed(svg('g', { transform: `translate(${x} ${y})` }), this.scene.marks[name]);
-    }
+    mark(name, at) { return mark(this.scene.marks[name], at); }
 
     outline() {
       const { outline, radius } = this.view;

@@ -1,9 +1,10 @@
 // The panel around the drawing: which part is drawn, what z0 hides, and the same in words.
 (() => {
-  const { h, parsed, table, replace, by_id, name } = explorer.elements;
+  const { h, parsed, table, replace, by_id } = drawing.elements;
+  const { name } = explorer.elements;
   const { decimal } = explorer.number_text;
   const { figures } = explorer.view_scene;
-  const { length, cross, scale, dot, add } = explorer.vectors;
+  const { length, cross, scale, dot, add } = drawing.vectors;
 
   /// z and w of the present basis in SI units, by level [times S, finite], w without d z0.
   function unknowns(app) {

@@ -1,6 +1,7 @@
 // What happens at this step, in words: the sentence, who enters and leaves, ties, other choices.
 (() => {
-  const { h, name, names, by_id, replace } = explorer.elements;
+  const { h, by_id, replace } = drawing.elements;
+  const { name, names } = explorer.elements;
 
   function move(problem, role, variable, value) {
     return [h('dt', {}, role), h('dd', {}, name(problem.names[variable]),

@@ -1,7 +1,8 @@
 // The tableau: a table of the rows and columns in sight, with empty space for the others, so that
 // 200 rows and columns cost no more than 20.
 (() => {
-  const { h, name, by_id } = explorer.elements;
+  const { h, by_id } = drawing.elements;
+  const { name } = explorer.elements;
   const all_of_it = 26; // rows and columns up to which everything is drawn
   const beyond = 4;     // rows and columns drawn beyond the edge
 

@@ -38,7 +38,7 @@
     const { scene } = path.problem.trace;
     const point = scene && scene.points.find(({ slip }) => slip === leaving);
     if (!point) return '';
-    const { add, scale, length } = explorer.vectors;
+    const { add, scale, length } = drawing.vectors;
     const basic = new Set([...path.frames[frame_number].rows, entering]);
     const acting = point.generators.filter((_, j) =>
       basic.has(path.problem.size + point.friction[j]));

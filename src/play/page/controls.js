@@ -1,7 +1,7 @@
 // Sliders with number boxes, made anew when the scene has other bodies. A control says how its
 // value is read from the scene and how it is written into it.
 (() => {
-  const { h, by_id } = play.elements;
+  const { h, by_id } = drawing.elements;
   const { edits, Toml } = play;
   const degrees = 180 / Math.PI;
   const tidy = (x) => Number(x.toPrecision(5));
@@ -75,7 +75,14 @@
       for (const axis of [0, 1, 2])
         controls.push(number(`size ${'xyz'[axis]}`, 'm', 0.002, round_up(3 * box[axis]), 0.001,
           (now) => now.get(edits.object(now), 'box')?.[axis],
-          (current, value) => edits.resized(current, axis, value)));
+          (current, value) => edits.with_edge(current, axis, value)));
+    for (const [key, label] of [['cylinder_radius', 'radius'], ['cylinder_length', 'length']]) {
+      const size = toml.get(edits.object(toml), key);
+      if (size > 0)
+        controls.push(number(label, 'm', 0.001, round_up(3 * size), 0.001,
+          (now) => now.get(edits.object(now), key),
+          (current, value) => edits.with_cylinder(current, key, value)));
+    }
     return controls;
   }
 

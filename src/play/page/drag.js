@@ -1,7 +1,7 @@
 // Taking bodies and the view by mouse, touch and keys.
 (() => {
-  const { by_id } = play.elements;
-  const { scale } = play.vectors;
+  const { by_id } = drawing.elements;
+  const { scale } = drawing.vectors;
 
   const keys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 

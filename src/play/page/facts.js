@@ -1,6 +1,7 @@
 // The answer in words and numbers.
 (() => {
-  const { h, by_id, decimal } = play.elements;
+  const { h, table, replace } = drawing.elements;
+  const { decimal } = drawing.numbers;
 
   const verbs = { stick: 'sticks', slide: 'slips', separate: 'opens', touch: 'touches' };
 
@@ -30,26 +31,21 @@
   function update(state, breaking) {
     const { answer } = state;
     const [held, bad] = held_words(answer);
-    by_id('facts').replaceChildren(...[
+    replace('facts',
       fact('Held without the push', held, bad),
       fact('Grip that just holds it', grip_words(breaking)),
       fact('Push that breaks the grasp', break_words(breaking)),
       answer.residual && fact('Residual of the laws', decimal(answer.residual.max)),
       fact('Pivots', String(answer.pivots)),
       answer.jam && h('div', { class: 'jam' }, h('dt', {}, 'Why it jams'),
-        answer.jam.words.map((words) => h('dd', {}, words))),
-    ].filter(Boolean));
+        answer.jam.words.map((words) => h('dd', {}, words))));
     contacts(answer);
   }
 
   function contacts({ contacts: list }) {
-    const row = (c) => h('tr', {}, h('th', { scope: 'row' }, c.name),
-      [verbs[c.mode] || c.mode, decimal(c.normal_force), decimal(Math.hypot(...c.friction_force)),
-        decimal(Math.hypot(...c.acceleration))].map((x) => h('td', {}, x)));
-    by_id('contacts').replaceChildren(list
-      ? h('table', {}, h('thead', {}, h('tr', {},
-        ['contact', 'does', 'normal N', 'friction N', 'slip m/s\u00b2'].map((x) =>
-          h('th', { scope: 'col' }, x)))), h('tbody', {}, list.map(row)))
+    replace('contacts', list ? table('contacts', ['contact', 'does', 'normal N', 'friction N',
+      'slip m/s\u00b2'], list.map((c) => [c.name, verbs[c.mode] || c.mode, decimal(c.normal_force),
+      decimal(Math.hypot(...c.friction_force)), decimal(Math.hypot(...c.acceleration))]))
       : h('p', {}, 'No answer, no forces.'));
   }
 

@@ -1,7 +1,7 @@
 // The things of a scene as points in space, from the description that reports and the explorer
 // draw from.
 (() => {
-  const { add, subtract, scale, dot, cross, unit, length } = play.vectors;
+  const { add, subtract, scale, dot, cross, unit, length } = drawing.vectors;
   const range = (n) => [...Array(n).keys()];
 
   /// Faces, each {normal, corners}, about the centre of mass at 0.

@@ -1,7 +1,7 @@
 // Addresses that carry a scene (#scene=.., or plainly #text=..) or a typed problem (#lcp=..), and
 // files to keep.
 (() => {
-  const { by_id } = play.elements;
+  const { by_id } = drawing.elements;
 
   const through = async (bytes, stream) => new Uint8Array(await new Response(
     new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
@@ -59,7 +59,7 @@
     const svg = document.querySelector('#picture svg').cloneNode(true);
     svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
     const style = document.createElementNS('http://www.w3.org/2000/svg', 'style');
-    style.textContent = document.querySelector('style').textContent;
+    style.textContent = [...document.querySelectorAll('style')].map((one) => one.textContent).join('');
     svg.prepend(style);
     return new XMLSerializer().serializeToString(svg);
   }

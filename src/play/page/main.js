@@ -1,6 +1,10 @@
 // Puts the page together and offers window.lcpush to tests.
 (() => {
-  const { by_id } = play.elements;
+  const { by_id } = drawing.elements;
+
+  /// The solver leaves the places open of what this page has already.
+  const with_drawing = (page) => page.replace('/*LOOKS*/', () => by_id('looks').textContent)
+    .replace('/*DRAWING*/', () => by_id('drawing').textContent);
 
   class Application {
     constructor(module, text) {
@@ -194,7 +198,7 @@
       try {
         const page = await this.background.ask(question, question, text);
         if (page === null) return '';
-        by_id('frame').srcdoc = page;
+        by_id('frame').srcdoc = with_drawing(page);
         by_id('explorer').showModal();
         return '';
       } catch (refusal) {

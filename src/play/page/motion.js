@@ -1,7 +1,8 @@
 // The push goes on: steps of `move`, shown as they go.
 (() => {
-  const { by_id, decimal } = play.elements;
-  const { add, scale, length } = play.vectors;
+  const { by_id } = drawing.elements;
+  const { decimal } = drawing.numbers;
+  const { add, scale, length } = drawing.vectors;
   const frames = 201;
   const duration = 4000; // ms for the whole motion
 

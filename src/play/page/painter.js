@@ -1,27 +1,14 @@
 // The picture of a state: object, bodies, forces with their cones, modes, and the motion's ghost.
 (() => {
-  const { svg, parsed, decimal } = play.elements;
-  const { add, subtract, scale, dot, cross, length, unit, turned, hull } = play.vectors;
+  const { svg } = drawing.elements;
+  const { decimal } = drawing.numbers;
+  const { polygon, arrow, mark } = drawing.shapes;
+  const { add, subtract, scale, dot, cross, length, unit, turned, hull } = drawing.vectors;
   const { figures } = play;
 
   const [width, height, margin] = [720, 480, 92];
   const longest = 78; // pixels, of the largest force
   const swing = 0.11; // of the grasp's reach, how far the ghost's fastest point goes
-
-  const shape = (kind, corners, more = {}) => svg('polygon', { class: kind,
-    points: corners.map((p) => p.map((x) => x.toFixed(1)).join()).join(' '), ...more });
-
-  function arrow(kind, [x0, y0], [x1, y1]) {
-    const size = Math.hypot(x1 - x0, y1 - y0);
-    if (size < 2.5) return null;
-    const [dx, dy] = [(x1 - x0) / size, (y1 - y0) / size];
-    const head = Math.min(9, size * 0.6);
-    const back = [x1 - dx * head, y1 - dy * head];
-    const wing = (s) => [back[0] - dy * s * head * 0.42, back[1] + dx * s * head * 0.42];
-    return svg('g', { class: kind },
-      svg('line', { class: 'shaft', x1: x0, y1: y0, x2: back[0], y2: back[1] }),
-      shape('head', [[x1, y1], wing(1), wing(-1)]));
-  }
 
   class Painter {
     /// `meters`: pixels a metre. `pose` {position, rotation(v)} of the object, `body_shift` of b.
@@ -65,8 +52,8 @@
       const outline = hull(faces.flatMap(({ corners }) => corners.map((c) => this.of_object(c))));
       const seen = faces.filter(({ normal }) =>
         figures.faces_viewer(view, this.pose.turned(normal)));
-      return [shape('object', outline), seen.map(({ corners }) =>
-        shape('face', corners.map((c) => this.of_object(c))))];
+      return [polygon('object', outline), seen.map(({ corners }) =>
+        polygon('face', corners.map((c) => this.of_object(c))))];
     }
 
     ghost() {
@@ -79,7 +66,7 @@
       const s = swing * this.reach / speed;
       const moved = (c) => this.place(add(add(this.center, scale(linear, s)),
         turned(c, scale(angular, s))));
-      return shape('ghost', hull(corners.flat().map(moved)));
+      return polygon('ghost', hull(corners.flat().map(moved)));
     }
 
     plate_of(name) {
@@ -103,11 +90,11 @@
       const words = this.answer && force ? `${name}  ${decimal(force.normal_force)} N` : name;
       const sideways = length(away) > 0.3 ? unit(away) : [behind ? -0.5 : 0.5, behind ? 1 : -1];
       const [x, y] = this.kept_inside(words, sideways,
-      add(tip, scale(sideways, length(away) > 0.3 ? 58 : 76)));
-    const squeezes = this.answer?.jam?.bodies.some((one) => one.name === name);
-      return { name, behind, shape: svg('g', { class: 'body', tabindex: 0, role: 'button',
+        add(tip, scale(sideways, length(away) > 0.3 ? 58 : 76)));
+      const squeezes = this.answer?.jam?.bodies.some((one) => one.name === name);
+      return { name, behind, thing: svg('g', { class: 'body', tabindex: 0, role: 'button',
         'data-body': name, 'aria-label': `${name}, ${first.role}: arrow keys move it` },
-      shape(`thing ${first.role}${behind ? ' behind' : ''}${squeezes ? ' squeezes' : ''}`,
+      polygon(`thing ${first.role}${behind ? ' behind' : ''}${squeezes ? ' squeezes' : ''}`,
         hull(corners.map((c) => this.place(c))))),
       label: svg('text', { class: `label ${first.role}`, x, y: y + 4,
         'text-anchor': sideways[0] < -0.3 ? 'end' : sideways[0] > 0.3 ? 'start' : 'middle' },
@@ -116,7 +103,7 @@
 
     /// Words that would run over the picture's edge stand further in, above their body.
     kept_inside(words, sideways, [x, y]) {
-      const size = words.length * (window.innerWidth < 900 ? 11.5 : 7.5);
+      const size = words.length * (window.innerWidth < 900 ? 12.5 : 7.5);
       const left = sideways[0] < -0.3 ? x - size : sideways[0] > 0.3 ? x : x - size / 2;
       const by = Math.max(6 - left, 0) - Math.max(left + size - (width - 6), 0);
       return [x + by, by === 0 ? y : y - 34];
@@ -130,15 +117,15 @@
       const tip = this.place(point.drawn_at);
       const from = (force) => subtract(tip, scale(view.flat(force), newtons));
       const normal = scale(body.normal, contact.normal_force);
-    const toward = dot(view.toward, body.normal);
-    const kind = toward > 0.3 ? ' behind' : toward < -0.3 ? ' facing' : '';
+      const toward = dot(view.toward, body.normal);
+      const kind = toward > 0.3 ? ' behind' : toward < -0.3 ? ' facing' : '';
       const cone = contact.normal_force > 0 && body.friction > 0
         ? hull([tip, ...point.generators.map(({ force }) =>
           from(add(normal, scale(force, body.friction * contact.normal_force))))]) : [];
-      return [cone.length > 2 && shape(`cone${kind}`, cone),
+      return [cone.length > 2 && polygon(`cone${kind}`, cone),
         arrow(`force normal${kind}`, from(normal), tip),
         arrow(`force friction${kind}`, from(contact.friction_force), tip),
-        parsed(svg('g', { transform: `translate(${tip})` }), scene.marks[contact.mode] || '')];
+        mark(scene.marks[contact.mode] || '', tip)];
     }
 
     axes() {
@@ -174,8 +161,8 @@
       const contacts = this.answer ? (this.answer.contacts || []) : [];
       return svg('svg', { class: 'drawing', viewBox: `0 0 ${width} ${height}`, role: 'group',
         'aria-label': `The grasp: ${state.sentence}`, tabindex: 0 },
-      this.axes(), bodies.filter((b) => b.behind).map((b) => b.shape), this.object(), this.ghost(),
-      bodies.filter((b) => !b.behind).map((b) => b.shape), this.trace(path), this.dots(),
+      this.axes(), bodies.filter((b) => b.behind).map((b) => b.thing), this.object(), this.ghost(),
+      bodies.filter((b) => !b.behind).map((b) => b.thing), this.trace(path), this.dots(),
       contacts.map((contact, i) => this.contact(contact, i)),
       bodies.map((b) => b.label));
     }

@@ -1,6 +1,6 @@
 // A problem that is typed: M and q, with textbook examples, explored pivot by pivot.
 (() => {
-  const { h, by_id } = play.elements;
+  const { h, by_id } = drawing.elements;
 
   /// Of fixtures/textbook, by their names there.
   const examples = {

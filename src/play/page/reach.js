@@ -1,8 +1,8 @@
 // What would happen if a body stood elsewhere along its face: the push solved at many places, shown
 // as dots while the body is held or has the focus.
 (() => {
-  const { h, by_id } = play.elements;
-  const { add, subtract, scale, dot, length, unit } = play.vectors;
+  const { h, by_id } = drawing.elements;
+  const { add, subtract, scale, dot, length, unit } = drawing.vectors;
   const samples = 25;
 
   /// The direction along a body's face that runs most across the picture.

@@ -1,6 +1,6 @@
 // What would happen elsewhere on a slider: the push solved at many of its values, shaded below it.
 (() => {
-  const { h } = play.elements;
+  const { h } = drawing.elements;
   const samples = 40;
 
   const kinds = {
@@ -31,7 +31,7 @@
       if (bands.at(-1)?.kind === kind) bands.at(-1).to = values[k];
       else bands.push({ kind, from: values[k], to: values[k] });
     });
-    const text = (x) => play.elements.decimal(x);
+    const text = (x) => drawing.numbers.decimal(x);
     return bands.map(({ kind, from, to }) =>
       `${text(from)} to ${text(to)}: ${kinds[kind] || 'no scene'}`).join('; ');
   }

@@ -1,7 +1,7 @@
 // What a hand or a slider changes, as changes of the scene's text.
 (() => {
   const { Toml } = play;
-  const { add, subtract, scale, dot } = play.vectors;
+  const { add, subtract, scale, dot } = drawing.vectors;
 
   /// Where a body's points stand in the file, as far as it has them.
   const place_keys = ['center', 'ends', 'points'];
@@ -51,17 +51,33 @@
   const object = (toml) => toml.first('object');
   const named = (name) => (toml) => toml.body(name);
 
-  /// The box's edge along an axis; what touches its ends stays on them.
-  function resized(state, axis, size) {
-    const toml = new Toml(state.text);
-    const box = toml.get(object(toml), 'box');
-    const center = state.scene.center_of_mass[axis];
-    const factor = size / box[axis];
-    let text = toml.with_value(object(toml), 'box', box.map((x, k) => (k === axis ? size : x)));
-    for (const name of play.figures.names(state.scene))
-      text = changed_places(text, name, (at) => at.map((x, k) =>
-        (k === axis ? center + (x - center) * factor : x)));
-    return text;
+  /// The object's size, `factor` times as large along `axes`; what touches its ends there stays on
+  /// them.
+  function resized({ text, scene }, key, value, axes, factor) {
+    const center = scene.center_of_mass;
+    return play.figures.names(scene).reduce((changed, name) =>
+      changed_places(changed, name, (at) => at.map((x, k) =>
+        (axes.includes(k) ? center[k] + (x - center[k]) * factor : x))),
+    set(text, object, key, value));
+  }
+
+  const of_object = ({ text }, key) => {
+    const toml = new Toml(text);
+    return toml.get(object(toml), key);
+  };
+
+  /// An edge of the box.
+  function with_edge(state, axis, size) {
+    const box = of_object(state, 'box');
+    return resized(state, 'box', box.map((x, k) => (k === axis ? size : x)), [axis],
+      size / box[axis]);
+  }
+
+  /// The cylinder's length along its axis, or its radius across.
+  function with_cylinder(state, key, size) {
+    const axes = [0, 1, 2].filter((k) =>
+      (k === state.scene.shape.axis) === (key === 'cylinder_length'));
+    return resized(state, key, size, axes, size / of_object(state, key));
   }
 
   function with_hand(text, hand) {
@@ -74,5 +90,6 @@
     return `${text.slice(0, at)}[gripper]\njaws = "${hand}"\n\n${text.slice(at)}`;
   }
 
-  play.edits = { set, top, object, named, dragged, dragged_together, resized, with_hand };
+  play.edits = { set, top, object, named, dragged, dragged_together, with_edge, with_cylinder,
+    with_hand };
 })();

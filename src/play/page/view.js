@@ -1,6 +1,6 @@
 // From where the grasp is seen: an orthographic projection that can be turned.
 (() => {
-  const { dot, cross, scale, add, unit, turned } = play.vectors;
+  const { dot, cross, scale, add, unit, turned } = drawing.vectors;
 
   /// Directions of the scene that point right, up and out of the picture. y is up, if it can be.
   const fixed = {

@@ -9,13 +9,15 @@
 `sweep()`, `spread()`, `verify()`, `move()`, `report()`. SI units, the scene's axes, the gripper's
 frame. Arrays are NumPy's where NumPy is installed, else lists. docs/guide/python.md explains.
 """
-from ._answers import (Answer, Body, Breaking, Contact, LcpAnswer, LcpVerdict, Motion,
-                       MotionVerdict, Record, Solution, Spread, Sweep, Verdict)
+from ._answers import (Answer, Body, Breaking, Certificate, Contact, LcpAnswer, LcpVerdict,
+                       MotionVerdict, Pivots, Record, Solution, Spread, Verdict)
+from ._courses import Cone, Curve, Motion, Plan, Sweep
 from ._errors import InputError, NotSolved
 from ._library import version as __version__
-from ._raw import check, lcp
+from ._raw import check, lcp, pivots
 from ._scene import Scene, read, verify_scene
 
-__all__ = ["Answer", "Body", "Breaking", "Contact", "InputError", "LcpAnswer", "LcpVerdict",
-           "Motion", "MotionVerdict", "NotSolved", "Record", "Scene", "Solution", "Spread", "Sweep", "Verdict",
-           "__version__", "check", "lcp", "read", "verify_scene"]
+__all__ = ["Answer", "Body", "Breaking", "Certificate", "Cone", "Contact", "Curve", "InputError",
+           "LcpAnswer", "LcpVerdict", "Motion", "MotionVerdict", "NotSolved", "Pivots", "Plan",
+           "Record", "Scene", "Solution", "Spread", "Sweep", "Verdict", "__version__", "check",
+           "lcp", "pivots", "read", "verify_scene"]

@@ -5,15 +5,12 @@ docs/guide/answers.md has the keys. SI units, the scene's axes, the gripper's fr
 """
 from __future__ import annotations
 
+import html
 import json
-from typing import Any, Callable, Dict, List, Optional
+from typing import Any, Dict, List, Optional
 
 from ._arrays import array
-
-_nan = float("nan")
-
-# question, changes of the request -> text
-Asker = Callable[[str, Dict[str, Any]], str]
+from ._library import Asker
 
 
 class Record:
@@ -121,7 +118,8 @@ class Solution(Answer):
         for body in self.bodies:
             if body.name == name:
                 return body
-        raise KeyError(name)
+        raise KeyError(f"no body is called {name!r}; there are "
+                       + ", ".join(body.name for body in self.bodies))
 
     @property
     def M(self) -> Any:
@@ -173,50 +171,54 @@ class Spread(Answer):
     `twist` (6, 2), `contacts`, `complete`."""
 
 
-class Sweep(Answer):
-    """How the push changes with a number of the scene, of `Scene.sweep()`: `parameter`, `unit`,
-    `segments`, `complete`."""
-
-    _picture = ("sweep", {"format": "svg"})
+class Pivots(Answer):
+    """Lemke's method pivot by pivot, of `Scene.pivots()` and `lcpush.pivots()`: `status`, `pivots`,
+    `variables`, `final`, .. (docs/teach/command.md)."""
 
     @property
-    def points(self) -> List[Record]:
-        """The values at which it was solved, as evenly as asked; between exact segments none."""
-        return [Record(point) for point in self._data["points"]]
+    def sentence(self) -> str:
+        """How it ended."""
+        count = len(self._data["pivots"])
+        return (f"{self._data['size']} unknowns, {count} pivot{'s' if count != 1 else ''}: "
+                f"{self._data['reason'] or self._data['status']}")
 
-    def _column(self, key: str, size: int = 0) -> Any:
-        """Of the points, or of the segments' ends where nothing was sampled; nan where there is no
-        answer."""
-        none: Any = [_nan] * size if size > 0 else _nan
-        found = [point.get(key) for point in self._data["points"]]
-        if not found:
-            for segment in self._data["segments"]:
-                found += [segment[key][k] if segment.get(key) else None for k in range(2)]
-        return array([none if value is None else value for value in found])
+    def text(self, full: bool = False) -> str:
+        """Every pivot, as the tool prints it (not wrapped)."""
+        return self._ask(self._question, {"format": "text"})
 
-    @property
-    def values(self) -> Any:
-        """The parameter's, shape (n,), in `unit`: of the points, or, where nothing was sampled, both
-        ends of each segment."""
-        if self._data["points"]:
-            return self._column("value")
-        return array([segment[side] for segment in self._data["segments"]
-                      for side in ("from", "to")])
+    def latex(self) -> str:
+        """Every tableau."""
+        return self._ask(self._question, {"format": "latex"})
 
-    @property
-    def break_force(self) -> Any:
-        """N, at `values`, shape (n,); nan where nothing breaks."""
-        return self._column("break_force")
+    def page(self) -> str:
+        """An HTML page to explore it."""
+        return self._ask(self._question, {"format": "html"})
 
-    @property
-    def force(self) -> Any:
-        """N, the pusher's on the object as the scene pushes, at `values`, shape (n, 3)."""
-        return self._column("force", 3)
+    def _repr_html_(self) -> str:
+        return ('<iframe style="width: 100%; height: 720px; border: 0" srcdoc="'
+                + html.escape(self.page()) + '"></iframe>')
+
+
+class Certificate(Record):
+    """A proof in fractions, of `Scene.certify()`: `proof`, `statement`, `x`, `basis`, ..
+    (docs/check/certificates.md). `save()` writes what docs/check/lcpush_check.py reads."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(json.loads(text))
+        self._json = text
 
     @property
-    def twist(self) -> Any:
-        """The object's acceleration as the scene pushes, at `values`, shape (n, 6)."""
-        return self._column("twist", 6)
+    def json(self) -> str:
+        """What the tool writes with --certify."""
+        return self._json
+
+    def save(self, path: Any) -> None:
+        """Writes `json` to a file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self._json)
+
+    def __repr__(self) -> str:
+        return str(self._data["statement"])
 
 
 class Verdict(Answer):
@@ -226,41 +228,6 @@ class Verdict(Answer):
     def __bool__(self) -> bool:
         return bool(self._data["valid"])
 
-
-class Motion(Answer):
-    """Where the object goes, of `Scene.move()`: `status`, `end`, `events`, `jumps`, `phases`."""
-
-    _picture = ("move", {"format": "svg"})
-
-    @property
-    def times(self) -> Any:
-        """s, of the kept frames, shape (n,)."""
-        return array([frame["time"] for frame in self._data["frames"]])
-
-    @property
-    def positions(self) -> Any:
-        """m, how far the centre of mass has gone, shape (n, 3)."""
-        return array([frame["position"] for frame in self._data["frames"]])
-
-    @property
-    def rotations(self) -> Any:
-        """Row by row, shape (n, 3, 3); the identity at the start."""
-        return array([[frame["rotation"][3 * k:3 * k + 3] for k in range(3)]
-                      for frame in self._data["frames"]])
-
-    @property
-    def twists(self) -> Any:
-        """At the centre of mass, shape (n, 6): m/s, rad/s."""
-        return array([frame["twist"] for frame in self._data["frames"]])
-
-    @property
-    def frames(self) -> List[Record]:
-        """`time`, `position`, `rotation` (9,), `twist`, `bodies`, `contacts` of each."""
-        return [Record(frame) for frame in self._data["frames"]]
-
-    def page(self) -> str:
-        """An HTML page that plays it."""
-        return self._ask("move", {"format": "html"})
 
 
 class LcpAnswer(Answer):

@@ -1,8 +1,9 @@
-"""NumPy's arrays where NumPy is there, else lists."""
+"""NumPy's arrays where NumPy is there, else lists; and what is given as readable numbers."""
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, List, Optional, Sequence
+import operator
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Tuple
 
 from ._errors import InputError
 
@@ -10,6 +11,8 @@ try:
     import numpy
 except ImportError:
     numpy = None  # type: ignore[assignment]
+
+Entries = Tuple[int, int, List[int], List[int], List[Any]]  # height, width, rows, columns, values
 
 
 def array(numbers: Any) -> Any:
@@ -19,45 +22,134 @@ def array(numbers: Any) -> Any:
     return numpy.array(numbers, dtype=float)
 
 
-def plain(numbers: Any) -> List[float]:
-    """A vector as a list of floats; an n x 1 or 1 x n array counts as one."""
+def _is_list(thing: Any) -> bool:
+    return hasattr(thing, "__iter__") and not isinstance(thing, (str, bytes, Mapping))
+
+
+def _floats(numbers: Iterable[Any], where: Callable[[int], str], finite: bool) -> List[float]:
+    """`where` names the k-th in messages."""
+    given = list(numbers)
+    try:
+        found = [float(x) for x in given]
+    except (TypeError, ValueError, OverflowError):
+        found = []
+        for k, x in enumerate(given):
+            try:
+                found.append(float(x))
+            except (TypeError, ValueError, OverflowError):
+                raise InputError(f"{where(k)} must be a number, not {x!r}") from None
+    is_good = math.isfinite if finite else lambda x: not math.isnan(x)
+    if not all(map(is_good, found)):
+        k = [is_good(x) for x in found].index(False)
+        raise InputError(f"{where(k)} must be {'finite' if finite else 'a number'}, not {found[k]}")
+    return found
+
+
+def number(x: Any, name: str) -> float:
+    """A finite one."""
+    return _floats([x], lambda _: name, True)[0]
+
+
+def as_json(thing: Any) -> Any:
+    """For json.dumps: NumPy's arrays and numbers as it knows them."""
+    if hasattr(thing, "tolist"):
+        return thing.tolist()
+    raise InputError(f"{thing!r} is no number, text, list or dictionary")
+
+
+def plain(numbers: Any, name: str, count: Optional[int] = None, finite: bool = True) -> List[float]:
+    """A vector as a list of floats; an n x 1 or 1 x n array counts as one. `name` is its in
+    messages, `count` how many they have to be."""
     if hasattr(numbers, "toarray"):
         numbers = numbers.toarray()
     if hasattr(numbers, "ravel"):
         numbers = numbers.ravel()
-    return [float(x) for x in numbers]
+    if not _is_list(numbers):
+        raise InputError(f"{name} must be a vector, not {numbers!r}")
+    found = _floats(numbers, lambda k: f"{name}[{k}]", finite)
+    if count is not None and len(found) != count:
+        raise InputError(f"{name} must have {count} numbers, one a row of M, not {len(found)}")
+    return found
 
 
-def ends(numbers: Any, count: int, none: float) -> Optional[List[Optional[float]]]:
+def rows(given: Any, count: int) -> Optional[List[int]]:
+    """Rows counted from 0 as the library counts them, from 1."""
+    if given is None:
+        return None
+    if not _is_list(given):
+        raise InputError(f"free must be a list of rows, not {given!r}")
+    found = []
+    for row in given:
+        try:
+            if str(row) in ("True", "False"):  # of a mask, NumPy's or not
+                raise TypeError
+            k = operator.index(row)
+        except TypeError:
+            raise InputError(f"free must hold rows, whole numbers from 0, not {row!r}") from None
+        if not 0 <= k < count:
+            raise InputError(f"free must hold rows from 0 to {count - 1}, not {k}")
+        found.append(k + 1)
+    return found
+
+
+def ends(numbers: Any, name: str, count: int, none: float) -> Optional[List[Optional[float]]]:
     """A bound of each row, of one number for all, or of a vector; the infinity `none` is null."""
     if numbers is None:
         return None
-    single = isinstance(numbers, (int, float))
-    listed = [float(numbers)] * count if single else plain(numbers)
-    for k, x in enumerate(listed):
-        if x != x or x == -none:
-            raise InputError(f"row {k} has the {'upper' if none > 0 else 'lower'} end {x}")
+    if not _is_list(numbers) and not hasattr(numbers, "ravel"):
+        numbers = [numbers] * count
+    listed = plain(numbers, name, finite=False)
+    if len(listed) == 1:
+        listed *= count
+    for k, x in enumerate(plain(listed, name, count, finite=False)):
+        if x == -none:
+            raise InputError(f"{name}[{k}] is {x}: no number is "
+                             f"{'below' if none > 0 else 'above'} that")
     return [None if math.isinf(x) else x for x in listed]
+
+
+def table_of(M: Any, name: str) -> List[List[Any]]:
+    """A matrix as a list of rows of one length, whatever they hold."""
+    if hasattr(M, "toarray"):
+        M = M.toarray()
+    table = M.tolist() if hasattr(M, "tolist") else M
+    if not _is_list(table):
+        raise InputError(f"{name} must be a matrix: a list of rows, an array or a sparse matrix, "
+                         f"not {table!r}")
+    found: List[List[Any]] = []
+    for row in table:
+        if not _is_list(row):
+            raise InputError(f"{name} must be a list of rows, but {row!r} is no row")
+        found.append(list(row))
+        if len(found[-1]) != len(found[0]):
+            raise InputError(f"the rows of {name} are not of one length: row 0 has "
+                             f"{len(found[0])} numbers, row {len(found) - 1} has {len(found[-1])}")
+    return found
+
+
+def _entries(M: Any) -> Entries:
+    """Those that are not zero, in order."""
+    if hasattr(M, "tocoo"):
+        compact = M.tocsr(copy=True)
+        compact.sum_duplicates()
+        listed = compact.tocoo()
+        height, width = listed.shape
+        return (height, width, listed.row.tolist(), listed.col.tolist(), listed.data.tolist())
+    if numpy is not None and isinstance(M, numpy.ndarray) and M.ndim == 2 and M.dtype.kind in "fiub":
+        row, column = numpy.nonzero(M)
+        return (M.shape[0], M.shape[1], row.tolist(), column.tolist(), M[row, column].tolist())
+    table = table_of(M, "M")
+    found = [(i, j, x) for i, line in enumerate(table) for j, x in enumerate(line)
+             if not isinstance(x, (int, float)) or x != 0]
+    return (len(table), len(table[0]) if table else 0, [i for i, _, _ in found],
+            [j for _, j, _ in found], [x for _, _, x in found])
 
 
 def entries(M: Any) -> Dict[str, Any]:
     """A square matrix's entries that are not zero, in order: of SciPy's sparse matrices, NumPy's
     arrays, or a list of rows."""
-    if hasattr(M, "tocoo"):
-        coordinates = M.tocsr().tocoo()
-        rows, columns = coordinates.shape
-        summed: Dict[Any, float] = {}
-        for i, j, x in zip(coordinates.row, coordinates.col, coordinates.data):
-            summed[int(i), int(j)] = summed.get((int(i), int(j)), 0.0) + float(x)
-        found = sorted((i, j, x) for (i, j), x in summed.items() if x != 0)
-    else:
-        table: Sequence[Sequence[float]] = M.tolist() if hasattr(M, "tolist") else M
-        rows, columns = len(table), len(table[0]) if len(table) > 0 else 0
-        if any(len(row) != columns for row in table):
-            raise InputError("the rows of M are not of one length")
-        found = [(i, j, float(x)) for i, row in enumerate(table) for j, x in enumerate(row)
-                 if x != 0]
-    if rows != columns or rows == 0:
-        raise InputError(f"M must be square, but it is {rows} x {columns}")
-    return {"rows": rows, "row": [i for i, _, _ in found], "column": [j for _, j, _ in found],
-            "value": [x for _, _, x in found]}
+    height, width, row, column, given = _entries(M)
+    if height != width or height == 0:
+        raise InputError(f"M must be square, but it is {height} x {width}")
+    value = _floats(given, lambda k: f"M[{row[k]}, {column[k]}]", True)
+    return {"rows": height, "row": row, "column": column, "value": value}

@@ -12,6 +12,7 @@ import sysconfig
 import threading
 from typing import Any, Callable, Dict, Optional, Tuple
 
+from ._arrays import as_json
 from ._errors import InputError
 
 SOLVED, NOT_SOLVED, BAD_INPUT, CANCELLED = range(4)
@@ -94,13 +95,25 @@ class _Interrupt:
             self._before(signal.SIGINT, None)
 
 
+class Asker:
+    """Asks again about the same thing: the answer's own question as it was asked but for changes;
+    of others only what names the thing."""
+
+    def __init__(self, question: str, subject: Dict[str, Any], options: Dict[str, Any]) -> None:
+        self._question, self._subject, self._options = question, subject, options
+
+    def __call__(self, question: str, changes: Dict[str, Any]) -> str:
+        own = self._options if question == self._question else {}
+        return ask(question, {**self._subject, **own, **changes})[1]
+
+
 def ask(question: str, request: Dict[str, Any],
         progress: Optional[Progress] = None) -> Tuple[int, str]:
     """The answer's code and text. Raises InputError, KeyboardInterrupt, or what `progress` raises:
     both end the work within a fraction of a second."""
     try:
         words = json.dumps({key: value for key, value in request.items() if value is not None},
-                           allow_nan=False).encode()
+                           allow_nan=False, default=as_json).encode()
     except ValueError as error:
         raise InputError(f"{question}: every number must be finite ({error})") from None
     raised: Dict[str, BaseException] = {}
@@ -127,6 +140,8 @@ def ask(question: str, request: Dict[str, Any],
             _library.lcpush_desktop_free(answer)
     if raised:
         raise raised["by progress"]
+    if code == BAD_INPUT and file == "request":  # the options are no file of the user's
+        raise InputError(message)
     if code == BAD_INPUT:
         raise InputError(message, file, line)
     if code == CANCELLED:

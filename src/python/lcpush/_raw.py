@@ -4,18 +4,17 @@ from __future__ import annotations
 import math
 from typing import Any, Dict, Iterable, Optional
 
-from ._answers import LcpAnswer, LcpVerdict
-from ._arrays import ends, entries, plain
+from ._answers import LcpAnswer, LcpVerdict, Pivots
+from ._arrays import ends, entries, plain, rows, table_of
 from ._errors import NotSolved
-from ._library import NOT_SOLVED, Progress, ask
+from ._library import NOT_SOLVED, Asker, Progress, ask
 
 
 def _problem(M: Any, q: Any, free: Optional[Iterable[int]], lo: Any, hi: Any) -> Dict[str, Any]:
     matrix = entries(M)
     count = matrix["rows"]
-    return {"M": matrix, "q": plain(q),
-            "free": None if free is None else [int(row) + 1 for row in free],
-            "lo": ends(lo, count, -math.inf), "hi": ends(hi, count, math.inf)}
+    return {"M": matrix, "q": plain(q, "q", count), "free": rows(free, count),
+            "lo": ends(lo, "lo", count, -math.inf), "hi": ends(hi, "hi", count, math.inf)}
 
 
 def lcp(M: Any, q: Any, *, free: Optional[Iterable[int]] = None, lo: Any = None, hi: Any = None,
@@ -36,13 +35,9 @@ def lcp(M: Any, q: Any, *, free: Optional[Iterable[int]] = None, lo: Any = None,
     >>> [round(float(z), 6) for z in answer.z]
     [1.333333, 2.333333]
     """
-    request = {**_problem(M, q, free, lo, hi), "solver": solver}
-    code, text = ask("lcp", request, progress)
-
-    def again(question: str, changes: Dict[str, Any]) -> str:
-        return ask(question, {**request, **changes})[1]
-
-    answer = LcpAnswer(text, "lcp", again)
+    problem, options = _problem(M, q, free, lo, hi), {"solver": solver}
+    code, text = ask("lcp", {**problem, **options}, progress)
+    answer = LcpAnswer(text, "lcp", Asker("lcp", problem, options))
     if check and code == NOT_SOLVED:
         raise NotSolved(answer.sentence, answer.to_dict())
     return answer
@@ -57,10 +52,29 @@ def check(M: Any, q: Any, z: Any, *, free: Optional[Iterable[int]] = None, lo: A
     >>> bool(check([[2, 1], [1, 2]], [-5, -6], [1.3, 2.3]))
     False
     """
-    request = {**_problem(M, q, free, lo, hi), "z": plain(z), "tolerance": tolerance}
-    text = ask("verify_lcp", request)[1]
+    problem = _problem(M, q, free, lo, hi)
+    options = {"z": plain(z, "z", problem["M"]["rows"]), "tolerance": tolerance}
+    text = ask("verify_lcp", {**problem, **options})[1]
+    return LcpVerdict(text, "verify_lcp", Asker("verify_lcp", problem, options))
 
-    def again(question: str, changes: Dict[str, Any]) -> str:
-        return ask(question, {**request, **changes})[1]
 
-    return LcpVerdict(text, "verify_lcp", again)
+def pivots(M: Any, q: Any, *, exact: bool = False,
+           progress: Optional[Progress] = None) -> Pivots:
+    """Lemke's method on M and q pivot by pivot, as textbooks do it.
+
+    Args:
+        M: shape (n, n): a list of rows, or an array; its numbers may be fractions.Fraction, or
+            texts such as "1/3"
+        q: shape (n,), the same
+        exact: pivot and answer in fractions
+
+    >>> from fractions import Fraction
+    >>> pivots([[2, 1], [1, Fraction(1, 2)]], ["-5", "-6"], exact=True).status
+    'solved'
+    """
+    numbers = table_of(q, "q") if getattr(q, "ndim", 1) > 1 else [q]
+    problem = {"M": "; ".join(" ".join(map(str, row)) for row in table_of(M, "M")),
+               "q": " ".join(str(x) for row in table_of(numbers, "q") for x in row)}
+    options = {"exact": exact or None}
+    text = ask("pivots", {**problem, **options}, progress)[1]
+    return Pivots(text, "pivots", Asker("pivots", problem, options))

@@ -3,12 +3,16 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Dict, Mapping, Optional, Tuple, Type, TypeVar, Union
+import pathlib
+from typing import Any, Dict, Mapping, Optional, Sequence, Tuple, Type, TypeVar, Union
 
 from . import _toml
-from ._answers import (Answer, Body, Breaking, Motion, MotionVerdict, Record, Solution, Spread, Sweep, Verdict)
+from ._answers import (Answer, Breaking, Certificate, MotionVerdict, Pivots, Record, Solution, Spread,
+                       Verdict)
+from ._arrays import as_json, plain
+from ._courses import Cone, Motion, Plan, Sweep, values_of, variation
 from ._errors import InputError, NotSolved
-from ._library import NOT_SOLVED, Progress, ask
+from ._library import NOT_SOLVED, Asker, Progress, ask
 
 A = TypeVar("A", bound=Answer)
 
@@ -35,8 +39,13 @@ class Scene:
     """
 
     def __init__(self, source: Union[str, Mapping[str, Any]], name: str = "scene") -> None:
+        if not isinstance(source, (str, Mapping)):
+            raise InputError("a scene is the text of a scene file or a dictionary of its tables, not "
+                             f"{type(source).__name__}; lcpush.read(path) reads a file")
         self._text = source if isinstance(source, str) else _toml.write(source)
-        self._name = name
+        self._name = os.fspath(name)
+        if isinstance(source, str) and source.endswith(".toml") and "\n" not in source:
+            raise InputError(f"this is a path, not a scene's text: lcpush.read({source!r})")
         self._facts = json.loads(self._ask("scene", {}))
 
     @property
@@ -75,7 +84,7 @@ class Scene:
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the scene file."""
-        with open(path, "w", encoding="utf-8") as file:
+        with open(path, "w", encoding="utf-8", newline="") as file:
             file.write(self._text)
 
     def solve(self, *, solver: Optional[str] = None, check: bool = True,
@@ -99,6 +108,7 @@ class Scene:
     def sweep(self, path: str, start: float, stop: float, *, steps: Optional[int] = None,
               pressure: Optional[str] = None, pusher: Optional[str] = None,
               over: Optional[Tuple[str, float, float]] = None,
+              each: Optional[Tuple[str, Sequence[float]]] = None,
               progress: Optional[Progress] = None) -> Sweep:
         """How the push changes with a number of the scene.
 
@@ -108,12 +118,16 @@ class Scene:
             steps: values evenly spread, ends included; none where exact segments are found
             pressure: "pad", "even" or "rigid" instead of the file's
             over: a second number for a map, (path, start, stop)
+            each: a curve for each value of another number, such as ("facets", [4, 8, 16]); see
+                `curves` of the answer
         """
-        given = [(path, start, stop)] if over is None else [(path, start, stop), over]
-        vary = [{"path": name, "from": first, "to": last} for name, first, last in given]
+        vary = [variation((path, start, stop), "sweep")]
+        if over is not None:
+            vary.append(variation(over, "over"))
+        curves = None if each is None else values_of(each)
         return self._answer(Sweep, "sweep",
-                            {"vary": {"list": vary}, "steps": steps, "pressure": pressure,
-                             "pusher": pusher}, False, progress)
+                            {"vary": {"list": vary}, "each": curves, "steps": steps,
+                             "pressure": pressure, "pusher": pusher}, False, progress)
 
     def spread(self, *, breaking: bool = False, enumerate_all: bool = False,
                paths_only: bool = False, covers: Optional[int] = None,
@@ -138,7 +152,7 @@ class Scene:
         `tolerance`: what a row may be off by, scaled (1e-6)."""
         if isinstance(answer, Answer):
             answer = answer.json
-        text = answer if isinstance(answer, str) else json.dumps(_listed(answer))
+        text = answer if isinstance(answer, str) else _json_of(answer)
         return self._answer(Verdict, "verify", {"answer": text, "tolerance": tolerance}, False,
                             None)
 
@@ -153,7 +167,7 @@ class Scene:
         """
         if isinstance(frames, Answer):
             frames = frames.json
-        text = frames if isinstance(frames, str) else json.dumps({"frames": _listed(frames)})
+        text = frames if isinstance(frames, str) else _json_of({"frames": frames})
         return self._answer(MotionVerdict, "verify_motion",
                             {"motion": text, "tolerance": tolerance}, False, None)
 
@@ -175,18 +189,84 @@ class Scene:
                             {"time": time, "step": step, "tolerance": tolerance,
                              "stop_after": stop_after, "frames": frames}, False, progress)
 
+    def cone(self, twist: Optional[Sequence[float]] = None, *,
+             pusher: Optional[str] = None) -> Cone:
+        """The motion cone: all pushes with which the pusher sticks to the object, in the plane.
+
+        Args:
+            twist: shape (3,), the motion that is judged, v_x, v_y m/s and the turn rad/s, of the
+                object at its centre of mass; the scene's own
+            pusher: whose, among several
+        """
+        judged = None if twist is None else plain(twist, "twist")
+        return self._answer(Cone, "cone", {"twist": judged, "pusher": pusher}, False, None)
+
+    def plan(self, to: Sequence[float], *, seconds: Optional[float] = None,
+             progress: Optional[Progress] = None) -> Plan:
+        """Pushes against the scene's pushers that take the object to another place.
+
+        Args:
+            to: shape (3,), where the centre of mass is to go from where it is, x, y m, and the turn
+                rad
+            seconds: stop the search after that time
+        """
+        return self._answer(Plan, "plan", {"to": plain(to, "to"), "seconds": seconds}, False,
+                            progress)
+
     def report(self, *, vary: Optional[Tuple[str, float, float]] = None,
                steps: Optional[int] = None, pusher: Optional[str] = None,
                progress: Optional[Progress] = None) -> str:
         """One HTML page to look at; `vary`: with a plot of a sweep, (path, start, stop)."""
         request: Dict[str, Any] = {"steps": steps, "pusher": pusher}
         if vary:
-            request["vary"] = {"list": [{"path": vary[0], "from": vary[1], "to": vary[2]}]}
+            request["vary"] = {"list": [variation(vary, "vary")]}
         return self._ask("report", request, progress)
 
     def picture(self, name: str = "front") -> str:
         """One picture of the report, as SVG: "isometric", "front", "top", "side", "friction", .."""
         return self._ask("report", {"format": "svg", "picture": name})
+
+    def certify(self, *, breaking: bool = False, pusher: Optional[str] = None,
+                progress: Optional[Progress] = None) -> Certificate:
+        """A proof in fractions, without rounding: of the answer, or of why there is none. It is tied
+        to `text`: `save()` the scene for docs/check/lcpush_check.py.
+
+        Args:
+            breaking: of the push that just breaks the grasp
+            pusher: whose, among several
+        """
+        code, text = ask("certify", self._request({"break": breaking or None, "pusher": pusher}),
+                         progress)
+        if code == NOT_SOLVED:
+            raise NotSolved(json.loads(text)["reason"], json.loads(text))
+        return Certificate(text)
+
+    def pivots(self, *, exact: bool = False, as_solved: bool = False, facets: Optional[int] = None,
+               pressure: Optional[str] = None, progress: Optional[Progress] = None) -> Pivots:
+        """Lemke's method pivot by pivot, and what each pivot means.
+
+        Args:
+            exact: in fractions
+            as_solved: the very run of solve(): scaled, with every round of the pressure law
+            facets: sides of the friction pyramids (4)
+            pressure: "pad" (its first round), "even" or "rigid" instead of the file's
+        """
+        return self._answer(Pivots, "pivots",
+                            {"exact": exact or None, "as_solved": as_solved or None,
+                             "facets": facets, "pressure": pressure}, False, progress)
+
+    def export(self, folder: Union[str, "os.PathLike[str]"]) -> "list[str]":
+        """Writes the problem for other solvers: M.mtx, q.mtx, names.txt, the paper's program, FCLIB's
+        local problem (docs/check/export.md). The names of the files, in `folder`."""
+        export = json.loads(self._ask("export", {}))
+        for name in export["absent"]:
+            pathlib.Path(folder, name).unlink(missing_ok=True)
+        for file in export["files"]:
+            path = pathlib.Path(folder, file["name"])
+            path.parent.mkdir(parents=True, exist_ok=True)
+            with open(path, "w", encoding="utf-8", newline="") as stream:
+                stream.write(file["text"])
+        return [file["name"] for file in export["files"]]
 
     def matrices(self) -> Record:
         """The paper's matrices: `M`, `w`, `G`, `G_bar`, `J`, `v`, each with `rows`, `columns` and
@@ -209,34 +289,27 @@ class Scene:
     def _answer(self, kind: Type[A], question: str, options: Dict[str, Any], check: bool,
                 progress: Optional[Progress]) -> A:
         code, text = ask(question, self._request(options), progress)
-
-        def again(other: str, changes: Dict[str, Any]) -> str:
-            return self._ask(other, {**options, **changes} if other == question else
-                             {key: value for key, value in changes.items() if value is not None})
-
-        answer = kind(text, question, again, self.title)
+        answer = kind(text, question, Asker(question, self._request({}), options), self.title)
         if check and code == NOT_SOLVED:
             raise NotSolved(answer.sentence, answer.to_dict())
         return answer
 
 
-def _listed(value: Any) -> Any:
-    """NumPy's arrays and numbers as JSON has them."""
-    if hasattr(value, "tolist"):
-        return value.tolist()
-    if isinstance(value, Record):
-        return value.to_dict()
-    if isinstance(value, Mapping):
-        return {key: _listed(entry) for key, entry in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_listed(entry) for entry in value]
-    return value
+def _json_of(value: Any) -> str:
+    return json.dumps(value, default=lambda thing: thing.to_dict() if isinstance(thing, Record)
+                      else as_json(thing))
 
 
 def read(path: Union[str, "os.PathLike[str]"]) -> Scene:
     """The scene of a file. Raises InputError, or OSError if it cannot be read."""
-    with open(path, encoding="utf-8-sig") as file:
-        return Scene(file.read(), os.fspath(path))
+    with open(path, "rb") as file:
+        bytes_read = file.read()
+    try:
+        text = bytes_read.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = bytes_read[:error.start].count(b"\n") + 1
+        raise InputError("is no UTF-8 text", os.fspath(path), line) from None
+    return Scene(text, os.fspath(path))
 
 
 def verify_scene(scene: Union[Scene, str, Mapping[str, Any]], answer: Any, *,

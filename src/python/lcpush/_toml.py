@@ -2,31 +2,42 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from typing import Any, Dict, List, Mapping
+
+from ._errors import InputError
 
 Tables = Dict[str, Any]
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
-def _value(value: Any) -> str:
+def _value(value: Any, where: str) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (int, str)):
         return json.dumps(value)
     if hasattr(value, "tolist"):
-        value = value.tolist()
+        return _value(value.tolist(), where)
     if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(_value(entry) for entry in value) + "]"
-    return repr(float(value))
+        return "[" + ", ".join(_value(entry, f"{where}[{k}]") for k, entry in enumerate(value)) + "]"
+    try:
+        number = float(value)
+        if not math.isfinite(number):
+            raise InputError(f"{where} must be finite, not {number}")
+        return repr(number)
+    except TypeError:
+        raise InputError(f"{where} must be a number, a text, true or false, or a list of these, not "
+                         f"{value!r}") from None
 
 
-def _pairs(table: Mapping[str, Any]) -> List[str]:
+def _pairs(table: Mapping[str, Any], where: str) -> List[str]:
     for key in table:
         if not _BARE.fullmatch(str(key)):
-            raise ValueError(f"{key!r} is no key of a scene")
-    return [f"{key} = {_value(value)}" for key, value in table.items() if value is not None]
+            raise InputError(f"{where}{key!r} is no key of a scene")
+    return [f"{key} = {_value(value, where + str(key))}" for key, value in table.items()
+            if value is not None]
 
 
 def _is_table(value: Any) -> bool:
@@ -41,13 +52,13 @@ def write(scene: Mapping[str, Any]) -> str:
     """`{"object": {..}, "finger": [{..}, ..]}` as a scene file."""
     top = {key: value for key, value in scene.items()
            if not _is_table(value) and not _are_tables(value) and value != []}
-    lines = _pairs(top)
+    lines = _pairs(top, "")
     for key, value in scene.items():
         if _is_table(value):
-            lines += ["", f"[{key}]", *_pairs(value)]
+            lines += ["", f"[{key}]", *_pairs(value, f"{key}: ")]
         elif _are_tables(value):
-            for table in value:
-                lines += ["", f"[[{key}]]", *_pairs(table)]
+            for k, table in enumerate(value):
+                lines += ["", f"[[{key}]]", *_pairs(table, f"{key}[{k}]: ")]
     return "\n".join(lines).lstrip("\n") + "\n"
 
 

@@ -1,3 +1,4 @@
+// Vectors as lists of numbers.
 (() => {
   const add = (a, b) => a.map((x, k) => x + b[k]);
   const subtract = (a, b) => a.map((x, k) => x - b[k]);
@@ -34,5 +35,5 @@
     return [...half(sorted), ...half(sorted.reverse())];
   }
 
-  play.vectors = { add, subtract, scale, dot, length, unit, cross, turned, hull };
+  drawing.vectors = { add, subtract, scale, dot, length, unit, cross, turned, hull };
 })();

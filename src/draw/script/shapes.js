@@ -1,0 +1,26 @@
+// What pictures of a grasp are made of, as src/draw/markup.cpp writes it for those that stand still.
+(() => {
+  const { svg, parsed } = drawing.elements;
+
+  const polygon = (kind, corners) => svg('polygon',
+    { class: kind, points: corners.map((p) => p.map((x) => x.toFixed(1)).join()).join(' ') });
+
+  /// An arrow with its own head, so that colour is not needed to see its end; nothing if it is
+  /// short.
+  function arrow(kind, [x0, y0], [x1, y1]) {
+    const size = Math.hypot(x1 - x0, y1 - y0);
+    if (size < 2.5) return null;
+    const [dx, dy] = [(x1 - x0) / size, (y1 - y0) / size];
+    const head = Math.min(9, size * 0.6);
+    const back = [x1 - dx * head, y1 - dy * head];
+    const wing = (s) => [back[0] - dy * s * head * 0.42, back[1] + dx * s * head * 0.42];
+    return svg('g', { class: kind },
+      svg('line', { class: 'shaft', x1: x0, y1: y0, x2: back[0], y2: back[1] }),
+      polygon('head', [[x1, y1], wing(1), wing(-1)]));
+  }
+
+  /// A mark that lcpush drew about 0.
+  const mark = (markup, [x, y]) => parsed(svg('g', { transform: `translate(${x} ${y})` }), markup);
+
+  drawing.shapes = { polygon, arrow, mark };
+})();
