@@ -1,7 +1,7 @@
 """The studies of docs/studies: every picture comes from its command, and shows its closed form.
 
 Each line of a ```sh block of docs/studies/README.md or motion.md is one `lcpush sweep ... --format svg
--o docs/studies/X.svg`, or one `lcpush move ...`.
+-o docs/studies/X.svg`, or one `lcpush move ...` or `lcpush cone ...`.
 It is run again, and the picture compared with the stored one number by number: compilers differ in the
 last bits. Run with --json instead, the answers are held to closed forms that share nothing with the
 solver.
@@ -30,7 +30,7 @@ def commands(text):
     for block in re.findall(r"```sh\n(.*?)```", text, flags=re.S):
         for line in block.replace("\\\n", " ").strip().split("\n"):
             words = shlex.split(line)
-            assert words[0] == "lcpush" and words[1] in ("sweep", "move") and words[-2] == "-o", line
+            assert words[0] == "lcpush" and words[1] in ("sweep", "move", "cone") and words[-2] == "-o", line
             found[pathlib.Path(words[-1]).name] = words[1:-2]
     return found
 
@@ -253,11 +253,11 @@ class OffsetPush(unittest.TestCase):
         [curve] = answers("round.svg")
         self.check_curve(curve, scene_points(), None, 1e-8)  # from finite pushes
 
-    def test_what_facets_cost(self):
-        script = SOURCE / "docs/studies/facet_error.py"
-        printed = subprocess.run([sys.executable, script, TOOL], cwd=SOURCE, check=True, text=True,
-                                 capture_output=True).stdout
-        self.assertIn(f"```text\n{printed}```", PAGE)
+    def test_scripts_print_what_the_page_says(self):
+        for name in ("facet_error.py", "motion_cone.py"):
+            printed = subprocess.run([sys.executable, STUDIES / name, TOOL], cwd=SOURCE, check=True,
+                                     text=True, capture_output=True).stdout
+            self.assertIn(f"```text\n{printed}```", PAGE)
 
     def test_patch_size(self):
         for curve in answers("patch_size.svg"):
