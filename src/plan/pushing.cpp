@@ -4,6 +4,10 @@
 #include "cone/planar_scene.hpp"
 #include "draw/view.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/naming.hpp"
+#include "scenes/object_surface.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +18,7 @@ namespace {
 constexpr double room_kept = 0.01;    // of the wrench: a sticking push is no close shave
 constexpr double way_between = 0.002; // m, at the object's size: where an arc is looked at
 constexpr std::size_t most_pushers = 32;
+constexpr double typed_place = 1e-2;
 constexpr double on_the_rim = 1e-9; // m
 
 /// Corners of what the fingers press on, about the centre of mass.
@@ -34,6 +39,23 @@ std::vector<Planar> face_under_fingers(const SceneFile& file) {
   return corners;
 }
 
+/// A plan has each pusher push where the scene has it touch.
+void refuse_apart(const SceneFile& file, Index b, double length) {
+  if (!file.faces.empty() || file.shape.kind == ObjectShape::Kind::unknown) return;
+  for (const Index i : points_of(file.body(b))) {
+    Vector3<double> at = file.positions[static_cast<std::size_t>(i)];
+    at.z() = file.object.center_of_mass.z();
+    const double off = nearest_on_surface(file, at, 0).distance;
+    if (std::abs(off) > typed_place * length)
+      throw InputError(file.lines.file, file.lines.bodies[static_cast<std::size_t>(b)].place,
+                       "pusher " + quoted(file.body_name(b)) + ": " + point_name(file, i) +
+                           " stands " + brief(1000 * std::abs(off)) + " mm " +
+                           (off > 0 ? "off" : "inside") +
+                           " the object; a plan has each pusher push where the scene has it "
+                           "touch: move it there");
+  }
+}
+
 } // namespace
 
 Pushing::Pushing(const SceneFile& file)
@@ -43,6 +65,7 @@ Pushing::Pushing(const SceneFile& file)
     const Body<double>& body = file.body(b);
     if (body.role != Role::pusher) continue;
     refuse_no_cone(file, b);
+    refuse_apart(file, b, length_);
     Pusher pusher{b, pusher_cone(file, b, length_), 0, 0};
     double low = 1e300, high = -1e300;
     for (const Index i : points_of(body)) {

@@ -123,6 +123,10 @@ class Plan(unittest.TestCase):
             result = tool("plan", SQUARE, *words)
             self.assertEqual(result.returncode, 2, words)
             self.assertIn(said, result.stderr)
+        apart = tool("plan", "-", "--to", "-0.01 0 0",
+                     text=square().replace("[[0.05, -0.04, 0], [0.05", "[[0.055, -0.04, 0], [0.055"))
+        self.assertEqual(apart.returncode, 2)
+        self.assertIn("east.1 stands 5 mm off the object", " ".join(apart.stderr.split()))
         alone = tool("plan", "-", "--to", "0 0.01 0", text=without(square(), "east", "south", "north"))
         self.assertEqual(alone.returncode, 2)
         self.assertIn("add a [[pusher]]", " ".join(alone.stderr.split()))
