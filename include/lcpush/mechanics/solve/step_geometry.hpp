@@ -5,6 +5,16 @@
 
 namespace lcpush {
 
+/// A drive's twist, along its face's normal where rounding alone has tilted that: what such a tilt
+/// lets friction do to a jaw would be a pivot, and the basis behind it singular.
+template <class S>
+Vector6<S> along_face(const Vector3<S>& normal, Vector6<S> twist, const S& rounding) {
+  const Vector3<S> way = twist.template head<3>(), along = normal * normal.dot(way);
+  const bool turns = twist.template tail<3>().squaredNorm() > S(0);
+  if (!turns && (way - along).norm() <= rounding * way.norm()) twist.template head<3>() = along;
+  return twist;
+}
+
 /// How far a gap may be and close within the step, generously.
 template <class S, class Pivots> S TimeStepper<S, Pivots>::reach(const S& h) const {
   const auto speed = [&](const Vector6<S>& twist) {
@@ -18,19 +28,11 @@ template <class S, class Pivots> S TimeStepper<S, Pivots>::reach(const S& h) con
   return S(4) * h * (fastest + speed(velocity_) + h * falls) + length_ / S(1000);
 }
 
-/// Where a point touches at these poses. A tilt that is rounding is none: what it lets friction do
-/// to a jaw would be a pivot, and the basis behind it singular.
 template <class S, class Pivots>
 PlacedPoint<S> TimeStepper<S, Pivots>::placed(Index b, Index i, const Pose<S>& object,
                                               const Pose<S>& hand) const {
   PlacedPoint<S> point = place(*around_, touching(b), scene_->bodies[b], scene_->points[i], object,
                                hand, S(length_ / S(1000)));
-  const Vector3<S>& upright = scene_->bodies[b].normal;
-  if ((point.normal - upright).norm() <= rounding()) {
-    point.normal = upright;
-    point.tangent -= upright * upright.dot(point.tangent);
-    point.tangent /= point.tangent.norm();
-  }
   if (!follows_face(b)) return point;
   if (point.absence == Absence::behind) point.absence = Absence::none;
   if (touching(b).riding == Riding::on_body) point.position += point.gap * point.normal;
@@ -89,8 +91,12 @@ template <class S, class Pivots> bool TimeStepper<S, Pivots>::gather() {
     m_.body_of[bodies] = b;
     m_.body_twists[bodies] = twist_at(m_.velocities[b], pose_.position);
     for (const Drive<S>& drive : scene_->drives)
-      if (drive.body == b)
-        m_.drives[drives++] = {bodies, drive.actuator, twist_at(drive.twist, pose_.position)};
+      if (drive.body == b) {
+        const Vector6<S> twist = twist_at(drive.twist, pose_.position);
+        const bool is_turned = now.normal != body.normal; // else the bits are the scene's
+        m_.drives[drives++] = {bodies, drive.actuator,
+                               is_turned ? along_face(now.normal, twist, rounding()) : twist};
+      }
     ++bodies;
     gather_points(b, points, count, points);
   }
