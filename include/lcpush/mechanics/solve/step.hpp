@@ -118,7 +118,7 @@ private:
   static PressureOptions<S> pressure_options() {
     PressureOptions<S> options;
     options.tolerance /= S(128);
-    options.last_compliance = S(1e-4);
+    options.last_compliance = S(1e-6);
     return options;
   }
   Touching touching(Index body) const {
