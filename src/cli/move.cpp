@@ -20,12 +20,11 @@ constexpr double longest_time = 1e6, largest_length = 1e6;
 
 MoveOptions move_options(const Arguments& arguments, const SceneFile& file) {
   MoveOptions options;
-  options.time = arguments.number("--time", longest_time, "it is in seconds, such as 2.5");
-  options.step = arguments.number("--step", longest_time, "it is in seconds, such as 0.001");
-  options.tolerance =
-      arguments.number("--tolerance", largest_length, "it is in metres, such as 1e-4");
+  options.time = arguments.number("--time", longest_time, ", in seconds, such as 2.5");
+  options.step = arguments.number("--step", longest_time, ", in seconds, such as 0.001");
+  options.tolerance = arguments.number("--tolerance", largest_length, ", in metres, such as 1e-4");
   if (const auto way =
-          arguments.number("--stop-after", largest_length, "it is in metres, such as 0.03"))
+          arguments.number("--stop-after", largest_length, ", in metres, such as 0.03"))
     options.distance = *way;
   options.frames = arguments.whole("--frames", {2, limits::motion_frames}).value_or(options.frames);
   options.most_steps = limits::motion_solves;
@@ -44,7 +43,7 @@ int run_move(const Arguments& arguments) {
   const SceneFile file = read_scene_argument(arguments, Needs::scene, Strokes::all);
   MoveOptions options = move_options(arguments, file);
   const double seconds =
-      arguments.number("--seconds", longest_time, "it is in seconds").value_or(usual_seconds);
+      arguments.number("--seconds", longest_time, ", in seconds").value_or(usual_seconds);
   MotionReport report;
   {
     StatusLine line;

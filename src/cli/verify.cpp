@@ -15,7 +15,7 @@ namespace {
 VerifyOptions verify_options(const Arguments& arguments) {
   VerifyOptions options;
   options.tolerance =
-      arguments.number("--tolerance", 1, " such as 1e-6").value_or(options.tolerance);
+      arguments.number("--tolerance", 1, ", such as 1e-6").value_or(options.tolerance);
   return options;
 }
 
@@ -52,7 +52,7 @@ int verify_motion(const Arguments& arguments, const std::string& format) {
   const SceneFile file = read_scene_argument(arguments, Needs::scene, Strokes::all);
   const TrajectoryReport report = verify_trajectory(
       file, read_trajectory(*arguments.value("--trajectory")),
-      arguments.number("--tolerance", 1, " such as 0.01").value_or(usual_tolerance));
+      arguments.number("--tolerance", 1, ", such as 0.01").value_or(usual_tolerance));
   write_answer(arguments, format,
                format == "json" ? trajectory_json(report) : trajectory_text(file, report), file);
   return report.verdict == TrajectoryVerdict::follows ? 0 : 1;

@@ -35,6 +35,12 @@ Touch touch_of(const StepContact<double>& contact) {
                                        : Touch::parted;
 }
 
+/// Elsewhere there is no gap to speak of, nor where the step has taken the point beside its face.
+bool is_over_its_face(const StepContact<double>& contact) {
+  const bool was = contact.absence == Absence::none || contact.absence == Absence::far;
+  return was && contact.ends == Absence::none;
+}
+
 } // namespace
 
 MotionRun::MotionRun(const SceneFile& file)
@@ -141,7 +147,7 @@ MotionFrame MotionRun::frame(double h) const {
       state.position = file_.points[static_cast<std::size_t>(i)];
       state.normal = body.normal;
       if (h > 0) {
-        state.gap = contact.gap;
+        if (is_over_its_face(contact)) state.gap = contact.gap;
         state.normal_force = contact.normal_force;
         state.friction_force = contact.friction_force;
         state.velocity = contact.velocity;

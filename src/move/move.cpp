@@ -93,6 +93,7 @@ private:
 
   Status solve(double h) {
     ++report_.solves;
+    report_.tried = h;
     return run_.advance(h);
   }
 

@@ -14,12 +14,6 @@ std::vector<double> row_by_row(const Matrix3<double>& R) {
 
 std::string exact(double x) { return printed("%.17g", x); }
 
-/// Elsewhere there is no gap to speak of.
-bool is_over_its_face(const PointState& contact) {
-  return contact.touch == Touch::sticks || contact.touch == Touch::slips ||
-         contact.touch == Touch::parted;
-}
-
 void write_frame(JsonWriter& json, const SceneFile& file, const MotionFrame& frame) {
   json.member("time", frame.time)
       .member("step", frame.step)
@@ -38,7 +32,7 @@ void write_frame(JsonWriter& json, const SceneFile& file, const MotionFrame& fra
   json.objects("contacts", frame.contacts, [&](const PointState& contact) {
     json.member("name", point_name(file, i++))
         .member("mode", touch_text(contact.touch))
-        .member("gap", when(is_over_its_face(contact), contact.gap))
+        .member("gap", contact.gap)
         .member("normal_force", contact.normal_force)
         .member("friction_force", contact.friction_force)
         .member("velocity", contact.velocity);
@@ -108,8 +102,7 @@ std::string move_csv(const SceneFile& file, const MotionReport& report) {
     }
     for (const PointState& contact : frame.contacts)
       text += "," + std::string(touch_text(contact.touch)) + "," +
-              (is_over_its_face(contact) ? exact(contact.gap) : "") + "," +
-              exact(contact.normal_force);
+              (contact.gap ? exact(*contact.gap) : "") + "," + exact(contact.normal_force);
     text += "\n";
   }
   return text;

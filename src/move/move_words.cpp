@@ -22,6 +22,18 @@ std::string degrees(double radians) {
   return text + (text == "1" ? " degree" : " degrees");
 }
 
+/// ": fulcrum and plunger press on it with 5.2e+07 N": who did so hardest, in the last step.
+std::string squeeze_words(const SceneFile& file, const MotionFrame& frame) {
+  double most = 0;
+  for (const BodyForce& body : frame.bodies) most = std::max(most, body.normal_force);
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < frame.bodies.size(); ++b)
+    if (frame.bodies[b].normal_force > most / 2) names.push_back(file.body_names[b]);
+  if (names.empty()) return "";
+  return ": " + listed(names, "and") + (names.size() == 1 ? " presses" : " press") +
+         " on it with " + brief(most) + " N";
+}
+
 /// "until left leaves its face, after 0.71 s".
 std::string end_words(const SceneFile& file, const MotionReport& report) {
   const std::string after = brief(report.frames.back().time) + " s";
@@ -38,15 +50,15 @@ std::string end_words(const SceneFile& file, const MotionReport& report) {
            "; ask for a longer --step, a coarser --tolerance or less --time";
   case MoveEnd::stopped: return "until it was stopped, after " + after;
   case MoveEnd::leaps:
-    return "until it would leap out of its place within one step of " + brief(report.shortest) +
-           " s, after " + after;
+    return "until it would leap out of its place within one step of " + brief(report.tried) +
+           " s, after " + after + squeeze_words(file, report.frames.back());
   case MoveEnd::failed: break;
   }
   if (report.status == Status::ray)
     return "until it jams, after " + after +
            ": the contacts squeeze it, and no forces let it go on";
   return "until a step has no answer (" + std::string(status_text(report.status)) + "), after " +
-         after;
+         after + squeeze_words(file, report.frames.back());
 }
 
 const char* touch_verb(Touch from, Touch to) {

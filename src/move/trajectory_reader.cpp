@@ -35,6 +35,8 @@ Matrix3<double> by_quaternion(const std::vector<double>& q) {
 void check_frames(const std::string& file, const std::vector<TrajectoryFrame>& frames,
                   const std::vector<int>& lines) {
   if (frames.size() < 2) throw InputError(file, 1, "a motion needs two frames or more");
+  if (frames.size() < 3 && !frames[0].twist) // the first step tells a speed, and is not judged
+    throw InputError(file, 1, "without velocities a motion needs three frames or more");
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const Matrix3<double>& R = frames[k].pose.rotation;
     const Matrix3<double> off = R.transpose() * R - Matrix3<double>::Identity();

@@ -95,9 +95,10 @@ class Trajectory(unittest.TestCase):
                 ("", 1, "no motion"), ("time,x,y,z\n", 1, "no rotation"),
                 (head + "0,0,0,0,1,0,0\n", 2, "names 8 columns, this one has 7"),
                 (head + "0,0,0,x,1,0,0,0\n", 2, "z: "),
-                (head + "0,0,0,0,1,0,0,0\n0,0,0,0,1,0,0,0\n", 3, "time must grow"),
+                (head + 2 * "0,0,0,0,1,0,0,0\n" + "1,0,0,0,1,0,0,0\n", 3, "time must grow"),
                 (head + "0,0,0,0,1,0,0,0\n", 1, "two frames or more"),
-                (head + "0,0,0,0,0,0,0,0\n1,0,0,0,1,0,0,0\n", 2, "not orthonormal"),
+                (head + "0,0,0,0,1,0,0,0\n1,1,0,0,1,0,0,0\n", 1, "without velocities a motion needs three"),
+                (head + "0,0,0,0,0,0,0,0\n1,0,0,0,1,0,0,0\n2,0,0,0,1,0,0,0\n", 2, "not orthonormal"),
                 ("{}", 1, 'give "frames"'),
                 ('{"frames": [{"time": 0}]}', 1, 'a frame needs "time"')):
             result = run("verify", PIVOT, "--trajectory", self.file("m.txt", text))

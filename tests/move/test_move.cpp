@@ -225,6 +225,20 @@ TEST_CASE("pushers that squeeze the object end its motion: it does not leap thro
   }
 }
 
+TEST_CASE("a lever that jams ends there: a bar does not fit between its fulcrum and the plunger") {
+  const SceneFile file = read_scene(LCPUSH_SOURCE_DIR "/fixtures/scenes/lever.toml");
+  // A bar 4 mm thick between two points 1 mm apart along it, the upper one at 4 mm - t^2 / 2.
+  const double jams = std::sqrt(2 * (0.004 - std::sqrt(0.004 * 0.004 - 0.001 * 0.001)));
+  for (const std::optional<double> step : {std::optional<double>(), std::optional<double>(1e-4)}) {
+    const MotionReport report = moved_to(file, 1, step);
+    CHECK(report.end == MoveEnd::leaps);
+    CHECK(report.frames.back().time < jams);
+    CHECK(report.frames.back().time > jams - 2e-5);
+    CHECK(report.penetration <= 1e-9);
+    CHECK(move_text(file, report).find("fulcrum and plunger press on") != std::string::npos);
+  }
+}
+
 TEST_CASE("a pusher that has left the object is told, and a push that falls at once is an event") {
   const SceneFile file = read_scene(LCPUSH_SOURCE_DIR "/fixtures/scenes/pivot.toml");
   const MotionReport report = moved_to(file, 1);

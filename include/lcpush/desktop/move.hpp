@@ -47,8 +47,8 @@ struct BodyForce {
 
 struct PointState {
   Touch touch = Touch::away;
-  double gap = 0;          ///< m
-  double normal_force = 0; ///< N
+  std::optional<double> gap; ///< m, at the step's end; none: not over its face then
+  double normal_force = 0;   ///< N
   Vector3<double> friction_force = Vector3<double>::Zero();
   Vector3<double> velocity = Vector3<double>::Zero(); ///< m/s, object's point relative to its body
   Vector3<double> position = Vector3<double>::Zero(); ///< m, scene's frame
@@ -112,6 +112,7 @@ struct MotionReport {
   std::vector<MotionPhase> phases;
   Index steps = 0, solves = 0;
   double shortest = 0, longest = 0; ///< s, steps
+  double tried = 0;                 ///< s, of the step that was solved last, if in vain
   double tolerance = 0;             ///< m
   std::optional<double> error;      ///< m, estimated, of controlled steps
   double penetration = 0;           ///< m, the deepest

@@ -99,6 +99,47 @@ TEST_CASE("two answers that lead to each other's gaps do not take turns for ever
   }
 }
 
+TEST_CASE(
+    "a step that would end inside a face is too long; half of it, or a part of that, is not") {
+  // Fingers run along a face that stands nearly on edge: corrections ended 1.1 um and 9 nm deep.
+  for (const auto& run_of : {std::pair(5048, 122), std::pair(1520, 20)}) {
+    const auto seed = static_cast<std::uint64_t>(run_of.first);
+    CAPTURE(seed);
+    OwnedMotion<double, StructuredLemke<double>> run(random_grasp<double>(seed));
+    begin_random(run, seed);
+    Index refused = 0;
+    const double end = run_of.second * 1e-3;
+    for (double h = 1e-3; run->time() < end - 1e-9;) {
+      CAPTURE(run->time());
+      const Pose<double> before = run->pose();
+      if (run->advance(h) == Status::solved) {
+        REQUIRE(run->run().penetration <= 1e-10);
+        h = std::min(1e-3, 2 * h);
+        continue;
+      }
+      REQUIRE(run->run().reason == Reason::leap);
+      CHECK(run->pose().position == before.position);
+      ++refused;
+      h /= 2;
+      REQUIRE(h > 1e-5);
+    }
+    CHECK(refused > 0);
+  }
+}
+
+TEST_CASE("a tilt that is rounding does not couple a jaw with friction") {
+  // Of 1e-10 rad, with false rays from every start.
+  for (const std::uint64_t seed : {361u, 974u}) {
+    CAPTURE(seed);
+    OwnedMotion<double, StructuredLemke<double>> run(random_grasp<double>(seed));
+    begin_random(run, seed);
+    for (Index k = 0; k < 100; ++k) {
+      CAPTURE(k);
+      REQUIRE(run->advance(1e-3) == Status::solved);
+    }
+  }
+}
+
 TEST_CASE("where nothing drives, energy never grows") {
   for (std::uint64_t seed = 100; seed < 124; ++seed) {
     CAPTURE(seed);

@@ -3,7 +3,7 @@
 // A step places the points that may touch, solves the push that takes the velocities to the step's
 // end, and moves every pose by them. What a straight step misses of a turning face is of second
 // order; where it would let a point into its face, the step is solved again with the gaps that the
-// turned faces have at its end.
+// turned faces have at its end. If that leads nowhere, the step is too long and nothing moves.
 #pragma once
 
 #include "lcpush/mechanics/model/check.hpp"
@@ -100,33 +100,40 @@ private:
   S time_{0}, length_{0};
   // The end that the last solve leads to.
   Vector6<S> next_velocity_ = Vector6<S>::Zero();
+  S depth_{0}; // m, of the deepest point at the step's begin
 
   static constexpr Index most_corrections = 12;
 
-  S penetration_tolerance() const {
-    return length_ * Eigen::numext::maxi(S(1e-9), S(4 * Eigen::NumTraits<S>::epsilon()));
+  /// What thousands of steps may leave of a length, as a part of it, or of a direction.
+  static S rounding() {
+    return Eigen::numext::maxi(S(1e-9), S(4 * Eigen::NumTraits<S>::epsilon()));
   }
+  S penetration_tolerance() const { return length_ * rounding(); }
   /// What rounding leaves of a closed gap is none: over h^2 it would be a force.
   S settled(const S& gap) const {
     return Eigen::numext::abs(gap) <= penetration_tolerance() ? S(0) : gap;
   }
-  /// A residue of the pads is a speed, and in thousands of steps a way.
+  /// A residue of the pads is a speed, and in thousands of steps a way; and a part of a speed that
+  /// they leave of it must be small, or it grows from step to step (theory, [T.13]).
   static PressureOptions<S> pressure_options() {
     PressureOptions<S> options;
     options.tolerance /= S(128);
+    options.last_compliance = S(1e-6);
     return options;
   }
   Touching touching(Index body) const {
     return around_->touching.size > 0 ? around_->touching[body] : Touching{};
   }
-  PlacedPoint<S> placed(Index b, Index i, const Pose<S>& object, const Pose<S>& hand) const {
-    return place(*around_, touching(b), scene_->bodies[b], scene_->points[i], object, hand,
-                 S(length_ / S(1000)));
-  }
+  PlacedPoint<S> placed(Index b, Index i, const Pose<S>& object, const Pose<S>& hand) const;
   bool is_massless(Index body) const {
     for (const Drive<S>& drive : scene_->drives)
       if (drive.body == body && !(scene_->actuators[drive.actuator].inertia > S(0))) return true;
     return false;
+  }
+  /// Under even pressure each point of a driven body is a pad of its own, which follows its face
+  /// wherever that goes: it has no gap.
+  bool follows_face(Index body) const {
+    return scene_->pressure == Pressure::even && is_massless(body);
   }
 
   // step_geometry.hpp: which points touch now, and where the solved push takes them.
@@ -214,6 +221,7 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_rounds(int
     assembly_.push_by(S(1)); // without the compliance of rounds before
     LemkeOptions<S> pivots;
     pivots.first_cover = attempt * pivots.covers;
+    if (attempt < 3) pivots.max_pivots = 200 + 3 * unknowns; // what takes more has gone astray
     PressureOptions<S> pads = pressure_options();
     for (int k = 0; k < attempt; ++k) pads.factor = Eigen::numext::sqrt(pads.factor);
     const Status status =

@@ -5,6 +5,16 @@
 
 namespace lcpush {
 
+/// A drive's twist, along its face's normal where rounding alone has tilted that: what such a tilt
+/// lets friction do to a jaw would be a pivot, and the basis behind it singular.
+template <class S>
+Vector6<S> along_face(const Vector3<S>& normal, Vector6<S> twist, const S& rounding) {
+  const Vector3<S> way = twist.template head<3>(), along = normal * normal.dot(way);
+  const bool turns = twist.template tail<3>().squaredNorm() > S(0);
+  if (!turns && (way - along).norm() <= rounding * way.norm()) twist.template head<3>() = along;
+  return twist;
+}
+
 /// How far a gap may be and close within the step, generously.
 template <class S, class Pivots> S TimeStepper<S, Pivots>::reach(const S& h) const {
   const auto speed = [&](const Vector6<S>& twist) {
@@ -18,7 +28,20 @@ template <class S, class Pivots> S TimeStepper<S, Pivots>::reach(const S& h) con
   return S(4) * h * (fastest + speed(velocity_) + h * falls) + length_ / S(1000);
 }
 
+template <class S, class Pivots>
+PlacedPoint<S> TimeStepper<S, Pivots>::placed(Index b, Index i, const Pose<S>& object,
+                                              const Pose<S>& hand) const {
+  PlacedPoint<S> point = place(*around_, touching(b), scene_->bodies[b], scene_->points[i], object,
+                               hand, S(length_ / S(1000)));
+  if (!follows_face(b)) return point;
+  if (point.absence == Absence::behind) point.absence = Absence::none;
+  if (touching(b).riding == Riding::on_body) point.position += point.gap * point.normal;
+  point.gap = S(0);
+  return point;
+}
+
 template <class S, class Pivots> void TimeStepper<S, Pivots>::place_points(const S& reach) {
+  depth_ = S(0);
   for (Index b = 0; b < scene_->bodies.size; ++b) {
     const Body<S>& body = scene_->bodies[b];
     const bool closes = is_massless(b); // at any speed: nothing is too far for it
@@ -26,7 +49,9 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::place_points(const
       m_.placed[i] = placed(b, i, pose_, m_.poses[b]);
       if (is_absent(*around_, b)) m_.placed[i].absence = Absence::away;
       const bool is_far = !closes && !body.bilateral && m_.placed[i].gap > reach;
-      if (is_far && m_.placed[i].absence == Absence::none) m_.placed[i].absence = Absence::far;
+      if (m_.placed[i].absence != Absence::none) continue;
+      depth_ = Eigen::numext::maxi(depth_, S(-m_.placed[i].gap));
+      if (is_far) m_.placed[i].absence = Absence::far;
     }
   }
 }
@@ -66,8 +91,12 @@ template <class S, class Pivots> bool TimeStepper<S, Pivots>::gather() {
     m_.body_of[bodies] = b;
     m_.body_twists[bodies] = twist_at(m_.velocities[b], pose_.position);
     for (const Drive<S>& drive : scene_->drives)
-      if (drive.body == b)
-        m_.drives[drives++] = {bodies, drive.actuator, twist_at(drive.twist, pose_.position)};
+      if (drive.body == b) {
+        const Vector6<S> twist = twist_at(drive.twist, pose_.position);
+        const bool is_turned = now.normal != body.normal; // else the bits are the scene's
+        m_.drives[drives++] = {bodies, drive.actuator,
+                               is_turned ? along_face(now.normal, twist, rounding()) : twist};
+      }
     ++bodies;
     gather_points(b, points, count, points);
   }
@@ -129,7 +158,7 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::bend_gaps(const S&
     const Vector6<S> relative = next_velocity_ - twist_at(end_twist(b), pose_.position);
     const S opening = acceleration_at(m_.points[k], relative).dot(m_.bodies[present].normal);
     const PlacedPoint<S> then = placed(b, i, object, hand);
-    if (then.absence == Absence::no_line) continue;
+    if (then.absence == Absence::no_line || follows_face(b)) continue;
     const S change = settled(S(then.gap - h * opening)) - m_.gaps[k];
     m_.gaps[k] += only_closer ? Eigen::numext::mini(change, S(0)) : S(part * change);
   }
@@ -159,7 +188,8 @@ template <class S, class Pivots> Vector6<S> TimeStepper<S, Pivots>::end_twist(In
 }
 
 /// Does the solved push take the object farther than a step can tell of? Beside its fingers it
-/// turns and goes little in one, or a squeeze that gives way would throw it through a face.
+/// turns and goes little in one, or a squeeze that gives way would throw it through a face; and no
+/// point ends in its face deeper than it was.
 template <class S, class Pivots> bool TimeStepper<S, Pivots>::leaps(const S& h) const {
   S slowest = next_velocity_.template head<3>().norm();
   for (Index b = 0; b < scene_->bodies.size; ++b) {
@@ -167,7 +197,7 @@ template <class S, class Pivots> bool TimeStepper<S, Pivots>::leaps(const S& h) 
     slowest = Eigen::numext::mini(slowest, S(beside.template head<3>().norm()));
   }
   return h * next_velocity_.template tail<3>().norm() > S(0.5) || h * slowest > length_ ||
-         run_.penetration > S(2e-4) * length_;
+         run_.penetration > Eigen::numext::maxi(penetration_tolerance(), depth_);
 }
 
 /// How deep the deepest point is in its face at the step's end; 0 if none is. `missed`: one is that
