@@ -10,7 +10,6 @@ namespace lcpush {
 template <class S> struct PressureOptions {
   S first_compliance{S(1) / S(100)}; ///< eps of round 1
   S factor{S(0.31622776601683794)};  ///< eps falls by this a round
-  S last_compliance{S(1)};           ///< eps of the last round is this or less
   Index max_rounds = 60;
   Index max_turns = 32;                  ///< of round friction's pyramids
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
@@ -143,15 +142,11 @@ private:
     const bool is_pressed = violation <= options_.tolerance;
     bool is_settled = friction_.is_settled(memory_.z.data);
     if (is_pressed) is_settled = is_settled && friction_.passes();
-    const bool is_stiff = eps_ <= options_.last_compliance;
-    if (is_pressed && is_settled && is_stiff) return Status::solved;
+    if (is_pressed && is_settled) return Status::solved;
     if (!is_settled && !turn()) return unsettled();
     if (largest > detail::runaway_force(assembly_)) return end_pads(Status::numerical_breakdown);
     last_eps_ = eps_;
-    if (is_pressed) {
-      if (is_settled) eps_ = options_.last_compliance;
-      return next_round();
-    }
+    if (is_pressed) return next_round();
     factor_ = maxi(options_.factor, S(factor_ * factor_));
     eps_ *= factor_;
     return next_round();

@@ -113,12 +113,10 @@ private:
   S settled(const S& gap) const {
     return Eigen::numext::abs(gap) <= penetration_tolerance() ? S(0) : gap;
   }
-  /// A residue of the pads is a speed, and in thousands of steps a way; and a part of a speed that
-  /// they leave of it must be small, or it grows from step to step (theory, [T.13]).
+  /// A residue of the pads is a speed, and in thousands of steps a way.
   static PressureOptions<S> pressure_options() {
     PressureOptions<S> options;
     options.tolerance /= S(128);
-    options.last_compliance = S(1e-6);
     return options;
   }
   Touching touching(Index body) const {
