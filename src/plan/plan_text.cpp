@@ -33,8 +33,8 @@ std::string plan_sentence(const SceneFile& file, const PlanReport& report) {
            place_words(report.nearest) + ".";
   if (!report.found)
     return "A plan of " + std::to_string(report.pushes.size()) +
-           " pushes was found, but its replay ends at " + place_words(report.nearest) + ", not at " +
-           goal + ".";
+           " pushes was found, but its replay ends at " + place_words(report.nearest) +
+           ", not at " + goal + ".";
   std::string text = "To take " + object_name(file) + " to " + goal + ": ";
   for (std::size_t k = 0; k < report.pushes.size(); ++k)
     text += (k == 0                          ? ""
