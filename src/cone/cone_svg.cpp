@@ -1,6 +1,6 @@
 // The motion cone drawn: in space, and as velocities of the pusher where it presses.
 #include "cone/cone_words.hpp"
-#include "draw/marks.hpp"
+#include "cone/limit_surface.hpp"
 #include "draw/prism.hpp"
 #include "draw/view.hpp"
 #include "text/format.hpp"
@@ -85,7 +85,7 @@ private:
   const ConeReport& report_;
 
   Vector3<double> planar(const Vector6<double>& twist) const {
-    return {twist[0], twist[1], twist[5] * report_.length};
+    return planar_twist(twist, report_.length);
   }
   Pixel velocity(Index point, const Vector6<double>& twist) const {
     const Vector3<double> v = acceleration_at(file_.points[static_cast<std::size_t>(point)], twist);

@@ -20,9 +20,11 @@ std::string place_words(const PlanarPose& pose) {
 std::string push_words(const SceneFile& file, const PlannedPush& push) {
   const double way = std::hypot(push.to.x - push.from.x, push.to.y - push.from.y);
   const double turn = degrees * (push.to.angle - push.from.angle);
+  const std::string turning = " turns it by " + brief(turn) + " degrees";
+  if (!(way > 1e-9)) return file.body_name(push.pusher) + turning;
   return file.body_name(push.pusher) + " takes it " + brief(1000 * way) + " mm along (" +
          brief((push.to.x - push.from.x) / way) + ", " + brief((push.to.y - push.from.y) / way) +
-         ") and turns it by " + brief(turn) + " degrees";
+         ") and" + turning;
 }
 
 std::string plan_sentence(const SceneFile& file, const PlanReport& report) {

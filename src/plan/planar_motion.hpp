@@ -26,9 +26,7 @@ public:
     const Planar way = place_of(to) - place_of(from);
     // The centre's velocity at the begin; over the way it turns with the object, so that its mean
     // is shorter by the chord of the turn.
-    const double half = turn_ / 2;
-    const double chord = std::abs(half) < 1e-6 ? 1 - half * half / 6 : std::sin(half) / half;
-    begin_ = turned(way, -half) / chord;
+    begin_ = turned(way, -turn_ / 2) / chord(turn_ / 2);
   }
 
   /// That begins with this velocity, in units of its time.
@@ -40,12 +38,16 @@ public:
   Planar velocity(double share) const { return turned(begin_, share * turn_); }
   PlanarPose at(double share) const {
     const double half = share * turn_ / 2;
-    const double chord = std::abs(half) < 1e-6 ? 1 - half * half / 6 : std::sin(half) / half;
-    const Planar way = share * chord * turned(begin_, half);
+    const Planar way = share * chord(half) * turned(begin_, half);
     return {from_.x + way.x(), from_.y + way.y(), from_.angle + 2 * half};
   }
 
 private:
+  /// Of an arc over twice this angle, over its length.
+  static double chord(double half) {
+    return std::abs(half) < 1e-6 ? 1 - half * half / 6 : std::sin(half) / half;
+  }
+
   PlanarPose from_;
   double turn_;
   Planar begin_;

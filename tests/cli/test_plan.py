@@ -109,6 +109,12 @@ class Plan(unittest.TestCase):
                                  text=text).stdout)
         self.assertEqual((answer["found"], answer["pushes"], answer["scene"]), (False, [], None))
 
+    def test_a_turn_in_place_has_no_direction(self):
+        for to in ("0 0 0.1", "0 0 -0.2"):
+            text = tool("plan", SQUARE, "--to", to).stdout
+            self.assertIn(" turns it by ", " ".join(text.split()))
+            self.assertNotIn("nan", text)
+
     def test_formats(self):
         page = tool("plan", SQUARE, "--to", "-0.04 0.02 0.1", "--format", "html").stdout
         self.assertIn("<!doctype html>", page.lower())
