@@ -32,6 +32,7 @@
 // and s become basic together, and the inverse [0 1; -1 3/2] has the form of M, roles swapped.
 #pragma once
 
+#include "lcpush/lcp/loops.hpp"
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/pivots/equilibrate.hpp"
 #include "lcpush/lcp/problem.hpp"
@@ -196,9 +197,7 @@ public:
     find_velocity();
   }
   S entry_of_column(Index row, Index slot) const {
-    const S felt =
-        role_[row] == shared_role ? shared_row(row) : S(directions_.row(row).dot(v_.transpose()));
-    return felt + local(row, slot);
+    return (role_[row] == shared_role ? shared_row(row) : felt(row)) + local(row, slot);
   }
   void begin_row(Index row);
   S entry_of_row(Index row, Index slot) const;
@@ -239,6 +238,13 @@ private:
   void swap_roles(Index i, Index j) {
     Eigen::numext::swap(role_[i], role_[j]);
     flipped_[i] = flipped_[j] = 1;
+  }
+  /// h_i' v.
+  S felt(Index i) const { return dot_along(directions_.data() + i, n_, v_.data(), width()); }
+  /// force_ += h_i x.
+  void add_direction(Index i, const S& x) {
+    const S* h = directions_.data() + i;
+    for (Index k = 0; k < width(); ++k, h += n_) force_[k] += *h * x;
   }
   void add_force(Index slot, const S& x);
   void find_velocity();

@@ -15,11 +15,10 @@ template <class S> void LocalForm<S>::add_force(Index slot, const S& x) {
   const Index c = group_[slot];
   switch (role_[slot]) {
   case normal_role:
-    force_ += directions_.row(slot).transpose() * (is_spring_[c] != 0 ? S(-x) : x);
-    if (slides(c))
-      force_ -= directions_.row(problem_->cones[c].slip()).transpose() * (friction_[c] * x);
+    add_direction(slot, is_spring_[c] != 0 ? S(-x) : x);
+    if (slides(c)) add_direction(problem_->cones[c].slip(), -(friction_[c] * x));
     break;
-  case generator_role: force_ += directions_.row(slot).transpose() * x; break;
+  case generator_role: add_direction(slot, x); break;
   case shared_role: actuator_input_[c] += x; break;
   default: break;
   }
@@ -62,7 +61,6 @@ template <class S> void LocalForm<S>::begin_row(Index row) {
 }
 
 template <class S> S LocalForm<S>::entry_of_row(Index row, Index slot) const {
-  const auto felt = [&](Index i) { return S(directions_.row(i).dot(v_.transpose())); };
   const S here = local(row, slot);
   if (slot == n_) {
     S sum = here + d_force_.dot(v_);
@@ -129,11 +127,14 @@ void LocalForm<S>::add_local(Index slot, const S& x, Column& out) const {
 
 /// out += what the rows feel of v_ and force_.
 template <class S> template <class Column> void LocalForm<S>::add_felt(Column& out) const {
-  const auto& h = directions_;
-  out += h.col(0) * v_[0] + h.col(1) * v_[1] + h.col(2) * v_[2] + h.col(3) * v_[3] +
-         h.col(4) * v_[4] + h.col(5) * v_[5];
+  const S* __restrict const h = directions_.data();
+  const S* const v = v_.data();
+  S* __restrict const row = out.data();
+  for (Index i = 0, n = n_; i < n; ++i)
+    row[i] += h[i] * v[0] + h[i + n] * v[1] + h[i + 2 * n] * v[2] + h[i + 3 * n] * v[3] +
+              h[i + 4 * n] * v[4] + h[i + 5 * n] * v[5];
   for (Index k = 6; k < width(); ++k)
-    if (v_[k] != S(0)) out += h.col(k) * v_[k];
+    if (v[k] != S(0)) add_scaled(row, h + k * n_, v[k], n_);
   for (Index s = free_begin_; s < n_; ++s)
     if (role_[s] == shared_role) out[s] += shared_row(s);
 }

@@ -81,6 +81,9 @@ private:
   Span<int> out_, in_;       // k: a row whose base variable has left, and the slot now there
   Span<int> out_at_, in_at_; // row, slot: their k, -1 for none
 
+  /// Column k of K^-1: what row out_[k] brings about.
+  S* of_row(Index k) { return inverse_.col(k).data(); }
+
   // The base is the basis of the local form: one variable of every complementary pair.
   Index slot_of(Index variable) const {
     return variable == artificial(n_) ? n_ : variable < n_ ? variable : variable - n_;
@@ -124,7 +127,7 @@ private:
     form_.begin_row(row);
     for (Index k = 0; k < t_; ++k) along_column_[k] = form_.entry_of_row(row, in_[k]);
     for (Index k = 0; k < t_; ++k)
-      along_row_[k] = inverse_.col(k).head(t_).dot(along_column_.head(t_));
+      along_row_[k] = detail::dot_along(of_row(k), 1, along_column_.data(), t_);
   }
 
   /// K grows by a row and a slot; rates_ is -K^-1 times its new column.
@@ -132,7 +135,7 @@ private:
     read_row(row);
     for (Index k = 0; k < t_; ++k) {
       const S factor = along_row_[k] / pivot;
-      if (factor != S(0)) inverse_.col(k).head(t_) -= rates_.head(t_) * factor;
+      if (factor != S(0)) detail::add_scaled(of_row(k), rates_.data(), S(-factor), t_);
       inverse_(t_, k) = -factor;
     }
     inverse_.col(t_).head(t_) = rates_.head(t_) / pivot;
@@ -146,7 +149,7 @@ private:
     for (Index j = 0; j < t_; ++j) {
       const S solved = -inverse_(k, j) / pivot;
       if (solved == S(0)) continue;
-      inverse_.col(j).head(t_) += rates_.head(t_) * solved;
+      detail::add_scaled(of_row(j), rates_.data(), solved, t_);
       inverse_(k, j) = solved;
     }
     in_at_[in_[k]] = -1;
@@ -159,7 +162,7 @@ private:
     const auto replaced = rates_.head(t_); // the column k of K^-1
     for (Index j = 0; j < t_; ++j)
       if (j != k && along_row_[j] != S(0))
-        inverse_.col(j).head(t_) -= replaced * (along_row_[j] / pivot);
+        detail::add_scaled(of_row(j), rates_.data(), S(-(along_row_[j] / pivot)), t_);
     inverse_.col(k).head(t_) = replaced / pivot;
     out_at_[out_[k]] = -1;
     place(k, row, in_[k]);
@@ -172,7 +175,8 @@ private:
     column = inverse_.col(k_row).head(t_);
     for (Index j = 0; j < t_; ++j) {
       const S factor = inverse_(k_slot, j) / pivot;
-      if (j != k_row && factor != S(0)) inverse_.col(j).head(t_) -= column * factor;
+      if (j != k_row && factor != S(0))
+        detail::add_scaled(of_row(j), along_column_.data(), S(-factor), t_);
     }
     const Index last = t_ - 1, row_left = out_[k_slot], slot_left = in_[k_row];
     out_at_[out_[k_row]] = -1;
@@ -234,7 +238,8 @@ template <class S> Index StructuredBasis<S>::enter(Index variable) {
   for (Index k = 0; k < t_; ++k) along_column_[k] = form_.entry_of_column(out_[k], slot);
   rates.setZero();
   for (Index k = 0; k < t_; ++k)
-    if (along_column_[k] != S(0)) rates -= inverse_.col(k).head(t_) * along_column_[k];
+    if (along_column_[k] != S(0))
+      detail::add_scaled(rates_.data(), of_row(k), S(-along_column_[k]), t_);
   add_entered(dictionary.table.col(0), slot, S(1));
   return 0;
 }
@@ -242,13 +247,13 @@ template <class S> Index StructuredBasis<S>::enter(Index variable) {
 template <class S>
 void StructuredBasis<S>::exchange(Index row, Index column, Index entering,
                                   VectorMap<S> /*scratch*/) {
-  const auto rates = dictionary.table.col(column);
+  const S* const rates = dictionary.table.col(column).data();
   const S pivot = rates[row];
   for (Index k = 0; k < dictionary.values.cols(); ++k) {
-    auto values = dictionary.values.col(k);
+    S* const values = dictionary.values.col(k).data();
     if (values[row] == S(0)) continue;
     const S step = -values[row] / pivot;
-    values += step * rates;
+    detail::add_scaled(values, rates, step, n_);
     values[row] = step;
   }
   const Index slot = slot_of(entering), leaves_at = out_at_[row];

@@ -101,7 +101,7 @@ template <class S> void StructuredBasis<S>::find_values(const Wanted& wanted) {
       if (pass > 0 && !(left.cwiseAbs().maxCoeff() > noise)) break;
       rates.setZero();
       for (Index k = 0; k < t_; ++k)
-        if (left[k] != S(0)) rates -= inverse_.col(k).head(t_) * left[k];
+        if (left[k] != S(0)) detail::add_scaled(rates_.data(), of_row(k), S(-left[k]), t_);
       entered += rates;
       multiply_entered(column, entered);
     }
@@ -141,7 +141,7 @@ void StructuredBasis<S>::respond_to(Value value, Column&& out) {
   rates.setZero();
   for (Index k = 0; k < t_; ++k) {
     const S wanted = value(base_variable(out_[k]));
-    rates += inverse_.col(k).head(t_) * (wanted - out[out_[k]]);
+    detail::add_scaled(rates_.data(), of_row(k), S(wanted - out[out_[k]]), t_);
   }
   add_entered(dictionary.table.col(0));
   out += dictionary.table.col(0);
