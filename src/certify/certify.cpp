@@ -77,8 +77,7 @@ std::optional<ExactAnswer> answer_near(const MixedProblem& problem, const Guess&
 
 /// The final basis of Lemke's pivots on the literal problem in doubles, from this covering vector
 /// on; empty if they end otherwise.
-std::vector<unsigned char> pivoted_basis(const Scene<double>& scene, double push, Index first_cover,
-                                         std::size_t size) {
+Basis pivoted_basis(const Scene<double>& scene, double push, Index first_cover, std::size_t size) {
   OwnedAssembly<double> assembly(scene);
   assembly.get().push_by(push);
   const Problem<double> problem = assembly.get().problem();
@@ -88,7 +87,7 @@ std::vector<unsigned char> pivoted_basis(const Scene<double>& scene, double push
   options.first_cover = first_cover;
   (void)lemke.init(problem, options);
   if (lemke.solve() != Status::solved) return {};
-  std::vector<unsigned char> basic(size, 0);
+  Basis basic(size, 0);
   for (Index i = 0; i < problem.free_begin; ++i)
     basic[static_cast<std::size_t>(i)] = lemke.is_basic(i) ? 1 : 0;
   return basic;
@@ -134,12 +133,14 @@ std::optional<Certificate> certify_answer(const std::string& text, const SceneFi
   if (!exact) {
     // Another cover ends in another basis, where less may tie.
     constexpr Index covers = 12, apart = 20; // a cover that fails goes on to the next
-    std::vector<std::vector<unsigned char>> bases;
-    for (Index cover = 0; cover < covers; ++cover)
-      bases.push_back(pivoted_basis(file.view(), push, apart * cover, problem.size()));
-    for (const std::size_t few : {std::size_t{6}, limits::pivots_certified})
-      for (const std::vector<unsigned char>& basic : bases)
-        if (!exact && !basic.empty()) exact = answer_from_basis(problem, basic, few);
+    std::vector<Basis> bases;
+    for (Index cover = 0; cover < covers && !exact; ++cover) {
+      Basis basic = pivoted_basis(file.view(), push, apart * cover, problem.size());
+      if (basic.empty() || std::find(bases.begin(), bases.end(), basic) != bases.end()) continue;
+      exact = answer_from_bases(problem, {basic}, 0);
+      bases.push_back(std::move(basic));
+    }
+    if (!exact) exact = answer_from_bases(problem, bases, limits::pivots_certified);
   }
   if (!exact) return std::nullopt;
   certificate.x = std::move(exact->x[0]);
@@ -193,7 +194,7 @@ std::optional<Certificate> certify_raw(const ExactMatrix& M, const ExactMatrix& 
   certificate.free = free;
   const MixedProblem problem = raw_mixed_problem(M, q, free);
   if (answer.status == Status::solved) {
-    std::optional<ExactAnswer> exact = answer_from_basis(problem, answer.basic, 0);
+    std::optional<ExactAnswer> exact = answer_from_bases(problem, {answer.basic}, 0);
     Guess guess{answer.z, answer.w, {}, {}};
     double x_unit = 0, w_unit = 0;
     for (const double z : answer.z) x_unit = std::max(x_unit, std::abs(z));
@@ -201,7 +202,7 @@ std::optional<Certificate> certify_raw(const ExactMatrix& M, const ExactMatrix& 
     guess.x_unit.assign(answer.z.size(), x_unit);
     guess.w_unit.assign(answer.z.size(), w_unit);
     if (!exact) exact = answer_near(problem, guess);
-    if (!exact) exact = answer_from_basis(problem, answer.basic, limits::pivots_certified);
+    if (!exact) exact = answer_from_bases(problem, {answer.basic}, limits::pivots_certified);
     if (!exact) return std::nullopt;
     certificate.x = std::move(exact->x[0]);
     take_basis(problem, certificate);

@@ -30,25 +30,37 @@ public:
   }
 
   /// `seed` chooses the covering vector, and with it the path.
-  std::optional<ExactAnswer> run(std::size_t most_pivots, std::uint32_t seed) {
+  void start(std::uint32_t seed) {
     seed_ = seed;
-    if (!evaluate(problem_.q)) return std::nullopt;
-    if (is_feasible()) return ExactAnswer{x_, w_, 0};
+    if (!evaluate(problem_.q)) return end(State::lost);
+    if (is_feasible()) return end(State::solved);
     choose_cover();
-    if (!evaluate(rhs_)) return std::nullopt;
+    if (!append(rhs_.back())) return end(State::lost);
     enter_artificial();
-    for (std::size_t pivots = 2; pivots <= most_pivots; ++pivots) {
-      if (!step()) return std::nullopt;
-      if (blocked_ == none)
-        return evaluate(problem_.q) ? std::optional(ExactAnswer{x_, w_, pivots}) : std::nullopt;
-    }
-    return std::nullopt;
+    pivots_ = 1;
   }
 
+  void go_on(std::size_t pivots) {
+    for (std::size_t k = 0; k < pivots && state_ == State::going; ++k) {
+      ++pivots_;
+      if (!step())
+        end(State::lost);
+      else if (blocked_ == none)
+        end(evaluate(problem_.q) ? State::solved : State::lost);
+    }
+  }
+
+  bool is_solved() const { return state_ == State::solved; }
+  /// Pre: solved.
+  ExactAnswer answer() const { return {x_, w_, pivots_}; }
+
 private:
+  enum class State : unsigned char { going, solved, lost }; // lost: singular, or on a ray
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   const MixedProblem& problem_;
   const std::size_t n_;
+  State state_ = State::going;
+  std::size_t pivots_ = 0;
   std::vector<unsigned char> basic_; // is x_i (else w_i) basic?
   std::size_t blocked_ = none;       // the pair of which neither is, while z0 is
   bool x_enters_ = false;            // or w, of that pair
@@ -60,6 +72,7 @@ private:
   std::vector<Column> x_, w_;        // for the right-hand sides that were needed
   std::vector<Rational> artificial_; // z0 for each of them
 
+  void end(State state) { state_ = state; }
   bool is_feasible() const {
     for (std::size_t i = 0; i < n_; ++i)
       if (!problem_.is_free(i) && (sign_at(x_, i) < 0 || sign_at(w_, i) < 0)) return false;
@@ -253,16 +266,30 @@ std::optional<ExactAnswer> answer_near(const MixedProblem& problem, const std::v
   return answer;
 }
 
-std::optional<ExactAnswer> answer_from_basis(const MixedProblem& problem,
-                                             const std::vector<unsigned char>& basic,
+std::optional<ExactAnswer> answer_from_bases(const MixedProblem& problem,
+                                             const std::vector<Basis>& bases,
                                              std::size_t most_pivots) {
-  // A basis in the middle promises nothing: some paths from it end on rays, others do not.
+  // A basis in the middle promises nothing: some paths from it end on rays, others are long. So all
+  // of them go on by turns, and the shortest one ends the search.
   constexpr std::uint32_t covers = 4;
-  std::optional<ExactAnswer> answer;
-  for (std::uint32_t cover = 0; cover < covers && !answer; ++cover)
-    answer = Pivots(problem, basic).run(most_pivots, 1 + 2 * cover);
-  if (answer && !solves_exactly(problem, *answer)) return std::nullopt;
-  return answer;
+  constexpr std::size_t turn = 6;
+  for (std::uint32_t cover = 0; cover < covers; ++cover) {
+    std::vector<Pivots> paths;
+    for (const Basis& basic : bases) paths.emplace_back(problem, basic).start(1 + 2 * cover);
+    for (std::size_t pivots = 0;; pivots += turn) {
+      for (const Pivots& path : paths)
+        if (path.is_solved()) {
+          ExactAnswer answer = path.answer();
+          return solves_exactly(problem, answer) ? std::optional(std::move(answer)) : std::nullopt;
+        }
+      if (pivots >= most_pivots) break;
+      for (Pivots& path : paths) {
+        path.go_on(std::min(turn, most_pivots - pivots));
+        if (path.is_solved()) break;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 } // namespace lcpush::desktop

@@ -26,10 +26,13 @@ enum class Part : unsigned char { x, w, neither };
 std::optional<ExactAnswer> answer_near(const MixedProblem& problem, const std::vector<Part>& acting,
                                        const std::vector<std::vector<double>>& guess);
 
-/// The answer of this complementary basis, after as many of Lemke's pivots as rounding has hidden.
-/// nullopt if the basis is singular, on a ray, or after `most_pivots`.
-std::optional<ExactAnswer> answer_from_basis(const MixedProblem& problem,
-                                             const std::vector<unsigned char>& basic,
+/// Of every pair: is x (else w) basic?
+using Basis = std::vector<unsigned char>;
+
+/// The answer of one of these complementary bases, after as many of Lemke's pivots as rounding has
+/// hidden. nullopt if all are singular, end on rays, or need more than `most_pivots`.
+std::optional<ExactAnswer> answer_from_bases(const MixedProblem& problem,
+                                             const std::vector<Basis>& bases,
                                              std::size_t most_pivots);
 
 } // namespace lcpush::desktop

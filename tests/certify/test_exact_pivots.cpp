@@ -29,9 +29,9 @@ TEST_CASE("any basis leads to the answer of a positive definite problem") {
   const MixedProblem problem =
       raw({{1, 2, 2, 2}, {0, 1, 2, 2}, {0, 0, 1, 2}, {0, 0, 0, 1}}, {-1, -1, -1, -1});
   for (unsigned basis = 0; basis < 16; ++basis) {
-    std::vector<unsigned char> basic;
+    Basis basic;
     for (unsigned i = 0; i < 4; ++i) basic.push_back((basis >> i) & 1U);
-    const auto answer = answer_from_basis(problem, basic, 100);
+    const auto answer = answer_from_bases(problem, {basic}, 100);
     REQUIRE(answer);
     CHECK(answer->x[0] == std::vector<Rational>{0, 0, 0, 1});
     CHECK(answer->w[0] == std::vector<Rational>{1, 1, 1, 0});
@@ -40,7 +40,7 @@ TEST_CASE("any basis leads to the answer of a positive definite problem") {
 
 TEST_CASE("pivots that end on a ray give no answer") {
   const MixedProblem problem = raw({{0, -1}, {-1, 0}}, {-1, -1}); // Murty: q in no cone
-  CHECK(!answer_from_basis(problem, {0, 0}, 100));
+  CHECK(!answer_from_bases(problem, {{0, 0}}, 100));
 }
 
 TEST_CASE("the answer near doubles keeps what doubles chose among many") {
