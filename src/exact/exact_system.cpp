@@ -1,7 +1,5 @@
 #include "exact/exact_system.hpp"
 
-#include "exact/limbs.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,25 +7,24 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr std::uint64_t prime = (std::uint64_t{1} << 61U) - 1;
-
-std::uint64_t times(std::uint64_t a, std::uint64_t b) {
-  const limbs::Wide product = limbs::Wide{a} * b;
-  const std::uint64_t sum =
-      static_cast<std::uint64_t>(product & prime) + static_cast<std::uint64_t>(product >> 61U);
-  return sum >= prime ? sum - prime : sum;
-}
-std::uint64_t minus(std::uint64_t a, std::uint64_t b) { return a >= b ? a - b : a + prime - b; }
-
-std::uint64_t inverse_of(std::uint64_t a) { // Fermat's little theorem
-  std::uint64_t result = 1;
-  for (std::uint64_t exponent = prime - 2; exponent > 0; exponent >>= 1U, a = times(a, a))
-    if ((exponent & 1U) != 0) result = times(result, a);
-  return result;
-}
+using modular::prime;
 
 BigInteger common_multiple(const BigInteger& a, const BigInteger& b) {
   return b.is_one() ? a : a / gcd(a, b) * b;
+}
+
+/// The number whose digits to the base of the prime are those of unknown i, the last one first.
+BigInteger of_digits(const std::vector<std::vector<modular::Limb>>& digits, std::size_t i) {
+  std::vector<modular::Limb> number(digits.size(), 0); // 61 bits a digit
+  for (std::size_t k = digits.size(); k-- > 0;) {
+    modular::Limb carry = digits[k][i];
+    for (modular::Limb& limb : number) {
+      const limbs::Wide sum = limbs::Wide{limb} * prime + carry;
+      limb = static_cast<modular::Limb>(sum);
+      carry = static_cast<modular::Limb>(sum >> limbs::limb_bits);
+    }
+  }
+  return BigInteger::of_magnitude(number.data(), number.size());
 }
 
 /// The representative of x modulo `modulus` next to zero. Pre: 0 <= x < modulus.
@@ -55,11 +52,31 @@ std::pair<BigInteger, BigInteger> fraction_of(const BigInteger& x, const BigInte
   return {std::move(b), std::move(t)};
 }
 
+/// The fractions over one denominator whose digits these are; false if they are too long for them.
+bool fractions_of(const std::vector<std::vector<modular::Limb>>& digits,
+                  std::vector<BigInteger>& numerators, BigInteger& denominator) {
+  BigInteger power = 1;
+  for (std::size_t k = 0; k < digits.size(); ++k) power = power * BigInteger(prime);
+  const std::size_t half = power.bit_length() / 2 - 1;
+  for (std::size_t i = 0; i < digits.front().size(); ++i) {
+    BigInteger t = nearest_zero(of_digits(digits, i) * denominator % power, power);
+    if (t.bit_length() > half) {
+      auto [numerator, by] = fraction_of(t.sign() < 0 ? t + power : t, power, half);
+      if (by.is_zero()) return false;
+      for (BigInteger& earlier : numerators) earlier = earlier * by;
+      denominator = denominator * by;
+      t = std::move(numerator);
+    }
+    numerators.push_back(std::move(t));
+  }
+  return true;
+}
+
 } // namespace
 
 ExactSystem::ExactSystem(const std::vector<ExactRow>& rows) : n_(rows.size()) {
   scale(rows);
-  invert();
+  factor();
 }
 
 /// Whole numbers. A row that shares its denominators is multiplied by them; of a row that has many
@@ -83,74 +100,44 @@ void ExactSystem::scale(const std::vector<ExactRow>& rows) {
   }
   for (const BigInteger& by : by_column) column_unit_.emplace_back(by, 1);
   for (std::size_t i = 0; i < n_; ++i) {
-    std::vector<Entry>& scaled = rows_.emplace_back();
+    Row& scaled = rows_.emplace_back();
     for (const ExactEntry& entry : rows[i]) {
       const BigInteger by = by_row[i] * by_column[static_cast<std::size_t>(entry.column)];
-      scaled.push_back({entry.column, entry.value.numerator() * (by / entry.value.denominator())});
+      scaled.emplace_back(entry.column, entry.value.numerator() * (by / entry.value.denominator()));
     }
+    limb_rows_.add_row(scaled);
   }
   row_unit_ = std::move(by_row);
-  for (const std::vector<Entry>& row : rows_) {
+  for (const Row& row : rows_) {
     std::size_t longest = 0;
-    for (const Entry& entry : row) longest = std::max(longest, entry.value.bit_length());
+    for (const auto& [column, value] : row) longest = std::max(longest, value.bit_length());
     most_bits_ += longest + 4; // sqrt(n) of at most 256 entries a row
   }
 }
 
-/// Gauss-Jordan elimination modulo the prime.
-void ExactSystem::invert() {
-  const std::size_t n = n_, width = 2 * n;
-  std::vector<Limb> table(n * width, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (const Entry& entry : rows_[i])
-      table[i * width + static_cast<std::size_t>(entry.column)] = entry.value.modulo(prime);
-    table[i * width + n + i] = 1;
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    while (pivot < n && table[pivot * width + k] == 0) ++pivot;
-    if (pivot == n) {
-      is_singular_ = true;
-      return;
+void ExactSystem::factor() {
+  std::vector<ModularFactors::Row> table;
+  std::vector<Limb> sums(n_, 0); // a row may name a column twice
+  for (const Row& row : rows_) {
+    ModularFactors::Row& small = table.emplace_back();
+    for (const auto& [column, value] : row) {
+      Limb& sum = sums[static_cast<std::size_t>(column)];
+      sum = modular::remainder(sum + value.modulo(prime));
     }
-    if (pivot != k)
-      std::swap_ranges(&table[k * width], &table[k * width] + width, &table[pivot * width]);
-    const Limb by = inverse_of(table[k * width + k]);
-    for (std::size_t j = k; j < width; ++j) table[k * width + j] = times(table[k * width + j], by);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Limb factor = table[i * width + k];
-      if (i == k || factor == 0) continue;
-      for (std::size_t j = k; j < width; ++j)
-        if (table[k * width + j] != 0)
-          table[i * width + j] = minus(table[i * width + j], times(factor, table[k * width + j]));
-    }
+    for (const auto& [column, value] : row)
+      if (Limb& sum = sums[static_cast<std::size_t>(column)]; sum != 0)
+        small.push_back({column, std::exchange(sum, 0)});
   }
-  inverse_.resize(n * n);
-  for (std::size_t i = 0; i < n; ++i) std::copy_n(&table[i * width + n], n, &inverse_[i * n]);
-}
-
-/// The next digit of every unknown.
-std::vector<BigInteger::Limb> ExactSystem::digit(const std::vector<BigInteger>& rest) const {
-  std::vector<Limb> small;
-  for (const BigInteger& r : rest) small.push_back(r.modulo(prime));
-  std::vector<Limb> result(n_, 0);
-  for (std::size_t i = 0; i < n_; ++i) {
-    Limb sum = 0;
-    for (std::size_t j = 0; j < n_; ++j) {
-      sum += times(inverse_[i * n_ + j], small[j]);
-      if (sum >= prime) sum -= prime;
-    }
-    result[i] = sum;
-  }
-  return result;
+  factors_.emplace(std::move(table));
+  is_singular_ = factors_->is_singular();
 }
 
 bool ExactSystem::solves(const std::vector<BigInteger>& numerators, const BigInteger& denominator,
                          const std::vector<BigInteger>& b) const {
   for (std::size_t i = 0; i < n_; ++i) {
     BigInteger sum = 0;
-    for (const Entry& entry : rows_[i])
-      sum += entry.value * numerators[static_cast<std::size_t>(entry.column)];
+    for (const auto& [column, value] : rows_[i])
+      sum += value * numerators[static_cast<std::size_t>(column)];
     if (sum != b[i] * denominator) return false;
   }
   return true;
@@ -164,50 +151,26 @@ std::optional<std::vector<Rational>> ExactSystem::solve(const std::vector<Ration
     const Rational scaled = b[i] * Rational(row_unit_[i], 1);
     denominator = common_multiple(denominator, scaled.denominator());
   }
-  std::vector<BigInteger> c, rest, x(n_, BigInteger(0));
+  std::vector<BigInteger> c;
   std::size_t longest = 0;
   for (std::size_t i = 0; i < n_; ++i) {
     const Rational scaled = b[i] * Rational(row_unit_[i], 1);
     c.push_back(scaled.numerator() * (denominator / scaled.denominator()));
     longest = std::max(longest, c.back().bit_length());
   }
-  rest = c;
-  BigInteger power = 1;
+  LiftedRest rest(limb_rows_, c);
+  std::vector<std::vector<Limb>> digits;
   const std::size_t most_digits = (2 * most_bits_ + longest) / 60 + 4;
   std::size_t next_try = 4;
-  for (std::size_t count = 1; count <= 2 * most_digits; ++count) {
-    const std::vector<Limb> digits = digit(rest);
-    for (std::size_t i = 0; i < n_; ++i) {
-      if (digits[i] != 0) x[i] += power * BigInteger(digits[i]);
-      BigInteger sum = rest[i];
-      for (const Entry& entry : rows_[i]) {
-        const Limb by = digits[static_cast<std::size_t>(entry.column)];
-        if (by != 0) sum -= entry.value * BigInteger(by);
-      }
-      rest[i] = sum / BigInteger(prime);
-    }
-    power = power * BigInteger(prime);
-    if (count < next_try && count < most_digits) continue;
-    next_try = 2 * count;
-    // The digits so far, as fractions over one denominator.
-    const std::size_t half = power.bit_length() / 2 - 1;
-    BigInteger common = 1;
-    bool found = true;
+  while (digits.size() < 2 * most_digits) {
+    digits.push_back(rest.remainders());
+    factors_->solve(digits.back());
+    rest.take(digits.back());
+    if (digits.size() < next_try && digits.size() < most_digits) continue;
+    next_try = digits.size() + digits.size() / 2;
     std::vector<BigInteger> numerators;
-    for (std::size_t i = 0; i < n_ && found; ++i) {
-      BigInteger t = nearest_zero(x[i] * common % power, power);
-      if (t.bit_length() > half) {
-        BigInteger positive = t.sign() < 0 ? t + power : t;
-        auto [numerator, by] = fraction_of(positive, power, half);
-        found = !by.is_zero();
-        if (!found) break;
-        for (BigInteger& earlier : numerators) earlier = earlier * by;
-        common = common * by;
-        t = std::move(numerator);
-      }
-      numerators.push_back(std::move(t));
-    }
-    if (!found || !solves(numerators, common, c)) continue;
+    BigInteger common = 1;
+    if (!fractions_of(digits, numerators, common) || !solves(numerators, common, c)) continue;
     std::vector<Rational> result;
     for (std::size_t i = 0; i < n_; ++i)
       result.push_back(Rational(numerators[i], common * denominator) * column_unit_[i]);
@@ -218,12 +181,12 @@ std::optional<std::vector<Rational>> ExactSystem::solve(const std::vector<Ration
 
 ExactMinor largest_minor(const std::vector<ExactRow>& rows, std::size_t columns) {
   const std::size_t m = rows.size(), n = columns;
-  std::vector<std::uint64_t> table(m * n, 0);
+  std::vector<modular::Limb> table(m * n, 0);
   for (std::size_t i = 0; i < m; ++i)
     for (const ExactEntry& entry : rows[i])
       table[i * n + static_cast<std::size_t>(entry.column)] =
-          times(entry.value.numerator().modulo(prime),
-                inverse_of(entry.value.denominator().modulo(prime)));
+          modular::times(entry.value.numerator().modulo(prime),
+                         modular::inverse_of(entry.value.denominator().modulo(prime)));
   ExactMinor minor;
   for (std::size_t i = 0; i < m; ++i) {
     std::size_t pivot = 0;
@@ -231,12 +194,13 @@ ExactMinor largest_minor(const std::vector<ExactRow>& rows, std::size_t columns)
     if (pivot == n) continue;
     minor.rows.push_back(i);
     minor.columns.push_back(pivot);
-    const std::uint64_t by = inverse_of(table[i * n + pivot]);
+    const modular::Limb by = modular::inverse_of(table[i * n + pivot]);
     for (std::size_t k = i + 1; k < m; ++k) {
       if (table[k * n + pivot] == 0) continue;
-      const std::uint64_t factor = times(table[k * n + pivot], by);
+      const modular::Limb factor = modular::times(table[k * n + pivot], by);
       for (std::size_t j = pivot; j < n; ++j)
-        table[k * n + j] = minus(table[k * n + j], times(factor, table[i * n + j]));
+        table[k * n + j] =
+            modular::minus(table[k * n + j], modular::times(factor, table[i * n + j]));
     }
   }
   return minor;

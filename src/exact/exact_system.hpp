@@ -1,6 +1,8 @@
 // Linear equations in fractions, solved exactly.
 #pragma once
 
+#include "exact/lifted_rest.hpp"
+#include "exact/modular_factors.hpp"
 #include "lcpush/desktop/rational.hpp"
 
 #include <optional>
@@ -15,10 +17,10 @@ struct ExactEntry {
 };
 using ExactRow = std::vector<ExactEntry>;
 
-/// A x = b for many b. Dixon's p-adic lifting: the inverse modulo one prime gives a digit of x for
-/// a product with A, so that numbers only become long where x is (J. D. Dixon, Exact solution of
-/// linear equations using p-adic expansions, Numer. Math. 40, 1982). Cost: n^3 word operations, and
-/// a solve n^2 times the digits of x.
+/// A x = b for many b. Dixon's p-adic lifting: the factors modulo one prime give a digit of x for a
+/// product with A, so that numbers only become long where x is (J. D. Dixon, Exact solution of
+/// linear equations using p-adic expansions, Numer. Math. 40, 1982). Cost: at most n^3 word
+/// operations, and a solve those of the factors' entries times the digits of x.
 class ExactSystem {
 public:
   /// `rows` is n x n.
@@ -32,21 +34,18 @@ public:
 
 private:
   using Limb = BigInteger::Limb;
-  struct Entry {
-    Index column;
-    BigInteger value;
-  };
+  using Row = std::vector<std::pair<Index, BigInteger>>;
   std::size_t n_;
-  std::vector<std::vector<Entry>> rows_; // whole numbers: row i times row_unit_[i]
+  std::vector<Row> rows_; // whole numbers: row i times row_unit_[i]
   std::vector<BigInteger> row_unit_;
   std::vector<Rational> column_unit_; // x_j is the unit times the integer system's unknown
-  std::vector<Limb> inverse_;         // n x n by rows, modulo the prime
-  std::size_t most_bits_ = 0;         // of numerators and denominators, by Hadamard's bound
+  LimbRows limb_rows_;                // the same rows
+  std::optional<ModularFactors> factors_;
+  std::size_t most_bits_ = 0; // of numerators and denominators, by Hadamard's bound
   bool is_singular_ = false;
 
   void scale(const std::vector<ExactRow>& rows);
-  void invert();
-  std::vector<Limb> digit(const std::vector<BigInteger>& rest) const;
+  void factor();
   bool solves(const std::vector<BigInteger>& numerators, const BigInteger& denominator,
               const std::vector<BigInteger>& b) const;
 };

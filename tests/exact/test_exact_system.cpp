@@ -54,6 +54,37 @@ TEST_CASE("a system with fractions of many denominators is solved without any er
   }
 }
 
+TEST_CASE("a sparse system, its digits long and of both signs, is solved without any error") {
+  std::mt19937 random(2);
+  const auto decimal = [&] { // 16 digits and a sign, as a coordinate is typed
+    return Rational(static_cast<long long>(random()) * 2097152 - (1LL << 52U)) /
+           Rational(1'000'000'000'000'000LL);
+  };
+  for (std::size_t n = 20; n <= 80; n += 20) {
+    std::vector<ExactRow> rows(n);
+    std::vector<Rational> b(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      b[i] = decimal();
+      for (int k = 0; k < 5; ++k) // a column may be named twice: then the sum counts
+        rows[i].push_back({static_cast<Index>(random() % n), decimal()});
+      rows[i].push_back({static_cast<Index>((i + 7) % n), 3});
+      rows[i].push_back({static_cast<Index>((i + 7) % n), decimal()});
+    }
+    const auto x = ExactSystem(rows).solve(b);
+    REQUIRE(x);
+    for (std::size_t i = 0; i < n; ++i) {
+      Rational sum = 0;
+      for (const ExactEntry& entry : rows[i])
+        sum += entry.value * (*x)[static_cast<std::size_t>(entry.column)];
+      CHECK(sum == b[i]);
+    }
+    // A row twice: no inverse. The last one is a sum of two others.
+    rows.back() = rows[0];
+    rows.back().insert(rows.back().end(), rows[1].begin(), rows[1].end());
+    CHECK(ExactSystem(rows).is_singular());
+  }
+}
+
 TEST_CASE("Hilbert's matrix, whose inverse doubles lose, is inverted") {
   constexpr std::size_t n = 20;
   Dense H(n, std::vector<Rational>(n));
