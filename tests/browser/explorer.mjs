@@ -8,7 +8,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { check_after, check_marks, check_picture, check_pivot } from './checks.mjs';
-import { check_all, open, phone, wide } from './chromium.mjs';
+import { check_all, open, phone, photograph, wide } from './chromium.mjs';
 import { problems } from './problems.mjs';
 import { run_tool } from './tool.mjs';
 
@@ -283,8 +283,7 @@ async function check_problem(browser, problem) {
         await go(page, step);
         await check_layout(page, `${label}, step ${step}`, device.viewport.width);
         await page.evaluate(() => window.scrollTo(0, 0));
-        await page.screenshot({ path: join(out, `${label}_${step}.png`),
-          fullPage: size === 'phone' });
+        await photograph(page, join(out, `${label}_${step}.png`));
       }
       assert.deepEqual(faults, [], label);
       await close();
@@ -294,4 +293,4 @@ async function check_problem(browser, problem) {
     branches ? ', branch' : ''}`);
 }
 
-await check_all(problems, chosen, check_problem);
+await check_all(problems, chosen, out, check_problem);

@@ -8,7 +8,7 @@
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { check_all, open, phone, wide } from './chromium.mjs';
+import { check_all, open, phone, photograph, wide } from './chromium.mjs';
 import { contrast_faults, covered_words, layout_faults } from './page_faults.mjs';
 import { run_tool } from './tool.mjs';
 
@@ -182,7 +182,7 @@ async function check_problem(browser, problem) {
         await scrub(page, k);
         await check_looks(page, `${label}, moment ${k}`, device, colorScheme);
         assert.deepEqual(await page.evaluate(covered_words), [], `${label}, moment ${k}`);
-        await page.screenshot({ path: join(out, `${label}_${k}.png`), fullPage: size === 'phone' });
+        await photograph(page, join(out, `${label}_${k}.png`));
       }
       assert.deepEqual(faults, [], label);
       await close();
@@ -191,4 +191,4 @@ async function check_problem(browser, problem) {
   console.log(`${name}: ${frames.length} frames`);
 }
 
-await check_all(problems, chosen, check_problem);
+await check_all(problems, chosen, out, check_problem);

@@ -351,7 +351,7 @@ async function gallery(browser) {
 }
 
 const tests = { random_scenes, dragging, touching, speed, keyboard, errors, links, playing, looks, gallery };
-await check_all(Object.keys(tests).map((name) => ({ name })), chosen,
+await check_all(Object.keys(tests).map((name) => ({ name })), chosen, out,
   async (browser, { name }) => {
     await tests[name](browser);
     console.log(`${name}: all held`);

@@ -8,7 +8,7 @@
 import assert from 'node:assert/strict';
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { check_all, open, phone, wide } from './chromium.mjs';
+import { check_all, phone, photograph, reopen, wide } from './chromium.mjs';
 import { root } from './engine.mjs';
 import { contrast_faults, covered_words, layout_faults } from './page_faults.mjs';
 import { run_tool } from './tool.mjs';
@@ -82,7 +82,8 @@ function label_faults() {
     const boxes = groups.map((group) => group.getBoundingClientRect());
     const others = [...drawing.querySelectorAll('text')]
       .filter((text) => !text.closest('.words'));
-    const outlines = [...drawing.querySelectorAll('.object, .pad, .thing, .ghost:not(.inner), .screw')];
+    const outlines = [...drawing.querySelectorAll('.object, .pad, .thing, .ghost:not(.inner), .screw')]
+      .map((outline) => [outline.getAttribute('class'), on_screen(outline)]);
     groups.forEach((group, i) => {
       const box = boxes[i];
       const words = `${drawing.querySelector('title').textContent}: "${group.textContent}"`
@@ -97,24 +98,29 @@ function label_faults() {
       for (const text of others)
         if (overlap(box, text.getBoundingClientRect(), 0))
           found.push(`${words} touches "${text.textContent}"`);
-      for (const outline of outlines)
-        if (on_screen(outline).some((at) => at.x > box.left && at.x < box.right
+      for (const [kind, points] of outlines)
+        if (points.some((at) => at.x > box.left && at.x < box.right
           && at.y > box.top + 2 * factor && at.y < box.bottom - 2 * factor))
-          found.push(`${words} touches an outline of class ${outline.getAttribute('class')}`);
+          found.push(`${words} touches an outline of class ${kind}`);
     });
   }
   return { found, labels };
 }
 
-async function check_page(page, problem, where, device, scheme) {
-  const layout = { viewport: device.viewport.width, least: 10.4 };
+/// The page as it opens: everything in its place, no label on another thing.
+async function check_layout(page, where, layout) {
   assert.deepEqual(await page.evaluate(layout_faults, layout), [], where);
   const { found: touching, labels } = await page.evaluate(label_faults);
   assert.deepEqual(touching, [], where);
   assert.ok(labels > 6, `${where}: ${labels} labels`);
   assert.deepEqual(await page.evaluate(covered_words), [], where);
-  await page.evaluate(() => document.querySelectorAll('details')
-    .forEach((details) => { details.open = true; }));
+}
+
+const unfold = (page) => page.evaluate(() => document.querySelectorAll('details')
+  .forEach((details) => { details.open = true; }));
+
+/// The page with all that folds opened.
+async function check_unfolded(page, problem, where, layout, scheme) {
   assert.deepEqual(await page.evaluate(layout_faults, layout), [], `${where}, all opened`);
   const { found, texts, lines, paper } = await page.evaluate(contrast_faults);
   assert.deepEqual(found, [], where);
@@ -159,48 +165,61 @@ async function check_print(page, where) {
   assert.ok(await page.locator('nav').isHidden(), `${where}: no links on paper`);
 }
 
+/// In a page that is open, `check(scheme)` under a light and a dark screen.
+async function under_both(page, check) {
+  for (const colorScheme of ['light', 'dark']) {
+    await page.emulateMedia({ colorScheme });
+    await check(colorScheme);
+  }
+}
+
 /// A sweep's plot, which stands on the page as an image of its own.
 async function check_plot(browser, problem) {
   const file = written(problem, join(out, `${problem.name}_sweep.svg`), '--format', 'svg',
     '--picture', 'sweep1');
-  for (const colorScheme of ['light', 'dark']) {
-    const { page, faults, close } = await open(browser, file, { ...wide, colorScheme });
+  const { page, faults } = await reopen(browser, file, wide);
+  await under_both(page, async (scheme) => {
     const { found, texts } = await page.evaluate(contrast_faults);
-    assert.deepEqual([...found, ...faults], [], `${problem.name}_sweep.svg, ${colorScheme}`);
+    assert.deepEqual([...found, ...faults], [], `${problem.name}_sweep.svg, ${scheme}`);
     assert.ok(texts > 10);
-    await close();
-  }
+  });
+}
+
+/// The picture alone, which brings its own paper.
+async function check_svg(browser, problem) {
+  const file = written(problem, join(out, `${problem.name}.svg`), '--format', 'svg');
+  const { page, faults } = await reopen(browser, file, wide);
+  await under_both(page, async (scheme) => {
+    const paper = await page.evaluate(() =>
+      getComputedStyle(document.documentElement).backgroundColor);
+    assert.equal(paper, scheme === 'dark' ? 'rgb(31, 33, 36)' : 'rgb(255, 255, 255)',
+      `${problem.name}.svg, ${scheme}`);
+  });
+  assert.deepEqual(faults, [], `${problem.name}.svg`);
 }
 
 async function check_problem(browser, problem) {
   const { name } = problem;
   const html = written(problem, join(out, `${name}.html`));
   for (const [size, device] of [['wide', wide], ['phone', phone]]) {
-    for (const colorScheme of ['light', 'dark']) {
-      const label = `${name}_${size}_${colorScheme}`;
-      const { page, faults, close } = await open(browser, html, { ...device, colorScheme });
-      await page.screenshot({ path: join(out, `${label}.png`), fullPage: true });
-      await check_page(page, problem, label, device, colorScheme);
-      if (label.endsWith('wide_dark')) {
-        await check_names(page, label);
-        await check_print(page, label);
-      }
-      assert.deepEqual(faults, [], label);
-      await close();
+    const { page, faults } = await reopen(browser, html, device);
+    const layout = { viewport: device.viewport.width, least: 10.4 };
+    await under_both(page, async (scheme) => {
+      await photograph(page, join(out, `${name}_${size}_${scheme}.png`));
+      await check_layout(page, `${name}_${size}_${scheme}`, layout);
+    });
+    await unfold(page);
+    await under_both(page, (scheme) =>
+      check_unfolded(page, problem, `${name}_${size}_${scheme}`, layout, scheme));
+    if (device === wide) {
+      await check_names(page, `${name}_${size}`);
+      await check_print(page, `${name}_${size}`);
     }
-  }
+    assert.deepEqual(faults, [], `${name}_${size}`);
+    }
   if (problem.arguments.includes('--vary')) await check_plot(browser, problem);
-  for (const colorScheme of ['light', 'dark']) {
-    const file = written(problem, join(out, `${name}.svg`), '--format', 'svg');
-    const { page, faults, close } = await open(browser, file, { ...wide, colorScheme });
-    const paper = await page.evaluate(() =>
-      getComputedStyle(document.documentElement).backgroundColor);
-    assert.equal(paper, colorScheme === 'dark' ? 'rgb(31, 33, 36)' : 'rgb(255, 255, 255)',
-      `${name}.svg, ${colorScheme}`);
-    assert.deepEqual(faults, [], `${name}.svg`);
-    await close();
-  }
+  await check_svg(browser, problem);
   console.log(`${name}: ok`);
 }
 
-await check_all(problems, chosen, check_problem);
+await check_all(problems, chosen, out, check_problem);
