@@ -216,7 +216,7 @@ async function check_problem(browser, problem) {
       await check_print(page, `${name}_${size}`);
     }
     assert.deepEqual(faults, [], `${name}_${size}`);
-    }
+  }
   if (problem.arguments.includes('--vary')) await check_plot(browser, problem);
   await check_svg(browser, problem);
   console.log(`${name}: ok`);
