@@ -44,11 +44,11 @@ class Size(Structure):
                 for name in ("bodies", "points", "facets", "actuators", "drives", "pulls")]
 
 
-FINGER, PUSHER, PAD, LEMKE, RUNNING, SOLVED = 0, 1, 0, 0, 0, 1
+FINGER, PUSHER, PAD, RUNNING, SOLVED = 0, 1, 0, 0, 1
 
 lib = ctypes.CDLL(sys.argv[1])
 lib.lcpush_make.restype = c_void_p
-lib.lcpush_make.argtypes = [c_void_p, c_size_t, POINTER(Size), c_int]
+lib.lcpush_make.argtypes = [c_void_p, c_size_t, POINTER(Size)]
 lib.lcpush_describe.argtypes = [c_void_p, POINTER(Scene)]
 lib.lcpush_solve.argtypes = [c_void_p]
 lib.lcpush_wrench_of.argtypes = [c_void_p, c_int, Vec6]
@@ -68,7 +68,7 @@ scene = Scene(Object(0.2, (1e-4, 0, 0, 0, 1e-4, 0, 0, 0, 1e-4)), (0, 0, 0), 4, P
 
 memory = (c_char * 100_000)()
 size = Size(bodies=3, points=3, facets=4, actuators=2, drives=2)
-push = lib.lcpush_make(memory, len(memory), byref(size), LEMKE)
+push = lib.lcpush_make(memory, len(memory), byref(size))
 if not push or lib.lcpush_describe(push, byref(scene)) != RUNNING:
     sys.exit(lib.lcpush_mistake_text(lib.lcpush_why(push)).decode() if push else "too little memory")
 status = lib.lcpush_solve(push)

@@ -5,8 +5,8 @@
  * Every function comes twice: lcpush_... on double, lcpushf_... on float (with types of the same
  * prefix).
  *
- *     static double memory[LCPUSH_BYTES(double, 3, 4, 2, 2) / sizeof(double) + 1];
- *     lcpush_push* push = lcpush_make(memory, sizeof memory, &size, LCPUSH_LEMKE);
+ *     static double memory[LCPUSH_BYTES(double, 3, 3, 4, 2, 2) / sizeof(double) + 1];
+ *     lcpush_push* push = lcpush_make(memory, sizeof memory, &size);
  *     lcpush_describe(push, &scene);
  *     while (lcpush_step(push, 10) == LCPUSH_RUNNING) other_work();       or lcpush_solve(push)
  *     lcpush_contact_at(push, 0, &contact);
@@ -67,7 +67,6 @@ typedef enum lcpush_riding { LCPUSH_ON_BODY, LCPUSH_ON_OBJECT } lcpush_riding;
 #define LCPUSH_ROUND (-8)
 /* Where a body is asked for: the object. */
 #define LCPUSH_OBJECT (-1)
-typedef enum lcpush_solver { LCPUSH_LEMKE, LCPUSH_GAUSS_SEIDEL } lcpush_solver;
 
 /* Constant text, never NULL. */
 const char* lcpush_status_text(lcpush_status status);
@@ -85,16 +84,23 @@ typedef struct lcpush_size {
 #define LCPUSH_UNKNOWNS(points, facets, actuators) ((points) * ((facets) + 2) + (actuators))
 
 /* Bytes of memory, aligned as a double, that lcpush_make needs for `real` (double or float) without
- * pulls; a constant expression. Lemke's table, n (n + 1) numbers, is most of it. */
-#define LCPUSH_BYTES(real, points, facets, actuators, drives)                                      \
-  (LCPUSH_COMMON_BYTES_(real, (size_t)(points), (size_t)(points) * ((size_t)(facets) + 1),         \
-                        (size_t)(actuators), (size_t)(drives)) +                                   \
-   LCPUSH_LEMKE_BYTES_(real, (size_t)LCPUSH_UNKNOWNS(points, facets, actuators)))
+ * pulls; a constant expression. O(points facets): 3 bodies, 10 points, 8 facets and 2 actuators are
+ * 32 KB in float. */
+#define LCPUSH_BYTES(real, bodies, points, facets, actuators, drives)                              \
+  (LCPUSH_COMMON_BYTES_(real, (size_t)(bodies), (size_t)(points),                                  \
+                        (size_t)(points) * ((size_t)(facets) + 1), (size_t)(actuators),            \
+                        (size_t)(drives)) +                                                        \
+   LCPUSH_PIVOTS_BYTES_(                                                                           \
+       real, (size_t)LCPUSH_UNKNOWNS(points, facets, actuators), (size_t)(points),                 \
+       (size_t)(actuators),                                                                        \
+       LCPUSH_EXCHANGES_((size_t)LCPUSH_UNKNOWNS(points, facets, actuators), (size_t)(points),     \
+                         (size_t)(actuators))))
 
-/* The same for a push that is to be solved by sweeps alone: O(n). */
-#define LCPUSH_SWEEP_BYTES(real, points, facets, actuators, drives)                                \
-  (LCPUSH_COMMON_BYTES_(real, (size_t)(points), (size_t)(points) * ((size_t)(facets) + 1),         \
-                        (size_t)(actuators), (size_t)(drives)) +                                   \
+/* The same for lcpush_make_for_sweeps. */
+#define LCPUSH_SWEEP_BYTES(real, bodies, points, facets, actuators, drives)                        \
+  (LCPUSH_COMMON_BYTES_(real, (size_t)(bodies), (size_t)(points),                                  \
+                        (size_t)(points) * ((size_t)(facets) + 1), (size_t)(actuators),            \
+                        (size_t)(drives)) +                                                        \
    LCPUSH_SWEEPS_BYTES_(real, (size_t)LCPUSH_UNKNOWNS(points, facets, actuators),                  \
                         (size_t)(points) * ((size_t)(facets) + 1) *                                \
                             ((drives) > 0 ? (size_t)(drives) : 1),                                 \

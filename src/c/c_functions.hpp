@@ -4,22 +4,12 @@ struct LCPUSH_NAME(push) : lcpush::c::CPush<LCPUSH_REAL> {
   using CPush::CPush;
 };
 
+LCPUSH_NAME(push) * LCPUSH_NAME(make)(void* memory, size_t bytes, const lcpush_size* size) {
+  return lcpush::c::make<lcpush::c::CPivotPush<LCPUSH_NAME(push)>>(memory, bytes, size);
+}
 LCPUSH_NAME(push) *
-    LCPUSH_NAME(make)(void* memory, size_t bytes, const lcpush_size* size, lcpush_solver solver) {
-  using namespace lcpush;
-  if (memory == nullptr || size == nullptr) return nullptr;
-  for (const int count :
-       {size->bodies, size->points, size->facets, size->actuators, size->drives, size->pulls})
-    if (count < 0) return nullptr;
-  Arena arena(static_cast<unsigned char*>(memory), static_cast<Index>(bytes));
-  const Span<unsigned char> place =
-      arena.take_bytes(static_cast<Index>(sizeof(LCPUSH_NAME(push))), alignof(LCPUSH_NAME(push)));
-  if (place.data == nullptr) return nullptr;
-  const c::Capacity most{size->bodies,    size->points, size->facets,
-                         size->actuators, size->drives, size->pulls};
-  LCPUSH_NAME(push)* const push =
-      new (place.data) LCPUSH_NAME(push)(arena, most, solver == LCPUSH_GAUSS_SEIDEL);
-  return push->complete() ? push : nullptr;
+    LCPUSH_NAME(make_for_sweeps)(void* memory, size_t bytes, const lcpush_size* size) {
+  return lcpush::c::make<lcpush::c::CSweepPush<LCPUSH_NAME(push)>>(memory, bytes, size);
 }
 
 lcpush_status LCPUSH_NAME(describe)(LCPUSH_NAME(push) * push, const LCPUSH_NAME(scene) * scene) {
@@ -42,7 +32,11 @@ lcpush_status LCPUSH_NAME(solve)(LCPUSH_NAME(push) * push) {
 lcpush_status LCPUSH_NAME(break_grasp)(LCPUSH_NAME(push) * push, int pusher,
                                        LCPUSH_NAME(breaking) * out) {
   lcpush::Breaking<LCPUSH_REAL> breaking;
-  const lcpush::Status status = push->break_grasp(pusher, breaking);
+  using Pivots = lcpush::c::CPivotPush<LCPUSH_NAME(push)>;
+  const lcpush::Status status =
+      push->break_grasp(pusher, breaking, [&](const auto& body, auto& breaks) {
+        return static_cast<Pivots*>(push)->break_grasp(body, breaks);
+      });
   out->break_force = breaking.break_force;
   lcpush::c::write(breaking.force, out->wrench);
   lcpush::c::write(breaking.inertia, out->inertia);
@@ -87,7 +81,9 @@ lcpush_status LCPUSH_NAME(status_of)(const LCPUSH_NAME(push) * push) {
 lcpush_mistake LCPUSH_NAME(why)(const LCPUSH_NAME(push) * push) {
   return static_cast<lcpush_mistake>(push->mistake());
 }
-int LCPUSH_NAME(pivots)(const LCPUSH_NAME(push) * push) { return static_cast<int>(push->pivots()); }
+int LCPUSH_NAME(pivots)(const LCPUSH_NAME(push) * push) {
+  return static_cast<int>(push->run().pivots);
+}
 int LCPUSH_NAME(sweeps)(const LCPUSH_NAME(push) * push) {
   return static_cast<int>(push->run().sweeps);
 }

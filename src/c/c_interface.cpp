@@ -1,7 +1,8 @@
 // The C interface: lcpush.h on top of the templates, once a precision.
 #include "lcpush/lcpush.h"
 
-#include "c_push.hpp"
+#include "c_pivot_push.hpp"
+#include "c_sweep_push.hpp"
 
 #include <cstring>
 #include <type_traits>
@@ -19,20 +20,17 @@ static_assert(static_cast<int>(Pressure::rigid) == LCPUSH_RIGID, "");
 static_assert(static_cast<int>(Role::pusher) == LCPUSH_PUSHER, "");
 
 // The bounds of lcpush/c/bytes.h hold here: for a push, and for what its arena gives out.
-template <class S, class CPushStruct>
-constexpr bool covers(std::size_t bytes, Index points, Index facets, Index actuators, Index drives,
-                      bool by_sweeps) {
+template <class S, class Push>
+constexpr bool covers(std::size_t bytes, Index bodies, const AssemblySize& size, Index work) {
   constexpr Index alignment_slack = 10 * static_cast<Index>(alignof(std::max_align_t));
-  const AssemblySize size{points, points * facets, actuators, drives};
-  const Index structs =
-      points * static_cast<Index>(2 * sizeof(Body<S>) + sizeof(Vector3<S>) + sizeof(S)) +
-      2 * actuators * static_cast<Index>(sizeof(Actuator<S>)) +
-      2 * drives * static_cast<Index>(sizeof(Drive<S>));
-  const Index work = by_sweeps ? sweep_bytes<S>(size) : push_bytes<S>(size);
-  return sizeof(CPushStruct) <= LCPUSH_STATE_BYTES_(S) &&
-         sizeof(Body<S>) <= LCPUSH_BODY_BYTES_(S) && sizeof(Drive<S>) <= LCPUSH_DRIVE_BYTES_(S) &&
+  const Index structs = 2 * bodies * static_cast<Index>(sizeof(Body<S>)) +
+                        size.points * static_cast<Index>(sizeof(Vector3<S>) + sizeof(S)) +
+                        2 * size.actuators * static_cast<Index>(sizeof(Actuator<S>)) +
+                        2 * size.drives * static_cast<Index>(sizeof(Drive<S>)) + size.unknowns();
+  return sizeof(Push) <= LCPUSH_STATE_BYTES_(S) && sizeof(Body<S>) <= LCPUSH_BODY_BYTES_(S) &&
+         sizeof(Drive<S>) <= LCPUSH_DRIVE_BYTES_(S) &&
          static_cast<Index>(bytes) >=
-             static_cast<Index>(sizeof(CPushStruct)) + structs + work + alignment_slack;
+             static_cast<Index>(sizeof(Push)) + structs + work + alignment_slack;
 }
 
 lcpush_status as_c(Status status) { return static_cast<lcpush_status>(status); }
@@ -77,6 +75,21 @@ template <class S> void normalise(const Span<const Body<S>>& bodies, const Span<
     for (Index i = 0; i < body.point_count; ++i) sum += weights[body.first_point + i];
     for (Index i = 0; i < body.point_count; ++i) weights[body.first_point + i] /= sum;
   }
+}
+
+/// A push in the caller's memory; null if that is too short.
+template <class Push> Push* make(void* memory, std::size_t bytes, const lcpush_size* size) {
+  if (memory == nullptr || size == nullptr) return nullptr;
+  for (const int count :
+       {size->bodies, size->points, size->facets, size->actuators, size->drives, size->pulls})
+    if (count < 0) return nullptr;
+  Arena arena(static_cast<unsigned char*>(memory), static_cast<Index>(bytes));
+  const Span<unsigned char> place =
+      arena.take_bytes(static_cast<Index>(sizeof(Push)), alignof(Push));
+  if (place.data == nullptr) return nullptr;
+  Push* const push = new (place.data) Push(arena, {size->bodies, size->points, size->facets,
+                                                   size->actuators, size->drives, size->pulls});
+  return push->complete() ? push : nullptr;
 }
 
 /// The scene over the push's own arrays; nothing is allocated.
@@ -196,14 +209,20 @@ namespace lcpush::c {
 namespace {
 
 /// All sizes of a small grid: the bounds are polynomials, and their terms grow one by one.
-template <class S, class CPushStruct> constexpr bool all_covered() {
-  for (const int p : {1, 2, 7, 40})
-    for (const int g : {4, 8, 42})
-      for (const int a : {0, 1, 9})
-        for (const int d : {0, 1, 2, 9})
-          if (!covers<S, CPushStruct>(LCPUSH_BYTES(S, p, g, a, d), p, g, a, d, false) ||
-              !covers<S, CPushStruct>(LCPUSH_SWEEP_BYTES(S, p, g, a, d), p, g, a, d, true))
-            return false;
+template <class S, class Push> constexpr bool all_covered() {
+  for (const int b : {1, 3, 40})
+    for (const int p : {1, 2, 7, 40})
+      for (const int g : {4, 8, 42})
+        for (const int a : {0, 1, 9})
+          for (const int d : {0, 1, 2, 9}) {
+            const AssemblySize size{p, p * g, a, d};
+            if (!covers<S, CPivotPush<Push>>(
+                    LCPUSH_BYTES(S, b, p, g, a, d), b, size,
+                    structured_bytes<S>(size, size.actuators, exchanges_of(size))) ||
+                !covers<S, CSweepPush<Push>>(LCPUSH_SWEEP_BYTES(S, b, p, g, a, d), b, size,
+                                             sweep_bytes<S>(size)))
+              return false;
+          }
   return true;
 }
 static_assert(all_covered<double, lcpush_push>(), "LCPUSH_BYTES is too small");

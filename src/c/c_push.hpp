@@ -1,4 +1,5 @@
-// Behind lcpush_push and lcpushf_push: a scene's copy, its workspace, a solve that can be left.
+// Behind lcpush_push and lcpushf_push: a scene's copy, its workspace, and what is known of its
+// answer. How it is solved is c_pivot_push.hpp's, or c_sweep_push.hpp's.
 #pragma once
 
 #include <new>
@@ -32,20 +33,27 @@ struct Capacity {
 
 template <class S> class CPush {
 public:
-  using PivotSolve = PressureSolve<S, LemkeRounds<S>>;
+  using Scalar = S;
+
+  /// By pivots or by sweeps. What a program never makes, and what it never calls, the linker leaves
+  /// out: so there is no table of all functions, but a pointer to the one that every push needs.
+  struct Method {
+    Status (*step)(CPush&, int pivots);
+    Status (*break_grasp)(CPush&, const Body<S>& pusher, Breaking<S>&); ///< null: by pivots
+    bool takes_motions;
+    Workspace<S> (*take)(Arena, const AssemblySize&);
+  };
 
   /// Cuts everything out of `arena`; complete() says whether it was enough.
-  CPush(Arena& arena, const Capacity& most, bool by_sweeps)
-      : most_(most), by_sweeps_(by_sweeps), bodies_(arena.take<Body<S>>(most.bodies)),
+  CPush(Arena& arena, const Capacity& most, const Method& method)
+      : most_(most), method_(&method), bodies_(arena.take<Body<S>>(most.bodies)),
         points_(arena.take<Vector3<S>>(most.points)), weights_(arena.take<S>(most.points)),
         actuators_(arena.take<Actuator<S>>(most.actuators)),
         drives_(arena.take<Drive<S>>(most.drives)),
-        even_({arena.take<Body<S>>(most.points), arena.take<Actuator<S>>(most.actuators),
+        even_({arena.take<Body<S>>(most.bodies), arena.take<Actuator<S>>(most.actuators),
                arena.take<Drive<S>>(most.drives)}),
-        work_(by_sweeps ? make_sweep_workspace<S>(arena, assembly_size(most))
-                        : make_workspace<S>(arena, assembly_size(most))),
-        assembly_(work_.assembly), lemke_(work_.lemke_scalars, work_.lemke_integers),
-        sweeps_(work_.sweep_scalars, work_.sweep_integers) {}
+        last_active_(arena.take<unsigned char>(assembly_size(most).unknowns())),
+        work_(method.take(arena, assembly_size(most))), assembly_(work_.assembly) {}
 
   bool complete() const { return work_.complete; }
 
@@ -59,7 +67,6 @@ public:
   Status refuse(Mistake mistake) {
     mistake_ = mistake;
     described_ = false;
-    solve_.forget();
     return status_ = Status::bad_input;
   }
 
@@ -68,12 +75,13 @@ public:
     given_ = scene;
     if (is_round) given_.aims = {work_.aims.data, scene.points.size};
     motion_ = nullptr;
+    last_.known = false;
     return assemble();
   }
 
   /// The scene's grip forces or motions have changed.
   Status assemble() {
-    solve_.forget();
+    begun_ = false;
     described_ = false;
     const Mistake mistake = find_mistake(given_);
     if (mistake != Mistake::none) return refuse(mistake);
@@ -89,22 +97,7 @@ public:
 
   Status step(int pivots) {
     if (!described_) return refuse(Mistake::not_described);
-    if (status_ != Status::running) return status_;
-    if (by_sweeps_) return sweep();
-    if (solve_.get() == nullptr) {
-      assembly_.push_by(S(1));
-      PivotSolve& solve = solve_.make(assembly_, LemkeRounds<S>{lemke_, options_}, work_.pressure,
-                                      PressureOptions<S>(), work_.friction_memory(scene_));
-      status_ = solve.init();
-    }
-    for (int k = 0; k < pivots && status_ == Status::running; ++k) {
-      if (limit_ > 0 && solve_.get()->run().pivots + lemke_.pivots() >= limit_)
-        status_ = Status::pivot_limit;
-      else
-        status_ = solve_.get()->step();
-    }
-    run_ = solve_.get()->run();
-    return status_ == Status::running ? status_ : conclude();
+    return status_ == Status::running ? method_->step(*this, pivots) : status_;
   }
 
   Status solve() {
@@ -113,17 +106,17 @@ public:
     return status_;
   }
 
-  Status break_grasp(Index pusher, Breaking<S>& breaking) {
+  /// `by_pivots(pusher, breaking)` unless this push has another method.
+  template <class ByPivots>
+  Status break_grasp(Index pusher, Breaking<S>& breaking, const ByPivots& by_pivots) {
     if (!described_) return refuse(Mistake::not_described);
-    solve_.forget();
+    begun_ = false;
     breaking = {};
     if (pusher < 0 || pusher >= given_.bodies.size) return refuse(Mistake::index);
     if (!(push_size(scene_) > S(0))) return refuse(Mistake::nothing_moves);
     const Body<S>& body = given_.bodies[pusher];
-    status_ = by_sweeps_ ? find_breaking(assembly_, SweepRounds<S>{sweeps_}, work_, body,
-                                         PressureOptions<S>(), breaking, run_)
-                         : find_breaking(assembly_, LemkeRounds<S>{lemke_, options_}, work_, body,
-                                         PressureOptions<S>(), breaking, run_);
+    status_ = method_->break_grasp != nullptr ? method_->break_grasp(*this, body, breaking)
+                                              : by_pivots(body, breaking);
     residual_ = breaking.residuals.max();
     return status_;
   }
@@ -132,17 +125,16 @@ public:
   Status set_off(Arena arena) {
     motion_ = nullptr;
     if (!described_) return refuse(Mistake::not_described);
-    if (by_sweeps_) return refuse(Mistake::unsupported);
-    solve_.forget();
+    if (!method_->takes_motions) return refuse(Mistake::unsupported);
     described_ = false; // its equations' arrays are the motion's from now on
     moved_ = true;
+    last_.known = false;
     motion_ = begin_motion(given_, work_, arena, mistake_);
     return motion_ == nullptr ? refuse(mistake_) : status_ = Status::running;
   }
 
   Status advance(S h) {
     if (motion_ == nullptr) return refuse(Mistake::not_described);
-    solve_.forget();
     described_ = false;
     moved_ = true;
     status_ = motion_->motion.advance(h);
@@ -166,25 +158,24 @@ public:
   const Answer<S>& answer() const { return work_.answer; }
   const Scene<S>& given() const { return given_; }
   const PressureRun& run() const { return run_; }
-  Index pivots() const { return run_.pivots + (status_ == Status::running ? lemke_.pivots() : 0); }
   S residual() const { return residual_; }
 
-private:
+protected:
   Capacity most_;
-  bool by_sweeps_, described_ = false;
+  const Method* method_;
+  bool described_ = false;
+  bool begun_ = false; ///< a solve has begun and the scene is still the same
   Span<Body<S>> bodies_;
   Span<Vector3<S>> points_;
   Span<S> weights_;
   Span<Actuator<S>> actuators_;
   Span<Drive<S>> drives_;
   EvenMemory<S> even_;
+  Span<unsigned char> last_active_;
   Workspace<S> work_;
   Assembly<S> assembly_;
-  Lemke<S> lemke_;
-  BlockGaussSeidel<S> sweeps_;
-  LemkeOptions<S> options_{};
   Scene<S> given_{}, scene_{};
-  InPlace<PivotSolve> solve_;
+  LastStep last_{last_active_, false, Guess::basis}; ///< of the last command's solve
   PressureRun run_{};
   Status status_ = Status::bad_input;
   Mistake mistake_ = Mistake::not_described;
@@ -193,6 +184,16 @@ private:
   bool moved_ = false; ///< the answer's arrays hold a step's
   S residual_{0};
 
+  /// What the solver calls solved is read, and the laws are asked as well.
+  Status conclude() {
+    if (status_ != Status::solved) return status_;
+    read_answer(assembly_, work_.pressure.z.data, work_.answer, S(1));
+    residual_ = check(scene_, assembly_.layout().scales, work_.answer, S(1)).max();
+    if (!(residual_ <= Tolerances<S>().residual)) status_ = Status::numerical_breakdown;
+    return status_;
+  }
+
+private:
   static AssemblySize assembly_size(const Capacity& most) {
     return {most.points, most.points * most.facets, most.actuators, most.drives, most.pulls};
   }
@@ -205,31 +206,6 @@ private:
 
   template <class T> static Span<T> cut(const Span<T>& whole, Index count) {
     return count < 0 || count > whole.size ? Span<T>{nullptr, -1} : Span<T>{whole.data, count};
-  }
-
-  /// Sweeps stop at a residual that large forces make look small: the laws may ask for more.
-  Status sweep() {
-    SweepOptions<S> options;
-    Index sweeps = 0;
-    for (;;) {
-      status_ = solve_pressure(assembly_, SweepRounds<S>{sweeps_, options}, work_.pressure,
-                               PressureOptions<S>(), run_, work_.friction_memory(scene_));
-      run_.sweeps += sweeps;
-      sweeps = run_.sweeps;
-      const Status judged = conclude();
-      const bool refused = judged == Status::numerical_breakdown || judged == Status::not_settled;
-      if (!refused || options.tolerance < S(64) * Eigen::NumTraits<S>::epsilon()) return status_;
-      options.tolerance /= S(16);
-    }
-  }
-
-  /// What the solver calls solved is read, and the laws are asked as well.
-  Status conclude() {
-    if (status_ != Status::solved) return status_;
-    read_answer(assembly_, work_.pressure.z.data, work_.answer, S(1));
-    residual_ = check(scene_, assembly_.layout().scales, work_.answer, S(1)).max();
-    if (!(residual_ <= Tolerances<S>().residual)) status_ = Status::numerical_breakdown;
-    return status_;
   }
 };
 

@@ -18,14 +18,14 @@ SLIDE_SCENE(lcpush, double, slide_d);
 SLIDE_SCENE(lcpushf, float, slide_f);
 
 static const lcpush_size size = {3, 3, 4, 2, 2, 0};
-static double memory_d[LCPUSH_BYTES(double, 3, 4, 2, 2) / sizeof(double) + 1];
-static double memory_f[LCPUSH_BYTES(float, 3, 4, 2, 2) / sizeof(double) + 1];
-static double sweep_memory[LCPUSH_SWEEP_BYTES(double, 3, 4, 2, 2) / sizeof(double) + 1];
+static double memory_d[LCPUSH_BYTES(double, 3, 3, 4, 2, 2) / sizeof(double) + 1];
+static double memory_f[LCPUSH_BYTES(float, 3, 3, 4, 2, 2) / sizeof(double) + 1];
+static double sweep_memory[LCPUSH_SWEEP_BYTES(double, 3, 3, 4, 2, 2) / sizeof(double) + 1];
 
 static int near(double x, double y, double tolerance) { return fabs(x - y) <= tolerance; }
 
 static void solves_in_double(void) {
-  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size, LCPUSH_LEMKE);
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
   lcpush_contact contact;
   double a[6], wrench[6];
   CHECK(push != NULL);
@@ -51,7 +51,7 @@ static void solves_in_double(void) {
 }
 
 static void solves_in_float(void) {
-  lcpushf_push* push = lcpushf_make(memory_f, sizeof memory_f, &size, LCPUSH_LEMKE);
+  lcpushf_push* push = lcpushf_make(memory_f, sizeof memory_f, &size);
   lcpushf_contact contact;
   CHECK(push != NULL);
   if (push == NULL) return;
@@ -63,7 +63,7 @@ static void solves_in_float(void) {
 }
 
 static void steps_as_it_solves(void) {
-  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size, LCPUSH_LEMKE);
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
   lcpush_contact whole, stepped;
   int pivots, calls = 0;
   (void)lcpush_describe(push, &slide_d);
@@ -79,7 +79,7 @@ static void steps_as_it_solves(void) {
 }
 
 static void obeys_commands(void) {
-  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size, LCPUSH_LEMKE);
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
   const double forces[2] = {30, 30};
   const double faster[3][6] = {{0}, {0}, {0.5, 0, 0, 0, 0, 0}};
   lcpush_contact contact;
@@ -98,7 +98,7 @@ static void obeys_commands(void) {
 }
 
 static void breaks_the_grasp(void) {
-  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size, LCPUSH_LEMKE);
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
   lcpush_breaking breaking;
   (void)lcpush_describe(push, &slide_d);
   CHECK(lcpush_break_grasp(push, 2, &breaking) == LCPUSH_SOLVED);
@@ -112,16 +112,16 @@ static void breaks_the_grasp(void) {
  */
 static void friction_may_be_round(void) {
   static const lcpush_size most = {3, 3, 8, 2, 2, 0};
-  static double memory[LCPUSH_BYTES(double, 3, 8, 2, 2) / sizeof(double) + 1];
-  static double memory_of_sweeps[LCPUSH_SWEEP_BYTES(double, 3, 8, 2, 2) / sizeof(double) + 1];
+  static double memory[LCPUSH_BYTES(double, 3, 3, 8, 2, 2) / sizeof(double) + 1];
+  static double memory_of_sweeps[LCPUSH_SWEEP_BYTES(double, 3, 3, 8, 2, 2) / sizeof(double) + 1];
   lcpush_push* pushes[2];
   lcpush_body bodies[3];
   lcpush_scene scene = slide_d;
   lcpush_contact contact;
   lcpush_breaking breaking;
   int i;
-  pushes[0] = lcpush_make(memory, sizeof memory, &most, LCPUSH_LEMKE);
-  pushes[1] = lcpush_make(memory_of_sweeps, sizeof memory_of_sweeps, &most, LCPUSH_GAUSS_SEIDEL);
+  pushes[0] = lcpush_make(memory, sizeof memory, &most);
+  pushes[1] = lcpush_make_for_sweeps(memory_of_sweeps, sizeof memory_of_sweeps, &most);
   for (i = 0; i < 3; ++i) bodies[i] = slide_d.bodies[i];
   for (i = 0; i < 2; ++i) {
     bodies[i].tangent[0] = cos(atan(1) / 2);
@@ -148,7 +148,7 @@ static void friction_may_be_round(void) {
 }
 
 static void sweeps_agree(void) {
-  lcpush_push* push = lcpush_make(sweep_memory, sizeof sweep_memory, &size, LCPUSH_GAUSS_SEIDEL);
+  lcpush_push* push = lcpush_make_for_sweeps(sweep_memory, sizeof sweep_memory, &size);
   lcpush_contact contact;
   CHECK(push != NULL);
   if (push == NULL) return;
@@ -164,10 +164,10 @@ static void even_pressure_spreads(void) {
   static const lcpush_point points[4] = {
       {-0.01, 0, 0.005}, {0.01, 0, 0.005}, {0, 0, -0.005}, {-0.05, 0, 0}};
   static const lcpush_size even_size = {4, 4, 4, 3, 3, 0};
-  static double memory[LCPUSH_BYTES(double, 4, 4, 3, 3) / sizeof(double) + 1];
+  static double memory[LCPUSH_BYTES(double, 4, 4, 4, 3, 3) / sizeof(double) + 1];
   lcpush_body bodies[3];
   lcpush_scene scene = slide_d;
-  lcpush_push* push = lcpush_make(memory, sizeof memory, &even_size, LCPUSH_LEMKE);
+  lcpush_push* push = lcpush_make(memory, sizeof memory, &even_size);
   lcpush_contact contact;
   double wrench[6];
   CHECK(push != NULL);
@@ -193,7 +193,7 @@ static void even_pressure_spreads(void) {
 }
 
 static void refuses(lcpush_scene scene, lcpush_mistake mistake, int line) {
-  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size, LCPUSH_LEMKE);
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
   check(lcpush_describe(push, &scene) == LCPUSH_BAD_INPUT, "refused", line);
   check(lcpush_why(push) == mistake, lcpush_mistake_text(lcpush_why(push)), line);
   check(strlen(lcpush_mistake_text(mistake)) > 10, "has words", line);
@@ -251,17 +251,17 @@ static void refuses_nonsense(void) {
 
 static void wants_enough_memory(void) {
   const lcpush_size negative = {3, -3, 4, 2, 2, 0};
-  CHECK(lcpush_make(NULL, 100000, &size, LCPUSH_LEMKE) == NULL);
-  CHECK(lcpush_make(memory_d, 100, &size, LCPUSH_LEMKE) == NULL);
-  CHECK(lcpush_make(memory_d, sizeof memory_d / 2, &size, LCPUSH_LEMKE) == NULL);
-  CHECK(lcpush_make(memory_d, sizeof memory_d, &negative, LCPUSH_LEMKE) == NULL);
+  CHECK(lcpush_make(NULL, 100000, &size) == NULL);
+  CHECK(lcpush_make(memory_d, 100, &size) == NULL);
+  CHECK(lcpush_make(memory_d, sizeof memory_d / 2, &size) == NULL);
+  CHECK(lcpush_make(memory_d, sizeof memory_d, &negative) == NULL);
 }
 
 static double motion_memory[LCPUSH_MOTION_BYTES(double, 3, 3, 4, 2, 2) / sizeof(double) + 1];
 
 static void moves_on(void) {
-  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size, LCPUSH_LEMKE);
-  lcpushf_push* in_float = lcpushf_make(memory_f, sizeof memory_f, &size, LCPUSH_LEMKE);
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
+  lcpushf_push* in_float = lcpushf_make(memory_f, sizeof memory_f, &size);
   const double velocity[6] = {0.01, 0, 0, 0, 0, 0};
   const float slowly[6] = {0.01F, 0, 0, 0, 0, 0};
   double position[3], rotation[9], twist[6];

@@ -81,7 +81,7 @@ def main():
                 sys.exit(f"{name} does not compile:\n{said}")
         # A guard is believed once a planted fault has made it fail.
         name, suffix, program = programs[-1]
-        if not mistake(program.replace("LCPUSH_LEMKE", "0x"), suffix, compiler, includes, folder):
+        if not mistake(program.replace("_make(memory", "_make(0x"), suffix, compiler, includes, folder):
             sys.exit("a planted mistake compiles")
         if not mistake(CONTINUED % "report.no_such_field;", ".cpp", compiler, includes, folder):
             sys.exit("a field that does not exist compiles")

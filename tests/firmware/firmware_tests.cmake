@@ -19,9 +19,12 @@ set(firmware_m4f_cpu -mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard)
 set(firmware_m7d_cpu -mcpu=cortex-m7 -mfpu=fpv5-d16 -mfloat-abi=hard)
 set(firmware_m7d_precision -DFIRMWARE_DOUBLE)
 
+# Both change the order of sums, and so the bits: the desktop's programs have them too.
+set(firmware_eigen -DEIGEN_DONT_VECTORIZE -DEIGEN_UNROLLING_LIMIT=0)
+
 set(firmware_flags
     -mthumb -ffp-contract=off -fno-math-errno -ffunction-sections -fdata-sections -fstack-usage
-    -Wall -Wextra -Wdouble-promotion -DNDEBUG -DEIGEN_NO_IO -DEIGEN_DONT_VECTORIZE
+    -Wall -Wextra -Wdouble-promotion -DNDEBUG -DEIGEN_NO_IO ${firmware_eigen}
     -I${PROJECT_SOURCE_DIR}/include -I${PROJECT_BINARY_DIR}/include -I${PROJECT_SOURCE_DIR}/src
     -I${firmware} -isystem ${eigen_include})
 if(LCPUSH_WARNINGS_AS_ERRORS)
@@ -72,7 +75,7 @@ endfunction()
 
 foreach(target IN ITEMS m3 m4f m7d)
   firmware_object(core ${target} ${PROJECT_SOURCE_DIR}/src/c/c_interface.cpp)
-  foreach(name IN ITEMS push sizes text device)
+  foreach(name IN ITEMS push sizes small loop text device)
     firmware_object(${name} ${target} ${firmware}/${name}.c)
   endforeach()
   # Or gcc makes memset of the loop in memset.
@@ -83,6 +86,13 @@ foreach(target IN ITEMS m3 m4f m7d)
   endforeach()
   firmware_program(push ${target} push core)
   firmware_program(sizes ${target} sizes core)
+  firmware_program(small ${target} small core)
+  foreach(part IN ITEMS break motion sweeps)
+    string(TOUPPER ${part} with)
+    firmware_object(small_${part} ${target} ${firmware}/small.c -D${with})
+    firmware_program(small_${part} ${target} small_${part} core)
+  endforeach()
+  firmware_program(loop ${target} loop core)
   firmware_program(pivots ${target} pivots)
   firmware_program(kernel ${target} kernel kernel_main)
 endforeach()
@@ -97,6 +107,8 @@ foreach(planted IN ITEMS heap:lcpushf_solve double:lcpushf_contact_at data:lcpus
   firmware_object(planted_${name} m4f ${firmware}/planted/${name}.cpp)
   firmware_program(planted_${name} m4f push planted_${name} core -Wl,--wrap=${function})
 endforeach()
+firmware_object(planted_carries m4f ${firmware}/planted/carries.cpp)
+firmware_program(planted_carries m4f small planted_carries core -Wl,--wrap=lcpushf_contact_at)
 firmware_object(planted_path m4f ${firmware}/planted/path.cpp)
 firmware_program(planted_path m4f pivots planted_path -Wl,--wrap=hash_bits)
 firmware_object(planted_turn m4f ${firmware}/planted/turn.cpp)
@@ -107,11 +119,11 @@ firmware_program(planted_kernel m4f planted_kernel kernel_main)
 
 add_custom_target(firmware ALL DEPENDS ${firmware_files})
 
-# The same programs here, for the bits that the boards must give. Vector units add in another order.
+# The same programs here, for the bits that the boards must give.
 function(firmware_on_desktop name precision)
   add_executable(firmware_${name}_${precision} ${ARGN} ${firmware}/text.c ${firmware}/desktop.c)
   lcpush_compile_options(firmware_${name}_${precision})
-  target_compile_definitions(firmware_${name}_${precision} PRIVATE EIGEN_DONT_VECTORIZE)
+  target_compile_definitions(firmware_${name}_${precision} PRIVATE ${firmware_eigen})
   if(precision STREQUAL "double")
     target_compile_definitions(firmware_${name}_${precision} PRIVATE FIRMWARE_DOUBLE)
   endif()
@@ -122,11 +134,13 @@ function(firmware_on_desktop name precision)
 endfunction()
 add_library(firmware_core OBJECT ${PROJECT_SOURCE_DIR}/src/c/c_interface.cpp)
 lcpush_compile_options(firmware_core)
-target_compile_definitions(firmware_core PRIVATE EIGEN_DONT_VECTORIZE)
+target_compile_definitions(firmware_core PRIVATE ${firmware_eigen})
 target_link_libraries(firmware_core PRIVATE lcpush::lcpush)
 foreach(precision IN ITEMS float double)
   firmware_on_desktop(push ${precision} ${firmware}/push.c $<TARGET_OBJECTS:firmware_core>)
   firmware_on_desktop(sizes ${precision} ${firmware}/sizes.c $<TARGET_OBJECTS:firmware_core>)
+  firmware_on_desktop(small ${precision} ${firmware}/small.c $<TARGET_OBJECTS:firmware_core>)
+  firmware_on_desktop(loop ${precision} ${firmware}/loop.c $<TARGET_OBJECTS:firmware_core>)
   firmware_on_desktop(pivots ${precision} ${firmware}/pivots.cpp)
   firmware_on_desktop(kernel ${precision} ${firmware}/kernel.cpp ${firmware}/kernel_main.cpp)
 endforeach()

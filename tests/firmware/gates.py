@@ -17,18 +17,21 @@ import re
 import subprocess
 import sys
 
-from programs import MACHINE, PRECISION, Programs, instructions, number, table
+from programs import MACHINE, PARTS, PRECISION, Programs, instructions, number, table
 
-PROGRAMS = ("push", "sizes", "pivots", "kernel")
+PROGRAMS = ("push", "sizes", "small", "loop", "pivots", "kernel")
 
 KERNEL_BYTES = 2048  # a pivot: ratio test, exchange, bookkeeping
 KERNEL_STACK = {"float": 512, "double": 768}
 REST_OF_RAM = {"push": 512, "pivots": 4096}  # beside the block of memory; pivots keeps two scenes
 GROWTH = 1.03  # over what is recorded
-# Instructions of a pivot, at most, by n (n + 2) for n unknowns: soft float takes ten times as many.
-PER_ENTRY = {"m3": 140, "m4f": 14, "m7d": 14}
+# Instructions of a pivot, at most, by 16 n + 3 t^2 for n unknowns and t exchanges: soft float takes
+# ten times as many.
+PER_ENTRY = {"m3": 100, "m4f": 10, "m7d": 10}
 SET_UP = 20  # pivots that set-up and final check take as much as
-SLIDE_UNKNOWNS = 10 * (8 + 2) + 2
+SLIDE_ENTRIES = 16 * (10 * (8 + 2) + 2) + 3 * (10 + 2 * 2 + 16) ** 2
+# What leaves a program that does not call it.
+LEAVES = {"break_grasp": "find_breaking", "a motion": "TimeStepper", "sweeps": "BlockGaussSeidel"}
 
 FORBIDDEN = re.compile(
     r"malloc|^_?free(_r)?$|calloc|realloc|sbrk|^_Zn[wa]|^_Zd[la]|__cxa_throw|__cxa_.*exception"
@@ -117,7 +120,7 @@ def gate_limit(programs, program, target):
     for limit, run in runs.items():
         if run["status"] != "pivot_limit":
             yield f"{program}: limit_{limit} ends with {run['status']}"
-    most = PER_ENTRY[target] * SLIDE_UNKNOWNS * (SLIDE_UNKNOWNS + 2)
+    most = PER_ENTRY[target] * SLIDE_ENTRIES
     rest = instructions(runs[10]["ticks"]) - 10 * most
     if rest > SET_UP * most:
         yield f"{program}: {rest} instructions beside the pivots, allowed {SET_UP * most}"
@@ -125,6 +128,14 @@ def gate_limit(programs, program, target):
         took = instructions(runs[many]["ticks"]) - instructions(runs[few]["ticks"])
         if not 0 < took <= most * (many - few):
             yield f"{program}: {took} instructions for {many - few} pivots, allowed {most} each"
+
+
+def gate_leaves(programs, program, target):
+    """What is not called is not linked."""
+    symbols = " ".join(programs.symbols(program, target))
+    for part, name in LEAVES.items():
+        if name in symbols:
+            yield f"{program}: carries {part}, which it does not call"
 
 
 def gate_repeats(programs, program, target):
@@ -212,6 +223,7 @@ def check(programs, target, args):
         yield from gate_repeats(programs, program, target)
     for program in ("push", "pivots"):
         yield from gate_ram(programs, program, target)
+    yield from gate_leaves(programs, "small", target)
     yield from gate_kernel(programs, target)
     yield from gate_kernel_stack(programs, target)
     yield from gate_step_stack(programs, target)
@@ -305,11 +317,49 @@ def code_table(programs):
         yield " | ".join([f"| {name}", *(str(figure(target)) for target in MACHINE)]) + " |"
 
 
+def loop_table(programs):
+    """Instructions of a control loop's calls."""
+    yield "| | M3, soft float | M4F, float | M7, double |"
+    yield "|---|---|---|---|"
+    rows = {"command.0": "a command, no pivot", "command.5": "a command, one to five pivots",
+            "command.1000": "a command, more", "tick.1": "`step(push, 1)`, the dearest",
+            "tick.4": "`step(push, 4)`, the dearest", "tick.16": "`step(push, 16)`, the dearest",
+            "advance.0": "`advance`"}
+    for law in ("pad", "rigid"):
+        for key, name in rows.items():
+            runs = [programs.runs("loop", target)[f"{law}.{key}"] for target in MACHINE]
+            figures_of = [f"{instructions(run['ticks']) / 1e6:.2f} M" for run in runs]
+            if key.startswith("command"):
+                name = f"{name} ({runs[1]['count']} of 100)"
+            yield " | ".join([f"| `{law}`: {name}", *figures_of]) + " |"
+
+
+def flash_table(programs):
+    """Bytes of code of the library in programs that call more and more of it."""
+    yield "| | M3, soft float | M4F, float | M7, double |"
+    yield "|---|---|---|---|"
+    least = {target: programs.code_of("small", target, "core") for target in MACHINE}
+    yield " | ".join(["| describe, solve by pivots, read, B",
+                      *(str(least[target]) for target in MACHINE)]) + " |"
+    for part, name in PARTS.items():
+        sizes = [sum(size for kind, size in programs.parts("small", target) if kind == part)
+                 for target in MACHINE]
+        yield " | ".join([f"| of these: {name}", *map(str, sizes)]) + " |"
+    for part, name in (("break", "`break_grasp` as well"), ("motion", "a motion as well")):
+        more = [programs.code_of(f"small_{part}", target, "core") - least[target]
+                for target in MACHINE]
+        yield " | ".join([f"| {name}", *(f"+{size}" for size in more)]) + " |"
+    yield " | ".join(["| sweeps instead of pivots",
+                      *(str(programs.code_of("small_sweeps", target, "core"))
+                        for target in MACHINE)]) + " |"
+
+
 def page(programs, args):
     """The tables between markers in a page."""
     path = pathlib.Path(args.page)
     text = written = path.read_text()
-    for name, lines in (("sizes", size_table(programs)), ("code", code_table(programs))):
+    for name, lines in (("sizes", size_table(programs)), ("loop", loop_table(programs)),
+                        ("code", code_table(programs)), ("flash", flash_table(programs))):
         begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->\n"
         before, rest = written.split(begin)
         written = before + begin + "".join(f"{line}\n" for line in lines) + end + rest.split(end)[1]
@@ -340,6 +390,7 @@ def planted(programs, args):
         ("instructions", gate(gate_recorded, "work", recorded, "push"), "instructions"),
         ("stack", gate(gate_recorded, "stack", recorded, "push"), ": stack"),
         ("stack that depends on the input", gate(gate_static_stack, "stack"), "dynamic"),
+        ("what is not called", gate(gate_leaves, "carries"), "carries break_grasp"),
         ("a wrong bit", gate(gate_bits, "bit", "push"), "hash"),
         ("a wrong pivot", gate(gate_bits, "path", "pivots"), "path"),
         ("a limit not heeded", gate(gate_limit, "limit"), "ends with solved"),

@@ -2,20 +2,20 @@
  * method that they allow. Prints the bits of the answers and what they cost. */
 #include "scenes.h"
 
-/* points, facets, actuators, drives. A soft contact takes 5 g + 2 friction directions; under even
- * pressure every driven point counts as an actuator. */
-#define SQUEEZE (2, 4, 1, 1)
-#define SOFT (3, 42, 2, 2)
-#define SLIDE (10, 8, 2, 2)
-#define EVEN_SLIDE (10, 8, 8, 8)
-#define ROLLING (6, 8, 1, 2)
+/* bodies, points, facets, actuators, drives. A soft contact takes 5 g + 2 friction directions; under
+ * even pressure every driven point counts as a body, an actuator and a drive. */
+#define SQUEEZE (2, 2, 4, 1, 1)
+#define SOFT (3, 3, 42, 2, 2)
+#define SLIDE (3, 10, 8, 2, 2)
+#define EVEN_SLIDE (9, 10, 8, 8, 8)
+#define ROLLING (3, 6, 8, 1, 2)
 
-#define BYTES(p, g, a, d) LCPUSH_BYTES(REAL, p, g, a, d)
-#define SWEEP_BYTES(p, g, a, d) LCPUSH_SWEEP_BYTES(REAL, p, g, a, d)
+#define BYTES(b, p, g, a, d) LCPUSH_BYTES(REAL, b, p, g, a, d)
+#define SWEEP_BYTES(b, p, g, a, d) LCPUSH_SWEEP_BYTES(REAL, b, p, g, a, d)
 #define EXPAND(call) call
-#define COUNTS(p, g, a, d) {p, p, g, a, d, 0}
-#define BY_PIVOTS(size) COUNTS size, BYTES size, LCPUSH_LEMKE
-#define BY_SWEEPS(size) COUNTS size, SWEEP_BYTES size, LCPUSH_GAUSS_SEIDEL
+#define COUNTS(b, p, g, a, d) {b, p, g, a, d, 0}
+#define BY_PIVOTS(size) COUNTS size, BYTES size, LCPUSH(make)
+#define BY_SWEEPS(size) COUNTS size, SWEEP_BYTES size, LCPUSH(make_for_sweeps)
 
 /* Room for the largest. */
 static union {
@@ -26,13 +26,15 @@ static union {
 
 typedef enum action { SOLVE, STEP, BREAK, LIMIT } action;
 
+typedef LCPUSH(push) * make(void* memory, size_t bytes, const lcpush_size* size);
+
 typedef struct run {
   const char* name;
   const LCPUSH(scene) * scene;
   lcpush_pressure pressure;
   lcpush_size size;
   size_t bytes;
-  lcpush_solver solver;
+  make* makes;
   action action;
   int limit; /* of pivots */
 } run;
@@ -143,7 +145,7 @@ int main(void) {
     scene = *now->scene;
     scene.pressure = now->pressure;
     breaking = unbroken;
-    push = LCPUSH(make)(&memory, now->bytes, &now->size, now->solver);
+    push = now->makes(&memory, now->bytes, &now->size);
     put("run ");
     put(now->name);
     if (push == NULL) {

@@ -4,7 +4,7 @@
 
 #define MOST_POINTS 10
 #define MOST_FACETS 8
-static double memory[LCPUSH_BYTES(REAL, MOST_POINTS, MOST_FACETS, 2, 2) / sizeof(double) + 1];
+static double memory[LCPUSH_BYTES(REAL, 3, MOST_POINTS, MOST_FACETS, 2, 2) / sizeof(double) + 1];
 
 static const REAL ring[4][2] = {{R(0.005), 0}, {R(-0.005), 0}, {0, R(0.005)}, {0, R(-0.005)}};
 static const LCPUSH(point) edge[2] = {{R(-0.05), R(-0.01), 0}, {R(-0.05), R(0.02), 0}};
@@ -61,19 +61,20 @@ static lcpush_status status;
 static void describe(void) { status = LCPUSH(describe)(push, &scene); }
 static void solve(void) { status = LCPUSH(solve)(push); }
 
+typedef enum solver { PIVOTS, SWEEPS } solver;
 static const char* const solvers[2] = {"pivots", "sweeps"};
 static const char* const laws[3] = {"pad", "even", "rigid"}; /* in lcpush_pressure's order */
 
-static void report(int k, int facets, lcpush_pressure law, lcpush_solver solver) {
+static void report(int k, int facets, lcpush_pressure law, solver by) {
   const int p = 2 * k + 2;
-  const lcpush_size size = {p, p, facets, 2, 2, 0};
-  const uint32_t bytes = (uint32_t)(solver == LCPUSH_LEMKE ? LCPUSH_BYTES(REAL, p, facets, 2, 2)
-                                                           : LCPUSH_SWEEP_BYTES(REAL, p, facets, 2, 2));
+  const lcpush_size size = {3, p, facets, 2, 2, 0};
+  const uint32_t bytes = (uint32_t)(by == PIVOTS ? LCPUSH_BYTES(REAL, 3, p, facets, 2, 2)
+                                                 : LCPUSH_SWEEP_BYTES(REAL, 3, p, facets, 2, 2));
   cost described, solved;
   place(k);
   scene.facets = facets;
   scene.pressure = law;
-  push = LCPUSH(make)(memory, bytes, &size, solver);
+  push = (by == PIVOTS ? LCPUSH(make) : LCPUSH(make_for_sweeps))(memory, bytes, &size);
   if (push == NULL) return;
   described = measure(describe);
   solved = measure(solve);
@@ -82,7 +83,7 @@ static void report(int k, int facets, lcpush_pressure law, lcpush_solver solver)
   put(".");
   put(laws[law]);
   put(".");
-  put(solvers[solver]);
+  put(solvers[by]);
   put(" status ");
   put(lcpush_status_text(status));
   put_number(" unknowns ", (uint32_t)LCPUSH_UNKNOWNS(p, facets, 2));
@@ -100,9 +101,9 @@ int main(void) {
   int i, facets;
   for (facets = 4; facets <= MOST_FACETS; facets += 4)
     for (i = 0; i < 3; ++i) {
-      report(fingers[i], facets, LCPUSH_RIGID, LCPUSH_LEMKE);
-      report(fingers[i], facets, LCPUSH_PAD, LCPUSH_LEMKE);
-      report(fingers[i], facets, LCPUSH_RIGID, LCPUSH_GAUSS_SEIDEL);
+      report(fingers[i], facets, LCPUSH_RIGID, PIVOTS);
+      report(fingers[i], facets, LCPUSH_PAD, PIVOTS);
+      report(fingers[i], facets, LCPUSH_RIGID, SWEEPS);
     }
   put("end\n");
   return 0;

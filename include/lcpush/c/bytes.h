@@ -3,21 +3,29 @@
 
 #define LCPUSH_WORD_ sizeof(ptrdiff_t)
 /* A push itself, a body, a drive, a contact and what its assembly keeps. */
-#define LCPUSH_STATE_BYTES_(real) (364 * LCPUSH_WORD_ + 184 * sizeof(real))
+#define LCPUSH_STATE_BYTES_(real) (380 * LCPUSH_WORD_ + 184 * sizeof(real))
 #define LCPUSH_BODY_BYTES_(real) (17 * sizeof(real) + 2 * LCPUSH_WORD_ + 32)
 #define LCPUSH_DRIVE_BYTES_(real) (6 * sizeof(real) + 2 * LCPUSH_WORD_ + 16)
 #define LCPUSH_POINT_BYTES_(real) (26 * sizeof(real) + 7 * LCPUSH_WORD_ + 16)
 
-#define LCPUSH_COMMON_BYTES_(real, points, friction_forces, actuators, drives)                     \
-  (LCPUSH_STATE_BYTES_(real) + (points)*LCPUSH_BODY_BYTES_(real) * 2 +                             \
+#define LCPUSH_COMMON_BYTES_(real, bodies, points, friction_forces, actuators, drives)             \
+  (LCPUSH_STATE_BYTES_(real) + (bodies)*LCPUSH_BODY_BYTES_(real) * 2 +                             \
    (drives)*LCPUSH_DRIVE_BYTES_(real) * 2 + (points)*LCPUSH_POINT_BYTES_(real) +                   \
    (friction_forces)*7 * sizeof(real) +                                                            \
-   ((friction_forces) + (points) + (actuators)) * (4 * sizeof(real) + 1) +                         \
+   ((friction_forces) + (points) + (actuators)) * (4 * sizeof(real) + 2) +                         \
    (friction_forces) * ((drives) > 0 ? (drives) : 1) * (sizeof(real) + sizeof(int)) +              \
    (actuators) * (8 * sizeof(real) + 2 * LCPUSH_WORD_) + 512)
 
-#define LCPUSH_LEMKE_BYTES_(real, n)                                                               \
-  (((n) * ((n) + 1) + 22 * (n)) * sizeof(real) + (4 * (n) + 1) * sizeof(int))
+/* Of the structured basis: its width, and the exchanges that it has room for. */
+#define LCPUSH_WIDTH_(actuators) (6 + (actuators))
+#define LCPUSH_EXCHANGES_(n, points, actuators)                                                    \
+  ((n) < (points) + 2 * (actuators) + 16 ? (n) + 1 : (points) + 2 * (actuators) + 16)
+
+#define LCPUSH_PIVOTS_BYTES_(real, n, points, actuators, exchanges)                                \
+  ((((n) + 4 + 2 * LCPUSH_WIDTH_(actuators)) * LCPUSH_WIDTH_(actuators) + 22 * (n) +               \
+    3 * ((points) + (actuators)) + (exchanges) * ((exchanges) + 3)) *                              \
+       sizeof(real) +                                                                              \
+   (8 * (n) + 4 * (points) + 2 + 2 * (exchanges)) * sizeof(int))
 
 #define LCPUSH_SWEEPS_BYTES_(real, n, couplings, actuators)                                        \
   ((9 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) +               \

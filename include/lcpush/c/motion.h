@@ -21,7 +21,7 @@ size_t LCPUSH_NAME(motion_bytes)(const LCPUSH_NAME(push) * push);
  * in the object's centre of mass. `memory` stays the caller's and must not move; `ridings` says
  * for each body what rides on what, NULL: the bodies' points ride on the bodies. Planes have no
  * end. RUNNING; or BAD_INPUT with lcpush_why: NOT_DESCRIBED, MEMORY_TOO_SMALL, or UNSUPPORTED in a
- * push made for GAUSS_SEIDEL. Until the next lcpush_describe or lcpush_command, the push itself
+ * push made for sweeps. Until the next lcpush_describe or lcpush_command, the push itself
  * is not there to be solved. */
 lcpush_status LCPUSH_NAME(set_off)(LCPUSH_NAME(push) * push, void* memory, size_t bytes,
                                    const lcpush_riding* ridings);

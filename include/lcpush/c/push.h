@@ -78,9 +78,12 @@ typedef struct LCPUSH_NAME(breaking) {
 typedef struct LCPUSH_NAME(push) LCPUSH_NAME(push);
 
 /* A push in `memory`, which stays the caller's, aligned as a double, and must not move while the
- * push is used. NULL if `bytes` are too few for `size`. */
+ * push is used. NULL if `bytes` are too few for `size`. It is solved by Lemke's pivots. */
+LCPUSH_NAME(push) * LCPUSH_NAME(make)(void* memory, size_t bytes, const lcpush_size* size);
+
+/* The same, solved by sweeps of Gauss-Seidel: for patches of dozens of points. */
 LCPUSH_NAME(push) *
-    LCPUSH_NAME(make)(void* memory, size_t bytes, const lcpush_size* size, lcpush_solver solver);
+    LCPUSH_NAME(make_for_sweeps)(void* memory, size_t bytes, const lcpush_size* size);
 
 /* Copies and checks the scene, which may go away afterwards, and assembles its equations.
  * RUNNING (ready to solve), or BAD_INPUT with lcpush_why. Cost: O(forces drives). */
@@ -88,14 +91,16 @@ lcpush_status LCPUSH_NAME(describe)(LCPUSH_NAME(push) * push, const LCPUSH_NAME(
 
 /* New grip forces and prescribed accelerations for the same contacts, without another check of the
  * rest: for control loops. A force an actuator, six numbers of acceleration a body, in the scene's
- * order; either may be NULL: as they were. */
+ * order; either may be NULL: as they were. The solve starts where the last one ended, most often a
+ * few pivots away. Where several forces or motions obey the laws, it stays with the last ones:
+ * lcpush_describe forgets them. */
 lcpush_status LCPUSH_NAME(command)(LCPUSH_NAME(push) * push, const LCPUSH_REAL* forces,
                                    const LCPUSH_REAL* accelerations);
 
 /* At most `pivots` steps of one pivot each, the first call after describe or command starts; a push
- * made for GAUSS_SEIDEL solves all at once. RUNNING, or how the solve ended. Cost of a step:
- * O(n^2). At the end of a round of the pad law, or when a basis is factored afresh, O(n^2 basic
- * unknowns). */
+ * made for sweeps solves all at once. RUNNING, or how the solve ended. Cost of a step: O(n) and
+ * O(points^2). At the end of a round of the pad law, or when a basis is factored afresh, O(n) and
+ * O(points^3). */
 lcpush_status LCPUSH_NAME(step)(LCPUSH_NAME(push) * push, int pivots);
 
 /* Steps to the end. */

@@ -35,4 +35,9 @@ private:
   bool exhausted_ = false;
 };
 
+/// Column k, as the same type that a vector of its own has: one instance of what takes either.
+template <class S> VectorMap<S> column(MatrixMap<S>& matrix, Index k) {
+  return VectorMap<S>(matrix.col(k).data(), matrix.rows());
+}
+
 } // namespace lcpush

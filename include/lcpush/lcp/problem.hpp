@@ -7,7 +7,7 @@
 // assembles. Both only look at memory that the caller owns.
 #pragma once
 
-#include "lcpush/types.hpp"
+#include "lcpush/lcp/loops.hpp"
 
 namespace lcpush {
 
@@ -170,11 +170,7 @@ template <class S> void multiply(const Problem<S>& problem, const S* z, S* out) 
   const Index n = problem.size;
   for (Index i = 0; i < n; ++i) out[i] = S(0);
   for (Index j = 0; j < n; ++j) {
-    if (z[j] == S(0)) continue;
-    const S* __restrict const column = problem.matrix + j * n;
-    S* __restrict const sum = out;
-    const S by = z[j];
-    for (Index i = 0; i < n; ++i) sum[i] += column[i] * by;
+    if (z[j] != S(0)) detail::add_scaled(out, problem.matrix + j * n, z[j], n);
   }
 }
 

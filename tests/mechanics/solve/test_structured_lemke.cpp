@@ -123,7 +123,7 @@ template <class B> struct Bare {
     const Index n = problem.size;
     Block<double> numbers({scalars.data(), static_cast<Index>(scalars.size())});
     Block<int> ints({integers.data(), static_cast<Index>(integers.size())});
-    basis.carve(problem, 2, numbers, ints);
+    basis.carve(problem, 2, 0, numbers, ints);
     for (Eigen::VectorXd* v : {&row_scale, &column_scale, &rowsum, &scratch})
       *v = Eigen::VectorXd::Ones(n);
     CHECK(basis.scale(false, map(row_scale), map(column_scale), map(rowsum), map(scratch)) == 0);
@@ -133,7 +133,7 @@ template <class B> struct Bare {
       basis.dictionary.values(i, 0) = problem.q[i];
       basis.dictionary.values(i, 1) = generic_number<double>(4, i);
     }
-    basis.load(map(row_scale), map(column_scale), cover);
+    basis.load(map(row_scale), map(column_scale), map(cover));
     for (Index i = 0; i < n; ++i)
       target.push_back(static_cast<int>(solved.lemke.is_basic(i) ? unknown(i, n) : slack(i)));
     candidates.resize(target.size());

@@ -6,6 +6,7 @@
 // right-hand sides are stored; basic columns are unit vectors and need no memory.
 #pragma once
 
+#include "lcpush/lcp/loops.hpp"
 #include "lcpush/lcp/memory.hpp"
 
 namespace lcpush {
@@ -58,16 +59,12 @@ public:
   void exchange(Index r, Index c, VectorMap<S> entering) {
     entering = table.col(c);
     const S pivot = entering[r];
-    const S* __restrict const multiplied = entering.data();
     // Dividing by the pivot, not multiplying with its reciprocal: 1/pivot may overflow.
     auto eliminate = [&](auto given) {
-      S* __restrict const column = given.data();
+      S* const column = given.data();
       if (column[r] == S(0)) return;
       const S solved = -column[r] / pivot;
-      // A plain loop: in short columns, Eigen's spends more on reaching an aligned address.
-      const S* __restrict from = multiplied;
-      for (S* __restrict x = column, * const end = column + size(); x != end; ++x)
-        *x += solved * *from++;
+      detail::add_scaled(column, entering.data(), solved, size());
       column[r] = solved;
     };
     for (Index j = 0; j < table.cols(); ++j)

@@ -25,6 +25,7 @@ template <class S> struct LemkeOptions {
   Index first_cover = 0;    ///< number of the first generic covering vector
   Index covers = 6;         ///< generic covering vectors tried before a failure is reported
   const S* cover = nullptr; ///< n numbers > 0 to use instead of generic ones, tried once
+  Index exchanges = 0;      ///< StructuredLemke: what its memory is for (structured_lemke_scalars)
   bool equilibrate = true;  ///< switch off for exact scalars and for teaching
 };
 

@@ -55,7 +55,7 @@ private:
     if (count_ == 0) return blocking;
     for (Index k = 0; k < rhs_count_ && count_ > 1; ++k) {
       const Index before = count_;
-      keep_smallest(d_.values.col(k).data());
+      keep_smallest(d_.values.col(k).data(), preferred);
       if (k > 0 && count_ < before) blocking.decided_by = TieBreak::right_hand_side;
     }
     blocking.tied = tied_ = count_;
@@ -103,13 +103,13 @@ private:
 
   void swap(Index i, Index k) { Eigen::numext::swap(candidates_[i], candidates_[k]); }
 
-  void keep_smallest(const S* values) {
-    keep_smallest([&](Index row) -> const S& { return values[row]; });
+  void keep_smallest(const S* values, Index preferred = -1) {
+    keep_smallest([&](Index row) -> const S& { return values[row]; }, preferred);
   }
 
   /// Harris: a bound on the step with the tolerance, then everything at or below that bound. What
   /// is dropped stays behind the rest: tied_rows() shows it.
-  template <class Value> void keep_smallest(Value value) {
+  template <class Value> void keep_smallest(Value value, Index preferred = -1) {
     // That of the symbolic bound is zero almost everywhere, and then nothing is divided.
     Index first = 0;
     while (first < count_ && value(candidates_[first]) == S(0)) ++first;
@@ -120,8 +120,11 @@ private:
       if (reached < bound * falls) bound = reached / falls; // few rows lower the bound
     }
     Index kept = 0;
-    for (Index k = 0; k < count_; ++k)
-      if (value(candidates_[k]) <= bound * rate(candidates_[k])) swap(kept++, k);
+    for (Index k = 0; k < count_; ++k) {
+      const Index row = candidates_[k];
+      const S more = d_.basic[row] == preferred ? tolerances_.finish : S(0);
+      if (value(row) <= bound * rate(row) + more) swap(kept++, k);
+    }
     count_ = kept;
   }
 };

@@ -10,14 +10,17 @@ namespace lcpush {
 template <class S> using StructuredLemke = Lemke<S, StructuredBasis<S>>;
 
 /// Scalars and ints that StructuredLemke needs for n unknowns in `cones` groups; `shared` counts
-/// the sum groups of more than one force, or with inertia. O(n).
-constexpr Index structured_lemke_scalars(Index n, Index cones, Index shared) {
+/// the sum groups of more than one force, or with inertia. O(n), and the square of `exchanges`:
+/// what a basis may hold beyond cones that slide and pads that give way, in the end about a
+/// contact's normal force a cone, 6 forces of all cones and two a shared group. 0: enough for
+/// whatever pays.
+constexpr Index structured_lemke_scalars(Index n, Index cones, Index shared, Index exchanges = 0) {
   constexpr Index right_hand_sides = detail::max_rhs + detail::tie_columns;
-  return StructuredBasis<double>::scalars(n, cones, shared, right_hand_sides) +
-         n * (detail::lemke_vectors - right_hand_sides);
+  return StructuredBasis<double>::scalars(n, cones, shared, right_hand_sides, exchanges) +
+         n * (detail::lemke_vectors - right_hand_sides - 2); // its rows and columns have one scale
 }
-constexpr Index structured_lemke_integers(Index n, Index cones) {
-  return 2 * n + StructuredBasis<double>::integers(n, cones);
+constexpr Index structured_lemke_integers(Index n, Index cones, Index exchanges = 0) {
+  return 2 * n + StructuredBasis<double>::integers(n, cones, exchanges);
 }
 
 #ifdef LCPUSH_EXTERN_TEMPLATES

@@ -218,6 +218,7 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_rounds(int
     PressureRun run;
     assembly_.push_by(S(1)); // without the compliance of rounds before
     LemkeOptions<S> pivots;
+    pivots.exchanges = m_.work.exchanges;
     pivots.first_cover = attempt * pivots.covers;
     if (attempt < 3) pivots.max_pivots = 200 + 3 * unknowns; // what takes more has gone astray
     PressureOptions<S> pads = pressure_options();

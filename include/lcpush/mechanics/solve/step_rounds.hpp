@@ -10,6 +10,7 @@ namespace lcpush {
 struct LastStep {
   Span<unsigned char> active; ///< unknowns of the step to come
   bool known = false;
+  Guess guess = Guess::near; ///< Guess::basis: the contacts are the same as then
 };
 
 /// LemkeRounds whose first round starts from the last step's basis, cold if that leads nowhere.
@@ -27,7 +28,7 @@ public:
     tries_last_ = is_first_ && last_->known;
     if (!tries_last_) return then_.begin(problem, warm, memory);
     for (Index i = 0; i < problem.size; ++i) memory.active[i] = last_->active[i];
-    then_.begin_near(problem, memory, Guess::near, 2, problem.size / 2 + 16);
+    then_.begin_near(problem, memory, last_->guess, 2, problem.size / 2 + 16);
   }
 
   Status step(const PressureMemory<S>& memory, PressureRun& run) {

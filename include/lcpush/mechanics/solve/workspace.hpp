@@ -57,6 +57,7 @@ template <class S> struct Workspace {
   PressureMemory<S> pressure;
   Span<S> lemke_scalars; ///< empty in a workspace for sweeps
   Span<int> lemke_integers;
+  Index exchanges = 0;   ///< what lemke_scalars are for, as LemkeOptions say
   Span<S> sweep_scalars; ///< empty in a workspace for pivots
   Span<int> sweep_integers;
   Answer<S> answer;
@@ -79,9 +80,9 @@ struct SolverSize {
 constexpr SolverSize pivots_size(const AssemblySize& size) {
   return {lemke_scalars(size.unknowns()), lemke_integers(size.unknowns())};
 }
-constexpr SolverSize structured_size(const AssemblySize& size, Index shared) {
-  return {structured_lemke_scalars(size.unknowns(), size.points, shared),
-          structured_lemke_integers(size.unknowns(), size.points)};
+constexpr SolverSize structured_size(const AssemblySize& size, Index shared, Index exchanges) {
+  return {structured_lemke_scalars(size.unknowns(), size.points, shared, exchanges),
+          structured_lemke_integers(size.unknowns(), size.points, exchanges)};
 }
 constexpr SolverSize sweeps_size(const AssemblySize& size) {
   const Index n = size.unknowns(), couplings = size.couplings(), actuators = size.actuators;
@@ -134,8 +135,10 @@ template <class S> constexpr Index push_bytes(const AssemblySize& size) {
 }
 /// Bytes that make_structured_workspace takes: O(unknowns). `shared` is the number of actuators
 /// that drive more than one point, at most all of them; under `even` pressure there is none.
-template <class S> constexpr Index structured_bytes(const AssemblySize& size, Index shared) {
-  return detail::bytes_with<S>(detail::structured_size(size, shared), size);
+/// `exchanges` as structured_lemke_scalars says, and LemkeOptions has to have them.
+template <class S>
+constexpr Index structured_bytes(const AssemblySize& size, Index shared, Index exchanges = 0) {
+  return detail::bytes_with<S>(detail::structured_size(size, shared, exchanges), size);
 }
 /// Bytes that make_sweep_workspace takes: O(unknowns), and (6 + actuators)^2 Scalars.
 template <class S> constexpr Index sweep_bytes(const AssemblySize& size) {
@@ -149,8 +152,12 @@ template <class S> Workspace<S> make_workspace(Arena arena, const AssemblySize& 
 }
 /// The same by StructuredLemke.
 template <class S>
-Workspace<S> make_structured_workspace(Arena arena, const AssemblySize& size, Index shared) {
-  return detail::take_for_pivots<S>(arena, size, detail::structured_size(size, shared));
+Workspace<S> make_structured_workspace(Arena arena, const AssemblySize& size, Index shared,
+                                       Index exchanges = 0) {
+  Workspace<S> w =
+      detail::take_for_pivots<S>(arena, size, detail::structured_size(size, shared, exchanges));
+  w.exchanges = exchanges;
+  return w;
 }
 /// The same by block Gauss-Seidel.
 template <class S> Workspace<S> make_sweep_workspace(Arena arena, const AssemblySize& size) {

@@ -13,11 +13,12 @@ namespace lcpush {
 template <class S> class DenseBasis {
 public:
   Dictionary<S> dictionary;
+  static constexpr bool one_scale = false; ///< are rows and columns scaled alike?
 
   static bool supports(const Problem<S>&, TieRule) { return true; }
 
-  void carve(const Problem<S>& problem, Index right_hand_sides, Block<S>& scalars,
-             Block<int>& integers) {
+  void carve(const Problem<S>& problem, Index right_hand_sides, Index /*exchanges*/,
+             Block<S>& scalars, Block<int>& integers) {
     problem_ = problem;
     dictionary.carve(problem.size, problem.size + 1, right_hand_sides, scalars, integers);
   }
@@ -75,10 +76,7 @@ public:
     for (Index c = 0; c <= n; ++c) {
       const Index j = dictionary.nonbasic[c];
       if (j >= n || r[j] == S(0)) continue;
-      const S* __restrict const column = dictionary.table.col(c).data();
-      S* __restrict const sum = out.data();
-      const S by = r[j];
-      for (Index i = 0; i < n; ++i) sum[i] += column[i] * by;
+      detail::add_scaled(out.data(), dictionary.table.col(c).data(), S(r[j]), n);
     }
   }
 

@@ -10,12 +10,17 @@ template <class S, class B> bool Lemke<S, B>::carve() {
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
   const Index n = n_;
-  basis_.carve(problem_, rhs_count_ + detail::tie_columns, scalars, integers);
+  basis_.carve(problem_, rhs_count_ + detail::tie_columns, options_.exchanges, scalars, integers);
   scalars.seat(covering_, n, 1 + detail::tie_columns);
   scalars.seat(solution_, n, detail::max_rhs);
-  for (VectorMap<S>* map : {&row_scale_, &column_scale_, &unit_, &rowsum_, &bound_, &ray_, &trial_,
-                            &scratch_, &product_})
+  for (VectorMap<S>* map : {&row_scale_, &rowsum_, &bound_, &ray_, &trial_, &scratch_, &product_})
     scalars.seat(*map, n);
+  for (VectorMap<S>* map : {&column_scale_, &unit_}) {
+    if (B::one_scale)
+      new (map) VectorMap<S>(row_scale_.data(), n);
+    else
+      scalars.seat(*map, n);
+  }
   check_scratch_ = scalars.take(2 * n);
   candidates_ = integers.take(n);
   target_ = integers.take(n);
@@ -67,7 +72,7 @@ template <class S, class B> void Lemke<S, B>::load() {
     for (Index i = 0; i < n_; ++i)
       values(i, k) = right_hand_side(k)[i] * row_scale_[i] / rhs_scale_[k];
   values.rightCols(detail::tie_columns) = covering_.rightCols(detail::tie_columns);
-  basis_.load(row_scale_, column_scale_, covering_.col(0));
+  basis_.load(row_scale_, column_scale_, column(covering_, 0));
 }
 
 /// A start at z = 0 under a generic covering vector and tie columns.
@@ -103,7 +108,7 @@ template <class S, class B> void Lemke<S, B>::cover_here() {
     scaled_product(trial_.data(), product_.data());
     covering_.col(k) -= product_;
   }
-  basis_.set_covering_vector(covering_.col(0),
+  basis_.set_covering_vector(column(covering_, 0),
                              [&](Index i) { return generic_number<S>(seed(0), i); });
 }
 
@@ -268,7 +273,7 @@ Status Lemke<S, B>::init(const Problem<S>& problem, const LemkeOptions<S>& optio
     target_[i] = static_cast<int>(active[i] != 0 ? unknown(i, n_) : slack(i));
   const Tolerances<S>& tolerances = options.tolerances;
   const S smallest =
-      guess == Guess::basis ? S(tolerances.pivot * tolerances.tie) : tolerances.noise;
+      guess == Guess::basis ? S(tolerances.pivot * tolerances.tie) : tolerances.independent;
   const Wanted wanted{finite_rhs(), rhs_count_, rhs_count_}; // cover_here brings the tie columns
   const Index left = basis_.factor(target_, candidates_, smallest, scratch_, wanted);
   const auto drop = [&] {

@@ -132,9 +132,8 @@ public:
     return finite_sum + (rowsum.sum() - rowsum.sum());
   }
   /// The problem as given, scaled, under a covering vector.
-  template <class Column>
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
-            const Column& covering_vector) {
+            const VectorMap<S>& covering_vector) {
     const FactoredProblem<S>& f = *problem_;
     directions_.setZero();
     for (Index i = 0; i < n_; ++i) flipped_[i] = 0;
@@ -181,7 +180,7 @@ public:
     set_covering_vector(covering_vector);
   }
   template <class IsBasic> bool pivot_locally(IsBasic is_basic);
-  template <class Column> void set_covering_vector(const Column& as_given) {
+  void set_covering_vector(const VectorMap<S>& as_given) {
     d_ = as_given;
     transform(d_, d_force_, d_actuator_input_);
   }
@@ -204,10 +203,10 @@ public:
 
   /// out = M x, x given by inputs(visit) calling visit(slot, x) for each entry that is not zero.
   /// Cost: O(n) and O(1) an input.
-  template <class Inputs, class Column> void multiply(Inputs inputs, Column&& out);
+  template <class Inputs> void multiply(Inputs inputs, VectorMap<S> out);
 
   /// A right-hand side of the problem as given becomes the rows' values at x = 0.
-  template <class Column> void evaluate(Column&& rhs) {
+  void evaluate(VectorMap<S> rhs) {
     transform(rhs, force_, actuator_input_);
     find_velocity();
     add_felt(rhs);
@@ -249,10 +248,9 @@ private:
   void add_force(Index slot, const S& x);
   void find_velocity();
   S local(Index row, Index slot) const;
-  template <class Column> void add_local(Index slot, const S& x, Column& out) const;
-  template <class Column> void add_felt(Column& out) const;
-  template <class Column>
-  void transform(Column& rhs, VectorMap<S>& force, VectorMap<S>& actuator_input) const;
+  void add_local(Index slot, const S& x, VectorMap<S>& out) const;
+  void add_felt(VectorMap<S>& out) const;
+  void transform(VectorMap<S>& rhs, VectorMap<S>& force, VectorMap<S>& actuator_input) const;
   /// What a shared actuator's row feels: its forces' sum, or its unknown.
   S shared_row(Index row) const {
     const Index k = 6 + group_[row];

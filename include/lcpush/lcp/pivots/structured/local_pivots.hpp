@@ -145,8 +145,8 @@ template <class S> template <class IsBasic> bool LocalForm<S>::pivot_locally(IsB
 /// What these pivots do to a right-hand side: the rows' part, and the force and what the shared
 /// actuators are held at, at x = 0.
 template <class S>
-template <class Column>
-void LocalForm<S>::transform(Column& rhs, VectorMap<S>& force, VectorMap<S>& actuator_input) const {
+void LocalForm<S>::transform(VectorMap<S>& rhs, VectorMap<S>& force,
+                             VectorMap<S>& actuator_input) const {
   force.setZero();
   actuator_input.setZero();
   for (Index c = 0; c < problem_->cones.size; ++c) {

@@ -98,9 +98,7 @@ template <class S> S LocalForm<S>::local(Index row, Index slot) const {
 }
 
 /// The same for a whole column.
-template <class S>
-template <class Column>
-void LocalForm<S>::add_local(Index slot, const S& x, Column& out) const {
+template <class S> void LocalForm<S>::add_local(Index slot, const S& x, VectorMap<S>& out) const {
   const Index c = group_[slot];
   switch (role_[slot]) {
   case normal_role:
@@ -126,7 +124,7 @@ void LocalForm<S>::add_local(Index slot, const S& x, Column& out) const {
 }
 
 /// out += what the rows feel of v_ and force_.
-template <class S> template <class Column> void LocalForm<S>::add_felt(Column& out) const {
+template <class S> void LocalForm<S>::add_felt(VectorMap<S>& out) const {
   const S* __restrict const h = directions_.data();
   const S* const v = v_.data();
   S* __restrict const row = out.data();
@@ -140,8 +138,8 @@ template <class S> template <class Column> void LocalForm<S>::add_felt(Column& o
 }
 
 template <class S>
-template <class Inputs, class Column>
-void LocalForm<S>::multiply(Inputs inputs, Column&& out) {
+template <class Inputs>
+void LocalForm<S>::multiply(Inputs inputs, VectorMap<S> out) {
   force_.setZero();
   actuator_input_.setZero();
   out.setZero();

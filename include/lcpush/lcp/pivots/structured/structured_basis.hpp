@@ -15,22 +15,27 @@
 
 namespace lcpush {
 namespace detail {
-/// The most exchanges that the memory holds.
-constexpr Index most_exchanges(Index n) { return n + 1 < 256 ? n + 1 : 256; }
+/// The most exchanges that the memory holds: `asked`, or as many as pay.
+constexpr Index most_exchanges(Index n, Index asked) {
+  const Index most = asked > 0 ? asked : 256;
+  return n + 1 < most ? n + 1 : most;
+}
 } // namespace detail
 
 /// The basis that Lemke works on; everything is scaled. DenseBasis has the same members.
 template <class S> class StructuredBasis {
 public:
   Dictionary<S> dictionary; ///< its table: the entering column alone
+  static constexpr bool one_scale = true;
 
-  static constexpr Index scalars(Index n, Index cones, Index shared, Index right_hand_sides) {
-    const Index t = detail::most_exchanges(n);
+  static constexpr Index scalars(Index n, Index cones, Index shared, Index right_hand_sides,
+                                 Index exchanges) {
+    const Index t = detail::most_exchanges(n, exchanges);
     return detail::LocalForm<S>::scalars(n, cones, shared) + n * (1 + right_hand_sides) +
            t * (t + 3);
   }
-  static constexpr Index integers(Index n, Index cones) {
-    const Index t = detail::most_exchanges(n);
+  static constexpr Index integers(Index n, Index cones, Index exchanges) {
+    const Index t = detail::most_exchanges(n, exchanges);
     return detail::LocalForm<S>::integers(n, cones) + 3 * n + 2 + 2 * t;
   }
 
@@ -38,17 +43,16 @@ public:
     return problem.factored != nullptr && rule != TieRule::lexicographic;
   }
 
-  void carve(const Problem<S>& problem, Index right_hand_sides, Block<S>& scalars,
+  /// `exchanges`: LemkeOptions::exchanges.
+  void carve(const Problem<S>& problem, Index right_hand_sides, Index exchanges, Block<S>& scalars,
              Block<int>& integers);
   S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale, VectorMap<S> rowsum,
           VectorMap<S> /*scratch*/) const {
     return form_.scale(equilibrates, row_scale, column_scale, rowsum);
   }
-  template <class Column>
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
-            const Column& covering_vector);
-  template <class Column, class Here>
-  void set_covering_vector(const Column& as_given, Here /*here*/) {
+            const VectorMap<S>& covering_vector);
+  template <class Here> void set_covering_vector(const VectorMap<S>& as_given, Here /*here*/) {
     form_.set_covering_vector(as_given);
   }
 
@@ -111,14 +115,14 @@ private:
   void list_exchanges(Span<int> target, Span<int> flags);
   Index invert(const S& smallest_pivot);
   void find_values(const Wanted& wanted);
-  template <class Value, class Column> void respond_to(Value value, Column&& out);
-  template <class Column, class Entered>
-  void multiply_entered(Column&& out, const Entered& entered, Index more = -1, const S& x = S(0));
+  template <class Value> void respond_to(Value value, VectorMap<S> out);
+  void multiply_entered(VectorMap<S> out, const S* entered, Index more = -1, const S& x = S(0));
+  VectorMap<S> entering_column() { return column(dictionary.table, 0); }
 
   /// out = M (rates_ on the slots that have entered, x on one more); then the rows that have left
   /// show the rates of what is there now.
-  template <class Column> void add_entered(Column&& out, Index more = -1, const S& x = S(0)) {
-    multiply_entered(out, rates_, more, x);
+  void add_entered(VectorMap<S> out, Index more = -1, const S& x = S(0)) {
+    multiply_entered(out, rates_.data(), more, x);
     for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
   }
 
@@ -196,10 +200,10 @@ private:
 };
 
 template <class S>
-void StructuredBasis<S>::carve(const Problem<S>& problem, Index right_hand_sides, Block<S>& scalars,
-                               Block<int>& integers) {
+void StructuredBasis<S>::carve(const Problem<S>& problem, Index right_hand_sides, Index exchanges,
+                               Block<S>& scalars, Block<int>& integers) {
   n_ = problem.size;
-  capacity_ = detail::most_exchanges(n_);
+  capacity_ = detail::most_exchanges(n_, exchanges);
   form_.carve(problem, scalars, integers);
   dictionary.carve(n_, 1, right_hand_sides, scalars, integers);
   scalars.seat(inverse_, capacity_, capacity_);
@@ -211,9 +215,8 @@ void StructuredBasis<S>::carve(const Problem<S>& problem, Index right_hand_sides
 }
 
 template <class S>
-template <class Column>
 void StructuredBasis<S>::load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
-                              const Column& covering_vector) {
+                              const VectorMap<S>& covering_vector) {
   form_.load(row_scale, column_scale, covering_vector);
   t_ = 0;
   constexpr Index few = 64; // a small answer has no more: then nothing is factored on the way
@@ -231,7 +234,7 @@ template <class S> Index StructuredBasis<S>::enter(Index variable) {
   auto rates = rates_.head(t_);
   if (at_base(variable)) { // it left before: row out_at_ of M x is to grow by 1
     rates = inverse_.col(out_at_[slot]).head(t_);
-    add_entered(dictionary.table.col(0));
+    add_entered(entering_column());
     return 0;
   }
   form_.begin_column(slot);
@@ -240,7 +243,7 @@ template <class S> Index StructuredBasis<S>::enter(Index variable) {
   for (Index k = 0; k < t_; ++k)
     if (along_column_[k] != S(0))
       detail::add_scaled(rates_.data(), of_row(k), S(-along_column_[k]), t_);
-  add_entered(dictionary.table.col(0), slot, S(1));
+  add_entered(entering_column(), slot, S(1));
   return 0;
 }
 

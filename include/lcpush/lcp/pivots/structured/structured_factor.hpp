@@ -67,7 +67,11 @@ template <class S>
 Index StructuredBasis<S>::factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
                                  VectorMap<S> /*scratch*/, const Wanted& wanted) {
   list_exchanges(target, candidates);
-  if (t_ > capacity_) return t_;
+  if (t_ >= capacity_) { // the next pivot would have no room
+    const Index asked = t_;
+    t_ = capacity_ + 1;
+    return asked;
+  }
   for (Index k = 0; k < t_; ++k) {
     form_.begin_column(in_[k]);
     for (Index i = 0; i < t_; ++i) inverse_(i, k) = form_.entry_of_column(out_[i], in_[k]);
@@ -86,10 +90,10 @@ Index StructuredBasis<S>::factor(Span<int> target, Span<int> candidates, const S
 /// make the rows that have left 0. The exact ones are corrected for rounding in K^-1.
 template <class S> void StructuredBasis<S>::find_values(const Wanted& wanted) {
   constexpr int corrections = 2;
-  auto column = dictionary.table.col(0);
+  VectorMap<S> at = entering_column();
   auto rates = rates_.head(t_), entered = along_row_.head(t_), left = along_column_.head(t_);
   for (Index rhs = wanted.first; rhs < wanted.end; ++rhs) {
-    auto values = dictionary.values.col(rhs);
+    VectorMap<S> values = column(dictionary.values, rhs);
     form_.evaluate(values);
     if (t_ == 0) continue;
     const int passes = rhs < wanted.exact ? 1 + corrections : 1;
@@ -97,37 +101,36 @@ template <class S> void StructuredBasis<S>::find_values(const Wanted& wanted) {
     entered.setZero();
     for (int pass = 0; pass < passes; ++pass) {
       for (Index k = 0; k < t_; ++k)
-        left[k] = pass > 0 ? S(values[out_[k]] + column[out_[k]]) : S(values[out_[k]]);
+        left[k] = pass > 0 ? S(values[out_[k]] + at[out_[k]]) : S(values[out_[k]]);
       if (pass > 0 && !(left.cwiseAbs().maxCoeff() > noise)) break;
       rates.setZero();
       for (Index k = 0; k < t_; ++k)
         if (left[k] != S(0)) detail::add_scaled(rates_.data(), of_row(k), S(-left[k]), t_);
       entered += rates;
-      multiply_entered(column, entered);
+      multiply_entered(at, entered.data());
     }
-    values += column;
+    values += at;
     for (Index k = 0; k < t_; ++k) values[out_[k]] = entered[k];
   }
 }
 
 /// out = M (`entered` on the slots that have entered, x on one more).
 template <class S>
-template <class Column, class Entered>
-void StructuredBasis<S>::multiply_entered(Column&& out, const Entered& entered, Index more,
+void StructuredBasis<S>::multiply_entered(VectorMap<S> out, const S* entered, Index more,
                                           const S& x) {
   form_.multiply(
       [&](auto visit) {
         if (more >= 0) visit(more, x);
         for (Index k = 0; k < t_; ++k)
-          if (entered[k] != S(0)) visit(Index(in_[k]), S(entered[k]));
+          if (entered[k] != S(0)) visit(Index(in_[k]), entered[k]);
       },
       out);
 }
 
 /// out = the basic variables where every nonbasic one is at value(variable) and q = 0.
 template <class S>
-template <class Value, class Column>
-void StructuredBasis<S>::respond_to(Value value, Column&& out) {
+template <class Value>
+void StructuredBasis<S>::respond_to(Value value, VectorMap<S> out) {
   form_.multiply(
       [&](auto visit) {
         for (Index i = 0; i < n_; ++i) {
@@ -143,8 +146,9 @@ void StructuredBasis<S>::respond_to(Value value, Column&& out) {
     const S wanted = value(base_variable(out_[k]));
     detail::add_scaled(rates_.data(), of_row(k), S(wanted - out[out_[k]]), t_);
   }
-  add_entered(dictionary.table.col(0));
-  out += dictionary.table.col(0);
+  VectorMap<S> at = entering_column();
+  add_entered(at);
+  out += at;
   for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
 }
 
@@ -157,7 +161,7 @@ template <class S> void StructuredBasis<S>::respond(const VectorMap<S>& r, Vecto
 template <class S>
 void StructuredBasis<S>::set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale,
                                        const S& rhs_scale) {
-  auto values = dictionary.values.col(0);
+  VectorMap<S> values = column(dictionary.values, 0);
   const auto bound = [&](Index variable) {
     const bool is_free = variable >= unknown(free_begin, n_) && variable < artificial(n_);
     return is_free ? S(S(1) / (column_scale[variable - n_] * rhs_scale)) : S(0);

@@ -1,0 +1,99 @@
+// A push that is solved by Lemke's pivots on the structured basis, some of them a call.
+#pragma once
+
+#include "c_push.hpp"
+
+namespace lcpush::c {
+
+/// Exchanges that a basis on a device has room for. In the end it holds about a normal force a
+/// point, 6 forces and two an actuator; the rest are met on the way. Factoring it that often makes
+/// float more reliable, too. Who asks for more ends in memory_too_small.
+constexpr Index exchanges_of(const AssemblySize& size) {
+  return size.points + size.pulls + 2 * size.actuators + 16;
+}
+
+/// `Push`: lcpush_push or lcpushf_push.
+template <class Push> class CPivotPush : public Push {
+public:
+  using S = typename Push::Scalar;
+  using Base = CPush<S>;
+
+  CPivotPush(Arena& arena, const Capacity& most)
+      : Push(arena, most, method), lemke_(this->work_.lemke_scalars, this->work_.lemke_integers) {
+    options_.exchanges = this->work_.exchanges;
+  }
+
+  Status break_grasp(const Body<S>& pusher, Breaking<S>& breaking) {
+    return find_breaking(this->assembly_, Rounds{lemke_, options_}, this->work_, pusher,
+                         PressureOptions<S>(), breaking, this->run_);
+  }
+
+private:
+  using Rounds = LemkeRounds<S, const Unwatched, StructuredLemke<S>>;
+  using Pivots = StepRounds<S, StructuredLemke<S>>;
+  using PivotSolve = PressureSolve<S, Pivots>;
+
+  StructuredLemke<S> lemke_;
+  LemkeOptions<S> options_{};
+  InPlace<PivotSolve> solve_;
+  static constexpr int attempts = 3;
+  int attempt_ = 0;
+  Index pivots_ = 0; // of the attempts before
+
+  static Workspace<S> take(Arena arena, const AssemblySize& size) {
+    return make_structured_workspace<S>(arena, size, size.actuators, exchanges_of(size));
+  }
+  static Status step_of(Base& push, int pivots) {
+    return static_cast<CPivotPush&>(push).pivot(pivots);
+  }
+  static constexpr typename Base::Method method{&step_of, nullptr, true, &take};
+
+  /// A first attempt is content with what the check lets pass; later ones take other covering
+  /// vectors and slower pads, the last is exact to rounding.
+  void begin(int attempt) {
+    attempt_ = attempt;
+    this->assembly_.push_by(S(1));
+    LemkeOptions<S> options = options_;
+    PressureOptions<S> pads;
+    options.first_cover = attempt * options.covers;
+    options.max_pivots = 200 + 3 * this->assembly_.layout().size; // what takes more goes astray
+    if (attempt + 1 < attempts) options.tolerances.finish = options.tolerances.residual / S(8);
+    for (int k = 0; k < attempt; ++k) pads.factor = Eigen::numext::sqrt(pads.factor);
+    if (attempt > 0) this->last_.known = false;
+    PivotSolve& solve =
+        solve_.make(this->assembly_, Pivots(lemke_, this->last_, options), this->work_.pressure,
+                    pads, this->work_.friction_memory(this->scene_));
+    this->status_ = solve.init();
+  }
+
+  Status pivot(int pivots) {
+    Status& status = this->status_;
+    if (!this->begun_) {
+      this->begun_ = true;
+      pivots_ = 0;
+      begin(0);
+    }
+    for (int k = 0; k < pivots && status == Status::running; ++k) {
+      PivotSolve& solve = *solve_.get();
+      const Index done = pivots_ + solve.run().pivots;
+      if (this->limit_ > 0 && done + lemke_.pivots() >= this->limit_) {
+        this->run_.pivots = this->limit_;
+        return status = Status::pivot_limit;
+      }
+      status = solve.step();
+      this->run_ = solve.run();
+      this->run_.pivots += pivots_;
+      if (status == Status::running) continue;
+      const bool failed =
+          this->conclude() == Status::numerical_breakdown || status == Status::pivot_limit;
+      if (!failed || attempt_ + 1 == attempts) return status;
+      pivots_ = this->run_.pivots;
+      begin(attempt_ + 1);
+    }
+    if (status == Status::running)
+      this->run_.pivots = pivots_ + solve_.get()->run().pivots + lemke_.pivots();
+    return status;
+  }
+};
+
+} // namespace lcpush::c

@@ -1,0 +1,42 @@
+/* The least that a controller links: describe, solve, read. Built with more of the interface as well
+ * (BREAK, MOTION, SWEEPS), for what each part takes of the flash. */
+#include "scenes.h"
+
+#ifdef SWEEPS
+static double memory[LCPUSH_SWEEP_BYTES(REAL, 3, 10, 8, 2, 2) / sizeof(double) + 1];
+#define MAKE LCPUSH(make_for_sweeps)
+#else
+static double memory[LCPUSH_BYTES(REAL, 3, 10, 8, 2, 2) / sizeof(double) + 1];
+#define MAKE LCPUSH(make)
+#endif
+
+#ifdef MOTION
+static double motion_memory[LCPUSH_MOTION_BYTES(REAL, 3, 10, 8, 2, 2) / sizeof(double) + 1];
+#endif
+
+int main(void) {
+  static const lcpush_size size = {3, 10, 8, 2, 2, 0};
+  LCPUSH(push)* const push = MAKE(memory, sizeof memory, &size);
+  LCPUSH(contact) contact;
+  LCPUSH(scene) scene = straight_slide;
+  lcpush_status status;
+  scene.pressure = LCPUSH_PAD;
+  if (push == NULL || LCPUSH(describe)(push, &scene) != LCPUSH_RUNNING) return 1;
+  status = LCPUSH(solve)(push);
+  LCPUSH(contact_at)(push, 8, &contact);
+#ifdef BREAK
+  {
+    LCPUSH(breaking) breaking;
+    if (status == LCPUSH_SOLVED) status = LCPUSH(break_grasp)(push, 2, &breaking);
+  }
+#endif
+#ifdef MOTION
+  if (status == LCPUSH_SOLVED) status = LCPUSH(set_off)(push, motion_memory, sizeof motion_memory, 0);
+  if (status == LCPUSH_RUNNING) status = LCPUSH(advance)(push, R(0.001));
+#endif
+  put("run small status ");
+  put(lcpush_status_text(status));
+  put_real(" force ", contact.normal_force);
+  put("\nend\n");
+  return 0;
+}
