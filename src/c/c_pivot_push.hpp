@@ -19,13 +19,18 @@ public:
   using Base = CPush<S>;
 
   CPivotPush(Arena& arena, const Capacity& most)
-      : Push(arena, most, method), lemke_(this->work_.lemke_scalars, this->work_.lemke_integers) {
-    options_.exchanges = this->work_.exchanges;
-  }
+      : Push(arena, most, method), lemke_(this->work_.lemke_scalars, this->work_.lemke_integers) {}
 
+  /// In float, a ray of the limit of small pushes is more often rounding's than a jam.
   Status break_grasp(const Body<S>& pusher, Breaking<S>& breaking) {
-    return find_breaking(this->assembly_, Rounds{lemke_, options_}, this->work_, pusher,
-                         PressureOptions<S>(), breaking, this->run_);
+    Status status = Status::running;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      breaking = {};
+      status = find_breaking(this->assembly_, Rounds{lemke_, options(attempt)}, this->work_, pusher,
+                             PressureOptions<S>(), breaking, this->run_);
+      if (status == Status::solved || status == Status::does_not_hold) break;
+    }
+    return status;
   }
 
 private:
@@ -34,7 +39,6 @@ private:
   using PivotSolve = PressureSolve<S, Pivots>;
 
   StructuredLemke<S> lemke_;
-  LemkeOptions<S> options_{};
   InPlace<PivotSolve> solve_;
   static constexpr int attempts = 3;
   int attempt_ = 0;
@@ -48,15 +52,21 @@ private:
   }
   static constexpr typename Base::Method method{&step_of, nullptr, true, &take};
 
+  LemkeOptions<S> options(int attempt) const {
+    LemkeOptions<S> options;
+    options.first_cover = attempt * options.covers;
+    options.exchanges = this->work_.exchanges;
+    options.max_pivots = 200 + 3 * this->assembly_.layout().size; // what takes more goes astray
+    return options;
+  }
+
   /// A first attempt is content with what the check lets pass; later ones take other covering
   /// vectors and slower pads, the last is exact to rounding.
   void begin(int attempt) {
     attempt_ = attempt;
     this->assembly_.push_by(S(1));
-    LemkeOptions<S> options = options_;
+    LemkeOptions<S> options = this->options(attempt);
     PressureOptions<S> pads;
-    options.first_cover = attempt * options.covers;
-    options.max_pivots = 200 + 3 * this->assembly_.layout().size; // what takes more goes astray
     if (attempt + 1 < attempts) options.tolerances.finish = options.tolerances.residual / S(8);
     for (int k = 0; k < attempt; ++k) pads.factor = Eigen::numext::sqrt(pads.factor);
     if (attempt > 0) this->last_.known = false;
