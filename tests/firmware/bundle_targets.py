@@ -1,11 +1,9 @@
 """What the device bundle is compiled for, and how its programs are linked and run there."""
 import hashlib
-import json
 import pathlib
 import re
 import shlex
 import subprocess
-import threading
 from typing import NamedTuple
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -85,7 +83,6 @@ class Bundle:
 
     def __init__(self, folder, work):
         self.folder, self.work = folder, work
-        self.lock = threading.Lock()
         work.mkdir(parents=True, exist_ok=True)
         page = (folder / "README.md").read_text()
         self.borrowed = " ".join(re.findall(r"-isystem /[^\s`]*", page)).split()
@@ -137,8 +134,8 @@ class Bundle:
         key_file = made.with_suffix(".key")
         words = [*self.compile_words(target), "-c", self.folder / "lcpush.cpp", "-o", made]
         version = run([words[0], "--version"]).stdout
-        key = hashlib.sha256(repr((version, [str(word) for word in words],
-                                   sorted(self.files().items()))).encode()).hexdigest()
+        read = [(name, text) for name, text in sorted(self.files().items()) if name.suffix in (".cpp", ".h", ".hpp", "")]
+        key = hashlib.sha256(repr((version, words, read)).encode()).hexdigest()
         if not made.exists() or not key_file.exists() or key_file.read_text() != key:
             key_file.unlink(missing_ok=True)
             run(words)
