@@ -134,7 +134,8 @@ class Bundle:
         key_file = made.with_suffix(".key")
         words = [*self.compile_words(target), "-c", self.folder / "lcpush.cpp", "-o", made]
         version = run([words[0], "--version"]).stdout
-        read = [(name, text) for name, text in sorted(self.files().items()) if name.suffix in (".cpp", ".h", ".hpp", "")]
+        read = [(name, text) for name, text in sorted(self.files().items())
+                if name.suffix in (".cpp", ".h", ".hpp", "")]
         key = hashlib.sha256(repr((version, words, read)).encode()).hexdigest()
         if not made.exists() or not key_file.exists() or key_file.read_text() != key:
             key_file.unlink(missing_ok=True)
