@@ -101,10 +101,17 @@ if(texts)
   file(READ "${text}" text)
   set(text "What came with them:\n\n${text}")
 endif()
+file(GLOB texts "${EIGEN}/COPYING.APACHE" "${EIGEN}/../COPYING.APACHE"
+     "${EIGEN}/../../share/licenses/eigen*/COPYING.APACHE" "${EIGEN}/../../share/common-licenses/Apache-2.0")
+set(apache "http://www.apache.org/licenses/LICENSE-2.0 has the text of Apache 2.0.\n")
+if(texts)
+  list(GET texts 0 apache)
+  file(READ "${apache}" apache)
+endif()
 file(WRITE "${OUTPUT}/LICENSE.Eigen"
      "include/Eigen holds ${of_eigen} headers of Eigen ${version}, https://eigen.tuxfamily.org, unchanged and as\n"
      "source. They are subject to the terms of the Mozilla Public License, v. 2.0, but for those that begin\n"
-     "with terms of their own, BSD or Apache 2.0:\n\n${of_others}\n${text}")
+     "with terms of their own, BSD or Apache 2.0:\n\n${of_others}\n${text}\n${apache}")
 
 file(COPY "${SOURCES}/LICENSE" DESTINATION "${OUTPUT}")
 file(COPY_FILE "${SOURCES}/docs/embed/main.c" "${OUTPUT}/main.c")

@@ -1,9 +1,12 @@
 # The core on microcontrollers: cross-built for three of them, run under QEMU, and gated. Debian:
-# gcc-arm-none-eabi libnewlib-dev libstdc++-arm-none-eabi-dev qemu-system-arm. Nothing of a C or C++
-# library is linked, only libgcc.
+# gcc-arm-none-eabi libnewlib-dev libstdc++-arm-none-eabi-dev qemu-system-arm, and for the bundle what
+# docs/building.md lists. Nothing of a C or C++ library is linked, only libgcc.
 find_program(LCPUSH_ARM_CC arm-none-eabi-gcc REQUIRED)
 find_program(LCPUSH_ARM_CXX arm-none-eabi-g++ REQUIRED)
 find_program(LCPUSH_ARM_QEMU qemu-system-arm REQUIRED)
+foreach(program IN ITEMS riscv64-unknown-elf-g++ qemu-system-riscv32 clang++ wasm-ld-14 node)
+  find_program(LCPUSH_HAS_${program} ${program} REQUIRED) # for bundle.py
+endforeach()
 if(NOT Python3_FOUND)
   message(FATAL_ERROR "LCPUSH_FIRMWARE_TESTS needs python3 >= 3.11")
 endif()
