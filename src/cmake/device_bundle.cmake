@@ -18,7 +18,7 @@ endif()
 file(REMOVE_RECURSE "${OUTPUT}")
 
 # The one file to compile.
-file(GLOB parts RELATIVE "${SOURCES}" "${SOURCES}/src/c/*.cpp")
+file(GLOB_RECURSE parts RELATIVE "${SOURCES}" "${SOURCES}/src/c/*.cpp")
 set(includes "")
 foreach(part IN LISTS parts)
   string(APPEND includes "#include \"${part}\"\n")
