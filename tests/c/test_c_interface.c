@@ -91,10 +91,33 @@ static void obeys_commands(void) {
   lcpush_contact_at(push, 2, &contact);
   CHECK(near(contact.normal_force, 30 + 0.2 * 0.5, 1e-9));
   lcpush_limit(push, 2);
-  CHECK(lcpush_command(push, NULL, NULL) == LCPUSH_RUNNING);
-  CHECK(lcpush_solve(push) == LCPUSH_PIVOT_LIMIT);
+  CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING);
+  CHECK(lcpush_solve(push) == LCPUSH_PIVOT_LIMIT && lcpush_pivots(push) == 2);
   lcpush_contact_at(push, 2, &contact);
   CHECK(contact.normal_force == 0);
+}
+
+static void commands_go_on_from_the_last_basis(void) {
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
+  const double forces[2] = {22, 22};
+  const double backwards[3][6] = {{0}, {0}, {-0.1, 0, 0, 0, 0, 0}};
+  lcpush_contact contact;
+  int cold;
+  (void)lcpush_describe(push, &slide_d);
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+  cold = lcpush_pivots(push);
+  (void)lcpush_command(push, forces, NULL);
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED && lcpush_pivots(push) == 0);
+  lcpush_contact_at(push, 2, &contact);
+  CHECK(near(contact.normal_force, 22.02, 1e-9));
+  /* The pusher leaves: another basis, found from this one. */
+  (void)lcpush_command(push, NULL, backwards[0]);
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED && lcpush_pivots(push) > 0);
+  lcpush_contact_at(push, 2, &contact);
+  CHECK(contact.mode == LCPUSH_SEPARATE);
+  /* A scene is another story. */
+  (void)lcpush_describe(push, &slide_d);
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED && lcpush_pivots(push) == cold);
 }
 
 static void breaks_the_grasp(void) {
@@ -307,6 +330,7 @@ int main(void) {
   solves_in_float();
   steps_as_it_solves();
   obeys_commands();
+  commands_go_on_from_the_last_basis();
   breaks_the_grasp();
   friction_may_be_round();
   sweeps_agree();

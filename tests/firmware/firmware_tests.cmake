@@ -1,9 +1,12 @@
 # The core on microcontrollers: cross-built for three of them, run under QEMU, and gated. Debian:
-# gcc-arm-none-eabi libnewlib-dev libstdc++-arm-none-eabi-dev qemu-system-arm. Nothing of a C or C++
-# library is linked, only libgcc.
+# gcc-arm-none-eabi libnewlib-dev libstdc++-arm-none-eabi-dev qemu-system-arm, and for the bundle what
+# docs/building.md lists. Nothing of a C or C++ library is linked, only libgcc.
 find_program(LCPUSH_ARM_CC arm-none-eabi-gcc REQUIRED)
 find_program(LCPUSH_ARM_CXX arm-none-eabi-g++ REQUIRED)
 find_program(LCPUSH_ARM_QEMU qemu-system-arm REQUIRED)
+foreach(program IN ITEMS riscv64-unknown-elf-g++ qemu-system-riscv32 clang++ wasm-ld-14 node)
+  find_program(LCPUSH_HAS_${program} ${program} REQUIRED) # for bundle.py
+endforeach()
 if(NOT Python3_FOUND)
   message(FATAL_ERROR "LCPUSH_FIRMWARE_TESTS needs python3 >= 3.11")
 endif()
@@ -118,6 +121,7 @@ firmware_object(planted_kernel m4f ${firmware}/kernel.cpp -O3 -funroll-loops)
 firmware_program(planted_kernel m4f planted_kernel kernel_main)
 
 add_custom_target(firmware ALL DEPENDS ${firmware_files})
+add_dependencies(firmware device_bundle)
 
 # The same programs here, for the bits that the boards must give.
 function(firmware_on_desktop name precision)
@@ -157,3 +161,18 @@ if(TARGET lcpush_tool)
   add_test(NAME firmware.scenes COMMAND ${firmware_gates} --tool $<TARGET_FILE:lcpush_tool>
                                         --fixtures ${PROJECT_SOURCE_DIR}/fixtures/scenes scenes)
 endif()
+
+# The folder that somebody copies, compiled by others' compilers as its README says.
+set(firmware_bundle
+    Python3::Interpreter -B ${firmware}/bundle.py --build ${firmware_build} --sources ${PROJECT_SOURCE_DIR}
+    --eigen ${eigen_include} --compiler ${CMAKE_CXX_COMPILER} --cmake ${CMAKE_COMMAND} --version
+    ${PROJECT_VERSION} --target-made ${PROJECT_BINARY_DIR}/device_bundle)
+add_test(NAME firmware.bundle COMMAND ${firmware_bundle} bundle)
+add_test(NAME firmware.bundle_planted COMMAND ${firmware_bundle} planted)
+add_test(NAME firmware.hundred COMMAND ${firmware_bundle} --page
+                                       ${PROJECT_SOURCE_DIR}/docs/embed/embedding.md hundred)
+# They share what they compile.
+set_tests_properties(firmware.bundle firmware.hundred PROPERTIES PROCESSORS 2)
+set_tests_properties(firmware.hundred firmware.bundle_planted PROPERTIES DEPENDS firmware.bundle)
+set_tests_properties(firmware.bundle firmware.hundred firmware.bundle_planted
+                     PROPERTIES RESOURCE_LOCK device_bundle)
