@@ -330,7 +330,8 @@ def loop_table(programs):
             runs = [programs.runs("loop", target)[f"{law}.{key}"] for target in MACHINE]
             figures_of = [f"{instructions(run['ticks']) / 1e6:.2f} M" for run in runs]
             if key.startswith("command"):
-                name = f"{name} ({runs[1]['count']} of 100)"
+                figures_of = [f"{figure}, {run['count']} times" if run["count"] != "0" else "never"
+                              for figure, run in zip(figures_of, runs)]
             yield " | ".join([f"| `{law}`: {name}", *figures_of]) + " |"
 
 

@@ -14,15 +14,19 @@ static double memory[LCPUSH_BYTES(REAL, 3, 10, 8, 2, 2) / sizeof(double) + 1];
 static double motion_memory[LCPUSH_MOTION_BYTES(REAL, 3, 10, 8, 2, 2) / sizeof(double) + 1];
 #endif
 
+static LCPUSH(push) * push;
+static lcpush_status status;
+static void solve(void) { status = LCPUSH(solve)(push); }
+
 int main(void) {
   static const lcpush_size size = {3, 10, 8, 2, 2, 0};
-  LCPUSH(push)* const push = MAKE(memory, sizeof memory, &size);
   LCPUSH(contact) contact;
   LCPUSH(scene) scene = straight_slide;
-  lcpush_status status;
+  cost solved;
+  push = MAKE(memory, sizeof memory, &size);
   scene.pressure = LCPUSH_PAD;
   if (push == NULL || LCPUSH(describe)(push, &scene) != LCPUSH_RUNNING) return 1;
-  status = LCPUSH(solve)(push);
+  solved = measure(solve);
   LCPUSH(contact_at)(push, 8, &contact);
 #ifdef BREAK
   {
@@ -37,6 +41,8 @@ int main(void) {
   put("run small status ");
   put(lcpush_status_text(status));
   put_real(" force ", contact.normal_force);
+  put_number(" ticks ", solved.ticks);
+  put_number(" stack ", solved.stack);
   put("\nend\n");
   return 0;
 }

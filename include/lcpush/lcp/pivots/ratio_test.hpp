@@ -93,12 +93,10 @@ private:
   /// Column i of the basis inverse: w_i is perturbed by the i-th infinitesimal.
   void keep_lexicographic(Index i) {
     const Index column = d_.column_of(slack(i));
-    if (column >= 0) {
-      keep_smallest([&](Index row) { return -d_.table(row, column); });
-    } else {
-      const Index unit_row = d_.row_of(slack(i));
-      keep_smallest([&](Index row) { return row == unit_row ? S(1) : S(0); });
-    }
+    const Index unit_row = column < 0 ? d_.row_of(slack(i)) : -1;
+    keep_smallest([&](Index row) {
+      return column >= 0 ? S(-d_.table(row, column)) : row == unit_row ? S(1) : S(0);
+    });
   }
 
   void swap(Index i, Index k) { Eigen::numext::swap(candidates_[i], candidates_[k]); }
