@@ -1,7 +1,7 @@
 #include "lcpush/desktop/certify.hpp"
 
 #include "certify/exact_cones.hpp"
-#include "certify/exact_pivots.hpp"
+#include "certify/exact_search.hpp"
 #include "certify/sha256.hpp"
 #include "solve/owned_assembly.hpp"
 #include "text/limits.hpp"
@@ -132,15 +132,11 @@ std::optional<Certificate> certify_answer(const std::string& text, const SceneFi
   std::optional<ExactAnswer> exact = answer_near(problem, guess);
   if (!exact) {
     // Another cover ends in another basis, where less may tie.
-    constexpr Index covers = 12, apart = 20; // a cover that fails goes on to the next
-    std::vector<Basis> bases;
-    for (Index cover = 0; cover < covers && !exact; ++cover) {
-      Basis basic = pivoted_basis(file.view(), push, apart * cover, problem.size());
-      if (basic.empty() || std::find(bases.begin(), bases.end(), basic) != bases.end()) continue;
-      exact = answer_from_bases(problem, {basic}, 0);
-      bases.push_back(std::move(basic));
-    }
-    if (!exact) exact = answer_from_bases(problem, bases, limits::pivots_certified);
+    constexpr Index covers = 3, apart = 20; // a cover that fails goes on to the next
+    exact = searched_answer(
+        problem,
+        [&](Index k) { return pivoted_basis(file.view(), push, apart * k, problem.size()); },
+        covers);
   }
   if (!exact) return std::nullopt;
   certificate.x = std::move(exact->x[0]);
@@ -202,6 +198,9 @@ std::optional<Certificate> certify_raw(const ExactMatrix& M, const ExactMatrix& 
     guess.x_unit.assign(answer.z.size(), x_unit);
     guess.w_unit.assign(answer.z.size(), w_unit);
     if (!exact) exact = answer_near(problem, guess);
+    if (!exact)
+      exact = searched_answer(
+          problem, [&](Index) { return answer.basic; }, 1);
     if (!exact) exact = answer_from_bases(problem, {answer.basic}, limits::pivots_certified);
     if (!exact) return std::nullopt;
     certificate.x = std::move(exact->x[0]);

@@ -41,6 +41,8 @@ constexpr Index unknowns_traced = 1000;    // every pivot keeps its ratios; the 
 constexpr Index unknowns_exact = 300;      // fractions grow with every pivot
 constexpr Index unknowns_certified = 3000; // the basis in doubles comes from the dense dictionary
 constexpr Index rows_certified = 1000;     // of a raw problem: a dense matrix of fractions
+constexpr Index unknowns_fine = 1000;     // beyond, pivots in 32 digits take longer than exact ones
+constexpr double entries_certified = 5e7; // of a dictionary in 32 digits, about 0.5 s
 constexpr std::size_t pivots_certified = 40; // each solves an exact system anew
 constexpr Index points_final_basis = 600;    // O(points^3) costs more than the solve
 

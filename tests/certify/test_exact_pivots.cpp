@@ -1,4 +1,5 @@
-#include "certify/exact_pivots.hpp"
+#include "certify/exact_search.hpp"
+#include "certify/fine_pivots.hpp"
 #include "certify/sha256.hpp"
 
 #include <doctest/doctest.h>
@@ -62,6 +63,54 @@ TEST_CASE("an answer with a wrong sign, product or row is no exact answer") {
   CHECK(!solves_exactly(problem, answer));
   CHECK(!solves_exactly(problem, {{{0, 0}}, {{-5, -6}}, 0}));
   CHECK(!solves_exactly(raw({{1}}, {1}), {{{1}}, {{2}}, 0}));
+}
+
+TEST_CASE("more digits tell apart what fewer call a tie") {
+  // The second support bears a little more of one load, and so all of it.
+  const auto with_difference = [](const char* typed) {
+    MixedProblem problem = raw({{1, 1}, {1, 1}}, {-1, -1});
+    problem.q[0][1] -= *Rational::parse(typed);
+    return problem;
+  };
+  const Basis first = {1, 0}, second = {0, 1};
+  const MixedProblem near = with_difference("1e-20"), nearer = with_difference("1e-50");
+  for (Index cover = 0; cover < 20; ++cover) {
+    CHECK(FinePivots<DoubleDouble>(near).basis(cover, 100) == second);
+    CHECK(FinePivots<WideFloat>(near).basis(cover, 100) == second);
+    CHECK(FinePivots<WideFloat>(nearer).basis(cover, 100) == second);
+  }
+  CHECK(FinePivots<DoubleDouble>(nearer).basis_from(first, 100) == first);
+  CHECK(FinePivots<WideFloat>(nearer).basis_from(first, 100) == second);
+  CHECK(FinePivots<WideFloat>(nearer).basis(0, 1).empty()); // more pivots than allowed
+  for (const MixedProblem& problem : {near, nearer}) {
+    const auto answer = searched_answer(
+        problem, [&](Index) { return first; }, 1);
+    REQUIRE(answer);
+    CHECK(answer->x[0] == std::vector<Rational>{0, -problem.q[0][1]});
+  }
+}
+
+TEST_CASE("fine pivots take free unknowns, eliminated where they can be") {
+  // x2 free with a diagonal, x3 without: 2 x2 = x0 + x3 + 1, x1 = 2; x0 takes what is left.
+  MixedProblem problem =
+      raw({{2, 0, 1, 0}, {0, 1, 0, 1}, {-1, 0, 2, -1}, {0, -1, 0, 0}}, {-3, -1, 1, 2});
+  problem.free = {0, 0, 1, 1};
+  const Basis basic = FinePivots<DoubleDouble>(problem).basis(0, 100);
+  REQUIRE(basic == Basis{1, 1, 0, 0});
+  CHECK(FinePivots<DoubleDouble>(problem).unknowns() == 3);
+  const auto answer = answer_from_bases(problem, {basic}, 0);
+  REQUIRE(answer);
+  CHECK(answer->x[0][1] == 2);
+  CHECK(answer->x[0][3] == -1);
+}
+
+TEST_CASE("a search without an answer ends") {
+  CHECK(!searched_answer(
+      raw({{0, -1}, {-1, 0}}, {-1, -1}),
+      [](Index) {
+        return Basis{0, 0};
+      },
+      1));
 }
 
 TEST_CASE("SHA-256 of the standard's examples") {

@@ -41,7 +41,7 @@ ROOMS = {
     "src/lcp": ("Which solvers are compiled once?", CORE),
     "src/mechanics": ("Which laws are compiled once?", CORE),
     "src/text": ("How are numbers and lists put into words?", "desktop"),
-    "src/exact": ("How are fractions computed with?", "text desktop"),
+    "src/exact": ("How are fractions and long floats computed with?", "text lcp desktop"),
     "src/formats": ("How are JSON, TOML and matrices read and written?", "text exact desktop"),
     "src/draw": ("How are shapes, plots and labels drawn? It knows no scene.", "text"),
     "src/scenes": ("What does a scene file say?", f"{CORE} {TOOLBOX} desktop"),

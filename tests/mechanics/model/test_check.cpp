@@ -112,6 +112,29 @@ TEST_CASE("a contact acceleration that does not follow from the twists is a matt
   check_families(slid.judge(), {rigidity});
 }
 
+TEST_CASE(
+    "of a wide patch every point is told against at most 32 before it, all of its own patch") {
+  Slide slide;
+  slide.pads = ring(40, 0.005);
+  SolvedPush<double> push(straight_slide(slide));
+  REQUIRE(push.solve() == Status::solved);
+  const Scene<double>& scene = push.scene;
+  Index told = 0, expected = 0;
+  check_rows(scene, push.scales(), push.answer(), 1.0, [&](const Violation<double>& row) {
+    if (row.law != Law::rigidity || row.part < 3) return;
+    ++told;
+    Index first = -1;
+    for (const Body<double>& body : scene.bodies)
+      if (body.first_point <= row.of) first = body.first_point;
+    CHECK(row.part - 3 >= first);
+    CHECK(row.part - 3 < row.of);
+    CHECK(row.of - (row.part - 3) <= 32);
+  });
+  for (const Body<double>& body : scene.bodies)
+    for (Index k = 0; k < body.point_count; ++k) expected += k < 32 ? k : 32;
+  CHECK(told == expected);
+}
+
 TEST_CASE("an object that leaves or enters its pusher fails as pusher and normal") {
   Slid slid;
   slid.mutable_answer().acceleration[0] += 1e-5 * slid.unit();
