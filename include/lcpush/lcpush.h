@@ -90,11 +90,10 @@ typedef struct lcpush_size {
   (LCPUSH_COMMON_BYTES_(real, (size_t)(bodies), (size_t)(points),                                  \
                         (size_t)(points) * ((size_t)(facets) + 1), (size_t)(actuators),            \
                         (size_t)(drives)) +                                                        \
-   LCPUSH_PIVOTS_BYTES_(                                                                           \
-       real, (size_t)LCPUSH_UNKNOWNS(points, facets, actuators), (size_t)(points),                 \
-       (size_t)(actuators),                                                                        \
-       LCPUSH_EXCHANGES_((size_t)LCPUSH_UNKNOWNS(points, facets, actuators), (size_t)(points),     \
-                         (size_t)(actuators))))
+   LCPUSH_PIVOTS_BYTES_(real, (size_t)LCPUSH_UNKNOWNS(points, facets, actuators),                  \
+                        (size_t)(points), (size_t)(actuators),                                     \
+                        LCPUSH_EXCHANGES_((size_t)LCPUSH_UNKNOWNS(points, facets, actuators),      \
+                                          (size_t)(points), (size_t)(actuators))))
 
 /* The same for lcpush_make_for_sweeps. */
 #define LCPUSH_SWEEP_BYTES(real, bodies, points, facets, actuators, drives)                        \

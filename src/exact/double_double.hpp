@@ -93,7 +93,7 @@ private:
 /// As those of double are, in multiples of 2^-104.
 template <> struct lcpush::Tolerances<lcpush::desktop::DoubleDouble> {
   desktop::DoubleDouble pivot = 0x1p-82, tie = 0x1p-89, residual = 0x1p-82, settled = 0x1p-88,
-                        noise = 0x1p-16;
+                        noise = 0x1p-16, finish = 0.0, independent = 0x1p-16;
 };
 
 template <>

@@ -67,7 +67,7 @@ private:
 /// Far below what products of scenes' rounded directions differ by, far above rounding.
 template <> struct lcpush::Tolerances<lcpush::desktop::WideFloat> {
   desktop::WideFloat pivot = 0x1p-200, tie = 0x1p-216, residual = 0x1p-200, settled = 0x1p-208,
-                     noise = 0x1p-16;
+                     noise = 0x1p-16, finish = 0.0, independent = 0x1p-16;
 };
 
 template <>

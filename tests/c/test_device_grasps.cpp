@@ -67,6 +67,10 @@ struct CGrasp {
   }
 };
 
+Eigen::Vector3d vector(const lcpushf_point& p) {
+  return Eigen::Vector3f(p.x, p.y, p.z).cast<double>();
+}
+
 /// In double, by nothing of the solver's: Newton's law of the object, cones, and what the fingers
 /// press with. The worst, by the size of forces.
 double violation(const CGrasp& grasp, const lcpushf_push* push) {
@@ -78,13 +82,14 @@ double violation(const CGrasp& grasp, const lcpushf_push* push) {
     lcpushf_contact_at(push, i, &contact);
     const lcpushf_body& body = grasp.bodies[static_cast<std::size_t>(contact.body)];
     const lcpushf_point& at = grasp.points[static_cast<std::size_t>(i)];
-    const double normal = contact.normal_force, mu = body.friction;
+    const auto normal = static_cast<double>(contact.normal_force);
+    const auto mu = static_cast<double>(body.friction);
     const Eigen::Vector3d friction =
         Eigen::Map<const Eigen::Vector3f>(contact.friction_force).cast<double>();
     const Eigen::Vector3d f =
         normal * Eigen::Map<const Eigen::Vector3f>(body.normal).cast<double>() + friction;
     force += f;
-    moment += cross<double>(Eigen::Vector3d(at.x, at.y, at.z), f);
+    moment += cross<double>(vector(at), f);
     presses[static_cast<std::size_t>(contact.body)] += normal;
     worst = std::max({worst, -normal, friction.norm() - mu * std::max(normal, 0.0)});
   }
@@ -92,20 +97,20 @@ double violation(const CGrasp& grasp, const lcpushf_push* push) {
   lcpushf_acceleration(push, a);
   const Eigen::Matrix<double, 6, 1> motion =
       Eigen::Map<const Eigen::Matrix<float, 6, 1>>(a).cast<double>();
-  const double mass = grasp.scene.object.mass;
+  const auto mass = static_cast<double>(grasp.scene.object.mass);
   const Eigen::Vector3d weight =
       mass * Eigen::Map<const Eigen::Vector3f>(grasp.scene.gravity).cast<double>();
   const Eigen::Matrix3d inertia =
       Eigen::Map<const Eigen::Matrix3f>(grasp.scene.object.inertia).cast<double>();
   double length = 0;
-  for (const lcpushf_point& p : grasp.points)
-    length = std::max(length, Eigen::Vector3d(p.x, p.y, p.z).norm());
+  for (const lcpushf_point& p : grasp.points) length = std::max(length, vector(p).norm());
   Eigen::Vector3d forces = force + weight - mass * motion.head<3>();
   Eigen::Vector3d moments = moment - inertia * motion.tail<3>();
   if (grasp.scene.planar != 0) forces[2] = moments[0] = moments[1] = 0;
   worst = std::max({worst, forces.norm(), moments.norm() / length});
   for (const lcpushf_drive& drive : grasp.drives) {
-    const double grip = grasp.actuators[static_cast<std::size_t>(drive.actuator)].force;
+    const auto grip =
+        static_cast<double>(grasp.actuators[static_cast<std::size_t>(drive.actuator)].force);
     worst = std::max(worst, std::abs(presses[static_cast<std::size_t>(drive.body)] - grip));
   }
   return worst / grasp.size();
