@@ -10,6 +10,8 @@ import math
 import pathlib
 import random
 import re
+import resource
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -17,13 +19,14 @@ import time
 
 TOOL, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
 FIRST, LAST = (int(word) for word in sys.argv[3:5]) if len(sys.argv) > 4 else (0, 300)
-SLOWEST = 2  # seconds of the checker's processor time, up to 300 unknowns
+SLOWEST = 2  # seconds of processor time up to 300 unknowns: of a command with its certificate, of the checker
 SPEC = importlib.util.spec_from_file_location("lcpush_check", ROOT / "docs/check/lcpush_check.py")
 CHECKER = importlib.util.module_from_spec(SPEC)
 sys.dont_write_bytecode = True
 SPEC.loader.exec_module(CHECKER)
 FOLDER = pathlib.Path(tempfile.mkdtemp())
 faults = []
+spent_on = []  # (unknowns, seconds of the command, seconds of the checker)
 
 
 def refusal(certificate, texts):
@@ -35,18 +38,24 @@ def refusal(certificate, texts):
     return None
 
 
+def processor_time():
+    of_children = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return of_children.ru_utime + of_children.ru_stime
+
+
 def certify(verb, files, *options):
     path = FOLDER / "certificate.json"
     path.unlink(missing_ok=True)
+    before = processor_time()
     done = subprocess.run([TOOL, verb, *map(str, files), "--json", "--certify", path, *options],
                           capture_output=True, text=True)
     status = json.loads(done.stdout)["status"] if done.stdout else done.stderr
-    return status, path.read_text() if path.exists() else None
+    return status, path.read_text() if path.exists() else None, processor_time() - before
 
 
 def expect(what, verb, files, proof, *options):
     """The certificate of an answer, which must be there, of this kind, and accepted."""
-    status, certificate = certify(verb, files, *options)
+    status, certificate, search = certify(verb, files, *options)
     if certificate is None:
         return faults.append(f"{what}: {verb}: {status}, no certificate")
     begin = time.process_time()
@@ -55,8 +64,9 @@ def expect(what, verb, files, proof, *options):
     found = json.loads(certificate)
     if why or found["proof"] not in proof:
         faults.append(f"{what}: {verb}: {status}, {found['proof']}: {why}")
-    if spent > SLOWEST and len(found["x"]) <= 300:
-        faults.append(f"{what}: the checker took {spent:.1f} s")
+    spent_on.append((len(found["x"]), search, spent))
+    if max(search, spent) > SLOWEST and len(found["x"]) <= 300:
+        faults.append(f"{what}: the command took {search:.1f} s, the checker {spent:.1f} s")
     return certificate
 
 
@@ -112,6 +122,14 @@ def changed_digit(pick, text):
     return text[:at] + pick.choice([d for d in "0123456789" if d != text[at]]) + text[at + 1:]
 
 
+def told_times(what, times):
+    """Median and slowest of the command and of the checker."""
+    if times:
+        print(f"{what}, {len(times)}: " + "; ".join(
+            f"{who} {statistics.median(column):.3f} s, at most {max(column):.3f} s"
+            for who, column in zip(("command", "checker"), list(zip(*times))[1:])))
+
+
 def main():
     pick, accepted, tally = random.Random(1), [], {}
     for path in sorted((ROOT / "fixtures/scenes").glob("*.toml")) + sorted((ROOT / "fixtures/rays").glob("*.toml")) + [
@@ -127,14 +145,15 @@ def main():
                 accepted.append((made, [path.read_bytes()]))
     for path in sorted((ROOT / "fixtures/textbook").glob("*.M.mtx")):
         files = [path, path.with_name(path.name.replace(".M.", ".q."))]
-        status, certificate = certify("lcp", files)
+        status, certificate, _ = certify("lcp", files)
         why = refusal(certificate, [f.read_bytes() for f in files]) if certificate else "none was written"
         tally[status] = tally.get(status, 0) + 1
         if why and (certificate or status == "solved"):
             faults.append(f"{path.name}: {status}: {why}")
         if certificate:
             accepted.append((certificate, [f.read_bytes() for f in files]))
-    proofs = {}
+    told_times("scenes shipped", spent_on)
+    shipped, proofs = len(spent_on), {}
     for seed in range(FIRST, LAST):
         path = FOLDER / "scene.toml"
         path.write_text(random_grasp(seed))
@@ -182,6 +201,8 @@ def main():
     print(f"{len(accepted)} certificates kept; raw problems {tally}; grasps {proofs}; 1000 changes, "
           f"{len(overlooked)} overlooked; of {sum(mended)} changed numbers with a new fingerprint "
           f"{mended[0]} refused by the laws")
+    told_times("grasps", spent_on[shipped:])
+    told_times("of them with 280 to 330 unknowns", [t for t in spent_on[shipped:] if 280 <= t[0] <= 330])
     print("\n".join(faults[:40]))
     return 1 if faults else 0
 
