@@ -32,7 +32,7 @@ public:
     if (digits == Digits::all && !bases_.empty() && // a number or two may be what fails in it
         ends_with(fine.basis_from(bases_.back(), left / 4)))
       return true;
-    for (Index cover = 0; left > fine.pivots(); ++cover) {
+    for (Index cover = 0; cover < limits::covers_certified && left > fine.pivots(); ++cover) {
       const Basis basic = fine.basis(cover, left - fine.pivots());
       if (ends_with(basic)) return true;
       if (digits == Digits::some && !basic.empty()) return false;
