@@ -43,6 +43,7 @@ constexpr Index unknowns_certified = 3000; // the basis in doubles comes from th
 constexpr Index rows_certified = 1000;     // of a raw problem: a dense matrix of fractions
 constexpr Index unknowns_fine = 1000;     // beyond, pivots in 32 digits take longer than exact ones
 constexpr double entries_certified = 5e7; // of a dictionary in 32 digits, about 0.5 s
+constexpr Index covers_certified = 30;    // of a few unknowns all end alike
 constexpr std::size_t pivots_certified = 40; // each solves an exact system anew
 constexpr Index points_final_basis = 600;    // O(points^3) costs more than the solve
 
