@@ -210,11 +210,11 @@ namespace {
 
 /// All sizes of a small grid: the bounds are polynomials, and their terms grow one by one.
 template <class S, class Push> constexpr bool all_covered() {
-  for (const int b : {1, 3, 40})
-    for (const int p : {1, 2, 7, 40})
-      for (const int g : {4, 8, 42})
-        for (const int a : {0, 1, 9})
-          for (const int d : {0, 1, 2, 9}) {
+  for (const Index b : {1, 3, 40})
+    for (const Index p : {1, 2, 7, 40})
+      for (const Index g : {4, 8, 42})
+        for (const Index a : {0, 1, 9})
+          for (const Index d : {0, 1, 2, 9}) {
             const AssemblySize size{p, p * g, a, d};
             if (!covers<S, CPivotPush<Push>>(
                     LCPUSH_BYTES(S, b, p, g, a, d), b, size,
