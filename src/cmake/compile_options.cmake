@@ -26,6 +26,9 @@ endfunction()
 # LCPUSH_UNITY off, each file is compiled alone.
 function(lcpush_compile_rooms target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD "${LCPUSH_UNITY}" UNITY_BUILD_MODE GROUP)
+  if(NOT LCPUSH_UNITY) # what nearly every file reads is parsed once
+    target_precompile_headers(${target} PRIVATE <Eigen/Core> <algorithm> <cmath> <string> <vector>)
+  endif()
   foreach(source IN LISTS ARGN)
     cmake_path(GET source PARENT_PATH room)
     cmake_path(GET room FILENAME room)

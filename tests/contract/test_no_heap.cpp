@@ -6,18 +6,12 @@
 #include <limits>
 #include <new>
 
-#if defined(__SANITIZE_ADDRESS__)
-#define LCPUSH_TEST_ASAN 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define LCPUSH_TEST_ASAN 1
-#endif
-#endif
 #include "lcpush/lcp/pivots/reduce.hpp"
 #include "lcpush/mechanics/paper/full_form.hpp"
 #include "lcpush/mechanics/solve/predicted_modes.hpp"
 #include "support/dense_lcp.hpp"
 #include "support/scenes.hpp"
+#include "support/seeds.hpp"
 #include "support/solved_push.hpp"
 #include "support/sweep_runs.hpp"
 
@@ -27,7 +21,7 @@ volatile long heap_calls = 0;
 
 // operator new ends in malloc, and so does Eigen. glibc lets a program bring its own; the address
 // sanitizer has hooks; elsewhere operator new alone is counted.
-#ifdef LCPUSH_TEST_ASAN
+#ifdef LCPUSH_TEST_SANITIZED
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*,
                                                                            std::size_t),
                                                          void (*on_free)(const volatile void*));
@@ -100,7 +94,7 @@ TEST_CASE("the counter sees what allocates: new, and a matrix of run-time size")
   int* volatile number = nullptr;
   CHECK(heap_calls_of([&] { number = new int(3); }) > 0);
   delete number;
-#if defined(__GLIBC__) || defined(LCPUSH_TEST_ASAN)
+#if defined(__GLIBC__) || defined(LCPUSH_TEST_SANITIZED)
   volatile double sum = 0;
   CHECK(heap_calls_of([&] { sum = MatrixX<double>::Random(20, 20).eval().sum(); }) > 0);
 #endif

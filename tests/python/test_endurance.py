@@ -74,6 +74,11 @@ class Memory(unittest.TestCase):
 
 
 class Interrupts(unittest.TestCase):
+    def setUp(self):
+        # A shell's background jobs are told to ignore Ctrl-C, and the tests with them.
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+
     def ended_after(self, work):
         """s, from Ctrl-C to its KeyboardInterrupt."""
         sent = []

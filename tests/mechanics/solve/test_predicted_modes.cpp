@@ -5,6 +5,7 @@
 #include "lcpush/mechanics/solve/predicted_modes.hpp"
 #include "support/grasp_families.hpp"
 #include "support/scenes.hpp"
+#include "support/seeds.hpp"
 #include "support/solved_push.hpp"
 
 using namespace lcpush;
@@ -73,7 +74,7 @@ using Structured = StructuredLemke<double>;
 TEST_CASE_TEMPLATE("from predicted modes every random grasp is solved to 1e-9", Pivots, Dense,
                    Structured) {
   for (const Pressure pressure : {Pressure::rigid, Pressure::pad})
-    for (std::uint64_t seed = 0; seed < 250; ++seed) {
+    for (std::uint64_t seed = 0; seed < seeds(250); ++seed) {
       CAPTURE(seed);
       GuessedPush<double, Pivots> push(grasp_under(pressure, Family::plain, seed));
       REQUIRE(push.predicted() == Status::solved);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "support/owned_motion.hpp"
+#include "support/seeds.hpp"
 
 using namespace lcpush;
 using namespace lcpush::test;
@@ -62,7 +63,7 @@ TEST_CASE("halving the step halves the error of a pivoting push") {
 
 TEST_CASE("random motions: every step is checked, and a step goes on from the last basis") {
   std::vector<Index> pivots;
-  for (std::uint64_t seed = 0; seed < 24; ++seed) {
+  for (std::uint64_t seed = 0; seed < seeds(30); ++seed) {
     CAPTURE(seed);
     OwnedMotion<double, StructuredLemke<double>> run(random_grasp<double>(seed));
     begin_random(run, seed);
