@@ -264,30 +264,28 @@ async function check_problem(browser, problem) {
   const trace = JSON.parse(readFileSync(json, 'utf8'));
   if (problem.status) assert.equal(trace.status, problem.status, `${name}: status`);
   let branches = 0;
-  for (const [size, device] of [['wide', wide], ['phone', phone]]) {
-    for (const colorScheme of ['light', 'dark']) {
-      const label = `${name}_${size}_${colorScheme}`;
-      const { page, faults, close } = await open(browser, html, { ...device, colorScheme,
-        reducedMotion: colorScheme === 'dark' ? 'reduce' : 'no-preference' });
-      if (label.endsWith('wide_light')) {
-        await check_steps(page, trace, problem);
-        await check_controls(page);
-        await check_sentences(page, name);
-        await check_tries(page);
-        await check_cones(page, trace);
-        branches = await check_branch(page, trace);
-      }
-      const { last } = await page.evaluate(() => window.lcpush.state());
-      if (label.endsWith('phone_light') && last > 0) await check_swipes(page);
-      for (const step of new Set([0, Math.floor(last / 2), last])) {
-        await go(page, step);
-        await check_layout(page, `${label}, step ${step}`, device.viewport.width);
-        await page.evaluate(() => window.scrollTo(0, 0));
-        await photograph(page, join(out, `${label}_${step}.png`));
-      }
-      assert.deepEqual(faults, [], label);
-      await close();
+  for (const [label, device, colorScheme] of [['wide_light', wide, 'light'],
+    ['phone_dark', phone, 'dark']]) {
+    const { page, faults, close } = await open(browser, html, { ...device, colorScheme,
+      reducedMotion: colorScheme === 'dark' ? 'reduce' : 'no-preference' });
+    if (device === wide) {
+      await check_steps(page, trace, problem);
+      await check_controls(page);
+      await check_sentences(page, name);
+      await check_tries(page);
+      await check_cones(page, trace);
+      branches = await check_branch(page, trace);
     }
+    const { last } = await page.evaluate(() => window.lcpush.state());
+    if (device === phone && last > 0) await check_swipes(page);
+    for (const step of new Set([0, Math.floor(last / 2), last])) {
+      await go(page, step);
+      await check_layout(page, `${name}_${label}, step ${step}`, device.viewport.width);
+      await page.evaluate(() => window.scrollTo(0, 0));
+      await photograph(page, join(out, `${name}_${label}_${step}.png`));
+    }
+    assert.deepEqual(faults, [], label);
+    await close();
   }
   console.log(`${name}: ${trace.pivots.length} pivots, ${trace.status}${
     branches ? ', branch' : ''}`);

@@ -20,10 +20,9 @@ PROGRAM = """
 #include "lcpush/lcp/sweeps/gauss_seidel.hpp"
 #include "lcpush/lcp/pivots/lemke.hpp"
 namespace lcpush {
-template class Lemke<float>;
 template class Lemke<double>;
 Status run(Lemke<double>& lemke) { return lemke.solve(); }
-Status step(Lemke<float>& lemke) { return lemke.step(); }
+Status step(Lemke<double>& lemke) { return lemke.step(); }
 Status sweep(GaussSeidel<double>& sweeps) { return sweeps.solve(); }
 Status sweep(BlockGaussSeidel<double>& sweeps, const Problem<double>& problem) {
   return sweeps.init(problem) == Status::running ? sweeps.solve() : sweeps.status();
