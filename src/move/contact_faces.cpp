@@ -78,6 +78,19 @@ public:
     for (const Vector3<double>& p : file.points) length_ = std::max(length_, p.norm());
   }
 
+  /// Of a stroke that begins now, when the object has turned.
+  void find_again(Index b, const Matrix3<double>& turned, ContactFaces& found) const {
+    const Touching& touching = found.touching[static_cast<std::size_t>(b)];
+    if (touching.riding != Riding::on_body || touching.face < 0) return;
+    const Vector3<double> normal = turned.transpose() * file_.body(b).normal;
+    const Surface& surface = nearest(normal);
+    if ((surface.face.normal + normal).norm() > turned_by_then) refuse_edge(b);
+    const auto k = static_cast<std::size_t>(touching.face);
+    found.faces[k] = surface.face;
+    found.corners[k] = surface.corners;
+    found.faces[k].corners = span_of(std::as_const(found.corners[k]));
+  }
+
   ContactFaces find() {
     for (Index b = 0; b < static_cast<Index>(file_.bodies.size()); ++b)
       found_.touching.push_back(touching(b));
@@ -93,14 +106,15 @@ private:
     if (is_on_round_side(b)) return round_side(b);
     if (stroke(b).rides_on_object) return {Riding::on_object, -1, 0};
     if (surfaces_.empty() && file_.shape.kind != ObjectShape::Kind::cylinder) return {};
-    // A later stroke meets an object that may have turned by then.
-    const double within = stroke(b).from > 0 ? turned_by_then : typed_direction;
+    // A later stroke meets an object that may have turned by then: its face is found again.
+    if (stroke(b).from > 0 && !surfaces_.empty())
+      return {Riding::on_body, add(nearest(body.normal), b), 0};
     std::vector<const Surface*> facing;
     for (const Surface& surface : surfaces_)
-      if ((surface.face.normal + body.normal).norm() <= within) facing.push_back(&surface);
+      if ((surface.face.normal + body.normal).norm() <= typed_direction) facing.push_back(&surface);
     if (facing.empty()) refuse_edge(b);
     for (const Surface* surface : facing)
-      if (carries(*surface, b)) return {Riding::on_body, add(*surface, b), 0};
+      if (is_on(*surface, file_.body(b))) return {Riding::on_body, add(*surface, b), 0};
     refuse_place(b, *facing.front());
   }
 
@@ -126,10 +140,14 @@ private:
         .dot(surface.face.normal);
   }
 
-  /// A stroke that begins later may begin anywhere; its place is judged then.
-  bool carries(const Surface& surface, Index b) const {
-    if (stroke(b).from > 0) return true;
-    for (const Index i : points_of(file_.body(b)))
+  const Surface& nearest(const Vector3<double>& normal) const {
+    return *std::max_element(surfaces_.begin(), surfaces_.end(),
+                             [&](const Surface& one, const Surface& other) {
+                               return one.face.normal.dot(normal) > other.face.normal.dot(normal);
+                             });
+  }
+  bool is_on(const Surface& surface, const Body<double>& body) const {
+    for (const Index i : points_of(body))
       if (!is_on(surface, i)) return false;
     return true;
   }
@@ -178,10 +196,12 @@ private:
     return file_.lines.bodies[static_cast<std::size_t>(b)];
   }
   [[noreturn]] void refuse_edge(Index b) const {
-    refuse(b, lines(b).normal,
-           "no face of the object has this normal; a motion of edge against edge is not modelled. "
-           "If a corner or an edge of the object presses on a plane of this body, say "
-           "points_on = \"object\"; if the object is no box or cylinder, give its [[face]]s");
+    refuse(
+        b, lines(b).normal,
+        std::string(stroke(b).from > 0 ? "when its stroke begins, " : "") +
+            "no face of the object has this normal; a motion of edge against edge is not modelled. "
+            "If a corner or an edge of the object presses on a plane of this body, say "
+            "points_on = \"object\"; if the object is no box or cylinder, give its [[face]]s");
   }
   [[noreturn]] void refuse_place(Index b, const Surface& surface) const {
     Index i = file_.body(b).first_point;
@@ -222,5 +242,10 @@ Surroundings<double> ContactFaces::view() {
 }
 
 ContactFaces contact_faces(const SceneFile& file) { return FaceFinder(file).find(); }
+
+void begin_stroke(const SceneFile& file, Index body, const Matrix3<double>& turned,
+                  ContactFaces& faces) {
+  FaceFinder(file).find_again(body, turned, faces);
+}
 
 } // namespace lcpush::desktop

@@ -23,4 +23,9 @@ struct ContactFaces {
 /// Throws InputError, with file and line, where a body meets no face.
 ContactFaces contact_faces(const SceneFile& file);
 
+/// A later stroke begins, the object being turned: its body touches the face that its normal points
+/// into now. Throws InputError where there is none.
+void begin_stroke(const SceneFile& file, Index body, const Matrix3<double>& turned,
+                  ContactFaces& faces);
+
 } // namespace lcpush::desktop

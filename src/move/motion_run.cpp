@@ -44,13 +44,17 @@ bool is_over_its_face(const StepContact<double>& contact) {
 } // namespace
 
 MotionRun::MotionRun(const SceneFile& file)
-    : file_(file), faces_(contact_faces(file)), bodies_(facing_bodies()),
-      aims_(file.is_round ? file.points.size() : 0), scene_(scene_of(file)), around_(faces_.view()),
-      bytes_(motion_bytes_of(file)),
+    : file_(file), faces_(contact_faces(file)), bodies_(file.bodies),
+      has_begun_(file.bodies.size()), aims_(file.is_round ? file.points.size() : 0),
+      scene_(scene_of(file)), around_(faces_.view()), bytes_(motion_bytes_of(file)),
       kept_(static_cast<std::size_t>(motion_array_bytes<double>(motion_size(scene_)))),
       stepper_(scene_, around_,
                make_structured_motion_memory<double>(span_of(bytes_), motion_size(scene_),
                                                      shared_of(file))) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    has_begun_[b] = file.strokes[b].from == 0;
+    if (has_begun_[b] != 0) face_object(b, Matrix3<double>::Identity());
+  }
   place_strokes(0);
 }
 
@@ -63,20 +67,25 @@ Scene<double> MotionRun::scene_of(const SceneFile& file) const {
 
 /// A normal turns with the face that it points into. One that is given for a later stroke, when the
 /// object has turned, is that of the face as it was at first.
-std::vector<Body<double>> MotionRun::facing_bodies() const {
-  std::vector<Body<double>> bodies = file_.bodies;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Touching& touching = faces_.touching[b];
-    if (touching.riding != Riding::on_body || touching.face < 0) continue;
-    Body<double>& body = bodies[b];
-    const Vector3<double> n = -faces_.faces[static_cast<std::size_t>(touching.face)].normal;
-    if (n == body.normal) continue;
-    const Vector3<double> middle = n + body.normal, t = body.tangent; // the shortest turn to n
-    body.tangent =
-        t - t.dot(middle) / (1 + n.dot(body.normal)) * middle + 2 * t.dot(body.normal) * n;
-    body.normal = n;
+void MotionRun::face_object(std::size_t b, const Matrix3<double>& turned) {
+  const Touching& touching = faces_.touching[b];
+  if (touching.riding != Riding::on_body || touching.face < 0) return;
+  const Vector3<double> n = -faces_.faces[static_cast<std::size_t>(touching.face)].normal;
+  if (n == file_.bodies[b].normal) return;
+  const Vector3<double> given = turned.transpose() * file_.bodies[b].normal;
+  const Vector3<double> t = turned.transpose() * file_.bodies[b].tangent;
+  const Vector3<double> middle = n + given; // the shortest turn to n
+  bodies_[b].tangent = t - t.dot(middle) / (1 + n.dot(given)) * middle + 2 * t.dot(given) * n;
+  bodies_[b].normal = n;
+}
+
+void MotionRun::begin_strokes() {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (has_begun_[b] != 0 || file_.strokes[b].from > stepper_.time()) continue;
+    has_begun_[b] = 1;
+    begin_stroke(file_, static_cast<Index>(b), stepper_.pose().rotation, faces_);
+    face_object(b, stepper_.pose().rotation);
   }
-  return bodies;
 }
 
 void MotionRun::place_strokes(double middle) {

@@ -20,6 +20,9 @@ public:
 
   [[nodiscard]] Status start() { return stepper_.start(); }
 
+  /// To be called where strokes may begin: their bodies touch what they meet there.
+  void begin_strokes();
+
   /// One step of h seconds that ends within the same strokes as it begins.
   [[nodiscard]] Status advance(double h);
 
@@ -55,12 +58,13 @@ private:
   void place_strokes(double middle);
 
   Scene<double> scene_of(const SceneFile& file) const;
-  std::vector<Body<double>> facing_bodies() const;
+  void face_object(std::size_t b, const Matrix3<double>& turned);
 
   const SceneFile& file_;
   ContactFaces faces_;
   std::vector<Body<double>> bodies_; ///< with their faces' normals
-  std::vector<Aim<double>> aims_;    ///< of round friction
+  std::vector<unsigned char> has_begun_;
+  std::vector<Aim<double>> aims_; ///< of round friction
   Scene<double> scene_;
   Surroundings<double> around_;
   std::vector<unsigned char> bytes_;

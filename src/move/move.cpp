@@ -76,6 +76,7 @@ private:
   double now() const { return run_.stepper().time(); }
 
   bool begin_strokes() {
+    run_.begin_strokes();
     report_.body = run_.inside(1e-6 * size_);
     if (report_.body < 0) return true;
     report_.end = MoveEnd::inside;

@@ -70,12 +70,14 @@ private:
     const double h = to.time - from.time;
     if (!from.twist && k == 1) { // its speed is not known before it has gone a way
       run_.begin_at(from.time, from.pose, mean_twist(from.pose, to.pose, h));
+      run_.begin_strokes();
       report_.status = run_.advance(h);
       return;
     }
     const double before = k > 1 ? from.time - given_[k - 2].time : h;
     run_.begin_at(from.time, from.pose,
                   from.twist ? *from.twist : mean_twist(given_[k - 2].pose, from.pose, before));
+    run_.begin_strokes();
     report_.status = run_.advance(h);
     if (report_.status != Status::solved) {
       report_.worst_time = to.time;

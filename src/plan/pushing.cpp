@@ -61,6 +61,10 @@ void refuse_apart(const SceneFile& file, Index b, double length) {
 Pushing::Pushing(const SceneFile& file)
     : file_(file), length_(planar_reach(file)), grip_(file), face_(face_under_fingers(file)),
       load_(planar_load(file, length_)) {
+  if (!file.planar)
+    throw InputError(file.lines.file, file.lines.object,
+                     "a plan moves the object in the plane: say planar = true, if it moves in the "
+                     "x-y plane, between fingers that press along z");
   for (Index b = 0; b < static_cast<Index>(file.bodies.size()); ++b) {
     const Body<double>& body = file.body(b);
     if (body.role != Role::pusher) continue;
