@@ -40,8 +40,9 @@ int run_plan(const Arguments& arguments) {
   if (format == "html" || format == "toml") {
     if (report.pushes.empty())
       throw InputError(scene_label(arguments.files()[0]) +
-                       ": no plan was found, so there is none "
-                       "to show; `lcpush plan` without --format says how near it came");
+                       (report.found ? ": no push is needed, so there is none to show"
+                                     : ": no plan was found, so there is none to show; `lcpush "
+                                       "plan` without --format says how near it came"));
   }
   write_answer(arguments, format,
                format == "json"   ? plan_json(file, report)

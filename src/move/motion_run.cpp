@@ -53,7 +53,7 @@ MotionRun::MotionRun(const SceneFile& file)
                                                      shared_of(file))) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     has_begun_[b] = file.strokes[b].from == 0;
-    if (has_begun_[b] != 0) face_object(b, Matrix3<double>::Identity());
+    face_object(b, Matrix3<double>::Identity());
   }
   place_strokes(0);
 }

@@ -31,12 +31,12 @@ public:
 
   MotionReport move() {
     report_.status = run_.start();
+    report_.frames.push_back(run_.frame(0));
     if (report_.status != Status::running) {
       report_.reason = Reason::none;
       return std::move(report_);
     }
     report_.status = Status::solved;
-    report_.frames.push_back(run_.frame(0));
     last_ = report_.frames.back();
     next_ = options_.step.value_or(first_step * time_);
     bool goes_on = true;

@@ -48,7 +48,7 @@ std::string move_json(const SceneFile& file, const MotionReport& report) {
       .member("end", move_end_text(report.end))
       .member("end_body", when(report.body >= 0,
                                report.body >= 0 ? file.body_name(report.body) : std::string()))
-      .member("time", report.frames.empty() ? 0.0 : report.frames.back().time)
+      .member("time", report.frames.back().time)
       .member("steps", report.steps)
       .member("step", std::vector<double>{report.shortest, report.longest})
       .member("tolerance", when(report.error.has_value(), report.tolerance))

@@ -11,6 +11,7 @@
 namespace lcpush::desktop {
 namespace {
 
+constexpr double pi = 3.14159265358979323846;
 constexpr int smoothing_tries = 150, attempts = 3;
 // Sticking pushes first: each is a matter of microseconds, where a slipping one takes a motion.
 constexpr Index tries_without_slips = 150, slips_every = 4, looks_every = 4;
@@ -30,6 +31,8 @@ public:
   }
 
   PlanReport plan() {
+    report_.found = is_there();
+    if (report_.found) return std::move(report_);
     for (int attempt = 0; attempt < attempts && !report_.found; ++attempt) {
       const std::optional<Legs> way = found_way();
       if (!way) {
@@ -53,6 +56,11 @@ private:
   const Pushing pushing_;
   Roadmap roadmap_;
   PlanReport report_;
+
+  bool is_there() const {
+    return place_of(report_.goal).norm() <= options_.position_error &&
+           std::abs(report_.goal.angle) <= options_.angle_error;
+  }
 
   std::optional<Legs> found_way() {
     std::optional<Legs> way = roadmap_.cheapest();
@@ -108,12 +116,11 @@ private:
     MoveOptions options;
     options.step = way_a_step / options_.speed;
     report_.replay = move(report_.scene, options);
-    if (report_.replay.frames.empty()) return;
     const Pose<double>& end = report_.replay.frames.back().pose;
     const double angle = std::atan2(end.rotation(1, 0), end.rotation(0, 0));
     report_.nearest = {end.position.x(), end.position.y(), angle};
     report_.position_error = (end.position.head<2>() - place_of(report_.goal)).norm();
-    report_.angle_error = std::abs(angle - report_.goal.angle);
+    report_.angle_error = std::abs(std::remainder(angle - report_.goal.angle, 2 * pi));
     report_.found = report_.replay.end == MoveEnd::time &&
                     report_.position_error <= options_.position_error &&
                     report_.angle_error <= options_.angle_error;

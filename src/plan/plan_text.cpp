@@ -29,6 +29,9 @@ std::string push_words(const SceneFile& file, const PlannedPush& push) {
 
 std::string plan_sentence(const SceneFile& file, const PlanReport& report) {
   const std::string goal = place_words(report.goal);
+  if (report.pushes.empty() && report.found)
+    return "No push is needed: " + object_name(file) + " is as near to " + goal +
+           " as a plan has to bring it.";
   if (report.pushes.empty())
     return "No plan was found that takes " + object_name(file) + " to " + goal + ": of " +
            counted(report.tried, "place") + " tried on the way, the nearest that pushes reach is " +

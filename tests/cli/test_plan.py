@@ -115,6 +115,21 @@ class Plan(unittest.TestCase):
             self.assertIn(" turns it by ", " ".join(text.split()))
             self.assertNotIn("nan", text)
 
+    def test_where_it_is_already_needs_no_push(self):
+        result = tool("plan", SQUARE, "--to", "0 0.0005 0.01")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("No push is needed: the box is as near to (0, 0.5) mm", " ".join(result.stdout.split()))
+        answer = json.loads(tool("plan", SQUARE, "--to", "0 0 0", "--json").stdout)
+        self.assertEqual((answer["found"], answer["pushes"], answer["scene"]), (True, [], None))
+
+    def test_turns_of_more_than_a_corner_meet_the_next_face(self):
+        for to in ("0 0 2", "-0.01 0.02 -2.5", "0 0 6.2831853"):
+            result = tool("plan", SQUARE, "--to", to, "--json")
+            self.assertEqual(result.returncode, 0, to)
+            replay = json.loads(result.stdout)["replay"]
+            self.assertLess(replay["position_error"], 2e-4)
+            self.assertLess(replay["angle_error"], 1e-6)
+
     def test_formats(self):
         page = tool("plan", SQUARE, "--to", "-0.04 0.02 0.1", "--format", "html").stdout
         self.assertIn("<!doctype html>", page.lower())
