@@ -69,8 +69,9 @@ std::string plan_text(const SceneFile& file, const PlanReport& report, bool verb
       {"Columns", "where each push ends; and what it takes to stick all the way: friction of the "
                   "pusher, how far from its middle it has to press, grip " +
                       grip.of},
-      {"Replay", "by `move`, ends " + brief(1000 * report.position_error) + " mm and " +
-                     brief(degrees * report.angle_error) + " degrees from there"}};
+      {"Replay", "by `move`, ends " + in_digits(1000 * report.position_error, 3, 1e-9) +
+                     " mm and " + in_digits(degrees * report.angle_error, 3, 1e-9) +
+                     " degrees from there"}};
   if (verbose)
     facts.push_back({"Cost", brief(1000 * report.cost) +
                                  " mm: way, turns at the object's size, and " +
