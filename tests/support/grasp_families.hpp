@@ -107,4 +107,10 @@ template <class S> OwnedScene<S> grasp_of(Family family, std::uint64_t seed) {
   return scene;
 }
 
+inline OwnedScene<double> grasp_under(Pressure pressure, Family family, std::uint64_t seed) {
+  OwnedScene<double> scene = grasp_of<double>(family, seed);
+  scene.base.pressure = pressure;
+  return scene;
+}
+
 } // namespace lcpush::test

@@ -8,6 +8,10 @@ namespace lcpush::test {
 using Scene3 = OwnedScene<double>;
 using Vec3 = Vector3<double>;
 
+constexpr double exact = 1e-9;     // of a solved answer against its closed form
+constexpr double rounding = 1e-12; // of two ways to one matrix
+constexpr Index slide_wall = 2;    // the pusher's body, after the two fingers
+
 /// An object with a diagonal inertia, eight facets, no bodies yet.
 inline Scene3 bare_scene(double mass, const Vec3& inertia, const Vec3& gravity) {
   Scene3 scene;

@@ -8,12 +8,12 @@ using namespace lcpush::test;
 
 namespace {
 
-constexpr double tolerance = 1e-9;
+constexpr double allowed = 1e-9;
 
 void check_solved(const DenseLcp<double>& lcp) {
   LemkeRun<double> run(lcp.size());
   REQUIRE(run.solve(lcp) == Status::solved);
-  CHECK(solution_error(lcp, run.z()) <= tolerance);
+  CHECK(solution_error(lcp, run.z()) <= allowed);
   CHECK(run.lemke.residual().residual <= Tolerances<double>().residual);
 }
 
@@ -22,9 +22,9 @@ void check_solved(const DenseLcp<double>& lcp) {
 void check_unsolvable(const DenseLcp<double>& lcp) {
   LemkeRun<double> run(lcp.size());
   REQUIRE(run.solve(lcp) == Status::ray);
-  CHECK(run.lemke.ray_artificial() <= tolerance);
-  CHECK(ray_error(lcp.M, VectorX<double>(), run.ray(), 0) <= tolerance);
-  CHECK(run.ray().dot(lcp.q) < -tolerance * lcp.q.cwiseAbs().maxCoeff());
+  CHECK(run.lemke.ray_artificial() <= allowed);
+  CHECK(ray_error(lcp.M, VectorX<double>(), run.ray(), 0) <= allowed);
+  CHECK(run.ray().dot(lcp.q) < -allowed * lcp.q.cwiseAbs().maxCoeff());
 }
 
 MatrixX<double> low_rank(Random& random, Index n, Index rank) {
@@ -195,11 +195,11 @@ TEST_CASE("any matrix: what is called solved is solved, what is called a ray is 
     LemkeRun<double> run(n);
     const Status status = run.solve(lcp, options);
     if (status == Status::solved) {
-      CHECK(solution_error(lcp, run.z()) <= tolerance);
+      CHECK(solution_error(lcp, run.z()) <= allowed);
       ++solved;
     } else {
       REQUIRE(status == Status::ray);
-      CHECK(ray_error(lcp.M, ones, run.ray(), run.lemke.ray_artificial()) <= tolerance);
+      CHECK(ray_error(lcp.M, ones, run.ray(), run.lemke.ray_artificial()) <= allowed);
       ++rays;
     }
   }

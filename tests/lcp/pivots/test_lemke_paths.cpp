@@ -28,10 +28,6 @@ Rational fraction(const std::string& text) {
   return *value;
 }
 
-DenseLcp<Rational> in_fractions(const DenseLcp<double>& lcp) {
-  return {lcp.M.cast<Rational>(), lcp.q.cast<Rational>()};
-}
-
 struct Value {
   std::string variable;
   Rational value;
@@ -95,16 +91,6 @@ Path read_path(const std::filesystem::path& file) {
   }
   REQUIRE(!path.end.empty());
   return path;
-}
-
-/// As the books run it: their cover, no scaling.
-template <class S> LemkeOptions<S> book_options(const VectorX<S>& cover, TieRule rule) {
-  LemkeOptions<S> options;
-  options.cover = cover.data();
-  options.equilibrate = false;
-  options.tie_rule = rule;
-  options.max_pivots = 5000;
-  return options;
 }
 
 /// The next pivot, or how the run ended instead. Before a ray the basis is factored once more.

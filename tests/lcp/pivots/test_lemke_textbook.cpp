@@ -13,19 +13,6 @@ namespace {
 
 constexpr double tolerance = 1e-12;
 
-/// As the books run it: their cover, no scaling.
-template <class S> LemkeOptions<S> book_options(const VectorX<S>& cover, TieRule rule) {
-  LemkeOptions<S> options;
-  options.cover = cover.data();
-  options.equilibrate = false;
-  options.tie_rule = rule;
-  return options;
-}
-
-DenseLcp<Rational> in_fractions(const DenseLcp<double>& lcp) {
-  return {lcp.M.cast<Rational>(), lcp.q.cast<Rational>()};
-}
-
 /// Solves under the book's cover and under generic ones; both must end in `expected`.
 void check_solution(const std::string& name, const VectorX<double>& expected) {
   const DenseLcp<double> lcp = textbook(name);

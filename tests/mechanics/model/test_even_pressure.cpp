@@ -12,8 +12,6 @@ using namespace lcpush::test;
 
 namespace {
 
-constexpr double exact = 1e-9;
-
 Scene3 under(Scene3 scene, Pressure pressure) {
   scene.base.pressure = pressure;
   return scene;

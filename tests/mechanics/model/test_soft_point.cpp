@@ -16,7 +16,7 @@ using namespace lcpush::test;
 
 namespace {
 
-constexpr double exact = 1e-9, mu = 0.5, F = 20, R = 0.005;
+constexpr double mu = 0.5, F = 20, R = 0.005;
 
 Body<double> soft_body(double radius) {
   Body<double> body{};

@@ -15,8 +15,6 @@ using namespace lcpush::test;
 
 namespace {
 
-constexpr double rounding = 1e-12;
-
 Vector6<double> any_twist(Random& random, double size) {
   Vector6<double> twist = random_vector(random, 6);
   twist.tail<3>() /= size;

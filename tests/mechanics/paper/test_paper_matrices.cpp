@@ -13,8 +13,6 @@ using namespace lcpush::test;
 
 namespace {
 
-constexpr double rounding = 1e-12;
-
 MatrixMap<double> map_of(MatrixX<double>& A) { return {A.data(), A.rows(), A.cols()}; }
 
 double worst_of(const MatrixX<double>& A) { return A.size() == 0 ? 0 : A.cwiseAbs().maxCoeff(); }

@@ -10,8 +10,6 @@ using namespace lcpush::test;
 
 namespace {
 
-constexpr double rounding = 1e-12;
-
 /// A patch, its references and its weights.
 struct Patch {
   std::vector<Vec3> points;

@@ -11,9 +11,6 @@ using namespace lcpush::test;
 
 namespace {
 
-constexpr Index wall = 2;
-constexpr double exact = 1e-9;
-
 bool near(double x, double expected, double unit) { return absolute(x - expected) <= exact * unit; }
 
 MotionKind kind_of(const SolvedPush<double>& push) {
@@ -45,7 +42,7 @@ TEST_CASE("a horizontal straight slide pushes with 2 mu F + m a") {
         SolvedPush<double> push(scene);
         REQUIRE(push.solve() == Status::solved);
         const double expected = 2 * slide.mu * F + slide.mass * a;
-        CHECK(near(push.normal_force(wall), expected, F));
+        CHECK(near(push.normal_force(slide_wall), expected, F));
         CHECK(near(push.answer().acceleration[0], a, a));
         CHECK(push.answer().acceleration.tail<5>().norm() <= exact * push.scales().acceleration);
         CHECK(kind_of(push) == MotionKind::slide);
@@ -57,8 +54,8 @@ TEST_CASE("a slide with four-point pads pushes with 2 mu F + m a under the pad l
   slide.pads = ring(4, 0.005);
   SolvedPush<double> push(straight_slide(slide));
   REQUIRE(push.solve() == Status::solved);
-  CHECK(near(push.normal_force(wall), 2 * slide.mu * slide.F + slide.mass * slide.acceleration,
-             slide.F));
+  CHECK(near(push.normal_force(slide_wall),
+             2 * slide.mu * slide.F + slide.mass * slide.acceleration, slide.F));
 }
 
 TEST_CASE("the wall's two points carry the weight's moment as a couple") {
@@ -70,14 +67,14 @@ TEST_CASE("the wall's two points carry the weight's moment as a couple") {
   // The wall lifts m g at x = -half_width; the couple of its normals turns against that.
   const double moment = slide.mass * 9.81 * slide.half_width;
   CHECK(near((lower - upper) * slide.half_wall, moment, slide.F * slide.half_width));
-  CHECK(near(push.wrench(wall)[1], slide.mass * 9.81, slide.F));
+  CHECK(near(push.wrench(slide_wall)[1], slide.mass * 9.81, slide.F));
 }
 
 TEST_CASE("a frictionless pusher transmits no tangential force") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SolvedPush<double> push(determined_grasp(seed));
     REQUIRE(push.solve() == Status::solved);
-    const Vector6<double> wrench = push.wrench(wall);
+    const Vector6<double> wrench = push.wrench(slide_wall);
     CHECK(wrench[1] == 0);
     CHECK(wrench[2] == 0);
     CHECK(push.answer().contacts[2].friction_force.isZero(0));
@@ -93,7 +90,7 @@ TEST_CASE("point fingers at the centre pivot freely: the push is I a / y^2") {
     scene.bodies.back().acceleration[0] = 0.5;
     SolvedPush<double> push(scene);
     REQUIRE(push.solve() == Status::solved);
-    CHECK(near(push.normal_force(wall), inertia[2] * 0.5 / (y * y), 20));
+    CHECK(near(push.normal_force(slide_wall), inertia[2] * 0.5 / (y * y), 20));
     CHECK(near(push.answer().acceleration[5], -0.5 / y, 0.5 / y));
     CHECK(push.answer().acceleration.head<3>().norm() <= exact * push.scales().acceleration);
     CHECK(kind_of(push) == MotionKind::pivot);

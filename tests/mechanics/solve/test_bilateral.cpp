@@ -12,15 +12,12 @@ using namespace lcpush::test;
 
 namespace {
 
-constexpr double exact = 1e-9;
-constexpr Index wall = 2;
-
 Scene3 slide_along_x(double acceleration, bool bilateral) {
   Slide slide;
   slide.acceleration = acceleration;
   slide.gravity.setZero();
   Scene3 scene = straight_slide(slide);
-  scene.bodies[wall].bilateral = bilateral;
+  scene.bodies[slide_wall].bilateral = bilateral;
   return scene;
 }
 
@@ -34,7 +31,7 @@ TEST_CASE("[T.2] a wall that moves away pulls if it is bilateral, and lets go if
       SolvedPush<double> push(scene);
       REQUIRE(push.solve() == Status::solved);
       CHECK(push.residuals.max() <= exact);
-      const double pull = push.normal_force(wall);
+      const double pull = push.normal_force(slide_wall);
       CHECK(pull == doctest::Approx(bilateral ? -20.02 : 0.0).epsilon(1e-9));
       CHECK(push.answer().acceleration[0] == doctest::Approx(bilateral ? -0.1 : 0.0));
     }
@@ -44,7 +41,8 @@ TEST_CASE("a bilateral wall that presses anyway changes nothing") {
   SolvedPush<double> with(slide_along_x(0.1, true)), without(slide_along_x(0.1, false));
   REQUIRE(with.solve() == Status::solved);
   REQUIRE(without.solve() == Status::solved);
-  CHECK((with.wrench(wall) - without.wrench(wall)).norm() <= exact * with.scales().force);
+  CHECK((with.wrench(slide_wall) - without.wrench(slide_wall)).norm() <=
+        exact * with.scales().force);
   CHECK((with.answer().acceleration - without.answer().acceleration).norm() <=
         exact * with.scales().acceleration);
 }
@@ -66,7 +64,7 @@ TEST_CASE("[T.2] bilateral rows are exact negatives, and at most one of the pair
       const Span<double> z = push.memory.work.pressure.z;
       CHECK(std::min(z[i], z[i + 1]) == 0);
     }
-    const Body<double>& body = push.scene.bodies[wall];
+    const Body<double>& body = push.scene.bodies[slide_wall];
     for (Index k = 0; k < body.point_count; ++k) {
       const ContactAnswer<double>& contact = push.answer().contacts[body.first_point + k];
       CHECK(absolute(contact.acceleration.dot(body.normal)) <= exact * push.scales().acceleration);
@@ -93,5 +91,5 @@ TEST_CASE("a planar scene knows bilateral pulls and soft torques") {
   for (std::size_t b = 0; b < 2; ++b) scene.bodies[b].torsion_radius = 0.003;
   SolvedPush<double> push(scene);
   REQUIRE(push.solve() == Status::solved);
-  CHECK(push.normal_force(wall) == doctest::Approx(-20.02));
+  CHECK(push.normal_force(slide_wall) == doctest::Approx(-20.02));
 }

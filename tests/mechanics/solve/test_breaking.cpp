@@ -10,8 +10,6 @@ using namespace lcpush::test;
 
 namespace {
 
-constexpr Index wall = 2;
-
 struct Broken {
   SolvedPush<double> push;
   Breaking<double> breaking;
@@ -19,7 +17,7 @@ struct Broken {
 
   Broken(Scene3 scene, Pressure pressure) : push(with(scene, pressure)) {
     status = find_breaking(push.assembly, LemkeRounds{push.lemke}, push.memory.work,
-                           push.scene.bodies[wall], push.options, breaking, push.run);
+                           push.scene.bodies[slide_wall], push.options, breaking, push.run);
   }
   static Scene3 with(Scene3 scene, Pressure pressure) {
     scene.base.pressure = pressure;
@@ -27,12 +25,12 @@ struct Broken {
   }
 };
 
-constexpr Pressure both[] = {Pressure::pad, Pressure::rigid};
+constexpr Pressure both_laws[] = {Pressure::pad, Pressure::rigid};
 
 } // namespace
 
 TEST_CASE("[T.10] a horizontal straight slide breaks at 2 mu F and feels the inertia m") {
-  for (const Pressure pressure : both)
+  for (const Pressure pressure : both_laws)
     for (const double a : {0.01, 0.1, 5.0}) { // the size of the push does not matter
       Slide slide;
       slide.acceleration = a;
@@ -57,7 +55,7 @@ TEST_CASE("[T.10] rigid is exact: 2 mu F and m to 1e-9") {
 }
 
 TEST_CASE("[T.10] a grasp that drops its load says so, with the motion") {
-  for (const Pressure pressure : both) {
+  for (const Pressure pressure : both_laws) {
     Slide weak;
     weak.F = 1; // carries 2 mu F = 1 N of 1.96 N
     Broken broken(straight_slide(weak), pressure);
@@ -69,12 +67,12 @@ TEST_CASE("[T.10] a grasp that drops its load says so, with the motion") {
 TEST_CASE("[T.10] a scene without a prescribed motion has no push to speak of") {
   Slide still;
   still.acceleration = 0;
-  for (const Pressure pressure : both)
+  for (const Pressure pressure : both_laws)
     CHECK(Broken(straight_slide(still), pressure).status == Status::bad_input);
 }
 
 TEST_CASE("[T.10] without weight the break force is proportional to the grip force") {
-  for (const Pressure pressure : both) {
+  for (const Pressure pressure : both_laws) {
     Slide slide;
     slide.gravity.setZero();
     slide.pads = ring(3, 0.004);
@@ -94,7 +92,7 @@ TEST_CASE("[T.10] rigid: inside valid_to a finite push answers F0 + F1 a") {
   const double reach = broken.breaking.valid_to;
   const double a = reach < 0 ? 1.0 : 0.5 * reach;
   REQUIRE(broken.push.solve(a / push_size(broken.push.scene)) == Status::solved);
-  CHECK(broken.push.normal_force(wall) ==
+  CHECK(broken.push.normal_force(slide_wall) ==
         doctest::Approx(broken.breaking.break_force + broken.breaking.inertia_normal * a)
             .epsilon(1e-9));
 }
@@ -149,7 +147,7 @@ TEST_CASE(
 }
 
 TEST_CASE("in float a breaking force is right to a per cent, or refused") {
-  for (const Pressure pressure : both)
+  for (const Pressure pressure : both_laws)
     for (const float radius : {0.003F, 0.006F, 0.012F}) {
       CAPTURE(radius);
       OwnedScene<float> owned;

@@ -17,7 +17,7 @@ using namespace lcpush::test;
 
 namespace {
 
-constexpr double rounding = 1e-9;
+constexpr double alike = 1e-9;
 using Mat3 = Matrix3<double>;
 
 /// R orthogonal: a vector goes to R v, an axial vector (rotation, moment) to det(R) R v.
@@ -89,8 +89,8 @@ std::vector<Mat3> quarter_turns() {
 void check_moved(const Scene3& scene, const Mat3& R) {
   const Vector6<double> a = moved(R, acceleration_of(scene));
   const Vector6<double> b = acceleration_of(moved(R, scene));
-  CHECK((a - b).head<3>().norm() <= rounding * a.norm());
-  CHECK((a - b).tail<3>().norm() <= rounding * a.norm());
+  CHECK((a - b).head<3>().norm() <= alike * a.norm());
+  CHECK((a - b).tail<3>().norm() <= alike * a.norm());
 }
 
 } // namespace
@@ -129,8 +129,8 @@ TEST_CASE("another unit of mass, length or time rescales the answer and nothing 
           std::array<double, 3>{1, 1, 1e-3}, std::array<double, 3>{3e-5, 0.07, 13}}) {
       const Vector6<double> b = acceleration_of(rescaled(scene, mass, length, time));
       const double unit = length / (time * time);
-      CHECK((b.head<3>() / unit - a.head<3>()).norm() <= rounding * a.norm());
-      CHECK((b.tail<3>() * time * time - a.tail<3>()).norm() <= rounding * a.norm());
+      CHECK((b.head<3>() / unit - a.head<3>()).norm() <= alike * a.norm());
+      CHECK((b.tail<3>() * time * time - a.tail<3>()).norm() <= alike * a.norm());
     }
   }
 }
@@ -164,6 +164,6 @@ TEST_CASE("the order of bodies does not matter for the motion") {
       swapped.drives[to].body = swapped.drives[to].actuator = b;
     }
     const Vector6<double> a = acceleration_of(scene), b = acceleration_of(swapped);
-    CHECK((a - b).norm() <= rounding * a.norm());
+    CHECK((a - b).norm() <= alike * a.norm());
   }
 }

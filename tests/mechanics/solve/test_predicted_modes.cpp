@@ -46,12 +46,6 @@ struct RandomStart {
   void begins_cold() {}
 };
 
-OwnedScene<double> grasp_under(Pressure pressure, Family family, std::uint64_t seed) {
-  OwnedScene<double> scene = grasp_of<double>(family, seed);
-  scene.base.pressure = pressure;
-  return scene;
-}
-
 template <class A, class B> bool same_motion(const A& a, const B& b) {
   Vector6<double> size = a.answer().acceleration, off = size - b.answer().acceleration;
   size.template tail<3>() *= a.scales().length;

@@ -129,10 +129,10 @@ TEST_CASE(
       if (push.solve() != Status::solved) continue;
       if (!(push.residuals.max() <= Tolerances<float>().residual)) continue;
       ++solved;
-      OwnedScene<double> exact = random_grasp<double>(seed);
-      exact.base.facets = 4;
-      exact.base.pressure = pressure;
-      const double residual = residual_in_double(exact, push);
+      OwnedScene<double> in_double = random_grasp<double>(seed);
+      in_double.base.facets = 4;
+      in_double.base.pressure = pressure;
+      const double residual = residual_in_double(in_double, push);
       CHECK(residual <= 1e-4);
       worst = std::max(worst, residual);
     }

@@ -49,12 +49,6 @@ private:
   }
 };
 
-Scene3 grasp_under(Pressure pressure, Family family, std::uint64_t seed) {
-  Scene3 scene = grasp_of<double>(family, seed);
-  scene.base.pressure = pressure;
-  return scene;
-}
-
 } // namespace
 
 TEST_CASE("1,000 random grasps by accelerated sweeps: at least 95 % to 1e-6, none wrong") {

@@ -10,10 +10,10 @@ using namespace lcpush::test;
 
 namespace {
 
-const Vec3 inertia = Vec3(2e-4, 2e-4, 2e-4), weightless = Vec3::Zero();
+const Vec3 small_inertia = Vec3(2e-4, 2e-4, 2e-4), weightless = Vec3::Zero();
 
 Scene3 bare(Pressure pressure) {
-  Scene3 scene = bare_scene(0.2, inertia, weightless);
+  Scene3 scene = bare_scene(0.2, small_inertia, weightless);
   scene.base.pressure = pressure;
   return scene;
 }
