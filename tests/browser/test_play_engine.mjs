@@ -126,3 +126,14 @@ test('the examples are those of fixtures/textbook', () => {
     assert.deepEqual(q.split(' ').map(Number), numbers(`${name}.q.mtx`), name);
   }
 });
+
+test('the page unpacks its solver to the module that was packed', () => {
+  const text = readFileSync(join(root, 'src', 'play', 'wasm', 'solver.txt'), 'ascii');
+  const bytes = play.unpack(text);
+  assert.equal(bytes.length, Number(text.split(' ')[0]));
+  const module = new WebAssembly.Module(bytes);
+  assert.deepEqual(WebAssembly.Module.imports(module), []);
+  const solver = new play.Solver(module);
+  const { sentence } = JSON.parse(solver.ask('drag', fixtures.find(([name]) => name === 'pivot.toml')[1]));
+  assert.match(sentence, /pivots/);
+});

@@ -181,9 +181,12 @@
       box.addEventListener('change', () => {
         if (box.value !== '') this.write(control, Number(box.value), true);
       });
+      let shown;
       this.shown.push((toml) => {
         const value = control.read(toml);
         row.hidden = !Number.isFinite(value);
+        if (row.hidden || value === shown) return;
+        shown = value;
         if (document.activeElement !== box || Number(box.value) !== value) box.value = value;
         range.max = Math.max(most, value);
         range.value = value;

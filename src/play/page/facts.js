@@ -39,7 +39,6 @@
       fact('Pivots', String(answer.pivots)),
       answer.jam && h('div', { class: 'jam' }, h('dt', {}, 'Why it jams'),
         answer.jam.words.map((words) => h('dd', {}, words))));
-    contacts(answer);
   }
 
   function contacts({ contacts: list }) {
@@ -49,5 +48,5 @@
       : h('p', {}, 'No answer, no forces.'));
   }
 
-  play.facts = { update };
+  play.facts = { update, contacts };
 })();

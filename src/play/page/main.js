@@ -42,6 +42,8 @@
           this.draw();
         });
       by_id('text').addEventListener('change', () => this.replace(by_id('text').value));
+      for (const id of ['text', 'contacts'])
+        by_id(id).closest('details').addEventListener('toggle', () => this.fill_open());
       click('pivots', async () => play.links.say(await this.explore('pivots', this.wanted)));
       click('close', () => by_id('explorer').close());
       click('link', async () => play.links.say(await play.links.copy('scene', this.wanted)));
@@ -112,14 +114,24 @@
       this.state = { text, answer, scene, written, sentence };
       by_id('failure').hidden = true;
       by_id('picture').classList.remove('stale');
-      by_id('title').textContent = scene.title || 'lcpush playground';
-      document.title = `${scene.title || 'Playground'} \u2013 lcpush`;
+      const title = scene.title || 'lcpush playground';
+      if (by_id('title').textContent !== title) {
+        by_id('title').textContent = title;
+        document.title = `${scene.title || 'Playground'} \u2013 lcpush`;
+      }
       by_id('sentence').textContent = this.state.sentence;
-      if (document.activeElement !== by_id('text')) by_id('text').value = text;
+      this.fill_open();
       play.facts.update(this.state, this.breaking?.text === text && this.breaking.answer);
       this.controls.update(this.state);
       if (!this.hands.held) this.meters = null;
       this.draw();
+    }
+
+    /// What is folded away is not written at every step of a hand.
+    fill_open() {
+      const is_open = (id) => by_id(id).closest('details').open;
+      if (is_open('text') && document.activeElement !== by_id('text')) by_id('text').value = this.wanted;
+      if (is_open('contacts') && this.state) play.facts.contacts(this.state.answer);
     }
 
     /// The last scene that was one stays, and the text can be mended.
@@ -127,7 +139,7 @@
       by_id('failure').hidden = false;
       by_id('failure').textContent = message;
       by_id('picture').classList.add('stale');
-      if (document.activeElement !== by_id('text')) by_id('text').value = this.wanted;
+      this.fill_open();
       if (!this.state) by_id('text').closest('details').open = true;
     }
 
@@ -209,7 +221,7 @@
 
   (async () => {
     try {
-      const module = await play.module_of(by_id('solver').textContent);
+      const module = await WebAssembly.compile(play.unpack(by_id('solver').textContent));
       const { scene, lcp } = await play.links.carried();
       const given = document.createElement('textarea');
       given.innerHTML = by_id('scene').textContent; // undoes what made it safe in the page
@@ -218,8 +230,7 @@
       window.lcpush = { app, play };
     } catch (problem) {
       by_id('failure').hidden = false;
-      by_id('failure').textContent = `This page needs a browser with WebAssembly and
-        DecompressionStream (2023 or later): ${problem.message}`;
+      by_id('failure').textContent = `This page needs a browser with WebAssembly (2023 or later): ${problem.message}`;
       throw problem;
     }
   })();

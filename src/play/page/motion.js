@@ -25,6 +25,7 @@
 
     /// Another scene: what was computed is none of its.
     forget() {
+      if (!this.playing && !this.run && !by_id('motion').textContent) return;
       this.pause();
       this.run = null;
       this.shown = null;
