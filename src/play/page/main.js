@@ -7,7 +7,9 @@
     .replace('/*DRAWING*/', () => by_id('drawing').textContent);
 
   class Application {
-    constructor(module, text) {
+    /// `linked`: a scene from the address, or nothing.
+    constructor(module, own, linked) {
+      const text = linked || own;
       this.solver = new play.Solver(module);
       this.background = new play.Background(module);
       this.region = new play.Region(this.background);
@@ -22,6 +24,11 @@
       this.listen();
       this.wanted = text;
       this.solve(true);
+      if (this.state || !linked) return;
+      // The page's own scene stands for one that is none.
+      this.history = new play.History(own);
+      this.go(own);
+      this.change(linked, true);
     }
 
     listen() {
@@ -44,7 +51,10 @@
       by_id('text').addEventListener('change', () => this.replace(by_id('text').value));
       for (const id of ['text', 'contacts'])
         by_id(id).closest('details').addEventListener('toggle', () => this.fill_open());
-      click('pivots', async () => play.links.say(await this.explore('pivots', this.wanted)));
+      click('pivots', async () => {
+        play.links.say('tracing the pivots ..');
+        play.links.say(await this.explore('pivots', this.wanted));
+      });
       click('close', () => by_id('explorer').close());
       click('link', async () => play.links.say(await play.links.copy('scene', this.wanted)));
       click('save-scene', () => play.links.save('scene.toml', 'text/plain', this.wanted));
@@ -53,9 +63,10 @@
       click('save-picture', () =>
         play.links.save('grasp.svg', 'image/svg+xml', play.links.picture()));
       window.addEventListener('hashchange', async () => {
-        const { scene, lcp } = await play.links.carried();
+        const { scene, lcp, broken } = await play.links.carried();
         if (scene && scene !== this.wanted) this.replace(scene);
         if (lcp) play.raw.show(lcp);
+        if (broken) this.warn(broken);
       });
     }
 
@@ -111,9 +122,11 @@
       const { answer, sentence, scene } = JSON.parse(reply);
       const written = reply.slice(reply.indexOf('{', 1), reply.indexOf('\n, "sentence": ') + 1);
       this.motion.forget();
+      this.background.drop('pivots');
+      if (!this.state) play.facts.key(scene);
       this.state = { text, answer, scene, written, sentence };
       by_id('failure').hidden = true;
-      by_id('picture').classList.remove('stale');
+      for (const id of ['sentence', 'picture', 'facts']) by_id(id).classList.remove('stale');
       const title = scene.title || 'lcpush playground';
       if (by_id('title').textContent !== title) {
         by_id('title').textContent = title;
@@ -136,11 +149,15 @@
 
     /// The last scene that was one stays, and the text can be mended.
     refuse(message) {
-      by_id('failure').hidden = false;
-      by_id('failure').textContent = message;
-      by_id('picture').classList.add('stale');
+      this.warn(this.state ? `${message}\nBelow stands the last scene that has none of this.` : message);
+      for (const id of ['sentence', 'picture', 'facts']) by_id(id).classList.add('stale');
       this.fill_open();
       if (!this.state) by_id('text').closest('details').open = true;
+    }
+
+    warn(message) {
+      by_id('failure').hidden = false;
+      by_id('failure').textContent = message;
     }
 
     async find_breaking(text) {
@@ -203,6 +220,9 @@
       const can = this.history.can();
       by_id('undo').disabled = !can.undo;
       by_id('redo').disabled = !can.redo;
+      const is_shown = this.state?.text === this.wanted;
+      for (const id of ['play', 'time', 'reset', 'pivots', 'save-answer', 'save-picture'])
+        by_id(id).disabled = !is_shown;
     }
 
     /// Opens the explorer; a sentence if it cannot.
@@ -222,11 +242,12 @@
   (async () => {
     try {
       const module = await WebAssembly.compile(play.unpack(by_id('solver').textContent));
-      const { scene, lcp } = await play.links.carried();
+      const { scene, lcp, broken } = await play.links.carried();
       const given = document.createElement('textarea');
       given.innerHTML = by_id('scene').textContent; // undoes what made it safe in the page
-      const app = new Application(module, scene || given.value);
+      const app = new Application(module, given.value, scene);
       if (lcp) play.raw.show(lcp);
+      if (broken) app.warn(broken);
       window.lcpush = { app, play };
     } catch (problem) {
       by_id('failure').hidden = false;

@@ -26,6 +26,7 @@
     /// Another scene: what was computed is none of its.
     forget() {
       if (!this.playing && !this.run && !by_id('motion').textContent) return;
+      this.app.background.drop('move');
       this.pause();
       this.run = null;
       this.shown = null;
