@@ -10,8 +10,10 @@
 #include "pivots/explorer_scene.hpp"
 #include "pivots/explorer_text.hpp"
 #include "pivots/subject.hpp"
+#include "play/instant.hpp"
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
+#include "text/format.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 
@@ -106,8 +108,17 @@ std::string traced(const PivotSubject& subject) {
   return open_pivots_html(trace, subject.push.get());
 }
 
-std::string pivots_answer(std::string_view text) {
-  SceneFile file = small_scene(text);
+/// After `seconds` of its motion, if that is positive.
+std::string pivots_answer(std::string_view text, double seconds) {
+  SceneFile file = small_scene(text, seconds > 0 ? Strokes::all : Strokes::first);
+  if (seconds > 0) {
+    MoveOptions options;
+    options.most_steps = limits::motion_solves;
+    options.time = seconds;
+    options.frames = 2;
+    file = scene_at(file, move(file, options).frames.back());
+    file.title += (file.title.empty() ? "After " : ", after ") + brief(seconds) + " s";
+  }
   file.facets = 4;
   return traced(rounded_subject(std::move(file), scene_name));
 }
@@ -138,7 +149,8 @@ std::string answer_to(std::string_view question, std::string_view text) {
   if (asked == "solve" || asked == "drag") return solve_answer(text, asked == "solve");
   if (asked == "break") return break_answer(text);
   if (asked == "move" && words.size() == 3) return move_answer(text, words[1], words[2]);
-  if (asked == "pivots") return pivots_answer(text);
+  if (asked == "pivots")
+    return pivots_answer(text, words.size() < 2 ? 0 : read_finite_number(words[1]).value);
   if (asked == "lcp") return typed_answer(text);
   throw InputError("no question of the page: " + quoted(question));
 }

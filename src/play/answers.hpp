@@ -17,7 +17,8 @@ namespace lcpush::desktop {
 ///   "poses":
 ///                  where the bodies are, frame by frame: position, rotation column by column};
 ///                  T = 0: as long as the scene says
-///   "pivots"       the page of `pivots --format html`, in decimals
+///   "pivots T"     the page of `pivots --format html`, in decimals, of the scene as it stands T
+///                  seconds later; without T as it is
 ///   "lcp"          that page of a typed problem: M on the first line, q on the second
 /// Throws InputError where the commands would.
 std::string answer_to(std::string_view question, std::string_view text);

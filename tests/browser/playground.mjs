@@ -236,6 +236,10 @@ async function keyboard(browser) {
   await page.getByRole('spinbutton', { name: 'object: mass, kg, as a number' }).fill('0.4');
   await page.keyboard.press('Enter');
   assert.match((await state(page)).text, /mass = 0\.4/);
+  const mass = page.getByRole('spinbutton', { name: 'object: mass, kg, as a number' });
+  await mass.fill('');
+  await page.keyboard.press('Enter');
+  assert.equal(await mass.inputValue(), '0.4', 'an empty field is as it was');
   assert.match(await page.locator('#sentence').textContent(), /Push with/);
   await page.evaluate((text) => window.lcpush.app.replace(text),
     readFileSync(fixture('rolling'), 'utf8'));
@@ -267,6 +271,8 @@ async function errors(browser) {
   };
   await type(before.text.replace('mass = 0.2', 'mass = -0.2'));
   assert.match((await state(page)).failure, /scene:\d+: .*mass/);
+  assert.equal(await page.locator('#sentence.stale').count(), 1, 'the sentence is another scene\'s');
+  assert.ok(await page.locator('#save-answer').isDisabled(), 'and so is the answer');
   await type(before.text.replace('mass = 0.2', 'mass = 0.3'));
   assert.equal((await state(page)).failure, '');
   await agrees(page);
@@ -291,6 +297,14 @@ async function links(browser) {
   const other = await played(browser, fixture('pivot'), wide, hash);
   assert.equal((await state(other.page)).text, text);
   await other.end();
+  // A link that was cut, and one whose scene is none.
+  for (const [bad, words] of [[hash.slice(0, -9), /cut short/], ['#text=hello', /scene:1: /]]) {
+    const cut = await played(browser, fixture('pivot'), wide, bad);
+    const seen = await state(cut.page);
+    assert.match(seen.failure, words);
+    assert.match(seen.sentence, /pivots/, 'the page shows its own scene');
+    await cut.end();
+  }
 }
 
 async function playing(browser) {
@@ -302,10 +316,14 @@ async function playing(browser) {
   await page.waitForTimeout(300);
   assert.equal(await page.inputValue('#time'), at, 'paused');
   assert.match(await page.locator('#motion').textContent(), /pivots/);
+  const frame = page.frameLocator('#frame');
+  await page.click('#pivots');
+  assert.match(await frame.locator('h1').textContent(), /, after 0\.\d+ s/, 'of this moment');
+  await page.click('#close');
   await page.click('#reset');
   assert.equal(await page.inputValue('#time'), '0');
   await page.click('#pivots');
-  const frame = page.frameLocator('#frame');
+  assert.doesNotMatch(await frame.locator('h1').textContent(), /after/);
   await frame.locator('#forward').click();
   assert.match(await frame.locator('#step').textContent(), /Step 1 of/);
   // The explorer takes its palette and what it draws with from this page.
@@ -318,6 +336,12 @@ async function playing(browser) {
   await page.click('#raw-pivots');
   await frame.locator('#cones svg').waitFor();
   assert.match(await frame.locator('#summary').textContent(), /ray/);
+  await page.click('#close');
+  // As other languages write it; a number beyond decimals leaves its cone in the picture.
+  await page.fill('#M', '[[1e400, 0],\n [0, 1],]');
+  await page.fill('#q', '[-1; 2];');
+  await page.click('#raw-pivots');
+  await frame.locator('#cones svg').waitFor();
   await page.click('#close');
   await page.fill('#q', '1 2 3');
   await page.click('#raw-pivots');

@@ -53,7 +53,7 @@
         by_id(id).closest('details').addEventListener('toggle', () => this.fill_open());
       click('pivots', async () => {
         play.links.say('tracing the pivots ..');
-        play.links.say(await this.explore('pivots', this.wanted));
+        play.links.say(await this.explore(`pivots ${this.motion.seconds()}`, this.wanted));
       });
       click('close', () => by_id('explorer').close());
       click('link', async () => play.links.say(await play.links.copy('scene', this.wanted)));
@@ -228,7 +228,7 @@
     /// Opens the explorer; a sentence if it cannot.
     async explore(question, text) {
       try {
-        const page = await this.background.ask(question, question, text);
+        const page = await this.background.ask(question.split(' ')[0], question, text);
         if (page === null) return '';
         by_id('frame').srcdoc = with_drawing(page);
         by_id('explorer').showModal();

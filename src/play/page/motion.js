@@ -35,6 +35,9 @@
       by_id('motion').textContent = '';
     }
 
+    /// How far the push has gone that is shown.
+    seconds() { return this.shown ? this.run.answer.frames[this.shown].time : 0; }
+
     async load() {
       const { text } = this.app.state;
       if (this.run?.text === text) return true;
@@ -84,6 +87,8 @@
 
     reset() {
       this.pause();
+      this.app.background.drop('move');
+      if (!this.run) by_id('motion').textContent = '';
       this.shown = null;
       by_id('time').value = 0;
       by_id('clock').textContent = '';
