@@ -52,7 +52,7 @@ std::string solve_answer(std::string_view text, bool searches) {
   const HoldReport hold = push.holds_without_push(options);
   const PushReport report = push.solve(options);
   JsonWriter scene;
-  write_scene(scene, push, true);
+  write_scene(scene, push, ScenePictures::in_space);
   return with_words(solve_json(file, hold, report), first_sentence(file, report),
                     ", \"scene\": " + scene.text());
 }

@@ -101,6 +101,7 @@
       const frame = answer.frames[k];
       by_id('time').value = k;
       by_id('clock').textContent = `${decimal(frame.time)} s`;
+      by_id('time').setAttribute('aria-valuetext', `after ${decimal(frame.time)} s`);
       const bodies = new Map(frame.bodies.map(({ name }, b) => {
         const at = 2 * (k * frame.bodies.length + b);
         return [name, { position: poses[at], turned: by_columns(poses[at + 1]) }];
