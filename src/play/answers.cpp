@@ -78,6 +78,24 @@ std::string break_answer(std::string_view text) {
                     report.status == Status::solved ? break_sentence(file, report) : std::string());
 }
 
+/// Where a body presses: the middle of its points that touch, and their normal; 0 of none.
+struct PressingPlace {
+  Vector3<double> middle = Vector3<double>::Zero(), normal = Vector3<double>::Zero();
+};
+PressingPlace pressing_place(const Body<double>& body, const MotionFrame& frame) {
+  PressingPlace place;
+  int count = 0;
+  for (const Index i : points_of(body)) {
+    const PointState& point = frame.contacts[static_cast<std::size_t>(i)];
+    if (point.touch != Touch::sticks && point.touch != Touch::slips) continue;
+    place.middle += point.position;
+    place.normal = point.normal;
+    ++count;
+  }
+  if (count > 0) place.middle /= count;
+  return place;
+}
+
 std::string move_answer(std::string_view text, std::string_view time, std::string_view frames) {
   const SceneFile file = small_scene(text, Strokes::all);
   MoveOptions options;
@@ -91,9 +109,12 @@ std::string move_answer(std::string_view text, std::string_view time, std::strin
   JsonWriter poses;
   poses.begin_array();
   for (const MotionFrame& frame : report.frames)
-    for (const Pose<double>& pose : frame.body_poses) {
+    for (std::size_t b = 0; b < file.bodies.size(); ++b) {
+      const Pose<double>& pose = frame.body_poses[b];
       const Eigen::Map<const Eigen::Matrix<double, 9, 1>> columns(pose.rotation.data());
+      const PressingPlace pressing = pressing_place(file.bodies[b], frame);
       poses.value(pose.position).value(Eigen::Matrix<double, 9, 1>(columns));
+      poses.value(pressing.middle).value(pressing.normal);
     }
   poses.end_array();
   return with_words(move_json(file, report), move_sentence(file, report),

@@ -15,7 +15,8 @@ namespace lcpush::desktop {
 ///   "break"        {"answer": as `break --json`, "sentence": empty without an answer}
 ///   "move T N"     {"answer": as `move --json --time T --frames N`, "sentence": its first,
 ///   "poses":
-///                  where the bodies are, frame by frame: position, rotation column by column};
+///                  where the bodies are, frame by frame: position, rotation column by column,
+///                  the middle of the points that press, their normal};
 ///                  T = 0: as long as the scene says
 ///   "pivots T"     the page of `pivots --format html`, in decimals, of the scene as it stands T
 ///                  seconds later; without T as it is

@@ -162,7 +162,7 @@ async function touching(browser) {
   await agrees(page);
   assert.equal(await page.evaluate(() => window.scrollY), 0, 'the page stays');
   await page.tap('#undo');
-  assert.equal((await state(page)).text, before.text, 'undo');
+  await page.waitForFunction((text) => window.lcpush.app.state.text === text, before.text);
   const seen_from = () => page.evaluate(() => window.lcpush.app.view.right.join());
   const front = await seen_from();
   const [left, top] = await page.evaluate(() => {
@@ -312,6 +312,7 @@ async function playing(browser) {
   await page.click('#play');
   await page.waitForFunction(() => Number(document.getElementById('time').value) > 50);
   await page.click('#play');
+  assert.ok(await page.locator('#picture .force').count() >= 3, 'forces of the moment');
   const at = await page.inputValue('#time');
   await page.waitForTimeout(300);
   assert.equal(await page.inputValue('#time'), at, 'paused');

@@ -2,7 +2,7 @@
 (() => {
   const { by_id } = drawing.elements;
   const { decimal } = drawing.numbers;
-  const { add, scale, length } = drawing.vectors;
+  const { add, subtract, scale, length } = drawing.vectors;
   const frames = 201;
   const duration = 4000; // ms for the whole motion
 
@@ -46,7 +46,10 @@
         const reply = await this.app.background.ask('move', `move 0 ${frames}`, text);
         if (reply === null || this.app.state.text !== text) return false;
         const { answer, sentence, poses } = JSON.parse(reply);
-        this.run = { text, answer, poses };
+        const bodies = answer.frames.slice(answer.frames.length < 3 ? 1 : 2)
+          .flatMap((frame) => frame.bodies); // the first step sets everything going at once
+        this.run = { text, answer, poses,
+          most_force: Math.max(...bodies.map(({ force }) => length(force)), 1e-9) };
         by_id('time').max = answer.frames.length - 1;
         by_id('motion').textContent = sentence;
         if (answer.frames.length < 2) return false;
@@ -97,17 +100,20 @@
 
     async seek(k) {
       if (!await this.load()) return;
-      const { answer, poses } = this.run;
+      const { answer, poses, most_force } = this.run;
       const frame = answer.frames[k];
       by_id('time').value = k;
       by_id('clock').textContent = `${decimal(frame.time)} s`;
       by_id('time').setAttribute('aria-valuetext', `after ${decimal(frame.time)} s`);
-      const bodies = new Map(frame.bodies.map(({ name }, b) => {
-        const at = 2 * (k * frame.bodies.length + b);
-        return [name, { position: poses[at], turned: by_columns(poses[at + 1]) }];
+      const bodies = new Map(frame.bodies.map(({ name, force, normal_force }, b) => {
+        const at = 4 * (k * frame.bodies.length + b);
+        const [position, columns, middle, normal] = poses.slice(at, at + 4);
+        const press = scale(normal, normal_force);
+        return [name, { position, turned: by_columns(columns), middle,
+          forces: k > 0 && length(normal) > 0 ? [press, subtract(force, press)] : [] }];
       }));
       this.shown = k;
-      this.app.draw({ pose: { position: frame.position, turned: by_rows(frame.rotation) }, bodies },
+      this.app.draw({ pose: { position: frame.position, turned: by_rows(frame.rotation) }, bodies, most_force },
         answer.frames.slice(0, k + 1).map(({ position }) => position));
     }
   }

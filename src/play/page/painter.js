@@ -23,7 +23,7 @@
       this.center = this.scene.center_of_mass;
       const forces = (state.answer.contacts || []).flatMap((c) =>
         [Math.abs(c.normal_force), length(c.friction_force)]);
-      this.newtons = longest / Math.max(...forces, 1e-9);
+      this.newtons = longest / (frame?.most_force || Math.max(...forces, 1e-9));
     }
 
     /// Pixels a metre at which all fits, however it is turned.
@@ -147,6 +147,14 @@
         mark(scene.marks[contact.mode] || '', tip)];
     }
 
+    /// While the push is played: what each body does to the object.
+    body_forces() {
+      return [...this.bodies_at?.values() || []].flatMap(({ middle, forces }) =>
+        forces.map((force, k) => arrow(`force ${['normal', 'friction'][k]}`,
+          subtract(this.place(middle), scale(this.view.flat(force), this.newtons)),
+          this.place(middle))));
+    }
+
     axes() {
       const origin = [44, height - 40];
       return ['x', 'y', 'z'].map((name, k) => {
@@ -182,7 +190,7 @@
         'aria-label': `The grasp: ${state.sentence}`, tabindex: 0 },
       this.axes(), bodies.filter((b) => b.behind).map((b) => b.thing), this.object(), this.ghost(),
       bodies.filter((b) => !b.behind).map((b) => b.thing), this.trace(path), this.dots(),
-      contacts.map((contact, i) => this.contact(contact, i)),
+      contacts.map((contact, i) => this.contact(contact, i)), this.body_forces(),
       bodies.map((b) => b.label));
     }
   }
