@@ -332,6 +332,11 @@ async function playing(browser) {
     getComputedStyle(root_there).getPropertyValue('--paper')), /#/);
   assert.ok(await frame.locator('#scene .drawing .head').count() > 0, 'arrows');
   await page.click('#close');
+  // A motion that ends soon, asked for at a moment that it does not reach.
+  await page.evaluate((text) => window.lcpush.app.replace(text),
+    readFileSync(fixture('lever'), 'utf8'));
+  await page.locator('#time').fill('200');
+  await page.waitForFunction(() => /0\.\d+ s/.test(document.getElementById('clock').textContent));
   await page.click('#raw summary');
   await page.selectOption('#examples', 'infeasible_psd');
   await page.click('#raw-pivots');

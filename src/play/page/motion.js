@@ -46,10 +46,8 @@
         const reply = await this.app.background.ask('move', `move 0 ${frames}`, text);
         if (reply === null || this.app.state.text !== text) return false;
         const { answer, sentence, poses } = JSON.parse(reply);
-        const bodies = answer.frames.slice(answer.frames.length < 3 ? 1 : 2)
-          .flatMap((frame) => frame.bodies); // the first step sets everything going at once
-        this.run = { text, answer, poses,
-          most_force: Math.max(...bodies.map(({ force }) => length(force)), 1e-9) };
+        const forces = answer.frames.slice(1).flatMap(({ bodies }) => bodies.map(({ force }) => force));
+        this.run = { text, answer, poses, forces };
         by_id('time').max = answer.frames.length - 1;
         by_id('motion').textContent = sentence;
         if (answer.frames.length < 2) return false;
@@ -98,9 +96,10 @@
       this.app.draw();
     }
 
-    async seek(k) {
+    async seek(wanted) {
       if (!await this.load()) return;
-      const { answer, poses, most_force } = this.run;
+      const { answer, poses, forces } = this.run;
+      const k = Math.min(wanted, answer.frames.length - 1); // it may end before its time
       const frame = answer.frames[k];
       by_id('time').value = k;
       by_id('clock').textContent = `${decimal(frame.time)} s`;
@@ -110,10 +109,15 @@
         const [position, columns, middle, normal] = poses.slice(at, at + 4);
         const press = scale(normal, normal_force);
         return [name, { position, turned: by_columns(columns), middle,
+          normal_force: k > 0 ? normal_force : undefined,
           forces: k > 0 && length(normal) > 0 ? [press, subtract(force, press)] : [] }];
       }));
       this.shown = k;
-      this.app.draw({ pose: { position: frame.position, turned: by_rows(frame.rotation) }, bodies, most_force },
+      // A step that sets everything going at once, or ends it, would dwarf the others.
+      const sizes = forces.map((force) => length(this.app.view.flat(force))).sort((a, b) => a - b);
+      const most_force = sizes[Math.floor(0.95 * sizes.length)] || 1e-9;
+      const pose = { position: frame.position, turned: by_rows(frame.rotation) };
+      this.app.draw({ pose, bodies, most_force },
         answer.frames.slice(0, k + 1).map(({ position }) => position));
     }
   }

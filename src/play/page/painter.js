@@ -86,8 +86,9 @@
       const behind = dot(view.toward, first.normal) > 0.3;
       const tip = this.place(figures.middle(corners));
       const away = view.flat(scale(first.normal, -1));
-      const force = (this.state.answer.bodies || []).find((body) => body.name === name);
-      const words = this.answer && force ? `${name}  ${decimal(force.normal_force)} N` : name;
+      const force = this.bodies_at?.get(name)
+        || (this.state.answer.bodies || []).find((body) => body.name === name);
+      const words = force?.normal_force !== undefined ? `${name}  ${decimal(force.normal_force)} N` : name;
       const sideways = length(away) > 0.3 ? unit(away) : [behind ? -0.5 : 0.5, behind ? 1 : -1];
       const [x, y] = this.kept_inside(words, sideways,
         add(tip, scale(sideways, length(away) > 0.3 ? 58 : 76)));
@@ -149,10 +150,15 @@
 
     /// While the push is played: what each body does to the object.
     body_forces() {
-      return [...this.bodies_at?.values() || []].flatMap(({ middle, forces }) =>
-        forces.map((force, k) => arrow(`force ${['normal', 'friction'][k]}`,
-          subtract(this.place(middle), scale(this.view.flat(force), this.newtons)),
-          this.place(middle))));
+      return [...this.bodies_at?.values() || []].flatMap(({ middle, forces }) => {
+        const tip = this.place(middle);
+        return forces.map((force, k) => {
+          const shaft = scale(this.view.flat(force), this.newtons);
+          const shown = scale(shaft, Math.min(1, 2 * longest / length(shaft)));
+          return length(shaft) > 0 && arrow(`force ${['normal', 'friction'][k]}`,
+            subtract(tip, shown), tip);
+        });
+      });
     }
 
     axes() {
