@@ -8,7 +8,9 @@
 #include "cli/commands.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/scene_io.hpp"
+#include "lcpush/mechanics/model/assemble.hpp"
 #include "scenes/shipped_scenes.hpp"
+#include "text/limits.hpp"
 
 namespace lcpush::cli {
 namespace {
@@ -37,7 +39,13 @@ int run_play(const Arguments& arguments) {
   } else {
     const std::string& path = arguments.files()[0];
     text = desktop::read_scene_text(path);
-    desktop::parse_scene(text, desktop::scene_label(path)); // what is wrong is said here as well
+    // What is wrong is said here as well.
+    const desktop::SceneFile file = desktop::parse_scene(text, desktop::scene_label(path));
+    if (size_of(file.view()).unknowns() > desktop::limits::unknowns_searched)
+      throw desktop::InputError(desktop::scene_label(path) + ": more than the " +
+                                std::to_string(desktop::limits::unknowns_searched) +
+                                " unknowns that the page solves while you look; use fewer points "
+                                "or facets");
   }
   write_output(arguments, desktop::play_html(text));
   return 0;

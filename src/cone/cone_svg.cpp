@@ -1,8 +1,8 @@
 // The motion cone drawn: in space, and as velocities of the pusher where it presses.
 #include "cone/cone_words.hpp"
 #include "cone/limit_surface.hpp"
-#include "draw/prism.hpp"
 #include "draw/view.hpp"
+#include "scenes/drawn_object.hpp"
 #include "text/format.hpp"
 
 #include <algorithm>
@@ -93,12 +93,8 @@ private:
   }
 
   std::vector<Pixel> flat_outline() const {
-    const Vector3<double>& center = file_.object.center_of_mass;
-    const Prism object = file_.shape.kind == ObjectShape::Kind::cylinder
-                             ? cylinder_prism(center, file_.shape.size, file_.shape.axis)
-                             : box_prism(center, file_.shape.size);
     std::vector<Pixel> corners;
-    for (const Vector3<double>& corner : corners_of(object))
+    for (const Vector3<double>& corner : corners_of(object_prism(file_)))
       corners.push_back({corner.x(), -corner.y()});
     return hull(corners);
   }

@@ -2,6 +2,7 @@
 
 #include "draw/marks.hpp"
 #include "move/move_words.hpp"
+#include "scenes/drawn_object.hpp"
 #include "text/format.hpp"
 
 #include <algorithm>
@@ -12,12 +13,6 @@ namespace lcpush::desktop {
 namespace {
 
 constexpr double margin = 84, bar_room = 70;
-
-Prism drawn_object(const SceneFile& file) {
-  if (file.shape.kind == ObjectShape::Kind::cylinder)
-    return cylinder_prism(file.object.center_of_mass, file.shape.size, file.shape.axis);
-  return box_prism(file.object.center_of_mass, file.shape.size);
-}
 
 /// A point of the object that was at `at`, scene's frame.
 Vector3<double> carried_by(const SceneFile& file, const Pose<double>& pose,
@@ -67,7 +62,7 @@ std::vector<std::size_t> spread_out(std::size_t count, std::size_t most) {
 }
 
 MotionPainter::MotionPainter(const SceneFile& file, const MotionReport& report)
-    : file_(file), report_(report), object_(drawn_object(file)),
+    : file_(file), report_(report), object_(object_prism(file)),
       view_(clearest_view(file, report)) {
   std::vector<Pixel> shown;
   for (const MotionFrame& frame : report.frames) {

@@ -1,8 +1,8 @@
 #include "pivots/explorer_scene.hpp"
 
 #include "draw/marks.hpp"
-#include "draw/prism.hpp"
 #include "draw/view.hpp"
+#include "scenes/drawn_object.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -39,15 +39,6 @@ void write_bodies(JsonWriter& json, const Push& push) {
     }
     json.end_array();
   });
-}
-
-/// Where contacts are drawn: those at the object's centre on its surface, beside their bodies.
-std::vector<Vector3<double>> drawn_positions(const SceneFile& file) {
-  const Vector3<double>& center = file.object.center_of_mass;
-  const Prism object = file.shape.kind == ObjectShape::Kind::cylinder
-                           ? cylinder_prism(center, file.shape.size, file.shape.axis)
-                           : box_prism(center, file.shape.size);
-  return positions_beside(object, center, file.positions, file.bodies);
 }
 
 /// The plane alone, unless that shows a round object from its side.
@@ -139,6 +130,13 @@ constexpr ModeWords mode_words[] = {
     {"sink", Mark::cross, "sinks in", "sinks in, while z0 > 0"},
 };
 
+void write_prism(JsonWriter& json, const Prism& prism) {
+  json.key("prism").begin_object();
+  json.list("base", static_cast<Index>(prism.base.size()),
+            [&](Index k) { json.value(prism.base[static_cast<std::size_t>(k)]); });
+  json.member("along", prism.along).end_object();
+}
+
 /// What is drawn about the origin, to be moved where it belongs; and the key that explains it.
 void write_marks(JsonWriter& json) {
   const auto small = [](const std::string& elements) { return sample("0 0 26 14", elements); };
@@ -165,14 +163,16 @@ void write_marks(JsonWriter& json) {
 
 } // namespace
 
-void write_scene(JsonWriter& json, const Push& push, bool is_drawn) {
+void write_scene(JsonWriter& json, const Push& push, ScenePictures pictures) {
   json.begin_object();
   write_object(json, push.file());
   write_bodies(json, push);
-  write_points(json, push, is_drawn);
-  if (is_drawn) {
+  write_points(json, push, pictures != ScenePictures::none);
+  if (pictures == ScenePictures::views)
     json.objects("views", shown_views(push.file()),
                  [&](const View& view) { write_view(json, push, view); });
+  if (pictures == ScenePictures::in_space) write_prism(json, object_prism(push.file()));
+  if (pictures != ScenePictures::none) {
     write_marks(json);
     json.member("longest_force", longest_force).member("fastest", fastest);
   }

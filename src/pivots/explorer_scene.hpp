@@ -1,5 +1,5 @@
-// A scene as JSON: geometry, generators, and where each contact's unknowns stand among z. For the
-// explorer also what of its pictures no pivot changes, so that its script draws only what does.
+// A scene as JSON: geometry, generators, and where each contact's unknowns stand among z. For pages
+// also what of its pictures is as in a report, so that their scripts draw only what changes.
 #pragma once
 
 #include "formats/json_writer.hpp"
@@ -7,7 +7,14 @@
 
 namespace lcpush::desktop {
 
+/// How much of its pictures goes along.
+enum class ScenePictures {
+  none,
+  views,    ///< projections, outlines, pads, cones: for a page that shows fixed views
+  in_space, ///< the object as a prism: for a page that turns it
+};
+
 /// One object, SI units and scene axes.
-void write_scene(JsonWriter& json, const Push& push, bool is_drawn);
+void write_scene(JsonWriter& json, const Push& push, ScenePictures pictures);
 
 } // namespace lcpush::desktop

@@ -44,7 +44,8 @@ public:
     write_end();
     if (push != nullptr) write_warnings(json, check_scene(push->file()));
     json.key("scene");
-    push != nullptr ? write_scene(json, *push, !tableaus) : void(json.value(nullptr));
+    const ScenePictures pictures = tableaus ? ScenePictures::none : ScenePictures::views;
+    push != nullptr ? write_scene(json, *push, pictures) : void(json.value(nullptr));
     return json.end_object().text();
   }
 

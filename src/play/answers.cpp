@@ -10,8 +10,10 @@
 #include "pivots/explorer_scene.hpp"
 #include "pivots/explorer_text.hpp"
 #include "pivots/subject.hpp"
+#include "play/instant.hpp"
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
+#include "text/format.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 
@@ -50,7 +52,7 @@ std::string solve_answer(std::string_view text, bool searches) {
   const HoldReport hold = push.holds_without_push(options);
   const PushReport report = push.solve(options);
   JsonWriter scene;
-  write_scene(scene, push, true);
+  write_scene(scene, push, ScenePictures::in_space);
   return with_words(solve_json(file, hold, report), first_sentence(file, report),
                     ", \"scene\": " + scene.text());
 }
@@ -76,6 +78,24 @@ std::string break_answer(std::string_view text) {
                     report.status == Status::solved ? break_sentence(file, report) : std::string());
 }
 
+/// Where a body presses: the middle of its points that touch, and their normal; 0 of none.
+struct PressingPlace {
+  Vector3<double> middle = Vector3<double>::Zero(), normal = Vector3<double>::Zero();
+};
+PressingPlace pressing_place(const Body<double>& body, const MotionFrame& frame) {
+  PressingPlace place;
+  int count = 0;
+  for (const Index i : points_of(body)) {
+    const PointState& point = frame.contacts[static_cast<std::size_t>(i)];
+    if (point.touch != Touch::sticks && point.touch != Touch::slips) continue;
+    place.middle += point.position;
+    place.normal = point.normal;
+    ++count;
+  }
+  if (count > 0) place.middle /= count;
+  return place;
+}
+
 std::string move_answer(std::string_view text, std::string_view time, std::string_view frames) {
   const SceneFile file = small_scene(text, Strokes::all);
   MoveOptions options;
@@ -89,9 +109,12 @@ std::string move_answer(std::string_view text, std::string_view time, std::strin
   JsonWriter poses;
   poses.begin_array();
   for (const MotionFrame& frame : report.frames)
-    for (const Pose<double>& pose : frame.body_poses) {
+    for (std::size_t b = 0; b < file.bodies.size(); ++b) {
+      const Pose<double>& pose = frame.body_poses[b];
       const Eigen::Map<const Eigen::Matrix<double, 9, 1>> columns(pose.rotation.data());
+      const PressingPlace pressing = pressing_place(file.bodies[b], frame);
       poses.value(pose.position).value(Eigen::Matrix<double, 9, 1>(columns));
+      poses.value(pressing.middle).value(pressing.normal);
     }
   poses.end_array();
   return with_words(move_json(file, report), move_sentence(file, report),
@@ -106,8 +129,17 @@ std::string traced(const PivotSubject& subject) {
   return open_pivots_html(trace, subject.push.get());
 }
 
-std::string pivots_answer(std::string_view text) {
-  SceneFile file = small_scene(text);
+/// After `seconds` of its motion, if that is positive.
+std::string pivots_answer(std::string_view text, double seconds) {
+  SceneFile file = small_scene(text, seconds > 0 ? Strokes::all : Strokes::first);
+  if (seconds > 0) {
+    MoveOptions options;
+    options.most_steps = limits::motion_solves;
+    options.time = seconds;
+    options.frames = 2;
+    file = scene_at(file, move(file, options).frames.back());
+    file.title += (file.title.empty() ? "After " : ", after ") + brief(seconds) + " s";
+  }
   file.facets = 4;
   return traced(rounded_subject(std::move(file), scene_name));
 }
@@ -138,7 +170,8 @@ std::string answer_to(std::string_view question, std::string_view text) {
   if (asked == "solve" || asked == "drag") return solve_answer(text, asked == "solve");
   if (asked == "break") return break_answer(text);
   if (asked == "move" && words.size() == 3) return move_answer(text, words[1], words[2]);
-  if (asked == "pivots") return pivots_answer(text);
+  if (asked == "pivots")
+    return pivots_answer(text, words.size() < 2 ? 0 : read_finite_number(words[1]).value);
   if (asked == "lcp") return typed_answer(text);
   throw InputError("no question of the page: " + quoted(question));
 }

@@ -15,9 +15,11 @@ namespace lcpush::desktop {
 ///   "break"        {"answer": as `break --json`, "sentence": empty without an answer}
 ///   "move T N"     {"answer": as `move --json --time T --frames N`, "sentence": its first,
 ///   "poses":
-///                  where the bodies are, frame by frame: position, rotation column by column};
+///                  where the bodies are, frame by frame: position, rotation column by column,
+///                  the middle of the points that press, their normal};
 ///                  T = 0: as long as the scene says
-///   "pivots"       the page of `pivots --format html`, in decimals
+///   "pivots T"     the page of `pivots --format html`, in decimals, of the scene as it stands T
+///                  seconds later; without T as it is
 ///   "lcp"          that page of a typed problem: M on the first line, q on the second
 /// Throws InputError where the commands would.
 std::string answer_to(std::string_view question, std::string_view text);

@@ -3,8 +3,8 @@
 
 #include "draw/arrow_places.hpp"
 #include "draw/label_places.hpp"
-#include "draw/prism.hpp"
 #include "report/pictures.hpp"
+#include "scenes/drawn_object.hpp"
 
 namespace lcpush::desktop {
 
@@ -20,12 +20,6 @@ struct PictureScales {
 
 /// Those of forces and motions; `meters` is left at 1.
 PictureScales picture_scales(const SceneFile& file, const PushReport& report);
-
-/// The object; its box where the scene gives an inertia alone.
-Prism object_prism(const SceneFile& file);
-/// Where contact points are drawn: one that is taken at the object's centre stands on its surface,
-/// so that its body is seen beside the object.
-std::vector<Vector3<double>> drawn_positions(const SceneFile& file);
 
 /// Of a point: what its body is told and what its actuators add; without an answer the former.
 Vector3<double> point_acceleration(const Scene<double>& scene, const Body<double>& body,

@@ -17,21 +17,7 @@ constexpr double tallest_object = 160; ///< pixels: two views stand beside the i
 /// "slip" of "slips".
 std::string plural_of(const std::string& verb) { return verb.substr(0, verb.size() - 1); }
 
-Prism prism_of(const ObjectShape& shape, const Vector3<double>& center) {
-  return shape.kind == ObjectShape::Kind::cylinder ? cylinder_prism(center, shape.size, shape.axis)
-                                                   : box_prism(center, shape.size);
-}
-
 } // namespace
-
-Prism object_prism(const SceneFile& file) {
-  return prism_of(file.shape, file.object.center_of_mass);
-}
-
-std::vector<Vector3<double>> drawn_positions(const SceneFile& file) {
-  return positions_beside(object_prism(file), file.object.center_of_mass, file.positions,
-                          file.bodies);
-}
 
 Vector3<double> point_acceleration(const Scene<double>& scene, const Body<double>& body,
                                    Index point, const PushReport& report) {

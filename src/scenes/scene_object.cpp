@@ -59,6 +59,8 @@ void check_inertia(const TableReader& table, const std::string& key,
   const Eigen::SelfAdjointEigenSolver<Matrix3<double>> solver(inertia / scale,
                                                               Eigen::EigenvaluesOnly);
   const Vector3<double> moments = solver.eigenvalues();
+  if (!(moments[0] > thinnest * moments[2]) && key != "inertia")
+    table.fail(key, key + " gives an object far too thin for its length; check its units (SI)");
   if (!(moments[0] > thinnest * moments[2]))
     table.fail(key, key + " must be positive definite; check its signs and order "
                           "(xx, yy, zz, xy, xz, yz)");

@@ -126,3 +126,29 @@ test('the examples are those of fixtures/textbook', () => {
     assert.deepEqual(q.split(' ').map(Number), numbers(`${name}.q.mtx`), name);
   }
 });
+
+test('the page unpacks its solver to the module that was packed', () => {
+  const text = readFileSync(join(root, 'src', 'play', 'wasm', 'solver.txt'), 'ascii');
+  const bytes = play.unpack(text);
+  assert.equal(bytes.length, Number(text.split(' ')[0]));
+  const module = new WebAssembly.Module(bytes);
+  assert.deepEqual(WebAssembly.Module.imports(module), []);
+  const solver = new play.Solver(module);
+  const { sentence } = JSON.parse(solver.ask('drag', fixtures.find(([name]) => name === 'pivot.toml')[1]));
+  assert.match(sentence, /pivots/);
+});
+
+test('every shipped scene has pivots that a page can read, whole numbers beyond 2^53 among them', () => {
+  const solver = new play.Solver(new WebAssembly.Module(play.unpack(
+    readFileSync(join(root, 'src', 'play', 'wasm', 'solver.txt'), 'ascii'))));
+  let largest = 0;
+  for (const [name, text] of fixtures) {
+    const page = solver.ask('pivots', text);
+    const [, json] = /<script type="application\/json"[^>]*>([\s\S]*?)<\/script>/.exec(page);
+    assert.doesNotThrow(() => JSON.parse(json, (_, value) => {
+      if (Number.isInteger(value)) largest = Math.max(largest, value);
+      return value;
+    }), name);
+  }
+  assert.ok(largest > 2 ** 53, `${largest}`);
+});

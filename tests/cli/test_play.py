@@ -57,6 +57,12 @@ class Play(unittest.TestCase):
         self.assertEqual((result.returncode, result.stdout), (2, ""))
         self.assertRegex(result.stderr, r":\d+: .*(mass|missing)")
 
+    def test_what_the_page_would_not_solve_is_refused(self):
+        text = (SCENES / "pivot.toml").read_text(encoding="utf-8").replace("points = 2", "points = 400")
+        result = run("-", text=text)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertIn("fewer points", " ".join(result.stderr.split()))
+
     def test_the_gallery_leads_to_every_shipped_scene(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(run("--gallery", "-o", folder).returncode, 0)

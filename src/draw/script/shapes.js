@@ -19,8 +19,15 @@
       polygon('head', [[x1, y1], wing(1), wing(-1)]));
   }
 
+  const marks = new Map();
+
   /// A mark that lcpush drew about 0.
-  const mark = (markup, [x, y]) => parsed(svg('g', { transform: `translate(${x} ${y})` }), markup);
+  function mark(markup, [x, y]) {
+    if (!marks.has(markup)) marks.set(markup, parsed(svg('g', {}), markup));
+    const copy = marks.get(markup).cloneNode(true);
+    copy.setAttribute('transform', `translate(${x} ${y})`);
+    return copy;
+  }
 
   drawing.shapes = { polygon, arrow, mark };
 })();

@@ -9,12 +9,16 @@
   const size = 320;
   const room = 34; // around what is drawn, for names
 
+  /// Where a column points; of numbers too large for decimals roughly.
+  const direction = (v) => (v.every(Number.isFinite) ? v
+    : v.map((x) => (Number.isFinite(x) ? 0 : Math.sign(x))));
+
   /// The columns of w1, w2, z1, z2, and q and d, as the run has them.
   function plane(app, run) {
     const { problem, recorded } = app;
     const given = explorer.certificate.as_given(recorded, run);
     const entry = (r, c) => problem.number(given.entry(r, c));
-    const column = (c) => [entry(0, c), entry(1, c)];
+    const column = (c) => direction([entry(0, c), entry(1, c)]);
     return { generators: [[1, 0], [0, 1], scale(column(0), -1), scale(column(1), -1)],
       d: column(2), q: [0, 1].map((r) => problem.number(given.value(r)[0])) };
   }
@@ -25,11 +29,11 @@
 
   function update(app) {
     const { problem, path, frame } = app;
-    const shown = problem.size === 2 && problem.levels === 1;
+    const { run } = path.frames[frame];
+    const space = problem.size === 2 && problem.levels === 1 && plane(app, run);
+    const shown = space && space.q.every(Number.isFinite);
     by_id('cones-panel').hidden = !shown;
     if (!shown) return;
-    const { run } = path.frames[frame];
-    const space = plane(app, run);
     const frames = [...path.frames.keys()].filter((k) => path.frames[k].run === run);
     const points = frames.map((k) => lifted(app, space, k));
     const here = lifted(app, space, frame);

@@ -44,6 +44,19 @@
       });
     }
 
+    /// Nobody waits for the questions of that kind any longer.
+    drop(kind) {
+      const gone = this.waiting.filter((job) => job.kind === kind);
+      for (const job of gone) job.resolve(null);
+      this.waiting = this.waiting.filter((job) => !gone.includes(job));
+      if (!gone.includes(this.running)) return;
+      clearTimeout(this.timer);
+      this.running = null;
+      this.worker.terminate();
+      this.start();
+      this.next();
+    }
+
     next() {
       if (this.running || this.waiting.length === 0) return;
       [this.running] = this.waiting;

@@ -17,9 +17,9 @@
   const length_in = ([i, j], v) => Math.hypot(v[i], v[j]);
   function in_plane([i, j], v, length, angle) {
     const result = [...v];
-    const micro = (x) => Math.round(x * 1e6) / 1e6;
-    result[i] = micro(length * Math.cos(angle / degrees));
-    result[j] = micro(length * Math.sin(angle / degrees));
+    const finer = (x) => Math.round(x * 1e9) / 1e9;
+    result[i] = finer(length * Math.cos(angle / degrees));
+    result[j] = finer(length * Math.sin(angle / degrees));
     return result;
   }
 
@@ -94,7 +94,7 @@
     const controls = [];
     const force = toml.get(section, 'grip_force');
     if (force !== undefined)
-      controls.push(number_of('grip', 'N', named, 'grip_force', 0, round_up(3 * force), 0.1));
+      controls.push(number_of('grip', 'N', named, 'grip_force', 0.1, round_up(3 * force), 0.1));
     controls.push(number_of('friction', '', named, 'friction', 0, 1.5, 0.01));
     if (section.name !== 'pusher') return controls;
     const key = toml.get(section, 'velocity') ? 'velocity' : 'acceleration';
@@ -173,18 +173,27 @@
       const key = h('span', { class: 'region-key', hidden: true });
       const row = h('div', { class: 'control' },
         h('span', {}, label, h('span', { class: 'quiet' }, unit && ` ${unit}`)), range, box, shades, key);
-      range.addEventListener('input', () => this.write(control, Number(range.value), false));
-      range.addEventListener('change', () => this.write(control, Number(range.value), true));
+      let shown;
+      const write = (value, is_done) => {
+        shown = undefined; // what the scene makes of it is to be seen
+        this.write(control, value, is_done);
+      };
+      range.addEventListener('input', () => write(Number(range.value), false));
+      range.addEventListener('change', () => write(Number(range.value), true));
       range.addEventListener('focus', () =>
         this.region.show(shades, key, range, control, this.state));
       range.addEventListener('blur', () => this.region.leave());
       box.addEventListener('change', () => {
-        if (box.value !== '') this.write(control, Number(box.value), true);
+        if (box.value === '') box.value = shown ?? ''; // emptied, or no number of this world
+        else write(Number(box.value), true);
       });
       this.shown.push((toml) => {
         const value = control.read(toml);
         row.hidden = !Number.isFinite(value);
+        if (row.hidden || value === shown) return;
+        shown = value;
         if (document.activeElement !== box || Number(box.value) !== value) box.value = value;
+        range.min = Math.min(least, value);
         range.max = Math.max(most, value);
         range.value = value;
       });

@@ -52,7 +52,8 @@
       const { moved } = this.held;
       this.held = null;
       this.app.hold(null);
-      if (moved) this.app.change(this.app.state.text, true);
+      // Where it was let go; but where no scene is, as it was last.
+      if (moved) this.app.change(this.app.due ? this.app.wanted : this.app.state.text, true);
     }
 
     press(event) {

@@ -1,6 +1,7 @@
 // The answer in words and numbers.
 (() => {
-  const { h, table, replace } = drawing.elements;
+  const { h, svg, parsed, table, replace } = drawing.elements;
+  const { polygon, arrow } = drawing.shapes;
   const { decimal } = drawing.numbers;
 
   const verbs = { stick: 'sticks', slide: 'slips', separate: 'opens', touch: 'touches' };
@@ -23,6 +24,7 @@
 
   function grip_words(breaking) {
     if (!breaking) return '\u2026';
+    if (breaking.refusal) return '\u2013';
     if (breaking.smallest_grip_from === 'no_grip') return 'none is enough';
     return Number.isFinite(breaking.smallest_grip) && breaking.smallest_grip !== null
       ? `${decimal(breaking.smallest_grip)} N` : 'not known';
@@ -39,7 +41,6 @@
       fact('Pivots', String(answer.pivots)),
       answer.jam && h('div', { class: 'jam' }, h('dt', {}, 'Why it jams'),
         answer.jam.words.map((words) => h('dd', {}, words))));
-    contacts(answer);
   }
 
   function contacts({ contacts: list }) {
@@ -49,5 +50,18 @@
       : h('p', {}, 'No answer, no forces.'));
   }
 
-  play.facts = { update };
+  /// What the picture's signs mean: of the explorer's key, those that stand here as well.
+  function key({ key: markup }) {
+    const shown = ['normal force', 'friction', 'friction pyramid', 'sticks', 'slips', 'opens'];
+    const list = parsed(h('div'), markup).firstElementChild;
+    for (const item of [...list.children])
+      if (!shown.includes(item.textContent.trim())) item.remove();
+    const sample = (drawn, words) => h('li', {}, svg('svg', { class: 'drawing', viewBox: '0 0 26 14',
+      'aria-hidden': 'true' }, drawn), words);
+    list.append(sample(arrow('motion thin', [1, 7], [25, 7]), 'the pusher moves'),
+      sample(polygon('ghost', [[2, 4], [23, 1], [24, 10], [3, 13]]), 'where the object goes'));
+    replace('key', list);
+  }
+
+  play.facts = { key, update, contacts };
 })();

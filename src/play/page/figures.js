@@ -4,44 +4,29 @@
   const { add, subtract, scale, dot, cross, unit, length } = drawing.vectors;
   const range = (n) => [...Array(n).keys()];
 
-  /// Faces, each {normal, corners}, about the centre of mass at 0.
-  function box_faces([x, y, z]) {
-    const half = [x / 2, y / 2, z / 2];
-    const faces = [];
-    for (const axis of range(3)) {
-      for (const side of [1, -1]) {
-        const [a, b] = [(axis + 1) % 3, (axis + 2) % 3];
-        const corners = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([p, q]) => {
-          const corner = [0, 0, 0];
-          corner[axis] = side * half[axis];
-          corner[a] = p * half[a];
-          corner[b] = q * half[b];
-          return corner;
-        });
-        faces.push({ normal: range(3).map((k) => (k === axis ? side : 0)), corners });
-      }
-    }
-    return faces;
+  /// Of the prism that pictures of the object are drawn from: faces {normal, corners} about the
+  /// centre of mass. Of one with many sides, a cylinder, the ends alone.
+  function faces_of({ prism: { base, along }, center_of_mass }) {
+    const low = base.map((corner) => subtract(corner, center_of_mass));
+    const high = low.map((corner) => add(corner, along));
+    const ends = [[low, -1], [high, 1]].map(([corners, side]) =>
+      ({ normal: scale(unit(along), side), corners }));
+    if (base.length > 8) return ends;
+    const inside = middle(low);
+    return [...ends, ...range(low.length).map((k) => {
+      const next = (k + 1) % low.length;
+      const across = unit(cross(subtract(low[next], low[k]), along));
+      return { normal: scale(across, Math.sign(dot(across, subtract(low[k], inside)))),
+        corners: [low[k], low[next], high[next], high[k]] };
+    })];
   }
 
-  function cylinder_faces(size, axis) {
-    const sides = 48;
-    const [a, b] = [(axis + 1) % 3, (axis + 2) % 3];
-    const rim = (end, k) => {
-      const corner = [0, 0, 0];
-      corner[axis] = end * size[axis] / 2;
-      corner[a] = size[a] / 2 * Math.cos(2 * Math.PI * k / sides);
-      corner[b] = size[b] / 2 * Math.sin(2 * Math.PI * k / sides);
-      return corner;
-    };
-    return [1, -1].map((end) => ({
-      normal: range(3).map((k) => (k === axis ? end : 0)),
-      corners: range(sides).map((k) => rim(end, k)),
-    }));
-  }
+  const middle = (points) => scale(points.reduce(add), 1 / points.length);
 
-  const object_faces = ({ shape }) => (shape.kind === 'cylinder'
-    ? cylinder_faces(shape.size, shape.axis) : box_faces(shape.size));
+  function object_faces(scene) {
+    scene.faces ||= faces_of(scene);
+    return scene.faces;
+  }
 
   /// What encloses a body's points: a plate of their outline, a little larger and as thick as
   /// `thick`, on the far side of the object.
@@ -59,8 +44,6 @@
       }
     return corners;
   }
-
-  const middle = (points) => scale(points.reduce(add), 1 / points.length);
 
   /// The half diagonal of all that is there, about the centre of mass.
   function reach(scene) {

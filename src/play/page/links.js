@@ -17,16 +17,16 @@
     return new TextDecoder().decode(await through(bytes, new DecompressionStream('deflate-raw')));
   }
 
-  /// {scene} or {lcp}: what the address carries; {} if nothing, or nothing that can be read.
+  /// {scene} or {lcp}: what the address carries; {broken} if it cannot be read, {} if nothing.
   async function carried() {
-    const plain = /^#text=(.+)$/.exec(location.hash);
-    const found = /^#(scene|lcp)=([\w-]+)$/.exec(location.hash);
+    const [, kind, word] = /^#(text|scene|lcp)=(.*)$/.exec(location.hash) || [];
+    const broken = 'The link is cut short or damaged: the page cannot show what it carried.';
     try {
-      if (plain) return { scene: decodeURIComponent(plain[1]) };
-      if (!found) return {};
-      return { [found[1]]: await unpacked(found[2]) };
+      if (!kind) return {};
+      const text = kind === 'text' ? decodeURIComponent(word) : await unpacked(word);
+      return text ? { [kind === 'lcp' ? 'lcp' : 'scene']: text } : { broken };
     } catch {
-      return {};
+      return { broken };
     }
   }
 

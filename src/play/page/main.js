@@ -7,7 +7,9 @@
     .replace('/*DRAWING*/', () => by_id('drawing').textContent);
 
   class Application {
-    constructor(module, text) {
+    /// `linked`: a scene from the address, or nothing.
+    constructor(module, own, linked) {
+      const text = linked || own;
       this.solver = new play.Solver(module);
       this.background = new play.Background(module);
       this.region = new play.Region(this.background);
@@ -22,6 +24,11 @@
       this.listen();
       this.wanted = text;
       this.solve(true);
+      if (this.state || !linked) return;
+      // The page's own scene stands for one that is none.
+      this.history = new play.History(own);
+      this.go(own);
+      this.change(linked, true);
     }
 
     listen() {
@@ -42,7 +49,12 @@
           this.draw();
         });
       by_id('text').addEventListener('change', () => this.replace(by_id('text').value));
-      click('pivots', async () => play.links.say(await this.explore('pivots', this.wanted)));
+      for (const id of ['text', 'contacts'])
+        by_id(id).closest('details').addEventListener('toggle', () => this.fill_open());
+      click('pivots', async () => {
+        play.links.say('tracing the pivots ..');
+        play.links.say(await this.explore(`pivots ${this.motion.seconds()}`, this.wanted));
+      });
       click('close', () => by_id('explorer').close());
       click('link', async () => play.links.say(await play.links.copy('scene', this.wanted)));
       click('save-scene', () => play.links.save('scene.toml', 'text/plain', this.wanted));
@@ -51,9 +63,10 @@
       click('save-picture', () =>
         play.links.save('grasp.svg', 'image/svg+xml', play.links.picture()));
       window.addEventListener('hashchange', async () => {
-        const { scene, lcp } = await play.links.carried();
+        const { scene, lcp, broken } = await play.links.carried();
         if (scene && scene !== this.wanted) this.replace(scene);
         if (lcp) play.raw.show(lcp);
+        if (broken) this.warn(broken);
       });
     }
 
@@ -109,26 +122,42 @@
       const { answer, sentence, scene } = JSON.parse(reply);
       const written = reply.slice(reply.indexOf('{', 1), reply.indexOf('\n, "sentence": ') + 1);
       this.motion.forget();
+      this.background.drop('pivots');
+      if (!this.state) play.facts.key(scene);
       this.state = { text, answer, scene, written, sentence };
       by_id('failure').hidden = true;
-      by_id('picture').classList.remove('stale');
-      by_id('title').textContent = scene.title || 'lcpush playground';
-      document.title = `${scene.title || 'Playground'} \u2013 lcpush`;
+      for (const id of ['sentence', 'picture', 'facts']) by_id(id).classList.remove('stale');
+      const title = scene.title || 'lcpush playground';
+      if (by_id('title').textContent !== title) {
+        by_id('title').textContent = title;
+        document.title = `${scene.title || 'Playground'} \u2013 lcpush`;
+      }
       by_id('sentence').textContent = this.state.sentence;
-      if (document.activeElement !== by_id('text')) by_id('text').value = text;
+      this.fill_open();
       play.facts.update(this.state, this.breaking?.text === text && this.breaking.answer);
       this.controls.update(this.state);
       if (!this.hands.held) this.meters = null;
       this.draw();
     }
 
+    /// What is folded away is not written at every step of a hand.
+    fill_open() {
+      const is_open = (id) => by_id(id).closest('details').open;
+      if (is_open('text') && document.activeElement !== by_id('text')) by_id('text').value = this.wanted;
+      if (is_open('contacts') && this.state) play.facts.contacts(this.state.answer);
+    }
+
     /// The last scene that was one stays, and the text can be mended.
     refuse(message) {
+      this.warn(this.state ? `${message}\nBelow stands the last scene that has none of this.` : message);
+      for (const id of ['sentence', 'picture', 'facts']) by_id(id).classList.add('stale');
+      this.fill_open();
+      if (!this.state) by_id('text').closest('details').open = true;
+    }
+
+    warn(message) {
       by_id('failure').hidden = false;
       by_id('failure').textContent = message;
-      by_id('picture').classList.add('stale');
-      if (document.activeElement !== by_id('text')) by_id('text').value = this.wanted;
-      if (!this.state) by_id('text').closest('details').open = true;
     }
 
     async find_breaking(text) {
@@ -191,12 +220,15 @@
       const can = this.history.can();
       by_id('undo').disabled = !can.undo;
       by_id('redo').disabled = !can.redo;
+      const is_shown = this.state?.text === this.wanted;
+      for (const id of ['play', 'time', 'reset', 'pivots', 'save-answer', 'save-picture'])
+        by_id(id).disabled = !is_shown;
     }
 
     /// Opens the explorer; a sentence if it cannot.
     async explore(question, text) {
       try {
-        const page = await this.background.ask(question, question, text);
+        const page = await this.background.ask(question.split(' ')[0], question, text);
         if (page === null) return '';
         by_id('frame').srcdoc = with_drawing(page);
         by_id('explorer').showModal();
@@ -209,17 +241,17 @@
 
   (async () => {
     try {
-      const module = await play.module_of(by_id('solver').textContent);
-      const { scene, lcp } = await play.links.carried();
+      const module = await WebAssembly.compile(play.unpack(by_id('solver').textContent));
+      const { scene, lcp, broken } = await play.links.carried();
       const given = document.createElement('textarea');
       given.innerHTML = by_id('scene').textContent; // undoes what made it safe in the page
-      const app = new Application(module, scene || given.value);
+      const app = new Application(module, given.value, scene);
       if (lcp) play.raw.show(lcp);
+      if (broken) app.warn(broken);
       window.lcpush = { app, play };
     } catch (problem) {
       by_id('failure').hidden = false;
-      by_id('failure').textContent = `This page needs a browser with WebAssembly and
-        DecompressionStream (2023 or later): ${problem.message}`;
+      by_id('failure').textContent = `This page needs a browser with WebAssembly (2023 or later): ${problem.message}`;
       throw problem;
     }
   })();

@@ -2,7 +2,7 @@
 (() => {
   const { by_id } = drawing.elements;
   const { decimal } = drawing.numbers;
-  const { add, scale, length } = drawing.vectors;
+  const { add, subtract, scale, length } = drawing.vectors;
   const frames = 201;
   const duration = 4000; // ms for the whole motion
 
@@ -25,6 +25,8 @@
 
     /// Another scene: what was computed is none of its.
     forget() {
+      if (!this.playing && !this.run && !by_id('motion').textContent) return;
+      this.app.background.drop('move');
       this.pause();
       this.run = null;
       this.shown = null;
@@ -32,6 +34,9 @@
       by_id('clock').textContent = '';
       by_id('motion').textContent = '';
     }
+
+    /// How far the push has gone that is shown.
+    seconds() { return this.shown ? this.run.answer.frames[this.shown].time : 0; }
 
     async load() {
       const { text } = this.app.state;
@@ -41,7 +46,8 @@
         const reply = await this.app.background.ask('move', `move 0 ${frames}`, text);
         if (reply === null || this.app.state.text !== text) return false;
         const { answer, sentence, poses } = JSON.parse(reply);
-        this.run = { text, answer, poses };
+        const forces = answer.frames.slice(1).flatMap(({ bodies }) => bodies.map(({ force }) => force));
+        this.run = { text, answer, poses, forces };
         by_id('time').max = answer.frames.length - 1;
         by_id('motion').textContent = sentence;
         if (answer.frames.length < 2) return false;
@@ -82,24 +88,36 @@
 
     reset() {
       this.pause();
+      this.app.background.drop('move');
+      if (!this.run) by_id('motion').textContent = '';
       this.shown = null;
       by_id('time').value = 0;
       by_id('clock').textContent = '';
       this.app.draw();
     }
 
-    async seek(k) {
+    async seek(wanted) {
       if (!await this.load()) return;
-      const { answer, poses } = this.run;
+      const { answer, poses, forces } = this.run;
+      const k = Math.min(wanted, answer.frames.length - 1); // it may end before its time
       const frame = answer.frames[k];
       by_id('time').value = k;
       by_id('clock').textContent = `${decimal(frame.time)} s`;
-      const bodies = new Map(frame.bodies.map(({ name }, b) => {
-        const at = 2 * (k * frame.bodies.length + b);
-        return [name, { position: poses[at], turned: by_columns(poses[at + 1]) }];
+      by_id('time').setAttribute('aria-valuetext', `after ${decimal(frame.time)} s`);
+      const bodies = new Map(frame.bodies.map(({ name, force, normal_force }, b) => {
+        const at = 4 * (k * frame.bodies.length + b);
+        const [position, columns, middle, normal] = poses.slice(at, at + 4);
+        const press = scale(normal, normal_force);
+        return [name, { position, turned: by_columns(columns), middle,
+          normal_force: k > 0 ? normal_force : undefined,
+          forces: k > 0 && length(normal) > 0 ? [press, subtract(force, press)] : [] }];
       }));
       this.shown = k;
-      this.app.draw({ pose: { position: frame.position, turned: by_rows(frame.rotation) }, bodies },
+      // A step that sets everything going at once, or ends it, would dwarf the others.
+      const sizes = forces.map((force) => length(this.app.view.flat(force))).sort((a, b) => a - b);
+      const most_force = sizes[Math.floor(0.95 * sizes.length)] || 1e-9;
+      const pose = { position: frame.position, turned: by_rows(frame.rotation) };
+      this.app.draw({ pose, bodies, most_force },
         answer.frames.slice(0, k + 1).map(({ position }) => position));
     }
   }

@@ -23,7 +23,7 @@
       this.center = this.scene.center_of_mass;
       const forces = (state.answer.contacts || []).flatMap((c) =>
         [Math.abs(c.normal_force), length(c.friction_force)]);
-      this.newtons = longest / Math.max(...forces, 1e-9);
+      this.newtons = longest / (frame?.most_force || Math.max(...forces, 1e-9));
     }
 
     /// Pixels a metre at which all fits, however it is turned.
@@ -86,19 +86,39 @@
       const behind = dot(view.toward, first.normal) > 0.3;
       const tip = this.place(figures.middle(corners));
       const away = view.flat(scale(first.normal, -1));
-      const force = (this.state.answer.bodies || []).find((body) => body.name === name);
-      const words = this.answer && force ? `${name}  ${decimal(force.normal_force)} N` : name;
+      const force = this.bodies_at?.get(name)
+        || (this.state.answer.bodies || []).find((body) => body.name === name);
+      const words = force?.normal_force !== undefined ? `${name}  ${decimal(force.normal_force)} N` : name;
       const sideways = length(away) > 0.3 ? unit(away) : [behind ? -0.5 : 0.5, behind ? 1 : -1];
       const [x, y] = this.kept_inside(words, sideways,
         add(tip, scale(sideways, length(away) > 0.3 ? 58 : 76)));
+      const [top, bottom] = this.object_span();
+      const clear = Math.abs(y - top) < 16 ? top - 10 : Math.abs(y - bottom) < 16 ? bottom + 16 : y;
       const squeezes = this.answer?.jam?.bodies.some((one) => one.name === name);
       return { name, behind, thing: svg('g', { class: 'body', tabindex: 0, role: 'button',
         'data-body': name, 'aria-label': `${name}, ${first.role}: arrow keys move it` },
       polygon(`thing ${first.role}${behind ? ' behind' : ''}${squeezes ? ' squeezes' : ''}`,
-        hull(corners.map((c) => this.place(c))))),
-      label: svg('text', { class: `label ${first.role}`, x, y: y + 4,
+        hull(corners.map((c) => this.place(c)))), this.answer && this.push_of(first, tip)),
+      label: svg('text', { class: `label ${first.role}`, x, y: clear + 4,
         'text-anchor': sideways[0] < -0.3 ? 'end' : sideways[0] > 0.3 ? 'start' : 'middle' },
       words) };
+    }
+
+    /// Beside a pusher, which way it moves; not where that is out of the picture.
+    push_of({ role, acceleration }, [x, y]) {
+      const flat = this.view.flat(unit(acceleration.slice(0, 3)));
+      if (role !== 'pusher' || length(flat) < 0.3) return null;
+      const [dx, dy] = unit(flat);
+      const beside = [x - 16 * dy - 18 * dx, y + 16 * dx - 18 * dy];
+      return arrow('motion thin', beside, add(beside, scale(flat, 36)));
+    }
+
+    /// Where the object begins and ends, up and down the picture.
+    object_span() {
+      if (!figures.has_shape(this.scene)) return [-99, -99];
+      const heights = figures.object_faces(this.scene).flatMap(({ corners }) =>
+        corners.map((c) => this.of_object(c)[1]));
+      return [Math.min(...heights), Math.max(...heights)];
     }
 
     /// Words that would run over the picture's edge stand further in, above their body.
@@ -126,6 +146,19 @@
         arrow(`force normal${kind}`, from(normal), tip),
         arrow(`force friction${kind}`, from(contact.friction_force), tip),
         mark(scene.marks[contact.mode] || '', tip)];
+    }
+
+    /// While the push is played: what each body does to the object.
+    body_forces() {
+      return [...this.bodies_at?.values() || []].flatMap(({ middle, forces }) => {
+        const tip = this.place(middle);
+        return forces.map((force, k) => {
+          const shaft = scale(this.view.flat(force), this.newtons);
+          const shown = scale(shaft, Math.min(1, 2 * longest / length(shaft)));
+          return length(shaft) > 0 && arrow(`force ${['normal', 'friction'][k]}`,
+            subtract(tip, shown), tip);
+        });
+      });
     }
 
     axes() {
@@ -163,7 +196,7 @@
         'aria-label': `The grasp: ${state.sentence}`, tabindex: 0 },
       this.axes(), bodies.filter((b) => b.behind).map((b) => b.thing), this.object(), this.ghost(),
       bodies.filter((b) => !b.behind).map((b) => b.thing), this.trace(path), this.dots(),
-      contacts.map((contact, i) => this.contact(contact, i)),
+      contacts.map((contact, i) => this.contact(contact, i)), this.body_forces(),
       bodies.map((b) => b.label));
     }
   }

@@ -23,8 +23,11 @@
     floudas_10_2_2: ['1 1; 1 1', '-1 -1', 'a whole segment of solutions'],
   };
 
-  const problem = () => `${by_id('M').value.trim().replace(/;?\s*\n\s*/g, '; ')}\n${
-    by_id('q').value.trim().replace(/\s*[;,\n]\s*/g, ' ')}`;
+  /// Brackets of other languages, and a semicolon at the end, say nothing.
+  const plain = (text) => text.replace(/\]\s*,?\s*\[/g, ';').replace(/[[\]]/g, ' ').trim()
+    .replace(/[;,\s]+$/, '');
+  const problem = () => `${plain(by_id('M').value).replace(/[,;]?\s*[\n;]\s*/g, '; ')}\n${
+    plain(by_id('q').value).replace(/\s*[;,\n]\s*/g, ' ')}`;
 
   function create(app) {
     by_id('examples').append(...Object.entries(examples).map(([name, [, , words]]) =>
@@ -33,6 +36,7 @@
       [by_id('M').value, by_id('q').value] = examples[by_id('examples').value];
     });
     by_id('raw-pivots').addEventListener('click', async () => {
+      by_id('raw-said').textContent = 'tracing the pivots ..';
       by_id('raw-said').textContent = await app.explore('lcp', problem());
     });
     by_id('raw-link').addEventListener('click', async () => {

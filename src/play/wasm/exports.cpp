@@ -6,10 +6,12 @@
 #include "play/answers.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <system_error>
 
 #include <wasi/api.h>
 
@@ -62,11 +64,13 @@ extern "C" __wasi_errno_t __wasi_fd_write(__wasi_fd_t, const __wasi_ciovec_t*, s
 
 // In the place of libc++'s own __d2fixed_buffered_n (see the linker's --wrap): that writes whole
 // numbers above 2^53 with 100 kB of tables, and printf knows the same digits.
-extern "C" int __wrap__ZNSt3__220__d2fixed_buffered_nEPcS0_dj(char* first, char* last,
-                                                              double number, unsigned decimals) {
+extern "C" std::to_chars_result __wrap__ZNSt3__220__d2fixed_buffered_nEPcS0_dj(char* first,
+                                                                               char* last,
+                                                                               double number,
+                                                                               unsigned decimals) {
   char text[64];
   const int size = std::snprintf(text, sizeof text, "%.*f", static_cast<int>(decimals), number);
   if (size < 0 || size >= static_cast<int>(sizeof text) || size > last - first) __builtin_trap();
   std::memcpy(first, text, static_cast<std::size_t>(size));
-  return size;
+  return {first + size, std::errc{}};
 }
