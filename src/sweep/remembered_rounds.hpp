@@ -18,6 +18,7 @@ struct RoundMemory {
 
   std::vector<Basis>& bases;            ///< by the number of the round
   std::vector<FactoredBasis>& factored; ///< the same
+  bool is_fresh = bases.empty();        ///< nothing nearby: as a solve, by its own pivots alone
   std::size_t next = 0;                 ///< round of this solve
   Index cold = 0;                       ///< rounds that began from nothing
 
@@ -66,7 +67,8 @@ public:
     RememberedStart& start = then_.start;
     start.round = start.memory.begin_round(warm);
     size_ = problem.size;
-    holds_ = holds_remembered(problem) || (warm && holds_last(problem, pressure));
+    holds_ = !start.memory.is_fresh &&
+             (holds_remembered(problem) || (warm && holds_last(problem, pressure)));
     if (!holds_) then_.begin(problem, warm, pressure);
   }
 
