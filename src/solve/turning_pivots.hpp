@@ -1,16 +1,19 @@
 // Pivots on the structured basis that first turn the slides of the basis they start from.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "lcpush/lcp/pivots/structured_lemke.hpp"
 
 namespace lcpush::desktop {
 
-/// Where pyramids have many facets, a motion that differs by a percent from the one that a basis was
-/// made for opposes another generator at every point, and each is a pivot or more. So before any
-/// pivot every point that slides takes the generator that is most opposed to its slip in the motion
-/// of the basis, all at once, until they stay: as Newton's method would for a cone.
+/// Where pyramids have many facets, a motion that differs by a percent from the one that a basis
+/// was made for opposes another generator at every point, and each is a pivot or more. So before
+/// any pivot the points that slide take the generator that is most opposed to their slip in the
+/// motion of the basis, all at once, until they stay. Where that turns the motion so far that they
+/// would turn back, the slip lies between two generators and some of the points keep to either:
+/// then half as many turn each time.
 class TurningPivots {
 public:
   explicit TurningPivots(StructuredLemke<double>& lemke) : lemke_(lemke) {}
@@ -20,14 +23,19 @@ public:
   }
   Status init(const Problem<double>& problem, const LemkeOptions<double>& options,
               const unsigned char* active, Guess guess) {
-    constexpr int most_turns = 8;
+    constexpr int most_turns = 16, free_turns = 2;
     const Status status = lemke_.init(problem, options, active, guess);
-    if (!is_fine(problem)) return status;
+    if (status != Status::running || !is_fine(problem)) return status;
     active_.assign(active, active + problem.size);
-    Status turned = status;
-    for (int k = 0; k < most_turns && turned == Status::running && turn_slides(problem); ++k)
-      turned = lemke_.init(problem, options, active_.data(), guess);
-    return turned == status ? turned : lemke_.init(problem, options, active, guess);
+    auto most = static_cast<std::size_t>(problem.factored->cones.size);
+    for (int k = 0; k < most_turns && most > 0; ++k) {
+      const std::size_t turned = turn_slides(problem, most);
+      if (turned == 0) break;
+      if (lemke_.init(problem, options, active_.data(), guess) != Status::running)
+        return lemke_.init(problem, options, active, guess);
+      if (k >= free_turns) most = turned / 2;
+    }
+    return lemke_.status();
   }
 
   template <class Watcher> Status step(Watcher& watcher) { return lemke_.step(watcher); }
@@ -43,7 +51,7 @@ public:
 private:
   StructuredLemke<double>& lemke_;
   std::vector<unsigned char> active_;
-  std::vector<double> slack_; // w of the basis
+  std::vector<double> values_;
 
   /// With fewer generators a pivot or two cost less.
   static bool is_fine(const Problem<double>& problem) {
@@ -53,41 +61,61 @@ private:
     return false;
   }
 
-  /// False: every point that slides does so against its generator.
-  bool turn_slides(const Problem<double>& problem) {
-    read_slacks(problem);
-    bool turns = false;
-    for (const ConeGroup<double>& cone : problem.factored->cones)
-      turns = turn(cone) || turns;
-    return turns;
+  struct Turn {
+    double slack;
+    std::size_t from, to; // unknowns
+    bool operator<(const Turn& other) const { return slack < other.slack; }
+  };
+  std::vector<Turn> turns_;
+
+  /// At most so many, those that are most opposed. Returns how many.
+  std::size_t turn_slides(const Problem<double>& problem, std::size_t most) {
+    read_values(problem);
+    turns_.clear();
+    for (const ConeGroup<double>& cone : problem.factored->cones) note_turn(cone);
+    if (turns_.size() > most) {
+      std::nth_element(turns_.begin(), turns_.begin() + static_cast<std::ptrdiff_t>(most),
+                       turns_.end());
+      turns_.resize(most);
+    }
+    for (const Turn& turn : turns_) {
+      active_[turn.from] = 0;
+      active_[turn.to] = 1;
+    }
+    return turns_.size();
   }
 
-  void read_slacks(const Problem<double>& problem) {
+  /// z_i where it is basic, w_i where that is.
+  void read_values(const Problem<double>& problem) {
     const Dictionary<double>& basis = lemke_.dictionary();
-    const Index finite = problem.free_begin < problem.size ? 1 : 0;
-    slack_.assign(active_.size(), 0.0);
-    for (Index row = 0; row < problem.size; ++row)
-      if (const Index i = basis.basic[row]; i < problem.size)
-        slack_[static_cast<std::size_t>(i)] = basis.values(row, finite) * lemke_.slack_unit(i);
+    const Index n = problem.size, finite = problem.free_begin < n ? 1 : 0;
+    values_.assign(active_.size(), 0.0);
+    for (Index row = 0; row < n; ++row) {
+      const Index variable = basis.basic[row], i = variable < n ? variable : variable - n;
+      const double unit = variable < n ? lemke_.slack_unit(i) : lemke_.unknown_unit(i);
+      values_[static_cast<std::size_t>(i)] = basis.values(row, finite) * unit;
+    }
   }
 
-  bool turn(const ConeGroup<double>& cone) {
-    if (cone.generators == 0 || active_[static_cast<std::size_t>(cone.slip())] == 0) return false;
+  void note_turn(const ConeGroup<double>& cone) {
+    if (cone.generators == 0 || active_[static_cast<std::size_t>(cone.slip())] == 0) return;
     constexpr double clearly = 1e-12;
     const auto first = static_cast<std::size_t>(cone.variable + cone.normals);
-    const auto count = static_cast<std::size_t>(cone.generators);
-    std::size_t against = 0, most_opposed = 0, slides = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      if (active_[first + k] != 0) {
-        against = k;
-        ++slides;
+    const auto end = first + static_cast<std::size_t>(cone.generators);
+    std::size_t least = end, most = end, most_opposed = end, count = 0;
+    for (std::size_t k = first; k < end; ++k) {
+      if (active_[k] == 0) {
+        if (most_opposed == end || values_[k] < values_[most_opposed]) most_opposed = k;
+        continue;
       }
-      if (slack_[first + k] < slack_[first + most_opposed]) most_opposed = k;
+      ++count;
+      if (least == end || values_[k] < values_[least]) least = k;
+      if (most == end || values_[k] > values_[most]) most = k;
     }
-    if (slides != 1 || !(slack_[first + most_opposed] < -clearly)) return false;
-    active_[first + against] = 0;
-    active_[first + most_opposed] = 1;
-    return true;
+    if (count > 1 && values_[least] < -clearly) // the others bear it alone
+      turns_.push_back({-1 / clearly, least, most});
+    if (count == 1 && most_opposed < end && values_[most_opposed] < -clearly)
+      turns_.push_back({values_[most_opposed], least, most_opposed});
   }
 };
 
