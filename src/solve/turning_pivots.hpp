@@ -8,12 +8,12 @@
 
 namespace lcpush::desktop {
 
-/// Where pyramids have many facets, a motion that differs by a percent from the one that a basis
-/// was made for opposes another generator at every point, and each is a pivot or more. So before
-/// any pivot the points that slide take the generator that is most opposed to their slip in the
-/// motion of the basis, all at once, until they stay. Where that turns the motion so far that they
-/// would turn back, the slip lies between two generators and some of the points keep to either:
-/// then half as many turn each time.
+/// Where the pyramids of pads have many facets, a motion that differs by a percent from the one
+/// that a basis was made for opposes another generator at every point, and each is a pivot or more.
+/// So before any pivot the points that slide take the generator that is most opposed to their slip
+/// in the motion of the basis, all at once, until they stay. Where that turns the motion so far
+/// that they would turn back, the slip lies between two generators and some of the points keep to
+/// either: then half as many turn each time.
 class TurningPivots {
 public:
   explicit TurningPivots(StructuredLemke<double>& lemke) : lemke_(lemke) {}
@@ -23,19 +23,12 @@ public:
   }
   Status init(const Problem<double>& problem, const LemkeOptions<double>& options,
               const unsigned char* active, Guess guess) {
-    constexpr int most_turns = 16, free_turns = 2;
     const Status status = lemke_.init(problem, options, active, guess);
     if (status != Status::running || !is_fine(problem)) return status;
     active_.assign(active, active + problem.size);
-    auto most = static_cast<std::size_t>(problem.factored->cones.size);
-    for (int k = 0; k < most_turns && most > 0; ++k) {
-      const std::size_t turned = turn_slides(problem, most);
-      if (turned == 0) break;
-      if (lemke_.init(problem, options, active_.data(), guess) != Status::running)
-        return lemke_.init(problem, options, active, guess);
-      if (k >= free_turns) most = turned / 2;
-    }
-    return lemke_.status();
+    best_ = active_;
+    if (!turn(problem, options, guess)) return lemke_.status();
+    return lemke_.init(problem, options, best_.data(), guess);
   }
 
   template <class Watcher> Status step(Watcher& watcher) { return lemke_.step(watcher); }
@@ -49,16 +42,43 @@ public:
   double valid_to() const { return lemke_.valid_to(); }
 
 private:
+  static constexpr double clearly = 1e-12;
+  static constexpr std::size_t worth_turning = 2; ///< points: fewer are left to the pivots
   StructuredLemke<double>& lemke_;
-  std::vector<unsigned char> active_;
+  std::vector<unsigned char> active_, best_;
   std::vector<double> values_;
 
-  /// With fewer generators a pivot or two cost less.
+  /// With fewer generators a percent of the motion turns few points, and the pivots are faster; and
+  /// only pads give way.
   static bool is_fine(const Problem<double>& problem) {
-    constexpr Index few = 16;
+    constexpr Index few = 64;
     for (const ConeGroup<double>& cone : problem.factored->cones)
-      if (cone.generators > few) return true;
+      if (cone.generators > few && cone.compliance > 0) return true;
     return false;
+  }
+
+  /// True: the pivots do not stand at best_, the basis that leaves the fewest to them.
+  bool turn(const Problem<double>& problem, const LemkeOptions<double>& options, Guess guess) {
+    constexpr int most_turns = 16, free_turns = 2;
+    std::size_t most = active_.size(), fewest = 0;
+    bool is_best = true;
+    for (int k = 0;; ++k) {
+      read_values(problem);
+      const std::size_t opposed = note_turns(problem);
+      // Of those that would turn to and fro, about as many as turned last are on the wrong side.
+      const std::size_t left = opposed - turns_.size() + std::min(turns_.size(), most);
+      is_best = k == 0 || left < fewest;
+      if (is_best) {
+        fewest = left;
+        best_ = active_;
+      }
+      if (left <= worth_turning || 4 * turns_.size() < opposed || k == most_turns) break;
+      if (k > free_turns) most = std::min(most, turns_.size()) / 2;
+      turn_most_opposed(most);
+      if (most == 0) break;
+      if (lemke_.init(problem, options, active_.data(), guess) != Status::running) return true;
+    }
+    return !is_best;
   }
 
   struct Turn {
@@ -68,11 +88,7 @@ private:
   };
   std::vector<Turn> turns_;
 
-  /// At most so many, those that are most opposed. Returns how many.
-  std::size_t turn_slides(const Problem<double>& problem, std::size_t most) {
-    read_values(problem);
-    turns_.clear();
-    for (const ConeGroup<double>& cone : problem.factored->cones) note_turn(cone);
+  void turn_most_opposed(std::size_t most) {
     if (turns_.size() > most) {
       std::nth_element(turns_.begin(), turns_.begin() + static_cast<std::ptrdiff_t>(most),
                        turns_.end());
@@ -82,7 +98,6 @@ private:
       active_[turn.from] = 0;
       active_[turn.to] = 1;
     }
-    return turns_.size();
   }
 
   /// z_i where it is basic, w_i where that is.
@@ -97,9 +112,21 @@ private:
     }
   }
 
+  /// Fills turns_. Returns how many points are against the basis, in whatever way.
+  std::size_t note_turns(const Problem<double>& problem) {
+    turns_.clear();
+    std::size_t opposed = 0;
+    for (const ConeGroup<double>& cone : problem.factored->cones) {
+      const auto first = values_.begin() + cone.variable;
+      if (*std::min_element(first, first + cone.size()) >= -clearly) continue;
+      ++opposed;
+      note_turn(cone);
+    }
+    return opposed;
+  }
+
   void note_turn(const ConeGroup<double>& cone) {
     if (cone.generators == 0 || active_[static_cast<std::size_t>(cone.slip())] == 0) return;
-    constexpr double clearly = 1e-12;
     const auto first = static_cast<std::size_t>(cone.variable + cone.normals);
     const auto end = first + static_cast<std::size_t>(cone.generators);
     std::size_t least = end, most = end, most_opposed = end, count = 0;
