@@ -126,7 +126,8 @@ private:
   }
 
   void note_turn(const ConeGroup<double>& cone) {
-    if (cone.generators == 0 || active_[static_cast<std::size_t>(cone.slip())] == 0) return;
+    const auto slip = static_cast<std::size_t>(cone.slip());
+    if (cone.generators == 0 || active_[slip] == 0 || values_[slip] < -clearly) return;
     const auto first = static_cast<std::size_t>(cone.variable + cone.normals);
     const auto end = first + static_cast<std::size_t>(cone.generators);
     std::size_t least = end, most = end, most_opposed = end, count = 0;
