@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "lcpush/mechanics/solve/rounds.hpp"
-#include "sweep/basis_solution.hpp"
+#include "dense/basis_solution.hpp"
 #include "sweep/sweep_solver.hpp"
 
 namespace lcpush::desktop {

@@ -4,7 +4,7 @@
 
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/desktop/sweep.hpp"
-#include "sweep/basis_solution.hpp"
+#include "dense/basis_solution.hpp"
 
 #include <functional>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "sweep/basis_solution.hpp"
+#include "dense/basis_solution.hpp"
 
 #include <algorithm>
 
