@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "lcpush/mechanics/solve/rounds.hpp"
 #include "dense/basis_solution.hpp"
+#include "lcpush/mechanics/solve/rounds.hpp"
 #include "sweep/sweep_solver.hpp"
 
 namespace lcpush::desktop {
@@ -102,8 +102,11 @@ private:
     bases[round].assign(pressure.active.begin(), pressure.active.begin() + size_);
   }
   bool holds_here(const Problem<double>& problem, const Basis& basis) {
+    constexpr Index most_kept = 400; // unknowns: 0.5 MB a round
     const RememberedStart& start = then_.start;
-    return solve_on_basis(problem, basis, solution_, &start.memory.factored[start.round]);
+    FactoredBasis* const near =
+        problem.size <= most_kept ? &start.memory.factored[start.round] : nullptr;
+    return solve_on_basis(problem, basis, solution_, near);
   }
   bool holds_remembered(const Problem<double>& problem) {
     return then_.start.knows(problem.size) && holds_here(problem, then_.start.basis());

@@ -2,9 +2,9 @@
 // neighbour's basis.
 #pragma once
 
+#include "dense/basis_solution.hpp"
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/desktop/sweep.hpp"
-#include "dense/basis_solution.hpp"
 
 #include <functional>
 #include <memory>
