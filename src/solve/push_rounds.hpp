@@ -6,6 +6,7 @@
 
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/mechanics/solve/predicted_modes.hpp"
+#include "solve/turning_pivots.hpp"
 #include "text/limits.hpp"
 
 namespace lcpush::desktop {
@@ -56,7 +57,8 @@ template <class Use> Status Push::with_rounds(const PushOptions& options, const 
   PassingWatcher watcher(*this, options);
   last_structured_ = options.solver != Solver::gauss_seidel && takes_structure(options);
   if (last_structured_) {
-    const Status status = with_pivots(options, structured_pivots(), watcher, use);
+    TurningPivots pivots(structured_pivots());
+    const Status status = with_pivots(options, pivots, watcher, use);
     const bool ended = status == Status::solved || status == Status::does_not_hold;
     const Index largest =
         status == Status::ray ? limits::unknowns_dense_after_ray : limits::unknowns_dense;
@@ -77,7 +79,7 @@ Status Push::with_pivots(const PushOptions& options, Pivots& pivots, Watcher& wa
   const LemkeRounds<double, Watcher, Pivots> by_pivots{pivots, options.lemke, watcher};
   if (options.solver == Solver::lemke) {
     // Large problems: the first opinion from the modes that one expects, others from nothing.
-    if constexpr (std::is_same_v<Pivots, StructuredLemke<double>>)
+    if constexpr (std::is_same_v<Pivots, TurningPivots>)
       if (options.lemke.first_cover == 0)
         return use(PredictedRounds<double, Watcher, Pivots>{assembly_, by_pivots});
     return use(by_pivots);

@@ -4,17 +4,29 @@
 
 #include <algorithm>
 
+#include "dense/basis_solution.hpp"
 #include "lcpush/mechanics/solve/rounds.hpp"
-#include "sweep/basis_solution.hpp"
 #include "sweep/sweep_solver.hpp"
 
 namespace lcpush::desktop {
 
 /// What stays between two values.
 struct RoundMemory {
-  std::vector<Basis>& bases; ///< by the number of the round
-  std::size_t next = 0;      ///< round of this solve
-  Index cold = 0;            ///< rounds that began from nothing
+  /// Rounds from one cold start to the next. Those of each start are counted from a multiple of it:
+  /// where one takes a round more, the next ones still find what they ended in.
+  static constexpr std::size_t stride = 16;
+
+  std::vector<Basis>& bases;            ///< by the number of the round
+  std::vector<FactoredBasis>& factored; ///< the same
+  bool is_fresh = bases.empty();        ///< nothing nearby: as a solve, by its own pivots alone
+  std::size_t next = 0;                 ///< round of this solve
+  Index cold = 0;                       ///< rounds that began from nothing
+
+  std::size_t begin_round(bool warm) {
+    if (!warm) next = (next + stride - 1) / stride * stride;
+    if (factored.size() <= next) factored.resize(next + 1);
+    return next++;
+  }
 };
 
 /// A round's first basis is the one that it ended in at the neighbour.
@@ -53,25 +65,22 @@ public:
   void begin(const Problem<double>& problem, bool warm, const PressureMemory<double>& pressure) {
     then_.pivots().watcher.look();
     RememberedStart& start = then_.start;
-    start.round = start.memory.next++;
+    start.round = start.memory.begin_round(warm);
     size_ = problem.size;
-    holds_ = start.knows(problem.size) && solve_on_basis(problem, start.basis(), solution_);
+    holds_ = !start.memory.is_fresh &&
+             (holds_remembered(problem) || (warm && holds_last(problem, pressure)));
     if (!holds_) then_.begin(problem, warm, pressure);
   }
 
   Status step(const PressureMemory<double>& pressure, PressureRun& run) {
-    const RememberedStart& start = then_.start;
     if (holds_) {
       std::copy(solution_.z.begin(), solution_.z.end(), pressure.z.data);
-      start.copy_to(pressure);
+      then_.start.copy_to(pressure);
       run.reason = Reason::none;
       return Status::solved;
     }
     const Status status = then_.step(pressure, run);
-    if (status != Status::solved) return status;
-    std::vector<Basis>& bases = start.memory.bases;
-    if (bases.size() <= start.round) bases.resize(start.round + 1);
-    bases[start.round].assign(pressure.active.begin(), pressure.active.begin() + size_);
+    if (status == Status::solved) remember(pressure);
     return status;
   }
 
@@ -85,6 +94,31 @@ private:
   BasisSolution solution_;
   Index size_ = 0;     ///< unknowns of the round: the memory may have room for more
   bool holds_ = false; ///< is the remembered basis the answer itself?
+
+  void remember(const PressureMemory<double>& pressure) {
+    std::vector<Basis>& bases = then_.start.memory.bases;
+    const std::size_t round = then_.start.round;
+    if (bases.size() <= round) bases.resize(round + 1);
+    bases[round].assign(pressure.active.begin(), pressure.active.begin() + size_);
+  }
+  bool holds_here(const Problem<double>& problem, const Basis& basis) {
+    constexpr Index most_kept = 400; // unknowns: 0.5 MB a round
+    const RememberedStart& start = then_.start;
+    FactoredBasis* const near =
+        problem.size <= most_kept ? &start.memory.factored[start.round] : nullptr;
+    return solve_on_basis(problem, basis, solution_, near);
+  }
+  bool holds_remembered(const Problem<double>& problem) {
+    return then_.start.knows(problem.size) && holds_here(problem, then_.start.basis());
+  }
+  /// The basis in which the round before has ended.
+  bool holds_last(const Problem<double>& problem, const PressureMemory<double>& pressure) {
+    const Basis last(pressure.active.begin(), pressure.active.begin() + problem.size);
+    if (then_.start.knows(problem.size) && last == then_.start.basis()) return false;
+    if (!holds_here(problem, last)) return false;
+    remember(pressure);
+    return true;
+  }
 };
 
 } // namespace lcpush::desktop

@@ -228,7 +228,7 @@ DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const Ro
 DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
   constexpr Index smallest_structured = 200; // as a solve: the same path, the same answers
   const Problem<double> problem = point_->problem(question);
-  RoundMemory memory{bases};
+  RoundMemory memory{bases, factored_[question]};
   DetailedAnswer answer;
   const bool structured =
       problem.size >= smallest_structured &&

@@ -2,9 +2,9 @@
 // neighbour's basis.
 #pragma once
 
+#include "dense/basis_solution.hpp"
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/desktop/sweep.hpp"
-#include "sweep/basis_solution.hpp"
 
 #include <functional>
 #include <memory>
@@ -110,6 +110,7 @@ private:
   std::optional<OwnedLemke<double>> lemke_;
   std::optional<Owned<StructuredLemke<double>>> structured_;
   Attendant attendant_;
+  OfBoth<std::vector<FactoredBasis>> factored_; // by the rounds, where the last sample was
   Index cold_ = 0, warm_ = 0;
 
   DetailedAnswer solve_pad(Question question, RoundBases& bases);

@@ -45,7 +45,7 @@ ROOMS = {
     "src/formats": ("How are JSON, TOML and matrices read and written?", "text exact desktop"),
     "src/draw": ("How are shapes, plots and labels drawn? It knows no scene.", "text"),
     "src/scenes": ("What does a scene file say?", f"{CORE} {TOOLBOX} desktop"),
-    "src/dense": ("How are small dense systems solved?", ""),
+    "src/dense": ("How are small dense systems solved?", "lcp"),
     "src/solve": ("What happens in this push?", f"{CORE} {TOOLBOX} desktop dense scenes"),
     "src/raw": ("What solves this M and q?", f"{CORE} {TOOLBOX} desktop"),
     "src/sweep": ("How does the push change with a number of the scene?",

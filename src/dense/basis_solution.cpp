@@ -1,6 +1,4 @@
-#include "sweep/basis_solution.hpp"
-
-#include <Eigen/LU>
+#include "dense/basis_solution.hpp"
 
 #include <algorithm>
 
@@ -12,19 +10,49 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Solves K x = -q on the basis and refines it once on the problem as given; w = q + M z.
-void solve_level(const Problem<double>& problem, const std::vector<Index>& rows, const double* q,
-                 const Eigen::PartialPivLU<MatrixXd>& lu, VectorXd& z, VectorXd& w) {
-  z.setZero(problem.size);
-  w = Eigen::Map<const VectorXd>(q, problem.size);
-  VectorXd product(problem.size);
-  for (int round = 0; round < 2; ++round) {
-    const VectorXd r = -w(rows);
-    z(rows) += lu.solve(r);
+using Factors = Eigen::PartialPivLU<MatrixXd>;
+
+/// K x = -q on the basis; w = q + M z.
+struct Level {
+  const Problem<double>& problem;
+  const std::vector<Index>& rows;
+  const double* q;
+  VectorXd &z, &w;
+
+  void begin() {
+    z.setZero(problem.size);
+    w = Eigen::Map<const VectorXd>(q, problem.size);
+  }
+  /// By how much it has moved z.
+  double correct(const Factors& lu) {
+    VectorXd product(problem.size);
+    const VectorXd r = -w(rows), step = lu.solve(r);
+    z(rows) += step;
     multiply(problem, z.data(), product.data());
     w = Eigen::Map<const VectorXd>(q, problem.size) + product;
+    return rows.empty() ? 0 : step.cwiseAbs().maxCoeff();
   }
-}
+  /// By the factors of K: what they find is refined once on the problem as given.
+  void solve(const Factors& lu) {
+    begin();
+    correct(lu);
+    correct(lu);
+  }
+  /// By factors of a matrix near K, down to rounding; false: it is not near enough.
+  bool approach(const Factors& lu) {
+    constexpr int most = 7;
+    constexpr double rounding = 8 * Eigen::NumTraits<double>::epsilon();
+    begin();
+    double last = correct(lu);
+    for (int k = 1; k < most; ++k) {
+      const double step = correct(lu), shrinks = step / last;
+      if (step == 0 || step * shrinks <= rounding * z.cwiseAbs().maxCoeff()) return true;
+      if (!(shrinks < 0.1)) return false; // NaN too
+      last = step;
+    }
+    return false;
+  }
+};
 
 /// The rows and columns of M that are basic, straight from the factors: far fewer than M's.
 MatrixXd basic_block(const Problem<double>& problem, const std::vector<Index>& rows) {
@@ -61,19 +89,34 @@ bool passes(const Problem<double>& problem, const VectorXd& q, const VectorXd& z
   return worst.residual <= Tolerances<double>().residual;
 }
 
+/// Both levels, by the factors nearby if they will do.
+void solve_levels(const Problem<double>& problem, const Basis& basis,
+                  const std::vector<Index>& rows, BasisSolution& solution, FactoredBasis* near,
+                  VectorXd& w, VectorXd& w_push) {
+  Level level{problem, rows, problem.q, solution.z, w};
+  Level push{problem, rows, problem.push, solution.z_push, w_push};
+  if (near != nullptr && near->basis == basis && level.approach(near->lu) &&
+      (problem.push == nullptr || push.approach(near->lu)))
+    return;
+  FactoredBasis own;
+  FactoredBasis& fresh = near != nullptr ? *near : own;
+  fresh.basis = basis;
+  fresh.lu.compute(basic_block(problem, rows));
+  level.solve(fresh.lu);
+  if (problem.push != nullptr) push.solve(fresh.lu);
+}
+
 } // namespace
 
-bool solve_on_basis(const Problem<double>& problem, const Basis& basis, BasisSolution& solution) {
+bool solve_on_basis(const Problem<double>& problem, const Basis& basis, BasisSolution& solution,
+                    FactoredBasis* near) {
   const Index n = problem.size;
   if (static_cast<Index>(basis.size()) != n) return false;
   std::vector<Index> rows;
   for (Index i = 0; i < n; ++i)
     if (basis[static_cast<std::size_t>(i)] != 0) rows.push_back(i);
-  const Eigen::PartialPivLU<MatrixXd> lu(basic_block(problem, rows));
   VectorXd w, w_push;
-  solve_level(problem, rows, problem.q, lu, solution.z, w);
-  if (problem.push != nullptr)
-    solve_level(problem, rows, problem.push, lu, solution.z_push, w_push);
+  solve_levels(problem, basis, rows, solution, near, w, w_push);
   solution.valid_to = -1;
   const double tie = Tolerances<double>().tie;
   const double size = std::max(1.0, solution.z.cwiseAbs().maxCoeff());

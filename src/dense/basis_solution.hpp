@@ -2,7 +2,7 @@
 // that say whether it is the answer.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <vector>
 
@@ -17,9 +17,17 @@ struct BasisSolution {
   double valid_to = -1;      ///< as Lemke::valid_to
 };
 
+/// The factors of a basis at a neighbouring value: they solve the system here by a few corrections.
+struct FactoredBasis {
+  Basis basis;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu;
+};
+
 /// Solves `problem` on `basis`: z_i = 0 outside of it, w_i = 0 inside. False if that is no answer:
 /// a singular system, a wrong sign, or a residual that the referee of lcp/ does not let pass. Cost:
-/// O(k n + k^3) for k basic z.
-bool solve_on_basis(const Problem<double>& problem, const Basis& basis, BasisSolution& solution);
+/// O(k n + k^3) for k basic z; O(k n + k^2)
+/// where `near`, which receives the factors, has those of the same basis at a value nearby.
+bool solve_on_basis(const Problem<double>& problem, const Basis& basis, BasisSolution& solution,
+                    FactoredBasis* near = nullptr);
 
 } // namespace lcpush::desktop
