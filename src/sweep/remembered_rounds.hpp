@@ -12,18 +12,13 @@ namespace lcpush::desktop {
 
 /// What stays between two values.
 struct RoundMemory {
-  /// Rounds from one cold start to the next. Those of each start are counted from a multiple of it:
-  /// where one takes a round more, the next ones still find what they ended in.
-  static constexpr std::size_t stride = 16;
-
   std::vector<Basis>& bases;            ///< by the number of the round
   std::vector<FactoredBasis>& factored; ///< the same
   bool is_fresh = bases.empty();        ///< nothing nearby: as a solve, by its own pivots alone
   std::size_t next = 0;                 ///< round of this solve
   Index cold = 0;                       ///< rounds that began from nothing
 
-  std::size_t begin_round(bool warm) {
-    if (!warm) next = (next + stride - 1) / stride * stride;
+  std::size_t begin_round() {
     if (factored.size() <= next) factored.resize(next + 1);
     return next++;
   }
@@ -65,10 +60,9 @@ public:
   void begin(const Problem<double>& problem, bool warm, const PressureMemory<double>& pressure) {
     then_.pivots().watcher.look();
     RememberedStart& start = then_.start;
-    start.round = start.memory.begin_round(warm);
+    start.round = start.memory.begin_round();
     size_ = problem.size;
-    holds_ = !start.memory.is_fresh &&
-             (holds_remembered(problem) || (warm && holds_last(problem, pressure)));
+    holds_ = !start.memory.is_fresh && start.knows(problem.size) && holds_here(problem);
     if (!holds_) then_.begin(problem, warm, pressure);
   }
 
@@ -101,23 +95,12 @@ private:
     if (bases.size() <= round) bases.resize(round + 1);
     bases[round].assign(pressure.active.begin(), pressure.active.begin() + size_);
   }
-  bool holds_here(const Problem<double>& problem, const Basis& basis) {
+  bool holds_here(const Problem<double>& problem) {
     constexpr Index most_kept = 400; // unknowns: 0.5 MB a round
     const RememberedStart& start = then_.start;
     FactoredBasis* const near =
         problem.size <= most_kept ? &start.memory.factored[start.round] : nullptr;
-    return solve_on_basis(problem, basis, solution_, near);
-  }
-  bool holds_remembered(const Problem<double>& problem) {
-    return then_.start.knows(problem.size) && holds_here(problem, then_.start.basis());
-  }
-  /// The basis in which the round before has ended.
-  bool holds_last(const Problem<double>& problem, const PressureMemory<double>& pressure) {
-    const Basis last(pressure.active.begin(), pressure.active.begin() + problem.size);
-    if (then_.start.knows(problem.size) && last == then_.start.basis()) return false;
-    if (!holds_here(problem, last)) return false;
-    remember(pressure);
-    return true;
+    return solve_on_basis(problem, start.basis(), solution_, near);
   }
 };
 
