@@ -236,12 +236,12 @@ std::string Push::untold(const PushReport& report) const {
     if (!(std::abs(row.scaled) <= std::abs(worst.scaled))) worst = row;
   });
   if (!beside) return reason_text(Reason::residual);
-  std::string text = reason_text(Reason::small_load);
-  const std::string largest = shown(report.scales.force) + " N";
-  if (worst.law == Law::grip)
-    return text + ": " + actuator_name(worst.of) + " holds " +
-           shown(std::abs(scene_.actuators[worst.of].force)) + ", the largest force is " + largest;
-  return text + ": the largest force is " + largest;
+  std::string text = reason_text(Reason::small_load) + std::string(": ");
+  const Index lost = lost_actuator(file_, report.scales);
+  const Index weak = lost >= 0 || worst.law != Law::grip ? lost : worst.of;
+  if (weak >= 0)
+    text += actuator_name(weak) + " holds " + shown(std::abs(scene_.actuators[weak].force)) + ", ";
+  return text + "the largest force is " + shown(report.scales.force) + " N";
 }
 
 PushReport Push::solve(const PushOptions& options) & {
@@ -270,16 +270,15 @@ PushReport Push::solve(const PushOptions& options) & {
   const double noise = rest_tolerance(options.solver) * report.scales.acceleration;
   report.hand_moves = any_moves(closings(std::max({push, report.motion.translation, noise})));
   // The solver has checked its own equations; this is the laws' own word, in SI units.
-  if (!(report.residuals.max() <= Tolerances<double>().residual)) {
+  if (!(report.residuals.max() <= Tolerances<double>().residual) ||
+      lost_actuator(file_, report.scales) >= 0) {
     report.status = Status::numerical_breakdown;
     report.reason = untold(report);
     report.unique_motion = report.unique_wrench = Uniqueness::not_tested; // of no answer
     report.final_basis = {};
     report.other.reset();
   }
-  // What the push does must stand out from what rounding does.
-  const double relative_push = push / report.scales.acceleration;
-  if (relative_push > 0 && !(report.residuals.beside <= 1e-5 * relative_push)) {
+  if (is_lost(push, report.scales, report.residuals.beside)) {
     report.status = Status::numerical_breakdown;
     report.reason = "the push, " + shown(push) + " m/s^2, is too slow beside the grip (" +
                     shown(report.scales.force) + " N on " + shown(scene_.object.mass) +
