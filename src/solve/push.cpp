@@ -99,6 +99,8 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
     return solve_pressure(assembly_, rounds, work_.pressure, pressure, spent,
                           work_.friction_memory(scene_));
   });
+  const bool can_start_anew =
+      options.solver == Solver::lemke && options.lemke.first_cover < 2 * options.lemke.covers;
   // Sweeps stop at a residual that large forces make look small: laws and slips may ask for more.
   const bool can_improve = options.solver == Solver::gauss_seidel &&
                            options.sweeps.tolerance > 64 * Eigen::NumTraits<double>::epsilon();
@@ -106,17 +108,17 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
   if (status == Status::solved) {
     read_answer(assembly_, work_.pressure.z.data, work_.answer, sigma);
     const double worst = check(assembly_.scene(), layout().scales, work_.answer, sigma).max();
-    if (!can_improve || worst <= Tolerances<double>().residual) return status;
+    if (!(can_start_anew || can_improve) || worst <= Tolerances<double>().residual) return status;
   }
-  PushOptions stricter = options;
+  PushOptions stricter = options; // by other covers: pivots have ended on a poor basis
   stricter.sweeps.tolerance /= 100;
+  stricter.lemke.first_cover += options.lemke.covers;
   const Index sweeps = spent.sweeps;
   const Status improved = run(stricter, sigma, spent, part);
   spent.sweeps += sweeps;
   return improved;
 }
 
-/// Points speak of the file's bodies, even where each is a body of its own.
 void Push::name_file_bodies() {
   for (Index i = 0; i < work_.answer.contacts.size; ++i)
     work_.answer.contacts[i].body = file_.body_of(i);
@@ -165,7 +167,6 @@ void Push::read_ray(const PushOptions& options, RunReport& report) const {
   report.jam = explain_jam(file_, assembly_, ray(), tries ? has_answer : nullptr);
 }
 
-/// The object's acceleration and the total wrench of all pushers.
 Outcome<double> Push::outcome() const {
   Outcome<double> outcome{work_.answer.acceleration, Vector6<double>::Zero()};
   for (Index b = 0; b < scene_.bodies.size; ++b)
