@@ -20,7 +20,7 @@ std::vector<std::vector<std::string>> brief_contact_rows(const SceneFile& file,
   // Where nothing moves, the fastest is rounding's.
   const double told = told_force(file, report.scales);
   const double zero_motion = std::max(1e-6 * fastest, 1e-9 * told / file.object.mass);
-  const double zero_force = 1e-6 * told;
+  const double zero_force = shown_as_nothing(file, report.scales);
   const bool opens = widest > zero_motion;
   std::vector<std::vector<std::string>> rows{
       {"contact", "does", "normal N", "friction N", "along", "slip m/s^2"}};

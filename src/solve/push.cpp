@@ -99,6 +99,8 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
     return solve_pressure(assembly_, rounds, work_.pressure, pressure, spent,
                           work_.friction_memory(scene_));
   });
+  const bool can_start_anew =
+      options.solver == Solver::lemke && options.lemke.first_cover < 2 * options.lemke.covers;
   // Sweeps stop at a residual that large forces make look small: laws and slips may ask for more.
   const bool can_improve = options.solver == Solver::gauss_seidel &&
                            options.sweeps.tolerance > 64 * Eigen::NumTraits<double>::epsilon();
@@ -106,17 +108,17 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
   if (status == Status::solved) {
     read_answer(assembly_, work_.pressure.z.data, work_.answer, sigma);
     const double worst = check(assembly_.scene(), layout().scales, work_.answer, sigma).max();
-    if (!can_improve || worst <= Tolerances<double>().residual) return status;
+    if (!(can_start_anew || can_improve) || worst <= Tolerances<double>().residual) return status;
   }
-  PushOptions stricter = options;
+  PushOptions stricter = options; // by other covers: pivots have ended on a poor basis
   stricter.sweeps.tolerance /= 100;
+  stricter.lemke.first_cover += options.lemke.covers;
   const Index sweeps = spent.sweeps;
   const Status improved = run(stricter, sigma, spent, part);
   spent.sweeps += sweeps;
   return improved;
 }
 
-/// Points speak of the file's bodies, even where each is a body of its own.
 void Push::name_file_bodies() {
   for (Index i = 0; i < work_.answer.contacts.size; ++i)
     work_.answer.contacts[i].body = file_.body_of(i);
@@ -165,7 +167,6 @@ void Push::read_ray(const PushOptions& options, RunReport& report) const {
   report.jam = explain_jam(file_, assembly_, ray(), tries ? has_answer : nullptr);
 }
 
-/// The object's acceleration and the total wrench of all pushers.
 Outcome<double> Push::outcome() const {
   Outcome<double> outcome{work_.answer.acceleration, Vector6<double>::Zero()};
   for (Index b = 0; b < scene_.bodies.size; ++b)
@@ -236,12 +237,12 @@ std::string Push::untold(const PushReport& report) const {
     if (!(std::abs(row.scaled) <= std::abs(worst.scaled))) worst = row;
   });
   if (!beside) return reason_text(Reason::residual);
-  std::string text = reason_text(Reason::small_load);
-  const std::string largest = shown(report.scales.force) + " N";
-  if (worst.law == Law::grip)
-    return text + ": " + actuator_name(worst.of) + " holds " +
-           shown(std::abs(scene_.actuators[worst.of].force)) + ", the largest force is " + largest;
-  return text + ": the largest force is " + largest;
+  std::string text = reason_text(Reason::small_load) + std::string(": ");
+  const Index lost = lost_actuator(file_, report.scales);
+  const Index weak = lost >= 0 || worst.law != Law::grip ? lost : worst.of;
+  if (weak >= 0)
+    text += actuator_name(weak) + " holds " + shown(std::abs(scene_.actuators[weak].force)) + ", ";
+  return text + "the largest force is " + shown(report.scales.force) + " N";
 }
 
 PushReport Push::solve(const PushOptions& options) & {
@@ -270,16 +271,15 @@ PushReport Push::solve(const PushOptions& options) & {
   const double noise = rest_tolerance(options.solver) * report.scales.acceleration;
   report.hand_moves = any_moves(closings(std::max({push, report.motion.translation, noise})));
   // The solver has checked its own equations; this is the laws' own word, in SI units.
-  if (!(report.residuals.max() <= Tolerances<double>().residual)) {
+  if (!(report.residuals.max() <= Tolerances<double>().residual) ||
+      lost_actuator(file_, report.scales) >= 0) {
     report.status = Status::numerical_breakdown;
     report.reason = untold(report);
     report.unique_motion = report.unique_wrench = Uniqueness::not_tested; // of no answer
     report.final_basis = {};
     report.other.reset();
   }
-  // What the push does must stand out from what rounding does.
-  const double relative_push = push / report.scales.acceleration;
-  if (relative_push > 0 && !(report.residuals.beside <= 1e-5 * relative_push)) {
+  if (is_lost(push, report.scales, report.residuals.beside)) {
     report.status = Status::numerical_breakdown;
     report.reason = "the push, " + shown(push) + " m/s^2, is too slow beside the grip (" +
                     shown(report.scales.force) + " N on " + shown(scene_.object.mass) +

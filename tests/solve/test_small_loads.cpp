@@ -121,6 +121,31 @@ TEST_CASE("texts show the small forces that the answer has") {
   }
 }
 
+TEST_CASE("beside 1e8 N a load is shown; where it cannot be told, every solver says so") {
+  for (const double squeeze : {1e8, 1e10, 1e12})
+    for (const desktop::Solver solver : solvers) {
+      // At 1e12 N the push stands out, the small grip does not.
+      const desktop::SceneFile file = cube({squeeze}, squeeze < 1e12 ? 1 : 1e10);
+      desktop::PushOptions options;
+      options.solver = solver;
+      desktop::Push push(file);
+      const desktop::PushReport report = push.solve(options);
+      CAPTURE(squeeze);
+      CAPTURE(report.reason);
+      const std::string text = desktop::solve_text(file, {}, report, desktop::Telling::brief);
+      CAPTURE(text);
+      if (squeeze == 1e8) {
+        CHECK(report.status == Status::solved);
+        CHECK(text.find("0.0003     0.00015     -z") != std::string::npos);
+        CHECK(text.find("sticks   0.00138") != std::string::npos);
+        continue;
+      }
+      CHECK(report.status == Status::numerical_breakdown);
+      CHECK(report.reason.find(squeeze < 1e12 ? "too slow beside the grip" : "holds 3e-04, ") !=
+            std::string::npos);
+    }
+}
+
 TEST_CASE("nothing that falls is said to stay") {
   const desktop::SceneFile file = cube({}, 0);
   desktop::Push push(file);
