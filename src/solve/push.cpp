@@ -119,6 +119,7 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
   return improved;
 }
 
+/// Points speak of the file's bodies, even where each is a body of its own.
 void Push::name_file_bodies() {
   for (Index i = 0; i < work_.answer.contacts.size; ++i)
     work_.answer.contacts[i].body = file_.body_of(i);
@@ -167,6 +168,7 @@ void Push::read_ray(const PushOptions& options, RunReport& report) const {
   report.jam = explain_jam(file_, assembly_, ray(), tries ? has_answer : nullptr);
 }
 
+/// The object's acceleration and the total wrench of all pushers.
 Outcome<double> Push::outcome() const {
   Outcome<double> outcome{work_.answer.acceleration, Vector6<double>::Zero()};
   for (Index b = 0; b < scene_.bodies.size; ++b)

@@ -16,8 +16,7 @@ double held_force(const Scene<double>& scene, Index actuator) {
   double reach = 0;
   for (const Drive<double>& drive : scene.drives) {
     if (drive.actuator != actuator) continue;
-    const Body<double>& body = scene.bodies[drive.body];
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    for (const Index i : points_of(scene.bodies[drive.body]))
       reach = std::max(reach, acceleration_at(scene.points[i], drive.twist).norm());
   }
   return std::abs(scene.actuators[actuator].force) / (reach > 0 ? reach : 1.0);
