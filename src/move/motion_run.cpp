@@ -2,6 +2,7 @@
 
 #include "lcpush/desktop/owned.hpp"
 #include "lcpush/mechanics/model/even_pressure.hpp"
+#include "scenes/facing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,11 +73,10 @@ void MotionRun::face_object(std::size_t b, const Matrix3<double>& turned) {
   if (touching.riding != Riding::on_body || touching.face < 0) return;
   const Vector3<double> n = -faces_.faces[static_cast<std::size_t>(touching.face)].normal;
   if (n == file_.bodies[b].normal) return;
-  const Vector3<double> given = turned.transpose() * file_.bodies[b].normal;
-  const Vector3<double> t = turned.transpose() * file_.bodies[b].tangent;
-  const Vector3<double> middle = n + given; // the shortest turn to n
-  bodies_[b].tangent = t - t.dot(middle) / (1 + n.dot(given)) * middle + 2 * t.dot(given) * n;
-  bodies_[b].normal = n;
+  Body<double> given = file_.bodies[b];
+  given.normal = turned.transpose() * given.normal;
+  given.tangent = turned.transpose() * given.tangent;
+  bodies_[b] = facing(given, n);
 }
 
 void MotionRun::begin_strokes() {

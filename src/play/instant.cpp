@@ -1,6 +1,7 @@
 #include "play/instant.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
+#include "scenes/facing.hpp"
 
 #include <algorithm>
 
@@ -19,16 +20,6 @@ Vector6<double> turned_back(const Pose<double>& pose, const Vector6<double>& twi
   Vector6<double> turned;
   turned << back * here.head<3>(), back * here.tail<3>();
   return turned;
-}
-
-/// The body with its normal along n, and its tangent turned as little as that takes.
-Body<double> facing(Body<double> body, const Vector3<double>& n) {
-  const Vector3<double> middle = n + body.normal, t = body.tangent;
-  if (middle.norm() > 1e-9)
-    body.tangent =
-        t - t.dot(middle) / (1 + n.dot(body.normal)) * middle + 2 * t.dot(body.normal) * n;
-  body.normal = n;
-  return body;
 }
 
 /// Of body `b`, the points that touch something: appended to those of `now`.
