@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/drawn_facets.hpp"
+#include "picture/contact_figures.hpp"
+#include "picture/drawn_facets.hpp"
 #include "report/pictures.hpp"
 #include "solve/sentence.hpp"
 

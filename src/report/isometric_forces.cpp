@@ -131,12 +131,11 @@ std::vector<std::string> IsometricPainter::body_words(Index b) const {
 void IsometricPainter::label_body(Index b) {
   const Body<double>& body = scene_.bodies[b];
   const Pixel contact = place(middle_of(positions_, body)), back = -view_.flat(body.normal);
-  const bool is_rod = !is_table(b) && (is_driven(b) || body.point_count == 1);
   // Of a finger behind the object the far end is seen.
   const double seen = view_.toward.dot(body.normal) > 0 ? 0.95 : 0.6;
   const std::vector<std::string> lines = body_words(b);
   labels_.push_back({lines, contact + finger_length * back, back,
-                     is_rod ? Pixel(contact + seen * finger_length * back) : contact});
+                     figures_.is_rod(b) ? Pixel(contact + seen * finger_length * back) : contact});
   if (lines.size() > 1)
     words_.push_back(lines[0] + ": " + listed({lines.begin() + 1, lines.end()}, "and") + ".");
 }

@@ -7,6 +7,7 @@
 #include "draw/marks.hpp"
 #include "draw/view.hpp"
 #include "lcpush/desktop/push.hpp"
+#include "picture/turning.hpp"
 
 namespace lcpush::desktop {
 
@@ -14,10 +15,6 @@ namespace lcpush::desktop {
 /// axis is up.
 std::vector<View> chosen_views(const SceneFile& file);
 
-/// Does the object turn about an axis?
-inline bool turns(const Motion<double>& motion) {
-  return motion.kind != MotionKind::rest && motion.kind != MotionKind::slide;
-}
 /// Is the axis a screw's? `length`: the size of the grasp, m.
 inline bool has_pitch(const Motion<double>& motion, double length) {
   return std::abs(motion.pitch) > 1e-6 * length;
@@ -58,7 +55,5 @@ std::vector<LawRow> law_rows(Residuals<double> residuals);
 
 /// Three significant digits: what is easy to read in a picture; more stand in the tables.
 std::string rough_number(double x);
-/// Square, triangle or ring.
-std::string mode_mark(Mode mode, const Pixel& at);
 
 } // namespace lcpush::desktop

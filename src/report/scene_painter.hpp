@@ -3,8 +3,8 @@
 
 #include "draw/arrow_places.hpp"
 #include "draw/label_places.hpp"
+#include "picture/grasp_figures.hpp"
 #include "report/pictures.hpp"
-#include "scenes/drawn_object.hpp"
 
 namespace lcpush::desktop {
 
@@ -27,7 +27,6 @@ Vector3<double> point_acceleration(const Scene<double>& scene, const Body<double
 /// Of the middle of its points.
 Vector3<double> body_acceleration(const Scene<double>& scene, const Body<double>& body,
                                   const PushReport& report);
-Vector3<double> middle_of(const std::vector<Vector3<double>>& positions, const Body<double>& body);
 /// "slips"; "3 slip and 1 sticks".
 std::string modes_of(const Body<double>& body, const PushReport& report);
 

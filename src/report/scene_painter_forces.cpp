@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "report/drawn_facets.hpp"
+#include "picture/contact_figures.hpp"
 #include "report/scene_painter.hpp"
 #include "solve/sentence.hpp"
 #include "text/format.hpp"
@@ -15,49 +15,18 @@ std::string rough_number(double x) {
   return number(std::strtod(printed("%.2e", x).c_str(), nullptr)); // 1000 rather than 1e+03
 }
 
-std::string mode_mark(Mode mode, const Pixel& at) {
-  return mark_element(mode == Mode::stick   ? Mark::square
-                      : mode == Mode::slide ? Mark::triangle
-                                            : Mark::ring,
-                      mode_text(mode), at);
-}
-
-/// Forces end at the contact; the cone opens where they come from. A normal force along the line of
-/// sight is a ring.
 std::string ScenePainter::forces(const Body<double>& body, Index point) {
   if (!scales_.shows_forces) return "";
-  const ContactAnswer<double>& answer = report_.answer.contacts[point];
-  const bool is_behind = view_.is_behind(body.normal);
-  const std::string behind = is_behind ? " behind" : "";
   const Pixel tip = place(positions_[static_cast<std::size_t>(point)]);
+  const ContactFigure figure = contact_figure(file_, view_, body, report_.answer.contacts[point],
+                                              tip, scales_.newtons, scales_.no_force);
   places_.block_around(tip, 10, 2);
-  const auto from = [&](const Vector3<double>& force) {
-    return Pixel(tip - scales_.newtons * view_.flat(force));
-  };
-  const Vector3<double> normal = answer.normal_force * body.normal;
-  std::string text;
-  const bool is_pressed = answer.normal_force > scales_.no_force;
-  if (is_pressed && body.friction > 0) {
-    std::vector<Pixel> rim;
-    const Index corners = drawn_facets(file_);
-    for (Index j = 0; j < corners; ++j)
-      rim.push_back(
-          from(normal + body.friction * answer.normal_force * generator(body, j, corners).force));
-    rim.push_back(tip);
-    const std::vector<Pixel> outline = hull(rim);
-    for (const Pixel& corner : outline) places_.block_line(tip, corner, 30);
-    text += polygon_element("cone" + behind, outline);
+  for (const Pixel& corner : figure.cone) places_.block_line(tip, corner, 30);
+  for (const auto& [tail, head] : figure.shafts) {
+    places_.block_line(tail, head, 60);
+    arrows_.add(tail, head);
   }
-  const auto arrow = [&](const std::string& kind, const Pixel& tail) {
-    places_.block_line(tail, tip, 60);
-    arrows_.add(tail, tip);
-    return arrow_element(kind + behind, tail, tip);
-  };
-  if (view_.flat(body.normal).norm() > 0.3)
-    text += arrow("force normal", from(normal));
-  else if (is_pressed)
-    text += sight_ring(tip, is_behind);
-  return text + arrow("force friction", from(answer.friction_force));
+  return figure.elements;
 }
 
 std::string ScenePainter::marks(const Body<double>& body) {

@@ -34,12 +34,6 @@ Vector3<double> body_acceleration(const Scene<double>& scene, const Body<double>
   return sum / static_cast<double>(body.point_count);
 }
 
-Vector3<double> middle_of(const std::vector<Vector3<double>>& positions, const Body<double>& body) {
-  Vector3<double> sum = Vector3<double>::Zero();
-  for (const Index i : points_of(body)) sum += positions[static_cast<std::size_t>(i)];
-  return sum / static_cast<double>(body.point_count);
-}
-
 std::string modes_of(const Body<double>& body, const PushReport& report) {
   Index counts[3] = {0, 0, 0};
   for (const Index i : points_of(body)) ++counts[static_cast<int>(report.answer.contacts[i].mode)];

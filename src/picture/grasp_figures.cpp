@@ -1,0 +1,156 @@
+#include "picture/grasp_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "picture/turning.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+// Lengths in pixels.
+constexpr double least_finger = 9, widest_finger = 17;
+constexpr double plate_margin = 10, table_margin = 26, plate_thickness = 7;
+constexpr double most_ghost_turn = 0.5; // rad
+
+/// A cylinder that turns about its own axis looks as it did.
+bool is_same(const Frame& a, const Frame& b, double least) {
+  return std::max({std::abs(a.left - b.left), std::abs(a.top - b.top), std::abs(a.right - b.right),
+                   std::abs(a.bottom - b.bottom)}) < least;
+}
+
+} // namespace
+
+Vector3<double> middle_of(const std::vector<Vector3<double>>& positions, const Body<double>& body) {
+  Vector3<double> sum = Vector3<double>::Zero();
+  for (const Index i : points_of(body)) sum += positions[static_cast<std::size_t>(i)];
+  return sum / static_cast<double>(body.point_count);
+}
+
+GraspFigures::GraspFigures(const SceneFile& file, const Sight& sight, const Sizes& sizes)
+    : file_(file), scene_(file.view()), sight_(sight), sizes_(sizes),
+      positions_(drawn_positions(file)), object_(object_prism(file)) {}
+
+PrismPicture GraspFigures::seen(const Prism& prism) const {
+  return picture_of(prism, sight_.view,
+                    [this](const Vector3<double>& at) { return sight_.place(at); });
+}
+
+Figure GraspFigures::figure_of(const Prism& prism, const std::string& kind) const {
+  const PrismPicture picture = seen(prism);
+  Figure figure{picture.outline, polygon_element(kind, picture.outline)};
+  for (const auto& face : picture.faces) figure.elements += polygon_element("face", face);
+  return figure;
+}
+
+Prism GraspFigures::moved(const Prism& prism, const Pose<double>& pose) const {
+  const Vector3<double>& center = file_.object.center_of_mass;
+  Prism there;
+  for (const auto& corner : prism.base) there.base.emplace_back(center + pose.at(corner - center));
+  there.along = pose.turned(prism.along);
+  return there;
+}
+
+Figure GraspFigures::object(const Pose<double>& pose) const {
+  const bool is_guessed = file_.shape.kind == ObjectShape::Kind::unknown;
+  return figure_of(moved(object_, pose), is_guessed ? "object guessed" : "object");
+}
+
+bool GraspFigures::is_driven(Index b) const {
+  return std::any_of(scene_.drives.begin(), scene_.drives.end(),
+                     [b](const Drive<double>& drive) { return drive.body == b; });
+}
+
+bool GraspFigures::is_table(Index b) const {
+  const double weight = file_.gravity.norm();
+  return !is_driven(b) && weight > 0 && scene_.bodies[b].normal.dot(file_.gravity) < -0.9 * weight;
+}
+
+bool GraspFigures::is_rod(Index b) const {
+  return !is_table(b) && (is_driven(b) || scene_.bodies[b].point_count == 1);
+}
+
+/// With round ends, as wide as the contact.
+Figure GraspFigures::rod(const Body<double>& body, const std::string& kind,
+                         const Pose<double>& pose) const {
+  const Vector3<double>& center = file_.object.center_of_mass;
+  const Vector3<double> tip = middle_of(positions_, body);
+  double reach = 0;
+  for (const Index i : points_of(body))
+    reach = std::max(reach, (positions_[static_cast<std::size_t>(i)] - tip).norm());
+  const double thick = std::clamp(sight_.meters * reach + 3, least_finger, widest_finger);
+  const Pixel at = sight_.place(center + pose.at(tip - center));
+  const Pixel along = sight_.view.flat(pose.turned(body.normal));
+  std::vector<Pixel> around;
+  for (const double back : {thick, sizes_.finger})
+    for (int k = 0; k < 24; ++k)
+      around.emplace_back(at - back * along +
+                          thick * Pixel(std::cos(k * 0.2618), std::sin(k * 0.2618)));
+  const std::vector<Pixel> outline = hull(around);
+  return {outline, polygon_element(kind, outline)};
+}
+
+Prism GraspFigures::plate(Index b) const {
+  const Body<double>& body = scene_.bodies[b];
+  std::vector<Vector3<double>> carried;
+  for (const Index i : points_of(body)) carried.push_back(positions_[static_cast<std::size_t>(i)]);
+  if (is_table(b))
+    for (const auto& corner : corners_of(object_)) {
+      const double above = body.normal.dot(corner - carried.front());
+      carried.emplace_back(corner - above * body.normal);
+    }
+  return slab_prism(carried, body.normal, body.tangent,
+                    (is_table(b) ? table_margin : plate_margin) / sight_.meters,
+                    plate_thickness / sight_.meters);
+}
+
+Figure GraspFigures::body(Index b, const std::string& kind, const Pose<double>& pose) const {
+  if (is_rod(b)) return rod(scene_.bodies[b], kind, pose);
+  return figure_of(moved(plate(b), pose), kind);
+}
+
+Figure GraspFigures::ghost(const PushReport& report) const {
+  const Motion<double>& motion = report.motion;
+  if (motion.kind == MotionKind::rest) return {};
+  Displacement moved;
+  if (turns(motion)) {
+    moved.point = file_.object.center_of_mass + motion.axis_point;
+    moved.axis = motion.axis;
+  }
+  const auto moved_by = [&](double part) {
+    Displacement d = moved;
+    d.angle = turns(motion) ? part * motion.rotation : 0;
+    d.shift = turns(motion) ? Vector3<double>(part * motion.rotation * motion.pitch * motion.axis)
+                            : Vector3<double>(part * motion.translation * motion.direction);
+    return d;
+  };
+  double fastest_corner = 0;
+  for (const auto& corner : corners_of(object_)) {
+    const Vector3<double> arm = corner - file_.object.center_of_mass;
+    fastest_corner =
+        std::max(fastest_corner, acceleration_at(arm, report.answer.acceleration).norm());
+  }
+  double part = sizes_.ghost / sight_.meters / fastest_corner;
+  if (turns(motion)) part = std::min(part, most_ghost_turn / motion.rotation);
+  const PrismPicture here = seen(object_), there = seen(moved_by(part)(object_));
+  if (is_same(bounds(there.outline), bounds(here.outline), sizes_.least_ghost)) return {};
+  Figure figure{there.outline, ""};
+  for (const auto& face : there.faces) figure.elements += polygon_element("ghost inner", face);
+  figure.elements += polygon_element("ghost", there.outline);
+  return figure;
+}
+
+std::string axes_in_space(const View& view, const Pixel& origin, double length) {
+  constexpr double least_seen = 0.15;
+  std::string text;
+  constexpr const char* names[] = {"x", "y", "z"};
+  for (int k = 0; k < 3; ++k) {
+    const Pixel along = view.flat(Vector3<double>::Unit(k));
+    if (along.norm() < least_seen) continue;
+    text += arrow_element("axis", origin, origin + length * along) +
+            text_element("quiet", origin + (length + 10) * along + Pixel(0, 4), names[k], "middle");
+  }
+  return text;
+}
+
+} // namespace lcpush::desktop
