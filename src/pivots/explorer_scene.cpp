@@ -130,13 +130,6 @@ constexpr ModeWords mode_words[] = {
     {"sink", Mark::cross, "sinks in", "sinks in, while z0 > 0"},
 };
 
-void write_prism(JsonWriter& json, const Prism& prism) {
-  json.key("prism").begin_object();
-  json.list("base", static_cast<Index>(prism.base.size()),
-            [&](Index k) { json.value(prism.base[static_cast<std::size_t>(k)]); });
-  json.member("along", prism.along).end_object();
-}
-
 /// What is drawn about the origin, to be moved where it belongs; and the key that explains it.
 void write_marks(JsonWriter& json) {
   const auto small = [](const std::string& elements) { return sample("0 0 26 14", elements); };
@@ -171,7 +164,6 @@ void write_scene(JsonWriter& json, const Push& push, ScenePictures pictures) {
   if (pictures == ScenePictures::views)
     json.objects("views", shown_views(push.file()),
                  [&](const View& view) { write_view(json, push, view); });
-  if (pictures == ScenePictures::in_space) write_prism(json, object_prism(push.file()));
   if (pictures != ScenePictures::none) {
     write_marks(json);
     json.member("longest_force", longest_force).member("fastest", fastest);

@@ -10,8 +10,7 @@ namespace lcpush::desktop {
 /// How much of its pictures goes along.
 enum class ScenePictures {
   none,
-  views,    ///< projections, outlines, pads, cones: for a page that shows fixed views
-  in_space, ///< the object as a prism: for a page that turns it
+  views, ///< projections, outlines, pads, cones: for a page that shows fixed views
 };
 
 /// One object, SI units and scene axes.

@@ -7,10 +7,11 @@
 #include "lcpush/desktop/move.hpp"
 #include "lcpush/desktop/report.hpp"
 #include "move/move_words.hpp"
-#include "pivots/explorer_scene.hpp"
+#include "picture/grasp_figures.hpp"
 #include "pivots/explorer_text.hpp"
 #include "pivots/subject.hpp"
 #include "play/instant.hpp"
+#include "play/state_picture.hpp"
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
 #include "text/format.hpp"
@@ -40,21 +41,31 @@ SceneFile small_scene(std::string_view text, Strokes strokes = Strokes::first) {
   return file;
 }
 
-std::string solve_answer(std::string_view text, bool searches) {
-  const SceneFile file = small_scene(text);
-  Push push(file);
+/// While a hand drags, only what is looked at.
+PushOptions options_of(bool in_full) {
   PushOptions options;
-  if (!searches) {
+  if (!in_full) {
     options.other_covers = 0;
     options.study_existence = false;
     options.explain_jams = false;
   }
-  const HoldReport hold = push.holds_without_push(options);
-  const PushReport report = push.solve(options);
-  JsonWriter scene;
-  write_scene(scene, push, ScenePictures::in_space);
-  return with_words(solve_json(file, hold, report), first_sentence(file, report),
-                    ", \"scene\": " + scene.text());
+  return options;
+}
+
+/// What a hand can take, and what moves with it.
+void write_page_scene(JsonWriter& json, const SceneFile& file) {
+  const std::vector<Vector3<double>> drawn = drawn_positions(file);
+  json.begin_object().member("title", file.title);
+  json.member("center_of_mass", file.object.center_of_mass).member("reach", grasp_reach(file));
+  json.key("shape").begin_object().member("size", file.shape.size);
+  json.member("axis", file.shape.axis).end_object();
+  json.objects("bodies", static_cast<Index>(file.bodies.size()), [&](Index b) {
+    const Body<double>& body = file.body(b);
+    json.member("name", file.body_name(b));
+    json.member("role", body.role == Role::finger ? "finger" : "pusher");
+    json.member("normal", body.normal).member("middle", middle_of(drawn, body));
+  });
+  json.end_object();
 }
 
 /// The pusher whose force is meant: the first.
@@ -164,14 +175,52 @@ std::string first_sentence(const SceneFile& file, const PushReport& report) {
   return "No answer. " + jam_sentences(file, report.jam).front();
 }
 
-std::string answer_to(std::string_view question, std::string_view text) {
-  const std::vector<std::string_view> words = split_words(question);
-  const std::string_view asked = words.empty() ? question : words[0];
-  if (asked == "solve" || asked == "drag") return solve_answer(text, asked == "solve");
+Playground::Solved::Solved(std::string_view scene, bool is_in_full)
+    : text(scene), in_full(is_in_full), file(small_scene(scene)), push(file),
+      hold(push.holds_without_push(options_of(in_full))), report(push.solve(options_of(in_full))) {}
+
+const Playground::Solved& Playground::solved(std::string_view text, bool in_full) {
+  last_ = std::make_unique<const Solved>(text, in_full);
+  return *last_;
+}
+
+std::string Playground::solve(std::string_view text, bool in_full, std::string_view look) {
+  const Solved& now = solved(text, in_full);
+  const SceneFile& file = now.file;
+  const std::string answer = solve_json(file, now.hold, now.report);
+  const std::string sentence = first_sentence(file, now.report);
+  if (look.empty()) return with_words(answer, sentence);
+  const StatePicture picture = state_picture(file, now.report, read_look(look), sentence);
+  JsonWriter more;
+  more.begin_object().key("scene");
+  write_page_scene(more, file);
+  more.member("picture", picture.svg).member("meters", picture.meters).end_object();
+  return with_words(answer, sentence, ", " + more.text().substr(1, more.text().rfind('}') - 1));
+}
+
+std::string Playground::look(std::string_view text, std::string_view look) {
+  const Look wanted = read_look(look);
+  const bool is_last = last_ && last_->text == text && last_->in_full == wanted.in_full;
+  const Solved& now = is_last ? *last_ : solved(text, wanted.in_full);
+  const SceneFile& file = now.file;
+  const StatePicture picture =
+      state_picture(file, now.report, wanted, first_sentence(file, now.report));
+  JsonWriter json;
+  json.begin_object().member("picture", picture.svg).member("meters", picture.meters).end_object();
+  return json.text();
+}
+
+std::string Playground::answer_to(std::string_view question, std::string_view text) {
+  const std::size_t end = std::min(question.find(' '), question.size());
+  const std::string_view asked = question.substr(0, end);
+  const std::string_view more = question.substr(std::min(end + 1, question.size()));
+  const std::vector<std::string_view> words = split_words(more);
+  if (asked == "solve" || asked == "drag") return solve(text, asked == "solve", more);
+  if (asked == "look") return look(text, more);
   if (asked == "break") return break_answer(text);
-  if (asked == "move" && words.size() == 3) return move_answer(text, words[1], words[2]);
+  if (asked == "move" && words.size() == 2) return move_answer(text, words[0], words[1]);
   if (asked == "pivots")
-    return pivots_answer(text, words.size() < 2 ? 0 : read_finite_number(words[1]).value);
+    return pivots_answer(text, words.empty() ? 0 : read_finite_number(words[0]).value);
   if (asked == "lcp") return typed_answer(text);
   throw InputError("no question of the page: " + quoted(question));
 }

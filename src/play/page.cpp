@@ -2,6 +2,7 @@
 #include "draw/markup.hpp"
 #include "lcpush/desktop/play.hpp"
 #include "play/page_text.hpp"
+#include "play/state_picture.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -18,6 +19,7 @@ std::string play_html(const std::string& text) {
   fill(page, "/*LOOKS*/", palette(":root") + drawing_style());
   fill(page, "/*STYLE*/", play_style());
   fill(page, "/*DRAWING*/", drawing_script());
+  fill(page, "<!--KEY-->", state_key());
   fill(page, "/*SCRIPT*/", play_script());
   fill(page, "/*SOLVER*/", solver_text());
   fill(page, "/*SCENE*/", escaped(text));

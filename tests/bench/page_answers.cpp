@@ -13,11 +13,12 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::string text = lcpush::desktop::read_scene_text(argv[1]);
+  lcpush::desktop::Playground playground;
   for (const char* question : {"drag", "solve"}) {
     std::vector<double> times;
     for (int k = 0; k < 100; ++k) {
       const double begin = lcpush::bench::cpu_ms();
-      (void)lcpush::desktop::answer_to(question, text);
+      (void)playground.answer_to(question, text);
       times.push_back(lcpush::bench::cpu_ms() - begin);
     }
     std::printf("%s: median %.2f ms\n", question, lcpush::bench::median(times));

@@ -62,8 +62,10 @@ TEST_CASE("points beside their face are left out, and bodies without others") {
 
 TEST_CASE("the page's pivots are those of the moment that is shown") {
   const std::string text = read_scene_text(scenes + "pivot.toml");
-  const std::string first = answer_to("pivots", text), later = answer_to("pivots 0.3", text);
-  CHECK(first == answer_to("pivots 0", text));
+  Playground page;
+  const std::string first = page.answer_to("pivots", text);
+  const std::string later = page.answer_to("pivots 0.3", text);
+  CHECK(first == page.answer_to("pivots 0", text));
   CHECK(first != later);
   CHECK(later.find(", after 0.3 s") != std::string::npos);
   CHECK(first.find(", after 0") == std::string::npos);

@@ -17,23 +17,5 @@
     return add(add(scale(v, c), scale(cross(axis, v), s)), scale(axis, dot(axis, v) * (1 - c)));
   }
 
-  /// Corners of the convex hull of points of the plane, in order.
-  function hull(points) {
-    const sorted = [...points].sort(([a, b], [x, y]) => a - x || b - y);
-    const half = (list) => {
-      const chain = [];
-      for (const p of list) {
-        while (chain.length > 1) {
-          const [a, b] = chain.slice(-2);
-          if ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 1e-9) break;
-          chain.pop();
-        }
-        chain.push(p);
-      }
-      return chain.slice(0, -1);
-    };
-    return [...half(sorted), ...half(sorted.reverse())];
-  }
-
-  drawing.vectors = { add, subtract, scale, dot, length, unit, cross, turned, hull };
+  drawing.vectors = { add, subtract, scale, dot, length, unit, cross, turned };
 })();

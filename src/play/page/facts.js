@@ -1,7 +1,6 @@
 // The answer in words and numbers.
 (() => {
-  const { h, svg, parsed, table, replace } = drawing.elements;
-  const { polygon, arrow } = drawing.shapes;
+  const { h, table, replace } = drawing.elements;
   const { decimal } = drawing.numbers;
 
   const verbs = { stick: 'sticks', slide: 'slips', separate: 'opens', touch: 'touches' };
@@ -50,18 +49,5 @@
       : h('p', {}, 'No answer, no forces.'));
   }
 
-  /// What the picture's signs mean: of the explorer's key, those that stand here as well.
-  function key({ key: markup }) {
-    const shown = ['normal force', 'friction', 'friction pyramid', 'sticks', 'slips', 'opens'];
-    const list = parsed(h('div'), markup).firstElementChild;
-    for (const item of [...list.children])
-      if (!shown.includes(item.textContent.trim())) item.remove();
-    const sample = (drawn, words) => h('li', {}, svg('svg', { class: 'drawing', viewBox: '0 0 26 14',
-      'aria-hidden': 'true' }, drawn), words);
-    list.append(sample(arrow('motion thin', [1, 7], [25, 7]), 'the pusher moves'),
-      sample(polygon('ghost', [[2, 4], [23, 1], [24, 10], [3, 13]]), 'where the object goes'));
-    replace('key', list);
-  }
-
-  play.facts = { key, update, contacts };
+  play.facts = { update, contacts };
 })();

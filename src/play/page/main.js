@@ -1,6 +1,6 @@
 // Puts the page together and offers window.lcpush to tests.
 (() => {
-  const { by_id } = drawing.elements;
+  const { by_id, parsed } = drawing.elements;
 
   /// The solver leaves the places open of what this page has already.
   const with_drawing = (page) => page.replace('/*LOOKS*/', () => by_id('looks').textContent)
@@ -104,7 +104,10 @@
       const text = this.wanted;
       const begin = performance.now();
       try {
-        this.read(text, this.solver.ask(in_full ? 'solve' : 'drag', text));
+        if (!this.hands.held) this.meters = null;
+        this.in_full = in_full;
+        const look = JSON.stringify(this.look());
+        this.read(text, this.solver.ask(`${in_full ? 'solve' : 'drag'} ${look}`, text));
       } catch (refusal) {
         this.refuse(refusal.message);
         if (!(refusal instanceof play.Refusal)) throw refusal;
@@ -119,12 +122,11 @@
     }
 
     read(text, reply) {
-      const { answer, sentence, scene } = JSON.parse(reply);
+      const { answer, sentence, scene, picture, meters } = JSON.parse(reply);
       const written = reply.slice(reply.indexOf('{', 1), reply.indexOf('\n, "sentence": ') + 1);
       this.motion.forget();
       this.background.drop('pivots');
-      if (!this.state) play.facts.key(scene);
-      this.state = { text, answer, scene, written, sentence };
+      this.state = { text, answer, scene, written, sentence, in_full: this.in_full };
       by_id('failure').hidden = true;
       for (const id of ['sentence', 'picture', 'facts']) by_id(id).classList.remove('stale');
       const title = scene.title || 'lcpush playground';
@@ -136,8 +138,7 @@
       this.fill_open();
       play.facts.update(this.state, this.breaking?.text === text && this.breaking.answer);
       this.controls.update(this.state);
-      if (!this.hands.held) this.meters = null;
-      this.draw();
+      this.show({ picture, meters });
     }
 
     /// What is folded away is not written at every step of a hand.
@@ -173,14 +174,26 @@
       if (this.state.text === text) play.facts.update(this.state, answer);
     }
 
-    draw(frame, path) {
+    /// From where the state is looked at; `moment` of its motion, if any.
+    look(moment) {
+      const { right, up } = this.view;
+      return { full: this.state?.in_full, right, up, meters: this.meters, moment,
+        letter: window.innerWidth < 900 ? 12.5 : 7.5, dots: moment ? [] : this.reach.dots };
+    }
+
+    draw(moment) {
       if (!this.state) return;
+      this.show(JSON.parse(this.solver.ask(`look ${JSON.stringify(this.look(moment))}`,
+        this.state.text)));
+    }
+
+    /// The picture as the solver drew it. Who has the focus keeps it.
+    show({ picture, meters }) {
+      const box = by_id('picture');
       const focused = document.activeElement?.closest?.('#picture [data-body]')?.dataset.body;
-      const painter = new play.Painter({ ...this.state, meters: this.meters,
-        dots: this.reach.dots }, this.view, frame);
-      this.meters = painter.meters;
-      by_id('picture').replaceChildren(painter.draw(path));
-      const find = (name) => [...document.querySelectorAll('#picture [data-body]')]
+      this.meters = meters;
+      parsed(box, picture);
+      const find = (name) => [...box.querySelectorAll('[data-body]')]
         .find((element) => element.dataset.body === name);
       if (focused) find(focused)?.focus({ preventScroll: true });
       if (this.held) find(this.held)?.classList.add('held');
@@ -190,9 +203,8 @@
 
     /// The object will go so far [m], and may turn: all of that is to be seen.
     make_room(way) {
-      const { width, height } = play.picture_size;
-      const most = (Math.min(width, height) / 2 - 20)
-        / (way + play.figures.reach(this.state.scene));
+      const { width, height } = by_id('picture').querySelector('svg').viewBox.baseVal;
+      const most = (Math.min(width, height) / 2 - 20) / (way + this.state.scene.reach);
       this.meters = Math.min(this.meters, most);
     }
 
@@ -213,7 +225,7 @@
     }
     pixels_per_meter() {
       const { width } = by_id('picture').getBoundingClientRect();
-      return this.meters * width / play.picture_size.width;
+      return this.meters * width / by_id('picture').querySelector('svg').viewBox.baseVal.width;
     }
 
     buttons() {

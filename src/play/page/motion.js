@@ -2,17 +2,12 @@
 (() => {
   const { by_id } = drawing.elements;
   const { decimal } = drawing.numbers;
-  const { add, subtract, scale, length } = drawing.vectors;
+  const { length } = drawing.vectors;
   const frames = 201;
   const duration = 4000; // ms for the whole motion
 
-  /// v turned by a matrix given column by column.
-  const by_columns = (m) => (v) => add(add(scale(m.slice(0, 3), v[0]), scale(m.slice(3, 6), v[1])),
-    scale(m.slice(6, 9), v[2]));
-  const by_rows = (m) => by_columns([0, 3, 6, 1, 4, 7, 2, 5, 8].map((k) => m[k]));
-
   class Motion {
-    /// `app`: state, background, draw(frame, path).
+    /// `app`: state, background, view, draw(moment).
     constructor(app) {
       this.app = app;
       by_id('play').addEventListener('click', () => (this.playing ? this.pause() : this.start()));
@@ -104,21 +99,18 @@
       by_id('time').value = k;
       by_id('clock').textContent = `${decimal(frame.time)} s`;
       by_id('time').setAttribute('aria-valuetext', `after ${decimal(frame.time)} s`);
-      const bodies = new Map(frame.bodies.map(({ name, force, normal_force }, b) => {
-        const at = 4 * (k * frame.bodies.length + b);
-        const [position, columns, middle, normal] = poses.slice(at, at + 4);
-        const press = scale(normal, normal_force);
-        return [name, { position, turned: by_columns(columns), middle,
-          normal_force: k > 0 ? normal_force : undefined,
-          forces: k > 0 && length(normal) > 0 ? [press, subtract(force, press)] : [] }];
-      }));
       this.shown = k;
       // A step that sets everything going at once, or ends it, would dwarf the others.
       const sizes = forces.map((force) => length(this.app.view.flat(force))).sort((a, b) => a - b);
       const most_force = sizes[Math.floor(0.95 * sizes.length)] || 1e-9;
-      const pose = { position: frame.position, turned: by_rows(frame.rotation) };
-      this.app.draw({ pose, bodies, most_force },
-        answer.frames.slice(0, k + 1).map(({ position }) => position));
+      const bodies = frame.bodies.map(({ force, normal_force }, b) => {
+        const at = 4 * (k * frame.bodies.length + b);
+        const [position, columns, middle, normal] = poses.slice(at, at + 4);
+        const presses = k > 0 && length(normal) > 0;
+        return { position, columns, middle, normal, force, normal_force: presses ? normal_force : null };
+      });
+      const path = answer.frames.slice(0, k + 1).flatMap(({ position }) => position);
+      this.app.draw({ position: frame.position, rotation: frame.rotation, bodies, most_force, path });
     }
   }
 

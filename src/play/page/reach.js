@@ -28,11 +28,9 @@
         return;
       }
       const way = along(view, body.normal);
-      const middle = play.figures.middle(state.scene.points.filter((point) =>
-        state.scene.bodies[point.body].name === name).map(({ drawn_at }) => drawn_at));
+      const { middle } = body;
       const now = dot(subtract(middle, state.scene.center_of_mass), way);
-      const half = play.figures.has_shape(state.scene)
-        ? 0.5 * dot(state.scene.shape.size, way.map(Math.abs)) : play.figures.reach(state.scene);
+      const half = 0.5 * dot(state.scene.shape.size, way.map(Math.abs)) || state.scene.reach;
       const names = play.edits.dragged_together(state, name, false);
       const found = [];
       for (let k = 0; k < samples; k += 1) {
@@ -46,7 +44,7 @@
         } catch {
           if (turn !== this.turn) return;
         }
-        found.push({ at: add(middle, by), kind });
+        found.push({ at: add(middle, by), kind, words: play.kinds[kind] || 'no scene' });
       }
       this.dots = found;
       this.tell(name);

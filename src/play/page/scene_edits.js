@@ -33,8 +33,7 @@
     const body = state.scene.bodies.find((one) => one.name === name);
     const is_jaw = ['parallel', 'locked'].includes(state.answer.hand);
     if (alone || body.role !== 'finger' || !is_jaw) return [name];
-    return play.figures.names(state.scene).filter((other) =>
-      state.scene.bodies.find((one) => one.name === other).role === 'finger');
+    return state.scene.bodies.filter(({ role }) => role === 'finger').map((one) => one.name);
   }
 
   /// `names` moved by `by`, each along its own face alone.
@@ -55,7 +54,7 @@
   /// them.
   function resized({ text, scene }, key, value, axes, factor) {
     const center = scene.center_of_mass;
-    return play.figures.names(scene).reduce((changed, name) =>
+    return scene.bodies.reduce((changed, { name }) =>
       changed_places(changed, name, (at) => at.map((x, k) =>
         (axes.includes(k) ? center[k] + (x - center[k]) * factor : x))),
     set(text, object, key, value));

@@ -20,6 +20,7 @@ namespace {
 // Never destroyed: a module has no end.
 std::string& asked = *new std::string;
 std::string& answer = *new std::string;
+lcpush::desktop::Playground& playground = *new lcpush::desktop::Playground;
 
 } // namespace
 
@@ -34,8 +35,7 @@ extern "C" {
 [[clang::export_name("ask")]] const char* lcpush_ask() {
   const std::string_view all = asked;
   const std::size_t end = std::min(all.find('\n'), all.size());
-  answer =
-      lcpush::desktop::answer_to(all.substr(0, end), all.substr(std::min(end + 1, all.size())));
+  answer = playground.answer_to(all.substr(0, end), all.substr(std::min(end + 1, all.size())));
   return answer.data();
 }
 

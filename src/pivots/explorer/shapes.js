@@ -1,4 +1,4 @@
-// What pictures of a grasp are made of, as src/draw/markup.cpp writes it for those that stand still.
+// What pictures of a basis are made of, as src/draw/markup.cpp writes it for those that stand still.
 (() => {
   const { svg, parsed } = drawing.elements;
 
@@ -29,5 +29,5 @@
     return copy;
   }
 
-  drawing.shapes = { polygon, arrow, mark };
+  explorer.shapes = { polygon, arrow, mark };
 })();

@@ -1,0 +1,264 @@
+#include "play/state_picture.hpp"
+
+#include "lcpush/desktop/input_error.hpp"
+#include "picture/contact_figures.hpp"
+#include "text/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+// Lengths in pixels.
+constexpr double state_width = 720, state_height = 480, state_margin = 92;
+constexpr double longest_arrow = 78;
+constexpr double rod_length = 46, label_distance = rod_length + 18;
+constexpr GraspFigures::Sizes state_sizes{rod_length, 30, 2};
+
+/// The part of a unit vector's length that lies in the picture, from which on its direction there
+/// can be told.
+constexpr double seen_part = 0.3;
+
+/// As large as all fits, however it is turned.
+double fitted_meters(const SceneFile& file, const View& view) {
+  const Vector3<double>& center = file.object.center_of_mass;
+  const double least = 0.2 * grasp_reach(file);
+  Pixel most(least, least);
+  const auto show = [&](const Vector3<double>& at) {
+    most = most.cwiseMax(view.flat(at - center).cwiseAbs());
+  };
+  for (const auto& corner : corners_of(object_prism(file))) show(corner);
+  for (const auto& position : drawn_positions(file)) show(position);
+  return std::min((state_width / 2 - state_margin) / most.x(),
+                  (state_height / 2 - state_margin) / most.y());
+}
+
+Sight sight_of(const SceneFile& file, const Look& look) {
+  const Vector3<double> toward = cross<double>(look.right, look.up);
+  Sight sight{{"", "", look.right, look.up, toward}};
+  sight.meters = look.meters > 0 ? look.meters : fitted_meters(file, sight.view);
+  sight.shift = Pixel(state_width / 2, state_height / 2) -
+                sight.meters * sight.view.flat(file.object.center_of_mass);
+  return sight;
+}
+
+} // namespace
+
+/// One state from one direction.
+class StatePainter {
+public:
+  StatePainter(const SceneFile& file, const PushReport& report, const Look& look)
+      : file_(file), scene_(file.view()), report_(report), look_(look),
+        sight_(sight_of(file, look)), view_(sight_.view), figures_(file, sight_, state_sizes),
+        is_answered_(report.status == Status::solved && !look.moment) {
+    double most = look.moment ? look.moment->most_force : 0;
+    for (Index i = 0; is_answered_ && i < scene_.points.size; ++i) {
+      const ContactAnswer<double>& answer = report.answer.contacts[i];
+      most = std::max({most, std::abs(answer.normal_force), answer.friction_force.norm()});
+    }
+    newtons_ = longest_arrow / std::max(most, 1e-9);
+  }
+
+  double meters() const { return sight_.meters; }
+  std::string svg(const std::string& title) const;
+
+private:
+  const SceneFile& file_;
+  const Scene<double> scene_;
+  const PushReport& report_;
+  const Look& look_;
+  const Sight sight_;
+  const View& view_;
+  const GraspFigures figures_;
+  const bool is_answered_; ///< and shown: not a moment of the motion
+  double newtons_ = 0;     ///< pixels a newton
+
+  struct Drawn {
+    bool is_behind;
+    std::string thing, label;
+  };
+  Drawn body(Index b, const Frame& object) const;
+  Vector3<double> middle(Index b) const;
+  std::string label(Index b, const Frame& object) const;
+  std::string push_of(const Body<double>& body, const Pixel& at) const;
+  std::string contacts() const;
+  std::string pressing() const;
+  std::string trace() const;
+  std::string dots() const;
+};
+
+/// Of a body's contact, where it is now.
+Vector3<double> StatePainter::middle(Index b) const {
+  const Vector3<double> at = middle_of(figures_.positions(), scene_.bodies[b]);
+  if (!look_.moment) return at;
+  const Vector3<double>& center = file_.object.center_of_mass;
+  return center + look_.moment->bodies[static_cast<std::size_t>(b)].pose.at(at - center);
+}
+
+StatePainter::Drawn StatePainter::body(Index b, const Frame& object) const {
+  const Body<double>& body = scene_.bodies[b];
+  const bool is_behind = view_.toward.dot(body.normal) > seen_part;
+  const std::string role = body.role == Role::pusher ? "pusher" : "finger";
+  const auto squeezes = [b](const JamBody& one) { return one.body == b; };
+  const std::vector<JamBody>& jam = report_.jam.bodies;
+  const bool is_jammed = !look_.moment && std::any_of(jam.begin(), jam.end(), squeezes);
+  const Pose<double> pose =
+      look_.moment ? look_.moment->bodies[static_cast<std::size_t>(b)].pose : Pose<double>();
+  const std::string kind =
+      "thing " + role + (is_behind ? " behind" : "") + (is_jammed ? " squeezes" : "");
+  const std::string name = escaped(file_.body_name(b));
+  return {is_behind,
+          "<g class=\"body\" tabindex=\"0\" role=\"button\" data-body=\"" + name +
+              "\" aria-label=\"" + name + ", " + role + ": arrow keys move it\">" +
+              figures_.body(b, kind, pose).elements + push_of(body, sight_.place(middle(b))) +
+              "</g>\n",
+          label(b, object)};
+}
+
+/// Its name and how hard it presses, behind it; not over the picture's edge nor along the object's.
+std::string StatePainter::label(Index b, const Frame& object) const {
+  const Body<double>& body = scene_.bodies[b];
+  std::string words = shortened(file_.body_name(b), 18);
+  const std::optional<double> force =
+      look_.moment   ? look_.moment->bodies[static_cast<std::size_t>(b)].normal_force
+      : is_answered_ ? std::optional(normal_sum(report_.answer, body))
+                     : std::nullopt;
+  if (force) words += "  " + brief(*force) + " N";
+  const Pixel back = -view_.flat(body.normal);
+  const bool is_seen_across = back.norm() > seen_part;
+  const bool is_behind = view_.toward.dot(body.normal) > seen_part;
+  const Pixel away =
+      is_seen_across ? Pixel(back.normalized()) : Pixel(is_behind ? -0.5 : 0.5, is_behind ? 1 : -1);
+  Pixel at = sight_.place(middle(b)) + (is_seen_across ? label_distance : 76) * away;
+  const double size = static_cast<double>(words.size()) * look_.letter;
+  const double left = at.x() - (away.x() < -0.3 ? size : away.x() > 0.3 ? 0 : size / 2);
+  const double inward = std::max(6 - left, 0.0) - std::max(left + size - (state_width - 6), 0.0);
+  if (inward != 0) at += Pixel(inward, -34);
+  constexpr double line = 16;
+  if (std::abs(at.y() - object.top) < line)
+    at.y() = object.top - 10;
+  else if (std::abs(at.y() - object.bottom) < line)
+    at.y() = object.bottom + line;
+  return text_element(std::string("label ") + (body.role == Role::pusher ? "pusher" : "finger"),
+                      at + Pixel(0, 4), words,
+                      away.x() < -0.3  ? "end"
+                      : away.x() > 0.3 ? "start"
+                                       : "middle");
+}
+
+/// Beside a pusher, which way it moves; not where that is out of the picture.
+std::string StatePainter::push_of(const Body<double>& body, const Pixel& at) const {
+  const double moves = body.acceleration.head<3>().norm();
+  if (look_.moment || body.role != Role::pusher || !(moves > 0)) return "";
+  const Pixel flat = view_.flat(body.acceleration.head<3>() / moves);
+  if (flat.norm() < seen_part) return "";
+  const Pixel along = flat.normalized(), across(-along.y(), along.x());
+  const Pixel from = at + 22 * across - rod_length * along;
+  return arrow_element("motion thin", from, from + 36 * flat);
+}
+
+std::string StatePainter::contacts() const {
+  std::string text;
+  for (Index b = 0; is_answered_ && b < scene_.bodies.size; ++b) {
+    const Body<double>& body = scene_.bodies[b];
+    for (const Index i : points_of(body)) {
+      const ContactAnswer<double>& answer = report_.answer.contacts[i];
+      const Pixel tip = sight_.place(figures_.positions()[static_cast<std::size_t>(i)]);
+      text += contact_figure(file_, view_, body, answer, tip, newtons_, 1e-9 * report_.scales.force)
+                  .elements +
+              mode_mark(answer.mode, tip);
+    }
+  }
+  return text;
+}
+
+/// While the push is played: what each body does to the object.
+std::string StatePainter::pressing() const {
+  std::string text;
+  if (!look_.moment) return text;
+  for (const Moment::Pressing& body : look_.moment->bodies) {
+    if (!body.normal_force) continue;
+    const Pixel tip = sight_.place(body.middle);
+    const auto arrow = [&](const char* kind, const Vector3<double>& force) {
+      const Pixel shaft = newtons_ * view_.flat(force);
+      const double size = shaft.norm(), most = 2 * longest_arrow;
+      return arrow_element(kind, tip - (size > most ? most / size : 1) * shaft, tip);
+    };
+    const Vector3<double> press = *body.normal_force * body.normal;
+    text += arrow("force normal", press) + arrow("force friction", body.force - press);
+  }
+  return text;
+}
+
+std::string StatePainter::trace() const {
+  std::string strokes;
+  if (!look_.moment) return strokes;
+  for (const auto& at : look_.moment->path) {
+    const std::string there = move_to(sight_.place(file_.object.center_of_mass + at));
+    strokes += strokes.empty() ? there : "L" + there.substr(1);
+  }
+  return path_element("trace", strokes);
+}
+
+std::string StatePainter::dots() const {
+  std::string text;
+  for (const Elsewhere& dot : look_.dots) {
+    const Pixel at = sight_.place(dot.at);
+    text += "<g class=\"dot " + escaped(dot.kind) + "\">" + circle_element("where", at, 4.5);
+    if (dot.kind == "jams")
+      text += path_element("cross", move_to(at - Pixel(3, 3)) + "l6 6m0 -6l-6 6");
+    text += "<title>" + escaped(dot.words) + "</title></g>\n";
+  }
+  return text;
+}
+
+std::string StatePainter::svg(const std::string& title) const {
+  const Pose<double> pose = look_.moment ? look_.moment->object : Pose<double>();
+  const Figure object = figures_.object(pose);
+  std::string behind, before, labels;
+  for (const Index b : bodies_back_to_front(view_, scene_.bodies)) {
+    const Drawn drawn = body(b, bounds(object.outline));
+    (drawn.is_behind ? behind : before) += drawn.thing;
+    labels += drawn.label;
+  }
+  const std::string ghost = is_answered_ ? figures_.ghost(report_).elements : "";
+  return "<svg class=\"drawing\" viewBox=\"0 0 " + pixels(state_width, 0) + " " +
+         pixels(state_height, 0) +
+         "\" role=\"group\" tabindex=\"0\" aria-label=\"The grasp: " + escaped(title) + "\">\n" +
+         axes_in_space(view_, {44, state_height - 40}, 26) + behind + object.elements + ghost +
+         before + trace() + dots() + contacts() + pressing() + labels + "</svg>";
+}
+
+StatePicture state_picture(const SceneFile& file, const PushReport& report, const Look& look,
+                           const std::string& title) {
+  if (look.moment && look.moment->bodies.size() != file.bodies.size())
+    throw InputError("look: another number of bodies than the scene has");
+  const StatePainter painter(file, report, look);
+  return {painter.svg(title), painter.meters()};
+}
+
+double grasp_reach(const SceneFile& file) {
+  double reach = file.shape.size.norm() / 2;
+  for (const auto& position : drawn_positions(file))
+    reach = std::max(reach, (position - file.object.center_of_mass).norm());
+  return reach;
+}
+
+std::string state_key() {
+  const auto small = [](const std::string& elements) { return sample("0 0 26 14", elements); };
+  const auto arrow = [&](const char* kind) { return small(arrow_element(kind, {2, 7}, {25, 7})); };
+  KeyItems items{{arrow("force normal"), "normal force"},
+                 {arrow("force friction"), "friction"},
+                 {small(polygon_element("cone", {{24, 7}, {4, 1}, {4, 13}})), "friction pyramid"}};
+  for (const auto& [mode, words] :
+       {std::pair(Mode::stick, "sticks"), std::pair(Mode::slide, "slips"),
+        std::pair(Mode::separate, "opens")})
+    items.emplace_back(small(mode_mark(mode, {13, 7})), words);
+  items.emplace_back(arrow("motion thin"), "the pusher moves");
+  items.emplace_back(small(polygon_element("ghost", {{2, 4}, {23, 1}, {24, 10}, {3, 13}})),
+                     "where the object goes");
+  return key_html(items);
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,24 @@
+// The picture of the playground's state: the grasp from where it is looked at, with its forces,
+// cones and modes, and where the object goes; or a moment of its motion.
+#pragma once
+
+#include "lcpush/desktop/push.hpp"
+#include "play/look.hpp"
+
+namespace lcpush::desktop {
+
+struct StatePicture {
+  std::string svg;   ///< an element; a body's parts are in a group with its name in data-body
+  double meters = 0; ///< pixels a metre
+};
+/// `title`: what is to be heard of it.
+StatePicture state_picture(const SceneFile& file, const PushReport& report, const Look& look,
+                           const std::string& title);
+
+/// Half of the largest extent of all that is there, about the centre of mass [m].
+double grasp_reach(const SceneFile& file);
+
+/// What the picture's signs mean, as a list.
+std::string state_key();
+
+} // namespace lcpush::desktop
