@@ -76,7 +76,7 @@ private:
 
   struct Drawn {
     bool is_behind;
-    std::string thing, label;
+    std::string thing, words; // the latter over everything
   };
   Drawn body(Index b, const Frame& object) const;
   Vector3<double> middle(Index b) const;
@@ -108,12 +108,12 @@ StatePainter::Drawn StatePainter::body(Index b, const Frame& object) const {
   const std::string kind =
       "thing " + role + (is_behind ? " behind" : "") + (is_jammed ? " squeezes" : "");
   const std::string name = escaped(file_.body_name(b));
+  const Figure figure = figures_.body(b, kind, pose);
   return {is_behind,
           "<g class=\"body\" tabindex=\"0\" role=\"button\" data-body=\"" + name +
               "\" aria-label=\"" + name + ", " + role + ": arrow keys move it\">" +
-              figures_.body(b, kind, pose).elements + push_of(body, sight_.place(middle(b))) +
-              "</g>\n",
-          label(b, object)};
+              polygon_element("hold", figure.outline) + figure.elements + "</g>\n",
+          push_of(body, sight_.place(middle(b))) + label(b, object)};
 }
 
 /// Its name and how hard it presses, behind it; not over the picture's edge nor along the object's.
@@ -140,6 +140,7 @@ std::string StatePainter::label(Index b, const Frame& object) const {
     at.y() = object.top - 10;
   else if (std::abs(at.y() - object.bottom) < line)
     at.y() = object.bottom + line;
+  at.y() = std::clamp(at.y(), line, state_height - line);
   return text_element(std::string("label ") + (body.role == Role::pusher ? "pusher" : "finger"),
                       at + Pixel(0, 4), words,
                       away.x() < -0.3  ? "end"
@@ -220,7 +221,7 @@ std::string StatePainter::svg(const std::string& title) const {
   for (const Index b : bodies_back_to_front(view_, scene_.bodies)) {
     const Drawn drawn = body(b, bounds(object.outline));
     (drawn.is_behind ? behind : before) += drawn.thing;
-    labels += drawn.label;
+    labels += drawn.words;
   }
   const std::string ghost = is_answered_ ? figures_.ghost(report_).elements : "";
   return "<svg class=\"drawing\" viewBox=\"0 0 " + pixels(state_width, 0) + " " +
