@@ -2,6 +2,7 @@
 #pragma once
 
 #include "c_push.hpp"
+#include "lcpush/mechanics/solve/predicted_modes.hpp"
 
 namespace lcpush::c {
 
@@ -60,7 +61,8 @@ private:
     return options;
   }
 
-  /// A first attempt is content with what the check lets pass; later ones take other covering
+  /// A first attempt begins at the modes that one expects, if it does not go on from the last
+  /// command's, and is content with what the check lets pass; later ones take other covering
   /// vectors and slower pads, the last is exact to rounding.
   void begin(int attempt) {
     attempt_ = attempt;
@@ -70,10 +72,18 @@ private:
     if (attempt + 1 < attempts) options.tolerances.finish = options.tolerances.residual / S(8);
     for (int k = 0; k < attempt; ++k) pads.factor = Eigen::numext::sqrt(pads.factor);
     if (attempt > 0) this->last_.known = false;
+    if (attempt == 0 && !(this->last_.known && this->last_.guess == Guess::basis)) predict();
     PivotSolve& solve =
         solve_.make(this->assembly_, Pivots(lemke_, this->last_, options), this->work_.pressure,
                     pads, this->work_.friction_memory(this->scene_));
     this->status_ = solve.init();
+  }
+
+  /// The modes that one expects, marked by Guess::near until they have led to an answer.
+  void predict() {
+    predict_modes_in_little_stack(this->assembly_, this->last_.active);
+    this->last_.known = true;
+    this->last_.guess = Guess::near;
   }
 
   Status pivot(int pivots) {
@@ -96,6 +106,7 @@ private:
       if (status == Status::running) continue;
       const bool failed =
           this->conclude() == Status::numerical_breakdown || status == Status::pivot_limit;
+      if (status == Status::solved) this->last_.guess = Guess::basis;
       if (!failed || attempt_ + 1 == attempts) return status;
       pivots_ = this->run_.pivots;
       begin(attempt_ + 1);

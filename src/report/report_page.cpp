@@ -5,6 +5,7 @@
 #include "draw/page_style.hpp"
 #include "lcpush/desktop/scene_check.hpp"
 #include "lcpush/version.hpp"
+#include "picture/contact_figures.hpp"
 #include "report/page_elements.hpp"
 #include "report/pictures.hpp"
 #include "report/report_sections.hpp"

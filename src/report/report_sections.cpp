@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "lcpush/lcp/tolerances.hpp"
+#include "picture/contact_figures.hpp"
 #include "report/page_elements.hpp"
 #include "report/pictures.hpp"
 #include "report/report_sections.hpp"

@@ -47,18 +47,15 @@ void keep_independent(const Assembly<S>& assembly, bool sticks, Span<unsigned ch
   });
 }
 
-} // namespace detail
+/// What the object is expected to do.
+template <class S> struct ExpectedMotion {
+  bool rests;
+  Vector6<S> by_forces; ///< what the forces add to its fall
+};
 
-/// active[i] = 1 where z_i is expected to be positive (n flags), if the object accelerates as its
-/// leading pusher does: the points of force-controlled bodies and of pushers press; where the
-/// former slip, the generator most opposed to the slip carries friction. The pushers' own friction
-/// is left to the pivots, closings are always basic. Where nothing pushes, the object is expected
-/// to rest: friction is most opposed to its fall, and no point slips. A guess: pivots from there
-/// end at an answer or say that they did not. Pre: `assembly` is of `scene`, pushed. Cost:
-/// O(forces).
+/// Who presses, and who slides which way; of every point by itself.
 template <class S>
-void predict_modes(const Assembly<S>& assembly, Span<unsigned char> active,
-                   const S* preload = nullptr) {
+ExpectedMotion<S> predict_slides(const Assembly<S>& assembly, Span<unsigned char> active) {
   const Scene<S>& scene = assembly.scene();
   const Problem<S> problem = assembly.problem();
   const FactoredProblem<S>& factored = *problem.factored;
@@ -70,7 +67,7 @@ void predict_modes(const Assembly<S>& assembly, Span<unsigned char> active,
   const bool rests = leader == nullptr || !(assembly.sigma() > S(0));
   // q holds W(u)'(free fall - A_b) of every force.
   const Scales<S>& scales = assembly.layout().scales;
-  Vector6<S> by_forces = Vector6<S>::Zero(); // what the forces add to the fall
+  Vector6<S> by_forces = Vector6<S>::Zero();
   if (!rests)
     by_forces = laws::prescribed(*leader, scales) * assembly.sigma() -
                 factored.mobility.lazyProduct(laws::load(scene, scales));
@@ -95,12 +92,36 @@ void predict_modes(const Assembly<S>& assembly, Span<unsigned char> active,
       if (!rests) active[cone.slip()] = 1;
     }
   }
+  return {rests, by_forces};
+}
+
+} // namespace detail
+
+/// active[i] = 1 where z_i is expected to be positive (n flags), if the object accelerates as its
+/// leading pusher does: the points of force-controlled bodies and of pushers press; where the
+/// former slip, the generator most opposed to the slip carries friction. The pushers' own friction
+/// is left to the pivots, closings are always basic. Where nothing pushes, the object is expected
+/// to rest: friction is most opposed to its fall, and no point slips. A guess: pivots from there
+/// end at an answer or say that they did not. Pre: `assembly` is of `scene`, pushed. Cost:
+/// O(forces).
+template <class S>
+void predict_modes(const Assembly<S>& assembly, Span<unsigned char> active,
+                   const S* preload = nullptr) {
+  const detail::ExpectedMotion<S> expected = detail::predict_slides(assembly, active);
   // With fewer unknowns the pivots that this saves cost less than it does.
   constexpr Index worth_expecting = 40;
-  if (!rests && problem.size >= worth_expecting &&
-      detail::ExpectedForces<S>(assembly, by_forces, preload, active).find())
+  if (!expected.rests && assembly.layout().size >= worth_expecting &&
+      detail::ExpectedForces<S>(assembly, expected.by_forces, preload, active).find())
     return;
-  detail::keep_independent(assembly, rests, active);
+  detail::keep_independent(assembly, expected.rests, active);
+}
+
+/// The same without a look at which forces give that motion: some more pivots, and 2 KB of stack
+/// where predict_modes takes 7 (float).
+template <class S>
+void predict_modes_in_little_stack(const Assembly<S>& assembly, Span<unsigned char> active) {
+  const detail::ExpectedMotion<S> expected = detail::predict_slides(assembly, active);
+  detail::keep_independent(assembly, expected.rests, active);
 }
 
 /// The predicted modes as a first basis. One that leads astray shall cost no more than a cold one.
