@@ -27,6 +27,7 @@ template <class S> struct LemkeOptions {
   const S* cover = nullptr; ///< n numbers > 0 to use instead of generic ones, tried once
   Index exchanges = 0;      ///< StructuredLemke: what its memory is for (structured_lemke_scalars)
   bool equilibrate = true;  ///< switch off for exact scalars and for teaching
+  bool careful = true;      ///< structured and wide: corrects values, lets a z0 of zero leave
   bool rubs = false;        ///< structured: away from z = 0 it is covered with friction
                             ///< beyond every cone's limit, where slips alone would make rays
 };
@@ -160,7 +161,7 @@ private:
   Index finite_rhs() const { return problem_.free_begin < n_ ? 1 : 0; }
   /// Wide patches make bases whose values are off, ties that z0 loses, and rays of slips. Steps of
   /// motions, small and alike, are better off without what that takes.
-  bool is_wide() const { return B::of_groups && n_ >= 600; }
+  bool is_wide() const { return B::of_groups && options_.careful && n_ >= 600; }
   Index limit() const { return options_.max_pivots > 0 ? options_.max_pivots : 1000 + 50 * n_; }
 
   std::uint32_t seed(Index column) const {
