@@ -22,6 +22,7 @@ std::string limit(const GripReport& report, const SmallestGrip& grip, bool holds
   // A beginning only where it holds with more, and not where less is what it takes.
   if (!holds && grip.factor > 1 && grip.more == MoreGrip::holds) word = "from ";
   if (!holds && grip.more == MoreGrip::drops) word = "only at about ";
+  if (holds && grip.gap > grip.factor) word = "with as little as ";
   return word + amount(report, grip.factor);
 }
 
@@ -42,8 +43,11 @@ std::string ending(const GripReport& report, const SmallestGrip& grip, bool hold
 
 /// Where the pressure law, and not statics, sets the limit.
 std::string law_line(const GripReport& report, const SmallestGrip& grip) {
-  if (grip.source != GripSource::search || !(grip.bound > 0)) return "";
-  return "\nThat is this pressure law's limit; statics alone would allow " +
+  std::string line;
+  if (grip.gap > grip.factor)
+    line = "\nNot with every grip above that: with " + amount(report, grip.gap) + " it does not.";
+  if (grip.source != GripSource::search || !(grip.bound > 0)) return line;
+  return line + "\nThat is this pressure law's limit; statics alone would allow " +
          amount(report, grip.bound) + ".";
 }
 

@@ -58,7 +58,12 @@ template <class Use> Status Push::with_rounds(const PushOptions& options, const 
   last_structured_ = options.solver != Solver::gauss_seidel && takes_structure(options);
   if (last_structured_) {
     TurningPivots pivots(structured_pivots());
-    const Status status = with_pivots(options, pivots, watcher, use);
+    Status status = with_pivots(options, pivots, watcher, use);
+    if (status == Status::numerical_breakdown) { // another path through the pads' rounds
+      PushOptions careless = options;
+      careless.lemke.careful = false;
+      status = with_pivots(careless, pivots, watcher, use);
+    }
     const bool ended = status == Status::solved || status == Status::does_not_hold;
     const Index largest =
         status == Status::ray ? limits::unknowns_dense_after_ray : limits::unknowns_dense;

@@ -1,15 +1,11 @@
 #include "lcpush/desktop/smallest_grip.hpp"
+#include "solve/grip_search.hpp"
 #include "text/limits.hpp"
 
 #include <cmath>
-#include <functional>
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr double nudge = 1e-6;    // statics' bound is the answer if this much more holds
-constexpr double stride = 16;     // of the excess over the bound, while nothing holds
-constexpr double roughest = 1e-3; // a wider bracket is no answer
 
 bool grips(const SceneFile& file, std::size_t actuator) {
   return grips(file.view(), static_cast<Index>(actuator));
@@ -37,73 +33,6 @@ double load_acceleration(const SceneFile& file, double length) {
 /// m/s^2: a slower object is at rest, as far as its solver can say.
 double rest_limit(const SceneFile& file, const Scales<double>& scales, double tolerance) {
   return tolerance * std::max(load_acceleration(file, scales.length), scales.acceleration / 16);
-}
-
-using Question = std::function<bool(double factor)>; // does the scene hold at this factor?
-
-/// Counts the pivots of everything that is asked, so that a search costs seconds and no more. A
-/// count and no clock: the same input gives the same bits.
-class CountingWatcher : public Watcher {
-public:
-  explicit CountingWatcher(const PushOptions& options) : given_(options), counting_(options) {
-    counting_.watcher = this;
-    counting_.other_covers = 0;
-  }
-  CountingWatcher(const CountingWatcher&) = delete;
-  CountingWatcher& operator=(const CountingWatcher&) = delete;
-
-  const PushOptions& options() const { return counting_; }
-  bool is_used_up() const { return multiplications_ > most; }
-
-  void stepped(const Lemke<double>& lemke) override {
-    const auto n = static_cast<double>(lemke.dictionary().size());
-    multiplications_ += n * n + overhead;
-    if (given_.watcher != nullptr) given_.watcher->stepped(lemke);
-  }
-  void progressed(Index unknowns, Index covers) override {
-    multiplications_ += 64 * static_cast<double>(unknowns) + overhead;
-    if (given_.watcher != nullptr) given_.watcher->progressed(unknowns, covers);
-  }
-
-private:
-  PushOptions given_, counting_;
-  static constexpr double most = 1e10, overhead = 5e5; // overhead: what a small pivot costs
-  double multiplications_ = 0;
-};
-
-struct Precision {
-  double width;  ///< of the last bracket, relative
-  double growth; ///< largest excess over the bound that is tried, relative
-};
-
-/// From statics' bound to the law's own factor. `known` is a factor that holds, or 0.
-SmallestGrip search_upwards(const Holding<double>& holding, double known,
-                            const Precision& precision, const CountingWatcher& work,
-                            const Question& holds) {
-  SmallestGrip grip;
-  grip.bound = holding.factor;
-  const double unit = std::max(grip.bound, holding.unit / 1000);
-  if (!(unit > 0) || holds(grip.bound + nudge * unit) || (grip.bound > 0 && holds(grip.bound))) {
-    grip.factor = grip.bound;
-    grip.source = GripSource::statics;
-    return grip;
-  }
-  double low = nudge, high = (known - grip.bound) / unit; // excesses over the bound
-  if (high <= low) high = -1;
-  for (double next = stride * nudge; high < 0 && next <= precision.growth; next *= stride) {
-    if (work.is_used_up()) return grip;
-    (holds(grip.bound + next * unit) ? high : low) = next;
-  }
-  if (high < 0) return grip;
-  const auto width = [&] { return (high - low) * unit / (grip.bound + high * unit); };
-  while (width() > precision.width && !work.is_used_up()) {
-    const double middle = high > stride * low ? std::sqrt(low * high) : (low + high) / 2;
-    (holds(grip.bound + middle * unit) ? high : low) = middle;
-  }
-  if (width() > roughest) return grip;
-  grip.factor = grip.bound + high * unit;
-  grip.source = GripSource::search;
-  return grip;
 }
 
 /// What a locked finger would press with, in the preload's unit, if it had to equal the load.

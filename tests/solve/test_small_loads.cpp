@@ -97,6 +97,35 @@ TEST_CASE("an answer without the small grip's force is refused beside any other 
   CHECK(residuals.cone > 1e-6);
 }
 
+// However large a force the scene speaks of, what an actuator must hold is not lost in its
+// rounding.
+TEST_CASE("an actuator whose force is missing is told, and it alone") {
+  for (const bool actuators : {false, true})
+    for (const double largest : {1e6, 1e15, 1e30}) {
+      const desktop::SceneFile file = cube({1e6, 3e-4, actuators});
+      desktop::Push push(file);
+      desktop::PushReport report = push.solve({});
+      REQUIRE(report.status == Status::solved);
+      Scales<double> scales = report.scales;
+      scales.force = largest;
+      for (Index lost = 0; lost < 4; ++lost) {
+        CAPTURE(largest);
+        double& force = report.answer.contacts[lost].normal_force;
+        const double held = force;
+        force = 0;
+        std::vector<Index> told;
+        check_rows(push.scene(), scales, report.answer, 1.0, [&](const Violation<double>& row) {
+          if (row.law == Law::grip && std::abs(row.scaled) > 1e-6) told.push_back(row.of);
+        });
+        CHECK(told == std::vector<Index>{lost});
+        force = held;
+      }
+      CHECK(check(push.scene(), scales, report.answer, 1.0).grip <= Tolerances<double>().residual);
+      report.answer.acceleration[2] += 1; // "it weighs less"
+      CHECK(check(push.scene(), scales, report.answer, 1.0).newton > 1e-6);
+    }
+}
+
 TEST_CASE("the weight of a small object is a load that a large grip does not hide") {
   const desktop::SceneFile file = cube({}, 0);
   desktop::Push push(file);

@@ -12,7 +12,8 @@ enum class GripSource {
   not_searched, ///< too many unknowns
   no_grip,      ///< proved: no factor on the grip forces holds
   statics,      ///< proved smallest for every pressure law, and the scene's own law holds at it
-  search,       ///< the scene's law needs more than statics: where it starts to hold, by bisection
+  search,       ///< the scene's law needs more than statics: the least that was found to hold, by
+                ///< bisection and looks below
 };
 
 /// Does the scene still hold when it is gripped harder than it has to be?
@@ -26,6 +27,7 @@ struct SmallestGrip {
   GripSource source = GripSource::not_known;
   double factor = -1; ///< on all grip forces of the scene; < 0: none, or not known
   double bound = -1;  ///< of statics: below it no pressure law holds; < 0: not known
+  double gap = -1;    ///< a larger factor that does not hold, though this one does; < 0: none seen
   MoreGrip more = MoreGrip::not_known;
 
   bool is_known() const { return factor >= 0; }

@@ -27,6 +27,9 @@ template <class S> struct LemkeOptions {
   const S* cover = nullptr; ///< n numbers > 0 to use instead of generic ones, tried once
   Index exchanges = 0;      ///< StructuredLemke: what its memory is for (structured_lemke_scalars)
   bool equilibrate = true;  ///< switch off for exact scalars and for teaching
+  bool careful = true;      ///< structured and wide: corrects values, lets a z0 of zero leave
+  bool rubs = false;        ///< structured: away from z = 0 it is covered with friction
+                            ///< beyond every cone's limit, where slips alone would make rays
 };
 
 /// What a start from given unknowns knows about them.
@@ -156,6 +159,9 @@ private:
   Span<int> candidates_, target_;
 
   Index finite_rhs() const { return problem_.free_begin < n_ ? 1 : 0; }
+  /// Wide patches make bases whose values are off, ties that z0 loses, and rays of slips. Steps of
+  /// motions, small and alike, are better off without what that takes.
+  bool is_wide() const { return B::of_groups && options_.careful && n_ >= 600; }
   Index limit() const { return options_.max_pivots > 0 ? options_.max_pivots : 1000 + 50 * n_; }
 
   std::uint32_t seed(Index column) const {
@@ -193,11 +199,15 @@ private:
     if (finite_rhs() > 0) basis_.set_bound_rhs(problem_.free_begin, column_scale_, rhs_scale_[0]);
   }
   bool refactorise();
+  S evaluate();
   bool drifted();
+  void correct_values();
+  void rub_more();
   void scaled_product(const S* z_scaled, S* out);
   template <class Watcher> void pivot(const PendingPivot& pending, Watcher& watcher);
   template <class Watcher> Status start(Watcher& watcher);
   template <class Watcher> Status advance(Watcher& watcher);
+  template <class Watcher> bool artificial_leaves(Watcher& watcher);
   Status try_next_covering_vector();
   Status accept();
   void read(Index rhs);
@@ -221,5 +231,6 @@ extern template class Lemke<double>;
 
 } // namespace lcpush
 
+#include "lcpush/lcp/pivots/detail/lemke_accuracy.hpp"
 #include "lcpush/lcp/pivots/detail/lemke_basis.hpp"
 #include "lcpush/lcp/pivots/detail/lemke_pivots.hpp"

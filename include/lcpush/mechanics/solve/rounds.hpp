@@ -113,6 +113,7 @@ private:
     covers_left_ = covers - 1;
     (void)lemke.init(problem_, single_, memory.active.data, guess_);
     ++single_.first_cover;
+    single_.rubs = true; // of the tries to come
   }
 };
 

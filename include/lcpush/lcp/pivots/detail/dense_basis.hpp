@@ -14,6 +14,7 @@ template <class S> class DenseBasis {
 public:
   Dictionary<S> dictionary;
   static constexpr bool one_scale = false; ///< are rows and columns scaled alike?
+  static constexpr bool of_groups = false;
 
   static bool supports(const Problem<S>&, TieRule) { return true; }
 

@@ -105,11 +105,36 @@ template <class S, class B> void Lemke<S, B>::cover_here() {
       else
         trial_[variable - n] = here;
     }
+    if (k == 0) {
+      if (is_wide() && options_.rubs) rub_more();
+      for (Index i = 0; i < n; ++i) {
+        const Index variable = basis_.dictionary.basic[i];
+        check_scratch_[i] = variable < n ? covering_(variable, 0) : trial_[variable - n];
+      }
+    }
     scaled_product(trial_.data(), product_.data());
     covering_.col(k) -= product_;
   }
-  basis_.set_covering_vector(column(covering_, 0),
-                             [&](Index i) { return generic_number<S>(seed(0), i); });
+  basis_.set_covering_vector(column(covering_, 0), [&](Index i) { return check_scratch_[i]; });
+}
+
+/// Of the point that a covering vector is made of, trial_ and covering_.col(0): friction beyond
+/// every cone's limit. Then d > 0 in the cones' rows, and no slip can grow alone while z0 > 0: its
+/// point's friction would have to vanish, and 0 = mu lambda + d z0.
+template <class S, class B> void Lemke<S, B>::rub_more() {
+  if (problem_.factored == nullptr) return;
+  for (const ConeGroup<S>& cone : problem_.factored->cones) {
+    if (cone.generators == 0) continue;
+    const Index first = cone.variable + cone.normals, slip = cone.slip();
+    S limit(0), friction(0);
+    for (Index j = cone.variable; j < first; ++j)
+      limit += cone.friction * trial_[j] * column_scale_[j];
+    for (Index j = first; j < slip; ++j) friction += trial_[j] * column_scale_[j];
+    if (covering_(slip, 0) > S(0))
+      covering_(slip, 0) += limit * row_scale_[slip];
+    else if (friction > S(0))
+      for (Index j = first; j < slip; ++j) trial_[j] *= S(1) + limit / friction;
+  }
 }
 
 /// Is every basic value >= 0, the right-hand sides taken in order? Then there is nothing to cover.
@@ -139,67 +164,8 @@ template <class S, class B> bool Lemke<S, B>::refactorise() {
   const Wanted wanted{finite_rhs(), rhs_count_, rhs_count_ + detail::tie_columns};
   fresh_ = basis_.factor(target_, candidates_, smallest, scratch_, wanted) == 0;
   if (fresh_) bound_rhs();
+  if (fresh_ && is_wide() && drifted()) correct_values();
   return fresh_;
-}
-
-/// Has rounding in the dictionary moved the finite basic values away from w = q + M z + d z0?
-template <class S, class B> bool Lemke<S, B>::drifted() {
-  const Index n = n_, k = finite_rhs();
-  S z0(0), largest(1);
-  trial_.setZero();
-  for (Index i = 0; i < n; ++i) {
-    const Index variable = basis_.dictionary.basic[i];
-    const S value = basis_.dictionary.values(i, k);
-    largest = value > largest ? value : largest;
-    if (variable == artificial(n))
-      z0 = value;
-    else if (variable >= n)
-      trial_[variable - n] = value;
-  }
-  scaled_product(trial_.data(), product_.data());
-  for (Index i = 0; i < n; ++i)
-    product_[i] += problem_.q[i] * row_scale_[i] / rhs_scale_[k] + covering_(i, 0) * z0;
-  for (Index i = 0; i < n; ++i)
-    if (basis_.dictionary.basic[i] < n)
-      product_[basis_.dictionary.basic[i]] -= basis_.dictionary.values(i, k);
-  const S allowed = S(100) * options_.tolerances.tie * largest;
-  return !(product_.cwiseAbs().maxCoeff() <= allowed);
-}
-
-/// z at one right-hand side, from the dictionary.
-template <class S, class B> void Lemke<S, B>::read(Index rhs) {
-  auto z = solution_.col(rhs);
-  z.setZero();
-  for (Index i = 0; i < n_; ++i)
-    if (basis_.dictionary.basic[i] >= n_ && basis_.dictionary.basic[i] < artificial(n_)) {
-      const Index j = basis_.dictionary.basic[i] - n_;
-      z[j] = basis_.dictionary.values(i, rhs) * rhs_scale_[rhs] * column_scale_[j];
-    }
-}
-
-/// The same, refined on the problem as given: the basis' response to a residual in the nonbasic w
-/// removes it.
-template <class S, class B> void Lemke<S, B>::refine(Index rhs) {
-  const Index n = n_;
-  auto z = solution_.col(rhs);
-  read(rhs);
-  S before(-1);
-  for (int round = 0; round < 4; ++round) {
-    multiply(problem_, z.data(), product_.data());
-    for (Index j = 0; j < n; ++j)
-      product_[j] = (product_[j] + right_hand_side(rhs)[j]) * row_scale_[j];
-    for (const int variable : basis_.dictionary.basic) // what is left in a basic w is its value
-      if (variable < n) product_[variable] = S(0);
-    const S largest = n > 0 ? S(product_.cwiseAbs().maxCoeff()) : S(0);
-    if (!(largest > S(0)) || (before >= S(0) && !(largest < before))) return;
-    before = largest;
-    basis_.respond(product_, scratch_);
-    for (Index i = 0; i < n; ++i)
-      if (basis_.dictionary.basic[i] >= n && basis_.dictionary.basic[i] < artificial(n)) {
-        const Index j = basis_.dictionary.basic[i] - n;
-        z[j] -= scratch_[i] * column_scale_[j];
-      }
-  }
 }
 
 /// Is every free unknown at S plus something finite, and nothing else of order S?

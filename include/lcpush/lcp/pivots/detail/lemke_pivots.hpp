@@ -48,12 +48,32 @@ template <class S, class B> template <class Watcher> Status Lemke<S, B>::advance
   RatioTest<S> test(basis_.dictionary, rhs_count_, options_.tie_rule, ratio_tolerances(),
                     candidates_);
   const Blocking blocking = test.blocking_row(c);
-  if (blocking.row < 0) return conclude_ray(c);
+  if (blocking.row < 0) return fresh_ && artificial_leaves(watcher) ? accept() : conclude_ray(c);
 
   pivot({entering_, c, blocking, test.tied_rows()}, watcher);
   if (last_.leaving == artificial(n_)) return accept();
   entering_ = complement(last_.leaving, n_);
   return status_;
+}
+
+/// Nothing blocks, but z0 is zero: it should have won the last pivot's tie. What left then comes
+/// back in its place, and the basis is an answer's.
+template <class S, class B>
+template <class Watcher>
+bool Lemke<S, B>::artificial_leaves(Watcher& watcher) {
+  const Index row = basis_.dictionary.row_of(artificial(n_));
+  if (!is_wide() || row < 0 || pivots_of_try_ < 2) return false;
+  for (Index k = 0; k < rhs_count_; ++k)
+    if (!(Eigen::numext::abs(basis_.dictionary.values(row, k)) <= options_.tolerances.tie))
+      return false;
+  const Index back = complement(entering_, n_), column = basis_.enter(back);
+  if (Eigen::numext::abs(basis_.dictionary.table(row, column)) > options_.tolerances.pivot) {
+    candidates_[0] = static_cast<int>(row);
+    pivot({back, column, {row, 1, TieBreak::artificial}, {candidates_.data, 1}}, watcher);
+    return true;
+  }
+  (void)basis_.enter(entering_); // the ray's column again
+  return false;
 }
 
 template <class S, class B> template <class Watcher> Status Lemke<S, B>::step(Watcher& watcher) {

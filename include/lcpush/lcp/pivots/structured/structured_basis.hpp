@@ -27,6 +27,8 @@ template <class S> class StructuredBasis {
 public:
   Dictionary<S> dictionary; ///< its table: the entering column alone
   static constexpr bool one_scale = true;
+  /// Factored group by group, and not by the largest pivot.
+  static constexpr bool of_groups = true;
 
   static constexpr Index scalars(Index n, Index cones, Index shared, Index right_hand_sides,
                                  Index exchanges) {

@@ -1,0 +1,53 @@
+// The search for the smallest grip, from statics' bound upwards: what it asks, and what it may
+// cost.
+#pragma once
+
+#include "lcpush/desktop/smallest_grip.hpp"
+
+#include <functional>
+
+namespace lcpush::desktop {
+
+using Question = std::function<bool(double factor)>; // does the scene hold at this factor?
+
+/// Counts the pivots of everything that is asked, so that a search costs seconds and no more. A
+/// count and no clock: the same input gives the same bits.
+class CountingWatcher : public Watcher {
+public:
+  explicit CountingWatcher(const PushOptions& options) : given_(options), counting_(options) {
+    counting_.watcher = this;
+    counting_.other_covers = 0;
+  }
+  CountingWatcher(const CountingWatcher&) = delete;
+  CountingWatcher& operator=(const CountingWatcher&) = delete;
+
+  const PushOptions& options() const { return counting_; }
+  bool is_used_up() const { return multiplications_ > most; }
+
+  void stepped(const Lemke<double>& lemke) override {
+    const auto n = static_cast<double>(lemke.dictionary().size());
+    multiplications_ += n * n + overhead;
+    if (given_.watcher != nullptr) given_.watcher->stepped(lemke);
+  }
+  void progressed(Index unknowns, Index covers) override {
+    multiplications_ += 64 * static_cast<double>(unknowns) + overhead;
+    if (given_.watcher != nullptr) given_.watcher->progressed(unknowns, covers);
+  }
+
+private:
+  PushOptions given_, counting_;
+  static constexpr double most = 1e10, overhead = 5e5; // overhead: what a small pivot costs
+  double multiplications_ = 0;
+};
+
+struct Precision {
+  double width;  ///< of the last bracket, relative
+  double growth; ///< largest excess over the bound that is tried, relative
+};
+
+/// From statics' bound to the law's own factor; `known` is a factor that holds, or 0.
+SmallestGrip search_upwards(const Holding<double>& holding, double known,
+                            const Precision& precision, const CountingWatcher& work,
+                            const Question& holds);
+
+} // namespace lcpush::desktop
