@@ -41,7 +41,9 @@ std::string tip(Random& random, bool is_soft) {
 
 constexpr const char* laws[] = {"pad", "even", "rigid"};
 std::string head(Random& random, const char* law, const char* object) {
-  const auto part = [&] { return random.integer(0, 1) * random.uniform(-10, 10); };
+  const auto part = [&] {
+    return static_cast<double>(random.integer(0, 1)) * random.uniform(-10, 10);
+  };
   std::ostringstream text;
   text << "pressure = \"" << law << "\"\ngravity = [" << part() << ", -9.81, " << part()
        << "]\n[object]\nmass = " << random.uniform(0.02, 2) << "\n"
@@ -73,7 +75,8 @@ std::string around(Random& random, const char* law) {
   const double force = random.uniform(0.5, 60), friction = random.uniform(0.1, 1.2);
   text += "[gripper]\njaws = \"independent\"\n";
   for (int k = 0; k < 3; ++k) {
-    const double angle = 2.0943951023932 * k + random.integer(0, 1) * random.uniform(-0.4, 0.4);
+    const double angle =
+        2.0943951023932 * k + static_cast<double>(random.integer(0, 1)) * random.uniform(-0.4, 0.4);
     const Vector3<double> out(std::cos(angle), std::sin(angle), 0);
     text += body(std::string(1, static_cast<char>('a' + k)),
                  0.02 * out + Vector3<double>(0, 0, random.uniform(-0.005, 0.005)), -out, friction,
