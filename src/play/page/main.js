@@ -104,9 +104,8 @@
       const text = this.wanted;
       const begin = performance.now();
       try {
-        if (!this.hands.held) this.meters = null;
         this.in_full = in_full;
-        const look = JSON.stringify(this.look());
+        const look = JSON.stringify({ ...this.look(), meters: this.hands.held ? this.meters : null });
         this.read(text, this.solver.ask(`${in_full ? 'solve' : 'drag'} ${look}`, text));
       } catch (refusal) {
         this.refuse(refusal.message);
