@@ -22,6 +22,15 @@ static double memory_d[LCPUSH_BYTES(double, 3, 3, 4, 2, 2) / sizeof(double) + 1]
 static double memory_f[LCPUSH_BYTES(float, 3, 3, 4, 2, 2) / sizeof(double) + 1];
 static double sweep_memory[LCPUSH_SWEEP_BYTES(double, 3, 3, 4, 2, 2) / sizeof(double) + 1];
 
+/* The slide whose pusher leaves: not what one expects of a pusher, so it takes pivots. */
+static lcpush_scene leaving(lcpush_body bodies[3]) {
+  lcpush_scene scene = slide_d;
+  memcpy(bodies, slide_d_bodies, sizeof slide_d_bodies);
+  bodies[2].acceleration[0] = -0.1;
+  scene.bodies = bodies;
+  return scene;
+}
+
 static int near(double x, double y, double tolerance) { return fabs(x - y) <= tolerance; }
 
 static void solves_in_double(void) {
@@ -45,7 +54,7 @@ static void solves_in_double(void) {
   lcpush_wrench_of(push, 2, wrench);
   CHECK(near(wrench[0], 20.02, 1e-9));
   CHECK(near(lcpush_closing_of(push, 0), 0, 1e-9));
-  CHECK(lcpush_residual(push) < 1e-10 && lcpush_pivots(push) > 3);
+  CHECK(lcpush_residual(push) < 1e-10 && lcpush_pivots(push) == 0); /* as one expects */
   lcpush_contact_at(push, 99, &contact);
   CHECK(contact.normal_force == 0);
 }
@@ -65,12 +74,15 @@ static void solves_in_float(void) {
 static void steps_as_it_solves(void) {
   lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
   lcpush_contact whole, stepped;
+  lcpush_body bodies[3];
+  const lcpush_scene scene = leaving(bodies);
   int pivots, calls = 0;
-  (void)lcpush_describe(push, &slide_d);
+  (void)lcpush_describe(push, &scene);
   (void)lcpush_solve(push);
   lcpush_contact_at(push, 0, &whole);
   pivots = lcpush_pivots(push);
-  (void)lcpush_describe(push, &slide_d);
+  CHECK(pivots > 0);
+  (void)lcpush_describe(push, &scene);
   while (lcpush_step(push, 1) == LCPUSH_RUNNING) ++calls;
   CHECK(calls + 1 >= pivots && calls < pivots + 40);
   CHECK(lcpush_pivots(push) == pivots);
@@ -82,6 +94,8 @@ static void obeys_commands(void) {
   lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
   const double forces[2] = {30, 30};
   const double faster[3][6] = {{0}, {0}, {0.5, 0, 0, 0, 0, 0}};
+  lcpush_body bodies[3];
+  const lcpush_scene scene = leaving(bodies);
   lcpush_contact contact;
   CHECK(lcpush_command(push, forces, NULL) == LCPUSH_BAD_INPUT);
   (void)lcpush_describe(push, &slide_d);
@@ -90,9 +104,9 @@ static void obeys_commands(void) {
   CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
   lcpush_contact_at(push, 2, &contact);
   CHECK(near(contact.normal_force, 30 + 0.2 * 0.5, 1e-9));
-  lcpush_limit(push, 2);
-  CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING);
-  CHECK(lcpush_solve(push) == LCPUSH_PIVOT_LIMIT && lcpush_pivots(push) == 2);
+  lcpush_limit(push, 1);
+  CHECK(lcpush_describe(push, &scene) == LCPUSH_RUNNING);
+  CHECK(lcpush_solve(push) == LCPUSH_PIVOT_LIMIT && lcpush_pivots(push) == 1);
   lcpush_contact_at(push, 2, &contact);
   CHECK(contact.normal_force == 0);
 }
