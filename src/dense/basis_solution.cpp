@@ -18,6 +18,7 @@ struct Level {
   const std::vector<Index>& rows;
   const double* q;
   VectorXd &z, &w;
+  VectorXd r{}, dz{};
 
   void begin() {
     z.setZero(problem.size);
@@ -25,12 +26,12 @@ struct Level {
   }
   /// By how much it has moved z.
   double correct(const Factors& lu) {
-    VectorXd product(problem.size);
-    const VectorXd r = -w(rows), step = lu.solve(r);
-    z(rows) += step;
-    multiply(problem, z.data(), product.data());
-    w = Eigen::Map<const VectorXd>(q, problem.size) + product;
-    return rows.empty() ? 0 : step.cwiseAbs().maxCoeff();
+    r = -w(rows);
+    dz.noalias() = lu.solve(r);
+    z(rows) += dz;
+    multiply(problem, z.data(), w.data());
+    w += Eigen::Map<const VectorXd>(q, problem.size);
+    return rows.empty() ? 0 : dz.cwiseAbs().maxCoeff();
   }
   /// By the factors of K: what they find is refined once on the problem as given.
   void solve(const Factors& lu) {
@@ -42,12 +43,14 @@ struct Level {
   bool approach(const Factors& lu) {
     constexpr int most = 7;
     constexpr double rounding = 8 * Eigen::NumTraits<double>::epsilon();
+    constexpr double noise = 1e-11; // what rounding makes of an ill-conditioned basis
     begin();
-    double last = correct(lu);
+    double last = correct(lu), best = 1;
     for (int k = 1; k < most; ++k) {
-      const double step = correct(lu), shrinks = step / last;
-      if (step == 0 || step * shrinks <= rounding * z.cwiseAbs().maxCoeff()) return true;
-      if (!(shrinks < 0.1)) return false; // NaN too
+      const double step = correct(lu), size = z.cwiseAbs().maxCoeff();
+      best = std::min(best, step / last);
+      if (step == 0 || step * best <= rounding * size) return true;
+      if (!(step < 0.1 * last)) return step <= noise * size; // NaN: false
       last = step;
     }
     return false;

@@ -12,16 +12,30 @@ namespace lcpush::desktop {
 
 /// What stays between two values.
 struct RoundMemory {
-  std::vector<Basis>& bases;            ///< by the number of the round
+  std::vector<Basis>& bases;            ///< by the number of the round; empty: it has failed
   std::vector<FactoredBasis>& factored; ///< the same
   bool is_fresh = bases.empty();        ///< nothing nearby: as a solve, by its own pivots alone
   std::size_t next = 0;                 ///< round of this solve
   Index cold = 0;                       ///< rounds that began from nothing
+  bool follows = !is_fresh;             ///< have all rounds ended as they did at the neighbour?
 
   std::size_t begin_round() {
     if (factored.size() <= next) factored.resize(next + 1);
     return next++;
   }
+  /// `basis`: the one that the round has ended in, or none.
+  void end_round(std::size_t round, Basis basis) {
+    follows = follows && round < bases.size() && bases[round] == basis;
+    if (bases.size() <= round) bases.resize(round + 1);
+    bases[round] = std::move(basis);
+  }
+  /// By another solver.
+  void begin_again() {
+    next = 0;
+    follows = false;
+  }
+  /// No more rounds.
+  void end() { bases.resize(std::min(bases.size(), next)); }
 };
 
 /// A round's first basis is the one that it ended in at the neighbour.
@@ -33,6 +47,9 @@ struct RememberedStart {
     return round < memory.bases.size() && static_cast<Index>(basis().size()) == size;
   }
   const Basis& basis() const { return memory.bases[round]; }
+  bool failed() const {
+    return memory.follows && round < memory.bases.size() && memory.bases[round].empty();
+  }
   void copy_to(const PressureMemory<double>& pressure) const {
     std::copy(basis().begin(), basis().end(), pressure.active.data);
   }
@@ -63,7 +80,8 @@ public:
     start.round = start.memory.begin_round();
     size_ = problem.size;
     holds_ = !start.memory.is_fresh && start.knows(problem.size) && holds_here(problem);
-    if (!holds_) then_.begin(problem, warm, pressure);
+    fails_ = warm && start.failed();
+    if (!holds_ && !fails_) then_.begin(problem, warm, pressure);
   }
 
   Status step(const PressureMemory<double>& pressure, PressureRun& run) {
@@ -73,8 +91,9 @@ public:
       run.reason = Reason::none;
       return Status::solved;
     }
+    if (fails_) return Status::numerical_breakdown;
     const Status status = then_.step(pressure, run);
-    if (status == Status::solved) remember(pressure);
+    if (status != Status::running) remember(status, pressure);
     return status;
   }
 
@@ -88,12 +107,13 @@ private:
   BasisSolution solution_;
   Index size_ = 0;     ///< unknowns of the round: the memory may have room for more
   bool holds_ = false; ///< is the remembered basis the answer itself?
+  bool fails_ = false; ///< the same rounds led here at the neighbour, and pivots no further
 
-  void remember(const PressureMemory<double>& pressure) {
-    std::vector<Basis>& bases = then_.start.memory.bases;
-    const std::size_t round = then_.start.round;
-    if (bases.size() <= round) bases.resize(round + 1);
-    bases[round].assign(pressure.active.begin(), pressure.active.begin() + size_);
+  void remember(Status status, const PressureMemory<double>& pressure) {
+    Basis basis;
+    if (status == Status::solved)
+      basis.assign(pressure.active.begin(), pressure.active.begin() + size_);
+    then_.start.memory.end_round(then_.start.round, std::move(basis));
   }
   bool holds_here(const Problem<double>& problem) {
     constexpr Index most_kept = 400; // unknowns: 0.5 MB a round

@@ -23,7 +23,7 @@ bool same_contacts(const DetailedAnswer& a, const DetailedAnswer& b, Same same) 
 }
 
 void note_difference(BistableRange& range, const SweepAnswer& a, const SweepAnswer& b) {
-  if (!a.is_solved() || !b.is_solved()) return;
+  if (!a.has_force() || !b.has_force()) return;
   const double difference = std::max(std::abs(a.normal - b.normal), (a.force - b.force).norm());
   const double size = std::max(force_size(a), force_size(b));
   if (difference > range.force_difference) range.force_difference = difference;
@@ -59,6 +59,7 @@ DetailedAnswer on_line(const DetailedAnswer& first, double t0, const DetailedAns
 
 bool differ(const SweepAnswer& a, const SweepAnswer& b, Question question, double tolerance) {
   if (a.status != b.status) return true;
+  if (!a.breaks && !b.breaks) return false;
   const double noise = std::max(a.force_noise, b.force_noise);
   if (std::abs(a.normal - b.normal) >
       tolerance * std::max(std::abs(a.normal), std::abs(b.normal)) + noise)

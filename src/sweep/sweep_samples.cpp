@@ -1,6 +1,7 @@
 #include "sweep/sweep_samples.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "sweep/sweep_pieces.hpp"
@@ -45,19 +46,77 @@ void refine(SweepSolver& solver, const Sample& from, const Sample& to,
   if (!same_modes(high, to)) refine(solver, high, to, points);
 }
 
-/// Each from its neighbour's answer, and more of them where modes change.
-std::vector<SweepPoint> sampled(SweepSolver& solver, Index steps, const Progress& progress) {
+/// The points of one way through the range, and the bases in which its steps have ended.
+class Way {
+public:
   std::vector<SweepPoint> points;
+
+  /// `began`: the bases of the step before.
+  void add(const Sample& sample, const OfBoth<RoundBases>& began, const Variation& variation) {
+    bool is_sure = true;
+    for (const Question question : questions) {
+      const bool from_nothing = began[question].empty() && sample.bases[question].empty();
+      is_sure = is_sure && (from_nothing || sample[question].is_known());
+    }
+    if (!is_sure) {
+      bases_.reset();
+    } else if (!bases_ || !same_bases(*bases_, sample.bases)) {
+      bases_ = kept_ < most_kept ? std::make_shared<OfBoth<RoundBases>>(sample.bases) : nullptr;
+      ++kept_;
+    }
+    steps_.push_back({points.size(), bases_});
+    points.push_back(point_of(sample, variation));
+  }
+  /// Whoever comes from the next step with the bases in which this one has ended finds its answer
+  /// again. Null: these are not those, or the modes change in between.
+  const SweepPoint* found_again(Index step, const OfBoth<RoundBases>& bases) const {
+    const Step& here = at(step);
+    const bool is_plain = here.bases && at(step + 1).point == here.point + 1;
+    return is_plain && same_bases(*here.bases, bases) ? &points[here.point] : nullptr;
+  }
+
+private:
+  static constexpr int most_kept = 256; // each has a flag an unknown and round
+  struct Step {
+    std::size_t point;
+    std::shared_ptr<const OfBoth<RoundBases>> bases; // null: another start may end elsewhere
+  };
+  std::vector<Step> steps_;
+  std::shared_ptr<const OfBoth<RoundBases>> bases_; // neighbours share them
+  int kept_ = 0;
+
+  const Step& at(Index step) const { return steps_[static_cast<std::size_t>(step)]; }
+  static bool same_bases(const OfBoth<RoundBases>& a, const OfBoth<RoundBases>& b) {
+    return a.push == b.push && a.breaking == b.breaking;
+  }
+};
+
+/// Each from its neighbour's answer, and more of them where modes change. On the way back what the
+/// way `there` would find again is taken from it.
+Way sampled(SweepSolver& solver, Index steps, const Progress& progress,
+            const Way* there = nullptr) {
+  Way way;
   Sample last;
+  bool is_solved = false; // or only the bases of `last` are known
   for (Index k = 0; k < steps; ++k) {
     const double t = static_cast<double>(k) / static_cast<double>(std::max<Index>(steps - 1, 1));
-    Sample sample = sample_at(solver, t, k > 0 ? &last : nullptr);
-    if (k > 0 && !same_modes(last, sample)) refine(solver, last, sample, points);
-    points.push_back(point_of(sample, solver.variations().front()));
-    last = std::move(sample);
+    const SweepPoint* const again =
+        there != nullptr && k > 0 ? there->found_again(steps - 1 - k, last.bases) : nullptr;
+    if (again != nullptr) {
+      way.points.push_back(*again);
+      way.points.back().change = {};
+      last.t = t;
+    } else {
+      if (k > 0 && !is_solved) last = sample_at(solver, last.t, &last);
+      Sample sample = sample_at(solver, t, k > 0 ? &last : nullptr);
+      if (k > 0 && !same_modes(last, sample)) refine(solver, last, sample, way.points);
+      way.add(sample, last.bases, solver.variations().front());
+      last = std::move(sample);
+    }
+    is_solved = again == nullptr;
     progress(t);
   }
-  return points;
+  return way;
 }
 
 /// The two ways at the steps that both have taken.
@@ -110,20 +169,22 @@ Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour, const S
 void sample_line(const VariedScene& scene, SweepSolver& solver,
                  const ParameterSweepOptions& options, Sweep& sweep) {
   const Index steps = options.steps > 0 ? options.steps : default_steps;
-  const bool back = options.both_ways && sweep.segments.empty();
-  sweep.points = sampled(solver, steps, part_of(options.progress, 0, back ? 0.5 : 1));
-  for (const SweepPoint& point : sweep.points) {
+  // From nothing both ways are the same.
+  const bool back = options.both_ways && options.warm && sweep.segments.empty();
+  Way there = sampled(solver, steps, part_of(options.progress, 0, back ? 0.5 : 1));
+  for (const SweepPoint& point : there.points) {
     sweep.complete = sweep.complete && point.at.push.is_known();
     sweep.asks_breaking = sweep.asks_breaking || point.at.breaking.status != Status::bad_input;
   }
-  if (!back) return;
-  SweepSolver backwards(scene, {reversed(sweep.variations.front())}, solver.pusher(), options);
-  std::vector<SweepPoint> returning =
-      sampled(backwards, steps, part_of(options.progress, 0.5, 0.5));
-  sweep.cold += backwards.cold();
-  sweep.warm += backwards.warm();
-  sweep.bistable = disagreements(compared(sweep.points, returning), 0);
-  if (!sweep.bistable.empty()) sweep.points_back = std::move(returning);
+  if (back) {
+    SweepSolver backwards(scene, {reversed(sweep.variations.front())}, solver.pusher(), options);
+    Way returning = sampled(backwards, steps, part_of(options.progress, 0.5, 0.5), &there);
+    sweep.cold += backwards.cold();
+    sweep.warm += backwards.warm();
+    sweep.bistable = disagreements(compared(there.points, returning.points), 0);
+    if (!sweep.bistable.empty()) sweep.points_back = std::move(returning.points);
+  }
+  sweep.points = std::move(there.points);
 }
 
 void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep& sweep) {

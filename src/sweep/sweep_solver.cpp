@@ -241,9 +241,10 @@ DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
   const bool is_open = !answer.is_known() && answer.status != Status::ray;
   if (is_open && (!structured || problem.size <= limits::unknowns_dense)) {
     make_lemke();
-    memory.next = 0;
+    if (structured) memory.begin_again();
     answer = solve_rounds<Lemke<double>>(question, *lemke_, memory);
   }
+  memory.end();
   ++(memory.cold > 0 ? cold_ : warm_);
   if (!answer.is_known()) bases.clear();
   return answer;

@@ -1,6 +1,7 @@
 // Sweeps in samples, their zeros, their maps.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lcpush/desktop/input_error.hpp"
@@ -41,6 +42,37 @@ TEST_CASE("samples: warm and cold agree, and few solves are cold") {
       CHECK((a.push.force - b.push.force).norm() <= 1e-6 * b.push.force.norm());
     }
   }
+}
+
+TEST_CASE("samples: the way back does not solve again what the way there would find again") {
+  ParameterSweepOptions options;
+  options.steps = 60;
+  const std::string text = scene_text("screw_driving.toml");
+  const Sweep both = swept(text, "*.friction", 0.25, 1, options);
+  CHECK(both.bistable.empty());
+  options.both_ways = false;
+  const Sweep there = swept(text, "*.friction", 0.25, 1, options);
+  CHECK(both.warm + both.cold <= there.warm + there.cold + 20);
+}
+
+TEST_CASE("samples: rounds that led nowhere at the neighbour are not pivoted again") {
+  int pivots = 0;
+  ParameterSweepOptions options;
+  options.steps = 60;
+  options.pivoted = [&] { ++pivots; };
+  const Sweep sweep = swept(scene_text("tipping.toml"), "object.mass", 0.25, 1, options);
+  CHECK(sweep.complete);
+  CHECK(pivots < 3000); // 1,880; 4,418 if they are
+}
+
+TEST_CASE("a force that breaks nothing does not tell two ways apart") {
+  ParameterSweepOptions options;
+  options.steps = 40;
+  const Sweep sweep =
+      swept(scene_text("rolling_two_answers.toml"), "*.friction", 0.15, 0.6, options);
+  CHECK(std::all_of(sweep.points.begin(), sweep.points.end(),
+                    [](const SweepPoint& point) { return !point.at.breaking.breaks; }));
+  CHECK(sweep.bistable.empty());
 }
 
 TEST_CASE("samples are refined to 1e-6 of the range where modes change") {
