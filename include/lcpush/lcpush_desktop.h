@@ -42,6 +42,16 @@ typedef struct {
   int (*is_cancelled)(void* context);           /* not 0: end now */
 } lcpush_desktop_listener;
 
+/* Instead of callbacks into a language that is not called from every thread, or not until its end:
+ * what a listener notes and reads whose `context` is a slate, with these two as its members.
+ * Another thread looks at `done` (begin with -1: nothing is known), and sets `is_cancelled`. */
+typedef struct {
+  volatile double done;
+  volatile int is_cancelled;
+} lcpush_desktop_slate;
+LCPUSH_DESKTOP_API void lcpush_desktop_note(void* slate, double done);
+LCPUSH_DESKTOP_API int lcpush_desktop_is_cancelled(void* slate);
+
 typedef struct lcpush_desktop_answer lcpush_desktop_answer;
 
 /* `request` is a JSON object; UTF-8. Never NULL; to be freed. `listener` may be NULL. */

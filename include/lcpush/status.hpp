@@ -50,6 +50,7 @@ enum class Reason {
   unsettled,      ///< numerical_breakdown: the pads' pressures settle in no number of rounds
   turning,        ///< not_settled: slips turn from round to round, and friction with them
   leap,           ///< numerical_breakdown: a time step leads too far to be one
+  pull,           ///< numerical_breakdown: the breaking force comes out below zero
 };
 
 /// The reason as a sentence for people.
@@ -71,6 +72,8 @@ constexpr const char* reason_text(Reason reason) {
   case Reason::unsettled: return "the pads' pressures do not settle";
   case Reason::turning: return "round friction does not settle: slips turn from round to round";
   case Reason::leap: return "a time step leads too far to be one: take a shorter one";
+  case Reason::pull:
+    return "the breaking force comes out below zero: the grasp is too near a fall to tell";
   }
   return "";
 }

@@ -83,6 +83,13 @@ lcpush_desktop_answer& no_memory() {
 
 extern "C" {
 
+void lcpush_desktop_note(void* slate, double done) {
+  static_cast<lcpush_desktop_slate*>(slate)->done = done;
+}
+int lcpush_desktop_is_cancelled(void* slate) {
+  return static_cast<const lcpush_desktop_slate*>(slate)->is_cancelled;
+}
+
 lcpush_desktop_answer* lcpush_desktop_ask(const char* question, const char* request,
                                           const lcpush_desktop_listener* listener) {
   auto* const answer = new (std::nothrow) lcpush_desktop_answer;

@@ -63,6 +63,7 @@ std::vector<SweepCurve> curves_of(const Request& request, const VariedScene& sce
   }
   for (std::size_t k = 0; k < curves.size(); ++k)
     curves[k].sweep.variations = variations_of(request, scenes[k]);
+  refuse_overwritten(curves);
   return curves;
 }
 

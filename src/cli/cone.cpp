@@ -20,14 +20,19 @@ std::optional<Vector6<double>> asked_twist(const Arguments& arguments) {
 
 /// A cut, where --vary asks for one.
 int run_slice(const Arguments& arguments, const VariedScene& scene, const std::string& vary) {
-  const std::string format = arguments.format({"text", "json"});
+  const std::string format = arguments.format({"text", "json", "svg"});
   if (arguments.has("--twist"))
     throw UsageError("--vary cuts the cone, --twist judges one motion; give one of the two");
-  const SceneFile file = scene.as_given();
-  const ConeSlice slice =
-      find_slice(scene, read_variation(scene, vary), chosen_pusher(arguments, file));
+  const SceneFile all = scene.as_given();
+  const VariedScene alone = scene.with_only_pusher(all.body_name(chosen_pusher(arguments, all)));
+  const SceneFile file = alone.as_given();
+  const ConeSlice slice = find_slice(alone, read_variation(alone, vary),
+                                     static_cast<Index>(chosen_pusher(arguments, file)));
   write_answer(arguments, format,
-               format == "json" ? slice_json(file, slice) : slice_text(file, slice), file);
+               format == "json"  ? slice_json(file, slice)
+               : format == "svg" ? slice_svg(file, slice)
+                                 : slice_text(file, slice),
+               file);
   return 0;
 }
 

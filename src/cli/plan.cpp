@@ -12,10 +12,15 @@
 namespace lcpush::cli {
 namespace {
 
+constexpr double most_turn = 12.6; // rad
+
 int run_plan(const Arguments& arguments) {
   const std::string format = arguments.format({"text", "json", "html", "toml"});
   const auto to = arguments.numbers("--to", 3, "x y angle (m, m and rad)");
   if (!to) throw UsageError("--to \"x y angle\" says where the object is to go, in m, m and rad");
+  if (std::abs((*to)[2]) > most_turn)
+    throw UsageError("--to: a turn of " + desktop::brief((*to)[2]) +
+                     " rad is more than twice round; it is in rad, not in degrees");
   if (arguments.files().empty()) refuse_no_scene();
   const std::string text = read_scene_text(arguments.files()[0]);
   const std::string label = scene_label(arguments.files()[0]);

@@ -50,6 +50,7 @@ std::vector<SweepCurve> read_curves(const Arguments& arguments, std::vector<Vari
   for (std::size_t k = 0; k < curves.size(); ++k)
     for (const std::string& text : arguments.values("--vary"))
       curves[k].sweep.variations.push_back(read_variation(scenes[k], text));
+  refuse_overwritten(curves);
   return curves;
 }
 

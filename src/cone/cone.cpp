@@ -44,7 +44,7 @@ public:
     add_edges(cone);
     add_sides(cone);
     const Vector6<double> twist = asked.value_or(file_.body(report_.pusher).acceleration);
-    if (planar_twist(twist, length_).norm() > 0) judge(cone, twist);
+    if (!twist.isZero(0)) judge(cone, twist);
     return std::move(report_);
   }
 
@@ -82,7 +82,8 @@ private:
   }
 
   void judge(const MotionCone& cone, const Vector6<double>& twist) {
-    const Vector3<double> planar = planar_twist(twist, length_);
+    // A direction is all that counts; without its size nothing is lost to a number's range.
+    const Vector3<double> planar = planar_twist(twist / twist.cwiseAbs().maxCoeff(), length_);
     ConeReport::Verdict verdict;
     verdict.twist = twist;
     if (report_.is_single_place) {
@@ -96,7 +97,7 @@ private:
       verdict.margin = nearest.angle;
       verdict.nearest = nearest.arc;
     }
-    verdict.leaves = leaves(twist);
+    verdict.leaves = leaves(twist / twist.cwiseAbs().maxCoeff());
     if (!verdict.sticks) verdict.margin = -verdict.margin;
     verdict.grip = least_grip(grip_, cone.pusher(), load_, planar);
     report_.verdict = verdict;

@@ -1,120 +1,154 @@
 // A cut through a motion cone: where along one number of its motion a pusher sticks.
-#include "formats/json_writer.hpp"
 #include "lcpush/desktop/cone.hpp"
-#include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/push.hpp"
-#include "scenes/warnings_json.hpp"
-#include "solve/push_words.hpp"
-#include "text/format.hpp"
-#include "text/wording.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lcpush::desktop {
 namespace {
 
+constexpr int samples = 48;         // of a range that has no segments
+constexpr double sampled_to = 1e-9; // of the range: where their bisection ends
+constexpr double inside = 1e-9;     // of a piece: an end seen from within
+
 /// What `break` finds at one value.
-ConeSlice::Range looked_at(const VariedScene& scene, const Parameter& parameter, double value,
-                           Index pusher) {
-  const SceneFile file = scene.at({parameter}, {value});
-  Push push(file);
-  PushOptions options;
-  options.other_covers = 0;
-  options.explain_jams = false;
-  options.study_existence = false;
-  ConeSlice::Range range;
-  range.status =
-      push_size(file.view()) > 0 ? push.find_breaking(pusher, options).status : Status::bad_input;
-  if (range.status != Status::solved) return range;
-  range.sticks = true;
-  for (const Index i : points_of(file.body(pusher)))
-    range.sticks = range.sticks && push.last_answer().contacts[i].mode == Mode::stick;
-  return range;
-}
+struct Look {
+  double value = 0;
+  Status status = Status::bad_input;
+  bool breaks = false, sticks = false;
+  ConeSlice::End there;
+  std::vector<Mode> modes;
 
-std::vector<Index> changing(const SweepChange& change) {
-  std::vector<Index> contacts;
-  for (const AnswerChange& one : change.breaking)
-    for (const ContactChange& contact : one.contacts)
-      if (contact.from != contact.to) contacts.push_back(contact.contact);
-  std::sort(contacts.begin(), contacts.end());
-  contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
-  return contacts;
-}
+  bool is_like(const Look& other) const {
+    return status == other.status && breaks == other.breaks && sticks == other.sticks;
+  }
+};
 
-bool is_like(const ConeSlice::Range& one, const ConeSlice::Range& two) {
-  return one.status == two.status && one.sticks == two.sticks;
-}
+class Slicer {
+public:
+  Slicer(const VariedScene& scene, const Variation& variation, Index pusher)
+      : scene_(scene), pusher_(pusher), slice_{variation, pusher, true, {}, {}} {}
 
-const char* range_words(const ConeSlice::Range& range) {
-  return range.status == Status::solved ? (range.sticks ? "sticks" : "slips") : "no breaking force";
-}
+  ConeSlice cut() {
+    ParameterSweepOptions options;
+    options.pusher = pusher_;
+    options.both_ways = false;
+    options.steps = 2;
+    const Sweep sweep = sweep_parameter(scene_, {slice_.variation}, options);
+    if (sweep.segments.empty())
+      sample();
+    else
+      for (const SweepSegment& segment : sweep.segments) add(segment);
+    return std::move(slice_);
+  }
+
+private:
+  const VariedScene& scene_;
+  const Index pusher_;
+  ConeSlice slice_;
+
+  Look look(double value) const {
+    const SceneFile file = scene_.at({slice_.variation.parameter}, {value});
+    Push push(file);
+    PushOptions options;
+    options.other_covers = 0;
+    options.explain_jams = false;
+    options.study_existence = false;
+    Look look;
+    look.value = value;
+    if (!(push_size(file.view()) > 0)) return look;
+    const BreakReport report = push.find_breaking(pusher_, options);
+    look.status = report.status;
+    if (look.status != Status::solved) return look;
+    look.sticks = look.breaks = report.breaking.breaks;
+    for (const Index i : points_of(file.body(pusher_)))
+      look.sticks = look.sticks && push.last_answer().contacts[i].mode == Mode::stick;
+    for (Index i = 0; i < static_cast<Index>(file.points.size()); ++i)
+      look.modes.push_back(push.last_answer().contacts[i].mode);
+    look.there = {report.breaking.twist, report.breaking.force};
+    if (file.planar) // what keeps the object in its plane is left out of the balance
+      for (const Index k : {2, 3, 4}) look.there.wrench[k] = 0;
+    return look;
+  }
+
+  void add(const SweepSegment& segment) {
+    slice_.is_exact = slice_.is_exact && segment.kind != SegmentKind::bisected;
+    const double by = inside * (segment.to - segment.from);
+    ConeSlice::Range range;
+    const Look middle = look((segment.from + segment.to) / 2);
+    range.status = middle.status;
+    range.breaks = middle.breaks;
+    range.sticks = middle.sticks;
+    range.from = segment.from;
+    range.to = segment.to;
+    range.at_from = look(segment.from + by).there;
+    range.at_to = look(segment.to - by).there;
+    for (const AnswerChange& one : segment.change.breaking)
+      for (const ContactChange& contact : one.contacts)
+        if (contact.from != contact.to) range.changing.push_back(contact.contact);
+    join(std::move(range));
+  }
+
+  void join(ConeSlice::Range range) {
+    std::sort(range.changing.begin(), range.changing.end());
+    range.changing.erase(std::unique(range.changing.begin(), range.changing.end()),
+                         range.changing.end());
+    slice_.forces.emplace_back(range.from, range.at_from.wrench.head<3>().norm());
+    slice_.forces.emplace_back(range.to, range.at_to.wrench.head<3>().norm());
+    auto& ranges = slice_.ranges;
+    if (ranges.empty() || ranges.back().status != range.status ||
+        ranges.back().breaks != range.breaks || ranges.back().sticks != range.sticks) {
+      ranges.push_back(std::move(range));
+    } else {
+      ranges.back().to = range.to;
+      ranges.back().at_to = range.at_to;
+      ranges.back().changing = std::move(range.changing);
+    }
+  }
+
+  /// Where a sweep has no segments: what differs between two samples is bisected.
+  void sample() {
+    slice_.is_exact = false;
+    const double from = slice_.variation.from, width = slice_.variation.to - from;
+    Look last = look(from);
+    for (int k = 1; k <= samples; ++k) {
+      const Look next = look(k == samples ? slice_.variation.to : from + width * k / samples);
+      Look low = last, high = next;
+      while (!low.is_like(high) &&
+             std::abs(high.value - low.value) > sampled_to * std::abs(width)) {
+        const Look middle = look((low.value + high.value) / 2);
+        (middle.is_like(low) ? low : high) = middle;
+      }
+      if (low.is_like(high)) {
+        join(between(last, next));
+      } else {
+        join(between(last, low));
+        slice_.ranges.back().changing = differing(low, high);
+        high.value = low.value;
+        join(between(high, next));
+      }
+      last = next;
+    }
+  }
+
+  static ConeSlice::Range between(const Look& one, const Look& two) {
+    return {one.value, two.value, one.status, one.breaks, one.sticks, one.there, two.there, {}};
+  }
+
+  static std::vector<Index> differing(const Look& one, const Look& two) {
+    std::vector<Index> contacts;
+    for (std::size_t i = 0; i < std::min(one.modes.size(), two.modes.size()); ++i)
+      if (one.modes[i] != two.modes[i]) contacts.push_back(static_cast<Index>(i));
+    return contacts;
+  }
+};
 
 } // namespace
 
 ConeSlice find_slice(const VariedScene& scene, const Variation& variation, Index pusher) {
-  ParameterSweepOptions options;
-  options.pusher = pusher;
-  options.both_ways = false;
-  const Sweep sweep = sweep_parameter(scene, {variation}, options);
-  ConeSlice slice{variation, pusher, true, {}};
-  for (const SweepSegment& segment : sweep.segments) {
-    slice.is_exact = slice.is_exact && segment.kind != SegmentKind::bisected;
-    ConeSlice::Range range =
-        looked_at(scene, variation.parameter, (segment.from + segment.to) / 2, pusher);
-    range.from = segment.from;
-    range.to = segment.to;
-    range.changing = changing(segment.change);
-    if (slice.ranges.empty() || !is_like(slice.ranges.back(), range)) {
-      slice.ranges.push_back(std::move(range));
-    } else {
-      slice.ranges.back().to = range.to;
-      slice.ranges.back().changing = std::move(range.changing);
-    }
-  }
-  return slice;
-}
-
-std::string slice_text(const SceneFile& file, const ConeSlice& slice) {
-  const std::string& path = slice.variation.parameter.path;
-  std::vector<std::string> sticking;
-  for (const ConeSlice::Range& range : slice.ranges)
-    if (range.sticks) sticking.push_back(brief(range.from) + " to " + brief(range.to));
-  const std::string unit = slice.variation.parameter.unit;
-  std::string text = title_line(file) + file.body_name(slice.pusher) +
-                     (sticking.empty() ? " sticks nowhere"
-                                       : " sticks for " + path + " of " + listed(sticking, "and") +
-                                             (unit.empty() ? "" : " " + unit)) +
-                     ".\n\n";
-  TableRows rows{{"from", "to", "there", "then changes"}};
-  for (const ConeSlice::Range& range : slice.ranges) {
-    std::vector<std::string> names;
-    for (const Index i : range.changing) names.push_back(point_name(file, i));
-    rows.push_back(
-        {number(range.from), number(range.to), range_words(range),
-         names.size() > 3 ? std::to_string(names.size()) + " contacts" : joined(names, " ")});
-  }
-  return text + table_text(rows) + "\n" +
-         facts_text({{"Ends", slice.is_exact ? "exact, by parametric pivots"
-                                             : "by bisection: pads settle round by round"}});
-}
-
-std::string slice_json(const SceneFile& file, const ConeSlice& slice) {
-  JsonWriter json;
-  json.begin_object()
-      .member("pusher", file.body_name(slice.pusher))
-      .member("vary", slice.variation.parameter.path)
-      .member("exact", slice.is_exact);
-  json.objects("ranges", slice.ranges, [&](const ConeSlice::Range& range) {
-    json.member("from", range.from)
-        .member("to", range.to)
-        .member("status", status_text(range.status))
-        .member("sticks", when(range.status == Status::solved, range.sticks));
-    json.list("changing", range.changing, [&](Index i) { json.value(point_name(file, i)); });
-  });
-  write_warnings(json, check_scene(file));
-  return json.end_object().text();
+  return Slicer(scene, variation, pusher).cut();
 }
 
 } // namespace lcpush::desktop

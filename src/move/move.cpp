@@ -63,7 +63,8 @@ private:
         report_.status = Status::pivot_limit;
         return false;
       }
-      const double room = std::min(target, next_stroke()) - now();
+      // Fixed steps are as long as was asked, whatever is kept: a frame is the end of one.
+      const double room = std::min(options_.step ? time_ : target, next_stroke()) - now();
       // Equal steps up to there: a sliver that is left over would be an instant of its own, in
       // which gaps of second order have no time to close.
       const double h = room / std::max(1.0, std::ceil(room / next_ - 1e-6));

@@ -39,7 +39,8 @@ std::string trajectory_text(const SceneFile& file, const TrajectoryReport& repor
   return title_line(file) + verdict_sentence(file, report) + "\n\n" +
          facts_text(
              {{"Compared", counted(report.steps, "step") +
-                               ", each begun where the motion is, over the same time"},
+                               ", each begun where the motion is and made in the 1 to 64 "
+                               "parts that come nearest"},
               {"Difference", speed_text(report.worst) + " at most (at " + brief(report.worst_time) +
                                  " s), " + speed_text(report.mean) + " on average"},
               {"Beside", speed_text(report.fastest) + ", the fastest that moves; allowed are " +

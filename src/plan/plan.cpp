@@ -1,8 +1,10 @@
 // The search for a plan, and its replay.
 #include "lcpush/desktop/plan.hpp"
 
+#include "plan/along_faces.hpp"
 #include "plan/plan_scene.hpp"
 #include "plan/slide.hpp"
+#include "text/format.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,11 +14,12 @@ namespace lcpush::desktop {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr int smoothing_tries = 150, attempts = 3;
+constexpr int smoothing_tries = 150;
 // Sticking pushes first: each is a matter of microseconds, where a slipping one takes a motion.
 constexpr Index tries_without_slips = 150, slips_every = 4, looks_every = 4;
-// m, of a pusher, in the replay; where a step has no answer, others are tried.
-constexpr double first_way_a_step = 1e-3;
+// m, of a pusher, in a replay by equal steps: where one has no answer, others are tried.
+constexpr Index most_steps = 5000; // solved in a replay; usual are hundreds
+constexpr double ways_a_step[] = {1e-3, 6e-4, 3e-4};
 // Of the object's size: a replay that is ahead of the plan by more stands in the next pusher's way.
 constexpr double gaps[] = {2e-4, 1e-3, 5e-3};
 
@@ -25,25 +28,27 @@ public:
   Planner(std::string_view text, const std::string& file_name, const PlanarPose& goal,
           const PlanOptions& options)
       : text_(text), file_name_(file_name), options_(options),
-        file_(parse_scene(text, file_name, Strokes::all)), pushing_(file_),
+        file_(along_faces(parse_scene(text, file_name, Strokes::all))), pushing_(file_),
         roadmap_(pushing_, PlanarPose(), goal) {
     report_.goal = goal;
   }
 
   PlanReport plan() {
+    report_.holds_start = pushing_.holds(PlanarPose());
+    report_.holds_goal = pushing_.holds(report_.goal);
+    if (!report_.holds_start || !report_.holds_goal) return std::move(report_);
     report_.found = is_there();
     if (report_.found) return std::move(report_);
-    for (int attempt = 0; attempt < attempts && !report_.found; ++attempt) {
+    for (const double way_a_step : ways_a_step) {
       const std::optional<Legs> way = found_way();
       if (!way) {
         report_.nearest = roadmap_.nearest_reached();
         break;
       }
       take(roadmap_.smoothed(*way, smoothing_tries));
-      for (const double gap : gaps) {
-        replay(gap * object_size(file_), first_way_a_step / std::pow(1.7, attempt));
-        if (report_.replay.end != MoveEnd::inside) break;
-      }
+      replay(std::nullopt); // as `move` does it by itself
+      if (!report_.found && goes_on()) replay(way_a_step / options_.speed);
+      if (report_.found || !goes_on()) break;
     }
     return std::move(report_);
   }
@@ -110,11 +115,22 @@ private:
     }
   }
 
-  void replay(double gap, double way_a_step) {
+  void replay(std::optional<double> step) {
+    for (const double gap : gaps) {
+      replay(gap * object_size(file_), step);
+      if (report_.replay.end != MoveEnd::inside) break;
+    }
+    if (report_.found && step)
+      report_.scene_text = "# In steps of its own `move` has no answer here: use --step " +
+                           number(*step) + "\n" + report_.scene_text;
+  }
+
+  void replay(double gap, std::optional<double> step) {
     report_.scene_text = strokes_text(text_, file_, report_.pushes, options_.speed, gap);
     report_.scene = parse_scene(report_.scene_text, "the plan for " + file_name_, Strokes::all);
     MoveOptions options;
-    options.step = way_a_step / options_.speed;
+    options.step = report_.replay_step = step;
+    options.most_steps = most_steps;
     report_.replay = move(report_.scene, options);
     const Pose<double>& end = report_.replay.frames.back().pose;
     const double angle = std::atan2(end.rotation(1, 0), end.rotation(0, 0));

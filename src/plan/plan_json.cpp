@@ -17,6 +17,8 @@ std::string plan_json(const SceneFile& file, const PlanReport& report) {
   json.begin_object()
       .member("found", report.found)
       .member("goal", listed(report.goal))
+      .member("holds_start", report.holds_start)
+      .member("holds_goal", report.holds_goal)
       .member("tried", report.tried)
       .member("nearest", listed(report.nearest))
       .member("cost", when(is_replayed, report.cost));
@@ -34,6 +36,7 @@ std::string plan_json(const SceneFile& file, const PlanReport& report) {
   });
   json.key("replay").begin_object();
   json.member("end", when(is_replayed, move_end_text(report.replay.end)))
+      .member("step", when(report.replay_step.has_value(), report.replay_step.value_or(0)))
       .member("position_error", when(is_replayed, report.position_error))
       .member("angle_error", when(is_replayed, report.angle_error))
       .member("steps", report.replay.steps)

@@ -29,6 +29,13 @@ std::string push_words(const SceneFile& file, const PlannedPush& push) {
 
 std::string plan_sentence(const SceneFile& file, const PlanReport& report) {
   const std::string goal = place_words(report.goal);
+  const std::string object = object_name(file);
+  if (!report.holds_start)
+    return "The grasp does not hold " + object +
+           " before it is pushed, so there is no plan; `lcpush cone` says which grip would.";
+  if (!report.holds_goal)
+    return "No plan leads to " + goal + ": there the grip would not hold " + object +
+           ", for want of force, or as a finger would press beside it. --to is in m and rad.";
   if (report.pushes.empty() && report.found)
     return "No push is needed: " + object_name(file) + " is as near to " + goal +
            " as a plan has to bring it.";
@@ -69,9 +76,9 @@ std::string plan_text(const SceneFile& file, const PlanReport& report, bool verb
       {"Columns", "where each push ends; and what it takes to stick all the way: friction of the "
                   "pusher, how far from its middle it has to press, grip " +
                       grip.of},
-      {"Replay", "by `move`, ends " + in_digits(1000 * report.position_error, 3, 1e-9) +
-                     " mm and " + in_digits(degrees * report.angle_error, 3, 1e-9) +
-                     " degrees from there"}};
+      {"Replay", "by `move" + (report.replay_step ? " --step " + number(*report.replay_step) : "") +
+                     "`, ends " + in_digits(1000 * report.position_error, 3, 1e-9) + " mm and " +
+                     in_digits(degrees * report.angle_error, 3, 1e-9) + " degrees from there"}};
   if (verbose)
     facts.push_back({"Cost", brief(1000 * report.cost) +
                                  " mm: way, turns at the object's size, and " +

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double room_kept = 0.01;    // of the wrench: a sticking push is no close shave
 constexpr double way_between = 0.002; // m, at the object's size: where an arc is looked at
+constexpr double most_parts = 1e5;
 constexpr std::size_t most_pushers = 32;
 constexpr double typed_place = 1e-2;
 constexpr double on_the_rim = 1e-9; // m
@@ -70,7 +71,8 @@ Pushing::Pushing(const SceneFile& file)
     if (body.role != Role::pusher) continue;
     refuse_no_cone(file, b);
     refuse_apart(file, b, length_);
-    Pusher pusher{b, pusher_cone(file, b, length_), 0, 0};
+    Pusher pusher{b, pusher_cone(file, b, length_), 0, 0, 1};
+    pusher.share = (pusher.cone.edges.front().force - body.normal).norm() / body.friction;
     double low = 1e300, high = -1e300;
     for (const Index i : points_of(body)) {
       const Vector3<double>& p = file.points[static_cast<std::size_t>(i)];
@@ -152,7 +154,8 @@ unsigned Pushing::sticking(const Arc& arc) const {
         left &= ~(1U << k);
     }
   };
-  const int parts = std::max(2, static_cast<int>(std::ceil(way(arc) / way_between)));
+  const int parts =
+      static_cast<int>(std::clamp(std::ceil(way(arc) / way_between), 2.0, most_parts));
   look(0);
   if (left != 0) look(1);
   for (int i = 1; i < parts && left != 0; ++i) look(static_cast<double>(i) / parts);
@@ -183,7 +186,7 @@ PushNeeds Pushing::needs(std::size_t k, const Arc& arc) const {
     const double pressed = w->x() * n.x() + w->y() * n.y(),
                  dragged = w->x() * t.x() + w->y() * t.y();
     const double at = (pusher.standoff * dragged - w->z() * length_) / pressed;
-    needs.friction = std::max(needs.friction, std::abs(dragged / pressed));
+    needs.friction = std::max(needs.friction, std::abs(dragged / pressed) / pusher.share);
     needs.reach = std::max(needs.reach, std::abs(at - pusher.middle));
     const Vector3<double> load = turned(load_, -pose.angle);
     const auto grip = least_of_faces(pusher.cone, *w + load, load);

@@ -48,6 +48,7 @@ private:
     PusherCone cone; ///< in the object's own axes
     double middle;   ///< m, of its points along cone.along
     double standoff; ///< m, of its points along the normal
+    double share;    ///< of its friction that a pyramid lets act in the plane
   };
   const SceneFile& file_;
   double length_;

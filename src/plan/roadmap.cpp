@@ -37,11 +37,15 @@ double Roadmap::drawn(double low, double high) {
   return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
 }
 
-PlanarPose Roadmap::drawn_place() {
-  PlanarPose place;
-  do place = {drawn(low_.x, high_.x), drawn(low_.y, high_.y), drawn(low_.angle, high_.angle)};
-  while (!pushing_.holds(place));
-  return place;
+/// None where the grip holds the object almost nowhere.
+std::optional<PlanarPose> Roadmap::drawn_place() {
+  constexpr int draws = 200;
+  for (int k = 0; k < draws; ++k) {
+    const PlanarPose place = {drawn(low_.x, high_.x), drawn(low_.y, high_.y),
+                              drawn(low_.angle, high_.angle)};
+    if (pushing_.holds(place)) return place;
+  }
+  return std::nullopt;
 }
 
 std::size_t Roadmap::chosen(std::size_t count) {
@@ -56,7 +60,9 @@ bool Roadmap::join(std::size_t from, std::size_t to) {
 }
 
 void Roadmap::add_place() {
-  places_.push_back(drawn_place());
+  const std::optional<PlanarPose> place = drawn_place();
+  if (!place) return;
+  places_.push_back(*place);
   edges_.emplace_back();
   join_to_all(places_.size() - 1);
 }

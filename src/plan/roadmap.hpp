@@ -61,7 +61,7 @@ private:
   PlanarPose low_, high_;
 
   double drawn(double low, double high);
-  PlanarPose drawn_place();
+  std::optional<PlanarPose> drawn_place();
   std::size_t chosen(std::size_t count);
   bool join(std::size_t from, std::size_t to);
   void join_to_all(std::size_t added);

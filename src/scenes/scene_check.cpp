@@ -196,7 +196,9 @@ private:
     if (closing >= -typed_slack) return;
     doubt(Doubt::moves_away, file_.lines.bodies[b].motion,
           body_label(file_, b) + "moves away from the object, against its normal " +
-              typed(body.normal) + "; turn its acceleration round if it is to push");
+              typed(body.normal) + "; turn its " +
+              (file_.strokes[b].is_velocity ? "velocity" : "acceleration") +
+              " round if it is to push");
   }
 
   /// The single body that an actuator drives along its normal, or none.

@@ -83,9 +83,13 @@ private:
     const double size = file_.bodies[b].acceleration.head<3>().norm();
     if (size <= most_acceleration) return;
     doubt(Doubt::acceleration, file_.lines.bodies[b].motion,
-          body_label(file_, b) + printed("it moves at %.3g m/s^2", size) +
-              ", more than a thousand times the Earth's gravity; accelerations are in m/s^2 and "
-              "rad/s^2");
+          body_label(file_, b) +
+              (file_.strokes[b].is_velocity
+                   ? printed("it moves at %.3g m/s", size) +
+                         ", which is no speed of a hand; velocities are in m/s and rad/s"
+                   : printed("it moves at %.3g m/s^2", size) +
+                         ", more than a thousand times the Earth's gravity; accelerations are in "
+                         "m/s^2 and rad/s^2"));
   }
 
   const SceneFile& file_;

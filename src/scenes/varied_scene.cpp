@@ -228,6 +228,20 @@ SceneFile VariedScene::at(const std::vector<Parameter>& parameters,
   return built(changed(*document_, parameters, values), hand_, parameters, values);
 }
 
+VariedScene VariedScene::with_only_pusher(const std::string& name) const {
+  TomlDocument document = *document_;
+  for (TomlSection& section : document.sections)
+    if (section.name == "pusher")
+      section.tables.erase(std::remove_if(section.tables.begin(), section.tables.end(),
+                                          [&](const TomlTable& table) {
+                                            return table.name() == nullptr || *table.name() != name;
+                                          }),
+                           section.tables.end());
+  VariedScene scene = *this;
+  scene.document_ = std::make_shared<const TomlDocument>(std::move(document));
+  return scene;
+}
+
 VariedScene VariedScene::with(const Parameter& parameter, double value) const {
   VariedScene scene = *this;
   scene.document_ = std::make_shared<const TomlDocument>(changed(*document_, {parameter}, {value}));

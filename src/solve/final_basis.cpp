@@ -1,18 +1,14 @@
 #include "lcpush/desktop/final_basis.hpp"
 #include "lcpush/mechanics/model/read_answer.hpp"
-#include "text/limits.hpp"
-
-#include <Eigen/LU>
+#include "solve/contact_system.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace lcpush::desktop {
 namespace {
 
-constexpr double strict = 1e-6;   // of the scene's units: farther than this from a limit
-constexpr double rounding = 1e-9; // of a direction's largest entry
+constexpr double strict = 1e-6; // of the scene's units: farther than this from a limit
 
 enum class Regime {
   open,   ///< no force, moving apart
@@ -42,12 +38,6 @@ double least_sum(const Body<double>& body, const Vector3<double>& friction, Inde
   return largest;
 }
 
-/// A force of the system and what a unit of it does at the centre of mass.
-struct ForceColumn {
-  Index point;
-  Vector6<double> wrench;
-};
-
 class Study {
 public:
   Study(const Assembly<double>& assembly, const Answer<double>& answer)
@@ -56,37 +46,24 @@ public:
     for (const ContactAnswer<double>& contact : answer.contacts)
       fastest = std::max(fastest, contact.acceleration.norm());
     margins_ = {strict * layout_.scales.force, strict * fastest};
-    Index entry = 0;
-    for (Index i = 0; i < layout_.points; ++i) {
-      contacts_.push_back(classify(i, answer.friction.data + entry));
-      entry += layout_.cones[i].generators;
-      const Contact& contact = contacts_.back();
-      if (contact.has_lambda()) forces_.push_back({i, contact.force});
-      if (contact.regime != Regime::stick) continue;
-      for (const Vector6<double>& wrench : held_directions(i)) forces_.push_back({i, wrench});
-    }
   }
 
+  /// What is tied keeps its force and its relative motion here, which is a part of what it might
+  /// do.
   FinalBasis result() const {
     FinalBasis found;
     found.studied = true;
-    for (const Contact& contact : contacts_)
+    ContactSystem system(assembly_);
+    Index entry = 0;
+    for (Index i = 0; i < layout_.points; ++i) {
+      const Contact contact = classify(i, answer_.friction.data + entry);
+      entry += layout_.cones[i].generators;
       if (contact.regime == Regime::tied) ++found.tied_contacts;
-    const Eigen::MatrixXd K = equations();
-    Eigen::FullPivLU<Eigen::MatrixXd> lu(K);
-    lu.setThreshold(1e-11);
-    if (lu.rank() == K.cols()) return found;
-    double yields = 0; // what the last round's compliance lets a unit of force move
-    for (const ConeGroup<double>& cone : layout_.cones) yields = std::max(yields, cone.compliance);
-    // A row of small numbers counts as much as the others: only what solves each is a direction.
-    const Eigen::VectorXd size = K.cwiseAbs().rowwise().maxCoeff();
-    const Eigen::MatrixXd kernel = lu.kernel();
-    for (Index k = 0; k < kernel.cols(); ++k) {
-      const Eigen::VectorXd x = kernel.col(k) / kernel.col(k).cwiseAbs().maxCoeff();
-      if (!(((K * x).cwiseAbs() - rounding * size).maxCoeff() <= 0)) continue;
-      found.motion_open = found.motion_open || x.head<6>().norm() > rounding + 10 * yields;
-      found.wrench_open = found.wrench_open || opens_wrench(x);
+      add(i, contact, system);
     }
+    const OpenDirections open = system.open_directions();
+    found.motion_open = open.motion;
+    found.wrench_open = open.wrench;
     return found;
   }
 
@@ -96,10 +73,23 @@ private:
   const Layout<double>& layout_;
   const Answer<double>& answer_;
   ContactMargins<double> margins_{};
-  std::vector<Contact> contacts_;
-  std::vector<ForceColumn> forces_; // point by point: what is pressed, then what sticks
 
   const Body<double>& body_of(Index i) const { return scene_.bodies[layout_.body[i]]; }
+
+  void add(Index i, const Contact& contact, ContactSystem& system) const {
+    if (contact.regime == Regime::open) return;
+    const Vector6<double>& normal = assembly_.factored().wrenches[layout_.cones[i].force];
+    if (contact.has_lambda())
+      system.press(i, normal, contact.force);
+    else
+      system.stay(i, normal);
+    const bool sticks = contact.regime == Regime::stick;
+    if (!contact.pressed || !(sticks || contact.regime == Regime::tied)) return;
+    for (const Vector6<double>& wrench : held_directions(i)) {
+      system.stay(i, wrench);
+      if (sticks) system.push(i, wrench);
+    }
+  }
 
   Contact classify(Index i, const double* beta) const {
     const ContactAnswer<double>& answer = answer_.contacts[i];
@@ -158,68 +148,11 @@ private:
     }
     return held;
   }
-
-  /// K x = 0 for x = [a; s; forces]. What is tied keeps its force and its relative motion here,
-  /// which is a part of what it might do.
-  Eigen::MatrixXd equations() const {
-    const FactoredProblem<double>& factored = assembly_.factored();
-    const Index actuators = layout_.actuators, first = 6 + actuators;
-    const Index unknowns = first + static_cast<Index>(forces_.size());
-    const auto along_drives = [&](Index i, const Vector6<double>& wrench, const auto& use) {
-      for (const Drive<double>& drive : scene_.drives)
-        if (drive.body == layout_.body[i])
-          use(drive.actuator,
-              laws::grip_coefficient(drive, wrench, layout_.reach[drive.actuator], layout_.scales));
-    };
-    Eigen::MatrixXd balance = Eigen::MatrixXd::Zero(first, unknowns);
-    balance.topLeftCorner(6, 6).setIdentity();
-    for (Index a = 0; a < actuators; ++a) balance(6 + a, 6 + a) = factored.sums[a].inertia;
-    for (Index k = 0; k < unknowns - first; ++k) {
-      const ForceColumn& force = forces_[static_cast<std::size_t>(k)];
-      balance.col(first + k).head<6>() = -factored.mobility.lazyProduct(force.wrench);
-      along_drives(force.point, force.wrench,
-                   [&](Index a, double c) { balance(6 + a, first + k) += c; });
-    }
-    std::vector<Eigen::RowVectorXd> rows;
-    const auto stays = [&](Index i, const Vector6<double>& wrench) -> Eigen::RowVectorXd& {
-      Eigen::RowVectorXd& row = rows.emplace_back(Eigen::RowVectorXd::Zero(unknowns));
-      row.head<6>() = wrench.transpose();
-      along_drives(i, wrench, [&](Index a, double c) { row[6 + a] -= c; });
-      return row;
-    };
-    Index next = first; // of point i's forces
-    for (Index i = 0; i < layout_.points; ++i) {
-      const Contact& contact = contacts_[static_cast<std::size_t>(i)];
-      if (contact.regime == Regime::open) continue;
-      Eigen::RowVectorXd& closed = stays(i, factored.wrenches[layout_.cones[i].force]);
-      if (contact.has_lambda()) closed[next] += layout_.cones[i].compliance;
-      while (next < unknowns && forces_[static_cast<std::size_t>(next - first)].point == i) ++next;
-      if (!contact.pressed || (contact.regime != Regime::stick && contact.regime != Regime::tied))
-        continue;
-      for (const Vector6<double>& wrench : held_directions(i)) stays(i, wrench);
-    }
-    Eigen::MatrixXd K(first + static_cast<Index>(rows.size()), unknowns);
-    K.topRows(first) = balance;
-    for (std::size_t k = 0; k < rows.size(); ++k) K.row(first + static_cast<Index>(k)) = rows[k];
-    return K;
-  }
-
-  /// Does the direction x change the pushers' total wrench?
-  bool opens_wrench(const Eigen::VectorXd& x) const {
-    Vector6<double> pushers = Vector6<double>::Zero();
-    Index next = 6 + layout_.actuators;
-    for (const ForceColumn& force : forces_) {
-      if (body_of(force.point).role == Role::pusher) pushers += x[next] * force.wrench;
-      ++next;
-    }
-    return pushers.norm() > rounding;
-  }
 };
 
 } // namespace
 
 FinalBasis study_final_basis(const Assembly<double>& assembly, const Answer<double>& answer) {
-  if (assembly.layout().points > limits::points_final_basis) return {};
   return Study(assembly, answer).result();
 }
 

@@ -95,10 +95,12 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
   PressureOptions<double> pressure = pressure_options(scene_, layout().scales, sigma);
   pressure.tolerance *= part;
   assembly_.push_by(sigma);
+  settled_by_sweeps_ = 0;
   const Status status = with_rounds(options, [&](const auto& rounds) {
     return solve_pressure(assembly_, rounds, work_.pressure, pressure, spent,
                           work_.friction_memory(scene_));
   });
+  spent.sweeps += settled_by_sweeps_;
   const bool can_start_anew =
       options.solver == Solver::lemke && options.lemke.first_cover < 2 * options.lemke.covers;
   // Sweeps stop at a residual that large forces make look small: laws and slips may ask for more.

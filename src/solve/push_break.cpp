@@ -1,4 +1,7 @@
 // Push: the grasp without a push, and the push that breaks it.
+#include <limits>
+#include <optional>
+
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/push_rounds.hpp"
 #include "solve/rest_by_friction.hpp"
@@ -13,20 +16,60 @@ bool is_exact(const SceneFile& file, const PushOptions& options) {
   return !takes_rounds(file) && options.solver != Solver::gauss_seidel;
 }
 
-/// The core calls rest what is slow beside the grip; beside the load it may be a fall. Where finite
-/// pushes were extrapolated, all of them far stronger than the load, only statics' word counts.
-bool falls_slowly(const SceneFile& file, const Scene<double>& scene, const BreakReport& report,
-                  const PushOptions& options) {
-  constexpr double more = 1 + 1e-6;
+/// The core calls rest what is slow beside the grip; beside the load it may be a fall.
+bool falls_slowly(const SceneFile& file, const BreakReport& report, const PushOptions& options) {
   const Breaking<double>& breaking = report.breaking;
   const double tolerance = rest_tolerance(options.solver);
-  if (is_at_rest(file, breaking.rest, report.scales, tolerance)) return false;
-  if (is_exact(file, options))
-    return motion_size(breaking.rest, report.scales) > 64 * breaking.residuals.beside;
-  if (size_of(scene).unknowns() > limits::unknowns_holding) return false;
+  return !is_at_rest(file, breaking.rest, report.scales, tolerance) &&
+         motion_size(breaking.rest, report.scales) > 64 * breaking.residuals.beside;
+}
+
+/// The least factor on the grip that holds the load, infinite if none does; none: not known.
+std::optional<double> least_factor(const SceneFile& file, const PushOptions& options) {
   Holding<double> holding;
   const Status status = find_holding(file, options, holding);
-  return status == Status::does_not_hold || (status == Status::solved && holding.factor > more);
+  if (status == Status::does_not_hold) return std::numeric_limits<double>::infinity();
+  return status == Status::solved ? std::optional<double>(holding.factor) : std::nullopt;
+}
+
+/// Friction of `few` facets lies within friction of a multiple of them and within a circle: the
+/// load that it holds, they hold, and the cost is that of the square of the facets.
+bool holds_with_few_facets(const SceneFile& file, const PushOptions& options) {
+  constexpr Index few = 8;
+  if (!file.is_round && (file.facets <= few || file.facets % few != 0)) return false;
+  SceneFile coarse = file;
+  coarse.is_round = false;
+  coarse.facets = few;
+  const std::optional<double> least = least_factor(coarse, options);
+  return least && *least <= 1;
+}
+
+/// Finite pushes may all be stronger than the fall: the object then moves as they do, to the last
+/// digit, and nothing of the fall is left in what they are taken back to. Only statics tells.
+bool falls_by_statics(const SceneFile& file, const Scene<double>& scene,
+                      const PushOptions& options) {
+  if (size_of(scene).unknowns() > limits::unknowns_holding) return false;
+  if (holds_with_few_facets(file, options)) return false;
+  const double more = file.is_round ? 1 + 2e-3 : 1 + 1e-6; // its facets are short of a circle
+  const std::optional<double> least = least_factor(file, options);
+  return least && *least > more;
+}
+
+/// Pushes were extrapolated and say that the grasp holds, or that the pusher pulls: does it hold?
+/// If not, report.breaking.rest becomes the fall.
+Status verdict_of_pushes(const SceneFile& file, const Scene<double>& scene, BreakReport& report,
+                         const PushOptions& options) {
+  const bool falls = falls_by_statics(file, scene, options);
+  const bool pulled = pulls(report.breaking, report.scales);
+  if (!falls && !pulled) return Status::solved;
+  Vector6<double> motion;
+  const bool is_known = Push(file).solve_at_rest(options, motion) == Status::solved;
+  const bool moves =
+      is_known && !is_at_rest(file, motion, report.scales, rest_tolerance(options.solver));
+  if (moves) report.breaking.rest = motion;
+  if (falls || moves) return Status::does_not_hold;
+  report.run.reason = Reason::pull;
+  return Status::numerical_breakdown;
 }
 
 /// The reverse: what is left when pushes far stronger than the load are taken back to none need not
@@ -35,10 +78,10 @@ bool only_looks_falling(const SceneFile& file, const Scene<double>& scene,
                         const BreakReport& report, const PushOptions& options) {
   constexpr double room = 1 - 1e-3;
   const double smallest_push = options.solver == Solver::gauss_seidel ? 1e-4 : 1e-5; // of F / m
-  if (is_exact(file, options) || size_of(scene).unknowns() > limits::unknowns_holding) return false;
+  if (size_of(scene).unknowns() > limits::unknowns_holding) return false;
   if (motion_size(report.breaking.rest, report.scales) > 2 * smallest_push) return false;
-  Holding<double> holding;
-  return find_holding(file, options, holding) == Status::solved && holding.factor < room;
+  const std::optional<double> least = least_factor(file, options);
+  return least && *least < room;
 }
 
 bool is_over(Status status) { return status == Status::solved || status == Status::does_not_hold; }
@@ -82,13 +125,26 @@ void add_other(const Breaking<double>& second, BreakReport& report) {
 
 } // namespace
 
-Status holding_verdict(const SceneFile& file, const Scene<double>& scene, const BreakReport& report,
+Status holding_verdict(const SceneFile& file, const Scene<double>& scene, BreakReport& report,
                        const PushOptions& options) {
-  if (report.status == Status::solved && falls_slowly(file, scene, report, options))
-    return Status::does_not_hold;
-  if (report.status == Status::does_not_hold && only_looks_falling(file, scene, report, options))
-    return Status::solved;
-  return report.status;
+  if (is_exact(file, options))
+    return report.status == Status::solved && falls_slowly(file, report, options)
+               ? Status::does_not_hold
+               : report.status;
+  const bool pulled =
+      report.status == Status::numerical_breakdown && pulls(report.breaking, report.scales);
+  const bool holds =
+      report.status == Status::solved || pulled ||
+      (report.status == Status::does_not_hold && only_looks_falling(file, scene, report, options));
+  return holds ? verdict_of_pushes(file, scene, report, options) : report.status;
+}
+
+/// In pads, far below what their last compliance usually leaves.
+Status Push::solve_at_rest(const PushOptions& options, Vector6<double>& acceleration) {
+  PressureRun ignored;
+  const Status status = run(options, 0.0, ignored, file_.pressure == Pressure::pad ? 1e-4 : 1);
+  if (status == Status::solved) acceleration = work_.answer.acceleration;
+  return status;
 }
 
 /// Solves the assembled hand at rest: without pivots where friction plainly holds the load, which
@@ -145,9 +201,12 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
 
 Status Push::break_grasp(const PushOptions& options, Index pusher, Breaking<double>& breaking,
                          PressureRun& run) {
-  return with_rounds(options, [&](const auto& rounds) {
+  settled_by_sweeps_ = 0;
+  const Status status = with_rounds(options, [&](const auto& rounds) {
     return lcpush::find_breaking(assembly_, rounds, work_, file_.body(pusher), {}, breaking, run);
   });
+  run.sweeps += settled_by_sweeps_;
+  return status;
 }
 
 BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
@@ -186,14 +245,19 @@ void Push::compare_others(const PushOptions& options, BreakReport& report) {
   for (Index k = 1; k <= options.other_covers; ++k)
     if (is_over(break_grasp(by_other_cover(options, k), report.pusher, second, ignored)))
       add_other(second, report);
+  // Where a wide patch begins at a few of its points, so does its image: that starts from nothing
+  // too.
+  const Index starts = layout().size >= SettledPivots::smallest ? 2 : 1;
   for (const SceneImage& image : scene_images(file_)) {
     const SceneFile seen = image.of(file_);
     Push push(seen);
-    if (!is_over(push.break_grasp(by_other_cover(options, 0), report.pusher, second, ignored)))
-      continue;
-    second.force = image.of_twist(second.force);
-    second.twist = image.of_twist(second.twist);
-    add_other(second, report);
+    for (Index k = 0; k < starts; ++k) {
+      if (!is_over(push.break_grasp(by_other_cover(options, k), report.pusher, second, ignored)))
+        continue;
+      second.force = image.of_twist(second.force);
+      second.twist = image.of_twist(second.twist);
+      add_other(second, report);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/mechanics/solve/predicted_modes.hpp"
+#include "solve/settled_pivots.hpp"
 #include "solve/turning_pivots.hpp"
 #include "text/limits.hpp"
 
@@ -57,13 +58,9 @@ template <class Use> Status Push::with_rounds(const PushOptions& options, const 
   PassingWatcher watcher(*this, options);
   last_structured_ = options.solver != Solver::gauss_seidel && takes_structure(options);
   if (last_structured_) {
-    TurningPivots pivots(structured_pivots());
-    Status status = with_pivots(options, pivots, watcher, use);
-    if (status == Status::numerical_breakdown) { // another path through the pads' rounds
-      PushOptions careless = options;
-      careless.lemke.careful = false;
-      status = with_pivots(careless, pivots, watcher, use);
-    }
+    const Status status = TurningPivots::turns(assembly_.problem())
+                              ? with_turning_pivots(options, watcher, use)
+                              : with_settled_pivots(options, watcher, use);
     const bool ended = status == Status::solved || status == Status::does_not_hold;
     const Index largest =
         status == Status::ray ? limits::unknowns_dense_after_ray : limits::unknowns_dense;
@@ -75,6 +72,34 @@ template <class Use> Status Push::with_rounds(const PushOptions& options, const 
   return with_pivots(options, pivots(), watcher, use);
 }
 
+/// Another path through the pads' rounds.
+inline PushOptions carelessly(const PushOptions& options) {
+  PushOptions careless = options;
+  careless.lemke.careful = false;
+  return careless;
+}
+
+template <class Use>
+Status Push::with_turning_pivots(const PushOptions& options, Watcher& watcher, const Use& use) {
+  TurningPivots pivots(structured_pivots());
+  const Status status = with_pivots(options, pivots, watcher, use);
+  return status == Status::numerical_breakdown
+             ? with_pivots(carelessly(options), pivots, watcher, use)
+             : status;
+}
+
+template <class Use>
+Status Push::with_settled_pivots(const PushOptions& options, Watcher& watcher, const Use& use) {
+  SettledPivots pivots(structured_pivots(), assembly_);
+  Status status = with_pivots(options, pivots, watcher, use);
+  if (status == Status::numerical_breakdown && pivots.sweeps() > 0) // pads that sweeps can move
+    status = use(SweepRounds<double, Watcher>{sweeps_, options.sweeps, watcher});
+  if (status == Status::numerical_breakdown)
+    status = with_pivots(carelessly(options), pivots, watcher, use);
+  settled_by_sweeps_ += pivots.sweeps();
+  return status;
+}
+
 /// A warm start for pivots is near enough where sweeps agree to six digits.
 template <class Pivots, class Use>
 Status Push::with_pivots(const PushOptions& options, Pivots& pivots, Watcher& watcher,
@@ -84,7 +109,7 @@ Status Push::with_pivots(const PushOptions& options, Pivots& pivots, Watcher& wa
   const LemkeRounds<double, Watcher, Pivots> by_pivots{pivots, options.lemke, watcher};
   if (options.solver == Solver::lemke) {
     // Large problems: the first opinion from the modes that one expects, others from nothing.
-    if constexpr (std::is_same_v<Pivots, TurningPivots>)
+    if constexpr (!std::is_same_v<Pivots, Lemke<double>>)
       if (options.lemke.first_cover == 0)
         return use(PredictedRounds<double, Watcher, Pivots>{assembly_, by_pivots});
     return use(by_pivots);
@@ -107,8 +132,9 @@ inline PushOptions by_other_cover(const PushOptions& options, Index k) {
 
 /// Does the object rest before it is pushed? The desktop's word on what the core has found:
 /// report.status (solved or does_not_hold, with report.breaking and report.scales), or the other of
-/// the two. `scene` as solved.
-Status holding_verdict(const SceneFile& file, const Scene<double>& scene, const BreakReport& report,
+/// the two; numerical_breakdown: the breaking force is below zero, yet no fall is seen. `scene` as
+/// solved. Changes report.breaking.rest alone, to a fall that the core did not see.
+Status holding_verdict(const SceneFile& file, const Scene<double>& scene, BreakReport& report,
                        const PushOptions& options);
 
 } // namespace lcpush::desktop

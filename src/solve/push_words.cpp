@@ -278,6 +278,8 @@ std::string run_words(const SceneFile& file, const RunReport& report) {
   if (solver != Solver::lemke) text += std::to_string(run.sweeps) + " sweeps";
   if (solver == Solver::hybrid) text += " and ";
   if (solver != Solver::gauss_seidel) text += std::to_string(run.pivots) + " pivots";
+  if (solver == Solver::lemke && run.sweeps > 0)
+    text += " and " + std::to_string(run.sweeps) + " sweeps";
   if (run.rounds > 0) text += " in " + counted(run.rounds, "round");
   if (run.cold_restarts > 0) text += ", " + std::to_string(run.cold_restarts) + " restarted cold";
   return text + "; pressure law " + pressure_text(file.pressure) + "; " +

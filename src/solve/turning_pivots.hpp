@@ -18,13 +18,21 @@ class TurningPivots {
 public:
   explicit TurningPivots(StructuredLemke<double>& lemke) : lemke_(lemke) {}
 
+  /// With fewer generators a percent of the motion turns few points: Newton's method settles them.
+  static bool turns(const Problem<double>& problem) {
+    constexpr Index few = 64;
+    for (const ConeGroup<double>& cone : problem.factored->cones)
+      if (cone.generators > few) return true;
+    return false;
+  }
+
   Status init(const Problem<double>& problem, const LemkeOptions<double>& options) {
     return lemke_.init(problem, options);
   }
   Status init(const Problem<double>& problem, const LemkeOptions<double>& options,
               const unsigned char* active, Guess guess) {
     const Status status = lemke_.init(problem, options, active, guess);
-    if (status != Status::running || !is_fine(problem)) return status;
+    if (status != Status::running || !has_pads(problem)) return status;
     active_.assign(active, active + problem.size);
     best_ = active_;
     if (!turn(problem, options, guess)) return lemke_.status();
@@ -48,12 +56,9 @@ private:
   std::vector<unsigned char> active_, best_;
   std::vector<double> values_;
 
-  /// With fewer generators a percent of the motion turns few points, and the pivots are faster; and
-  /// only pads give way.
-  static bool is_fine(const Problem<double>& problem) {
-    constexpr Index few = 64;
+  static bool has_pads(const Problem<double>& problem) {
     for (const ConeGroup<double>& cone : problem.factored->cones)
-      if (cone.generators > few && cone.compliance > 0) return true;
+      if (cone.compliance > 0) return true;
     return false;
   }
 

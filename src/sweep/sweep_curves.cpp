@@ -1,5 +1,7 @@
 // What several sweeps that are shown together are called, and how many are too many.
 #include "lcpush/desktop/sweep.hpp"
+
+#include "lcpush/desktop/input_error.hpp"
 #include "text/format.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
@@ -8,6 +10,35 @@
 #include <cmath>
 
 namespace lcpush::desktop {
+namespace {
+
+bool is_among(const Parameter::Place& a, const std::vector<Parameter::Place>& places) {
+  return std::any_of(places.begin(), places.end(), [&](const Parameter::Place& b) {
+    return a.section == b.section && a.table == b.table && a.key == b.key && a.indices == b.indices;
+  });
+}
+
+/// Values are given one after the other: those of `later` stand in all places of `earlier`.
+bool is_overwritten(const Parameter& earlier, const Parameter& later) {
+  return earlier.kind == later.kind && earlier.axis == later.axis &&
+         std::all_of(earlier.places.begin(), earlier.places.end(),
+                     [&](const Parameter::Place& place) { return is_among(place, later.places); });
+}
+
+} // namespace
+
+void refuse_overwritten(const std::vector<SweepCurve>& curves) {
+  for (const SweepCurve& curve : curves) {
+    std::vector<Parameter> varied;
+    if (curve.each) varied.push_back(curve.each->parameter);
+    for (const Variation& variation : curve.sweep.variations) varied.push_back(variation.parameter);
+    for (std::size_t later = 1; later < varied.size(); ++later)
+      for (std::size_t earlier = 0; earlier < later; ++earlier)
+        if (is_overwritten(varied[earlier], varied[later]))
+          throw InputError(varied[earlier].path + " would change nothing: " + varied[later].path +
+                           " is given its values after it");
+  }
+}
 
 SweepCurve curve_at(const Variation& each, const std::string& scene, const std::string& mine) {
   const Parameter& parameter = each.parameter;

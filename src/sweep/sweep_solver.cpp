@@ -70,7 +70,7 @@ DetailedAnswer judge_breaking(const ScenePoint& p, Status status,
   report.scales = p.assembly.layout().scales;
   DetailedAnswer answer;
   answer.status = holding_verdict(p.file, p.scene, report, {});
-  if (status != Status::solved && status != Status::does_not_hold) return answer;
+  if (answer.status != Status::solved && answer.status != Status::does_not_hold) return answer;
   answer.normal = breaking.break_force;
   answer.force = breaking.force.head<3>();
   answer.twist = breaking.twist;
@@ -89,13 +89,7 @@ DetailedAnswer read_breaking(ScenePoint& p, const BasisSolution& solution) {
   Status status =
       lcpush::read_breaking(p.assembly, solution.z.data(), solution.z_push.data(),
                             solution.valid_to, p.work, p.pusher, push_size(p.scene), breaking, run);
-  if (status == Status::solved && !(breaking.residuals.max() <= Tolerances<double>().residual))
-    status = Status::numerical_breakdown;
-  if (status == Status::solved &&
-      motion_size(breaking.rest, p.assembly.layout().scales) > at_rest<double>())
-    status = Status::does_not_hold;
-  if (status == Status::solved)
-    breaking.breaks = moves_object(breaking, p.assembly.layout().scales);
+  if (status == Status::solved) status = judge(breaking, p.assembly.layout().scales, run);
   return judge_breaking(p, status, breaking);
 }
 

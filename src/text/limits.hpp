@@ -45,7 +45,6 @@ constexpr Index unknowns_fine = 1000;     // beyond, pivots in 32 digits take lo
 constexpr double entries_certified = 5e7; // of a dictionary in 32 digits, about 0.5 s
 constexpr Index covers_certified = 30;    // of a few unknowns all end alike
 constexpr std::size_t pivots_certified = 40; // each solves an exact system anew
-constexpr Index points_final_basis = 600;    // O(points^3) costs more than the solve
 
 // Points and choices up to which sets are enumerated: the work doubles with each.
 constexpr std::size_t generators_enumerated = 6, pulls_enumerated = 8;

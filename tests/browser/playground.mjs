@@ -256,9 +256,13 @@ async function playing(browser) {
   assert.equal(await page.inputValue('#time'), at, 'paused');
   assert.match(await page.locator('#motion').textContent(), /pivots/);
   const frame = page.frameLocator('#frame');
+  const close = async () => {
+    await page.click('#close');
+    await frame.locator('h1').waitFor({ state: 'detached' }); // the next page is not this one
+  };
   await page.click('#pivots');
   assert.match(await frame.locator('h1').textContent(), /, after 0\.\d+ s/, 'of this moment');
-  await page.click('#close');
+  await close();
   await page.click('#reset');
   assert.equal(await page.inputValue('#time'), '0');
   await page.click('#pivots');
@@ -269,7 +273,7 @@ async function playing(browser) {
   assert.match(await frame.locator('html').evaluate((root_there) =>
     getComputedStyle(root_there).getPropertyValue('--paper')), /#/);
   assert.ok(await frame.locator('#scene .drawing .head').count() > 0, 'arrows');
-  await page.click('#close');
+  await close();
   // A motion that ends soon, asked for at a moment that it does not reach.
   await page.evaluate((text) => window.lcpush.app.replace(text),
     readFileSync(fixture('lever'), 'utf8'));
@@ -280,13 +284,13 @@ async function playing(browser) {
   await page.click('#raw-pivots');
   await frame.locator('#cones svg').waitFor();
   assert.match(await frame.locator('#summary').textContent(), /ray/);
-  await page.click('#close');
+  await close();
   // As other languages write it; a number beyond decimals leaves its cone in the picture.
   await page.fill('#M', '[[1e400, 0],\n [0, 1],]');
   await page.fill('#q', '[-1; 2];');
   await page.click('#raw-pivots');
   await frame.locator('#cones svg').waitFor();
-  await page.click('#close');
+  await close();
   await page.fill('#q', '1 2 3');
   await page.click('#raw-pivots');
   await page.waitForFunction(() => /square/.test(document.getElementById('raw-said').textContent));

@@ -106,10 +106,27 @@ static void test_cancelling(void) {
   lcpush_desktop_free(answer);
 }
 
+/* What a slate takes the place of: callbacks of another thread's. */
+static void test_slates(void) {
+  lcpush_desktop_slate slate = {-1, 1};
+  const lcpush_desktop_listener listener = {&slate, lcpush_desktop_note,
+                                            lcpush_desktop_is_cancelled};
+  lcpush_desktop_answer* answer = lcpush_desktop_ask("sweep", vary, &listener);
+  check(lcpush_desktop_code(answer) == LCPUSH_DESKTOP_CANCELLED, "a slate ends a sweep");
+  lcpush_desktop_free(answer);
+  slate.is_cancelled = 0;
+  slate.done = -1;
+  answer = lcpush_desktop_ask("move", "{" SCENE ", \"time\": 0.1}", &listener);
+  check(lcpush_desktop_code(answer) == LCPUSH_DESKTOP_SOLVED, "an empty slate ends nothing");
+  check(slate.done >= 0 && slate.done <= 1, "a share is noted on it");
+  lcpush_desktop_free(answer);
+}
+
 int main(void) {
   test_answers();
   test_errors();
   test_cancelling();
+  test_slates();
   lcpush_desktop_free(NULL);
   if (failures == 0) printf("ok\n");
   return failures != 0;

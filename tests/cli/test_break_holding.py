@@ -206,6 +206,24 @@ class Holding(unittest.TestCase):
                 result = subprocess.run([TOOL, "solve", file, "--json"], capture_output=True, text=True)
                 self.assertIs(json.loads(result.stdout)["holds_without_push"], factor >= 1, (seed, factor))
 
+    def test_a_fall_slower_than_the_slowest_push_is_a_fall_and_no_pull(self):
+        # 2 mu 2 N carries 1.962 N from mu = 0.4905 on. The object slips as the rod moves, whatever it weighs, so
+        # that pushes taken back to none left no fall but a rod that pulls: -0.000274 N, called solved.
+        dropped = (SCENES / "dropped.toml").read_text()
+        for pressure in ("pad", "rigid", "even"):
+            for solver in ("lemke", "hybrid", "gauss-seidel"):
+                for friction in (0.4904717, 0.49049, 0.490499, 0.490501, 0.49051):
+                    text = re.sub("(?m)^friction = .*$", f"friction = {friction}", dropped)
+                    answer = self.answer(f'pressure = "{pressure}"\n' + text, "--solver", solver)
+                    told = (pressure, solver, friction, answer["status"])
+                    self.assertEqual(answer["status"] == "solved", friction > 0.4905, told)
+                    self.assertIs(answer["smallest_grip_at_rest_factor"] <= 1, friction > 0.4905, told)
+                    if friction > 0.4905: # along the edge of the pyramid, 22.5 degrees off
+                        self.assertAlmostEqual(answer["break_force"], (4 * friction - 1.962) * (1 + 2**0.5), 9)
+                        continue
+                    self.assertEqual(answer["status"], "does_not_hold", told)
+                    self.assertAlmostEqual(answer["rest_acceleration"][1], (4 * friction - 1.962) / 0.2, 7)
+
     def test_a_force_controlled_pusher_is_a_load_and_not_part_of_the_grip(self):
         lifting = scene(pinch(left=5, right=5)).replace("center = [-0.05, 0, 0]", "center = [0, -0.015, 0]")
         lifting = lifting.replace("normal = [1, 0, 0]", "normal = [0, 1, 0]\nnormal_force = 15")

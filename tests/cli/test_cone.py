@@ -138,6 +138,65 @@ class Cone(unittest.TestCase):
             verdict = self.answer("--twist", f"-0.01 {vy:.17g} 0", text=text)
             self.assertEqual(verdict["sticks"], sticks)
 
+    def test_a_number_that_has_no_segments_is_cut_by_bisection(self):
+        slide = SOURCE / "fixtures/scenes/straight_slide.toml"
+        cut = json.loads(run(slide, "--vary", "wall.turn=-60:60", "--json").stdout)
+        self.assertFalse(cut["exact"])
+        self.assertEqual([r["sticks"] for r in cut["ranges"]], [False, True, False])
+        self.assertAlmostEqual(cut["ranges"][1]["from"], -22.5, 2)  # half a facet's angle
+        self.assertAlmostEqual(cut["ranges"][1]["to"], 22.5, 2)
+        self.assertEqual(cut["ranges"][0]["changing"], ["wall.1", "wall.2"])
+        text = square(("planar = true", 'planar = true\nfacets = "round"'))
+        low = self.answer("--vary", "east.velocity[1]=-0.03:0.03", "--pusher", "east", text=text)
+        self.assertEqual([r["sticks"] for r in low["ranges"]], [False, True, False])
+        self.assertLess(abs(low["ranges"][1]["to"] - 0.9 * 0.01), 2e-3)
+
+    def test_a_pusher_that_leaves_does_not_slip(self):
+        slide = SOURCE / "fixtures/scenes/straight_slide.toml"
+        vary = ("--vary", "wall.acceleration[0]=-0.1:0.1")
+        ranges = json.loads(run(slide, *vary, "--json").stdout)["ranges"]
+        self.assertEqual([(r["breaks"], r["sticks"]) for r in ranges], [(False, False), (True, True)])
+        self.assertIn("object stays", run(slide, *vary).stdout)
+
+    def test_a_cut_leaves_other_pushers_out(self):
+        vary = ("--vary", "east.velocity[1]=-0.03:0.03", "--pusher", "east", "--pressure", "even")
+        all_three = self.answer(*vary, text=square())
+        alone = self.answer(*vary, text=without(square(), "south", "north"))
+        self.assertEqual(all_three["ranges"], alone["ranges"])
+        self.assertTrue(any(r["sticks"] for r in alone["ranges"]))
+
+    def test_the_ends_of_a_cut_have_the_push_as_break_finds_it(self):
+        slide = SOURCE / "fixtures/scenes/straight_slide.toml"
+        vary = "wall.acceleration[1]=-0.3:0.3"
+        cut = json.loads(run(slide, "--vary", vary, "--pressure", "rigid", "--json").stdout)
+        wrench = cut["ranges"][1]["at_to"]["wrench"]
+        at = cut["ranges"][1]["to"] * (1 - 1e-6)
+        text = slide.read_text().replace("acceleration = [0.1, 0, 0]",
+                                         f"acceleration = [0.1, {at:.17g}, 0]")
+        self.assertIn(f"{at:.17g}", text)
+        there = json.loads(subprocess.run([TOOL, "break", "-", "--json"], capture_output=True, text=True,
+                                          input='pressure = "rigid"\n' + text).stdout)
+        for mine, theirs in zip(wrench, there["force"] + there["moment"]):
+            self.assertAlmostEqual(mine, theirs, 3)
+        picture = run(slide, "--vary", vary, "--pressure", "rigid", "--format", "svg").stdout
+        ElementTree.fromstring(picture)
+        self.assertIn("wall sticks", picture)
+
+    def test_the_least_grip_in_space_is_a_cut_along_the_grip(self):
+        slide = SOURCE / "fixtures/scenes/straight_slide.toml"
+        cut = json.loads(run(slide, "--vary", "*.grip_force=2:30", "--pressure", "rigid",
+                             "--json").stdout)
+        self.assertTrue(cut["exact"])
+        self.assertEqual([r["sticks"] for r in cut["ranges"]], [False, True])
+        self.assertAlmostEqual(cut["ranges"][1]["from"], 6.54, 9)  # half the weight over 2 mu
+
+    def test_the_size_of_a_twist_does_not_matter_up_to_the_largest_numbers(self):
+        margins = [self.answer("--pusher", "east", "--twist", f"-{k} {k} 0", text=square())["margin"]
+                   for k in ("1", "1e300", "1e-300")]
+        self.assertLess(margins[0], 0)
+        self.assertAlmostEqual(margins[0], margins[1], 12)
+        self.assertAlmostEqual(margins[0], margins[2], 12)
+
     def test_scenes_in_space_are_cut(self):
         result = run(SOURCE / "fixtures/scenes/straight_slide.toml", "--vary",
                      "wall.acceleration[1]=-0.3:0.3")

@@ -166,6 +166,8 @@ DOUBTS = [
      "the object, here [1, 0, 0]"),
     ("acceleration = [-0.1, 0, 0]", "acceleration = [0.1, 0, 0]", 34, "moves away from the object"),
     ("acceleration = [1e6, 0, 0]", "acceleration = [0.1, 0, 0]", 34, "accelerations are in m/s^2"),
+    ("velocity = [-0.1, 0, 0]", "acceleration = [0.1, 0, 0]", 34, "turn its velocity round"),
+    ("velocity = [1e6, 0, 0]", "acceleration = [0.1, 0, 0]", 34, "velocities are in m/s"),
     ("[[-0.05, -0.015, 0], [0.05, -0.015, 0]]", "[[-0.05, -0.015, 0], [-0.05, 0.015, 0]]", 32,
      "one contact touches one face"),
 ]

@@ -3,6 +3,7 @@ import json
 import math
 import pathlib
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -37,9 +38,9 @@ def goal(dx, dy, angle):
 
 
 class Plan(unittest.TestCase):
-    def replayed(self, text):
+    def replayed(self, text, *steps):
         """Where `lcpush move` takes the object in this scene: x, y, angle."""
-        frames = json.loads(tool("move", "-", "--step", "0.07", "--json", text=text).stdout)["frames"]
+        frames = json.loads(tool("move", "-", *steps, "--json", text=text).stdout)["frames"]
         R = frames[-1]["rotation"]
         return (*frames[-1]["position"][:2], math.atan2(R[3], R[0]))
 
@@ -86,7 +87,7 @@ class Plan(unittest.TestCase):
                      ("left", "right")]
             touching += "stick" in modes
             slipping += "slide" in modes
-        self.assertGreater(touching, 300)
+        self.assertGreater(touching, 0.97 * len(motion["frames"]))
         self.assertLess(slipping, 10)  # where a pusher comes
 
     def test_needs_are_where_sticking_ends(self):
@@ -97,6 +98,78 @@ class Plan(unittest.TestCase):
         self.assertLess(needs["reach"], 1e-6)
         turn = json.loads(tool("plan", SQUARE, "--to", "-0.03 0 0.2", "--json").stdout)["pushes"][0]
         self.assertGreater(turn["friction"] + turn["reach"], 1e-3)
+
+    def test_walls_as_wide_as_the_object_or_wider_push_along_its_face(self):
+        for half in ("0.05", "0.06"):
+            text = square().replace("0.04", half)
+            for to in ((-0.035, -0.025, 0.1), (-0.04, 0.01, -0.15), (-0.04, 0.02, 0.1)):
+                plan = json.loads(tool("plan", "-", "--to", goal(*to), "--json", text=text).stdout)
+                self.assertTrue(plan["found"], (half, to))
+                x, y, angle = self.replayed(plan["scene"])
+                self.assertLess(math.hypot(x - to[0], y - to[1]), 1e-3)
+                self.assertLess(abs(angle - to[2]), math.radians(1))
+                self.assertTrue(all(push["reach"] < 0.05 for push in plan["pushes"]))
+        beside = tool("plan", "-", "--to", "-0.01 0 0", text=square().replace(
+            "[[0.05, -0.04, 0], [0.05, 0.04, 0]]", "[[0.05, 0.06, 0], [0.05, 0.09, 0]]"))
+        self.assertEqual(beside.returncode, 2)
+
+    def test_the_replay_is_the_one_that_move_makes(self):
+        for head in ("", "facets = 16\n", 'facets = "round"\n'):
+            plan = json.loads(tool("plan", "-", "--to", "-0.05 -0.03 -0.1", "--json",
+                                   text=square(head=head)).stdout)
+            self.assertTrue(plan["found"])
+            step = plan["replay"]["step"]
+            words = ("--step", f"{step:.17g}") if step else ()
+            motion = json.loads(tool("move", "-", *words, "--json", text=plan["scene"]).stdout)
+            self.assertEqual((motion["end"], motion["steps"]), ("time", plan["replay"]["steps"]))
+            self.assertEqual(motion["frames"][-1]["position"][:2], plan["nearest"][:2])
+
+    def test_less_friction_than_a_push_takes_makes_it_slip(self):
+        to = (-0.04, 0.02, 0.1)
+        plan = json.loads(tool("plan", SQUARE, "--to", goal(*to), "--json").stdout)
+        need = max(push["friction"] for push in plan["pushes"])
+        self.assertGreater(need, 0.3)
+        for share, sticks in ((1.005, True), (0.98, False)):
+            fingers, pushers = plan["scene"].split("[[pusher]]", 1)
+            pushers = re.sub(r"friction = .*", f"friction = {share * need}", pushers)
+            motion = json.loads(tool("move", "-", "--frames", "400", "--json",
+                                     text=fingers + "[[pusher]]" + pushers).stdout)
+            slips = any(contact["mode"] == "slide" for frame in motion["frames"][1:]
+                        for contact in frame["contacts"]
+                        if contact["name"].split(".")[0] not in ("left", "right"))
+            self.assertEqual(slips, not sticks, share)
+
+    def test_a_pyramid_whose_corners_lie_beside_the_plane_takes_more_friction(self):
+        needs = []
+        for tangent in ("[0, 1, 0]", "[0, 0, 1]"):  # corners in the plane; 18 degrees beside it
+            text = square(head="facets = 10\n").replace("normal = [-1, 0, 0]\n",
+                                                       f"normal = [-1, 0, 0]\ntangent = {tangent}\n")
+            pushes = json.loads(tool("plan", "-", "--to", "-0.02 0.008 0", "--json",
+                                     text=without(text, "south", "north")).stdout)["pushes"]
+            self.assertEqual(len(pushes), 1)
+            needs.append(pushes[0]["friction"])
+        self.assertGreater(needs[0], 0.1)
+        self.assertAlmostEqual(needs[1] * math.cos(math.pi / 10), needs[0], 9)
+
+    def test_a_grip_that_does_not_hold_the_object_has_no_plan(self):
+        text = square(head="gravity = [0, -9.81, 0]\n").replace("grip_force = 50", "grip_force = 2")
+        result = tool("plan", "-", "--to", "-0.01 0 0", text=text)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("does not hold the box before it is pushed", " ".join(result.stdout.split()))
+        answer = json.loads(tool("plan", "-", "--to", "-0.01 0 0", "--json", text=text).stdout)
+        self.assertEqual((answer["holds_start"], answer["found"], answer["tried"]), (False, False, 0))
+
+    def test_goals_beside_the_grip_or_in_other_units_are_told_at_once(self):
+        result = tool("plan", SQUARE, "--to", "-40 20 0.1")
+        self.assertEqual(result.returncode, 1)
+        words = " ".join(result.stdout.split())
+        self.assertIn("No plan leads to (-40000, 20000) mm", words)
+        self.assertIn("--to is in m and rad", words)
+        answer = json.loads(tool("plan", SQUARE, "--to", "-0.3 0 0", "--json").stdout)
+        self.assertEqual((answer["holds_goal"], answer["tried"]), (False, 0))
+        degrees = tool("plan", SQUARE, "--to", "0 0 30")
+        self.assertEqual(degrees.returncode, 2)
+        self.assertIn("not in degrees", " ".join(degrees.stderr.split()))
 
     def test_what_cannot_be_reached_says_how_near_it_came(self):
         text = without(square(), "south", "north")

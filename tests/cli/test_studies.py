@@ -254,7 +254,7 @@ class OffsetPush(unittest.TestCase):
         self.check_curve(curve, scene_points(), None, 1e-8)  # from finite pushes
 
     def test_scripts_print_what_the_page_says(self):
-        for name in ("facet_error.py", "motion_cone.py"):
+        for name in ("facet_error.py", "motion_cone.py", "plans.py"):
             printed = subprocess.run([sys.executable, STUDIES / name, TOOL], cwd=SOURCE, check=True,
                                      text=True, capture_output=True).stdout
             self.assertIn(f"```text\n{printed}```", PAGE)

@@ -62,6 +62,17 @@ class Sweep(unittest.TestCase):
         self.assertAlmostEqual(segments[-1]["from"], 6.54, 9)
         self.assertAlmostEqual(segments[-1]["break_force"][1], 30, 8)
 
+    def test_a_slow_fall_is_a_fall_in_a_sweep_as_in_a_break(self):
+        # Two fingers of 2 N carry 1.962 N from a friction of 0.4905 on.
+        rows = list(csv.DictReader(io.StringIO(
+            run(SCENES / "dropped.toml", "--vary", "*.friction=0.4904:0.4906", "--format", "csv").stdout)))
+        near = [(float(row["*.friction"]), row["break_force"]) for row in rows]
+        self.assertTrue(any(0.4904717 < friction < 0.4905 - 1e-6 for friction, _ in near), near)
+        for friction, force in near:
+            if abs(friction - 0.4905) > 1e-7:
+                self.assertEqual(force != "", friction > 0.4905, (friction, force))
+            self.assertGreaterEqual(float(force or 0), -1e-9, friction)
+
     def test_points_come_with_steps(self):
         answer = self.answer(self.slide, "--vary", "*.grip_force=10:30", "--steps", "5")
         self.assertEqual([p["value"] for p in answer["points"]], [10, 15, 20, 25, 30])
@@ -308,6 +319,11 @@ class Sweep(unittest.TestCase):
         self.refused(r"facets counts something", self.slide, "--vary", "facets=4:16")
         self.refused(r"a map is of one scene", self.slide, "--vary", "*.friction=0:1", "--vary",
                      "wall.turn=0:1", "--each", "facets=4,8")
+        for second in ("*.friction=0.2:1", "wall.friction=0.2:1"):
+            self.refused(r"wall.friction would change nothing: (wall|\*).friction is given",
+                         self.slide, "--vary", "wall.friction=0.1:1", "--vary", second, "--steps", "3")
+            self.refused(r"wall.friction would change nothing", self.slide, "--vary", second,
+                         "--each", "wall.friction=0.1,1")
         self.refused(r"--format is", self.slide, "--vary", "*.friction=0:1", "--format", "png")
 
 

@@ -60,6 +60,27 @@ class Trajectory(unittest.TestCase):
             self.assertEqual(report["steps"], 80)
             self.assertLessEqual(report["worst"], 1e-9)
 
+    def test_its_own_motions_follow_whatever_steps_lie_between_their_frames(self):
+        for name in ("soft_fingers", "dropped", "tipping"):
+            scene = SOURCE / f"fixtures/scenes/{name}.toml"
+            motion = run("move", scene, "--time", 0.3, "--frames", 61, "--json").stdout
+            report, code = self.verdict(scene, self.file("m.json", motion))
+            self.assertEqual((report["verdict"], code), ("follows", 0), name)
+
+    def test_an_exact_fall_follows(self):
+        scene = self.file("weak.toml", HELD.replace("grip_force = 12", "grip_force = 0.1"))
+        down = 9.81 - 2 * 0.7 * 0.1 / 0.045
+        rows = [f"{t},0,{-down * t * t / 2},0,1,0,0,0,0,{-down * t},0,0,0,0" for t in (k / 200 for k in range(11))]
+        head = "time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz"
+        report, code = self.verdict(scene, self.file("m.csv", "\n".join([head, *rows])))
+        self.assertEqual((report["verdict"], code), ("follows", 0))
+        # Half as fast is no fall.
+        slow = [row.split(",") for row in rows]
+        for row in slow:
+            row[2], row[9] = str(float(row[2]) / 2), str(float(row[9]) / 2)
+        text = "\n".join([head, *(",".join(row) for row in slow)])
+        self.assertEqual(self.verdict(scene, self.file("m.csv", text))[0]["verdict"], "differs")
+
     def test_without_velocities_too(self):
         motion = json.loads(self.own("--json"))
         for frame in motion["frames"]:

@@ -17,6 +17,7 @@ os.environ["LCPUSH_LIBRARY"] = LIBRARY
 sys.path.insert(0, str(SOURCE / "src/python"))
 os.chdir(SOURCE)
 import lcpush  # noqa: E402
+from lcpush import _library  # noqa: E402
 
 SLIDE = "fixtures/scenes/straight_slide.toml"
 LONG = ("left.friction", 0.1, 1.0)  # 200,000 values of it take a minute
@@ -95,6 +96,8 @@ class Interrupts(unittest.TestCase):
             work()
         ended = time.monotonic()
         presser.join()
+        while _library._running:  # what could not end so soon would disturb the next
+            time.sleep(0.01)
         self.assertIs(signal.getsignal(signal.SIGINT), before)
         return ended - sent[0]
 
@@ -112,13 +115,35 @@ class Interrupts(unittest.TestCase):
         for finger in pivot["finger"]:
             finger["points"] = 20
         exact = lcpush.Scene(pivot)  # its pivots in fractions take many seconds
-        for work in (lambda: scene.sweep(*LONG, steps=200_000),
+        tables["pusher"][0]["friction"] = 0.3
+        for finger in tables["finger"]:
+            finger["points"] = 250
+        huge = lcpush.Scene({**tables, "facets": 32})  # nothing of these asks whether to go on
+        for work in (huge.certify, lambda: huge.move(time=1), lambda: scene.sweep(*LONG, steps=200_000),
                      lambda: wide.sweep(*LONG, steps=1000),
                      lambda: lcpush.read("docs/guide/held_box.toml").move(time=90, step=1e-4),
                      lambda: scene.spread(enumerate_all=True, seconds=60), searched.break_,
                      lambda: exact.pivots(exact=True)):
             # Another process may hold the processor just then: once of three has to be soon.
             self.assertTrue(any(self.ended_after(work) < 0.2 for _ in range(3)))
+
+    def test_are_what_a_handler_makes_of_them(self):
+        """A signal's handler that raises ends the work, another does not."""
+        scene, seen = lcpush.read(SLIDE), []
+
+        def raises(*_):
+            raise TimeoutError("enough")
+
+        for handler in (seen.append, raises):
+            before = signal.signal(signal.SIGALRM, lambda *_, f=handler: f(1))
+            self.addCleanup(signal.signal, signal.SIGALRM, before)
+            signal.setitimer(signal.ITIMER_REAL, 0.2)
+            if handler is raises:
+                with self.assertRaisesRegex(TimeoutError, "enough"):
+                    scene.sweep(*LONG, steps=200_000)
+            else:
+                while not seen:
+                    self.assertTrue(scene.sweep(*LONG, steps=100).complete)
 
     def test_come_from_progress_as_well(self):
         seen = []
@@ -132,13 +157,18 @@ class Interrupts(unittest.TestCase):
             lcpush.read(SLIDE).sweep(*LONG, steps=200_000, progress=stop)
         self.assertTrue(seen and seen == sorted(seen) and seen[-1] < 0.5)
 
+    def test_leave_progress_at_its_end(self):
+        for work in (lcpush.read(SLIDE).solve, lcpush.read("docs/guide/square.toml").move):
+            seen = []
+            work(progress=seen.append)
+            self.assertTrue(seen == sorted(seen) and seen[-1] == 1, seen)
+
 
 class Cost(unittest.TestCase):
     def test_of_a_call_is_below_a_millisecond(self):
         """Beside the tool's own time, for the ten points of a slide: what Python and JSON add."""
         scene = lcpush.read(SLIDE)
         self.assertEqual(len(scene.solve().contacts), 10)
-        from lcpush import _library
         inside = []
         plain = _library._library.lcpush_desktop_ask
 

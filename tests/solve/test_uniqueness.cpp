@@ -80,6 +80,26 @@ TEST_CASE("[T.9] an edge without friction: its force is what the slide needs, no
   CHECK_FALSE(one.wrench_open);
 }
 
+TEST_CASE("[T.9] a thousand points are studied as few are") {
+  for (const char* points : {"20", "500"}) {
+    CAPTURE(points);
+    for (const bool slips : {false, true}) {
+      const std::string body = "shape = \"disc\"\nradius = 0.01\npoints = " + std::string(points) +
+                               "\ngrip_force = 20\nfriction = " + (slips ? "0.01" : "0.5");
+      const Pushed push(
+          "pressure = \"pad\"\ngravity = [0, -9.81, 0]\n"
+          "[object]\nmass = 0.2\nbox = [0.1, 0.1, 0.05]\n"
+          "[[finger]]\nname = \"left\"\ncenter = [-0.05, 0, 0]\nnormal = [1, 0, 0]\n" +
+          body + "\n[[finger]]\nname = \"right\"\ncenter = [0.05, 0, 0]\nnormal = [-1, 0, 0]\n" +
+          body + "\n");
+      REQUIRE(push.report.status == Status::solved);
+      const desktop::FinalBasis& basis = push.report.final_basis;
+      CHECK(basis.studied);
+      CHECK_FALSE(basis.motion_open);
+    }
+  }
+}
+
 TEST_CASE("[T.9] the vise: found falling, called neither unique nor isolated") {
   const desktop::PushReport report = report_of("vise.toml");
   CHECK(report.unique_motion != Uniqueness::yes);

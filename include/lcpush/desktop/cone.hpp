@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lcpush::desktop {
@@ -70,24 +71,35 @@ ConeReport find_cone(const SceneFile& file, Index pusher,
 /// A cut through the cone of any scene, in space as well: along one number of the pusher's motion,
 /// where does it stick?
 struct ConeSlice {
+  /// What the push that breaks the grasp is, just inside an end of a range.
+  struct End {
+    Vector6<double> twist = Vector6<double>::Zero();  ///< the object's, of a unit push
+    Vector6<double> wrench = Vector6<double>::Zero(); ///< the pusher's on the object, [N; N m]
+  };
   struct Range {
     double from = 0, to = 0;
     Status status = Status::solved; ///< of `break` in its middle
+    bool breaks = false;            ///< does the object move? Not where the pusher leaves it
     bool sticks = false;            ///< all its points, in the limit of a slow push
+    End at_from, at_to;             ///< zero where it is not solved
     std::vector<Index> changing;    ///< contacts that do something else from `to` on
   };
   Variation variation;
   Index pusher = -1;
-  bool is_exact = true;      ///< ends by parametric pivots; else by bisection
-  std::vector<Range> ranges; ///< from end to end; neighbours differ
+  bool is_exact = true;                          ///< ends by parametric pivots; else by bisection
+  std::vector<Range> ranges;                     ///< from end to end; neighbours differ
+  std::vector<std::pair<double, double>> forces; ///< (value, N) of the push at the ends of pieces
 };
 
-/// `pusher`: a body. By a sweep of the breaking force (sweep.hpp): exact where that is. Throws
-/// InputError as sweep_parameter does.
+/// `pusher`: a body, the only pusher of the scene that moves. By a sweep of the breaking force
+/// (sweep.hpp): exact where that is, and by bisection between samples where it has no segments.
+/// Throws InputError as sweep_parameter does.
 ConeSlice find_slice(const VariedScene& scene, const Variation& variation, Index pusher);
 
 std::string slice_text(const SceneFile& file, const ConeSlice& slice);
 std::string slice_json(const SceneFile& file, const ConeSlice& slice);
+/// Where it sticks, and how hard the push is that breaks the grasp.
+std::string slice_svg(const SceneFile& file, const ConeSlice& slice);
 
 std::string cone_text(const SceneFile& file, const ConeReport& report,
                       Telling telling = Telling::brief);

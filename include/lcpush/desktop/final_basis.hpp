@@ -19,8 +19,8 @@ struct FinalBasis {
   bool wrench_isolated() const { return studied && tied_contacts == 0 && !wrench_open; }
 };
 
-/// [T.9] Studies `answer` of assembly.problem() with the compliance that its last round had. Not
-/// above 600 contact points, where it would cost more than the solve. Cost: O(points^3).
+/// [T.9] Studies `answer` of assembly.problem() with the compliances of its last round, in the
+/// limit of stiff pads. Cost: O(points (6 + actuators)^2).
 FinalBasis study_final_basis(const Assembly<double>& assembly, const Answer<double>& answer);
 
 } // namespace lcpush::desktop

@@ -45,7 +45,8 @@ struct PlannedPush {
 };
 
 struct PlanReport {
-  bool found = false; ///< and its replay ends within the errors allowed
+  bool found = false;                         ///< and its replay ends within the errors allowed
+  bool holds_start = true, holds_goal = true; ///< by the grip alone; else nothing is tried
   PlanarPose goal;
   std::vector<PlannedPush> pushes;
   double cost = 0;        ///< m: the way of the centre of mass, turns at the object's size, and
@@ -55,6 +56,7 @@ struct PlanReport {
   std::string scene_text; ///< the scene with the plan's strokes for pushers
   SceneFile scene;        ///< the same, read
   MotionReport replay;    ///< of it, by `move`
+  std::optional<double> replay_step; ///< s: in equal steps so long; none: in those of `move`
   double position_error = 0, angle_error = 0; ///< m and rad, of the replay's end
 };
 

@@ -23,6 +23,8 @@ public:
   /// The fingers alone, with the actuators that drive one.
   HoldReport holds_without_push(const PushOptions& options);
   BreakReport find_breaking(Index pusher, const PushOptions& options);
+  /// The object's motion before any push, pushers in place; solved, or the solver's failure.
+  Status solve_at_rest(const PushOptions& options, Vector6<double>& acceleration);
 
   /// Of round friction: turns the pyramids of assembly() to these forces, one a point in its
   /// friction space (Aim), so that an answer with them is one of its problem. A solve turns them
@@ -58,6 +60,7 @@ private:
   std::optional<OwnedLemke<double>> lemke_;                  // see pivots()
   std::optional<Owned<StructuredLemke<double>>> structured_; // see structured_pivots()
   bool last_structured_ = false;                             // did they pivot last?
+  Index settled_by_sweeps_ = 0; // what their rounds have taken beside pivots
   std::vector<SweepRecord> history_;
   Index swept_before_ = 0; // in the rounds that are over
   BlockGaussSeidel<double> sweeps_;
@@ -70,6 +73,10 @@ private:
   void begin(const PushOptions& options, RunReport& report);
   void record(Index sweep, const double* z);
   template <class Use> Status with_rounds(const PushOptions& options, const Use& use);
+  template <class Use>
+  Status with_turning_pivots(const PushOptions& options, Watcher& watcher, const Use& use);
+  template <class Use>
+  Status with_settled_pivots(const PushOptions& options, Watcher& watcher, const Use& use);
   template <class Pivots, class Use>
   Status with_pivots(const PushOptions& options, Pivots& pivots, Watcher& watcher, const Use& use);
   /// Until the rounds leave `part` of what they usually do.

@@ -196,6 +196,8 @@ struct SweepCurve {
 /// The curve, not swept yet, of `scene` with another number at `each`; `mine`: what tells the scene
 /// from others, if there are others.
 SweepCurve curve_at(const Variation& each, const std::string& scene, const std::string& mine = "");
+/// Throws InputError if one of a curve's numbers is overwritten by the next, as when both are one.
+void refuse_overwritten(const std::vector<SweepCurve>& curves);
 /// For a picture of all of them.
 std::string sweep_title(const std::vector<SweepCurve>& curves);
 /// That so many samples do not fit into memory; empty if they do.

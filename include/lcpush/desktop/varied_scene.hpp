@@ -62,6 +62,8 @@ public:
   SceneFile as_given() const { return at({}, {}); }
   /// The same scene with one number changed for good. Throws InputError if that is no scene.
   VariedScene with(const Parameter& parameter, double value) const;
+  /// The same scene without its other pushers. Before find(), whose parameters are places in it.
+  VariedScene with_only_pusher(const std::string& name) const;
 
 private:
   std::shared_ptr<const TomlDocument> document_; // with what a file may leave out

@@ -56,6 +56,8 @@
         play.links.say(await this.explore(`pivots ${this.motion.seconds()}`, this.wanted));
       });
       click('close', () => by_id('explorer').close());
+      // The next one opens on an empty frame, never on these pivots.
+      by_id('explorer').addEventListener('close', () => { by_id('frame').srcdoc = ''; });
       click('link', async () => play.links.say(await play.links.copy('scene', this.wanted)));
       click('save-scene', () => play.links.save('scene.toml', 'text/plain', this.wanted));
       click('save-answer', () =>

@@ -33,11 +33,13 @@ class Record:
         return sorted({*super().__dir__(), *self._data})
 
     def to_dict(self) -> Dict[str, Any]:
-        """The keys and values as JSON has them."""
-        return self._data
+        """The keys and values as JSON has them: a copy, to be changed at will."""
+        copied: Dict[str, Any] = json.loads(json.dumps(self._data))
+        return copied
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__} {self._data.get('name', '')}>"
+        told = self._data.get("name") or self._data.get("text") or ", ".join(self._data)
+        return f"<{type(self).__name__} {told}>"
 
 
 class Contact(Record):
@@ -100,26 +102,28 @@ class Solution(Answer):
 
     @property
     def acceleration(self) -> Any:
-        """The object's, shape (6,): linear at its centre of mass, m/s^2; angular, rad/s^2."""
-        return array(self._data["object"]["acceleration"])
+        """The object's, shape (6,): linear at its centre of mass, m/s^2; angular, rad/s^2. None
+        where there is no answer."""
+        return array(self._data.get("object", {}).get("acceleration"))
 
     @property
     def contacts(self) -> List[Contact]:
-        """In the file's order: fingers, pushers, their points."""
-        return [Contact(contact) for contact in self._data["contacts"]]
+        """In the file's order: fingers, pushers, their points. Empty where there is no answer."""
+        return [Contact(contact) for contact in self._data.get("contacts", [])]
 
     @property
     def bodies(self) -> List[Body]:
-        """In the file's order."""
-        return [Body(body) for body in self._data["bodies"]]
+        """In the file's order. Empty where there is no answer."""
+        return [Body(body) for body in self._data.get("bodies", [])]
 
     def body(self, name: str) -> Body:
         """The body called `name`."""
         for body in self.bodies:
             if body.name == name:
                 return body
-        raise KeyError(f"no body is called {name!r}; there are "
-                       + ", ".join(body.name for body in self.bodies))
+        names = ", ".join(body.name for body in self.bodies)
+        raise KeyError(f"no body is called {name!r}; there are {names}" if names
+                       else "there is no answer, and no body's force in it")
 
     @property
     def M(self) -> Any:
@@ -156,14 +160,20 @@ class Solution(Answer):
 class Breaking(Answer):
     """The force that just moves the object, of `Scene.break_()`.
 
-    `breaks`; `break_force` N, or None; `force` (3,) N and `moment` (3,) N m of the pusher on the
-    object; `twist` (6,): the object's acceleration per unit push; `smallest_grip` N; `closings`.
+    `breaks`; `force` (3,) N and `moment` (3,) N m of the pusher on the object; `twist` (6,): the
+    object's acceleration per unit push; `smallest_grip` N.
     """
+
+    @property
+    def break_force(self) -> Optional[float]:
+        """N, of the pusher along its normal; None where nothing breaks, or the grasp does not hold."""
+        force: Optional[float] = self._data.get("break_force")
+        return force
 
     @property
     def closings(self) -> Dict[str, float]:
         """How each driven body closes along its normal, m/s^2 per m/s^2 of the push."""
-        return {entry["name"]: entry["value"] for entry in self._data["closings"]}
+        return {entry["name"]: entry["value"] for entry in self._data.get("closings", [])}
 
 
 class Spread(Answer):
@@ -227,7 +237,6 @@ class Verdict(Answer):
 
     def __bool__(self) -> bool:
         return bool(self._data["valid"])
-
 
 
 class LcpAnswer(Answer):

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import operator
-from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Tuple
+from typing import AbstractSet, Any, Callable, Dict, Iterable, List, Mapping, Optional, Tuple
 
 from ._errors import InputError
 
@@ -23,7 +23,18 @@ def array(numbers: Any) -> Any:
 
 
 def _is_list(thing: Any) -> bool:
-    return hasattr(thing, "__iter__") and not isinstance(thing, (str, bytes, Mapping))
+    return hasattr(thing, "__iter__") and not isinstance(thing, (str, bytes, Mapping, AbstractSet))
+
+
+def _listed(thing: Any, name: str) -> Any:
+    """Matrices and vectors of SciPy, NumPy, pandas, .. as NumPy's arrays; others as they are."""
+    if hasattr(thing, "toarray"):
+        thing = thing.toarray()
+    if numpy is None or not hasattr(thing, "__array__"):
+        return thing
+    if isinstance(thing, numpy.ma.MaskedArray) and numpy.any(thing.mask):
+        raise InputError(f"{name} has masked entries, which are no numbers: fill them first")
+    return numpy.asarray(thing)
 
 
 def _floats(numbers: Iterable[Any], where: Callable[[int], str], finite: bool) -> List[float]:
@@ -60,8 +71,7 @@ def as_json(thing: Any) -> Any:
 def plain(numbers: Any, name: str, count: Optional[int] = None, finite: bool = True) -> List[float]:
     """A vector as a list of floats; an n x 1 or 1 x n array counts as one. `name` is its in
     messages, `count` how many they have to be."""
-    if hasattr(numbers, "toarray"):
-        numbers = numbers.toarray()
+    numbers = _listed(numbers, name)
     if hasattr(numbers, "ravel"):
         numbers = numbers.ravel()
     if not _is_list(numbers):
@@ -76,7 +86,7 @@ def rows(given: Any, count: int) -> Optional[List[int]]:
     """Rows counted from 0 as the library counts them, from 1."""
     if given is None:
         return None
-    if not _is_list(given):
+    if not _is_list(given) and not isinstance(given, AbstractSet):
         raise InputError(f"free must be a list of rows, not {given!r}")
     found = []
     for row in given:
@@ -93,11 +103,14 @@ def rows(given: Any, count: int) -> Optional[List[int]]:
 
 
 def ends(numbers: Any, name: str, count: int, none: float) -> Optional[List[Optional[float]]]:
-    """A bound of each row, of one number for all, or of a vector; the infinity `none` is null."""
+    """A bound of each row, of one number for all, or of a vector; the infinity `none`, or None, is
+    null."""
     if numbers is None:
         return None
     if not _is_list(numbers) and not hasattr(numbers, "ravel"):
         numbers = [numbers] * count
+    if isinstance(numbers, (list, tuple)):
+        numbers = [none if x is None else x for x in numbers]
     listed = plain(numbers, name, finite=False)
     if len(listed) == 1:
         listed *= count
@@ -110,12 +123,11 @@ def ends(numbers: Any, name: str, count: int, none: float) -> Optional[List[Opti
 
 def table_of(M: Any, name: str) -> List[List[Any]]:
     """A matrix as a list of rows of one length, whatever they hold."""
-    if hasattr(M, "toarray"):
-        M = M.toarray()
+    M = _listed(M, name)
     table = M.tolist() if hasattr(M, "tolist") else M
-    if not _is_list(table):
+    if not _is_list(table) or getattr(M, "ndim", 2) != 2:
         raise InputError(f"{name} must be a matrix: a list of rows, an array or a sparse matrix, "
-                         f"not {table!r}")
+                         f"not {M!r}")
     found: List[List[Any]] = []
     for row in table:
         if not _is_list(row):
@@ -135,6 +147,7 @@ def _entries(M: Any) -> Entries:
         listed = compact.tocoo()
         height, width = listed.shape
         return (height, width, listed.row.tolist(), listed.col.tolist(), listed.data.tolist())
+    M = _listed(M, "M")
     if numpy is not None and isinstance(M, numpy.ndarray) and M.ndim == 2 and M.dtype.kind in "fiub":
         row, column = numpy.nonzero(M)
         return (M.shape[0], M.shape[1], row.tolist(), column.tolist(), M[row, column].tolist())

@@ -57,6 +57,12 @@ class Curve(Record):
                       for side in ("from", "to")])
 
     @property
+    def second_values(self) -> Any:
+        """Of a map, the parameter's of `over`, shape (n,), in `second_unit`: row by row, so that
+        `break_force.reshape(steps, steps)[j, i]` is at the j-th of these and the i-th of `values`."""
+        return self._column("second_value")
+
+    @property
     def break_force(self) -> Any:
         """N, at `values`, shape (n,); nan where nothing breaks."""
         return self._column("break_force")
@@ -108,6 +114,11 @@ class Sweep(Answer):
     def values(self) -> Any:
         """Of its curve."""
         return self._only().values
+
+    @property
+    def second_values(self) -> Any:
+        """Of a map."""
+        return self._only().second_values
 
     @property
     def break_force(self) -> Any:

@@ -1,7 +1,7 @@
 """What goes wrong."""
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, Optional, Tuple
 
 
 class InputError(ValueError):
@@ -35,3 +35,6 @@ class NotSolved(RuntimeError):
         self.status: str = answer.get("status", "")
         self.reason: str = answer.get("reason") or ""
         self.ray: Optional[List[Any]] = answer.get("ray")
+
+    def __reduce__(self) -> Tuple[Any, ...]:  # for pickle: another process may have asked
+        return type(self), (str(self), self.answer)

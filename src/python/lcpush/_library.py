@@ -1,30 +1,41 @@
 """The shared library, by ctypes: a question as JSON, an answer as JSON."""
 from __future__ import annotations
 
+import _thread
+import atexit
 import ctypes
 import ctypes.util
 import json
+import math
 import os
 import pathlib
-import signal
+import queue
 import sys
 import sysconfig
 import threading
-from typing import Any, Callable, Dict, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Set, Tuple
 
 from ._arrays import as_json
 from ._errors import InputError
 
-SOLVED, NOT_SOLVED, BAD_INPUT, CANCELLED = range(4)
+SOLVED, NOT_SOLVED, BAD_INPUT = range(3)
 Progress = Callable[[float], Any]
 
-_Progress = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double)
-_IsCancelled = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
+_BETWEEN = 0.02  # s, from a look at the work to the next
+_PATIENCE, _LAST_PATIENCE = 0.1, 10.0  # s, for work to end that is told to
+
+
+_CHUNK = 10_000  # numbers that are written at once, until a signal is looked at
+
+
+class _Slate(ctypes.Structure):
+    """What the library notes, and reads, while another thread waits for it."""
+    _fields_ = [("done", ctypes.c_double), ("is_cancelled", ctypes.c_int)]
 
 
 class _Listener(ctypes.Structure):
-    _fields_ = [("context", ctypes.c_void_p), ("progress", _Progress),
-                ("is_cancelled", _IsCancelled)]
+    _fields_ = [("slate", ctypes.c_void_p), ("progress", ctypes.c_void_p),
+                ("is_cancelled", ctypes.c_void_p)]
 
 
 def _multiarch() -> str:
@@ -66,33 +77,117 @@ def _load() -> ctypes.CDLL:
 
 _library = _load()
 version: str = _library.lcpush_desktop_version().decode()
+_note, _is_cancelled = (ctypes.cast(getattr(_library, f"lcpush_desktop_{name}"), ctypes.c_void_p)
+                        for name in ("note", "is_cancelled"))
 
 
-class _Interrupt:
-    """Ctrl-C while the library works. Python would raise within a callback, where it is lost; here
-    it is remembered, ends the work, and is raised after it."""
+class _Work:
+    """A question that the library works on. It calls nothing of Python's: a signal's handler that
+    raises would be lost there, and a thread that Python ends with itself would end all."""
 
-    def __init__(self) -> None:
-        self.asked = False
-        self._before: Any = None
+    def __init__(self, question: str, words: bytes) -> None:
+        self._question, self._words, self._slate = question.encode(), words, _Slate(-1, 0)
+        # No threading.Event: a signal may come at any line of one, and leave it locked.
+        self._is_busy = _thread.allocate_lock()
+        self._is_busy.acquire()
+        self.code, self.line, self.text, self.file, self.message = -1, 0, "", "", ""
 
-    def __enter__(self) -> "_Interrupt":
-        if threading.current_thread() is threading.main_thread():
-            before = signal.getsignal(signal.SIGINT)
-            if callable(before):
-                self._before = before
-                signal.signal(signal.SIGINT, self._note)
-        return self
+    def run(self, server: "Optional[queue.SimpleQueue[_Work]]" = None) -> None:
+        """In this thread, to its end."""
+        _running.add(self)
+        try:
+            if _is_ending and not _is_main():
+                return
+            listener = _Listener(ctypes.addressof(self._slate), _note, _is_cancelled)
+            answer = _library.lcpush_desktop_ask(self._question, self._words, ctypes.byref(listener))
+            try:
+                self.text = ctypes.string_at(_library.lcpush_desktop_text(answer),
+                                             _library.lcpush_desktop_length(answer)).decode()
+                self.file = _library.lcpush_desktop_file(answer).decode()
+                self.message = _library.lcpush_desktop_message(answer).decode()
+                self.line = _library.lcpush_desktop_line(answer)
+                self.code = _library.lcpush_desktop_code(answer)
+            finally:
+                _library.lcpush_desktop_free(answer)
+        except MemoryError:  # for the text
+            self.message = "no memory for the answer: bad_alloc"
+        except Exception as error:  # its server goes on
+            self.message = str(error)
+        finally:
+            _running.discard(self)
+            if server is not None:
+                _idle.append(server)
+            self._is_busy.release()
 
-    def _note(self, number: int, frame: Any) -> None:
-        self.asked = True
+    def end(self, patience: float) -> None:
+        """What cannot end so soon, in s, is left to itself."""
+        self._slate.is_cancelled = 1
+        self._has_ended(patience)
 
-    def __exit__(self, *_: Any) -> None:
-        if self._before is None:
-            return
-        signal.signal(signal.SIGINT, self._before)
-        if self.asked:
-            self._before(signal.SIGINT, None)
+    def _has_ended(self, patience: float) -> bool:
+        """Within so many seconds."""
+        if not self._is_busy.acquire(True, patience):
+            return False
+        self._is_busy.release()  # another thread may wait as well
+        return True
+
+    def watch(self, progress: Optional[Progress]) -> None:
+        """In another thread. Signals, and what `progress` raises, end it."""
+        try:
+            if _is_ending:
+                self.run()
+            else:
+                _server().put(self)
+            told = -1.0
+            while not self._has_ended(_BETWEEN):
+                done = self._slate.done
+                if progress is not None and done > told:
+                    told = done
+                    progress(done)
+        except BaseException:
+            self.end(_PATIENCE)
+            raise
+
+
+_running: Set[_Work] = set()
+_is_ending = False
+_idle: "List[queue.SimpleQueue[_Work]]" = []  # of threads that wait: to begin one takes longer
+
+
+def _serve(works: "queue.SimpleQueue[_Work]") -> None:
+    while True:
+        works.get().run(works)
+
+
+def _server() -> "queue.SimpleQueue[_Work]":
+    try:
+        return _idle.pop()
+    except IndexError:
+        works: "queue.SimpleQueue[_Work]" = queue.SimpleQueue()
+        _thread.start_new_thread(_serve, (works,))
+        return works
+
+
+def _forget_threads() -> None:
+    _running.clear()
+    _idle.clear()
+
+
+def _is_main() -> bool:
+    return threading.current_thread() is threading.main_thread()
+
+
+@atexit.register
+def _end_all() -> None:
+    """Before the process ends, and with it what its threads still use."""
+    global _is_ending
+    _is_ending = True
+    for work in list(_running):
+        work.end(_LAST_PATIENCE)
+
+
+if hasattr(os, "register_at_fork"):  # the threads stay behind in the parent
+    os.register_at_fork(after_in_child=_forget_threads)
 
 
 class Asker:
@@ -107,45 +202,45 @@ class Asker:
         return ask(question, {**self._subject, **own, **changes})[1]
 
 
+def _json_of(value: Any) -> str:
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{json.dumps(key)}: {_json_of(value[key])}" for key in value) + "}"
+    if isinstance(value, list) and len(value) > _CHUNK:
+        parts = (value[k:k + _CHUNK] for k in range(0, len(value), _CHUNK))
+        return "[" + ", ".join(_json_of(part)[1:-1] for part in parts) + "]"
+    return json.dumps(value, allow_nan=False, default=as_json)
+
+
+def _as_words(request: Dict[str, Any]) -> bytes:
+    given = {key: value for key, value in request.items() if value is not None}
+    for key, value in given.items():
+        if isinstance(value, float) and not math.isfinite(value):
+            raise InputError(f"{key} must be finite, not {value}")
+    try:
+        return _json_of(given).encode()
+    except InputError:
+        raise
+    except ValueError:
+        raise InputError("every number must be finite") from None
+
+
 def ask(question: str, request: Dict[str, Any],
         progress: Optional[Progress] = None) -> Tuple[int, str]:
-    """The answer's code and text. Raises InputError, KeyboardInterrupt, or what `progress` raises:
-    both end the work within a fraction of a second."""
-    try:
-        words = json.dumps({key: value for key, value in request.items() if value is not None},
-                           allow_nan=False, default=as_json).encode()
-    except ValueError as error:
-        raise InputError(f"{question}: every number must be finite ({error})") from None
-    raised: Dict[str, BaseException] = {}
-
-    def tell(_: Any, done: float) -> None:
-        try:
-            if progress is not None and not raised:
-                progress(done)
-        except BaseException as error:  # it may not leave a callback
-            raised["by progress"] = error
-
-    with _Interrupt() as interrupt:
-        listener = _Listener(None, _Progress(tell),
-                             _IsCancelled(lambda _: bool(interrupt.asked or raised)))
-        answer = _library.lcpush_desktop_ask(question.encode(), words, ctypes.byref(listener))
-        try:
-            code = _library.lcpush_desktop_code(answer)
-            text = ctypes.string_at(_library.lcpush_desktop_text(answer),
-                                    _library.lcpush_desktop_length(answer)).decode()
-            file = _library.lcpush_desktop_file(answer).decode()
-            message = _library.lcpush_desktop_message(answer).decode()
-            line = _library.lcpush_desktop_line(answer)
-        finally:
-            _library.lcpush_desktop_free(answer)
-    if raised:
-        raise raised["by progress"]
-    if code == BAD_INPUT and file == "request":  # the options are no file of the user's
-        raise InputError(message)
-    if code == BAD_INPUT:
-        raise InputError(message, file, line)
-    if code == CANCELLED:
-        raise KeyboardInterrupt
-    if code not in (SOLVED, NOT_SOLVED):
-        raise MemoryError(message) if "alloc" in message else RuntimeError(message)
-    return code, text
+    """The answer's code and text. Raises InputError, or what a signal's handler (KeyboardInterrupt)
+    or `progress` raises: they end the work."""
+    work = _Work(question, _as_words(request))
+    if progress is not None or _is_main():
+        work.watch(progress)
+    else:
+        work.run()
+    if work.code == BAD_INPUT and work.file == "request":  # the options are no file of the user's
+        raise InputError(work.message)
+    if work.code == BAD_INPUT:
+        raise InputError(work.message, work.file, work.line)
+    if work.code not in (SOLVED, NOT_SOLVED):
+        if _is_ending:  # Python, and this thread with it
+            raise SystemExit
+        raise MemoryError(work.message) if "alloc" in work.message else RuntimeError(work.message)
+    if progress is not None:
+        progress(1.0)
+    return work.code, work.text

@@ -23,7 +23,7 @@ class Scene:
     Args:
         source: the text of a scene file, or a dictionary of the same tables and keys, such as
             {"object": {"mass": 0.2, ..}, "finger": [{"name": "left", ..}, ..], "pusher": [..]};
-            docs/guide/scenes.md has them. Arrays may be NumPy's.
+            docs/guide/scenes.md has them. Arrays may be NumPy's, tables dataclasses.
         name: what messages call the file
 
     Raises InputError, with file and line, if that is no scene.
@@ -38,14 +38,16 @@ class Scene:
     ['table', 'wall']
     """
 
-    def __init__(self, source: Union[str, Mapping[str, Any]], name: str = "scene") -> None:
+    def __init__(self, source: Any, name: str = "scene") -> None:
+        source = _toml.tables_of(source)
         if not isinstance(source, (str, Mapping)):
             raise InputError("a scene is the text of a scene file or a dictionary of its tables, not "
                              f"{type(source).__name__}; lcpush.read(path) reads a file")
         self._text = source if isinstance(source, str) else _toml.write(source)
-        self._name = os.fspath(name)
-        if isinstance(source, str) and source.endswith(".toml") and "\n" not in source:
-            raise InputError(f"this is a path, not a scene's text: lcpush.read({source!r})")
+        # A name that is no Unicode is shown as far as it can be.
+        self._name = os.fsdecode(name).encode("utf-8", "replace").decode()
+        if isinstance(source, str) and _is_path(source):
+            raise InputError(f"this is no scene's text; of a file: lcpush.read({source!r})")
         self._facts = json.loads(self._ask("scene", {}))
 
     @property
@@ -94,8 +96,8 @@ class Scene:
         Args:
             solver: "lemke" (default), "gauss-seidel" or "hybrid"
             check: raise NotSolved if there is no answer; else look at its `status`
-            progress: is called with the share that is done, 0 to 1, as in all questions; what it
-                raises ends the work
+            progress: is called with the share that is done, as far as that is known, and with 1 at
+                the end, as in all questions; what it raises ends the work
         """
         return self._answer(Solution, "solve", {"solver": solver}, check, progress)
 
@@ -148,11 +150,10 @@ class Scene:
 
     def verify(self, answer: Any, *, tolerance: Optional[float] = None) -> Verdict:
         """Is somebody's answer right? `answer`: a dictionary shaped as `solve().to_dict()`, or any
-        part of it (arrays may be NumPy's), the text of such a JSON object, or an Answer.
+        part of it (arrays may be NumPy's), the text of such a JSON object, the pathlib.Path of its
+        file, or an Answer.
         `tolerance`: what a row may be off by, scaled (1e-6)."""
-        if isinstance(answer, Answer):
-            answer = answer.json
-        text = answer if isinstance(answer, str) else _json_of(answer)
+        text = _text_of(answer, "answer")
         return self._answer(Verdict, "verify", {"answer": text, "tolerance": tolerance}, False,
                             None)
 
@@ -162,12 +163,12 @@ class Scene:
         Args:
             frames: a list of {"time": s, "position": (3,), "rotation": (9,) row by row, "twist":
                 (6,)} (arrays may be NumPy's; a twist need not be known), how far the object has
-                gone from the scene's place; a Motion; or the text of such a JSON object, or of CSV
+                gone from the scene's place; a Motion; the text of such a JSON object, or of CSV; or
+                the pathlib.Path of its file
             tolerance: as a part of the fastest speed (0.01)
         """
-        if isinstance(frames, Answer):
-            frames = frames.json
-        text = frames if isinstance(frames, str) else _json_of({"frames": frames})
+        is_list = not isinstance(frames, (str, os.PathLike, Answer, Mapping))
+        text = _text_of({"frames": frames} if is_list else frames, "motion")
         return self._answer(MotionVerdict, "verify_motion",
                             {"motion": text, "tolerance": tolerance}, False, None)
 
@@ -295,21 +296,38 @@ class Scene:
         return answer
 
 
-def _json_of(value: Any) -> str:
-    return json.dumps(value, default=lambda thing: thing.to_dict() if isinstance(thing, Record)
-                      else as_json(thing))
+def _is_path(text: str) -> bool:
+    return text.strip() != "" and not any(mark in text for mark in "\n=[{")
+
+
+def _text_of(given: Any, name: str) -> str:
+    """An answer or a motion, `name`, as the library reads it."""
+    if isinstance(given, Answer):
+        return given.json
+    if isinstance(given, os.PathLike):
+        return pathlib.Path(given).read_text(encoding="utf-8-sig")
+    if isinstance(given, str):
+        if _is_path(given):
+            raise InputError(f"this is no {name}'s text; of a file: pathlib.Path({given!r})")
+        return given
+    try:
+        return json.dumps(given, default=lambda thing: thing.to_dict() if isinstance(thing, Record)
+                          else as_json(thing))
+    except TypeError as error:
+        raise InputError(f"this is no {name}: {error}") from None
 
 
 def read(path: Union[str, "os.PathLike[str]"]) -> Scene:
     """The scene of a file. Raises InputError, or OSError if it cannot be read."""
+    path = os.fsdecode(path)
     with open(path, "rb") as file:
         bytes_read = file.read()
     try:
         text = bytes_read.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = bytes_read[:error.start].count(b"\n") + 1
-        raise InputError("is no UTF-8 text", os.fspath(path), line) from None
-    return Scene(text, os.fspath(path))
+        raise InputError("is no UTF-8 text", path, line) from None
+    return Scene(text, path)
 
 
 def verify_scene(scene: Union[Scene, str, Mapping[str, Any]], answer: Any, *,

@@ -1,9 +1,11 @@
 """Scenes as dictionaries: the strict subset of TOML that scene files are written in."""
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 import re
+import sys
 from typing import Any, Dict, List, Mapping
 
 from ._errors import InputError
@@ -16,20 +18,24 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 def _value(value: Any, where: str) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, (int, str)):
-        return json.dumps(value)
+    if isinstance(value, int):
+        return str(int(value))
+    if isinstance(value, str):  # JSON's escapes are TOML's, but for what is none of JSON's
+        return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if hasattr(value, "tolist"):
         return _value(value.tolist(), where)
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_value(entry, f"{where}[{k}]") for k, entry in enumerate(value)) + "]"
     try:
+        if isinstance(value, (bytes, bytearray)):
+            raise TypeError
         number = float(value)
-        if not math.isfinite(number):
-            raise InputError(f"{where} must be finite, not {number}")
-        return repr(number)
-    except TypeError:
+    except (TypeError, ValueError):
         raise InputError(f"{where} must be a number, a text, true or false, or a list of these, not "
                          f"{value!r}") from None
+    if not math.isfinite(number):
+        raise InputError(f"{where} must be finite, not {number}")
+    return repr(number)
 
 
 def _pairs(table: Mapping[str, Any], where: str) -> List[str]:
@@ -46,6 +52,17 @@ def _is_table(value: Any) -> bool:
 
 def _are_tables(value: Any) -> bool:
     return isinstance(value, (list, tuple)) and len(value) > 0 and all(map(_is_table, value))
+
+
+def tables_of(given: Any) -> Any:
+    """What dataclasses hold as dictionaries; all else as it is."""
+    if dataclasses.is_dataclass(given) and not isinstance(given, type):
+        return dataclasses.asdict(given)
+    if isinstance(given, Mapping):
+        return {key: tables_of(value) for key, value in given.items()}
+    if isinstance(given, (list, tuple)):
+        return [tables_of(entry) for entry in given]
+    return given
 
 
 def write(scene: Mapping[str, Any]) -> str:
@@ -67,10 +84,9 @@ _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|#[^\n]*|[\[\],=]|[^\s\[\],=#"]+|\n')
 
 def read(text: str) -> Tables:
     """The dictionary of a scene file that lcpush has accepted."""
-    try:
-        import tomllib  # from Python 3.11 on
-    except ImportError:
+    if sys.version_info < (3, 11):
         return _read(text)
+    import tomllib
     return tomllib.loads(text)
 
 

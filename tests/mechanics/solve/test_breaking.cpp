@@ -64,6 +64,41 @@ TEST_CASE("[T.10] a grasp that drops its load says so, with the motion") {
   }
 }
 
+TEST_CASE(
+    "[T.10] pad: next to the grip that holds, a pusher that would have to pull is no answer") {
+  for (const double mu : {0.49049, 0.490495, 0.490499}) { // 0.4905 carries the weight
+    CAPTURE(mu);
+    Slide weak;
+    weak.F = 2;
+    weak.mu = mu;
+    weak.wall_friction = 0;
+    Broken broken(straight_slide(weak), Pressure::pad);
+    // The core looks at pushes alone, and all are stronger than so slow a fall.
+    CHECK(broken.status == Status::numerical_breakdown);
+    CHECK(broken.push.run.reason == Reason::pull);
+    CHECK(broken.breaking.break_force < 0);
+  }
+}
+
+TEST_CASE("[T.10] pad: next to the grip that holds, pushes go below what it holds with") {
+  for (const double more : {1e-2, 1e-3, 1e-4, 1e-5}) {
+    CAPTURE(more);
+    Slide barely;
+    barely.F = 1.962 * (1 + more); // 1.962 N carries the weight
+    Scene3 scene = straight_slide(barely);
+    scene.bodies.resize(slide_wall);
+    scene.points.resize(2);
+    scene.add_body(Role::pusher, {1, 0, 0}, 0, {{-0.05, 0.007, 0}});
+    scene.bodies.back().acceleration[0] = 0.1;
+    // The tip turns the box about its two points, which nothing resists.
+    Broken broken(scene, Pressure::pad);
+    REQUIRE(broken.status == Status::solved);
+    const double open = 2 * broken.breaking.line_error * broken.push.scales().force;
+    CHECK(absolute(broken.breaking.break_force) <= 1e-6 + open);
+    CHECK(broken.breaking.twist[5] == doctest::Approx(-1 / 0.007).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("[T.10] a scene without a prescribed motion has no push to speak of") {
   Slide still;
   still.acceleration = 0;

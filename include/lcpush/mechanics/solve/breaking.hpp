@@ -93,6 +93,27 @@ template <class S> bool moves_object(const Breaking<S>& breaking, const Scales<S
          S(1) / S(1000000) + S(16) * noise;
 }
 
+/// A pusher cannot pull. Where finite pushes taken back to none say that it does, by more than they
+/// leave open, the contacts change between none and the smallest of them: most often to a fall.
+template <class S> bool pulls(const Breaking<S>& breaking, const Scales<S>& scales) {
+  const S open =
+      Tolerances<S>().settled + S(10) * breaking.line_error + S(16) * breaking.residuals.max();
+  return breaking.break_force < -open * scales.force;
+}
+
+/// The verdict on what was read from solved pushes; sets breaking.breaks.
+template <class S> Status judge(Breaking<S>& breaking, const Scales<S>& scales, PressureRun& run) {
+  if (!(breaking.residuals.max() <= Tolerances<S>().residual)) {
+    run.reason = Reason::residual;
+    return Status::numerical_breakdown;
+  }
+  breaking.breaks = moves_object(breaking, scales);
+  if (motion_size(breaking.rest, scales) > at_rest<S>()) return Status::does_not_hold;
+  if (!pulls(breaking, scales)) return Status::solved;
+  run.reason = Reason::pull;
+  return Status::numerical_breakdown;
+}
+
 namespace detail {
 
 /// `rigid` and `even`: the push is one more right-hand side, so the limit is exact.
@@ -124,7 +145,7 @@ Status break_exactly(Assembly<S>& assembly, Rounds& rounds, Workspace<S>& work,
 
 /// What one small push does.
 template <class S> struct SmallPush {
-  S sigma, normal;
+  S sigma, normal, compliance;
   Vector6<S> wrench, acceleration;
   Residuals<S> residuals;
 };
@@ -141,12 +162,13 @@ Status push_slowly(Assembly<S>& assembly, Rounds rounds, Workspace<S>& work, con
                                           S(512 * Eigen::NumTraits<S>::epsilon()));
   // Pads that yield more than a slow push moves would turn every slip away from what was predicted.
   constexpr S slow = S(1) / S(1000);
-  if (Rounds::predicts && size < slow) options.first_compliance *= size / slow;
+  if (Rounds::predicts && !options.goes_on && size < slow) options.first_compliance *= size / slow;
   assembly.push_by(push.sigma);
-  PressureRun one;
   rounds.demand(options.tolerance);
-  const Status status =
-      solve_pressure(assembly, rounds, work.pressure, options, one, work.friction_memory(scene));
+  PressureSolve<S, Rounds> solve(assembly, rounds, work.pressure, options,
+                                 work.friction_memory(scene));
+  const Status status = solve.solve();
+  const PressureRun& one = solve.run();
   run.pivots += one.pivots;
   run.sweeps += one.sweeps;
   run.rounds += one.rounds;
@@ -154,12 +176,27 @@ Status push_slowly(Assembly<S>& assembly, Rounds rounds, Workspace<S>& work, con
   run.reason = one.reason;
   run.jammed = one.jammed;
   if (status != Status::solved) return status;
+  push.compliance = solve.compliance();
   read_answer(assembly, work.pressure.z.data, work.answer, push.sigma);
   push.wrench = body_wrench(scene, work.answer, pusher);
   push.normal = normal_sum(work.answer, pusher);
   push.acceleration = work.answer.acceleration;
   push.residuals = check(scene, scales, work.answer, push.sigma);
   return status;
+}
+
+/// A tenth of the push moves everything a tenth as fast, but for what inertia takes: where pads are
+/// to be as stiff beside the motion as before, they go on from the last answer. Post: solved, or
+/// the push has to be solved from nothing.
+template <class S, class Rounds>
+Status go_on_slowly(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>& work,
+                    const Body<S>& pusher, PressureOptions<S> options, S unit, S size,
+                    const SmallPush<S>& last, SmallPush<S>& push, PressureRun& run) {
+  if (assembly.scene().pressure != Pressure::pad || assembly.scene().aims.size > 0)
+    return Status::running;
+  options.goes_on = true;
+  options.first_compliance = last.compliance / S(10);
+  return push_slowly(assembly, rounds, work, pusher, options, unit, size, push, run);
 }
 
 /// The line through two pushes, judged by a third, smaller one.
@@ -186,7 +223,8 @@ Breaking<S> extrapolate(const SmallPush<S>* push, S unit, const Scales<S>& scale
 /// `pad`: compliance has to vanish before the push does, so finite small pushes are extrapolated,
 /// as they are under round friction, whose slips have no direction before they begin;
 /// and so they are where the solver knows no infinitesimal ones. Where the third is off the line of
-/// the first two, a change of mode lies between: go smaller.
+/// the first two, a change of mode lies between, and where they leave a motion of their own size,
+/// one may lie below: go smaller.
 template <class S, class Rounds>
 Status break_by_pushes(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>& work,
                        const Body<S>& pusher, const PressureOptions<S>& options, S unit,
@@ -199,15 +237,23 @@ Status break_by_pushes(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>
   // Sweeps see less far down, and so does single precision.
   S size = Rounds::carries_push ? S(1) / S(1000) : S(1) / S(100);
   size = Eigen::numext::maxi(size, smallest_push<S>());
+  bool is_of_push = false; // what is left without a push may be the smallest push's own doing
   for (int k = 0; k < most_pushes; ++k, size /= S(10)) {
-    const Status status =
-        push_slowly(assembly, rounds, work, pusher, options, unit, size, push[k], run);
+    Status status = Status::running;
+    if constexpr (Rounds::predicts)
+      if (k > 0)
+        status = go_on_slowly(assembly, rounds, work, pusher, options, unit, size, push[k - 1],
+                              push[k], run);
+    if (status != Status::solved)
+      status = push_slowly(assembly, rounds, work, pusher, options, unit, size, push[k], run);
     if (status != Status::solved) return k < 3 ? status : Status::solved;
     if (k < 2) continue;
     const Breaking<S> line = extrapolate(push + k - 2, unit, assembly.layout().scales);
-    if (k == 2 || line.line_error < breaking.line_error) breaking = line;
+    if (k == 2 || is_of_push || line.line_error < breaking.line_error) breaking = line;
     breaking.small_push = line.small_push;
-    if (breaking.line_error <= straight) break;
+    const S rest = motion_size(breaking.rest, assembly.layout().scales);
+    is_of_push = rest > at_rest<S>() && rest <= S(16) * size;
+    if (breaking.line_error <= straight && !is_of_push) break;
   }
   return Status::solved;
 }
@@ -234,13 +280,7 @@ template <class S, class Rounds>
   if (status == Status::running)
     status = detail::break_by_pushes(assembly, rounds, work, pusher, options, unit, breaking, run);
   if (status != Status::solved) return status;
-  if (!(breaking.residuals.max() <= Tolerances<S>().residual)) {
-    run.reason = Reason::residual;
-    return Status::numerical_breakdown;
-  }
-  const Scales<S>& scales = assembly.layout().scales;
-  breaking.breaks = moves_object(breaking, scales);
-  return motion_size(breaking.rest, scales) > at_rest<S>() ? Status::does_not_hold : Status::solved;
+  return judge(breaking, assembly.layout().scales, run);
 }
 
 } // namespace lcpush

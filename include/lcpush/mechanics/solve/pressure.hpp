@@ -13,6 +13,7 @@ template <class S> struct PressureOptions {
   Index max_rounds = 60;
   Index max_turns = 32;                  ///< of round friction's pyramids
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
+  bool goes_on = false; ///< `pad`: from the memory's last answer, as if this were its next round
 };
 
 /// Why there is nothing to solve, if so: the assembly did not fit its memory, the pressure is to be
@@ -72,6 +73,7 @@ public:
   }
 
   const PressureRun& run() const { return run_; }
+  const S& compliance() const { return eps_; } ///< `pad`: of the last round
 
 private:
   enum class Phase { soft_pads, literal, stiff_pads };
@@ -97,14 +99,15 @@ private:
     rounds_.begin(assembly_.problem(), false, memory_);
   }
 
-  /// The rounds, the first of them cold, or stiff from the literal answer.
+  /// The rounds, the first of them cold, or going on, or stiff from the literal answer.
   void begin_pads(Phase phase) {
     phase_ = phase;
     eps_ = last_eps_ = options_.first_compliance;
     factor_ = options_.factor;
     round_ = 0;
-    warm_ = phase == Phase::stiff_pads;
-    pad_preload(assembly_, memory_);
+    const bool goes_on = phase == Phase::soft_pads && options_.goes_on;
+    warm_ = goes_on || phase == Phase::stiff_pads;
+    if (!goes_on) pad_preload(assembly_, memory_);
     begin_round();
   }
 

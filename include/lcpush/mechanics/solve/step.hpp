@@ -119,6 +119,14 @@ private:
     options.tolerance /= S(128);
     return options;
   }
+  /// So is a slip of the wrong sign that a tie lets pass: what rests would creep by it. From the
+  /// last basis it takes a few pivots to have none; where it does not, a tie is a tie.
+  static void take_finely(LemkeOptions<S>& pivots) {
+    const S next_to_nothing = S(32 * Eigen::NumTraits<S>::epsilon());
+    pivots.tolerances.tie = Eigen::numext::mini(pivots.tolerances.tie, next_to_nothing);
+    pivots.covers = 1;
+    pivots.max_pivots = 24;
+  }
   Touching touching(Index body) const {
     return around_->touching.size > 0 ? around_->touching[body] : Touching{};
   }
@@ -156,7 +164,7 @@ private:
   }
 
   Status solve_push(const S& h);
-  Status solve_rounds(int attempt);
+  Status solve_rounds(int attempt, bool finely);
   Status correct(const S& h);
 };
 
@@ -196,11 +204,12 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_push(const
   if (assembly_.assemble(solved_) != Status::running) return Status::bad_input;
   // The last step's basis may lead astray; and pads of nearly the same normal force may end under
   // one covering vector or schedule and not under another.
-  Status status = solve_rounds(0);
+  Status status = knows_last_ ? solve_rounds(0, true) : Status::running;
+  if (status != Status::solved) status = solve_rounds(0, false);
   for (int attempt = knows_last_ ? 0 : 1; status != Status::solved && attempt < 4; ++attempt) {
     knows_last_ = false;
     ++run_.cold_restarts;
-    status = solve_rounds(attempt);
+    status = solve_rounds(attempt, false);
   }
   if (status != Status::solved) return status;
   next_velocity_ = velocity_ + h * m_.work.answer.acceleration;
@@ -210,7 +219,8 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_push(const
 
 /// From the last step's basis, if it is known. Later attempts take other covering vectors and
 /// slower pads. Post: as solve_push says.
-template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_rounds(int attempt) {
+template <class S, class Pivots>
+Status TimeStepper<S, Pivots>::solve_rounds(int attempt, bool finely) {
   const Index unknowns = assembly_.layout().size;
   if (unknowns > 0) {
     carry_basis(true);
@@ -221,6 +231,7 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_rounds(int
     pivots.exchanges = m_.work.exchanges;
     pivots.first_cover = attempt * pivots.covers;
     if (attempt < 3) pivots.max_pivots = 200 + 3 * unknowns; // what takes more has gone astray
+    if (finely) take_finely(pivots);
     PressureOptions<S> pads = pressure_options();
     for (int k = 0; k < attempt; ++k) pads.factor = Eigen::numext::sqrt(pads.factor);
     const Status status =

@@ -159,7 +159,10 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::bend_gaps(const S&
     const S opening = acceleration_at(m_.points[k], relative).dot(m_.bodies[present].normal);
     const PlacedPoint<S> then = placed(b, i, object, hand);
     if (then.absence == Absence::no_line || follows_face(b)) continue;
-    const S change = settled(S(then.gap - h * opening)) - m_.gaps[k];
+    // Of a point that ends in its face nothing is rounding, or the step would be taken for a leap.
+    const S bent = then.gap - h * opening;
+    const bool is_inside = then.gap < -penetration_tolerance();
+    const S change = (is_inside ? bent : settled(bent)) - m_.gaps[k];
     m_.gaps[k] += only_closer ? Eigen::numext::mini(change, S(0)) : S(part * change);
   }
 }

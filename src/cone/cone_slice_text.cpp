@@ -1,0 +1,121 @@
+// A cut through a motion cone in words, as JSON and as a picture.
+#include "draw/plot_svg.hpp"
+#include "formats/json_writer.hpp"
+#include "lcpush/desktop/cone.hpp"
+#include "lcpush/desktop/naming.hpp"
+#include "scenes/warnings_json.hpp"
+#include "solve/push_words.hpp"
+#include "text/fitted.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+#include <utility>
+
+namespace lcpush::desktop {
+namespace {
+
+const char* range_words(const ConeSlice::Range& range) {
+  if (range.status != Status::solved) return "no breaking force";
+  if (!range.breaks) return "object stays";
+  return range.sticks ? "sticks" : "slips";
+}
+
+std::string slice_sentence(const SceneFile& file, const ConeSlice& slice) {
+  const std::string& path = slice.variation.parameter.path;
+  std::vector<std::string> sticking;
+  for (const ConeSlice::Range& range : slice.ranges)
+    if (range.sticks) sticking.push_back(brief(range.from) + " to " + brief(range.to));
+  const std::string unit = slice.variation.parameter.unit;
+  return file.body_name(slice.pusher) +
+         (sticking.empty() ? " sticks nowhere"
+                           : " sticks for " + path + " of " + listed(sticking, "and") +
+                                 (unit.empty() ? "" : " " + unit)) +
+         ".";
+}
+
+} // namespace
+
+std::string slice_text(const SceneFile& file, const ConeSlice& slice) {
+  std::string text = title_line(file) + slice_sentence(file, slice) + "\n\n";
+  TableRows rows{{"from", "to", "there", "push N", "to N", "then changes"}};
+  for (const ConeSlice::Range& range : slice.ranges) {
+    std::vector<std::string> names;
+    for (const Index i : range.changing) names.push_back(point_name(file, i));
+    const bool is_solved = range.status == Status::solved && range.breaks;
+    const auto push = [&](const ConeSlice::End& end) {
+      return is_solved ? in_digits(end.wrench.head<3>().norm(), 4) : std::string("-");
+    };
+    rows.push_back(
+        {number(range.from), number(range.to), range_words(range), push(range.at_from),
+         push(range.at_to),
+         names.size() > 3 ? std::to_string(names.size()) + " contacts" : joined(names, " ")});
+  }
+  return text + table_text(rows) + "\n" +
+         facts_text({{"Ends", slice.is_exact ? "exact, by parametric pivots"
+                                             : "by bisection, as finely as the answers settle"}});
+}
+
+std::string slice_json(const SceneFile& file, const ConeSlice& slice) {
+  JsonWriter json;
+  json.begin_object()
+      .member("pusher", file.body_name(slice.pusher))
+      .member("vary", slice.variation.parameter.path)
+      .member("exact", slice.is_exact);
+  json.objects("ranges", slice.ranges, [&](const ConeSlice::Range& range) {
+    json.member("from", range.from)
+        .member("to", range.to)
+        .member("status", status_text(range.status))
+        .member("breaks", when(range.status == Status::solved, range.breaks))
+        .member("sticks", when(range.status == Status::solved, range.sticks));
+    const auto end = [&](const char* key, const ConeSlice::End& there) {
+      json.key(key).begin_object();
+      json.member("twist", there.twist).member("wrench", there.wrench).end_object();
+    };
+    if (range.status == Status::solved) {
+      end("at_from", range.at_from);
+      end("at_to", range.at_to);
+    } else {
+      json.member("at_from", nullptr).member("at_to", nullptr);
+    }
+    json.list("changing", range.changing, [&](Index i) { json.value(point_name(file, i)); });
+  });
+  write_warnings(json, check_scene(file));
+  return json.end_object().text();
+}
+
+std::string slice_svg(const SceneFile& file, const ConeSlice& slice) {
+  const Parameter& parameter = slice.variation.parameter;
+  Plot plot;
+  plot.title = file.title.empty() ? "A cut through the motion cone" : file.title;
+  plot.description = slice_sentence(file, slice);
+  plot.x_label = parameter.path + (parameter.unit.empty() ? "" : " [" + parameter.unit + "]");
+  plot.x_from = slice.variation.from;
+  plot.x_to = slice.variation.to;
+  PlotLine sticks, slips;
+  sticks.label = file.body_name(slice.pusher) + " sticks";
+  slips.label = "it slips";
+  slips.colour = 1;
+  std::size_t next = 0;
+  for (const ConeSlice::Range& range : slice.ranges) {
+    std::vector<std::pair<double, double>> piece;
+    const double up = range.to > range.from ? 1 : -1;
+    for (; next < slice.forces.size() && up * (range.to - slice.forces[next].first) >= 0; ++next) {
+      piece.push_back(slice.forces[next]);
+      // The other side of this end begins with the same value.
+      if (piece.size() > 1 && slice.forces[next].first == range.to) {
+        ++next;
+        break;
+      }
+    }
+    if (range.status == Status::solved && range.breaks)
+      (range.sticks ? sticks : slips).pieces.push_back(std::move(piece));
+  }
+  PlotPanel panel;
+  panel.y_label = "push that breaks the grasp [N]";
+  for (PlotLine* line : {&sticks, &slips})
+    if (!line->pieces.empty()) panel.lines.push_back(std::move(*line));
+  plot.panels.push_back(std::move(panel));
+  return plot_svg(plot);
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,144 @@
+#include "solve/contact_system.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <utility>
+
+#include "lcpush/mechanics/model/laws.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double rounding = 1e-9;   // of a direction's largest entry
+constexpr double dependent = 1e-11; // of the largest pivot
+
+double largest_entry(const MatrixXd& A) { return A.size() > 0 ? A.cwiseAbs().maxCoeff() : 0; }
+
+/// Q of A = Q R, square, and the rank of what is not small beside `size`: Q's first columns are
+/// what A leads to.
+std::pair<MatrixXd, Index> orthogonal(const MatrixXd& A, double size) {
+  if (A.cols() == 0) return {MatrixXd::Identity(A.rows(), A.rows()), 0};
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
+  const auto pivots = qr.matrixQR().diagonal().cwiseAbs().array();
+  return {qr.householderQ(), (pivots > dependent * size).count()};
+}
+
+/// L, square, of A = L O' with orthonormal columns O: the same reactions to
+/// fewer forces.
+MatrixXd compressed(const MatrixXd& A) {
+  const Index n = A.rows();
+  MatrixXd transposed = MatrixXd::Zero(std::max(A.cols(), n), n);
+  transposed.topRows(A.cols()) = A.transpose();
+  const Eigen::HouseholderQR<MatrixXd> qr(transposed);
+  const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  return R.transpose();
+}
+
+} // namespace
+
+ContactSystem::ContactSystem(const Assembly<double>& assembly)
+    : assembly_(assembly), motions_(6 + assembly.layout().actuators), stays_{motions_},
+      pushes_{motions_ + 6}, pads_{motions_}, pads_push_{motions_ + 6} {}
+
+/// The motion along `wrench` is this times a'; a force along it moves a' by it.
+VectorXd ContactSystem::along(Index i, const Vector6<double>& wrench) const {
+  const Layout<double>& layout = assembly_.layout();
+  VectorXd column = VectorXd::Zero(motions_);
+  column.head<6>() = wrench;
+  for (const Drive<double>& drive : assembly_.scene().drives)
+    if (drive.body == layout.body[i])
+      column[6 + drive.actuator] -=
+          laws::grip_coefficient(drive, wrench, layout.reach[drive.actuator], layout.scales);
+  return column;
+}
+
+VectorXd ContactSystem::with_pushers(Index i, const Vector6<double>& wrench) const {
+  const bool pushes = assembly_.scene().bodies[assembly_.layout().body[i]].role == Role::pusher;
+  VectorXd column(motions_ + 6);
+  column << along(i, wrench), (pushes ? wrench : Vector6<double>(Vector6<double>::Zero()));
+  return column;
+}
+
+void ContactSystem::stay(Index i, const Vector6<double>& wrench) { stays_.add(along(i, wrench)); }
+
+void ContactSystem::push(Index i, const Vector6<double>& wrench) {
+  pushes_.add(with_pushers(i, wrench));
+}
+
+void ContactSystem::press(Index i, const Vector6<double>& normal, const Vector6<double>& force) {
+  const double c = assembly_.layout().cones[i].compliance;
+  if (!(c > 0)) {
+    stay(i, normal);
+    push(i, force);
+    return;
+  }
+  compliance_.push_back(c);
+  pads_.add(along(i, normal));
+  pads_push_.add(with_pushers(i, force));
+}
+
+/// Accelerations from forces: the object's by its mobility.
+MatrixXd ContactSystem::balance_rows(const MatrixXd& effect) const {
+  MatrixXd moved = effect.topRows(motions_);
+  moved.topRows(6) = assembly_.factored().mobility * effect.topRows(6);
+  return moved;
+}
+
+/// Of motions: the object's rows stay, those of the actuators take their inertia.
+MatrixXd ContactSystem::inertial(MatrixXd motion) const {
+  for (Index k = 6; k < motions_; ++k) motion.row(k) *= assembly_.factored().sums[k - 6].inertia;
+  return motion;
+}
+
+/// In the limit of stiff pads they press by v where they yield by W v times a compliance that
+/// vanishes, and a' = Z u is what no pad resists; f = O y of what does not yield.
+OpenDirections ContactSystem::open_directions() const {
+  const Eigen::Map<const MatrixXd> pads = pads_.matrix();
+  const auto [basis, r] = orthogonal(pads, largest_entry(pads)); // [W Z]
+  const Index still = motions_ - r;
+  const MatrixXd Z = basis.rightCols(still), J = compressed(stays_.matrix()).transpose() * basis;
+  const double softest =
+      compliance_.empty() ? 0 : *std::max_element(compliance_.begin(), compliance_.end());
+  const VectorXd stiffness =
+      Eigen::Map<const VectorXd>(compliance_.data(), pads.cols()).cwiseInverse() * softest;
+  const MatrixXd pressures = -(stiffness.asDiagonal() * (pads.transpose() * basis.leftCols(r)));
+  const MatrixXd squeezed = pads_push_.matrix() * pressures;
+  const MatrixXd pushed = compressed(pushes_.matrix());
+
+  // What J says of u holds to the first order; where it says nothing, of what pads yield.
+  const auto [rows, firm] = orthogonal(J.rightCols(still), largest_entry(J));
+  const MatrixXd JQ = rows.transpose() * J;
+  MatrixXd K = MatrixXd::Zero(2 * motions_, motions_ + pushed.cols());
+  K.topRows(motions_) << -balance_rows(squeezed), inertial(Z), -balance_rows(pushed);
+  K.block(motions_, r, firm, still) = JQ.topRightCorner(firm, still);
+  K.bottomLeftCorner(motions_ - firm, r) = JQ.bottomLeftCorner(motions_ - firm, r);
+
+  OpenDirections open;
+  Eigen::FullPivLU<MatrixXd> lu(K);
+  lu.setThreshold(dependent);
+  if (lu.rank() == K.cols()) return open;
+  // A small inertia counts as much as a large one; rows of J have been mixed.
+  VectorXd size = K.cwiseAbs().rowwise().maxCoeff();
+  size.tail(motions_).setConstant(size.tail(motions_).maxCoeff());
+  const MatrixXd kernel = lu.kernel();
+  for (Index k = 0; k < kernel.cols(); ++k) {
+    const VectorXd x = kernel.col(k), force = pushed * x.tail(pushed.cols()),
+                   motion = Z * x.segment(r, still);
+    const double largest = std::max(
+        {largest_entry(motion), largest_entry(pressures * x.head(r)), largest_entry(force)});
+    // Forces that hold each other, or what rounding makes of no solution, say nothing.
+    const VectorXd violation = (K * x).cwiseAbs() - rounding * largest * size;
+    if (!(largest > rounding * largest_entry(x) && violation.maxCoeff() <= 0)) continue;
+    open.motion = open.motion || motion.head<6>().norm() > rounding * largest;
+    const Vector6<double> pushers = (force + squeezed * x.head(r)).tail<6>();
+    open.wrench = open.wrench || pushers.norm() > rounding * largest;
+  }
+  return open;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,69 @@
+// A few of a scene's points, and what their answer means for all of them.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "lcpush/desktop/owned.hpp"
+#include "lcpush/lcp/pivots/structured_lemke.hpp"
+
+namespace lcpush::desktop {
+
+/// Rigid patches press at no more points than there are motions, however many they have. So the
+/// problem is solved for a few points of every body that lie far apart; a point that its body would
+/// be pressed into then joins them, one a body at a time, until there is none.
+class FewPoints {
+public:
+  using Flags = std::vector<unsigned char>;
+
+  /// `body`: whose each point is. `whole` outlives the call.
+  FewPoints(const Problem<double>& whole, Span<const Index> body);
+
+  /// Fills `active`: 1 where z_i of the whole problem is basic in the answer. False: the few have
+  /// none. Cost: O(forces) for every point that joins.
+  bool solve(const LemkeOptions<double>& options, Flags& active);
+
+private:
+  /// Accelerations of the object and closings of the actuators, or what a vanishing push adds.
+  struct Motion {
+    Vector6<double> object = Vector6<double>::Zero();
+    std::vector<double> closing;
+    double size = 0; ///< of what `object` is the sum of
+  };
+  const Problem<double>& whole_;
+  Span<const Index> body_;
+  Flags is_chosen_;                                            // points
+  std::vector<std::vector<std::pair<Index, double>>> sums_of_; // by unknown: group and coupling
+  std::vector<Motion> motions_;                                // at rest, of the push
+
+  // The problem of the points that are chosen, and where its unknowns come from.
+  std::vector<Vector6<double>> wrenches_;
+  std::vector<ConeGroup<double>> cones_;
+  std::vector<SumGroup<double>> sums_;
+  std::vector<int> coupled_;
+  std::vector<double> coupling_, q_, push_;
+  std::vector<Index> origin_;
+
+  /// That problem as the solver takes it.
+  struct Few {
+    FactoredProblem<double> factored;
+    Problem<double> problem;
+    Owned<StructuredLemke<double>> lemke;
+    explicit Few(const FewPoints& points);
+    Few(const Few&) = delete; // it looks into itself
+    Few& operator=(const Few&) = delete;
+  };
+
+  const ConeGroup<double>& cone(Index i) const { return whole_.factored->cones[i]; }
+  void choose();
+  void gather();
+  void gather_sums();
+  Status pivot(Few& few, const LemkeOptions<double>& options, const Flags& active) const;
+  void read_motions(const StructuredLemke<double>& lemke);
+  int sign_of_rate(Index i, Index k, double (&rate)[2]) const;
+  bool join();
+  void mark(const StructuredLemke<double>& lemke, Flags& active) const;
+  Index most_opposed(Index i) const;
+};
+
+} // namespace lcpush::desktop

@@ -1,0 +1,103 @@
+// Wide patches whose object does not follow its pusher: where pivots begin.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "lcpush/desktop/push.hpp"
+
+using namespace lcpush;
+using namespace lcpush::desktop;
+
+namespace {
+
+/// A bar between two discs of 200 points each, that a rough wall pushes.
+SceneFile bar(const char* pressure, const char* acceleration, const char* ends) {
+  const auto disc = [](const char* name, const char* z, const char* normal) {
+    return std::string("[[finger]]\nname = \"") + name + "\"\nshape = \"disc\"\ncenter = [0, 0, " +
+           z + "]\nnormal = [0, 0, " + normal +
+           "]\nradius = 0.005\npoints = 200\nfriction = 0.5\ngrip_force = 20\n";
+  };
+  return parse_scene(std::string("pressure = \"") + pressure +
+                         "\"\ngravity = [0, -9.81, 0]\n"
+                         "[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n" +
+                         disc("left", "0.005", "-1") + disc("right", "-0.005", "1") +
+                         "[[pusher]]\nname = \"wall\"\nshape = \"line\"\n" + ends +
+                         "\nnormal = [1, 0, 0]\nfriction = 0.3\nacceleration = " + acceleration +
+                         "\n",
+                     "bar.toml");
+}
+constexpr const char* oblique = "[0.1, 0.05, 0]";
+constexpr const char* at_its_side = "points = 2\nends = [[-0.05, -0.01, 0], [-0.05, 0.01, 0]]";
+constexpr const char* at_four_points = "points = 4\nends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]";
+constexpr const char* straight = "[0.1, 0, 0]";
+constexpr const char* tipping = "points = 2\nends = [[-0.05, 0.006, 0.003], [-0.05, 0.012, 0.003]]";
+
+template <class Use> void for_each_push(const Use& use) {
+  for (const char* pressure : {"pad", "rigid"})
+    for (const bool tips : {false, true}) {
+      CAPTURE(pressure);
+      CAPTURE(tips);
+      use(bar(pressure, tips ? straight : oblique, tips ? tipping : at_its_side));
+    }
+}
+
+PushReport solved(Push& push, Solver solver = Solver::lemke) {
+  PushOptions options;
+  options.solver = solver;
+  options.other_covers = 0;
+  options.study_existence = false;
+  return push.solve(options);
+}
+
+} // namespace
+
+TEST_CASE("wide patches: a push that slips at its pusher, or tips, takes few pivots") {
+  for_each_push([](const SceneFile& file) {
+    Push push(file);
+    const PushReport report = solved(push);
+    REQUIRE(report.status == Status::solved);
+    CHECK(report.residuals.max() <= 1e-9);
+    CHECK(report.run.pivots <= 60); // a point would be 400; from the expected modes 500 to 4,000
+  });
+}
+
+TEST_CASE("wide patches: so does the force that breaks the grasp") {
+  for_each_push([](const SceneFile& file) {
+    Push push(file);
+    PushOptions options;
+    options.other_covers = 0;
+    const BreakReport report = push.find_breaking(2, options);
+    REQUIRE(report.status == Status::solved);
+    CHECK(report.run.pivots <= 200); // three small pushes under pad
+  });
+}
+
+TEST_CASE(
+    "wide pads: slower pushes go on from the first, and each that begins anew finds the same") {
+  const SceneFile file = bar("pad", oblique, at_four_points);
+  Push push(file);
+  PushOptions options;
+  options.other_covers = 0;
+  const BreakReport report = push.find_breaking(2, options);
+  REQUIRE(report.status == Status::solved);
+  const Index steps = report.run.pivots + report.run.sweeps;
+  CHECK(steps <= 600);
+  options.lemke.first_cover = options.lemke.covers; // another opinion
+  const BreakReport anew = push.find_breaking(2, options);
+  REQUIRE(anew.status == Status::solved);
+  CHECK(anew.run.pivots + anew.run.sweeps > 2 * steps);
+  CHECK(anew.breaking.break_force == doctest::Approx(report.breaking.break_force).epsilon(1e-9));
+}
+
+TEST_CASE("wide pads: the motion is the one that sweeps find from nothing") {
+  for (const bool tips : {false, true}) {
+    CAPTURE(tips);
+    const SceneFile file = bar("pad", tips ? straight : oblique, tips ? tipping : at_its_side);
+    Push by_pivots(file), by_sweeps(file);
+    const PushReport first = solved(by_pivots), second = solved(by_sweeps, Solver::gauss_seidel);
+    REQUIRE(first.status == Status::solved);
+    REQUIRE(second.status == Status::solved);
+    const Vector6<double> difference = first.answer.acceleration - second.answer.acceleration;
+    CHECK(difference.norm() <= 1e-5 * second.answer.acceleration.norm());
+  }
+}
