@@ -22,22 +22,46 @@ std::string degrees(double radians) {
   return text + (text == "1" ? " degree" : " degrees");
 }
 
-/// ": fulcrum and plunger press on it with 5.2e+07 N": who did so hardest, in the last step.
-std::string squeeze_words(const SceneFile& file, const MotionFrame& frame) {
-  double most = 0;
-  for (const BodyForce& body : frame.bodies) most = std::max(most, body.normal_force);
+/// Who presses hardest on the object.
+struct Squeeze {
   std::vector<std::string> names;
+  double force = 0; ///< N, the most
+};
+Squeeze squeeze_of(const SceneFile& file, const MotionFrame& frame) {
+  Squeeze squeeze;
+  for (const BodyForce& body : frame.bodies)
+    squeeze.force = std::max(squeeze.force, body.normal_force);
   for (std::size_t b = 0; b < frame.bodies.size(); ++b)
-    if (frame.bodies[b].normal_force > most / 2) names.push_back(file.body_names[b]);
-  if (names.empty()) return "";
-  return ": " + listed(names, "and") + (names.size() == 1 ? " presses" : " press") +
-         " on it with " + brief(most) + " N";
+    if (frame.bodies[b].normal_force > squeeze.force / 2)
+      squeeze.names.push_back(file.body_names[b]);
+  return squeeze;
+}
+
+/// ": fulcrum and plunger press on it with 5.2e+07 N", in the last step.
+std::string squeeze_words(const Squeeze& squeeze) {
+  if (squeeze.names.empty()) return "";
+  return ": " + listed(squeeze.names, "and") + (squeeze.names.size() == 1 ? " presses" : " press") +
+         " on it with " + brief(squeeze.force) + " N";
+}
+
+/// "until fulcrum and plunger leave it no room": where steps are as short as they get, no shorter
+/// one helps.
+std::string leap_words(const MotionReport& report, const Squeeze& squeeze,
+                       const std::string& after) {
+  if (!report.error || squeeze.names.empty())
+    return "until it would leap out of its place within one step of " + brief(report.tried) +
+           " s, after " + after + squeeze_words(squeeze) +
+           (report.error ? "" : "; a shorter --step may do");
+  const bool is_one = squeeze.names.size() == 1;
+  return "until " + listed(squeeze.names, "and") + (is_one ? " leaves" : " leave") +
+         " it no room, after " + after + ": pressed with " + brief(squeeze.force) + " N";
 }
 
 /// "until left leaves its face, after 0.71 s".
 std::string end_words(const SceneFile& file, const MotionReport& report) {
   const std::string after = brief(report.frames.back().time) + " s";
   const std::string body = report.body >= 0 ? file.body_name(report.body) : "";
+  const Squeeze squeeze = squeeze_of(file, report.frames.back());
   switch (report.end) {
   case MoveEnd::time: return "in " + after;
   case MoveEnd::distance: return "and has then gone as far as was asked, after " + after;
@@ -49,16 +73,14 @@ std::string end_words(const SceneFile& file, const MotionReport& report) {
     return "as far as " + counted(report.solves, "solve") + " go, " + after +
            "; ask for a longer --step, a coarser --tolerance or less --time";
   case MoveEnd::stopped: return "until it was stopped, after " + after;
-  case MoveEnd::leaps:
-    return "until it would leap out of its place within one step of " + brief(report.tried) +
-           " s, after " + after + squeeze_words(file, report.frames.back());
+  case MoveEnd::leaps: return leap_words(report, squeeze, after);
   case MoveEnd::failed: break;
   }
   if (report.status == Status::ray)
     return "until it jams, after " + after +
            ": the contacts squeeze it, and no forces let it go on";
   return "until a step has no answer (" + std::string(status_text(report.status)) + "), after " +
-         after + squeeze_words(file, report.frames.back());
+         after + squeeze_words(squeeze);
 }
 
 const char* touch_verb(Touch from, Touch to) {

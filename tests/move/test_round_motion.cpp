@@ -1,5 +1,6 @@
 // Motion under round friction.
 #include "lcpush/desktop/move.hpp"
+#include "support/scene_text.hpp"
 
 #include <doctest/doctest.h>
 
@@ -53,4 +54,20 @@ TEST_CASE(
   CHECK(coarse / fine < 2.1);
   // What eight facets make of it.
   CHECK(std::abs(turned("8", 200) - exact) > 10 * std::abs(fine));
+}
+
+TEST_CASE("friction settles over the present points alone, after others have left their faces") {
+  // Two of three points of either finger run off the plate at 0.95 s.
+  const std::string text = test::scene_text("straight_slide_point.toml");
+  MoveOptions options;
+  options.time = 1;
+  options.step = 0.002;
+  const MotionReport report =
+      move(parse_scene("facets = \"round\"\n" + text, "s.toml", Strokes::all), options);
+  CHECK(report.status == Status::solved);
+  REQUIRE(report.end == MoveEnd::time);
+  Index beside = 0;
+  for (const PointState& contact : report.frames.back().contacts)
+    beside += contact.touch == Touch::beside ? 1 : 0;
+  CHECK(beside > 0);
 }

@@ -114,8 +114,10 @@ private:
       push = maxi(push, maxi(S(body.acceleration.template head<3>().norm()),
                              S(length * body.acceleration.template tail<3>().norm())));
     S force = scene.object.mass * scene.gravity.norm();
-    force = maxi(force, maxi(S(scene.object.wrench.template head<3>().norm()),
-                             S(scene.object.wrench.template tail<3>().norm() / length)));
+    force = maxi(
+        force,
+        maxi(S(scene.object.wrench.template head<3>().norm()),
+             S((scene.object.wrench.template tail<3>() + scene.object.turning).norm() / length)));
     for (const Body<S>& body : scene.bodies) force = maxi(force, body.preload);
     for (Index a = 0; a < scene.actuators.size; ++a) {
       if (!(memory_.reach[a] > S(0))) memory_.reach[a] = S(1);

@@ -125,7 +125,7 @@ template <class S, class Visit> struct LawRows {
   /// [T.1]
   void newton() {
     Vector3<S> force = scene.object.mass * scene.gravity + scene.object.wrench.template head<3>();
-    Vector3<S> moment = scene.object.wrench.template tail<3>();
+    Vector3<S> moment = scene.object.wrench.template tail<3>() + scene.object.turning;
     for (const Body<S>& body : scene.bodies) {
       const Vector6<S> wrench = body_wrench(scene, answer, body);
       force += wrench.template head<3>();

@@ -37,6 +37,7 @@ template <class S> Matrix6<S> newton(const Scene<S>& scene, const Scales<S>& sca
 template <class S> Vector6<S> load(const Scene<S>& scene, const Scales<S>& scales) {
   Vector6<S> w = scene.object.wrench / scales.force;
   w.template head<3>() += scene.object.mass * scene.gravity / scales.force;
+  w.template tail<3>() += scene.object.turning / scales.force;
   w.template tail<3>() /= scales.length;
   return w;
 }

@@ -8,12 +8,13 @@
 
 namespace lcpush {
 
-/// Of the answer to a scene; looks at both.
+/// Of the answer to a scene; looks at both. The answer may be longer: behind the contacts of the
+/// scene's points a motion keeps those of earlier steps.
 template <class S> class RoundDistance {
 public:
   RoundDistance(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer)
       : scene_(scene), scales_(scales), answer_(answer), fastest_(still() * scales.acceleration) {
-    for (Index i = 0; i < answer.contacts.size; ++i)
+    for (Index i = 0; i < scene.points.size; ++i)
       fastest_ = Eigen::numext::maxi(fastest_, S(slip(i).norm()));
   }
 
@@ -51,7 +52,7 @@ public:
   };
   Worst worst() const {
     Worst most{S(0), 0};
-    for (Index i = 0; i < answer_.contacts.size; ++i)
+    for (Index i = 0; i < scene_.points.size; ++i)
       if (const S distance = of(i); !(distance <= most.distance)) most = {distance, i};
     return most;
   }

@@ -32,6 +32,8 @@ template <class S> struct Object {
   Vector3<S> center_of_mass; ///< m, in the scene's frame; used to print positions only
   /// Applied to the object beside its weight, [N; N m] at the centre of mass.
   Vector6<S> wrench = Vector6<S>::Zero();
+  /// N m: the gyroscopic torque of a step [T.13]. It comes of the motion and is no load.
+  Vector3<S> turning = Vector3<S>::Zero();
 };
 
 /// A rigid body that touches the object at one or more points sharing one normal.

@@ -68,6 +68,7 @@ template <class S> struct TermSizes {
     load = weight.norm() + object.wrench.template head<3>().norm() +
            object.wrench.template tail<3>().norm() / scales.length;
     wrench.template head<3>() += weight.cwiseAbs();
+    wrench.template tail<3>() += object.turning.cwiseAbs();
     for (const Body<S>& body : scene.bodies) wrench += wrench_size(scene, answer, body);
     const Vector6<S> a = answer.acceleration.cwiseAbs();
     acceleration = a;

@@ -45,7 +45,7 @@ Scene<S> time_step(const Scene<S>& scene, const StepStart<S>& start, const StepP
     push.clearances[i] = start.gaps[i] / start.h / start.h;
   const Vector3<S> omega = start.velocity.template tail<3>();
   const Vector3<S> spin = scene.object.inertia.lazyProduct(omega);
-  step.object.wrench.template tail<3>() -= cross(omega, spin);
+  step.object.turning = -cross(omega, spin);
   step.bodies = {push.bodies.data, scene.bodies.size};
   step.actuators = {push.actuators.data, scene.actuators.size};
   step.clearances = {push.clearances.data, start.gaps.size};

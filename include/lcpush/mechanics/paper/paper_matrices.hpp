@@ -66,6 +66,7 @@ template <class S> Matrix6<S> inertia_matrix(const Scene<S>& scene) {
 template <class S> Vector6<S> load(const Scene<S>& scene) {
   Vector6<S> w = scene.object.wrench;
   w.template head<3>() += scene.object.mass * scene.gravity;
+  w.template tail<3>() += scene.object.turning;
   return w;
 }
 

@@ -13,6 +13,8 @@ template <class S> struct PressureOptions {
   Index max_rounds = 60;
   Index max_turns = 32;                  ///< of round friction's pyramids
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
+  Index fine_rounds = 0; ///< so many more at most, while the violation is above `finest`
+  S finest{0};
   bool goes_on = false; ///< `pad`: from the memory's last answer, as if this were its next round
 };
 
@@ -54,6 +56,7 @@ public:
     run_.reason = unsupported_reason(assembly_);
     if (run_.reason != Reason::none) return Status::bad_input;
     stiffer_ = 0;
+    fine_ = 0;
     friction_.begin();
     if (is_pad())
       begin_pads(Phase::soft_pads);
@@ -88,7 +91,7 @@ private:
   Phase phase_ = Phase::literal;
   int stiffer_ = 0; // starts that have been made
   S eps_{0}, last_eps_{0}, factor_{0};
-  Index round_ = 0;
+  Index round_ = 0, fine_ = 0;
   bool warm_ = false, restarted_ = false; // of this round
 
   bool is_pad() const { return assembly_.scene().pressure == Pressure::pad; }
@@ -145,7 +148,9 @@ private:
     const bool is_pressed = violation <= options_.tolerance;
     bool is_settled = friction_.is_settled(memory_.z.data);
     if (is_pressed) is_settled = is_settled && friction_.passes();
-    if (is_pressed && is_settled) return Status::solved;
+    if (is_pressed && is_settled)
+      return violation > options_.finest && fine_++ < options_.fine_rounds ? next_round()
+                                                                           : Status::solved;
     if (!is_settled && !turn()) return unsettled();
     if (largest > detail::runaway_force(assembly_)) return end_pads(Status::numerical_breakdown);
     last_eps_ = eps_;

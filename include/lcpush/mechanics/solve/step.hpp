@@ -117,6 +117,8 @@ private:
   static PressureOptions<S> pressure_options() {
     PressureOptions<S> options;
     options.tolerance /= S(128);
+    options.fine_rounds = 2;
+    options.finest = S(4 * Eigen::NumTraits<S>::epsilon());
     return options;
   }
   /// So is a slip of the wrong sign that a tie lets pass: what rests would creep by it. From the
@@ -149,6 +151,7 @@ private:
   bool gather();
   void carry_basis(bool to_present);
   void read_speeds(const S& h);
+  bool is_at_rest(const S& h) const;
   Vector6<S> end_twist(Index body) const;
   S deepest(const S& h, bool& missed) const;
   void straight_gaps();
@@ -214,6 +217,10 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_push(const
   if (status != Status::solved) return status;
   next_velocity_ = velocity_ + h * m_.work.answer.acceleration;
   read_speeds(h);
+  if (is_at_rest(h)) {
+    next_velocity_.setZero();
+    for (S& speed : m_.next_speeds) speed = S(0);
+  }
   return Status::solved;
 }
 

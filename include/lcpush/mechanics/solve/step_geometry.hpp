@@ -182,6 +182,18 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::read_speeds(const 
               h * answer.closing[share++] / S(push_.bodies[b].point_count);
 }
 
+/// Are the end's velocities none but what rounding of the largest force makes in a step? Together
+/// with the fingers, or gaps would open by it.
+template <class S, class Pivots> bool TimeStepper<S, Pivots>::is_at_rest(const S& h) const {
+  const S rest =
+      S(64) * Eigen::NumTraits<S>::epsilon() * h * assembly_.layout().scales.acceleration;
+  S fastest = Eigen::numext::maxi(S(next_velocity_.template head<3>().norm()),
+                                  S(length_ * next_velocity_.template tail<3>().norm()));
+  for (const S& speed : m_.next_speeds)
+    fastest = Eigen::numext::maxi(fastest, Eigen::numext::abs(speed));
+  return !(fastest > rest);
+}
+
 /// A body's twist at the step's end, at the hand's origin.
 template <class S, class Pivots> Vector6<S> TimeStepper<S, Pivots>::end_twist(Index body) const {
   Vector6<S> twist = m_.velocities[body];
