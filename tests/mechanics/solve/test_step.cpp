@@ -97,7 +97,7 @@ TEST_CASE("[T.13] velocities, gaps, spin and jaws in motion enter as the law say
   rest.acceleration.setZero();
   rest.contacts = {contacts.data(), 4};
   const Scales<double> units{20, 0.05, 100};
-  const detail::TermSizes<double> before(view, units, rest), then(step, units, rest);
+  const lcpush::detail::TermSizes<double> before(view, units, rest), then(step, units, rest);
   CHECK(then.load == before.load);
   CHECK((then.wrench - before.wrench).tail<3>() == torque.cwiseAbs());
 }
