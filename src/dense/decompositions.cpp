@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 
 namespace lcpush::desktop {
@@ -90,6 +91,33 @@ RowSpace row_space(const MatrixXd& A, double threshold) {
                  {}};
   for (Index k = 0; k < rank; ++k) space.order.push_back(qr.colsPermutation().indices()[k]);
   return space;
+}
+
+Orthogonal orthogonal(const MatrixXd& A, double small) {
+  if (A.cols() == 0) return {MatrixXd::Identity(A.rows(), A.rows()), 0};
+  const Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
+  const auto pivots = qr.matrixQR().diagonal().cwiseAbs().array();
+  return {qr.householderQ(), (pivots > small).count()};
+}
+
+MatrixXd compressed(const MatrixXd& A) {
+  const Index n = A.rows();
+  MatrixXd transposed = MatrixXd::Zero(std::max(A.cols(), n), n);
+  transposed.topRows(A.cols()) = A.transpose();
+  const Eigen::HouseholderQR<MatrixXd> qr(transposed);
+  const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  return R.transpose();
+}
+
+MatrixXd kernel(const MatrixXd& A, double threshold) {
+  Eigen::FullPivLU<MatrixXd> lu(A);
+  lu.setThreshold(threshold);
+  if (lu.rank() == A.cols()) return MatrixXd(A.cols(), 0);
+  return lu.kernel();
+}
+
+VectorXd solved_by_full_pivots(const MatrixXd& A, const VectorXd& b) {
+  return A.fullPivLu().solve(b);
 }
 
 } // namespace lcpush::desktop

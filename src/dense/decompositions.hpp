@@ -37,4 +37,21 @@ struct RowSpace {
 };
 RowSpace row_space(const Eigen::MatrixXd& A, double threshold);
 
+/// Q of A = Q R, square: its first `rank` columns are what A leads to, as far as R's diagonal is
+/// above `small`.
+struct Orthogonal {
+  Eigen::MatrixXd Q;
+  Index rank;
+};
+Orthogonal orthogonal(const Eigen::MatrixXd& A, double small);
+
+/// L, square, of A = L O' with orthonormal columns O.
+Eigen::MatrixXd compressed(const Eigen::MatrixXd& A);
+
+/// A basis of all x with A x = 0, a column each; none: A has full rank to `threshold`.
+Eigen::MatrixXd kernel(const Eigen::MatrixXd& A, double threshold);
+
+/// The x of A x = b for a square A, singular ones to rounding.
+Eigen::VectorXd solved_by_full_pivots(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+
 } // namespace lcpush::desktop

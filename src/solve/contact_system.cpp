@@ -1,11 +1,8 @@
 #include "solve/contact_system.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-
 #include <algorithm>
-#include <utility>
 
+#include "dense/decompositions.hpp"
 #include "lcpush/mechanics/model/laws.hpp"
 
 namespace lcpush::desktop {
@@ -18,26 +15,6 @@ constexpr double rounding = 1e-9;   // of a direction's largest entry
 constexpr double dependent = 1e-11; // of the largest pivot
 
 double largest_entry(const MatrixXd& A) { return A.size() > 0 ? A.cwiseAbs().maxCoeff() : 0; }
-
-/// Q of A = Q R, square, and the rank of what is not small beside `size`: Q's first columns are
-/// what A leads to.
-std::pair<MatrixXd, Index> orthogonal(const MatrixXd& A, double size) {
-  if (A.cols() == 0) return {MatrixXd::Identity(A.rows(), A.rows()), 0};
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
-  const auto pivots = qr.matrixQR().diagonal().cwiseAbs().array();
-  return {qr.householderQ(), (pivots > dependent * size).count()};
-}
-
-/// L, square, of A = L O' with orthonormal columns O: the same reactions to
-/// fewer forces.
-MatrixXd compressed(const MatrixXd& A) {
-  const Index n = A.rows();
-  MatrixXd transposed = MatrixXd::Zero(std::max(A.cols(), n), n);
-  transposed.topRows(A.cols()) = A.transpose();
-  const Eigen::HouseholderQR<MatrixXd> qr(transposed);
-  const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  return R.transpose();
-}
 
 } // namespace
 
@@ -99,7 +76,7 @@ MatrixXd ContactSystem::inertial(MatrixXd motion) const {
 /// vanishes, and a' = Z u is what no pad resists; f = O y of what does not yield.
 OpenDirections ContactSystem::open_directions() const {
   const Eigen::Map<const MatrixXd> pads = pads_.matrix();
-  const auto [basis, r] = orthogonal(pads, largest_entry(pads)); // [W Z]
+  const auto [basis, r] = orthogonal(pads, dependent * largest_entry(pads)); // [W Z]
   const Index still = motions_ - r;
   const MatrixXd Z = basis.rightCols(still), J = compressed(stays_.matrix()).transpose() * basis;
   const double softest =
@@ -111,7 +88,7 @@ OpenDirections ContactSystem::open_directions() const {
   const MatrixXd pushed = compressed(pushes_.matrix());
 
   // What J says of u holds to the first order; where it says nothing, of what pads yield.
-  const auto [rows, firm] = orthogonal(J.rightCols(still), largest_entry(J));
+  const auto [rows, firm] = orthogonal(J.rightCols(still), dependent * largest_entry(J));
   const MatrixXd JQ = rows.transpose() * J;
   MatrixXd K = MatrixXd::Zero(2 * motions_, motions_ + pushed.cols());
   K.topRows(motions_) << -balance_rows(squeezed), inertial(Z), -balance_rows(pushed);
@@ -119,15 +96,13 @@ OpenDirections ContactSystem::open_directions() const {
   K.bottomLeftCorner(motions_ - firm, r) = JQ.bottomLeftCorner(motions_ - firm, r);
 
   OpenDirections open;
-  Eigen::FullPivLU<MatrixXd> lu(K);
-  lu.setThreshold(dependent);
-  if (lu.rank() == K.cols()) return open;
+  const MatrixXd unresisted = kernel(K, dependent);
+  if (unresisted.cols() == 0) return open;
   // A small inertia counts as much as a large one; rows of J have been mixed.
   VectorXd size = K.cwiseAbs().rowwise().maxCoeff();
   size.tail(motions_).setConstant(size.tail(motions_).maxCoeff());
-  const MatrixXd kernel = lu.kernel();
-  for (Index k = 0; k < kernel.cols(); ++k) {
-    const VectorXd x = kernel.col(k), force = pushed * x.tail(pushed.cols()),
+  for (Index k = 0; k < unresisted.cols(); ++k) {
+    const VectorXd x = unresisted.col(k), force = pushed * x.tail(pushed.cols()),
                    motion = Z * x.segment(r, still);
     const double largest = std::max(
         {largest_entry(motion), largest_entry(pressures * x.head(r)), largest_entry(force)});

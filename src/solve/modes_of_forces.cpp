@@ -1,8 +1,8 @@
 #include "solve/modes_of_forces.hpp"
 
-#include <Eigen/QR>
-
 #include <limits>
+
+#include "dense/decompositions.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -98,12 +98,11 @@ void ModesOfForces::move_to_vertex(std::vector<Share>& shares) {
   for (Share& share : shares) {
     for (bool is_open = true; is_open;) {
       const auto count = static_cast<Eigen::Index>(inside.size());
-      Eigen::Matrix<double, most_columns, Eigen::Dynamic, 0, most_columns, most_columns> columns(
-          most_columns, count);
+      Eigen::MatrixXd columns(most_columns, count);
       for (Eigen::Index k = 0; k < count; ++k)
         columns.col(k) = inside[static_cast<std::size_t>(k)]->column;
       Eigen::VectorXd y;
-      if (count > 0) y = columns.colPivHouseholderQr().solve(share.column);
+      if (count > 0) y = least_squares(columns, share.column);
       const Column rest = count > 0 ? Column(share.column - columns * y) : share.column;
       if (count < most_columns && rest.norm() > dependent * share.column.norm()) {
         inside.push_back(&share);

@@ -1,8 +1,8 @@
 #include "solve/rest_by_friction.hpp"
 
-#include <Eigen/LU>
-
 #include <cmath>
+
+#include "dense/decompositions.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -64,7 +64,7 @@ std::vector<double> rest_by_friction(const Assembly<double>& assembly, const dou
     const double grips = preload[i] * layout.cones[i].friction;
     stiffness += grips * (t * t.transpose() + o * o.transpose());
   }
-  const Eigen::VectorXd motion = stiffness.fullPivLu().solve(wanted);
+  const Eigen::VectorXd motion = solved_by_full_pivots(stiffness, wanted);
   if (!((stiffness * motion - wanted).norm() <= 1e-12 * (1 + wanted.norm()))) return {};
   std::vector<double> z(static_cast<std::size_t>(layout.size), 0.0);
   for (Index i = 0; i < layout.points; ++i) {
