@@ -2,39 +2,52 @@
 
 #include "cli/raw_bounds.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "text/limits.hpp"
+#include "text/text_file.hpp"
 #include "text/wording.hpp"
 
 #include <charconv>
+#include <filesystem>
 
 namespace lcpush::cli {
 namespace {
 
-/// "7,8" as 1-based rows; nothing is free if the option is not given.
+/// The rows of --free, and how messages name them: "7,8", or the file that holds such a line.
+struct FreeRows {
+  std::string list, where = "--free";
+};
+FreeRows free_rows(const std::string& given) {
+  const bool is_typed = given.empty() || (given[0] >= '0' && given[0] <= '9') || given[0] == '-';
+  std::error_code ignored;
+  if (is_typed || !std::filesystem::is_regular_file(given, ignored)) return {given};
+  std::string list = read_text_file(given, limits::matrix_bytes);
+  list.erase(list.find_last_not_of(" \t\r\n") + 1);
+  return {list, given + ": --free"};
+}
+
+/// 1-based rows; nothing is free if the option is not given, or its file is empty.
 std::vector<unsigned char> read_free(const Arguments& arguments, Index n) {
   std::vector<unsigned char> free(static_cast<std::size_t>(n), 0);
   if (!arguments.has("--free")) return free;
-  const std::string list = *arguments.value("--free");
-  const char* at = list.data();
-  const char* const end = at + list.size();
+  const FreeRows rows = free_rows(*arguments.value("--free"));
+  if (rows.list.empty() && rows.where != "--free") return free;
+  const char* at = rows.list.data();
+  const char* const end = at + rows.list.size();
   for (;;) {
     Index row = 0;
     const auto [rest, error] = std::from_chars(at, end, row);
     if (error != std::errc() || row < 1 || row > n)
-      throw UsageError("--free is a list of rows from 1 to " + std::to_string(n) +
-                       " such as 7,8, not " + desktop::quoted(list));
+      throw UsageError(rows.where + " is a list of rows from 1 to " + std::to_string(n) +
+                       " such as 7,8, or a file of it, not " + desktop::quoted(rows.list));
     unsigned char& is_free = free[static_cast<std::size_t>(row - 1)];
-    if (is_free != 0) throw UsageError("--free names row " + std::to_string(row) + " twice");
+    if (is_free != 0) throw UsageError(rows.where + " names row " + std::to_string(row) + " twice");
     is_free = 1;
     if (rest == end) return free;
     if (*rest != ',')
-      throw UsageError("--free wants commas between rows: " + desktop::quoted(list));
+      throw UsageError(rows.where + " wants commas between rows: " + desktop::quoted(rows.list));
     at = rest + 1;
   }
 }
-
-} // namespace
-
-namespace {
 
 /// Where M and q come from: two files, or the command line.
 struct MatrixNames {

@@ -9,7 +9,7 @@ namespace lcpush::cli {
 inline const Option matrix_option{"--M", "MATRIX", "rows by semicolons, numbers by blanks"};
 inline const Option vector_option{"--q", "VECTOR", "n numbers"};
 inline const Option free_option{"--free", "I,J,..",
-                                "1-based rows that are equalities with free unknowns"};
+                                "1-based rows that are equalities, or a file of them"};
 inline const Option lo_option{"--lo", "ENDS", "lower ends of z: a file, numbers, or one for all"};
 inline const Option hi_option{"--hi", "ENDS", "upper ends; friction where --findex names a row"};
 inline const Option findex_option{"--findex", "ROWS",

@@ -63,6 +63,8 @@ class Export(unittest.TestCase):
                 free = [int(k) for k in free.split(",")] if free else []
                 self.assertEqual(free, list(range(c + 1, lcp + 1)))
                 self.assertEqual(len(free), len(names["actuators"]))
+                done = run("lcp", out / "M.mtx", out / "q.mtx", "--free", out / "free.txt", "--json")
+                self.assertIn(done.returncode, (0, 1), done.stderr)
                 lines = (out / "names.txt").read_text().splitlines()
                 self.assertEqual([line.split("\t")[1] for line in lines],
                                  [unknown["name"] for unknown in names["unknowns"][:lcp]])
