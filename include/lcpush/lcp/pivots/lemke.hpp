@@ -50,9 +50,9 @@ constexpr Index max_rhs = 3; // S, q, push
 constexpr Index tie_columns = 2;
 constexpr Index lemke_vectors = max_rhs + tie_columns // right-hand sides in the dictionary
                                 + tie_columns + 1     // covering vector and tie columns as given
-                                + 4                   // scales, unit, row sums
-                                + max_rhs + 2         // solution, ray
-                                + 5;                  // bound, scratch
+                                + 3                   // scales, row sums
+                                + 3                   // solution, ray
+                                + 3;                  // scratch
 } // namespace detail
 
 /// Scalars and ints that Lemke needs for n unknowns.
@@ -110,8 +110,8 @@ public:
   S slack_unit(Index i) const { return rhs_scale_[finite_rhs()] / row_scale_[i]; }
 
   /// After solved: z (free unknowns at their finite value) and dz/dsigma of the push.
-  const S* z() const { return solution_.col(finite_rhs()).data(); }
-  const S* z_push() const { return solution_.col(finite_rhs() + 1).data(); }
+  const S* z() const { return solution_.col(0).data(); }
+  const S* z_push() const { return solution_.col(1).data(); }
   bool is_basic(Index i) const { return basis_.is_basic(unknown(i, n_)); }
   const WorstRow<S>& residual() const { return residual_; }
   /// After solved with a push: the answer is z + sigma z_push for 0 <= sigma <= valid_to(),
@@ -151,11 +151,12 @@ private:
 
   B basis_;
   MatrixMap<S> covering_{nullptr, 0, 0}; // as given: d, then the tie columns, scaled rows
-  MatrixMap<S> solution_{nullptr, 0, 0};
-  VectorMap<S> row_scale_{nullptr, 0}, column_scale_{nullptr, 0}, rowsum_{nullptr, 0};
-  VectorMap<S> unit_{nullptr, 0}, bound_{nullptr, 0}, ray_{nullptr, 0}, trial_{nullptr, 0};
-  VectorMap<S> scratch_{nullptr, 0}, product_{nullptr, 0};
-  Span<S> check_scratch_;
+  MatrixMap<S> solution_{nullptr, 0, 0}; // finite, push
+  VectorMap<S> row_scale_{nullptr, 0}, column_scale_{nullptr, 0}, ray_{nullptr, 0};
+  // Scratch; a basis of one scale lends its entering column for the last two, which neither
+  // response nor pivot keeps.
+  VectorMap<S> trial_{nullptr, 0}, product_{nullptr, 0};
+  VectorMap<S> scratch_{nullptr, 0}, rowsum_{nullptr, 0};
   Span<int> candidates_, target_;
 
   Index finite_rhs() const { return problem_.free_begin < n_ ? 1 : 0; }
@@ -187,11 +188,16 @@ private:
 
   bool carve();
   Status prepare(const Problem<S>& problem, const LemkeOptions<S>& options);
-  const S* right_hand_side(Index rhs) const {
-    if (rhs < finite_rhs()) return bound_.data();
-    return rhs == finite_rhs() ? problem_.q : problem_.push;
+  /// As given; that of the bound is computed, trial_ and scratch_ hold it.
+  const S* right_hand_side(Index rhs) {
+    if (rhs >= finite_rhs()) return rhs == finite_rhs() ? problem_.q : problem_.push;
+    for (Index j = 0; j < n_; ++j) trial_[j] = j < problem_.free_begin ? S(0) : S(-1);
+    multiply(problem_, trial_.data(), scratch_.data());
+    return scratch_.data();
   }
-  void load();
+  void load(Index first_rhs);
+  /// A basis of groups writes the right-hand side of the bound down after factoring.
+  Index first_to_load() const { return B::of_groups ? finite_rhs() : Index(0); }
   void cover_cold();
   void cover_here();
   bool is_feasible() const;
@@ -210,14 +216,20 @@ private:
   template <class Watcher> bool artificial_leaves(Watcher& watcher);
   Status try_next_covering_vector();
   Status accept();
+  VectorMap<S> solution_of(Index rhs) {
+    return column(solution_, rhs > finite_rhs() ? Index(1) : Index(0));
+  }
   void read(Index rhs);
   void refine(Index rhs);
   WorstRow<S> referee(const S* q, const S* z) {
     return natural_residual(
-        problem_, q, z, unit_.data(), [&](Index i) { return i >= problem_.free_begin; },
-        product_.data(), check_scratch_.data);
+        problem_, q, z, column_scale_.data(), [&](Index i) { return i >= problem_.free_begin; },
+        product_.data(), check_scratch());
   }
+  /// 2 n numbers: the tie columns, which whoever goes on after a check computes afresh.
+  S* check_scratch() { return basis_.dictionary.values.col(rhs_count_).data(); }
   bool bound_is_slack() const;
+  bool settles_bound();
   bool find_range();
   bool passes_check();
   Status reject();

@@ -17,7 +17,8 @@ template <class S> using StructuredLemke = Lemke<S, StructuredBasis<S>>;
 constexpr Index structured_lemke_scalars(Index n, Index cones, Index shared, Index exchanges = 0) {
   constexpr Index right_hand_sides = detail::max_rhs + detail::tie_columns;
   return StructuredBasis<double>::scalars(n, cones, shared, right_hand_sides, exchanges) +
-         n * (detail::lemke_vectors - right_hand_sides - 2); // its rows and columns have one scale
+         // Rows and columns have one scale, and the entering column's memory is scratch.
+         n * (detail::lemke_vectors - right_hand_sides - 3);
 }
 constexpr Index structured_lemke_integers(Index n, Index cones, Index exchanges = 0) {
   return 2 * n + StructuredBasis<double>::integers(n, cones, exchanges);

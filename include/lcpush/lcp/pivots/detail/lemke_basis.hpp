@@ -10,18 +10,17 @@ template <class S, class B> bool Lemke<S, B>::carve() {
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
   const Index n = n_;
+  scalars.seat(solution_, n, 2);
   basis_.carve(problem_, rhs_count_ + detail::tie_columns, options_.exchanges, scalars, integers);
   scalars.seat(covering_, n, 1 + detail::tie_columns);
-  scalars.seat(solution_, n, detail::max_rhs);
-  for (VectorMap<S>* map : {&row_scale_, &rowsum_, &bound_, &ray_, &trial_, &scratch_, &product_})
-    scalars.seat(*map, n);
-  for (VectorMap<S>* map : {&column_scale_, &unit_}) {
-    if (B::one_scale)
-      new (map) VectorMap<S>(row_scale_.data(), n);
-    else
-      scalars.seat(*map, n);
+  for (VectorMap<S>* map : {&row_scale_, &ray_, &trial_, &product_}) scalars.seat(*map, n);
+  if (B::one_scale) {
+    new (&column_scale_) VectorMap<S>(row_scale_.data(), n);
+    for (VectorMap<S>* map : {&scratch_, &rowsum_})
+      new (map) VectorMap<S>(basis_.dictionary.table.data(), n);
+  } else {
+    for (VectorMap<S>* map : {&column_scale_, &scratch_, &rowsum_}) scalars.seat(*map, n);
   }
-  check_scratch_ = scalars.take(2 * n);
   candidates_ = integers.take(n);
   target_ = integers.take(n);
   return !scalars.exhausted() && !integers.exhausted();
@@ -46,31 +45,28 @@ Status Lemke<S, B>::prepare(const Problem<S>& problem, const LemkeOptions<S>& op
   column_scale_.setOnes();
   // x - x is NaN, not 0, for every x that is not finite.
   S finite_sum = basis_.scale(options_.equilibrate, row_scale_, column_scale_, rowsum_, scratch_);
-  unit_ = column_scale_;
-  for (Index j = 0; j < n_; ++j) trial_[j] = j < problem_.free_begin ? S(0) : S(-1);
-  multiply(problem_, trial_.data(), bound_.data());
   for (Index i = 0; i < n_; ++i) {
     finite_sum += problem_.q[i] - problem_.q[i];
     if (problem_.push != nullptr) finite_sum += problem_.push[i] - problem_.push[i];
   }
   if (!(finite_sum == S(0))) return end(Status::bad_input, Reason::not_finite);
   for (Index k = 0; k < rhs_count_; ++k) {
+    const S* const given = right_hand_side(k);
     S largest(0);
-    for (Index i = 0; i < n_; ++i) {
-      const S size = Eigen::numext::abs(S(right_hand_side(k)[i] * row_scale_[i]));
-      largest = Eigen::numext::maxi(largest, size);
-    }
+    for (Index i = 0; i < n_; ++i)
+      largest = Eigen::numext::maxi(largest, S(Eigen::numext::abs(S(given[i] * row_scale_[i]))));
     rhs_scale_[k] = options_.equilibrate ? power_below(largest) : S(1);
   }
   return status_;
 }
 
-/// The basis of all w, from the problem as given.
-template <class S, class B> void Lemke<S, B>::load() {
+/// The basis of all w, from the problem as given, but for the right-hand sides before `first_rhs`.
+template <class S, class B> void Lemke<S, B>::load(Index first_rhs) {
   MatrixMap<S>& values = basis_.dictionary.values;
-  for (Index k = 0; k < rhs_count_; ++k)
-    for (Index i = 0; i < n_; ++i)
-      values(i, k) = right_hand_side(k)[i] * row_scale_[i] / rhs_scale_[k];
+  for (Index k = first_rhs; k < rhs_count_; ++k) {
+    const S* const given = right_hand_side(k);
+    for (Index i = 0; i < n_; ++i) values(i, k) = given[i] * row_scale_[i] / rhs_scale_[k];
+  }
   values.rightCols(detail::tie_columns) = covering_.rightCols(detail::tie_columns);
   basis_.load(row_scale_, column_scale_, column(covering_, 0));
 }
@@ -81,7 +77,7 @@ template <class S, class B> void Lemke<S, B>::cover_cold() {
     for (Index i = 0; i < n_; ++i)
       covering_(i, k) = k == 0 && options_.cover != nullptr ? S(options_.cover[i] * row_scale_[i])
                                                             : generic_number<S>(seed(k), i);
-  load();
+  load(0);
   covered_ = true;
   entering_ = -1;
   tie_tolerance_ = options_.tolerances.tie;
@@ -109,13 +105,14 @@ template <class S, class B> void Lemke<S, B>::cover_here() {
       if (is_wide() && options_.rubs) rub_more();
       for (Index i = 0; i < n; ++i) {
         const Index variable = basis_.dictionary.basic[i];
-        check_scratch_[i] = variable < n ? covering_(variable, 0) : trial_[variable - n];
+        check_scratch()[i] = variable < n ? covering_(variable, 0) : trial_[variable - n];
       }
     }
     scaled_product(trial_.data(), product_.data());
     covering_.col(k) -= product_;
+    if (k == 0)
+      basis_.set_covering_vector(column(covering_, 0), [&](Index i) { return check_scratch()[i]; });
   }
-  basis_.set_covering_vector(column(covering_, 0), [&](Index i) { return check_scratch_[i]; });
 }
 
 /// Of the point that a covering vector is made of, trial_ and covering_.col(0): friction beyond
@@ -158,7 +155,7 @@ template <class S, class B> void Lemke<S, B>::scaled_product(const S* z_scaled, 
 /// The present basis, factored afresh from the problem as given.
 template <class S, class B> bool Lemke<S, B>::refactorise() {
   for (Index i = 0; i < n_; ++i) target_[i] = basis_.dictionary.basic[i];
-  load();
+  load(first_to_load());
   const S smallest = options_.tolerances.pivot * options_.tolerances.tie;
   // The right-hand side of the bound is written down, the tie columns are generic anyway.
   const Wanted wanted{finite_rhs(), rhs_count_, rhs_count_ + detail::tie_columns};
@@ -170,7 +167,7 @@ template <class S, class B> bool Lemke<S, B>::refactorise() {
 
 /// Is every free unknown at S plus something finite, and nothing else of order S?
 template <class S, class B> bool Lemke<S, B>::bound_is_slack() const {
-  for (Index i = 0; i < n_ && finite_rhs() > 0; ++i) {
+  for (Index i = 0; i < n_; ++i) {
     const S off = solution_(i, 0) - (i >= problem_.free_begin ? S(1) : S(0));
     if (!(Eigen::numext::abs(off) <= options_.tolerances.residual)) return false;
   }
@@ -199,23 +196,19 @@ template <class S, class B> bool Lemke<S, B>::passes_check() {
   const Index finite = finite_rhs(), push = finite + 1;
   const S tolerance = options_.tolerances.residual;
   reason_ = Reason::residual;
-  if (!bound_is_slack()) {
-    reason_ = Reason::retreat;
-    return false;
-  }
   for (Index i = 0; i < problem_.free_begin; ++i) {
     // Rounding may leave a basic value of zero on the wrong side of it.
-    S& z = solution_(i, finite);
-    if (z < S(0) && -z <= tolerance * unit_[i] * rhs_scale_[finite]) z = S(0);
+    S& z = solution_(i, 0);
+    if (z < S(0) && -z <= tolerance * column_scale_[i] * rhs_scale_[finite]) z = S(0);
   }
-  residual_ = referee(problem_.q, solution_.col(finite).data());
+  residual_ = referee(problem_.q, z());
   if (!(residual_.residual <= tolerance)) return false;
   if (problem_.push == nullptr) return true;
   if (!find_range()) return false;
   // Not the very end of the range: there the answer may be all zeros, and rounding its scale.
   const S sigma = valid_to_ < S(0) ? rhs_scale_[finite] / rhs_scale_[push] : valid_to_ / S(2);
   for (Index i = 0; i < n_; ++i) {
-    trial_[i] = solution_(i, finite) + sigma * solution_(i, push);
+    trial_[i] = solution_(i, 0) + sigma * solution_(i, 1);
     scratch_[i] = problem_.q[i] + sigma * problem_.push[i];
   }
   const WorstRow<S> pushed = referee(scratch_.data(), trial_.data());
@@ -234,7 +227,7 @@ Status Lemke<S, B>::init(const Problem<S>& problem, const LemkeOptions<S>& optio
                          const unsigned char* active, Guess guess) {
   if (prepare(problem, options) != Status::running) return status_;
   covering_.setOnes();
-  load();
+  load(first_to_load());
   for (Index i = 0; i < n_; ++i)
     target_[i] = static_cast<int>(active[i] != 0 ? unknown(i, n_) : slack(i));
   const Tolerances<S>& tolerances = options.tolerances;

@@ -101,9 +101,10 @@ template <class S, class B> Status Lemke<S, B>::try_next_covering_vector() {
 /// that passes barely sits on a basis with a small violation, that a tie has hidden: look closer
 /// once, unless no other covering vector is left if that fails.
 template <class S, class B> Status Lemke<S, B>::accept() {
-  // The bound's values are written down, not computed: mostly nothing has to be refined.
-  for (Index k = 0; k < finite_rhs(); ++k) read(k);
-  if (!bound_is_slack()) refine(0);
+  if (!settles_bound()) {
+    reason_ = Reason::retreat;
+    return reject();
+  }
   for (Index k = finite_rhs(); k < rhs_count_; ++k) refine(k);
   if (!passes_check()) return reject();
   const bool barely = residual_.residual > options_.tolerances.residual / S(16);
@@ -151,6 +152,7 @@ template <class S, class B> Status Lemke<S, B>::conclude_ray(Index column) {
   trial_ /= largest;
   v0 /= largest;
   scaled_product(trial_.data(), product_.data());
+  basis_.sum_rows(column_scale_, rowsum_);
   const S tolerance = options_.tolerances.residual;
   bool certified = v0 >= -tolerance;
   for (Index i = 0; i < n; ++i) {

@@ -88,15 +88,13 @@ public:
   /// Symmetric scales that bring the diagonal of G' B G near 1; then no entry of it is larger
   /// (Cauchy and Schwarz). One scale for the generators of a cone, its reciprocal for the slip, so
   /// that these entries stay 1. Returns 0, or NaN if a number is not finite.
-  S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale,
-          VectorMap<S> rowsum) const {
+  S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale) const {
     const FactoredProblem<S>& f = *problem_;
     const S finite_sum = f.mobility.sum() - f.mobility.sum();
     const auto diagonal = [&](Index force) {
       const Vector6<S> moved = f.mobility.lazyProduct(f.wrenches[force]);
       return S(f.wrenches[force].dot(moved));
     };
-    Vector6<S> total = Vector6<S>::Zero();
     for (const ConeGroup<S>& cone : f.cones) {
       S slips(0);
       for (Index k = cone.normals; k < cone.forces(); ++k)
@@ -104,11 +102,9 @@ public:
       const S normal =
           equilibrates ? reciprocal_root(S(diagonal(cone.force) + cone.compliance)) : S(1);
       const S slip = equilibrates ? reciprocal_root(slips) : S(1);
-      for (Index k = 0; k < cone.forces(); ++k) {
+      for (Index k = 0; k < cone.forces(); ++k)
         row_scale[cone.variable + k] = column_scale[cone.variable + k] =
             k < cone.normals ? normal : slip;
-        total += f.wrenches[cone.force + k].cwiseAbs() * column_scale[cone.variable + k];
-      }
       if (cone.generators > 0) row_scale[cone.slip()] = column_scale[cone.slip()] = S(1) / slip;
     }
     for (Index a = 0; a < f.sums.size; ++a) {
@@ -121,6 +117,15 @@ public:
       }
       row_scale[s] = column_scale[s] = equilibrates ? S(S(1) / power_below(largest)) : S(1);
     }
+    return finite_sum;
+  }
+  /// rowsum_i = sum_j |M_ij| column_scale_j, of G' B G a bound on it.
+  void sum_rows(VectorMap<S> column_scale, VectorMap<S> rowsum) const {
+    const FactoredProblem<S>& f = *problem_;
+    Vector6<S> total = Vector6<S>::Zero();
+    for (const ConeGroup<S>& cone : f.cones)
+      for (Index k = 0; k < cone.forces(); ++k)
+        total += f.wrenches[cone.force + k].cwiseAbs() * column_scale[cone.variable + k];
     const Vector6<S> moved = f.mobility.cwiseAbs().lazyProduct(total);
     rowsum.setZero();
     for (const ConeGroup<S>& cone : f.cones)
@@ -129,7 +134,6 @@ public:
     for_each_group_entry(f, free_begin_, [&](Index i, Index j, const S& entry) {
       rowsum[i] += Eigen::numext::abs(entry) * column_scale[j];
     });
-    return finite_sum + (rowsum.sum() - rowsum.sum());
   }
   /// The problem as given, scaled, under a covering vector.
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,

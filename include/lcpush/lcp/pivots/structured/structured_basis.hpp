@@ -50,7 +50,13 @@ public:
              Block<int>& integers);
   S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale, VectorMap<S> rowsum,
           VectorMap<S> /*scratch*/) const {
-    return form_.scale(equilibrates, row_scale, column_scale, rowsum);
+    const S finite_sum = form_.scale(equilibrates, row_scale, column_scale);
+    sum_rows(column_scale, rowsum);
+    return finite_sum + (rowsum.sum() - rowsum.sum());
+  }
+  /// The row sums of scale() again.
+  void sum_rows(VectorMap<S> column_scale, VectorMap<S> rowsum) const {
+    form_.sum_rows(column_scale, rowsum);
   }
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
             const VectorMap<S>& covering_vector);
