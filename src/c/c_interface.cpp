@@ -218,7 +218,7 @@ template <class S, class Push> constexpr bool all_covered() {
             const AssemblySize size{p, p * g, a, d};
             if (!covers<S, CPivotPush<Push>>(
                     LCPUSH_BYTES(S, b, p, g, a, d), b, size,
-                    structured_bytes<S>(size, size.actuators, exchanges_of(size))) ||
+                    small_bytes<S>(size, size.actuators, exchanges_of(size))) ||
                 !covers<S, CSweepPush<Push>>(LCPUSH_SWEEP_BYTES(S, b, p, g, a, d), b, size,
                                              sweep_bytes<S>(size)))
               return false;

@@ -22,10 +22,10 @@
   ((n) < (points) + 2 * (actuators) + 16 ? (n) + 1 : (points) + 2 * (actuators) + 16)
 
 #define LCPUSH_PIVOTS_BYTES_(real, n, points, actuators, exchanges)                                \
-  ((((n) + 4 + 2 * LCPUSH_WIDTH_(actuators)) * LCPUSH_WIDTH_(actuators) + 22 * (n) +               \
+  ((((n) + 4 + 2 * LCPUSH_WIDTH_(actuators)) * LCPUSH_WIDTH_(actuators) + 14 * (n) +               \
     3 * ((points) + (actuators)) + (exchanges) * ((exchanges) + 3)) *                              \
        sizeof(real) +                                                                              \
-   (8 * (n) + 4 * (points) + 2 + 2 * (exchanges)) * sizeof(int))
+   (8 * (n) + 4 * (points) + 2 + 2 * (exchanges)) * sizeof(short))
 
 #define LCPUSH_SWEEPS_BYTES_(real, n, couplings, actuators)                                        \
   ((9 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) +               \

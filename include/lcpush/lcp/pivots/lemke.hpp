@@ -64,7 +64,8 @@ constexpr Index lemke_integers(Index n) { return 4 * n + 1; }
 template <class S, class B = DenseBasis<S>> class Lemke {
 public:
   /// Memory of at least lemke_scalars(n) and lemke_integers(n) elements; it is the caller's.
-  Lemke(Span<S> scalars, Span<int> integers) : scalars_(scalars), integers_(integers) {}
+  using Int = typename B::Integer;
+  Lemke(Span<S> scalars, Span<Int> integers) : scalars_(scalars), integers_(integers) {}
 
   /// Cold start at z = 0; `problem` outlives the run. Post: running, or bad_input. Cost: a few
   /// passes over M.
@@ -94,7 +95,7 @@ public:
   Index covers_tried() const { return tries_ + 1; }
   const Pivot& last_pivot() const { return last_; }
   /// Its `table` holds what the basis stores: at least the entering column, PendingPivot::column.
-  const Dictionary<S>& dictionary() const { return basis_.dictionary; }
+  const Dictionary<S, Int>& dictionary() const { return basis_.dictionary; }
   const B& basis() const { return basis_; }
   S artificial_value() const {
     const Index row = basis_.dictionary.row_of(artificial(n_));
@@ -125,7 +126,7 @@ public:
 
 private:
   Span<S> scalars_;
-  Span<int> integers_;
+  Span<Int> integers_;
   Problem<S> problem_;
   LemkeOptions<S> options_;
   Index n_ = 0;
@@ -157,7 +158,7 @@ private:
   // response nor pivot keeps.
   VectorMap<S> trial_{nullptr, 0}, product_{nullptr, 0};
   VectorMap<S> scratch_{nullptr, 0}, rowsum_{nullptr, 0};
-  Span<int> candidates_, target_;
+  Span<Int> candidates_, target_;
 
   Index finite_rhs() const { return problem_.free_begin < n_ ? 1 : 0; }
   /// Wide patches make bases whose values are off, ties that z0 loses, and rays of slips. Steps of
@@ -210,7 +211,7 @@ private:
   void correct_values();
   void rub_more();
   void scaled_product(const S* z_scaled, S* out);
-  template <class Watcher> void pivot(const PendingPivot& pending, Watcher& watcher);
+  template <class Watcher> void pivot(const PendingPivotOf<Int>& pending, Watcher& watcher);
   template <class Watcher> Status start(Watcher& watcher);
   template <class Watcher> Status advance(Watcher& watcher);
   template <class Watcher> bool artificial_leaves(Watcher& watcher);

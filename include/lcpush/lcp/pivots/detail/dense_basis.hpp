@@ -12,6 +12,7 @@ namespace lcpush {
 /// What Lemke asks of a basis. Everything is scaled; the right-hand sides are dictionary.values.
 template <class S> class DenseBasis {
 public:
+  using Integer = int;
   Dictionary<S> dictionary;
   static constexpr bool one_scale = false; ///< are rows and columns scaled alike?
   static constexpr bool of_groups = false;

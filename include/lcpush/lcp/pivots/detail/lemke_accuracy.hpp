@@ -82,7 +82,7 @@ template <class S, class B> void Lemke<S, B>::refine(Index rhs) {
     multiply(problem_, z.data(), product_.data());
     const S* const given = right_hand_side(rhs);
     for (Index j = 0; j < n; ++j) product_[j] = (product_[j] + given[j]) * row_scale_[j];
-    for (const int variable : basis_.dictionary.basic) // what is left in a basic w is its value
+    for (const Int variable : basis_.dictionary.basic) // what is left in a basic w is its value
       if (variable < n) product_[variable] = S(0);
     const S largest = n > 0 ? S(product_.cwiseAbs().maxCoeff()) : S(0);
     if (!(largest > S(0)) || (before >= S(0) && !(largest < before))) return;

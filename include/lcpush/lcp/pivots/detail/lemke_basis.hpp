@@ -8,12 +8,16 @@ namespace lcpush {
 
 template <class S, class B> bool Lemke<S, B>::carve() {
   Block<S> scalars(scalars_);
-  Block<int> integers(integers_);
+  Block<Int> integers(integers_);
   const Index n = n_;
   scalars.seat(solution_, n, 2);
   basis_.carve(problem_, rhs_count_ + detail::tie_columns, options_.exchanges, scalars, integers);
   scalars.seat(covering_, n, 1 + detail::tie_columns);
-  for (VectorMap<S>* map : {&row_scale_, &ray_, &trial_, &product_}) scalars.seat(*map, n);
+  for (VectorMap<S>* map : {&row_scale_, &trial_, &product_}) scalars.seat(*map, n);
+  if (B::one_scale && options_.exchanges > 0)
+    new (&ray_) VectorMap<S>(trial_.data(), n);
+  else
+    scalars.seat(ray_, n);
   if (B::one_scale) {
     new (&column_scale_) VectorMap<S>(row_scale_.data(), n);
     for (VectorMap<S>* map : {&scratch_, &rowsum_})
@@ -229,7 +233,7 @@ Status Lemke<S, B>::init(const Problem<S>& problem, const LemkeOptions<S>& optio
   covering_.setOnes();
   load(first_to_load());
   for (Index i = 0; i < n_; ++i)
-    target_[i] = static_cast<int>(active[i] != 0 ? unknown(i, n_) : slack(i));
+    target_[i] = static_cast<Int>(active[i] != 0 ? unknown(i, n_) : slack(i));
   const Tolerances<S>& tolerances = options.tolerances;
   const S smallest =
       guess == Guess::basis ? S(tolerances.pivot * tolerances.tie) : tolerances.independent;

@@ -61,14 +61,14 @@ namespace detail {
 
 enum LocalRole : int { normal_role, generator_role, slip_role, own_role, shared_role };
 
-template <class S> class LocalForm {
+template <class S, class Int> class LocalForm {
 public:
   static constexpr Index scalars(Index n, Index cones, Index shared) {
     return (n + 4 + 2 * (6 + shared)) * (6 + shared) + n + 3 * cones + 3 * shared;
   }
   static constexpr Index integers(Index n, Index cones) { return 3 * n + 4 * cones; }
 
-  void carve(const Problem<S>& problem, Block<S>& scalars, Block<int>& integers) {
+  void carve(const Problem<S>& problem, Block<S>& scalars, Block<Int>& integers) {
     problem_ = problem.factored;
     n_ = problem.size;
     free_begin_ = problem.free_begin;
@@ -81,8 +81,8 @@ public:
     for (MatrixMap<S>* map : {&springs_, &core_}) scalars.seat(*map, width, width);
     for (Span<S>* span : {&friction_, &compliance_, &own_coupling_}) *span = scalars.take(cones);
     inertia_ = scalars.take(shared);
-    for (Span<int>* span : {&role_, &group_, &flipped_}) *span = integers.take(n_);
-    for (Span<int>* span : {&normal_, &slip_, &own_actuator_, &is_spring_})
+    for (Span<Int>* span : {&role_, &group_, &flipped_}) *span = integers.take(n_);
+    for (Span<Int>* span : {&normal_, &slip_, &own_actuator_, &is_spring_})
       *span = integers.take(cones);
   }
   /// Symmetric scales that bring the diagonal of G' B G near 1; then no entry of it is larger
@@ -146,8 +146,8 @@ public:
       const ConeGroup<S>& cone = f.cones[c];
       const Index slip = cone.generators > 0 ? cone.slip() : -1;
       const S scale = row_scale[cone.variable];
-      normal_[c] = static_cast<int>(cone.variable);
-      slip_[c] = static_cast<int>(slip);
+      normal_[c] = static_cast<Int>(cone.variable);
+      slip_[c] = static_cast<Int>(slip);
       own_actuator_[c] = -1;
       is_spring_[c] = 0;
       compliance_[c] = cone.compliance * scale * scale;
@@ -159,7 +159,7 @@ public:
           directions_(slot, d) = f.wrenches[cone.force + k][d] * row_scale[slot];
       }
       if (slip >= 0) role_[slip] = slip_role;
-      for (Index k = 0; k < cone.size(); ++k) group_[cone.variable + k] = static_cast<int>(c);
+      for (Index k = 0; k < cone.size(); ++k) group_[cone.variable + k] = static_cast<Int>(c);
     }
     Index shared = 0;
     for (Index a = 0; a < f.sums.size; ++a) {
@@ -167,13 +167,13 @@ public:
       const Index s = free_begin_ + a, c = own_cone(f, sum);
       if (c >= 0) {
         role_[s] = own_role;
-        group_[s] = static_cast<int>(c);
-        own_actuator_[c] = static_cast<int>(s);
+        group_[s] = static_cast<Int>(c);
+        own_actuator_[c] = static_cast<Int>(s);
         own_coupling_[c] = f.coupling[sum.first] * row_scale[s] * column_scale[f.cones[c].variable];
         continue;
       }
       role_[s] = shared_role;
-      group_[s] = static_cast<int>(shared);
+      group_[s] = static_cast<Int>(shared);
       inertia_[shared] = sum.inertia * row_scale[s] * column_scale[s];
       for (Index k = sum.first; k < sum.first + sum.count; ++k) {
         const Index slot = f.coupled_variable[k];
@@ -227,9 +227,9 @@ private:
   MatrixMap<S> springs_{nullptr, 0, 0}, core_{nullptr, 0, 0}; // sum of g h' / c, and C
   bool has_springs_ = false;
   Span<S> friction_, compliance_, own_coupling_, inertia_;
-  Span<int> role_, group_, flipped_; // of slots; group_: cone, or number of the shared actuator
-  Span<int> normal_, slip_, own_actuator_; // of cones: the slots in these roles, -1 for none
-  Span<int> is_spring_;                    // of cones: is the normal force basic on its compliance?
+  Span<Int> role_, group_, flipped_; // of slots; group_: cone, or number of the shared actuator
+  Span<Int> normal_, slip_, own_actuator_; // of cones: the slots in these roles, -1 for none
+  Span<Int> is_spring_;                    // of cones: is the normal force basic on its compliance?
 
   Index width() const { return directions_.cols(); }
   bool pulls(Index cone) const { return problem_->cones[cone].normals == 2; }
