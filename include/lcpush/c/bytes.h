@@ -22,7 +22,7 @@
   ((n) < (points) + 2 * (actuators) + 16 ? (n) + 1 : (points) + 2 * (actuators) + 16)
 
 #define LCPUSH_PIVOTS_BYTES_(real, n, points, actuators, exchanges)                                \
-  ((((n) + 4 + 2 * LCPUSH_WIDTH_(actuators)) * LCPUSH_WIDTH_(actuators) + 14 * (n) +               \
+  ((((n) + 4 + 2 * LCPUSH_WIDTH_(actuators)) * LCPUSH_WIDTH_(actuators) + 10 * (n) +               \
     3 * ((points) + (actuators)) + (exchanges) * ((exchanges) + 3)) *                              \
        sizeof(real) +                                                                              \
    (8 * (n) + 4 * (points) + 2 + 2 * (exchanges)) * sizeof(short))

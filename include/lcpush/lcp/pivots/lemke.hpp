@@ -49,10 +49,10 @@ namespace detail {
 constexpr Index max_rhs = 3; // S, q, push
 constexpr Index tie_columns = 2;
 constexpr Index lemke_vectors = max_rhs + tie_columns // right-hand sides in the dictionary
-                                + tie_columns + 1     // covering vector and tie columns as given
+                                + 1                   // covering vector as given
                                 + 3                   // scales, row sums
                                 + 3                   // solution, ray
-                                + 3;                  // scratch
+                                + 1;                  // scratch
 } // namespace detail
 
 /// Scalars and ints that Lemke needs for n unknowns.
@@ -151,11 +151,11 @@ private:
   S rhs_scale_[detail::max_rhs] = {};
 
   B basis_;
-  MatrixMap<S> covering_{nullptr, 0, 0}; // as given: d, then the tie columns, scaled rows
+  VectorMap<S> covering_{nullptr, 0};    // as given: d, scaled rows
   MatrixMap<S> solution_{nullptr, 0, 0}; // finite, push
   VectorMap<S> row_scale_{nullptr, 0}, column_scale_{nullptr, 0}, ray_{nullptr, 0};
-  // Scratch; a basis of one scale lends its entering column for the last two, which neither
-  // response nor pivot keeps.
+  // Scratch: the columns of the solution, until there is one; and the entering column of a basis of
+  // one scale, which neither a response nor a pivot keeps.
   VectorMap<S> trial_{nullptr, 0}, product_{nullptr, 0};
   VectorMap<S> scratch_{nullptr, 0}, rowsum_{nullptr, 0};
   Span<Int> candidates_, target_;
@@ -189,14 +189,15 @@ private:
 
   bool carve();
   Status prepare(const Problem<S>& problem, const LemkeOptions<S>& options);
-  /// As given; that of the bound is computed, trial_ and scratch_ hold it.
+  /// As given; that of the bound is computed, product_ and scratch_ hold it.
   const S* right_hand_side(Index rhs) {
     if (rhs >= finite_rhs()) return rhs == finite_rhs() ? problem_.q : problem_.push;
-    for (Index j = 0; j < n_; ++j) trial_[j] = j < problem_.free_begin ? S(0) : S(-1);
-    multiply(problem_, trial_.data(), scratch_.data());
+    for (Index j = 0; j < n_; ++j) product_[j] = j < problem_.free_begin ? S(0) : S(-1);
+    multiply(problem_, product_.data(), scratch_.data());
     return scratch_.data();
   }
-  void load(Index first_rhs);
+  void load_values(Index first_rhs);
+  VectorMap<S> tie_column(Index k) { return column(basis_.dictionary.values, rhs_count_ + k); }
   /// A basis of groups writes the right-hand side of the bound down after factoring.
   Index first_to_load() const { return B::of_groups ? finite_rhs() : Index(0); }
   void cover_cold();
@@ -206,6 +207,7 @@ private:
     if (finite_rhs() > 0) basis_.set_bound_rhs(problem_.free_begin, column_scale_, rhs_scale_[0]);
   }
   bool refactorise();
+  void move_ties(bool out, S* of_artificial);
   S evaluate();
   bool drifted();
   void correct_values();
@@ -222,13 +224,19 @@ private:
   }
   void read(Index rhs);
   void refine(Index rhs);
-  WorstRow<S> referee(const S* q, const S* z) {
+  /// q + sigma push, number by number.
+  struct PushedBy {
+    const Problem<S>& problem;
+    S sigma;
+    S operator[](Index i) const { return problem.q[i] + sigma * problem.push[i]; }
+  };
+  /// In the covering vector and the tie columns: whoever goes on after a check computes them
+  /// afresh.
+  template <class Q> WorstRow<S> referee(const Q& q, const S* z) {
     return natural_residual(
         problem_, q, z, column_scale_.data(), [&](Index i) { return i >= problem_.free_begin; },
-        product_.data(), check_scratch());
+        covering_.data(), tie_column(0).data());
   }
-  /// 2 n numbers: the tie columns, which whoever goes on after a check computes afresh.
-  S* check_scratch() { return basis_.dictionary.values.col(rhs_count_).data(); }
   bool bound_is_slack() const;
   bool settles_bound();
   bool find_range();

@@ -156,7 +156,7 @@ template <class S, class B> Status Lemke<S, B>::conclude_ray(Index column) {
   const S tolerance = options_.tolerances.residual;
   bool certified = v0 >= -tolerance;
   for (Index i = 0; i < n; ++i) {
-    const S u = product_[i] + covering_(i, 0) * v0;
+    const S u = product_[i] + covering_[i] * v0;
     const S row_tolerance = tolerance * (S(1) + rowsum_[i] * row_scale_[i]);
     certified = certified && trial_[i] >= -tolerance && u >= -row_tolerance &&
                 (trial_[i] <= tolerance || u <= row_tolerance);
