@@ -3,10 +3,13 @@
 
 #define LCPUSH_WORD_ sizeof(ptrdiff_t)
 /* A push itself, a body, a drive, a contact and what its assembly keeps. */
-#define LCPUSH_STATE_BYTES_(real) (380 * LCPUSH_WORD_ + 184 * sizeof(real))
-#define LCPUSH_BODY_BYTES_(real) (17 * sizeof(real) + 2 * LCPUSH_WORD_ + 32)
-#define LCPUSH_DRIVE_BYTES_(real) (6 * sizeof(real) + 2 * LCPUSH_WORD_ + 16)
-#define LCPUSH_POINT_BYTES_(real) (26 * sizeof(real) + 7 * LCPUSH_WORD_ + 16)
+#define LCPUSH_STATE_BYTES_(real) (360 * LCPUSH_WORD_ + 184 * sizeof(real))
+/* What alignment takes beside a float's on 32 bits: of doubles, where vectors of them may be
+ * aligned by 16, and of 64 bits. */
+#define LCPUSH_GAP_(real) (8 * (LCPUSH_WORD_ - 4) + 4 * (sizeof(real) - 4))
+#define LCPUSH_BODY_BYTES_(real) (17 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
+#define LCPUSH_DRIVE_BYTES_(real) (6 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
+#define LCPUSH_POINT_BYTES_(real) (30 * sizeof(real) + 3 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
 
 #define LCPUSH_COMMON_BYTES_(real, bodies, points, friction_forces, actuators, drives)             \
   (LCPUSH_STATE_BYTES_(real) + (bodies)*LCPUSH_BODY_BYTES_(real) * 2 +                             \
@@ -14,7 +17,8 @@
    (friction_forces)*7 * sizeof(real) +                                                            \
    ((friction_forces) + (points) + (actuators)) * (4 * sizeof(real) + 2) +                         \
    (friction_forces) * ((drives) > 0 ? (drives) : 1) * (sizeof(real) + sizeof(int)) +              \
-   (actuators) * (8 * sizeof(real) + 2 * LCPUSH_WORD_) + 512)
+   (actuators) * (8 * sizeof(real) + 2 * LCPUSH_WORD_) + 8 * LCPUSH_WORD_ * sizeof(real) +         \
+   60 * (sizeof(real) - 4))
 
 /* Of the structured basis: its width, and the exchanges that it has room for. */
 #define LCPUSH_WIDTH_(actuators) (6 + (actuators))

@@ -105,6 +105,12 @@ constexpr SolverSize sweeps_size(const AssemblySize& size) {
           block_gauss_seidel_integers(n, couplings, actuators)};
 }
 
+/// Of the arrays: of the vectors that are aligned most, or of numbers of bodies.
+template <class S> constexpr Index widest_alignment() {
+  return static_cast<Index>(alignof(Vector6<S>) > alignof(Index) ? alignof(Vector6<S>)
+                                                                : alignof(Index));
+}
+
 template <class S> constexpr Index bytes_with(const SolverSize& solver, const AssemblySize& size) {
   const Index n = size.unknowns(), p = size.points;
   const Index scalars = 4 * n + size.couplings() + 2 * size.actuators + 2 * p + size.generators;
@@ -112,7 +118,7 @@ template <class S> constexpr Index bytes_with(const SolverSize& solver, const As
       size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
       p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>) + sizeof(Aim<S>)) +
       size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
-  constexpr Index alignment_slack = 20 * static_cast<Index>(alignof(std::max_align_t));
+  constexpr Index alignment_slack = 20 * widest_alignment<S>();
   return (scalars + solver.scalars) * static_cast<Index>(sizeof(S)) + structs +
          size.couplings() * static_cast<Index>(sizeof(int)) +
          solver.integers * solver.bytes_of_integer + p * static_cast<Index>(sizeof(Index)) + n +
