@@ -14,7 +14,7 @@
 #define LCPUSH_COMMON_BYTES_(real, bodies, points, friction_forces, actuators, drives)             \
   (LCPUSH_STATE_BYTES_(real) + (bodies)*LCPUSH_BODY_BYTES_(real) * 2 +                             \
    (drives)*LCPUSH_DRIVE_BYTES_(real) * 2 + (points)*LCPUSH_POINT_BYTES_(real) +                   \
-   (friction_forces)*7 * sizeof(real) +                                                            \
+   (friction_forces)*6 * sizeof(real) +                                                            \
    ((friction_forces) + (points) + (actuators)) * (4 * sizeof(real) + 2) +                         \
    (friction_forces) * ((drives) > 0 ? (drives) : 1) * (sizeof(real) + sizeof(int)) +              \
    (actuators) * (8 * sizeof(real) + 2 * LCPUSH_WORD_) + 8 * LCPUSH_WORD_ * sizeof(real) +         \
@@ -32,7 +32,7 @@
    (8 * (n) + 4 * (points) + 2 + 2 * (exchanges)) * sizeof(short))
 
 #define LCPUSH_SWEEPS_BYTES_(real, n, couplings, actuators)                                        \
-  ((9 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) +               \
+  ((10 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) +              \
    (4 * (n) + 1 + (couplings) + (actuators)) * sizeof(int))
 
 /* A motion itself, and what it keeps of bodies, points, actuators, drives and unknowns; under even

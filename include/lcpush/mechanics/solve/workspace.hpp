@@ -96,7 +96,7 @@ constexpr SolverSize structured_size(const AssemblySize& size, Index shared) {
 }
 constexpr SolverSize small_size(const AssemblySize& size, Index shared, Index exchanges) {
   return {structured_lemke_scalars(size.unknowns(), size.points, shared, exchanges) -
-              size.unknowns(), // its solution is the pressure's
+              size.unknowns() - size.generators, // see make_small_workspace
           structured_lemke_integers(size.unknowns(), size.points, exchanges), sizeof(std::int16_t)};
 }
 constexpr SolverSize sweeps_size(const AssemblySize& size) {
@@ -108,7 +108,7 @@ constexpr SolverSize sweeps_size(const AssemblySize& size) {
 /// Of the arrays: of the vectors that are aligned most, or of numbers of bodies.
 template <class S> constexpr Index widest_alignment() {
   return static_cast<Index>(alignof(Vector6<S>) > alignof(Index) ? alignof(Vector6<S>)
-                                                                : alignof(Index));
+                                                                 : alignof(Index));
 }
 
 template <class S> constexpr Index bytes_with(const SolverSize& solver, const AssemblySize& size) {
@@ -135,7 +135,6 @@ template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& si
   arena.fill(n, a.rest, a.push, a.q, w.pressure.active);
   arena.fill(size.actuators, a.sums, a.reach, w.answer.closing);
   arena.fill(size.couplings(), a.coupled_variable, a.coupling);
-  arena.fill(size.generators, w.answer.friction);
   return w;
 }
 
@@ -143,6 +142,7 @@ template <class S>
 Workspace<S> take_for_pivots(Arena& arena, const AssemblySize& size, const SolverSize& solver) {
   Workspace<S> w = take_common<S>(arena, size);
   arena.fill(size.unknowns(), w.pressure.z);
+  arena.fill(size.generators, w.answer.friction);
   arena.fill(solver.scalars, w.lemke_scalars);
   arena.fill(solver.integers, w.lemke_integers.wide);
   w.complete = !arena.exhausted();
@@ -182,18 +182,23 @@ template <class S>
 Workspace<S> make_structured_workspace(Arena arena, const AssemblySize& size, Index shared) {
   return detail::take_for_pivots<S>(arena, size, detail::structured_size(size, shared));
 }
-/// The same by SmallLemke. The pressure's z is where Lemke writes its own, first of its memory.
+/// The same by SmallLemke, whose memory holds two arrays of others: first, where Lemke writes its
+/// own, the pressure's z; last, where a basis is kept while it pivots, an answer's friction. Who
+/// solves on has no answer any more.
 template <class S>
 Workspace<S> make_small_workspace(Arena arena, const AssemblySize& size, Index shared,
                                   Index exchanges) {
   const detail::SolverSize solver = detail::small_size(size, shared, exchanges);
   Workspace<S> w = detail::take_common<S>(arena, size);
-  arena.fill(size.unknowns() + solver.scalars, w.lemke_scalars);
-  w.pressure.z = {w.lemke_scalars.data, w.lemke_scalars.data == nullptr ? 0 : size.unknowns()};
+  arena.fill(size.unknowns() + size.generators + solver.scalars, w.lemke_scalars);
   arena.fill(solver.integers, w.lemke_integers.narrow);
   w.exchanges = exchanges;
   w.complete =
       !arena.exhausted() && artificial(size.unknowns()) <= std::numeric_limits<std::int16_t>::max();
+  if (!w.complete) return w;
+  const Span<S>& all = w.lemke_scalars;
+  w.pressure.z = {all.data, size.unknowns()};
+  w.answer.friction = {all.data + all.size - size.generators, size.generators};
   return w;
 }
 /// The same by block Gauss-Seidel.
@@ -201,6 +206,7 @@ template <class S> Workspace<S> make_sweep_workspace(Arena arena, const Assembly
   Workspace<S> w = detail::take_common<S>(arena, size);
   const detail::SolverSize solver = detail::sweeps_size(size);
   arena.fill(size.unknowns(), w.pressure.z);
+  arena.fill(size.generators, w.answer.friction);
   arena.fill(solver.scalars, w.sweep_scalars);
   arena.fill(solver.integers, w.sweep_integers);
   w.complete = !arena.exhausted();
