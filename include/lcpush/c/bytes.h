@@ -2,11 +2,11 @@
  * not this. src/c/c_interface.cpp asserts that they hold on the target at hand. */
 
 #define LCPUSH_WORD_ sizeof(ptrdiff_t)
-/* A push itself, a body, a drive, a contact and what its assembly keeps. */
-#define LCPUSH_STATE_BYTES_(real) (360 * LCPUSH_WORD_ + 184 * sizeof(real))
 /* What alignment takes beside a float's on 32 bits: of doubles, where vectors of them may be
  * aligned by 16, and of 64 bits. */
 #define LCPUSH_GAP_(real) (8 * (LCPUSH_WORD_ - 4) + 4 * (sizeof(real) - 4))
+/* A push itself, a body, a drive, a contact and what its assembly keeps. */
+#define LCPUSH_STATE_BYTES_(real) (380 * LCPUSH_WORD_ + 152 * sizeof(real) + 2 * LCPUSH_GAP_(real))
 #define LCPUSH_BODY_BYTES_(real) (17 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
 #define LCPUSH_DRIVE_BYTES_(real) (6 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
 #define LCPUSH_POINT_BYTES_(real) (30 * sizeof(real) + 3 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
@@ -26,8 +26,8 @@
   ((n) < (points) + 2 * (actuators) + 16 ? (n) + 1 : (points) + 2 * (actuators) + 16)
 
 #define LCPUSH_PIVOTS_BYTES_(real, n, points, actuators, exchanges)                                \
-  ((((n) + 4 + 2 * LCPUSH_WIDTH_(actuators)) * LCPUSH_WIDTH_(actuators) + 10 * (n) +               \
-    3 * ((points) + (actuators)) + (exchanges) * ((exchanges) + 3)) *                              \
+  ((((n) + 4 + ((points) < 24 ? 0 : 2 * LCPUSH_WIDTH_(actuators))) * LCPUSH_WIDTH_(actuators) +    \
+    10 * (n) + 3 * ((points) + (actuators)) + (exchanges) * ((exchanges) + 3)) *                   \
        sizeof(real) +                                                                              \
    (8 * (n) + 4 * (points) + 2 + 2 * (exchanges)) * sizeof(short))
 

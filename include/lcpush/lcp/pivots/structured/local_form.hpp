@@ -63,8 +63,15 @@ enum LocalRole : int { normal_role, generator_role, slip_role, own_role, shared_
 
 template <class S, class Int> class LocalForm {
 public:
+  /// Loaded springs that are too many for the exchanges.
+  static constexpr Index many_springs = 24;
   static constexpr Index scalars(Index n, Index cones, Index shared) {
-    return (n + 4 + 2 * (6 + shared)) * (6 + shared) + n + 3 * cones + 3 * shared;
+    const Index width = 6 + shared;
+    return (n + 4) * width + size_of_core(cones, width) + n + 3 * cones + 3 * shared;
+  }
+  /// C, and what it is the inverse of.
+  static constexpr Index size_of_core(Index cones, Index width) {
+    return cones < many_springs ? 0 : 2 * width * width;
   }
   static constexpr Index integers(Index n, Index cones) { return 3 * n + 4 * cones; }
 
@@ -78,7 +85,10 @@ public:
     scalars.seat(d_, n_);
     for (VectorMap<S>* map : {&d_force_, &force_, &v_, &core_input_}) scalars.seat(*map, width);
     for (VectorMap<S>* map : {&actuator_input_, &d_actuator_input_}) scalars.seat(*map, shared);
-    for (MatrixMap<S>* map : {&springs_, &core_}) scalars.seat(*map, width, width);
+    for (MatrixMap<S>* map : {&springs_, &core_}) {
+      const Index columns = size_of_core(cones, width) > 0 ? width : 0;
+      scalars.seat(*map, width, columns);
+    }
     for (Span<S>* span : {&friction_, &compliance_, &own_coupling_}) *span = scalars.take(cones);
     inertia_ = scalars.take(shared);
     for (Span<Int>* span : {&role_, &group_, &flipped_}) *span = integers.take(n_);

@@ -47,15 +47,14 @@ template <class S, class Int> void LocalForm<S, Int>::load_spring(Index c) {
   flipped_[normal] = is_spring_[c] = 1;
 }
 
-/// Are loaded springs too many for the exchanges? If not, nothing is divided by a compliance.
+/// Are there so many loaded springs? If not, nothing is divided by a compliance.
 template <class S, class Int>
 template <class IsBasic>
 bool LocalForm<S, Int>::has_springs(IsBasic is_basic) const {
-  constexpr Index many = 24;
   Index loaded = 0;
   for (Index c = 0; c < problem_->cones.size; ++c)
     loaded += compliance_[c] > S(0) && is_basic(normal_[c]) ? 1 : 0;
-  return loaded >= many;
+  return loaded >= many_springs;
 }
 
 /// All of them, the actuators that they carry, and C. False if it is singular.
