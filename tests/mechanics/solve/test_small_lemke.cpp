@@ -39,11 +39,10 @@ void compare(SolvedPush<double, StructuredLemke<double>>& wide) {
   CHECK(wide.solve() == status);
   CHECK(wide.run.pivots == run.pivots);
   if (status != Status::solved) return;
-  bool same = true;
+  read_answer(assembly, work.pressure.z.data, work.answer, 1.0);
+  bool same = true; // z is still there: a break reads it twice
   for (Index i = 0; i < work.pressure.z.size; ++i)
     same = same && wide.memory.work.pressure.z[i] == work.pressure.z[i];
-  CHECK(same);
-  read_answer(assembly, work.pressure.z.data, work.answer, 1.0);
   for (Index i = 0; i < work.answer.friction.size; ++i)
     same = same && wide.answer().friction[i] == work.answer.friction[i];
   CHECK(same);
