@@ -22,7 +22,7 @@ static_assert(static_cast<int>(Role::pusher) == LCPUSH_PUSHER, "");
 // The bounds of lcpush/c/bytes.h hold here: for a push, and for what its arena gives out.
 template <class S, class Push>
 constexpr bool covers(std::size_t bytes, Index bodies, const AssemblySize& size, Index work) {
-  constexpr Index alignment_slack = 10 * static_cast<Index>(alignof(std::max_align_t));
+  constexpr Index alignment_slack = 10 * lcpush::detail::widest_alignment<S>();
   const Index structs = 2 * bodies * static_cast<Index>(sizeof(Body<S>)) +
                         size.points * static_cast<Index>(sizeof(Vector3<S>) + sizeof(S)) +
                         2 * size.actuators * static_cast<Index>(sizeof(Actuator<S>)) +
@@ -218,7 +218,7 @@ template <class S, class Push> constexpr bool all_covered() {
             const AssemblySize size{p, p * g, a, d};
             if (!covers<S, CPivotPush<Push>>(
                     LCPUSH_BYTES(S, b, p, g, a, d), b, size,
-                    structured_bytes<S>(size, size.actuators, exchanges_of(size))) ||
+                    small_bytes<S>(size, size.actuators, exchanges_of(size))) ||
                 !covers<S, CSweepPush<Push>>(LCPUSH_SWEEP_BYTES(S, b, p, g, a, d), b, size,
                                              sweep_bytes<S>(size)))
               return false;

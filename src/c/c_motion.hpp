@@ -9,7 +9,7 @@ namespace lcpush::c {
 template <class S> struct CMotion {
   Span<Touching> touching;
   Surroundings<S> around{};
-  TimeStepper<S, StructuredLemke<S>> motion;
+  TimeStepper<S, SmallLemke<S>> motion;
 
   CMotion(const Scene<S>& scene, Span<Touching> its_touching, const MotionMemory<S>& memory)
       : touching(its_touching), motion(scene, around, memory) {

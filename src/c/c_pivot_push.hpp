@@ -35,18 +35,18 @@ public:
   }
 
 private:
-  using Rounds = LemkeRounds<S, const Unwatched, StructuredLemke<S>>;
-  using Pivots = StepRounds<S, StructuredLemke<S>>;
+  using Rounds = LemkeRounds<S, const Unwatched, SmallLemke<S>>;
+  using Pivots = StepRounds<S, SmallLemke<S>>;
   using PivotSolve = PressureSolve<S, Pivots>;
 
-  StructuredLemke<S> lemke_;
+  SmallLemke<S> lemke_;
   InPlace<PivotSolve> solve_;
   static constexpr int attempts = 3;
   int attempt_ = 0;
   Index pivots_ = 0; // of the attempts before
 
   static Workspace<S> take(Arena arena, const AssemblySize& size) {
-    return make_structured_workspace<S>(arena, size, size.actuators, exchanges_of(size));
+    return make_small_workspace<S>(arena, size, size.actuators, exchanges_of(size));
   }
   static Status step_of(Base& push, int pivots) {
     return static_cast<CPivotPush&>(push).pivot(pivots);

@@ -2,19 +2,23 @@
  * not this. src/c/c_interface.cpp asserts that they hold on the target at hand. */
 
 #define LCPUSH_WORD_ sizeof(ptrdiff_t)
+/* What alignment takes beside a float's on 32 bits: of doubles, where vectors of them may be
+ * aligned by 16, and of 64 bits. */
+#define LCPUSH_GAP_(real) (8 * (LCPUSH_WORD_ - 4) + 4 * (sizeof(real) - 4))
 /* A push itself, a body, a drive, a contact and what its assembly keeps. */
-#define LCPUSH_STATE_BYTES_(real) (380 * LCPUSH_WORD_ + 184 * sizeof(real))
-#define LCPUSH_BODY_BYTES_(real) (17 * sizeof(real) + 2 * LCPUSH_WORD_ + 32)
-#define LCPUSH_DRIVE_BYTES_(real) (6 * sizeof(real) + 2 * LCPUSH_WORD_ + 16)
-#define LCPUSH_POINT_BYTES_(real) (26 * sizeof(real) + 7 * LCPUSH_WORD_ + 16)
+#define LCPUSH_STATE_BYTES_(real) (400 * LCPUSH_WORD_ + 152 * sizeof(real) + 2 * LCPUSH_GAP_(real))
+#define LCPUSH_BODY_BYTES_(real) (17 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
+#define LCPUSH_DRIVE_BYTES_(real) (6 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
+#define LCPUSH_POINT_BYTES_(real) (30 * sizeof(real) + 3 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
 
 #define LCPUSH_COMMON_BYTES_(real, bodies, points, friction_forces, actuators, drives)             \
   (LCPUSH_STATE_BYTES_(real) + (bodies)*LCPUSH_BODY_BYTES_(real) * 2 +                             \
    (drives)*LCPUSH_DRIVE_BYTES_(real) * 2 + (points)*LCPUSH_POINT_BYTES_(real) +                   \
-   (friction_forces)*7 * sizeof(real) +                                                            \
+   (friction_forces)*6 * sizeof(real) +                                                            \
    ((friction_forces) + (points) + (actuators)) * (4 * sizeof(real) + 2) +                         \
    (friction_forces) * ((drives) > 0 ? (drives) : 1) * (sizeof(real) + sizeof(int)) +              \
-   (actuators) * (8 * sizeof(real) + 2 * LCPUSH_WORD_) + 512)
+   (actuators) * (8 * sizeof(real) + 2 * LCPUSH_WORD_) + 8 * LCPUSH_WORD_ * sizeof(real) +         \
+   60 * (sizeof(real) - 4))
 
 /* Of the structured basis: its width, and the exchanges that it has room for. */
 #define LCPUSH_WIDTH_(actuators) (6 + (actuators))
@@ -22,13 +26,13 @@
   ((n) < (points) + 2 * (actuators) + 16 ? (n) + 1 : (points) + 2 * (actuators) + 16)
 
 #define LCPUSH_PIVOTS_BYTES_(real, n, points, actuators, exchanges)                                \
-  ((((n) + 4 + 2 * LCPUSH_WIDTH_(actuators)) * LCPUSH_WIDTH_(actuators) + 22 * (n) +               \
-    3 * ((points) + (actuators)) + (exchanges) * ((exchanges) + 3)) *                              \
+  ((((n) + 4 + ((points) < 24 ? 0 : 2 * LCPUSH_WIDTH_(actuators))) * LCPUSH_WIDTH_(actuators) +    \
+    10 * (n) + 3 * ((points) + (actuators)) + (exchanges) * ((exchanges) + 3)) *                   \
        sizeof(real) +                                                                              \
-   (8 * (n) + 4 * (points) + 2 + 2 * (exchanges)) * sizeof(int))
+   (8 * (n) + 4 * (points) + 2 + 2 * (exchanges)) * sizeof(short))
 
 #define LCPUSH_SWEEPS_BYTES_(real, n, couplings, actuators)                                        \
-  ((9 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) +               \
+  ((10 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) +              \
    (4 * (n) + 1 + (couplings) + (actuators)) * sizeof(int))
 
 /* A motion itself, and what it keeps of bodies, points, actuators, drives and unknowns; under even

@@ -25,8 +25,8 @@ LargestEntry<S> largest_entry(Index rows, Index columns, const S& bound, Entry e
 /// Exchanges rows for columns, the largest entry first, until none above `bound` is left:
 /// entry(row, column) and exchange(row, column) for the numbers in the lists, `count` each. Returns
 /// how many of each are left; they come first.
-template <class S, class Entry, class Exchange>
-Index exchange_largest(Span<int> rows, Span<int> columns, Index count, const S& bound, Entry entry,
+template <class S, class Int, class Entry, class Exchange>
+Index exchange_largest(Span<Int> rows, Span<Int> columns, Index count, const S& bound, Entry entry,
                        Exchange exchange) {
   for (; count > 0; --count) {
     const LargestEntry<S> pivot = largest_entry(

@@ -148,7 +148,7 @@ void multiply_factored(const FactoredProblem<S>& problem, Index free_begin, cons
 
 /// M = G' A G, and zeros elsewhere.
 template <class S> void fill_mobility(const FactoredProblem<S>& problem, MatrixMap<S> M) {
-  M.setZero();
+  VectorMap<S>(M.data(), M.size()).setZero(); // in one loop, without a call an entry
   for (const ConeGroup<S>& acting : problem.cones)
     for (Index k = 0; k < acting.forces(); ++k) {
       const Vector6<S> a = problem.mobility.lazyProduct(problem.wrenches[acting.force + k]);

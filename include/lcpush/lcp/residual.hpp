@@ -114,9 +114,10 @@ void neighbour_sizes(const Problem<S>& problem, const S* z, const S* unit, S* ro
 /// its own terms, so that a large answer elsewhere hides nothing. The second term (k = 16 in
 /// double, zmax_j over the unknowns that share a row with z_j, nothing where z_j = 0) is what
 /// rounding leaves of large unknowns in z_j: it keeps noise from being divided by noise. `w`
-/// receives M z + q; `scratch` 2 n Scalars. Cost: three passes over M.
-template <class S, class IsFree>
-WorstRow<S> natural_residual(const Problem<S>& problem, const S* q, const S* z, const S* unit,
+/// receives M z + q, `q` is anything with n numbers q[i]; `scratch` 2 n Scalars. Cost: three passes
+/// over M.
+template <class S, class Q, class IsFree>
+WorstRow<S> natural_residual(const Problem<S>& problem, Q q, const S* z, const S* unit,
                              IsFree is_free, S* w, S* scratch) {
   using Eigen::numext::abs;
   const Index n = problem.size;

@@ -17,19 +17,21 @@
 namespace lcpush {
 
 /// A pivot about to be made. The dictionary still shows the basis before it.
-struct PendingPivot {
+template <class Int> struct PendingPivotOf {
   Index entering;       ///< variable number of dictionary.hpp
   Index column;         ///< its column: the ratios are values / -table.col(column)
   Blocking blocking;    ///< the row that the tie rule chose, and why
-  Span<const int> tied; ///< rows that block at the same point, blocking.row among them
+  Span<const Int> tied; ///< rows that block at the same point, blocking.row among them
   bool repairs = false; ///< z0 enters: the row that needs it most leaves, not the first to fall
 };
+using PendingPivot = PendingPivotOf<int>;
 
 /// Looks at nothing and changes nothing.
 struct Unwatched {
   template <class L> void starts(const L&) const {}
   /// A watcher may return another of pending.tied; any other row leaves a wrong basis.
-  template <class L> Index choose_leaving_row(const L&, const PendingPivot& pending) const {
+  template <class L, class Int>
+  Index choose_leaving_row(const L&, const PendingPivotOf<Int>& pending) const {
     return pending.blocking.row;
   }
   template <class L> void stepped(const L&) const {}
@@ -65,7 +67,8 @@ public:
   }
 
   template <class L> void starts(const L&) {}
-  template <class L> Index choose_leaving_row(const L& lemke, const PendingPivot& pending) {
+  template <class L, class Int>
+  Index choose_leaving_row(const L& lemke, const PendingPivotOf<Int>& pending) {
     entry_.entering = pending.entering;
     entry_.tied = pending.tied.size;
     entry_.decided_by = pending.blocking.decided_by;

@@ -25,14 +25,15 @@ struct Wanted {
   Index first, exact, end;
 };
 
-template <class S> class Dictionary {
+/// `Int` numbers variables, rows and columns.
+template <class S, class Int = int> class Dictionary {
 public:
   MatrixMap<S> table{nullptr, 0, 0};  ///< n x (n + 1), or the columns that its owner needs
   MatrixMap<S> values{nullptr, 0, 0}; ///< n x rhs_count, one column a right-hand side
-  Span<int> basic;                    ///< n: the variable of each row
-  Span<int> nonbasic;                 ///< n + 1: the variable of each column
+  Span<Int> basic;                    ///< n: the variable of each row
+  Span<Int> nonbasic;                 ///< n + 1: the variable of each column
 
-  void carve(Index n, Index columns, Index rhs_count, Block<S>& scalars, Block<int>& integers) {
+  void carve(Index n, Index columns, Index rhs_count, Block<S>& scalars, Block<Int>& integers) {
     scalars.seat(table, n, columns);
     scalars.seat(values, n, rhs_count);
     basic = integers.take(n);
@@ -45,10 +46,10 @@ public:
   void reset_basis() {
     const Index n = size();
     for (Index i = 0; i < n; ++i) {
-      basic[i] = static_cast<int>(slack(i));
-      nonbasic[i] = static_cast<int>(unknown(i, n));
+      basic[i] = static_cast<Int>(slack(i));
+      nonbasic[i] = static_cast<Int>(unknown(i, n));
     }
-    nonbasic[n] = static_cast<int>(artificial(n));
+    nonbasic[n] = static_cast<Int>(artificial(n));
   }
 
   Index row_of(Index variable) const { return find(basic, variable); }
@@ -76,7 +77,7 @@ public:
   }
 
 private:
-  static Index find(const Span<int>& variables, Index variable) {
+  static Index find(const Span<Int>& variables, Index variable) {
     for (Index i = 0; i < variables.size; ++i)
       if (variables[i] == variable) return i;
     return -1;

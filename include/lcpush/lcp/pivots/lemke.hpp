@@ -49,10 +49,10 @@ namespace detail {
 constexpr Index max_rhs = 3; // S, q, push
 constexpr Index tie_columns = 2;
 constexpr Index lemke_vectors = max_rhs + tie_columns // right-hand sides in the dictionary
-                                + tie_columns + 1     // covering vector and tie columns as given
-                                + 4                   // scales, unit, row sums
-                                + max_rhs + 2         // solution, ray
-                                + 5;                  // bound, scratch
+                                + 1                   // covering vector as given
+                                + 3                   // scales, row sums
+                                + 3                   // solution, ray
+                                + 1;                  // scratch
 } // namespace detail
 
 /// Scalars and ints that Lemke needs for n unknowns.
@@ -64,7 +64,8 @@ constexpr Index lemke_integers(Index n) { return 4 * n + 1; }
 template <class S, class B = DenseBasis<S>> class Lemke {
 public:
   /// Memory of at least lemke_scalars(n) and lemke_integers(n) elements; it is the caller's.
-  Lemke(Span<S> scalars, Span<int> integers) : scalars_(scalars), integers_(integers) {}
+  using Int = typename B::Integer;
+  Lemke(Span<S> scalars, Span<Int> integers) : scalars_(scalars), integers_(integers) {}
 
   /// Cold start at z = 0; `problem` outlives the run. Post: running, or bad_input. Cost: a few
   /// passes over M.
@@ -94,7 +95,7 @@ public:
   Index covers_tried() const { return tries_ + 1; }
   const Pivot& last_pivot() const { return last_; }
   /// Its `table` holds what the basis stores: at least the entering column, PendingPivot::column.
-  const Dictionary<S>& dictionary() const { return basis_.dictionary; }
+  const Dictionary<S, Int>& dictionary() const { return basis_.dictionary; }
   const B& basis() const { return basis_; }
   S artificial_value() const {
     const Index row = basis_.dictionary.row_of(artificial(n_));
@@ -110,8 +111,8 @@ public:
   S slack_unit(Index i) const { return rhs_scale_[finite_rhs()] / row_scale_[i]; }
 
   /// After solved: z (free unknowns at their finite value) and dz/dsigma of the push.
-  const S* z() const { return solution_.col(finite_rhs()).data(); }
-  const S* z_push() const { return solution_.col(finite_rhs() + 1).data(); }
+  const S* z() const { return solution_.col(0).data(); }
+  const S* z_push() const { return solution_.col(1).data(); }
   bool is_basic(Index i) const { return basis_.is_basic(unknown(i, n_)); }
   const WorstRow<S>& residual() const { return residual_; }
   /// After solved with a push: the answer is z + sigma z_push for 0 <= sigma <= valid_to(),
@@ -125,7 +126,7 @@ public:
 
 private:
   Span<S> scalars_;
-  Span<int> integers_;
+  Span<Int> integers_;
   Problem<S> problem_;
   LemkeOptions<S> options_;
   Index n_ = 0;
@@ -150,13 +151,14 @@ private:
   S rhs_scale_[detail::max_rhs] = {};
 
   B basis_;
-  MatrixMap<S> covering_{nullptr, 0, 0}; // as given: d, then the tie columns, scaled rows
-  MatrixMap<S> solution_{nullptr, 0, 0};
-  VectorMap<S> row_scale_{nullptr, 0}, column_scale_{nullptr, 0}, rowsum_{nullptr, 0};
-  VectorMap<S> unit_{nullptr, 0}, bound_{nullptr, 0}, ray_{nullptr, 0}, trial_{nullptr, 0};
-  VectorMap<S> scratch_{nullptr, 0}, product_{nullptr, 0};
-  Span<S> check_scratch_;
-  Span<int> candidates_, target_;
+  VectorMap<S> covering_{nullptr, 0};    // as given: d, scaled rows
+  MatrixMap<S> solution_{nullptr, 0, 0}; // finite, push
+  VectorMap<S> row_scale_{nullptr, 0}, column_scale_{nullptr, 0}, ray_{nullptr, 0};
+  // Scratch: the columns of the solution, until there is one; and the entering column of a basis of
+  // one scale, which neither a response nor a pivot keeps.
+  VectorMap<S> trial_{nullptr, 0}, product_{nullptr, 0};
+  VectorMap<S> scratch_{nullptr, 0}, rowsum_{nullptr, 0};
+  Span<Int> candidates_, target_;
 
   Index finite_rhs() const { return problem_.free_begin < n_ ? 1 : 0; }
   /// Wide patches make bases whose values are off, ties that z0 loses, and rays of slips. Steps of
@@ -187,11 +189,17 @@ private:
 
   bool carve();
   Status prepare(const Problem<S>& problem, const LemkeOptions<S>& options);
-  const S* right_hand_side(Index rhs) const {
-    if (rhs < finite_rhs()) return bound_.data();
-    return rhs == finite_rhs() ? problem_.q : problem_.push;
+  /// As given; that of the bound is computed, product_ and scratch_ hold it.
+  const S* right_hand_side(Index rhs) {
+    if (rhs >= finite_rhs()) return rhs == finite_rhs() ? problem_.q : problem_.push;
+    for (Index j = 0; j < n_; ++j) product_[j] = j < problem_.free_begin ? S(0) : S(-1);
+    multiply(problem_, product_.data(), scratch_.data());
+    return scratch_.data();
   }
-  void load();
+  void load_values(Index first_rhs);
+  VectorMap<S> tie_column(Index k) { return column(basis_.dictionary.values, rhs_count_ + k); }
+  /// A basis of groups writes the right-hand side of the bound down after factoring.
+  Index first_to_load() const { return B::of_groups ? finite_rhs() : Index(0); }
   void cover_cold();
   void cover_here();
   bool is_feasible() const;
@@ -199,25 +207,38 @@ private:
     if (finite_rhs() > 0) basis_.set_bound_rhs(problem_.free_begin, column_scale_, rhs_scale_[0]);
   }
   bool refactorise();
+  void move_ties(bool out, S* of_artificial);
   S evaluate();
   bool drifted();
   void correct_values();
   void rub_more();
   void scaled_product(const S* z_scaled, S* out);
-  template <class Watcher> void pivot(const PendingPivot& pending, Watcher& watcher);
+  template <class Watcher> void pivot(const PendingPivotOf<Int>& pending, Watcher& watcher);
   template <class Watcher> Status start(Watcher& watcher);
   template <class Watcher> Status advance(Watcher& watcher);
   template <class Watcher> bool artificial_leaves(Watcher& watcher);
   Status try_next_covering_vector();
   Status accept();
+  VectorMap<S> solution_of(Index rhs) {
+    return column(solution_, rhs > finite_rhs() ? Index(1) : Index(0));
+  }
   void read(Index rhs);
   void refine(Index rhs);
-  WorstRow<S> referee(const S* q, const S* z) {
+  /// q + sigma push, number by number.
+  struct PushedBy {
+    const Problem<S>& problem;
+    S sigma;
+    S operator[](Index i) const { return problem.q[i] + sigma * problem.push[i]; }
+  };
+  /// In the covering vector and the tie columns: whoever goes on after a check computes them
+  /// afresh.
+  template <class Q> WorstRow<S> referee(const Q& q, const S* z) {
     return natural_residual(
-        problem_, q, z, unit_.data(), [&](Index i) { return i >= problem_.free_begin; },
-        product_.data(), check_scratch_.data);
+        problem_, q, z, column_scale_.data(), [&](Index i) { return i >= problem_.free_begin; },
+        covering_.data(), tie_column(0).data());
   }
   bool bound_is_slack() const;
+  bool settles_bound();
   bool find_range();
   bool passes_check();
   Status reject();

@@ -9,12 +9,12 @@
 namespace lcpush {
 
 /// The ratio test over right-hand sides that count in order (each infinitely larger than the next).
-template <class S> class RatioTest {
+template <class S, class Int = int> class RatioTest {
 public:
   /// `rhs_count`: leading columns of dictionary.values that are data; the rest only breaks ties.
-  /// `candidates` is scratch for n ints.
-  RatioTest(const Dictionary<S>& dictionary, Index rhs_count, TieRule rule,
-            const Tolerances<S>& tolerances, Span<int> candidates)
+  /// `candidates` is scratch for n integers.
+  RatioTest(const Dictionary<S, Int>& dictionary, Index rhs_count, TieRule rule,
+            const Tolerances<S>& tolerances, Span<Int> candidates)
       : d_(dictionary), rhs_count_(rhs_count), rule_(rule), tolerances_(tolerances),
         candidates_(candidates) {}
 
@@ -26,14 +26,14 @@ public:
   Blocking most_violated_row(Index covering_column) { return select(covering_column, S(1), -1); }
 
   /// After either: the rows that block at the same point, in no order.
-  Span<const int> tied_rows() const { return {candidates_.data, tied_}; }
+  Span<const Int> tied_rows() const { return {candidates_.data, tied_}; }
 
 private:
-  const Dictionary<S>& d_;
+  const Dictionary<S, Int>& d_;
   Index rhs_count_;
   TieRule rule_;
   Tolerances<S> tolerances_;
-  Span<int> candidates_;
+  Span<Int> candidates_;
   Index count_ = 0, tied_ = 0;
   const S* entering_ = nullptr;
   S direction_{0};
@@ -48,7 +48,7 @@ private:
     count_ = tied_ = 0;
     // Without a branch: about half of the rows fall, and a processor cannot guess which.
     for (Index i = 0; i < d_.size(); ++i) {
-      candidates_[count_] = static_cast<int>(i);
+      candidates_[count_] = static_cast<Int>(i);
       count_ += rate(i) > smallest ? 1 : 0;
     }
     Blocking blocking;

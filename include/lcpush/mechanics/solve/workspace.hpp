@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <new>
 
 #include "lcpush/mechanics/model/even_pressure.hpp"
@@ -51,12 +52,20 @@ private:
   bool exhausted_ = false;
 };
 
+/// Integers of Lemke's: int, or as narrow as those of make_small_workspace.
+struct LemkeIntegers {
+  Span<int> wide;
+  Span<std::int16_t> narrow;
+  operator Span<int>() const { return wide; }
+  operator Span<std::int16_t>() const { return narrow; }
+};
+
 /// The arrays behind one push.
 template <class S> struct Workspace {
   AssemblyMemory<S> assembly;
   PressureMemory<S> pressure;
   Span<S> lemke_scalars; ///< empty in a workspace for sweeps
-  Span<int> lemke_integers;
+  LemkeIntegers lemke_integers;
   Index exchanges = 0;   ///< what lemke_scalars are for, as LemkeOptions say
   Span<S> sweep_scalars; ///< empty in a workspace for pivots
   Span<int> sweep_integers;
@@ -76,18 +85,30 @@ namespace detail {
 /// What a solver takes beside what every push needs.
 struct SolverSize {
   Index scalars, integers;
+  Index bytes_of_integer = sizeof(int);
 };
 constexpr SolverSize pivots_size(const AssemblySize& size) {
   return {lemke_scalars(size.unknowns()), lemke_integers(size.unknowns())};
 }
-constexpr SolverSize structured_size(const AssemblySize& size, Index shared, Index exchanges) {
-  return {structured_lemke_scalars(size.unknowns(), size.points, shared, exchanges),
-          structured_lemke_integers(size.unknowns(), size.points, exchanges)};
+constexpr SolverSize structured_size(const AssemblySize& size, Index shared) {
+  return {structured_lemke_scalars(size.unknowns(), size.points, shared),
+          structured_lemke_integers(size.unknowns(), size.points)};
+}
+constexpr SolverSize small_size(const AssemblySize& size, Index shared, Index exchanges) {
+  return {structured_lemke_scalars(size.unknowns(), size.points, shared, exchanges) -
+              size.unknowns() - size.generators, // see make_small_workspace
+          structured_lemke_integers(size.unknowns(), size.points, exchanges), sizeof(std::int16_t)};
 }
 constexpr SolverSize sweeps_size(const AssemblySize& size) {
   const Index n = size.unknowns(), couplings = size.couplings(), actuators = size.actuators;
   return {block_gauss_seidel_scalars(n, couplings, actuators),
           block_gauss_seidel_integers(n, couplings, actuators)};
+}
+
+/// Of the arrays: of the vectors that are aligned most, or of numbers of bodies.
+template <class S> constexpr Index widest_alignment() {
+  return static_cast<Index>(alignof(Vector6<S>) > alignof(Index) ? alignof(Vector6<S>)
+                                                                 : alignof(Index));
 }
 
 template <class S> constexpr Index bytes_with(const SolverSize& solver, const AssemblySize& size) {
@@ -97,10 +118,11 @@ template <class S> constexpr Index bytes_with(const SolverSize& solver, const As
       size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
       p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>) + sizeof(Aim<S>)) +
       size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
-  constexpr Index alignment_slack = 20 * static_cast<Index>(alignof(std::max_align_t));
+  constexpr Index alignment_slack = 20 * widest_alignment<S>();
   return (scalars + solver.scalars) * static_cast<Index>(sizeof(S)) + structs +
-         (size.couplings() + solver.integers) * static_cast<Index>(sizeof(int)) +
-         p * static_cast<Index>(sizeof(Index)) + n + alignment_slack;
+         size.couplings() * static_cast<Index>(sizeof(int)) +
+         solver.integers * solver.bytes_of_integer + p * static_cast<Index>(sizeof(Index)) + n +
+         alignment_slack;
 }
 
 template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& size) {
@@ -110,18 +132,19 @@ template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& si
   arena.fill(size.forces(), a.wrenches);
   arena.fill(p, a.cones, a.body, w.pressure.preload, w.pressure.compliance, w.answer.contacts,
              w.aims);
-  arena.fill(n, a.rest, a.push, a.q, w.pressure.z, w.pressure.active);
+  arena.fill(n, a.rest, a.push, a.q, w.pressure.active);
   arena.fill(size.actuators, a.sums, a.reach, w.answer.closing);
   arena.fill(size.couplings(), a.coupled_variable, a.coupling);
-  arena.fill(size.generators, w.answer.friction);
   return w;
 }
 
 template <class S>
 Workspace<S> take_for_pivots(Arena& arena, const AssemblySize& size, const SolverSize& solver) {
   Workspace<S> w = take_common<S>(arena, size);
+  arena.fill(size.unknowns(), w.pressure.z);
+  arena.fill(size.generators, w.answer.friction);
   arena.fill(solver.scalars, w.lemke_scalars);
-  arena.fill(solver.integers, w.lemke_integers);
+  arena.fill(solver.integers, w.lemke_integers.wide);
   w.complete = !arena.exhausted();
   return w;
 }
@@ -135,10 +158,14 @@ template <class S> constexpr Index push_bytes(const AssemblySize& size) {
 }
 /// Bytes that make_structured_workspace takes: O(unknowns). `shared` is the number of actuators
 /// that drive more than one point, at most all of them; under `even` pressure there is none.
-/// `exchanges` as structured_lemke_scalars says, and LemkeOptions has to have them.
+template <class S> constexpr Index structured_bytes(const AssemblySize& size, Index shared) {
+  return detail::bytes_with<S>(detail::structured_size(size, shared), size);
+}
+/// Bytes that make_small_workspace takes. `exchanges` > 0 as structured_lemke_scalars says, and
+/// LemkeOptions has to have them.
 template <class S>
-constexpr Index structured_bytes(const AssemblySize& size, Index shared, Index exchanges = 0) {
-  return detail::bytes_with<S>(detail::structured_size(size, shared, exchanges), size);
+constexpr Index small_bytes(const AssemblySize& size, Index shared, Index exchanges) {
+  return detail::bytes_with<S>(detail::small_size(size, shared, exchanges), size);
 }
 /// Bytes that make_sweep_workspace takes: O(unknowns), and (6 + actuators)^2 Scalars.
 template <class S> constexpr Index sweep_bytes(const AssemblySize& size) {
@@ -152,17 +179,34 @@ template <class S> Workspace<S> make_workspace(Arena arena, const AssemblySize& 
 }
 /// The same by StructuredLemke.
 template <class S>
-Workspace<S> make_structured_workspace(Arena arena, const AssemblySize& size, Index shared,
-                                       Index exchanges = 0) {
-  Workspace<S> w =
-      detail::take_for_pivots<S>(arena, size, detail::structured_size(size, shared, exchanges));
+Workspace<S> make_structured_workspace(Arena arena, const AssemblySize& size, Index shared) {
+  return detail::take_for_pivots<S>(arena, size, detail::structured_size(size, shared));
+}
+/// The same by SmallLemke, whose memory holds two arrays of others: first, where Lemke writes its
+/// own, the pressure's z; last, where a basis is kept while it pivots, an answer's friction. Who
+/// solves on has no answer any more.
+template <class S>
+Workspace<S> make_small_workspace(Arena arena, const AssemblySize& size, Index shared,
+                                  Index exchanges) {
+  const detail::SolverSize solver = detail::small_size(size, shared, exchanges);
+  Workspace<S> w = detail::take_common<S>(arena, size);
+  arena.fill(size.unknowns() + size.generators + solver.scalars, w.lemke_scalars);
+  arena.fill(solver.integers, w.lemke_integers.narrow);
   w.exchanges = exchanges;
+  w.complete =
+      !arena.exhausted() && artificial(size.unknowns()) <= std::numeric_limits<std::int16_t>::max();
+  if (!w.complete) return w;
+  const Span<S>& all = w.lemke_scalars;
+  w.pressure.z = {all.data, size.unknowns()};
+  w.answer.friction = {all.data + all.size - size.generators, size.generators};
   return w;
 }
 /// The same by block Gauss-Seidel.
 template <class S> Workspace<S> make_sweep_workspace(Arena arena, const AssemblySize& size) {
   Workspace<S> w = detail::take_common<S>(arena, size);
   const detail::SolverSize solver = detail::sweeps_size(size);
+  arena.fill(size.unknowns(), w.pressure.z);
+  arena.fill(size.generators, w.answer.friction);
   arena.fill(solver.scalars, w.sweep_scalars);
   arena.fill(solver.integers, w.sweep_integers);
   w.complete = !arena.exhausted();

@@ -12,6 +12,7 @@ namespace lcpush {
 /// What Lemke asks of a basis. Everything is scaled; the right-hand sides are dictionary.values.
 template <class S> class DenseBasis {
 public:
+  using Integer = int;
   Dictionary<S> dictionary;
   static constexpr bool one_scale = false; ///< are rows and columns scaled alike?
   static constexpr bool of_groups = false;
@@ -37,6 +38,8 @@ public:
     for (Index i = 0; i < n; ++i) rowsum[i] /= row_scale[i];
     return n > 0 ? S(rowsum.sum() - rowsum.sum()) : S(0);
   }
+  /// The row sums of scale() again: they are still there.
+  void sum_rows(VectorMap<S> /*column_scale*/, VectorMap<S> /*rowsum*/) const {}
 
   /// The basis of all w under a covering vector; its right-hand sides are there already.
   template <class Column>

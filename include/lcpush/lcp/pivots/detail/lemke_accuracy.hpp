@@ -23,7 +23,7 @@ template <class S, class B> S Lemke<S, B>::evaluate() {
   }
   scaled_product(trial_.data(), product_.data());
   for (Index i = 0; i < n; ++i)
-    product_[i] += problem_.q[i] * row_scale_[i] / rhs_scale_[k] + covering_(i, 0) * z0;
+    product_[i] += problem_.q[i] * row_scale_[i] / rhs_scale_[k] + covering_[i] * z0;
   return largest;
 }
 
@@ -54,15 +54,15 @@ template <class S, class B> void Lemke<S, B>::correct_values() {
     const S largest = product_.cwiseAbs().maxCoeff();
     if (!(largest > S(0)) || round == 3 || (before >= S(0) && !(largest < before))) return;
     before = largest;
-    basis_.respond(product_, scratch_);
+    basis_.respond(product_, trial_);
     for (Index i = 0; i < n; ++i)
-      if (basis_.dictionary.basic[i] >= n) basis_.dictionary.values(i, k) -= scratch_[i];
+      if (basis_.dictionary.basic[i] >= n) basis_.dictionary.values(i, k) -= trial_[i];
   }
 }
 
 /// z at one right-hand side, from the dictionary.
 template <class S, class B> void Lemke<S, B>::read(Index rhs) {
-  auto z = solution_.col(rhs);
+  VectorMap<S> z = solution_of(rhs);
   z.setZero();
   for (Index i = 0; i < n_; ++i)
     if (basis_.dictionary.basic[i] >= n_ && basis_.dictionary.basic[i] < artificial(n_)) {
@@ -75,25 +75,35 @@ template <class S, class B> void Lemke<S, B>::read(Index rhs) {
 /// removes it.
 template <class S, class B> void Lemke<S, B>::refine(Index rhs) {
   const Index n = n_;
-  auto z = solution_.col(rhs);
+  VectorMap<S> z = solution_of(rhs), product = tie_column(0), response = tie_column(1);
   read(rhs);
   S before(-1);
   for (int round = 0; round < 4; ++round) {
-    multiply(problem_, z.data(), product_.data());
-    for (Index j = 0; j < n; ++j)
-      product_[j] = (product_[j] + right_hand_side(rhs)[j]) * row_scale_[j];
-    for (const int variable : basis_.dictionary.basic) // what is left in a basic w is its value
-      if (variable < n) product_[variable] = S(0);
-    const S largest = n > 0 ? S(product_.cwiseAbs().maxCoeff()) : S(0);
+    multiply(problem_, z.data(), product.data());
+    const S* const given = right_hand_side(rhs);
+    for (Index j = 0; j < n; ++j) product[j] = (product[j] + given[j]) * row_scale_[j];
+    for (const Int variable : basis_.dictionary.basic) // what is left in a basic w is its value
+      if (variable < n) product[variable] = S(0);
+    const S largest = n > 0 ? S(product.cwiseAbs().maxCoeff()) : S(0);
     if (!(largest > S(0)) || (before >= S(0) && !(largest < before))) return;
     before = largest;
-    basis_.respond(product_, scratch_);
+    basis_.respond(product, response);
     for (Index i = 0; i < n; ++i)
       if (basis_.dictionary.basic[i] >= n && basis_.dictionary.basic[i] < artificial(n)) {
         const Index j = basis_.dictionary.basic[i] - n;
-        z[j] -= scratch_[i] * column_scale_[j];
+        z[j] -= response[i] * column_scale_[j];
       }
   }
+}
+
+/// Does the bound's own solution, in the place of the finite one to come, do what it has to? Its
+/// values are written down, not computed: mostly nothing has to be refined.
+template <class S, class B> bool Lemke<S, B>::settles_bound() {
+  if (finite_rhs() == 0) return true;
+  read(0);
+  if (bound_is_slack()) return true;
+  refine(0);
+  return bound_is_slack();
 }
 
 } // namespace lcpush

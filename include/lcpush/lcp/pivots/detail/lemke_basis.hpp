@@ -8,20 +8,24 @@ namespace lcpush {
 
 template <class S, class B> bool Lemke<S, B>::carve() {
   Block<S> scalars(scalars_);
-  Block<int> integers(integers_);
+  Block<Int> integers(integers_);
   const Index n = n_;
+  scalars.seat(solution_, n, 2);
+  new (&trial_) VectorMap<S>(column(solution_, 0));
+  new (&product_) VectorMap<S>(column(solution_, 1));
   basis_.carve(problem_, rhs_count_ + detail::tie_columns, options_.exchanges, scalars, integers);
-  scalars.seat(covering_, n, 1 + detail::tie_columns);
-  scalars.seat(solution_, n, detail::max_rhs);
-  for (VectorMap<S>* map : {&row_scale_, &rowsum_, &bound_, &ray_, &trial_, &scratch_, &product_})
-    scalars.seat(*map, n);
-  for (VectorMap<S>* map : {&column_scale_, &unit_}) {
-    if (B::one_scale)
-      new (map) VectorMap<S>(row_scale_.data(), n);
-    else
-      scalars.seat(*map, n);
+  for (VectorMap<S>* map : {&covering_, &row_scale_}) scalars.seat(*map, n);
+  if (B::one_scale && options_.exchanges > 0)
+    new (&ray_) VectorMap<S>(trial_.data(), n);
+  else
+    scalars.seat(ray_, n);
+  if (B::one_scale) {
+    new (&column_scale_) VectorMap<S>(row_scale_.data(), n);
+    for (VectorMap<S>* map : {&scratch_, &rowsum_})
+      new (map) VectorMap<S>(basis_.dictionary.table.data(), n);
+  } else {
+    for (VectorMap<S>* map : {&column_scale_, &scratch_, &rowsum_}) scalars.seat(*map, n);
   }
-  check_scratch_ = scalars.take(2 * n);
   candidates_ = integers.take(n);
   target_ = integers.take(n);
   return !scalars.exhausted() && !integers.exhausted();
@@ -46,42 +50,41 @@ Status Lemke<S, B>::prepare(const Problem<S>& problem, const LemkeOptions<S>& op
   column_scale_.setOnes();
   // x - x is NaN, not 0, for every x that is not finite.
   S finite_sum = basis_.scale(options_.equilibrate, row_scale_, column_scale_, rowsum_, scratch_);
-  unit_ = column_scale_;
-  for (Index j = 0; j < n_; ++j) trial_[j] = j < problem_.free_begin ? S(0) : S(-1);
-  multiply(problem_, trial_.data(), bound_.data());
   for (Index i = 0; i < n_; ++i) {
     finite_sum += problem_.q[i] - problem_.q[i];
     if (problem_.push != nullptr) finite_sum += problem_.push[i] - problem_.push[i];
   }
   if (!(finite_sum == S(0))) return end(Status::bad_input, Reason::not_finite);
   for (Index k = 0; k < rhs_count_; ++k) {
+    const S* const given = right_hand_side(k);
     S largest(0);
-    for (Index i = 0; i < n_; ++i) {
-      const S size = Eigen::numext::abs(S(right_hand_side(k)[i] * row_scale_[i]));
-      largest = Eigen::numext::maxi(largest, size);
-    }
+    for (Index i = 0; i < n_; ++i)
+      largest = Eigen::numext::maxi(largest, S(Eigen::numext::abs(S(given[i] * row_scale_[i]))));
     rhs_scale_[k] = options_.equilibrate ? power_below(largest) : S(1);
   }
   return status_;
 }
 
-/// The basis of all w, from the problem as given.
-template <class S, class B> void Lemke<S, B>::load() {
+/// The right-hand sides of the basis of all w, from the problem as given: those from `first_rhs`
+/// on.
+template <class S, class B> void Lemke<S, B>::load_values(Index first_rhs) {
   MatrixMap<S>& values = basis_.dictionary.values;
-  for (Index k = 0; k < rhs_count_; ++k)
-    for (Index i = 0; i < n_; ++i)
-      values(i, k) = right_hand_side(k)[i] * row_scale_[i] / rhs_scale_[k];
-  values.rightCols(detail::tie_columns) = covering_.rightCols(detail::tie_columns);
-  basis_.load(row_scale_, column_scale_, column(covering_, 0));
+  for (Index k = first_rhs; k < rhs_count_; ++k) {
+    const S* const given = right_hand_side(k);
+    for (Index i = 0; i < n_; ++i) values(i, k) = given[i] * row_scale_[i] / rhs_scale_[k];
+  }
 }
 
 /// A start at z = 0 under a generic covering vector and tie columns.
 template <class S, class B> void Lemke<S, B>::cover_cold() {
-  for (Index k = 0; k < covering_.cols(); ++k)
-    for (Index i = 0; i < n_; ++i)
-      covering_(i, k) = k == 0 && options_.cover != nullptr ? S(options_.cover[i] * row_scale_[i])
-                                                            : generic_number<S>(seed(k), i);
-  load();
+  for (Index i = 0; i < n_; ++i) {
+    covering_[i] = options_.cover != nullptr ? S(options_.cover[i] * row_scale_[i])
+                                             : generic_number<S>(seed(0), i);
+    for (Index k = 0; k < detail::tie_columns; ++k)
+      tie_column(k)[i] = generic_number<S>(seed(k + 1), i);
+  }
+  load_values(0);
+  basis_.load(row_scale_, column_scale_, covering_);
   covered_ = true;
   entering_ = -1;
   tie_tolerance_ = options_.tolerances.tie;
@@ -89,36 +92,30 @@ template <class S, class B> void Lemke<S, B>::cover_cold() {
 }
 
 /// A covering vector and tie columns that are generic and positive in the present complementary
-/// basis. In the problem as given they are w - M z of the point (z, w) that they describe.
+/// basis. In the problem as given the vector is w - M z of the point (z, w) that it describes.
 template <class S, class B> void Lemke<S, B>::cover_here() {
   const Index n = n_;
   covered_ = true;
-  for (Index k = 0; k < covering_.cols(); ++k) {
-    trial_.setZero();
-    covering_.col(k).setZero();
-    for (Index i = 0; i < n; ++i) {
-      const S here = generic_number<S>(seed(k), i);
-      const Index variable = basis_.dictionary.basic[i];
-      if (k > 0) basis_.dictionary.values(i, rhs_count_ + k - 1) = here;
-      if (variable < n)
-        covering_(variable, k) = here;
-      else
-        trial_[variable - n] = here;
-    }
-    if (k == 0) {
-      if (is_wide() && options_.rubs) rub_more();
-      for (Index i = 0; i < n; ++i) {
-        const Index variable = basis_.dictionary.basic[i];
-        check_scratch_[i] = variable < n ? covering_(variable, 0) : trial_[variable - n];
-      }
-    }
-    scaled_product(trial_.data(), product_.data());
-    covering_.col(k) -= product_;
+  trial_.setZero();
+  covering_.setZero();
+  for (Index i = 0; i < n; ++i) {
+    const Index variable = basis_.dictionary.basic[i];
+    (variable < n ? covering_[variable] : trial_[variable - n]) = generic_number<S>(seed(0), i);
   }
-  basis_.set_covering_vector(column(covering_, 0), [&](Index i) { return check_scratch_[i]; });
+  if (is_wide() && options_.rubs) rub_more();
+  VectorMap<S> here = tie_column(0);
+  for (Index i = 0; i < n; ++i) {
+    const Index variable = basis_.dictionary.basic[i];
+    here[i] = variable < n ? covering_[variable] : trial_[variable - n];
+  }
+  scaled_product(trial_.data(), product_.data());
+  covering_ -= product_;
+  basis_.set_covering_vector(covering_, [&](Index i) { return here[i]; });
+  for (Index k = 0; k < detail::tie_columns; ++k)
+    for (Index i = 0; i < n; ++i) tie_column(k)[i] = generic_number<S>(seed(k + 1), i);
 }
 
-/// Of the point that a covering vector is made of, trial_ and covering_.col(0): friction beyond
+/// Of the point that a covering vector is made of, trial_ and covering_: friction beyond
 /// every cone's limit. Then d > 0 in the cones' rows, and no slip can grow alone while z0 > 0: its
 /// point's friction would have to vanish, and 0 = mu lambda + d z0.
 template <class S, class B> void Lemke<S, B>::rub_more() {
@@ -130,8 +127,8 @@ template <class S, class B> void Lemke<S, B>::rub_more() {
     for (Index j = cone.variable; j < first; ++j)
       limit += cone.friction * trial_[j] * column_scale_[j];
     for (Index j = first; j < slip; ++j) friction += trial_[j] * column_scale_[j];
-    if (covering_(slip, 0) > S(0))
-      covering_(slip, 0) += limit * row_scale_[slip];
+    if (covering_[slip] > S(0))
+      covering_[slip] += limit * row_scale_[slip];
     else if (friction > S(0))
       for (Index j = first; j < slip; ++j) trial_[j] *= S(1) + limit / friction;
   }
@@ -155,22 +152,40 @@ template <class S, class B> void Lemke<S, B>::scaled_product(const S* z_scaled, 
   for (Index i = 0; i < n_; ++i) out[i] *= row_scale_[i];
 }
 
+/// The tie columns are generic, so that a basis that is factored afresh keeps them. They move to
+/// trial_ and product_, where rows are numbered by their variable's pair, and back.
+template <class S, class B> void Lemke<S, B>::move_ties(bool out, S* of_artificial) {
+  for (Index k = 0; k < detail::tie_columns; ++k) {
+    VectorMap<S> ties = tie_column(k), kept = column(solution_, k);
+    for (Index i = 0; i < n_; ++i) {
+      const Index variable = basis_.dictionary.basic[i];
+      S& at = variable == artificial(n_) ? of_artificial[k]
+                                         : kept[variable < n_ ? variable : variable - n_];
+      (out ? at : ties[i]) = out ? ties[i] : at;
+    }
+  }
+}
+
 /// The present basis, factored afresh from the problem as given.
 template <class S, class B> bool Lemke<S, B>::refactorise() {
   for (Index i = 0; i < n_; ++i) target_[i] = basis_.dictionary.basic[i];
-  load();
+  S of_artificial[detail::tie_columns] = {};
+  load_values(first_to_load());
+  move_ties(true, of_artificial);
+  basis_.load(row_scale_, column_scale_, covering_);
   const S smallest = options_.tolerances.pivot * options_.tolerances.tie;
-  // The right-hand side of the bound is written down, the tie columns are generic anyway.
-  const Wanted wanted{finite_rhs(), rhs_count_, rhs_count_ + detail::tie_columns};
+  // The right-hand side of the bound is written down.
+  const Wanted wanted{finite_rhs(), rhs_count_, rhs_count_};
   fresh_ = basis_.factor(target_, candidates_, smallest, scratch_, wanted) == 0;
   if (fresh_) bound_rhs();
+  if (fresh_) move_ties(false, of_artificial);
   if (fresh_ && is_wide() && drifted()) correct_values();
   return fresh_;
 }
 
 /// Is every free unknown at S plus something finite, and nothing else of order S?
 template <class S, class B> bool Lemke<S, B>::bound_is_slack() const {
-  for (Index i = 0; i < n_ && finite_rhs() > 0; ++i) {
+  for (Index i = 0; i < n_; ++i) {
     const S off = solution_(i, 0) - (i >= problem_.free_begin ? S(1) : S(0));
     if (!(Eigen::numext::abs(off) <= options_.tolerances.residual)) return false;
   }
@@ -199,26 +214,19 @@ template <class S, class B> bool Lemke<S, B>::passes_check() {
   const Index finite = finite_rhs(), push = finite + 1;
   const S tolerance = options_.tolerances.residual;
   reason_ = Reason::residual;
-  if (!bound_is_slack()) {
-    reason_ = Reason::retreat;
-    return false;
-  }
   for (Index i = 0; i < problem_.free_begin; ++i) {
     // Rounding may leave a basic value of zero on the wrong side of it.
-    S& z = solution_(i, finite);
-    if (z < S(0) && -z <= tolerance * unit_[i] * rhs_scale_[finite]) z = S(0);
+    S& z = solution_(i, 0);
+    if (z < S(0) && -z <= tolerance * column_scale_[i] * rhs_scale_[finite]) z = S(0);
   }
-  residual_ = referee(problem_.q, solution_.col(finite).data());
+  residual_ = referee(problem_.q, z());
   if (!(residual_.residual <= tolerance)) return false;
   if (problem_.push == nullptr) return true;
   if (!find_range()) return false;
   // Not the very end of the range: there the answer may be all zeros, and rounding its scale.
   const S sigma = valid_to_ < S(0) ? rhs_scale_[finite] / rhs_scale_[push] : valid_to_ / S(2);
-  for (Index i = 0; i < n_; ++i) {
-    trial_[i] = solution_(i, finite) + sigma * solution_(i, push);
-    scratch_[i] = problem_.q[i] + sigma * problem_.push[i];
-  }
-  const WorstRow<S> pushed = referee(scratch_.data(), trial_.data());
+  for (Index i = 0; i < n_; ++i) scratch_[i] = solution_(i, 0) + sigma * solution_(i, 1);
+  const WorstRow<S> pushed = referee(PushedBy{problem_, sigma}, scratch_.data());
   if (!(pushed.residual <= residual_.residual)) residual_ = pushed;
   return pushed.residual <= tolerance;
 }
@@ -234,13 +242,15 @@ Status Lemke<S, B>::init(const Problem<S>& problem, const LemkeOptions<S>& optio
                          const unsigned char* active, Guess guess) {
   if (prepare(problem, options) != Status::running) return status_;
   covering_.setOnes();
-  load();
+  for (Index k = 0; k < detail::tie_columns; ++k) tie_column(k).setZero(); // cover_here brings them
+  load_values(first_to_load());
+  basis_.load(row_scale_, column_scale_, covering_);
   for (Index i = 0; i < n_; ++i)
-    target_[i] = static_cast<int>(active[i] != 0 ? unknown(i, n_) : slack(i));
+    target_[i] = static_cast<Int>(active[i] != 0 ? unknown(i, n_) : slack(i));
   const Tolerances<S>& tolerances = options.tolerances;
   const S smallest =
       guess == Guess::basis ? S(tolerances.pivot * tolerances.tie) : tolerances.independent;
-  const Wanted wanted{finite_rhs(), rhs_count_, rhs_count_}; // cover_here brings the tie columns
+  const Wanted wanted{finite_rhs(), rhs_count_, rhs_count_};
   const Index left = basis_.factor(target_, candidates_, smallest, scratch_, wanted);
   const auto drop = [&] {
     return basis_.drop_pairs(left, target_, candidates_, smallest, scratch_);

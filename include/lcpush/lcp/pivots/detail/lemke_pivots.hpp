@@ -11,8 +11,8 @@ template <class S, class B> template <class Watcher> Status Lemke<S, B>::start(W
   watcher.starts(*this);
   if (n_ == 0 || is_done) return accept();
   const Index column = basis_.enter(artificial(n_));
-  RatioTest<S> test(basis_.dictionary, rhs_count_, options_.tie_rule, ratio_tolerances(),
-                    candidates_);
+  RatioTest<S, Int> test(basis_.dictionary, rhs_count_, options_.tie_rule, ratio_tolerances(),
+                         candidates_);
   const Blocking worst = test.most_violated_row(column);
   for (Index k = 0; k < rhs_count_; ++k) {
     const S value = basis_.dictionary.values(worst.row, k);
@@ -28,7 +28,7 @@ template <class S, class B> template <class Watcher> Status Lemke<S, B>::start(W
 
 template <class S, class B>
 template <class Watcher>
-void Lemke<S, B>::pivot(const PendingPivot& pending, Watcher& watcher) {
+void Lemke<S, B>::pivot(const PendingPivotOf<Int>& pending, Watcher& watcher) {
   const Index row = watcher.choose_leaving_row(*this, pending);
   last_ = {pending.entering, basis_.dictionary.basic[row], pending.blocking};
   last_.blocking.row = row;
@@ -45,8 +45,8 @@ template <class S, class B> template <class Watcher> Status Lemke<S, B>::advance
   if ((basis_.is_long() || (look && drifted())) && !refactorise()) return end_unfactored();
 
   const Index c = basis_.enter(entering_);
-  RatioTest<S> test(basis_.dictionary, rhs_count_, options_.tie_rule, ratio_tolerances(),
-                    candidates_);
+  RatioTest<S, Int> test(basis_.dictionary, rhs_count_, options_.tie_rule, ratio_tolerances(),
+                         candidates_);
   const Blocking blocking = test.blocking_row(c);
   if (blocking.row < 0) return fresh_ && artificial_leaves(watcher) ? accept() : conclude_ray(c);
 
@@ -68,7 +68,7 @@ bool Lemke<S, B>::artificial_leaves(Watcher& watcher) {
       return false;
   const Index back = complement(entering_, n_), column = basis_.enter(back);
   if (Eigen::numext::abs(basis_.dictionary.table(row, column)) > options_.tolerances.pivot) {
-    candidates_[0] = static_cast<int>(row);
+    candidates_[0] = static_cast<Int>(row);
     pivot({back, column, {row, 1, TieBreak::artificial}, {candidates_.data, 1}}, watcher);
     return true;
   }
@@ -101,9 +101,10 @@ template <class S, class B> Status Lemke<S, B>::try_next_covering_vector() {
 /// that passes barely sits on a basis with a small violation, that a tie has hidden: look closer
 /// once, unless no other covering vector is left if that fails.
 template <class S, class B> Status Lemke<S, B>::accept() {
-  // The bound's values are written down, not computed: mostly nothing has to be refined.
-  for (Index k = 0; k < finite_rhs(); ++k) read(k);
-  if (!bound_is_slack()) refine(0);
+  if (!settles_bound()) {
+    reason_ = Reason::retreat;
+    return reject();
+  }
   for (Index k = finite_rhs(); k < rhs_count_; ++k) refine(k);
   if (!passes_check()) return reject();
   const bool barely = residual_.residual > options_.tolerances.residual / S(16);
@@ -151,10 +152,11 @@ template <class S, class B> Status Lemke<S, B>::conclude_ray(Index column) {
   trial_ /= largest;
   v0 /= largest;
   scaled_product(trial_.data(), product_.data());
+  basis_.sum_rows(column_scale_, rowsum_);
   const S tolerance = options_.tolerances.residual;
   bool certified = v0 >= -tolerance;
   for (Index i = 0; i < n; ++i) {
-    const S u = product_[i] + covering_(i, 0) * v0;
+    const S u = product_[i] + covering_[i] * v0;
     const S row_tolerance = tolerance * (S(1) + rowsum_[i] * row_scale_[i]);
     certified = certified && trial_[i] >= -tolerance && u >= -row_tolerance &&
                 (trial_[i] <= tolerance || u <= row_tolerance);

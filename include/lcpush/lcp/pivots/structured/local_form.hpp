@@ -61,14 +61,21 @@ namespace detail {
 
 enum LocalRole : int { normal_role, generator_role, slip_role, own_role, shared_role };
 
-template <class S> class LocalForm {
+template <class S, class Int> class LocalForm {
 public:
+  /// Loaded springs that are too many for the exchanges.
+  static constexpr Index many_springs = 24;
   static constexpr Index scalars(Index n, Index cones, Index shared) {
-    return (n + 4 + 2 * (6 + shared)) * (6 + shared) + n + 3 * cones + 3 * shared;
+    const Index width = 6 + shared;
+    return (n + 4) * width + size_of_core(cones, width) + n + 3 * cones + 3 * shared;
+  }
+  /// C, and what it is the inverse of.
+  static constexpr Index size_of_core(Index cones, Index width) {
+    return cones < many_springs ? 0 : 2 * width * width;
   }
   static constexpr Index integers(Index n, Index cones) { return 3 * n + 4 * cones; }
 
-  void carve(const Problem<S>& problem, Block<S>& scalars, Block<int>& integers) {
+  void carve(const Problem<S>& problem, Block<S>& scalars, Block<Int>& integers) {
     problem_ = problem.factored;
     n_ = problem.size;
     free_begin_ = problem.free_begin;
@@ -78,25 +85,26 @@ public:
     scalars.seat(d_, n_);
     for (VectorMap<S>* map : {&d_force_, &force_, &v_, &core_input_}) scalars.seat(*map, width);
     for (VectorMap<S>* map : {&actuator_input_, &d_actuator_input_}) scalars.seat(*map, shared);
-    for (MatrixMap<S>* map : {&springs_, &core_}) scalars.seat(*map, width, width);
+    for (MatrixMap<S>* map : {&springs_, &core_}) {
+      const Index columns = size_of_core(cones, width) > 0 ? width : 0;
+      scalars.seat(*map, width, columns);
+    }
     for (Span<S>* span : {&friction_, &compliance_, &own_coupling_}) *span = scalars.take(cones);
     inertia_ = scalars.take(shared);
-    for (Span<int>* span : {&role_, &group_, &flipped_}) *span = integers.take(n_);
-    for (Span<int>* span : {&normal_, &slip_, &own_actuator_, &is_spring_})
+    for (Span<Int>* span : {&role_, &group_, &flipped_}) *span = integers.take(n_);
+    for (Span<Int>* span : {&normal_, &slip_, &own_actuator_, &is_spring_})
       *span = integers.take(cones);
   }
   /// Symmetric scales that bring the diagonal of G' B G near 1; then no entry of it is larger
   /// (Cauchy and Schwarz). One scale for the generators of a cone, its reciprocal for the slip, so
   /// that these entries stay 1. Returns 0, or NaN if a number is not finite.
-  S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale,
-          VectorMap<S> rowsum) const {
+  S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale) const {
     const FactoredProblem<S>& f = *problem_;
     const S finite_sum = f.mobility.sum() - f.mobility.sum();
     const auto diagonal = [&](Index force) {
       const Vector6<S> moved = f.mobility.lazyProduct(f.wrenches[force]);
       return S(f.wrenches[force].dot(moved));
     };
-    Vector6<S> total = Vector6<S>::Zero();
     for (const ConeGroup<S>& cone : f.cones) {
       S slips(0);
       for (Index k = cone.normals; k < cone.forces(); ++k)
@@ -104,11 +112,9 @@ public:
       const S normal =
           equilibrates ? reciprocal_root(S(diagonal(cone.force) + cone.compliance)) : S(1);
       const S slip = equilibrates ? reciprocal_root(slips) : S(1);
-      for (Index k = 0; k < cone.forces(); ++k) {
+      for (Index k = 0; k < cone.forces(); ++k)
         row_scale[cone.variable + k] = column_scale[cone.variable + k] =
             k < cone.normals ? normal : slip;
-        total += f.wrenches[cone.force + k].cwiseAbs() * column_scale[cone.variable + k];
-      }
       if (cone.generators > 0) row_scale[cone.slip()] = column_scale[cone.slip()] = S(1) / slip;
     }
     for (Index a = 0; a < f.sums.size; ++a) {
@@ -121,6 +127,15 @@ public:
       }
       row_scale[s] = column_scale[s] = equilibrates ? S(S(1) / power_below(largest)) : S(1);
     }
+    return finite_sum;
+  }
+  /// rowsum_i = sum_j |M_ij| column_scale_j, of G' B G a bound on it.
+  void sum_rows(VectorMap<S> column_scale, VectorMap<S> rowsum) const {
+    const FactoredProblem<S>& f = *problem_;
+    Vector6<S> total = Vector6<S>::Zero();
+    for (const ConeGroup<S>& cone : f.cones)
+      for (Index k = 0; k < cone.forces(); ++k)
+        total += f.wrenches[cone.force + k].cwiseAbs() * column_scale[cone.variable + k];
     const Vector6<S> moved = f.mobility.cwiseAbs().lazyProduct(total);
     rowsum.setZero();
     for (const ConeGroup<S>& cone : f.cones)
@@ -129,7 +144,6 @@ public:
     for_each_group_entry(f, free_begin_, [&](Index i, Index j, const S& entry) {
       rowsum[i] += Eigen::numext::abs(entry) * column_scale[j];
     });
-    return finite_sum + (rowsum.sum() - rowsum.sum());
   }
   /// The problem as given, scaled, under a covering vector.
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
@@ -142,8 +156,8 @@ public:
       const ConeGroup<S>& cone = f.cones[c];
       const Index slip = cone.generators > 0 ? cone.slip() : -1;
       const S scale = row_scale[cone.variable];
-      normal_[c] = static_cast<int>(cone.variable);
-      slip_[c] = static_cast<int>(slip);
+      normal_[c] = static_cast<Int>(cone.variable);
+      slip_[c] = static_cast<Int>(slip);
       own_actuator_[c] = -1;
       is_spring_[c] = 0;
       compliance_[c] = cone.compliance * scale * scale;
@@ -155,7 +169,7 @@ public:
           directions_(slot, d) = f.wrenches[cone.force + k][d] * row_scale[slot];
       }
       if (slip >= 0) role_[slip] = slip_role;
-      for (Index k = 0; k < cone.size(); ++k) group_[cone.variable + k] = static_cast<int>(c);
+      for (Index k = 0; k < cone.size(); ++k) group_[cone.variable + k] = static_cast<Int>(c);
     }
     Index shared = 0;
     for (Index a = 0; a < f.sums.size; ++a) {
@@ -163,13 +177,13 @@ public:
       const Index s = free_begin_ + a, c = own_cone(f, sum);
       if (c >= 0) {
         role_[s] = own_role;
-        group_[s] = static_cast<int>(c);
-        own_actuator_[c] = static_cast<int>(s);
+        group_[s] = static_cast<Int>(c);
+        own_actuator_[c] = static_cast<Int>(s);
         own_coupling_[c] = f.coupling[sum.first] * row_scale[s] * column_scale[f.cones[c].variable];
         continue;
       }
       role_[s] = shared_role;
-      group_[s] = static_cast<int>(shared);
+      group_[s] = static_cast<Int>(shared);
       inertia_[shared] = sum.inertia * row_scale[s] * column_scale[s];
       for (Index k = sum.first; k < sum.first + sum.count; ++k) {
         const Index slot = f.coupled_variable[k];
@@ -223,9 +237,9 @@ private:
   MatrixMap<S> springs_{nullptr, 0, 0}, core_{nullptr, 0, 0}; // sum of g h' / c, and C
   bool has_springs_ = false;
   Span<S> friction_, compliance_, own_coupling_, inertia_;
-  Span<int> role_, group_, flipped_; // of slots; group_: cone, or number of the shared actuator
-  Span<int> normal_, slip_, own_actuator_; // of cones: the slots in these roles, -1 for none
-  Span<int> is_spring_;                    // of cones: is the normal force basic on its compliance?
+  Span<Int> role_, group_, flipped_; // of slots; group_: cone, or number of the shared actuator
+  Span<Int> normal_, slip_, own_actuator_; // of cones: the slots in these roles, -1 for none
+  Span<Int> is_spring_;                    // of cones: is the normal force basic on its compliance?
 
   Index width() const { return directions_.cols(); }
   bool pulls(Index cone) const { return problem_->cones[cone].normals == 2; }

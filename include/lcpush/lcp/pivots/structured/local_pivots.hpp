@@ -6,7 +6,7 @@
 namespace lcpush::detail {
 
 /// The normal force of a cone and the unknown of its own actuator become basic.
-template <class S> void LocalForm<S>::press_by_own_actuator(Index c) {
+template <class S, class Int> void LocalForm<S, Int>::press_by_own_actuator(Index c) {
   const Index normal = normal_[c], own = own_actuator_[c];
   const S inverse = S(1) / own_coupling_[c];
   directions_.row(own) = directions_.row(normal) * inverse;
@@ -15,12 +15,12 @@ template <class S> void LocalForm<S>::press_by_own_actuator(Index c) {
   compliance_[c] *= inverse * inverse;
   own_coupling_[c] = inverse;
   swap_roles(normal, own);
-  normal_[c] = static_cast<int>(own);
-  own_actuator_[c] = static_cast<int>(normal);
+  normal_[c] = static_cast<Int>(own);
+  own_actuator_[c] = static_cast<Int>(normal);
 }
 
 /// The slip and the friction force along one generator become basic.
-template <class S> void LocalForm<S>::slide(Index c, Index generator) {
+template <class S, class Int> void LocalForm<S, Int>::slide(Index c, Index generator) {
   const ConeGroup<S>& cone = problem_->cones[c];
   const Index first = cone.variable + cone.normals, slip = cone.slip();
   for (Index slot = first; slot < slip; ++slot)
@@ -28,11 +28,11 @@ template <class S> void LocalForm<S>::slide(Index c, Index generator) {
   directions_.row(slip) = -directions_.row(generator);
   directions_.row(generator).setZero();
   swap_roles(slip, generator);
-  slip_[c] = static_cast<int>(generator);
+  slip_[c] = static_cast<Int>(generator);
 }
 
 /// The normal force of a compliant cone becomes basic. Pre: it slides already if it is to.
-template <class S> void LocalForm<S>::load_spring(Index c) {
+template <class S, class Int> void LocalForm<S, Int>::load_spring(Index c) {
   const ConeGroup<S>& cone = problem_->cones[c];
   const Index normal = normal_[c];
   const S stiffness = S(1) / compliance_[c];
@@ -47,17 +47,20 @@ template <class S> void LocalForm<S>::load_spring(Index c) {
   flipped_[normal] = is_spring_[c] = 1;
 }
 
-/// Are loaded springs too many for the exchanges? If not, nothing is divided by a compliance.
-template <class S> template <class IsBasic> bool LocalForm<S>::has_springs(IsBasic is_basic) const {
-  constexpr Index many = 24;
+/// Are there so many loaded springs? If not, nothing is divided by a compliance.
+template <class S, class Int>
+template <class IsBasic>
+bool LocalForm<S, Int>::has_springs(IsBasic is_basic) const {
   Index loaded = 0;
   for (Index c = 0; c < problem_->cones.size; ++c)
     loaded += compliance_[c] > S(0) && is_basic(normal_[c]) ? 1 : 0;
-  return loaded >= many;
+  return loaded >= many_springs;
 }
 
 /// All of them, the actuators that they carry, and C. False if it is singular.
-template <class S> template <class IsBasic> bool LocalForm<S>::load_springs(IsBasic is_basic) {
+template <class S, class Int>
+template <class IsBasic>
+bool LocalForm<S, Int>::load_springs(IsBasic is_basic) {
   has_springs_ = true;
   springs_.setZero();
   for (Index c = 0; c < problem_->cones.size; ++c)
@@ -79,7 +82,7 @@ template <class S> template <class IsBasic> bool LocalForm<S>::load_springs(IsBa
 }
 
 /// Gauss-Jordan with row pivoting, in place, on rows of largest entry 1.
-template <class S> bool LocalForm<S>::invert_core() {
+template <class S, class Int> bool LocalForm<S, Int>::invert_core() {
   const Index size = width();
   constexpr int most = 6 + 32; // few actuators are shared by many cones
   if (size > most) return false;
@@ -124,7 +127,9 @@ template <class S> bool LocalForm<S>::invert_core() {
 
 /// Principal pivots inside the cones towards a basis, is_basic(slot) for its z. Precondition: as
 /// loaded. False if they are singular together.
-template <class S> template <class IsBasic> bool LocalForm<S>::pivot_locally(IsBasic is_basic) {
+template <class S, class Int>
+template <class IsBasic>
+bool LocalForm<S, Int>::pivot_locally(IsBasic is_basic) {
   const bool springs = has_springs(is_basic);
   for (Index c = 0; c < problem_->cones.size; ++c) {
     const ConeGroup<S>& cone = problem_->cones[c];
@@ -144,9 +149,9 @@ template <class S> template <class IsBasic> bool LocalForm<S>::pivot_locally(IsB
 
 /// What these pivots do to a right-hand side: the rows' part, and the force and what the shared
 /// actuators are held at, at x = 0.
-template <class S>
-void LocalForm<S>::transform(VectorMap<S>& rhs, VectorMap<S>& force,
-                             VectorMap<S>& actuator_input) const {
+template <class S, class Int>
+void LocalForm<S, Int>::transform(VectorMap<S>& rhs, VectorMap<S>& force,
+                                  VectorMap<S>& actuator_input) const {
   force.setZero();
   actuator_input.setZero();
   for (Index c = 0; c < problem_->cones.size; ++c) {

@@ -6,7 +6,7 @@
 namespace lcpush::detail {
 
 /// force_ and actuator_input_ += what slot does at x.
-template <class S> void LocalForm<S>::add_force(Index slot, const S& x) {
+template <class S, class Int> void LocalForm<S, Int>::add_force(Index slot, const S& x) {
   if (slot == n_) {
     force_ += d_force_ * x;
     actuator_input_ += d_actuator_input_ * x;
@@ -24,7 +24,7 @@ template <class S> void LocalForm<S>::add_force(Index slot, const S& x) {
   }
 }
 
-template <class S> void LocalForm<S>::find_velocity() {
+template <class S, class Int> void LocalForm<S, Int>::find_velocity() {
   const Vector6<S> wrench = force_.template head<6>();
   VectorMap<S>& v = has_springs_ ? core_input_ : v_;
   v.template head<6>() = problem_->mobility.lazyProduct(wrench);
@@ -36,7 +36,7 @@ template <class S> void LocalForm<S>::find_velocity() {
 }
 
 /// v_ becomes what the row feels of each component of F, core_input_ of each s.
-template <class S> void LocalForm<S>::begin_row(Index row) {
+template <class S, class Int> void LocalForm<S, Int>::begin_row(Index row) {
   v_ = directions_.row(row).transpose();
   if (role_[row] == shared_role && has_springs_) {
     const Index k = 6 + group_[row];
@@ -60,7 +60,7 @@ template <class S> void LocalForm<S>::begin_row(Index row) {
   if (role_[row] == shared_role && flipped_[row] == 0) v_[6 + group_[row]] += S(1);
 }
 
-template <class S> S LocalForm<S>::entry_of_row(Index row, Index slot) const {
+template <class S, class Int> S LocalForm<S, Int>::entry_of_row(Index row, Index slot) const {
   const S here = local(row, slot);
   if (slot == n_) {
     S sum = here + d_force_.dot(v_);
@@ -80,7 +80,7 @@ template <class S> S LocalForm<S>::entry_of_row(Index row, Index slot) const {
 }
 
 /// The entry without what is felt through v.
-template <class S> S LocalForm<S>::local(Index row, Index slot) const {
+template <class S, class Int> S LocalForm<S, Int>::local(Index row, Index slot) const {
   if (slot == n_) return d_[row];
   const int row_role = role_[row], role = role_[slot];
   if (group_[row] != group_[slot]) return S(0);
@@ -98,7 +98,8 @@ template <class S> S LocalForm<S>::local(Index row, Index slot) const {
 }
 
 /// The same for a whole column.
-template <class S> void LocalForm<S>::add_local(Index slot, const S& x, VectorMap<S>& out) const {
+template <class S, class Int>
+void LocalForm<S, Int>::add_local(Index slot, const S& x, VectorMap<S>& out) const {
   const Index c = group_[slot];
   switch (role_[slot]) {
   case normal_role:
@@ -124,7 +125,7 @@ template <class S> void LocalForm<S>::add_local(Index slot, const S& x, VectorMa
 }
 
 /// out += what the rows feel of v_ and force_.
-template <class S> void LocalForm<S>::add_felt(VectorMap<S>& out) const {
+template <class S, class Int> void LocalForm<S, Int>::add_felt(VectorMap<S>& out) const {
   const S* __restrict const h = directions_.data();
   const S* const v = v_.data();
   S* __restrict const row = out.data();
@@ -137,9 +138,9 @@ template <class S> void LocalForm<S>::add_felt(VectorMap<S>& out) const {
     if (role_[s] == shared_role) out[s] += shared_row(s);
 }
 
-template <class S>
+template <class S, class Int>
 template <class Inputs>
-void LocalForm<S>::multiply(Inputs inputs, VectorMap<S> out) {
+void LocalForm<S, Int>::multiply(Inputs inputs, VectorMap<S> out) {
   force_.setZero();
   actuator_input_.setZero();
   out.setZero();

@@ -8,6 +8,8 @@
 // slide go to the local form.
 #pragma once
 
+#include <limits>
+
 #include "lcpush/lcp/complete_pivoting.hpp"
 #include "lcpush/lcp/pivots/dictionary.hpp"
 #include "lcpush/lcp/pivots/ratio_test.hpp"
@@ -22,10 +24,12 @@ constexpr Index most_exchanges(Index n, Index asked) {
 }
 } // namespace detail
 
-/// The basis that Lemke works on; everything is scaled. DenseBasis has the same members.
-template <class S> class StructuredBasis {
+/// The basis that Lemke works on; everything is scaled. DenseBasis has the same members. Where
+/// memory is small, so is `Int`: of the size of all variables' numbers.
+template <class S, class Int = int> class StructuredBasis {
 public:
-  Dictionary<S> dictionary; ///< its table: the entering column alone
+  using Integer = Int;
+  Dictionary<S, Int> dictionary; ///< its table: the entering column alone
   static constexpr bool one_scale = true;
   /// Factored group by group, and not by the largest pivot.
   static constexpr bool of_groups = true;
@@ -33,24 +37,31 @@ public:
   static constexpr Index scalars(Index n, Index cones, Index shared, Index right_hand_sides,
                                  Index exchanges) {
     const Index t = detail::most_exchanges(n, exchanges);
-    return detail::LocalForm<S>::scalars(n, cones, shared) + n * (1 + right_hand_sides) +
+    return detail::LocalForm<S, Int>::scalars(n, cones, shared) + n * (1 + right_hand_sides) +
            t * (t + 3);
   }
   static constexpr Index integers(Index n, Index cones, Index exchanges) {
     const Index t = detail::most_exchanges(n, exchanges);
-    return detail::LocalForm<S>::integers(n, cones) + 3 * n + 2 + 2 * t;
+    return detail::LocalForm<S, Int>::integers(n, cones) + 3 * n + 2 + 2 * t;
   }
 
   static bool supports(const Problem<S>& problem, TieRule rule) {
-    return problem.factored != nullptr && rule != TieRule::lexicographic;
+    return problem.factored != nullptr && rule != TieRule::lexicographic &&
+           artificial(problem.size) <= std::numeric_limits<Int>::max();
   }
 
   /// `exchanges`: LemkeOptions::exchanges.
   void carve(const Problem<S>& problem, Index right_hand_sides, Index exchanges, Block<S>& scalars,
-             Block<int>& integers);
+             Block<Int>& integers);
   S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale, VectorMap<S> rowsum,
           VectorMap<S> /*scratch*/) const {
-    return form_.scale(equilibrates, row_scale, column_scale, rowsum);
+    const S finite_sum = form_.scale(equilibrates, row_scale, column_scale);
+    sum_rows(column_scale, rowsum);
+    return finite_sum + (rowsum.sum() - rowsum.sum());
+  }
+  /// The row sums of scale() again.
+  void sum_rows(VectorMap<S> column_scale, VectorMap<S> rowsum) const {
+    form_.sum_rows(column_scale, rowsum);
   }
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
             const VectorMap<S>& covering_vector);
@@ -73,19 +84,19 @@ public:
   void respond(const VectorMap<S>& r, VectorMap<S> out);
   void set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale, const S& rhs_scale);
 
-  Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
+  Index factor(Span<Int> target, Span<Int> candidates, const S& smallest_pivot,
                VectorMap<S> scratch, const Wanted& wanted);
-  bool drop_pairs(Index left, Span<int> target, Span<int> candidates, const S& smallest_pivot,
+  bool drop_pairs(Index left, Span<Int> target, Span<Int> candidates, const S& smallest_pivot,
                   VectorMap<S> scratch);
 
 private:
-  detail::LocalForm<S> form_;
+  detail::LocalForm<S, Int> form_;
   Index n_ = 0, capacity_ = 0, t_ = 0, long_ = 0;
   MatrixMap<S> inverse_{nullptr, 0, 0}; // t x t: rows as in_, columns as out_
   VectorMap<S> rates_{nullptr, 0};      // of slots in_, as one enters
   VectorMap<S> along_row_{nullptr, 0}, along_column_{nullptr, 0}; // of M at out_, in_: scratch
-  Span<int> out_, in_;       // k: a row whose base variable has left, and the slot now there
-  Span<int> out_at_, in_at_; // row, slot: their k, -1 for none
+  Span<Int> out_, in_;       // k: a row whose base variable has left, and the slot now there
+  Span<Int> out_at_, in_at_; // row, slot: their k, -1 for none
 
   /// Column k of K^-1: what row out_[k] brings about.
   S* of_row(Index k) { return inverse_.col(k).data(); }
@@ -104,17 +115,17 @@ private:
     return slot == n_ ? artificial(n_) : form_.is_flipped(slot) ? slack(slot) : unknown(slot, n_);
   }
   void place(Index k, Index row, Index slot) {
-    out_[k] = static_cast<int>(row);
-    in_[k] = static_cast<int>(slot);
-    out_at_[row] = in_at_[slot] = static_cast<int>(k);
-    dictionary.basic[row] = static_cast<int>(other_variable(slot));
+    out_[k] = static_cast<Int>(row);
+    in_[k] = static_cast<Int>(slot);
+    out_at_[row] = in_at_[slot] = static_cast<Int>(k);
+    dictionary.basic[row] = static_cast<Int>(other_variable(slot));
   }
   void swap_rows(Index i, Index j) {
     for (Index k = 0; k < dictionary.values.cols(); ++k)
       Eigen::numext::swap(dictionary.values(i, k), dictionary.values(j, k));
     Eigen::numext::swap(dictionary.basic[i], dictionary.basic[j]);
   }
-  void list_exchanges(Span<int> target, Span<int> flags);
+  void list_exchanges(Span<Int> target, Span<Int> flags);
   Index invert(const S& smallest_pivot);
   void find_values(const Wanted& wanted);
   template <class Value> void respond_to(Value value, VectorMap<S> out);
@@ -201,9 +212,9 @@ private:
   }
 };
 
-template <class S>
-void StructuredBasis<S>::carve(const Problem<S>& problem, Index right_hand_sides, Index exchanges,
-                               Block<S>& scalars, Block<int>& integers) {
+template <class S, class Int>
+void StructuredBasis<S, Int>::carve(const Problem<S>& problem, Index right_hand_sides,
+                                    Index exchanges, Block<S>& scalars, Block<Int>& integers) {
   n_ = problem.size;
   capacity_ = detail::most_exchanges(n_, exchanges);
   form_.carve(problem, scalars, integers);
@@ -216,23 +227,23 @@ void StructuredBasis<S>::carve(const Problem<S>& problem, Index right_hand_sides
   in_ = integers.take(capacity_);
 }
 
-template <class S>
-void StructuredBasis<S>::load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
-                              const VectorMap<S>& covering_vector) {
+template <class S, class Int>
+void StructuredBasis<S, Int>::load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
+                                   const VectorMap<S>& covering_vector) {
   form_.load(row_scale, column_scale, covering_vector);
   t_ = 0;
   constexpr Index few = 64; // a small answer has no more: then nothing is factored on the way
   long_ = few;
   for (Index i = 0; i < n_; ++i) {
     out_at_[i] = in_at_[i] = -1;
-    dictionary.basic[i] = static_cast<int>(slack(i));
+    dictionary.basic[i] = static_cast<Int>(slack(i));
   }
   in_at_[n_] = -1;
 }
 
-template <class S> Index StructuredBasis<S>::enter(Index variable) {
+template <class S, class Int> Index StructuredBasis<S, Int>::enter(Index variable) {
   const Index slot = slot_of(variable);
-  dictionary.nonbasic[0] = static_cast<int>(variable);
+  dictionary.nonbasic[0] = static_cast<Int>(variable);
   auto rates = rates_.head(t_);
   if (at_base(variable)) { // it left before: row out_at_ of M x is to grow by 1
     rates = inverse_.col(out_at_[slot]).head(t_);
@@ -249,9 +260,9 @@ template <class S> Index StructuredBasis<S>::enter(Index variable) {
   return 0;
 }
 
-template <class S>
-void StructuredBasis<S>::exchange(Index row, Index column, Index entering,
-                                  VectorMap<S> /*scratch*/) {
+template <class S, class Int>
+void StructuredBasis<S, Int>::exchange(Index row, Index column, Index entering,
+                                       VectorMap<S> /*scratch*/) {
   const S* const rates = dictionary.table.col(column).data();
   const S pivot = rates[row];
   for (Index k = 0; k < dictionary.values.cols(); ++k) {
@@ -263,7 +274,7 @@ void StructuredBasis<S>::exchange(Index row, Index column, Index entering,
   }
   const Index slot = slot_of(entering), leaves_at = out_at_[row];
   const bool returns = at_base(entering), leaves_base = leaves_at < 0;
-  dictionary.basic[row] = static_cast<int>(entering);
+  dictionary.basic[row] = static_cast<Int>(entering);
   if (!returns) {
     if (leaves_base)
       append(row, slot, pivot);

@@ -6,11 +6,12 @@
 namespace lcpush {
 
 /// What the local form does not hold of the basis: rows that leave, slots that enter.
-template <class S> void StructuredBasis<S>::list_exchanges(Span<int> target, Span<int> flags) {
+template <class S, class Int>
+void StructuredBasis<S, Int>::list_exchanges(Span<Int> target, Span<Int> flags) {
   constexpr int has_slack = 1, has_unknown = 2;
   bool has_artificial = false;
   for (Index i = 0; i < n_; ++i) flags[i] = 0;
-  for (const int variable : target) {
+  for (const Int variable : target) {
     if (variable == artificial(n_))
       has_artificial = true;
     else
@@ -21,8 +22,8 @@ template <class S> void StructuredBasis<S>::list_exchanges(Span<int> target, Spa
     return;
   }
   Index leaves = 0, enters = 0;
-  const auto list = [&](Span<int> which, Index& count, Index i) {
-    if (count < capacity_) which[count] = static_cast<int>(i);
+  const auto list = [&](Span<Int> which, Index& count, Index i) {
+    if (count < capacity_) which[count] = static_cast<Int>(i);
     ++count;
   };
   for (Index i = 0; i < n_; ++i) {
@@ -36,7 +37,7 @@ template <class S> void StructuredBasis<S>::list_exchanges(Span<int> target, Spa
 
 /// K^-1 in place of K by complete pivoting. Returns how many rows are left without a pivot above
 /// `smallest_pivot`; they and as many slots come last.
-template <class S> Index StructuredBasis<S>::invert(const S& smallest_pivot) {
+template <class S, class Int> Index StructuredBasis<S, Int>::invert(const S& smallest_pivot) {
   auto K = inverse_.topLeftCorner(t_, t_);
   for (Index k = 0; k < t_; ++k) {
     const LargestEntry<S> largest = largest_entry(
@@ -63,9 +64,10 @@ template <class S> Index StructuredBasis<S>::invert(const S& smallest_pivot) {
   return 0;
 }
 
-template <class S>
-Index StructuredBasis<S>::factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
-                                 VectorMap<S> /*scratch*/, const Wanted& wanted) {
+template <class S, class Int>
+Index StructuredBasis<S, Int>::factor(Span<Int> target, Span<Int> candidates,
+                                      const S& smallest_pivot, VectorMap<S> /*scratch*/,
+                                      const Wanted& wanted) {
   list_exchanges(target, candidates);
   if (t_ >= capacity_) { // the next pivot would have no room
     const Index asked = t_;
@@ -78,7 +80,7 @@ Index StructuredBasis<S>::factor(Span<int> target, Span<int> candidates, const S
   }
   const Index left = invert(smallest_pivot);
   t_ -= left;
-  for (Index i = 0; i < n_; ++i) dictionary.basic[i] = static_cast<int>(base_variable(i));
+  for (Index i = 0; i < n_; ++i) dictionary.basic[i] = static_cast<Int>(base_variable(i));
   for (Index k = 0; k < t_; ++k) place(k, out_[k], in_[k]);
   find_values(wanted);
   constexpr Index room = 48; // exchanges until factoring afresh pays
@@ -88,7 +90,7 @@ Index StructuredBasis<S>::factor(Span<int> target, Span<int> candidates, const S
 
 /// The right-hand sides of the problem as given become the values of this basis: the unknowns that
 /// make the rows that have left 0. The exact ones are corrected for rounding in K^-1.
-template <class S> void StructuredBasis<S>::find_values(const Wanted& wanted) {
+template <class S, class Int> void StructuredBasis<S, Int>::find_values(const Wanted& wanted) {
   constexpr int corrections = 2;
   VectorMap<S> at = entering_column();
   auto rates = rates_.head(t_), entered = along_row_.head(t_), left = along_column_.head(t_);
@@ -115,9 +117,9 @@ template <class S> void StructuredBasis<S>::find_values(const Wanted& wanted) {
 }
 
 /// out = M (`entered` on the slots that have entered, x on one more).
-template <class S>
-void StructuredBasis<S>::multiply_entered(VectorMap<S> out, const S* entered, Index more,
-                                          const S& x) {
+template <class S, class Int>
+void StructuredBasis<S, Int>::multiply_entered(VectorMap<S> out, const S* entered, Index more,
+                                               const S& x) {
   form_.multiply(
       [&](auto visit) {
         if (more >= 0) visit(more, x);
@@ -128,9 +130,9 @@ void StructuredBasis<S>::multiply_entered(VectorMap<S> out, const S* entered, In
 }
 
 /// out = the basic variables where every nonbasic one is at value(variable) and q = 0.
-template <class S>
+template <class S, class Int>
 template <class Value>
-void StructuredBasis<S>::respond_to(Value value, VectorMap<S> out) {
+void StructuredBasis<S, Int>::respond_to(Value value, VectorMap<S> out) {
   form_.multiply(
       [&](auto visit) {
         for (Index i = 0; i < n_; ++i) {
@@ -152,15 +154,16 @@ void StructuredBasis<S>::respond_to(Value value, VectorMap<S> out) {
   for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
 }
 
-template <class S> void StructuredBasis<S>::respond(const VectorMap<S>& r, VectorMap<S> out) {
+template <class S, class Int>
+void StructuredBasis<S, Int>::respond(const VectorMap<S>& r, VectorMap<S> out) {
   respond_to([&](Index variable) { return variable < n_ ? S(r[variable]) : S(0); }, out);
 }
 
 /// Free unknowns that are basic are at S exactly and nothing else is: rounding in a solve would
 /// leave noise where the ratio test looks first.
-template <class S>
-void StructuredBasis<S>::set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale,
-                                       const S& rhs_scale) {
+template <class S, class Int>
+void StructuredBasis<S, Int>::set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale,
+                                            const S& rhs_scale) {
   VectorMap<S> values = column(dictionary.values, 0);
   const auto bound = [&](Index variable) {
     const bool is_free = variable >= unknown(free_begin, n_) && variable < artificial(n_);
@@ -171,9 +174,9 @@ void StructuredBasis<S>::set_bound_rhs(Index free_begin, const VectorMap<S>& col
 }
 
 /// After factor has left some: see DenseBasis.
-template <class S>
-bool StructuredBasis<S>::drop_pairs(Index left, Span<int> target, Span<int> candidates,
-                                    const S& smallest_pivot, VectorMap<S> scratch) {
+template <class S, class Int>
+bool StructuredBasis<S, Int>::drop_pairs(Index left, Span<Int> target, Span<Int> candidates,
+                                         const S& smallest_pivot, VectorMap<S> scratch) {
   if (t_ > capacity_) return false;
   // In the base and still there, while its complement has entered; and neither of both.
   Index both = 0, neither = 0;
