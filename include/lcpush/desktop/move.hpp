@@ -50,6 +50,7 @@ struct PointState {
   std::optional<double> gap; ///< m, at the step's end; none: not over its face then
   double normal_force = 0;   ///< N
   Vector3<double> friction_force = Vector3<double>::Zero();
+  double torsion = 0;                                 ///< N m about the normal, soft contacts only
   Vector3<double> velocity = Vector3<double>::Zero(); ///< m/s, object's point relative to its body
   Vector3<double> position = Vector3<double>::Zero(); ///< m, scene's frame
   Vector3<double> normal = Vector3<double>::Zero();
@@ -131,7 +132,7 @@ MotionReport move(const SceneFile& file, const MoveOptions& options);
 /// One sentence, where it ends and how it got there; then frames and events.
 std::string move_text(const SceneFile& file, const MotionReport& report, bool verbose = false);
 std::string move_json(const SceneFile& file, const MotionReport& report);
-/// A line a frame and contact.
+/// A line a frame; a column a number, by name.
 std::string move_csv(const SceneFile& file, const MotionReport& report);
 /// The object's path with ghosts.
 std::string move_svg(const SceneFile& file, const MotionReport& report);
