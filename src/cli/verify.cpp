@@ -51,10 +51,11 @@ int verify_motion(const Arguments& arguments, const std::string& format) {
     throw UsageError("--trajectory needs one file beside it: SCENE.toml");
   const SceneFile file = read_scene_argument(arguments, Needs::scene, Strokes::all);
   const TrajectoryReport report = verify_trajectory(
-      file, read_trajectory(*arguments.value("--trajectory")),
+      file, read_trajectory(*arguments.value("--trajectory"), file),
       arguments.number("--tolerance", 1, ", such as 0.01").value_or(usual_tolerance));
   write_answer(arguments, format,
-               format == "json" ? trajectory_json(report) : trajectory_text(file, report), file);
+               format == "json" ? trajectory_json(file, report) : trajectory_text(file, report),
+               file);
   return report.verdict == TrajectoryVerdict::follows ? 0 : 1;
 }
 

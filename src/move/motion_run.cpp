@@ -47,9 +47,9 @@ MotionRun::MotionRun(const SceneFile& file)
     : file_(file), faces_(file), aims_(file.is_round ? file.points.size() : 0),
       scene_(scene_of(file)), around_(faces_.view()), bytes_(motion_bytes_of(file)),
       kept_(static_cast<std::size_t>(motion_array_bytes<double>(motion_size(scene_)))),
-      stepper_(scene_, around_,
-               make_structured_motion_memory<double>(span_of(bytes_), motion_size(scene_),
-                                                     shared_of(file))) {}
+      memory_(make_structured_motion_memory<double>(span_of(bytes_), motion_size(scene_),
+                                                    shared_of(file))),
+      stepper_(scene_, around_, memory_) {}
 
 Scene<double> MotionRun::scene_of(const SceneFile& file) const {
   Scene<double> scene = file.view();
@@ -82,6 +82,12 @@ void MotionRun::restore(const Saved& saved) {
   stepper_.return_to(saved.moment);
 }
 
+std::vector<Touch> MotionRun::touches() const {
+  std::vector<Touch> touches;
+  for (Index i = 0; i < scene_.points.size; ++i) touches.push_back(touch_of(stepper_.contact(i)));
+  return touches;
+}
+
 bool MotionRun::leaves() const {
   for (Index i = 0; i < scene_.points.size; ++i) {
     const StepContact<double>& contact = stepper_.contact(i);
@@ -104,7 +110,10 @@ MotionFrame MotionRun::frame(double h) const {
     const Body<double>& body = scene_.bodies[b];
     BodyForce sum;
     for (const Drive<double>& drive : scene_.drives)
-      if (drive.body == b && !sum.closing) sum.closing = stepper_.closing(drive.actuator);
+      if (drive.body == b && !sum.closing) {
+        sum.closing = stepper_.closing(drive.actuator);
+        sum.closing_speed = stepper_.closing_speed(drive.actuator);
+      }
     for (const Index i : points_of(body)) {
       const StepContact<double>& contact = stepper_.contact(i);
       PointState state;

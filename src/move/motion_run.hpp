@@ -39,6 +39,14 @@ public:
     stepper_.return_to({pose, twist, time, stepper_.moment().knows_last});
   }
 
+  /// An actuator has closed so far, and does so at this speed.
+  void close(Index actuator, double closing, double speed) {
+    memory_.closings[actuator] = closing;
+    memory_.speeds[actuator] = speed;
+  }
+  /// A body is there.
+  void put(Index body, const Pose<double>& pose) { memory_.poses[body] = pose; }
+
   const Stepper& stepper() const { return stepper_; }
   const Scene<double>& scene() const { return scene_; }
   bool is_absent(Index body) const { return faces_.is_absent(body); }
@@ -46,6 +54,8 @@ public:
   Vector6<double> prescribed(Index body, double time) const {
     return faces_.prescribed(body, time);
   }
+  /// What each point did in the step just made.
+  std::vector<Touch> touches() const;
   /// Has the step just made taken a point that touched beside its face?
   bool leaves() const;
   /// The end of the step just made; or the start.
@@ -65,7 +75,8 @@ private:
   Scene<double> scene_;
   Surroundings<double> around_;
   std::vector<unsigned char> bytes_;
-  std::size_t kept_; ///< of the bytes, those that a step leaves to the next
+  std::size_t kept_;            ///< of the bytes, those that a step leaves to the next
+  MotionMemory<double> memory_; ///< over the bytes
   Stepper stepper_;
 };
 

@@ -31,7 +31,8 @@ std::string csv_head(const SceneFile& file) {
     for (const char* part : {"mode", "gap", "normal"})
       text += "," + point_name(file, i) + "." + part;
   text += ",step";
-  for (const std::string& name : file.body_names) text += "," + name + ".closing";
+  for (const std::string& name : file.body_names)
+    text += "," + name + ".closing," + name + ".closing_speed";
   for (Index i = 0; i < points; ++i)
     for (const char* part : {"fx", "fy", "fz", "torsion"})
       text += "," + point_name(file, i) + "." + part;
@@ -50,7 +51,8 @@ void write_frame(JsonWriter& json, const SceneFile& file, const MotionFrame& fra
         .member("force", body.force)
         .member("moment", body.moment)
         .member("normal_force", body.normal_force)
-        .member("closing", body.closing);
+        .member("closing", body.closing)
+        .member("closing_speed", body.closing_speed);
   });
   Index i = 0;
   json.objects("contacts", frame.contacts, [&](const PointState& contact) {
@@ -119,7 +121,8 @@ std::string move_csv(const SceneFile& file, const MotionReport& report) {
       text += "," + std::string(touch_text(contact.touch)) + "," + exact(contact.gap) + "," +
               exact(contact.normal_force);
     text += "," + exact(frame.step);
-    for (const BodyForce& body : frame.bodies) text += "," + exact(body.closing);
+    for (const BodyForce& body : frame.bodies)
+      text += "," + exact(body.closing) + "," + exact(body.closing_speed);
     for (const PointState& contact : frame.contacts)
       text += exact(contact.friction_force) + "," + exact(contact.torsion);
     text += "\n";

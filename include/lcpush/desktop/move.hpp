@@ -43,6 +43,7 @@ struct BodyForce {
   Vector3<double> force = Vector3<double>::Zero(), moment = Vector3<double>::Zero();
   double normal_force = 0;       ///< N, sum over its points
   std::optional<double> closing; ///< m or rad, how far its first actuator has gone; none: undriven
+  std::optional<double> closing_speed; ///< m/s or rad/s, at the step's end
 };
 
 struct PointState {
