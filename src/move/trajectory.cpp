@@ -17,7 +17,8 @@ namespace {
 constexpr double at_rest = 1e-3;
 // Places are printed with so many digits, of the object's size.
 constexpr double printed_digits = 1e-9;
-constexpr int most_parts = 64;        // of a step between two frames
+// Of a step between two frames.
+constexpr double most_untold_parts = 64, most_told_parts = 1024;
 constexpr int most_part_halvings = 8; // of a part that has no answer
 
 /// m/s over a step: the largest difference of a contact point's place on the object.
@@ -63,16 +64,17 @@ private:
     Status status = Status::running;
     Pose<double> end;
     double off = 0;        ///< m/s, from where the motion goes
-    bool is_smooth = true; ///< no contact does something else on the way
+    bool is_smooth = true; ///< made of equal steps, and no contact does something else on the way
     MotionRun::Saved saved;
   };
 
   /// Where a step is too long for the laws, two of half its length may be there.
-  Status advance(double h, int halvings) {
+  Status advance(double h, int halvings, bool& is_halved) {
     const Status status = run_.advance(h);
     if (status == Status::solved || halvings == 0 || run_.stepper().run().lost) return status;
-    const Status half = advance(h / 2, halvings - 1);
-    return half == Status::solved ? advance(h / 2, halvings - 1) : half;
+    is_halved = true;
+    const Status half = advance(h / 2, halvings - 1, is_halved);
+    return half == Status::solved ? advance(h / 2, halvings - 1, is_halved) : half;
   }
 
   Way way(const TrajectoryFrame& to, double h, int parts) {
@@ -80,9 +82,11 @@ private:
     way.status = Status::solved;
     std::vector<Touch> before;
     for (int k = 0; k < parts && way.status == Status::solved; ++k) {
-      way.status = advance(h / parts, most_part_halvings);
+      bool is_halved = false;
+      way.status = advance(h / parts, most_part_halvings, is_halved);
       std::vector<Touch> touches = run_.touches();
-      way.is_smooth = way.is_smooth && (k == 0 || touches == before) && !run_.leaves();
+      const bool goes_on = (k == 0 || touches == before) && !run_.leaves();
+      way.is_smooth = way.is_smooth && goes_on && !is_halved;
       before = std::move(touches);
     }
     if (way.status != Status::solved) return way;
@@ -97,16 +101,21 @@ private:
   Way nearest_way(const TrajectoryFrame& to, double h) {
     const MotionRun::Saved before = run_.save();
     Way nearest = way(to, h, 1), last = nearest;
-    for (int parts = 2; parts <= most_parts; parts *= 2) {
+    // Who says how short its steps are may have made many.
+    const double said = to.step && *to.step > 0 ? h / *to.step : 0;
+    const double most = std::clamp(said, most_untold_parts, most_told_parts);
+    for (int parts = 2; parts <= most; parts *= 2) {
       const bool is_solved = last.status == Status::solved;
       if (is_solved && nearest.off <= report_.tolerance * report_.fastest) break;
       run_.restore(before);
       Way finer = way(to, h, parts);
       // Yet finer ones change the end by about as much again, unless something happens on the way
       // whose moment they find: can that be enough?
-      const bool is_hopeless = is_solved && finer.status == Status::solved && finer.is_smooth &&
-                               finer.off > 2 * speed_between(file_, last.end, finer.end, h) +
-                                               report_.tolerance * report_.fastest;
+      const bool is_settling = parts > 2 && is_solved && finer.status == Status::solved &&
+                               last.is_smooth && finer.is_smooth;
+      const bool is_hopeless =
+          is_settling && finer.off > 2 * speed_between(file_, last.end, finer.end, h) +
+                                         report_.tolerance * report_.fastest;
       const bool is_nearer = finer.status == Status::solved &&
                              (nearest.status != Status::solved || finer.off < 0.9 * nearest.off);
       if (is_nearer) nearest = finer;

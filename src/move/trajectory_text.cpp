@@ -135,8 +135,8 @@ void write_forces(JsonWriter& json, const SceneFile& file, const TrajectoryRepor
 std::string trajectory_text(const SceneFile& file, const TrajectoryReport& report) {
   std::vector<Fact> facts{
       {"Compared", counted(report.steps, "step") +
-                       ", each begun where the motion is and made in the 1 to 64 parts that come "
-                       "nearest"},
+                       ", each begun where the motion is and made in so many equal parts as "
+                       "come nearest"},
       {"Difference", speed_text(report.worst) + " at most (at " + brief(report.worst_time) +
                          " s), " + speed_text(report.mean) + " on average"},
       {"Beside", speed_text(report.fastest) + ", the fastest that moves; allowed are " +
