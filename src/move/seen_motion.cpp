@@ -198,7 +198,7 @@ SeenStep SeenMotion::step(std::size_t k) {
   step.twist = twist_of(k);
   step.contacts.resize(file_.points.size());
   step.speeds = speeds_at(k);
-  step.speeds_before = speeds_at(k - 1);
+  step.speeds_before = step.is_whole ? speeds_at(k - 1) : Closings(step.speeds.size());
   if (step.is_whole) {
     step.before = twist_of(k - 1);
     step.begin = from.pose;

@@ -1,6 +1,7 @@
 #include "move/trajectory_forces.hpp"
 
 #include "lcpush/desktop/move.hpp"
+#include "move/point_forces.hpp"
 #include "move/seen_motion.hpp"
 
 #include <algorithm>
@@ -12,19 +13,8 @@ namespace {
 
 // Forces and speeds are measured by the largest of their frame; where that is next to nothing, by
 // these parts of what else there is.
+constexpr double least_force = 1e-200; // N: nothing over it is nothing
 constexpr double least_of_loads = 1e-6, least_of_motion = 1e-9, least_of_speeds = 1e-3;
-constexpr double least_gap = 1e-4; // of the object's size: with less, nobody's geometry agrees
-
-/// The part of a slip's friction that a pyramid, or a soft point's polyhedron, has left in the
-/// direction where it has least; 1 of a round cone.
-double least_share(const SceneFile& file, const Body<double>& body) {
-  if (file.is_round) return 1;
-  const double corner = std::cos(std::acos(-1.0) / static_cast<double>(file.facets));
-  if (!(body.torsion_radius > 0)) return corner;
-  // Least between the generators of no torque and those of 30 degrees.
-  const double between = std::tan(std::acos(-1.0) / 12);
-  return corner / std::hypot(1.0, corner * between);
-}
 
 /// A body's force on the object as far as it is known; the moment about the object's centre of mass
 /// at the step's begin.
@@ -35,13 +25,15 @@ struct SeenWrench {
 class ForceJudge {
 public:
   ForceJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& frames)
-      : file_(file), frames_(frames), seen_(file, frames), size_(object_size(file)) {}
+      : file_(file), frames_(frames), seen_(file, frames) {
+    units_.size = object_size(file);
+  }
 
   std::optional<ForceReport> judge() {
     for (std::size_t k = 1; k < frames_.size(); ++k) {
       fastest_ = std::max(fastest_, mean_speed(k));
       for (std::size_t i = 0; i < frames_[k].contacts.size(); ++i)
-        largest_ = std::max(largest_, size_of(contact(frames_[k], i)));
+        largest_ = std::max(largest_, force_size(contact(frames_[k], i)));
     }
     for (std::size_t k = 1; k < frames_.size(); ++k) {
       if (!says_forces(frames_[k])) continue;
@@ -62,10 +54,6 @@ private:
                        [](const FrameContact& c) { return c.normal_force || c.friction_force; }) ||
            std::any_of(frame.bodies.begin(), frame.bodies.end(),
                        [](const FrameBody& b) { return b.force.has_value(); });
-  }
-  static double size_of(const FrameContact& contact) {
-    return std::max(std::abs(contact.normal_force.value_or(0)),
-                    contact.friction_force.value_or(Vector3<double>::Zero()).norm());
   }
   double mean_speed(std::size_t k) const {
     const double h = frames_[k].time - frames_[k - 1].time;
@@ -92,30 +80,35 @@ private:
       wrenches_.push_back(wrench_of(b));
     measure();
     for (Index b = 0; b < static_cast<Index>(file_.bodies.size()); ++b) {
-      for (const Index i : points_of(file_.body(b))) judge_point(file_.body(b), i);
+      for (const Index i : points_of(file_.body(b))) {
+        const auto at = static_cast<std::size_t>(i);
+        for (const WorstForce& one :
+             judge_point(file_, i, contacts_[at], step_.contacts[at], step_.h, units_))
+          note(one);
+      }
       judge_sum(b);
     }
     for (std::size_t a = 0; a < file_.actuators.size(); ++a) judge_grip(static_cast<Index>(a));
     judge_balance();
   }
 
-  /// What the frame's numbers are measured by.
   void measure() {
     const Object<double>& object = file_.object;
-    force_ = std::max(object.mass * file_.gravity.norm(), object.wrench.head<3>().norm());
-    if (step_.before && step_.twist)
-      force_ = std::max(force_, object.mass / step_.h *
-                                    Vector6<double>(*step_.twist - *step_.before).head<3>().norm());
+    double force = std::max(object.mass * file_.gravity.norm(), object.wrench.head<3>().norm());
+    if (step_.before && step_.twist) {
+      const Vector6<double> change = *step_.twist - *step_.before;
+      force = std::max(force, object.mass / step_.h * change.head<3>().norm());
+    }
     for (const SeenWrench& wrench : wrenches_)
-      if (wrench.force) force_ = std::max(force_, wrench.force->norm());
+      if (wrench.force) force = std::max(force, wrench.force->norm());
     for (const Actuator<double>& actuator : file_.actuators)
-      force_ = std::max(force_, std::abs(actuator.force));
-    force_ = std::max(force_, least_of_motion * largest_);
-    point_force_ = least_of_loads * force_;
+      force = std::max(force, std::abs(actuator.force));
+    units_.force = std::max({force, least_of_motion * largest_, least_force});
+    units_.point_force = least_of_loads * units_.force;
     for (const FrameContact& contact : contacts_)
-      point_force_ = std::max(point_force_, size_of(contact));
-    speed_ = std::max(step_.fastest,
-                      least_of_speeds * std::max(fastest_, step_.h * force_ / object.mass));
+      units_.point_force = std::max(units_.point_force, force_size(contact));
+    const double gained = step_.h * units_.force / object.mass;
+    units_.speed = std::max(step_.fastest, least_of_speeds * std::max(fastest_, gained));
   }
 
   /// By its contacts if they are known, else as given.
@@ -148,69 +141,6 @@ private:
     if (!most || !(worst.off <= most->off)) most = worst;
   }
 
-  void judge_point(const Body<double>& body, Index i) {
-    const FrameContact& contact = contacts_[static_cast<std::size_t>(i)];
-    const SeenContact& seen = step_.contacts[static_cast<std::size_t>(i)];
-    judge_gap(i, contact, seen);
-    if (!contact.normal_force) return;
-    const double normal = *contact.normal_force;
-    if (!body.bilateral)
-      note({ForceLaw::normal, std::max(0.0, -normal) / point_force_, 0, i, normal, 0, false, {}});
-    if (!contact.friction_force || !seen.is_placed) return;
-    judge_cone(body, i, contact, seen);
-    if (body.friction > 0 && contact.torsion && seen.slip && seen.touches)
-      judge_slip(body, i, contact, seen);
-  }
-
-  /// The smaller of force and gap: they exclude each other.
-  void judge_gap(Index i, const FrameContact& contact, const SeenContact& seen) {
-    const double force = size_of(contact);
-    WorstForce worst{ForceLaw::gap, 0, 0, i, force, 0, false, std::nullopt};
-    if (!seen.touches) {
-      worst.off = force / point_force_;
-    } else {
-      const double unit = step_.h * speed_ + least_gap * size_;
-      for (const std::optional<double>& gap : {seen.gap, contact.gap})
-        if (gap) worst.gap = std::max(worst.gap.value_or(0), *gap - seen.missed);
-      if (worst.gap) worst.off = std::min(force / point_force_, *worst.gap / unit);
-    }
-    note(worst);
-  }
-
-  /// Foreign cones are round, or pyramids within: the round one bounds them all.
-  void judge_cone(const Body<double>& body, Index i, const FrameContact& contact,
-                  const SeenContact& seen) {
-    const Vector3<double>& friction = *contact.friction_force;
-    const double out_of_plane = friction.dot(seen.normal);
-    const double lever = body.torsion_radius > 0 ? body.torsion_radius : size_ / 2;
-    const double all = std::hypot(Vector3<double>(friction - out_of_plane * seen.normal).norm(),
-                                  contact.torsion.value_or(0) / lever);
-    const double limit = body.friction * std::abs(*contact.normal_force);
-    const double off = std::max(all - limit, std::abs(out_of_plane));
-    note({ForceLaw::cone,
-          std::max(0.0, off) / point_force_,
-          0,
-          i,
-          all - limit >= off ? all : friction.norm(),
-          limit,
-          false,
-          {}});
-  }
-
-  /// What the cone has left to take from the slip, beside what an error of the speed may hide.
-  void judge_slip(const Body<double>& body, Index i, const FrameContact& contact,
-                  const SeenContact& seen) {
-    const double slip = std::hypot(seen.slip->norm(), body.torsion_radius * seen.spin);
-    const double limit = body.friction * std::abs(*contact.normal_force);
-    const double against = -contact.friction_force->dot(*seen.slip) - *contact.torsion * seen.spin;
-    const double least = least_share(file_, body) * limit;
-    const double hidden = point_force_ * slip + 2 * limit * speed_;
-    WorstForce worst{ForceLaw::dissipation, 0, 0, i, 0, least, false, {}};
-    if (slip > 0) worst.found = against / slip;
-    if (hidden > 0) worst.off = std::max(0.0, least * slip - against) / hidden;
-    note(worst);
-  }
-
   void judge_sum(Index b) {
     const std::optional<SeenWrench> sum = sum_of(b);
     if (!sum || frame_->bodies.empty()) return;
@@ -221,8 +151,14 @@ private:
   }
 
   void note_missing(ForceLaw law, Index of, const Vector3<double>& missing, bool is_moment) {
-    const double unit = is_moment ? force_ * size_ / 2 : force_;
-    note({law, missing.norm() / unit, 0, of, missing.norm(), 0, is_moment, {}});
+    const double unit = is_moment ? units_.force * units_.size / 2 : units_.force;
+    WorstForce worst;
+    worst.law = law;
+    worst.of = of;
+    worst.off = missing.norm() / unit;
+    worst.found = missing.norm();
+    worst.is_moment = is_moment;
+    note(worst);
   }
 
   /// What a body's forces do along a unit of a drive; none: they are not known well enough.
@@ -260,8 +196,14 @@ private:
       found += *force;
       size = std::max(size, std::abs(*force));
     }
-    size = std::max(size, least_of_loads * force_);
-    note({ForceLaw::grip, std::abs(found - lawful) / size, 0, a, found, lawful, false, {}});
+    size = std::max(size, least_of_loads * units_.force);
+    WorstForce worst;
+    worst.law = ForceLaw::grip;
+    worst.of = a;
+    worst.off = std::abs(found - lawful) / size;
+    worst.found = found;
+    worst.lawful = lawful;
+    note(worst);
   }
 
   /// Of one step from frame to frame: over several, the forces between are not known.
@@ -308,7 +250,6 @@ private:
   const SceneFile& file_;
   const std::vector<TrajectoryFrame>& frames_;
   SeenMotion seen_;
-  const double size_;
   ForceReport report_;
   std::array<std::optional<WorstForce>, std::size(force_laws)> worst_;
   double largest_ = 0, fastest_ = 0; ///< N, m/s, of all frames
@@ -317,9 +258,7 @@ private:
   SeenStep step_;
   std::vector<FrameContact> contacts_;
   std::vector<SeenWrench> wrenches_;
-  double force_ = 0;       ///< N, the largest that acts on the object
-  double point_force_ = 0; ///< N, the largest at a contact point
-  double speed_ = 0;       ///< m/s
+  ForceUnits units_;
 };
 
 } // namespace

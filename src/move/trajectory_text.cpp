@@ -42,9 +42,9 @@ std::string fault_phrase(const SceneFile& file, const WorstForce& worst) {
   case ForceLaw::normal:
     return who + " pulls with " + brief(-worst.found) + " N, and can only press";
   case ForceLaw::cone:
-    return worst.found > worst.lawful
-               ? "the friction of " + who + " is " + found + ", and its cone ends at " + lawful
-               : "the friction of " + who + " is not in the contact plane";
+    return "the friction of " + who + " is " + found +
+           (worst.is_out_of_plane ? " across the contact plane"
+                                  : ", and its cone ends at " + lawful);
   case ForceLaw::dissipation:
     return "the friction of " + who +
            (worst.found < 0 ? " drives its slip with " + brief(-worst.found) + " N, and should"
@@ -65,26 +65,28 @@ std::string fault_sentence(const SceneFile& file, const WorstForce& worst) {
   return "at " + brief(worst.time) + " s " + fault_phrase(file, worst);
 }
 
-/// Every law that is broken; or how well all of them are kept.
+/// How well the laws are kept; or which are, and what is wrong beside the first that is broken.
 Fact force_fact(const SceneFile& file, const TrajectoryReport& report) {
   const ForceReport& forces = *report.forces;
-  std::vector<std::string> broken, kept;
+  const WorstForce* const first = forces.broken(report.tolerance);
+  std::vector<std::string> kept;
+  std::string broken;
   double most = 0;
   for (const WorstForce& worst : forces.worst) {
     most = std::max(most, worst.off);
-    const bool is_kept = worst.off <= report.tolerance;
-    (is_kept ? kept : broken)
-        .push_back(is_kept ? force_law_text(worst.law)
-                           : std::string(force_law_text(worst.law)) + ": " +
-                                 fault_sentence(file, worst));
+    if (worst.off <= report.tolerance)
+      kept.emplace_back(force_law_text(worst.law));
+    else if (&worst != first || report.verdict != TrajectoryVerdict::wrong_forces)
+      broken += "\n" + fault_sentence(file, worst);
   }
-  std::string text = "of " + counted(forces.frames, "frame") + ", the balance of " +
-                     std::to_string(forces.balanced);
-  if (broken.empty())
-    return {"Forces",
-            text + "; every law is kept within " + residual_text(most) + " of the largest"};
-  if (!kept.empty()) text += "; kept: " + joined(kept, ", ");
-  return {"Forces", text + "\n" + joined(broken, "\n")};
+  std::string text = "of " + counted(forces.frames, "frame") + " judged" +
+                     (forces.balanced < forces.frames
+                          ? ", the balance of " + std::to_string(forces.balanced) + ": "
+                          : ": ");
+  if (first == nullptr)
+    return {"Forces", text + "every law is kept within " + residual_text(most) + " of the largest"};
+  return {"Forces",
+          text + (kept.empty() ? "no law is kept" : "kept are " + listed(kept, "and")) + broken};
 }
 
 std::string verdict_sentence(const SceneFile& file, const TrajectoryReport& report) {

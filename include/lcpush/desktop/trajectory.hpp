@@ -80,7 +80,8 @@ struct WorstForce {
   double found = 0;       ///< N; newton, sum: of the force that is missing
   double lawful = 0;      ///< N: the force that it should be, at most or at least
   bool is_moment = false; ///< both are N m
-  std::optional<double> gap; ///< m; none: nothing touches there
+  bool is_out_of_plane = false; ///< cone: found is across the contact plane
+  std::optional<double> gap;    ///< m; none: nothing touches there
 };
 
 /// Of the frames' forces alone, by the laws; nothing is solved.
