@@ -3,8 +3,8 @@
 #include "lcpush/desktop/move.hpp"
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "move/motion_run.hpp"
-#include "move/seen_motion.hpp"
 #include "move/trajectory_forces.hpp"
+#include "move/trajectory_steps.hpp"
 
 #include <algorithm>
 #include <cmath>

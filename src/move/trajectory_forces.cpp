@@ -1,8 +1,8 @@
 #include "move/trajectory_forces.hpp"
 
 #include "lcpush/desktop/move.hpp"
-#include "move/point_forces.hpp"
-#include "move/seen_motion.hpp"
+#include "move/trajectory_points.hpp"
+#include "move/trajectory_steps.hpp"
 
 #include <algorithm>
 #include <array>

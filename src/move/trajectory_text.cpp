@@ -49,7 +49,7 @@ std::string fault_phrase(const SceneFile& file, const WorstForce& worst) {
     return "the friction of " + who +
            (worst.found < 0 ? " drives its slip with " + brief(-worst.found) + " N, and should"
                             : " opposes its slip with " + found + ", not with") +
-           (worst.found < 0 ? " oppose it with " : " ") + lawful;
+           (worst.found < 0 ? " oppose it with " : " ") + lawful + " or more";
   case ForceLaw::sum:
     return std::string(worst.is_moment ? "the moment" : "the force") + " of " + who +
            " is not the sum of its contacts', by " + found;

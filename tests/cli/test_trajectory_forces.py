@@ -14,27 +14,8 @@ PIVOT, STROKES = SCENES / "pivot.toml", SOURCE / "docs/guide/two_strokes.toml"
 EACH_STEP = ("--step", 0.005, "--frames", 201)
 # They do not move: the coin's table is not where a motion needs it, and the jam has no first step.
 STILL = {"coin", "coin_from_above", "jam"}
-# In the grip of two points, 1.4 N of friction hold 4.4 N of weight: it falls with 6.7 m/s^2.
-FALLING = """gravity = [0, -9.81, 0]
-[object]
-mass = 0.45
-box = [0.04, 0.04, 0.04]
-[[finger]]
-name = "left"
-shape = "point"
-center = [0, 0, 0.02]
-normal = [0, 0, -1]
-friction = 0.7
-grip_force = 1
-[[finger]]
-name = "right"
-shape = "point"
-center = [0, 0, -0.02]
-normal = [0, 0, 1]
-friction = 0.7
-grip_force = 1
-"""
-FALL = 9.81 - 2 * 0.7 * 1 / 0.45
+# Two points hold 1.4 N of the 4.9 N that it weighs.
+FALLING, FALL = SOURCE / "docs/guide/falling_box.toml", 7.01
 
 
 def run(*words):
@@ -221,6 +202,19 @@ class Forces(unittest.TestCase):
         self.assertEqual((report["verdict"], report["forces"]["balanced"]), ("follows", 0))
         self.assertNotIn("newton", self.laws(report))
 
+    def test_a_body_that_is_not_its_contacts_is_named(self):
+        frames = self.frames(PIVOT, "--time", 0.2, *EACH_STEP[:2], "--frames", 41)
+        for key, unit in (("force", "N"), ("moment", "N m")):
+            spoilt = json.loads(json.dumps(frames))
+            spoilt[20]["bodies"][1][key][0] += 0.7
+            report = self.verdict(PIVOT, spoilt)
+            self.assertEqual((report["verdict"], self.broken(report)), ("wrong_forces", ["sum"]))
+            worst = self.laws(report)["sum"]
+            self.assertEqual((worst["of"], worst["time"], worst["unit"]), ("right", frames[20]["time"], unit))
+            self.assertAlmostEqual(worst["found"], 0.7, delta=1e-9)
+            self.assertIn(f"the {key} of right is not the sum of its contacts', by 0.7 {unit}",
+                          " ".join(self.said.split()))
+
     def test_a_moment_that_is_missing_is_named(self):
         frames = self.frames(PIVOT, "--time", 0.2, *EACH_STEP[:2], "--frames", 41)
         for frame in frames:
@@ -235,9 +229,8 @@ class Forces(unittest.TestCase):
         self.assertIn("make the change of spin", " ".join(self.said.split()))
 
     def test_an_exact_fall_against_friction(self):
-        scene = self.file("falling.toml", FALLING)
         for speeds in (True, False):
-            report = self.verdict(scene, self.fall(speeds=speeds))
+            report = self.verdict(FALLING, self.fall(speeds=speeds))
             self.assertEqual((report["verdict"], self.broken(report)), ("follows", []))
             self.assertEqual((report["forces"]["frames"], report["forces"]["balanced"]),
                              (20, 20 if speeds else 19))
@@ -245,7 +238,7 @@ class Forces(unittest.TestCase):
                 self.assertLess(self.laws(report)[law]["off"], 1e-9 if speeds else 1e-2, law)
         for made, law in ((self.fall(friction=0.8), "cone"), (self.fall(friction=0.6), "dissipation"),
                           (self.fall(friction=-0.7), "dissipation"), (self.fall(normal=1.1), "grip")):
-            report = self.verdict(scene, made)
+            report = self.verdict(FALLING, made)
             self.assertEqual((report["verdict"], report["forces"]["broken"]), ("wrong_forces", law))
             self.assertIn("newton", self.broken(report))
 
@@ -274,7 +267,6 @@ class Forces(unittest.TestCase):
 
     def test_mistakes_are_refused_with_their_line(self):
         head, row = self.fall(head_only=True), self.fall().splitlines()[1]
-        scene = self.file("falling.toml", FALLING)
         frame = '{"time": %g, "position": [0, 0, 0], "rotation": [1, 0, 0, 0, 1, 0, 0, 0, 1], %s}'
 
         def frames(words):
@@ -291,7 +283,7 @@ class Forces(unittest.TestCase):
                 (frames('"contacts": [{"name": "left.1", "normal_force": "1"}]'), 2, "must be a number"),
                 (frames('"step": -1'), 2, "step is the seconds"),
                 (frames('"step": 1.5'), 3, "longer than since the frame before")):
-            result = run("verify", scene, "--trajectory", self.file("m.txt", text))
+            result = run("verify", FALLING, "--trajectory", self.file("m.txt", text))
             self.assertEqual((result.returncode, result.stdout), (2, ""), text)
             self.assertIn(f"m.txt:{line}: ", result.stderr)
             self.assertIn(message, " ".join(result.stderr.split()))

@@ -1,4 +1,4 @@
-#include "move/seen_motion.hpp"
+#include "move/trajectory_steps.hpp"
 
 #include "lcpush/desktop/move.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lcpush/desktop/trajectory.hpp"
-#include "move/seen_motion.hpp"
+#include "move/trajectory_steps.hpp"
 
 namespace lcpush::desktop {
 

@@ -1,4 +1,4 @@
-#include "move/point_forces.hpp"
+#include "move/trajectory_points.hpp"
 
 #include <algorithm>
 #include <cmath>
