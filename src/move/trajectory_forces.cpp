@@ -1,6 +1,5 @@
 #include "move/trajectory_forces.hpp"
 
-#include "lcpush/desktop/move.hpp"
 #include "move/trajectory_points.hpp"
 #include "move/trajectory_steps.hpp"
 

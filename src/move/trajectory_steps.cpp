@@ -1,7 +1,5 @@
 #include "move/trajectory_steps.hpp"
 
-#include "lcpush/desktop/move.hpp"
-
 #include <algorithm>
 #include <cmath>
 

@@ -123,8 +123,6 @@ struct MotionReport {
 
 /// How long, if nobody says: to the end of the last stroke, else 1 s.
 double motion_time(const SceneFile& file);
-/// m, what encloses its contact points and, of a known shape, the shape.
-double object_size(const SceneFile& file);
 
 /// `file` has all strokes. Throws InputError where the scene does not say how a body touches: edges
 /// against edges, points beside every face. Cost: three solves a step where steps are controlled.
