@@ -116,9 +116,9 @@ Told ask_verify_motion(const std::string& text, Listener&) {
   const double tolerance = request.positive("tolerance").value_or(usual_tolerance);
   const SceneFile file = request.scene(Strokes::all);
   const TrajectoryReport report =
-      verify_trajectory(file, parse_trajectory(request.text("motion"), "motion"), tolerance);
+      verify_trajectory(file, parse_trajectory(request.text("motion"), "motion", file), tolerance);
   return {report.verdict == TrajectoryVerdict::follows,
-          format == "json" ? trajectory_json(report) : trajectory_text(file, report)};
+          format == "json" ? trajectory_json(file, report) : trajectory_text(file, report)};
 }
 
 Told ask_matrices(const std::string& text, Listener&) {

@@ -51,10 +51,11 @@ int verify_motion(const Arguments& arguments, const std::string& format) {
     throw UsageError("--trajectory needs one file beside it: SCENE.toml");
   const SceneFile file = read_scene_argument(arguments, Needs::scene, Strokes::all);
   const TrajectoryReport report = verify_trajectory(
-      file, read_trajectory(*arguments.value("--trajectory")),
+      file, read_trajectory(*arguments.value("--trajectory"), file),
       arguments.number("--tolerance", 1, ", such as 0.01").value_or(usual_tolerance));
   write_answer(arguments, format,
-               format == "json" ? trajectory_json(report) : trajectory_text(file, report), file);
+               format == "json" ? trajectory_json(file, report) : trajectory_text(file, report),
+               file);
   return report.verdict == TrajectoryVerdict::follows ? 0 : 1;
 }
 
@@ -92,15 +93,16 @@ Command verify_command() {
       "that solves nothing, and the answer is compared with lcpush's own. With --lcp (or --M\n"
       "and --q) it is the z of a raw problem, in a box if one is given, as for `lcpush lcp`.\n"
       "With --trajectory it is a motion, frames as of `lcpush move --json` or --format csv: each\n"
-      "step is compared with the laws' own, begun where the motion is. Here exit status 0 means\n"
-      "valid, 1 not.\n\n"
+      "step is compared with the laws' own, begun where the motion is, and forces, if there are\n"
+      "some, are judged by each law. Here exit status 0 means valid, 1 not.\n\n"
       "Example:\n"
       "  lcpush solve fixtures/scenes/tipping.toml --json -o answer.json\n"
       "  lcpush verify fixtures/scenes/tipping.toml answer.json\n",
       with_scene_options({
           {"--tolerance", "T", "what a row may be off by, scaled (default 1e-6)"},
           {"--trajectory", "FILE",
-           "a motion, JSON or CSV; then T is a part of the fastest speed (0.01)"},
+           "a motion, JSON or CSV; then T is a part of the fastest speed and of "
+           "the largest force (0.01)"},
           {"--lcp", "", "a raw problem: M.mtx q.mtx ANSWER.json"},
           matrix_option,
           vector_option,

@@ -2,7 +2,6 @@
 
 #include "lcpush/desktop/owned.hpp"
 #include "lcpush/mechanics/model/even_pressure.hpp"
-#include "scenes/facing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,66 +44,23 @@ bool is_over_its_face(const StepContact<double>& contact) {
 } // namespace
 
 MotionRun::MotionRun(const SceneFile& file)
-    : file_(file), faces_(contact_faces(file)), bodies_(file.bodies),
-      has_begun_(file.bodies.size()), aims_(file.is_round ? file.points.size() : 0),
+    : file_(file), faces_(file), aims_(file.is_round ? file.points.size() : 0),
       scene_(scene_of(file)), around_(faces_.view()), bytes_(motion_bytes_of(file)),
       kept_(static_cast<std::size_t>(motion_array_bytes<double>(motion_size(scene_)))),
-      stepper_(scene_, around_,
-               make_structured_motion_memory<double>(span_of(bytes_), motion_size(scene_),
-                                                     shared_of(file))) {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    has_begun_[b] = file.strokes[b].from == 0;
-    face_object(b, Matrix3<double>::Identity());
-  }
-  place_strokes(0);
-}
+      memory_(make_structured_motion_memory<double>(span_of(bytes_), motion_size(scene_),
+                                                    shared_of(file))),
+      stepper_(scene_, around_, memory_) {}
 
 Scene<double> MotionRun::scene_of(const SceneFile& file) const {
   Scene<double> scene = file.view();
-  scene.bodies = span_of(bodies_);
+  scene.bodies = span_of(faces_.bodies());
   scene.aims = {aims_.data(), static_cast<Index>(aims_.size())};
   return scene;
 }
 
-/// A normal turns with the face that it points into. One that is given for a later stroke, when the
-/// object has turned, is that of the face as it was at first.
-void MotionRun::face_object(std::size_t b, const Matrix3<double>& turned) {
-  const Touching& touching = faces_.touching[b];
-  if (touching.riding != Riding::on_body || touching.face < 0) return;
-  const Vector3<double> n = -faces_.faces[static_cast<std::size_t>(touching.face)].normal;
-  if (n == file_.bodies[b].normal) return;
-  Body<double> given = file_.bodies[b];
-  given.normal = turned.transpose() * given.normal;
-  given.tangent = turned.transpose() * given.tangent;
-  bodies_[b] = facing(given, n);
-}
-
-void MotionRun::begin_strokes() {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (has_begun_[b] != 0 || file_.strokes[b].from > stepper_.time()) continue;
-    has_begun_[b] = 1;
-    begin_stroke(file_, static_cast<Index>(b), stepper_.pose().rotation, faces_);
-    face_object(b, stepper_.pose().rotation);
-  }
-}
-
-void MotionRun::place_strokes(double middle) {
-  for (std::size_t b = 0; b < file_.strokes.size(); ++b)
-    faces_.absent[b] = middle < file_.strokes[b].from || middle >= file_.strokes[b].until;
-}
-
-Vector6<double> MotionRun::prescribed(Index body, double time) const {
-  const Stroke& stroke = file_.strokes[static_cast<std::size_t>(body)];
-  const double since = std::clamp(time, stroke.from, stroke.until) - stroke.from;
-  // A step that ends with the stroke may end a rounding error after it.
-  const double rounding = 1e-12 * time;
-  const bool is_over = time < stroke.from - rounding || time > stroke.until + rounding;
-  return (is_over ? 0.0 : stroke.is_velocity ? 1.0 : since) * file_.body(body).acceleration;
-}
-
 Status MotionRun::advance(double h) {
   const double now = stepper_.time();
-  place_strokes(now + h / 2);
+  faces_.place_strokes(now + h / 2);
   for (Index b = 0; b < scene_.bodies.size; ++b) {
     // Without inertia, what a step takes is the velocity at its end; over it, the way that an
     // acceleration makes is that of its mean.
@@ -124,6 +80,12 @@ MotionRun::Saved MotionRun::save() const {
 void MotionRun::restore(const Saved& saved) {
   std::copy(saved.arrays.begin(), saved.arrays.end(), bytes_.begin());
   stepper_.return_to(saved.moment);
+}
+
+std::vector<Touch> MotionRun::touches() const {
+  std::vector<Touch> touches;
+  for (Index i = 0; i < scene_.points.size; ++i) touches.push_back(touch_of(stepper_.contact(i)));
+  return touches;
 }
 
 bool MotionRun::leaves() const {
@@ -148,7 +110,10 @@ MotionFrame MotionRun::frame(double h) const {
     const Body<double>& body = scene_.bodies[b];
     BodyForce sum;
     for (const Drive<double>& drive : scene_.drives)
-      if (drive.body == b && !sum.closing) sum.closing = stepper_.closing(drive.actuator);
+      if (drive.body == b && !sum.closing) {
+        sum.closing = stepper_.closing(drive.actuator);
+        sum.closing_speed = stepper_.closing_speed(drive.actuator);
+      }
     for (const Index i : points_of(body)) {
       const StepContact<double>& contact = stepper_.contact(i);
       PointState state;
@@ -159,6 +124,7 @@ MotionFrame MotionRun::frame(double h) const {
         if (is_over_its_face(contact)) state.gap = contact.gap;
         state.normal_force = contact.normal_force;
         state.friction_force = contact.friction_force;
+        state.torsion = contact.torsion;
         state.velocity = contact.velocity;
         state.position = contact.position;
         state.normal = contact.normal;
@@ -209,8 +175,8 @@ Index MotionRun::inside(double slack) const {
     if (file_.strokes[static_cast<std::size_t>(b)].from != stepper_.time()) continue;
     for (const Index i : points_of(scene_.bodies[b])) {
       const PlacedPoint<double> placed =
-          place(around_, faces_.touching[static_cast<std::size_t>(b)], scene_.bodies[b],
-                scene_.points[i], stepper_.pose(), stepper_.pose_of(b), slack);
+          place(around_, faces_.touching(b), scene_.bodies[b], scene_.points[i], stepper_.pose(),
+                stepper_.pose_of(b), slack);
       if (placed.absence != Absence::outside && placed.gap < -slack) return b;
     }
   }

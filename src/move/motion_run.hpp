@@ -3,7 +3,7 @@
 
 #include "lcpush/desktop/move.hpp"
 #include "lcpush/mechanics/solve/step.hpp"
-#include "move/contact_faces.hpp"
+#include "move/stroke_faces.hpp"
 
 #include <vector>
 
@@ -21,7 +21,7 @@ public:
   [[nodiscard]] Status start() { return stepper_.start(); }
 
   /// To be called where strokes may begin: their bodies touch what they meet there.
-  void begin_strokes();
+  void begin_strokes() { faces_.begin_strokes(stepper_.time(), stepper_.pose().rotation); }
 
   /// One step of h seconds that ends within the same strokes as it begins.
   [[nodiscard]] Status advance(double h);
@@ -39,11 +39,23 @@ public:
     stepper_.return_to({pose, twist, time, stepper_.moment().knows_last});
   }
 
+  /// An actuator has closed so far, and does so at this speed.
+  void close(Index actuator, double closing, double speed) {
+    memory_.closings[actuator] = closing;
+    memory_.speeds[actuator] = speed;
+  }
+  /// A body is there.
+  void put(Index body, const Pose<double>& pose) { memory_.poses[body] = pose; }
+
   const Stepper& stepper() const { return stepper_; }
   const Scene<double>& scene() const { return scene_; }
-  bool is_absent(Index body) const { return faces_.absent[static_cast<std::size_t>(body)] != 0; }
+  bool is_absent(Index body) const { return faces_.is_absent(body); }
   /// What prescribes a body's motion at `time`, a twist at the object's first centre of mass.
-  Vector6<double> prescribed(Index body, double time) const;
+  Vector6<double> prescribed(Index body, double time) const {
+    return faces_.prescribed(body, time);
+  }
+  /// What each point did in the step just made.
+  std::vector<Touch> touches() const;
   /// Has the step just made taken a point that touched beside its face?
   bool leaves() const;
   /// The end of the step just made; or the start.
@@ -55,20 +67,16 @@ public:
   Index inside(double slack) const;
 
 private:
-  void place_strokes(double middle);
-
   Scene<double> scene_of(const SceneFile& file) const;
-  void face_object(std::size_t b, const Matrix3<double>& turned);
 
   const SceneFile& file_;
-  ContactFaces faces_;
-  std::vector<Body<double>> bodies_; ///< with their faces' normals
-  std::vector<unsigned char> has_begun_;
+  StrokeFaces faces_;
   std::vector<Aim<double>> aims_; ///< of round friction
   Scene<double> scene_;
   Surroundings<double> around_;
   std::vector<unsigned char> bytes_;
-  std::size_t kept_; ///< of the bytes, those that a step leaves to the next
+  std::size_t kept_;            ///< of the bytes, those that a step leaves to the next
+  MotionMemory<double> memory_; ///< over the bytes
   Stepper stepper_;
 };
 

@@ -263,12 +263,6 @@ double motion_time(const SceneFile& file) {
   return last > 0 ? last : 1;
 }
 
-double object_size(const SceneFile& file) {
-  double size = file.shape.size.norm();
-  for (const Vector3<double>& p : file.points) size = std::max(size, 2 * p.norm());
-  return size > 0 ? size : 1;
-}
-
 const char* touch_text(Touch touch) {
   constexpr const char* texts[] = {"stick",  "slide",   "separate", "beside",
                                    "behind", "no_line", "away"};

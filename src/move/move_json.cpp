@@ -13,6 +13,31 @@ std::vector<double> row_by_row(const Matrix3<double>& R) {
 }
 
 std::string exact(double x) { return printed("%.17g", x); }
+std::string exact(const std::optional<double>& x) { return x ? exact(*x) : ""; }
+/// Each behind a comma.
+template <int n> std::string exact(const Eigen::Matrix<double, n, 1>& list) {
+  std::string text;
+  for (Index k = 0; k < n; ++k) text += "," + exact(list[k]);
+  return text;
+}
+
+/// Columns have come at the end, so that a reader by place finds the old ones where they were.
+std::string csv_head(const SceneFile& file) {
+  const auto points = static_cast<Index>(file.points.size());
+  std::string text = "time,x,y,z,r11,r12,r13,r21,r22,r23,r31,r32,r33,vx,vy,vz,wx,wy,wz";
+  for (const std::string& name : file.body_names)
+    for (const char* part : {"fx", "fy", "fz", "mx", "my", "mz"}) text += "," + name + "." + part;
+  for (Index i = 0; i < points; ++i)
+    for (const char* part : {"mode", "gap", "normal"})
+      text += "," + point_name(file, i) + "." + part;
+  text += ",step";
+  for (const std::string& name : file.body_names)
+    text += "," + name + ".closing," + name + ".closing_speed";
+  for (Index i = 0; i < points; ++i)
+    for (const char* part : {"fx", "fy", "fz", "torsion"})
+      text += "," + point_name(file, i) + "." + part;
+  return text + "\n";
+}
 
 void write_frame(JsonWriter& json, const SceneFile& file, const MotionFrame& frame) {
   json.member("time", frame.time)
@@ -26,7 +51,8 @@ void write_frame(JsonWriter& json, const SceneFile& file, const MotionFrame& fra
         .member("force", body.force)
         .member("moment", body.moment)
         .member("normal_force", body.normal_force)
-        .member("closing", body.closing);
+        .member("closing", body.closing)
+        .member("closing_speed", body.closing_speed);
   });
   Index i = 0;
   json.objects("contacts", frame.contacts, [&](const PointState& contact) {
@@ -35,6 +61,7 @@ void write_frame(JsonWriter& json, const SceneFile& file, const MotionFrame& fra
         .member("gap", contact.gap)
         .member("normal_force", contact.normal_force)
         .member("friction_force", contact.friction_force)
+        .member("torsion", contact.torsion)
         .member("velocity", contact.velocity);
   });
 }
@@ -84,25 +111,20 @@ std::string move_json(const SceneFile& file, const MotionReport& report) {
 }
 
 std::string move_csv(const SceneFile& file, const MotionReport& report) {
-  std::string text = "time,x,y,z,r11,r12,r13,r21,r22,r23,r31,r32,r33,vx,vy,vz,wx,wy,wz";
-  for (const std::string& name : file.body_names)
-    for (const char* part : {"fx", "fy", "fz", "mx", "my", "mz"}) text += "," + name + "." + part;
-  for (Index i = 0; i < static_cast<Index>(file.points.size()); ++i)
-    for (const char* part : {"mode", "gap", "normal"})
-      text += "," + point_name(file, i) + "." + part;
-  text += "\n";
+  std::string text = csv_head(file);
   for (const MotionFrame& frame : report.frames) {
-    text += exact(frame.time);
-    for (Index k = 0; k < 3; ++k) text += "," + exact(frame.pose.position[k]);
+    text += exact(frame.time) + exact(frame.pose.position);
     for (const double x : row_by_row(frame.pose.rotation)) text += "," + exact(x);
-    for (Index k = 0; k < 6; ++k) text += "," + exact(frame.twist[k]);
-    for (const BodyForce& body : frame.bodies) {
-      for (Index k = 0; k < 3; ++k) text += "," + exact(body.force[k]);
-      for (Index k = 0; k < 3; ++k) text += "," + exact(body.moment[k]);
-    }
+    text += exact(frame.twist);
+    for (const BodyForce& body : frame.bodies) text += exact(body.force) + exact(body.moment);
     for (const PointState& contact : frame.contacts)
-      text += "," + std::string(touch_text(contact.touch)) + "," +
-              (contact.gap ? exact(*contact.gap) : "") + "," + exact(contact.normal_force);
+      text += "," + std::string(touch_text(contact.touch)) + "," + exact(contact.gap) + "," +
+              exact(contact.normal_force);
+    text += "," + exact(frame.step);
+    for (const BodyForce& body : frame.bodies)
+      text += "," + exact(body.closing) + "," + exact(body.closing_speed);
+    for (const PointState& contact : frame.contacts)
+      text += exact(contact.friction_force) + "," + exact(contact.torsion);
     text += "\n";
   }
   return text;

@@ -3,6 +3,8 @@
 #include "lcpush/desktop/move.hpp"
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "move/motion_run.hpp"
+#include "move/trajectory_forces.hpp"
+#include "move/trajectory_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +17,9 @@ namespace {
 constexpr double at_rest = 1e-3;
 // Places are printed with so many digits, of the object's size.
 constexpr double printed_digits = 1e-9;
-constexpr int most_parts = 64; // of a step between two frames
+// Of a step between two frames.
+constexpr double most_untold_parts = 64, most_told_parts = 1024;
+constexpr int most_part_halvings = 8; // of a part that has no answer
 
 /// m/s over a step: the largest difference of a contact point's place on the object.
 double speed_between(const SceneFile& file, const Pose<double>& a, const Pose<double>& b,
@@ -23,18 +27,6 @@ double speed_between(const SceneFile& file, const Pose<double>& a, const Pose<do
   double most = 0;
   for (const Vector3<double>& p : file.points) most = std::max(most, (a.at(p) - b.at(p)).norm());
   return std::max(0.0, most - printed_digits * object_size(file)) / h;
-}
-
-/// The velocity of the way between two frames.
-Vector6<double> mean_twist(const Pose<double>& from, const Pose<double>& to, double h) {
-  const Matrix3<double> turned = to.rotation * from.rotation.transpose();
-  const Vector3<double> twice(turned(2, 1) - turned(1, 2), turned(0, 2) - turned(2, 0),
-                              turned(1, 0) - turned(0, 1));
-  const double sine = twice.norm() / 2;
-  const double angle = std::atan2(sine, (turned.trace() - 1) / 2);
-  Vector6<double> twist;
-  twist << (to.position - from.position) / h, twice / 2 * (sine > 1e-9 ? angle / sine : 1.0) / h;
-  return twist;
 }
 
 /// How many times the grip that holds the scene's grip is.
@@ -51,7 +43,7 @@ std::optional<double> held_times(const SceneFile& file) {
 class TrajectoryJudge {
 public:
   TrajectoryJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given)
-      : file_(file), given_(given), run_(file) {}
+      : file_(file), given_(given), seen_(file, given), run_(file) {}
 
   TrajectoryReport judge(double tolerance) {
     report_.tolerance = tolerance;
@@ -61,6 +53,7 @@ public:
     const double span = given_.back().time - given_.front().time;
     report_.creep = speed_between(file_, given_.front().pose, given_.back().pose, span);
     if (report_.steps > 0) report_.mean /= static_cast<double>(report_.steps);
+    report_.forces = judge_forces(file_, given_);
     decide();
     return report_;
   }
@@ -70,15 +63,32 @@ private:
   struct Way {
     Status status = Status::running;
     Pose<double> end;
-    double off = 0; ///< m/s, from where the motion goes
+    double off = 0;        ///< m/s, from where the motion goes
+    bool is_smooth = true; ///< made of equal steps, and no contact does something else on the way
     MotionRun::Saved saved;
   };
+
+  /// Where a step is too long for the laws, two of half its length may be there.
+  Status advance(double h, int halvings, bool& is_halved) {
+    const Status status = run_.advance(h);
+    if (status == Status::solved || halvings == 0 || run_.stepper().run().lost) return status;
+    is_halved = true;
+    const Status half = advance(h / 2, halvings - 1, is_halved);
+    return half == Status::solved ? advance(h / 2, halvings - 1, is_halved) : half;
+  }
 
   Way way(const TrajectoryFrame& to, double h, int parts) {
     Way way;
     way.status = Status::solved;
-    for (int k = 0; k < parts && way.status == Status::solved; ++k)
-      way.status = run_.advance(h / parts);
+    std::vector<Touch> before;
+    for (int k = 0; k < parts && way.status == Status::solved; ++k) {
+      bool is_halved = false;
+      way.status = advance(h / parts, most_part_halvings, is_halved);
+      std::vector<Touch> touches = run_.touches();
+      const bool goes_on = (k == 0 || touches == before) && !run_.leaves();
+      way.is_smooth = way.is_smooth && goes_on && !is_halved;
+      before = std::move(touches);
+    }
     if (way.status != Status::solved) return way;
     way.end = run_.stepper().pose();
     way.off = speed_between(file_, way.end, to.pose, h);
@@ -91,15 +101,21 @@ private:
   Way nearest_way(const TrajectoryFrame& to, double h) {
     const MotionRun::Saved before = run_.save();
     Way nearest = way(to, h, 1), last = nearest;
-    for (int parts = 2; parts <= most_parts; parts *= 2) {
+    // Who says how short its steps are may have made many.
+    const double said = to.step && *to.step > 0 ? h / *to.step : 0;
+    const double most = std::clamp(said, most_untold_parts, most_told_parts);
+    for (int parts = 2; parts <= most; parts *= 2) {
       const bool is_solved = last.status == Status::solved;
       if (is_solved && nearest.off <= report_.tolerance * report_.fastest) break;
       run_.restore(before);
       Way finer = way(to, h, parts);
-      // Yet finer ones change the end by about as much again: can that be enough?
-      const bool is_hopeless = is_solved && finer.status == Status::solved &&
-                               finer.off > 2 * speed_between(file_, last.end, finer.end, h) +
-                                               report_.tolerance * report_.fastest;
+      // Yet finer ones change the end by about as much again, unless something happens on the way
+      // whose moment they find: can that be enough?
+      const bool is_settling = parts > 2 && is_solved && finer.status == Status::solved &&
+                               last.is_smooth && finer.is_smooth;
+      const bool is_hopeless =
+          is_settling && finer.off > 2 * speed_between(file_, last.end, finer.end, h) +
+                                         report_.tolerance * report_.fastest;
       const bool is_nearer = finer.status == Status::solved &&
                              (nearest.status != Status::solved || finer.off < 0.9 * nearest.off);
       if (is_nearer) nearest = finer;
@@ -108,6 +124,15 @@ private:
     }
     if (nearest.status == Status::solved) run_.restore(nearest.saved);
     return nearest;
+  }
+
+  /// The fingers are where frame k has them, if it says so.
+  void close_hand(std::size_t k) {
+    const auto closings = seen_.closings_at(k), speeds = seen_.speeds_at(k);
+    for (std::size_t a = 0; a < closings.size(); ++a)
+      if (closings[a]) run_.close(static_cast<Index>(a), *closings[a], speeds[a].value_or(0));
+    for (Index b = 0; b < run_.scene().bodies.size; ++b)
+      if (const std::optional<Pose<double>> pose = seen_.driven_pose(b, k)) run_.put(b, *pose);
   }
 
   /// From frame k - 1 to frame k, by the laws and as given.
@@ -120,6 +145,7 @@ private:
       report_.status = run_.advance(h);
       return;
     }
+    close_hand(k - 1);
     const double before = k > 1 ? from.time - given_[k - 2].time : h;
     run_.begin_at(from.time, from.pose,
                   from.twist ? *from.twist : mean_twist(given_[k - 2].pose, from.pose, before));
@@ -144,11 +170,17 @@ private:
     ++report_.steps;
   }
 
+  bool has_wrong_force() const {
+    return report_.forces && report_.forces->broken(report_.tolerance) != nullptr;
+  }
+
   void decide() {
     const bool is_near = report_.worst <= report_.tolerance * report_.fastest;
     const bool goes_on = report_.status == Status::solved;
     if (is_near)
-      report_.verdict = goes_on ? TrajectoryVerdict::follows : TrajectoryVerdict::stopped;
+      report_.verdict = !goes_on            ? TrajectoryVerdict::stopped
+                        : has_wrong_force() ? TrajectoryVerdict::wrong_forces
+                                            : TrajectoryVerdict::follows;
     else if (goes_on && own_ <= at_rest * goes_)
       report_.verdict = TrajectoryVerdict::creeps;
     if (report_.verdict == TrajectoryVerdict::creeps) report_.held = held_times(file_);
@@ -156,6 +188,7 @@ private:
 
   const SceneFile& file_;
   const std::vector<TrajectoryFrame>& given_;
+  SeenMotion seen_;
   MotionRun run_;
   TrajectoryReport report_;
   double goes_ = 0, own_ = 0; ///< m/s, the fastest step as given and by the laws
@@ -164,7 +197,7 @@ private:
 } // namespace
 
 const char* verdict_text(TrajectoryVerdict verdict) {
-  constexpr const char* texts[] = {"follows", "creeps", "differs", "stopped"};
+  constexpr const char* texts[] = {"follows", "creeps", "differs", "stopped", "wrong_forces"};
   return texts[static_cast<int>(verdict)];
 }
 

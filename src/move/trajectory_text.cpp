@@ -1,8 +1,12 @@
 #include "formats/json_writer.hpp"
+#include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/trajectory.hpp"
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
 #include "text/format.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
 
 namespace lcpush::desktop {
 namespace {
@@ -12,6 +16,77 @@ std::string speed_text(double speed) {
   if (speed >= 1e-2) return brief(speed) + " m/s";
   if (speed >= 1e-5) return brief(1e3 * speed) + " mm/s";
   return brief(1e6 * speed) + " um/s";
+}
+
+/// Whose force it is; nothing of all together.
+std::string whose(const SceneFile& file, const WorstForce& worst) {
+  switch (worst.law) {
+  case ForceLaw::newton: return "";
+  case ForceLaw::sum: return file.body_name(worst.of);
+  case ForceLaw::grip: return file.actuator_names[static_cast<std::size_t>(worst.of)];
+  default: return point_name(file, worst.of);
+  }
+}
+
+const char* unit_of(const WorstForce& worst) { return worst.is_moment ? " N m" : " N"; }
+
+/// "left.1 pulls with 1.2 N"
+std::string fault_phrase(const SceneFile& file, const WorstForce& worst) {
+  const std::string who = whose(file, worst), found = brief(worst.found) + unit_of(worst),
+                    lawful = brief(worst.lawful) + unit_of(worst);
+  switch (worst.law) {
+  case ForceLaw::gap:
+    return who + " presses with " + found +
+           (worst.gap ? " across a gap of " + brief(1000 * *worst.gap) + " mm"
+                      : " where it touches nothing");
+  case ForceLaw::normal:
+    return who + " pulls with " + brief(-worst.found) + " N, and can only press";
+  case ForceLaw::cone:
+    return "the friction of " + who + " is " + found +
+           (worst.is_out_of_plane ? " across the contact plane"
+                                  : ", and its cone ends at " + lawful);
+  case ForceLaw::dissipation:
+    return "the friction of " + who +
+           (worst.found < 0 ? " drives its slip with " + brief(-worst.found) + " N, and should"
+                            : " opposes its slip with " + found + ", not with") +
+           (worst.found < 0 ? " oppose it with " : " ") + lawful + " or more";
+  case ForceLaw::sum:
+    return std::string(worst.is_moment ? "the moment" : "the force") + " of " + who +
+           " is not the sum of its contacts', by " + found;
+  case ForceLaw::grip: return who + " closes with " + found + " instead of " + lawful;
+  case ForceLaw::newton: break;
+  }
+  return worst.is_moment
+             ? "the forces' moments do not make the change of spin: " + found + " are missing"
+             : "the forces do not make the change of velocity: " + found + " are missing";
+}
+
+std::string fault_sentence(const SceneFile& file, const WorstForce& worst) {
+  return "at " + brief(worst.time) + " s " + fault_phrase(file, worst);
+}
+
+/// How well the laws are kept; or which are, and what is wrong beside the first that is broken.
+Fact force_fact(const SceneFile& file, const TrajectoryReport& report) {
+  const ForceReport& forces = *report.forces;
+  const WorstForce* const first = forces.broken(report.tolerance);
+  std::vector<std::string> kept;
+  std::string broken;
+  double most = 0;
+  for (const WorstForce& worst : forces.worst) {
+    most = std::max(most, worst.off);
+    if (worst.off <= report.tolerance)
+      kept.emplace_back(force_law_text(worst.law));
+    else if (&worst != first || report.verdict != TrajectoryVerdict::wrong_forces)
+      broken += "\n" + fault_sentence(file, worst);
+  }
+  std::string text = "of " + counted(forces.frames, "frame") + " judged" +
+                     (forces.balanced < forces.frames
+                          ? ", the balance of " + std::to_string(forces.balanced) + ": "
+                          : ": ");
+  if (first == nullptr)
+    return {"Forces", text + "every law is kept within " + residual_text(most) + " of the largest"};
+  return {"Forces",
+          text + (kept.empty() ? "no law is kept" : "kept are " + listed(kept, "and")) + broken};
 }
 
 std::string verdict_sentence(const SceneFile& file, const TrajectoryReport& report) {
@@ -28,26 +103,51 @@ std::string verdict_sentence(const SceneFile& file, const TrajectoryReport& repo
   case TrajectoryVerdict::stopped:
     return "The laws have no step to " + brief(report.worst_time) +
            " s from where the motion is (" + std::string(status_text(report.status)) + ").";
+  case TrajectoryVerdict::wrong_forces:
+    return "The motion obeys the laws, its forces do not: " +
+           fault_sentence(file, *report.forces->broken(report.tolerance)) + ".";
   case TrajectoryVerdict::differs: break;
   }
   return "The motion breaks the laws: they lead elsewhere by " + worst + ".";
 }
 
+void write_forces(JsonWriter& json, const SceneFile& file, const TrajectoryReport& report) {
+  const ForceReport& forces = *report.forces;
+  const WorstForce* const broken = forces.broken(report.tolerance);
+  json.begin_object()
+      .member("frames", forces.frames)
+      .member("balanced", forces.balanced)
+      .member("broken", when(broken != nullptr,
+                             force_law_text(broken != nullptr ? broken->law : ForceLaw::newton)));
+  json.objects("laws", forces.worst, [&](const WorstForce& worst) {
+    json.member("law", force_law_text(worst.law))
+        .member("off", worst.off)
+        .member("time", worst.time)
+        .member("of", unless_empty(whose(file, worst)))
+        .member("found", worst.found)
+        .member("lawful", worst.lawful)
+        .member("unit", worst.is_moment ? "N m" : "N")
+        .member("gap", worst.gap);
+  });
+  json.end_object();
+}
+
 } // namespace
 
 std::string trajectory_text(const SceneFile& file, const TrajectoryReport& report) {
-  return title_line(file) + verdict_sentence(file, report) + "\n\n" +
-         facts_text(
-             {{"Compared", counted(report.steps, "step") +
-                               ", each begun where the motion is and made in the 1 to 64 "
-                               "parts that come nearest"},
-              {"Difference", speed_text(report.worst) + " at most (at " + brief(report.worst_time) +
-                                 " s), " + speed_text(report.mean) + " on average"},
-              {"Beside", speed_text(report.fastest) + ", the fastest that moves; allowed are " +
-                             brief(report.tolerance) + " of it"}});
+  std::vector<Fact> facts{
+      {"Compared", counted(report.steps, "step") +
+                       ", each begun where the motion is and made in so many equal parts as "
+                       "come nearest"},
+      {"Difference", speed_text(report.worst) + " at most (at " + brief(report.worst_time) +
+                         " s), " + speed_text(report.mean) + " on average"},
+      {"Beside", speed_text(report.fastest) + ", the fastest that moves; allowed are " +
+                     brief(report.tolerance) + " of it"}};
+  if (report.forces) facts.push_back(force_fact(file, report));
+  return title_line(file) + verdict_sentence(file, report) + "\n\n" + facts_text(facts);
 }
 
-std::string trajectory_json(const TrajectoryReport& report) {
+std::string trajectory_json(const SceneFile& file, const TrajectoryReport& report) {
   JsonWriter json;
   json.begin_object()
       .member("verdict", verdict_text(report.verdict))
@@ -60,7 +160,12 @@ std::string trajectory_json(const TrajectoryReport& report) {
       .member("status", status_text(report.status))
       .member("creep", report.creep)
       .member("held", report.held)
-      .end_object();
+      .key("forces");
+  if (report.forces)
+    write_forces(json, file, report);
+  else
+    json.value(nullptr);
+  json.end_object();
   return json.text();
 }
 

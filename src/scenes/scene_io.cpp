@@ -6,6 +6,8 @@
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
 
+#include <algorithm>
+
 namespace lcpush::desktop {
 
 std::string read_scene_text(const std::string& path) {
@@ -22,6 +24,12 @@ template SceneOf<double> parse_scene(std::string_view text, const std::string& f
                                      Strokes strokes);
 template SceneOf<Rational> parse_scene(std::string_view text, const std::string& file_name,
                                        Strokes strokes);
+
+double object_size(const SceneFile& file) {
+  double size = file.shape.size.norm();
+  for (const Vector3<double>& p : file.points) size = std::max(size, 2 * p.norm());
+  return size > 0 ? size : 1;
+}
 
 std::vector<std::string> irrational_directions(const SceneOf<Rational>& scene) {
   const std::string are_irrational = " are irrational: fractions within 1e-12 of them are used";

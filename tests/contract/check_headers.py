@@ -24,7 +24,8 @@ FORBIDDEN_CODE = [
     (re.compile(r"\b(dynamic_cast|typeid)\b"), "run-time type information"),
 ]
 # The referees share no code with what they judge.
-REFEREES = ["lcp/residual.hpp", "mechanics/model/check.hpp"]
+REFEREES = ["lcp/residual.hpp", "mechanics/model/check.hpp", "src/move/trajectory_forces.cpp",
+            "src/move/trajectory_points.cpp", "src/move/trajectory_steps.cpp"]
 SOLVERS = re.compile(r"^lcp/(pivots|sweeps)/"
                      r"|^mechanics/model/(assemble|read_answer)\b|^mechanics/(solve|study)/")
 
@@ -45,12 +46,16 @@ def includes_of(text):
 
 
 def is_core(name):
-    return not name.startswith("desktop/")
+    return not name.startswith(("desktop/", "src/"))
 
 
-def library_name(include):
-    """'lcp/pivots/lemke.hpp' for "lcpush/lcp/lemke.hpp", None for anybody else's header."""
-    return include[len("lcpush/"):] if include.startswith("lcpush/") else None
+def name_of(include):
+    """'lcp/pivots/lemke.hpp' for "lcpush/lcp/pivots/lemke.hpp"; others stand in src/, or are foreign."""
+    return include[len("lcpush/"):] if include.startswith("lcpush/") else f"src/{include}"
+
+
+def place_of(name):
+    return name if name.startswith("src/") else f"include/lcpush/{name}"
 
 
 def own_faults(name, text):
@@ -74,8 +79,8 @@ def path_to_solver(start, headers):
         if len(path) > 1 and SOLVERS.match(path[-1]):
             return path
         for _, include in includes_of(headers.get(path[-1], "")):
-            inner = library_name(include)
-            if inner is not None and inner not in seen:
+            inner = name_of(include)
+            if inner not in seen:
                 seen.add(inner)
                 paths.append(path + [inner])
     return None
@@ -85,16 +90,18 @@ def check(root):
     base = pathlib.Path(root) / "include" / "lcpush"
     headers = {path.relative_to(base).as_posix(): path.read_text(encoding="utf-8")
                for path in sorted(base.rglob("*.h*"))}
+    headers |= {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8")
+                for path in sorted((pathlib.Path(root) / "src/move").glob("*.[hc]pp"))}
     core = {name: text for name, text in headers.items() if is_core(name)}
     faults = [f"include/lcpush/{name}:{number}: {what}"
               for name, text in core.items() for number, what in own_faults(name, text)]
     for referee in REFEREES:
         if referee not in headers:
-            faults.append(f"include/lcpush/{referee}: missing")
+            faults.append(f"{place_of(referee)}: missing")
             continue
         path = path_to_solver(referee, headers)
         if path is not None:
-            faults.append(f"include/lcpush/{referee}:1: reaches a solver: {' -> '.join(path)}")
+            faults.append(f"{place_of(referee)}:1: reaches a solver: {' -> '.join(path)}")
     return len(core), faults
 
 

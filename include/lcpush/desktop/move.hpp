@@ -43,6 +43,7 @@ struct BodyForce {
   Vector3<double> force = Vector3<double>::Zero(), moment = Vector3<double>::Zero();
   double normal_force = 0;       ///< N, sum over its points
   std::optional<double> closing; ///< m or rad, how far its first actuator has gone; none: undriven
+  std::optional<double> closing_speed; ///< m/s or rad/s, at the step's end
 };
 
 struct PointState {
@@ -50,6 +51,7 @@ struct PointState {
   std::optional<double> gap; ///< m, at the step's end; none: not over its face then
   double normal_force = 0;   ///< N
   Vector3<double> friction_force = Vector3<double>::Zero();
+  double torsion = 0;                                 ///< N m about the normal, soft contacts only
   Vector3<double> velocity = Vector3<double>::Zero(); ///< m/s, object's point relative to its body
   Vector3<double> position = Vector3<double>::Zero(); ///< m, scene's frame
   Vector3<double> normal = Vector3<double>::Zero();
@@ -121,8 +123,6 @@ struct MotionReport {
 
 /// How long, if nobody says: to the end of the last stroke, else 1 s.
 double motion_time(const SceneFile& file);
-/// m, what encloses its contact points and, of a known shape, the shape.
-double object_size(const SceneFile& file);
 
 /// `file` has all strokes. Throws InputError where the scene does not say how a body touches: edges
 /// against edges, points beside every face. Cost: three solves a step where steps are controlled.
@@ -131,7 +131,7 @@ MotionReport move(const SceneFile& file, const MoveOptions& options);
 /// One sentence, where it ends and how it got there; then frames and events.
 std::string move_text(const SceneFile& file, const MotionReport& report, bool verbose = false);
 std::string move_json(const SceneFile& file, const MotionReport& report);
-/// A line a frame and contact.
+/// A line a frame; a column a number, by name.
 std::string move_csv(const SceneFile& file, const MotionReport& report);
 /// The object's path with ghosts.
 std::string move_svg(const SceneFile& file, const MotionReport& report);

@@ -148,6 +148,9 @@ template <class S> std::vector<Index> points_of(const Body<S>& body) {
   return list;
 }
 
+/// m, what encloses its contact points and, of a known shape, the shape.
+double object_size(const SceneFile& file);
+
 /// How a pressure law is spelled, in the order of the enumeration.
 inline std::vector<std::string> pressure_names() {
   std::vector<std::string> names;

@@ -264,8 +264,10 @@ class LcpVerdict(Verdict):
 
 
 class MotionVerdict(Answer):
-    """Of `Scene.verify_motion()`: `verdict` ("follows", "creeps", "differs" or "stopped"), `worst` m/s,
-    `worst_time` s, `creep` m/s, `held`. True where it follows."""
+    """Of `Scene.verify_motion()`: `verdict` ("follows", "creeps", "differs", "stopped" or
+    "wrong_forces"), `worst` m/s, `worst_time` s, `creep` m/s, `held`, and `forces` (`broken`, and of
+    each law in `laws` where it is obeyed least), None where the frames have none. True where it
+    follows."""
 
     def __bool__(self) -> bool:
         return bool(self._data["verdict"] == "follows")

@@ -158,14 +158,16 @@ class Scene:
                             None)
 
     def verify_motion(self, frames: Any, *, tolerance: Optional[float] = None) -> MotionVerdict:
-        """Does somebody else's motion follow the laws, step by step, or does it creep?
+        """Does somebody else's motion follow the laws, step by step, or does it creep? And do its
+        forces obey them?
 
         Args:
             frames: a list of {"time": s, "position": (3,), "rotation": (9,) row by row, "twist":
                 (6,)} (arrays may be NumPy's; a twist need not be known), how far the object has
-                gone from the scene's place; a Motion; the text of such a JSON object, or of CSV; or
-                the pathlib.Path of its file
-            tolerance: as a part of the fastest speed (0.01)
+                gone from the scene's place, and if they are to be judged the forces of "contacts"
+                and "bodies" as a Motion has them; a Motion; the text of such a JSON object, or of
+                CSV; or the pathlib.Path of its file
+            tolerance: as a part of the fastest speed, and of the largest force (0.01)
         """
         is_list = not isinstance(frames, (str, os.PathLike, Answer, Mapping))
         text = _text_of({"frames": frames} if is_list else frames, "motion")

@@ -1,0 +1,192 @@
+// A motion as CSV: columns by name, in any order.
+#include "formats/read_number.hpp"
+#include "lcpush/desktop/input_error.hpp"
+#include "move/trajectory_reader.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+/// w first; of any length but zero.
+Matrix3<double> by_quaternion(const std::vector<double>& q) {
+  const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  const double w = q[0] / norm, x = q[1] / norm, y = q[2] / norm, z = q[3] / norm;
+  Matrix3<double> R;
+  R << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y), 2 * (x * y + w * z),
+      1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x),
+      1 - 2 * (x * x + y * y);
+  return R;
+}
+
+/// A column's place; none: the file has not got it.
+using Column = std::optional<std::size_t>;
+using Columns = std::array<Column, 3>;
+
+struct ContactColumns {
+  Column normal, torsion, gap;
+  Columns friction;
+};
+struct BodyColumns {
+  Column closing, speed;
+  Columns force, moment;
+};
+
+class CsvTrajectory {
+public:
+  CsvTrajectory(const std::string& file, std::string_view head, const SceneFile& scene)
+      : file_(file) {
+    for (const std::string_view word : split_at(head, ',')) names_.emplace_back(trimmed(word));
+    if (!has({"time", "x", "y", "z"}))
+      throw InputError(file, 1,
+                       "no motion: the first line names the columns time, x, y, z, then r11 .. r33 "
+                       "(row by row) or qw, qx, qy, qz, and if known vx, vy, vz, wx, wy, wz");
+    if (!has(rows_) && !has(quaternion_))
+      throw InputError(file, 1, "no rotation: give the columns r11 .. r33, or qw, qx, qy, qz");
+    find_forces(scene);
+  }
+
+  TrajectoryFrame read(std::string_view line, int number) const {
+    const Row row{split_at(line, ','), number};
+    if (row.words.size() != names_.size())
+      throw InputError(file_, number,
+                       "the first line names " + std::to_string(names_.size()) +
+                           " columns, this one has " + std::to_string(row.words.size()));
+    TrajectoryFrame frame;
+    const std::vector<double> place = values(row, {"time", "x", "y", "z"});
+    frame.time = place[0];
+    frame.pose.position = {place[1], place[2], place[3]};
+    frame.pose.rotation =
+        has(rows_) ? rotation_of_rows(values(row, rows_)) : by_quaternion(values(row, quaternion_));
+    if (has(speeds_)) frame.twist = Eigen::Map<const Vector6<double>>(values(row, speeds_).data());
+    frame.step = number_in(row, step_);
+    for (const ContactColumns& columns : contacts_)
+      frame.contacts.push_back({number_in(row, columns.normal), vector_in(row, columns.friction),
+                                number_in(row, columns.torsion), number_in(row, columns.gap)});
+    for (const BodyColumns& columns : bodies_)
+      frame.bodies.push_back({vector_in(row, columns.force), vector_in(row, columns.moment),
+                              number_in(row, columns.closing), number_in(row, columns.speed)});
+    return frame;
+  }
+
+private:
+  struct Row {
+    std::vector<std::string_view> words;
+    int number;
+  };
+
+  bool has(const std::vector<std::string>& names) const {
+    return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+      return std::count(names_.begin(), names_.end(), name) == 1;
+    });
+  }
+
+  Column column(const std::string& name) const {
+    const auto at = std::find(names_.begin(), names_.end(), name);
+    if (at == names_.end()) return std::nullopt;
+    if (std::count(at, names_.end(), name) > 1)
+      throw InputError(file_, 1, "there are two columns " + quoted(name) + ": leave one");
+    return static_cast<std::size_t>(at - names_.begin());
+  }
+  /// All of three, or none.
+  Columns columns(const std::string& name, const std::string& letter) const {
+    Columns found;
+    for (std::size_t k = 0; k < 3; ++k) found[k] = column(name + "." + letter + "xyz"[k]);
+    const bool some = found[0] || found[1] || found[2];
+    for (std::size_t k = 0; some && k < 3; ++k)
+      if (!found[k])
+        throw InputError(file_, 1,
+                         "the column " + quoted(name + "." + letter + "xyz"[k]) +
+                             " is missing: a vector has all of its three, or none");
+    return found;
+  }
+
+  void find_forces(const SceneFile& scene) {
+    const PlacesByName places(scene);
+    refuse_strangers(places);
+    step_ = column("step");
+    contacts_.resize(places.contacts.size());
+    for (const auto& [name, place] : places.contacts)
+      contacts_[place] = {column(name + ".normal"), column(name + ".torsion"),
+                          column(name + ".gap"), columns(name, "f")};
+    bodies_.resize(places.bodies.size());
+    for (const auto& [name, place] : places.bodies)
+      bodies_[place] = {column(name + ".closing"), column(name + ".closing_speed"),
+                        columns(name, "f"), columns(name, "m")};
+  }
+
+  /// A force of what the scene has not is a slip of the pen, or of another scene.
+  void refuse_strangers(const PlacesByName& places) const {
+    const std::vector<std::string> of_bodies{"fx", "fy", "fz",      "mx",
+                                             "my", "mz", "closing", "closing_speed"};
+    const std::vector<std::string> of_contacts{"normal", "fx", "fy", "fz", "torsion", "gap"};
+    const auto is_among = [](const std::vector<std::string>& list, const std::string& word) {
+      return std::find(list.begin(), list.end(), word) != list.end();
+    };
+    for (const std::string& name : names_) {
+      const std::size_t dot = name.rfind('.');
+      if (dot == std::string::npos) continue;
+      const std::string whose = name.substr(0, dot), what = name.substr(dot + 1);
+      const bool of_body = is_among(of_bodies, what), of_contact = is_among(of_contacts, what);
+      if ((!of_body && !of_contact) || (of_body && places.bodies.count(whose) > 0) ||
+          (of_contact && places.contacts.count(whose) > 0))
+        continue;
+      throw InputError(file_, 1,
+                       "column " + quoted(name) + ": the scene has no " +
+                           (!of_contact ? "body "
+                            : !of_body  ? "contact "
+                                        : "body or contact ") +
+                           quoted(whose) + suggestion(whose, places.known()));
+    }
+  }
+
+  double value(const Row& row, std::size_t at) const {
+    const NumberText read = read_finite_number(trimmed(row.words[at]));
+    if (read.error) throw InputError(file_, row.number, names_[at] + ": " + *read.error);
+    return read.value;
+  }
+  std::vector<double> values(const Row& row, const std::vector<std::string>& names) const {
+    std::vector<double> list;
+    for (const std::string& name : names) list.push_back(value(row, *column(name)));
+    return list;
+  }
+  /// Nothing where the cell is empty.
+  std::optional<double> number_in(const Row& row, const Column& at) const {
+    if (!at || trimmed(row.words[*at]).empty()) return std::nullopt;
+    return value(row, *at);
+  }
+  std::optional<Vector3<double>> vector_in(const Row& row, const Columns& at) const {
+    const auto x = number_in(row, at[0]), y = number_in(row, at[1]), z = number_in(row, at[2]);
+    if (!x || !y || !z) return std::nullopt;
+    return Vector3<double>(*x, *y, *z);
+  }
+
+  const std::string& file_;
+  std::vector<std::string> names_;
+  Column step_;
+  std::vector<ContactColumns> contacts_;
+  std::vector<BodyColumns> bodies_;
+  const std::vector<std::string> rows_{"r11", "r12", "r13", "r21", "r22",
+                                       "r23", "r31", "r32", "r33"};
+  const std::vector<std::string> quaternion_{"qw", "qx", "qy", "qz"};
+  const std::vector<std::string> speeds_{"vx", "vy", "vz", "wx", "wy", "wz"};
+};
+
+} // namespace
+
+ReadFrames frames_of_csv(const std::string& text, const std::string& file, const SceneFile& scene) {
+  const std::vector<std::string_view> all = split_at(text, '\n');
+  const CsvTrajectory csv(file, all[0], scene);
+  ReadFrames read;
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    if (trimmed(all[k]).empty()) continue;
+    read.lines.push_back(static_cast<int>(k) + 1);
+    read.frames.push_back(csv.read(all[k], read.lines.back()));
+  }
+  return read;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,216 @@
+#include "move/trajectory_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr double printed_times = 1e-3; // of a step, of times printed with few digits
+constexpr double along_normal = 1e-6;  // of a drive
+
+/// m/s times s, or m/s^2 times s^2: how far a stroke has gone.
+double way_of(const Stroke& stroke, double time) {
+  const double since = std::clamp(time, stroke.from, stroke.until) - stroke.from;
+  return stroke.is_velocity ? since : since * since / 2;
+}
+
+} // namespace
+
+Vector6<double> mean_twist(const Pose<double>& from, const Pose<double>& to, double h) {
+  const Matrix3<double> turned = to.rotation * from.rotation.transpose();
+  const Vector3<double> twice(turned(2, 1) - turned(1, 2), turned(0, 2) - turned(2, 0),
+                              turned(1, 0) - turned(0, 1));
+  const double sine = twice.norm() / 2;
+  const double angle = std::atan2(sine, (turned.trace() - 1) / 2);
+  Vector6<double> twist;
+  twist << (to.position - from.position) / h, twice / 2 * (sine > 1e-9 ? angle / sine : 1.0) / h;
+  return twist;
+}
+
+SeenMotion::SeenMotion(const SceneFile& file, const std::vector<TrajectoryFrame>& frames)
+    : file_(file), frames_(frames), faces_(file), around_(faces_.view()), size_(object_size(file)) {
+}
+
+bool SeenMotion::is_whole(std::size_t k) const {
+  if (k == 0) return false;
+  const double interval = frames_[k].time - frames_[k - 1].time;
+  return std::abs(frames_[k].step.value_or(interval) - interval) <= printed_times * interval;
+}
+
+/// A velocity that is not given is that of the way to here, as of every implicit scheme.
+std::optional<Vector6<double>> SeenMotion::twist_of(std::size_t k) const {
+  if (frames_[k].twist || !is_whole(k)) return frames_[k].twist;
+  return mean_twist(frames_[k - 1].pose, frames_[k].pose, frames_[k].time - frames_[k - 1].time);
+}
+
+/// A body's number is its first actuator's.
+SeenMotion::Closings SeenMotion::of_actuators(std::size_t k,
+                                              std::optional<double> FrameBody::*number) const {
+  Closings list(file_.actuators.size());
+  for (std::size_t b = 0; b < frames_[k].bodies.size(); ++b) {
+    const auto first =
+        std::find_if(file_.drives.begin(), file_.drives.end(), [&](const Drive<double>& drive) {
+          return drive.body == static_cast<Index>(b);
+        });
+    if (first != file_.drives.end() && frames_[k].bodies[b].*number)
+      list[static_cast<std::size_t>(first->actuator)] = frames_[k].bodies[b].*number;
+  }
+  return list;
+}
+
+/// As given, or as the way since the frame before says.
+SeenMotion::Closings SeenMotion::speeds_at(std::size_t k) const {
+  Closings speeds = of_actuators(k, &FrameBody::closing_speed);
+  if (!is_whole(k)) return speeds;
+  const Closings from = closings_at(k - 1), to = closings_at(k);
+  for (std::size_t a = 0; a < speeds.size(); ++a)
+    if (!speeds[a] && from[a] && to[a])
+      speeds[a] = (*to[a] - *from[a]) / (frames_[k].time - frames_[k - 1].time);
+  return speeds;
+}
+
+SeenMotion::Closings SeenMotion::begin_closings(std::size_t k, const SeenStep& step) const {
+  if (step.is_whole) return closings_at(k - 1);
+  Closings closings = closings_at(k);
+  for (std::size_t a = 0; a < closings.size(); ++a)
+    if (closings[a] && step.speeds[a])
+      *closings[a] -= step.h * *step.speeds[a];
+    else
+      closings[a].reset();
+  return closings;
+}
+
+/// Is it nowhere in particular along its drive? Then it is where it touches. Under even pressure
+/// its points close each by itself.
+bool SeenMotion::floats(Index body, const Closings& closings) const {
+  Index ways = file_.body(body).acceleration.squaredNorm() > 0 ? 1 : 0;
+  bool is_known = true, turns = file_.body(body).acceleration.tail<3>().squaredNorm() > 0;
+  for (const Drive<double>& drive : file_.drives) {
+    if (drive.body != body) continue;
+    ++ways;
+    turns = turns || drive.twist.tail<3>().squaredNorm() > 0;
+    is_known = is_known && file_.pressure != Pressure::even &&
+               closings[static_cast<std::size_t>(drive.actuator)];
+  }
+  // Where turns mix with other ways, the end depends on which went first.
+  return is_driven(file_.view(), body) && (!is_known || (turns && ways > 1));
+}
+
+/// Do its drives turn it?
+bool SeenMotion::turns(Index body) const {
+  return std::any_of(file_.drives.begin(), file_.drives.end(), [&](const Drive<double>& drive) {
+    return drive.body == body && drive.twist.tail<3>().squaredNorm() > 0;
+  });
+}
+
+Pose<double> SeenMotion::pose_of(Index body, double time, const Closings& closings) const {
+  Vector6<double> way =
+      way_of(file_.strokes[static_cast<std::size_t>(body)], time) * file_.body(body).acceleration;
+  for (const Drive<double>& drive : file_.drives)
+    if (drive.body == body)
+      way += closings[static_cast<std::size_t>(drive.actuator)].value_or(0) * drive.twist;
+  return carried(Pose<double>(), way, 1.0);
+}
+
+std::optional<Pose<double>> SeenMotion::driven_pose(Index body, std::size_t k) const {
+  const Closings closings = closings_at(k);
+  if (!is_driven(file_.view(), body) || floats(body, closings)) return std::nullopt;
+  return pose_of(body, frames_[k].time, closings);
+}
+
+/// Generous about ends of faces: a foreign motion's contacts may be a hair beside them.
+PlacedPoint<double> SeenMotion::placed(Index body, Index point, const Pose<double>& object,
+                                       const Pose<double>& hand) const {
+  return place(around_, faces_.touching(body), faces_.bodies()[static_cast<std::size_t>(body)],
+               file_.points[static_cast<std::size_t>(point)], object, hand, size_);
+}
+
+/// At the hand's origin; none: what closes it is not known, and does not close along the normal.
+std::optional<Vector6<double>> SeenMotion::body_twist(Index body, const SeenContact& contact,
+                                                      const SeenStep& step) const {
+  const Stroke& stroke = file_.strokes[static_cast<std::size_t>(body)];
+  const double way = way_of(stroke, step.time) - way_of(stroke, step.time - step.h);
+  Vector6<double> twist = way / step.h * file_.body(body).acceleration;
+  for (const Drive<double>& drive : file_.drives) {
+    if (drive.body != body) continue;
+    const std::optional<double>& speed = step.speeds[static_cast<std::size_t>(drive.actuator)];
+    const bool is_known = speed && file_.pressure != Pressure::even;
+    const Vector3<double> closes =
+        acceleration_at(Vector3<double>(step.begin.position + contact.position), drive.twist);
+    const Vector3<double> across = closes - contact.normal * contact.normal.dot(closes);
+    const bool is_along =
+        across.norm() <= along_normal * closes.norm() && !(drive.twist.tail<3>().squaredNorm() > 0);
+    if (!is_known && !is_along) return std::nullopt;
+    if (is_known) twist += *speed * drive.twist;
+  }
+  return twist;
+}
+
+void SeenMotion::see_slip(Index b, SeenContact& contact, SeenStep& step) const {
+  if (!step.twist) return;
+  const Vector3<double> goes = acceleration_at(contact.position, *step.twist);
+  step.fastest = std::max(step.fastest, goes.norm());
+  const std::optional<Vector6<double>> body = body_twist(b, contact, step);
+  if (!body) return;
+  const Vector3<double> carries =
+      acceleration_at(Vector3<double>(step.begin.position + contact.position), *body);
+  const Vector3<double> beside = goes - carries;
+  step.fastest = std::max(step.fastest, carries.norm());
+  contact.slip = beside - contact.normal * contact.normal.dot(beside);
+  contact.spin = contact.normal.dot(Vector3<double>(step.twist->tail<3>() - body->tail<3>()));
+  const double turn =
+      step.h * std::max(step.twist->tail<3>().norm(), Vector6<double>(*body).tail<3>().norm());
+  contact.missed = 2 * turn * (turn * size_ + step.h * beside.norm());
+}
+
+void SeenMotion::see_body(Index b, std::size_t k, const Closings& begin, const Closings& end,
+                          SeenStep& step) {
+  const bool is_at_touch = floats(b, begin), ends_at_touch = floats(b, end);
+  const Pose<double> hand = pose_of(b, step.time - step.h, begin),
+                     hand_then = pose_of(b, step.time, end);
+  const bool rides = faces_.touching(b).riding == Riding::on_body;
+  for (const Index i : points_of(file_.body(b))) {
+    SeenContact& contact = step.contacts[static_cast<std::size_t>(i)];
+    const PlacedPoint<double> now = placed(b, i, step.begin, hand),
+                              then = placed(b, i, frames_[k].pose, hand_then);
+    const auto is_over = [](const PlacedPoint<double>& point) {
+      return point.absence == Absence::none || point.absence == Absence::behind;
+    };
+    contact.is_placed = !is_at_touch || !turns(b);
+    contact.touches = !is_absent(b) && (is_over(now) || is_over(then));
+    contact.position = now.position - step.begin.position;
+    contact.normal = now.normal;
+    if (is_at_touch && rides) contact.position += now.gap * now.normal;
+    if (!ends_at_touch && is_over(then)) contact.gap = then.gap;
+    see_slip(b, contact, step);
+  }
+}
+
+SeenStep SeenMotion::step(std::size_t k) {
+  const TrajectoryFrame &from = frames_[k - 1], &to = frames_[k];
+  SeenStep step;
+  step.time = to.time;
+  step.is_whole = is_whole(k);
+  step.h = to.step.value_or(to.time - from.time);
+  step.twist = twist_of(k);
+  step.contacts.resize(file_.points.size());
+  step.speeds = speeds_at(k);
+  step.speeds_before = step.is_whole ? speeds_at(k - 1) : Closings(step.speeds.size());
+  if (step.is_whole) {
+    step.before = twist_of(k - 1);
+    step.begin = from.pose;
+  } else {
+    step.begin = step.twist ? moved(to.pose, *step.twist, -step.h) : to.pose;
+  }
+  step.begin_inertia = step.begin.rotation * file_.object.inertia * step.begin.rotation.transpose();
+  step.end_inertia = to.pose.rotation * file_.object.inertia * to.pose.rotation.transpose();
+  faces_.begin_strokes(step.time - step.h / 2, step.begin.rotation);
+  faces_.place_strokes(step.time - step.h / 2);
+  const Closings begin = begin_closings(k, step), end = closings_at(k);
+  for (Index b = 0; b < static_cast<Index>(file_.bodies.size()); ++b)
+    see_body(b, k, begin, end, step);
+  return step;
+}
+
+} // namespace lcpush::desktop

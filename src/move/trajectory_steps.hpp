@@ -1,0 +1,80 @@
+// What frames of a motion show of its steps: where contacts touch, and how they slip. Geometry and
+// differences alone; nothing is solved.
+#pragma once
+
+#include "lcpush/desktop/trajectory.hpp"
+#include "move/stroke_faces.hpp"
+
+namespace lcpush::desktop {
+
+/// The velocity of the way between two poses, h seconds apart.
+Vector6<double> mean_twist(const Pose<double>& from, const Pose<double>& to, double h);
+
+/// A contact point in a step.
+struct SeenContact {
+  bool touches = false;                               ///< it is over its face at an end of the step
+  bool is_placed = false;                             ///< its normal is known
+  Vector3<double> position = Vector3<double>::Zero(); ///< at the begin, from the centre of mass
+  Vector3<double> normal = Vector3<double>::UnitZ();  ///< then, unit, into the object
+  std::optional<double> gap;                          ///< m, at the end; none: its body's place is
+                                                      ///< not known
+  double missed = 0;                   ///< m, by which a straight step may miss a face that turns
+  std::optional<Vector3<double>> slip; ///< m/s, of the object beside the body, at the end
+  double spin = 0;                     ///< rad/s about the normal, where slip is known
+};
+
+/// The step that ends at a frame.
+struct SeenStep {
+  double time = 0, h = 0;
+  bool is_whole = false; ///< it begins at the frame before
+  Pose<double> begin;    ///< of the object
+  Matrix3<double> begin_inertia, end_inertia;
+  std::optional<Vector6<double>> before, twist; ///< of the object, at its begin and its end
+  /// Actuators: how fast they close, at its begin and its end.
+  std::vector<std::optional<double>> speeds_before, speeds;
+  std::vector<SeenContact> contacts;
+  double fastest = 0; ///< m/s, of contact points and bodies there
+};
+
+class SeenMotion {
+public:
+  /// Both must outlive it.
+  SeenMotion(const SceneFile& file, const std::vector<TrajectoryFrame>& frames);
+
+  /// The one that ends at frame k >= 1. Pre: called with growing k, since strokes begin.
+  SeenStep step(std::size_t k);
+  bool is_absent(Index body) const { return faces_.is_absent(body); }
+
+  /// Of the actuators, at frame k; none: it does not say.
+  std::vector<std::optional<double>> closings_at(std::size_t k) const {
+    return of_actuators(k, &FrameBody::closing);
+  }
+  std::vector<std::optional<double>> speeds_at(std::size_t k) const;
+  /// Where a driven body is at frame k; none: that is not known.
+  std::optional<Pose<double>> driven_pose(Index body, std::size_t k) const;
+
+private:
+  using Closings = std::vector<std::optional<double>>;
+
+  std::optional<Vector6<double>> twist_of(std::size_t k) const;
+  bool is_whole(std::size_t k) const;
+  Closings of_actuators(std::size_t k, std::optional<double> FrameBody::*number) const;
+  Closings begin_closings(std::size_t k, const SeenStep& step) const;
+  bool floats(Index body, const Closings& closings) const;
+  bool turns(Index body) const;
+  Pose<double> pose_of(Index body, double time, const Closings& closings) const;
+  PlacedPoint<double> placed(Index body, Index point, const Pose<double>& object,
+                             const Pose<double>& hand) const;
+  std::optional<Vector6<double>> body_twist(Index body, const SeenContact& contact,
+                                            const SeenStep& step) const;
+  void see_body(Index b, std::size_t k, const Closings& begin, const Closings& end, SeenStep& step);
+  void see_slip(Index b, SeenContact& contact, SeenStep& step) const;
+
+  const SceneFile& file_;
+  const std::vector<TrajectoryFrame>& frames_;
+  StrokeFaces faces_;
+  Surroundings<double> around_;
+  double size_;
+};
+
+} // namespace lcpush::desktop
