@@ -17,6 +17,7 @@ namespace {
 constexpr double at_rest = 1e-3;
 // Places are printed with so many digits, of the object's size.
 constexpr double printed_digits = 1e-9;
+constexpr double same = 1e-9; // beside a difference
 // Of a step between two frames.
 constexpr double most_untold_parts = 64, most_told_parts = 1024;
 constexpr int most_part_halvings = 8; // of a part that has no answer
@@ -164,7 +165,7 @@ private:
       return;
     }
     own_ = std::max(own_, speed_between(file_, from.pose, own.end, h));
-    if (own.off > report_.worst) report_.worst_time = to.time;
+    if (own.off > (1 + same) * report_.worst) report_.worst_time = to.time; // the first of equals
     report_.worst = std::max(report_.worst, own.off);
     report_.mean += own.off;
     ++report_.steps;
