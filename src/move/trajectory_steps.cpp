@@ -85,20 +85,23 @@ SeenMotion::Closings SeenMotion::begin_closings(std::size_t k, const SeenStep& s
   return closings;
 }
 
-/// Is it not known how far its drives have closed? Under even pressure its points close each by
-/// itself.
-bool SeenMotion::floats(Index body, const Closings& closings) const {
+/// Under even pressure a driven body's points close each by itself.
+bool SeenMotion::are_pads(Index body) const {
+  return file_.pressure == Pressure::even && is_driven(file_.view(), body);
+}
+
+/// Does what is known of the closings say where it is?
+bool SeenMotion::is_found(Index body, const Closings& closings) const {
   Index ways = file_.body(body).acceleration.squaredNorm() > 0 ? 1 : 0;
   bool is_known = true, turns = file_.body(body).acceleration.tail<3>().squaredNorm() > 0;
   for (const Drive<double>& drive : file_.drives) {
     if (drive.body != body) continue;
     ++ways;
     turns = turns || drive.twist.tail<3>().squaredNorm() > 0;
-    is_known = is_known && file_.pressure != Pressure::even &&
-               closings[static_cast<std::size_t>(drive.actuator)];
+    is_known = is_known && closings[static_cast<std::size_t>(drive.actuator)];
   }
   // Where turns mix with other ways, the end depends on which went first.
-  return is_driven(file_.view(), body) && (!is_known || (turns && ways > 1));
+  return !is_driven(file_.view(), body) || (is_known && (!turns || ways == 1));
 }
 
 Pose<double> SeenMotion::pose_of(Index body, double time, const Closings& closings) const {
@@ -112,7 +115,8 @@ Pose<double> SeenMotion::pose_of(Index body, double time, const Closings& closin
 
 std::optional<Pose<double>> SeenMotion::driven_pose(Index body, std::size_t k) const {
   const Closings closings = closings_at(k);
-  if (!is_driven(file_.view(), body) || floats(body, closings)) return std::nullopt;
+  if (!is_driven(file_.view(), body) || are_pads(body) || !is_found(body, closings))
+    return std::nullopt;
   return pose_of(body, frames_[k].time, closings);
 }
 
@@ -132,7 +136,7 @@ std::optional<Vector6<double>> SeenMotion::body_twist(Index body, const SeenCont
   for (const Drive<double>& drive : file_.drives) {
     if (drive.body != body) continue;
     const std::optional<double>& speed = step.speeds[static_cast<std::size_t>(drive.actuator)];
-    const bool is_known = speed && file_.pressure != Pressure::even;
+    const bool is_known = speed && !are_pads(body);
     const Vector3<double> closes =
         acceleration_at(Vector3<double>(step.begin.position + contact.position), drive.twist);
     const Vector3<double> across = closes - contact.normal * contact.normal.dot(closes);
@@ -155,7 +159,7 @@ bool SeenMotion::turns(Index body) const {
 Pose<double> SeenMotion::touching_pose(Index body, double time, Closings closings,
                                        const Pose<double>& object) const {
   Pose<double> hand = pose_of(body, time, closings);
-  if (!floats(body, closings) || turns(body)) return hand;
+  if (is_found(body, closings) || turns(body)) return hand;
   const auto drive = std::find_if(file_.drives.begin(), file_.drives.end(),
                                   [&](const Drive<double>& one) { return one.body == body; });
   std::optional<double>& closing = closings[static_cast<std::size_t>(drive->actuator)];
@@ -195,11 +199,10 @@ void SeenMotion::see_slip(Index b, SeenContact& contact, SeenStep& step) const {
 
 void SeenMotion::see_body(Index b, std::size_t k, const Closings& begin, const Closings& end,
                           SeenStep& step) {
-  const bool is_known = !floats(b, end);
+  const bool is_known = !are_pads(b) && is_found(b, end);
   const Pose<double> hand = touching_pose(b, step.time - step.h, begin, step.begin),
                      hand_then = touching_pose(b, step.time, end, frames_[k].pose);
-  const bool are_pads = file_.pressure == Pressure::even && is_driven(file_.view(), b) &&
-                        faces_.touching(b).riding == Riding::on_body;
+  const bool reach_their_face = are_pads(b) && faces_.touching(b).riding == Riding::on_body;
   for (const Index i : points_of(file_.body(b))) {
     SeenContact& contact = step.contacts[static_cast<std::size_t>(i)];
     const PlacedPoint<double> now = placed(b, i, step.begin, hand),
@@ -207,11 +210,11 @@ void SeenMotion::see_body(Index b, std::size_t k, const Closings& begin, const C
     const auto is_over = [](const PlacedPoint<double>& point) {
       return point.absence == Absence::none || point.absence == Absence::behind;
     };
-    contact.is_placed = !turns(b) || !floats(b, begin);
+    contact.is_placed = !turns(b) || is_found(b, begin);
     contact.touches = !is_absent(b) && (!contact.is_placed || is_over(now) || is_over(then));
     contact.position = now.position - step.begin.position;
     contact.normal = now.normal;
-    if (are_pads) contact.position += now.gap * now.normal;
+    if (reach_their_face) contact.position += now.gap * now.normal;
     if (is_known && is_over(then)) contact.gap = then.gap;
     see_slip(b, contact, step);
   }

@@ -60,7 +60,8 @@ private:
   bool is_whole(std::size_t k) const;
   Closings of_actuators(std::size_t k, std::optional<double> FrameBody::*number) const;
   Closings begin_closings(std::size_t k, const SeenStep& step) const;
-  bool floats(Index body, const Closings& closings) const;
+  bool are_pads(Index body) const;
+  bool is_found(Index body, const Closings& closings) const;
   bool turns(Index body) const;
   Pose<double> touching_pose(Index body, double time, Closings closings,
                              const Pose<double>& object) const;
