@@ -1,5 +1,7 @@
 #include "move/trajectory_steps.hpp"
 
+#include "lcpush/mechanics/model/answer.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -99,6 +99,13 @@ class Forces(unittest.TestCase):
             for words in ((), EACH_STEP):
                 self.keeps_every_law(changed, (scene, new), "json", *words)
 
+    def test_pads_that_close_each_by_itself_keep_them_too(self):
+        text = (SCENES / "straight_slide_point.toml").read_text()
+        tilting = text.replace("[-0.05, 0, 0]", "[-0.05, 0, 0.002]").replace("title", 'pressure = "even"\ntitle')
+        self.assertIn("0.002", tilting)
+        scene = self.file("tilting.toml", tilting)
+        self.keeps_every_law(scene, "pads", "json", "--time", 0.05, "--step", 0.001, "--frames", 51)
+
     def test_both_formats_say_the_same(self):
         reports = [self.verdict(PIVOT, run("move", PIVOT, *EACH_STEP, "--format", format).stdout)
                    for format in ("json", "csv")]
