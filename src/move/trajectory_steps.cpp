@@ -1,13 +1,19 @@
 #include "move/trajectory_steps.hpp"
 
+#include "lcpush/mechanics/model/answer.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lcpush::desktop {
 namespace {
 
 constexpr double printed_times = 1e-3; // of a step, of times printed with few digits
 constexpr double along_normal = 1e-6;  // of a drive
+constexpr double least_slope = 1e-3;   // of a drive: it hardly closes
+constexpr double closed = 1e-12;       // of the object's size
+constexpr int most_closings = 20;      // tries: another point may touch first
 
 /// m/s times s, or m/s^2 times s^2: how far a stroke has gone.
 double way_of(const Stroke& stroke, double time) {
@@ -81,27 +87,23 @@ SeenMotion::Closings SeenMotion::begin_closings(std::size_t k, const SeenStep& s
   return closings;
 }
 
-/// Is it nowhere in particular along its drive? Then it is where it touches. Under even pressure
-/// its points close each by itself.
-bool SeenMotion::floats(Index body, const Closings& closings) const {
+/// Under even pressure a driven body's points close each by itself.
+bool SeenMotion::are_pads(Index body) const {
+  return file_.pressure == Pressure::even && is_driven(file_.view(), body);
+}
+
+/// Does what is known of the closings say where it is?
+bool SeenMotion::is_found(Index body, const Closings& closings) const {
   Index ways = file_.body(body).acceleration.squaredNorm() > 0 ? 1 : 0;
   bool is_known = true, turns = file_.body(body).acceleration.tail<3>().squaredNorm() > 0;
   for (const Drive<double>& drive : file_.drives) {
     if (drive.body != body) continue;
     ++ways;
     turns = turns || drive.twist.tail<3>().squaredNorm() > 0;
-    is_known = is_known && file_.pressure != Pressure::even &&
-               closings[static_cast<std::size_t>(drive.actuator)];
+    is_known = is_known && closings[static_cast<std::size_t>(drive.actuator)];
   }
   // Where turns mix with other ways, the end depends on which went first.
-  return is_driven(file_.view(), body) && (!is_known || (turns && ways > 1));
-}
-
-/// Do its drives turn it?
-bool SeenMotion::turns(Index body) const {
-  return std::any_of(file_.drives.begin(), file_.drives.end(), [&](const Drive<double>& drive) {
-    return drive.body == body && drive.twist.tail<3>().squaredNorm() > 0;
-  });
+  return !is_driven(file_.view(), body) || (is_known && (!turns || ways == 1));
 }
 
 Pose<double> SeenMotion::pose_of(Index body, double time, const Closings& closings) const {
@@ -115,7 +117,8 @@ Pose<double> SeenMotion::pose_of(Index body, double time, const Closings& closin
 
 std::optional<Pose<double>> SeenMotion::driven_pose(Index body, std::size_t k) const {
   const Closings closings = closings_at(k);
-  if (!is_driven(file_.view(), body) || floats(body, closings)) return std::nullopt;
+  if (!is_driven(file_.view(), body) || are_pads(body) || !is_found(body, closings))
+    return std::nullopt;
   return pose_of(body, frames_[k].time, closings);
 }
 
@@ -135,7 +138,7 @@ std::optional<Vector6<double>> SeenMotion::body_twist(Index body, const SeenCont
   for (const Drive<double>& drive : file_.drives) {
     if (drive.body != body) continue;
     const std::optional<double>& speed = step.speeds[static_cast<std::size_t>(drive.actuator)];
-    const bool is_known = speed && file_.pressure != Pressure::even;
+    const bool is_known = speed && !are_pads(body);
     const Vector3<double> closes =
         acceleration_at(Vector3<double>(step.begin.position + contact.position), drive.twist);
     const Vector3<double> across = closes - contact.normal * contact.normal.dot(closes);
@@ -145,6 +148,38 @@ std::optional<Vector6<double>> SeenMotion::body_twist(Index body, const SeenCont
     if (is_known) twist += *speed * drive.twist;
   }
   return twist;
+}
+
+/// Do its drives turn it? Then where it touches does not say how far they have closed.
+bool SeenMotion::turns(Index body) const {
+  return std::any_of(file_.drives.begin(), file_.drives.end(), [&](const Drive<double>& drive) {
+    return drive.body == body && drive.twist.tail<3>().squaredNorm() > 0;
+  });
+}
+
+/// As it is known; else where it touches: its first drive has closed until one of its points does.
+Pose<double> SeenMotion::touching_pose(Index body, double time, Closings closings,
+                                       const Pose<double>& object) const {
+  Pose<double> hand = pose_of(body, time, closings);
+  if (is_found(body, closings) || turns(body)) return hand;
+  const auto drive = std::find_if(file_.drives.begin(), file_.drives.end(),
+                                  [&](const Drive<double>& one) { return one.body == body; });
+  std::optional<double>& closing = closings[static_cast<std::size_t>(drive->actuator)];
+  double least = size_;
+  for (int k = 0; k < most_closings && std::abs(least) > closed * size_; ++k) {
+    double slope = 0;
+    least = std::numeric_limits<double>::infinity();
+    for (const Index i : points_of(file_.body(body))) {
+      const PlacedPoint<double> point = placed(body, i, object, hand);
+      if (point.gap >= least) continue;
+      least = point.gap;
+      slope = point.normal.dot(acceleration_at(point.position, drive->twist));
+    }
+    if (!(slope > least_slope * drive->twist.norm())) break; // it does not close there
+    closing = closing.value_or(0) + least / slope;
+    hand = pose_of(body, time, closings);
+  }
+  return hand;
 }
 
 void SeenMotion::see_slip(Index b, SeenContact& contact, SeenStep& step) const {
@@ -166,10 +201,10 @@ void SeenMotion::see_slip(Index b, SeenContact& contact, SeenStep& step) const {
 
 void SeenMotion::see_body(Index b, std::size_t k, const Closings& begin, const Closings& end,
                           SeenStep& step) {
-  const bool is_at_touch = floats(b, begin), ends_at_touch = floats(b, end);
-  const Pose<double> hand = pose_of(b, step.time - step.h, begin),
-                     hand_then = pose_of(b, step.time, end);
-  const bool rides = faces_.touching(b).riding == Riding::on_body;
+  const bool is_known = !are_pads(b) && is_found(b, end);
+  const Pose<double> hand = touching_pose(b, step.time - step.h, begin, step.begin),
+                     hand_then = touching_pose(b, step.time, end, frames_[k].pose);
+  const bool reach_their_face = are_pads(b) && faces_.touching(b).riding == Riding::on_body;
   for (const Index i : points_of(file_.body(b))) {
     SeenContact& contact = step.contacts[static_cast<std::size_t>(i)];
     const PlacedPoint<double> now = placed(b, i, step.begin, hand),
@@ -177,12 +212,12 @@ void SeenMotion::see_body(Index b, std::size_t k, const Closings& begin, const C
     const auto is_over = [](const PlacedPoint<double>& point) {
       return point.absence == Absence::none || point.absence == Absence::behind;
     };
-    contact.is_placed = !is_at_touch || !turns(b);
-    contact.touches = !is_absent(b) && (is_over(now) || is_over(then));
+    contact.is_placed = !turns(b) || is_found(b, begin);
+    contact.touches = !is_absent(b) && (!contact.is_placed || is_over(now) || is_over(then));
     contact.position = now.position - step.begin.position;
     contact.normal = now.normal;
-    if (is_at_touch && rides) contact.position += now.gap * now.normal;
-    if (!ends_at_touch && is_over(then)) contact.gap = then.gap;
+    if (reach_their_face) contact.position += now.gap * now.normal;
+    if (is_known && is_over(then)) contact.gap = then.gap;
     see_slip(b, contact, step);
   }
 }

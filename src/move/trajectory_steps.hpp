@@ -12,8 +12,8 @@ Vector6<double> mean_twist(const Pose<double>& from, const Pose<double>& to, dou
 
 /// A contact point in a step.
 struct SeenContact {
+  bool is_placed = false;                             ///< it is known where it touches, if it does
   bool touches = false;                               ///< it is over its face at an end of the step
-  bool is_placed = false;                             ///< its normal is known
   Vector3<double> position = Vector3<double>::Zero(); ///< at the begin, from the centre of mass
   Vector3<double> normal = Vector3<double>::UnitZ();  ///< then, unit, into the object
   std::optional<double> gap;                          ///< m, at the end; none: its body's place is
@@ -60,8 +60,11 @@ private:
   bool is_whole(std::size_t k) const;
   Closings of_actuators(std::size_t k, std::optional<double> FrameBody::*number) const;
   Closings begin_closings(std::size_t k, const SeenStep& step) const;
-  bool floats(Index body, const Closings& closings) const;
+  bool are_pads(Index body) const;
+  bool is_found(Index body, const Closings& closings) const;
   bool turns(Index body) const;
+  Pose<double> touching_pose(Index body, double time, Closings closings,
+                             const Pose<double>& object) const;
   Pose<double> pose_of(Index body, double time, const Closings& closings) const;
   PlacedPoint<double> placed(Index body, Index point, const Pose<double>& object,
                              const Pose<double>& hand) const;

@@ -218,10 +218,10 @@ class Judging(unittest.TestCase):
         frames[50]["position"] = [x + 1e-5 for x in frames[50]["position"]]
         self.assertEqual(scene.verify_motion(frames).verdict, "differs")
         frames = json.loads(motion.json)["frames"]
-        self.assertIsNone(scene.verify_motion(frames).forces.broken)
+        self.assertIsNone(scene.verify_motion(frames).forces["broken"])
         frames[50]["contacts"][0]["normal_force"] *= -1
         verdict = scene.verify_motion(frames)
-        self.assertEqual((bool(verdict), verdict.verdict, verdict.forces.broken), (False, "wrong_forces", "normal"))
+        self.assertEqual((bool(verdict), verdict.verdict, verdict.forces["broken"]), (False, "wrong_forces", "normal"))
         creeping = pathlib.Path("docs/guide/creeping_box.csv").read_text(encoding="utf-8")
         held = lcpush.read("docs/guide/held_box.toml")
         verdict = held.verify_motion(creeping)
