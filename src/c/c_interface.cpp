@@ -22,7 +22,7 @@ static_assert(static_cast<int>(Role::pusher) == LCPUSH_PUSHER, "");
 // The bounds of lcpush/c/bytes.h hold here: for a push, and for what its arena gives out.
 template <class S, class Push>
 constexpr bool covers(std::size_t bytes, Index bodies, const AssemblySize& size, Index work) {
-  constexpr Index alignment_slack = 10 * lcpush::detail::widest_alignment<S>();
+  constexpr Index alignment_slack = 10 * widest_alignment<S>();
   const Index structs = 2 * bodies * static_cast<Index>(sizeof(Body<S>)) +
                         size.points * static_cast<Index>(sizeof(Vector3<S>) + sizeof(S)) +
                         2 * size.actuators * static_cast<Index>(sizeof(Actuator<S>)) +

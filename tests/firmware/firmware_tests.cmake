@@ -116,7 +116,7 @@ firmware_object(planted_path m4f ${firmware}/planted/path.cpp)
 firmware_program(planted_path m4f pivots planted_path -Wl,--wrap=hash_bits)
 firmware_object(planted_turn m4f ${firmware}/planted/turn.cpp)
 firmware_program(planted_turn m4f kernel planted_turn kernel_main
-                 -Wl,--wrap=_Z4turnRN6lcpush10DictionaryIfEEiPfPi)
+                 -Wl,--wrap=_Z4turnRN6lcpush10DictionaryIfiEEiPfPi)
 firmware_object(planted_kernel m4f ${firmware}/kernel.cpp -O3 -funroll-loops)
 firmware_program(planted_kernel m4f planted_kernel kernel_main)
 

@@ -4,9 +4,9 @@
 using lcpush::Dictionary;
 
 int real_turn(Dictionary<float>& dictionary, int entering, float* scratch,
-              int* candidates) __asm__("__real__Z4turnRN6lcpush10DictionaryIfEEiPfPi");
+              int* candidates) __asm__("__real__Z4turnRN6lcpush10DictionaryIfiEEiPfPi");
 int wrap_turn(Dictionary<float>& dictionary, int entering, float* scratch,
-              int* candidates) __asm__("__wrap__Z4turnRN6lcpush10DictionaryIfEEiPfPi");
+              int* candidates) __asm__("__wrap__Z4turnRN6lcpush10DictionaryIfiEEiPfPi");
 
 int wrap_turn(Dictionary<float>& dictionary, int entering, float* /*scratch*/, int* candidates) {
   float* const column = static_cast<float*>(

@@ -80,6 +80,12 @@ template <class S> struct Workspace {
   }
 };
 
+/// Of the arrays in a block: of the vectors that are aligned most, or of numbers of bodies.
+template <class S> constexpr Index widest_alignment() {
+  return static_cast<Index>(alignof(Vector6<S>) > alignof(Index) ? alignof(Vector6<S>)
+                                                                 : alignof(Index));
+}
+
 namespace detail {
 
 /// What a solver takes beside what every push needs.
@@ -103,12 +109,6 @@ constexpr SolverSize sweeps_size(const AssemblySize& size) {
   const Index n = size.unknowns(), couplings = size.couplings(), actuators = size.actuators;
   return {block_gauss_seidel_scalars(n, couplings, actuators),
           block_gauss_seidel_integers(n, couplings, actuators)};
-}
-
-/// Of the arrays: of the vectors that are aligned most, or of numbers of bodies.
-template <class S> constexpr Index widest_alignment() {
-  return static_cast<Index>(alignof(Vector6<S>) > alignof(Index) ? alignof(Vector6<S>)
-                                                                 : alignof(Index));
 }
 
 template <class S> constexpr Index bytes_with(const SolverSize& solver, const AssemblySize& size) {
