@@ -90,7 +90,8 @@ class Forces(unittest.TestCase):
                 ("three_finger_hand", "# N\n", "\ninertia = 0.3\n"), ("tipping", "title", "pressure = \"even\"\ntitle"),
                 ("soft_fingers", "title", "facets = \"round\"\ntitle"), ("soft_fingers", "title", "facets = 4\ntitle"),
                 ("straight_slide", "acceleration", "follow = \"bilateral\"\nacceleration"),
-                ("straight_slide", "acceleration = [0.1, 0, 0]", "velocity = [0.01, 0, 0]\nangular_velocity = [0, 0, 0.5]"),
+                ("straight_slide", "acceleration = [0.1, 0, 0]",
+                 "velocity = [0.01, 0, 0]\nangular_velocity = [0, 0, 0.5]"),
                 ("pivot", "acceleration", "normal_force = 3 # "),
                 ("straight_slide", "mass", "force = [0.3, 0.2, 0.1]\nat = [0.01, 0.003, 0]\nmass")):
             text = (SCENES / f"{scene}.toml").read_text()
