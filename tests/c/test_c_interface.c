@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int faults = 0;
@@ -339,6 +340,18 @@ static void moves_on(void) {
   CHECK(near(place[0], 0.01, 1e-5) && near(place[1], 0, 1e-5));
 }
 
+/* Pivots number their unknowns by 16 bits: 1638 points of 8 facets are 16382 unknowns. */
+static void refuses_more_unknowns_than_it_can_number(void) {
+  const lcpush_size largest = {3, 1638, 8, 2, 2, 0}, too_large = {3, 1639, 8, 2, 2, 0};
+  const size_t bytes = LCPUSH_BYTES(float, 3, 1639, 8, 2, 2);
+  void* memory = malloc(bytes);
+  CHECK(memory != NULL);
+  if (memory == NULL) return;
+  CHECK(lcpushf_make(memory, bytes, &largest) != NULL);
+  CHECK(lcpushf_make(memory, bytes, &too_large) == NULL);
+  free(memory);
+}
+
 int main(void) {
   solves_in_double();
   solves_in_float();
@@ -351,6 +364,7 @@ int main(void) {
   even_pressure_spreads();
   refuses_nonsense();
   wants_enough_memory();
+  refuses_more_unknowns_than_it_can_number();
   moves_on();
   CHECK(strcmp(lcpush_status_text(LCPUSH_RAY), "ray") == 0);
   CHECK(strcmp(lcpush_mode_text(LCPUSH_SLIDE), "slide") == 0);
