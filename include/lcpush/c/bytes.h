@@ -17,7 +17,7 @@
    (friction_forces)*6 * sizeof(real) +                                                            \
    ((friction_forces) + (points) + (actuators)) * (4 * sizeof(real) + 2) +                         \
    (friction_forces) * ((drives) > 0 ? (drives) : 1) * (sizeof(real) + sizeof(int)) +              \
-   (actuators) * (8 * sizeof(real) + 2 * LCPUSH_WORD_) + 8 * LCPUSH_WORD_ * sizeof(real) +         \
+   (actuators) * (8 * sizeof(real) + 2 * LCPUSH_WORD_) + 128 + 8 * LCPUSH_GAP_(real) +             \
    60 * (sizeof(real) - 4))
 
 /* Of the structured basis: its width, and the exchanges that it has room for. */

@@ -68,10 +68,10 @@ Status Lemke<S, B>::prepare(const Problem<S>& problem, const LemkeOptions<S>& op
 /// The right-hand sides of the basis of all w, from the problem as given: those from `first_rhs`
 /// on.
 template <class S, class B> void Lemke<S, B>::load_values(Index first_rhs) {
-  MatrixMap<S>& values = basis_.dictionary.values;
   for (Index k = first_rhs; k < rhs_count_; ++k) {
     const S* const given = right_hand_side(k);
-    for (Index i = 0; i < n_; ++i) values(i, k) = given[i] * row_scale_[i] / rhs_scale_[k];
+    for (Index i = 0; i < n_; ++i)
+      basis_.dictionary.values(i, k) = given[i] * row_scale_[i] / rhs_scale_[k];
   }
 }
 
