@@ -84,7 +84,8 @@ Fact force_fact(const SceneFile& file, const TrajectoryReport& report) {
                           ? ", the balance of " + std::to_string(forces.balanced) + ": "
                           : ": ");
   if (first == nullptr)
-    return {"Forces", text + "every law is kept within " + residual_text(most) + " of the largest"};
+    return {"Forces", text + "every law is kept; the largest violation is " + residual_text(most) +
+                          " of the largest force"};
   return {"Forces",
           text + (kept.empty() ? "no law is kept" : "kept are " + listed(kept, "and")) + broken};
 }
