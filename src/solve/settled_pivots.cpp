@@ -5,6 +5,7 @@
 
 #include "lcpush/desktop/owned.hpp"
 #include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
+#include "solve/basis_values.hpp"
 #include "solve/few_points.hpp"
 #include "solve/modes_of_forces.hpp"
 #include "text/limits.hpp"
@@ -13,12 +14,6 @@ namespace lcpush::desktop {
 namespace {
 
 constexpr double clearly = 1e-12;
-
-bool has_pads(const Problem<double>& problem) {
-  const Span<const ConeGroup<double>>& cones = problem.factored->cones;
-  return std::any_of(cones.begin(), cones.end(),
-                     [](const ConeGroup<double>& cone) { return cone.compliance > 0; });
-}
 
 /// How fast the fastest point slips, over how much the firmest can rub.
 double slip_by_friction(const Problem<double>& problem, const std::vector<double>& z) {
@@ -41,13 +36,6 @@ Owned<ProximalNewton<double>> newton_for(const Problem<double>& problem) {
   const Index couplings = coupling_count(problem), sums = problem.factored->sums.size;
   return {proximal_scalars(problem.size, couplings, sums),
           proximal_integers(problem.size, couplings, sums)};
-}
-
-double softness(const Problem<double>& problem) {
-  double most = 0;
-  for (const ConeGroup<double>& cone : problem.factored->cones)
-    most = std::max(most, cone.compliance);
-  return most;
 }
 
 Index differences(const SettledPivots::Flags& a, const SettledPivots::Flags& b) {
@@ -97,18 +85,15 @@ void SettledPivots::keep_answer() {
 /// becomes z_i where it is basic, w_i where that is.
 Index SettledPivots::opposed(const Problem<double>& problem) {
   const Dictionary<double>& basis = lemke_.dictionary();
-  const Index n = problem.size, finite = problem.free_begin < n ? 1 : 0;
+  const Index n = problem.size, push = problem.free_begin < n ? 2 : 1;
   std::vector<unsigned char> is_against(static_cast<std::size_t>(n));
   values_.assign(static_cast<std::size_t>(n), 0.0);
-  for (Index row = 0; row < n; ++row) {
-    const Index variable = basis.basic[row], i = variable < n ? variable : variable - n;
-    const double unit = variable < n ? lemke_.slack_unit(i) : lemke_.unknown_unit(i);
-    const double value = basis.values(row, finite) * unit;
+  visit_basis(lemke_, problem, [&](Index i, double value, Index row) {
     values_[static_cast<std::size_t>(i)] = value;
     const bool falls =
-        problem.push != nullptr && value <= clearly && basis.values(row, finite + 1) < -clearly;
+        problem.push != nullptr && value <= clearly && basis.values(row, push) < -clearly;
     is_against[static_cast<std::size_t>(i)] = value < -clearly || falls ? 1 : 0;
-  }
+  });
   Index count = 0;
   for (const ConeGroup<double>& cone : problem.factored->cones) {
     const auto first = is_against.begin() + cone.variable;

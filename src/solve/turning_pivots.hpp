@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "lcpush/lcp/pivots/structured_lemke.hpp"
+#include "solve/basis_values.hpp"
 
 namespace lcpush::desktop {
 
@@ -56,12 +56,6 @@ private:
   std::vector<unsigned char> active_, best_;
   std::vector<double> values_;
 
-  static bool has_pads(const Problem<double>& problem) {
-    for (const ConeGroup<double>& cone : problem.factored->cones)
-      if (cone.compliance > 0) return true;
-    return false;
-  }
-
   /// True: the pivots do not stand at best_, the basis that leaves the fewest to them.
   bool turn(const Problem<double>& problem, const LemkeOptions<double>& options, Guess guess) {
     constexpr int most_turns = 16, free_turns = 2;
@@ -105,16 +99,11 @@ private:
     }
   }
 
-  /// z_i where it is basic, w_i where that is.
   void read_values(const Problem<double>& problem) {
-    const Dictionary<double>& basis = lemke_.dictionary();
-    const Index n = problem.size, finite = problem.free_begin < n ? 1 : 0;
     values_.assign(active_.size(), 0.0);
-    for (Index row = 0; row < n; ++row) {
-      const Index variable = basis.basic[row], i = variable < n ? variable : variable - n;
-      const double unit = variable < n ? lemke_.slack_unit(i) : lemke_.unknown_unit(i);
-      values_[static_cast<std::size_t>(i)] = basis.values(row, finite) * unit;
-    }
+    visit_basis(lemke_, problem, [&](Index i, double value, Index /*row*/) {
+      values_[static_cast<std::size_t>(i)] = value;
+    });
   }
 
   /// Fills turns_. Returns how many points are against the basis, in whatever way.

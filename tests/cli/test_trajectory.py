@@ -1,12 +1,13 @@
 """lcpush verify --trajectory: other people's motions, step by step."""
 import json
 import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
 
-TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+SOURCE = pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(SOURCE / "tests/support"))
+from motion_files import MotionFiles, run
+
 PIVOT = SOURCE / "fixtures/scenes/pivot.toml"
 HELD = """gravity = [0, -9.81, 0]
 [object]
@@ -31,20 +32,7 @@ grip_force = 12
 """
 
 
-def run(*words):
-    return subprocess.run([TOOL, *map(str, words)], capture_output=True, text=True, timeout=100)
-
-
-class Trajectory(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def file(self, name, text):
-        path = pathlib.Path(self.folder.name, name)
-        path.write_text(text)
-        return path
-
+class Trajectory(MotionFiles):
     def verdict(self, scene, motion, *words):
         result = run("verify", scene, "--trajectory", motion, "--json", *words)
         self.assertIn(result.returncode, (0, 1), result.stderr)

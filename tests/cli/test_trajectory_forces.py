@@ -3,12 +3,13 @@ import csv
 import io
 import json
 import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
 
-TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+SOURCE = pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(SOURCE / "tests/support"))
+from motion_files import MotionFiles, run
+
 SCENES = SOURCE / "fixtures/scenes"
 PIVOT, STROKES = SCENES / "pivot.toml", SOURCE / "docs/guide/two_strokes.toml"
 EACH_STEP = ("--step", 0.005, "--frames", 201)
@@ -18,20 +19,7 @@ STILL = {"coin", "coin_from_above", "jam"}
 FALLING, FALL = SOURCE / "docs/guide/falling_box.toml", 7.01
 
 
-def run(*words):
-    return subprocess.run([TOOL, *map(str, words)], capture_output=True, text=True, timeout=100)
-
-
-class Forces(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
-    def file(self, name, text):
-        path = pathlib.Path(self.folder.name, name)
-        path.write_text(text)
-        return path
-
+class Forces(MotionFiles):
     def verdict(self, scene, motion, *words):
         """The motion: frames, an object with frames, or the text of a file."""
         if isinstance(motion, list):
