@@ -54,10 +54,12 @@ Status SettledPivots::begin(const Problem<double>& problem, Status status) {
   return status;
 }
 
-/// Sweeps have lost so many rounds of pads that more pivots would only take time.
+/// Sweeps have lost so many rounds of pads no softer than these that more pivots would only take
+/// time.
 bool SettledPivots::gives_up(const Problem<double>& problem) const {
   constexpr int most_failures = 4;
-  return sweeps_that_failed_ >= most_failures && has_pads(problem);
+  return sweeps_that_failed_ >= most_failures && has_pads(problem) &&
+         softness(problem) <= lost_compliance_;
 }
 
 Status SettledPivots::init(const Problem<double>& problem, const LemkeOptions<double>& options,
@@ -150,9 +152,16 @@ bool SettledPivots::settle(const Problem<double>& problem, const Flags& from, Fl
   return !to.empty();
 }
 
-/// The round by sweeps from the last answer, judged as theirs are; their modes are the next round's
-/// start.
+/// The round by sweeps, and a note if they lose it.
 bool SettledPivots::sweep() {
+  if (try_sweeps()) return true;
+  lost_compliance_ = softness(problem_);
+  ++sweeps_that_failed_;
+  return false;
+}
+
+/// From the last answer, judged as theirs are; their modes are the next round's start.
+bool SettledPivots::try_sweeps() {
   may_sweep_ = false;
   const Span<const SumGroup<double>>& sums = problem_.factored->sums;
   const Index couplings = coupling_count(problem_);
@@ -164,13 +173,11 @@ bool SettledPivots::sweep() {
   Status status = sweeps.init(problem_, options, swept_.empty() ? nullptr : swept_.data());
   if (status == Status::running) status = sweeps.solve();
   sweeps_ += sweeps.sweeps();
-  const bool passes = sweeps.residual().residual <= Tolerances<double>().residual;
+  const double allowed = lemke_.status() == Status::solved ? lemke_.residual().residual
+                                                           : Tolerances<double>().residual;
+  const bool passes = sweeps.residual().residual <= allowed;
   is_swept_ = status != Status::bad_input && passes && !sweeps.runs_away();
-  if (!is_swept_) {
-    lost_compliance_ = softness(problem_);
-    ++sweeps_that_failed_;
-    return false;
-  }
+  if (!is_swept_) return false;
   swept_.assign(sweeps.z(), sweeps.z() + problem_.size);
   swept_basis_ = ModesOfForces(problem_, swept_.data()).vertex();
   return true;

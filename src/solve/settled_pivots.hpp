@@ -14,7 +14,7 @@ namespace lcpush::desktop {
 /// better one is looked for before any pivot: pads move by Newton's method (ProximalNewton), which
 /// ends near the answer; rigid patches press at a few of their points (FewPoints). It is a start
 /// and no more: pivots go on from there. Where a pad's compliance is so small that they end
-/// nowhere, or do not end, sweeps have a try.
+/// nowhere, do not end, or end on an answer that barely passes, sweeps have a try.
 class SettledPivots {
 public:
   using Flags = std::vector<unsigned char>; ///< unknowns: 1 where z_i is basic
@@ -54,6 +54,7 @@ public:
 private:
   static constexpr Index few = 8;        ///< points, as well
   static constexpr Index patience = 100; ///< pivots
+  static constexpr double barely = Tolerances<double>().residual / 16;
   StructuredLemke<double>& lemke_;
   const Assembly<double>& assembly_;
   std::vector<double> values_;
@@ -63,20 +64,26 @@ private:
   bool may_sweep_ = false; ///< in this round
   int sweeps_that_failed_ = 0;
   bool is_lost_ = false;       ///< this round is not tried
-  double lost_compliance_ = 0; ///< of the round that they lost last
+  double lost_compliance_ = 0; ///< of the round that sweeps lost last
   Index sweeps_ = 0;
   std::vector<double> swept_; ///< where sweeps begin, and their answer
   Flags swept_basis_;
 
   Status begin(const Problem<double>& problem, Status status);
   Status note(Status status) {
-    if (status == Status::solved) keep_answer();
+    if (status == Status::solved) {
+      keep_answer();
+      if (may_sweep_ && lemke_.residual().residual > barely)
+        (void)try_sweeps(); // or the laws refuse it
+    }
     const bool is_slow = status == Status::running && lemke_.pivots() > patience;
     const bool has_failed = status != Status::running && status != Status::solved;
     return may_sweep_ && (is_slow || has_failed) && sweep() ? Status::solved : status;
   }
   void keep_answer();
+
   bool sweep();
+  bool try_sweeps();
   bool gives_up(const Problem<double>& problem) const;
   Index opposed(const Problem<double>& problem);
   bool settle(const Problem<double>& problem, const Flags& from, Flags& to);

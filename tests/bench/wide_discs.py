@@ -3,8 +3,7 @@
     wide_discs.py TOOL ROOT [FIRST LAST]      seeds
 
 Two discs of 40 to 320 points at 8 facets hold a box that a line pushes: upright, along, across, off the
-middle, tipping, with and without a turn, by jaws of every kind. Not a test yet: some end in a numerical
-breakdown or are stopped (docs/theory/numerics.md).
+middle, tipping, with and without a turn, by jaws of every kind. docs/theory/numerics.md says what loses them.
 """
 import json
 import pathlib

@@ -1,6 +1,8 @@
 // [T.7] The pad law: where it starts, and that it ends in the literal equations.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "support/dense_lcp.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"
@@ -67,6 +69,35 @@ TEST_CASE("[T.7] compliance: k on driven patches of k > 1 points, k / 1000 where
   scene.bodies.back().point_count = 4;
   scene.points.push_back({0.02, -0.015, 0.004});
   CHECK(Pad(scene).compliance(4) == doctest::Approx(0.004)); // 4 of a plane: yes
+}
+
+TEST_CASE("[T.7] pressure that drifts is carried on to where the first point lets go, no further") {
+  Slide slide;
+  slide.pads = ring(4, 0.005);
+  Pad pad(straight_slide(slide));
+  const PressureMemory<double> memory = pad.push.memory.work.pressure;
+  Assembly<double>& assembly = pad.push.assembly;
+  set_compliance(assembly, memory, 0.01);
+  const double changes[] = {-0.04, 0.02, -0.01, 0.03, 0, 0, 0, 0}; // of pressures near 0.25
+  std::fill(memory.z.begin(), memory.z.end(), 0.0);
+  for (Index i = 0; i < 8; ++i) {
+    memory.preload[i] = 0.25;
+    memory.z[assembly.cones()[i].variable] = 0.25 + changes[i];
+  }
+  memory.z[assembly.cones()[8].variable] = 3; // the pusher gives way to nothing
+  memory.preload[8] = 100;
+
+  double largest = 0;
+  CHECK(lcpush::detail::pad_violation(assembly, memory, largest) ==
+        doctest::Approx(0.01 * 4 * 0.04));
+  CHECK(largest == 3);
+  const double reach = lcpush::detail::pressure_reach(assembly, memory);
+  CHECK(reach == doctest::Approx(0.21 / 0.04));
+  lcpush::detail::take_pressure(assembly, memory, reach);
+  for (Index i = 0; i < 8; ++i)
+    CHECK(memory.preload[i] == doctest::Approx(0.25 + (1 + reach) * changes[i]));
+  CHECK(memory.preload[0] == doctest::Approx(0));
+  CHECK(memory.preload[8] == 3);
 }
 
 TEST_CASE("[T.7] the answer obeys the literal laws, whatever the pad's compliance was") {

@@ -76,10 +76,10 @@ void set_compliance(Assembly<S>& assembly, const PressureMemory<S>& memory, S ep
 
 namespace detail {
 
-/// By how much the round's answer violates the literal [T.2]; the pressure becomes the next
-/// round's preload. `largest` receives the largest normal force.
+/// By how much the round's answer violates the literal [T.2]. `largest` receives the largest normal
+/// force.
 template <class S>
-S take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory, S& largest) {
+S pad_violation(const Assembly<S>& assembly, const PressureMemory<S>& memory, S& largest) {
   S violation(0);
   largest = S(0);
   for (Index i = 0; i < assembly.layout().points; ++i) {
@@ -88,9 +88,31 @@ S take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory, S&
     const S change = cone.compliance * (lambda - memory.preload[i]);
     violation = Eigen::numext::maxi(violation, Eigen::numext::abs(change));
     largest = Eigen::numext::maxi(largest, Eigen::numext::abs(lambda));
-    memory.preload[i] = lambda;
   }
   return violation;
+}
+
+/// How often the last round's change of pressure may be repeated before a point lets go.
+template <class S> S pressure_reach(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
+  S reach(1000);
+  for (Index i = 0; i < assembly.layout().points; ++i) {
+    const ConeGroup<S>& cone = assembly.cones()[i];
+    const S lambda = cone.normal_force(memory.z.data), change = lambda - memory.preload[i];
+    if (cone.compliance > S(0) && lambda > S(0) && lambda < -reach * change)
+      reach = -lambda / change;
+  }
+  return reach;
+}
+
+/// The pressure, changed `reach` times more as in this round, becomes the next round's preload.
+template <class S>
+void take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory, S reach) {
+  for (Index i = 0; i < assembly.layout().points; ++i) {
+    const ConeGroup<S>& cone = assembly.cones()[i];
+    const S lambda = cone.normal_force(memory.z.data), change = lambda - memory.preload[i];
+    const bool goes_on = cone.compliance > S(0) && lambda > S(0);
+    memory.preload[i] = goes_on ? S(lambda + reach * change) : lambda;
+  }
 }
 
 /// A normal force beyond this is a squeeze that the rounds only tighten: a thousand times what the

@@ -11,6 +11,7 @@ template <class S> struct PressureOptions {
   S first_compliance{S(1) / S(100)}; ///< eps of round 1
   S factor{S(0.31622776601683794)};  ///< eps falls by this a round
   Index max_rounds = 60;
+  Index max_retreats = 5;                ///< to softer pads
   Index max_turns = 32;                  ///< of round friction's pyramids
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
   Index fine_rounds = 0; ///< so many more at most, while the violation is above `finest`
@@ -39,6 +40,11 @@ template <class S> Reason unsupported_reason(const Assembly<S>& assembly) {
 /// hides a jam: a squeezed pad just gives way. If the rounds fail, the literal problem is solved
 /// without any, so that a ray shows. If there is none, soft pads followed a squeeze that stiff ones
 /// resist: the rounds start again stiff, from the literal basis, twice at most.
+///
+/// Stiff pads may lose their answer in the digits, or where it has no continuation. Then the rounds
+/// retreat to softer ones and come down slowly. While the same points press, the object moves as
+/// before and every round changes the pressure alike; so that change is repeated at once until a
+/// point lets go.
 ///
 /// Under round friction every round turns the pyramids, and the rounds go on until the friction is
 /// settled as well.
@@ -93,6 +99,8 @@ private:
   S eps_{0}, last_eps_{0}, factor_{0};
   Index round_ = 0, fine_ = 0;
   bool warm_ = false, restarted_ = false; // of this round
+  Index retreats_ = 0;                    // to softer pads
+  S last_violation_{0};
 
   bool is_pad() const { return assembly_.scene().pressure == Pressure::pad; }
 
@@ -108,6 +116,7 @@ private:
     eps_ = last_eps_ = options_.first_compliance;
     factor_ = options_.factor;
     round_ = 0;
+    retreats_ = 0;
     const bool goes_on = phase == Phase::soft_pads && options_.goes_on;
     warm_ = goes_on || phase == Phase::stiff_pads;
     if (!goes_on) pad_preload(assembly_, memory_);
@@ -131,7 +140,9 @@ private:
 
   Status end_round(Status status) {
     using Eigen::numext::maxi;
-    if (status != Status::solved && warm_ && !restarted_) {
+    const bool is_lost = status != Status::solved && warm_;
+    if (is_lost && is_stiff() && retreats_ < options_.max_retreats) return retreat();
+    if (is_lost && !restarted_) {
       if (factor_ < S(0.7)) {
         factor_ = Eigen::numext::sqrt(factor_); // come down more slowly
         eps_ = last_eps_ * factor_;
@@ -144,7 +155,8 @@ private:
     }
     if (status != Status::solved) return end_pads(status);
     S largest(0);
-    const S violation = detail::take_pressure(assembly_, memory_, largest);
+    const S violation = detail::pad_violation(assembly_, memory_, largest);
+    detail::take_pressure(assembly_, memory_, repeats(violation));
     const bool is_pressed = violation <= options_.tolerance;
     bool is_settled = friction_.is_settled(memory_.z.data);
     if (is_pressed) is_settled = is_settled && friction_.passes();
@@ -155,9 +167,26 @@ private:
     if (largest > detail::runaway_force(assembly_)) return end_pads(Status::numerical_breakdown);
     last_eps_ = eps_;
     if (is_pressed) return next_round();
-    factor_ = maxi(options_.factor, S(factor_ * factor_));
+    factor_ = retreats_ > 0 ? slowly() : maxi(options_.factor, S(factor_ * factor_));
     eps_ *= factor_;
     return next_round();
+  }
+
+  static S slowly() { return S(7) / S(10); }
+  bool is_stiff() const { return phase_ == Phase::soft_pads && last_eps_ < S(1) / S(10000); }
+  Status retreat() {
+    ++retreats_;
+    last_violation_ = S(0);
+    eps_ *= S(100);
+    round_ = 0;
+    return next_round();
+  }
+  /// How often this round's change of pressure is repeated, without further rounds.
+  S repeats(const S& violation) {
+    const S tolerance = violation / S(1000), change = violation - last_violation_;
+    const bool is_steady = retreats_ > 0 && Eigen::numext::abs(change) <= tolerance;
+    last_violation_ = violation;
+    return is_steady ? detail::pressure_reach(assembly_, memory_) : S(0);
   }
 
   /// The pads have failed.
