@@ -141,7 +141,7 @@ private:
   Status end_round(Status status) {
     using Eigen::numext::maxi;
     const bool is_lost = status != Status::solved && warm_;
-    if (is_lost && is_stiff() && retreats_ < options_.max_retreats) return retreat();
+    if (is_lost && may_retreat()) return retreat();
     if (is_lost && !restarted_) {
       if (factor_ < S(0.7)) {
         factor_ = Eigen::numext::sqrt(factor_); // come down more slowly
@@ -173,7 +173,11 @@ private:
   }
 
   static S slowly() { return S(7) / S(10); }
-  bool is_stiff() const { return phase_ == Phase::soft_pads && last_eps_ < S(1) / S(10000); }
+  /// Round friction may turn its pyramids only so often: it has no rounds to spare.
+  bool may_retreat() const {
+    const bool is_stiff = phase_ == Phase::soft_pads && last_eps_ < S(1) / S(10000);
+    return is_stiff && run_.turns == 0 && retreats_ < options_.max_retreats;
+  }
   Status retreat() {
     ++retreats_;
     last_violation_ = S(0);
