@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 
 #include "dense/basis_solution.hpp"
 #include "lcpush/mechanics/solve/rounds.hpp"
@@ -115,12 +116,24 @@ private:
       basis.assign(pressure.active.begin(), pressure.active.begin() + size_);
     then_.start.memory.end_round(then_.start.round, std::move(basis));
   }
+  /// The structured basis is factored in O(points); a dense one by the neighbour's factors.
   bool holds_here(const Problem<double>& problem) {
-    constexpr Index most_kept = 400; // unknowns: 0.5 MB a round
     const RememberedStart& start = then_.start;
-    FactoredBasis* const near =
-        problem.size <= most_kept ? &start.memory.factored[start.round] : nullptr;
-    return solve_on_basis(problem, start.basis(), solution_, near);
+    if constexpr (std::is_same_v<Pivots, Lemke<double>>)
+      return solve_on_basis(problem, start.basis(), solution_, &start.memory.factored[start.round]);
+    else
+      return stands_on(problem, start.basis());
+  }
+  bool stands_on(const Problem<double>& problem, const Basis& basis) {
+    Then& pivots = then_.pivots();
+    LemkeOptions<double> options = pivots.options;
+    options.covers = 1;
+    if (pivots.lemke.init(problem, options, basis.data(), Guess::basis) != Status::running)
+      return false;
+    if (pivots.lemke.step(pivots.watcher) != Status::solved || pivots.lemke.pivots() > 0)
+      return false;
+    solution_.z = Eigen::Map<const Eigen::VectorXd>(pivots.lemke.z(), problem.size);
+    return true;
   }
 };
 
