@@ -118,11 +118,12 @@ private:
   }
   /// The structured basis is factored in O(points); a dense one by the neighbour's factors.
   bool holds_here(const Problem<double>& problem) {
+    constexpr Index most_kept = 400; // unknowns: 0.5 MB a round
     const RememberedStart& start = then_.start;
-    if constexpr (std::is_same_v<Pivots, Lemke<double>>)
-      return solve_on_basis(problem, start.basis(), solution_, &start.memory.factored[start.round]);
-    else
-      return stands_on(problem, start.basis());
+    if constexpr (!std::is_same_v<Pivots, Lemke<double>>) return stands_on(problem, start.basis());
+    FactoredBasis* const near =
+        problem.size <= most_kept ? &start.memory.factored[start.round] : nullptr;
+    return solve_on_basis(problem, start.basis(), solution_, near);
   }
   bool stands_on(const Problem<double>& problem, const Basis& basis) {
     Then& pivots = then_.pivots();
