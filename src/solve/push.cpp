@@ -92,7 +92,7 @@ void Push::record(Index sweep, const double* z) {
 }
 
 Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, double part) {
-  PressureOptions<double> pressure = pressure_options(scene_, layout().scales, sigma);
+  PressureOptions<double> pressure = pressure_options(assembly_, sigma);
   pressure.tolerance *= part;
   assembly_.push_by(sigma);
   settled_by_sweeps_ = 0;

@@ -12,11 +12,14 @@
 
 namespace lcpush::desktop {
 
-/// A slow push moves everything slowly: what is left of [T.2] must be small against that.
-inline PressureOptions<double> pressure_options(const Scene<double>& scene,
-                                                const Scales<double>& scales, double sigma) {
+/// A slow push moves everything slowly: what is left of [T.2] must be small against that. Where
+/// points are many, a cold start is dear and rarely ends where stiff pads have failed.
+inline PressureOptions<double> pressure_options(const Assembly<double>& assembly, double sigma) {
   PressureOptions<double> options;
-  const double push = sigma * push_size(scene) / scales.acceleration;
+  const Layout<double>& layout = assembly.layout();
+  const Scene<double>& scene = assembly.scene();
+  if (layout.size >= SettledPivots::smallest) options.max_retreats = 5;
+  const double push = sigma * push_size(scene) / layout.scales.acceleration;
   if (push > 0 && push < 1) options.tolerance *= std::max(push, 1e-4);
   return options;
 }

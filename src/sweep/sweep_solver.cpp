@@ -252,7 +252,7 @@ DetailedAnswer SweepSolver::solve_rounds(Question question, Pivots& pivots, Roun
   DetailedAnswer answer;
   if (question == Question::push) {
     p.assembly.push_by(1.0);
-    const auto options = pressure_options(p.scene, p.assembly.layout().scales, 1.0);
+    const auto options = pressure_options(p.assembly, 1.0);
     answer.status = solve_pressure(p.assembly, rounds, p.work.pressure, options, run,
                                    p.work.friction_memory(p.scene));
     if (answer.is_solved()) answer = read_push(p, p.work.pressure.z.data);

@@ -11,7 +11,7 @@ template <class S> struct PressureOptions {
   S first_compliance{S(1) / S(100)}; ///< eps of round 1
   S factor{S(0.31622776601683794)};  ///< eps falls by this a round
   Index max_rounds = 60;
-  Index max_retreats = 5;                ///< to softer pads
+  Index max_retreats = 0;                ///< to softer pads: where a cold start is dear
   Index max_turns = 32;                  ///< of round friction's pyramids
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
   Index fine_rounds = 0; ///< so many more at most, while the violation is above `finest`
@@ -41,10 +41,10 @@ template <class S> Reason unsupported_reason(const Assembly<S>& assembly) {
 /// without any, so that a ray shows. If there is none, soft pads followed a squeeze that stiff ones
 /// resist: the rounds start again stiff, from the literal basis, twice at most.
 ///
-/// Stiff pads may lose their answer in the digits, or where it has no continuation. Then the rounds
-/// retreat to softer ones and come down slowly. While the same points press, the object moves as
-/// before and every round changes the pressure alike; so that change is repeated at once until a
-/// point lets go.
+/// Stiff pads may lose their answer in the digits, or where it has no continuation. Rounds that may
+/// retreat go back to softer ones then and come down slowly. While the same points press, the
+/// object moves as before and every round changes the pressure alike; so that change is repeated at
+/// once until a point lets go.
 ///
 /// Under round friction every round turns the pyramids, and the rounds go on until the friction is
 /// settled as well.

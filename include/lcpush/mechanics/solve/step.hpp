@@ -117,7 +117,6 @@ private:
   static PressureOptions<S> pressure_options() {
     PressureOptions<S> options;
     options.tolerance /= S(128);
-    options.max_retreats = 0; // a step without an answer is halved
     options.fine_rounds = 2;
     options.finest = S(4 * Eigen::NumTraits<S>::epsilon());
     return options;
