@@ -200,6 +200,7 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
   const Outcome<double> first = outcome();
   if (!file_.is_round) report.final_basis = study_final_basis(assembly_, work_.answer);
   const bool affordable = layout().size <= limits::unknowns_searched;
+  pivots_left_ = limits::unknowns_pivoted_in_search / layout().size;
   for (Index k = 1; affordable && k <= options.other_covers; ++k) {
     PressureRun ignored;
     if (run(by_other_cover(options, k), 1.0, ignored) != Status::solved) continue;
@@ -212,6 +213,7 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
     same_a = same_a && moves_alike;
     same_f = same_f && pushes_alike;
   }
+  pivots_left_.reset();
   // A proof, an answer next to this one, or other covers' answers.
   const bool searched = report.covers_compared > 0 || report.final_basis.studied;
   const auto verdict = [&](bool none_other) {

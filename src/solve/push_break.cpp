@@ -94,11 +94,13 @@ bool is_same_motion(const Vector6<double>& one, const Vector6<double>& two, doub
   return off.norm() <= slack * std::max(1.0, turn.norm());
 }
 
-/// Notes `second` if it differs from all that is known. As in a solve, what the line through small
-/// pushes leaves open is no other answer.
+/// Notes that there was a second one, and `second` itself if it differs from all that is known. As
+/// in a solve, what the line through small pushes leaves open is no other answer.
 void add_other(const Breaking<double>& second, BreakReport& report) {
   constexpr double tolerance = 1e-5;
   const Breaking<double>& first = report.breaking;
+  for (Uniqueness* unique : {&report.unique_motion, &report.unique_force})
+    if (*unique == Uniqueness::not_tested) *unique = Uniqueness::none_other_found;
   const double slack = tolerance + 10 * std::max(first.line_error, second.line_error);
   const double near = slack * std::max(report.scales.force, first.break_force);
   const auto pushes_alike = [&](double force) {
@@ -202,8 +204,10 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
 Status Push::break_grasp(const PushOptions& options, Index pusher, Breaking<double>& breaking,
                          PressureRun& run) {
   settled_by_sweeps_ = 0;
+  const PressureOptions<double> pressure = breaking_options(assembly_);
   const Status status = with_rounds(options, [&](const auto& rounds) {
-    return lcpush::find_breaking(assembly_, rounds, work_, file_.body(pusher), {}, breaking, run);
+    return lcpush::find_breaking(assembly_, rounds, work_, file_.body(pusher), pressure, breaking,
+                                 run);
   });
   run.sweeps += settled_by_sweeps_;
   return status;
@@ -239,7 +243,7 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
 /// comes of it has passed the same referee.
 void Push::compare_others(const PushOptions& options, BreakReport& report) {
   if (options.other_covers <= 0 || layout().size > limits::unknowns_searched) return;
-  report.unique_motion = report.unique_force = Uniqueness::none_other_found;
+  pivots_left_ = limits::unknowns_pivoted_in_search / layout().size;
   Breaking<double> second;
   PressureRun ignored;
   for (Index k = 1; k <= options.other_covers; ++k)
@@ -251,6 +255,7 @@ void Push::compare_others(const PushOptions& options, BreakReport& report) {
   for (const SceneImage& image : scene_images(file_)) {
     const SceneFile seen = image.of(file_);
     Push push(seen);
+    push.pivots_left_ = pivots_left_;
     for (Index k = 0; k < starts; ++k) {
       if (!is_over(push.break_grasp(by_other_cover(options, k), report.pusher, second, ignored)))
         continue;
@@ -258,7 +263,9 @@ void Push::compare_others(const PushOptions& options, BreakReport& report) {
       second.twist = image.of_twist(second.twist);
       add_other(second, report);
     }
+    pivots_left_ = push.pivots_left_;
   }
+  pivots_left_.reset();
 }
 
 } // namespace lcpush::desktop

@@ -12,14 +12,17 @@
 
 namespace lcpush::desktop {
 
-/// A slow push moves everything slowly: what is left of [T.2] must be small against that. Where
-/// points are many, a cold start is dear and rarely ends where stiff pads have failed.
-inline PressureOptions<double> pressure_options(const Assembly<double>& assembly, double sigma) {
+/// Where points are many, a cold start is dear and rarely ends where stiff pads have failed.
+inline PressureOptions<double> breaking_options(const Assembly<double>& assembly) {
   PressureOptions<double> options;
-  const Layout<double>& layout = assembly.layout();
-  const Scene<double>& scene = assembly.scene();
-  if (layout.size >= SettledPivots::smallest) options.max_retreats = 5;
-  const double push = sigma * push_size(scene) / layout.scales.acceleration;
+  if (assembly.layout().size >= SettledPivots::smallest) options.max_retreats = 5;
+  return options;
+}
+
+/// A slow push moves everything slowly: what is left of [T.2] must be small against that.
+inline PressureOptions<double> pressure_options(const Assembly<double>& assembly, double sigma) {
+  PressureOptions<double> options = breaking_options(assembly);
+  const double push = sigma * push_size(assembly.scene()) / assembly.layout().scales.acceleration;
   if (push > 0 && push < 1) options.tolerance *= std::max(push, 1e-4);
   return options;
 }
@@ -65,8 +68,8 @@ template <class Use> Status Push::with_rounds(const PushOptions& options, const 
                               ? with_turning_pivots(options, watcher, use)
                               : with_settled_pivots(options, watcher, use);
     const bool ended = status == Status::solved || status == Status::does_not_hold;
-    const Index largest =
-        status == Status::ray ? limits::unknowns_dense_after_ray : limits::unknowns_dense;
+    const Index largest = status == Status::ray || pivots_left_ ? limits::unknowns_dense_after_ray
+                                                                : limits::unknowns_dense;
     if (ended || layout().size > largest) return status;
     last_structured_ = false;
   }
@@ -93,9 +96,10 @@ Status Push::with_turning_pivots(const PushOptions& options, Watcher& watcher, c
 
 template <class Use>
 Status Push::with_settled_pivots(const PushOptions& options, Watcher& watcher, const Use& use) {
-  SettledPivots pivots(structured_pivots(), assembly_);
+  SettledPivots pivots(structured_pivots(), assembly_, pivots_left_);
   Status status = with_pivots(options, pivots, watcher, use);
-  if (status == Status::numerical_breakdown && pivots.sweeps() > 0) // pads that sweeps can move
+  const bool may_sweep = pivots.sweeps() > 0 && !pivots.is_spent(); // pads that sweeps can move
+  if (status == Status::numerical_breakdown && may_sweep)
     status = use(SweepRounds<double, Watcher>{sweeps_, options.sweeps, watcher});
   if (status == Status::numerical_breakdown)
     status = with_pivots(carelessly(options), pivots, watcher, use);

@@ -54,19 +54,24 @@ Status SettledPivots::begin(const Problem<double>& problem, Status status) {
   return status;
 }
 
-/// Sweeps have lost so many rounds of pads no softer than these that more pivots would only take
-/// time.
+/// Where neither pivots nor sweeps end, other covering vectors hardly do; and where that has
+/// happened several times, stiffer pads do not either: more pivots would only take time.
 bool SettledPivots::gives_up(const Problem<double>& problem) const {
   constexpr int most_failures = 4;
-  return sweeps_that_failed_ >= most_failures && has_pads(problem) &&
-         softness(problem) <= lost_compliance_;
+  if (is_spent()) return true;
+  if (lost_compliance_ == 0 || !has_pads(problem)) return false;
+  const double now = softness(problem);
+  return now == lost_compliance_ ||
+         (now < lost_compliance_ && sweeps_that_failed_ >= most_failures);
 }
 
 Status SettledPivots::init(const Problem<double>& problem, const LemkeOptions<double>& options,
                            const unsigned char* active, Guess guess) {
-  // Where neither pivots nor sweeps end, other covering vectors hardly do.
-  const bool is_lost_round = lost_compliance_ > 0 && softness(problem) == lost_compliance_;
-  is_lost_ = gives_up(problem) || (guess == Guess::basis && is_lost_round);
+  if (guess == Guess::near && softness(problem) > lost_compliance_) { // a solve begins
+    sweeps_that_failed_ = 0;
+    lost_compliance_ = 0;
+  }
+  is_lost_ = gives_up(problem);
   if (is_lost_) return status();
   const Status status = begin(problem, lemke_.init(problem, options, active, guess));
   if (status != Status::running || problem.size < smallest || opposed(problem) <= few)

@@ -1,6 +1,7 @@
 // Pivots on the structured basis that begin where all points have moved at once.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,8 +21,10 @@ public:
   using Flags = std::vector<unsigned char>; ///< unknowns: 1 where z_i is basic
   static constexpr Index smallest = 600;    ///< unknowns: fewer are left to the pivots
 
-  SettledPivots(StructuredLemke<double>& lemke, const Assembly<double>& assembly)
-      : lemke_(lemke), assembly_(assembly) {}
+  /// After `pivots_left`, if there is a number, which it counts down, it is lost.
+  SettledPivots(StructuredLemke<double>& lemke, const Assembly<double>& assembly,
+                std::optional<Index>& pivots_left)
+      : lemke_(lemke), assembly_(assembly), pivots_left_(pivots_left) {}
 
   Status init(const Problem<double>& problem, const LemkeOptions<double>& options) {
     is_lost_ = gives_up(problem);
@@ -31,6 +34,7 @@ public:
               const unsigned char* active, Guess guess);
 
   template <class Watcher> Status step(Watcher& watcher) {
+    if (!is_lost_ && pivots_left_) is_lost_ = --*pivots_left_ <= 0;
     return is_lost_ ? status() : note(lemke_.step(watcher));
   }
   template <class Watcher> Status solve(Watcher& watcher) {
@@ -42,6 +46,7 @@ public:
     return is_swept_ ? Status::solved : lemke_.status();
   }
   Reason reason() const { return lemke_.reason(); }
+  bool is_spent() const { return pivots_left_ && *pivots_left_ <= 0; }
   Index pivots() const { return lemke_.pivots(); }
   Index sweeps() const { return sweeps_; } ///< of all rounds
   bool is_basic(Index i) const {
@@ -57,6 +62,7 @@ private:
   static constexpr double barely = Tolerances<double>().residual / 16;
   StructuredLemke<double>& lemke_;
   const Assembly<double>& assembly_;
+  std::optional<Index>& pivots_left_;
   std::vector<double> values_;
 
   Problem<double> problem_{};
@@ -64,7 +70,7 @@ private:
   bool may_sweep_ = false; ///< in this round
   int sweeps_that_failed_ = 0;
   bool is_lost_ = false;       ///< this round is not tried
-  double lost_compliance_ = 0; ///< of the round that sweeps lost last
+  double lost_compliance_ = 0; ///< of the round that sweeps lost last, in this solve
   Index sweeps_ = 0;
   std::vector<double> swept_; ///< where sweeps begin, and their answer
   Flags swept_basis_;
@@ -81,7 +87,6 @@ private:
     return may_sweep_ && (is_slow || has_failed) && sweep() ? Status::solved : status;
   }
   void keep_answer();
-
   bool sweep();
   bool try_sweeps();
   bool gives_up(const Problem<double>& problem) const;

@@ -64,6 +64,16 @@ struct RememberedStart {
   void begins_cold() { ++memory.cold; }
 };
 
+/// Is the basis the answer as it is, without a pivot? Then `lemke` stands there.
+template <class Pivots>
+bool stands_on(const Basis& basis, const Problem<double>& problem, LemkeOptions<double> options,
+               Pivots& lemke) {
+  options.covers = 1;
+  if (static_cast<Index>(basis.size()) != problem.size) return false;
+  if (lemke.init(problem, options, basis.data(), Guess::basis) != Status::running) return false;
+  return lemke.step(unwatched) == Status::solved && lemke.pivots() == 0;
+}
+
 /// By Lemke over either basis.
 template <class Pivots> class RememberedRounds {
   using Then = LemkeRounds<double, const Attendant, Pivots>;
@@ -120,21 +130,16 @@ private:
   bool holds_here(const Problem<double>& problem) {
     constexpr Index most_kept = 400; // unknowns: 0.5 MB a round
     const RememberedStart& start = then_.start;
-    if constexpr (!std::is_same_v<Pivots, Lemke<double>>) return stands_on(problem, start.basis());
-    FactoredBasis* const near =
-        problem.size <= most_kept ? &start.memory.factored[start.round] : nullptr;
-    return solve_on_basis(problem, start.basis(), solution_, near);
-  }
-  bool stands_on(const Problem<double>& problem, const Basis& basis) {
-    Then& pivots = then_.pivots();
-    LemkeOptions<double> options = pivots.options;
-    options.covers = 1;
-    if (pivots.lemke.init(problem, options, basis.data(), Guess::basis) != Status::running)
-      return false;
-    if (pivots.lemke.step(pivots.watcher) != Status::solved || pivots.lemke.pivots() > 0)
-      return false;
-    solution_.z = Eigen::Map<const Eigen::VectorXd>(pivots.lemke.z(), problem.size);
-    return true;
+    if constexpr (std::is_same_v<Pivots, Lemke<double>>) {
+      FactoredBasis* const near =
+          problem.size <= most_kept ? &start.memory.factored[start.round] : nullptr;
+      return solve_on_basis(problem, start.basis(), solution_, near);
+    } else {
+      const Then& pivots = then_.pivots();
+      if (!stands_on(start.basis(), problem, pivots.options, pivots.lemke)) return false;
+      solution_.z = Eigen::Map<const Eigen::VectorXd>(pivots.lemke.z(), problem.size);
+      return true;
+    }
   }
 };
 

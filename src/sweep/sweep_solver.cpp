@@ -147,13 +147,8 @@ Status SweepSolver::solve_cold(Question question, Basis& basis) {
 }
 
 bool SweepSolver::stand_on(Question question, const Basis& basis) {
-  const Problem<double> problem = point_->problem(question);
-  if (static_cast<Index>(basis.size()) != problem.size) return false;
   make_lemke();
-  LemkeOptions<double> options;
-  options.covers = 1;
-  if (lemke_->init(problem, options, basis.data()) != Status::running) return false;
-  return lemke_->step() == Status::solved && lemke_->pivots() == 0;
+  return stands_on(basis, point_->problem(question), {}, static_cast<Lemke<double>&>(*lemke_));
 }
 
 DetailedAnswer SweepSolver::on_basis(Question question, const Basis& basis, bool thorough) {
@@ -258,7 +253,8 @@ DetailedAnswer SweepSolver::solve_rounds(Question question, Pivots& pivots, Roun
     if (answer.is_solved()) answer = read_push(p, p.work.pressure.z.data);
   } else {
     Breaking<double> breaking;
-    const Status status = find_breaking(p.assembly, rounds, p.work, p.pusher, {}, breaking, run);
+    const Status status = find_breaking(p.assembly, rounds, p.work, p.pusher,
+                                        breaking_options(p.assembly), breaking, run);
     answer = judge_breaking(p, status, breaking);
     p.assembly.push_by(1.0);
   }

@@ -27,16 +27,18 @@ constexpr double bytes_a_sample = 2400, bytes_a_sampled_point = 40; // of a swee
 
 // Unknowns up to which a question is asked; beyond, its answer would take minutes.
 constexpr Index unknowns_dense = 2000; // pivots on the whole dictionary, where structured ones fail
-constexpr Index unknowns_dense_after_ray = 600; // a ray has been verified: it gets less time
+constexpr Index unknowns_dense_after_ray = 600; // a ray has been verified: it gets less
+                                                // time, and so does a search for other answers
 constexpr Index unknowns_searched = 2000;       // other answers, each as long as the first: three
                                                 // covers, and for a break seven images
-constexpr Index scalars_existence = 50'000'000; // 400 MB: hundreds of actuators that drag
-constexpr Index unknowns_holding = 2000;        // one linear program
-constexpr Index unknowns_grip = 600;            // every factor that is asked costs several pushes
-constexpr Index unknowns_remedied = 1000;       // a solve for each change that might free a jam
-constexpr Index unknowns_spread = 2000;         // hundreds of linear programs
-constexpr Index unknowns_refined = 2000;        // one dense system
-constexpr Index unknowns_stationary = 400;      // one quadratic program's conditions
+constexpr Index unknowns_pivoted_in_search = 20'000'000; // pivots, each of so many: about 0.5 s
+constexpr Index scalars_existence = 50'000'000;          // 400 MB: hundreds of actuators that drag
+constexpr Index unknowns_holding = 2000;                 // one linear program
+constexpr Index unknowns_grip = 600;       // every factor that is asked costs several pushes
+constexpr Index unknowns_remedied = 1000;  // a solve for each change that might free a jam
+constexpr Index unknowns_spread = 2000;    // hundreds of linear programs
+constexpr Index unknowns_refined = 2000;   // one dense system
+constexpr Index unknowns_stationary = 400; // one quadratic program's conditions
 constexpr Index unknowns_traced = 1000;    // every pivot keeps its ratios; the page draws every row
 constexpr Index unknowns_exact = 300;      // fractions grow with every pivot
 constexpr Index unknowns_certified = 3000; // the basis in doubles comes from the dense dictionary

@@ -3,7 +3,9 @@
 
 #include <string>
 
+#include "lcpush/desktop/owned.hpp"
 #include "lcpush/desktop/push.hpp"
+#include "solve/settled_pivots.hpp"
 
 using namespace lcpush;
 using namespace lcpush::desktop;
@@ -100,4 +102,30 @@ TEST_CASE("wide pads: the motion is the one that sweeps find from nothing") {
     const Vector6<double> difference = first.answer.acceleration - second.answer.acceleration;
     CHECK(difference.norm() <= 1e-5 * second.answer.acceleration.norm());
   }
+}
+
+TEST_CASE("wide pads: a search's pivots are counted down, and none is made once they are spent") {
+  const SceneFile file = bar("pad", oblique, at_its_side);
+  AssembledScene scene(file.view(), file.is_round);
+  const Problem<double> problem = scene.assembly.problem();
+  const Index points = scene.assembly.layout().points;
+  const Index shared = shared_actuators(scene.assembly.factored());
+  Owned<StructuredLemke<double>> lemke(structured_lemke_scalars(problem.size, points, shared),
+                                       structured_lemke_integers(problem.size, points));
+  std::optional<Index> left;
+  SettledPivots pivots(lemke, scene.assembly, left);
+  REQUIRE(pivots.init(problem, {}) == Status::running);
+  REQUIRE(pivots.solve(unwatched) == Status::solved);
+  const Index needed = pivots.pivots();
+  REQUIRE(needed > 10);
+  left = 10;
+  REQUIRE(pivots.init(problem, {}) == Status::running);
+  CHECK(pivots.solve(unwatched) == Status::numerical_breakdown);
+  CHECK(pivots.pivots() < 10);
+  CHECK(pivots.is_spent());
+  CHECK(pivots.init(problem, {}) == Status::numerical_breakdown);
+  left = 2 * needed;
+  REQUIRE(pivots.init(problem, {}) == Status::running);
+  CHECK(pivots.solve(unwatched) == Status::solved);
+  CHECK(*left >= needed - 1);
 }

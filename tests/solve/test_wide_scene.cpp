@@ -129,3 +129,29 @@ TEST_CASE("an answer of pivots that barely passes is improved by sweeps before t
               "acceleration = [0.6096, 0, 0.6256]\nangular_acceleration = [1.135, 0, 0]\n");
   CHECK(solved(file).residuals.max() <= 1e-10); // was 1.04e-9: refused
 }
+
+TEST_CASE("many points: a push that is too slow for its pads begins again as a faster one") {
+  const SceneFile rolling =
+      tipping("gravity = [-9.81, -9.81, 5.886]\n[object]\nmass = 0.6373\nbox = [0.1, 0.03, 0.01]\n"
+              "[gripper]\njaws = \"parallel\"\n",
+              "points = 120\nradius = 0.0069061\nfriction = 0.9623\ngrip_force = 27.658\n"
+              "center = [0.0073148, 0.0035686, ",
+              "ends = [[-0.05, -0.0031295, 0.004], [-0.05, 0.0031295, 0.004]]\nfriction = 0.7858\n"
+              "acceleration = [2.896, 0, 0.2463]\nangular_acceleration = [-2.866, 2.477, 1.076]\n");
+  const SceneFile sliding =
+      tipping("gravity = [5.886, 9.81, 0]\n[object]\nmass = 0.8994\nbox = [0.1, 0.03, 0.01]\n"
+              "[gripper]\njaws = \"independent\"\n",
+              "points = 120\nradius = 0.006644\nfriction = 0.9593\ngrip_force = 31.329\n"
+              "center = [0.001696, -0.00045643, ",
+              "ends = [[-0.05, -0.013123, 0.004], [-0.05, 0.013123, 0.004]]\nfriction = 0.2145\n"
+              "acceleration = [0.1311, 0.9517, 0]\nangular_acceleration = [-1.803, 0, 0]\n");
+  for (const SceneFile* file : {&rolling, &sliding}) {
+    PushOptions options;
+    options.other_covers = 0;
+    Push push(*file);
+    const BreakReport report = push.find_breaking(2, options);
+    REQUIRE(report.status == Status::solved);
+    CHECK(report.breaking.residuals.max() <= 1e-9);
+    CHECK(report.breaking.line_error <= 1e-6);
+  }
+}

@@ -60,7 +60,8 @@ private:
   std::optional<OwnedLemke<double>> lemke_;                  // see pivots()
   std::optional<Owned<StructuredLemke<double>>> structured_; // see structured_pivots()
   bool last_structured_ = false;                             // did they pivot last?
-  Index settled_by_sweeps_ = 0; // what their rounds have taken beside pivots
+  Index settled_by_sweeps_ = 0;      // what their rounds have taken beside pivots
+  std::optional<Index> pivots_left_; // on the structured basis, of a search for other answers
   std::vector<SweepRecord> history_;
   Index swept_before_ = 0; // in the rounds that are over
   BlockGaussSeidel<double> sweeps_;
