@@ -98,11 +98,16 @@ void solve_levels(const Problem<double>& problem, const Basis& basis,
                   VectorXd& w, VectorXd& w_push) {
   Level level{problem, rows, problem.q, solution.z, w};
   Level push{problem, rows, problem.push, solution.z_push, w_push};
-  if (near != nullptr && near->basis == basis && level.approach(near->lu) &&
-      (problem.push == nullptr || push.approach(near->lu)))
-    return;
   FactoredBasis own;
   FactoredBasis& fresh = near != nullptr ? *near : own;
+  const bool is_known = fresh.basis == basis && !rows.empty();
+  if (is_known && level.approach(fresh.lu) &&
+      (problem.push == nullptr || push.approach(fresh.lu))) {
+    fresh.is_new = false;
+    return;
+  }
+  fresh.drifts = is_known && fresh.is_new;
+  fresh.is_new = true;
   fresh.basis = basis;
   fresh.lu.compute(basic_block(problem, rows));
   level.solve(fresh.lu);

@@ -21,6 +21,8 @@ struct BasisSolution {
 struct FactoredBasis {
   Basis basis;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu;
+  bool is_new = false; ///< nobody has used them since
+  bool drifts = false; ///< the system changes too much for them from one value to the next
 };
 
 /// Solves `problem` on `basis`: z_i = 0 outside of it, w_i = 0 inside. False if that is no answer:

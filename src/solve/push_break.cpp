@@ -49,7 +49,7 @@ bool holds_with_few_facets(const SceneFile& file, const PushOptions& options) {
 bool falls_by_statics(const SceneFile& file, const Scene<double>& scene,
                       const PushOptions& options) {
   if (size_of(scene).unknowns() > limits::unknowns_holding) return false;
-  if (holds_with_few_facets(file, options)) return false;
+  if (carries_load(file) || holds_with_few_facets(file, options)) return false;
   const double more = file.is_round ? 1 + 2e-3 : 1 + 1e-6; // its facets are short of a circle
   const std::optional<double> least = least_factor(file, options);
   return least && *least > more;

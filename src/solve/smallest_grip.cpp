@@ -1,4 +1,5 @@
 #include "lcpush/desktop/smallest_grip.hpp"
+#include "lcpush/mechanics/study/carrying.hpp"
 #include "solve/grip_search.hpp"
 #include "text/limits.hpp"
 
@@ -9,6 +10,14 @@ namespace {
 
 bool grips(const SceneFile& file, std::size_t actuator) {
   return grips(file.view(), static_cast<Index>(actuator));
+}
+
+/// Statics has no round cones: theirs are 0.1 % short of a circle.
+Scene<double> in_facets(const SceneFile& file) {
+  constexpr Index nearly_round = 64;
+  Scene<double> scene = file.view();
+  if (file.is_round) scene.facets = nearly_round;
+  return scene;
 }
 
 SceneFile scaled(SceneFile file, double factor) {
@@ -114,11 +123,16 @@ SceneFile hand_at_rest(const SceneFile& file) {
   return alone;
 }
 
+bool carries_load(const SceneFile& file) {
+  const AssembledScene assembled(in_facets(file));
+  const auto size = carrying_size(assembled.assembly);
+  SolverMemory<double> memory(size.scalars(), size.integers());
+  return lcpush::carries_load(assembled.assembly, {span_of(memory.scalars),
+                                                   span_of(memory.integers)}) == Status::solved;
+}
+
 Status find_holding(const SceneFile& file, const PushOptions& options, Holding<double>& holding) {
-  constexpr Index nearly_round = 64; // facets, 0.1 % short of a circle
-  Scene<double> scene = file.view();
-  if (file.is_round) scene.facets = nearly_round;
-  const AssembledScene assembled(scene);
+  const AssembledScene assembled(in_facets(file));
   const AssemblySize size = size_of(assembled.scene);
   SolverMemory<double> memory(holding_scalars(size), holding_integers(size));
   Watcher nobody;

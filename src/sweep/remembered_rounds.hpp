@@ -74,16 +74,18 @@ bool stands_on(const Basis& basis, const Problem<double>& problem, LemkeOptions<
   return lemke.step(unwatched) == Status::solved && lemke.pivots() == 0;
 }
 
-/// By Lemke over either basis.
+/// By Lemke over either basis. `structured`, if there is one, looks whether a basis holds where the
+/// neighbour's factors do not help.
 template <class Pivots> class RememberedRounds {
   using Then = LemkeRounds<double, const Attendant, Pivots>;
 
 public:
   static constexpr bool carries_push = true;
-  static constexpr bool predicts = false;
+  static constexpr bool predicts = true; ///< slower pushes go on, as those of a solve do
 
-  RememberedRounds(Pivots& lemke, RoundMemory& memory, const Attendant& attendant)
-      : then_(RememberedStart{memory}, Then(lemke, {}, attendant)) {}
+  RememberedRounds(Pivots& lemke, RoundMemory& memory, const Attendant& attendant,
+                   StructuredLemke<double>* structured)
+      : then_(RememberedStart{memory}, Then(lemke, {}, attendant)), structured_(structured) {}
 
   void begin(const Problem<double>& problem, bool warm, const PressureMemory<double>& pressure) {
     then_.pivots().watcher.look();
@@ -115,6 +117,7 @@ public:
 
 private:
   StartedRounds<double, RememberedStart, const Attendant, Pivots> then_;
+  StructuredLemke<double>* structured_;
   BasisSolution solution_;
   Index size_ = 0;     ///< unknowns of the round: the memory may have room for more
   bool holds_ = false; ///< is the remembered basis the answer itself?
@@ -126,20 +129,18 @@ private:
       basis.assign(pressure.active.begin(), pressure.active.begin() + size_);
     then_.start.memory.end_round(then_.start.round, std::move(basis));
   }
-  /// The structured basis is factored in O(points); a dense one by the neighbour's factors.
+  /// A dense basis is solved by the neighbour's factors, if they will do.
   bool holds_here(const Problem<double>& problem) {
-    constexpr Index most_kept = 400; // unknowns: 0.5 MB a round
+    constexpr Index most_kept = 199;
     const RememberedStart& start = then_.start;
-    if constexpr (std::is_same_v<Pivots, Lemke<double>>) {
-      FactoredBasis* const near =
-          problem.size <= most_kept ? &start.memory.factored[start.round] : nullptr;
-      return solve_on_basis(problem, start.basis(), solution_, near);
-    } else {
-      const Then& pivots = then_.pivots();
-      if (!stands_on(start.basis(), problem, pivots.options, pivots.lemke)) return false;
-      solution_.z = Eigen::Map<const Eigen::VectorXd>(pivots.lemke.z(), problem.size);
-      return true;
-    }
+    FactoredBasis& factored = start.memory.factored[start.round];
+    const bool drifts = factored.drifts && factored.basis == start.basis();
+    if (problem.size <= most_kept && !drifts)
+      return solve_on_basis(problem, start.basis(), solution_, &factored);
+    if (structured_ == nullptr) return solve_on_basis(problem, start.basis(), solution_);
+    if (!stands_on(start.basis(), problem, then_.pivots().options, *structured_)) return false;
+    solution_.z = Eigen::Map<const Eigen::VectorXd>(structured_->z(), problem.size);
+    return true;
   }
 };
 

@@ -28,8 +28,9 @@ DetailedAnswer read_contacts(const ScenePoint& p, DetailedAnswer answer) {
   double fastest = 0;
   for (const ContactAnswer<double>& contact : solved.contacts)
     fastest = std::max(fastest, contact.acceleration.norm());
-  // A residual that passes leaves slips open, and each would be an event of the sweep.
-  const double rounded = std::min(answer.motion_noise, 5e-7 * fastest);
+  // What a residual leaves open of slips is no event of the sweep.
+  const double open = std::max(answer.motion_noise, 2 * answer.residual * scales.acceleration);
+  const double rounded = std::min(open, 5e-6 * fastest);
   Index entry = 0;
   for (Index i = 0; i < solved.contacts.size; ++i) {
     const ContactAnswer<double>& contact = solved.contacts[i];
@@ -219,11 +220,11 @@ DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
   const Problem<double> problem = point_->problem(question);
   RoundMemory memory{bases, factored_[question]};
   DetailedAnswer answer;
-  const bool structured =
-      problem.size >= smallest_structured &&
+  const bool has_structure =
       StructuredBasis<double>::supports(problem, LemkeOptions<double>().tie_rule);
+  const bool structured = has_structure && problem.size >= smallest_structured;
+  if (has_structure) make_structured();
   if (structured) {
-    make_structured();
     answer = solve_rounds<StructuredLemke<double>>(question, *structured_, memory);
   }
   // A ray has been verified: the whole dictionary would find it again.
@@ -242,7 +243,8 @@ DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
 template <class Pivots>
 DetailedAnswer SweepSolver::solve_rounds(Question question, Pivots& pivots, RoundMemory& memory) {
   ScenePoint& p = *point_;
-  const RememberedRounds<Pivots> rounds(pivots, memory, attendant_);
+  const RememberedRounds<Pivots> rounds(pivots, memory, attendant_,
+                                        structured_ ? &*structured_ : nullptr);
   PressureRun run;
   DetailedAnswer answer;
   if (question == Question::push) {

@@ -1,7 +1,7 @@
 // [T.12] Holding: the smallest factor on the grip forces, against closed forms and solved scenes.
 #include <doctest/doctest.h>
 
-#include "lcpush/mechanics/study/holding.hpp"
+#include "lcpush/mechanics/study/carrying.hpp"
 #include "lcpush/mechanics/study/uniqueness.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"
@@ -29,6 +29,13 @@ struct Held {
         assembly,
         {{scalars.data(), holding_scalars(size)}, {integers.data(), holding_integers(size)}}, {},
         holding);
+  }
+  Status carries() const {
+    const auto size = carrying_size(assembly);
+    std::vector<double> scalars(static_cast<std::size_t>(size.scalars()));
+    std::vector<int> integers(static_cast<std::size_t>(size.integers()));
+    return carries_load<double>(
+        assembly, {{scalars.data(), size.scalars()}, {integers.data(), size.integers()}});
   }
   Held(const Held&) = delete;
   Held& operator=(const Held&) = delete;
@@ -178,6 +185,33 @@ TEST_CASE("[T.12] too little memory is bad input") {
   Holding<double> holding;
   CHECK(find_holding<double>(assembly, {}, {}, holding) == Status::bad_input);
   CHECK(holding.reason == Reason::memory_too_small);
+}
+
+TEST_CASE("[T.12] the grip as it is carries the load just above the least factor, not below it") {
+  for (const double mu : {0.1, 0.5, 2.0})
+    for (const double push : {0.999, 1.001}) {
+      CAPTURE(push);
+      const Scene3 scene = pinched({0, -9.81, 0}, mu, push * 9.81 / (2 * mu));
+      CHECK((Held(scene).carries() == Status::solved) == (push > 1));
+    }
+  Index carried = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const Vec3 down(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    Scene3 scene = pinched(9.81 * down, random.uniform(0.1, 1.2), random.uniform(1, 50),
+                           {{0.004, 0, 0}, {-0.002, 0.003, 0}, {0, -0.003, 0}});
+    scene.base.facets = 2 * random.integer(2, 8);
+    add_point(scene, Role::pusher, {1, 0, 0}, random.uniform(0, 1.2), {-0.01, 0.002, 0});
+    const Held held(scene);
+    if (held.status != Status::solved && held.status != Status::does_not_hold) continue;
+    const bool is_held = held.status == Status::solved && held.holding.factor <= 1;
+    const bool is_carried = held.carries() == Status::solved;
+    if (is_carried) CHECK(held.holding.factor <= 1 + 1e-7);
+    if (is_carried) CHECK(is_held);
+    carried += is_carried ? 1 : 0;
+  }
+  CHECK(carried >= 50);
 }
 
 TEST_CASE("[T.12] random grasps with known normal forces hold just above the factor, not below") {

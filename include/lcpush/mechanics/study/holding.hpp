@@ -84,6 +84,20 @@ template <class S> Index balance_axis(const Scene<S>& scene, Index row) {
   return scene.planar && row == 2 ? 5 : row;
 }
 
+/// One a direction of motion and an actuator.
+template <class S> Index balance_rows(const Assembly<S>& assembly) {
+  return (assembly.scene().planar ? 3 : 6) + assembly.layout().actuators;
+}
+
+/// Minus the load, in the assembly's units, in the first rows of b; the largest of them.
+template <class S> S fill_load(const Assembly<S>& assembly, VectorMap<S>& b) {
+  const Scene<S>& scene = assembly.scene();
+  const Vector6<S> load = laws::load(scene, assembly.layout().scales);
+  const Index moving = scene.planar ? 3 : 6;
+  for (Index row = 0; row < moving; ++row) b[row] = -load[balance_axis(scene, row)];
+  return b.head(moving).cwiseAbs().maxCoeff();
+}
+
 /// The units that make a program's numbers about 1: forces are measured in the load (in the
 /// assembly's units), phi in load over grip.
 template <class S> struct HoldingProgram : StudyProgram<S> {
@@ -94,27 +108,26 @@ template <class S> struct HoldingProgram : StudyProgram<S> {
 /// b in the assembly's units: minus the load, and what actuators that drive no finger hold.
 template <class S> void fill_loads(const Assembly<S>& assembly, HoldingProgram<S>& p) {
   using Eigen::numext::abs, Eigen::numext::maxi;
-  const Scene<S>& scene = assembly.scene();
-  const Vector6<S> load = laws::load(scene, assembly.layout().scales);
-  const Index moving = scene.planar ? 3 : 6;
-  for (Index row = 0; row < moving; ++row) p.b[row] = -load[balance_axis(scene, row)];
+  p.load = fill_load(assembly, p.b);
+  const Index moving = balance_rows(assembly) - assembly.layout().actuators;
   for (Index a = 0; a < assembly.layout().actuators; ++a) {
     const S& target = assembly.factored().sums[a].target;
-    if (grips(scene, a))
+    if (grips(assembly.scene(), a)) {
       p.grip = maxi(p.grip, S(abs(target)));
-    else
-      p.b[moving + a] = target;
+      continue;
+    }
+    p.b[moving + a] = target;
+    p.load = maxi(p.load, S(abs(target)));
   }
-  for (Index row = 0; row < p.b.size(); ++row) p.load = maxi(p.load, S(abs(p.b[row])));
   if (p.load > S(0)) p.b /= p.load;
 }
 
 /// G f in the first rows of A (in the plane only if the scene is planar), Q_a(f) in those after
-/// them, the room in the friction cones in H. Columns: the forces.
-template <class S> void fill_forces(const Assembly<S>& assembly, MatrixMap<S>& A, MatrixMap<S>& H) {
+/// them. Columns: the forces.
+template <class S> void fill_balance(const Assembly<S>& assembly, MatrixMap<S>& A) {
   const Layout<S>& layout = assembly.layout();
   const FactoredProblem<S>& factored = assembly.factored();
-  const Index moving = assembly.scene().planar ? 3 : 6;
+  const Index moving = balance_rows(assembly) - layout.actuators;
   for (Index j = 0; j < layout.forces; ++j)
     for (Index row = 0; row < moving; ++row)
       A(row, j) = factored.wrenches[j][balance_axis(assembly.scene(), row)];
@@ -126,8 +139,13 @@ template <class S> void fill_forces(const Assembly<S>& assembly, MatrixMap<S>& A
       A(moving + a, cone.force + variable - cone.variable) += factored.coupling[k];
     }
   }
+}
+
+/// The same, and the room in the friction cones in H.
+template <class S> void fill_forces(const Assembly<S>& assembly, MatrixMap<S>& A, MatrixMap<S>& H) {
+  fill_balance(assembly, A);
   Index row = 0;
-  for (const ConeGroup<S>& cone : layout.cones) {
+  for (const ConeGroup<S>& cone : assembly.layout().cones) {
     if (cone.generators == 0) continue;
     for (Index k = 0; k < cone.forces(); ++k)
       H(row, cone.force + k) = k < cone.normals ? cone.friction : S(-1);
@@ -138,7 +156,8 @@ template <class S> void fill_forces(const Assembly<S>& assembly, MatrixMap<S>& A
 /// A, H and c.
 template <class S> void fill_rows(const Assembly<S>& assembly, HoldingProgram<S>& p) {
   const Scene<S>& scene = assembly.scene();
-  const Index moving = scene.planar ? 3 : 6, phi = assembly.layout().forces;
+  const Index phi = assembly.layout().forces;
+  const Index moving = balance_rows(assembly) - assembly.layout().actuators;
   fill_forces(assembly, p.A, p.H);
   p.c[phi] = S(1);
   for (Index a = 0; a < assembly.layout().actuators; ++a)
@@ -159,8 +178,7 @@ template <class S, class Watcher = const Unwatched>
                                   Watcher& watcher = unwatched) {
   const Layout<S>& layout = assembly.layout();
   holding = {};
-  detail::HoldingProgram<S> p(memory.scalars, layout.forces + 1,
-                              (assembly.scene().planar ? 3 : 6) + layout.actuators,
+  detail::HoldingProgram<S> p(memory.scalars, layout.forces + 1, detail::balance_rows(assembly),
                               detail::rough_points(layout));
   if (!p.fits) {
     holding.reason = Reason::memory_too_small;
