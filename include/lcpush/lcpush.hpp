@@ -25,7 +25,6 @@
 #include "lcpush/mechanics/solve/pressure.hpp"
 #include "lcpush/mechanics/solve/step.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
-#include "lcpush/mechanics/study/carrying.hpp"
 #include "lcpush/mechanics/study/holding.hpp"
 #include "lcpush/mechanics/study/motion.hpp"
 #include "lcpush/mechanics/study/uniqueness.hpp"

@@ -25,41 +25,26 @@ bool falls_slowly(const SceneFile& file, const BreakReport& report, const PushOp
 }
 
 /// The least factor on the grip that holds the load, infinite if none does; none: not known.
-std::optional<double> least_factor(const SceneFile& file, const PushOptions& options) {
+std::optional<double> least_factor(const SceneFile& file) {
   Holding<double> holding;
-  const Status status = find_holding(file, options, holding);
+  const Status status = find_holding(file, holding);
   if (status == Status::does_not_hold) return std::numeric_limits<double>::infinity();
   return status == Status::solved ? std::optional<double>(holding.factor) : std::nullopt;
 }
 
-/// Friction of `few` facets lies within friction of a multiple of them and within a circle: the
-/// load that it holds, they hold, and the cost is that of the square of the facets.
-bool holds_with_few_facets(const SceneFile& file, const PushOptions& options) {
-  constexpr Index few = 8;
-  if (!file.is_round && (file.facets <= few || file.facets % few != 0)) return false;
-  SceneFile coarse = file;
-  coarse.is_round = false;
-  coarse.facets = few;
-  const std::optional<double> least = least_factor(coarse, options);
-  return least && *least <= 1;
-}
-
 /// Finite pushes may all be stronger than the fall: the object then moves as they do, to the last
 /// digit, and nothing of the fall is left in what they are taken back to. Only statics tells.
-bool falls_by_statics(const SceneFile& file, const Scene<double>& scene,
-                      const PushOptions& options) {
-  if (size_of(scene).unknowns() > limits::unknowns_holding) return false;
-  if (carries_load(file) || holds_with_few_facets(file, options)) return false;
+bool falls_by_statics(const SceneFile& file) {
+  if (carries_load(file)) return false;
   const double more = file.is_round ? 1 + 2e-3 : 1 + 1e-6; // its facets are short of a circle
-  const std::optional<double> least = least_factor(file, options);
+  const std::optional<double> least = least_factor(file);
   return least && *least > more;
 }
 
 /// Pushes were extrapolated and say that the grasp holds, or that the pusher pulls: does it hold?
 /// If not, report.breaking.rest becomes the fall.
-Status verdict_of_pushes(const SceneFile& file, const Scene<double>& scene, BreakReport& report,
-                         const PushOptions& options) {
-  const bool falls = falls_by_statics(file, scene, options);
+Status verdict_of_pushes(const SceneFile& file, BreakReport& report, const PushOptions& options) {
+  const bool falls = falls_by_statics(file);
   const bool pulled = pulls(report.breaking, report.scales);
   if (!falls && !pulled) return Status::solved;
   Vector6<double> motion;
@@ -74,13 +59,12 @@ Status verdict_of_pushes(const SceneFile& file, const Scene<double>& scene, Brea
 
 /// The reverse: what is left when pushes far stronger than the load are taken back to none need not
 /// be a fall, where statics holds the load with room to spare.
-bool only_looks_falling(const SceneFile& file, const Scene<double>& scene,
-                        const BreakReport& report, const PushOptions& options) {
+bool only_looks_falling(const SceneFile& file, const BreakReport& report,
+                        const PushOptions& options) {
   constexpr double room = 1 - 1e-3;
   const double smallest_push = options.solver == Solver::gauss_seidel ? 1e-4 : 1e-5; // of F / m
-  if (size_of(scene).unknowns() > limits::unknowns_holding) return false;
   if (motion_size(report.breaking.rest, report.scales) > 2 * smallest_push) return false;
-  const std::optional<double> least = least_factor(file, options);
+  const std::optional<double> least = least_factor(file);
   return least && *least < room;
 }
 
@@ -127,8 +111,7 @@ void add_other(const Breaking<double>& second, BreakReport& report) {
 
 } // namespace
 
-Status holding_verdict(const SceneFile& file, const Scene<double>& scene, BreakReport& report,
-                       const PushOptions& options) {
+Status holding_verdict(const SceneFile& file, BreakReport& report, const PushOptions& options) {
   if (is_exact(file, options))
     return report.status == Status::solved && falls_slowly(file, report, options)
                ? Status::does_not_hold
@@ -137,8 +120,8 @@ Status holding_verdict(const SceneFile& file, const Scene<double>& scene, BreakR
       report.status == Status::numerical_breakdown && pulls(report.breaking, report.scales);
   const bool holds =
       report.status == Status::solved || pulled ||
-      (report.status == Status::does_not_hold && only_looks_falling(file, scene, report, options));
-  return holds ? verdict_of_pushes(file, scene, report, options) : report.status;
+      (report.status == Status::does_not_hold && only_looks_falling(file, report, options));
+  return holds ? verdict_of_pushes(file, report, options) : report.status;
 }
 
 /// In pads, far below what their last compliance usually leaves.
@@ -219,7 +202,7 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   report.pusher = pusher;
   report.status = break_grasp(options, pusher, report.breaking, report.run);
   report.history = history_;
-  report.status = holding_verdict(file_, scene_, report, options);
+  report.status = holding_verdict(file_, report, options);
   if (report.status == Status::does_not_hold)
     report.reason = "the object moves before it is pushed: the grasp does not hold its load";
   else if (report.status == Status::bad_input && report.run.reason == Reason::none)

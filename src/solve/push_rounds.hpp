@@ -64,7 +64,8 @@ template <class Use> Status Push::with_rounds(const PushOptions& options, const 
   PassingWatcher watcher(*this, options);
   last_structured_ = options.solver != Solver::gauss_seidel && takes_structure(options);
   if (last_structured_) {
-    const Status status = TurningPivots::turns(assembly_.problem())
+    const bool is_pad = assembly_.scene().pressure == Pressure::pad;
+    const Status status = is_pad && TurningPivots::turns(assembly_.problem())
                               ? with_turning_pivots(options, watcher, use)
                               : with_settled_pivots(options, watcher, use);
     const bool ended = status == Status::solved || status == Status::does_not_hold;
@@ -141,7 +142,6 @@ inline PushOptions by_other_cover(const PushOptions& options, Index k) {
 /// report.status (solved or does_not_hold, with report.breaking and report.scales), or the other of
 /// the two; numerical_breakdown: the breaking force is below zero, yet no fall is seen. `scene` as
 /// solved. Changes report.breaking.rest alone, to a fall that the core did not see.
-Status holding_verdict(const SceneFile& file, const Scene<double>& scene, BreakReport& report,
-                       const PushOptions& options);
+Status holding_verdict(const SceneFile& file, BreakReport& report, const PushOptions& options);
 
 } // namespace lcpush::desktop

@@ -1,5 +1,4 @@
 #include "lcpush/desktop/smallest_grip.hpp"
-#include "lcpush/mechanics/study/carrying.hpp"
 #include "solve/grip_search.hpp"
 #include "text/limits.hpp"
 
@@ -18,6 +17,15 @@ Scene<double> in_facets(const SceneFile& file) {
   Scene<double> scene = file.view();
   if (file.is_round) scene.facets = nearly_round;
   return scene;
+}
+
+/// ask(assembly, memory) of a file's scene.
+template <class Ask> Status ask_statics(const SceneFile& file, const Ask& ask) {
+  const AssembledScene assembled(in_facets(file));
+  const AssemblySize size = size_of(assembled.scene);
+  SolverMemory<double> memory(holding_scalars(size), holding_integers(size));
+  return ask(assembled.assembly,
+             StudyMemory<double>{span_of(memory.scalars), span_of(memory.integers)});
 }
 
 SceneFile scaled(SceneFile file, double factor) {
@@ -61,7 +69,7 @@ SmallestGrip smallest(const SceneFile& file, Index most_unknowns, const Counting
   if (file.hand == Hand::locked)
     holding.unit = load_over_preload(file); // statics lets locked fingers squeeze with any force
   else
-    status = find_holding(file, work.options(), holding);
+    status = find_holding(file, holding);
   if (status == Status::solved) {
     grip = search_upwards(holding, known, precision, work, holds);
     const bool holds_now = known > 0;
@@ -123,22 +131,16 @@ SceneFile hand_at_rest(const SceneFile& file) {
   return alone;
 }
 
-bool carries_load(const SceneFile& file) {
-  const AssembledScene assembled(in_facets(file));
-  const auto size = carrying_size(assembled.assembly);
-  SolverMemory<double> memory(size.scalars(), size.integers());
-  return lcpush::carries_load(assembled.assembly, {span_of(memory.scalars),
-                                                   span_of(memory.integers)}) == Status::solved;
+Status find_holding(const SceneFile& file, Holding<double>& holding) {
+  return ask_statics(file, [&](const auto& assembly, const auto& memory) {
+    return lcpush::find_holding(assembly, memory, holding);
+  });
 }
 
-Status find_holding(const SceneFile& file, const PushOptions& options, Holding<double>& holding) {
-  const AssembledScene assembled(in_facets(file));
-  const AssemblySize size = size_of(assembled.scene);
-  SolverMemory<double> memory(holding_scalars(size), holding_integers(size));
-  Watcher nobody;
-  return lcpush::find_holding(assembled.assembly,
-                              {span_of(memory.scalars), span_of(memory.integers)}, options.lemke,
-                              holding, options.watcher != nullptr ? *options.watcher : nobody);
+bool carries_load(const SceneFile& file) {
+  return ask_statics(file, [](const auto& assembly, const auto& memory) {
+           return lcpush::carries_load(assembly, memory);
+         }) == Status::solved;
 }
 
 double rest_tolerance(Solver solver) {

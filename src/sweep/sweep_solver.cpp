@@ -70,7 +70,7 @@ DetailedAnswer judge_breaking(const ScenePoint& p, Status status,
   report.breaking = breaking;
   report.scales = p.assembly.layout().scales;
   DetailedAnswer answer;
-  answer.status = holding_verdict(p.file, p.scene, report, {});
+  answer.status = holding_verdict(p.file, report, {});
   if (answer.status != Status::solved && answer.status != Status::does_not_hold) return answer;
   answer.normal = breaking.break_force;
   answer.force = breaking.force.head<3>();

@@ -33,7 +33,7 @@ constexpr Index unknowns_searched = 2000;       // other answers, each as long a
                                                 // covers, and for a break seven images
 constexpr Index unknowns_pivoted_in_search = 20'000'000; // pivots, each of so many: about 0.5 s
 constexpr Index scalars_existence = 50'000'000;          // 400 MB: hundreds of actuators that drag
-constexpr Index unknowns_holding = 2000;                 // one linear program
+constexpr Index unknowns_holding = 2000;                 // every factor that is asked is a push
 constexpr Index unknowns_grip = 600;       // every factor that is asked costs several pushes
 constexpr Index unknowns_remedied = 1000;  // a solve for each change that might free a jam
 constexpr Index unknowns_spread = 2000;    // hundreds of linear programs

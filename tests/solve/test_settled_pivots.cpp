@@ -13,20 +13,20 @@ using namespace lcpush::desktop;
 namespace {
 
 /// A bar between two discs of 200 points each, that a rough wall pushes.
-SceneFile bar(const char* pressure, const char* acceleration, const char* ends) {
+SceneFile bar(const char* pressure, const char* acceleration, const char* ends, int facets = 8) {
   const auto disc = [](const char* name, const char* z, const char* normal) {
     return std::string("[[finger]]\nname = \"") + name + "\"\nshape = \"disc\"\ncenter = [0, 0, " +
            z + "]\nnormal = [0, 0, " + normal +
            "]\nradius = 0.005\npoints = 200\nfriction = 0.5\ngrip_force = 20\n";
   };
-  return parse_scene(std::string("pressure = \"") + pressure +
-                         "\"\ngravity = [0, -9.81, 0]\n"
-                         "[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n" +
-                         disc("left", "0.005", "-1") + disc("right", "-0.005", "1") +
-                         "[[pusher]]\nname = \"wall\"\nshape = \"line\"\n" + ends +
-                         "\nnormal = [1, 0, 0]\nfriction = 0.3\nacceleration = " + acceleration +
-                         "\n",
-                     "bar.toml");
+  return parse_scene(
+      std::string("facets = ") + std::to_string(facets) + "\npressure = \"" + pressure +
+          "\"\ngravity = [0, -9.81, 0]\n"
+          "[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n" +
+          disc("left", "0.005", "-1") + disc("right", "-0.005", "1") +
+          "[[pusher]]\nname = \"wall\"\nshape = \"line\"\n" + ends +
+          "\nnormal = [1, 0, 0]\nfriction = 0.3\nacceleration = " + acceleration + "\n",
+      "bar.toml");
 }
 constexpr const char* oblique = "[0.1, 0.05, 0]";
 constexpr const char* at_its_side = "points = 2\nends = [[-0.05, -0.01, 0], [-0.05, 0.01, 0]]";
@@ -61,6 +61,17 @@ TEST_CASE("wide patches: a push that slips at its pusher, or tips, takes few piv
     CHECK(report.residuals.max() <= 1e-9);
     CHECK(report.run.pivots <= 60); // a point would be 400; from the expected modes 500 to 4,000
   });
+}
+
+TEST_CASE("wide rigid patches: fine pyramids take as few pivots as coarse ones") {
+  for (const int facets : {16, 128, 256}) {
+    CAPTURE(facets);
+    const SceneFile file = bar("rigid", oblique, at_its_side, facets);
+    Push push(file);
+    const PushReport report = solved(push);
+    REQUIRE(report.status == Status::solved);
+    CHECK(report.run.pivots <= 60); // from the expected modes: thousands at 128 facets
+  }
 }
 
 TEST_CASE("wide patches: so does the force that breaks the grasp") {

@@ -55,9 +55,9 @@ double locked_force(const SceneFile& file);
 /// The hand before any push: its fingers alone and at rest, with the actuators that drive one.
 SceneFile hand_at_rest(const SceneFile& file);
 
-/// [T.12] on a file: at the grip as it is, proved if true, or the least factor on it.
+/// [T.12] on a file: the least factor on the grip; and whether it is at most 1, proved if true.
+Status find_holding(const SceneFile& file, Holding<double>& holding);
 bool carries_load(const SceneFile& file);
-Status find_holding(const SceneFile& file, const PushOptions& options, Holding<double>& holding);
 
 /// What a solver leaves of the acceleration of an object at rest, relative.
 double rest_tolerance(Solver solver);

@@ -18,6 +18,7 @@ template <class S> struct ConeMembership {
   Span<S> scalars;
   Span<int> integers;
   bool fits;
+  S steepest{0}; ///< at most residual' times a column; 0 or less is a proof
 
   /// All zeros.
   ConeMembership(const Span<S>& scalars_given, const Span<int>& integers_given, Index rows,
@@ -41,7 +42,8 @@ template <class S> struct ConeMembership {
     NonnegativeLeastSquares<S> solver(scalars, integers);
     const Status status = solver.solve(given, b);
     if (status != Status::solved) return status;
-    S largest(0), steepest(0);
+    S largest(0);
+    steepest = S(0);
     residual = b;
     for (Index j = 0; j < columns; ++j) {
       x[j] = solver.x()[j];

@@ -74,16 +74,6 @@ template <class S> bool closes_on_something(const Assembly<S>& assembly, Index a
   return closes;
 }
 
-/// Extreme rays of a point's cone: visit(normal, friction), columns of G, equal without friction.
-template <class S, class Visit>
-void for_each_ray(const ConeGroup<S>& cone, const Visit& visit, bool smooth = false) {
-  for (Index normal = cone.force; normal < cone.force + cone.normals; ++normal) {
-    if (smooth || cone.generators == 0) visit(normal, normal);
-    for (Index j = 0; !smooth && j < cone.generators; ++j)
-      visit(normal, cone.force + cone.normals + j);
-  }
-}
-
 } // namespace detail
 
 /// Rows and columns of the two questions' matrices.
