@@ -85,7 +85,7 @@ typedef struct lcpush_size {
 
 /* Bytes of memory, aligned as a double, that lcpush_make needs for `real` (double or float) without
  * pulls; a constant expression. O(points facets): 3 bodies, 10 points, 8 facets and 2 actuators are
- * 23 KB in float. At most 16383 unknowns. */
+ * 19 KB in float. At most 16383 unknowns. */
 #define LCPUSH_BYTES(real, bodies, points, facets, actuators, drives)                              \
   (LCPUSH_COMMON_BYTES_(real, (size_t)(bodies), (size_t)(points),                                  \
                         (size_t)(points) * ((size_t)(facets) + 1), (size_t)(actuators),            \

@@ -10,7 +10,7 @@ namespace lcpush::c {
 /// point, 6 forces and two an actuator; the rest are met on the way. Factoring it that often makes
 /// float more reliable, too. Who asks for more ends in memory_too_small.
 constexpr Index exchanges_of(const AssemblySize& size) {
-  return size.points + size.pulls + 2 * size.actuators + 16;
+  return size.points + size.pulls + 2 * size.actuators + 10;
 }
 
 /// `Push`: lcpush_push or lcpushf_push.

@@ -11,7 +11,7 @@ PARTS = {"eigen": "Eigen's functions", "checks": "the referee and the laws' chec
          "assembly": "scene, equations, answer", "interface": "the C functions, rounds of pads"}
 _NAMES = {"eigen": r"^_ZN?K?5Eigen|^_ZNK5Eigen", "friction": r"RoundFriction|RoundDistance|9turned|4turn",
           "checks": r"natural_residual|factored_rows|neighbour|LawRows|TermSizes|check_rows|5check",
-          "pivots": r"LocalForm|StructuredBasis|5Lemke|RatioTest|Dictionary|multiply|largest_entry"
+          "pivots": r"LocalForm|Directions|KeptRows|StructuredBasis|5Lemke|RatioTest|Dictionary|multiply|largest_entry"
                     r"|exchange_largest|dot_along|add_scaled|power_below|reciprocal_root",
           "assembly": r"Assembly|4laws|find_mistake|spread_evenly|read_answer|generator|tangent"
                       r"|even_size|size_of|Layout|drive|cone|contact|weight"}

@@ -20,16 +20,16 @@
    (actuators) * (8 * sizeof(real) + 2 * LCPUSH_WORD_) + 128 + 8 * LCPUSH_GAP_(real) +             \
    60 * (sizeof(real) - 4))
 
-/* Of the structured basis: its width, and the exchanges that it has room for. */
-#define LCPUSH_WIDTH_(actuators) (6 + (actuators))
+/* Exchanges that the structured basis has room for. */
 #define LCPUSH_EXCHANGES_(n, points, actuators)                                                    \
-  ((n) < (points) + 2 * (actuators) + 16 ? (n) + 1 : (points) + 2 * (actuators) + 16)
+  ((n) < (points) + 2 * (actuators) + 10 ? (n) + 1 : (points) + 2 * (actuators) + 10)
 
 #define LCPUSH_PIVOTS_BYTES_(real, n, points, actuators, exchanges)                                \
-  ((((n) + 4 + ((points) < 24 ? 0 : 2 * LCPUSH_WIDTH_(actuators))) * LCPUSH_WIDTH_(actuators) +    \
-    10 * (n) + 3 * ((points) + (actuators)) + (exchanges) * ((exchanges) + 3)) *                   \
+  (((10 + (actuators)) * (n) + 24 + 5 * (points) + 7 * (actuators) +                               \
+    ((points) < 24 ? 0 : 2 * (6 + (actuators)) * (6 + (actuators))) +                              \
+    (exchanges) * ((exchanges) + 3)) *                                                             \
        sizeof(real) +                                                                              \
-   (8 * (n) + 4 * (points) + 2 + 2 * (exchanges)) * sizeof(short))
+   (7 * (n) + 7 * (points) + 2 + 2 * (exchanges)) * sizeof(short))
 
 #define LCPUSH_SWEEPS_BYTES_(real, n, couplings, actuators)                                        \
   ((10 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) +              \

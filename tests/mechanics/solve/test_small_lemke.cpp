@@ -23,7 +23,8 @@ struct SmallWorkspace {
                                           size.actuators, exchanges)) {}
 };
 
-/// Both answers to a push, bit by bit.
+/// Both answers to a push: they may differ by rounding, as directions are put together in another
+/// order.
 void compare(SolvedPush<double, StructuredLemke<double>>& wide) {
   SmallWorkspace memory(wide.scene);
   Workspace<double>& work = memory.work;
@@ -40,18 +41,19 @@ void compare(SolvedPush<double, StructuredLemke<double>>& wide) {
   CHECK(wide.run.pivots == run.pivots);
   if (status != Status::solved) return;
   read_answer(assembly, work.pressure.z.data, work.answer, 1.0);
-  bool same = true; // z is still there: a break reads it twice
+  double off = 0; // z is still there: a break reads it twice
   for (Index i = 0; i < work.pressure.z.size; ++i)
-    same = same && wide.memory.work.pressure.z[i] == work.pressure.z[i];
+    off = std::max(off, std::abs(wide.memory.work.pressure.z[i] - work.pressure.z[i]));
   for (Index i = 0; i < work.answer.friction.size; ++i)
-    same = same && wide.answer().friction[i] == work.answer.friction[i];
-  CHECK(same);
-  CHECK(check(wide.scene, wide.scales(), work.answer, 1.0).max() == wide.residuals.max());
+    off = std::max(off, std::abs(wide.answer().friction[i] - work.answer.friction[i]) /
+                            wide.scales().force);
+  CHECK(off <= 1e-8);
+  CHECK(check(wide.scene, wide.scales(), work.answer, 1.0).max() <= 1e-9);
 }
 
 } // namespace
 
-TEST_CASE("short integers and shared arrays change no bit of an answer") {
+TEST_CASE("short integers, shared arrays and directions that are not kept change no answer") {
   int solved = 0;
   for (const Pressure pressure : pressures)
     for (std::uint64_t seed = 0; seed < 40; ++seed) {

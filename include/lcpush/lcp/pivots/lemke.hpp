@@ -25,7 +25,7 @@ template <class S> struct LemkeOptions {
   Index first_cover = 0;    ///< number of the first generic covering vector
   Index covers = 6;         ///< generic covering vectors tried before a failure is reported
   const S* cover = nullptr; ///< n numbers > 0 to use instead of generic ones, tried once
-  Index exchanges = 0;      ///< StructuredLemke: what its memory is for (structured_lemke_scalars)
+  Index exchanges = 0;      ///< SmallLemke: what its memory is for (small_lemke_scalars)
   bool equilibrate = true;  ///< switch off for exact scalars and for teaching
   bool careful = true;      ///< structured and wide: corrects values, lets a z0 of zero leave
   bool rubs = false;        ///< structured: away from z = 0 it is covered with friction
@@ -224,18 +224,20 @@ private:
   }
   void read(Index rhs);
   void refine(Index rhs);
-  /// q + sigma push, number by number.
+  /// q + sigma push, number by number; there may be no push where sigma is 0.
   struct PushedBy {
     const Problem<S>& problem;
     S sigma;
-    S operator[](Index i) const { return problem.q[i] + sigma * problem.push[i]; }
+    S operator[](Index i) const {
+      return sigma == S(0) ? problem.q[i] : S(problem.q[i] + sigma * problem.push[i]);
+    }
   };
   /// In the covering vector and the tie columns: whoever goes on after a check computes them
   /// afresh.
-  template <class Q> WorstRow<S> referee(const Q& q, const S* z) {
+  WorstRow<S> referee(const S& sigma, const S* z) {
     return natural_residual(
-        problem_, q, z, column_scale_.data(), [&](Index i) { return i >= problem_.free_begin; },
-        covering_.data(), tie_column(0).data());
+        problem_, PushedBy{problem_, sigma}, z, column_scale_.data(),
+        [&](Index i) { return i >= problem_.free_begin; }, covering_.data(), tie_column(0).data());
   }
   bool bound_is_slack() const;
   bool settles_bound();

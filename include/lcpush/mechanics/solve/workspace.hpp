@@ -101,9 +101,9 @@ constexpr SolverSize structured_size(const AssemblySize& size, Index shared) {
           structured_lemke_integers(size.unknowns(), size.points)};
 }
 constexpr SolverSize small_size(const AssemblySize& size, Index shared, Index exchanges) {
-  return {structured_lemke_scalars(size.unknowns(), size.points, shared, exchanges) -
-              size.unknowns() - size.generators, // see make_small_workspace
-          structured_lemke_integers(size.unknowns(), size.points, exchanges), sizeof(std::int16_t)};
+  return {small_lemke_scalars(size.unknowns(), size.points, shared, exchanges) - size.unknowns() -
+              size.generators, // see make_small_workspace
+          small_lemke_integers(size.unknowns(), size.points, exchanges), sizeof(std::int16_t)};
 }
 constexpr SolverSize sweeps_size(const AssemblySize& size) {
   const Index n = size.unknowns(), couplings = size.couplings(), actuators = size.actuators;
@@ -161,7 +161,7 @@ template <class S> constexpr Index push_bytes(const AssemblySize& size) {
 template <class S> constexpr Index structured_bytes(const AssemblySize& size, Index shared) {
   return detail::bytes_with<S>(detail::structured_size(size, shared), size);
 }
-/// Bytes that make_small_workspace takes. `exchanges` > 0 as structured_lemke_scalars says, and
+/// Bytes that make_small_workspace takes. `exchanges` > 0 as small_lemke_scalars says, and
 /// LemkeOptions has to have them.
 template <class S>
 constexpr Index small_bytes(const AssemblySize& size, Index shared, Index exchanges) {

@@ -219,14 +219,14 @@ template <class S, class B> bool Lemke<S, B>::passes_check() {
     S& z = solution_(i, 0);
     if (z < S(0) && -z <= tolerance * column_scale_[i] * rhs_scale_[finite]) z = S(0);
   }
-  residual_ = referee(problem_.q, z());
+  residual_ = referee(S(0), z());
   if (!(residual_.residual <= tolerance)) return false;
   if (problem_.push == nullptr) return true;
   if (!find_range()) return false;
   // Not the very end of the range: there the answer may be all zeros, and rounding its scale.
   const S sigma = valid_to_ < S(0) ? rhs_scale_[finite] / rhs_scale_[push] : valid_to_ / S(2);
   for (Index i = 0; i < n_; ++i) scratch_[i] = solution_(i, 0) + sigma * solution_(i, 1);
-  const WorstRow<S> pushed = referee(PushedBy{problem_, sigma}, scratch_.data());
+  const WorstRow<S> pushed = referee(sigma, scratch_.data());
   if (!(pushed.residual <= residual_.residual)) residual_ = pushed;
   return pushed.residual <= tolerance;
 }

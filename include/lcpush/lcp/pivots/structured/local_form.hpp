@@ -32,10 +32,10 @@
 // and s become basic together, and the inverse [0 1; -1 3/2] has the form of M, roles swapped.
 #pragma once
 
-#include "lcpush/lcp/loops.hpp"
-#include "lcpush/lcp/memory.hpp"
+#include <type_traits>
+
 #include "lcpush/lcp/pivots/equilibrate.hpp"
-#include "lcpush/lcp/problem.hpp"
+#include "lcpush/lcp/pivots/structured/directions.hpp"
 
 namespace lcpush {
 namespace detail {
@@ -61,19 +61,26 @@ namespace detail {
 
 enum LocalRole : int { normal_role, generator_role, slip_role, own_role, shared_role };
 
+/// Where memory is small, so is `Int`.
 template <class S, class Int> class LocalForm {
+  using Directions =
+      std::conditional_t<sizeof(Int) < sizeof(int), ReadDirections<S, Int>, KeptDirections<S>>;
+
 public:
   /// Loaded springs that are too many for the exchanges.
   static constexpr Index many_springs = 24;
   static constexpr Index scalars(Index n, Index cones, Index shared) {
     const Index width = 6 + shared;
-    return (n + 4) * width + size_of_core(cones, width) + n + 3 * cones + 3 * shared;
+    return Directions::scalars(n, cones, shared) + 4 * width + size_of_core(cones, width) + n +
+           3 * cones + 3 * shared;
   }
   /// C, and what it is the inverse of.
   static constexpr Index size_of_core(Index cones, Index width) {
     return cones < many_springs ? 0 : 2 * width * width;
   }
-  static constexpr Index integers(Index n, Index cones) { return 3 * n + 4 * cones; }
+  static constexpr Index integers(Index n, Index cones) {
+    return 2 * n + 4 * cones + Directions::integers(cones);
+  }
 
   void carve(const Problem<S>& problem, Block<S>& scalars, Block<Int>& integers) {
     problem_ = problem.factored;
@@ -81,7 +88,7 @@ public:
     free_begin_ = problem.free_begin;
     const Index shared = shared_actuators(*problem_), cones = problem_->cones.size;
     const Index width = 6 + shared;
-    scalars.seat(directions_, n_, width);
+    directions_.carve(*problem_, n_, shared, scalars, integers);
     scalars.seat(d_, n_);
     for (VectorMap<S>* map : {&d_force_, &force_, &v_, &core_input_}) scalars.seat(*map, width);
     for (VectorMap<S>* map : {&actuator_input_, &d_actuator_input_}) scalars.seat(*map, shared);
@@ -91,7 +98,7 @@ public:
     }
     for (Span<S>* span : {&friction_, &compliance_, &own_coupling_}) *span = scalars.take(cones);
     inertia_ = scalars.take(shared);
-    for (Span<Int>* span : {&role_, &group_, &flipped_}) *span = integers.take(n_);
+    for (Span<Int>* span : {&state_, &group_}) *span = integers.take(n_);
     for (Span<Int>* span : {&normal_, &slip_, &own_actuator_, &is_spring_})
       *span = integers.take(cones);
   }
@@ -149,8 +156,7 @@ public:
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
             const VectorMap<S>& covering_vector) {
     const FactoredProblem<S>& f = *problem_;
-    directions_.setZero();
-    for (Index i = 0; i < n_; ++i) flipped_[i] = 0;
+    directions_.load(row_scale);
     has_springs_ = false;
     for (Index c = 0; c < f.cones.size; ++c) {
       const ConeGroup<S>& cone = f.cones[c];
@@ -164,11 +170,9 @@ public:
       friction_[c] = slip < 0 ? S(0) : S(cone.friction * scale * row_scale[slip]);
       for (Index k = 0; k < cone.forces(); ++k) {
         const Index slot = cone.variable + k;
-        role_[slot] = k < cone.normals ? normal_role : generator_role;
-        for (Index d = 0; d < 6; ++d)
-          directions_(slot, d) = f.wrenches[cone.force + k][d] * row_scale[slot];
+        state_[slot] = k < cone.normals ? normal_role : generator_role;
       }
-      if (slip >= 0) role_[slip] = slip_role;
+      if (slip >= 0) state_[slip] = slip_role;
       for (Index k = 0; k < cone.size(); ++k) group_[cone.variable + k] = static_cast<Int>(c);
     }
     Index shared = 0;
@@ -176,18 +180,18 @@ public:
       const SumGroup<S>& sum = f.sums[a];
       const Index s = free_begin_ + a, c = own_cone(f, sum);
       if (c >= 0) {
-        role_[s] = own_role;
+        state_[s] = own_role;
         group_[s] = static_cast<Int>(c);
         own_actuator_[c] = static_cast<Int>(s);
         own_coupling_[c] = f.coupling[sum.first] * row_scale[s] * column_scale[f.cones[c].variable];
         continue;
       }
-      role_[s] = shared_role;
+      state_[s] = shared_role;
       group_[s] = static_cast<Int>(shared);
       inertia_[shared] = sum.inertia * row_scale[s] * column_scale[s];
       for (Index k = sum.first; k < sum.first + sum.count; ++k) {
         const Index slot = f.coupled_variable[k];
-        directions_(slot, 6 + shared) += f.coupling[k] * row_scale[s] * column_scale[slot];
+        directions_.couple(slot, shared, f.coupling[k] * row_scale[s] * column_scale[slot]);
       }
       ++shared;
     }
@@ -199,7 +203,7 @@ public:
     transform(d_, d_force_, d_actuator_input_);
   }
 
-  bool is_flipped(Index slot) const { return flipped_[slot] != 0; }
+  bool is_flipped(Index slot) const { return (state_[slot] & flipped) != 0; }
 
   /// Entries (row, slot) of the matrix, slot n the covering vector: along one column after
   /// begin_column(slot), along one row after begin_row(row). Cost: O(1).
@@ -210,7 +214,7 @@ public:
     find_velocity();
   }
   S entry_of_column(Index row, Index slot) const {
-    return (role_[row] == shared_role ? shared_row(row) : felt(row)) + local(row, slot);
+    return (role(row) == shared_role ? shared_row(row) : felt(row)) + local(row, slot);
   }
   void begin_row(Index row);
   S entry_of_row(Index row, Index slot) const;
@@ -229,7 +233,8 @@ public:
 private:
   const FactoredProblem<S>* problem_ = nullptr;
   Index n_ = 0, free_begin_ = 0;
-  MatrixMap<S> directions_{nullptr, 0, 0}; // n x width, row i: h_i
+  static constexpr int flipped = 8; // a bit that no role has
+  Directions directions_;
   VectorMap<S> d_{nullptr, 0}, d_force_{nullptr, 0}, force_{nullptr, 0};
   VectorMap<S> v_{nullptr, 0}, core_input_{nullptr, 0}; // v = C (A F, -s), and what C is applied to
   // Of shared actuators, the variable that is not basic: s, or w once s is basic.
@@ -237,28 +242,29 @@ private:
   MatrixMap<S> springs_{nullptr, 0, 0}, core_{nullptr, 0, 0}; // sum of g h' / c, and C
   bool has_springs_ = false;
   Span<S> friction_, compliance_, own_coupling_, inertia_;
-  Span<Int> role_, group_, flipped_; // of slots; group_: cone, or number of the shared actuator
+  Span<Int> state_, group_; // of slots: role and `flipped`; cone, or number of the shared actuator
   Span<Int> normal_, slip_, own_actuator_; // of cones: the slots in these roles, -1 for none
   Span<Int> is_spring_;                    // of cones: is the normal force basic on its compliance?
 
-  Index width() const { return directions_.cols(); }
+  Index width() const { return directions_.width(); }
   bool pulls(Index cone) const { return problem_->cones[cone].normals == 2; }
-  /// Then row slip() of the directions is where its friction force points.
+  /// Then h of its slip() is where its friction force points.
   bool slides(Index c) const {
     const ConeGroup<S>& cone = problem_->cones[c];
-    return cone.generators > 0 && flipped_[cone.slip()] != 0;
+    return cone.generators > 0 && is_flipped(cone.slip());
   }
+  int role(Index slot) const { return state_[slot] & (flipped - 1); }
+  void flip(Index slot) { state_[slot] = static_cast<Int>(state_[slot] | flipped); }
   void swap_roles(Index i, Index j) {
-    Eigen::numext::swap(role_[i], role_[j]);
-    flipped_[i] = flipped_[j] = 1;
+    Eigen::numext::swap(state_[i], state_[j]);
+    flip(i);
+    flip(j);
+  }
+  bool has_direction(Index i) const {
+    return role(i) < slip_role || (role(i) == slip_role && has_springs_);
   }
   /// h_i' v.
-  S felt(Index i) const { return dot_along(directions_.data() + i, n_, v_.data(), width()); }
-  /// force_ += h_i x.
-  void add_direction(Index i, const S& x) {
-    const S* h = directions_.data() + i;
-    for (Index k = 0; k < width(); ++k, h += n_) force_[k] += *h * x;
-  }
+  S felt(Index i) const { return has_direction(i) ? directions_.dot(i, group_[i], v_) : S(0); }
   void add_force(Index slot, const S& x);
   void find_velocity();
   S local(Index row, Index slot) const;
@@ -268,7 +274,7 @@ private:
   /// What a shared actuator's row feels: its forces' sum, or its unknown.
   S shared_row(Index row) const {
     const Index k = 6 + group_[row];
-    if (flipped_[row] != 0) return -v_[k];
+    if (is_flipped(row)) return -v_[k];
     return has_springs_ ? S(force_[k] - springs_.row(k).dot(v_.transpose())) : force_[k];
   }
   template <class IsBasic> bool has_springs(IsBasic is_basic) const;

@@ -9,8 +9,7 @@ namespace lcpush::detail {
 template <class S, class Int> void LocalForm<S, Int>::press_by_own_actuator(Index c) {
   const Index normal = normal_[c], own = own_actuator_[c];
   const S inverse = S(1) / own_coupling_[c];
-  directions_.row(own) = directions_.row(normal) * inverse;
-  directions_.row(normal).setZero();
+  directions_.press(c, own, inverse);
   friction_[c] *= inverse;
   compliance_[c] *= inverse * inverse;
   own_coupling_[c] = inverse;
@@ -22,12 +21,8 @@ template <class S, class Int> void LocalForm<S, Int>::press_by_own_actuator(Inde
 /// The slip and the friction force along one generator become basic.
 template <class S, class Int> void LocalForm<S, Int>::slide(Index c, Index generator) {
   const ConeGroup<S>& cone = problem_->cones[c];
-  const Index first = cone.variable + cone.normals, slip = cone.slip();
-  for (Index slot = first; slot < slip; ++slot)
-    if (slot != generator) directions_.row(slot) -= directions_.row(generator);
-  directions_.row(slip) = -directions_.row(generator);
-  directions_.row(generator).setZero();
-  swap_roles(slip, generator);
+  directions_.slide(c, generator);
+  swap_roles(cone.slip(), generator);
   slip_[c] = static_cast<Int>(generator);
 }
 
@@ -36,15 +31,17 @@ template <class S, class Int> void LocalForm<S, Int>::load_spring(Index c) {
   const ConeGroup<S>& cone = problem_->cones[c];
   const Index normal = normal_[c];
   const S stiffness = S(1) / compliance_[c];
-  auto direction = directions_.row(normal);
-  v_ = direction.transpose(); // g
-  if (slides(c)) v_ -= directions_.row(cone.slip()).transpose() * friction_[c];
-  for (Index k = 0; k < width(); ++k) springs_.col(k) += v_ * (direction[k] * stiffness);
-  direction *= -stiffness;
-  if (slip_[c] >= 0) directions_.row(slip_[c]) = direction * friction_[c];
+  VectorMap<S>&g = v_, &direction = core_input_; // both free until the core is there
+  direction.setZero();
+  directions_.add(normal, c, S(1), direction);
+  g = direction;
+  if (slides(c)) directions_.add(cone.slip(), c, -friction_[c], g);
+  for (Index k = 0; k < width(); ++k) springs_.col(k) += g * (direction[k] * stiffness);
+  directions_.yield(c, slip_[c], stiffness, friction_[c]);
   friction_[c] *= stiffness;
   compliance_[c] = stiffness;
-  flipped_[normal] = is_spring_[c] = 1;
+  flip(normal);
+  is_spring_[c] = 1;
 }
 
 /// Are there so many loaded springs? If not, nothing is divided by a compliance.
@@ -67,14 +64,14 @@ bool LocalForm<S, Int>::load_springs(IsBasic is_basic) {
     if (compliance_[c] > S(0) && own_actuator_[c] < 0 && !pulls(c) && is_basic(normal_[c]))
       load_spring(c);
   for (Index s = free_begin_; s < n_; ++s)
-    if (role_[s] == shared_role && is_basic(s) && springs_(6 + group_[s], 6 + group_[s]) > S(0))
-      flipped_[s] = 1;
+    if (role(s) == shared_role && is_basic(s) && springs_(6 + group_[s], 6 + group_[s]) > S(0))
+      flip(s);
   // (I + A T_aa) v_a + A T_as v_s = A F_a,   T_sa v_a + (T_ss + m) v_s = F_s - w_s.
   core_.setIdentity();
   core_.template topRows<6>() += problem_->mobility.lazyProduct(springs_.template topRows<6>());
   for (Index s = free_begin_; s < n_; ++s) {
     const Index k = 6 + group_[s];
-    if (role_[s] != shared_role || flipped_[s] == 0) continue;
+    if (role(s) != shared_role || !is_flipped(s)) continue;
     core_.row(k) = springs_.row(k);
     core_(k, k) += inertia_[group_[s]];
   }
@@ -157,12 +154,12 @@ void LocalForm<S, Int>::transform(VectorMap<S>& rhs, VectorMap<S>& force,
   for (Index c = 0; c < problem_->cones.size; ++c) {
     const ConeGroup<S>& cone = problem_->cones[c];
     const Index normal = normal_[c];
-    if (flipped_[normal] != 0 && is_spring_[c] == 0) {
+    if (is_flipped(normal) && is_spring_[c] == 0) {
       const Index given = own_actuator_[c], own = normal;
       const S target = rhs[own], normal_force = -target * own_coupling_[c];
       rhs[own] = rhs[given] * own_coupling_[c] - target * compliance_[c];
       rhs[given] = normal_force;
-      force -= directions_.row(own).transpose() * target;
+      directions_.add(own, c, S(-target), force);
       if (cone.generators > 0) rhs[cone.slip()] -= friction_[c] * target;
     }
     if (slides(c)) {
@@ -171,19 +168,19 @@ void LocalForm<S, Int>::transform(VectorMap<S>& rhs, VectorMap<S>& force,
       for (Index slot = cone.variable + cone.normals; slot < slip; ++slot) rhs[slot] -= moves;
       rhs[slip] = -moves;
       rhs[generator] = saturates;
-      force -= directions_.row(slip).transpose() * saturates;
+      directions_.add(slip, c, S(-saturates), force);
     }
     if (is_spring_[c] != 0) {
       const S yields = rhs[normal];
       rhs[normal] = -yields * compliance_[c];
-      force += directions_.row(normal).transpose() * yields;
+      directions_.add(normal, c, yields, force);
       if (cone.generators == 0) continue;
-      if (slides(c)) force += directions_.row(cone.slip()).transpose() * (friction_[c] * yields);
+      if (slides(c)) directions_.add(cone.slip(), c, friction_[c] * yields, force);
       rhs[slip_[c]] -= friction_[c] * yields;
     }
   }
   for (Index s = free_begin_; has_springs_ && s < n_; ++s)
-    if (role_[s] == shared_role && flipped_[s] != 0) {
+    if (role(s) == shared_role && is_flipped(s)) {
       actuator_input[group_[s]] = -rhs[s];
       rhs[s] = S(0);
     }

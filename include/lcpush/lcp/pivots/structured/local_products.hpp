@@ -13,12 +13,12 @@ template <class S, class Int> void LocalForm<S, Int>::add_force(Index slot, cons
     return;
   }
   const Index c = group_[slot];
-  switch (role_[slot]) {
+  switch (role(slot)) {
   case normal_role:
-    add_direction(slot, is_spring_[c] != 0 ? S(-x) : x);
-    if (slides(c)) add_direction(problem_->cones[c].slip(), -(friction_[c] * x));
+    directions_.add(slot, c, is_spring_[c] != 0 ? S(-x) : x, force_);
+    if (slides(c)) directions_.add(problem_->cones[c].slip(), c, -(friction_[c] * x), force_);
     break;
-  case generator_role: add_direction(slot, x); break;
+  case generator_role: directions_.add(slot, c, x, force_); break;
   case shared_role: actuator_input_[c] += x; break;
   default: break;
   }
@@ -31,17 +31,18 @@ template <class S, class Int> void LocalForm<S, Int>::find_velocity() {
   for (Index k = 6; k < width(); ++k) v[k] = -actuator_input_[k - 6];
   if (!has_springs_) return;
   for (Index s = free_begin_; s < n_; ++s)
-    if (role_[s] == shared_role && flipped_[s] != 0) v[6 + group_[s]] += force_[6 + group_[s]];
+    if (role(s) == shared_role && is_flipped(s)) v[6 + group_[s]] += force_[6 + group_[s]];
   v_ = core_.lazyProduct(core_input_);
 }
 
 /// v_ becomes what the row feels of each component of F, core_input_ of each s.
 template <class S, class Int> void LocalForm<S, Int>::begin_row(Index row) {
-  v_ = directions_.row(row).transpose();
-  if (role_[row] == shared_role && has_springs_) {
+  v_.setZero();
+  if (has_direction(row)) directions_.add(row, group_[row], S(1), v_);
+  if (role(row) == shared_role && has_springs_) {
     const Index k = 6 + group_[row];
     v_ = -springs_.row(k).transpose();
-    if (flipped_[row] != 0) {
+    if (is_flipped(row)) {
       v_.setZero();
       v_[k] = S(-1);
     }
@@ -56,8 +57,8 @@ template <class S, class Int> void LocalForm<S, Int>::begin_row(Index row) {
   if (width() == 6) return;
   v_.tail(width() - 6).setZero();
   for (Index s = free_begin_; has_springs_ && s < n_; ++s)
-    if (role_[s] == shared_role && flipped_[s] != 0) v_[6 + group_[s]] = core_input_[6 + group_[s]];
-  if (role_[row] == shared_role && flipped_[row] == 0) v_[6 + group_[row]] += S(1);
+    if (role(s) == shared_role && is_flipped(s)) v_[6 + group_[s]] = core_input_[6 + group_[s]];
+  if (role(row) == shared_role && !is_flipped(row)) v_[6 + group_[row]] += S(1);
 }
 
 template <class S, class Int> S LocalForm<S, Int>::entry_of_row(Index row, Index slot) const {
@@ -68,7 +69,7 @@ template <class S, class Int> S LocalForm<S, Int>::entry_of_row(Index row, Index
     return sum;
   }
   const Index c = group_[slot];
-  switch (role_[slot]) {
+  switch (role(slot)) {
   case normal_role: {
     const S presses = is_spring_[c] != 0 ? S(here - felt(slot)) : S(here + felt(slot));
     return slides(c) ? S(presses - felt(problem_->cones[c].slip()) * friction_[c]) : presses;
@@ -82,18 +83,19 @@ template <class S, class Int> S LocalForm<S, Int>::entry_of_row(Index row, Index
 /// The entry without what is felt through v.
 template <class S, class Int> S LocalForm<S, Int>::local(Index row, Index slot) const {
   if (slot == n_) return d_[row];
-  const int row_role = role_[row], role = role_[slot];
+  const int row_role = role(row), slot_role = role(slot);
   if (group_[row] != group_[slot]) return S(0);
   const Index c = group_[slot];
-  if (row_role == shared_role || role == shared_role)
-    return row == slot && flipped_[row] == 0 ? inertia_[c] : S(0);
+  if (row_role == shared_role || slot_role == shared_role)
+    return row == slot && !is_flipped(row) ? inertia_[c] : S(0);
   switch (row_role) {
   case normal_role:
-    if (role == normal_role) return row == slot ? compliance_[c] : S(-compliance_[c]);
-    return role == own_role ? S(-own_coupling_[c]) : S(0);
-  case generator_role: return role == slip_role ? S(1) : S(0);
-  case slip_role: return role == normal_role ? friction_[c] : role == generator_role ? S(-1) : S(0);
-  default: return role == normal_role ? own_coupling_[c] : S(0);
+    if (slot_role == normal_role) return row == slot ? compliance_[c] : S(-compliance_[c]);
+    return slot_role == own_role ? S(-own_coupling_[c]) : S(0);
+  case generator_role: return slot_role == slip_role ? S(1) : S(0);
+  case slip_role:
+    return slot_role == normal_role ? friction_[c] : slot_role == generator_role ? S(-1) : S(0);
+  default: return slot_role == normal_role ? own_coupling_[c] : S(0);
   }
 }
 
@@ -101,7 +103,7 @@ template <class S, class Int> S LocalForm<S, Int>::local(Index row, Index slot) 
 template <class S, class Int>
 void LocalForm<S, Int>::add_local(Index slot, const S& x, VectorMap<S>& out) const {
   const Index c = group_[slot];
-  switch (role_[slot]) {
+  switch (role(slot)) {
   case normal_role:
     out[slot] += compliance_[c] * x;
     if (pulls(c)) {
@@ -120,22 +122,15 @@ void LocalForm<S, Int>::add_local(Index slot, const S& x, VectorMap<S>& out) con
   }
   case own_role: out[normal_[c]] -= own_coupling_[c] * x; break;
   default:
-    if (flipped_[slot] == 0) out[slot] += inertia_[c] * x;
+    if (!is_flipped(slot)) out[slot] += inertia_[c] * x;
   }
 }
 
 /// out += what the rows feel of v_ and force_.
 template <class S, class Int> void LocalForm<S, Int>::add_felt(VectorMap<S>& out) const {
-  const S* __restrict const h = directions_.data();
-  const S* const v = v_.data();
-  S* __restrict const row = out.data();
-  for (Index i = 0, n = n_; i < n; ++i)
-    row[i] += h[i] * v[0] + h[i + n] * v[1] + h[i + 2 * n] * v[2] + h[i + 3 * n] * v[3] +
-              h[i + 4 * n] * v[4] + h[i + 5 * n] * v[5];
-  for (Index k = 6; k < width(); ++k)
-    if (v[k] != S(0)) add_scaled(row, h + k * n_, v[k], n_);
+  directions_.add_dots(v_, out);
   for (Index s = free_begin_; s < n_; ++s)
-    if (role_[s] == shared_role) out[s] += shared_row(s);
+    if (role(s) == shared_role) out[s] += shared_row(s);
 }
 
 template <class S, class Int>
