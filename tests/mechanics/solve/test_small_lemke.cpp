@@ -23,9 +23,10 @@ struct SmallWorkspace {
                                           size.actuators, exchanges)) {}
 };
 
-/// Both answers to a push: they may differ by rounding, as directions are put together in another
-/// order.
-void compare(SolvedPush<double, StructuredLemke<double>>& wide) {
+/// Both answers to a push. Rounding differs, as directions are put together in another order, and
+/// may decide a tie otherwise: then forces that the laws leave open differ. Returns whether none
+/// do.
+bool takes_the_same_path(SolvedPush<double, StructuredLemke<double>>& wide) {
   SmallWorkspace memory(wide.scene);
   Workspace<double>& work = memory.work;
   REQUIRE(work.complete);
@@ -38,8 +39,7 @@ void compare(SolvedPush<double, StructuredLemke<double>>& wide) {
   const Status status = solve_pressure(assembly, LemkeRounds{lemke, options}, work.pressure,
                                        PressureOptions<double>(), run);
   CHECK(wide.solve() == status);
-  CHECK(wide.run.pivots == run.pivots);
-  if (status != Status::solved) return;
+  if (status != Status::solved) return wide.run.pivots == run.pivots;
   read_answer(assembly, work.pressure.z.data, work.answer, 1.0);
   double off = 0; // z is still there: a break reads it twice
   for (Index i = 0; i < work.pressure.z.size; ++i)
@@ -47,14 +47,16 @@ void compare(SolvedPush<double, StructuredLemke<double>>& wide) {
   for (Index i = 0; i < work.answer.friction.size; ++i)
     off = std::max(off, std::abs(wide.answer().friction[i] - work.answer.friction[i]) /
                             wide.scales().force);
-  CHECK(off <= 1e-8);
   CHECK(check(wide.scene, wide.scales(), work.answer, 1.0).max() <= 1e-9);
+  CHECK((wide.answer().acceleration - work.answer.acceleration).norm() <=
+        1e-6 * (1 + wide.answer().acceleration.norm()));
+  return wide.run.pivots == run.pivots && off <= 1e-8;
 }
 
 } // namespace
 
 TEST_CASE("short integers, shared arrays and directions that are not kept change no answer") {
-  int solved = 0;
+  int solved = 0, same = 0;
   for (const Pressure pressure : pressures)
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
       CAPTURE(seed);
@@ -62,10 +64,11 @@ TEST_CASE("short integers, shared arrays and directions that are not kept change
           grasp_of<double>(pressure == Pressure::even ? Family::even : Family::plain, seed);
       scene.base.pressure = pressure;
       SolvedPush<double, StructuredLemke<double>> push(scene);
-      compare(push);
+      same += takes_the_same_path(push) ? 1 : 0;
       solved += push.status == Status::solved ? 1 : 0;
     }
   CHECK(solved > 100);
+  CHECK(same > 115); // of 120
 }
 
 TEST_CASE("more unknowns than short integers number are refused") {
