@@ -27,14 +27,19 @@ struct Cones {
   detail::KeptDirections<double> kept;
   detail::ReadDirections<double, std::int16_t> read;
 
+  template <class T> static std::vector<T> zeros(Index size) {
+    return std::vector<T>(static_cast<std::size_t>(size));
+  }
   explicit Cones(Random& random)
       : cones{{0, 4, 0, 0.5, 0.1, 1}, {5, 4, 6, 0.7, 0, 2}, {11, 0, 13, 0, 0, 1}}, problem{},
-        scales(n), scale(scales.data(), n), numbers_kept(kept.scalars(n, 3, shared)),
-        numbers_read(read.scalars(n, 3, shared)), integers(read.integers(3)) {
+        scales(zeros<double>(n)), scale(scales.data(), n),
+        numbers_kept(zeros<double>(kept.scalars(n, 3, shared))),
+        numbers_read(zeros<double>(read.scalars(n, 3, shared))),
+        integers(zeros<std::int16_t>(read.integers(3))) {
     for (int j = 0; j < 12; ++j) wrenches.push_back(vector(random));
     if (random.integer(0, 1) == 1) make_opposite();
     for (double& x : scales) x = random.uniform(0.5, 2);
-    for (std::size_t first : {1, 8}) // the generators of a cone have one scale
+    for (std::size_t first : {1U, 8U}) // the generators of a cone have one scale
       std::fill_n(scales.begin() + static_cast<int>(first), 4, scales[first]);
     problem.wrenches = {wrenches.data(), 12};
     problem.cones = {cones.data(), 3};
@@ -49,7 +54,7 @@ struct Cones {
   }
   /// As those of a pyramid are: the second half of a cone's generators of the first.
   void make_opposite() {
-    for (std::size_t first : {1, 7})
+    for (std::size_t first : {1U, 7U})
       for (std::size_t j = first; j < first + 2; ++j) wrenches[j + 2] = -wrenches[j];
   }
   static bool cone_slot(Index i) { return i != 5 && i != 12; } // no slip
@@ -75,7 +80,7 @@ struct Cones {
   void compare(Random& random, Index pressed = -1) const {
     CHECK(kept.width() == 8);
     CHECK(read.width() == 8);
-    std::vector<double> along(8), rows(n, 1.0), rows_read(n, 1.0);
+    std::vector<double> along(8), rows = zeros<double>(n), rows_read = rows;
     VectorMap<double> v(along.data(), 8), out(rows.data(), n), out_read(rows_read.data(), n);
     for (double& x : along) x = random.uniform(-1, 1);
     kept.add_dots(v, out);
