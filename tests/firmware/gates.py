@@ -225,6 +225,7 @@ def check(programs, target, args):
     for program in ("push", "pivots"):
         yield from gate_ram(programs, program, target)
     yield from gate_leaves(programs, "small", target)
+    yield from gate_bits(programs, "small_flto", target, "small")
     yield from gate_kernel(programs, target)
     yield from gate_kernel_stack(programs, target)
     yield from gate_step_stack(programs, target)

@@ -61,6 +61,12 @@ def loop_table(programs):
             yield " | ".join([f"| `{law}`: {name}", *figures_of]) + " |"
 
 
+def saved_by_lto(programs, target):
+    """Of the least program; what is left of it has no names of objects any more."""
+    return sum(sign * programs.sections(program, target)[".text"]
+               for sign, program in ((1, "small"), (-1, "small_flto")))
+
+
 def flash_table(programs):
     """Bytes of code of the library in programs that call more and more of it."""
     yield "| | M3, soft float | M4F, float | M7, double |"
@@ -76,6 +82,8 @@ def flash_table(programs):
         more = [programs.code_of(f"small_{part}", target, "core") - least[target]
                 for target in MACHINE]
         yield " | ".join([f"| {name}", *(f"+{size}" for size in more)]) + " |"
+    yield " | ".join(["| with `-flto`, the first row", *(str(least[target] - saved_by_lto(programs, target))
+                                                         for target in MACHINE)]) + " |"
     yield " | ".join(["| sweeps instead of pivots",
                       *(str(programs.code_of("small_sweeps", target, "core"))
                         for target in MACHINE)]) + " |"
