@@ -6,12 +6,14 @@ Mass, friction, grip and the turn of all friction generators, and where and in w
 first pusher pushes. Processor seconds, the shorter of two runs.
 """
 import pathlib
-import resource
 import subprocess
 import sys
 import tomllib
 
 TOOL, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(ROOT / "tests/support"))
+from processor_time import processor_time
+
 PATTERN = sys.argv[3] if len(sys.argv) > 3 else ""
 
 
@@ -20,11 +22,6 @@ def ranges(scene):
     yield from (f"object.mass={mass / 2}:{2 * mass}", "*.friction=0.1:0.9", "*.grip_force=5:30", "*.tangent_turn=0:45")
     for pusher in scene.get("pusher", [])[:1]:
         yield from (f"{pusher['name']}.{what}" for what in ("shift[0]=0:0.005", "shift[1]=0:0.005", "turn=0:45"))
-
-
-def processor_time():
-    of_children = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return of_children.ru_utime + of_children.ru_stime
 
 
 def main():

@@ -8,12 +8,14 @@ middle, tipping, with and without a turn, by jaws of every kind. docs/theory/num
 import json
 import pathlib
 import random
-import resource
 import subprocess
 import sys
 import tempfile
 
-TOOL = sys.argv[1]
+TOOL, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(ROOT / "tests/support"))
+from processor_time import processor_time
+
 FIRST, LAST = (int(word) for word in sys.argv[3:5]) if len(sys.argv) > 4 else (0, 60)
 ASK = sys.argv[5:] or ["solve"]
 PATH = pathlib.Path(tempfile.mkdtemp()) / "scene.toml"
@@ -37,11 +39,6 @@ def discs(seed):
                       f"[-0.05, {reach:.5g}, {height}]]\nnormal = [1, 0, 0]\nfriction = {pick.uniform(0, .8):.4g}\n"
                       f"acceleration = [{pick.uniform(.05, 3):.4g}, {pick.choice([0, pick.uniform(-1, 1)]):.4g}, "
                       f"{pick.choice([0, 0, pick.uniform(-1, 1)]):.4g}]\nangular_acceleration = {turn}\n")
-
-
-def processor_time():
-    of_children = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return of_children.ru_utime + of_children.ru_stime
 
 
 def fault(answer):

@@ -10,7 +10,6 @@ import math
 import pathlib
 import random
 import re
-import resource
 import statistics
 import subprocess
 import sys
@@ -18,6 +17,9 @@ import tempfile
 import time
 
 TOOL, ROOT = sys.argv[1], pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(ROOT / "tests/support"))
+from processor_time import processor_time
+
 FIRST, LAST = (int(word) for word in sys.argv[3:5]) if len(sys.argv) > 4 else (0, 300)
 SLOWEST = 2  # seconds of processor time up to 300 unknowns: of a command with its certificate, of the checker
 SPEC = importlib.util.spec_from_file_location("lcpush_check", ROOT / "docs/check/lcpush_check.py")
@@ -36,11 +38,6 @@ def refusal(certificate, texts):
     except Exception as error:  # as the program does
         return str(error) or type(error).__name__
     return None
-
-
-def processor_time():
-    of_children = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return of_children.ru_utime + of_children.ru_stime
 
 
 def certify(verb, files, *options):

@@ -63,8 +63,8 @@ def loop_table(programs):
 
 def saved_by_lto(programs, target):
     """Of the least program; what is left of it has no names of objects any more."""
-    return sum(sign * programs.sections(program, target)[".text"]
-               for sign, program in ((1, "small"), (-1, "small_flto")))
+    small, optimised = (programs.sections(name, target)[".text"] for name in ("small", "small_flto"))
+    return small - optimised
 
 
 def flash_table(programs):
