@@ -74,7 +74,9 @@ const char* lcpush_mistake_text(lcpush_mistake mistake);
 const char* lcpush_mode_text(lcpush_mode mode);
 
 /* The most that a push will have to hold. `facets` is g; a soft contact (torsion_radius > 0) takes
- * 5 g + 2. Under even pressure every driven point counts as a body, an actuator and a drive. */
+ * 5 g + 2. Under even pressure a scene with driven patches is kept twice, once with every driven
+ * point as a body with an actuator and a drive of its own: count the bodies, actuators and drives
+ * of both. */
 typedef struct lcpush_size {
   int bodies, points, facets, actuators, drives;
   int pulls; /* points of bilateral bodies */
@@ -85,7 +87,7 @@ typedef struct lcpush_size {
 
 /* Bytes of memory, aligned as a double, that lcpush_make needs for `real` (double or float) without
  * pulls; a constant expression. O(points facets): 3 bodies, 10 points, 8 facets and 2 actuators are
- * 19 KB in float. At most 16383 unknowns. */
+ * 16 KB in float. At most 16383 unknowns and 2047 points. */
 #define LCPUSH_BYTES(real, bodies, points, facets, actuators, drives)                              \
   (LCPUSH_COMMON_BYTES_(real, (size_t)(bodies), (size_t)(points),                                  \
                         (size_t)(points) * ((size_t)(facets) + 1), (size_t)(actuators),            \
@@ -100,10 +102,10 @@ typedef struct lcpush_size {
   (LCPUSH_COMMON_BYTES_(real, (size_t)(bodies), (size_t)(points),                                  \
                         (size_t)(points) * ((size_t)(facets) + 1), (size_t)(actuators),            \
                         (size_t)(drives)) +                                                        \
-   LCPUSH_SWEEPS_BYTES_(real, (size_t)LCPUSH_UNKNOWNS(points, facets, actuators),                  \
-                        (size_t)(points) * ((size_t)(facets) + 1) *                                \
-                            ((drives) > 0 ? (size_t)(drives) : 1),                                 \
-                        (size_t)(actuators)))
+   LCPUSH_SWEEPS_BYTES_(                                                                           \
+       real, (size_t)LCPUSH_UNKNOWNS(points, facets, actuators), (size_t)(points),                 \
+       (size_t)(points) * ((size_t)(facets) + 1) * ((drives) > 0 ? (size_t)(drives) : 1),          \
+       (size_t)(actuators)))
 
 /* Bytes that lcpush_set_off needs at most, beside the push's own. */
 #define LCPUSH_MOTION_BYTES(real, bodies, points, facets, actuators, drives)                       \

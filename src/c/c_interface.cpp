@@ -22,11 +22,11 @@ static_assert(static_cast<int>(Role::pusher) == LCPUSH_PUSHER, "");
 // The bounds of lcpush/c/bytes.h hold here: for a push, and for what its arena gives out.
 template <class S, class Push>
 constexpr bool covers(std::size_t bytes, Index bodies, const AssemblySize& size, Index work) {
-  constexpr Index alignment_slack = 10 * widest_alignment<S>();
-  const Index structs = 2 * bodies * static_cast<Index>(sizeof(Body<S>)) +
+  constexpr Index alignment_slack = 3 * widest_alignment<S>();
+  const Index structs = bodies * static_cast<Index>(sizeof(Body<S>)) +
                         size.points * static_cast<Index>(sizeof(Vector3<S>) + sizeof(S)) +
-                        2 * size.actuators * static_cast<Index>(sizeof(Actuator<S>)) +
-                        2 * size.drives * static_cast<Index>(sizeof(Drive<S>)) + size.unknowns();
+                        size.actuators * static_cast<Index>(sizeof(Actuator<S>)) +
+                        size.drives * static_cast<Index>(sizeof(Drive<S>)) + size.unknowns();
   return sizeof(Push) <= LCPUSH_STATE_BYTES_(S) && sizeof(Body<S>) <= LCPUSH_BODY_BYTES_(S) &&
          sizeof(Drive<S>) <= LCPUSH_DRIVE_BYTES_(S) &&
          static_cast<Index>(bytes) >=
@@ -138,9 +138,8 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
 
 template <class S> Status command(CPush<S>& push, const S* forces, const S* accelerations) {
   if (push.mistake() != Mistake::none) return push.refuse(Mistake::not_described);
-  const Scene<S>& scene = push.given();
-  const Span<Actuator<S>> actuators = push.actuators(scene.actuators.size);
-  const Span<Body<S>> bodies = push.bodies(scene.bodies.size);
+  const Span<Actuator<S>> actuators = push.actuators(push.given().actuators.size);
+  const Span<Body<S>> bodies = push.bodies(push.given().bodies.size);
   for (Index a = 0; forces != nullptr && a < actuators.size; ++a) actuators[a].force = forces[a];
   for (Index b = 0; accelerations != nullptr && b < bodies.size; ++b)
     bodies[b].acceleration = Eigen::Map<const Vector6<S>>(accelerations + 6 * b);
@@ -157,14 +156,14 @@ template <class S> Index described_body(const CPush<S>& push, Index point) {
 
 template <class S> Vector6<S> wrench_of(const CPush<S>& push, Index body) {
   if (!push.has_answer() || body < 0 || body >= push.given().bodies.size) return Vector6<S>::Zero();
-  return body_wrench(push.given(), push.answer(), push.given().bodies[body]);
+  return body_wrench(push.scene(), push.answer(), push.given().bodies[body]);
 }
 
 /// The mean over an actuator's shares.
 template <class S> S closing_of(const CPush<S>& push, Index actuator) {
-  const Scene<S>& given = push.given();
+  const typename CPush<S>::Given& given = push.given();
   if (!push.has_answer() || actuator < 0 || actuator >= given.actuators.size) return S(0);
-  if (given.pressure != Pressure::even) return push.answer().closing[actuator];
+  if (!push.is_spread()) return push.answer().closing[actuator];
   S sum(0);
   Index shares = 0, share = 0;
   for (Index b = 0; b < given.bodies.size; ++b)

@@ -7,12 +7,13 @@ namespace lcpush::c {
 
 /// A motion with what it looks at.
 template <class S> struct CMotion {
+  const Scene<S> scene;
   Span<Touching> touching;
   Surroundings<S> around{};
   TimeStepper<S, SmallLemke<S>> motion;
 
-  CMotion(const Scene<S>& scene, Span<Touching> its_touching, const MotionMemory<S>& memory)
-      : touching(its_touching), motion(scene, around, memory) {
+  CMotion(const Scene<S>& its_scene, Span<Touching> its_touching, const MotionMemory<S>& memory)
+      : scene(its_scene), touching(its_touching), motion(scene, around, memory) {
     around.touching = {touching.data, touching.size};
   }
   CMotion(const CMotion&) = delete;

@@ -3,7 +3,7 @@
 size_t LCPUSH_NAME(motion_bytes)(const LCPUSH_NAME(push) * push) {
   return push->given().bodies.size == 0
              ? 0
-             : static_cast<size_t>(lcpush::c::bytes_of_motion(push->given()));
+             : static_cast<size_t>(lcpush::c::bytes_of_motion(push->as_given()));
 }
 
 lcpush_status LCPUSH_NAME(set_off)(LCPUSH_NAME(push) * push, void* memory, size_t bytes,
@@ -54,7 +54,7 @@ LCPUSH_REAL LCPUSH_NAME(closed_by)(const LCPUSH_NAME(push) * push, int actuator)
 void LCPUSH_NAME(touch_at)(const LCPUSH_NAME(push) * push, int point, LCPUSH_NAME(touch) * out) {
   *out = LCPUSH_NAME(touch)();
   if (push->motion() == nullptr || push->status() != lcpush::Status::solved || point < 0 ||
-      point >= push->given().points.size)
+      point >= push->scene().points.size)
     return;
   const lcpush::StepContact<LCPUSH_REAL>& touch = push->motion()->motion.contact(point);
   out->body = static_cast<int>(lcpush::c::described_body(*push, point));

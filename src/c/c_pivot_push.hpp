@@ -56,7 +56,7 @@ private:
   LemkeOptions<S> options(int attempt) const {
     LemkeOptions<S> options;
     options.first_cover = attempt * options.covers;
-    options.exchanges = this->work_.exchanges;
+    options.exchanges = exchanges_of(size_of(this->scene_));      // whatever the memory is for
     options.max_pivots = 200 + 3 * this->assembly_.layout().size; // what takes more goes astray
     return options;
   }

@@ -35,6 +35,14 @@ template <class S> class CPush {
 public:
   using Scalar = S;
 
+  /// What spreading evenly replaces in a scene, as it was before.
+  struct Given {
+    Span<const Body<S>> bodies;
+    Span<const Actuator<S>> actuators;
+    Span<const Drive<S>> drives;
+    Span<const S> weights;
+  };
+
   /// By pivots or by sweeps. What a program never makes, and what it never calls, the linker leaves
   /// out: so there is no table of all functions, but a pointer to the one that every push needs.
   struct Method {
@@ -50,8 +58,6 @@ public:
         points_(arena.take<Vector3<S>>(most.points)), weights_(arena.take<S>(most.points)),
         actuators_(arena.take<Actuator<S>>(most.actuators)),
         drives_(arena.take<Drive<S>>(most.drives)),
-        even_({arena.take<Body<S>>(most.bodies), arena.take<Actuator<S>>(most.actuators),
-               arena.take<Drive<S>>(most.drives)}),
         last_active_(arena.take<unsigned char>(assembly_size(most).unknowns())),
         work_(method.take(arena, assembly_size(most))), assembly_(work_.assembly) {}
 
@@ -72,8 +78,9 @@ public:
 
   /// Takes a scene over this push's own arrays.
   Status accept(const Scene<S>& scene, bool is_round) {
-    given_ = scene;
-    if (is_round) given_.aims = {work_.aims.data, scene.points.size};
+    given_ = {scene.bodies, scene.actuators, scene.drives, scene.weights};
+    scene_ = scene;
+    if (is_round) scene_.aims = {work_.aims.data, scene.points.size};
     motion_ = nullptr;
     last_.known = false;
     return assemble();
@@ -83,10 +90,16 @@ public:
   Status assemble() {
     begun_ = false;
     described_ = false;
-    const Mistake mistake = find_mistake(given_);
+    const Scene<S> given = as_given();
+    const Mistake mistake = find_mistake(given);
     if (mistake != Mistake::none) return refuse(mistake);
-    if (spread_evenly(given_, even_, scene_) != Status::solved || !fits(size_of(scene_)) ||
-        assembly_.assemble(scene_) != Status::running)
+    scene_ = given;
+    const EvenMemory<S> further{rest(bodies_, given_.bodies.size),
+                                rest(actuators_, given_.actuators.size),
+                                rest(drives_, given_.drives.size)};
+    const bool spreads = given.pressure == Pressure::even && has_driven_patch(given);
+    if ((spreads && spread_evenly(given, further, scene_) != Status::solved) ||
+        !fits(size_of(scene_)) || assembly_.assemble(scene_) != Status::running)
       return refuse(Mistake::memory_too_small);
     described_ = true;
     moved_ = false;
@@ -129,7 +142,7 @@ public:
     described_ = false; // its equations' arrays are the motion's from now on
     moved_ = true;
     last_.known = false;
-    motion_ = begin_motion(given_, work_, arena, mistake_);
+    motion_ = begin_motion(as_given(), work_, arena, mistake_);
     return motion_ == nullptr ? refuse(mistake_) : status_ = Status::running;
   }
 
@@ -156,7 +169,17 @@ public:
     return !moved_ && (status_ == Status::solved || status_ == Status::does_not_hold);
   }
   const Answer<S>& answer() const { return work_.answer; }
-  const Scene<S>& given() const { return given_; }
+  const Given& given() const { return given_; }
+  const Scene<S>& scene() const { return scene_; } ///< as it is solved
+  bool is_spread() const { return scene_.bodies.data != given_.bodies.data; }
+  Scene<S> as_given() const {
+    Scene<S> scene = scene_;
+    scene.bodies = given_.bodies;
+    scene.actuators = given_.actuators;
+    scene.drives = given_.drives;
+    scene.weights = given_.weights;
+    return scene;
+  }
   const PressureRun& run() const { return run_; }
   S residual() const { return residual_; }
 
@@ -170,11 +193,11 @@ protected:
   Span<S> weights_;
   Span<Actuator<S>> actuators_;
   Span<Drive<S>> drives_;
-  EvenMemory<S> even_;
   Span<unsigned char> last_active_;
   Workspace<S> work_;
   Assembly<S> assembly_;
-  Scene<S> given_{}, scene_{};
+  Given given_{};
+  Scene<S> scene_{};
   LastStep last_{last_active_, false, Guess::basis}; ///< of the last command's solve
   PressureRun run_{};
   Status status_ = Status::bad_input;
@@ -206,6 +229,9 @@ private:
 
   template <class T> static Span<T> cut(const Span<T>& whole, Index count) {
     return count < 0 || count > whole.size ? Span<T>{nullptr, -1} : Span<T>{whole.data, count};
+  }
+  template <class T> static Span<T> rest(const Span<T>& whole, Index used) {
+    return {whole.data + used, whole.size - used};
   }
 };
 

@@ -29,7 +29,7 @@ private:
   std::vector<SumGroup<S>> sums_;
   std::vector<int> coupled_variable_;
   std::vector<Index> body_;
-  std::vector<S> coupling_, reach_, rest_, push_, q_, preload_, compliance_;
+  std::vector<S> coupling_, reach_, push_, q_, preload_, compliance_;
   Assembly<S> assembly_;
 
   template <class T> static Span<T> resized(std::vector<T>& list, Index size) {
@@ -43,8 +43,8 @@ private:
         assembly_({resized(wrenches_, size.forces()), resized(cones_, size.points),
                    resized(sums_, size.actuators), resized(coupled_variable_, size.couplings()),
                    resized(coupling_, size.couplings()), resized(body_, size.points),
-                   resized(reach_, size.actuators), resized(rest_, size.unknowns()),
-                   resized(push_, size.unknowns()), resized(q_, size.unknowns())}) {
+                   resized(reach_, size.actuators), resized(push_, size.unknowns()),
+                   resized(q_, size.unknowns())}) {
     (void)assembly_.assemble(scene);
   }
 };

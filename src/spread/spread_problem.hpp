@@ -48,8 +48,8 @@ public:
   const FactoredProblem<double>& factored() const { return assembled_.assembly.factored(); }
   /// The problem pushed by p; valid until the next call.
   Problem<double> problem(double push);
-  /// At rest, with the push of the scene as an infinitesimal one.
-  Problem<double> breaking_problem() const { return assembled_.assembly.breaking_problem(); }
+  /// At rest, with the push of the scene as an infinitesimal one; the same.
+  Problem<double> breaking_problem() { return assembled_.assembly.breaking_problem(); }
 
   double push() const { return push_; } ///< p of the scene as it is; 1 if nothing is pushed
   Index moving() const { return static_cast<Index>(axes_.size()); }        ///< size of a

@@ -38,8 +38,11 @@ struct ScenePoint {
 
   ScenePoint(SceneFile given, Index pushes) : file(std::move(given)), pusher(file.body(pushes)) {}
 
-  Problem<double> problem(Question question) const {
-    return question == Question::push ? assembly.problem() : assembly.breaking_problem();
+  /// Valid until the other question is asked.
+  Problem<double> problem(Question question) {
+    if (question == Question::breaking) return assembly.breaking_problem();
+    assembly.push_by(1.0);
+    return assembly.problem();
   }
   /// Proved; asked once.
   bool has_no_answer();

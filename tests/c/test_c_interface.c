@@ -198,11 +198,12 @@ static void sweeps_agree(void) {
 }
 
 static void even_pressure_spreads(void) {
-  /* A line finger of two points, by their shares; every driven point counts as an actuator. */
+  /* A line finger of two points, by their shares; the scene's bodies, actuators and drives are
+   * counted as given and point by point. */
   static const lcpush_point points[4] = {
       {-0.01, 0, 0.005}, {0.01, 0, 0.005}, {0, 0, -0.005}, {-0.05, 0, 0}};
-  static const lcpush_size even_size = {4, 4, 4, 3, 3, 0};
-  static double memory[LCPUSH_BYTES(double, 4, 4, 4, 3, 3) / sizeof(double) + 1];
+  static const lcpush_size even_size = {7, 4, 4, 5, 5, 0};
+  static double memory[LCPUSH_BYTES(double, 7, 4, 4, 5, 5) / sizeof(double) + 1];
   lcpush_body bodies[3];
   lcpush_scene scene = slide_d;
   lcpush_push* push = lcpush_make(memory, sizeof memory, &even_size);
@@ -340,15 +341,18 @@ static void moves_on(void) {
   CHECK(near(place[0], 0.01, 1e-5) && near(place[1], 0, 1e-5));
 }
 
-/* Pivots number their unknowns by 16 bits: 1638 points of 8 facets are 16382 unknowns. */
+/* Pivots number their unknowns by 16 bits, 1638 points of 8 facets are 16382 unknowns, and contacts
+ * by 12, without a sign. */
 static void refuses_more_unknowns_than_it_can_number(void) {
   const lcpush_size largest = {3, 1638, 8, 2, 2, 0}, too_large = {3, 1639, 8, 2, 2, 0};
-  const size_t bytes = LCPUSH_BYTES(float, 3, 1639, 8, 2, 2);
+  const lcpush_size too_many = {3, 2048, 4, 2, 2, 0};
+  const size_t bytes = LCPUSH_BYTES(float, 3, 2048, 4, 2, 2);
   void* memory = malloc(bytes);
   CHECK(memory != NULL);
   if (memory == NULL) return;
   CHECK(lcpushf_make(memory, bytes, &largest) != NULL);
   CHECK(lcpushf_make(memory, bytes, &too_large) == NULL);
+  CHECK(lcpushf_make(memory, bytes, &too_many) == NULL);
   free(memory);
 }
 

@@ -123,8 +123,10 @@ struct Count {
 
 Count solve_a_thousand(Pressure pressure, Index facets) {
   const Family family = pressure == Pressure::even ? Family::even : Family::plain;
-  std::vector<double> memory(LCPUSH_BYTES(float, 12, 12, 8, 12, 12) / sizeof(double) + 1);
-  const lcpush_size most{12, 12, 8, 12, 12, 0};
+  const int bodies = pressure == Pressure::even ? 24 : 12; // as given and point by point
+  const lcpush_size most{bodies, 12, 8, bodies, bodies, 0};
+  std::vector<double> memory(LCPUSH_BYTES(float, bodies, 12, 8, bodies, bodies) / sizeof(double) +
+                             1);
   Count count;
   int tried = 0;
   for (std::uint64_t seed = 1; tried < 1000; ++seed) {

@@ -51,7 +51,7 @@ template <class S> struct OwnedAssembly {
   std::vector<ConeGroup<S>> cones;
   std::vector<SumGroup<S>> sums;
   std::vector<int> coupled;
-  std::vector<S> coupling, reach, rest, push, q;
+  std::vector<S> coupling, reach, push, q;
   std::vector<Index> body;
   Scene<S> scene;
   Assembly<S> assembly;
@@ -72,12 +72,12 @@ template <class S> struct OwnedAssembly {
     coupling.resize(couplings);
     reach.resize(actuators);
     body.resize(points);
-    for (std::vector<S>* list : {&rest, &push, &q}) list->resize(n);
+    for (std::vector<S>* list : {&push, &q}) list->resize(n);
     const auto all = [](auto& list) {
       return Span<typename std::decay_t<decltype(list)>::value_type>{list.data(), length_of(list)};
     };
     return {all(wrenches), all(cones), all(sums), all(coupled), all(coupling),
-            all(body),     all(reach), all(rest), all(push),    all(q)};
+            all(body),     all(reach), all(push), all(q)};
   }
 
   Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> M() {

@@ -78,8 +78,8 @@ typedef struct LCPUSH_NAME(breaking) {
 typedef struct LCPUSH_NAME(push) LCPUSH_NAME(push);
 
 /* A push in `memory`, which stays the caller's, aligned as a double, and must not move while the
- * push is used. NULL if `bytes` are too few for `size`, or that are more than 16383 unknowns. It is
- * solved by Lemke's pivots. */
+ * push is used. NULL if `bytes` are too few for `size`, or that are more than 16383 unknowns or
+ * 2047 points. It is solved by Lemke's pivots. */
 LCPUSH_NAME(push) * LCPUSH_NAME(make)(void* memory, size_t bytes, const lcpush_size* size);
 
 /* The same, solved by sweeps of Gauss-Seidel: for patches of dozens of points. */

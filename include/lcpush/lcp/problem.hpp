@@ -54,7 +54,8 @@ template <class S> struct FactoredProblem {
   Span<const Vector6<S>> wrenches;  ///< G, one column a force
   Span<const ConeGroup<S>> cones;   ///< in the order of their variables
   Span<const SumGroup<S>> sums;     ///< variable of group a: free_begin + a
-  Span<const int> coupled_variable; ///< per coupling entry: the force's index in z
+  Span<const int> coupled_variable; ///< per coupling entry: the force's index in z, ascending in
+                                    ///< a sum group
   Span<const S> coupling;           ///< per coupling entry: W' J
 };
 

@@ -10,8 +10,10 @@
 namespace lcpush {
 
 template <class S> using StructuredLemke = Lemke<S, StructuredBasis<S>>;
-/// Where memory is small: at most 16383 unknowns, some exchanges (LemkeOptions), and no ray().
-template <class S> using SmallLemke = Lemke<S, StructuredBasis<S, std::int16_t>>;
+/// Where memory is small: at most 16383 unknowns and 2047 cones, some exchanges (LemkeOptions), and
+/// no ray().
+template <class S> using SmallBasis = StructuredBasis<S, std::int16_t>;
+template <class S> using SmallLemke = Lemke<S, SmallBasis<S>>;
 
 namespace detail {
 template <class Basis>
@@ -30,16 +32,16 @@ constexpr Index structured_lemke_scalars(Index n, Index cones, Index shared) {
   return detail::scalars_on<StructuredBasis<double>>(n, cones, shared, 0);
 }
 constexpr Index structured_lemke_integers(Index n, Index cones) {
-  return 2 * n + StructuredBasis<double>::integers(n, cones, 0);
+  return n + StructuredBasis<double>::integers(n, cones, 0, 0);
 }
 /// Those of SmallLemke. O(n), and the square of `exchanges`: what a basis may hold beyond cones
 /// that slide, in the end about a contact's normal force a cone, 6 forces of all cones and two a
 /// shared group.
 constexpr Index small_lemke_scalars(Index n, Index cones, Index shared, Index exchanges) {
-  return detail::scalars_on<StructuredBasis<double, std::int16_t>>(n, cones, shared, exchanges);
+  return detail::scalars_on<SmallBasis<double>>(n, cones, shared, exchanges);
 }
-constexpr Index small_lemke_integers(Index n, Index cones, Index exchanges) {
-  return 2 * n + StructuredBasis<double, std::int16_t>::integers(n, cones, exchanges);
+constexpr Index small_lemke_integers(Index n, Index cones, Index shared, Index exchanges) {
+  return n + SmallBasis<double>::integers(n, cones, shared, exchanges);
 }
 
 #ifdef LCPUSH_EXTERN_TEMPLATES

@@ -38,10 +38,11 @@ template <class S> struct AssemblyMemory {
   Span<S> coupling;
   Span<Index> body;
   Span<S> reach;
-  Span<S> rest, push, q; ///< n each
+  Span<S> push, q; ///< n each
 };
 
-/// The problem with its meaning. `problem.q` = rest + sigma push, sigma set by push_by.
+/// The problem with its meaning. `problem.q` = rest + sigma push, sigma set by push_by; what is at
+/// rest is as quickly computed as it is kept.
 template <class S> class Assembly {
 public:
   explicit Assembly(const AssemblyMemory<S>& memory) : memory_(memory) {}
@@ -54,8 +55,12 @@ public:
   /// The same scene with its prescribed motions scaled by sigma.
   void push_by(S sigma) {
     sigma_ = sigma;
-    for (Index i = 0; i < layout_.size; ++i)
-      memory_.q[i] = memory_.rest[i] + sigma * memory_.push[i];
+    set_q(sigma);
+  }
+  /// The normal rows again, which a pressure law changes.
+  void push_normals() {
+    for (Index i = 0; i < layout_.points; ++i)
+      for (Index k = 0; k < memory_.cones[i].normals; ++k) set_q(i, k, sigma_);
   }
 
   const Scene<S>& scene() const { return *scene_; }
@@ -72,10 +77,11 @@ public:
     return p;
   }
 
-  /// The problem at rest with the push as an infinitesimal extra right-hand side.
-  Problem<S> breaking_problem() const {
+  /// The problem at rest with the push as an infinitesimal extra right-hand side. It takes the
+  /// place of problem() until push_by.
+  Problem<S> breaking_problem() {
+    set_q(S(0));
     Problem<S> p = problem();
-    p.q = memory_.rest.data;
     p.push = memory_.push.data;
     return p;
   }
@@ -93,8 +99,28 @@ private:
   const Scene<S>* scene_ = nullptr;
   Layout<S> layout_{};
   FactoredProblem<S> factored_{};
-  Vector6<S> load_;
+  Vector6<S> load_, free_fall_;
   S sigma_{1};
+
+  void set_q(const S& sigma) {
+    for (Index i = 0; i < layout_.points; ++i) {
+      const ConeGroup<S>& cone = memory_.cones[i];
+      for (Index k = 0; k < cone.forces(); ++k) set_q(i, k, sigma);
+      if (cone.generators > 0) memory_.q[cone.slip()] = S(0);
+    }
+    for (Index a = 0; a < layout_.actuators; ++a)
+      memory_.q[layout_.closing_index(a)] = -memory_.sums[a].target;
+  }
+  /// What force k of a point feels at rest and of the push.
+  void set_q(Index point, Index k, const S& sigma) {
+    const ConeGroup<S>& cone = memory_.cones[point];
+    S rest = memory_.wrenches[cone.force + k].dot(free_fall_);
+    if (k < cone.normals && scene_->clearances.size > 0) {
+      const S clearance = scene_->clearances[point] / layout_.scales.acceleration;
+      rest += k == 0 ? clearance : S(-clearance);
+    }
+    memory_.q[cone.variable + k] = rest + sigma * memory_.push[cone.variable + k];
+  }
 
   /// F, L and F / m of a scene. Cost: O(points).
   void choose_scales() {
@@ -135,21 +161,20 @@ private:
     const Scene<S>& scene = *scene_;
     factored_.mobility = laws::newton(scene, layout_.scales);
     load_ = laws::load(scene, layout_.scales);
-    if (scene.aims.size == 0) return;
     for (const Body<S>& body : scene.bodies)
       for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
-        laws::round_cone(body, scene.points[i], scene.aims[i], scene.object.mass, layout_.scales,
-                         factored_.mobility, load_);
+        if (scene.aims.size > 0)
+          laws::round_cone(body, scene.points[i], scene.aims[i], scene.object.mass, layout_.scales,
+                           factored_.mobility, load_);
+    free_fall_ = factored_.mobility.lazyProduct(load_);
   }
 
   /// [T.2], [T.3] and [T.4] of every point.
   void add_points() {
     const Scene<S>& scene = *scene_;
-    const Vector6<S> free_fall = factored_.mobility.lazyProduct(load_);
     Index force = 0, variable = 0;
     const auto add_force = [&](Index row, const Vector6<S>& column, const Vector6<S>& A_b) {
       memory_.wrenches[force++] = column;
-      memory_.rest[row] = column.dot(free_fall);
       memory_.push[row] = -column.dot(A_b);
     };
     for (Index b = 0; b < scene.bodies.size; ++b) {
@@ -171,22 +196,26 @@ private:
         const Vector6<S> normal = laws::normal_direction(body, p, layout_.scales);
         add_force(variable, normal, A_b);
         if (cone.normals == 2) add_force(variable + 1, -normal, A_b);
-        if (scene.clearances.size > 0) {
-          const S clearance = scene.clearances[i] / layout_.scales.acceleration;
-          memory_.rest[variable] += clearance;
-          if (cone.normals == 2) memory_.rest[variable + 1] -= clearance;
-        }
         for (Index j = 0; j < g; ++j)
           add_force(
               variable + cone.normals + j,
               laws::friction_direction(body, p, generator_at(i, cone.normals, j), layout_.scales),
               A_b);
-        if (g > 0) memory_.rest[cone.slip()] = memory_.push[cone.slip()] = S(0);
+        if (g > 0) memory_.push[cone.slip()] = S(0);
         variable += cone.size();
       }
     }
     layout_.forces = force;
     layout_.size = variable;
+  }
+
+  /// The first body after b that the actuator drives, or -1.
+  Index next_driven(Index actuator, Index b) const {
+    Index next = -1;
+    for (const Drive<S>& drive : scene_->drives)
+      if (drive.actuator == actuator && drive.body > b && (next < 0 || drive.body < next))
+        next = drive.body;
+    return next;
   }
 
   /// [T.5] of every actuator.
@@ -196,14 +225,16 @@ private:
     for (Index a = 0; a < scene.actuators.size; ++a) {
       SumGroup<S> sum = laws::grip_force(scene, a, memory_.reach[a], layout_.scales);
       sum.first = entry;
-      for (const Drive<S>& drive : scene.drives) {
-        if (drive.actuator != a) continue;
-        for (Index i = 0; i < layout_.points; ++i) {
-          if (memory_.body[i] != drive.body) continue;
+      for (Index b = next_driven(a, -1); b >= 0; b = next_driven(a, b)) {
+        const Body<S>& body = scene.bodies[b];
+        Vector6<S> twist = Vector6<S>::Zero();
+        for (const Drive<S>& drive : scene.drives)
+          if (drive.actuator == a && drive.body == b)
+            twist += laws::drive_twist(drive, memory_.reach[a], layout_.scales);
+        for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
           const ConeGroup<S>& cone = memory_.cones[i];
           for (Index k = 0; k < cone.forces(); ++k) {
-            const S coefficient = laws::grip_coefficient(drive, memory_.wrenches[cone.force + k],
-                                                         memory_.reach[a], layout_.scales);
+            const S coefficient = laws::grip_coefficient(twist, memory_.wrenches[cone.force + k]);
             // A force across the motion does no work on it: what is left of it is rounding.
             using std::abs;
             if (!(abs(coefficient) > S(16) * Eigen::NumTraits<S>::epsilon())) continue;
@@ -214,7 +245,6 @@ private:
       }
       sum.count = entry - sum.first;
       memory_.sums[a] = sum;
-      memory_.rest[layout_.size] = -sum.target;
       memory_.push[layout_.size++] = S(0);
     }
   }
@@ -226,7 +256,7 @@ private:
            m.body.size >= size.points && m.sums.size >= size.actuators &&
            m.reach.size >= size.actuators && m.coupling.size >= size.couplings() &&
            m.coupled_variable.size >= size.couplings() && m.q.size >= size.unknowns() &&
-           m.rest.size >= size.unknowns() && m.push.size >= size.unknowns();
+           m.push.size >= size.unknowns();
   }
 };
 

@@ -26,6 +26,11 @@ template <class S> EvenSize even_size(const Scene<S>& scene) {
   return size;
 }
 
+/// Is there something to spread? A driven point is a pad of its own already.
+template <class S> bool has_driven_patch(const Scene<S>& scene) {
+  return even_size(scene).bodies > scene.bodies.size;
+}
+
 /// Does an actuator drive several bodies? Then no point's share of its force is known.
 template <class S> bool shares_an_actuator(const Scene<S>& scene) {
   for (const Drive<S>& drive : scene.drives)

@@ -88,12 +88,16 @@ template <class S> Vector6<S> drive_twist(const Drive<S>& drive, S reach, const 
   return twist;
 }
 
-/// The coefficient of [T.5]: power of a unit force with this column per unit of the actuator. The
-/// same number, with a minus sign, is what the actuator's closing does to that force's row.
+/// The coefficient of [T.5]: power of a unit force with this column per unit of an actuator that
+/// moves its body by `twist`. The same number, with a minus sign, is what the actuator's closing
+/// does to that force's row.
+template <class S> S grip_coefficient(const Vector6<S>& twist, const Vector6<S>& column) {
+  return column.dot(twist);
+}
 template <class S>
 S grip_coefficient(const Drive<S>& drive, const Vector6<S>& column, S reach,
                    const Scales<S>& scales) {
-  return column.dot(drive_twist(drive, reach, scales));
+  return grip_coefficient(drive_twist(drive, reach, scales), column);
 }
 
 /// [T.6] Patch rigidity: the relative accelerations of a patch's points are one rigid motion. [P.5]

@@ -120,23 +120,26 @@ namespace detail {
 template <class S, class Rounds>
 Status break_exactly(Assembly<S>& assembly, Rounds& rounds, Workspace<S>& work,
                      const Body<S>& pusher, S unit, Breaking<S>& breaking, PressureRun& run) {
-  const Problem<S> problem = assembly.breaking_problem();
   auto& by_pivots = rounds.pivots();
   auto& lemke = by_pivots.lemke;
+  FirstBasis first;
+  assembly.push_by(assembly.sigma());
+  const bool is_proposed = rounds.propose_breaking(work.pressure, first);
+  const Problem<S> problem = assembly.breaking_problem();
   const auto solve = [&](Status begun) {
     const Status status = begun == Status::running ? lemke.solve(by_pivots.watcher) : begun;
     run.pivots += lemke.pivots();
     return status;
   };
-  FirstBasis first;
   Status status = Status::running;
-  if (rounds.propose_breaking(work.pressure, first)) {
+  if (is_proposed) {
     LemkeOptions<S> options = by_pivots.options;
     options.covers = 1;
     options.max_pivots = first.limit;
     status = solve(lemke.init(problem, options, work.pressure.active.data, first.guess));
   }
   if (status != Status::solved) status = solve(lemke.init(problem, by_pivots.options));
+  assembly.push_by(assembly.sigma());
   run.reason = lemke.reason();
   if (status != Status::solved) return status;
   return read_breaking(assembly, lemke.z(), lemke.z_push(), lemke.valid_to(), work, pusher, unit,

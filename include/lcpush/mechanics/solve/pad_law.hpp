@@ -64,7 +64,7 @@ template <class S> void pad_preload(const Assembly<S>& assembly, const PressureM
 /// Sets eps c_i on the normal rows, around the last round's pressure.
 template <class S>
 void set_compliance(Assembly<S>& assembly, const PressureMemory<S>& memory, S eps) {
-  assembly.push_by(assembly.sigma());
+  assembly.push_normals();
   for (Index i = 0; i < assembly.layout().points; ++i) {
     const S c = eps * memory.compliance[i];
     const ConeGroup<S>& cone = assembly.cones()[i];

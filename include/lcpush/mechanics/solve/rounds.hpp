@@ -97,23 +97,27 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
                   Index covers, Index limit = 0) {
     problem_ = problem;
     guess_ = guess;
-    single_ = options;
-    single_.covers = 1;
-    if (limit > 0) single_.max_pivots = limit;
+    limit_ = limit;
+    covers_tried_ = 0;
     start_near(memory, covers);
   }
 
+  const Problem<S>& problem() const { return problem_; }
+
 private:
   Problem<S> problem_{};
-  LemkeOptions<S> single_{};
   Guess guess_ = Guess::basis;
-  Index covers_left_ = 0;
+  Index limit_ = 0, covers_left_ = 0, covers_tried_ = 0;
 
   void start_near(const PressureMemory<S>& memory, Index covers) {
+    LemkeOptions<S> single = options;
+    single.covers = 1;
+    if (limit_ > 0) single.max_pivots = limit_;
+    single.first_cover += covers_tried_;
+    if (covers_tried_ > 0) single.rubs = true;
     covers_left_ = covers - 1;
-    (void)lemke.init(problem_, single_, memory.active.data, guess_);
-    ++single_.first_cover;
-    single_.rubs = true; // of the tries to come
+    ++covers_tried_;
+    (void)lemke.init(problem_, single, memory.active.data, guess_);
   }
 };
 

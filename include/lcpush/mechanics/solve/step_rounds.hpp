@@ -23,7 +23,6 @@ public:
       : then_(lemke, options), last_(&last) {}
 
   void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
-    problem_ = problem;
     is_first_ = rounds_++ == 0;
     tries_last_ = is_first_ && last_->known;
     if (!tries_last_) return then_.begin(problem, warm, memory);
@@ -37,11 +36,11 @@ public:
     if (status != Status::solved && tries_last_) {
       tries_last_ = false;
       ++run.cold_restarts;
-      then_.begin_cold(problem_);
+      then_.begin_cold(then_.problem());
       return Status::running;
     }
     if (status == Status::solved && is_first_) {
-      for (Index i = 0; i < problem_.size; ++i) last_->active[i] = memory.active[i];
+      for (Index i = 0; i < then_.problem().size; ++i) last_->active[i] = memory.active[i];
       last_->known = true;
     }
     return status;
@@ -55,7 +54,6 @@ public:
 private:
   LemkeRounds<S, const Unwatched, Pivots> then_;
   LastStep* last_;
-  Problem<S> problem_{};
   Index rounds_ = 0;
   bool is_first_ = false, tries_last_ = false;
 };

@@ -103,7 +103,8 @@ constexpr SolverSize structured_size(const AssemblySize& size, Index shared) {
 constexpr SolverSize small_size(const AssemblySize& size, Index shared, Index exchanges) {
   return {small_lemke_scalars(size.unknowns(), size.points, shared, exchanges) - size.unknowns() -
               size.generators, // see make_small_workspace
-          small_lemke_integers(size.unknowns(), size.points, exchanges), sizeof(std::int16_t)};
+          small_lemke_integers(size.unknowns(), size.points, shared, exchanges),
+          sizeof(std::int16_t)};
 }
 constexpr SolverSize sweeps_size(const AssemblySize& size) {
   const Index n = size.unknowns(), couplings = size.couplings(), actuators = size.actuators;
@@ -113,12 +114,13 @@ constexpr SolverSize sweeps_size(const AssemblySize& size) {
 
 template <class S> constexpr Index bytes_with(const SolverSize& solver, const AssemblySize& size) {
   const Index n = size.unknowns(), p = size.points;
-  const Index scalars = 4 * n + size.couplings() + 2 * size.actuators + 2 * p + size.generators;
+  const Index scalars = 3 * n + size.couplings() + 2 * size.actuators + 2 * p + size.generators;
   const Index structs =
       size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
       p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>) + sizeof(Aim<S>)) +
       size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
-  constexpr Index alignment_slack = 20 * widest_alignment<S>();
+  constexpr Index after_narrower_ones = 6; // arrays, and one of sweeps' or Lemke's
+  constexpr Index alignment_slack = after_narrower_ones * widest_alignment<S>();
   return (scalars + solver.scalars) * static_cast<Index>(sizeof(S)) + structs +
          size.couplings() * static_cast<Index>(sizeof(int)) +
          solver.integers * solver.bytes_of_integer + p * static_cast<Index>(sizeof(Index)) + n +
@@ -130,19 +132,25 @@ template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& si
   Workspace<S> w;
   AssemblyMemory<S>& a = w.assembly;
   arena.fill(size.forces(), a.wrenches);
-  arena.fill(p, a.cones, a.body, w.pressure.preload, w.pressure.compliance, w.answer.contacts,
-             w.aims);
-  arena.fill(n, a.rest, a.push, a.q, w.pressure.active);
+  arena.fill(p, a.cones, a.body, w.pressure.preload, w.pressure.compliance, w.aims);
+  arena.fill(n, a.push, a.q, w.pressure.active);
   arena.fill(size.actuators, a.sums, a.reach, w.answer.closing);
   arena.fill(size.couplings(), a.coupled_variable, a.coupling);
   return w;
 }
 
-template <class S>
-Workspace<S> take_for_pivots(Arena& arena, const AssemblySize& size, const SolverSize& solver) {
+/// In memory that nothing else uses.
+template <class S> Workspace<S> take_alone(Arena& arena, const AssemblySize& size) {
   Workspace<S> w = take_common<S>(arena, size);
+  arena.fill(size.points, w.answer.contacts);
   arena.fill(size.unknowns(), w.pressure.z);
   arena.fill(size.generators, w.answer.friction);
+  return w;
+}
+
+template <class S>
+Workspace<S> take_for_pivots(Arena& arena, const AssemblySize& size, const SolverSize& solver) {
+  Workspace<S> w = take_alone<S>(arena, size);
   arena.fill(solver.scalars, w.lemke_scalars);
   arena.fill(solver.integers, w.lemke_integers.wide);
   w.complete = !arena.exhausted();
@@ -165,7 +173,8 @@ template <class S> constexpr Index structured_bytes(const AssemblySize& size, In
 /// LemkeOptions has to have them.
 template <class S>
 constexpr Index small_bytes(const AssemblySize& size, Index shared, Index exchanges) {
-  return detail::bytes_with<S>(detail::small_size(size, shared, exchanges), size);
+  return detail::bytes_with<S>(detail::small_size(size, shared, exchanges), size) -
+         size.points * static_cast<Index>(sizeof(ContactAnswer<S>));
 }
 /// Bytes that make_sweep_workspace takes: O(unknowns), and (6 + actuators)^2 Scalars.
 template <class S> constexpr Index sweep_bytes(const AssemblySize& size) {
@@ -182,9 +191,9 @@ template <class S>
 Workspace<S> make_structured_workspace(Arena arena, const AssemblySize& size, Index shared) {
   return detail::take_for_pivots<S>(arena, size, detail::structured_size(size, shared));
 }
-/// The same by SmallLemke, whose memory holds two arrays of others: first, where Lemke writes its
-/// own, the pressure's z; last, where a basis is kept while it pivots, an answer's friction. Who
-/// solves on has no answer any more.
+/// The same by SmallLemke, whose memory holds arrays of others: first, where Lemke writes its own,
+/// the pressure's z; last, where a basis is kept while it pivots, an answer's friction and
+/// contacts. Who solves on has no answer any more.
 template <class S>
 Workspace<S> make_small_workspace(Arena arena, const AssemblySize& size, Index shared,
                                   Index exchanges) {
@@ -194,19 +203,22 @@ Workspace<S> make_small_workspace(Arena arena, const AssemblySize& size, Index s
   arena.fill(solver.integers, w.lemke_integers.narrow);
   w.exchanges = exchanges;
   w.complete =
-      !arena.exhausted() && artificial(size.unknowns()) <= std::numeric_limits<std::int16_t>::max();
+      !arena.exhausted() && SmallBasis<S>::numbers(size.unknowns(), size.points, size.actuators);
   if (!w.complete) return w;
   const Span<S>& all = w.lemke_scalars;
   w.pressure.z = {all.data, size.unknowns()};
-  w.answer.friction = {all.data + all.size - size.generators, size.generators};
+  const Index last = size.generators * static_cast<Index>(sizeof(S)) +
+                     size.points * static_cast<Index>(sizeof(ContactAnswer<S>)) +
+                     static_cast<Index>(alignof(ContactAnswer<S>));
+  Arena answer(reinterpret_cast<unsigned char*>(all.data + all.size) - last, last);
+  answer.fill(size.points, w.answer.contacts);
+  answer.fill(size.generators, w.answer.friction);
   return w;
 }
 /// The same by block Gauss-Seidel.
 template <class S> Workspace<S> make_sweep_workspace(Arena arena, const AssemblySize& size) {
-  Workspace<S> w = detail::take_common<S>(arena, size);
+  Workspace<S> w = detail::take_alone<S>(arena, size);
   const detail::SolverSize solver = detail::sweeps_size(size);
-  arena.fill(size.unknowns(), w.pressure.z);
-  arena.fill(size.generators, w.answer.friction);
   arena.fill(solver.scalars, w.sweep_scalars);
   arena.fill(solver.integers, w.sweep_integers);
   w.complete = !arena.exhausted();

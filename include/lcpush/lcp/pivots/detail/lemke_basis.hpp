@@ -27,7 +27,7 @@ template <class S, class B> bool Lemke<S, B>::carve() {
     for (VectorMap<S>* map : {&column_scale_, &scratch_, &rowsum_}) scalars.seat(*map, n);
   }
   candidates_ = integers.take(n);
-  target_ = integers.take(n);
+  target_ = B::of_groups ? candidates_ : integers.take(n);
   return !scalars.exhausted() && !integers.exhausted();
 }
 

@@ -22,7 +22,7 @@
 //
 // At lambda = 2, s = 1: force_ = (2, 2) is lambda along h_0 (wrench, then coupling),
 // actuator_input_ = (1) is s, v_ = core_input_ = (A F_0, -s) = (2, -1). Row 0: h_0' v + lambda / 2
-// = 1 + 1; row 1: F_1 + s = 3. Now lambda becomes basic on its compliance (is_spring_): slot 0
+// = 1 + 1; row 1: F_1 + s = 3. Now lambda becomes basic on its compliance (is_spring): slot 0
 // stands for w_0, lambda = 2 (w_0 - h_0' v), so that h_0 becomes (-2, -2), compliance_ 2, springs_
 // [2 2; 2 2], I + A springs_ in the wrench's row [3 2; 0 1] and its inverse core_ [1/3 -2/3; 0 1].
 // At w_0 = 2, s = 1: force_ = (4, 4), core_input_ = (4, -1), v_ = core_ core_input_ = (2, -1) as
@@ -32,6 +32,7 @@
 // and s become basic together, and the inverse [0 1; -1 3/2] has the form of M, roles swapped.
 #pragma once
 
+#include <limits>
 #include <type_traits>
 
 #include "lcpush/lcp/pivots/equilibrate.hpp"
@@ -71,15 +72,19 @@ public:
   static constexpr Index many_springs = 24;
   static constexpr Index scalars(Index n, Index cones, Index shared) {
     const Index width = 6 + shared;
-    return Directions::scalars(n, cones, shared) + 4 * width + size_of_core(cones, width) + n +
-           3 * cones + 3 * shared;
+    return Directions::scalars(n, shared) + 4 * width + size_of_core(cones, width) + n + 3 * cones +
+           3 * shared;
   }
   /// C, and what it is the inverse of.
   static constexpr Index size_of_core(Index cones, Index width) {
     return cones < many_springs ? 0 : 2 * width * width;
   }
-  static constexpr Index integers(Index n, Index cones) {
-    return 2 * n + 4 * cones + Directions::integers(cones);
+  /// Cones, or shared actuators.
+  static constexpr Index most_groups() {
+    return std::numeric_limits<Int>::max() / Index(one_group);
+  }
+  static constexpr Index integers(Index n, Index cones, Index shared) {
+    return n + 3 * cones + Directions::integers(cones, shared);
   }
 
   void carve(const Problem<S>& problem, Block<S>& scalars, Block<Int>& integers) {
@@ -88,7 +93,7 @@ public:
     free_begin_ = problem.free_begin;
     const Index shared = shared_actuators(*problem_), cones = problem_->cones.size;
     const Index width = 6 + shared;
-    directions_.carve(*problem_, n_, shared, scalars, integers);
+    directions_.carve(problem, shared, scalars, integers);
     scalars.seat(d_, n_);
     for (VectorMap<S>* map : {&d_force_, &force_, &v_, &core_input_}) scalars.seat(*map, width);
     for (VectorMap<S>* map : {&actuator_input_, &d_actuator_input_}) scalars.seat(*map, shared);
@@ -98,9 +103,8 @@ public:
     }
     for (Span<S>* span : {&friction_, &compliance_, &own_coupling_}) *span = scalars.take(cones);
     inertia_ = scalars.take(shared);
-    for (Span<Int>* span : {&state_, &group_}) *span = integers.take(n_);
-    for (Span<Int>* span : {&normal_, &slip_, &own_actuator_, &is_spring_})
-      *span = integers.take(cones);
+    state_ = integers.take(n_);
+    for (Span<Int>* span : {&normal_, &slip_, &own_actuator_}) *span = integers.take(cones);
   }
   /// Symmetric scales that bring the diagonal of G' B G near 1; then no entry of it is larger
   /// (Cauchy and Schwarz). One scale for the generators of a cone, its reciprocal for the slip, so
@@ -165,35 +169,27 @@ public:
       normal_[c] = static_cast<Int>(cone.variable);
       slip_[c] = static_cast<Int>(slip);
       own_actuator_[c] = -1;
-      is_spring_[c] = 0;
       compliance_[c] = cone.compliance * scale * scale;
       friction_[c] = slip < 0 ? S(0) : S(cone.friction * scale * row_scale[slip]);
       for (Index k = 0; k < cone.forces(); ++k) {
         const Index slot = cone.variable + k;
-        state_[slot] = k < cone.normals ? normal_role : generator_role;
+        begin(slot, k < cone.normals ? normal_role : generator_role, c);
       }
-      if (slip >= 0) state_[slip] = slip_role;
-      for (Index k = 0; k < cone.size(); ++k) group_[cone.variable + k] = static_cast<Int>(c);
+      if (slip >= 0) begin(slip, slip_role, c);
     }
     Index shared = 0;
     for (Index a = 0; a < f.sums.size; ++a) {
       const SumGroup<S>& sum = f.sums[a];
       const Index s = free_begin_ + a, c = own_cone(f, sum);
       if (c >= 0) {
-        state_[s] = own_role;
-        group_[s] = static_cast<Int>(c);
+        begin(s, own_role, c);
         own_actuator_[c] = static_cast<Int>(s);
         own_coupling_[c] = f.coupling[sum.first] * row_scale[s] * column_scale[f.cones[c].variable];
         continue;
       }
-      state_[s] = shared_role;
-      group_[s] = static_cast<Int>(shared);
+      begin(s, shared_role, shared);
       inertia_[shared] = sum.inertia * row_scale[s] * column_scale[s];
-      for (Index k = sum.first; k < sum.first + sum.count; ++k) {
-        const Index slot = f.coupled_variable[k];
-        directions_.couple(slot, shared, f.coupling[k] * row_scale[s] * column_scale[slot]);
-      }
-      ++shared;
+      directions_.share(a, shared++, row_scale[s], column_scale);
     }
     set_covering_vector(covering_vector);
   }
@@ -233,7 +229,8 @@ public:
 private:
   const FactoredProblem<S>* problem_ = nullptr;
   Index n_ = 0, free_begin_ = 0;
-  static constexpr int flipped = 8; // a bit that no role has
+  static constexpr int flipped = 8;         // a bit that no role has
+  static constexpr unsigned one_group = 16; // above those of roles and flipped
   Directions directions_;
   VectorMap<S> d_{nullptr, 0}, d_force_{nullptr, 0}, force_{nullptr, 0};
   VectorMap<S> v_{nullptr, 0}, core_input_{nullptr, 0}; // v = C (A F, -s), and what C is applied to
@@ -242,9 +239,8 @@ private:
   MatrixMap<S> springs_{nullptr, 0, 0}, core_{nullptr, 0, 0}; // sum of g h' / c, and C
   bool has_springs_ = false;
   Span<S> friction_, compliance_, own_coupling_, inertia_;
-  Span<Int> state_, group_; // of slots: role and `flipped`; cone, or number of the shared actuator
+  Span<Int> state_; // of slots: role, `flipped`, and its cone or the number of a shared actuator
   Span<Int> normal_, slip_, own_actuator_; // of cones: the slots in these roles, -1 for none
-  Span<Int> is_spring_;                    // of cones: is the normal force basic on its compliance?
 
   Index width() const { return directions_.width(); }
   bool pulls(Index cone) const { return problem_->cones[cone].normals == 2; }
@@ -253,7 +249,13 @@ private:
     const ConeGroup<S>& cone = problem_->cones[c];
     return cone.generators > 0 && is_flipped(cone.slip());
   }
+  /// Is its normal force basic on its compliance? One that its own actuator presses is none.
+  bool is_spring(Index c) const { return is_flipped(normal_[c]) && own_actuator_[c] < 0; }
   int role(Index slot) const { return state_[slot] & (flipped - 1); }
+  Index group(Index slot) const { return static_cast<unsigned>(state_[slot]) / one_group; }
+  void begin(Index slot, LocalRole role, Index group) {
+    state_[slot] = static_cast<Int>(group * Index(one_group) + role);
+  }
   void flip(Index slot) { state_[slot] = static_cast<Int>(state_[slot] | flipped); }
   void swap_roles(Index i, Index j) {
     Eigen::numext::swap(state_[i], state_[j]);
@@ -264,7 +266,19 @@ private:
     return role(i) < slip_role || (role(i) == slip_role && has_springs_);
   }
   /// h_i' v.
-  S felt(Index i) const { return has_direction(i) ? directions_.dot(i, group_[i], v_) : S(0); }
+  TurnedCone<S> turned(Index c) const {
+    TurnedCone<S> cone{
+        problem_->cones[c], c, normal_[c], slides(c) ? Index(slip_[c]) : -1, S(1), S(0)};
+    if (!is_flipped(cone.normal)) return cone;
+    const bool springs = own_actuator_[c] < 0;
+    cone.normal_by = springs ? S(-compliance_[c]) : own_coupling_[c];
+    if (springs) cone.slip_by = -friction_[c];
+    return cone;
+  }
+  /// h_i' v.
+  S felt(Index i) const {
+    return has_direction(i) ? directions_.dot(i, turned(group(i)), v_) : S(0);
+  }
   void add_force(Index slot, const S& x);
   void find_velocity();
   S local(Index row, Index slot) const;
@@ -273,7 +287,7 @@ private:
   void transform(VectorMap<S>& rhs, VectorMap<S>& force, VectorMap<S>& actuator_input) const;
   /// What a shared actuator's row feels: its forces' sum, or its unknown.
   S shared_row(Index row) const {
-    const Index k = 6 + group_[row];
+    const Index k = 6 + group(row);
     if (is_flipped(row)) return -v_[k];
     return has_springs_ ? S(force_[k] - springs_.row(k).dot(v_.transpose())) : force_[k];
   }

@@ -33,15 +33,14 @@ template <class S, class Int> void LocalForm<S, Int>::load_spring(Index c) {
   const S stiffness = S(1) / compliance_[c];
   VectorMap<S>&g = v_, &direction = core_input_; // both free until the core is there
   direction.setZero();
-  directions_.add(normal, c, S(1), direction);
+  directions_.add(normal, turned(c), S(1), direction);
   g = direction;
-  if (slides(c)) directions_.add(cone.slip(), c, -friction_[c], g);
+  if (slides(c)) directions_.add(cone.slip(), turned(c), -friction_[c], g);
   for (Index k = 0; k < width(); ++k) springs_.col(k) += g * (direction[k] * stiffness);
   directions_.yield(c, slip_[c], stiffness, friction_[c]);
   friction_[c] *= stiffness;
   compliance_[c] = stiffness;
   flip(normal);
-  is_spring_[c] = 1;
 }
 
 /// Are there so many loaded springs? If not, nothing is divided by a compliance.
@@ -64,16 +63,16 @@ bool LocalForm<S, Int>::load_springs(IsBasic is_basic) {
     if (compliance_[c] > S(0) && own_actuator_[c] < 0 && !pulls(c) && is_basic(normal_[c]))
       load_spring(c);
   for (Index s = free_begin_; s < n_; ++s)
-    if (role(s) == shared_role && is_basic(s) && springs_(6 + group_[s], 6 + group_[s]) > S(0))
+    if (role(s) == shared_role && is_basic(s) && springs_(6 + group(s), 6 + group(s)) > S(0))
       flip(s);
   // (I + A T_aa) v_a + A T_as v_s = A F_a,   T_sa v_a + (T_ss + m) v_s = F_s - w_s.
   core_.setIdentity();
   core_.template topRows<6>() += problem_->mobility.lazyProduct(springs_.template topRows<6>());
   for (Index s = free_begin_; s < n_; ++s) {
-    const Index k = 6 + group_[s];
+    const Index k = 6 + group(s);
     if (role(s) != shared_role || !is_flipped(s)) continue;
     core_.row(k) = springs_.row(k);
-    core_(k, k) += inertia_[group_[s]];
+    core_(k, k) += inertia_[group(s)];
   }
   return invert_core();
 }
@@ -154,12 +153,12 @@ void LocalForm<S, Int>::transform(VectorMap<S>& rhs, VectorMap<S>& force,
   for (Index c = 0; c < problem_->cones.size; ++c) {
     const ConeGroup<S>& cone = problem_->cones[c];
     const Index normal = normal_[c];
-    if (is_flipped(normal) && is_spring_[c] == 0) {
+    if (is_flipped(normal) && !is_spring(c)) {
       const Index given = own_actuator_[c], own = normal;
       const S target = rhs[own], normal_force = -target * own_coupling_[c];
       rhs[own] = rhs[given] * own_coupling_[c] - target * compliance_[c];
       rhs[given] = normal_force;
-      directions_.add(own, c, S(-target), force);
+      directions_.add(own, turned(c), S(-target), force);
       if (cone.generators > 0) rhs[cone.slip()] -= friction_[c] * target;
     }
     if (slides(c)) {
@@ -168,20 +167,20 @@ void LocalForm<S, Int>::transform(VectorMap<S>& rhs, VectorMap<S>& force,
       for (Index slot = cone.variable + cone.normals; slot < slip; ++slot) rhs[slot] -= moves;
       rhs[slip] = -moves;
       rhs[generator] = saturates;
-      directions_.add(slip, c, S(-saturates), force);
+      directions_.add(slip, turned(c), S(-saturates), force);
     }
-    if (is_spring_[c] != 0) {
+    if (is_spring(c)) {
       const S yields = rhs[normal];
       rhs[normal] = -yields * compliance_[c];
-      directions_.add(normal, c, yields, force);
+      directions_.add(normal, turned(c), yields, force);
       if (cone.generators == 0) continue;
-      if (slides(c)) directions_.add(cone.slip(), c, friction_[c] * yields, force);
+      if (slides(c)) directions_.add(cone.slip(), turned(c), friction_[c] * yields, force);
       rhs[slip_[c]] -= friction_[c] * yields;
     }
   }
   for (Index s = free_begin_; has_springs_ && s < n_; ++s)
     if (role(s) == shared_role && is_flipped(s)) {
-      actuator_input[group_[s]] = -rhs[s];
+      actuator_input[group(s)] = -rhs[s];
       rhs[s] = S(0);
     }
 }

@@ -12,13 +12,15 @@ template <class S, class Int> void LocalForm<S, Int>::add_force(Index slot, cons
     actuator_input_ += d_actuator_input_ * x;
     return;
   }
-  const Index c = group_[slot];
+  const Index c = group(slot);
   switch (role(slot)) {
-  case normal_role:
-    directions_.add(slot, c, is_spring_[c] != 0 ? S(-x) : x, force_);
-    if (slides(c)) directions_.add(problem_->cones[c].slip(), c, -(friction_[c] * x), force_);
+  case normal_role: {
+    const TurnedCone<S> cone = turned(c);
+    directions_.add(slot, cone, is_spring(c) ? S(-x) : x, force_);
+    if (slides(c)) directions_.add(cone.cone.slip(), cone, -(friction_[c] * x), force_);
     break;
-  case generator_role: directions_.add(slot, c, x, force_); break;
+  }
+  case generator_role: directions_.add(slot, turned(c), x, force_); break;
   case shared_role: actuator_input_[c] += x; break;
   default: break;
   }
@@ -31,16 +33,16 @@ template <class S, class Int> void LocalForm<S, Int>::find_velocity() {
   for (Index k = 6; k < width(); ++k) v[k] = -actuator_input_[k - 6];
   if (!has_springs_) return;
   for (Index s = free_begin_; s < n_; ++s)
-    if (role(s) == shared_role && is_flipped(s)) v[6 + group_[s]] += force_[6 + group_[s]];
+    if (role(s) == shared_role && is_flipped(s)) v[6 + group(s)] += force_[6 + group(s)];
   v_ = core_.lazyProduct(core_input_);
 }
 
 /// v_ becomes what the row feels of each component of F, core_input_ of each s.
 template <class S, class Int> void LocalForm<S, Int>::begin_row(Index row) {
   v_.setZero();
-  if (has_direction(row)) directions_.add(row, group_[row], S(1), v_);
+  if (has_direction(row)) directions_.add(row, turned(group(row)), S(1), v_);
   if (role(row) == shared_role && has_springs_) {
-    const Index k = 6 + group_[row];
+    const Index k = 6 + group(row);
     v_ = -springs_.row(k).transpose();
     if (is_flipped(row)) {
       v_.setZero();
@@ -57,8 +59,8 @@ template <class S, class Int> void LocalForm<S, Int>::begin_row(Index row) {
   if (width() == 6) return;
   v_.tail(width() - 6).setZero();
   for (Index s = free_begin_; has_springs_ && s < n_; ++s)
-    if (role(s) == shared_role && is_flipped(s)) v_[6 + group_[s]] = core_input_[6 + group_[s]];
-  if (role(row) == shared_role && !is_flipped(row)) v_[6 + group_[row]] += S(1);
+    if (role(s) == shared_role && is_flipped(s)) v_[6 + group(s)] = core_input_[6 + group(s)];
+  if (role(row) == shared_role && !is_flipped(row)) v_[6 + group(row)] += S(1);
 }
 
 template <class S, class Int> S LocalForm<S, Int>::entry_of_row(Index row, Index slot) const {
@@ -68,10 +70,10 @@ template <class S, class Int> S LocalForm<S, Int>::entry_of_row(Index row, Index
     for (Index k = 6; k < width(); ++k) sum -= core_input_[k] * d_actuator_input_[k - 6];
     return sum;
   }
-  const Index c = group_[slot];
+  const Index c = group(slot);
   switch (role(slot)) {
   case normal_role: {
-    const S presses = is_spring_[c] != 0 ? S(here - felt(slot)) : S(here + felt(slot));
+    const S presses = is_spring(c) ? S(here - felt(slot)) : S(here + felt(slot));
     return slides(c) ? S(presses - felt(problem_->cones[c].slip()) * friction_[c]) : presses;
   }
   case generator_role: return here + felt(slot);
@@ -84,8 +86,8 @@ template <class S, class Int> S LocalForm<S, Int>::entry_of_row(Index row, Index
 template <class S, class Int> S LocalForm<S, Int>::local(Index row, Index slot) const {
   if (slot == n_) return d_[row];
   const int row_role = role(row), slot_role = role(slot);
-  if (group_[row] != group_[slot]) return S(0);
-  const Index c = group_[slot];
+  if (group(row) != group(slot)) return S(0);
+  const Index c = group(slot);
   if (row_role == shared_role || slot_role == shared_role)
     return row == slot && !is_flipped(row) ? inertia_[c] : S(0);
   switch (row_role) {
@@ -102,7 +104,7 @@ template <class S, class Int> S LocalForm<S, Int>::local(Index row, Index slot) 
 /// The same for a whole column.
 template <class S, class Int>
 void LocalForm<S, Int>::add_local(Index slot, const S& x, VectorMap<S>& out) const {
-  const Index c = group_[slot];
+  const Index c = group(slot);
   switch (role(slot)) {
   case normal_role:
     out[slot] += compliance_[c] * x;
@@ -128,7 +130,7 @@ void LocalForm<S, Int>::add_local(Index slot, const S& x, VectorMap<S>& out) con
 
 /// out += what the rows feel of v_ and force_.
 template <class S, class Int> void LocalForm<S, Int>::add_felt(VectorMap<S>& out) const {
-  directions_.add_dots(v_, out);
+  directions_.add_dots([&](Index c) { return turned(c); }, v_, out);
   for (Index s = free_begin_; s < n_; ++s)
     if (role(s) == shared_role) out[s] += shared_row(s);
 }

@@ -40,14 +40,19 @@ public:
     return detail::LocalForm<S, Int>::scalars(n, cones, shared) + n * (1 + right_hand_sides) +
            t * (t + 3);
   }
-  static constexpr Index integers(Index n, Index cones, Index exchanges) {
+  static constexpr Index integers(Index n, Index cones, Index shared, Index exchanges) {
     const Index t = detail::most_exchanges(n, exchanges);
-    return detail::LocalForm<S, Int>::integers(n, cones) + 3 * n + 2 + 2 * t;
+    return detail::LocalForm<S, Int>::integers(n, cones, shared) + 3 * n + 2 + 2 * t;
   }
 
   static bool supports(const Problem<S>& problem, TieRule rule) {
     return problem.factored != nullptr && rule != TieRule::lexicographic &&
-           artificial(problem.size) <= std::numeric_limits<Int>::max();
+           numbers(problem.size, problem.factored->cones.size, problem.factored->sums.size);
+  }
+  /// Is Int wide enough for as many?
+  static constexpr bool numbers(Index n, Index cones, Index sums) {
+    constexpr Index most = detail::LocalForm<S, Int>::most_groups();
+    return artificial(n) <= std::numeric_limits<Int>::max() && cones <= most && sums <= most;
   }
 
   /// `exchanges`: LemkeOptions::exchanges.
@@ -125,7 +130,7 @@ private:
       Eigen::numext::swap(dictionary.values(i, k), dictionary.values(j, k));
     Eigen::numext::swap(dictionary.basic[i], dictionary.basic[j]);
   }
-  void list_exchanges(Span<Int> target, Span<Int> flags);
+  void list_exchanges(Span<Int> target);
   Index invert(const S& smallest_pivot);
   void find_values(const Wanted& wanted);
   template <class Value> void respond_to(Value value, VectorMap<S> out);

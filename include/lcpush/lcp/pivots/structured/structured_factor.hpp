@@ -6,10 +6,10 @@
 namespace lcpush {
 
 /// What the local form does not hold of the basis: rows that leave, slots that enter.
-template <class S, class Int>
-void StructuredBasis<S, Int>::list_exchanges(Span<Int> target, Span<Int> flags) {
+template <class S, class Int> void StructuredBasis<S, Int>::list_exchanges(Span<Int> target) {
   constexpr int has_slack = 1, has_unknown = 2;
   bool has_artificial = false;
+  const Span<Int> flags = out_at_; // free until rows have left
   for (Index i = 0; i < n_; ++i) flags[i] = 0;
   for (const Int variable : target) {
     if (variable == artificial(n_))
@@ -32,6 +32,7 @@ void StructuredBasis<S, Int>::list_exchanges(Span<Int> target, Span<Int> flags) 
     if ((flags[i] & (flipped ? has_slack : has_unknown)) != 0) list(in_, enters, i);
   }
   if (has_artificial) list(in_, enters, n_);
+  for (Index i = 0; i < n_; ++i) out_at_[i] = -1;
   t_ = leaves;
 }
 
@@ -65,10 +66,10 @@ template <class S, class Int> Index StructuredBasis<S, Int>::invert(const S& sma
 }
 
 template <class S, class Int>
-Index StructuredBasis<S, Int>::factor(Span<Int> target, Span<Int> candidates,
+Index StructuredBasis<S, Int>::factor(Span<Int> target, Span<Int> /*candidates*/,
                                       const S& smallest_pivot, VectorMap<S> /*scratch*/,
                                       const Wanted& wanted) {
-  list_exchanges(target, candidates);
+  list_exchanges(target);
   if (t_ >= capacity_) { // the next pivot would have no room
     const Index asked = t_;
     t_ = capacity_ + 1;
@@ -173,23 +174,24 @@ void StructuredBasis<S, Int>::set_bound_rhs(Index free_begin, const VectorMap<S>
   for (Index i = 0; i < n_; ++i) values[i] += bound(dictionary.basic[i]);
 }
 
-/// After factor has left some: see DenseBasis.
+/// After factor has left some: see DenseBasis. The lists stand where those that were left do.
 template <class S, class Int>
-bool StructuredBasis<S, Int>::drop_pairs(Index left, Span<Int> target, Span<Int> candidates,
+bool StructuredBasis<S, Int>::drop_pairs(Index left, Span<Int> /*target*/, Span<Int> /*candidates*/,
                                          const S& smallest_pivot, VectorMap<S> scratch) {
   if (t_ > capacity_) return false;
+  const Span<Int> in_base{out_.data + t_, left}, in_neither{in_.data + t_, left};
   // In the base and still there, while its complement has entered; and neither of both.
   Index both = 0, neither = 0;
-  for (Index k = t_; k < t_ + left; ++k) {
-    if (in_at_[out_[k]] >= 0) candidates[both++] = out_[k];
-    if (out_at_[in_[k]] >= 0) target[neither++] = in_[k];
+  for (Index k = 0; k < left; ++k) {
+    if (in_at_[in_base[k]] >= 0) in_base[both++] = in_base[k];
+    if (out_at_[in_neither[k]] >= 0) in_neither[neither++] = in_neither[k];
   }
   const auto exchange_pairs = [&](Index j, Index i) {
     const Index returns = base_variable(j);
     exchange(out_[in_at_[i]], enter(returns), returns, scratch);
   };
   return exchange_largest(
-             target, candidates, both, smallest_pivot,
+             in_neither, in_base, both, smallest_pivot,
              [&](Index j, Index i) -> const S& { return inverse_(in_at_[i], out_at_[j]); },
              exchange_pairs) == 0;
 }
