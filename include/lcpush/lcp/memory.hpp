@@ -37,7 +37,7 @@ private:
 
 /// Column k, as the same type that a vector of its own has: one instance of what takes either.
 template <class S> VectorMap<S> column(MatrixMap<S>& matrix, Index k) {
-  return VectorMap<S>(matrix.col(k).data(), matrix.rows());
+  return VectorMap<S>(matrix.data() + k * matrix.rows(), matrix.rows());
 }
 
 } // namespace lcpush

@@ -42,9 +42,10 @@ private:
 
   /// `preferred`: the variable that wins ties, -1 for none.
   Blocking select(Index column, S direction, Index preferred) {
-    entering_ = d_.table.col(column).data();
+    entering_ = d_.table.data() + column * d_.size();
     direction_ = direction;
-    const S smallest = tolerances_.pivot * d_.table.col(column).cwiseAbs().maxCoeff();
+    using Column = Eigen::Map<const Eigen::Matrix<S, Eigen::Dynamic, 1>>;
+    const S smallest = tolerances_.pivot * Column(entering_, d_.size()).cwiseAbs().maxCoeff();
     count_ = tied_ = 0;
     // Without a branch: about half of the rows fall, and a processor cannot guess which.
     for (Index i = 0; i < d_.size(); ++i) {
@@ -55,7 +56,7 @@ private:
     if (count_ == 0) return blocking;
     for (Index k = 0; k < rhs_count_ && count_ > 1; ++k) {
       const Index before = count_;
-      keep_smallest(d_.values.col(k).data(), preferred);
+      keep_smallest(d_.values.data() + k * d_.size(), preferred);
       if (k > 0 && count_ < before) blocking.decided_by = TieBreak::right_hand_side;
     }
     blocking.tied = tied_ = count_;
@@ -80,7 +81,7 @@ private:
       return TieBreak::lexicographic;
     }
     for (Index k = rhs_count_; k < d_.values.cols(); ++k) {
-      keep_smallest(d_.values.col(k).data());
+      keep_smallest(d_.values.data() + k * d_.size());
       if (count_ == 1) return TieBreak::tie_column;
     }
     Index best = 0;

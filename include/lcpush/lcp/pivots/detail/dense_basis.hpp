@@ -65,7 +65,7 @@ public:
 
   /// The column of a nonbasic variable that is to enter.
   Index enter(Index variable) const { return dictionary.column_of(variable); }
-  void exchange(Index row, Index column, Index /*entering*/, VectorMap<S> scratch) {
+  void exchange(Index row, Index column, Index /*entering*/, const VectorMap<S>& scratch) {
     dictionary.exchange(row, column, scratch);
   }
   bool is_basic(Index variable) const { return dictionary.row_of(variable) >= 0; }
@@ -91,7 +91,7 @@ public:
   /// variables in any order). Returns how many of its z are left when pivots above `smallest_pivot`
   /// end: then candidates holds the w that should have left, target the z that should have entered.
   Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
-               VectorMap<S> scratch, const Wanted& /*all come along*/) {
+               const VectorMap<S>& scratch, const Wanted& /*all come along*/) {
     const Index n = dictionary.size();
     // candidates: rows whose w is to leave; target: columns whose variable is to enter.
     Index wanted = 0, leaving = 0;
@@ -112,7 +112,7 @@ public:
   /// has stayed but z_i has entered, and z_j has not entered but w_j has left, z_i leaves for w_j.
   /// False if that is singular too.
   bool drop_pairs(Index left, Span<int> target, Span<int> candidates, const S& smallest_pivot,
-                  VectorMap<S> scratch) {
+                  const VectorMap<S>& scratch) {
     const Index n = dictionary.size();
     const auto row = [&](Index i) { return dictionary.row_of(unknown(i, n)); };
     const auto column = [&](Index j) { return dictionary.column_of(slack(j)); };

@@ -36,7 +36,8 @@ template <class S, class Int> void LocalForm<S, Int>::load_spring(Index c) {
   directions_.add(normal, turned(c), S(1), direction);
   g = direction;
   if (slides(c)) directions_.add(cone.slip(), turned(c), -friction_[c], g);
-  for (Index k = 0; k < width(); ++k) springs_.col(k) += g * (direction[k] * stiffness);
+  for (Index k = 0; k < width(); ++k)
+    add_scaled(springs_.data() + k * width(), g.data(), S(direction[k] * stiffness), width());
   directions_.yield(c, slip_[c], stiffness, friction_[c]);
   friction_[c] *= stiffness;
   compliance_[c] = stiffness;
@@ -67,11 +68,15 @@ bool LocalForm<S, Int>::load_springs(IsBasic is_basic) {
       flip(s);
   // (I + A T_aa) v_a + A T_as v_s = A F_a,   T_sa v_a + (T_ss + m) v_s = F_s - w_s.
   core_.setIdentity();
-  core_.template topRows<6>() += problem_->mobility.lazyProduct(springs_.template topRows<6>());
+  for (Index k = 0; k < width(); ++k) {
+    const Vector6<S> wrench = column(springs_, k).template head<6>();
+    const Vector6<S> moved = problem_->mobility.lazyProduct(wrench);
+    for (Index i = 0; i < 6; ++i) core_(i, k) += moved[i];
+  }
   for (Index s = free_begin_; s < n_; ++s) {
     const Index k = 6 + group(s);
     if (role(s) != shared_role || !is_flipped(s)) continue;
-    core_.row(k) = springs_.row(k);
+    for (Index j = 0; j < width(); ++j) core_(k, j) = springs_(k, j);
     core_(k, k) += inertia_[group(s)];
   }
   return invert_core();
@@ -86,36 +91,38 @@ template <class S, class Int> bool LocalForm<S, Int>::invert_core() {
   VectorMap<S>& row_size = core_input_; // free until the core is there
   for (Index i = 0; i < size; ++i) {
     from[i] = i;
-    row_size[i] = core_.row(i).cwiseAbs().maxCoeff();
-    if (!(row_size[i] > S(0))) return false;
-    core_.row(i) /= row_size[i];
+    S largest(0);
+    for (Index j = 0; j < size; ++j)
+      largest = Eigen::numext::maxi(largest, S(Eigen::numext::abs(core_(i, j))));
+    if (!(largest > S(0))) return false;
+    for (Index j = 0; j < size; ++j) core_(i, j) /= largest;
+    row_size[i] = largest;
   }
   for (Index k = 0; k < size; ++k) {
     Index row = k;
-    core_.col(k).tail(size - k).cwiseAbs().maxCoeff(&row);
-    row = k + (row < size - k ? row : 0);
+    for (Index i = k + 1; i < size; ++i)
+      if (Eigen::numext::abs(core_(i, k)) > Eigen::numext::abs(core_(row, k))) row = i;
     if (core_(row, k) == S(0)) return false;
-    if (row != k) {
-      core_.row(row).swap(core_.row(k));
-      Eigen::numext::swap(from[row], from[k]);
-      Eigen::numext::swap(row_size[row], row_size[k]);
-    }
+    for (Index j = 0; j < size; ++j) Eigen::numext::swap(core_(row, j), core_(k, j));
+    Eigen::numext::swap(from[row], from[k]);
+    Eigen::numext::swap(row_size[row], row_size[k]);
     const S pivot = core_(k, k);
     core_(k, k) = S(1);
-    core_.row(k) /= pivot;
+    for (Index j = 0; j < size; ++j) core_(k, j) /= pivot;
     for (Index i = 0; i < size; ++i) {
       if (i == k) continue;
       const S factor = core_(i, k);
       core_(i, k) = S(0);
-      core_.row(i) -= core_.row(k) * factor;
+      for (Index j = 0; j < size; ++j) core_(i, j) -= core_(k, j) * factor;
     }
   }
   // Column k belongs to row from[k] of the scaled matrix.
-  for (Index k = 0; k < size; ++k) core_.col(k) /= row_size[k];
+  for (Index k = 0; k < size; ++k)
+    for (Index i = 0; i < size; ++i) core_(i, k) /= row_size[k];
   for (Index k = 0; k < size; ++k)
     while (from[k] != k) {
       const Index to = from[k];
-      core_.col(k).swap(core_.col(to));
+      for (Index i = 0; i < size; ++i) Eigen::numext::swap(core_(i, k), core_(i, to));
       Eigen::numext::swap(from[k], from[to]);
     }
   return true;

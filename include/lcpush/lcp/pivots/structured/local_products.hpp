@@ -29,12 +29,14 @@ template <class S, class Int> void LocalForm<S, Int>::add_force(Index slot, cons
 template <class S, class Int> void LocalForm<S, Int>::find_velocity() {
   const Vector6<S> wrench = force_.template head<6>();
   VectorMap<S>& v = has_springs_ ? core_input_ : v_;
-  v.template head<6>() = problem_->mobility.lazyProduct(wrench);
+  const Vector6<S> moved = problem_->mobility.lazyProduct(wrench);
+  for (Index k = 0; k < 6; ++k) v[k] = moved[k];
   for (Index k = 6; k < width(); ++k) v[k] = -actuator_input_[k - 6];
   if (!has_springs_) return;
   for (Index s = free_begin_; s < n_; ++s)
     if (role(s) == shared_role && is_flipped(s)) v[6 + group(s)] += force_[6 + group(s)];
-  v_ = core_.lazyProduct(core_input_);
+  for (Index k = 0; k < width(); ++k)
+    v_[k] = dot_along(core_.data() + k, width(), core_input_.data(), width());
 }
 
 /// v_ becomes what the row feels of each component of F, core_input_ of each s.
@@ -43,21 +45,17 @@ template <class S, class Int> void LocalForm<S, Int>::begin_row(Index row) {
   if (has_direction(row)) directions_.add(row, turned(group(row)), S(1), v_);
   if (role(row) == shared_role && has_springs_) {
     const Index k = 6 + group(row);
-    v_ = -springs_.row(k).transpose();
-    if (is_flipped(row)) {
-      v_.setZero();
-      v_[k] = S(-1);
-    }
+    for (Index j = 0; j < width(); ++j)
+      v_[j] = is_flipped(row) ? S(j == k ? -1 : 0) : S(-springs_(k, j));
   }
   if (has_springs_) {
     core_input_ = v_;
-    v_ = core_.transpose().lazyProduct(core_input_);
+    for (Index k = 0; k < width(); ++k) v_[k] = column(core_, k).dot(core_input_);
   }
   core_input_ = v_;
   const Vector6<S> direction = v_.template head<6>();
-  v_.template head<6>() = problem_->mobility.lazyProduct(direction);
-  if (width() == 6) return;
-  v_.tail(width() - 6).setZero();
+  const Vector6<S> moved = problem_->mobility.lazyProduct(direction);
+  for (Index k = 0; k < width(); ++k) v_[k] = k < 6 ? moved[k] : S(0);
   for (Index s = free_begin_; has_springs_ && s < n_; ++s)
     if (role(s) == shared_role && is_flipped(s)) v_[6 + group(s)] = core_input_[6 + group(s)];
   if (role(row) == shared_role && !is_flipped(row)) v_[6 + group(row)] += S(1);

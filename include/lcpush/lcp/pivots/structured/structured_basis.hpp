@@ -58,14 +58,14 @@ public:
   /// `exchanges`: LemkeOptions::exchanges.
   void carve(const Problem<S>& problem, Index right_hand_sides, Index exchanges, Block<S>& scalars,
              Block<Int>& integers);
-  S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale, VectorMap<S> rowsum,
-          VectorMap<S> /*scratch*/) const {
+  S scale(bool equilibrates, const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
+          VectorMap<S> rowsum, const VectorMap<S>& /*scratch*/) const {
     const S finite_sum = form_.scale(equilibrates, row_scale, column_scale);
     sum_rows(column_scale, rowsum);
     return finite_sum + (rowsum.sum() - rowsum.sum());
   }
   /// The row sums of scale() again.
-  void sum_rows(VectorMap<S> column_scale, VectorMap<S> rowsum) const {
+  void sum_rows(const VectorMap<S>& column_scale, VectorMap<S>& rowsum) const {
     form_.sum_rows(column_scale, rowsum);
   }
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
@@ -77,7 +77,7 @@ public:
   /// Computes the column of a nonbasic variable. Cost: O(n + t^2).
   Index enter(Index variable);
   /// The variable of the column last computed enters, the one of `row` leaves.
-  void exchange(Index row, Index column, Index entering, VectorMap<S> scratch);
+  void exchange(Index row, Index column, Index entering, const VectorMap<S>& scratch);
   bool is_basic(Index variable) const {
     const Index i = slot_of(variable);
     return at_base(variable) ? out_at_[i] < 0 : in_at_[i] >= 0;
@@ -90,9 +90,9 @@ public:
   void set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale, const S& rhs_scale);
 
   Index factor(Span<Int> target, Span<Int> candidates, const S& smallest_pivot,
-               VectorMap<S> scratch, const Wanted& wanted);
+               const VectorMap<S>& scratch, const Wanted& wanted);
   bool drop_pairs(Index left, Span<Int> target, Span<Int> candidates, const S& smallest_pivot,
-                  VectorMap<S> scratch);
+                  const VectorMap<S>& scratch);
 
 private:
   detail::LocalForm<S, Int> form_;
@@ -104,7 +104,7 @@ private:
   Span<Int> out_at_, in_at_; // row, slot: their k, -1 for none
 
   /// Column k of K^-1: what row out_[k] brings about.
-  S* of_row(Index k) { return inverse_.col(k).data(); }
+  S* of_row(Index k) { return inverse_.data() + k * capacity_; }
 
   // The base is the basis of the local form: one variable of every complementary pair.
   Index slot_of(Index variable) const {
@@ -133,15 +133,46 @@ private:
   void list_exchanges(Span<Int> target);
   Index invert(const S& smallest_pivot);
   void find_values(const Wanted& wanted);
-  template <class Value> void respond_to(Value value, VectorMap<S> out);
-  void multiply_entered(VectorMap<S> out, const S* entered, Index more = -1, const S& x = S(0));
+  /// What nonbasic variables are held at.
+  struct Held {
+    const S* slacks;  ///< of w; null: all at 0
+    Index free_begin; ///< z_i from here on are at 1 over (scale_i unit), the others at 0
+    const S* scale;
+    S unit;
+    S at(Index variable, Index n) const {
+      if (variable < n) return slacks == nullptr ? S(0) : slacks[variable];
+      const bool is_free = variable >= unknown(free_begin, n) && variable < artificial(n);
+      return is_free ? S(S(1) / (scale[variable - n] * unit)) : S(0);
+    }
+  };
+  void respond_to(const Held& held, VectorMap<S>& out);
+  /// The slots that are not at 0, for LocalForm::multiply.
+  struct Inputs {
+    const Int* slots; ///< null: 0, 1, 2, ..
+    const S* values;
+    Index count;
+    Index more = -1; ///< one more slot, at x
+    S x{0};
+    template <class Visit> void operator()(const Visit& visit) const {
+      if (more >= 0) visit(more, x);
+      for (Index k = 0; k < count; ++k)
+        if (values[k] != S(0)) visit(slots == nullptr ? k : Index(slots[k]), values[k]);
+    }
+  };
   VectorMap<S> entering_column() { return column(dictionary.table, 0); }
 
   /// out = M (rates_ on the slots that have entered, x on one more); then the rows that have left
   /// show the rates of what is there now.
-  void add_entered(VectorMap<S> out, Index more = -1, const S& x = S(0)) {
-    multiply_entered(out, rates_.data(), more, x);
+  void add_entered(VectorMap<S>& out, Index more = -1, const S& x = S(0)) {
+    form_.multiply(Inputs{in_.data, rates_.data(), t_, more, x}, out);
     for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
+  }
+
+  /// rates_ = -K^-1 times what the rows that have left are at.
+  void solve_for(const VectorMap<S>& left) {
+    for (Index k = 0; k < t_; ++k) rates_[k] = S(0);
+    for (Index k = 0; k < t_; ++k)
+      if (left[k] != S(0)) detail::add_scaled(rates_.data(), of_row(k), S(-left[k]), t_);
   }
 
   /// along_row_ = K^-1's response: (row of M on the slots that have entered) K^-1.
@@ -160,7 +191,7 @@ private:
       if (factor != S(0)) detail::add_scaled(of_row(k), rates_.data(), S(-factor), t_);
       inverse_(t_, k) = -factor;
     }
-    inverse_.col(t_).head(t_) = rates_.head(t_) / pivot;
+    for (Index i = 0; i < t_; ++i) inverse_(i, t_) = rates_[i] / pivot;
     inverse_(t_, t_) = S(1) / pivot;
     place(t_, row, slot);
     ++t_;
@@ -181,11 +212,10 @@ private:
   /// Another row leaves in the place of out_[k], whose base variable has come back.
   void replace_row(Index k, Index row, const S& pivot) {
     read_row(row);
-    const auto replaced = rates_.head(t_); // the column k of K^-1
     for (Index j = 0; j < t_; ++j)
       if (j != k && along_row_[j] != S(0))
         detail::add_scaled(of_row(j), rates_.data(), S(-(along_row_[j] / pivot)), t_);
-    inverse_.col(k).head(t_) = replaced / pivot;
+    for (Index i = 0; i < t_; ++i) inverse_(i, k) = rates_[i] / pivot;
     out_at_[out_[k]] = -1;
     place(k, row, in_[k]);
   }
@@ -193,8 +223,7 @@ private:
   /// K shrinks: the base variable of row out_[k_row] has come back, slot in_[k_slot] has left.
   void remove(Index k_row, Index k_slot) {
     const S pivot = inverse_(k_slot, k_row);
-    auto column = along_column_.head(t_);
-    column = inverse_.col(k_row).head(t_);
+    for (Index i = 0; i < t_; ++i) along_column_[i] = inverse_(i, k_row);
     for (Index j = 0; j < t_; ++j) {
       const S factor = inverse_(k_slot, j) / pivot;
       if (j != k_row && factor != S(0))
@@ -205,12 +234,12 @@ private:
     in_at_[in_[k_slot]] = -1;
     // Slot in_[k_row] moves to row out_[k_slot]; then the last pair fills the gap at k_row.
     if (k_slot != k_row) {
-      inverse_.row(k_slot).head(t_) = inverse_.row(k_row).head(t_);
+      for (Index j = 0; j < t_; ++j) inverse_(k_slot, j) = inverse_(k_row, j);
       place(k_slot, row_left, slot_left);
     }
     if (k_row != last) {
-      inverse_.row(k_row).head(t_) = inverse_.row(last).head(t_);
-      inverse_.col(k_row).head(t_) = inverse_.col(last).head(t_);
+      for (Index j = 0; j < t_; ++j) inverse_(k_row, j) = inverse_(last, j);
+      for (Index i = 0; i < t_; ++i) inverse_(i, k_row) = inverse_(i, last);
       place(k_row, out_[last], in_[last]);
     }
     --t_;
@@ -249,29 +278,26 @@ void StructuredBasis<S, Int>::load(const VectorMap<S>& row_scale, const VectorMa
 template <class S, class Int> Index StructuredBasis<S, Int>::enter(Index variable) {
   const Index slot = slot_of(variable);
   dictionary.nonbasic[0] = static_cast<Int>(variable);
-  auto rates = rates_.head(t_);
+  VectorMap<S> at = entering_column();
   if (at_base(variable)) { // it left before: row out_at_ of M x is to grow by 1
-    rates = inverse_.col(out_at_[slot]).head(t_);
-    add_entered(entering_column());
+    for (Index i = 0; i < t_; ++i) rates_[i] = inverse_(i, out_at_[slot]);
+    add_entered(at);
     return 0;
   }
   form_.begin_column(slot);
   for (Index k = 0; k < t_; ++k) along_column_[k] = form_.entry_of_column(out_[k], slot);
-  rates.setZero();
-  for (Index k = 0; k < t_; ++k)
-    if (along_column_[k] != S(0))
-      detail::add_scaled(rates_.data(), of_row(k), S(-along_column_[k]), t_);
-  add_entered(entering_column(), slot, S(1));
+  solve_for(along_column_);
+  add_entered(at, slot, S(1));
   return 0;
 }
 
 template <class S, class Int>
-void StructuredBasis<S, Int>::exchange(Index row, Index column, Index entering,
-                                       VectorMap<S> /*scratch*/) {
-  const S* const rates = dictionary.table.col(column).data();
+void StructuredBasis<S, Int>::exchange(Index row, Index /*column*/, Index entering,
+                                       const VectorMap<S>& /*scratch*/) {
+  const S* const rates = entering_column().data();
   const S pivot = rates[row];
   for (Index k = 0; k < dictionary.values.cols(); ++k) {
-    S* const values = dictionary.values.col(k).data();
+    S* const values = dictionary.values.data() + k * n_;
     if (values[row] == S(0)) continue;
     const S step = -values[row] / pivot;
     detail::add_scaled(values, rates, step, n_);

@@ -39,27 +39,26 @@ template <class S, class Int> void StructuredBasis<S, Int>::list_exchanges(Span<
 /// K^-1 in place of K by complete pivoting. Returns how many rows are left without a pivot above
 /// `smallest_pivot`; they and as many slots come last.
 template <class S, class Int> Index StructuredBasis<S, Int>::invert(const S& smallest_pivot) {
-  auto K = inverse_.topLeftCorner(t_, t_);
+  MatrixMap<S>& K = inverse_;
   for (Index k = 0; k < t_; ++k) {
     const LargestEntry<S> largest = largest_entry(
         t_ - k, t_ - k, smallest_pivot, [&](Index i, Index j) { return S(K(k + i, k + j)); });
     if (largest.row < 0) return t_ - k;
     const Index row = k + largest.row, column = k + largest.column;
-    if (row != k) K.row(row).swap(K.row(k));
-    if (column != k) K.col(column).swap(K.col(k));
+    for (Index j = 0; j < t_; ++j) Eigen::numext::swap(K(row, j), K(k, j));
+    for (Index i = 0; i < t_; ++i) Eigen::numext::swap(K(i, column), K(i, k));
     // Row i < k now belongs to slot in_[i], column j < k to row out_[j].
     Eigen::numext::swap(out_[row], out_[k]);
     Eigen::numext::swap(in_[column], in_[k]);
     const S pivot = K(k, k);
-    auto entering = along_column_.head(t_);
-    entering = K.col(k);
+    for (Index i = 0; i < t_; ++i) along_column_[i] = K(i, k);
     for (Index j = 0; j < t_; ++j) {
       if (j == k || K(k, j) == S(0)) continue;
       const S solved = -K(k, j) / pivot;
-      K.col(j) += solved * entering;
+      detail::add_scaled(of_row(j), along_column_.data(), solved, t_);
       K(k, j) = solved;
     }
-    K.col(k) = entering / pivot;
+    for (Index i = 0; i < t_; ++i) K(i, k) = along_column_[i] / pivot;
     K(k, k) = S(1) / pivot;
   }
   return 0;
@@ -67,7 +66,7 @@ template <class S, class Int> Index StructuredBasis<S, Int>::invert(const S& sma
 
 template <class S, class Int>
 Index StructuredBasis<S, Int>::factor(Span<Int> target, Span<Int> /*candidates*/,
-                                      const S& smallest_pivot, VectorMap<S> /*scratch*/,
+                                      const S& smallest_pivot, const VectorMap<S>& /*scratch*/,
                                       const Wanted& wanted) {
   list_exchanges(target);
   if (t_ >= capacity_) { // the next pivot would have no room
@@ -94,7 +93,7 @@ Index StructuredBasis<S, Int>::factor(Span<Int> target, Span<Int> /*candidates*/
 template <class S, class Int> void StructuredBasis<S, Int>::find_values(const Wanted& wanted) {
   constexpr int corrections = 2;
   VectorMap<S> at = entering_column();
-  auto rates = rates_.head(t_), entered = along_row_.head(t_), left = along_column_.head(t_);
+  VectorMap<S> entered(along_row_.data(), t_), left(along_column_.data(), t_);
   for (Index rhs = wanted.first; rhs < wanted.end; ++rhs) {
     VectorMap<S> values = column(dictionary.values, rhs);
     form_.evaluate(values);
@@ -106,50 +105,26 @@ template <class S, class Int> void StructuredBasis<S, Int>::find_values(const Wa
       for (Index k = 0; k < t_; ++k)
         left[k] = pass > 0 ? S(values[out_[k]] + at[out_[k]]) : S(values[out_[k]]);
       if (pass > 0 && !(left.cwiseAbs().maxCoeff() > noise)) break;
-      rates.setZero();
-      for (Index k = 0; k < t_; ++k)
-        if (left[k] != S(0)) detail::add_scaled(rates_.data(), of_row(k), S(-left[k]), t_);
-      entered += rates;
-      multiply_entered(at, entered.data());
+      solve_for(left);
+      for (Index k = 0; k < t_; ++k) entered[k] += rates_[k];
+      form_.multiply(Inputs{in_.data, entered.data(), t_}, at);
     }
     values += at;
     for (Index k = 0; k < t_; ++k) values[out_[k]] = entered[k];
   }
 }
 
-/// out = M (`entered` on the slots that have entered, x on one more).
+/// out = the basic variables where every nonbasic one is as it is held and q = 0.
 template <class S, class Int>
-void StructuredBasis<S, Int>::multiply_entered(VectorMap<S> out, const S* entered, Index more,
-                                               const S& x) {
-  form_.multiply(
-      [&](auto visit) {
-        if (more >= 0) visit(more, x);
-        for (Index k = 0; k < t_; ++k)
-          if (entered[k] != S(0)) visit(Index(in_[k]), entered[k]);
-      },
-      out);
-}
-
-/// out = the basic variables where every nonbasic one is at value(variable) and q = 0.
-template <class S, class Int>
-template <class Value>
-void StructuredBasis<S, Int>::respond_to(Value value, VectorMap<S> out) {
-  form_.multiply(
-      [&](auto visit) {
-        for (Index i = 0; i < n_; ++i) {
-          if (in_at_[i] >= 0) continue;
-          const S x = value(other_variable(i));
-          if (x != S(0)) visit(i, x);
-        }
-      },
-      out);
-  auto rates = rates_.head(t_);
-  rates.setZero();
+void StructuredBasis<S, Int>::respond_to(const Held& held, VectorMap<S>& out) {
+  VectorMap<S> at = entering_column();
+  for (Index i = 0; i < n_; ++i) at[i] = in_at_[i] < 0 ? held.at(other_variable(i), n_) : S(0);
+  form_.multiply(Inputs{nullptr, at.data(), n_}, out);
+  for (Index k = 0; k < t_; ++k) rates_[k] = S(0);
   for (Index k = 0; k < t_; ++k) {
-    const S wanted = value(base_variable(out_[k]));
+    const S wanted = held.at(base_variable(out_[k]), n_);
     detail::add_scaled(rates_.data(), of_row(k), S(wanted - out[out_[k]]), t_);
   }
-  VectorMap<S> at = entering_column();
   add_entered(at);
   out += at;
   for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
@@ -157,7 +132,7 @@ void StructuredBasis<S, Int>::respond_to(Value value, VectorMap<S> out) {
 
 template <class S, class Int>
 void StructuredBasis<S, Int>::respond(const VectorMap<S>& r, VectorMap<S> out) {
-  respond_to([&](Index variable) { return variable < n_ ? S(r[variable]) : S(0); }, out);
+  respond_to({r.data(), n_, nullptr, S(1)}, out);
 }
 
 /// Free unknowns that are basic are at S exactly and nothing else is: rounding in a solve would
@@ -166,18 +141,15 @@ template <class S, class Int>
 void StructuredBasis<S, Int>::set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale,
                                             const S& rhs_scale) {
   VectorMap<S> values = column(dictionary.values, 0);
-  const auto bound = [&](Index variable) {
-    const bool is_free = variable >= unknown(free_begin, n_) && variable < artificial(n_);
-    return is_free ? S(S(1) / (column_scale[variable - n_] * rhs_scale)) : S(0);
-  };
-  respond_to([&](Index variable) { return S(-bound(variable)); }, values);
-  for (Index i = 0; i < n_; ++i) values[i] += bound(dictionary.basic[i]);
+  const Held bound{nullptr, free_begin, column_scale.data(), -rhs_scale};
+  respond_to(bound, values);
+  for (Index i = 0; i < n_; ++i) values[i] -= bound.at(dictionary.basic[i], n_);
 }
 
 /// After factor has left some: see DenseBasis. The lists stand where those that were left do.
 template <class S, class Int>
 bool StructuredBasis<S, Int>::drop_pairs(Index left, Span<Int> /*target*/, Span<Int> /*candidates*/,
-                                         const S& smallest_pivot, VectorMap<S> scratch) {
+                                         const S& smallest_pivot, const VectorMap<S>& scratch) {
   if (t_ > capacity_) return false;
   const Span<Int> in_base{out_.data + t_, left}, in_neither{in_.data + t_, left};
   // In the base and still there, while its complement has entered; and neither of both.
