@@ -1,4 +1,4 @@
-// The referee of lcp/: is z a solution of the problem as it was given? Shares no code with the
+// The referee of lcp/: is z a solution of the problem as it was given? Takes no code from the
 // solvers; reads the problem's data only.
 #pragma once
 
@@ -30,71 +30,76 @@ void dense_rows(const Problem<S>& problem, const S* z, const S* y, S* w, S* size
   }
 }
 
+/// One of the two for the factored form: M x; or `of_sizes`, every number in it by its size.
 template <class S>
-void factored_rows(const Problem<S>& problem, const S* z, const S* y, S* w, S* sizes) {
-  using Eigen::numext::abs;
-  const FactoredProblem<S>& f = *problem.factored;
-  Vector6<S> wrench = Vector6<S>::Zero(), wrench_size = Vector6<S>::Zero();
+void multiply_terms(const FactoredProblem<S>& f, Index free_begin, bool of_sizes, const S* x,
+                    S* out) {
+  const auto term = [&](const S& number) {
+    return of_sizes ? S(Eigen::numext::abs(number)) : number;
+  };
+  const S minus = of_sizes ? S(1) : S(-1);
+  Vector6<S> wrench = Vector6<S>::Zero();
   for (const ConeGroup<S>& cone : f.cones)
     for (Index k = 0; k < cone.forces(); ++k) {
-      wrench += f.wrenches[cone.force + k] * z[cone.variable + k];
-      wrench_size += f.wrenches[cone.force + k].cwiseAbs() * y[cone.variable + k];
+      const Vector6<S>& column = f.wrenches[cone.force + k];
+      const S force = x[cone.variable + k];
+      if (force == S(0)) continue; // most are
+      for (Index d = 0; d < 6; ++d) wrench[d] += term(column[d]) * force;
     }
-  const Vector6<S> a = f.mobility.lazyProduct(wrench);
-  const Vector6<S> a_size = f.mobility.cwiseAbs().lazyProduct(wrench_size);
+  const Vector6<S> a = of_sizes ? Vector6<S>(f.mobility.cwiseAbs().lazyProduct(wrench))
+                                : Vector6<S>(f.mobility.lazyProduct(wrench));
   for (const ConeGroup<S>& cone : f.cones) {
     const Index first = cone.variable, xi = cone.slip();
-    const bool has_friction = cone.generators > 0, pulls = cone.normals == 2;
-    if (has_friction) w[xi] = sizes[xi] = S(0);
+    const bool has_friction = cone.generators > 0;
+    const S slip = has_friction ? x[xi] : S(0);
+    S room(0);
     for (Index k = 0; k < cone.forces(); ++k) {
       const Index i = first + k;
-      w[i] = f.wrenches[cone.force + k].dot(a);
-      sizes[i] = f.wrenches[cone.force + k].cwiseAbs().dot(a_size);
+      const Vector6<S>& column = f.wrenches[cone.force + k];
+      out[i] = of_sizes ? S(column.cwiseAbs().dot(a)) : S(column.dot(a));
       if (k < cone.normals) {
-        const Index other = pulls ? first + 1 - k : -1;
-        w[i] += cone.compliance * (pulls ? S(z[i] - z[other]) : z[i]);
-        sizes[i] += cone.compliance * (pulls ? S(y[i] + y[other]) : y[i]);
-        if (!has_friction) continue;
-        w[xi] += cone.friction * z[i];
-        sizes[xi] += cone.friction * y[i];
+        out[i] += cone.compliance * (cone.normals == 2 ? S(x[i] + minus * x[first + 1 - k]) : x[i]);
+        room += cone.friction * x[i];
       } else {
-        w[i] += z[xi];
-        sizes[i] += y[xi];
-        w[xi] -= z[i];
-        sizes[xi] += y[i];
+        out[i] += slip;
+        room += minus * x[i];
       }
     }
+    if (has_friction) out[xi] = room;
   }
   for (Index a_index = 0; a_index < f.sums.size; ++a_index) {
     const SumGroup<S>& sum = f.sums[a_index];
-    const Index s = problem.free_begin + a_index;
-    w[s] = sum.inertia * z[s];
-    sizes[s] = sum.inertia * y[s];
+    const S closing = x[free_begin + a_index], closes = minus * closing;
+    S row = sum.inertia * closing;
     for (Index k = sum.first; k < sum.first + sum.count; ++k) {
+      const S coupling = term(f.coupling[k]);
       const Index force = f.coupled_variable[k];
-      w[s] += f.coupling[k] * z[force];
-      w[force] -= f.coupling[k] * z[s];
-      sizes[s] += abs(f.coupling[k]) * y[force];
-      sizes[force] += abs(f.coupling[k]) * y[s];
+      row += coupling * x[force];
+      out[force] += coupling * closes;
     }
+    out[free_begin + a_index] = row;
   }
+}
+
+template <class S>
+void factored_rows(const Problem<S>& problem, const S* z, const S* y, S* w, S* sizes) {
+  multiply_terms(*problem.factored, problem.free_begin, false, z, w);
+  multiply_terms(*problem.factored, problem.free_begin, true, y, sizes);
 }
 
 /// out_j = the largest |z_l| / u_l among the unknowns that share a row with z_j: whose rounding z_j
 /// may have caught. In the factored form all forces meet in the object: the largest of all.
-template <class S>
-void neighbour_sizes(const Problem<S>& problem, const S* z, const S* unit, S* row_largest, S* out) {
-  using Eigen::numext::abs;
+/// `largest` is that.
+template <bool may_be_dense, class S>
+void neighbour_sizes(const Problem<S>& problem, const S* z, const S* unit, const S& largest,
+                     S* row_largest, S* out) {
   const Index n = problem.size;
-  S largest(0);
+  const bool is_dense = may_be_dense && problem.matrix != nullptr;
+  for (Index j = 0; j < n; ++j) out[j] = is_dense ? S(0) : largest;
+  if (!is_dense) return;
+  for (Index i = 0; i < n; ++i) row_largest[i] = S(0);
   for (Index j = 0; j < n; ++j) {
-    row_largest[j] = S(0);
-    if (abs(z[j]) > largest * unit[j]) largest = abs(z[j]) / unit[j];
-  }
-  for (Index j = 0; j < n; ++j) out[j] = problem.matrix == nullptr ? largest : S(0);
-  if (problem.matrix == nullptr) return;
-  for (Index j = 0; j < n; ++j) {
-    const S size = abs(z[j]) / unit[j];
+    const S size = Eigen::numext::abs(z[j]) / unit[j];
     for (Index i = 0; size > S(0) && i < n; ++i)
       if (problem.matrix[j * n + i] != S(0) && row_largest[i] < size) row_largest[i] = size;
   }
@@ -115,8 +120,8 @@ void neighbour_sizes(const Problem<S>& problem, const S* z, const S* unit, S* ro
 /// double, zmax_j over the unknowns that share a row with z_j, nothing where z_j = 0) is what
 /// rounding leaves of large unknowns in z_j: it keeps noise from being divided by noise. `w`
 /// receives M z + q, `q` is anything with n numbers q[i]; `scratch` 2 n Scalars. Cost: three passes
-/// over M.
-template <class S, class Q, class IsFree>
+/// over M. A caller without dense problems says so, and links nothing for them.
+template <bool may_be_dense = true, class S, class Q, class IsFree>
 WorstRow<S> natural_residual(const Problem<S>& problem, Q q, const S* z, const S* unit,
                              IsFree is_free, S* w, S* scratch) {
   using Eigen::numext::abs;
@@ -125,19 +130,19 @@ WorstRow<S> natural_residual(const Problem<S>& problem, Q q, const S* z, const S
   for (Index i = 0; i < n; ++i)
     if (abs(z[i]) > z_max * unit[i]) z_max = abs(z[i]) / unit[i];
   S* const sizes = scratch + n;
-  detail::neighbour_sizes(problem, z, unit, sizes, scratch);
+  detail::neighbour_sizes<may_be_dense>(problem, z, unit, z_max, sizes, scratch);
   for (Index i = 0; i < n; ++i) {
     const S noise = z[i] != S(0) ? S(scratch[i] * unit[i] * Tolerances<S>().noise) : S(0);
     scratch[i] = abs(z[i]) + noise;
   }
-  if (problem.factored != nullptr)
-    detail::factored_rows(problem, z, scratch, w, sizes);
-  else
+  if (may_be_dense && problem.factored == nullptr)
     detail::dense_rows(problem, z, scratch, w, sizes);
+  else
+    detail::factored_rows(problem, z, scratch, w, sizes);
   WorstRow<S> worst;
   for (Index i = 0; i < n; ++i) {
-    w[i] += q[i];
-    const S scale = abs(q[i]) + sizes[i];
+    const S given = q[i], scale = abs(given) + sizes[i];
+    w[i] += given;
     const S scaled_w = scale > S(0) ? S(w[i] / scale) : w[i];
     const S scaled_z = z_max > S(0) ? S(z[i] / (unit[i] * z_max)) : S(0);
     const bool row_counts = is_free(i) || scaled_w < scaled_z;

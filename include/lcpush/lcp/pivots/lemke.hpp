@@ -111,8 +111,8 @@ public:
   S slack_unit(Index i) const { return rhs_scale_[finite_rhs()] / row_scale_[i]; }
 
   /// After solved: z (free unknowns at their finite value) and dz/dsigma of the push.
-  const S* z() const { return solution_.col(0).data(); }
-  const S* z_push() const { return solution_.col(1).data(); }
+  const S* z() const { return solution_.data(); }
+  const S* z_push() const { return solution_.data() + n_; }
   bool is_basic(Index i) const { return basis_.is_basic(unknown(i, n_)); }
   const WorstRow<S>& residual() const { return residual_; }
   /// After solved with a push: the answer is z + sigma z_push for 0 <= sigma <= valid_to(),
@@ -189,11 +189,18 @@ private:
 
   bool carve();
   Status prepare(const Problem<S>& problem, const LemkeOptions<S>& options);
+  /// out = M z, as given.
+  void product(const S* z, S* out) const {
+    if constexpr (B::of_groups)
+      detail::multiply_factored(*problem_.factored, problem_.free_begin, z, out);
+    else
+      multiply(problem_, z, out);
+  }
   /// As given; that of the bound is computed, product_ and scratch_ hold it.
   const S* right_hand_side(Index rhs) {
     if (rhs >= finite_rhs()) return rhs == finite_rhs() ? problem_.q : problem_.push;
     for (Index j = 0; j < n_; ++j) product_[j] = j < problem_.free_begin ? S(0) : S(-1);
-    multiply(problem_, product_.data(), scratch_.data());
+    product(product_.data(), scratch_.data());
     return scratch_.data();
   }
   void load_values(Index first_rhs);
@@ -235,7 +242,7 @@ private:
   /// In the covering vector and the tie columns: whoever goes on after a check computes them
   /// afresh.
   WorstRow<S> referee(const S& sigma, const S* z) {
-    return natural_residual(
+    return natural_residual<!B::of_groups>(
         problem_, PushedBy{problem_, sigma}, z, column_scale_.data(),
         [&](Index i) { return i >= problem_.free_begin; }, covering_.data(), tie_column(0).data());
   }

@@ -75,19 +75,19 @@ template <class S, class B> void Lemke<S, B>::read(Index rhs) {
 /// removes it.
 template <class S, class B> void Lemke<S, B>::refine(Index rhs) {
   const Index n = n_;
-  VectorMap<S> z = solution_of(rhs), product = tie_column(0), response = tie_column(1);
+  VectorMap<S> z = solution_of(rhs), left = tie_column(0), response = tie_column(1);
   read(rhs);
   S before(-1);
   for (int round = 0; round < 4; ++round) {
-    multiply(problem_, z.data(), product.data());
+    product(z.data(), left.data());
     const S* const given = right_hand_side(rhs);
-    for (Index j = 0; j < n; ++j) product[j] = (product[j] + given[j]) * row_scale_[j];
+    for (Index j = 0; j < n; ++j) left[j] = (left[j] + given[j]) * row_scale_[j];
     for (const Int variable : basis_.dictionary.basic) // what is left in a basic w is its value
-      if (variable < n) product[variable] = S(0);
-    const S largest = n > 0 ? S(product.cwiseAbs().maxCoeff()) : S(0);
+      if (variable < n) left[variable] = S(0);
+    const S largest = n > 0 ? S(left.cwiseAbs().maxCoeff()) : S(0);
     if (!(largest > S(0)) || (before >= S(0) && !(largest < before))) return;
     before = largest;
-    basis_.respond(product, response);
+    basis_.respond(left, response);
     for (Index i = 0; i < n; ++i)
       if (basis_.dictionary.basic[i] >= n && basis_.dictionary.basic[i] < artificial(n)) {
         const Index j = basis_.dictionary.basic[i] - n;

@@ -148,7 +148,7 @@ template <class S, class B> bool Lemke<S, B>::is_feasible() const {
 /// out = R M C z.
 template <class S, class B> void Lemke<S, B>::scaled_product(const S* z_scaled, S* out) {
   for (Index i = 0; i < n_; ++i) scratch_[i] = z_scaled[i] * column_scale_[i];
-  multiply(problem_, scratch_.data(), out);
+  product(scratch_.data(), out);
   for (Index i = 0; i < n_; ++i) out[i] *= row_scale_[i];
 }
 
