@@ -57,8 +57,10 @@ template <class S> struct Residuals {
   S beside{0};
 
   S& operator[](Law law) {
-    S* const all[] = {&newton, &normal, &dissipation, &cone, &grip, &rigidity, &pusher};
-    return *all[static_cast<int>(law)];
+    constexpr S Residuals::*all[] = {
+        &Residuals::newton, &Residuals::normal,   &Residuals::dissipation, &Residuals::cone,
+        &Residuals::grip,   &Residuals::rigidity, &Residuals::pusher};
+    return this->*all[static_cast<int>(law)];
   }
   /// Of two answers' residuals those with the worse row.
   void take(const Residuals& other) {
@@ -84,32 +86,29 @@ template <class S, class Visit> struct LawRows {
   const Answer<S>& answer;
   Visit& visit;
   TermSizes<S> sizes{scene, scales, answer};
-  S pressing{0};                          // of the present body: its forces' sum
-  Vector6<S> moving = Vector6<S>::Zero(); // its twist's terms, and the object's
+  // Of the present body: its forces' sum, the object's twist beside it, and the size of its terms.
+  S pressing{0};
+  Vector6<S> relative = Vector6<S>::Zero(), moving = Vector6<S>::Zero();
+  // Of the present point: how the object moves over it, and the size of the terms.
+  Vector3<S> acceleration = Vector3<S>::Zero(), speed = Vector3<S>::Zero();
 
   /// The row fails by `amount` in SI units; `own` is the sum of its |terms|, `common` what F makes
   /// of such a unit, `given` a load that must not be lost in it.
-  void show(Law law, Index of, Index part, const S& amount, const S& own, const S& common,
-            const S& given = S(0)) {
+  void show(Law law, Index of, Index part, S amount, S own, S common, S given = S(0)) {
     const S unit = row_unit_of(own, common, given);
     visit(Violation<S>{law, of, part, unit > S(0) ? S(amount / unit) : amount, unit, common});
   }
 
   /// The smaller of a force and an acceleration that exclude each other, both scaled: negative, or
   /// positive where both are. `size` is that of the acceleration's terms.
-  Violation<S> complementarity(Law law, Index of, Index part, S force, S acceleration,
-                               const S& size) const {
+  Violation<S> complementarity(Law law, Index of, Index part, S force, S motion, S size) const {
     const S force_unit = row_unit_of(pressing, scales.force);
-    const S acceleration_unit = row_unit_of(size, scales.acceleration);
+    const S motion_unit = row_unit_of(size, scales.acceleration);
     force /= force_unit;
-    acceleration /= acceleration_unit;
-    const bool is_force = !(acceleration < force) && acceleration == acceleration;
-    return {law,
-            of,
-            part,
-            is_force ? force : acceleration,
-            is_force ? force_unit : acceleration_unit,
-            is_force ? scales.force : scales.acceleration};
+    motion /= motion_unit;
+    const bool is_force = !(motion < force) && motion == motion;
+    if (is_force) return {law, of, part, force, force_unit, scales.force};
+    return {law, of, part, motion, motion_unit, scales.acceleration};
   }
 
   /// The body whose points come next.
@@ -119,42 +118,43 @@ template <class S, class Visit> struct LawRows {
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
       pressing += Eigen::numext::abs(answer.contacts[i].normal_force) +
                   answer.contacts[i].friction_force.norm();
+    relative = answer.acceleration - body_twist(scene, answer, b, sigma);
     moving = sizes.acceleration + twist_size(scene, answer, b, sigma);
+  }
+  /// The point that comes next.
+  void enter_point(Index i) {
+    acceleration = acceleration_at<S>(scene.points[i], relative);
+    speed = size_at<S>(scene.points[i], moving);
   }
 
   /// [T.1]
   void newton() {
-    Vector3<S> force = scene.object.mass * scene.gravity + scene.object.wrench.template head<3>();
-    Vector3<S> moment = scene.object.wrench.template tail<3>() + scene.object.turning;
-    for (const Body<S>& body : scene.bodies) {
-      const Vector6<S> wrench = body_wrench(scene, answer, body);
-      force += wrench.template head<3>();
-      moment += wrench.template tail<3>();
-    }
-    force -= scene.object.mass * answer.acceleration.template head<3>();
-    moment -= scene.object.inertia.lazyProduct(answer.acceleration.template tail<3>());
-    const S turn = scales.acceleration / scales.length;
-    for (Index k = 0; k < 6; ++k)
+    Vector6<S> left = scene.object.wrench;
+    left.template head<3>() += scene.object.mass * scene.gravity;
+    left.template tail<3>() += scene.object.turning;
+    for (const Body<S>& body : scene.bodies) left += body_wrench(scene, answer, body);
+    left.template head<3>() -= scene.object.mass * answer.acceleration.template head<3>();
+    left.template tail<3>() -=
+        scene.object.inertia.lazyProduct(answer.acceleration.template tail<3>());
+    for (Index k = 0; k < 6; ++k) {
+      const S lever = k < 3 ? S(1) : scales.length;
       if (scene.planar && k >= 2 && k <= 4) // nothing moves out of the plane
-        show(Law::newton, k, -1, answer.acceleration[k], S(0), k < 3 ? scales.acceleration : turn);
-      else if (k < 3)
-        show(Law::newton, k, -1, force[k], sizes.wrench[k], scales.force, sizes.load);
+        show(Law::newton, k, -1, answer.acceleration[k], S(0), scales.acceleration / lever);
       else
-        show(Law::newton, k, -1, moment[k - 3], sizes.wrench[k], scales.force * scales.length,
-             sizes.load * scales.length);
+        show(Law::newton, k, -1, left[k], sizes.wrench[k], scales.force * lever,
+             sizes.load * lever);
+    }
   }
 
   /// [T.3] and [T.4] of point i, and that its friction is made of its generators; `beta`: theirs.
-  void friction(const Body<S>& body, Index i, const S* beta, const Vector6<S>& relative) {
+  void friction(const Body<S>& body, Index i, const S* beta) {
     const ContactAnswer<S>& contact = answer.contacts[i];
-    const Vector3<S> acceleration = acceleration_at<S>(scene.points[i], relative);
     const S spin = relative.template tail<3>().dot(body.normal);
-    const Vector3<S> speed = size_at<S>(scene.points[i], moving);
     const S turning = moving.template tail<3>().dot(body.normal.cwiseAbs());
     const S lambda =
         body.bilateral ? Eigen::numext::abs(contact.normal_force) : contact.normal_force;
     S room = body.friction * lambda;
-    if (scene.aims.size > 0) return round_friction(body, i, room, relative, speed.norm());
+    if (scene.aims.size > 0) return round_friction(body, i, room, spin);
     Vector3<S> left = contact.friction_force;
     S torsion = contact.torsion;
     const Index g = generator_count(scene, body);
@@ -174,12 +174,11 @@ template <class S, class Visit> struct LawRows {
   }
 
   /// [T.16] of point i: friction within the round cone, and none across the slip or along it.
-  void round_friction(const Body<S>& body, Index i, const S& limit, const Vector6<S>& relative,
-                      const S& size) {
+  void round_friction(const Body<S>& body, Index i, S limit, S spin) {
     if (!(body.friction > S(0))) return;
     const Vector3<S> f = friction_of(body, answer.contacts[i]);
-    const Vector3<S> v = slip_of(body, scene.points[i], relative);
-    const S slip = v.norm(), force = f.norm();
+    const Vector3<S> v = in_friction_space(body, acceleration, spin);
+    const S slip = v.norm(), force = f.norm(), size = speed.norm();
     visit(complementarity(Law::cone, i, -1, limit - force, slip, size));
     if (slip == S(0)) return;
     const S along = f.dot(v) / slip;
@@ -188,13 +187,11 @@ template <class S, class Visit> struct LawRows {
   }
 
   /// [T.2], [T.6] and the pusher's motion at point i.
-  void motion(const Body<S>& body, Index i, const Vector6<S>& relative) {
+  void motion(const Body<S>& body, Index i) {
     const ContactAnswer<S>& contact = answer.contacts[i];
     const S unit = scales.acceleration;
-    const Vector3<S> acceleration = acceleration_at<S>(scene.points[i], relative);
     const S gap = clearance_of(scene, i);
     const S opening = acceleration.dot(body.normal) + gap;
-    const Vector3<S> speed = size_at<S>(scene.points[i], moving);
     const S size = speed.dot(body.normal.cwiseAbs()) + gap;
     Violation<S> normal = complementarity(Law::normal, i, -1, contact.normal_force, opening, size);
     if (body.bilateral) {
@@ -250,11 +247,11 @@ void check_rows(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>&
   const S* beta = answer.friction.data;
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<S>& body = scene.bodies[b];
-    const Vector6<S> relative = answer.acceleration - body_twist(scene, answer, b, sigma);
     rows.enter(b, sigma);
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-      rows.motion(body, i, relative);
-      rows.friction(body, i, beta, relative);
+      rows.enter_point(i);
+      rows.motion(body, i);
+      rows.friction(body, i, beta);
       beta += generator_count(scene, body);
     }
   }
