@@ -38,14 +38,6 @@ template <class S> Vector3<S> friction_of(const Body<S>& body, const ContactAnsw
           r > S(0) ? S(contact.torsion / r) : S(0)};
 }
 
-/// How the object slips over point p of a body, in the same space, m/s^2; `relative` is its twist
-/// beside the body's.
-template <class S>
-Vector3<S> slip_of(const Body<S>& body, const Vector3<S>& p, const Vector6<S>& relative) {
-  return in_friction_space(body, acceleration_at(p, relative),
-                           S(relative.template tail<3>().dot(body.normal)));
-}
-
 /// The wrench of one body on the object, [N; N m about the centre of mass].
 template <class S>
 Vector6<S> body_wrench(const Scene<S>& scene, const Answer<S>& answer, const Body<S>& body) {

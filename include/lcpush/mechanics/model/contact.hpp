@@ -12,6 +12,20 @@ template <class S> Vector3<S> cross(const Vector3<S>& a, const Vector3<S>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+/// An inverse by Cramer's rule: row k of the adjugate over the determinant.
+template <class S> struct Adjugate {
+  Vector3<S> rows[3];
+  S determinant;
+
+  explicit Adjugate(const Matrix3<S>& matrix) {
+    const Vector3<S> x = matrix.col(0), y = matrix.col(1), z = matrix.col(2);
+    rows[0] = cross(y, z);
+    rows[1] = cross(z, x);
+    rows[2] = cross(x, y);
+    determinant = x.dot(rows[0]);
+  }
+};
+
 /// W(u) = [u ; p x u]: the wrench at the centre of mass of a unit force along u at p.
 template <class S> Vector6<S> wrench_column(const Vector3<S>& p, const Vector3<S>& u) {
   Vector6<S> column;
@@ -141,6 +155,14 @@ Vector3<S> in_friction_space(const Body<S>& body, const Vector3<S>& acceleration
           S(body.torsion_radius * spin)};
 }
 
+/// How the object slips over point p of a body, in the same space; `relative` is its twist beside
+/// the body's.
+template <class S>
+Vector3<S> slip_of(const Body<S>& body, const Vector3<S>& p, const Vector6<S>& relative) {
+  return in_friction_space(body, acceleration_at(p, relative),
+                           S(relative.template tail<3>().dot(body.normal)));
+}
+
 /// Friction generator k of a body with g facets: d_j = cos(2 pi j / g) t + sin(2 pi j / g) o,
 /// o = n x t, and at a soft point the others of generator_direction.
 template <class S> Generator<S> generator(const Body<S>& body, Index k, Index g) {
@@ -152,7 +174,7 @@ template <class S> Generator<S> generator(const Body<S>& body, Index k, Index g)
 template <class S> struct Across { Vector3<S> first, second; };
 template <class S> Across<S> across(const Aim<S>& aim, bool is_soft) {
   const Vector3<S>& m = aim.along;
-  if (!is_soft) return {{S(-m[1]), m[0], S(0)}, Vector3<S>::UnitZ()};
+  if (!is_soft) return {{S(-m[1]), m[0], S(0)}, {S(0), S(0), S(1)}};
   // Any right-handed frame will do; this one needs no square root (Duff et al., JCGT 6, 2017).
   const S sign = m[0] < S(0) ? S(-1) : S(1), a = S(-1) / (sign + m[0]), b = m[1] * m[2] * a;
   return {{S(-sign * m[1]), S(1) + sign * m[1] * m[1] * a, sign * b},

@@ -25,11 +25,9 @@ template <class S> Matrix6<S> newton(const Scene<S>& scene, const Scales<S>& sca
     return B;
   }
   B(2, 2) = S(1);
-  const Vector3<S> x = I.col(0), y = I.col(1), z = I.col(2); // inverse = adjugate / determinant
-  const S determinant = x.dot(cross(y, z));
-  B.template block<1, 3>(3, 3) = cross(y, z).transpose() / determinant;
-  B.template block<1, 3>(4, 3) = cross(z, x).transpose() / determinant;
-  B.template block<1, 3>(5, 3) = cross(x, y).transpose() / determinant;
+  const Adjugate<S> inverse(I);
+  for (Index i = 0; i < 3; ++i)
+    for (Index j = 0; j < 3; ++j) B(3 + i, 3 + j) = inverse.rows[i][j] / inverse.determinant;
   return B;
 }
 
@@ -139,9 +137,7 @@ template <class S>
 Vector3<S> turning_force(const Body<S>& body, const Vector3<S>& p, const Aim<S>& aim,
                          const Vector6<S>& twist) {
   if (!(aim.inertia > S(0))) return Vector3<S>::Zero();
-  const Vector3<S> v = in_friction_space(body, acceleration_at(p, twist),
-                                         S(twist.template tail<3>().dot(body.normal))) -
-                       aim.carried;
+  const Vector3<S> v = slip_of(body, p, twist) - aim.carried;
   Vector3<S> across = v - aim.along.dot(v) * aim.along;
   if (!(body.torsion_radius > S(0))) across[2] = S(0);
   return -aim.inertia * across;

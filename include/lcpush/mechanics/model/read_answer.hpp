@@ -41,7 +41,8 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
 
   Vector6<S> wrench = contact_wrench(factored, z);
   if (with_load) wrench += assembly.load();
-  answer.acceleration = factored.mobility.lazyProduct(wrench) * scales.acceleration;
+  answer.acceleration = factored.mobility.lazyProduct(wrench);
+  answer.acceleration *= scales.acceleration;
   answer.acceleration.template tail<3>() /= scales.length;
   for (Index a = 0; a < layout.actuators; ++a)
     answer.closing[a] = z[layout.closing_index(a)] * scales.acceleration / layout.reach[a];
@@ -54,7 +55,8 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
     const Vector6<S> twist = body_twist(scene, answer, b, sigma);
     const Vector6<S> relative = answer.acceleration - twist;
     ContactAnswer<S>& contact = answer.contacts[i];
-    contact = {};
+    contact.friction_force.setZero();
+    contact.torsion = contact.slip = S(0);
     contact.body = b;
     contact.normal_force = layout.cones[i].normal_force(z) * scales.force;
     contact.acceleration = acceleration_at(scene.points[i], relative);
@@ -66,7 +68,7 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
       answer.friction[entry++] = beta;
       if (beta == S(0)) continue; // most are, and directions cost time
       const Generator<S> d = generator(scene, body, i, j);
-      contact.friction_force += beta * d.force;
+      for (Index k = 0; k < 3; ++k) contact.friction_force[k] += beta * d.force[k];
       contact.torsion += beta * d.torque;
     }
     if (scene.aims.size > 0) {
@@ -81,8 +83,8 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   // Motion counts against the fastest point: a slow push moves everything slowly. Below what
   // rounding leaves of the loads, or of the object's own acceleration, there is no motion at all.
   const S tolerance = S(1000) * Tolerances<S>().tie;
-  const S own = answer.acceleration.template head<3>().norm() +
-                scales.length * answer.acceleration.template tail<3>().norm();
+  const Vector6<S>& a = answer.acceleration;
+  const S own = a.template head<3>().norm() + scales.length * a.template tail<3>().norm();
   const S rounding =
       S(64) * Eigen::NumTraits<S>::epsilon() * (scales.acceleration + own) / tolerance;
   const S unit = fastest > rounding ? fastest : rounding;

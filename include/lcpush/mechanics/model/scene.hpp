@@ -66,7 +66,7 @@ template <class S> struct Drive {
 /// Where a point's pyramid is turned to, in the point's friction space: (along the tangent, along
 /// n x tangent, torque over the torsion radius).
 template <class S> struct Aim {
-  Vector3<S> along = Vector3<S>::UnitX();  ///< unit: generator 0; a hard point has no torque
+  Vector3<S> along{S(1), S(0), S(0)};      ///< unit: generator 0; a hard point has no torque
   Vector3<S> carried = Vector3<S>::Zero(); ///< m/s^2: how the body itself moved there
   S inertia{0}; ///< kg, >= 0: what resists a slip across it, mu lambda over the slip [T.16]
 };

@@ -50,14 +50,12 @@ template <class S> struct TermSizes {
   Vector6<S> acceleration; ///< what forces of that size make of the object: m/s^2, rad/s^2
   S load{0};               ///< N: the object's weight and the wrench on it, which are given
 
-  /// |I^-1| |moment|, by Cramer's rule: row k of the adjugate over the determinant.
+  /// |I^-1| |moment|.
   static Vector3<S> turning_size(const Matrix3<S>& inertia, const Vector3<S>& moment) {
-    const Vector3<S> x = inertia.col(0), y = inertia.col(1), z = inertia.col(2);
-    const Vector3<S> rows[] = {cross(y, z), cross(z, x), cross(x, y)};
-    const S determinant = x.dot(rows[0]);
+    const Adjugate<S> inverse(inertia);
     Vector3<S> size;
     for (Index k = 0; k < 3; ++k)
-      size[k] = rows[k].cwiseAbs().dot(moment) / Eigen::numext::abs(determinant);
+      size[k] = inverse.rows[k].cwiseAbs().dot(moment) / Eigen::numext::abs(inverse.determinant);
     return size;
   }
 
@@ -79,7 +77,8 @@ template <class S> struct TermSizes {
     else
       acceleration.template tail<3>() += turning_size(object.inertia, moment);
     wrench.template head<3>() += object.mass * a.template head<3>();
-    wrench.template tail<3>() += object.inertia.cwiseAbs().lazyProduct(a.template tail<3>());
+    const Matrix3<S> inertia = object.inertia.cwiseAbs();
+    wrench.template tail<3>() += inertia.lazyProduct(a.template tail<3>());
   }
 };
 

@@ -63,16 +63,17 @@ template <class V> bool all_finite(const V& v) {
 
 /// Sylvester's criterion, relative to the largest entry.
 template <class S> bool is_positive_definite(const Matrix3<S>& I) {
-  const S scale = I.cwiseAbs().maxCoeff();
+  S scale(0);
+  for (Index k = 0; k < 9; ++k)
+    scale = Eigen::numext::maxi(scale, S(Eigen::numext::abs(I.data()[k])));
   if (!(scale > S(0)) || !is_finite(scale)) return false;
   const Matrix3<S> A = I / scale;
   const S slack = S(16) * Eigen::NumTraits<S>::epsilon();
   for (Index i = 0; i < 3; ++i)
     for (Index j = 0; j < i; ++j)
       if (!(Eigen::numext::abs(S(A(i, j) - A(j, i))) <= slack)) return false;
-  const Vector3<S> x = A.col(0), y = A.col(1), z = A.col(2);
   return A(0, 0) > slack && A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0) > slack * slack &&
-         x.dot(cross(y, z)) > slack * slack * slack;
+         Adjugate<S>(A).determinant > slack * slack * slack;
 }
 
 template <class S> Mistake mistake_of(const Body<S>& body, Index points) {

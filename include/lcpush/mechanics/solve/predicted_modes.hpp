@@ -33,18 +33,19 @@ void keep_independent(const Assembly<S>& assembly, bool sticks, Span<unsigned ch
   const bool rigid = assembly.scene().pressure == Pressure::rigid;
   IndependentForces<S> forces(assembly);
   if (!forces.fits() || !(rigid || sticks)) return;
-  for_each_point(assembly.scene(), [&](Index b, Index i) {
+  bool of_friction = false; // that comes after all normal forces
+  const auto keep = [&](Index b, Index i) {
     const ConeGroup<S>& cone = factored.cones[i];
-    if (active[cone.variable] == 0) return;
-    const bool independent = forces.take(b, cone.force);
-    if (rigid && !independent) active[cone.variable] = 0;
-  });
-  for_each_point(assembly.scene(), [&](Index b, Index i) {
-    const ConeGroup<S>& cone = factored.cones[i];
-    for (Index k = cone.normals; sticks && k < cone.forces(); ++k)
-      if (active[cone.variable + k] != 0 && !forces.take(b, cone.force + k))
-        active[cone.variable + k] = 0;
-  });
+    const Index first = of_friction ? cone.normals : Index(0);
+    for (Index k = first; k < (of_friction ? cone.forces() : Index(1)); ++k) {
+      unsigned char& is_active = active[cone.variable + k];
+      if (is_active != 0 && !forces.take(b, cone.force + k) && (rigid || of_friction))
+        is_active = 0;
+    }
+  };
+  for_each_point(assembly.scene(), keep);
+  of_friction = true;
+  if (sticks) for_each_point(assembly.scene(), keep);
 }
 
 /// What the object is expected to do.
@@ -68,9 +69,10 @@ ExpectedMotion<S> predict_slides(const Assembly<S>& assembly, Span<unsigned char
   // q holds W(u)'(free fall - A_b) of every force.
   const Scales<S>& scales = assembly.layout().scales;
   Vector6<S> by_forces = Vector6<S>::Zero();
-  if (!rests)
-    by_forces = laws::prescribed(*leader, scales) * assembly.sigma() -
-                factored.mobility.lazyProduct(laws::load(scene, scales));
+  if (!rests) {
+    const Vector6<S> falls = factored.mobility.lazyProduct(laws::load(scene, scales));
+    by_forces = laws::prescribed(*leader, scales) * assembly.sigma() - falls;
+  }
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<S>& body = scene.bodies[b];
     const bool driven = is_driven(scene, b);
