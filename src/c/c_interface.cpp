@@ -35,8 +35,8 @@ constexpr bool covers(std::size_t bytes, Index bodies, const AssemblySize& size,
 
 lcpush_status as_c(Status status) { return static_cast<lcpush_status>(status); }
 
-template <class S, int n> Eigen::Matrix<S, n, 1> vector(const S (&numbers)[n]) {
-  return Eigen::Map<const Eigen::Matrix<S, n, 1>>(numbers);
+template <class S, class Vector> void read(const S* numbers, Vector& vector) {
+  for (Index i = 0; i < vector.size(); ++i) vector[i] = numbers[i];
 }
 template <class S, int n> void write(const Eigen::Matrix<S, n, 1>& vector, S* out) {
   for (Index i = 0; i < n; ++i) out[i] = vector[i];
@@ -49,23 +49,26 @@ template <class E> auto number_of(const E& e) {
   return number;
 }
 
-template <class S, class CBody> Body<S> body_from(const CBody& given) {
-  Body<S> body;
+template <class S, class CBody> void read_body(const CBody& given, Body<S>& body) {
   body.role = number_of(given.role) == LCPUSH_PUSHER ? Role::pusher : Role::finger;
-  const Vector3<S> normal = vector(given.normal), tangent = vector(given.tangent);
   // A zero normal stays zero, and find_mistake says so.
-  const S length = normal.norm();
-  body.normal = length > S(0) ? Vector3<S>(normal / length) : normal;
-  const bool is_chosen = tangent.squaredNorm() > S(0);
-  body.tangent = is_chosen ? tangent_along(body.normal, tangent) : default_tangent(body.normal);
+  read(given.normal, body.normal);
+  const S length = body.normal.norm();
+  if (length > S(0)) body.normal /= length;
+  Vector3<S> tangent;
+  read(given.tangent, tangent);
+  if (!(tangent.squaredNorm() > S(0))) {
+    tangent.setZero();
+    tangent[least_aligned_axis(body.normal)] = S(1);
+  }
+  body.tangent = tangent_along(body.normal, tangent);
   body.friction = given.friction;
   body.torsion_radius = given.torsion_radius;
   body.bilateral = given.bilateral != 0;
   body.first_point = given.first_point;
   body.point_count = given.point_count;
-  body.acceleration = vector(given.acceleration);
+  read(given.acceleration, body.acceleration);
   body.preload = given.preload;
-  return body;
 }
 
 /// As shares of their body's sum, which find_mistake judges. Pre: the bodies lie within the points.
@@ -94,38 +97,45 @@ template <class Push> Push* make(void* memory, std::size_t bytes, const lcpush_s
 
 /// The scene over the push's own arrays; nothing is allocated.
 template <class S, class CScene> Status describe(CPush<S>& push, const CScene& given) {
+  if (!push.holds(given.body_count, given.point_count, given.actuator_count, given.drive_count))
+    return push.refuse(Mistake::memory_too_small);
+  const auto pressure = number_of(given.pressure);
+  if (pressure != LCPUSH_PAD && pressure != LCPUSH_EVEN && pressure != LCPUSH_RIGID)
+    return push.refuse(Mistake::unsupported);
   const Span<Body<S>> bodies = push.bodies(given.body_count);
   const Span<Vector3<S>> points = push.points(given.point_count);
   const Span<Actuator<S>> actuators = push.actuators(given.actuator_count);
   const Span<Drive<S>> drives = push.drives(given.drive_count);
-  if (bodies.size < 0 || points.size < 0 || actuators.size < 0 || drives.size < 0)
-    return push.refuse(Mistake::memory_too_small);
-  for (Index b = 0; b < bodies.size; ++b) bodies[b] = body_from<S>(given.bodies[b]);
-  for (Index i = 0; i < points.size; ++i)
-    points[i] = {given.points[i].x, given.points[i].y, given.points[i].z};
+  for (Index b = 0; b < bodies.size; ++b) read_body(given.bodies[b], bodies[b]);
+  for (Index i = 0; i < points.size; ++i) {
+    const auto& point = given.points[i];
+    points[i] << point.x, point.y, point.z;
+  }
   for (Index a = 0; a < actuators.size; ++a)
     actuators[a] = {given.actuators[a].force, given.actuators[a].inertia};
-  for (Index d = 0; d < drives.size; ++d)
-    drives[d] = {given.drives[d].body, given.drives[d].actuator, vector(given.drives[d].twist)};
+  for (Index d = 0; d < drives.size; ++d) {
+    drives[d].body = given.drives[d].body;
+    drives[d].actuator = given.drives[d].actuator;
+    read(given.drives[d].twist, drives[d].twist);
+  }
 
-  Scene<S> scene{};
+  Scene<S>& scene = push.begin_scene();
   scene.object.mass = given.object.mass;
   for (Index i = 0; i < 9; ++i) scene.object.inertia(i / 3, i % 3) = given.object.inertia[i];
-  scene.object.wrench = vector(given.object.wrench);
+  read(given.object.wrench, scene.object.wrench);
   scene.object.center_of_mass.setZero();
-  scene.gravity = vector(given.gravity);
+  read(given.gravity, scene.gravity);
   const bool is_round = given.facets == LCPUSH_ROUND;
   scene.facets = is_round ? -given.facets : given.facets;
-  const auto pressure = number_of(given.pressure);
-  if (pressure != LCPUSH_PAD && pressure != LCPUSH_EVEN && pressure != LCPUSH_RIGID)
-    return push.refuse(Mistake::unsupported);
   scene.pressure = static_cast<Pressure>(pressure);
   scene.planar = given.planar != 0;
   scene.bodies = {bodies.data, bodies.size};
   scene.points = {points.data, points.size};
   scene.actuators = {actuators.data, actuators.size};
   scene.drives = {drives.data, drives.size};
-  if (given.weights == nullptr) return push.accept(scene, is_round);
+  scene.weights = {};
+  scene.aims = {};
+  if (given.weights == nullptr) return push.accept(is_round);
   // Without weights first: the bodies' points lie where they should.
   const Mistake mistake = find_mistake(scene);
   if (mistake != Mistake::none) return push.refuse(mistake);
@@ -133,7 +143,7 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   for (Index i = 0; i < weights.size; ++i) weights[i] = given.weights[i];
   normalise(scene.bodies, weights);
   scene.weights = {weights.data, weights.size};
-  return push.accept(scene, is_round);
+  return push.accept(is_round);
 }
 
 template <class S> Status command(CPush<S>& push, const S* forces, const S* accelerations) {

@@ -63,12 +63,21 @@ public:
 
   bool complete() const { return work_.complete; }
 
-  // What describe() fills before it calls accept(); lengths are checked against `most`.
-  Span<Body<S>> bodies(Index count) { return cut(bodies_, count); }
-  Span<Vector3<S>> points(Index count) { return cut(points_, count); }
-  Span<S> weights(Index count) { return cut(weights_, count); }
-  Span<Actuator<S>> actuators(Index count) { return cut(actuators_, count); }
-  Span<Drive<S>> drives(Index count) { return cut(drives_, count); }
+  /// Is there room for a scene with so many of each?
+  bool holds(Index bodies, Index points, Index actuators, Index drives) const {
+    return is_within(bodies, bodies_.size) && is_within(points, points_.size) &&
+           is_within(actuators, actuators_.size) && is_within(drives, drives_.size);
+  }
+  // What describe() fills before it calls accept(): the scene that was there is gone.
+  Scene<S>& begin_scene() {
+    motion_ = nullptr;
+    return scene_;
+  }
+  Span<Body<S>> bodies(Index count) { return {bodies_.data, count}; }
+  Span<Vector3<S>> points(Index count) { return {points_.data, count}; }
+  Span<S> weights(Index count) { return {weights_.data, count}; }
+  Span<Actuator<S>> actuators(Index count) { return {actuators_.data, count}; }
+  Span<Drive<S>> drives(Index count) { return {drives_.data, count}; }
 
   Status refuse(Mistake mistake) {
     mistake_ = mistake;
@@ -76,12 +85,10 @@ public:
     return status_ = Status::bad_input;
   }
 
-  /// Takes a scene over this push's own arrays.
-  Status accept(const Scene<S>& scene, bool is_round) {
-    given_ = {scene.bodies, scene.actuators, scene.drives, scene.weights};
-    scene_ = scene;
-    if (is_round) scene_.aims = {work_.aims.data, scene.points.size};
-    motion_ = nullptr;
+  /// Takes the scene that begin_scene() gave out, over this push's own arrays.
+  Status accept(bool is_round) {
+    given_ = {scene_.bodies, scene_.actuators, scene_.drives, scene_.weights};
+    if (is_round) scene_.aims = {work_.aims.data, scene_.points.size};
     last_.known = false;
     return assemble();
   }
@@ -90,15 +97,14 @@ public:
   Status assemble() {
     begun_ = false;
     described_ = false;
-    const Scene<S> given = as_given();
-    const Mistake mistake = find_mistake(given);
+    give_back(scene_);
+    const Mistake mistake = find_mistake(scene_);
     if (mistake != Mistake::none) return refuse(mistake);
-    scene_ = given;
     const EvenMemory<S> further{rest(bodies_, given_.bodies.size),
                                 rest(actuators_, given_.actuators.size),
                                 rest(drives_, given_.drives.size)};
-    const bool spreads = given.pressure == Pressure::even && has_driven_patch(given);
-    if ((spreads && spread_evenly(given, further, scene_) != Status::solved) ||
+    const bool spreads = scene_.pressure == Pressure::even && has_driven_patch(scene_);
+    if ((spreads && spread_evenly(scene_, further, scene_) != Status::solved) ||
         !fits(size_of(scene_)) || assembly_.assemble(scene_) != Status::running)
       return refuse(Mistake::memory_too_small);
     described_ = true;
@@ -174,10 +180,7 @@ public:
   bool is_spread() const { return scene_.bodies.data != given_.bodies.data; }
   Scene<S> as_given() const {
     Scene<S> scene = scene_;
-    scene.bodies = given_.bodies;
-    scene.actuators = given_.actuators;
-    scene.drives = given_.drives;
-    scene.weights = given_.weights;
+    give_back(scene);
     return scene;
   }
   const PressureRun& run() const { return run_; }
@@ -217,6 +220,14 @@ protected:
   }
 
 private:
+  /// What spreading has replaced.
+  void give_back(Scene<S>& scene) const {
+    scene.bodies = given_.bodies;
+    scene.actuators = given_.actuators;
+    scene.drives = given_.drives;
+    scene.weights = given_.weights;
+  }
+
   static AssemblySize assembly_size(const Capacity& most) {
     return {most.points, most.points * most.facets, most.actuators, most.drives, most.pulls};
   }
@@ -227,9 +238,7 @@ private:
            size.actuators <= all.actuators && size.drives <= all.drives && size.pulls <= all.pulls;
   }
 
-  template <class T> static Span<T> cut(const Span<T>& whole, Index count) {
-    return count < 0 || count > whole.size ? Span<T>{nullptr, -1} : Span<T>{whole.data, count};
-  }
+  static bool is_within(Index count, Index most) { return count >= 0 && count <= most; }
   template <class T> static Span<T> rest(const Span<T>& whole, Index used) {
     return {whole.data + used, whole.size - used};
   }
