@@ -171,10 +171,10 @@ private:
                                       column);
   }
 
-  Tolerances<S> ratio_tolerances() const {
+  RatioTest<S, Int> ratio_test() const {
     Tolerances<S> tolerances = options_.tolerances;
     tolerances.tie = tie_tolerance_;
-    return tolerances;
+    return {basis_.dictionary, rhs_count_, options_.tie_rule, tolerances, candidates_};
   }
 
   Status end(Status status, Reason reason = Reason::none) {
@@ -207,6 +207,7 @@ private:
   VectorMap<S> tie_column(Index k) { return column(basis_.dictionary.values, rhs_count_ + k); }
   /// A basis of groups writes the right-hand side of the bound down after factoring.
   Index first_to_load() const { return B::of_groups ? finite_rhs() : Index(0); }
+  void draw_ties();
   void cover_cold();
   void cover_here();
   bool is_feasible() const;

@@ -75,14 +75,20 @@ template <class S, class B> void Lemke<S, B>::load_values(Index first_rhs) {
   }
 }
 
+/// Generic tie columns.
+template <class S, class B> void Lemke<S, B>::draw_ties() {
+  for (Index k = 0; k < detail::tie_columns; ++k) {
+    VectorMap<S> ties = tie_column(k);
+    for (Index i = 0; i < n_; ++i) ties[i] = generic_number<S>(seed(k + 1), i);
+  }
+}
+
 /// A start at z = 0 under a generic covering vector and tie columns.
 template <class S, class B> void Lemke<S, B>::cover_cold() {
-  for (Index i = 0; i < n_; ++i) {
+  for (Index i = 0; i < n_; ++i)
     covering_[i] = options_.cover != nullptr ? S(options_.cover[i] * row_scale_[i])
                                              : generic_number<S>(seed(0), i);
-    for (Index k = 0; k < detail::tie_columns; ++k)
-      tie_column(k)[i] = generic_number<S>(seed(k + 1), i);
-  }
+  draw_ties();
   load_values(0);
   basis_.load(row_scale_, column_scale_, covering_);
   covered_ = true;
@@ -111,8 +117,7 @@ template <class S, class B> void Lemke<S, B>::cover_here() {
   scaled_product(trial_.data(), product_.data());
   covering_ -= product_;
   basis_.set_covering_vector(covering_, [&](Index i) { return here[i]; });
-  for (Index k = 0; k < detail::tie_columns; ++k)
-    for (Index i = 0; i < n; ++i) tie_column(k)[i] = generic_number<S>(seed(k + 1), i);
+  draw_ties();
 }
 
 /// Of the point that a covering vector is made of, trial_ and covering_: friction beyond

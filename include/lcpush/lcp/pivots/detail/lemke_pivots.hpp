@@ -11,8 +11,7 @@ template <class S, class B> template <class Watcher> Status Lemke<S, B>::start(W
   watcher.starts(*this);
   if (n_ == 0 || is_done) return accept();
   const Index column = basis_.enter(artificial(n_));
-  RatioTest<S, Int> test(basis_.dictionary, rhs_count_, options_.tie_rule, ratio_tolerances(),
-                         candidates_);
+  RatioTest<S, Int> test = ratio_test();
   const Blocking worst = test.most_violated_row(column);
   for (Index k = 0; k < rhs_count_; ++k) {
     const S value = basis_.dictionary.values(worst.row, k);
@@ -45,8 +44,7 @@ template <class S, class B> template <class Watcher> Status Lemke<S, B>::advance
   if ((basis_.is_long() || (look && drifted())) && !refactorise()) return end_unfactored();
 
   const Index c = basis_.enter(entering_);
-  RatioTest<S, Int> test(basis_.dictionary, rhs_count_, options_.tie_rule, ratio_tolerances(),
-                         candidates_);
+  RatioTest<S, Int> test = ratio_test();
   const Blocking blocking = test.blocking_row(c);
   if (blocking.row < 0) return fresh_ && artificial_leaves(watcher) ? accept() : conclude_ray(c);
 
@@ -163,8 +161,11 @@ template <class S, class B> Status Lemke<S, B>::conclude_ray(Index column) {
   }
   if (!certified) return end(Status::numerical_breakdown, Reason::false_ray);
   // In the problem's own units, largest entry 1.
-  ray_ = trial_.cwiseProduct(column_scale_).cwiseMax(S(0));
-  const S own_largest = ray_.maxCoeff();
+  S own_largest(0);
+  for (Index i = 0; i < n; ++i) {
+    ray_[i] = Eigen::numext::maxi(S(trial_[i] * column_scale_[i]), S(0));
+    own_largest = Eigen::numext::maxi(own_largest, ray_[i]);
+  }
   ray_ /= own_largest;
   ray_artificial_ = v0 / own_largest;
   return end(Status::ray);
