@@ -82,6 +82,7 @@ template <class Pivots> class RememberedRounds {
 public:
   static constexpr bool carries_push = true;
   static constexpr bool predicts = true; ///< slower pushes go on, as those of a solve do
+  static constexpr bool retreats = true;
 
   RememberedRounds(Pivots& lemke, RoundMemory& memory, const Attendant& attendant,
                    StructuredLemke<double>* structured)

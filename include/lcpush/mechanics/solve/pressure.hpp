@@ -11,7 +11,8 @@ template <class S> struct PressureOptions {
   S first_compliance{S(1) / S(100)}; ///< eps of round 1
   S factor{S(0.31622776601683794)};  ///< eps falls by this a round
   Index max_rounds = 60;
-  Index max_retreats = 0;                ///< to softer pads: where a cold start is dear
+  Index max_retreats = 0;                ///< to softer pads, by rounds that can: where a cold
+                                         ///< start is dear
   Index max_turns = 32;                  ///< of round friction's pyramids
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
   Index fine_rounds = 0; ///< so many more at most, while the violation is above `finest`
@@ -104,10 +105,19 @@ private:
 
   bool is_pad() const { return assembly_.scene().pressure == Pressure::pad; }
 
+  void begin_solver(bool warm) { rounds_.begin(assembly_.problem(), warm, memory_); }
+  /// The same round, cold.
+  Status restart() {
+    ++run_.cold_restarts;
+    restarted_ = true;
+    begin_solver(false);
+    return Status::running;
+  }
+
   void begin_literal() {
     phase_ = Phase::literal;
     set_compliance(assembly_, memory_, S(0));
-    rounds_.begin(assembly_.problem(), false, memory_);
+    begin_solver(false);
   }
 
   /// The rounds, the first of them cold, or going on, or stiff from the literal answer.
@@ -127,7 +137,7 @@ private:
     ++run_.rounds;
     restarted_ = false;
     set_compliance(assembly_, memory_, eps_);
-    rounds_.begin(assembly_.problem(), warm_, memory_);
+    begin_solver(warm_);
   }
 
   Status next_round() {
@@ -148,10 +158,7 @@ private:
         eps_ = last_eps_ * factor_;
         return next_round();
       }
-      ++run_.cold_restarts;
-      restarted_ = true;
-      rounds_.begin(assembly_.problem(), false, memory_);
-      return Status::running;
+      return restart();
     }
     if (status != Status::solved) return end_pads(status);
     S largest(0);
@@ -167,16 +174,17 @@ private:
     if (largest > detail::runaway_force(assembly_)) return end_pads(Status::numerical_breakdown);
     last_eps_ = eps_;
     if (is_pressed) return next_round();
-    factor_ = retreats_ > 0 ? slowly() : maxi(options_.factor, S(factor_ * factor_));
+    factor_ = has_retreated() ? slowly() : maxi(options_.factor, S(factor_ * factor_));
     eps_ *= factor_;
     return next_round();
   }
 
   static S slowly() { return S(7) / S(10); }
+  bool has_retreated() const { return Rounds::retreats && retreats_ > 0; }
   /// Round friction may turn its pyramids only so often: it has no rounds to spare.
   bool may_retreat() const {
     const bool is_stiff = phase_ == Phase::soft_pads && last_eps_ < S(1) / S(10000);
-    return is_stiff && run_.turns == 0 && retreats_ < options_.max_retreats;
+    return Rounds::retreats && is_stiff && run_.turns == 0 && retreats_ < options_.max_retreats;
   }
   Status retreat() {
     ++retreats_;
@@ -188,7 +196,7 @@ private:
   /// How often this round's change of pressure is repeated, without further rounds.
   S repeats(const S& violation) {
     const S tolerance = violation / S(1000), change = violation - last_violation_;
-    const bool is_steady = retreats_ > 0 && Eigen::numext::abs(change) <= tolerance;
+    const bool is_steady = has_retreated() && Eigen::numext::abs(change) <= tolerance;
     last_violation_ = violation;
     return is_steady ? detail::pressure_reach(assembly_, memory_) : S(0);
   }
@@ -220,17 +228,14 @@ private:
   Status end_literal(Status status) {
     if (status != Status::solved && run_.turns > 0) {
       if (restarted_) return unsettled();
-      ++run_.cold_restarts;
-      restarted_ = true;
-      rounds_.begin(assembly_.problem(), false, memory_);
-      return Status::running;
+      return restart();
     }
     run_.jammed = status == Status::ray;
     if (status == Status::solved && !is_pad() &&
         !(friction_.is_settled(memory_.z.data) && friction_.passes())) {
       if (!turn()) return unsettled();
       restarted_ = false;
-      rounds_.begin(assembly_.problem(), true, memory_);
+      begin_solver(true);
       return Status::running;
     }
     if (!is_pad() || status != Status::solved) return status;

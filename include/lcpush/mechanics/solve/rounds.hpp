@@ -49,6 +49,7 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
   Watcher& watcher;
   static constexpr bool carries_push = true; ///< solves for the limit of a vanishing push exactly
   static constexpr bool predicts = false;    ///< starts from the modes that one expects
+  static constexpr bool retreats = true;     ///< to softer pads, as PressureOptions may ask
 
   explicit LemkeRounds(Pivots& solver, const LemkeOptions<S>& its_options = {},
                        Watcher& its_watcher = unwatched)
@@ -131,6 +132,7 @@ template <class S, class Watcher = const Unwatched> struct SweepRounds {
   Watcher& watcher;
   static constexpr bool carries_push = false;
   static constexpr bool predicts = false;
+  static constexpr bool retreats = true;
 
   explicit SweepRounds(BlockGaussSeidel<S>& solver, const SweepOptions<S>& its_options = {},
                        Watcher& its_watcher = unwatched)
@@ -173,6 +175,7 @@ struct StartedRounds {
   LemkeRounds<S, Watcher, Pivots> then;
   static constexpr bool carries_push = true;
   static constexpr bool predicts = Start::knows_breaking;
+  static constexpr bool retreats = true;
 
   StartedRounds(const Start& its_start, const LemkeRounds<S, Watcher, Pivots>& pivots)
       : start(its_start), then(pivots) {}

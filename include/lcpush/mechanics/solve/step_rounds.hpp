@@ -18,6 +18,7 @@ template <class S, class Pivots = Lemke<S>> class StepRounds {
 public:
   static constexpr bool carries_push = true;
   static constexpr bool predicts = false;
+  static constexpr bool retreats = false;
 
   StepRounds(Pivots& lemke, LastStep& last, const LemkeOptions<S>& options = {})
       : then_(lemke, options), last_(&last) {}
