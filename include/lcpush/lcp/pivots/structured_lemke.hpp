@@ -10,8 +10,8 @@
 namespace lcpush {
 
 template <class S> using StructuredLemke = Lemke<S, StructuredBasis<S>>;
-/// Where memory is small: at most 16383 unknowns and 2047 cones, some exchanges (LemkeOptions), and
-/// no ray().
+/// Where memory is small: at most 16383 unknowns and 2047 cones, some exchanges (LemkeOptions), no
+/// ray(), and none of what `careful` adds for wide patches.
 template <class S> using SmallBasis = StructuredBasis<S, std::int16_t>;
 template <class S> using SmallLemke = Lemke<S, SmallBasis<S>>;
 

@@ -42,7 +42,7 @@ template <class S> bool shares_an_actuator(const Scene<S>& scene) {
 /// becomes k, with their points' shares of its force and inertia and the same twist. Other bodies
 /// stay. A scene of another pressure law comes back as it is. Points keep their order, bodies get
 /// new indices. Post: solved; or bad_input if the memory is too small or shares_an_actuator(scene).
-/// Cost: O(bodies drives + points).
+/// `spread` may be the scene itself. Cost: O(bodies drives + points).
 template <class S>
 [[nodiscard]] Status spread_evenly(const Scene<S>& scene, const EvenMemory<S>& memory,
                                    Scene<S>& spread) {
