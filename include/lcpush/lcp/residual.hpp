@@ -1,4 +1,4 @@
-// The referee of lcp/: is z a solution of the problem as it was given? Takes no code from the
+// The referee of lcp/: is z a solution of the problem as it was given? Shares no code with the
 // solvers; reads the problem's data only.
 #pragma once
 

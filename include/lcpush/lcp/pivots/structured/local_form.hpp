@@ -141,7 +141,7 @@ public:
     return finite_sum;
   }
   /// rowsum_i = sum_j |M_ij| column_scale_j, of G' B G a bound on it.
-  void sum_rows(VectorMap<S> column_scale, VectorMap<S> rowsum) const {
+  void sum_rows(const VectorMap<S>& column_scale, VectorMap<S>& rowsum) const {
     const FactoredProblem<S>& f = *problem_;
     Vector6<S> total = Vector6<S>::Zero();
     for (const ConeGroup<S>& cone : f.cones)
@@ -217,10 +217,10 @@ public:
 
   /// out = M x, x given by inputs(visit) calling visit(slot, x) for each entry that is not zero.
   /// Cost: O(n) and O(1) an input.
-  template <class Inputs> void multiply(Inputs inputs, VectorMap<S> out);
+  template <class Inputs> void multiply(const Inputs& inputs, VectorMap<S>& out);
 
   /// A right-hand side of the problem as given becomes the rows' values at x = 0.
-  void evaluate(VectorMap<S> rhs) {
+  void evaluate(VectorMap<S>& rhs) {
     transform(rhs, force_, actuator_input_);
     find_velocity();
     add_felt(rhs);
@@ -279,10 +279,10 @@ private:
   S felt(Index i) const {
     return has_direction(i) ? directions_.dot(i, turned(group(i)), v_) : S(0);
   }
-  void add_force(Index slot, const S& x);
+  void add_force(Index slot, S x);
   void find_velocity();
   S local(Index row, Index slot) const;
-  void add_local(Index slot, const S& x, VectorMap<S>& out) const;
+  void add_local(Index slot, S x, VectorMap<S>& out) const;
   void add_felt(VectorMap<S>& out) const;
   void transform(VectorMap<S>& rhs, VectorMap<S>& force, VectorMap<S>& actuator_input) const;
   /// What a shared actuator's row feels: its forces' sum, or its unknown.

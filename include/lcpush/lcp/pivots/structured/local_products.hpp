@@ -6,7 +6,7 @@
 namespace lcpush::detail {
 
 /// force_ and actuator_input_ += what slot does at x.
-template <class S, class Int> void LocalForm<S, Int>::add_force(Index slot, const S& x) {
+template <class S, class Int> void LocalForm<S, Int>::add_force(Index slot, S x) {
   if (slot == n_) {
     force_ += d_force_ * x;
     actuator_input_ += d_actuator_input_ * x;
@@ -101,7 +101,7 @@ template <class S, class Int> S LocalForm<S, Int>::local(Index row, Index slot) 
 
 /// The same for a whole column.
 template <class S, class Int>
-void LocalForm<S, Int>::add_local(Index slot, const S& x, VectorMap<S>& out) const {
+void LocalForm<S, Int>::add_local(Index slot, S x, VectorMap<S>& out) const {
   const Index c = group(slot);
   switch (role(slot)) {
   case normal_role:
@@ -135,7 +135,7 @@ template <class S, class Int> void LocalForm<S, Int>::add_felt(VectorMap<S>& out
 
 template <class S, class Int>
 template <class Inputs>
-void LocalForm<S, Int>::multiply(Inputs inputs, VectorMap<S> out) {
+void LocalForm<S, Int>::multiply(const Inputs& inputs, VectorMap<S>& out) {
   force_.setZero();
   actuator_input_.setZero();
   out.setZero();

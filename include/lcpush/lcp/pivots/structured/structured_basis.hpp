@@ -65,9 +65,9 @@ public:
     sum_rows(column_scale, rowsum);
     return finite_sum + (rowsum.sum() - rowsum.sum());
   }
-  /// The row sums of scale() again, as the referee sums them: of G' B G a bound.
+  /// The row sums of scale() again.
   void sum_rows(const VectorMap<S>& column_scale, VectorMap<S>& rowsum) const {
-    detail::multiply_terms(*problem_, free_begin_, true, column_scale.data(), rowsum.data());
+    form_.sum_rows(column_scale, rowsum);
   }
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
             const VectorMap<S>& covering_vector);
@@ -96,9 +96,8 @@ public:
                   const VectorMap<S>& scratch);
 
 private:
-  const FactoredProblem<S>* problem_ = nullptr;
   detail::LocalForm<S, Int> form_;
-  Index free_begin_ = 0, n_ = 0, capacity_ = 0, t_ = 0, long_ = 0;
+  Index n_ = 0, capacity_ = 0, t_ = 0, long_ = 0;
   MatrixMap<S> inverse_{nullptr, 0, 0}; // t x t: rows as in_, columns as out_
   VectorMap<S> rates_{nullptr, 0};      // of slots in_, as one enters
   VectorMap<S> along_row_{nullptr, 0}, along_column_{nullptr, 0}; // of M at out_, in_: scratch
@@ -251,8 +250,6 @@ private:
 template <class S, class Int>
 void StructuredBasis<S, Int>::carve(const Problem<S>& problem, Index right_hand_sides,
                                     Index exchanges, Block<S>& scalars, Block<Int>& integers) {
-  problem_ = problem.factored;
-  free_begin_ = problem.free_begin;
   n_ = problem.size;
   capacity_ = detail::most_exchanges(n_, exchanges);
   form_.carve(problem, scalars, integers);

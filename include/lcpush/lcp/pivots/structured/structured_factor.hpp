@@ -15,7 +15,8 @@ template <class S, class Int> void StructuredBasis<S, Int>::list_exchanges(Span<
     if (variable == artificial(n_))
       has_artificial = true;
     else
-      flags[slot_of(variable)] |= variable < n_ ? has_slack : has_unknown;
+      flags[slot_of(variable)] =
+          static_cast<Int>(flags[slot_of(variable)] | (variable < n_ ? has_slack : has_unknown));
   }
   if (!form_.pivot_locally([&](Index slot) { return (flags[slot] & has_unknown) != 0; })) {
     t_ = capacity_ + 1;
