@@ -16,7 +16,12 @@ template class BlockGaussSeidel<double>;
 template void fill_matrix<double>(const Problem<double>&, MatrixMap<double>);
 template void equilibrate<double>(MatrixMap<double>, VectorMap<double>, VectorMap<double>,
                                   VectorMap<double>, int);
+template Vector6<double> contact_wrench<double>(const FactoredProblem<double>&, const double*);
 namespace detail {
+template void multiply_factored<double>(const FactoredProblem<double>&, Index, const double*,
+                                        double*);
+template void neighbour_sizes<double>(const Problem<double>&, const double*, const double*, double*,
+                                      double*);
 template void dense_rows<double>(const Problem<double>&, const double*, const double*, double*,
                                  double*);
 template void factored_rows<double>(const Problem<double>&, const double*, const double*, double*,

@@ -85,7 +85,8 @@ template <class S> Vector6<S> contact_wrench(const FactoredProblem<S>& problem, 
   Vector6<S> wrench = Vector6<S>::Zero();
   for (const ConeGroup<S>& cone : problem.cones)
     for (Index k = 0; k < cone.forces(); ++k)
-      wrench += problem.wrenches[cone.force + k] * z[cone.variable + k];
+      if (const S& force = z[cone.variable + k]; force != S(0)) // most are 0
+        wrench += problem.wrenches[cone.force + k] * force;
   return wrench;
 }
 
@@ -175,6 +176,18 @@ template <class S> void multiply(const Problem<S>& problem, const S* z, S* out) 
   }
 }
 
+/// out = M z where z is -1 for every free unknown, and 0 elsewhere. Cost: O(couplings).
+template <class S>
+void multiply_bound(const FactoredProblem<S>& problem, Index free_begin, VectorMap<S> out) {
+  out.setZero();
+  for (Index a = 0; a < problem.sums.size; ++a) {
+    const SumGroup<S>& sum = problem.sums[a];
+    out[free_begin + a] = -sum.inertia;
+    for (Index k = sum.first; k < sum.first + sum.count; ++k)
+      out[problem.coupled_variable[k]] += problem.coupling[k];
+  }
+}
+
 /// Writes M into an n x n view.
 template <class S> void fill_matrix(const Problem<S>& problem, MatrixMap<S> M) {
   if (problem.factored != nullptr) {
@@ -189,6 +202,12 @@ template <class S> void fill_matrix(const Problem<S>& problem, MatrixMap<S> M) {
 }
 
 #ifdef LCPUSH_EXTERN_TEMPLATES
+extern template Vector6<double> contact_wrench<double>(const FactoredProblem<double>&,
+                                                       const double*);
+namespace detail {
+extern template void multiply_factored<double>(const FactoredProblem<double>&, Index, const double*,
+                                               double*);
+} // namespace detail
 extern template void fill_matrix<double>(const Problem<double>&, MatrixMap<double>);
 #endif
 

@@ -198,11 +198,15 @@ private:
     else
       multiply(problem_, z, out);
   }
-  /// As given; that of the bound is computed, product_ and scratch_ hold it.
+  /// As given; that of the bound is computed, and scratch_ holds it.
   const S* right_hand_side(Index rhs) {
     if (rhs >= finite_rhs()) return rhs == finite_rhs() ? problem_.q : problem_.push;
-    for (Index j = 0; j < n_; ++j) product_[j] = j < problem_.free_begin ? S(0) : S(-1);
-    product(product_.data(), scratch_.data());
+    if (problem_.factored != nullptr) {
+      multiply_bound(*problem_.factored, problem_.free_begin, scratch_);
+    } else if constexpr (!B::of_groups) {
+      for (Index j = 0; j < n_; ++j) product_[j] = j < problem_.free_begin ? S(0) : S(-1);
+      multiply(problem_, product_.data(), scratch_.data());
+    }
     return scratch_.data();
   }
   void load_values(Index first_rhs);

@@ -111,7 +111,9 @@ public:
   /// that these entries stay 1. Returns 0, or NaN if a number is not finite.
   S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale) const {
     const FactoredProblem<S>& f = *problem_;
-    const S finite_sum = f.mobility.sum() - f.mobility.sum();
+    S total = f.mobility.sum();
+    for (const Vector6<S>& wrench : f.wrenches) total += wrench.sum();
+    for_each_group_entry(f, free_begin_, [&](Index, Index, const S& entry) { total += entry; });
     const auto diagonal = [&](Index force) {
       const Vector6<S> moved = f.mobility.lazyProduct(f.wrenches[force]);
       return S(f.wrenches[force].dot(moved));
@@ -138,7 +140,7 @@ public:
       }
       row_scale[s] = column_scale[s] = equilibrates ? S(S(1) / power_below(largest)) : S(1);
     }
-    return finite_sum;
+    return total - total;
   }
   /// rowsum_i = sum_j |M_ij| column_scale_j, of G' B G a bound on it.
   void sum_rows(const VectorMap<S>& column_scale, VectorMap<S>& rowsum) const {

@@ -60,12 +60,10 @@ public:
   void carve(const Problem<S>& problem, Index right_hand_sides, Index exchanges, Block<S>& scalars,
              Block<Int>& integers);
   S scale(bool equilibrates, const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
-          VectorMap<S> rowsum, const VectorMap<S>& /*scratch*/) const {
-    const S finite_sum = form_.scale(equilibrates, row_scale, column_scale);
-    sum_rows(column_scale, rowsum);
-    return finite_sum + (rowsum.sum() - rowsum.sum());
+          const VectorMap<S>& /*rowsum*/, const VectorMap<S>& /*scratch*/) const {
+    return form_.scale(equilibrates, row_scale, column_scale);
   }
-  /// The row sums of scale() again.
+  /// See DenseBasis::scale.
   void sum_rows(const VectorMap<S>& column_scale, VectorMap<S>& rowsum) const {
     form_.sum_rows(column_scale, rowsum);
   }
