@@ -6,8 +6,7 @@
 namespace lcpush::desktop {
 
 FewPoints::FewPoints(const Problem<double>& whole, Span<const Index> body)
-    : whole_(whole), body_(body), is_chosen_(static_cast<std::size_t>(whole.factored->cones.size)),
-      sums_of_(static_cast<std::size_t>(whole.size)) {
+    : PartOfProblem(whole), body_(body), sums_of_(static_cast<std::size_t>(whole.size)) {
   const FactoredProblem<double>& factored = *whole.factored;
   for (Index a = 0; a < factored.sums.size; ++a)
     for (Index e = factored.sums[a].first; e < factored.sums[a].first + factored.sums[a].count; ++e)
@@ -15,76 +14,24 @@ FewPoints::FewPoints(const Problem<double>& whole, Span<const Index> body)
           a, factored.coupling[e]);
 }
 
-FewPoints::Few::Few(const FewPoints& points)
-    : factored{points.whole_.factored->mobility, span_of(points.wrenches_),
-               span_of(points.cones_),           span_of(points.sums_),
-               span_of(points.coupled_),         span_of(points.coupling_)},
-      problem{static_cast<Index>(points.origin_.size()),
-              static_cast<Index>(points.origin_.size() - points.sums_.size()),
-              nullptr,
-              &factored,
-              points.q_.data(),
-              points.push_.empty() ? nullptr : points.push_.data()},
-      lemke(structured_lemke_scalars(problem.size, factored.cones.size, shared_actuators(factored)),
-            structured_lemke_integers(problem.size, factored.cones.size)) {}
+void FewPoints::take(Index i) {
+  std::fill_n(&chosen(cone(i).variable), cone(i).size(), static_cast<unsigned char>(1));
+}
 
 /// The points of a body lie in order along it, so that steps of a golden section spread.
 void FewPoints::choose() {
   constexpr Index each = 6;
-  const Index points = whole_.factored->cones.size;
-  for (Index first = 0, end = 0; first < points; first = end) {
-    while (end < points && body_[end] == body_[first]) ++end;
+  for (Index first = 0, end = 0; first < points(); first = end) {
+    while (end < points() && body_[end] == body_[first]) ++end;
     const Index count = end - first;
     for (Index k = 0; k < std::min(count, each); ++k) {
       const Index at = count <= each ? k : (k * (1 + 382 * count / 1000)) % count;
-      is_chosen_[static_cast<std::size_t>(first + at)] = 1;
+      take(first + at);
     }
   }
   // What is held both ways takes no one's place.
-  for (Index i = 0; i < points; ++i)
-    if (cone(i).normals == 2) is_chosen_[static_cast<std::size_t>(i)] = 1;
-}
-
-void FewPoints::gather() {
-  wrenches_.clear();
-  cones_.clear();
-  origin_.clear();
-  for (Index i = 0; i < whole_.factored->cones.size; ++i) {
-    if (is_chosen_[static_cast<std::size_t>(i)] == 0) continue;
-    ConeGroup<double> few = cone(i);
-    few.force = static_cast<Index>(wrenches_.size());
-    few.variable = static_cast<Index>(origin_.size());
-    for (Index k = 0; k < few.forces(); ++k)
-      wrenches_.push_back(whole_.factored->wrenches[cone(i).force + k]);
-    for (Index k = 0; k < few.size(); ++k) origin_.push_back(cone(i).variable + k);
-    cones_.push_back(few);
-  }
-  gather_sums();
-  for (Index i = whole_.free_begin; i < whole_.size; ++i) origin_.push_back(i);
-  q_.clear();
-  push_.clear();
-  for (const Index i : origin_) {
-    q_.push_back(whole_.q[i]);
-    if (whole_.push != nullptr) push_.push_back(whole_.push[i]);
-  }
-}
-
-void FewPoints::gather_sums() {
-  sums_.clear();
-  coupled_.clear();
-  coupling_.clear();
-  for (Index a = 0; a < whole_.factored->sums.size; ++a) {
-    SumGroup<double> few = whole_.factored->sums[a];
-    few.first = static_cast<Index>(coupled_.size());
-    for (std::size_t i = 0; i < origin_.size(); ++i)
-      for (const auto& [sum, coupling] : sums_of_[static_cast<std::size_t>(origin_[i])]) {
-        if (sum != a) continue;
-        coupled_.push_back(static_cast<int>(i));
-        coupling_.push_back(coupling);
-      }
-    few.count = static_cast<Index>(coupled_.size()) - few.first;
-    sums_.push_back(few);
-  }
+  for (Index i = 0; i < points(); ++i)
+    if (cone(i).normals == 2) take(i);
 }
 
 void FewPoints::read_motions(const StructuredLemke<double>& lemke) {
@@ -131,21 +78,20 @@ int FewPoints::sign_of_rate(Index i, Index k, double (&rate)[2]) const {
 
 /// The points that are pressed into their bodies most, one a body. False: there are none.
 bool FewPoints::join() {
-  const Index points = whole_.factored->cones.size;
   bool any = false;
-  for (Index first = 0, end = 0; first < points; first = end) {
-    while (end < points && body_[end] == body_[first]) ++end;
+  for (Index first = 0, end = 0; first < points(); first = end) {
+    while (end < points() && body_[end] == body_[first]) ++end;
     Index worst = -1;
     double least[2] = {};
     for (Index i = first; i < end; ++i) {
       double rate[2] = {};
-      if (is_chosen_[static_cast<std::size_t>(i)] != 0 || sign_of_rate(i, 0, rate) >= 0) continue;
+      if (is_chosen(cone(i).variable) || sign_of_rate(i, 0, rate) >= 0) continue;
       if (!std::lexicographical_compare(rate, rate + 2, least, least + 2)) continue;
       worst = i;
       std::copy(rate, rate + 2, least);
     }
     if (worst < 0) continue;
-    is_chosen_[static_cast<std::size_t>(worst)] = 1;
+    take(worst);
     any = true;
   }
   return any;
@@ -166,11 +112,9 @@ Index FewPoints::most_opposed(Index i) const {
 }
 
 void FewPoints::mark(const StructuredLemke<double>& lemke, Flags& active) const {
-  active.assign(static_cast<std::size_t>(whole_.size), 0);
-  for (std::size_t i = 0; i < origin_.size(); ++i)
-    active[static_cast<std::size_t>(origin_[i])] = lemke.is_basic(static_cast<Index>(i)) ? 1 : 0;
-  for (Index i = 0; i < whole_.factored->cones.size; ++i) {
-    if (is_chosen_[static_cast<std::size_t>(i)] != 0 || cone(i).generators == 0) continue;
+  active = basis_of(lemke);
+  for (Index i = 0; i < points(); ++i) {
+    if (is_chosen(cone(i).variable) || cone(i).generators == 0) continue;
     const Index against = most_opposed(i);
     if (against < 0) continue;
     active[static_cast<std::size_t>(cone(i).variable + against)] = 1;
@@ -179,13 +123,12 @@ void FewPoints::mark(const StructuredLemke<double>& lemke, Flags& active) const 
 }
 
 /// The points chosen so far go on from where the others' answer has them.
-Status FewPoints::pivot(Few& few, const LemkeOptions<double>& options, const Flags& active) const {
+Status FewPoints::pivot(Part& few, const LemkeOptions<double>& options, const Flags& active) const {
   if (active.empty()) {
     const Status status = few.lemke.init(few.problem, options);
     return status == Status::running ? few.lemke.solve() : status;
   }
-  Flags known;
-  for (const Index i : origin_) known.push_back(active[static_cast<std::size_t>(i)]);
+  const Flags known = part_of(active);
   const Status status = few.lemke.init(few.problem, options, known.data(), Guess::basis);
   return status == Status::running ? few.lemke.solve() : status;
 }
@@ -196,7 +139,7 @@ bool FewPoints::solve(const LemkeOptions<double>& options, Flags& active) {
   choose();
   for (int joins = 0; joins <= most_joins; ++joins) {
     gather();
-    Few few(*this);
+    Part few(*this);
     if (pivot(few, options, active) != Status::solved) return false;
     const bool is_settled =
         joins > 0 && few.lemke.pivots() == 0; // the last to join did so by rounding

@@ -4,17 +4,16 @@
 #include <utility>
 #include <vector>
 
-#include "lcpush/desktop/owned.hpp"
-#include "lcpush/lcp/pivots/structured_lemke.hpp"
+#include "solve/part_of_problem.hpp"
 
 namespace lcpush::desktop {
 
 /// Rigid patches press at no more points than there are motions, however many they have. So the
 /// problem is solved for a few points of every body that lie far apart; a point that its body would
 /// be pressed into then joins them, one a body at a time, until there is none.
-class FewPoints {
+class FewPoints : PartOfProblem {
 public:
-  using Flags = std::vector<unsigned char>;
+  using PartOfProblem::Flags;
 
   /// `body`: whose each point is. `whole` outlives the call.
   FewPoints(const Problem<double>& whole, Span<const Index> body);
@@ -30,35 +29,13 @@ private:
     std::vector<double> closing;
     double size = 0; ///< of what `object` is the sum of
   };
-  const Problem<double>& whole_;
   Span<const Index> body_;
-  Flags is_chosen_;                                            // points
   std::vector<std::vector<std::pair<Index, double>>> sums_of_; // by unknown: group and coupling
   std::vector<Motion> motions_;                                // at rest, of the push
 
-  // The problem of the points that are chosen, and where its unknowns come from.
-  std::vector<Vector6<double>> wrenches_;
-  std::vector<ConeGroup<double>> cones_;
-  std::vector<SumGroup<double>> sums_;
-  std::vector<int> coupled_;
-  std::vector<double> coupling_, q_, push_;
-  std::vector<Index> origin_;
-
-  /// That problem as the solver takes it.
-  struct Few {
-    FactoredProblem<double> factored;
-    Problem<double> problem;
-    Owned<StructuredLemke<double>> lemke;
-    explicit Few(const FewPoints& points);
-    Few(const Few&) = delete; // it looks into itself
-    Few& operator=(const Few&) = delete;
-  };
-
-  const ConeGroup<double>& cone(Index i) const { return whole_.factored->cones[i]; }
+  void take(Index i);
   void choose();
-  void gather();
-  void gather_sums();
-  Status pivot(Few& few, const LemkeOptions<double>& options, const Flags& active) const;
+  Status pivot(Part& few, const LemkeOptions<double>& options, const Flags& active) const;
   void read_motions(const StructuredLemke<double>& lemke);
   int sign_of_rate(Index i, Index k, double (&rate)[2]) const;
   bool join();

@@ -7,7 +7,6 @@
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/mechanics/solve/predicted_modes.hpp"
 #include "solve/settled_pivots.hpp"
-#include "solve/turning_pivots.hpp"
 #include "text/limits.hpp"
 
 namespace lcpush::desktop {
@@ -64,10 +63,7 @@ template <class Use> Status Push::with_rounds(const PushOptions& options, const 
   PassingWatcher watcher(*this, options);
   last_structured_ = options.solver != Solver::gauss_seidel && takes_structure(options);
   if (last_structured_) {
-    const bool is_pad = assembly_.scene().pressure == Pressure::pad;
-    const Status status = is_pad && TurningPivots::turns(assembly_.problem())
-                              ? with_turning_pivots(options, watcher, use)
-                              : with_settled_pivots(options, watcher, use);
+    const Status status = with_settled_pivots(options, watcher, use);
     const bool ended = status == Status::solved || status == Status::does_not_hold;
     const Index largest = status == Status::ray || pivots_left_ ? limits::unknowns_dense_after_ray
                                                                 : limits::unknowns_dense;
@@ -84,15 +80,6 @@ inline PushOptions carelessly(const PushOptions& options) {
   PushOptions careless = options;
   careless.lemke.careful = false;
   return careless;
-}
-
-template <class Use>
-Status Push::with_turning_pivots(const PushOptions& options, Watcher& watcher, const Use& use) {
-  TurningPivots pivots(structured_pivots());
-  const Status status = with_pivots(options, pivots, watcher, use);
-  return status == Status::numerical_breakdown
-             ? with_pivots(carelessly(options), pivots, watcher, use)
-             : status;
 }
 
 template <class Use>

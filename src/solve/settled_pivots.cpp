@@ -6,45 +6,13 @@
 #include "lcpush/desktop/owned.hpp"
 #include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
 #include "solve/basis_values.hpp"
+#include "solve/few_generators.hpp"
 #include "solve/few_points.hpp"
 #include "solve/modes_of_forces.hpp"
+#include "solve/newton_start.hpp"
 #include "text/limits.hpp"
 
 namespace lcpush::desktop {
-namespace {
-
-constexpr double clearly = 1e-12;
-
-/// How fast the fastest point slips, over how much the firmest can rub.
-double slip_by_friction(const Problem<double>& problem, const std::vector<double>& z) {
-  double slip = 0, limit = 0;
-  for (const ConeGroup<double>& cone : problem.factored->cones) {
-    if (cone.generators == 0) continue;
-    slip = std::max(slip, z[static_cast<std::size_t>(cone.slip())]);
-    limit = std::max(limit, cone.friction_limit(z.data()));
-  }
-  return limit > 0 ? slip / limit : 0;
-}
-
-Index coupling_count(const Problem<double>& problem) {
-  Index count = 0;
-  for (const SumGroup<double>& sum : problem.factored->sums) count += sum.count;
-  return count;
-}
-
-Owned<ProximalNewton<double>> newton_for(const Problem<double>& problem) {
-  const Index couplings = coupling_count(problem), sums = problem.factored->sums.size;
-  return {proximal_scalars(problem.size, couplings, sums),
-          proximal_integers(problem.size, couplings, sums)};
-}
-
-Index differences(const SettledPivots::Flags& a, const SettledPivots::Flags& b) {
-  Index count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i] ? 1 : 0;
-  return count;
-}
-
-} // namespace
 
 Status SettledPivots::begin(const Problem<double>& problem, Status status) {
   problem_ = problem;
@@ -74,11 +42,12 @@ Status SettledPivots::init(const Problem<double>& problem, const LemkeOptions<do
   is_lost_ = gives_up(problem);
   if (is_lost_) return status();
   const Status status = begin(problem, lemke_.init(problem, options, active, guess));
-  if (status != Status::running || problem.size < smallest || opposed(problem) <= few)
-    return status;
-  const Flags from(active, active + problem.size);
-  Flags better;
-  if (find_better(problem, options, from, better) &&
+  if (status != Status::running || problem.size < smallest) return status;
+  const Index against = points_against(lemke_, problem, values_);
+  const bool is_fine = has_pads(problem) && FewGenerators::helps(problem);
+  if (against <= (is_fine ? 0 : few)) return status; // few points turn many where they are fine
+  Flags better(active, active + problem.size);
+  if (find_better(problem, options, guess, better) &&
       lemke_.init(problem, options, better.data(), Guess::near) == Status::running)
     return lemke_.status();
   return lemke_.init(problem, options, active, guess);
@@ -88,73 +57,24 @@ void SettledPivots::keep_answer() {
   if (problem_.size >= smallest) swept_.assign(lemke_.z(), lemke_.z() + problem_.size);
 }
 
-/// How many points are against the basis, in whatever way: some basic value is negative. values_
-/// becomes z_i where it is basic, w_i where that is.
-Index SettledPivots::opposed(const Problem<double>& problem) {
-  const Dictionary<double>& basis = lemke_.dictionary();
-  const Index n = problem.size, push = problem.free_begin < n ? 2 : 1;
-  std::vector<unsigned char> is_against(static_cast<std::size_t>(n));
-  values_.assign(static_cast<std::size_t>(n), 0.0);
-  visit_basis(lemke_, problem, [&](Index i, double value, Index row) {
-    values_[static_cast<std::size_t>(i)] = value;
-    const bool falls =
-        problem.push != nullptr && value <= clearly && basis.values(row, push) < -clearly;
-    is_against[static_cast<std::size_t>(i)] = value < -clearly || falls ? 1 : 0;
-  });
-  Index count = 0;
-  for (const ConeGroup<double>& cone : problem.factored->cones) {
-    const auto first = is_against.begin() + cone.variable;
-    count +=
-        std::any_of(first, first + cone.size(), [](unsigned char x) { return x != 0; }) ? 1 : 0;
-  }
-  return count;
-}
-
+/// `basis`: what values_ are of; a better one, if there is any.
 bool SettledPivots::find_better(const Problem<double>& problem, const LemkeOptions<double>& options,
-                                const Flags& from, Flags& to) {
-  if (has_pads(problem))
-    return problem.push == nullptr && ModesOfForces::fits(problem) && settle(problem, from, to);
-  if (assembly_.scene().pressure == Pressure::even) return false;
+                                Guess guess, Flags& basis) {
   LemkeOptions<double> own;
   own.first_cover = options.first_cover;
-  const Span<Index>& body = assembly_.layout().body;
-  return FewPoints(problem, {body.data, body.size}).solve(own, to);
-}
-
-/// Newton's method from the forces in values_, ever stiffer, until who presses and who slides
-/// whither stays, and until that is not for want of stiffness.
-bool SettledPivots::settle(const Problem<double>& problem, const Flags& from, Flags& to) {
-  constexpr Index most_passes = 400, passes_each = 60;
-  constexpr double softest = 1000, stiff = 0.1, sooner = 0.1;
-  std::vector<double> z = values_;
+  if (!has_pads(problem)) {
+    if (assembly_.scene().pressure == Pressure::even) return false;
+    const Span<Index>& body = assembly_.layout().body;
+    return FewPoints(problem, {body.data, body.size}).solve(own, basis);
+  }
+  if (problem.push != nullptr || !ModesOfForces::fits(problem)) return false;
+  swept_ = values_;
   for (Index i = 0; i < problem.free_begin; ++i) {
-    double& z_i = z[static_cast<std::size_t>(i)];
-    if (from[static_cast<std::size_t>(i)] == 0 || z_i < 0) z_i = 0;
+    double& z_i = swept_[static_cast<std::size_t>(i)];
+    if (basis[static_cast<std::size_t>(i)] == 0 || z_i < 0) z_i = 0;
   }
-  Owned<ProximalNewton<double>> newton = newton_for(problem);
-  if (!newton.init(problem, z.data())) return false;
-  Flags before = from;
-  Index last_changes = problem.size;
-  double eps = 0.1, factor = 0.5;
-  while (newton.passes() < most_passes) {
-    if (!newton.settle(eps, passes_each)) {
-      eps = std::min(softest, 5 * eps);
-      factor = std::min(0.97, std::sqrt(factor));
-      continue;
-    }
-    newton.recover(z.data());
-    swept_ = z;
-    const ModesOfForces modes(problem, z.data());
-    Flags now = modes.plain();
-    const Index changes = differences(before, now);
-    const bool stays = changes <= few && last_changes <= few;
-    if (stays) to = modes.vertex();
-    if (stays && eps <= stiff * slip_by_friction(problem, z)) return true;
-    eps *= stays ? sooner : factor;
-    last_changes = changes;
-    before = std::move(now);
-  }
-  return !to.empty();
+  if (!FewGenerators::helps(problem)) return settle_pads(problem, swept_, basis);
+  return FewGenerators(problem).solve(own, values_, guess, swept_, basis);
 }
 
 /// The round by sweeps, and a note if they lose it.

@@ -90,10 +90,8 @@ private:
   bool sweep();
   bool try_sweeps();
   bool gives_up(const Problem<double>& problem) const;
-  Index opposed(const Problem<double>& problem);
-  bool settle(const Problem<double>& problem, const Flags& from, Flags& to);
-  bool find_better(const Problem<double>& problem, const LemkeOptions<double>& options,
-                   const Flags& from, Flags& to);
+  bool find_better(const Problem<double>& problem, const LemkeOptions<double>& options, Guess guess,
+                   Flags& basis);
 };
 
 } // namespace lcpush::desktop

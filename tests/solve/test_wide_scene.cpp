@@ -84,7 +84,7 @@ TEST_CASE("many points: the structured basis is taken, and finds what the dictio
   CHECK(difference.norm() <= 1e-6 * second.answer.acceleration.norm());
 }
 
-TEST_CASE("fine pyramids: the slides turn to the pads' motion at once, not by a pivot a point") {
+TEST_CASE("fine pyramids: all slides turn to the pads' motion at once, not by a pivot a point") {
   const SceneFile file = parse_scene(
       "facets = 256\ngravity = [0, -9.81, 0]\n[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n"
       "[gripper]\njaws = \"parallel\"\n" +

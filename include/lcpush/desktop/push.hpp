@@ -75,8 +75,6 @@ private:
   void record(Index sweep, const double* z);
   template <class Use> Status with_rounds(const PushOptions& options, const Use& use);
   template <class Use>
-  Status with_turning_pivots(const PushOptions& options, Watcher& watcher, const Use& use);
-  template <class Use>
   Status with_settled_pivots(const PushOptions& options, Watcher& watcher, const Use& use);
   template <class Pivots, class Use>
   Status with_pivots(const PushOptions& options, Pivots& pivots, Watcher& watcher, const Use& use);
