@@ -20,8 +20,10 @@ template Vector6<double> contact_wrench<double>(const FactoredProblem<double>&, 
 namespace detail {
 template void multiply_factored<double>(const FactoredProblem<double>&, Index, const double*,
                                         double*);
-template void neighbour_sizes<double>(const Problem<double>&, const double*, const double*, double*,
-                                      double*);
+template void neighbour_sizes<true, double>(const Problem<double>&, const double*, const double*,
+                                            const double&, double*, double*);
+template void neighbour_sizes<false, double>(const Problem<double>&, const double*, const double*,
+                                             const double&, double*, double*);
 template void dense_rows<double>(const Problem<double>&, const double*, const double*, double*,
                                  double*);
 template void factored_rows<double>(const Problem<double>&, const double*, const double*, double*,

@@ -157,8 +157,10 @@ WorstRow<S> natural_residual(const Problem<S>& problem, Q q, const S* z, const S
 
 #ifdef LCPUSH_EXTERN_TEMPLATES
 namespace detail {
-extern template void neighbour_sizes<double>(const Problem<double>&, const double*, const double*,
-                                             double*, double*);
+extern template void neighbour_sizes<true, double>(const Problem<double>&, const double*,
+                                                   const double*, const double&, double*, double*);
+extern template void neighbour_sizes<false, double>(const Problem<double>&, const double*,
+                                                    const double*, const double&, double*, double*);
 extern template void dense_rows<double>(const Problem<double>&, const double*, const double*,
                                         double*, double*);
 extern template void factored_rows<double>(const Problem<double>&, const double*, const double*,
