@@ -202,7 +202,8 @@ static void even_pressure_spreads(void) {
    * counted as given and point by point. */
   static const lcpush_point points[4] = {
       {-0.01, 0, 0.005}, {0.01, 0, 0.005}, {0, 0, -0.005}, {-0.05, 0, 0}};
-  static const lcpush_size even_size = {7, 4, 4, 5, 5, 0};
+  static const lcpush_size even_size = {7, 4, 4, 5, 5, 0}, too_small = {6, 4, 4, 5, 5, 0};
+  static const double harder[2] = {30, 30};
   static double memory[LCPUSH_BYTES(double, 7, 4, 4, 5, 5) / sizeof(double) + 1];
   lcpush_body bodies[3];
   lcpush_scene scene = slide_d;
@@ -229,6 +230,27 @@ static void even_pressure_spreads(void) {
   lcpush_wrench_of(push, 0, wrench);
   CHECK(near(wrench[2], -20, 1e-9));
   CHECK(near(lcpush_closing_of(push, 0), 0, 1e-9));
+  /* A command is about the bodies as given, which are spread again. */
+  CHECK(lcpush_command(push, harder, NULL) == LCPUSH_RUNNING);
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+  lcpush_wrench_of(push, 0, wrench);
+  CHECK(near(wrench[2], -30, 1e-9));
+  lcpush_contact_at(push, 0, &contact);
+  CHECK(near(contact.normal_force, 15, 1e-9));
+  /* Points are pads of their own already: nothing is kept twice. */
+  scene.bodies = slide_d_bodies;
+  scene.points = slide_d_points;
+  scene.point_count = 3;
+  push = lcpush_make(memory, sizeof memory, &size);
+  CHECK(lcpush_describe(push, &scene) == LCPUSH_RUNNING && lcpush_solve(push) == LCPUSH_SOLVED);
+  CHECK(near(lcpush_closing_of(push, 1), 0, 1e-9));
+  /* And patches are not spread where there is no room. */
+  scene.bodies = bodies;
+  scene.points = points;
+  scene.point_count = 4;
+  push = lcpush_make(memory, sizeof memory, &too_small);
+  CHECK(lcpush_describe(push, &scene) == LCPUSH_BAD_INPUT);
+  CHECK(lcpush_why(push) == LCPUSH_MEMORY_TOO_SMALL);
 }
 
 static void refuses(lcpush_scene scene, lcpush_mistake mistake, int line) {

@@ -22,7 +22,7 @@
 static union {
   double alignment;
   unsigned char soft[EXPAND(BYTES SOFT)];
-  unsigned char even_slide[EXPAND(BYTES EVEN_SLIDE)];
+  unsigned char even_slide[EXPAND(SWEEP_BYTES EVEN_SLIDE)];
 } memory;
 
 typedef enum action { SOLVE, STEP, BREAK, LIMIT } action;

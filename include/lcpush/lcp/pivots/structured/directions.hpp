@@ -133,7 +133,7 @@ public:
     for (Index c = 0; c <= problem_->cones.size; ++c) {
       const Index begin = c < problem_->cones.size ? problem_->cones[c].variable : first_sum_;
       while (e < sum.count && problem_->coupled_variable[sum.first + e] < begin) ++e;
-      first_entry(shared, c) = static_cast<Int>(e);
+      first_entries(c)[shared] = static_cast<Int>(e);
     }
   }
   // The turned cone says it all.
@@ -194,10 +194,11 @@ private:
   VectorMap<S> scale_{nullptr, 0};
   Span<Int> opposite_; // of cones: generator j + opposite_ is the opposite of generator j, unless 0
   Span<Int> sum_;      // of shared actuators: the sum group
-  Span<Int> entries_;  // of them and cones: first_entry
+  Span<Int> entries_;  // of cones and them: first_entries
 
-  /// In the sum group's couplings, of the cone's forces: up to that of the next cone.
-  Int& first_entry(Index shared, Index c) const { return entries_.data[c * shared_ + shared]; }
+  /// Of each shared actuator, where in its couplings those of the cone's forces begin; they end
+  /// where the next cone's begin.
+  Int* first_entries(Index c) const { return entries_.data + c * shared_; }
   Index opposite(const ConeGroup<S>& cone) const {
     const Index half = cone.generators / 2;
     const Vector6<S>* const w = &problem_->wrenches[cone.force + cone.normals];
@@ -212,7 +213,7 @@ private:
   }
   /// visit(k, slot, entry): entry k of a direction, the force's slot, and where its coupling is.
   template <class Visit> void for_each_coupling(Index c, const Visit& visit) const {
-    const Int* const begin = &first_entry(0, c);
+    const Int* const begin = first_entries(c);
     for (Index k = 0; k < shared_; ++k) {
       if (begin[k] == begin[k + shared_]) continue;
       const Index first = problem_->sums[sum_[k]].first, end = first + begin[k + shared_];

@@ -40,7 +40,7 @@ template <class S, class Int> void StructuredBasis<S, Int>::list_exchanges(Span<
 /// K^-1 in place of K by complete pivoting. Returns how many rows are left without a pivot above
 /// `smallest_pivot`; they and as many slots come last.
 template <class S, class Int> Index StructuredBasis<S, Int>::invert(const S& smallest_pivot) {
-  MatrixMap<S>& K = inverse_;
+  MatrixMap<S> K = inverse_;
   for (Index k = 0; k < t_; ++k) {
     const LargestEntry<S> largest = largest_entry(
         t_ - k, t_ - k, smallest_pivot, [&](Index i, Index j) { return S(K(k + i, k + j)); });
