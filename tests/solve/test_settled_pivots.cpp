@@ -110,8 +110,10 @@ TEST_CASE(
 }
 
 TEST_CASE("wide pads: the motion is the one that sweeps find from nothing") {
-  for (const auto& [tips, facets] :
+  for (const std::pair<bool, int>& pushed :
        {std::pair(false, 8), std::pair(true, 8), std::pair(true, 32)}) {
+    const bool tips = pushed.first;
+    const int facets = pushed.second;
     CAPTURE(tips);
     CAPTURE(facets);
     const SceneFile file =
