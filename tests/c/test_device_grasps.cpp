@@ -164,3 +164,28 @@ TEST_CASE("a thousand grasps in float on a device: at least 995 solved, none of 
       CHECK(count.solved >= 995);
     }
 }
+
+TEST_CASE("a push fits into the bytes that the macros say, wherever they begin") {
+  // What alignment takes depends on every length and on the block's address.
+  std::vector<double> block(LCPUSH_BYTES(double, 9, 13, 10, 4, 5) / sizeof(double) + 3);
+  Index refused = 0;
+  const auto all_fit = [&](unsigned char* at, const lcpush_size& s) {
+    const auto fits = [&](const void* push) { refused += push == nullptr ? 1 : 0; };
+    const auto [b, p, g, a, d, pulls] = s;
+    fits(lcpush_make(at, LCPUSH_BYTES(double, b, p, g, a, d), &s));
+    fits(lcpushf_make(at, LCPUSH_BYTES(float, b, p, g, a, d), &s));
+    fits(lcpush_make_for_sweeps(at, LCPUSH_SWEEP_BYTES(double, b, p, g, a, d), &s));
+    fits(lcpushf_make_for_sweeps(at, LCPUSH_SWEEP_BYTES(float, b, p, g, a, d), &s));
+    static_cast<void>(pulls);
+  };
+  for (std::size_t off : {0U, 8U})
+    for (int bodies : {1, 2, 9})
+      for (int points = 1; points <= 13; ++points)
+        for (int facets : {4, 6, 10})
+          for (int actuators = 0; actuators <= 4; ++actuators)
+            for (int drives : {0, 1, 2, 5}) {
+              unsigned char* const at = reinterpret_cast<unsigned char*>(block.data()) + off;
+              all_fit(at, {bodies, points, facets, actuators, drives, 0});
+            }
+  CHECK(refused == 0);
+}
