@@ -57,11 +57,8 @@ template <class S, class CBody> void read_body(const CBody& given, Body<S>& body
   if (length > S(0)) body.normal /= length;
   Vector3<S> tangent;
   read(given.tangent, tangent);
-  if (!(tangent.squaredNorm() > S(0))) {
-    tangent.setZero();
-    tangent[least_aligned_axis(body.normal)] = S(1);
-  }
-  body.tangent = tangent_along(body.normal, tangent);
+  const bool is_chosen = tangent.squaredNorm() > S(0);
+  body.tangent = is_chosen ? tangent_along(body.normal, tangent) : default_tangent(body.normal);
   body.friction = given.friction;
   body.torsion_radius = given.torsion_radius;
   body.bilateral = given.bilateral != 0;

@@ -253,6 +253,22 @@ static void even_pressure_spreads(void) {
   CHECK(lcpush_why(push) == LCPUSH_MEMORY_TOO_SMALL);
 }
 
+static void every_mistake_has_its_own_words(void) {
+  static const struct {
+    lcpush_mistake mistake;
+    const char* word;
+  } expected[] = {{LCPUSH_MEMORY_TOO_SMALL, "memory"}, {LCPUSH_NOT_FINITE, "finite"},
+                  {LCPUSH_BAD_MASS, "mass"},           {LCPUSH_BAD_FACETS, "facets"},
+                  {LCPUSH_BAD_DIRECTION, "tangent"},   {LCPUSH_BAD_FRICTION, "torsion"},
+                  {LCPUSH_BAD_INDEX, "index"},         {LCPUSH_BAD_ACTUATOR, "drives nothing"},
+                  {LCPUSH_UNSUPPORTED, "shares"},      {LCPUSH_NOTHING_MOVES, "pusher"},
+                  {LCPUSH_NOT_DESCRIBED, "describe"},  {LCPUSH_BAD_WEIGHTS, "weights"}};
+  size_t k;
+  for (k = 0; k < sizeof expected / sizeof expected[0]; ++k)
+    check(strstr(lcpush_mistake_text(expected[k].mistake), expected[k].word) != NULL,
+          expected[k].word, __LINE__);
+}
+
 static void refuses(lcpush_scene scene, lcpush_mistake mistake, int line) {
   lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
   check(lcpush_describe(push, &scene) == LCPUSH_BAD_INPUT, "refused", line);
@@ -391,6 +407,7 @@ int main(void) {
   refuses_nonsense();
   wants_enough_memory();
   refuses_more_unknowns_than_it_can_number();
+  every_mistake_has_its_own_words();
   moves_on();
   CHECK(strcmp(lcpush_status_text(LCPUSH_RAY), "ray") == 0);
   CHECK(strcmp(lcpush_mode_text(LCPUSH_SLIDE), "slide") == 0);

@@ -45,7 +45,7 @@ static void reset(void) {
 }
 
 __attribute__((section(".vectors"), used)) static const void* const vectors[] = {
-    stack_end,          (const void*)reset, (const void*)fault, (const void*)fault,
+    stack_end, (const void*)reset, (const void*)fault, (const void*)fault,
     (const void*)fault, (const void*)fault, (const void*)fault};
 
 /* CMSDK timer 0: counts down at 25 MHz. With -icount shift=6 an instruction takes 64 ns. */

@@ -1,24 +1,19 @@
-/* A hundred pushes of random grasps, made of whole numbers over powers of two, so that every
- * machine is given the same bits; what it answers goes into hashes. docs/embed/embedding.md has
- * their table. */
+/* A hundred pushes of random grasps, made of whole numbers over powers of two, so that every machine
+ * is given the same bits; what it answers goes into hashes. docs/embed/embedding.md has their table. */
 #include "device.h"
 
 #define PUSHES 100
 #define MOST_POINTS 7
 #define MOST_FACETS 8
-/* Three bodies and two actuators; under even pressure every point as a body and every driven one as
- * an actuator and a drive beside them. */
+/* Three bodies and two actuators; under even pressure every point as a body and every driven one as an
+ * actuator and a drive beside them. */
 #define MOST_BODIES (3 + MOST_POINTS)
 #define MOST_DRIVEN (2 + 6)
-static double
-    memory[LCPUSH_BYTES(REAL, MOST_BODIES, MOST_POINTS, MOST_FACETS, MOST_DRIVEN, MOST_DRIVEN) /
-               sizeof(double) +
-           1];
-static const lcpush_size size = {MOST_BODIES, MOST_POINTS, MOST_FACETS,
-                                 MOST_DRIVEN, MOST_DRIVEN, 0};
+static double memory[LCPUSH_BYTES(REAL, MOST_BODIES, MOST_POINTS, MOST_FACETS, MOST_DRIVEN, MOST_DRIVEN) / sizeof(double) + 1];
+static const lcpush_size size = {MOST_BODIES, MOST_POINTS, MOST_FACETS, MOST_DRIVEN, MOST_DRIVEN, 0};
 
-/* Numerical Recipes' generator; its upper bits are the better ones. One draw a statement: C leaves
- * open which argument of a call comes first. */
+/* Numerical Recipes' generator; its upper bits are the better ones. One draw a statement: C leaves open
+ * which argument of a call comes first. */
 static uint32_t seed = 19;
 static int up_to(int most) {
   seed = seed * 1664525u + 1013904223u;
@@ -45,8 +40,7 @@ static void place_finger(int finger) {
   static const int ring[3][2] = {{4, 0}, {-2, 3}, {-2, -3}};
   static const LCPUSH(body) blank;
   LCPUSH(body)* const body = &bodies[finger];
-  const int side = finger == 0 ? 1 : -1, x = between(-12, 12), y = between(-6, 6),
-            far = between(1, 3);
+  const int side = finger == 0 ? 1 : -1, x = between(-12, 12), y = between(-6, 6), far = between(1, 3);
   const int slant_x = between(-2, 2), slant_y = between(-2, 2);
   int k;
   *body = blank;
@@ -67,13 +61,11 @@ static void place_finger(int finger) {
   for (k = 0; k < 6; ++k) drives[finger].twist[k] = R(k == 2 ? -side : 0);
 }
 
-/* A point that pushes nearly towards the middle; not along a facet, where float could only guess.
- */
+/* A point that pushes nearly towards the middle; not along a facet, where float could only guess. */
 static void place_pusher(void) {
   static const LCPUSH(body) blank;
   const int x = between(3, 13), y = between(3, 13), tilt = between(-1, 1), pace = between(4, 32);
-  const int x_sign = 2 * up_to(1) - 1, y_sign = 2 * up_to(1) - 1, off = between(-16, 16),
-            up = between(-4, 4);
+  const int x_sign = 2 * up_to(1) - 1, y_sign = 2 * up_to(1) - 1, off = between(-16, 16), up = between(-4, 4);
   LCPUSH(body)* const body = &bodies[2];
   LCPUSH(point)* const point = &points[scene.point_count];
   *body = blank;

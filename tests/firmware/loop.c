@@ -1,6 +1,6 @@
 /* What a control loop costs: the straight slide of ten points and eight facets, first from a cold
- * start, then under a hundred commands that change grip and push a little, in ticks of a few
- * pivots, and as a motion. */
+ * start, then under a hundred commands that change grip and push a little, in ticks of a few pivots,
+ * and as a motion. */
 #include "scenes.h"
 
 static double memory[LCPUSH_BYTES(REAL, 3, 10, 8, 2, 2) / sizeof(double) + 1];

@@ -2,8 +2,8 @@
  * method that they allow. Prints the bits of the answers and what they cost. */
 #include "scenes.h"
 
-/* bodies, points, facets, actuators, drives. A soft contact takes 5 g + 2 friction directions;
- * under even pressure driven patches are counted twice, as given and point by point. */
+/* bodies, points, facets, actuators, drives. A soft contact takes 5 g + 2 friction directions; under
+ * even pressure driven patches are counted twice, as given and point by point. */
 #define SQUEEZE (2, 2, 4, 1, 1)
 #define SOFT (3, 3, 42, 2, 2)
 #define SLIDE (3, 10, 8, 2, 2)
@@ -13,8 +13,7 @@
 #define BYTES(b, p, g, a, d) LCPUSH_BYTES(REAL, b, p, g, a, d)
 #define SWEEP_BYTES(b, p, g, a, d) LCPUSH_SWEEP_BYTES(REAL, b, p, g, a, d)
 #define EXPAND(call) call
-#define COUNTS(b, p, g, a, d)                                                                      \
-  { b, p, g, a, d, 0 }
+#define COUNTS(b, p, g, a, d) {b, p, g, a, d, 0}
 #define BY_PIVOTS(size) COUNTS size, BYTES size, LCPUSH(make)
 #define BY_SWEEPS(size) COUNTS size, SWEEP_BYTES size, LCPUSH(make_for_sweeps)
 

@@ -1,5 +1,4 @@
-/* Start-up and semihosting for RISC-V's `virt` board as QEMU models it. Loaded into RAM, .data with
- * it. */
+/* Start-up and semihosting for RISC-V's `virt` board as QEMU models it. Loaded into RAM, .data with it. */
 #include "device.h"
 
 int main(void);
@@ -13,11 +12,12 @@ extern void (*const init_end[])(void);
 static void ask_host(uint32_t operation, const void* argument) {
   register uint32_t a0 __asm__("a0") = operation;
   register const void* a1 __asm__("a1") = argument;
-  __asm__ volatile(".balign 16\n .option push\n .option norvc\n"
-                   "slli zero, zero, 0x1f\n ebreak\n srai zero, zero, 7\n .option pop\n"
-                   : "+r"(a0)
-                   : "r"(a1)
-                   : "memory");
+  __asm__ volatile(
+      ".balign 16\n .option push\n .option norvc\n"
+      "slli zero, zero, 0x1f\n ebreak\n srai zero, zero, 7\n .option pop\n"
+      : "+r"(a0)
+      : "r"(a1)
+      : "memory");
 }
 
 void put(const char* text) { ask_host(0x04, text); }

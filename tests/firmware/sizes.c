@@ -1,5 +1,5 @@
-/* One grasp at several sizes, for the table in docs/embed/embedding.md: two fingers of k points
- * each and a straight edge that pushes off the middle. */
+/* One grasp at several sizes, for the table in docs/embed/embedding.md: two fingers of k points each and
+ * a straight edge that pushes off the middle. */
 #include "device.h"
 
 #define MOST_POINTS 10
@@ -21,19 +21,19 @@ static const LCPUSH(body) bodies_in_flash[3] = {
     {LCPUSH_FINGER, {0, 0, 1}, {1, 0, 0}, R(0.5), 0, 0, 0, 0, {0, 0, 0, 0, 0, 0}, 0},
     {LCPUSH_PUSHER, {1, 0, 0}, {0, 1, 0}, R(0.3), 0, 0, 0, 2, {R(0.1), 0, 0, 0, 0, 0}, 0}};
 static const LCPUSH(scene) scene_in_flash = {{R(0.2), BOX(0.2, 0.1, 0.03, 0.01), {0}},
-                                             {0, R(-9.81), 0},
-                                             4,
-                                             LCPUSH_RIGID,
-                                             0,
-                                             bodies,
-                                             3,
-                                             points,
-                                             0,
-                                             actuators,
-                                             2,
-                                             drives,
-                                             2,
-                                             0};
+                              {0, R(-9.81), 0},
+                              4,
+                              LCPUSH_RIGID,
+                              0,
+                              bodies,
+                              3,
+                              points,
+                              0,
+                              actuators,
+                              2,
+                              drives,
+                              2,
+                              0};
 
 /* Fingers of k points: the first of the ring, or one in the middle. */
 static void place(int k) {

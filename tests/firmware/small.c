@@ -1,5 +1,5 @@
-/* The least that a controller links: describe, solve, read. Built with more of the interface as
- * well (BREAK, MOTION, SWEEPS), for what each part takes of the flash. */
+/* The least that a controller links: describe, solve, read. Built with more of the interface as well
+ * (BREAK, MOTION, SWEEPS), for what each part takes of the flash. */
 #include "scenes.h"
 
 #ifdef SWEEPS
@@ -35,8 +35,7 @@ int main(void) {
   }
 #endif
 #ifdef MOTION
-  if (status == LCPUSH_SOLVED)
-    status = LCPUSH(set_off)(push, motion_memory, sizeof motion_memory, 0);
+  if (status == LCPUSH_SOLVED) status = LCPUSH(set_off)(push, motion_memory, sizeof motion_memory, 0);
   if (status == LCPUSH_RUNNING) status = LCPUSH(advance)(push, R(0.001));
 #endif
   put("run small status ");

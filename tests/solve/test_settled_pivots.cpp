@@ -68,16 +68,16 @@ TEST_CASE("wide patches: fine pyramids take as few pivots as coarse ones") {
   for (const char* pressure : {"rigid", "pad"})
     for (const int facets : {16, 64, 128, 256})
       for (const char* ends : {at_its_side, at_four_points, tipping}) {
-        CAPTURE(pressure);
+        CAPTURE(std::string(pressure));
         CAPTURE(facets);
-        CAPTURE(ends);
+        CAPTURE(std::string(ends));
         const SceneFile file = bar(pressure, ends == tipping ? straight : oblique, ends, facets);
         Push push(file);
         const PushReport report = solved(push);
         REQUIRE(report.status == Status::solved);
         CHECK(report.residuals.max() <= 1e-9);
         CHECK(report.run.sweeps == 0);
-        CHECK(report.run.pivots <= 100); // from the expected modes: thousands at 128 facets
+        CHECK(report.run.pivots <= 60); // from the expected modes: thousands at 128 facets
       }
 }
 

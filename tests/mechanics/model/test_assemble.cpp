@@ -1,12 +1,14 @@
 // The assembled rows are the laws in SI units, for any unknowns whatever.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "support/dense_lcp.hpp"
+#include "support/grasp_families.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"
 
@@ -209,6 +211,32 @@ TEST_CASE("every unknown has one name, and the name leads back to it") {
                          : name.meaning == Meaning::slip ? layout.slip_index(name.of)
                                                          : layout.closing_index(name.of);
       CHECK(back == i);
+    }
+  }
+}
+
+TEST_CASE("[T.5] an actuator's couplings ascend, whatever the order and the parts of its drives") {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    Scene3 scene = grasp_of<double>(Family::parallel, seed);
+    SolvedPush<double> given(scene);
+    REQUIRE(scene.drives.size() > scene.actuators.size()); // a jaw drives two fingers
+    std::reverse(scene.drives.begin(), scene.drives.end());
+    scene.drives.front().twist /= 2;
+    scene.drives.push_back(scene.drives.front());
+    SolvedPush<double> other(scene);
+    const FactoredProblem<double>&first = given.assembly.factored(),
+          &second = other.assembly.factored();
+    for (Index a = 0; a < first.sums.size; ++a) {
+      const SumGroup<double>&sum = first.sums[a], &same = second.sums[a];
+      REQUIRE(same.count == sum.count);
+      for (Index k = 0; k < sum.count; ++k) {
+        const Index variable = second.coupled_variable[same.first + k];
+        CHECK(variable == first.coupled_variable[sum.first + k]);
+        CHECK(second.coupling[same.first + k] ==
+              doctest::Approx(first.coupling[sum.first + k]).epsilon(1e-14));
+        if (k > 0) CHECK(variable > second.coupled_variable[same.first + k - 1]);
+      }
     }
   }
 }

@@ -164,7 +164,7 @@ private:
   /// Wide patches make bases whose values are off, ties that z0 loses, and rays of slips. Steps of
   /// motions, small and alike, are better off without what that takes; and where memory is small,
   /// so are patches.
-  static constexpr bool may_be_wide = B::of_groups && sizeof(Int) == sizeof(int);
+  static constexpr bool may_be_wide = B::of_groups && !is_narrow<Int>;
   bool is_wide() const { return may_be_wide && options_.careful && n_ >= 600; }
   Index limit() const { return options_.max_pivots > 0 ? options_.max_pivots : 1000 + 50 * n_; }
 

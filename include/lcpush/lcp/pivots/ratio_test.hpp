@@ -29,9 +29,6 @@ public:
   Span<const Int> tied_rows() const { return {candidates_.data, tied_}; }
 
 private:
-  /// Where memory is small there is but the entering column, and no inverse to look into.
-  static constexpr bool has_whole_table = sizeof(Int) == sizeof(int);
-
   const Dictionary<S, Int>& d_;
   Index rhs_count_;
   TieRule rule_;
@@ -79,7 +76,7 @@ private:
   /// Reduces the tied candidates to one.
   TieBreak break_tie() {
     if (rule_ == TieRule::first_row) return TieBreak::order;
-    if (has_whole_table && rule_ == TieRule::lexicographic) {
+    if (!is_narrow<Int> && rule_ == TieRule::lexicographic) {
       for (Index i = 0; i < d_.size() && count_ > 1; ++i) keep_lexicographic(i);
       return TieBreak::lexicographic;
     }

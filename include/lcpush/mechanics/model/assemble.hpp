@@ -161,12 +161,11 @@ private:
     const Scene<S>& scene = *scene_;
     factored_.mobility = laws::newton(scene, layout_.scales);
     load_ = laws::load(scene, layout_.scales);
+    if (scene.aims.size == 0) return;
     for (const Body<S>& body : scene.bodies)
       for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
-        if (scene.aims.size > 0)
-          laws::round_cone(body, scene.points[i], scene.aims[i], scene.object.mass, layout_.scales,
-                           factored_.mobility, load_);
-    free_fall_ = factored_.mobility.lazyProduct(load_);
+        laws::round_cone(body, scene.points[i], scene.aims[i], scene.object.mass, layout_.scales,
+                         factored_.mobility, load_);
   }
 
   /// [T.2], [T.3] and [T.4] of every point.
@@ -266,6 +265,7 @@ template <class S> Status Assembly<S>::assemble(const Scene<S>& scene) {
   if (!fits(scene)) return Status::bad_input;
   choose_scales();
   add_object();
+  free_fall_ = factored_.mobility.lazyProduct(load_);
   add_points();
   layout_.actuators = scene.actuators.size;
   layout_.cones = {memory_.cones.data, layout_.points};

@@ -33,19 +33,19 @@ void keep_independent(const Assembly<S>& assembly, bool sticks, Span<unsigned ch
   const bool rigid = assembly.scene().pressure == Pressure::rigid;
   IndependentForces<S> forces(assembly);
   if (!forces.fits() || !(rigid || sticks)) return;
-  bool of_friction = false; // that comes after all normal forces
-  const auto keep = [&](Index b, Index i) {
-    const ConeGroup<S>& cone = factored.cones[i];
-    const Index first = of_friction ? cone.normals : Index(0);
-    for (Index k = first; k < (of_friction ? cone.forces() : Index(1)); ++k) {
-      unsigned char& is_active = active[cone.variable + k];
-      if (is_active != 0 && !forces.take(b, cone.force + k) && (rigid || of_friction))
-        is_active = 0;
-    }
+  const auto keep = [&](bool of_friction) {
+    for_each_point(assembly.scene(), [&](Index b, Index i) {
+      const ConeGroup<S>& cone = factored.cones[i];
+      const Index first = of_friction ? cone.normals : 0, end = of_friction ? cone.forces() : 1;
+      for (Index k = first; k < end; ++k) {
+        unsigned char& is_active = active[cone.variable + k];
+        if (is_active != 0 && !forces.take(b, cone.force + k) && (rigid || of_friction))
+          is_active = 0;
+      }
+    });
   };
-  for_each_point(assembly.scene(), keep);
-  of_friction = true;
-  if (sticks) for_each_point(assembly.scene(), keep);
+  keep(false);
+  if (sticks) keep(true);
 }
 
 /// What the object is expected to do.

@@ -180,6 +180,7 @@ private:
   }
 
   static S slowly() { return S(7) / S(10); }
+  /// Of rounds that never retreat the compiler knows it, and leaves out what would follow.
   bool has_retreated() const { return Rounds::retreats && retreats_ > 0; }
   /// Round friction may turn its pyramids only so often: it has no rounds to spare.
   bool may_retreat() const {

@@ -74,9 +74,9 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
       }
       return status;
     }
-    if (covers_left_ == 0) return status;
+    if (covers_tried_ == covers_) return status;
     // Copositivity does not protect a warm start: try it under each covering vector.
-    start_near(memory, covers_left_);
+    start_near(memory);
     return Status::running;
   }
 
@@ -88,7 +88,7 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
 
   void begin_cold(const Problem<S>& problem) {
     problem_ = problem;
-    covers_left_ = 0;
+    covers_ = covers_tried_ = 0;
     (void)lemke.init(problem, options);
   }
 
@@ -99,8 +99,9 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
     problem_ = problem;
     guess_ = guess;
     limit_ = limit;
+    covers_ = covers;
     covers_tried_ = 0;
-    start_near(memory, covers);
+    start_near(memory);
   }
 
   const Problem<S>& problem() const { return problem_; }
@@ -108,15 +109,14 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
 private:
   Problem<S> problem_{};
   Guess guess_ = Guess::basis;
-  Index limit_ = 0, covers_left_ = 0, covers_tried_ = 0;
+  Index limit_ = 0, covers_ = 0, covers_tried_ = 0;
 
-  void start_near(const PressureMemory<S>& memory, Index covers) {
+  void start_near(const PressureMemory<S>& memory) {
     LemkeOptions<S> single = options;
     single.covers = 1;
     if (limit_ > 0) single.max_pivots = limit_;
     single.first_cover += covers_tried_;
     if (covers_tried_ > 0) single.rubs = true;
-    covers_left_ = covers - 1;
     ++covers_tried_;
     (void)lemke.init(problem_, single, memory.active.data, guess_);
   }

@@ -119,8 +119,8 @@ template <class S> constexpr Index bytes_with(const SolverSize& solver, const As
       size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
       p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>) + sizeof(Aim<S>)) +
       size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
-  constexpr Index after_narrower_ones = 6; // arrays, and one of sweeps' or Lemke's
-  constexpr Index alignment_slack = after_narrower_ones * widest_alignment<S>();
+  constexpr Index arrays_after_narrower_ones = 6; // what they begin at may have to be aligned
+  constexpr Index alignment_slack = arrays_after_narrower_ones * widest_alignment<S>();
   return (scalars + solver.scalars) * static_cast<Index>(sizeof(S)) + structs +
          size.couplings() * static_cast<Index>(sizeof(int)) +
          solver.integers * solver.bytes_of_integer + p * static_cast<Index>(sizeof(Index)) + n +

@@ -27,6 +27,7 @@ template <class S, class B> bool Lemke<S, B>::carve() {
     for (VectorMap<S>* map : {&column_scale_, &scratch_, &rowsum_}) scalars.seat(*map, n);
   }
   candidates_ = integers.take(n);
+  // A basis of groups has read its target before anything is a candidate.
   target_ = B::of_groups ? candidates_ : integers.take(n);
   return !scalars.exhausted() && !integers.exhausted();
 }

@@ -64,8 +64,7 @@ enum LocalRole : int { normal_role, generator_role, slip_role, own_role, shared_
 
 /// Where memory is small, so is `Int`.
 template <class S, class Int> class LocalForm {
-  using Directions =
-      std::conditional_t<sizeof(Int) < sizeof(int), ReadDirections<S, Int>, KeptDirections<S>>;
+  using Directions = std::conditional_t<is_narrow<Int>, ReadDirections<S, Int>, KeptDirections<S>>;
 
 public:
   /// Loaded springs that are too many for the exchanges.
@@ -267,7 +266,6 @@ private:
   bool has_direction(Index i) const {
     return role(i) < slip_role || (role(i) == slip_role && has_springs_);
   }
-  /// h_i' v.
   TurnedCone<S> turned(Index c) const {
     TurnedCone<S> cone{
         problem_->cones[c], c, normal_[c], slides(c) ? Index(slip_[c]) : -1, S(1), S(0)};
