@@ -1,4 +1,5 @@
 // The one compiled copy of the solvers, for double.
+#include "lcpush/lcp/pivots/held_basis.hpp"
 #include "lcpush/lcp/pivots/linear_program.hpp"
 #include "lcpush/lcp/pivots/structured_lemke.hpp"
 #include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
@@ -8,6 +9,7 @@ template class Dictionary<double>;
 template class RatioTest<double>;
 template class DenseBasis<double>;
 template class StructuredBasis<double>;
+template class HeldBasis<double>;
 template class Lemke<double>;
 template class Lemke<double, StructuredBasis<double>>;
 template class LinearProgramSolver<double>;

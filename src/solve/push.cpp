@@ -66,12 +66,8 @@ bool Push::takes_structure(const PushOptions& options) const {
 StructuredLemke<double>& Push::structured_pivots() {
   const Index n = layout().size, points = layout().points;
   const Index shared = shared_actuators(assembly_.factored());
-  const Index scalars = structured_lemke_scalars(n, points, shared);
-  const Index integers = structured_lemke_integers(n, points);
-  if (!structured_ || span_of(structured_->scalars).size < scalars ||
-      span_of(structured_->integers).size < integers)
-    structured_.emplace(scalars, integers);
-  return *structured_;
+  return with_room(structured_, structured_lemke_scalars(n, points, shared),
+                   structured_lemke_integers(n, points));
 }
 
 void Push::aim_at(const std::vector<Vector3<double>>& forces) {

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "dense/basis_solution.hpp"
+#include "lcpush/lcp/pivots/held_basis.hpp"
 #include "lcpush/mechanics/solve/rounds.hpp"
 #include "sweep/sweep_solver.hpp"
 
@@ -39,6 +40,13 @@ struct RoundMemory {
   void end() { bases.resize(std::min(bases.size(), next)); }
 };
 
+/// The basis that Lemke stands at.
+template <class Pivots> Basis basis_of(const Pivots& lemke, Index size) {
+  Basis basis(static_cast<std::size_t>(size));
+  for (Index i = 0; i < size; ++i) basis[static_cast<std::size_t>(i)] = lemke.is_basic(i) ? 1 : 0;
+  return basis;
+}
+
 /// A round's first basis is the one that it ended in at the neighbour.
 struct RememberedStart {
   RoundMemory& memory;
@@ -64,18 +72,8 @@ struct RememberedStart {
   void begins_cold() { ++memory.cold; }
 };
 
-/// Is the basis the answer as it is, without a pivot? Then `lemke` stands there.
-template <class Pivots>
-bool stands_on(const Basis& basis, const Problem<double>& problem, LemkeOptions<double> options,
-               Pivots& lemke) {
-  options.covers = 1;
-  if (static_cast<Index>(basis.size()) != problem.size) return false;
-  if (lemke.init(problem, options, basis.data(), Guess::basis) != Status::running) return false;
-  return lemke.step(unwatched) == Status::solved && lemke.pivots() == 0;
-}
-
-/// By Lemke over either basis. `structured`, if there is one, looks whether a basis holds where the
-/// neighbour's factors do not help.
+/// By Lemke over either basis: where `Pivots` are dense, `structured` tries first to get there from
+/// the neighbour's basis. Dense pivots start slowly from one, as each unknown has to be brought in.
 template <class Pivots> class RememberedRounds {
   using Then = LemkeRounds<double, const Attendant, Pivots>;
 
@@ -85,21 +83,23 @@ public:
   static constexpr bool retreats = true;
 
   RememberedRounds(Pivots& lemke, RoundMemory& memory, const Attendant& attendant,
-                   StructuredLemke<double>* structured)
-      : then_(RememberedStart{memory}, Then(lemke, {}, attendant)), structured_(structured) {}
+                   HeldBasis<double>& held, StructuredLemke<double>& structured)
+      : then_(RememberedStart{memory}, Then(lemke, {}, attendant)), held_(held),
+        structured_(structured) {}
 
   void begin(const Problem<double>& problem, bool warm, const PressureMemory<double>& pressure) {
     then_.pivots().watcher.look();
     RememberedStart& start = then_.start;
     start.round = start.memory.begin_round();
     size_ = problem.size;
-    holds_ = !start.memory.is_fresh && start.knows(problem.size) && holds_here(problem);
+    is_known_ = !start.memory.is_fresh && start.knows(problem.size) &&
+                (holds_here(problem) || is_near(problem));
     fails_ = warm && start.failed();
-    if (!holds_ && !fails_) then_.begin(problem, warm, pressure);
+    if (!is_known_ && !fails_) then_.begin(problem, warm, pressure);
   }
 
   Status step(const PressureMemory<double>& pressure, PressureRun& run) {
-    if (holds_) {
+    if (is_known_) {
       std::copy(solution_.z.begin(), solution_.z.end(), pressure.z.data);
       then_.start.copy_to(pressure);
       run.reason = Reason::none;
@@ -118,11 +118,12 @@ public:
 
 private:
   StartedRounds<double, RememberedStart, const Attendant, Pivots> then_;
-  StructuredLemke<double>* structured_;
+  HeldBasis<double>& held_;
+  StructuredLemke<double>& structured_;
   BasisSolution solution_;
-  Index size_ = 0;     ///< unknowns of the round: the memory may have room for more
-  bool holds_ = false; ///< is the remembered basis the answer itself?
-  bool fails_ = false; ///< the same rounds led here at the neighbour, and pivots no further
+  Index size_ = 0;        ///< unknowns of the round: the memory may have room for more
+  bool is_known_ = false; ///< `solution_` is the round's answer, and the memory has its basis
+  bool fails_ = false;    ///< the same rounds led here at the neighbour, and pivots no further
 
   void remember(Status status, const PressureMemory<double>& pressure) {
     Basis basis;
@@ -135,12 +136,26 @@ private:
     constexpr Index most_kept = 199;
     const RememberedStart& start = then_.start;
     FactoredBasis& factored = start.memory.factored[start.round];
-    const bool drifts = factored.drifts && factored.basis == start.basis();
-    if (problem.size <= most_kept && !drifts)
+    if (problem.size <= most_kept && !factored.drifts)
       return solve_on_basis(problem, start.basis(), solution_, &factored);
-    if (structured_ == nullptr) return solve_on_basis(problem, start.basis(), solution_);
-    if (!stands_on(start.basis(), problem, then_.pivots().options, *structured_)) return false;
-    solution_.z = Eigen::Map<const Eigen::VectorXd>(structured_->z(), problem.size);
+    if (held_.look(problem, start.basis().data()) != Status::solved) return false;
+    solution_.z = Eigen::Map<const Eigen::VectorXd>(held_.z(), problem.size);
+    return true;
+  }
+  /// Does the round end after a few pivots from there? More of them may end at another answer than
+  /// the neighbour's goes on to.
+  bool is_near(const Problem<double>& problem) {
+    constexpr Index few = 4;
+    if (std::is_same_v<Pivots, StructuredLemke<double>>) return false;
+    RememberedStart& start = then_.start;
+    LemkeOptions<double> options = then_.pivots().options;
+    options.covers = 1;
+    options.max_pivots = few;
+    Status status = structured_.init(problem, options, start.basis().data());
+    if (status == Status::running) status = structured_.solve(then_.pivots().watcher);
+    if (status != Status::solved) return false;
+    solution_.z = Eigen::Map<const Eigen::VectorXd>(structured_.z(), problem.size);
+    start.memory.end_round(start.round, basis_of(structured_, problem.size));
     return true;
   }
 };

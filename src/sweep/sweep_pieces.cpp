@@ -124,6 +124,10 @@ SweepAnswer told(const SweepAnswer& answer) {
   return answer.is_solved() ? answer : SweepAnswer{answer.status};
 }
 
+bool same_answer(const SweepAnswer& a, const SweepAnswer& b, Question question) {
+  return !differ(a, b, question, equal_answers);
+}
+
 bool moves_otherwise(const SweepValue& a, const SweepValue& b) {
   return a.push.is_solved() && b.push.is_solved() && other_motion(a.push, b.push, equal_answers);
 }
@@ -135,8 +139,7 @@ std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, doubl
     const bool before = disagreed, motion = moves_otherwise(ways.there, ways.back);
     disagreed = false;
     for (const Question question : questions)
-      disagreed =
-          disagreed || differ(ways.there[question], ways.back[question], question, equal_answers);
+      disagreed = disagreed || !same_answer(ways.there[question], ways.back[question], question);
     if (!disagreed) continue;
     const bool goes_on =
         before || (!ranges.empty() && std::abs(ways.from - ranges.back().to) <= near);

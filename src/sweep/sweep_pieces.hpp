@@ -47,6 +47,9 @@ std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question,
 /// instant of breaking the normal force alone is compared: the first motion need not be continuous.
 bool differ(const SweepAnswer& a, const SweepAnswer& b, Question question, double tolerance);
 
+/// Is what both ways tell at one value the same? Bistable is where it is not.
+bool same_answer(const SweepAnswer& a, const SweepAnswer& b, Question question);
+
 /// Have both answers the same status, and their contacts the same modes?
 bool same_modes(const DetailedAnswer& a, const DetailedAnswer& b);
 

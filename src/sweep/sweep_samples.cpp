@@ -61,8 +61,8 @@ public:
     if (!is_sure) {
       bases_.reset();
     } else if (!bases_ || !same_bases(*bases_, sample.bases)) {
-      bases_ = kept_ < most_kept ? std::make_shared<OfBoth<RoundBases>>(sample.bases) : nullptr;
-      ++kept_;
+      kept_ += size_of(sample.bases);
+      bases_ = kept_ <= most_kept ? std::make_shared<OfBoth<RoundBases>>(sample.bases) : nullptr;
     }
     steps_.push_back({points.size(), bases_});
     points.push_back(point_of(sample, variation));
@@ -75,24 +75,43 @@ public:
     return is_plain && same_bases(*here.bases, bases) ? &points[here.point] : nullptr;
   }
 
+  /// Where the step's answer is that of the way back, too, that goes on from the bases here: mostly
+  /// they hold at the next step as well, whose answer is found again then. A push without a single
+  /// answer may hold in many bases.
+  void join(Index step, const SweepPoint& back, OfBoth<RoundBases>& bases) const {
+    const Step& here = at(step);
+    const SweepPoint& point = points[here.point];
+    if (!here.bases || back.modes != point.modes) return;
+    for (const Question question : questions)
+      if (same_answer(point.at[question], back.at[question], question))
+        bases[question] = (*here.bases)[question];
+  }
+
 private:
-  static constexpr int most_kept = 256; // each has a flag an unknown and round
+  static constexpr std::size_t most_kept = 64'000'000; // bytes: a flag an unknown and round
   struct Step {
     std::size_t point;
     std::shared_ptr<const OfBoth<RoundBases>> bases; // null: another start may end elsewhere
   };
   std::vector<Step> steps_;
   std::shared_ptr<const OfBoth<RoundBases>> bases_; // neighbours share them
-  int kept_ = 0;
+  std::size_t kept_ = 0;
 
   const Step& at(Index step) const { return steps_[static_cast<std::size_t>(step)]; }
+  static std::size_t size_of(const OfBoth<RoundBases>& bases) {
+    std::size_t size = 0;
+    for (const Question question : questions)
+      for (const Basis& basis : bases[question]) size += basis.size();
+    return size;
+  }
   static bool same_bases(const OfBoth<RoundBases>& a, const OfBoth<RoundBases>& b) {
     return a.push == b.push && a.breaking == b.breaking;
   }
 };
 
 /// Each from its neighbour's answer, and more of them where modes change. On the way back what the
-/// way `there` would find again is taken from it.
+/// way `there` would find again is taken from it, and where both are at the same answer they go on
+/// as one.
 Way sampled(SweepSolver& solver, Index steps, const Progress& progress,
             const Way* there = nullptr) {
   Way way;
@@ -111,6 +130,7 @@ Way sampled(SweepSolver& solver, Index steps, const Progress& progress,
       Sample sample = sample_at(solver, t, k > 0 ? &last : nullptr);
       if (k > 0 && !same_modes(last, sample)) refine(solver, last, sample, way.points);
       way.add(sample, last.bases, solver.variations().front());
+      if (there != nullptr) there->join(steps - 1 - k, way.points.back(), sample.bases);
       last = std::move(sample);
     }
     is_solved = again == nullptr;

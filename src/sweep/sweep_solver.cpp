@@ -120,11 +120,10 @@ void SweepSolver::make_lemke() {
 void SweepSolver::make_structured() {
   const Assembly<double>& assembly = point_->assembly;
   const Index n = assembly.layout().size, points = assembly.layout().points;
-  const Index scalars = structured_lemke_scalars(n, points, shared_actuators(assembly.factored()));
-  const Index integers = structured_lemke_integers(n, points);
-  if (!structured_ || span_of(structured_->scalars).size < scalars ||
-      span_of(structured_->integers).size < integers)
-    structured_.emplace(scalars, integers);
+  const Index shared = shared_actuators(assembly.factored());
+  with_room(structured_, structured_lemke_scalars(n, points, shared),
+            structured_lemke_integers(n, points));
+  with_room(held_, held_basis_scalars(n, points, shared), held_basis_integers(n, points));
 }
 
 /// From the basis `from`, if there is one; solved: `basis` receives the last one.
@@ -136,9 +135,7 @@ Status SweepSolver::pivot(Question question, const LemkeOptions<double>& options
       from == nullptr ? lemke_->init(problem, options) : lemke_->init(problem, options, from);
   if (status == Status::running) status = lemke_->solve(attendant_);
   if (status != Status::solved) return status;
-  basis.resize(static_cast<std::size_t>(problem.size));
-  for (std::size_t i = 0; i < basis.size(); ++i)
-    basis[i] = lemke_->is_basic(static_cast<Index>(i)) ? 1 : 0;
+  basis = basis_of(static_cast<const Lemke<double>&>(*lemke_), problem.size);
   return status;
 }
 
@@ -149,7 +146,12 @@ Status SweepSolver::solve_cold(Question question, Basis& basis) {
 
 bool SweepSolver::stand_on(Question question, const Basis& basis) {
   make_lemke();
-  return stands_on(basis, point_->problem(question), {}, static_cast<Lemke<double>&>(*lemke_));
+  LemkeOptions<double> options;
+  options.covers = 1;
+  const Problem<double> problem = point_->problem(question);
+  if (static_cast<Index>(basis.size()) != problem.size) return false;
+  if (lemke_->init(problem, options, basis.data()) != Status::running) return false;
+  return lemke_->step() == Status::solved && lemke_->pivots() == 0;
 }
 
 DetailedAnswer SweepSolver::on_basis(Question question, const Basis& basis, bool thorough) {
@@ -214,19 +216,14 @@ DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const Ro
   return answer;
 }
 
-/// Dense pivots start slowly from a basis, as each of its unknowns has to be brought in.
 DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
   constexpr Index smallest_structured = 200; // as a solve: the same path, the same answers
   const Problem<double> problem = point_->problem(question);
   RoundMemory memory{bases, factored_[question]};
   DetailedAnswer answer;
-  const bool has_structure =
-      StructuredBasis<double>::supports(problem, LemkeOptions<double>().tie_rule);
-  const bool structured = has_structure && problem.size >= smallest_structured;
-  if (has_structure) make_structured();
-  if (structured) {
-    answer = solve_rounds<StructuredLemke<double>>(question, *structured_, memory);
-  }
+  const bool structured = problem.size >= smallest_structured;
+  make_structured();
+  if (structured) answer = solve_rounds<StructuredLemke<double>>(question, *structured_, memory);
   // A ray has been verified: the whole dictionary would find it again.
   const bool is_open = !answer.is_known() && answer.status != Status::ray;
   if (is_open && (!structured || problem.size <= limits::unknowns_dense)) {
@@ -243,8 +240,7 @@ DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
 template <class Pivots>
 DetailedAnswer SweepSolver::solve_rounds(Question question, Pivots& pivots, RoundMemory& memory) {
   ScenePoint& p = *point_;
-  const RememberedRounds<Pivots> rounds(pivots, memory, attendant_,
-                                        structured_ ? &*structured_ : nullptr);
+  const RememberedRounds<Pivots> rounds(pivots, memory, attendant_, *held_, *structured_);
   PressureRun run;
   DetailedAnswer answer;
   if (question == Question::push) {

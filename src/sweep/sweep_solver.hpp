@@ -5,6 +5,7 @@
 #include "dense/basis_solution.hpp"
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/desktop/sweep.hpp"
+#include "lcpush/lcp/pivots/held_basis.hpp"
 
 #include <functional>
 #include <memory>
@@ -112,6 +113,7 @@ private:
   std::unique_ptr<ScenePoint> point_;
   std::optional<OwnedLemke<double>> lemke_;
   std::optional<Owned<StructuredLemke<double>>> structured_;
+  std::optional<Owned<HeldBasis<double>>> held_;
   Attendant attendant_;
   OfBoth<std::vector<FactoredBasis>> factored_; // by the rounds, where the last sample was
   Index cold_ = 0, warm_ = 0;

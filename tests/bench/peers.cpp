@@ -10,7 +10,8 @@
 // factored problem that it stands for. Every answer is brought back to that one and judged by
 // lcp/residual.hpp. Times are processor times; set-up and the final check included. Other libraries
 // are plug-ins (peers/peer.h). `warm` starts from the answer with the pusher 1 % slower, theirs and
-// ours; ratios compare cold with cold and warm with warm.
+// ours, and `warm, held` looks at its basis alone; ratios compare cold with cold and warm with
+// warm.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -27,6 +28,8 @@
 #include "bench/peers/plugin.hpp"
 #include "bench/stopwatch.hpp"
 #include "bench/wide_grasp.hpp"
+#include "lcpush/desktop/owned.hpp"
+#include "lcpush/lcp/pivots/held_basis.hpp"
 #include "lcpush/lcp/pivots/reduce.hpp"
 #include "lcpush/lcpush.hpp"
 
@@ -184,8 +187,8 @@ Run cold_structured(Instance& instance) {
   };
 }
 
-/// From the basis of the same scene with its pusher 1 % slower.
-Run warm(Instance& instance) {
+/// Of the same scene with its pusher 1 % slower.
+std::vector<unsigned char> neighbours_basis(Instance& instance) {
   instance.push_by(0.99);
   StructuredLemke<double>& lemke = instance.structured();
   (void)lemke.init(instance.problem());
@@ -194,7 +197,13 @@ Run warm(Instance& instance) {
     for (std::size_t i = 0; i < active.size(); ++i)
       active[i] = lemke.is_basic(static_cast<Index>(i)) ? 1 : 0;
   instance.push_by(1);
-  return [&instance, &lemke, active] {
+  return active;
+}
+
+/// From that basis by pivots, with all that they do for an answer.
+Run warm(Instance& instance) {
+  StructuredLemke<double>& lemke = instance.structured();
+  return [&instance, &lemke, active = neighbours_basis(instance)] {
     LemkeOptions<double> options;
     options.covers = 1;
     Status status = lemke.init(instance.problem(), options, active.data());
@@ -204,6 +213,20 @@ Run warm(Instance& instance) {
       status = lemke.solve();
     }
     return finish(instance, status);
+  };
+}
+
+/// That basis looked at alone, as Lemke's method with a warm start and no referee would.
+Run held(Instance& instance) {
+  const Problem<double> problem = instance.problem();
+  const Index n = problem.size, cones = problem.factored->cones.size;
+  const Index shared = shared_actuators(*problem.factored);
+  auto look = std::make_shared<desktop::Owned<HeldBasis<double>>>(
+      held_basis_scalars(n, cones, shared), held_basis_integers(n, cones));
+  return [&instance, look, active = neighbours_basis(instance)] {
+    const Status status = look->look(instance.problem(), active.data());
+    if (status == Status::solved) instance.take(look->z());
+    return Outcome{status == Status::solved, 0};
   };
 }
 
@@ -520,11 +543,9 @@ private:
       std::vector<Table::Row> rows;
       if (instance.has_dense() && asks_for("dense"))
         rows.push_back(table_.add("dense", instance, cold_dense(instance), budget));
-      const std::pair<const char*, Run (*)(Instance&)> ours[] = {{"structured", cold_structured},
-                                                                 {"warm", warm},
-                                                                 {"predicted", predicted},
-                                                                 {"hybrid", hybrid},
-                                                                 {"Gauss-Seidel", gauss_seidel}};
+      const std::pair<const char*, Run (*)(Instance&)> ours[] = {
+          {"structured", cold_structured}, {"warm", warm},     {"warm, held", held},
+          {"predicted", predicted},        {"hybrid", hybrid}, {"Gauss-Seidel", gauss_seidel}};
       for (const auto& [name, make] : ours)
         if (asks_for(name)) rows.push_back(table_.add(name, instance, make(instance), budget));
       for (PeerRun& peer : peers_)

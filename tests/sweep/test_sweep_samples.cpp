@@ -55,6 +55,17 @@ TEST_CASE("samples: the way back does not solve again what the way there would f
   CHECK(both.warm + both.cold <= there.warm + there.cold + 20);
 }
 
+TEST_CASE(
+    "samples: where both ways are at the same answer, the way back goes on as the way there") {
+  ParameterSweepOptions options;
+  options.steps = 200;
+  const std::string text = scene_text("planar_pusher.toml");
+  const Sweep both = swept(text, "*.tangent_turn", 0, 20, options);
+  options.both_ways = false;
+  const Sweep there = swept(text, "*.tangent_turn", 0, 20, options);
+  CHECK(2 * (both.warm + both.cold) <= 3 * (there.warm + there.cold));
+}
+
 TEST_CASE("samples: rounds that led nowhere at the neighbour are not pivoted again") {
   int pivots = 0;
   ParameterSweepOptions options;

@@ -1,6 +1,7 @@
 // The core works in its caller's memory; on the desktop that memory is vectors.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lcpush/lcp/pivots/lemke.hpp"
@@ -33,6 +34,15 @@ template <class Solver, class S = double> struct Owned : SolverMemory<S>, Solver
   Owned(const Owned&) = delete; // the solver would look into the other's memory
   Owned& operator=(const Owned&) = delete;
 };
+
+/// `solver` in memory of at least that size.
+template <class Solver>
+Solver& with_room(std::optional<Owned<Solver>>& solver, Index scalars, Index integers) {
+  if (!solver || span_of(solver->scalars).size < scalars ||
+      span_of(solver->integers).size < integers)
+    solver.emplace(scalars, integers);
+  return *solver;
+}
 
 /// Lemke's pivots for up to n unknowns.
 template <class S> struct OwnedLemke : Owned<Lemke<S>, S> {
