@@ -89,11 +89,11 @@ public:
   Status accept(bool is_round) {
     given_ = {scene_.bodies, scene_.actuators, scene_.drives, scene_.weights};
     if (is_round) scene_.aims = {work_.aims.data, scene_.points.size};
-    last_.known = false;
+    last_.known = assembled_ = false;
     return assemble();
   }
 
-  /// The scene's grip forces or motions have changed.
+  /// The scene is new, or its grip forces or motions have changed.
   Status assemble() {
     begun_ = false;
     described_ = false;
@@ -104,9 +104,13 @@ public:
                                 rest(actuators_, given_.actuators.size),
                                 rest(drives_, given_.drives.size)};
     const bool spreads = scene_.pressure == Pressure::even && has_driven_patch(scene_);
-    if ((spreads && spread_evenly(scene_, further, scene_) != Status::solved) ||
-        !fits(size_of(scene_)) || assembly_.assemble(scene_) != Status::running)
+    if (spreads && spread_evenly(scene_, further, scene_) != Status::solved)
       return refuse(Mistake::memory_too_small);
+    if (assembled_)
+      assembly_.command();
+    else if (!fits(size_of(scene_)) || assembly_.assemble(scene_) != Status::running)
+      return refuse(Mistake::memory_too_small);
+    assembled_ = true;
     described_ = true;
     moved_ = false;
     mistake_ = Mistake::none;
@@ -145,7 +149,7 @@ public:
     motion_ = nullptr;
     if (!described_) return refuse(Mistake::not_described);
     if (!method_->takes_motions) return refuse(Mistake::unsupported);
-    described_ = false; // its equations' arrays are the motion's from now on
+    described_ = assembled_ = false; // the equations' arrays are the motion's from now on
     moved_ = true;
     last_.known = false;
     motion_ = begin_motion(as_given(), work_, arena, mistake_);
@@ -190,7 +194,8 @@ protected:
   Capacity most_;
   const Method* method_;
   bool described_ = false;
-  bool begun_ = false; ///< a solve has begun and the scene is still the same
+  bool begun_ = false;     ///< a solve has begun and the scene is still the same
+  bool assembled_ = false; ///< since it was described, but for forces and motions
   Span<Body<S>> bodies_;
   Span<Vector3<S>> points_;
   Span<S> weights_;

@@ -52,6 +52,11 @@ public:
   /// scene outlives the assembly. Cost: O(forces (1 + drives)).
   Status assemble(const Scene<S>& scene);
 
+  /// The scene that was assembled, with other grip forces, loads or prescribed motions; nothing
+  /// else of it has changed. Post: as assemble(scene()) would leave it, bit by bit. Cost:
+  /// O(forces), half of an assembly's or less: directions and couplings stand as they are.
+  void command();
+
   /// The same scene with its prescribed motions scaled by sigma.
   void push_by(S sigma) {
     sigma_ = sigma;
@@ -122,11 +127,11 @@ private:
     memory_.q[cone.variable + k] = rest + sigma * memory_.push[cone.variable + k];
   }
 
-  /// F, L and F / m of a scene. Cost: O(points).
-  void choose_scales() {
+  /// L of a scene, and the reach of its actuators. Cost: O(points).
+  void choose_lengths() {
     using Eigen::numext::maxi;
     const Scene<S>& scene = *scene_;
-    S length(0), push(0);
+    S& length = layout_.scales.length = S(0);
     for (const Vector3<S>& p : scene.points) length = maxi(length, S(p.norm()));
     if (!(length > S(0))) length = S(1);
     for (Index a = 0; a < scene.actuators.size; ++a) memory_.reach[a] = S(0);
@@ -136,6 +141,16 @@ private:
         memory_.reach[drive.actuator] = maxi(
             memory_.reach[drive.actuator], S(acceleration_at(scene.points[i], drive.twist).norm()));
     }
+    for (Index a = 0; a < scene.actuators.size; ++a)
+      if (!(memory_.reach[a] > S(0))) memory_.reach[a] = S(1);
+  }
+
+  /// F and F / m.
+  void choose_force() {
+    using Eigen::numext::maxi;
+    const Scene<S>& scene = *scene_;
+    const S& length = layout_.scales.length;
+    S push(0);
     for (const Body<S>& body : scene.bodies)
       push = maxi(push, maxi(S(body.acceleration.template head<3>().norm()),
                              S(length * body.acceleration.template tail<3>().norm())));
@@ -146,14 +161,14 @@ private:
              S((scene.object.wrench.template tail<3>() + scene.object.turning).norm() / length)));
     for (const Body<S>& body : scene.bodies) force = maxi(force, body.preload);
     for (Index a = 0; a < scene.actuators.size; ++a) {
-      if (!(memory_.reach[a] > S(0))) memory_.reach[a] = S(1);
       const S tau = scene.actuators[a].force / memory_.reach[a];
       force = maxi(force, Eigen::numext::abs(tau));
     }
     // Against a push of a thousand times that, rounding is all that is left of the grip.
     force = maxi(force, S(scene.object.mass * push / S(1000)));
     if (!(force > S(0))) force = scene.object.mass * (push > S(0) ? push : S(1));
-    layout_.scales = {force, length, force / scene.object.mass};
+    layout_.scales.force = force;
+    layout_.scales.acceleration = force / scene.object.mass;
   }
 
   /// [T.1], and [T.16] of every point.
@@ -172,13 +187,8 @@ private:
   void add_points() {
     const Scene<S>& scene = *scene_;
     Index force = 0, variable = 0;
-    const auto add_force = [&](Index row, const Vector6<S>& column, const Vector6<S>& A_b) {
-      memory_.wrenches[force++] = column;
-      memory_.push[row] = -column.dot(A_b);
-    };
     for (Index b = 0; b < scene.bodies.size; ++b) {
       const Body<S>& body = scene.bodies[b];
-      const Vector6<S> A_b = laws::prescribed(body, layout_.scales);
       const Index g = generator_count(scene, body), first_force = force;
       // Directions are the body's: those of its first point are there to be read, but for a soft
       // point's torques.
@@ -193,14 +203,11 @@ private:
         memory_.cones[layout_.points] = cone;
         memory_.body[layout_.points++] = b;
         const Vector6<S> normal = laws::normal_direction(body, p, layout_.scales);
-        add_force(variable, normal, A_b);
-        if (cone.normals == 2) add_force(variable + 1, -normal, A_b);
+        memory_.wrenches[force++] = normal;
+        if (cone.normals == 2) memory_.wrenches[force++] = -normal;
         for (Index j = 0; j < g; ++j)
-          add_force(
-              variable + cone.normals + j,
-              laws::friction_direction(body, p, generator_at(i, cone.normals, j), layout_.scales),
-              A_b);
-        if (g > 0) memory_.push[cone.slip()] = S(0);
+          memory_.wrenches[force++] =
+              laws::friction_direction(body, p, generator_at(i, cone.normals, j), layout_.scales);
         variable += cone.size();
       }
     }
@@ -244,8 +251,22 @@ private:
       }
       sum.count = entry - sum.first;
       memory_.sums[a] = sum;
-      memory_.push[layout_.size++] = S(0);
+      ++layout_.size;
     }
+  }
+
+  /// What the load and the bodies' own motions make of the rows of [T.2], [T.3] and [T.5].
+  void add_motions() {
+    free_fall_ = factored_.mobility.lazyProduct(load_);
+    for (Index i = 0; i < layout_.points; ++i) {
+      const ConeGroup<S>& cone = memory_.cones[i];
+      const Vector6<S> A_b = laws::prescribed(scene_->bodies[memory_.body[i]], layout_.scales);
+      for (Index k = 0; k < cone.forces(); ++k)
+        memory_.push[cone.variable + k] = -memory_.wrenches[cone.force + k].dot(A_b);
+      if (cone.generators > 0) memory_.push[cone.slip()] = S(0);
+    }
+    for (Index a = 0; a < layout_.actuators; ++a) memory_.push[layout_.closing_index(a)] = S(0);
+    push_by(S(1));
   }
 
   bool fits(const Scene<S>& scene) const {
@@ -263,9 +284,9 @@ template <class S> Status Assembly<S>::assemble(const Scene<S>& scene) {
   scene_ = &scene;
   layout_ = {};
   if (!fits(scene)) return Status::bad_input;
-  choose_scales();
+  choose_lengths();
+  choose_force();
   add_object();
-  free_fall_ = factored_.mobility.lazyProduct(load_);
   add_points();
   layout_.actuators = scene.actuators.size;
   layout_.cones = {memory_.cones.data, layout_.points};
@@ -277,8 +298,18 @@ template <class S> Status Assembly<S>::assemble(const Scene<S>& scene) {
   factored_.sums = {memory_.sums.data, layout_.actuators};
   factored_.coupled_variable = {memory_.coupled_variable.data, memory_.coupled_variable.size};
   factored_.coupling = {memory_.coupling.data, memory_.coupling.size};
-  push_by(S(1));
+  add_motions();
   return Status::running;
+}
+
+template <class S> void Assembly<S>::command() {
+  if (scene_->aims.size > 0) return (void)assemble(*scene_); // directions follow the slips
+  choose_force();
+  load_ = laws::load(*scene_, layout_.scales);
+  for (Index i = 0; i < layout_.points; ++i) memory_.cones[i].compliance = S(0);
+  for (Index a = 0; a < layout_.actuators; ++a)
+    memory_.sums[a].target = laws::grip_force(*scene_, a, memory_.reach[a], layout_.scales).target;
+  add_motions();
 }
 
 #ifdef LCPUSH_EXTERN_TEMPLATES

@@ -38,8 +38,6 @@ public:
     for (Index i = 0; i < n; ++i) rowsum[i] /= row_scale[i];
     return n > 0 ? S(rowsum.sum() - rowsum.sum()) : S(0);
   }
-  /// The row sums of scale(): they are still there.
-  void sum_rows(VectorMap<S> /*column_scale*/, VectorMap<S> /*rowsum*/) const {}
 
   /// The basis of all w under a covering vector; its right-hand sides are there already.
   template <class Column>

@@ -150,7 +150,9 @@ template <class S, class B> Status Lemke<S, B>::conclude_ray(Index column) {
   trial_ /= largest;
   v0 /= largest;
   scaled_product(trial_.data(), product_.data());
-  basis_.sum_rows(column_scale_, rowsum_);
+  if constexpr (B::of_groups) // a bound on them; a dense basis has summed them when it scaled
+    detail::multiply_terms(*problem_.factored, problem_.free_begin, true, column_scale_.data(),
+                           rowsum_.data());
   const S tolerance = options_.tolerances.residual;
   bool certified = v0 >= -tolerance;
   for (Index i = 0; i < n; ++i) {

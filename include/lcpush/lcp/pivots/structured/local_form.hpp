@@ -112,7 +112,11 @@ public:
     const FactoredProblem<S>& f = *problem_;
     S total = f.mobility.sum();
     for (const Vector6<S>& wrench : f.wrenches) total += wrench.sum();
-    for_each_group_entry(f, free_begin_, [&](Index, Index, const S& entry) { total += entry; });
+    for (const ConeGroup<S>& cone : f.cones) total += cone.friction + cone.compliance;
+    for (const SumGroup<S>& sum : f.sums) {
+      total += sum.inertia;
+      for (Index k = sum.first; k < sum.first + sum.count; ++k) total += f.coupling[k];
+    }
     const auto diagonal = [&](Index force) {
       const Vector6<S> moved = f.mobility.lazyProduct(f.wrenches[force]);
       return S(f.wrenches[force].dot(moved));
@@ -140,22 +144,6 @@ public:
       row_scale[s] = column_scale[s] = equilibrates ? S(S(1) / power_below(largest)) : S(1);
     }
     return total - total;
-  }
-  /// rowsum_i = sum_j |M_ij| column_scale_j, of G' B G a bound on it.
-  void sum_rows(const VectorMap<S>& column_scale, VectorMap<S>& rowsum) const {
-    const FactoredProblem<S>& f = *problem_;
-    Vector6<S> total = Vector6<S>::Zero();
-    for (const ConeGroup<S>& cone : f.cones)
-      for (Index k = 0; k < cone.forces(); ++k)
-        total += f.wrenches[cone.force + k].cwiseAbs() * column_scale[cone.variable + k];
-    const Vector6<S> moved = f.mobility.cwiseAbs().lazyProduct(total);
-    rowsum.setZero();
-    for (const ConeGroup<S>& cone : f.cones)
-      for (Index k = 0; k < cone.forces(); ++k)
-        rowsum[cone.variable + k] = f.wrenches[cone.force + k].cwiseAbs().dot(moved);
-    for_each_group_entry(f, free_begin_, [&](Index i, Index j, const S& entry) {
-      rowsum[i] += Eigen::numext::abs(entry) * column_scale[j];
-    });
   }
   /// The problem as given, scaled, under a covering vector.
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,

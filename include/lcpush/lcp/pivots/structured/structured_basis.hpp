@@ -63,10 +63,6 @@ public:
           const VectorMap<S>& /*rowsum*/, const VectorMap<S>& /*scratch*/) const {
     return form_.scale(equilibrates, row_scale, column_scale);
   }
-  /// See DenseBasis::scale.
-  void sum_rows(const VectorMap<S>& column_scale, VectorMap<S>& rowsum) const {
-    form_.sum_rows(column_scale, rowsum);
-  }
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
             const VectorMap<S>& covering_vector);
   template <class Here> void set_covering_vector(const VectorMap<S>& as_given, Here /*here*/) {
