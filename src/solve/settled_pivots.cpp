@@ -16,6 +16,7 @@ namespace lcpush::desktop {
 
 Status SettledPivots::begin(const Problem<double>& problem, Status status) {
   problem_ = problem;
+  last_patience_ = std::numeric_limits<Index>::max();
   is_swept_ = false;
   may_sweep_ = problem.size > limits::unknowns_dense && problem.push == nullptr &&
                has_pads(problem) && ModesOfForces::fits(problem);
@@ -82,6 +83,7 @@ bool SettledPivots::sweep() {
   if (try_sweeps()) return true;
   lost_compliance_ = softness(problem_);
   ++sweeps_that_failed_;
+  last_patience_ = lemke_.pivots() + more_patience;
   return false;
 }
 

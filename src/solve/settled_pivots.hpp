@@ -1,6 +1,7 @@
 // Pivots on the structured basis that begin where all points have moved at once.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -35,6 +36,7 @@ public:
 
   template <class Watcher> Status step(Watcher& watcher) {
     if (!is_lost_ && pivots_left_) is_lost_ = --*pivots_left_ <= 0;
+    is_lost_ = is_lost_ || lemke_.pivots() > last_patience_;
     return is_lost_ ? status() : note(lemke_.step(watcher));
   }
   template <class Watcher> Status solve(Watcher& watcher) {
@@ -57,8 +59,9 @@ public:
   double valid_to() const { return lemke_.valid_to(); }
 
 private:
-  static constexpr Index few = 8;        ///< points, as well
-  static constexpr Index patience = 100; ///< pivots
+  static constexpr Index few = 8;              ///< points, as well
+  static constexpr Index patience = 100;       ///< pivots, before sweeps have a try
+  static constexpr Index more_patience = 1000; ///< pivots, after sweeps have failed
   static constexpr double barely = Tolerances<double>().residual / 16;
   StructuredLemke<double>& lemke_;
   const Assembly<double>& assembly_;
@@ -66,8 +69,9 @@ private:
   std::vector<double> values_;
 
   Problem<double> problem_{};
-  bool is_swept_ = false;  ///< this round's answer is sweeps'
-  bool may_sweep_ = false; ///< in this round
+  bool is_swept_ = false;                                   ///< this round's answer is sweeps'
+  bool may_sweep_ = false;                                  ///< in this round
+  Index last_patience_ = std::numeric_limits<Index>::max(); ///< pivots of this round
   int sweeps_that_failed_ = 0;
   bool is_lost_ = false;       ///< this round is not tried
   double lost_compliance_ = 0; ///< of the round that sweeps lost last, in this solve

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "lcpush/desktop/owned.hpp"
@@ -14,11 +15,13 @@ using namespace lcpush::desktop;
 namespace {
 
 /// A bar between two discs of 200 points each, that a rough wall pushes.
-SceneFile bar(const char* pressure, const char* acceleration, const char* ends, int facets = 8) {
-  const auto disc = [](const char* name, const char* z, const char* normal) {
+SceneFile bar(const char* pressure, const char* acceleration, const char* ends, int facets = 8,
+              int points = 200) {
+  const auto disc = [points](const char* name, const char* z, const char* normal) {
     return std::string("[[finger]]\nname = \"") + name + "\"\nshape = \"disc\"\ncenter = [0, 0, " +
            z + "]\nnormal = [0, 0, " + normal +
-           "]\nradius = 0.005\npoints = 200\nfriction = 0.5\ngrip_force = 20\n";
+           "]\nradius = 0.005\npoints = " + std::to_string(points) +
+           "\nfriction = 0.5\ngrip_force = 20\n";
   };
   return parse_scene(
       std::string("facets = ") + std::to_string(facets) + "\npressure = \"" + pressure +
@@ -30,6 +33,7 @@ SceneFile bar(const char* pressure, const char* acceleration, const char* ends, 
       "bar.toml");
 }
 constexpr const char* oblique = "[0.1, 0.05, 0]";
+constexpr const char* against_a_finger = "[0.1, 0.02, 0.03]";
 constexpr const char* at_its_side = "points = 2\nends = [[-0.05, -0.01, 0], [-0.05, 0.01, 0]]";
 constexpr const char* at_four_points = "points = 4\nends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]";
 constexpr const char* straight = "[0.1, 0, 0]";
@@ -90,6 +94,21 @@ TEST_CASE("wide patches: so does the force that breaks the grasp") {
     REQUIRE(report.status == Status::solved);
     CHECK(report.run.pivots <= 200); // three small pushes under pad
   });
+}
+
+TEST_CASE("wide pads: breaking begins slowly, and faster where pads would have to be stiff") {
+  for (const auto& [push_to, points, most_pivots] :
+       {std::tuple(oblique, 800, 300), std::tuple(against_a_finger, 200, 600)}) { // 121, 407
+    CAPTURE(std::string(push_to));
+    const SceneFile file = bar("pad", push_to, at_four_points, 8, points);
+    Push push(file);
+    PushOptions options;
+    options.other_covers = 0;
+    const BreakReport report = push.find_breaking(2, options);
+    REQUIRE(report.status == Status::solved);
+    CHECK(report.breaking.line_error <= 1e-6);
+    CHECK(report.run.pivots <= most_pivots);
+  }
 }
 
 TEST_CASE(

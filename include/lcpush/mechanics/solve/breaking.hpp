@@ -225,11 +225,12 @@ Breaking<S> extrapolate(const SmallPush<S>* push, S unit, const Scales<S>& scale
 
 /// The line through ever smaller pushes, the first of them `size` of F / m. Where the third is off
 /// the line of the first two, a change of mode lies between, and where they leave a motion of their
-/// own size, one may lie below: go smaller.
+/// own size, one may lie below: go smaller. With a `stiffest` above 0 a push that asks for pads
+/// stiffer than that part of its size is lost, and so is one that does not go on from the last.
 template <class S, class Rounds>
-Status break_by_pushes_from(S size, Assembly<S>& assembly, const Rounds& rounds, Workspace<S>& work,
-                            const Body<S>& pusher, PressureOptions<S> options, S unit,
-                            Breaking<S>& breaking, PressureRun& run) {
+Status break_by_pushes_from(S size, const S& stiffest, Assembly<S>& assembly, const Rounds& rounds,
+                            Workspace<S>& work, const Body<S>& pusher, PressureOptions<S> options,
+                            S unit, Breaking<S>& breaking, PressureRun& run) {
   constexpr int most_pushes = 5;
   // Of round friction the force is a smooth function of the push: a line only in the small.
   const bool is_round = assembly.scene().aims.size > 0;
@@ -238,8 +239,10 @@ Status break_by_pushes_from(S size, Assembly<S>& assembly, const Rounds& rounds,
   bool is_of_push = false; // what is left without a push may be the smallest push's own doing
   // Of pads that may retreat the stiffest are lost first: three pushes are a line, and one more is
   // taken where it goes on from them.
-  const int enough = options.max_retreats > 0 ? 3 : 2;
+  const bool is_fast = size > S(1) / S(500);
+  const int enough = options.max_retreats > 0 && is_fast ? 3 : 2;
   for (int k = 0; k < most_pushes; ++k, size /= S(10)) {
+    options.stiffest = size * stiffest;
     const bool is_more = k > 2 && breaking.line_error <= straight && !is_of_push;
     if (is_more) options.max_retreats = 0;
     Status status = Status::running;
@@ -247,7 +250,8 @@ Status break_by_pushes_from(S size, Assembly<S>& assembly, const Rounds& rounds,
       if (k > 0)
         status = go_on_slowly(assembly, rounds, work, pusher, options, unit, size, push[k - 1],
                               push[k], run);
-    if (status != Status::solved && !is_more)
+    const bool begins_anew = status == Status::running || stiffest == S(0);
+    if (status != Status::solved && !is_more && begins_anew)
       status = push_slowly(assembly, rounds, work, pusher, options, unit, size, push[k], run);
     if (status != Status::solved) return k < 3 ? status : Status::solved;
     if (k < 2) continue;
@@ -264,18 +268,19 @@ Status break_by_pushes_from(S size, Assembly<S>& assembly, const Rounds& rounds,
 /// `pad`: compliance has to vanish before the push does, so finite small pushes are extrapolated,
 /// as they are under round friction, whose slips have no direction before they begin;
 /// and so they are where the solver knows no infinitesimal ones. Where pads may retreat, a slow
-/// push may ask for stiffer ones than there are: begin with a faster one.
+/// push may ask for stiffer ones than there are: then a faster one begins.
 template <class S, class Rounds>
 Status break_by_pushes(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>& work,
                        const Body<S>& pusher, const PressureOptions<S>& options, S unit,
                        Breaking<S>& breaking, PressureRun& run) {
   const bool may_retreat = options.max_retreats > 0;
   // Sweeps see less far down, and so does single precision.
-  S size = Rounds::carries_push && !may_retreat ? S(1) / S(1000) : S(1) / S(100);
+  S size = Rounds::carries_push ? S(1) / S(1000) : S(1) / S(100);
   size = Eigen::numext::maxi(size, smallest_push<S>());
-  for (;; size *= S(10)) {
-    const Status status =
-        break_by_pushes_from(size, assembly, rounds, work, pusher, options, unit, breaking, run);
+  S stiffest = may_retreat && Rounds::carries_push ? S(1) / S(1000) : S(0);
+  for (;; size *= S(10), stiffest = S(0)) {
+    const Status status = break_by_pushes_from(size, stiffest, assembly, rounds, work, pusher,
+                                               options, unit, breaking, run);
     const bool is_lost = status == Status::numerical_breakdown;
     if (!is_lost || !may_retreat || size > S(1) / S(20)) return status;
   }

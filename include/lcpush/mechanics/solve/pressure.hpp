@@ -13,6 +13,8 @@ template <class S> struct PressureOptions {
   Index max_rounds = 60;
   Index max_retreats = 0;                ///< to softer pads, by rounds that can: where a cold
                                          ///< start is dear
+  S stiffest{0};                         ///< eps below it are numerical_breakdown: the caller
+                                         ///< can ask for less stiff pads
   Index max_turns = 32;                  ///< of round friction's pyramids
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
   Index fine_rounds = 0; ///< so many more at most, while the violation is above `finest`
@@ -141,6 +143,7 @@ private:
   }
 
   Status next_round() {
+    if (Rounds::retreats && eps_ < options_.stiffest) return Status::numerical_breakdown;
     if (++round_ == options_.max_rounds)
       return end_pads(Status::numerical_breakdown, Reason::unsettled);
     warm_ = true;
