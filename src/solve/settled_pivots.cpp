@@ -36,7 +36,7 @@ bool SettledPivots::gives_up(const Problem<double>& problem) const {
 
 Status SettledPivots::init(const Problem<double>& problem, const LemkeOptions<double>& options,
                            const unsigned char* active, Guess guess) {
-  if (guess == Guess::near && softness(problem) > lost_compliance_) { // a solve begins
+  if (guess == Guess::near && softness(problem) != lost_compliance_) { // a solve begins
     sweeps_that_failed_ = 0;
     lost_compliance_ = 0;
   }
