@@ -106,7 +106,7 @@ public:
     const bool spreads = scene_.pressure == Pressure::even && has_driven_patch(scene_);
     if (spreads && spread_evenly(scene_, further, scene_) != Status::solved)
       return refuse(Mistake::memory_too_small);
-    if (assembled_)
+    if (assembled_ && !moved_) // a motion's steps write into the same arrays
       assembly_.command();
     else if (!fits(size_of(scene_)) || assembly_.assemble(scene_) != Status::running)
       return refuse(Mistake::memory_too_small);
@@ -149,7 +149,7 @@ public:
     motion_ = nullptr;
     if (!described_) return refuse(Mistake::not_described);
     if (!method_->takes_motions) return refuse(Mistake::unsupported);
-    described_ = assembled_ = false; // the equations' arrays are the motion's from now on
+    described_ = false; // its equations' arrays are the motion's from now on
     moved_ = true;
     last_.known = false;
     motion_ = begin_motion(as_given(), work_, arena, mistake_);

@@ -135,7 +135,7 @@ Status SweepSolver::pivot(Question question, const LemkeOptions<double>& options
       from == nullptr ? lemke_->init(problem, options) : lemke_->init(problem, options, from);
   if (status == Status::running) status = lemke_->solve(attendant_);
   if (status != Status::solved) return status;
-  basis = basis_of(static_cast<const Lemke<double>&>(*lemke_), problem.size);
+  basis = basis_of(*lemke_, problem.size);
   return status;
 }
 

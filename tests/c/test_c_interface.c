@@ -379,6 +379,29 @@ static void moves_on(void) {
   CHECK(near(place[0], 0.01, 1e-5) && near(place[1], 0, 1e-5));
 }
 
+/* Steps of a motion write where the push had its equations: a command after one makes them anew. */
+static void commands_between_steps(void) {
+  lcpush_push* push = lcpush_make(memory_d, sizeof memory_d, &size);
+  const double forces[2] = {15, 15}, velocity[6] = {0.1, 0, 0, 0, 0, 0};
+  const double aside[3][6] = {{0}, {0}, {0.1, 0.3, 0, 0, 0, 1}};
+  double stepped[6], fresh[6];
+  int k;
+  CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING);
+  CHECK(lcpush_set_off(push, motion_memory, sizeof motion_memory, NULL) == LCPUSH_RUNNING);
+  lcpush_set_velocity(push, 2, velocity);
+  for (k = 0; k < 3; ++k) {
+    CHECK(lcpush_advance(push, 0.01) == LCPUSH_SOLVED);
+    CHECK(lcpush_command(push, forces, aside[0]) == LCPUSH_RUNNING);
+  }
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+  lcpush_acceleration(push, stepped);
+  CHECK(lcpush_describe(push, &slide_d) == LCPUSH_RUNNING);
+  CHECK(lcpush_command(push, forces, aside[0]) == LCPUSH_RUNNING);
+  CHECK(lcpush_solve(push) == LCPUSH_SOLVED);
+  lcpush_acceleration(push, fresh);
+  for (k = 0; k < 6; ++k) CHECK(stepped[k] == fresh[k]);
+}
+
 /* Pivots number their unknowns by 16 bits, 1638 points of 8 facets are 16382 unknowns, and contacts
  * by 12, without a sign. */
 static void refuses_more_unknowns_than_it_can_number(void) {
@@ -409,6 +432,7 @@ int main(void) {
   refuses_more_unknowns_than_it_can_number();
   every_mistake_has_its_own_words();
   moves_on();
+  commands_between_steps();
   CHECK(strcmp(lcpush_status_text(LCPUSH_RAY), "ray") == 0);
   CHECK(strcmp(lcpush_mode_text(LCPUSH_SLIDE), "slide") == 0);
   if (faults == 0)

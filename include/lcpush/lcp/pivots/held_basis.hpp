@@ -18,7 +18,9 @@ constexpr Index held_basis_integers(Index n, Index cones) {
 /// Between neighbouring problems, as a sweep or a control loop has them, most answers stand in the
 /// basis of the last one. Lemke's method started from there would say so, but scales, covers,
 /// refines and referees for it, which is most of its time where nothing has to be pivoted. Here the
-/// basis is factored as it is, and its values are looked at on the problem as given.
+/// basis is factored as it is, and its values are looked at on the problem as given, by the
+/// solvers' own product: who reports the answer asks natural_residual, or the laws' check, as
+/// sweeps do.
 template <class S> class HeldBasis {
 public:
   /// Memory of at least held_basis_scalars and held_basis_integers elements; it is the caller's.
