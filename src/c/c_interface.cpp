@@ -84,11 +84,10 @@ template <class Push> Push* make(void* memory, std::size_t bytes, const lcpush_s
        {size->bodies, size->points, size->facets, size->actuators, size->drives, size->pulls})
     if (count < 0) return nullptr;
   Arena arena(static_cast<unsigned char*>(memory), static_cast<Index>(bytes));
-  const Span<unsigned char> place =
-      arena.take_bytes(static_cast<Index>(sizeof(Push)), alignof(Push));
-  if (place.data == nullptr) return nullptr;
-  Push* const push = new (place.data) Push(arena, {size->bodies, size->points, size->facets,
-                                                   size->actuators, size->drives, size->pulls});
+  void* const place = arena.take_bytes(static_cast<Index>(sizeof(Push)), alignof(Push));
+  if (place == nullptr) return nullptr;
+  Push* const push = new (place) Push(arena, {size->bodies, size->points, size->facets,
+                                              size->actuators, size->drives, size->pulls});
   return push->complete() ? push : nullptr;
 }
 
@@ -97,8 +96,10 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   if (!push.holds(given.body_count, given.point_count, given.actuator_count, given.drive_count))
     return push.refuse(Mistake::memory_too_small);
   const auto pressure = number_of(given.pressure);
-  if (pressure != LCPUSH_PAD && pressure != LCPUSH_EVEN && pressure != LCPUSH_RIGID)
-    return push.refuse(Mistake::unsupported);
+  const bool is_round = given.facets == LCPUSH_ROUND;
+  const bool is_known = pressure == LCPUSH_PAD || pressure == LCPUSH_RIGID ||
+                        (pressure == LCPUSH_EVEN && !little_flash);
+  if (!is_known || (is_round && little_flash)) return push.refuse(Mistake::unsupported);
   const Span<Body<S>> bodies = push.bodies(given.body_count);
   const Span<Vector3<S>> points = push.points(given.point_count);
   const Span<Actuator<S>> actuators = push.actuators(given.actuator_count);
@@ -122,7 +123,6 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   read(given.object.wrench, scene.object.wrench);
   scene.object.center_of_mass.setZero();
   read(given.gravity, scene.gravity);
-  const bool is_round = given.facets == LCPUSH_ROUND;
   scene.facets = is_round ? -given.facets : given.facets;
   scene.pressure = static_cast<Pressure>(pressure);
   scene.planar = given.planar != 0;
@@ -150,7 +150,7 @@ template <class S> Status command(CPush<S>& push, const S* forces, const S* acce
   for (Index a = 0; forces != nullptr && a < actuators.size; ++a) actuators[a].force = forces[a];
   for (Index b = 0; accelerations != nullptr && b < bodies.size; ++b)
     bodies[b].acceleration = Eigen::Map<const Vector6<S>>(accelerations + 6 * b);
-  return push.assemble();
+  return push.take_command();
 }
 
 /// The body of the scene as it was described: under even pressure every point is a body of its own.
@@ -224,7 +224,8 @@ template <class S, class Push> constexpr bool all_covered() {
             const AssemblySize size{p, p * g, a, d};
             if (!covers<S, CPivotPush<Push>>(
                     LCPUSH_BYTES(S, b, p, g, a, d), b, size,
-                    small_bytes<S>(size, size.actuators, exchanges_of(size))) ||
+                    little_flash ? table_bytes<S>(size)
+                                 : small_bytes<S>(size, size.actuators, exchanges_of(size))) ||
                 !covers<S, CSweepPush<Push>>(LCPUSH_SWEEP_BYTES(S, b, p, g, a, d), b, size,
                                              sweep_bytes<S>(size)))
               return false;

@@ -1,6 +1,7 @@
 // Behind lcpush_advance: a motion in memory that the caller gives beside the push's own.
 #pragma once
 
+#include "device_lemke.hpp"
 #include "lcpush/mechanics/solve/step.hpp"
 
 namespace lcpush::c {
@@ -10,7 +11,7 @@ template <class S> struct CMotion {
   const Scene<S> scene;
   Span<Touching> touching;
   Surroundings<S> around{};
-  TimeStepper<S, SmallLemke<S>> motion;
+  TimeStepper<S, DeviceLemke<S>> motion;
 
   CMotion(const Scene<S>& its_scene, Span<Touching> its_touching, const MotionMemory<S>& memory)
       : scene(its_scene), touching(its_touching), motion(scene, around, memory) {
@@ -29,13 +30,12 @@ template <class S> Index bytes_of_motion(const Scene<S>& scene) {
 template <class S>
 CMotion<S>* begin_motion(const Scene<S>& scene, const Workspace<S>& work, Arena& arena,
                          Mistake& mistake) {
-  const Span<unsigned char> place =
-      arena.take_bytes(static_cast<Index>(sizeof(CMotion<S>)), alignof(CMotion<S>));
+  void* const place = arena.take_bytes(static_cast<Index>(sizeof(CMotion<S>)), alignof(CMotion<S>));
   const Span<Touching> touching = arena.take<Touching>(scene.bodies.size);
   const MotionMemory<S> memory = take_motion_arrays<S>(arena, motion_size(scene), work);
   mistake = Mistake::memory_too_small;
-  if (place.data == nullptr || !memory.work.complete) return nullptr;
-  CMotion<S>* const made = new (place.data) CMotion<S>(scene, touching, memory);
+  if (place == nullptr || !memory.work.complete) return nullptr;
+  CMotion<S>* const made = new (place) CMotion<S>(scene, touching, memory);
   const Status status = made->motion.start();
   mistake = made->motion.run().mistake;
   return status == Status::running ? made : nullptr;

@@ -54,11 +54,11 @@ public:
 
   /// Cuts everything out of `arena`; complete() says whether it was enough.
   CPush(Arena& arena, const Capacity& most, const Method& method)
-      : most_(most), method_(&method), bodies_(arena.take<Body<S>>(most.bodies)),
-        points_(arena.take<Vector3<S>>(most.points)), weights_(arena.take<S>(most.points)),
-        actuators_(arena.take<Actuator<S>>(most.actuators)),
-        drives_(arena.take<Drive<S>>(most.drives)),
-        last_active_(arena.take<unsigned char>(assembly_size(most).unknowns())),
+      : most_(most), method_(&method), bodies_(arena.zeros<Body<S>>(most.bodies)),
+        points_(arena.zeros<Vector3<S>>(most.points)), weights_(arena.zeros<S>(most.points)),
+        actuators_(arena.zeros<Actuator<S>>(most.actuators)),
+        drives_(arena.zeros<Drive<S>>(most.drives)),
+        last_active_(arena.zeros<unsigned char>(assembly_size(most).unknowns())),
         work_(method.take(arena, assembly_size(most))), assembly_(work_.assembly) {}
 
   bool complete() const { return work_.complete; }
@@ -89,34 +89,11 @@ public:
   Status accept(bool is_round) {
     given_ = {scene_.bodies, scene_.actuators, scene_.drives, scene_.weights};
     if (is_round) scene_.aims = {work_.aims.data, scene_.points.size};
-    last_.known = assembled_ = false;
-    return assemble();
+    last_.known = false;
+    return set_up(&assemble_anew);
   }
-
-  /// The scene is new, or its grip forces or motions have changed.
-  Status assemble() {
-    begun_ = false;
-    described_ = false;
-    give_back(scene_);
-    const Mistake mistake = find_mistake(scene_);
-    if (mistake != Mistake::none) return refuse(mistake);
-    const EvenMemory<S> further{rest(bodies_, given_.bodies.size),
-                                rest(actuators_, given_.actuators.size),
-                                rest(drives_, given_.drives.size)};
-    const bool spreads = scene_.pressure == Pressure::even && has_driven_patch(scene_);
-    if (spreads && spread_evenly(scene_, further, scene_) != Status::solved)
-      return refuse(Mistake::memory_too_small);
-    if (assembled_ && !moved_) // a motion's steps write into the same arrays
-      assembly_.command();
-    else if (!fits(size_of(scene_)) || assembly_.assemble(scene_) != Status::running)
-      return refuse(Mistake::memory_too_small);
-    assembled_ = true;
-    described_ = true;
-    moved_ = false;
-    mistake_ = Mistake::none;
-    run_ = {};
-    return status_ = Status::running;
-  }
+  /// Its grip forces or motions have changed.
+  Status take_command() { return set_up(&assemble_command); }
 
   Status step(int pivots) {
     if (!described_) return refuse(Mistake::not_described);
@@ -194,8 +171,7 @@ protected:
   Capacity most_;
   const Method* method_;
   bool described_ = false;
-  bool begun_ = false;     ///< a solve has begun and the scene is still the same
-  bool assembled_ = false; ///< since it was described, but for forces and motions
+  bool begun_ = false; ///< a solve has begun and the scene is still the same
   Span<Body<S>> bodies_;
   Span<Vector3<S>> points_;
   Span<S> weights_;
@@ -225,6 +201,38 @@ protected:
   }
 
 private:
+  /// By a pointer: what never commands links nothing for it.
+  Status set_up(bool (*assemble)(CPush&)) {
+    begun_ = false;
+    described_ = false;
+    give_back(scene_);
+    const Mistake mistake = find_mistake(scene_);
+    if (mistake != Mistake::none) return refuse(mistake);
+    const EvenMemory<S> further{rest(bodies_, given_.bodies.size),
+                                rest(actuators_, given_.actuators.size),
+                                rest(drives_, given_.drives.size)};
+    const bool spreads = scene_.pressure == Pressure::even && has_driven_patch(scene_);
+    if (spreads && spread_evenly(scene_, further, scene_) != Status::solved)
+      return refuse(Mistake::memory_too_small);
+    if (!assemble(*this)) return refuse(Mistake::memory_too_small);
+    described_ = true;
+    moved_ = false;
+    mistake_ = Mistake::none;
+    run_ = {};
+    return status_ = Status::running;
+  }
+
+  static bool assemble_anew(CPush& push) {
+    return push.fits(size_of(push.scene_)) &&
+           push.assembly_.assemble(push.scene_) == Status::running;
+  }
+  /// A motion's steps write into the same arrays.
+  static bool assemble_command(CPush& push) {
+    if (push.moved_) return assemble_anew(push);
+    push.assembly_.command();
+    return true;
+  }
+
   /// What spreading has replaced.
   void give_back(Scene<S>& scene) const {
     scene.bodies = given_.bodies;

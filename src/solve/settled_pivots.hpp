@@ -21,6 +21,7 @@ class SettledPivots {
 public:
   using Flags = std::vector<unsigned char>; ///< unknowns: 1 where z_i is basic
   static constexpr Index smallest = 600;    ///< unknowns: fewer are left to the pivots
+  static constexpr bool carries_push = true;
 
   /// After `pivots_left`, if there is a number, which it counts down, it is lost.
   SettledPivots(StructuredLemke<double>& lemke, const Assembly<double>& assembly,

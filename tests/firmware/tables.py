@@ -2,11 +2,11 @@
 from programs import MACHINE, PARTS, instructions
 
 
-def size_table(programs):
+def size_table(programs, program="sizes"):
     """Memory, steps and instructions by points and facets."""
     yield "| points | facets | unknowns | solver | RAM float / double | steps | M3, soft float | M4F, float | M7, double |"
     yield "|---|---|---|---|---|---|---|---|---|"
-    runs = {target: programs.runs("sizes", target) for target in MACHINE}
+    runs = {target: programs.runs(program, target) for target in MACHINE}
     for name, run in runs["m4f"].items():
         points, facets, law, solver = name.split(".")
         there = [runs[target][name] for target in MACHINE]
@@ -61,10 +61,16 @@ def loop_table(programs):
             yield " | ".join([f"| `{law}`: {name}", *figures_of]) + " |"
 
 
-def saved_by_lto(programs, target):
-    """Of the least program; what is left of it has no names of objects any more."""
-    small, optimised = (programs.sections(name, target)[".text"] for name in ("small", "small_flto"))
-    return small - optimised
+def little_table(programs):
+    """The same of programs with little flash, all by pivots on the table."""
+    return size_table(programs, "sizes_little")
+
+
+def code_at_once(programs, program, target):
+    """Of the library, linked with -flto: what is left of it has no names of objects any more."""
+    apart, at_once = (programs.sections(name, target)[".text"] for name in (program, f"{program}_flto"))
+    core = program.replace("small", "core")
+    return programs.code_of(program, target, core) - (apart - at_once)
 
 
 def flash_table(programs):
@@ -82,8 +88,10 @@ def flash_table(programs):
         more = [programs.code_of(f"small_{part}", target, "core") - least[target]
                 for target in MACHINE]
         yield " | ".join([f"| {name}", *(f"+{size}" for size in more)]) + " |"
-    yield " | ".join(["| with `-flto`, the first row", *(str(least[target] - saved_by_lto(programs, target))
-                                                         for target in MACHINE)]) + " |"
+    yield " | ".join(["| with `-flto`, the first row",
+                      *(str(code_at_once(programs, "small", target)) for target in MACHINE)]) + " |"
+    yield " | ".join(["| with `-flto` and `LCPUSH_LITTLE_FLASH`",
+                      *(str(code_at_once(programs, "small_little", target)) for target in MACHINE)]) + " |"
     yield " | ".join(["| sweeps instead of pivots",
                       *(str(programs.code_of("small_sweeps", target, "core"))
                         for target in MACHINE)]) + " |"

@@ -65,6 +65,7 @@ template <class S, class B = DenseBasis<S>> class Lemke {
 public:
   /// Memory of at least lemke_scalars(n) and lemke_integers(n) elements; it is the caller's.
   using Int = typename B::Integer;
+  static constexpr bool carries_push = B::carries_push; ///< may the problem have a push?
   Lemke(Span<S> scalars, Span<Int> integers) : scalars_(scalars), integers_(integers) {}
 
   /// Cold start at z = 0; `problem` outlives the run. Post: running, or bad_input. Cost: a few
@@ -161,6 +162,10 @@ private:
   Span<Int> candidates_, target_;
 
   Index finite_rhs() const { return problem_.free_begin < n_ ? 1 : 0; }
+  bool has_push() const { return carries_push && problem_.push != nullptr; }
+  static constexpr bool keeps_ray = !is_narrow<Int>;
+  bool has_cover() const { return !is_narrow<Int> && options_.cover != nullptr; }
+  bool is_last_try() const { return has_cover() || tries_ + 1 >= options_.covers; }
   /// Wide patches make bases whose values are off, ties that z0 loses, and rays of slips. Steps of
   /// motions, small and alike, are better off without what that takes; and where memory is small,
   /// so are patches.
@@ -190,6 +195,9 @@ private:
   }
 
   bool carve();
+  static void share(VectorMap<S>& map, VectorMap<S>& with) {
+    new (&map) VectorMap<S>(with.data(), with.size());
+  }
   Status prepare(const Problem<S>& problem, const LemkeOptions<S>& options);
   /// out = M z, as given.
   void product(const S* z, S* out) const {
@@ -200,19 +208,19 @@ private:
   }
   /// As given; that of the bound is computed, and scratch_ holds it.
   const S* right_hand_side(Index rhs) {
-    if (rhs >= finite_rhs()) return rhs == finite_rhs() ? problem_.q : problem_.push;
-    if (problem_.factored != nullptr) {
+    if (rhs >= finite_rhs()) return rhs > finite_rhs() && has_push() ? problem_.push : problem_.q;
+    if (!B::has_table || (!B::is_little && problem_.factored != nullptr)) {
       multiply_bound(*problem_.factored, problem_.free_begin, scratch_);
-    } else if constexpr (!B::of_groups) {
+    } else {
       for (Index j = 0; j < n_; ++j) product_[j] = j < problem_.free_begin ? S(0) : S(-1);
-      multiply(problem_, product_.data(), scratch_.data());
+      product(product_.data(), scratch_.data());
     }
     return scratch_.data();
   }
   void load_values(Index first_rhs);
   VectorMap<S> tie_column(Index k) { return column(basis_.dictionary.values, rhs_count_ + k); }
-  /// A basis of groups writes the right-hand side of the bound down after factoring.
-  Index first_to_load() const { return B::of_groups ? finite_rhs() : Index(0); }
+  /// Without a table the right-hand side of the bound is written down after factoring.
+  Index first_to_load() const { return !B::has_table ? finite_rhs() : Index(0); }
   void draw_ties();
   void cover_cold();
   void cover_here();
@@ -234,7 +242,7 @@ private:
   Status try_next_covering_vector();
   Status accept();
   VectorMap<S> solution_of(Index rhs) {
-    return column(solution_, rhs > finite_rhs() ? Index(1) : Index(0));
+    return column(solution_, has_push() && rhs > finite_rhs() ? Index(1) : Index(0));
   }
   void read(Index rhs);
   void refine(Index rhs);
@@ -243,7 +251,8 @@ private:
     const Problem<S>& problem;
     S sigma;
     S operator[](Index i) const {
-      return sigma == S(0) ? problem.q[i] : S(problem.q[i] + sigma * problem.push[i]);
+      const bool is_pushed = carries_push && sigma != S(0);
+      return is_pushed ? S(problem.q[i] + sigma * problem.push[i]) : problem.q[i];
     }
   };
   /// In the covering vector and the tie columns: whoever goes on after a check computes them

@@ -21,7 +21,7 @@ struct AssemblySize {
 /// The size of one scene, spread evenly if it is to be.
 template <class S> AssemblySize size_of(const Scene<S>& scene) {
   AssemblySize size{scene.points.size, 0, scene.actuators.size, scene.drives.size};
-  if (scene.pressure == Pressure::even) size.actuators = size.drives = even_size(scene).drives;
+  if (presses_evenly(scene)) size.actuators = size.drives = even_size(scene).drives;
   for (const Body<S>& body : scene.bodies) {
     size.generators += body.point_count * generator_count(scene, body);
     if (body.bilateral) size.pulls += body.point_count;
@@ -176,7 +176,7 @@ private:
     const Scene<S>& scene = *scene_;
     factored_.mobility = laws::newton(scene, layout_.scales);
     load_ = laws::load(scene, layout_.scales);
-    if (scene.aims.size == 0) return;
+    if (!has_round_friction(scene)) return;
     for (const Body<S>& body : scene.bodies)
       for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
         laws::round_cone(body, scene.points[i], scene.aims[i], scene.object.mass, layout_.scales,
@@ -193,7 +193,7 @@ private:
       // Directions are the body's: those of its first point are there to be read, but for a soft
       // point's torques.
       const auto generator_at = [&](Index i, Index normals, Index j) -> Generator<S> {
-        if (i == body.first_point || body.torsion_radius > S(0) || scene.aims.size > 0)
+        if (i == body.first_point || body.torsion_radius > S(0) || has_round_friction(scene))
           return generator(scene, body, i, j);
         return {memory_.wrenches[first_force + normals + j].template head<3>(), S(0)};
       };
@@ -303,7 +303,7 @@ template <class S> Status Assembly<S>::assemble(const Scene<S>& scene) {
 }
 
 template <class S> void Assembly<S>::command() {
-  if (scene_->aims.size > 0) return (void)assemble(*scene_); // directions follow the slips
+  if (has_round_friction(*scene_)) return (void)assemble(*scene_); // directions follow the slips
   choose_force();
   load_ = laws::load(*scene_, layout_.scales);
   for (Index i = 0; i < layout_.points; ++i) memory_.cones[i].compliance = S(0);

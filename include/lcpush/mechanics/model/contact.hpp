@@ -185,7 +185,7 @@ template <class S> Across<S> across(const Aim<S>& aim, bool is_soft) {
 template <class S>
 Generator<S> generator(const Scene<S>& scene, const Body<S>& body, Index point, Index k) {
   const Vector3<S> u = generator_direction<S>(k, scene.facets);
-  if (scene.aims.size == 0) return generator_along(body, u);
+  if (!has_round_friction(scene)) return generator_along(body, u);
   const Aim<S>& aim = scene.aims[point];
   const Across<S> side = across(aim, body.torsion_radius > S(0));
   return generator_along<S>(body, u[0] * aim.along + u[1] * side.first + u[2] * side.second);

@@ -47,7 +47,7 @@ template <class S>
 [[nodiscard]] Status spread_evenly(const Scene<S>& scene, const EvenMemory<S>& memory,
                                    Scene<S>& spread) {
   spread = scene;
-  if (scene.pressure != Pressure::even) return Status::solved;
+  if (!presses_evenly(scene)) return Status::solved;
   const EvenSize size = even_size(scene);
   if (shares_an_actuator(scene) || memory.bodies.size < size.bodies ||
       memory.actuators.size < size.drives || memory.drives.size < size.drives)

@@ -71,7 +71,7 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
       for (Index k = 0; k < 3; ++k) contact.friction_force[k] += beta * d.force[k];
       contact.torsion += beta * d.torque;
     }
-    if (scene.aims.size > 0) {
+    if (has_round_friction(scene)) {
       const Generator<S> turning = generator_along(
           body, laws::turning_force(body, scene.points[i], scene.aims[i], answer.acceleration));
       contact.friction_force += turning.force;

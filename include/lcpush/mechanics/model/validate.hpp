@@ -72,8 +72,9 @@ template <class S> bool is_positive_definite(const Matrix3<S>& I) {
   for (Index i = 0; i < 3; ++i)
     for (Index j = 0; j < i; ++j)
       if (!(Eigen::numext::abs(S(A(i, j) - A(j, i))) <= slack)) return false;
-  return A(0, 0) > slack && A(0, 0) * A(1, 1) - A(0, 1) * A(1, 0) > slack * slack &&
-         Adjugate<S>(A).determinant > slack * slack * slack;
+  const Adjugate<S> minors(A);
+  return A(0, 0) > slack && minors.rows[2][2] > slack * slack &&
+         minors.determinant > slack * slack * slack;
 }
 
 template <class S> Mistake mistake_of(const Body<S>& body, Index points) {
@@ -96,7 +97,7 @@ template <class S> Mistake mistake_of(const Body<S>& body, Index points) {
 }
 
 template <class S> Mistake mistake_of_point_data(const Scene<S>& scene) {
-  if (scene.aims.size != 0 && scene.aims.size != scene.points.size) return Mistake::aims;
+  if (has_round_friction(scene) && scene.aims.size != scene.points.size) return Mistake::aims;
   if (scene.weights.size == 0) return Mistake::none;
   if (scene.weights.size != scene.points.size) return Mistake::weights;
   for (const Body<S>& body : scene.bodies) {
@@ -114,7 +115,7 @@ template <class S> Mistake mistake_of_point_data(const Scene<S>& scene) {
 /// A preload is held without an actuator, and pads alone know what it is for.
 template <class S> bool has_stray_preload(const Scene<S>& scene) {
   for (Index b = 0; b < scene.bodies.size; ++b)
-    if (scene.bodies[b].preload > S(0) && (scene.pressure == Pressure::even || is_driven(scene, b)))
+    if (scene.bodies[b].preload > S(0) && (presses_evenly(scene) || is_driven(scene, b)))
       return true;
   return false;
 }
@@ -162,7 +163,7 @@ template <class S> Mistake find_mistake(const Scene<S>& scene) {
   Mistake mistake = detail::mistake_of_drives(scene);
   if (mistake == Mistake::none) mistake = detail::mistake_of_point_data(scene);
   if (mistake != Mistake::none) return mistake;
-  const bool shares = scene.pressure == Pressure::even && shares_an_actuator(scene);
+  const bool shares = presses_evenly(scene) && shares_an_actuator(scene);
   return shares || detail::has_stray_preload(scene) ? Mistake::unsupported : Mistake::none;
 }
 

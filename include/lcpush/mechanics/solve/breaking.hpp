@@ -195,7 +195,7 @@ template <class S, class Rounds>
 Status go_on_slowly(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>& work,
                     const Body<S>& pusher, PressureOptions<S> options, S unit, S size,
                     const SmallPush<S>& last, SmallPush<S>& push, PressureRun& run) {
-  if (assembly.scene().pressure != Pressure::pad || assembly.scene().aims.size > 0)
+  if (assembly.scene().pressure != Pressure::pad || has_round_friction(assembly.scene()))
     return Status::running;
   options.goes_on = true;
   options.first_compliance = last.compliance / S(10);
@@ -233,7 +233,7 @@ Status break_by_pushes_from(S size, const S& stiffest, Assembly<S>& assembly, co
                             S unit, Breaking<S>& breaking, PressureRun& run) {
   constexpr int most_pushes = 5;
   // Of round friction the force is a smooth function of the push: a line only in the small.
-  const bool is_round = assembly.scene().aims.size > 0;
+  const bool is_round = has_round_friction(assembly.scene());
   const S straight = S(1) / S(is_round ? 1000000000 : 1000000);
   SmallPush<S> push[most_pushes];
   bool is_of_push = false; // what is left without a push may be the smallest push's own doing
@@ -303,7 +303,7 @@ template <class S, class Rounds>
   if (!(unit > S(0)) || run.reason != Reason::none) return Status::bad_input;
   Status status = Status::running;
   if constexpr (Rounds::carries_push)
-    if (assembly.scene().pressure != Pressure::pad && assembly.scene().aims.size == 0)
+    if (assembly.scene().pressure != Pressure::pad && !has_round_friction(assembly.scene()))
       status = detail::break_exactly(assembly, rounds, work, pusher, unit, breaking, run);
   if (status == Status::running)
     status = detail::break_by_pushes(assembly, rounds, work, pusher, options, unit, breaking, run);

@@ -1,6 +1,8 @@
 // The arrays behind a motion, cut from one block of bytes.
 #pragma once
 
+#include <type_traits>
+
 #include "lcpush/mechanics/model/faces.hpp"
 #include "lcpush/mechanics/model/time_step.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
@@ -31,8 +33,7 @@ struct MotionSize {
 };
 
 template <class S> MotionSize motion_size(const Scene<S>& scene) {
-  const bool is_even = scene.pressure == Pressure::even;
-  return {size_of(scene), scene.bodies.size, is_even ? even_size(scene).bodies : 0};
+  return {size_of(scene), scene.bodies.size, presses_evenly(scene) ? even_size(scene).bodies : 0};
 }
 
 template <class S> struct MotionMemory {
@@ -105,8 +106,9 @@ template <class S> Index structured_motion_bytes(const MotionSize& size, Index s
 template <class S>
 MotionMemory<S> take_motion_arrays(Arena& arena, const MotionSize& size, const Workspace<S>& work) {
   MotionMemory<S> memory;
-  detail::for_each_motion_array(memory, size,
-                                [&](Index count, auto& span) { arena.fill(count, span); });
+  detail::for_each_motion_array(memory, size, [&](Index count, auto& span) {
+    span = arena.take<std::remove_reference_t<decltype(span[0])>>(count);
+  });
   memory.work = work;
   memory.work.complete = work.complete && !arena.exhausted();
   return memory;

@@ -29,7 +29,7 @@ template <class S> Reason unsupported_reason(const Assembly<S>& assembly) {
   for (Index b = 0; b < scene.bodies.size; ++b) {
     if (scene.bodies[b].point_count == 1) continue;
     if (scene.bodies[b].torsion_radius > S(0)) return Reason::unsupported;
-    if (scene.pressure == Pressure::even && is_driven(scene, b)) return Reason::unsupported;
+    if (presses_evenly(scene) && is_driven(scene, b)) return Reason::unsupported;
   }
   const bool fits = assembly.layout().points >= scene.points.size;
   return fits ? Reason::none : Reason::memory_too_small;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "lcpush/lcp/pivots/structured_lemke.hpp"
+#include "lcpush/lcp/pivots/table_lemke.hpp"
 #include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
 
 namespace lcpush {
@@ -47,9 +48,10 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
   Pivots& lemke;
   LemkeOptions<S> options;
   Watcher& watcher;
-  static constexpr bool carries_push = true; ///< solves for the limit of a vanishing push exactly
-  static constexpr bool predicts = false;    ///< starts from the modes that one expects
-  static constexpr bool retreats = true;     ///< to softer pads, as PressureOptions may ask
+  /// Does it solve for the limit of a vanishing push exactly?
+  static constexpr bool carries_push = Pivots::carries_push;
+  static constexpr bool predicts = false; ///< starts from the modes that one expects
+  static constexpr bool retreats = true;  ///< to softer pads, as PressureOptions may ask
 
   explicit LemkeRounds(Pivots& solver, const LemkeOptions<S>& its_options = {},
                        Watcher& its_watcher = unwatched)
@@ -173,7 +175,7 @@ template <class S, class Start, class Watcher = const Unwatched, class Pivots = 
 struct StartedRounds {
   Start start;
   LemkeRounds<S, Watcher, Pivots> then;
-  static constexpr bool carries_push = true;
+  static constexpr bool carries_push = Pivots::carries_push;
   static constexpr bool predicts = Start::knows_breaking;
   static constexpr bool retreats = true;
 

@@ -140,9 +140,7 @@ private:
   }
   /// Under even pressure each point of a driven body is a pad of its own, which follows its face
   /// wherever that goes: it has no gap.
-  bool follows_face(Index body) const {
-    return scene_->pressure == Pressure::even && is_massless(body);
-  }
+  bool follows_face(Index body) const { return presses_evenly(*scene_) && is_massless(body); }
 
   // step_geometry.hpp: which points touch now, and where the solved push takes them.
   S reach(const S& h) const;
@@ -203,7 +201,7 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_push(const
                           {m_.gaps.data, present_.points.size}};
   push_ = laws::time_step(present_, from, m_.push);
   if (spread_evenly(push_, m_.even, solved_) != Status::solved) return Status::bad_input;
-  if (scene_->aims.size > 0) solved_.aims = {m_.work.aims.data, solved_.points.size};
+  if (has_round_friction(*scene_)) solved_.aims = {m_.work.aims.data, solved_.points.size};
   if (assembly_.assemble(solved_) != Status::running) return Status::bad_input;
   // The last step's basis may lead astray; and pads of nearly the same normal force may end under
   // one covering vector or schedule and not under another.

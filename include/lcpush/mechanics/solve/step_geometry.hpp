@@ -171,8 +171,8 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::bend_gaps(const S&
 template <class S, class Pivots> void TimeStepper<S, Pivots>::read_speeds(const S& h) {
   const Answer<S>& answer = m_.work.answer;
   for (Index a = 0; a < m_.next_speeds.size; ++a)
-    m_.next_speeds[a] = push_.pressure == Pressure::even ? S(0) : S(h * answer.closing[a]);
-  if (push_.pressure != Pressure::even) return;
+    m_.next_speeds[a] = presses_evenly(push_) ? S(0) : S(h * answer.closing[a]);
+  if (!presses_evenly(push_)) return;
   Index share = 0;
   for (Index b = 0; b < push_.bodies.size; ++b)
     for (Index i = 0; i < push_.bodies[b].point_count; ++i)

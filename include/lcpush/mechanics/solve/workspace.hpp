@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <new>
 
@@ -13,35 +14,41 @@
 
 namespace lcpush {
 
-/// Cuts typed arrays off the front of a block of bytes.
+/// Cuts typed arrays off the front of a block of bytes. Once it is exhausted nothing that it gave
+/// may be used.
 class Arena {
 public:
   Arena(Span<unsigned char> bytes) : rest_(bytes) {}
   Arena(unsigned char* bytes, Index count) : rest_{bytes, count} {}
 
   template <class T> Span<T> take(Index count) {
-    const Span<unsigned char> bytes = take_bytes(count * static_cast<Index>(sizeof(T)), alignof(T));
-    if (bytes.data == nullptr) return {};
-    T* const first = reinterpret_cast<T*>(bytes.data);
-    for (Index i = 0; i < count; ++i) new (first + i) T();
-    return {first, count};
+    const Span<T> taken = zeros<T>(count);
+    for (Index i = 0; taken.data != nullptr && i < count; ++i) new (taken.data + i) T();
+    return taken;
+  }
+  /// The same of numbers, and of records that are all zeros when they begin: no loop for each type.
+  template <class T> Span<T> zeros(Index count) {
+    void* const bytes = take_bytes(count * static_cast<Index>(sizeof(T)), alignof(T));
+    return {static_cast<T*>(bytes), count};
   }
 
-  /// An array of `count` for each of the spans.
+  /// Zeros, an array of `count` for each of the spans.
   template <class... T> void fill(Index count, Span<T>&... spans) {
-    ((spans = take<T>(count)), ...);
+    ((spans = zeros<T>(count)), ...);
   }
 
-  /// Raw bytes at an address that `alignment` divides; none if fewer are left.
-  Span<unsigned char> take_bytes(Index count, std::size_t alignment) {
+  /// Bytes of zeros at an address that `alignment` divides; null, and exhausted(), if fewer are
+  /// left.
+  void* take_bytes(Index count, std::size_t alignment) {
     const auto address = reinterpret_cast<std::uintptr_t>(rest_.data);
     const Index skip = static_cast<Index>((alignment - address % alignment) % alignment);
     if (skip + count > rest_.size) {
       exhausted_ = true;
-      return {};
+      return nullptr;
     }
-    const Span<unsigned char> taken{rest_.data + skip, count};
-    rest_ = {rest_.data + skip + count, rest_.size - skip - count};
+    unsigned char* const taken = rest_.data + skip;
+    rest_ = {taken + count, rest_.size - skip - count};
+    if (count > 0) std::memset(taken, 0, static_cast<std::size_t>(count));
     return taken;
   }
 
@@ -75,7 +82,7 @@ template <class S> struct Workspace {
 
   /// What solve_pressure takes: something where the scene's friction is round.
   FrictionMemory<S> friction_memory(const Scene<S>& scene) {
-    if (scene.aims.size == 0) return {};
+    if (!has_round_friction(scene)) return {};
     return {{aims.data, scene.aims.size}, &answer};
   }
 };
@@ -106,6 +113,10 @@ constexpr SolverSize small_size(const AssemblySize& size, Index shared, Index ex
           small_lemke_integers(size.unknowns(), size.points, shared, exchanges),
           sizeof(std::int16_t)};
 }
+constexpr SolverSize table_size(const AssemblySize& size) {
+  return {table_lemke_scalars(size.unknowns()), table_lemke_integers(size.unknowns()),
+          sizeof(std::int16_t)};
+}
 constexpr SolverSize sweeps_size(const AssemblySize& size) {
   const Index n = size.unknowns(), couplings = size.couplings(), actuators = size.actuators;
   return {block_gauss_seidel_scalars(n, couplings, actuators),
@@ -132,7 +143,8 @@ template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& si
   Workspace<S> w;
   AssemblyMemory<S>& a = w.assembly;
   arena.fill(size.forces(), a.wrenches);
-  arena.fill(p, a.cones, a.body, w.pressure.preload, w.pressure.compliance, w.aims);
+  arena.fill(p, a.cones, a.body, w.pressure.preload, w.pressure.compliance);
+  if constexpr (!little_flash) w.aims = arena.take<Aim<S>>(p);
   arena.fill(n, a.push, a.q, w.pressure.active);
   arena.fill(size.actuators, a.sums, a.reach, w.answer.closing);
   arena.fill(size.couplings(), a.coupled_variable, a.coupling);
@@ -146,6 +158,19 @@ template <class S> Workspace<S> take_alone(Arena& arena, const AssemblySize& siz
   arena.fill(size.unknowns(), w.pressure.z);
   arena.fill(size.generators, w.answer.friction);
   return w;
+}
+
+/// What an answer needs in the solver's own scalars: first, where Lemke writes its own solution,
+/// the pressure's z; last its friction and contacts.
+template <class S> void answer_in_solver(Workspace<S>& w, const AssemblySize& size) {
+  const Span<S>& all = w.lemke_scalars;
+  w.pressure.z = {all.data, size.unknowns()};
+  const Index last = size.generators * static_cast<Index>(sizeof(S)) +
+                     size.points * static_cast<Index>(sizeof(ContactAnswer<S>)) +
+                     static_cast<Index>(alignof(ContactAnswer<S>));
+  Arena answer(reinterpret_cast<unsigned char*>(all.data + all.size) - last, last);
+  answer.fill(size.points, w.answer.contacts);
+  answer.fill(size.generators, w.answer.friction);
 }
 
 template <class S>
@@ -176,6 +201,12 @@ constexpr Index small_bytes(const AssemblySize& size, Index shared, Index exchan
   return detail::bytes_with<S>(detail::small_size(size, shared, exchanges), size) -
          size.points * static_cast<Index>(sizeof(ContactAnswer<S>));
 }
+/// Bytes that make_table_workspace takes: O(unknowns^2).
+template <class S> constexpr Index table_bytes(const AssemblySize& size) {
+  return detail::bytes_with<S>(detail::table_size(size), size) -
+         size.points * static_cast<Index>(sizeof(ContactAnswer<S>)) -
+         (size.unknowns() + size.generators) * static_cast<Index>(sizeof(S));
+}
 /// Bytes that make_sweep_workspace takes: O(unknowns), and (6 + actuators)^2 Scalars.
 template <class S> constexpr Index sweep_bytes(const AssemblySize& size) {
   return detail::bytes_with<S>(detail::sweeps_size(size), size);
@@ -191,9 +222,8 @@ template <class S>
 Workspace<S> make_structured_workspace(Arena arena, const AssemblySize& size, Index shared) {
   return detail::take_for_pivots<S>(arena, size, detail::structured_size(size, shared));
 }
-/// The same by SmallLemke, whose memory holds arrays of others: first, where Lemke writes its own,
-/// the pressure's z; last, where a basis is kept while it pivots, an answer's friction and
-/// contacts. Who solves on has no answer any more.
+/// The same by SmallLemke, whose memory holds what stands still while it pivots: the pressure's z
+/// and the answer. Who solves on has no answer any more.
 template <class S>
 Workspace<S> make_small_workspace(Arena arena, const AssemblySize& size, Index shared,
                                   Index exchanges) {
@@ -205,14 +235,18 @@ Workspace<S> make_small_workspace(Arena arena, const AssemblySize& size, Index s
   w.complete =
       !arena.exhausted() && SmallBasis<S>::numbers(size.unknowns(), size.points, size.actuators);
   if (!w.complete) return w;
-  const Span<S>& all = w.lemke_scalars;
-  w.pressure.z = {all.data, size.unknowns()};
-  const Index last = size.generators * static_cast<Index>(sizeof(S)) +
-                     size.points * static_cast<Index>(sizeof(ContactAnswer<S>)) +
-                     static_cast<Index>(alignof(ContactAnswer<S>));
-  Arena answer(reinterpret_cast<unsigned char*>(all.data + all.size) - last, last);
-  answer.fill(size.points, w.answer.contacts);
-  answer.fill(size.generators, w.answer.friction);
+  detail::answer_in_solver(w, size);
+  return w;
+}
+/// The same by TableLemke, likewise.
+template <class S> Workspace<S> make_table_workspace(Arena arena, const AssemblySize& size) {
+  Workspace<S> w = detail::take_common<S>(arena, size);
+  if (!DenseBasis<S, std::int16_t>::numbers(size.unknowns())) return w;
+  const detail::SolverSize solver = detail::table_size(size);
+  arena.fill(solver.scalars, w.lemke_scalars);
+  arena.fill(solver.integers, w.lemke_integers.narrow);
+  w.complete = !arena.exhausted();
+  if (w.complete) detail::answer_in_solver(w, size);
   return w;
 }
 /// The same by block Gauss-Seidel.

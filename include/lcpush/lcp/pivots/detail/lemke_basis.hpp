@@ -15,20 +15,23 @@ template <class S, class B> bool Lemke<S, B>::carve() {
   new (&product_) VectorMap<S>(column(solution_, 1));
   basis_.carve(problem_, rhs_count_ + detail::tie_columns, options_.exchanges, scalars, integers);
   for (VectorMap<S>* map : {&covering_, &row_scale_}) scalars.seat(*map, n);
-  if (B::one_scale && options_.exchanges > 0)
-    new (&ray_) VectorMap<S>(trial_.data(), n);
-  else
+  if (keeps_ray)
     scalars.seat(ray_, n);
+  else
+    share(ray_, trial_);
+  if (B::has_table)
+    scalars.seat(scratch_, n);
+  else
+    new (&scratch_) VectorMap<S>(basis_.dictionary.table.data(), n);
   if (B::one_scale) {
-    new (&column_scale_) VectorMap<S>(row_scale_.data(), n);
-    for (VectorMap<S>* map : {&scratch_, &rowsum_})
-      new (map) VectorMap<S>(basis_.dictionary.table.data(), n);
+    share(column_scale_, row_scale_);
+    share(rowsum_, scratch_);
   } else {
-    for (VectorMap<S>* map : {&column_scale_, &scratch_, &rowsum_}) scalars.seat(*map, n);
+    for (VectorMap<S>* map : {&column_scale_, &rowsum_}) scalars.seat(*map, n);
   }
   candidates_ = integers.take(n);
-  // A basis of groups has read its target before anything is a candidate.
-  target_ = B::of_groups ? candidates_ : integers.take(n);
+  // Without a table the basis has read its target before anything is a candidate.
+  target_ = B::has_table ? integers.take(n) : candidates_;
   return !scalars.exhausted() && !integers.exhausted();
 }
 
@@ -37,7 +40,7 @@ Status Lemke<S, B>::prepare(const Problem<S>& problem, const LemkeOptions<S>& op
   problem_ = problem;
   options_ = options;
   n_ = problem.size;
-  rhs_count_ = finite_rhs() + 1 + (problem.push != nullptr ? 1 : 0);
+  rhs_count_ = finite_rhs() + 1 + (has_push() ? 1 : 0);
   tries_ = pivots_ = pivots_of_try_ = repairs_ = 0;
   tie_tolerance_ = options.tolerances.tie;
   status_ = Status::running;
@@ -53,7 +56,7 @@ Status Lemke<S, B>::prepare(const Problem<S>& problem, const LemkeOptions<S>& op
   S finite_sum = basis_.scale(options_.equilibrate, row_scale_, column_scale_, rowsum_, scratch_);
   for (Index i = 0; i < n_; ++i) {
     finite_sum += problem_.q[i] - problem_.q[i];
-    if (problem_.push != nullptr) finite_sum += problem_.push[i] - problem_.push[i];
+    if (has_push()) finite_sum += problem_.push[i] - problem_.push[i];
   }
   if (!(finite_sum == S(0))) return end(Status::bad_input, Reason::not_finite);
   for (Index k = 0; k < rhs_count_; ++k) {
@@ -87,8 +90,8 @@ template <class S, class B> void Lemke<S, B>::draw_ties() {
 /// A start at z = 0 under a generic covering vector and tie columns.
 template <class S, class B> void Lemke<S, B>::cover_cold() {
   for (Index i = 0; i < n_; ++i)
-    covering_[i] = options_.cover != nullptr ? S(options_.cover[i] * row_scale_[i])
-                                             : generic_number<S>(seed(0), i);
+    covering_[i] =
+        has_cover() ? S(options_.cover[i] * row_scale_[i]) : generic_number<S>(seed(0), i);
   draw_ties();
   load_values(0);
   basis_.load(row_scale_, column_scale_, covering_);
@@ -227,7 +230,7 @@ template <class S, class B> bool Lemke<S, B>::passes_check() {
   }
   residual_ = referee(S(0), z());
   if (!(residual_.residual <= tolerance)) return false;
-  if (problem_.push == nullptr) return true;
+  if (!has_push()) return true;
   if (!find_range()) return false;
   // Not the very end of the range: there the answer may be all zeros, and rounding its scale.
   const S sigma = valid_to_ < S(0) ? rhs_scale_[finite] / rhs_scale_[push] : valid_to_ / S(2);

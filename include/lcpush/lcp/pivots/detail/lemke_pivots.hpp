@@ -41,7 +41,8 @@ template <class S, class B> template <class Watcher> Status Lemke<S, B>::advance
   if (entering_ < 0) return start(watcher);
   if (pivots_of_try_ >= limit()) return end(Status::pivot_limit);
   const bool look = pivots_of_try_ % 64 == 63 && !fresh_;
-  if ((basis_.is_long() || (look && drifted())) && !refactorise()) return end_unfactored();
+  if ((basis_.is_long() || (look && (B::is_little || drifted()))) && !refactorise())
+    return end_unfactored();
 
   const Index c = basis_.enter(entering_);
   RatioTest<S, Int> test = ratio_test();
@@ -89,7 +90,7 @@ template <class S, class B> Status Lemke<S, B>::try_next_covering_vector() {
     worst_ = status_;
     worst_reason_ = reason_;
   }
-  if (options_.cover != nullptr || tries_ + 1 >= options_.covers) return end(worst_, worst_reason_);
+  if (is_last_try()) return end(worst_, worst_reason_);
   ++tries_;
   cover_cold();
   return status_ = Status::running;
@@ -106,8 +107,7 @@ template <class S, class B> Status Lemke<S, B>::accept() {
   for (Index k = finite_rhs(); k < rhs_count_; ++k) refine(k);
   if (!passes_check()) return reject();
   const bool barely = residual_.residual > options_.tolerances.residual / S(16);
-  const bool is_last_try = options_.cover != nullptr || tries_ + 1 >= options_.covers;
-  if (barely && repairs_ == 0 && !is_last_try) return reject();
+  if (barely && repairs_ == 0 && !is_last_try()) return reject();
   return end(Status::solved);
 }
 
@@ -162,14 +162,15 @@ template <class S, class B> Status Lemke<S, B>::conclude_ray(Index column) {
                 (trial_[i] <= tolerance || u <= row_tolerance);
   }
   if (!certified) return end(Status::numerical_breakdown, Reason::false_ray);
-  // In the problem's own units, largest entry 1.
-  S own_largest(0);
-  for (Index i = 0; i < n; ++i) {
-    ray_[i] = Eigen::numext::maxi(S(trial_[i] * column_scale_[i]), S(0));
-    own_largest = Eigen::numext::maxi(own_largest, ray_[i]);
+  if constexpr (keeps_ray) { // in the problem's own units, largest entry 1
+    S own_largest(0);
+    for (Index i = 0; i < n; ++i) {
+      ray_[i] = Eigen::numext::maxi(S(trial_[i] * column_scale_[i]), S(0));
+      own_largest = Eigen::numext::maxi(own_largest, ray_[i]);
+    }
+    ray_ /= own_largest;
+    ray_artificial_ = v0 / own_largest;
   }
-  ray_ /= own_largest;
-  ray_artificial_ = v0 / own_largest;
   return end(Status::ray);
 }
 

@@ -34,6 +34,9 @@ public:
   static constexpr bool one_scale = true;
   /// Factored group by group, and not by the largest pivot.
   static constexpr bool of_groups = true;
+  static constexpr bool has_table = false;
+  static constexpr bool is_little = false;
+  static constexpr bool carries_push = true;
 
   static constexpr Index scalars(Index n, Index cones, Index shared, Index right_hand_sides,
                                  Index exchanges) {
