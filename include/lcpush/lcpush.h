@@ -17,7 +17,7 @@
  *
  * With LCPUSH_LITTLE_FLASH, defined wherever this file is read and where the library is compiled,
  * there is no LCPUSH_EVEN and no LCPUSH_ROUND, and pivots are made on a table whose memory grows
- * with the square of the unknowns: for few points, in half of the flash.
+ * with the square of the unknowns: for few points, in little more than half of the flash.
  */
 #ifndef LCPUSH_H
 #define LCPUSH_H

@@ -23,13 +23,15 @@ public:
   CPivotPush(Arena& arena, const Capacity& most)
       : Push(arena, most, method), lemke_(this->work_.lemke_scalars, this->work_.lemke_integers) {}
 
-  /// In float, a ray of the limit of small pushes is more often rounding's than a jam.
+  /// In float, a ray of the limit of small pushes is more often rounding's than a jam: then small
+  /// pushes themselves are asked.
   Status break_grasp(const Body<S>& pusher, Breaking<S>& breaking) {
     Status status = Status::running;
-    for (int attempt = 0; attempt < attempts; ++attempt) {
+    PressureOptions<S> pads;
+    for (int attempt = 0; attempt < attempts; ++attempt, pads.exact_limit = false) {
       breaking = {};
       status = find_breaking(this->assembly_, Rounds{lemke_, options(attempt)}, this->work_, pusher,
-                             PressureOptions<S>(), breaking, this->run_);
+                             pads, breaking, this->run_);
       if (status == Status::solved || status == Status::does_not_hold) break;
     }
     return status;

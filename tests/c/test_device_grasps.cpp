@@ -10,6 +10,11 @@ TEST_CASE("a thousand grasps in float on a device: at least 995 solved, none of 
     for (const Index facets : {4, 8}) check_a_thousand(pressure, facets);
 }
 
+TEST_CASE("on a device, too, a grasp breaks or does not hold") {
+  for (const Pressure pressure : {Pressure::pad, Pressure::rigid, Pressure::even})
+    check_breaks(pressure);
+}
+
 TEST_CASE("a push fits into the bytes that the macros say, wherever they begin") {
   // What alignment takes depends on every length and on the block's address.
   std::vector<double> block(LCPUSH_BYTES(double, 9, 13, 10, 4, 5) / sizeof(double) + 3);

@@ -22,7 +22,7 @@ from tables import code_at_once, code_table, flash_table, little_table, loop_tab
 
 PROGRAMS = ("push", "sizes", "small", "loop", "pivots", "kernel", "small_little", "sizes_little")
 
-FLASH = 24 * 1024  # describe, solve by pivots, read: where flash is little, the whole linked at once
+FLASH = {"m4f": 24 * 1024}  # describe, solve by pivots, read: where flash is little, linked at once
 KERNEL_BYTES = 2048  # a pivot: ratio test, exchange, bookkeeping
 KERNEL_STACK = {"float": 512, "double": 768}
 REST_OF_RAM = {"push": 512, "pivots": 4096}  # beside the block of memory; pivots keeps two scenes
@@ -73,10 +73,10 @@ def gate_ram(programs, program, target, like=None):
 
 
 def gate_flash(programs, target, program="small_little"):
-    """The least that a controller links. What single precision in software takes is not ours."""
+    """The least that a controller links."""
     size = code_at_once(programs, program, target)
-    if PRECISION[target] == "float" and size > FLASH:
-        yield f"{program}: {size} bytes of flash, allowed {FLASH}"
+    if target in FLASH and size > FLASH[target]:
+        yield f"{program}: {size} bytes of flash, allowed {FLASH[target]}"
 
 
 def gate_kernel(programs, target, source="kernel"):

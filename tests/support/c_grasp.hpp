@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "lcpush/lcpush.h"
-#include "lcpush/mechanics/model/contact.hpp"
+#include "lcpush/mechanics/solve/breaking.hpp"
 #include "support/grasp_families.hpp"
 
 namespace lcpush::test {
@@ -158,6 +158,65 @@ inline void check_a_thousand(Pressure pressure, Index facets) {
                  << " of 1000 solved, at most " << count.most_pivots << " pivots, worst violation "
                  << count.worst);
   CHECK(count.solved >= 995);
+}
+
+/// The limit of a vanishing push on the whole table in double.
+inline Status break_in_double(const OwnedScene<double>& given, Breaking<double>& breaking,
+                              double& size) {
+  OwnedScene<double> owned = given.spread();
+  const Scene<double> scene = owned.view();
+  OwnedWorkspace<double> memory = workspace_for<Lemke<double>>(scene);
+  Assembly<double> assembly(memory.work.assembly);
+  REQUIRE(assembly.assemble(scene) == Status::running);
+  size = assembly.layout().scales.force;
+  Lemke<double> lemke(memory.work.lemke_scalars, memory.work.lemke_integers);
+  PressureRun run;
+  return find_breaking(assembly, LemkeRounds{lemke}, memory.work,
+                       scene.bodies[scene.bodies.size - 1], PressureOptions<double>(), breaking,
+                       run);
+}
+
+/// Of some hundred grasps every one breaks in float or does not hold; nearly always as in double,
+/// and mostly with the same force: the laws may leave several.
+inline void check_breaks(Pressure pressure) {
+  const Family family = pressure == Pressure::even ? Family::even : Family::plain;
+  const lcpush_size most{24, 12, 8, 24, 24, 0};
+  std::vector<double> memory(LCPUSH_BYTES(float, 24, 12, 8, 24, 24) / sizeof(double) + 1);
+  lcpushf_push* const push = lcpushf_make(memory.data(), memory.size() * sizeof(double), &most);
+  REQUIRE(push != nullptr);
+  int tried = 0, ended = 0, agreed = 0, broken = 0, same = 0;
+  for (std::uint64_t seed = 1; seed <= 180; ++seed) {
+    OwnedScene<float> owned = grasp_of<float>(family, seed);
+    OwnedScene<double> in_double = grasp_of<double>(family, seed);
+    if (owned.points.size() > 12) continue;
+    CAPTURE(seed);
+    owned.base.facets = in_double.base.facets = 4;
+    owned.base.pressure = in_double.base.pressure = pressure;
+    const CGrasp grasp(owned);
+    lcpushf_breaking breaking;
+    REQUIRE(lcpushf_describe(push, &grasp.scene) == LCPUSH_RUNNING);
+    const lcpush_status status = lcpushf_break_grasp(push, grasp.scene.body_count - 1, &breaking);
+    Breaking<double> exact;
+    double size = 0;
+    const Status expected = break_in_double(in_double, exact, size);
+    const bool holds = status == LCPUSH_SOLVED;
+    ++tried;
+    ended += holds || status == LCPUSH_DOES_NOT_HOLD ? 1 : 0;
+    agreed += holds == (expected == Status::solved) ? 1 : 0;
+    if (!holds || expected != Status::solved) continue;
+    ++broken;
+    const double off = std::abs(static_cast<double>(breaking.break_force) - exact.break_force);
+    same += off <= 5e-3 * size ? 1 : 0;
+  }
+  CAPTURE(static_cast<int>(pressure));
+  MESSAGE("law " << static_cast<int>(pressure) << ": " << tried << " grasps, " << ended
+                 << " break or do not hold, " << agreed << " as in double; " << broken << " break, "
+                 << same << " at the same force");
+  CHECK(tried > 100);
+  CHECK(ended >= tried - 1);
+  CHECK(agreed * 100 >= tried * 93);
+  CHECK(broken > 40);
+  CHECK(same * 10 >= broken * 7);
 }
 
 } // namespace lcpush::test

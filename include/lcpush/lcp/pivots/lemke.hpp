@@ -209,7 +209,7 @@ private:
   /// As given; that of the bound is computed, and scratch_ holds it.
   const S* right_hand_side(Index rhs) {
     if (rhs >= finite_rhs()) return rhs > finite_rhs() && has_push() ? problem_.push : problem_.q;
-    if (!B::has_table || (!B::is_little && problem_.factored != nullptr)) {
+    if (!B::is_little && problem_.factored != nullptr) {
       multiply_bound(*problem_.factored, problem_.free_begin, scratch_);
     } else {
       for (Index j = 0; j < n_; ++j) product_[j] = j < problem_.free_begin ? S(0) : S(-1);

@@ -2,6 +2,8 @@
 // moves. It is the limit of an infinitesimal push, sigma -> 0+ (docs/theory/theory.md, "Breaking").
 #pragma once
 
+#include <limits>
+
 #include "lcpush/mechanics/model/check.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
 
@@ -43,8 +45,12 @@ template <class S> S motion_size(const Vector6<S>& acceleration, const Scales<S>
   return Eigen::numext::maxi(linear, angular) / scales.acceleration;
 }
 
-/// Below this (in units of F / m) an acceleration counts as none.
-template <class S> constexpr S at_rest() { return S(1024) * Tolerances<S>().residual; }
+/// Below this (in units of F / m) an acceleration counts as none: what rounding may leave, but
+/// never what somebody would see.
+template <class S> constexpr S at_rest() {
+  const S rounding = S(1024) * Tolerances<S>().residual, seen = S(3) / S(1000);
+  return rounding < seen ? rounding : seen;
+}
 
 /// In units of F / m: a slower push drowns in what the residual check lets pass.
 template <class S> constexpr S smallest_push() { return S(256) * Tolerances<S>().residual; }
@@ -161,8 +167,10 @@ Status push_slowly(Assembly<S>& assembly, Rounds rounds, Workspace<S>& work, con
   const Scene<S>& scene = assembly.scene();
   const Scales<S>& scales = assembly.layout().scales;
   push.sigma = size * scales.acceleration / unit;
-  options.tolerance = Eigen::numext::maxi(S(size * Tolerances<S>().residual),
-                                          S(512 * Eigen::NumTraits<S>::epsilon()));
+  // Of a slow push's motion the pads may spoil little: to what rounding lets them settle.
+  constexpr double settled = 512 * std::numeric_limits<double>::epsilon();
+  const S rounding = Eigen::numext::maxi(S(settled), S(16 * Eigen::NumTraits<S>::epsilon()));
+  options.tolerance = Eigen::numext::maxi(S(size * Tolerances<S>().residual), rounding);
   // Pads that yield more than a slow push moves would turn every slip away from what was predicted.
   constexpr S slow = S(1) / S(1000);
   if (Rounds::predicts && !options.goes_on && size < slow) options.first_compliance *= size / slow;
@@ -274,9 +282,10 @@ Status break_by_pushes(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>
                        const Body<S>& pusher, const PressureOptions<S>& options, S unit,
                        Breaking<S>& breaking, PressureRun& run) {
   const bool may_retreat = options.max_retreats > 0;
-  // Sweeps see less far down, and so does single precision.
+  // Sweeps see less far down, and so does single precision: each of three pushes is a tenth of the
+  // one before.
   S size = Rounds::carries_push ? S(1) / S(1000) : S(1) / S(100);
-  size = Eigen::numext::maxi(size, smallest_push<S>());
+  size = Eigen::numext::maxi(size, S(3) * smallest_push<S>());
   S stiffest = may_retreat && Rounds::carries_push ? S(1) / S(1000) : S(0);
   for (;; size *= S(10), stiffest = S(0)) {
     const Status status = break_by_pushes_from(size, stiffest, assembly, rounds, work, pusher,
@@ -303,7 +312,8 @@ template <class S, class Rounds>
   if (!(unit > S(0)) || run.reason != Reason::none) return Status::bad_input;
   Status status = Status::running;
   if constexpr (Rounds::carries_push)
-    if (assembly.scene().pressure != Pressure::pad && !has_round_friction(assembly.scene()))
+    if (options.exact_limit && assembly.scene().pressure != Pressure::pad &&
+        !has_round_friction(assembly.scene()))
       status = detail::break_exactly(assembly, rounds, work, pusher, unit, breaking, run);
   if (status == Status::running)
     status = detail::break_by_pushes(assembly, rounds, work, pusher, options, unit, breaking, run);

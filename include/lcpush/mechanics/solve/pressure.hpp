@@ -19,7 +19,8 @@ template <class S> struct PressureOptions {
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
   Index fine_rounds = 0; ///< so many more at most, while the violation is above `finest`
   S finest{0};
-  bool goes_on = false; ///< `pad`: from the memory's last answer, as if this were its next round
+  bool exact_limit = true; ///< a breaking force by an infinitesimal push, where rounds carry one
+  bool goes_on = false;    ///< `pad`: from the memory's last answer, as if this were its next round
 };
 
 /// Why there is nothing to solve, if so: the assembly did not fit its memory, the pressure is to be

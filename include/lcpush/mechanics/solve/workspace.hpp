@@ -234,8 +234,7 @@ Workspace<S> make_small_workspace(Arena arena, const AssemblySize& size, Index s
   w.exchanges = exchanges;
   w.complete =
       !arena.exhausted() && SmallBasis<S>::numbers(size.unknowns(), size.points, size.actuators);
-  if (!w.complete) return w;
-  detail::answer_in_solver(w, size);
+  if (w.complete) detail::answer_in_solver(w, size);
   return w;
 }
 /// The same by TableLemke, likewise.

@@ -21,8 +21,8 @@ public:
   static constexpr bool is_little = is_narrow<Int>; ///< little code counts more than little work
   static constexpr bool one_scale = is_little;      ///< are rows and columns scaled alike?
   static constexpr bool of_groups = is_little;      ///< does it know factored problems alone?
-  static constexpr bool carries_push = !is_little;
-  static constexpr bool has_table = true; ///< else there is but the entering column
+  static constexpr bool carries_push = !is_little;  ///< may the problem have a push?
+  static constexpr bool has_table = true;           ///< else there is but the entering column
 
   static bool supports(const Problem<S>& problem, TieRule rule) {
     if constexpr (!is_little) return true;
@@ -144,7 +144,7 @@ public:
   }
 
 private:
-  /// The columns of M, one product each: no other code than a check of z links anyway.
+  /// The columns of M, by one product each: refinement links that code anyway.
   void fill_columns() {
     const Index n = dictionary.size();
     VectorMap<S> unit(dictionary.table.data() + n * n, n); // where the covering vector will stand

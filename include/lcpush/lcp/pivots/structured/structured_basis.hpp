@@ -31,12 +31,8 @@ template <class S, class Int = int> class StructuredBasis {
 public:
   using Integer = Int;
   Dictionary<S, Int> dictionary; ///< its table: the entering column alone
-  static constexpr bool one_scale = true;
-  /// Factored group by group, and not by the largest pivot.
-  static constexpr bool of_groups = true;
-  static constexpr bool has_table = false;
-  static constexpr bool is_little = false;
-  static constexpr bool carries_push = true;
+  static constexpr bool is_little = false, one_scale = true, of_groups = true;
+  static constexpr bool carries_push = true, has_table = false;
 
   static constexpr Index scalars(Index n, Index cones, Index shared, Index right_hand_sides,
                                  Index exchanges) {
