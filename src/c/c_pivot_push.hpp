@@ -23,15 +23,17 @@ public:
   CPivotPush(Arena& arena, const Capacity& most)
       : Push(arena, most, method), lemke_(this->work_.lemke_scalars, this->work_.lemke_integers) {}
 
-  /// In float, a ray of the limit of small pushes is more often rounding's than a jam: then small
-  /// pushes themselves are asked.
+  /// In float, a ray of the limit of small pushes is more often rounding's than a jam, whatever it
+  /// is covered with: then small pushes themselves are asked.
   Status break_grasp(const Body<S>& pusher, Breaking<S>& breaking) {
     Status status = Status::running;
     PressureOptions<S> pads;
     for (int attempt = 0; attempt < attempts; ++attempt, pads.exact_limit = false) {
       breaking = {};
-      status = find_breaking(this->assembly_, Rounds{lemke_, options(attempt)}, this->work_, pusher,
-                             pads, breaking, this->run_);
+      LemkeOptions<S> pivots = options(attempt);
+      if (breaks_exactly<Rounds>(this->scene_, pads)) pivots.covers = 1;
+      status = find_breaking(this->assembly_, Rounds{lemke_, pivots}, this->work_, pusher, pads,
+                             breaking, this->run_);
       if (status == Status::solved || status == Status::does_not_hold) break;
     }
     return status;

@@ -297,6 +297,14 @@ Status break_by_pushes(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>
 
 } // namespace detail
 
+/// Will find_breaking ask for the limit of an infinitesimal push? Pads' compliance has to vanish
+/// before the push does.
+template <class Rounds, class S>
+bool breaks_exactly(const Scene<S>& scene, const PressureOptions<S>& options) {
+  return Rounds::carries_push && options.exact_limit && scene.pressure != Pressure::pad &&
+         !has_round_friction(scene);
+}
+
 /// The push that `pusher` (a body of the scene) needs to move the object in the grip, by one of the
 /// solvers of rounds.hpp. Pre: push_size(scene) > 0. Post: solved; does_not_hold (breaking.rest is
 /// the motion without a push); or the solver's failure. work.answer is left at a small push: the
@@ -312,8 +320,7 @@ template <class S, class Rounds>
   if (!(unit > S(0)) || run.reason != Reason::none) return Status::bad_input;
   Status status = Status::running;
   if constexpr (Rounds::carries_push)
-    if (options.exact_limit && assembly.scene().pressure != Pressure::pad &&
-        !has_round_friction(assembly.scene()))
+    if (breaks_exactly<Rounds>(assembly.scene(), options))
       status = detail::break_exactly(assembly, rounds, work, pusher, unit, breaking, run);
   if (status == Status::running)
     status = detail::break_by_pushes(assembly, rounds, work, pusher, options, unit, breaking, run);
