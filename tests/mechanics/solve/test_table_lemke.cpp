@@ -124,7 +124,8 @@ TEST_CASE("the table numbers as many unknowns as short integers do") {
 
 TEST_CASE("a jam that the structured basis calls a ray is one on the table") {
   OwnedScene<double> wedge = grasp_of<double>(Family::two_pushers, 80);
-  TablePush<double> wedged(wedge.view());
+  const Scene<double> between = wedge.view();
+  TablePush<double> wedged(between);
   wedged.solve();
   CHECK(wedged.status == Status::ray);
   int rays = 0;
