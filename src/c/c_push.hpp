@@ -211,7 +211,7 @@ private:
     const EvenMemory<S> further{rest(bodies_, given_.bodies.size),
                                 rest(actuators_, given_.actuators.size),
                                 rest(drives_, given_.drives.size)};
-    const bool spreads = scene_.pressure == Pressure::even && has_driven_patch(scene_);
+    const bool spreads = presses_evenly(scene_) && has_driven_patch(scene_);
     if (spreads && spread_evenly(scene_, further, scene_) != Status::solved)
       return refuse(Mistake::memory_too_small);
     if (!assemble(*this)) return refuse(Mistake::memory_too_small);
