@@ -14,10 +14,6 @@
  * SI units; positions from the object's centre of mass; scene axes, fixed to the hand. A twist is
  * [linear ; angular] and a wrench [force ; moment], both at the centre of mass. Push, size and
  * scene belong to one thread at a time.
- *
- * With LCPUSH_LITTLE_FLASH, defined wherever this file is read and where the library is compiled,
- * there is no LCPUSH_EVEN and no LCPUSH_ROUND, and pivots are made on a table whose memory grows
- * with the square of the unknowns: for few points, in little more than half of the flash.
  */
 #ifndef LCPUSH_H
 #define LCPUSH_H
@@ -54,7 +50,7 @@ typedef enum lcpush_mistake {
   LCPUSH_BAD_INDEX,        /* a body without points, or an index outside of its array */
   LCPUSH_BAD_ACTUATOR,     /* force or inertia < 0, or nothing that it drives */
   LCPUSH_UNSUPPORTED,      /* a soft contact of several points; even with a shared actuator or a
-                              preload; a preload on a driven body; what LCPUSH_LITTLE_FLASH lacks */
+                              preload; a preload on a driven body */
   LCPUSH_NOTHING_MOVES,    /* break: no pusher has an acceleration */
   LCPUSH_NOT_DESCRIBED,    /* lcpush_describe was not called, or has failed */
   LCPUSH_BAD_WEIGHTS,      /* a weight <= 0 */

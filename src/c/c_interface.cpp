@@ -97,9 +97,9 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
     return push.refuse(Mistake::memory_too_small);
   const auto pressure = number_of(given.pressure);
   const bool is_round = given.facets == LCPUSH_ROUND;
-  const bool is_known = pressure == LCPUSH_PAD || pressure == LCPUSH_RIGID ||
-                        (pressure == LCPUSH_EVEN && !little_flash);
-  if (!is_known || (is_round && little_flash)) return push.refuse(Mistake::unsupported);
+  const bool is_known =
+      pressure == LCPUSH_PAD || pressure == LCPUSH_RIGID || pressure == LCPUSH_EVEN;
+  if (!is_known) return push.refuse(Mistake::unsupported);
   const Span<Body<S>> bodies = push.bodies(given.body_count);
   const Span<Vector3<S>> points = push.points(given.point_count);
   const Span<Actuator<S>> actuators = push.actuators(given.actuator_count);
@@ -224,8 +224,7 @@ template <class S, class Push> constexpr bool all_covered() {
             const AssemblySize size{p, p * g, a, d};
             if (!covers<S, CPivotPush<Push>>(
                     LCPUSH_BYTES(S, b, p, g, a, d), b, size,
-                    little_flash ? table_bytes<S>(size)
-                                 : small_bytes<S>(size, size.actuators, exchanges_of(size))) ||
+                    small_bytes<S>(size, size.actuators, exchanges_of(size))) ||
                 !covers<S, CSweepPush<Push>>(LCPUSH_SWEEP_BYTES(S, b, p, g, a, d), b, size,
                                              sweep_bytes<S>(size)))
               return false;

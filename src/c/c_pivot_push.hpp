@@ -1,5 +1,4 @@
-// A push that is solved by Lemke's pivots, some of them a call: on the structured basis, or where
-// flash is little on the table.
+// A push that is solved by Lemke's pivots on the structured basis, some of them a call.
 #pragma once
 
 #include "c_push.hpp"
@@ -40,18 +39,17 @@ public:
   }
 
 private:
-  using Rounds = LemkeRounds<S, const Unwatched, DeviceLemke<S>>;
-  using Pivots = StepRounds<S, DeviceLemke<S>>;
+  using Rounds = LemkeRounds<S, const Unwatched, SmallLemke<S>>;
+  using Pivots = StepRounds<S, SmallLemke<S>>;
   using PivotSolve = PressureSolve<S, Pivots>;
 
-  DeviceLemke<S> lemke_;
+  SmallLemke<S> lemke_;
   InPlace<PivotSolve> solve_;
   static constexpr int attempts = 3;
   int attempt_ = 0;
   Index pivots_ = 0; // of the attempts before
 
   static Workspace<S> take(Arena arena, const AssemblySize& size) {
-    if constexpr (little_flash) return make_table_workspace<S>(arena, size);
     return make_small_workspace<S>(arena, size, size.actuators, exchanges_of(size));
   }
   static Status step_of(Base& push, int pivots) {
@@ -87,7 +85,6 @@ private:
 
   /// The modes that one expects, marked by Guess::near until they have led to an answer.
   void predict() {
-    if constexpr (little_flash) return;
     predict_modes_in_little_stack(this->assembly_, this->last_.active);
     this->last_.known = true;
     this->last_.guess = Guess::near;

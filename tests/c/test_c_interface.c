@@ -56,9 +56,7 @@ static void solves_in_double(void) {
   CHECK(near(wrench[0], 20.02, 1e-9));
   CHECK(near(lcpush_closing_of(push, 0), 0, 1e-9));
   CHECK(lcpush_residual(push) < 1e-10);
-#ifndef LCPUSH_LITTLE_FLASH
   CHECK(lcpush_pivots(push) == 0); /* as one expects */
-#endif
   lcpush_contact_at(push, 99, &contact);
   CHECK(contact.normal_force == 0);
 }
@@ -151,7 +149,6 @@ static void breaks_the_grasp(void) {
 
 /* Between two generators of eight a pyramid holds 2 mu F cos(22.5 degrees); a round cone all of it.
  */
-#ifndef LCPUSH_LITTLE_FLASH
 static void friction_may_be_round(void) {
   static const lcpush_size most = {3, 3, 8, 2, 2, 0};
   static double memory[LCPUSH_BYTES(double, 3, 3, 8, 2, 2) / sizeof(double) + 1];
@@ -188,7 +185,6 @@ static void friction_may_be_round(void) {
   CHECK(near(breaking.break_force, 20, 1e-6));
   CHECK(strcmp(lcpush_status_text(LCPUSH_NOT_SETTLED), "not_settled") == 0);
 }
-#endif
 
 static void sweeps_agree(void) {
   lcpush_push* push = lcpush_make_for_sweeps(sweep_memory, sizeof sweep_memory, &size);
@@ -202,7 +198,6 @@ static void sweeps_agree(void) {
   CHECK(near(contact.normal_force, 20.02, 1e-6));
 }
 
-#ifndef LCPUSH_LITTLE_FLASH
 static void even_pressure_spreads(void) {
   /* A line finger of two points, by their shares; the scene's bodies, actuators and drives are
    * counted as given and point by point. */
@@ -258,7 +253,6 @@ static void even_pressure_spreads(void) {
   CHECK(lcpush_describe(push, &scene) == LCPUSH_BAD_INPUT);
   CHECK(lcpush_why(push) == LCPUSH_MEMORY_TOO_SMALL);
 }
-#endif
 
 static void every_mistake_has_its_own_words(void) {
   static const struct {
@@ -409,7 +403,6 @@ static void commands_between_steps(void) {
   for (k = 0; k < 6; ++k) CHECK(stepped[k] == fresh[k]);
 }
 
-#ifndef LCPUSH_LITTLE_FLASH
 /* Pivots number their unknowns by 16 bits, 1638 points of 8 facets are 16382 unknowns, and contacts
  * by 12, without a sign. */
 static void refuses_more_unknowns_than_it_can_number(void) {
@@ -424,7 +417,6 @@ static void refuses_more_unknowns_than_it_can_number(void) {
   CHECK(lcpushf_make(memory, bytes, &too_many) == NULL);
   free(memory);
 }
-#endif
 
 int main(void) {
   solves_in_double();
@@ -436,11 +428,9 @@ int main(void) {
   sweeps_agree();
   refuses_nonsense();
   wants_enough_memory();
-#ifndef LCPUSH_LITTLE_FLASH
   friction_may_be_round();
   even_pressure_spreads();
   refuses_more_unknowns_than_it_can_number();
-#endif
   every_mistake_has_its_own_words();
   moves_on();
   commands_between_steps();

@@ -62,11 +62,7 @@ static void describe(void) { status = LCPUSH(describe)(push, &scene); }
 static void solve(void) { status = LCPUSH(solve)(push); }
 
 typedef enum solver { PIVOTS, SWEEPS } solver;
-#ifdef LCPUSH_LITTLE_FLASH
-static const char* const solvers[1] = {"table"};
-#else
 static const char* const solvers[2] = {"pivots", "sweeps"};
-#endif
 static const char* const laws[3] = {"pad", "even", "rigid"}; /* in lcpush_pressure's order */
 
 static void report(int k, int facets, lcpush_pressure law, solver by) {
@@ -107,9 +103,7 @@ int main(void) {
     for (i = 0; i < 3; ++i) {
       report(fingers[i], facets, LCPUSH_RIGID, PIVOTS);
       report(fingers[i], facets, LCPUSH_PAD, PIVOTS);
-#ifndef LCPUSH_LITTLE_FLASH
       report(fingers[i], facets, LCPUSH_RIGID, SWEEPS);
-#endif
     }
   put("end\n");
   return 0;

@@ -38,11 +38,7 @@ int main(void) {
   if (status == LCPUSH_SOLVED) status = LCPUSH(set_off)(push, motion_memory, sizeof motion_memory, 0);
   if (status == LCPUSH_RUNNING) status = LCPUSH(advance)(push, R(0.001));
 #endif
-#ifdef LCPUSH_LITTLE_FLASH
-  put("run small_little status ");
-#else
   put("run small status ");
-#endif
   put(lcpush_status_text(status));
   put_real(" force ", contact.normal_force);
   put_number(" ticks ", solved.ticks);

@@ -61,11 +61,6 @@ def loop_table(programs):
             yield " | ".join([f"| `{law}`: {name}", *figures_of]) + " |"
 
 
-def little_table(programs):
-    """The same of programs with little flash, all by pivots on the table."""
-    return size_table(programs, "sizes_little")
-
-
 def code_at_once(programs, program, target):
     """Of the library, linked with -flto: what is left of it has no names of objects any more."""
     apart, at_once = (programs.sections(name, target)[".text"] for name in (program, f"{program}_flto"))
@@ -90,8 +85,6 @@ def flash_table(programs):
         yield " | ".join([f"| {name}", *(f"+{size}" for size in more)]) + " |"
     yield " | ".join(["| with `-flto`, the first row",
                       *(str(code_at_once(programs, "small", target)) for target in MACHINE)]) + " |"
-    yield " | ".join(["| with `-flto` and `LCPUSH_LITTLE_FLASH`",
-                      *(str(code_at_once(programs, "small_little", target)) for target in MACHINE)]) + " |"
     yield " | ".join(["| sweeps instead of pivots",
                       *(str(programs.code_of("small_sweeps", target, "core"))
                         for target in MACHINE)]) + " |"

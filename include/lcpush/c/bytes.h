@@ -24,17 +24,12 @@
 #define LCPUSH_EXCHANGES_(n, points, actuators)                                                    \
   ((n) < (points) + 2 * (actuators) + 10 ? (n) + 1 : (points) + 2 * (actuators) + 10)
 
-#ifdef LCPUSH_LITTLE_FLASH
-#define LCPUSH_PIVOTS_BYTES_(real, n, points, actuators, exchanges)                                \
-  ((n) * ((n) + 10) * sizeof(real) + (4 * (n) + 1) * sizeof(short))
-#else
 #define LCPUSH_PIVOTS_BYTES_(real, n, points, actuators, exchanges)                                \
   ((11 * (n) + 24 + 3 * (points) + 7 * (actuators) +                                               \
     ((points) < 24 ? 0 : 2 * (6 + (actuators)) * (6 + (actuators))) +                              \
     (exchanges) * ((exchanges) + 3)) *                                                             \
        sizeof(real) +                                                                              \
    (5 * (n) + 4 * (points) + (actuators) * ((points) + 2) + 2 + 2 * (exchanges)) * sizeof(short))
-#endif
 
 #define LCPUSH_SWEEPS_BYTES_(real, n, points, couplings, actuators)                                \
   ((11 * (n) + (couplings) + (6 + (actuators)) * (14 + (actuators))) * sizeof(real) +              \

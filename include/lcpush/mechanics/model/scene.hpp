@@ -4,7 +4,6 @@
 // taken at the object's centre of mass unless a field says otherwise.
 #pragma once
 
-#include "lcpush/little_flash.hpp"
 #include "lcpush/types.hpp"
 
 namespace lcpush {
@@ -94,12 +93,10 @@ template <class S> struct Scene {
 };
 
 /// Does friction stand in pyramids that the scene aims? Then it is round.
-template <class S> bool has_round_friction(const Scene<S>& scene) {
-  return !little_flash && scene.aims.size > 0;
-}
+template <class S> bool has_round_friction(const Scene<S>& scene) { return scene.aims.size > 0; }
 
 template <class S> bool presses_evenly(const Scene<S>& scene) {
-  return !little_flash && scene.pressure == Pressure::even;
+  return scene.pressure == Pressure::even;
 }
 
 /// The share of `point`, one of the body's. Pre: the body is of this scene.

@@ -22,7 +22,7 @@ public:
   RoundFriction(Assembly<S>& assembly, const FrictionMemory<S>& memory)
       : assembly_(assembly), aims_(memory.aims), answer_(memory.answer) {}
 
-  bool is_round() const { return !little_flash && aims_.size > 0; }
+  bool is_round() const { return aims_.size > 0; }
 
   /// Every point's pyramid along its tangent.
   void begin() {

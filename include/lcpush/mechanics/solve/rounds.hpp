@@ -9,7 +9,6 @@
 #pragma once
 
 #include "lcpush/lcp/pivots/structured_lemke.hpp"
-#include "lcpush/lcp/pivots/table_lemke.hpp"
 #include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
 
 namespace lcpush {

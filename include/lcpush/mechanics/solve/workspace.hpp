@@ -113,10 +113,6 @@ constexpr SolverSize small_size(const AssemblySize& size, Index shared, Index ex
           small_lemke_integers(size.unknowns(), size.points, shared, exchanges),
           sizeof(std::int16_t)};
 }
-constexpr SolverSize table_size(const AssemblySize& size) {
-  return {table_lemke_scalars(size.unknowns()), table_lemke_integers(size.unknowns()),
-          sizeof(std::int16_t)};
-}
 constexpr SolverSize sweeps_size(const AssemblySize& size) {
   const Index n = size.unknowns(), couplings = size.couplings(), actuators = size.actuators;
   return {block_gauss_seidel_scalars(n, couplings, actuators),
@@ -144,7 +140,7 @@ template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& si
   AssemblyMemory<S>& a = w.assembly;
   arena.fill(size.forces(), a.wrenches);
   arena.fill(p, a.cones, a.body, w.pressure.preload, w.pressure.compliance);
-  if constexpr (!little_flash) w.aims = arena.take<Aim<S>>(p);
+  w.aims = arena.take<Aim<S>>(p);
   arena.fill(n, a.push, a.q, w.pressure.active);
   arena.fill(size.actuators, a.sums, a.reach, w.answer.closing);
   arena.fill(size.couplings(), a.coupled_variable, a.coupling);
@@ -201,12 +197,6 @@ constexpr Index small_bytes(const AssemblySize& size, Index shared, Index exchan
   return detail::bytes_with<S>(detail::small_size(size, shared, exchanges), size) -
          size.points * static_cast<Index>(sizeof(ContactAnswer<S>));
 }
-/// Bytes that make_table_workspace takes: O(unknowns^2).
-template <class S> constexpr Index table_bytes(const AssemblySize& size) {
-  return detail::bytes_with<S>(detail::table_size(size), size) -
-         size.points * static_cast<Index>(sizeof(ContactAnswer<S>)) -
-         (size.unknowns() + size.generators) * static_cast<Index>(sizeof(S));
-}
 /// Bytes that make_sweep_workspace takes: O(unknowns), and (6 + actuators)^2 Scalars.
 template <class S> constexpr Index sweep_bytes(const AssemblySize& size) {
   return detail::bytes_with<S>(detail::sweeps_size(size), size);
@@ -234,17 +224,6 @@ Workspace<S> make_small_workspace(Arena arena, const AssemblySize& size, Index s
   w.exchanges = exchanges;
   w.complete =
       !arena.exhausted() && SmallBasis<S>::numbers(size.unknowns(), size.points, size.actuators);
-  if (w.complete) detail::answer_in_solver(w, size);
-  return w;
-}
-/// The same by TableLemke, likewise.
-template <class S> Workspace<S> make_table_workspace(Arena arena, const AssemblySize& size) {
-  Workspace<S> w = detail::take_common<S>(arena, size);
-  if (!DenseBasis<S, std::int16_t>::numbers(size.unknowns())) return w;
-  const detail::SolverSize solver = detail::table_size(size);
-  arena.fill(solver.scalars, w.lemke_scalars);
-  arena.fill(solver.integers, w.lemke_integers.narrow);
-  w.complete = !arena.exhausted();
   if (w.complete) detail::answer_in_solver(w, size);
   return w;
 }
