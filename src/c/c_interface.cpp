@@ -131,7 +131,7 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   scene.actuators = {actuators.data, actuators.size};
   scene.drives = {drives.data, drives.size};
   scene.weights = {};
-  scene.aims = {};
+  scene.round_cones = {};
   if (given.weights == nullptr) return push.accept(is_round);
   // Without weights first: the bodies' points lie where they should.
   const Mistake mistake = find_mistake(scene);

@@ -88,7 +88,7 @@ public:
   /// Takes the scene that begin_scene() gave out, over this push's own arrays.
   Status accept(bool is_round) {
     given_ = {scene_.bodies, scene_.actuators, scene_.drives, scene_.weights};
-    if (is_round) scene_.aims = {work_.aims.data, scene_.points.size};
+    if (is_round) scene_.round_cones = {work_.round_cones.data, scene_.points.size};
     last_.known = false;
     return set_up(&assemble_anew);
   }

@@ -44,7 +44,7 @@ bool is_over_its_face(const StepContact<double>& contact) {
 } // namespace
 
 MotionRun::MotionRun(const SceneFile& file)
-    : file_(file), faces_(file), aims_(file.is_round ? file.points.size() : 0),
+    : file_(file), faces_(file), cones_(file.is_round ? file.points.size() : 0),
       scene_(scene_of(file)), around_(faces_.view()), bytes_(motion_bytes_of(file)),
       kept_(static_cast<std::size_t>(motion_array_bytes<double>(motion_size(scene_)))),
       memory_(make_structured_motion_memory<double>(span_of(bytes_), motion_size(scene_),
@@ -54,7 +54,7 @@ MotionRun::MotionRun(const SceneFile& file)
 Scene<double> MotionRun::scene_of(const SceneFile& file) const {
   Scene<double> scene = file.view();
   scene.bodies = span_of(faces_.bodies());
-  scene.aims = {aims_.data(), static_cast<Index>(aims_.size())};
+  scene.round_cones = {cones_.data(), static_cast<Index>(cones_.size())};
   return scene;
 }
 

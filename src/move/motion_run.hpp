@@ -71,7 +71,7 @@ private:
 
   const SceneFile& file_;
   StrokeFaces faces_;
-  std::vector<Aim<double>> aims_; ///< of round friction
+  std::vector<LinearizedCone<double>> cones_; ///< of round friction
   Scene<double> scene_;
   Surroundings<double> around_;
   std::vector<unsigned char> bytes_;

@@ -70,11 +70,11 @@ StructuredLemke<double>& Push::structured_pivots() {
                    structured_lemke_integers(n, points));
 }
 
-void Push::aim_at(const std::vector<Vector3<double>>& forces) {
-  for (Index i = 0; i < scene_.aims.size; ++i) {
-    work_.aims[i] = {};
+void Push::linearize_cones(const std::vector<Vector3<double>>& forces) {
+  for (Index i = 0; i < scene_.round_cones.size; ++i) {
+    work_.round_cones[i] = {};
     if (const Vector3<double>& f = forces[static_cast<std::size_t>(i)]; f.norm() > 0)
-      work_.aims[i].along = f.normalized();
+      work_.round_cones[i].along = f.normalized();
   }
   assembly_.assemble(scene_);
 }
@@ -260,9 +260,10 @@ PushReport Push::solve(const PushOptions& options) & {
     return report;
   }
   const std::vector<double> z(work_.pressure.z.begin(), work_.pressure.z.end());
-  const std::vector<Aim<double>> aims(work_.aims.begin(), work_.aims.end());
+  const std::vector<LinearizedCone<double>> cones(work_.round_cones.begin(),
+                                                  work_.round_cones.end());
   search_others(options, report);
-  std::copy(aims.begin(), aims.end(), work_.aims.begin());
+  std::copy(cones.begin(), cones.end(), work_.round_cones.begin());
   assembly_.assemble(scene_);
   read_answer(assembly_, z.data(), work_.answer, 1.0); // the search has overwritten it
   report.answer = work_.answer;

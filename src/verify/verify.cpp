@@ -72,7 +72,7 @@ class Verification {
 public:
   Verification(const SceneFile& file, const ForeignAnswer& given, const VerifyOptions& options)
       : given_(given), push_(file), layout_(push_.layout()), answer_(layout_) {
-    if (file.is_round) push_.aim_at(friction_directions());
+    if (file.is_round) push_.linearize_cones(friction_directions());
     report_.tolerance = options.tolerance;
   }
 

@@ -30,7 +30,7 @@ Index turned = 0;
 
 template <class Pivots>
 Solved solve(Scene<double> scene, Workspace<double>& work, Index first_cover) {
-  if (is_round) scene.aims = {work.aims.data, scene.points.size};
+  if (is_round) scene.round_cones = {work.round_cones.data, scene.points.size};
   const FrictionMemory<double> friction = work.friction_memory(scene);
   Assembly<double> assembly(work.assembly);
   assembly.assemble(scene);

@@ -22,7 +22,7 @@ template <class S, class Pivots = Lemke<S>> struct SolvedPush {
       : owned(given.spread()), scene(owned.view()), memory(workspace_for<Pivots>(scene)),
         assembly(memory.work.assembly),
         lemke(memory.work.lemke_scalars, memory.work.lemke_integers) {
-    if (is_round) scene.aims = {memory.work.aims.data, scene.points.size};
+    if (is_round) scene.round_cones = {memory.work.round_cones.data, scene.points.size};
     assembly.assemble(scene);
   }
   SolvedPush(const SolvedPush&) = delete;

@@ -26,7 +26,7 @@ template <class S> struct EvenSceneOf {
 using EvenScene = EvenSceneOf<double>;
 
 /// The arrays behind `given` outlive this. Memory: sweep_bytes. `is_round`: friction is round, and
-/// the scene has aims.
+/// the scene has round cones.
 struct AssembledScene {
   EvenScene even;
   const Scene<double>& scene; ///< as solved
@@ -39,7 +39,7 @@ struct AssembledScene {
         bytes(static_cast<std::size_t>(sweep_bytes<double>(size_of(scene)))),
         work(make_sweep_workspace<double>(span_of(bytes), size_of(scene))),
         assembly(work.assembly) {
-    if (is_round) even.scene.aims = {work.aims.data, scene.points.size};
+    if (is_round) even.scene.round_cones = {work.round_cones.data, scene.points.size};
     assembly.assemble(scene);
   }
   AssembledScene(const AssembledScene&) = delete; // the views inside would point into the other one

@@ -27,9 +27,9 @@ public:
   Status solve_at_rest(const PushOptions& options, Vector6<double>& acceleration);
 
   /// Of round friction: turns the pyramids of assembly() to these forces, one a point in its
-  /// friction space (Aim), so that an answer with them is one of its problem. A solve turns them
-  /// anew.
-  void aim_at(const std::vector<Vector3<double>>& forces);
+  /// friction space (LinearizedCone), so that an answer with them is one of its problem. A solve
+  /// turns them anew.
+  void linearize_cones(const std::vector<Vector3<double>>& forces);
 
   /// Unknown i of layout(): "normal of left.3", "pull of wall.1", "friction of left.3 along +y",
   /// "slip of left.3", "closing of left".

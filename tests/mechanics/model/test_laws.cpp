@@ -162,25 +162,25 @@ TEST_CASE("[T.16] round friction: an inertia across the slip resists what turns 
     body.torsion_radius = torsion_radius;
     const Scene<double> scene = owned.view();
     const bool is_soft = torsion_radius > 0;
-    Aim<double> aim;
-    aim.along = Vec3(0.6, -0.7, is_soft ? 0.5 : 0).normalized();
-    aim.carried = {0.1, 0.2, is_soft ? -0.3 : 0};
-    aim.inertia = 3;
+    LinearizedCone<double> cone;
+    cone.along = Vec3(0.6, -0.7, is_soft ? 0.5 : 0).normalized();
+    cone.body_motion = {0.1, 0.2, is_soft ? -0.3 : 0};
+    cone.inertia = 3;
     const Vec3 p = scene.points[0];
     Matrix6<double> B = laws::newton(scene, scales);
     Vector6<double> wrench, load = laws::load(scene, scales);
     wrench << 1, -2, 3, 0.4, 0.5, -0.6;
-    laws::round_cone(body, p, aim, scene.object.mass, scales, B, load);
+    laws::round_cone(body, p, cone, scene.object.mass, scales, B, load);
     Vector6<double> a = B * (wrench + load) * scales.acceleration; // as a round solves for it
     a.tail<3>() /= scales.length;
 
     // M a = w + contact forces + the resistance - k (1 - u u') (v - c), by hand.
     const Vec3 t = body.tangent, o = body.normal.cross(t), r = point_acceleration(a, p);
     Vec3 v(r.dot(t), r.dot(o), torsion_radius * a.tail<3>().dot(body.normal));
-    v -= aim.carried;
-    Vec3 resists = -3 * (v - aim.along * aim.along.dot(v));
+    v -= cone.body_motion;
+    Vec3 resists = -3 * (v - cone.along * cone.along.dot(v));
     if (!is_soft) resists[2] = 0;
-    CHECK((laws::turning_force(body, p, aim, a) - resists).norm() <= 1e-12 * resists.norm());
+    CHECK((laws::resisting_force(body, p, cone, a) - resists).norm() <= 1e-12 * resists.norm());
     const Vec3 force = resists[0] * t + resists[1] * o;
     const Vec3 moment = p.cross(force) + torsion_radius * resists[2] * body.normal;
     const Vec3 pushed = scales.force * wrench.head<3>() + 0.2 * scene.gravity + force;

@@ -217,7 +217,7 @@ TEST_CASE("[T.16] Gauss-Seidel's sweeps and pivots agree on round friction") {
     Workspace<double> work =
         make_sweep_workspace<double>({bytes.data(), static_cast<Index>(bytes.size())}, size);
     Scene<double> scene = push.scene;
-    scene.aims = {work.aims.data, scene.points.size};
+    scene.round_cones = {work.round_cones.data, scene.points.size};
     Assembly<double> assembly(work.assembly);
     assembly.assemble(scene);
     BlockGaussSeidel<double> sweeps(work.sweep_scalars, work.sweep_integers);

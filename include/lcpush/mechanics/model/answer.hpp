@@ -30,7 +30,7 @@ template <class S> struct Answer {
   Span<S> closing;  ///< s of each actuator, per second^2
 };
 
-/// A contact's friction in its point's friction space (Aim), N.
+/// A contact's friction in its point's friction space (LinearizedCone), N.
 template <class S> Vector3<S> friction_of(const Body<S>& body, const ContactAnswer<S>& contact) {
   const Vector3<S>& f = contact.friction_force;
   const S r = body.torsion_radius;

@@ -179,8 +179,8 @@ private:
     if (!has_round_friction(scene)) return;
     for (const Body<S>& body : scene.bodies)
       for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
-        laws::round_cone(body, scene.points[i], scene.aims[i], scene.object.mass, layout_.scales,
-                         factored_.mobility, load_);
+        laws::round_cone(body, scene.points[i], scene.round_cones[i], scene.object.mass,
+                         layout_.scales, factored_.mobility, load_);
   }
 
   /// [T.2], [T.3] and [T.4] of every point.

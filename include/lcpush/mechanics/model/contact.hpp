@@ -127,7 +127,7 @@ template <class S> struct Generator {
 /// and the pure torques.
 constexpr Index soft_generators(Index g) { return 5 * g + 2; }
 
-/// Generator k of a point with g facets in its friction space (Aim). The first g are
+/// Generator k of a point with g facets in its friction space (LinearizedCone). The first g are
 /// (cos(2 pi k / g), sin(2 pi k / g), 0). A soft point goes on with
 /// (cos(psi) cos(2 pi j / g), cos(psi) sin(2 pi j / g), sin(psi)) for psi = 30, -30, 60, -60
 /// degrees and ends with (0, 0, +-1).
@@ -169,11 +169,11 @@ template <class S> Generator<S> generator(const Body<S>& body, Index k, Index g)
   return generator_along(body, generator_direction<S>(k, g));
 }
 
-/// The directions across an aim: two unit vectors at a soft point, at a hard one the first alone
-/// (the other is the torque that it has not).
+/// The directions across a linearized cone: two unit vectors at a soft point, at a hard one the
+/// first alone (the other is the torque that it has not).
 template <class S> struct Across { Vector3<S> first, second; };
-template <class S> Across<S> across(const Aim<S>& aim, bool is_soft) {
-  const Vector3<S>& m = aim.along;
+template <class S> Across<S> across(const LinearizedCone<S>& cone, bool is_soft) {
+  const Vector3<S>& m = cone.along;
   if (!is_soft) return {{S(-m[1]), m[0], S(0)}, {S(0), S(0), S(1)}};
   // Any right-handed frame will do; this one needs no square root (Duff et al., JCGT 6, 2017).
   const S sign = m[0] < S(0) ? S(-1) : S(1), a = S(-1) / (sign + m[0]), b = m[1] * m[2] * a;
@@ -181,14 +181,14 @@ template <class S> Across<S> across(const Aim<S>& aim, bool is_soft) {
           {S(-m[2]), b, sign + m[2] * m[2] * a}};
 }
 
-/// Friction generator k of a point of this body: turned as the scene aims it.
+/// Friction generator k of a point of this body: turned to the linearized cone of round friction.
 template <class S>
 Generator<S> generator(const Scene<S>& scene, const Body<S>& body, Index point, Index k) {
   const Vector3<S> u = generator_direction<S>(k, scene.facets);
   if (!has_round_friction(scene)) return generator_along(body, u);
-  const Aim<S>& aim = scene.aims[point];
-  const Across<S> side = across(aim, body.torsion_radius > S(0));
-  return generator_along<S>(body, u[0] * aim.along + u[1] * side.first + u[2] * side.second);
+  const LinearizedCone<S>& cone = scene.round_cones[point];
+  const Across<S> side = across(cone, body.torsion_radius > S(0));
+  return generator_along<S>(body, u[0] * cone.along + u[1] * side.first + u[2] * side.second);
 }
 
 /// Friction generators of one point of this body: none without friction.

@@ -115,32 +115,32 @@ S patch_rigidity(const Vector3<S>& p_i, const Vector3<S>& r_i, const Vector3<S>&
 /// object's, given and returned as B = M^-1, and to the load what the body's own motion makes of
 /// it.
 template <class S>
-void round_cone(const Body<S>& body, const Vector3<S>& p, const Aim<S>& aim, const S& mass,
-                const Scales<S>& scales, Matrix6<S>& B, Vector6<S>& w) {
-  if (!(aim.inertia > S(0))) return;
+void round_cone(const Body<S>& body, const Vector3<S>& p, const LinearizedCone<S>& cone,
+                const S& mass, const Scales<S>& scales, Matrix6<S>& B, Vector6<S>& w) {
+  if (!(cone.inertia > S(0))) return;
   const bool is_soft = body.torsion_radius > S(0);
-  const Across<S> side = across(aim, is_soft);
-  const S k = aim.inertia / mass;
+  const Across<S> side = across(cone, is_soft);
+  const S k = cone.inertia / mass;
   for (const Vector3<S>* e : {&side.first, &side.second}) {
     if (!is_soft && e == &side.second) return;
     const Vector6<S> W = friction_direction(body, p, generator_along(body, *e), scales);
     const Vector6<S> BW = B.lazyProduct(W);
     const S share = k / (S(1) + k * W.dot(BW));
     for (Index j = 0; j < 6; ++j) B.col(j) -= (share * BW[j]) * BW; // Sherman and Morrison
-    w += k * e->dot(aim.carried) / scales.acceleration * W;
+    w += k * e->dot(cone.body_motion) / scales.acceleration * W;
   }
 }
 
 /// The force with which that inertia resists: - k (1 - u u') v, in the point's friction space, N.
 /// `twist`: the object's, m/s^2 and rad/s^2.
 template <class S>
-Vector3<S> turning_force(const Body<S>& body, const Vector3<S>& p, const Aim<S>& aim,
-                         const Vector6<S>& twist) {
-  if (!(aim.inertia > S(0))) return Vector3<S>::Zero();
-  const Vector3<S> v = slip_of(body, p, twist) - aim.carried;
-  Vector3<S> across = v - aim.along.dot(v) * aim.along;
+Vector3<S> resisting_force(const Body<S>& body, const Vector3<S>& p, const LinearizedCone<S>& cone,
+                           const Vector6<S>& twist) {
+  if (!(cone.inertia > S(0))) return Vector3<S>::Zero();
+  const Vector3<S> v = slip_of(body, p, twist) - cone.body_motion;
+  Vector3<S> across = v - cone.along.dot(v) * cone.along;
   if (!(body.torsion_radius > S(0))) across[2] = S(0);
-  return -aim.inertia * across;
+  return -cone.inertia * across;
 }
 
 /// The prescribed part A_b of a body's twist in scaled units.

@@ -72,8 +72,9 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
       contact.torsion += beta * d.torque;
     }
     if (has_round_friction(scene)) {
-      const Generator<S> turning = generator_along(
-          body, laws::turning_force(body, scene.points[i], scene.aims[i], answer.acceleration));
+      const Generator<S> turning =
+          generator_along(body, laws::resisting_force(body, scene.points[i], scene.round_cones[i],
+                                                      answer.acceleration));
       contact.friction_force += turning.force;
       contact.torsion += turning.torque;
     }

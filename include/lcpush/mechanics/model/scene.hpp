@@ -63,11 +63,11 @@ template <class S> struct Drive {
   Vector6<S> twist; ///< at the object's centre of mass
 };
 
-/// Where a point's pyramid is turned to, in the point's friction space: (along the tangent, along
-/// n x tangent, torque over the torsion radius).
-template <class S> struct Aim {
-  Vector3<S> along{S(1), S(0), S(0)};      ///< unit: generator 0; a hard point has no torque
-  Vector3<S> carried = Vector3<S>::Zero(); ///< m/s^2: how the body itself moved there
+/// A point's round friction cone, linearized about its last slip [T.16], in the point's friction
+/// space: (along the tangent, along n x tangent, torque over the torsion radius).
+template <class S> struct LinearizedCone {
+  Vector3<S> along{S(1), S(0), S(0)};          ///< unit: generator 0; a hard point has no torque
+  Vector3<S> body_motion = Vector3<S>::Zero(); ///< m/s^2: how the body itself moved there
   S inertia{0}; ///< kg, >= 0: what resists a slip across it, mu lambda over the slip [T.16]
 };
 
@@ -87,13 +87,14 @@ template <class S> struct Scene {
   /// Per point: the normal acceleration that it may take up before it touches, m/s^2: phi / h^2 of
   /// a time step's gap phi [T.13]; empty: every point touches.
   Span<const S> clearances{};
-  /// Per point: the pyramid that stands for its round cone in this round; empty: friction is a
-  /// pyramid, along the body's tangent.
-  Span<const Aim<S>> aims{};
+  /// Per point: its round cone as the present iteration sees it; empty: friction is a pyramid, with
+  /// generator 0 along the body's tangent.
+  Span<const LinearizedCone<S>> round_cones{};
 };
 
-/// Does friction stand in pyramids that the scene aims? Then it is round.
-template <class S> bool has_round_friction(const Scene<S>& scene) { return scene.aims.size > 0; }
+template <class S> bool has_round_friction(const Scene<S>& scene) {
+  return scene.round_cones.size > 0;
+}
 
 template <class S> bool presses_evenly(const Scene<S>& scene) {
   return scene.pressure == Pressure::even;

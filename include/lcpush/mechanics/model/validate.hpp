@@ -20,7 +20,7 @@ enum class Mistake {
   nothing_moves,    ///< break: no pusher has an acceleration
   not_described,    ///< there is no scene yet
   weights,          ///< a weight <= 0, or those of a body do not sum to 1
-  aims,             ///< of round friction: not one for each point
+  round_cones,      ///< of round friction: not one for each point
 };
 
 namespace detail {
@@ -41,11 +41,11 @@ inline constexpr char mistake_texts[] =
     "no pusher moves: give one an acceleration\0"
     "there is no scene: describe one first\0"
     "weights must be > 0, one for each point\0"
-    "round friction needs an aim for each point";
+    "round friction needs a linearized cone for each point";
 } // namespace detail
 
 constexpr const char* mistake_text(Mistake mistake) {
-  if (mistake < Mistake::none || mistake > Mistake::aims) return "";
+  if (mistake < Mistake::none || mistake > Mistake::round_cones) return "";
   const char* text = detail::mistake_texts;
   for (int before = static_cast<int>(mistake); before > 0; ++text)
     if (*text == '\0') --before;
@@ -97,7 +97,8 @@ template <class S> Mistake mistake_of(const Body<S>& body, Index points) {
 }
 
 template <class S> Mistake mistake_of_point_data(const Scene<S>& scene) {
-  if (has_round_friction(scene) && scene.aims.size != scene.points.size) return Mistake::aims;
+  if (has_round_friction(scene) && scene.round_cones.size != scene.points.size)
+    return Mistake::round_cones;
   if (scene.weights.size == 0) return Mistake::none;
   if (scene.weights.size != scene.points.size) return Mistake::weights;
   for (const Body<S>& body : scene.bodies) {

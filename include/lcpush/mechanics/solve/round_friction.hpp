@@ -9,25 +9,26 @@
 
 namespace lcpush {
 
-/// What rounds of round friction need beside a pressure law's memory: the scene's own aims, to be
-/// turned, and an answer to read. Empty aims: friction is a pyramid, and every answer is settled.
+/// What rounds of round friction need beside a pressure law's memory: the scene's own linearized
+/// cones, to be turned, and an answer to read. None: friction is a pyramid, and every answer is
+/// settled.
 template <class S> struct FrictionMemory {
-  Span<Aim<S>> aims; ///< points, those that Scene::aims looks at
+  Span<LinearizedCone<S>> round_cones; ///< points, those that Scene::round_cones looks at
   Answer<S>* answer = nullptr;
 };
 
-/// The aims of an assembled scene.
+/// The linearized cones of an assembled scene.
 template <class S> class RoundFriction {
 public:
   RoundFriction(Assembly<S>& assembly, const FrictionMemory<S>& memory)
-      : assembly_(assembly), aims_(memory.aims), answer_(memory.answer) {}
+      : assembly_(assembly), cones_(memory.round_cones), answer_(memory.answer) {}
 
-  bool is_round() const { return aims_.size > 0; }
+  bool is_round() const { return cones_.size > 0; }
 
   /// Every point's pyramid along its tangent.
   void begin() {
     if (!is_round()) return;
-    for (Aim<S>& aim : aims_) aim = {};
+    for (LinearizedCone<S>& cone : cones_) cone = {};
     reassemble();
   }
 
@@ -62,7 +63,7 @@ public:
 
 private:
   Assembly<S>& assembly_;
-  Span<Aim<S>> aims_;
+  Span<LinearizedCone<S>> cones_;
   Answer<S>* answer_;
   Index worst_ = 0;
 
@@ -72,28 +73,28 @@ private:
 
   void turn_point(const RoundDistance<S>& cones, Index i, const PressureMemory<S>& memory) {
     const Body<S>& body = cones.body(i);
-    Aim<S>& aim = aims_[i];
+    LinearizedCone<S>& cone = cones_[i];
     const Vector3<S> v = cones.slip(i), f = cones.friction(i);
     const S room = cones.limit(i), speed = v.norm(), force = f.norm();
     const Vector3<S> in_pyramid =
-        f - laws::turning_force(body, assembly_.scene().points[i], aim, answer_->acceleration);
-    aim.inertia = S(0);
+        f - laws::resisting_force(body, assembly_.scene().points[i], cone, answer_->acceleration);
+    cone.inertia = S(0);
     const bool slides = answer_->contacts[i].slip > S(0) && !cones.sticks(speed);
     const S least = slides ? S(0.5) : S(0.9);
     if (!(force > least * room)) return;
     // Along an edge a polygon gives way before the circle does: first fill it out there.
     const bool on_edge = in_pyramid.norm() < S(0.9999) * room;
-    aim.along = slides && !on_edge ? Vector3<S>(v / -speed) : Vector3<S>(f / force);
+    cone.along = slides && !on_edge ? Vector3<S>(v / -speed) : Vector3<S>(f / force);
     if (!slides) return;
-    aim.inertia = room / speed;
+    cone.inertia = room / speed;
     const Vector6<S> twist =
         body_twist(assembly_.scene(), *answer_, assembly_.layout().body[i], assembly_.sigma());
-    aim.carried = slip_of(body, assembly_.scene().points[i], twist);
-    const ConeGroup<S>& cone = assembly_.layout().cones[i];
-    const Index first = cone.variable + cone.normals;
-    for (Index k = 0; k < cone.generators; ++k) {
+    cone.body_motion = slip_of(body, assembly_.scene().points[i], twist);
+    const ConeGroup<S>& group = assembly_.layout().cones[i];
+    const Index first = group.variable + group.normals;
+    for (Index k = 0; k < group.generators; ++k) {
       memory.active[first + k] = k == 0 ? 1 : 0;
-      memory.z[first + k] = k == 0 ? cone.friction_limit(memory.z.data) : S(0);
+      memory.z[first + k] = k == 0 ? group.friction_limit(memory.z.data) : S(0);
     }
   }
 

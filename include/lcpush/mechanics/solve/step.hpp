@@ -201,7 +201,8 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_push(const
                           {m_.gaps.data, present_.points.size}};
   push_ = laws::time_step(present_, from, m_.push);
   if (spread_evenly(push_, m_.even, solved_) != Status::solved) return Status::bad_input;
-  if (has_round_friction(*scene_)) solved_.aims = {m_.work.aims.data, solved_.points.size};
+  if (has_round_friction(*scene_))
+    solved_.round_cones = {m_.work.round_cones.data, solved_.points.size};
   if (assembly_.assemble(solved_) != Status::running) return Status::bad_input;
   // The last step's basis may lead astray; and pads of nearly the same normal force may end under
   // one covering vector or schedule and not under another.

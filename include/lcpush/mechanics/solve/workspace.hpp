@@ -77,13 +77,13 @@ template <class S> struct Workspace {
   Span<S> sweep_scalars; ///< empty in a workspace for pivots
   Span<int> sweep_integers;
   Answer<S> answer;
-  Span<Aim<S>> aims;     ///< for round friction: a scene of round friction looks at them
-  bool complete = false; ///< false: the block was too small, use nothing of it
+  Span<LinearizedCone<S>> round_cones; ///< Scene::round_cones looks at them
+  bool complete = false;               ///< false: the block was too small, use nothing of it
 
   /// What solve_pressure takes: something where the scene's friction is round.
   FrictionMemory<S> friction_memory(const Scene<S>& scene) {
     if (!has_round_friction(scene)) return {};
-    return {{aims.data, scene.aims.size}, &answer};
+    return {{round_cones.data, scene.round_cones.size}, &answer};
   }
 };
 
@@ -122,10 +122,10 @@ constexpr SolverSize sweeps_size(const AssemblySize& size) {
 template <class S> constexpr Index bytes_with(const SolverSize& solver, const AssemblySize& size) {
   const Index n = size.unknowns(), p = size.points;
   const Index scalars = 3 * n + size.couplings() + 2 * size.actuators + 2 * p + size.generators;
-  const Index structs =
-      size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
-      p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>) + sizeof(Aim<S>)) +
-      size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
+  const Index structs = size.forces() * static_cast<Index>(sizeof(Vector6<S>)) +
+                        p * static_cast<Index>(sizeof(ConeGroup<S>) + sizeof(ContactAnswer<S>) +
+                                               sizeof(LinearizedCone<S>)) +
+                        size.actuators * static_cast<Index>(sizeof(SumGroup<S>));
   constexpr Index arrays_after_narrower_ones = 6; // what they begin at may have to be aligned
   constexpr Index alignment_slack = arrays_after_narrower_ones * widest_alignment<S>();
   return (scalars + solver.scalars) * static_cast<Index>(sizeof(S)) + structs +
@@ -140,7 +140,7 @@ template <class S> Workspace<S> take_common(Arena& arena, const AssemblySize& si
   AssemblyMemory<S>& a = w.assembly;
   arena.fill(size.forces(), a.wrenches);
   arena.fill(p, a.cones, a.body, w.pressure.preload, w.pressure.compliance);
-  w.aims = arena.take<Aim<S>>(p);
+  w.round_cones = arena.take<LinearizedCone<S>>(p);
   arena.fill(n, a.push, a.q, w.pressure.active);
   arena.fill(size.actuators, a.sums, a.reach, w.answer.closing);
   arena.fill(size.couplings(), a.coupled_variable, a.coupling);
