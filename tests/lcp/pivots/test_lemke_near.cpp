@@ -77,34 +77,6 @@ TEST_CASE("redundant positive unknowns are left out: solved, in fewer pivots tha
   CHECK(near_pivots < cold_pivots);
 }
 
-TEST_CASE("grasps: from the positive unknowns of coarse sweeps most pivots are saved") {
-  Index near_pivots = 0, cold_pivots = 0;
-  int solved = 0;
-  for (std::uint64_t seed = 6000; seed < 6100; ++seed) {
-    CAPTURE(seed);
-    OwnedScene<double> scene = grasp_of<double>(Family::plain, seed);
-    scene.base.pressure = Pressure::rigid;
-    const SolvedPush<double> push(scene);
-    const Problem<double> problem = push.assembly.problem();
-    SweepOptions<double> options;
-    options.tolerance = 1e-6;
-    BlockRun<double> sweeps(problem);
-    REQUIRE(sweeps.solve(problem, options) == Status::solved);
-    Flags active = positive(sweeps.z(), options.tolerance);
-    for (Index i = problem.free_begin; i < problem.size; ++i)
-      active[static_cast<std::size_t>(i)] = 1;
-    LemkeRun<double> near(problem.size), cold(problem.size);
-    REQUIRE(cold.solve(problem) == Status::solved);
-    if (solve_near(near, problem, active) == Status::solved) ++solved;
-    near_pivots += near.lemke.pivots();
-    cold_pivots += cold.lemke.pivots();
-  }
-  MESSAGE("solved from near: " << solved << " of 100; pivots: " << near_pivots << " from near, "
-                               << cold_pivots << " cold");
-  CHECK(solved >= 60);
-  CHECK(3 * near_pivots < cold_pivots);
-}
-
 TEST_CASE("from garbage: solved and right, or a failure that says so") {
   int solved = 0, failed = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {

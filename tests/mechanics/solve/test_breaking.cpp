@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "support/dense_lcp.hpp"
+#include "support/owned_sweeps.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"
 
@@ -52,6 +53,18 @@ TEST_CASE("[T.10] rigid is exact: 2 mu F and m to 1e-9") {
   REQUIRE(broken.status == Status::solved);
   CHECK(absolute(broken.breaking.break_force - 20) <= 2e-8);
   CHECK(absolute(broken.breaking.inertia_normal - 0.2) <= 1e-9);
+}
+
+TEST_CASE("[T.10] sweeps find the force of breaking as pivots do") {
+  SolvedPush<double> push(straight_slide());
+  OwnedSweeps<double> owned(size_of(push.scene));
+  Breaking<double> breaking;
+  SweepRounds<double> rounds{owned.sweeps};
+  REQUIRE(find_breaking(push.assembly, rounds, push.memory.work, push.scene.bodies[slide_wall], {},
+                        breaking, push.run) == Status::solved);
+  CHECK(breaking.break_force == doctest::Approx(20).epsilon(1e-7));
+  CHECK(push.run.pivots == 0);
+  CHECK(push.run.sweeps > 0);
 }
 
 TEST_CASE("[T.10] a grasp that drops its load says so, with the motion") {
