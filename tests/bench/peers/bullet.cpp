@@ -14,12 +14,11 @@ int lcpush_peer(int task, int n, const double* M, const double* q, double* z) {
       for (int j = 0; j < n; ++j) matrix.setElem(i, j, M[j * n + i]);
       constants[i] = q[i];
     }
-    return lcpush_peer_solved;
+    return 1;
   }
-  if (task != lcpush_peer_cold) return lcpush_peer_cannot;
   btLemkeAlgorithm lemke(matrix, constants);
   // More pivots would only be spent where it cycles.
   const btVectorXu answer = lemke.solve(static_cast<unsigned>(100 + 4 * n));
   for (int i = 0; i < n; ++i) z[i] = i < answer.size() ? answer[i] : 0;
-  return lemke.getInfo() == 0 ? lcpush_peer_solved : lcpush_peer_failed;
+  return lemke.getInfo() == 0 ? 1 : 0;
 }

@@ -10,11 +10,10 @@ int lcpush_peer(int task, int n, const double* M, const double* q, double* z) {
   if (task == lcpush_peer_load) {
     matrix = Eigen::Map<const Eigen::MatrixXd>(M, n, n);
     constants = Eigen::Map<const Eigen::VectorXd>(q, n);
-    return lcpush_peer_solved;
+    return 1;
   }
-  if (task != lcpush_peer_cold) return lcpush_peer_cannot;
   answer.setZero(n);
   const int error = dart::lcpsolver::Lemke(matrix, constants, &answer);
   for (Eigen::Index i = 0; i < n; ++i) z[i] = i < answer.size() ? answer[i] : 0;
-  return error == 0 ? lcpush_peer_solved : lcpush_peer_failed;
+  return error == 0 ? 1 : 0;
 }

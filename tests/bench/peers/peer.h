@@ -3,7 +3,8 @@
 
        peers --peer ./my_solver.so
 
-   M is n x n, column-major; M and q stay where they are from a `load` to the next. */
+   M is n x n, column-major; M and q stay where they are from a `load` to the next. Returns whether
+   z is a solution, as the solver says; lcpush judges it. */
 #ifndef LCPUSH_PEER_H
 #define LCPUSH_PEER_H
 
@@ -13,15 +14,7 @@ extern "C" {
 
 enum lcpush_peer_task {
   lcpush_peer_load, /* untimed: bring the problem into the solver's own types */
-  lcpush_peer_cold, /* timed: solve it from nothing into z */
-  lcpush_peer_warm  /* timed: the same; z holds the answer of a neighbouring problem, the last one
-                       that was solved cold */
-};
-
-enum lcpush_peer_outcome {
-  lcpush_peer_solved, /* z is a solution, the solver says; lcpush judges it */
-  lcpush_peer_failed,
-  lcpush_peer_cannot /* this solver has no warm start */
+  lcpush_peer_solve /* timed: solve it from nothing into z */
 };
 
 int lcpush_peer(int task, int n, const double* M, const double* q, double* z);
