@@ -2,6 +2,7 @@
 
 #include "dense/decompositions.hpp"
 #include "solve/owned_program.hpp"
+#include "verify/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ std::optional<Eigen::VectorXd> least_squares(const Rows& rows, Index unknowns) {
     A.row(k) = rows[static_cast<std::size_t>(k)].first.transpose();
     b[k] = rows[static_cast<std::size_t>(k)].second;
   }
-  return desktop::least_squares(A, b, 1e-10);
+  return desktop::least_squares(A, b, VerifySettings::dependent);
 }
 
 } // namespace

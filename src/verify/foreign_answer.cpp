@@ -5,6 +5,7 @@
 #include "text/limits.hpp"
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
+#include "verify/settings.hpp"
 
 #include <algorithm>
 
@@ -72,7 +73,8 @@ void read_contacts(const JsonFields& fields, const JsonArray& array, const Scene
     if (!contact.body.empty() && contact.body != body)
       answer.not_this_scene = "contact " + known[i] + " is of body " + quoted(contact.body) +
                               ", the scene's of " + quoted(body);
-    if (contact.position && !((*contact.position - file.positions[i]).norm() <= 1e-6 * size))
+    if (contact.position &&
+        !((*contact.position - file.positions[i]).norm() <= VerifySettings::same_place * size))
       answer.not_this_scene = "contact " + known[i] + " is at another place, " +
                               shown((*contact.position - file.positions[i]).norm()) +
                               " m from the scene's";

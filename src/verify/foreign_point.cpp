@@ -3,6 +3,7 @@
 
 #include "solve/owned_program.hpp"
 #include "text/limits.hpp"
+#include "verify/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ std::optional<Eigen::VectorXd> refine_point(const DenseProblem& problem, const E
   Eigen::VectorXd refined = Eigen::VectorXd::Zero(z.size());
   if (!basic.empty()) {
     Eigen::VectorXd z_B = z(basic);
-    correct(problem.M(basic, basic), problem.q(basic), 1e-11, z_B);
+    correct(problem.M(basic, basic), problem.q(basic), VerifySettings::basis_dependent, z_B);
     refined(basic) = z_B; // where the basis leaves forces open, the least change
   }
   if (!refined.allFinite()) return std::nullopt;
@@ -69,7 +70,7 @@ bool is_stationary(const DenseProblem& problem, const Eigen::VectorXd& z) {
     }
   }
   if (program.solve() != Status::solved) return false;
-  return gradient.dot(z) - program.c.dot(program.x) <= 0.01 * objective;
+  return gradient.dot(z) - program.c.dot(program.x) <= VerifySettings::stationary * objective;
 }
 
 } // namespace lcpush::desktop

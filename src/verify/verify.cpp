@@ -3,6 +3,7 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "verify/answer_completer.hpp"
 #include "verify/foreign_point.hpp"
+#include "verify/settings.hpp"
 #include "verify/verify_rows.hpp"
 
 #include <algorithm>
@@ -178,7 +179,7 @@ private:
     const Scales<double>& scales = layout_.scales;
     report_.own.force = force_difference(given_, nearest, own.answer);
     report_.own.acceleration = motion_difference(nearest, own.answer, scales);
-    const double close = std::max(1e-6, 10 * report_.tolerance);
+    const double close = close_by(report_.tolerance);
     double largest = scales.force;
     for (const ContactAnswer<double>& contact : own.answer.contacts)
       largest = std::max(largest, std::abs(contact.normal_force));

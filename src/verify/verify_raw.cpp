@@ -1,6 +1,7 @@
 #include "lcpush/desktop/verify.hpp"
 #include "text/limits.hpp"
 #include "verify/foreign_point.hpp"
+#include "verify/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ void compare(const RawProblem& problem, const std::vector<double>& nearest,
   report.own.status = own.status;
   if (own.status != Status::solved) return;
   report.own.force = distance(nearest, own.z);
-  if (report.own.force <= std::max(1e-6, 10 * report.tolerance) * size_of(own.z))
+  if (report.own.force <= close_by(report.tolerance) * size_of(own.z))
     report.verdict = Verdict::same_solution;
 }
 

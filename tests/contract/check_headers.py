@@ -24,8 +24,8 @@ FORBIDDEN_CODE = [
     (re.compile(r"\b(dynamic_cast|typeid)\b"), "run-time type information"),
 ]
 # The referees share no code with what they judge.
-REFEREES = ["lcp/residual.hpp", "mechanics/model/check.hpp", "src/move/trajectory_forces.cpp",
-            "src/move/trajectory_points.cpp", "src/move/trajectory_steps.cpp"]
+REFEREES = ["lcp/residual.hpp", "mechanics/model/check.hpp", "src/verify/trajectory_forces.cpp",
+            "src/verify/trajectory_points.cpp", "src/verify/trajectory_steps.cpp"]
 SOLVERS = re.compile(r"^lcp/(pivots|sweeps)/"
                      r"|^mechanics/model/(assemble|read_answer)\b|^mechanics/(solve|study)/")
 
@@ -91,7 +91,8 @@ def check(root):
     headers = {path.relative_to(base).as_posix(): path.read_text(encoding="utf-8")
                for path in sorted(base.rglob("*.h*"))}
     headers |= {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8")
-                for path in sorted((pathlib.Path(root) / "src/move").glob("*.[hc]pp"))}
+                for room in ("src/move", "src/verify")
+               for path in sorted((pathlib.Path(root) / room).glob("*.[hc]pp"))}
     core = {name: text for name, text in headers.items() if is_core(name)}
     faults = [f"include/lcpush/{name}:{number}: {what}"
               for name, text in core.items() for number, what in own_faults(name, text)]

@@ -41,13 +41,13 @@ LEFT = {
     "src/certify": 35,
     "src/cone": 32,
     "src/dense": 5,
-    "src/move": 70,
+    "src/move": 42,
     "src/plan": 52,
     "src/raw": 23,
     "src/solve": 138,
     "src/spread": 28,
     "src/sweep": 68,
-    "src/verify": 13,
+    "src/verify": 12,
 }
 
 NUMBER = re.compile(r"(?<![\w.])(0[xX][0-9a-fA-F']+(?:\.[0-9a-fA-F]*)?(?:[pP][-+]?\d+)?"

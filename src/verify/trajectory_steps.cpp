@@ -1,6 +1,7 @@
-#include "move/trajectory_steps.hpp"
+#include "verify/trajectory_steps.hpp"
 
 #include "lcpush/mechanics/model/answer.hpp"
+#include "verify/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +10,7 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr double printed_times = 1e-3; // of a step, of times printed with few digits
-constexpr double along_normal = 1e-6;  // of a drive
-constexpr double least_slope = 1e-3;   // of a drive: it hardly closes
-constexpr double closed = 1e-12;       // of the object's size
-constexpr int most_closings = 20;      // tries: another point may touch first
+using Settings = VerifySettings;
 
 /// m/s times s, or m/s^2 times s^2: how far a stroke has gone.
 double way_of(const Stroke& stroke, double time) {
@@ -30,7 +27,8 @@ Vector6<double> mean_twist(const Pose<double>& from, const Pose<double>& to, dou
   const double sine = twice.norm() / 2;
   const double angle = std::atan2(sine, (turned.trace() - 1) / 2);
   Vector6<double> twist;
-  twist << (to.position - from.position) / h, twice / 2 * (sine > 1e-9 ? angle / sine : 1.0) / h;
+  twist << (to.position - from.position) / h,
+      twice / 2 * (sine > Settings::half_spin ? angle / sine : 1.0) / h;
   return twist;
 }
 
@@ -41,7 +39,7 @@ SeenMotion::SeenMotion(const SceneFile& file, const std::vector<TrajectoryFrame>
 bool SeenMotion::is_whole(std::size_t k) const {
   if (k == 0) return false;
   const double interval = frames_[k].time - frames_[k - 1].time;
-  return std::abs(frames_[k].step.value_or(interval) - interval) <= printed_times * interval;
+  return std::abs(frames_[k].step.value_or(interval) - interval) <= Settings::interval * interval;
 }
 
 /// A velocity that is not given is that of the way to here, as of every implicit scheme.
@@ -142,8 +140,8 @@ std::optional<Vector6<double>> SeenMotion::body_twist(Index body, const SeenCont
     const Vector3<double> closes =
         acceleration_at(Vector3<double>(step.begin.position + contact.position), drive.twist);
     const Vector3<double> across = closes - contact.normal * contact.normal.dot(closes);
-    const bool is_along =
-        across.norm() <= along_normal * closes.norm() && !(drive.twist.tail<3>().squaredNorm() > 0);
+    const bool is_along = across.norm() <= Settings::along_normal * closes.norm() &&
+                          !(drive.twist.tail<3>().squaredNorm() > 0);
     if (!is_known && !is_along) return std::nullopt;
     if (is_known) twist += *speed * drive.twist;
   }
@@ -166,7 +164,7 @@ Pose<double> SeenMotion::touching_pose(Index body, double time, Closings closing
                                   [&](const Drive<double>& one) { return one.body == body; });
   std::optional<double>& closing = closings[static_cast<std::size_t>(drive->actuator)];
   double least = size_;
-  for (int k = 0; k < most_closings && std::abs(least) > closed * size_; ++k) {
+  for (int k = 0; k < Settings::closings && std::abs(least) > Settings::closed * size_; ++k) {
     double slope = 0;
     least = std::numeric_limits<double>::infinity();
     for (const Index i : points_of(file_.body(body))) {
@@ -175,7 +173,7 @@ Pose<double> SeenMotion::touching_pose(Index body, double time, Closings closing
       least = point.gap;
       slope = point.normal.dot(acceleration_at(point.position, drive->twist));
     }
-    if (!(slope > least_slope * drive->twist.norm())) break; // it does not close there
+    if (!(slope > Settings::closing_slope * drive->twist.norm())) break; // it does not close there
     closing = closing.value_or(0) + least / slope;
     hand = pose_of(body, time, closings);
   }

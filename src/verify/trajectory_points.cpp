@@ -1,12 +1,11 @@
-#include "move/trajectory_points.hpp"
+#include "verify/settings.hpp"
+#include "verify/trajectory_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr double least_gap = 1e-4; // of the object's size: with less, nobody's geometry agrees
 
 /// What a pyramid, or a soft point's polyhedron, has of its cone in the direction where it has
 /// least; 1 of a round cone.
@@ -37,7 +36,7 @@ WorstForce judge_gap(Index i, const FrameContact& said, const SeenContact& seen,
   if (!seen.touches) return worst;
   for (const std::optional<double>& gap : {seen.gap, said.gap})
     if (gap) worst.gap = std::max(worst.gap.value_or(0), *gap);
-  const double unit = h * units.speed + least_gap * units.size;
+  const double unit = h * units.speed + VerifySettings::gap * units.size;
   worst.off = std::min(worst.off, std::max(0.0, worst.gap.value_or(0) - seen.missed) / unit);
   return worst;
 }

@@ -1,7 +1,5 @@
-#include "move/trajectory_forces.hpp"
-
-#include "move/trajectory_points.hpp"
-#include "move/trajectory_steps.hpp"
+#include "verify/trajectory_forces.hpp"
+#include "verify/settings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +8,7 @@
 namespace lcpush::desktop {
 namespace {
 
-// Forces and speeds are measured by the largest of their frame; where that is next to nothing, by
-// these parts of what else there is.
-constexpr double least_force = 1e-200; // N: nothing over it is nothing
-constexpr double least_of_loads = 1e-6, least_of_motion = 1e-9, least_of_speeds = 1e-3;
+using Settings = VerifySettings;
 
 /// A body's force on the object as far as it is known; the moment about the object's centre of mass
 /// at the step's begin.
@@ -102,12 +97,12 @@ private:
       if (wrench.force) force = std::max(force, wrench.force->norm());
     for (const Actuator<double>& actuator : file_.actuators)
       force = std::max(force, std::abs(actuator.force));
-    units_.force = std::max({force, least_of_motion * largest_, least_force});
-    units_.point_force = least_of_loads * units_.force;
+    units_.force = std::max({force, Settings::of_motion * largest_, Settings::least_force});
+    units_.point_force = Settings::of_loads * units_.force;
     for (const FrameContact& contact : contacts_)
       units_.point_force = std::max(units_.point_force, force_size(contact));
     const double gained = step_.h * units_.force / object.mass;
-    units_.speed = std::max(step_.fastest, least_of_speeds * std::max(fastest_, gained));
+    units_.speed = std::max(step_.fastest, Settings::of_speeds * std::max(fastest_, gained));
   }
 
   /// By its contacts if they are known, else as given.
@@ -173,7 +168,8 @@ private:
     for (const Index i : points_of(file_.body(drive.body))) {
       const std::optional<double>& force = contacts_[static_cast<std::size_t>(i)].normal_force;
       const Vector3<double>& n = step_.contacts[static_cast<std::size_t>(i)].normal;
-      if (!force || turns || (linear - n * n.dot(linear)).norm() > 1e-6 * linear.norm())
+      if (!force || turns ||
+          (linear - n * n.dot(linear)).norm() > Settings::along_normal * linear.norm())
         return std::nullopt;
       pressing += *force * n.dot(linear);
     }
@@ -195,7 +191,7 @@ private:
       found += *force;
       size = std::max(size, std::abs(*force));
     }
-    size = std::max(size, least_of_loads * units_.force);
+    size = std::max(size, Settings::of_loads * units_.force);
     WorstForce worst;
     worst.law = ForceLaw::grip;
     worst.of = a;

@@ -1,10 +1,14 @@
-// The laws that a contact point's force obeys by itself.
+// Do a motion's forces obey the laws of its steps? From the scene and the frames alone.
 #pragma once
 
 #include "lcpush/desktop/trajectory.hpp"
-#include "move/trajectory_steps.hpp"
+#include "verify/trajectory_steps.hpp"
 
 namespace lcpush::desktop {
+
+/// None: no frame says anything of forces. Cost: O(frames points).
+std::optional<ForceReport> judge_forces(const SceneFile& file,
+                                        const std::vector<TrajectoryFrame>& frames);
 
 /// What a frame's numbers are measured by.
 struct ForceUnits {
@@ -17,8 +21,8 @@ struct ForceUnits {
 /// N, the larger of normal force and friction.
 double force_size(const FrameContact& contact);
 
-/// Point i in a step, which is measured by `units`: one of each law that what is said of it lets
-/// judge, without the time.
+/// The laws that point i's force obeys by itself in a step, measured by `units`: one of each law
+/// that what is said of it lets judge, without the time.
 std::vector<WorstForce> judge_point(const SceneFile& file, Index i, const FrameContact& said,
                                     const SeenContact& seen, double h, const ForceUnits& units);
 

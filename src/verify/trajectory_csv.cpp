@@ -1,8 +1,8 @@
 // A motion as CSV: columns by name, in any order.
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
-#include "move/trajectory_reader.hpp"
 #include "text/wording.hpp"
+#include "verify/trajectory_reader.hpp"
 
 #include <algorithm>
 #include <array>

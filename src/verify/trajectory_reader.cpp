@@ -1,4 +1,4 @@
-#include "move/trajectory_reader.hpp"
+#include "verify/trajectory_reader.hpp"
 
 #include "formats/json_fields.hpp"
 #include "lcpush/desktop/naming.hpp"
@@ -6,19 +6,17 @@
 #include "text/limits.hpp"
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
+#include "verify/settings.hpp"
 
 #include <algorithm>
 
 namespace lcpush::desktop {
 namespace {
 
-constexpr double rotation_slack = 1e-6; // single precision, printed
-constexpr double time_slack = 1e-3;     // of a step, of times printed with few digits
-
 void check_frame(const std::string& file, int line, const TrajectoryFrame& frame) {
   const Matrix3<double>& R = frame.pose.rotation;
   const Matrix3<double> off = R.transpose() * R - Matrix3<double>::Identity();
-  if (!(off.cwiseAbs().maxCoeff() <= rotation_slack &&
+  if (!(off.cwiseAbs().maxCoeff() <= VerifySettings::rotation &&
         cross<double>(R.col(0), R.col(1)).dot(R.col(2)) > 0))
     throw InputError(file, line, "the rotation is none: its rows are not orthonormal");
   if (frame.step && *frame.step < 0)
@@ -40,7 +38,7 @@ void check_frames(const std::string& file, const ReadFrames& read) {
       throw InputError(file, read.lines[k],
                        "time must grow from frame to frame, got " + shown(frames[k].time) +
                            " after " + shown(frames[k - 1].time));
-    if (frames[k].step.value_or(0) > interval * (1 + time_slack))
+    if (frames[k].step.value_or(0) > interval * (1 + VerifySettings::interval))
       throw InputError(file, read.lines[k],
                        "step is " + shown(*frames[k].step) +
                            " s, longer than since the frame before: it is the seconds of the one "

@@ -3,8 +3,9 @@
 #include "lcpush/desktop/move.hpp"
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "move/motion_run.hpp"
-#include "move/trajectory_forces.hpp"
-#include "move/trajectory_steps.hpp"
+#include "verify/settings.hpp"
+#include "verify/trajectory_forces.hpp"
+#include "verify/trajectory_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,21 +14,14 @@
 namespace lcpush::desktop {
 namespace {
 
-// The laws hold what moves slower than this part of the motion that is judged.
-constexpr double at_rest = 1e-3;
-// Places are printed with so many digits, of the object's size.
-constexpr double printed_digits = 1e-9;
-constexpr double same = 1e-9; // beside a difference
-// Of a step between two frames.
-constexpr double most_untold_parts = 64, most_told_parts = 1024;
-constexpr int most_part_halvings = 8; // of a part that has no answer
+using Settings = VerifySettings;
 
 /// m/s over a step: the largest difference of a contact point's place on the object.
 double speed_between(const SceneFile& file, const Pose<double>& a, const Pose<double>& b,
                      double h) {
   double most = 0;
   for (const Vector3<double>& p : file.points) most = std::max(most, (a.at(p) - b.at(p)).norm());
-  return std::max(0.0, most - printed_digits * object_size(file)) / h;
+  return std::max(0.0, most - Settings::digits * object_size(file)) / h;
 }
 
 /// How many times the grip that holds the scene's grip is.
@@ -84,7 +78,7 @@ private:
     std::vector<Touch> before;
     for (int k = 0; k < parts && way.status == Status::solved; ++k) {
       bool is_halved = false;
-      way.status = advance(h / parts, most_part_halvings, is_halved);
+      way.status = advance(h / parts, Settings::part_halvings, is_halved);
       std::vector<Touch> touches = run_.touches();
       const bool goes_on = (k == 0 || touches == before) && !run_.leaves();
       way.is_smooth = way.is_smooth && goes_on && !is_halved;
@@ -104,7 +98,7 @@ private:
     Way nearest = way(to, h, 1), last = nearest;
     // Who says how short its steps are may have made many.
     const double said = to.step && *to.step > 0 ? h / *to.step : 0;
-    const double most = std::clamp(said, most_untold_parts, most_told_parts);
+    const double most = std::clamp(said, Settings::most_parts, Settings::most_stated_parts);
     for (int parts = 2; parts <= most; parts *= 2) {
       const bool is_solved = last.status == Status::solved;
       if (is_solved && nearest.off <= report_.tolerance * report_.fastest) break;
@@ -117,8 +111,9 @@ private:
       const bool is_hopeless =
           is_settling && finer.off > 2 * speed_between(file_, last.end, finer.end, h) +
                                          report_.tolerance * report_.fastest;
-      const bool is_nearer = finer.status == Status::solved &&
-                             (nearest.status != Status::solved || finer.off < 0.9 * nearest.off);
+      const bool is_nearer =
+          finer.status == Status::solved &&
+          (nearest.status != Status::solved || finer.off < Settings::nearer * nearest.off);
       if (is_nearer) nearest = finer;
       last = std::move(finer);
       if (is_hopeless) break;
@@ -165,7 +160,8 @@ private:
       return;
     }
     own_ = std::max(own_, speed_between(file_, from.pose, own.end, h));
-    if (own.off > (1 + same) * report_.worst) report_.worst_time = to.time; // the first of equals
+    if (own.off > (1 + Settings::same_speed) * report_.worst)
+      report_.worst_time = to.time; // the first of equals
     report_.worst = std::max(report_.worst, own.off);
     report_.mean += own.off;
     ++report_.steps;
@@ -182,7 +178,7 @@ private:
       report_.verdict = !goes_on            ? TrajectoryVerdict::stopped
                         : has_wrong_force() ? TrajectoryVerdict::wrong_forces
                                             : TrajectoryVerdict::follows;
-    else if (goes_on && own_ <= at_rest * goes_)
+    else if (goes_on && own_ <= Settings::at_rest * goes_)
       report_.verdict = TrajectoryVerdict::creeps;
     if (report_.verdict == TrajectoryVerdict::creeps) report_.held = held_times(file_);
   }

@@ -1,0 +1,48 @@
+// The numbers by which somebody else's answers and motions are judged.
+#pragma once
+
+#include <algorithm>
+
+namespace lcpush::desktop {
+
+struct VerifySettings {
+  // Answers. Parts of the largest number involved.
+  static constexpr double dependent = 1e-10;       ///< least squares leave such a direction open
+  static constexpr double basis_dependent = 1e-11; ///< the same in the basis that z names, whose
+                                                   ///< columns differ by the stiffness of pads
+  static constexpr double same_place = 1e-6;       ///< of the scene's size: places in six digits
+  static constexpr double same_answer = 1e-6;      ///< least tolerance of "the same answer": two
+                                                   ///< solvers' answers in double agree to 1e-8
+  static constexpr double times_tolerance = 10;    ///< an answer off by the tolerance may lie so
+                                                   ///< many times it away from the exact one
+  static constexpr double stationary = 0.01;       ///< descent takes off less: an optimiser stops
+  // Motions: files are printed with six digits or more, single precision among them.
+  static constexpr double rotation = 1e-6;   ///< off orthonormal
+  static constexpr double interval = 1e-3;   ///< of a step: times printed with few digits
+  static constexpr double digits = 1e-9;     ///< of the object's size: how far digits of places go
+  static constexpr double same_speed = 1e-9; ///< of a difference: rounding, no other worst step
+  static constexpr double at_rest = 1e-3;    ///< of the motion judged: slower, the laws hold it
+  static constexpr double half_spin = 1e-9;  ///< sine of a turn that is none
+  // How finely a step between two frames is repeated, doubling its parts.
+  static constexpr double most_parts = 64;          ///< simulators make up to 50 steps a frame
+  static constexpr double most_stated_parts = 1024; ///< where the file says how short its steps are
+  static constexpr double nearer = 0.9;   ///< finer parts count if they come so much nearer
+  static constexpr int part_halvings = 8; ///< of a part that has no answer
+  // Forces: the unit of a frame whose largest force or speed is next to nothing, as parts of what
+  // else there is.
+  static constexpr double least_force = 1e-200; ///< N: nothing over it is nothing
+  static constexpr double of_loads = 1e-6, of_motion = 1e-9, of_speeds = 1e-3;
+  static constexpr double gap = 1e-4; ///< of the object's size: with less, nobody's geometry agrees
+  static constexpr double along_normal = 1e-6; ///< of a drive: what is across is rounding
+  static constexpr double closing_slope =
+      1e-3;                               ///< of a drive that hardly closes: its place is open
+  static constexpr double closed = 1e-12; ///< of the object's size
+  static constexpr int closings = 20;     ///< tries: another point may touch first
+};
+
+/// The part of the largest number by which an answer may differ from another and be the same.
+inline double close_by(double tolerance) {
+  return std::max(VerifySettings::same_answer, VerifySettings::times_tolerance * tolerance);
+}
+
+} // namespace lcpush::desktop
