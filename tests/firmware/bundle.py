@@ -4,10 +4,8 @@
     bundle.py OPTIONS bundle     made and compiled at a path with blanks by the commands of its README,
                                  for Arm, RISC-V and here; it reads nothing of ours elsewhere, and runs
     bundle.py OPTIONS planted    faults in a bundle are seen
-    bundle.py OPTIONS --page FILE hundred
-                                 a hundred pushes end in the same bits everywhere, those of the page
-    bundle.py OPTIONS --page FILE --record hundred
-                                 writes them into the page
+    bundle.py OPTIONS hundred    a hundred pushes end in the same bits everywhere; with --page FILE
+                                 they are written into the page, at a release
 
 OPTIONS: --build FOLDER (where to work), --sources FOLDER, and what else `--help` lists.
 """
@@ -126,19 +124,15 @@ def hundred(args):
     yield from differing(hashes)
     solved = runs[0]["float"]["solved"], runs[0]["double"]["solved"]
     print(f"solved: {solved[0]} in float, {solved[1]} in double")
+    if not args.page:
+        return
     lines = [f"| 100 pushes, {solved[0]} / {solved[1]} of them solved | float | double |", "|---|---|---|"]
     for title, row in hashes.items():
         cells = [f"`{row[key]}`" if key in row else "" for key in ("float", "double")]
         lines.append(f"| {title} | " + " | ".join(cells) + " |")
-    text = args.page.read_text()
-    before, rest = text.split(BEGIN)
-    table, after = rest.split(END)
-    made = "".join(f"{line}\n" for line in lines)
-    if args.record:
-        args.page.write_text(before + BEGIN + made + END + after)
-    elif table != made:
-        print(made)
-        yield f"{args.page.name} has another table: --record writes this one"
+    before, rest = args.page.read_text().split(BEGIN)
+    table = "".join(f"{line}\n" for line in lines)
+    args.page.write_text(before + BEGIN + table + END + rest.split(END)[1])
 
 
 def main():
@@ -153,7 +147,6 @@ def main():
     parser.add_argument("--version", default="0")
     parser.add_argument("--target-made", type=pathlib.Path, help="what the target device_bundle made")
     parser.add_argument("--page", type=pathlib.Path)
-    parser.add_argument("--record", action="store_true")
     args = parser.parse_args()
     args.build, args.sources = args.build.resolve(), args.sources.resolve()
     check = {"bundle": check_bundle, "planted": check_planted, "hundred": hundred}[args.what]

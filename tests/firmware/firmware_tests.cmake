@@ -156,8 +156,6 @@ set(firmware_gates Python3::Interpreter ${firmware}/gates.py --build ${firmware_
 foreach(target IN ITEMS m3 m4f m7d)
   add_test(NAME firmware.${target} COMMAND ${firmware_gates} ${target})
 endforeach()
-add_test(NAME firmware.figures_in_docs
-         COMMAND ${firmware_gates} --page ${PROJECT_SOURCE_DIR}/docs/embed/embedding.md page)
 add_test(NAME firmware.planted_failures COMMAND ${firmware_gates} planted)
 if(TARGET lcpush_tool)
   add_test(NAME firmware.scenes COMMAND ${firmware_gates} --tool $<TARGET_FILE:lcpush_tool>
@@ -171,8 +169,7 @@ set(firmware_bundle
     ${PROJECT_VERSION} --target-made ${PROJECT_BINARY_DIR}/device_bundle)
 add_test(NAME firmware.bundle COMMAND ${firmware_bundle} bundle)
 add_test(NAME firmware.bundle_planted COMMAND ${firmware_bundle} planted)
-add_test(NAME firmware.hundred COMMAND ${firmware_bundle} --page
-                                       ${PROJECT_SOURCE_DIR}/docs/embed/embedding.md hundred)
+add_test(NAME firmware.hundred COMMAND ${firmware_bundle} hundred)
 # They share what they compile.
 set_tests_properties(firmware.bundle firmware.hundred PROPERTIES PROCESSORS 2)
 set_tests_properties(firmware.hundred firmware.bundle_planted PROPERTIES DEPENDS firmware.bundle)

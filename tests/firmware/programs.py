@@ -5,16 +5,6 @@ import struct
 import subprocess
 
 MACHINE = {"m3": "mps2-an385", "m4f": "mps2-an386", "m7d": "mps2-an500"}
-# Parts of the library's code by words in its functions' names, the first that fits.
-PARTS = {"eigen": "Eigen's functions", "checks": "the referee and the laws' check",
-         "friction": "round friction", "pivots": "pivots and their basis",
-         "assembly": "scene, equations, answer", "interface": "the C functions, rounds of pads"}
-_NAMES = {"eigen": r"^_ZN?K?5Eigen|^_ZNK5Eigen", "friction": r"RoundFriction|RoundDistance|9turned|4turn",
-          "checks": r"natural_residual|factored_rows|neighbour|LawRows|TermSizes|check_rows|5check",
-          "pivots": r"LocalForm|Directions|KeptRows|StructuredBasis|5Lemke|RatioTest|Dictionary|multiply|largest_entry"
-                    r"|exchange_largest|dot_along|add_scaled|power_below|reciprocal_root",
-          "assembly": r"Assembly|4laws|find_mistake|spread_evenly|read_answer|generator|tangent"
-                      r"|even_size|size_of|Layout|drive|cone|contact|weight"}
 PRECISION = {"m3": "float", "m4f": "float", "m7d": "double"}
 
 
@@ -91,19 +81,6 @@ class Programs:
         if total == 0:
             raise RuntimeError(f"{source}.{target}.o is not in the map of {program}")
         return total
-
-    def parts(self, program, target):
-        """[(part, bytes)] of the library's functions and constants in a program."""
-        found = []
-        text = pathlib.Path(f"{self.elf(program, target)}.map").read_text()
-        text = text[text.index("Linker script and memory map"):]
-        pattern = r"^ \.(?:text|rodata)\.?(\S*)\s+0x[0-9a-f]+\s+(0x[0-9a-f]+) (\S+)$"
-        for name, size, path in re.findall(pattern, text, re.M):
-            if pathlib.Path(path).name != f"core.{target}.o":
-                continue
-            part = next((p for p, words in _NAMES.items() if re.search(words, name)), "interface")
-            found.append((part, int(size, 16)))
-        return found
 
     def stack_usage(self, name, target):
         return (self.build / f"{name}.{target}.su").read_text().splitlines()

@@ -1,5 +1,5 @@
 """The tables of docs/embed/embedding.md, line by line."""
-from programs import MACHINE, PARTS, instructions
+from programs import MACHINE, instructions
 
 
 def size_table(programs, program="sizes"):
@@ -75,10 +75,6 @@ def flash_table(programs):
     least = {target: programs.code_of("small", target, "core") for target in MACHINE}
     yield " | ".join(["| describe, solve by pivots, read, B",
                       *(str(least[target]) for target in MACHINE)]) + " |"
-    for part, name in PARTS.items():
-        sizes = [sum(size for kind, size in programs.parts("small", target) if kind == part)
-                 for target in MACHINE]
-        yield " | ".join([f"| of these: {name}", *map(str, sizes)]) + " |"
     for part, name in (("break", "`break_grasp` as well"), ("motion", "a motion as well")):
         more = [programs.code_of(f"small_{part}", target, "core") - least[target]
                 for target in MACHINE]
