@@ -48,16 +48,6 @@ TEST_CASE("Cottle-Pang-Stone 4.4.7 is solved at (0, 1, 3)") {
   check_solution("cps_4_4_7", vector({0, 1, 3}));
 }
 
-TEST_CASE("Cottle-Pang-Stone 4.4.7 in exact fractions: (0, 1, 3), not a rounding off") {
-  const DenseLcp<Rational> lcp = in_fractions(textbook("cps_4_4_7"));
-  const VectorX<Rational> ones = VectorX<Rational>::Constant(3, Rational(1));
-  LemkeRun<Rational> run(3);
-  REQUIRE(run.solve(lcp, book_options(ones, TieRule::lexicographic)) == Status::solved);
-  CHECK(run.z()[0] == Rational(0));
-  CHECK(run.z()[1] == Rational(1));
-  CHECK(run.z()[2] == Rational(3));
-}
-
 // Murty 1988, Example 2.8: a quadratic program's conditions. Cottle, Pang, Stone 1992, Example
 // 4.4.16. Floudas et al. 1999, problem 10.2.2. Where several z solve, any will do.
 TEST_CASE("Murty 2.8, Cottle-Pang-Stone 4.4.16, Floudas 10.2.2 and degenerate ones are solved") {
@@ -110,9 +100,6 @@ TEST_CASE("Kostreva 1 is solved at (1/3, 1/3, 1/3)") {
   check_solution("kostreva_1", VectorX<double>::Constant(3, 1.0 / 3));
 }
 
-// Kostreva 1979, example 2.
-TEST_CASE("Kostreva 2 ends in a ray") { check_ray("kostreva_2", vector({1, 1, 1})); }
-
 TEST_CASE("Kostreva's examples cycle in exact fractions when the first tied row leaves, and under "
           "no other rule") {
   const VectorX<Rational> ones = VectorX<Rational>::Constant(3, Rational(1));
@@ -158,64 +145,4 @@ VectorX<double> ray_of(const DenseLcp<double>& lcp) {
   REQUIRE(run.solve(lcp) == Status::ray);
   CHECK(run.lemke.covers_tried() == LemkeOptions<double>{}.covers);
   return run.ray();
-}
-
-TEST_CASE("copositive plus and infeasible: the ray proves it") {
-  for (const char* name : {"infeasible_psd", "infeasible_lp", "unbounded_lp"}) {
-    CAPTURE(std::string(name));
-    const DenseLcp<double> lcp = textbook(name);
-    CHECK(proves_infeasible(lcp, ray_of(lcp)));
-    check_ray(name, VectorX<double>::Ones(lcp.size()));
-  }
-}
-
-TEST_CASE("copositive but not plus: a ray although there are feasible points") {
-  const DenseLcp<double> lcp = textbook("copositive_ray");
-  CHECK((lcp.M * vector({0, 2}) + lcp.q).minCoeff() > 0);
-  CHECK_FALSE(proves_infeasible(lcp, ray_of(lcp)));
-  check_ray("copositive_ray", vector({1, 1}));
-}
-
-TEST_CASE("a ray although there is a solution: off the path that the covers lead to") {
-  const DenseLcp<double> lcp = textbook("solvable_ray");
-  CHECK(solution_error(lcp, vector({1.5, 0, 0})) == 0);
-  CHECK_FALSE(proves_infeasible(lcp, ray_of(lcp)));
-  check_ray("solvable_ray", vector({1, 1, 1}));
-}
-
-TEST_CASE("a symmetric game: a ray for both players' strategies, the equilibrium for one's") {
-  const DenseLcp<double> both = textbook("rock_paper_scissors");
-  CHECK(both.M.topRightCorner(3, 3) == both.M.bottomLeftCorner(3, 3));
-  CHECK(solution_error(both, VectorX<double>::Constant(6, 1.0 / 6)) <= 1e-15);
-  CHECK_FALSE(proves_infeasible(both, ray_of(both)));
-  const DenseLcp<double> one{both.M.topRightCorner(3, 3), both.q.head(3)};
-  LemkeRun<double> run(3);
-  REQUIRE(run.solve(one) == Status::solved);
-  CHECK((run.z() - VectorX<double>::Constant(3, 1.0 / 6)).cwiseAbs().maxCoeff() <= tolerance);
-}
-
-// Floudas et al. 1999, problem 10.2.1, after Murty 1978: exponentially many pivots for Murty's
-// principal pivoting method; the only solution of a triangular P-matrix is its last unit vector.
-TEST_CASE("Murty's triangular family is solved at its last unit vector") {
-  for (const Index n : {1, 2, 5, 12, 16, 30}) {
-    CAPTURE(n);
-    DenseLcp<double> lcp{MatrixX<double>::Identity(n, n), VectorX<double>::Constant(n, -1)};
-    lcp.M.triangularView<Eigen::StrictlyUpper>().setConstant(2);
-    LemkeRun<double> run(n);
-    REQUIRE(run.solve(lcp) == Status::solved);
-    CHECK((run.z() - VectorX<double>::Unit(n, n - 1)).cwiseAbs().maxCoeff() <= 1e-10);
-  }
-}
-
-// After Fathi 1979: the positive definite product of Murty's triangle with its transpose.
-TEST_CASE("Fathi's positive definite family is solved") {
-  for (const Index n : {1, 2, 5, 12, 16}) {
-    CAPTURE(n);
-    MatrixX<double> L = MatrixX<double>::Identity(n, n);
-    L.triangularView<Eigen::StrictlyLower>().setConstant(2);
-    const DenseLcp<double> lcp{L * L.transpose(), VectorX<double>::Constant(n, -1)};
-    LemkeRun<double> run(n);
-    REQUIRE(run.solve(lcp) == Status::solved);
-    CHECK(solution_error(lcp, run.z()) <= 1e-10);
-  }
 }
