@@ -1,6 +1,7 @@
 // The interface of lcpush_desktop.h: exceptions end here.
+#include "calls/listener.hpp"
 #include "calls/questions.hpp"
-#include "lcpush/desktop/input_error.hpp"
+#include "calls/request.hpp"
 #include "lcpush/lcpush_desktop.h"
 #include "lcpush/version.hpp"
 #include "text/wording.hpp"
@@ -14,51 +15,33 @@ struct lcpush_desktop_answer {
   int line = 0;
 };
 
-namespace lcpush::desktop {
-
-const std::vector<Call>& calls() {
-  static const std::vector<Call> list{{"scene", ask_scene},
-                                      {"solve", ask_solve},
-                                      {"break", ask_break},
-                                      {"sweep", ask_sweep},
-                                      {"spread", ask_spread},
-                                      {"verify", ask_verify},
-                                      {"verify_motion", ask_verify_motion},
-                                      {"move", ask_move},
-                                      {"report", ask_report},
-                                      {"cone", ask_cone},
-                                      {"plan", ask_plan},
-                                      {"certify", ask_certify},
-                                      {"pivots", ask_pivots},
-                                      {"export", ask_export},
-                                      {"matrices", ask_matrices},
-                                      {"problem", ask_problem},
-                                      {"lcp", ask_lcp},
-                                      {"verify_lcp", ask_verify_lcp}};
-  return list;
-}
-
+namespace lcpush::calls {
 namespace {
 
-const Call& call_named(const std::string& name) {
+const Command& question_named(const std::string& name) {
   std::vector<std::string> names;
-  for (const Call& call : calls()) {
-    if (name == call.name) return call;
-    names.emplace_back(call.name);
+  for (const Command& question : questions()) {
+    if (name == question.name) return question;
+    names.push_back(question.name);
   }
-  throw InputError("no question is called " + quoted(name) + suggestion(name, names) +
+  throw InputError("no question is called " + desktop::quoted(name) + suggestion(name, names) +
                    "; there are " + listed(names, "and"));
 }
 
-void answer_with(lcpush_desktop_answer& answer, const char* question, const char* request,
+void answer_with(lcpush_desktop_answer& answer, const char* question, const char* text,
                  const lcpush_desktop_listener* other) {
-  Listener listener(other);
+  ForeignListener listener(other);
   try {
-    if (question == nullptr || request == nullptr) throw InputError("a question has two texts");
-    const Told told = call_named(question).ask(request, listener);
-    answer.text = told.text;
+    if (question == nullptr || text == nullptr) throw InputError("a question has two texts");
+    const Command& asked = question_named(question);
+    const Request request(asked, text);
+    if (asked.ends_with_what_there_is)
+      if (const auto seconds = request.number("seconds", commands::longest_time, ", in seconds"))
+        listener.end_after(*seconds);
+    const commands::Result result = asked.run(request, listener);
+    answer.text = result.text;
     answer.code = listener.was_cancelled() ? LCPUSH_DESKTOP_CANCELLED
-                  : told.solved            ? LCPUSH_DESKTOP_SOLVED
+                  : result.is_good         ? LCPUSH_DESKTOP_SOLVED
                                            : LCPUSH_DESKTOP_NOT_SOLVED;
   } catch (const InputError& error) {
     answer.code = LCPUSH_DESKTOP_BAD_INPUT;
@@ -79,7 +62,7 @@ lcpush_desktop_answer& no_memory() {
 }
 
 } // namespace
-} // namespace lcpush::desktop
+} // namespace lcpush::calls
 
 extern "C" {
 
@@ -93,9 +76,9 @@ int lcpush_desktop_is_cancelled(void* slate) {
 lcpush_desktop_answer* lcpush_desktop_ask(const char* question, const char* request,
                                           const lcpush_desktop_listener* listener) {
   auto* const answer = new (std::nothrow) lcpush_desktop_answer;
-  if (answer == nullptr) return &lcpush::desktop::no_memory();
+  if (answer == nullptr) return &lcpush::calls::no_memory();
   try {
-    lcpush::desktop::answer_with(*answer, question, request, listener);
+    lcpush::calls::answer_with(*answer, question, request, listener);
   } catch (...) { // no memory for the message either
     answer->code = LCPUSH_DESKTOP_FAILED;
   }
@@ -118,7 +101,7 @@ const char* lcpush_desktop_message(const lcpush_desktop_answer* answer) {
 }
 
 void lcpush_desktop_free(lcpush_desktop_answer* answer) {
-  if (answer != &lcpush::desktop::no_memory()) delete answer;
+  if (answer != &lcpush::calls::no_memory()) delete answer;
 }
 
 const char* lcpush_desktop_version(void) { return lcpush::version_text; }

@@ -1,46 +1,44 @@
-// Whoever asked is told how far the work is, and may end it.
+// Whoever asked through C is told how far the work is, and may end it.
 #pragma once
 
-#include "lcpush/desktop/watcher.hpp"
+#include "commands/listener.hpp"
 #include "lcpush/lcpush_desktop.h"
 
 #include <chrono>
 
-namespace lcpush::desktop {
+namespace lcpush::calls {
 
 /// Leaves the work where it cannot be ended otherwise: all of it owns its memory.
 struct Cancelled {};
 
-class Listener {
+/// Calls the other one at most 50 times a second.
+class ForeignListener : public commands::Listener {
 public:
-  explicit Listener(const lcpush_desktop_listener* other) : other_(other) {}
+  explicit ForeignListener(const lcpush_desktop_listener* other) : other_(other) {}
 
-  /// Cheap: asks at most 50 times a second.
-  bool is_cancelled();
-  void pass_on(double done);
+  /// The work is to end with what there is after so long.
+  void end_after(double seconds) { end_ = Clock::now() + std::chrono::duration<double>(seconds); }
+  bool was_cancelled() const { return was_cancelled_; }
 
-  void end_if_cancelled() {
+  void progress(double done, const std::string& of) override;
+  bool is_interrupted() override { return is_cancelled() || Clock::now() >= end_; }
+  void end_if_cancelled() override {
     if (is_cancelled()) throw Cancelled();
   }
-  bool was_cancelled() const { return cancelled_; }
+  Index choose_row(const desktop::PivotTrace&) override { return 0; } // nobody is asked
+  void stepped(const Lemke<double>&) override { end_if_cancelled(); }
+  void progressed(Index, Index) override { end_if_cancelled(); }
+  void swept(Index, const double*, double) override { end_if_cancelled(); }
 
 private:
   using Clock = std::chrono::steady_clock;
   const lcpush_desktop_listener* other_;
-  Clock::time_point next_ask_ = Clock::now(), next_tell_ = next_ask_;
-  bool cancelled_ = false;
+  Clock::time_point next_look_ = Clock::now(), next_note_ = next_look_;
+  std::chrono::time_point<Clock, std::chrono::duration<double>> end_ =
+      std::chrono::time_point<Clock, std::chrono::duration<double>>::max();
+  bool was_cancelled_ = false;
+
+  bool is_cancelled();
 };
 
-/// Ends pivots and sweeps.
-class ListeningWatcher : public Watcher {
-public:
-  explicit ListeningWatcher(Listener& listener) : listener_(listener) {}
-  void stepped(const Lemke<double>&) override { listener_.end_if_cancelled(); }
-  void progressed(Index, Index) override { listener_.end_if_cancelled(); }
-  void swept(Index, const double*, double) override { listener_.end_if_cancelled(); }
-
-private:
-  Listener& listener_;
-};
-
-} // namespace lcpush::desktop
+} // namespace lcpush::calls

@@ -1,64 +1,66 @@
-// A question's keys, typed: what is wrong with them is said by name.
+// A request of another language: keys of a JSON object as values of a command's options.
 #pragma once
 
+#include "commands/values.hpp"
 #include "formats/json_fields.hpp"
-#include "lcpush/desktop/scene_io.hpp"
-#include "lcpush/desktop/solver.hpp"
-#include "lcpush/desktop/telling.hpp"
-#include "lcpush/desktop/varied_scene.hpp"
 
-#include <string>
-#include <vector>
+namespace lcpush::calls {
 
-namespace lcpush::desktop {
+using namespace desktop;
+using commands::Command;
+using commands::Document;
 
-class Request {
+class Request : public commands::Values {
 public:
-  /// Throws InputError if `text` is no object, or has a key that is none of `keys`.
-  Request(const std::string& text, std::vector<std::string> keys);
+  /// Throws InputError if `text` is no object, or has a key that the command does not take.
+  Request(const Command& command, const std::string& text);
 
-  std::string text(const char* key) const { return fields_.text(root_, key); }
-  std::string text(const char* key, const char* otherwise) const;
-  bool flag(const char* key) const;
-  std::optional<double> number(const char* key) const { return fields_.number(root_, key); }
-  /// A number > 0.
-  std::optional<double> positive(const char* key) const;
-  std::optional<Index> whole(const char* key, Index least, Index most) const;
-  std::optional<std::vector<double>> numbers(const char* key, Index count = -1) const {
-    return fields_.numbers(root_, key, count);
+  /// "stop_after" for "stop-after"; nullptr if it is not there, or null.
+  const JsonValue* find(const std::string& option) const;
+
+  bool has(const std::string& option) const override;
+  std::optional<std::string> text(const std::string& option) const override;
+  std::optional<Written> written(const std::string& option) const override;
+  std::optional<std::vector<double>> numbers(const std::string& option, std::size_t count,
+                                             const std::string& what) const override;
+  std::string label(const std::string& option) const override;
+  std::string usage(const std::string& option) const override { return label(option); }
+  std::string row_name(Index row) const override {
+    return "row " + std::to_string(row + 1) + " (counted from 1)";
   }
-  /// Numbers in which null stands for `otherwise`; nothing if the key is not there.
-  std::optional<std::vector<double>> numbers_or(const char* key, Index count,
-                                                double otherwise) const;
-  const JsonValue* find(const char* key) const { return root_.find(key); }
-  const JsonFields& fields() const { return fields_; }
-  /// "format": one of these, the first if there is none.
-  std::string format(const std::vector<std::string>& known) const;
-  std::string one_of(const char* key, const std::vector<std::string>& known) const;
-  Solver solver() const;
+  void throw_refusal(const std::string& option, const std::string& sentence) const override;
+  using Values::format;
+  std::string format(const std::vector<std::string>& known) const override;
+  Telling telling() const override {
+    return text("format") == "full_text" ? Telling::full : Telling::brief;
+  }
 
-  /// "scene" is the text of a scene file, which messages call "file".
-  std::string scene_name() const { return text("file", "scene"); }
-  SceneFile scene(Strokes strokes = Strokes::first) const;
-  VariedScene varied_scene() const;
-  /// Of several pushers the one that "pusher" names.
-  Index pusher(const SceneFile& file) const;
+  std::size_t scene_count() const override { return find("scene") == nullptr ? 0 : 1; }
+  Document scene_document(std::size_t k = 0) const override;
+  std::size_t variation_count() const override;
+  std::vector<Variation> variations(const VariedScene& scene) const override;
+  std::optional<std::vector<Variation>> each(const VariedScene& scene) const override;
 
-  [[noreturn]] void refuse(const char* key, const std::string& message) const;
+  commands::ExactMatrices exact_matrices() const override;
+  RawProblem raw_problem() const override;
+  std::optional<commands::NumberList> list(const std::string& option, Index n) const override;
+  Document answer() const override { return document("answer", "a JSON object as solve gives it"); }
+  Document trajectory() const override {
+    return document("motion", "frames as move gives them, JSON or CSV");
+  }
+  std::vector<double> z(const RawProblem& problem) const override;
 
 private:
   std::string name_ = "request";
   JsonFields fields_{name_};
   JsonValue root_;
+
+  std::string needed(const std::string& option, const std::string& what) const;
+  Document document(const std::string& option, const std::string& what) const {
+    return {needed(option, "the text of " + what), option};
+  }
+  std::vector<double> needed_numbers(const std::string& option, Index count) const;
+  SparseRows matrix() const;
 };
 
-/// "full_text" is words as -v has them.
-Telling told_as(const std::string& format);
-/// Keys of a question about a scene, beside its `own`.
-std::vector<std::string> scene_keys(std::vector<std::string> own);
-/// Throws InputError if nothing moves.
-void refuse_still(const Request& request, const SceneFile& file);
-/// Throws InputError if the scene has more unknowns than `most`, whose `what`.
-void refuse_unknowns(const Request& request, const SceneFile& file, Index most, const char* what);
-
-} // namespace lcpush::desktop
+} // namespace lcpush::calls

@@ -1,28 +1,17 @@
 #include "cli/arguments.hpp"
 
-#include "cli/commands.hpp"
-#include "cli/time_limit.hpp"
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <system_error>
+#include <limits>
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
+#include "cli/shell.hpp"
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "scenes/shipped_scenes.hpp"
+#include "text/limits.hpp"
 #include "text/text_file.hpp"
-#include "text/whole_number.hpp"
 #include "text/wording.hpp"
-#include "text/wrap.hpp"
 
 namespace lcpush::cli {
-
 namespace {
 
 /// A negative number is a value, not an option.
@@ -31,28 +20,26 @@ bool is_option(const std::string& word) {
          (word[1] == '-' || word == "-o" || word == "-h" || (word[1] >= 'A' && word[1] <= 'z'));
 }
 
-/// lcpush writes text: no name should promise another kind of file.
-void refuse_foreign_format(const std::string& path) {
-  const std::string ending = std::filesystem::path(path).extension().string();
-  for (const char* foreign : {".pdf", ".png", ".jpg", ".jpeg", ".gif", ".docx", ".xlsx"})
-    if (ending == foreign)
-      throw UsageError("-o " + desktop::quoted(path) + ": lcpush does not write " + ending +
-                       " files; it writes text, JSON, CSV, SVG and HTML");
-}
-
 /// The names of those that take an option of this name.
 std::vector<std::string> commands_with(const std::string& option) {
   std::vector<std::string> names;
   for (const Command& command : all_commands())
     for (const Option& known : command.options)
-      if (known.name == option) names.push_back(command.name);
+      if ("--" + known.name == option) names.push_back(command.name);
   return names;
+}
+
+/// A number of --OPTION TEXT.
+double number_of(std::string_view word, const std::string& option, const std::string& text) {
+  const NumberText read = read_finite_number(trimmed(word));
+  if (read.error)
+    throw UsageError("--" + option + " " + desktop::quoted(text) + ": " + *read.error);
+  return read.value;
 }
 
 } // namespace
 
-void Arguments::read_option(const Command& command, const std::vector<std::string>& words,
-                            std::size_t& at) {
+void Arguments::read_option(const std::vector<std::string>& words, std::size_t& at) {
   std::string name = words[at] == "-o" ? "--output" : words[at] == "-v" ? "--verbose" : words[at];
   std::optional<std::string> inline_value;
   if (const std::size_t equals = name.find('='); equals != std::string::npos) {
@@ -64,13 +51,13 @@ void Arguments::read_option(const Command& command, const std::vector<std::strin
     inline_value = "json";
   }
   std::vector<std::string> known{"--json"};
-  for (const Option& option : command.options) {
-    known.push_back(option.name);
-    if (option.name != name) continue;
-    if (values_.count(name) > 0 && !option.repeats) throw UsageError(name + " is given twice");
+  for (const Option& option : command().options) {
+    known.push_back("--" + option.name);
+    if (known.back() != name) continue;
+    if (has(option.name) && !option.repeats) throw UsageError(name + " is given twice");
     if (option.value.empty()) {
       if (inline_value) throw UsageError(name + " takes no value");
-      values_[name] = {""};
+      values_[option.name] = {""};
       return;
     }
     if (!inline_value) {
@@ -78,9 +65,9 @@ void Arguments::read_option(const Command& command, const std::vector<std::strin
         throw UsageError(words[at] + " needs a value: " + words[at] + " " + option.value);
       inline_value = words[++at];
     }
-    if (name == output_option.name && inline_value->empty())
+    if (name == "--output" && inline_value->empty())
       throw UsageError("the file to write to has an empty name");
-    values_[name].push_back(*inline_value);
+    values_[option.name].push_back(*inline_value);
     return;
   }
   const std::vector<std::string> others = commands_with(name);
@@ -89,13 +76,14 @@ void Arguments::read_option(const Command& command, const std::vector<std::strin
                                    : "; lcpush " + listed(others, "and") + " would take it"));
 }
 
-Arguments::Arguments(const Command& command, const std::vector<std::string>& words) {
+Arguments::Arguments(const Command& command, const std::vector<std::string>& words)
+    : Values(command) {
   bool only_files = false;
   for (std::size_t at = 0; at < words.size(); ++at) {
     if (!only_files && words[at] == "--") {
       only_files = true;
     } else if (!only_files && is_option(words[at])) {
-      read_option(command, words, at);
+      read_option(words, at);
     } else {
       if (words[at].empty()) throw UsageError("the name of a file is empty");
       files_.push_back(words[at]);
@@ -107,158 +95,127 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
   }
 }
 
-std::optional<std::string> Arguments::value(const std::string& option) const {
-  const std::vector<std::string> all = values(option);
-  return all.empty() ? std::nullopt : std::optional(all.front());
-}
-
-std::vector<std::string> Arguments::values(const std::string& option) const {
+std::vector<std::string> Arguments::all(const std::string& option) const {
   const auto found = values_.find(option);
-  if (found == values_.end()) return {};
-  return found->second;
+  return found == values_.end() ? std::vector<std::string>() : found->second;
 }
 
-std::string Arguments::format(const std::vector<std::string>& known) const {
-  return one_of("--format", value("--format").value_or("text"), known);
+std::optional<std::string> Arguments::text(const std::string& option) const {
+  const auto found = values_.find(option);
+  return found == values_.end() ? std::nullopt : std::optional(found->second.front());
 }
 
-std::optional<Index> Arguments::whole(const std::string& option, const Range& range) const {
-  const std::optional<std::string> word = value(option);
-  if (!word) return std::nullopt;
-  const std::optional<Index> number = whole_number<Index>(*word);
-  if (!number || *number < range.smallest || *number > range.largest ||
-      (range.even && *number % 2 != 0))
-    refuse_value(
-        option, *word,
-        (range.even ? "an even number from " : "a whole number from ") +
-            std::to_string(range.smallest) +
-            (range.largest < Range{0}.largest ? " to " + std::to_string(range.largest) : " on"));
-  return number;
-}
-
-std::optional<double> Arguments::number(const std::string& option, double end,
-                                        const std::string& hint) const {
-  const std::optional<std::string> word = value(option);
+std::optional<commands::Values::Written> Arguments::written(const std::string& option) const {
+  const std::optional<std::string> word = text(option);
   if (!word) return std::nullopt;
   const NumberText number = read_finite_number(*word);
-  if (number.error || !(number.value > 0) || !(number.value < end))
-    refuse_value(option, *word, "a number between 0 and " + shown(end) + hint);
-  return number.value;
+  return Written{number.error ? std::numeric_limits<double>::quiet_NaN() : number.value, *word};
 }
 
 std::optional<std::vector<double>> Arguments::numbers(const std::string& option, std::size_t count,
                                                       const std::string& what) const {
-  const std::optional<std::string> text = value(option);
-  if (!text) return std::nullopt;
+  const std::optional<std::string> given = text(option);
+  if (!given) return std::nullopt;
   std::vector<double> numbers;
-  for (const std::string_view part : split_at(*text, ','))
+  for (const std::string_view part : split_at(*given, ','))
     for (const std::string_view word : split_words(part)) {
       const NumberText number = read_finite_number(word);
-      if (number.error) throw UsageError(option + ": " + *number.error);
+      if (number.error) throw UsageError(label(option) + ": " + *number.error);
       numbers.push_back(number.value);
     }
   if (numbers.size() != count)
-    throw UsageError(option + " takes " + what + ", " + std::to_string(count) +
+    throw UsageError(label(option) + " takes " + what + ", " + std::to_string(count) +
                      " numbers in quotes, not " + std::to_string(numbers.size()));
   return numbers;
 }
 
-void refuse_value(const std::string& option, const std::string& word, const std::string& rule,
-                  const std::vector<std::string>& known) {
-  throw UsageError(option + " is " + rule + ", not " + desktop::quoted(word) +
-                   suggestion(word, known));
+std::string Arguments::usage(const std::string& option) const {
+  return label(option) + " " + command().find(option)->value;
 }
 
-const std::string& one_of(const std::string& what, const std::string& word,
-                          const std::vector<std::string>& known) {
-  if (std::find(known.begin(), known.end(), word) == known.end())
-    refuse_value(what, word, listed(known, "or"), known);
-  return word;
+void Arguments::throw_refusal(const std::string& option, const std::string& sentence) const {
+  if ((option == "M" || option == "q") && !is_typed())
+    throw InputError(matrix_files()[option == "M" ? 0 : 1] + ": " + sentence);
+  throw UsageError(sentence);
 }
 
-std::vector<Option> with_common_options(std::vector<Option> own) {
-  const auto is_format = [](const Option& option) { return option.name == "--format"; };
-  if (std::none_of(own.begin(), own.end(), is_format))
-    own.push_back(
-        {"--format", "text|json", "for people (default) or for programs; --json for short"});
-  own.push_back(output_option);
-  return own;
+std::string Arguments::format(const std::vector<std::string>& known) const {
+  return one_of("format", text("format").value_or(known.front()), known);
 }
 
-std::string help_text(const Command& command) {
-  std::string text = "lcpush " + command.name + ": " + command.summary + "\n\nUsage: lcpush " +
-                     command.name + " " + command.synopsis + "\n\n" + reflowed(command.details) +
-                     "\nOptions:\n";
-  for (const Option& option : command.options) {
-    std::string left = "  " + option.name + (option.value.empty() ? "" : " " + option.value);
-    left.resize(std::max<std::size_t>(left.size() + 2, 28), ' ');
-    text += left + option.help + "\n";
+std::size_t Arguments::scene_count() const {
+  if (is_typed()) return 0;
+  if (!files_.empty() || !command().find("cover")) return files_.size();
+  if (format() != "html") throw UsageError("name a scene, two files M.mtx q.mtx, or --M and --q");
+  return 1; // the example
+}
+
+Document Arguments::scene_document(std::size_t k) const {
+  if (files_.empty() && command().find("cover"))
+    return {*scene_called(example_scenes(), "coin"), "the example"};
+  if (files_.empty())
+    throw UsageError("a scene file is needed; `lcpush new box -o mine.toml` writes one");
+  scenes_.resize(files_.size());
+  if (scenes_[k].empty()) scenes_[k] = read_scene_text(files_[k]);
+  return {scenes_[k], scene_label(files_[k])};
+}
+
+void Arguments::inspect(const SceneFile& file) const {
+  const std::vector<SceneDoubt> doubts = check_scene(file);
+  std::vector<std::string> sentences;
+  for (const SceneDoubt& doubt : doubts) sentences.push_back(doubt_text(doubt));
+  if (has("strict") && !doubts.empty()) throw InputError(joined(sentences, "\n"));
+  if (text("format") != "json") doubts_.insert(doubts_.end(), doubts.begin(), doubts.end());
+  const std::string refusal = uncertified_law(file);
+  if (has("certify") && !refusal.empty()) throw UsageError("--certify " + refusal);
+}
+
+std::vector<Variation> Arguments::variations(const VariedScene& scene) const {
+  std::vector<Variation> list;
+  for (const std::string& text : all("vary")) {
+    const std::vector<std::string_view> sides = split_at(text, '=');
+    const std::vector<std::string_view> ends = split_at(sides.back(), ':');
+    if (sides.size() != 2 || ends.size() != 2)
+      throw UsageError("--vary needs PATH=FROM:TO, such as left.grip_force=5:40, not " +
+                       desktop::quoted(text) +
+                       (ends.size() > 2 ? "; --steps says how many values" : ""));
+    const Parameter parameter = scene.find(std::string(trimmed(sides.front())));
+    const double from = number_of(ends.front(), "vary", text),
+                 to = number_of(ends.back(), "vary", text);
+    if (from == to)
+      throw UsageError("--vary " + desktop::quoted(text) + ": from and to are the same");
+    list.push_back({parameter, from, to});
   }
-  return wrapped(text +
-                     "  --help                    this text\n\nExit status: 0 solved, 1 not solved "
-                     "(the output says why), 2 bad input or usage.\nMemory: about 1 GB at most; "
-                     "what would take more is refused before it begins.\n",
-                 columns_of(Stream::output));
+  return list;
 }
 
-std::size_t columns_of(Stream stream) {
-  winsize size{};
-  const int descriptor = stream == Stream::output ? STDOUT_FILENO : STDERR_FILENO;
-  const bool is_known = isatty(descriptor) != 0 && ioctl(descriptor, TIOCGWINSZ, &size) == 0;
-  return is_known && size.ws_col > 0 ? size.ws_col : usual_width;
-}
-
-void write_text(const Arguments& arguments, const std::string& text) {
-  write_output(arguments,
-               wrapped(text, arguments.has("--output") ? usual_width : columns_of(Stream::output)));
-}
-
-void write_output(const Arguments& arguments, const std::string& text) {
-  lift_time_limit();
-  const std::optional<std::string> path = arguments.value("--output");
-  if (path) {
-    refuse_foreign_format(*path);
-    return write_file(*path, text);
+std::optional<std::vector<Variation>> Arguments::each(const VariedScene& scene) const {
+  const std::optional<std::string> given = text("each");
+  if (!given) return std::nullopt;
+  const std::size_t equals = given->find('=');
+  if (equals == std::string::npos)
+    throw UsageError("--each needs PATH=V,V,.. such as facets=4,8,16, not " +
+                     desktop::quoted(*given));
+  const Parameter parameter = scene.find(std::string(trimmed(given->substr(0, equals))));
+  std::vector<Variation> list;
+  for (const std::string_view part : split_at(std::string_view(*given).substr(equals + 1), ',')) {
+    const double value = number_of(part, "each", *given);
+    list.push_back({parameter, value, value});
   }
-  errno = 0;
-  std::cout << text << std::flush;
-  if (!std::cout) refuse_file("standard output", "written", errno);
+  return list;
 }
 
-void write_file(const std::string& path, const std::string& text) {
-  lift_time_limit();
-  errno = 0;
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw InputError(path + ": is a directory; name a file inside it");
-  // A device or a pipe cannot be renamed over.
-  const bool direct =
-      std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
-  const std::string partial = direct ? path : path + ".part";
-  std::ofstream stream(partial, std::ios::binary);
-  if (!stream) refuse_file(path, "written", errno);
-  stream << text << std::flush;
-  if (!stream) {
-    const int reason = errno;
-    if (!direct) std::remove(partial.c_str());
-    refuse_file(path, "written", reason);
-  }
-  stream.close();
-  if (direct) return;
-  std::error_code failure;
-  std::filesystem::rename(partial, path, failure);
-  if (!failure) return;
-  std::remove(partial.c_str());
-  refuse_file(path, "written", failure.value());
+Document Arguments::answer() const {
+  if (files_.size() != 2)
+    throw UsageError(files_.size() == 3 ? "three files are M.mtx q.mtx ANSWER.json: say --lcp"
+                                        : "two files are needed: SCENE.toml ANSWER.json");
+  return {read_text_file(files_[1], limits::answer_bytes), files_[1]};
 }
 
-Solver chosen_solver(const Arguments& arguments) {
-  const std::string solver = arguments.value("--solver").value_or("lemke");
-  if (solver == "pgs") return Solver::gauss_seidel; // as many call it
-  for (const Solver known : {Solver::lemke, Solver::gauss_seidel, Solver::hybrid})
-    if (solver == solver_text(known)) return known;
-  refuse_value("--solver", solver, "lemke, gauss-seidel or hybrid",
-               {"lemke", "gauss-seidel", "hybrid"});
+Document Arguments::trajectory() const {
+  if (files_.size() != 1) throw UsageError("--trajectory needs one file beside it: SCENE.toml");
+  const std::string path = *text("trajectory");
+  return {read_text_file(path, limits::answer_bytes), file_label(path)};
 }
 
 } // namespace lcpush::cli

@@ -1,49 +1,33 @@
-#include "cli/certificate.hpp"
-
-#include <algorithm>
-#include <iostream>
-
+// --certify FILE: the proof of an answer.
+#include "cli/shell.hpp"
 #include "text/format.hpp"
-#include "text/wrap.hpp"
+#include "text/limits.hpp"
+#include "text/text_file.hpp"
 
 namespace lcpush::cli {
-
-using namespace desktop;
-
 namespace {
+
 constexpr double another_answer = 1e-6; // of the largest force: farther than rounding explains
+
 } // namespace
 
-void refuse_certificate_of_stdin(const Arguments& arguments) {
-  const std::vector<std::string>& files = arguments.files();
-  if (arguments.has("--certify") && std::find(files.begin(), files.end(), "-") != files.end())
-    throw UsageError("--certify ties its proof to a file: name one instead of -");
-}
-
-void check_certifiable(const Arguments& arguments, const SceneFile& file) {
-  refuse_certificate_of_stdin(arguments);
-  const std::string refusal = uncertified_law(file);
-  if (arguments.has("--certify") && !refusal.empty()) throw UsageError("--certify " + refusal);
-}
-
-bool write_certificate(const Arguments& arguments,
-                       const std::function<std::optional<Certificate>()>& certify) {
-  const std::optional<std::string> path = arguments.value("--certify");
+bool write_certificate(const Arguments& arguments, const commands::Result& result) {
+  const std::optional<std::string> path = arguments.text("certify");
   if (!path) return true;
-  const std::optional<Certificate> certificate = certify();
-  const auto say = [](const std::string& sentence) {
-    std::cerr << wrapped(sentence, columns_of(Stream::errors)) << "\n";
-  };
+  std::optional<Certificate> certificate = result.certify();
   if (!certificate) {
-    say("No certificate: exact numbers do not confirm what rounded ones show, so " + *path +
-        " was not written.");
+    tell("No certificate: exact numbers do not confirm what rounded ones show, so " + *path +
+         " was not written.");
     return false;
   }
+  if (certificate->law == "raw")
+    for (const std::string& file : arguments.files())
+      certificate->add_fingerprint(read_text_file(file, limits::matrix_bytes));
   write_file(*path, certificate_json(*certificate));
-  say("Certificate in " + *path + ": " + proof_statement(certificate->proof));
+  tell("Certificate in " + *path + ": " + proof_statement(certificate->proof));
   if (certificate->distance > another_answer)
-    say("They are another answer of this scene than the printed one: forces differ by up to " +
-        brief(100 * certificate->distance) + " % of the largest.");
+    tell("They are another answer of this scene than the printed one: forces differ by up to " +
+         brief(100 * certificate->distance) + " % of the largest.");
   return true;
 }
 

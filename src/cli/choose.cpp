@@ -1,8 +1,9 @@
-#include "cli/choose.hpp"
+#include "cli/shell_listener.hpp"
 
 #include <algorithm>
 #include <iostream>
 
+#include "lcpush/desktop/pivots.hpp"
 #include "text/whole_number.hpp"
 #include "text/wording.hpp"
 
@@ -12,14 +13,10 @@ using namespace desktop;
 
 namespace {
 
-const std::string& name(const PivotTrace& trace, Index variable) {
-  return trace.variables[static_cast<std::size_t>(variable)].name;
-}
-
 /// The row that a name or a number from 1 on stands for, or -1.
 Index row_of(const PivotTrace& trace, const std::vector<Index>& rows, const std::string& word) {
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (name(trace, rows[i]) == word) return static_cast<Index>(i);
+    if (trace.name(rows[i]) == word) return static_cast<Index>(i);
   const auto number = whole_number<std::size_t>(word);
   if (number && *number >= 1 && *number <= rows.size()) return static_cast<Index>(*number) - 1;
   return -1;
@@ -29,7 +26,7 @@ Index row_of(const PivotTrace& trace, const std::vector<Index>& rows, const std:
 std::string objection(const PivotTrace& trace, const TracedPivot& pivot,
                       const std::vector<Index>& rows, Index row) {
   const auto at = static_cast<std::size_t>(row), best = static_cast<std::size_t>(pivot.row);
-  const std::string &enters = name(trace, pivot.entering), &it = name(trace, rows[at]);
+  const std::string &enters = trace.name(pivot.entering), &it = trace.name(rows[at]);
   if (!pivot.ratios[at]) {
     if (pivot.entering == artificial(trace.size))
       return it + " needs no help: its value is not negative. z0 has to become large enough for "
@@ -40,9 +37,9 @@ std::string objection(const PivotTrace& trace, const TracedPivot& pivot,
   const std::string own = value_text(*pivot.ratios[at]);
   const std::string right = value_text(*pivot.ratios[best]);
   if (pivot.entering == artificial(trace.size))
-    return it + " needs only z0 = " + own + ", and " + name(trace, rows[best]) +
+    return it + " needs only z0 = " + own + ", and " + trace.name(rows[best]) +
            " would still be negative there: it needs " + right + ".";
-  return it + " reaches zero at " + own + ", but " + name(trace, rows[best]) +
+  return it + " reaches zero at " + own + ", but " + trace.name(rows[best]) +
          " gets there first, at " + right + ", and would be negative.";
 }
 
@@ -52,12 +49,12 @@ Index ask_for_row(const PivotTrace& trace) {
   const TracedPivot& pivot = trace.pivots.back();
   if (!pivot.before) return pivot.row;
   const Tableau& before = *pivot.before;
-  const std::string& by_rule = name(trace, before.rows[static_cast<std::size_t>(pivot.row)]);
+  const std::string& by_rule = trace.name(before.rows[static_cast<std::size_t>(pivot.row)]);
   const Index z0 = artificial(trace.size);
   const auto ties = [&pivot](Index variable) {
     return std::find(pivot.ties.begin(), pivot.ties.end(), variable) != pivot.ties.end();
   };
-  std::cerr << "Pivot " << trace.pivots.size() - 1 << ": " << name(trace, pivot.entering)
+  std::cerr << "Pivot " << trace.pivots.size() - 1 << ": " << trace.name(pivot.entering)
             << " enters (" << trace.variables[static_cast<std::size_t>(pivot.entering)].meaning
             << ").\n"
             << tableau_text(trace, before, nullptr);
@@ -72,7 +69,7 @@ Index ask_for_row(const PivotTrace& trace) {
     if (row < 0) {
       std::cerr << desktop::quoted(word)
                 << " is no row; type a name from the first column, such as "
-                << name(trace, before.rows[0]) << ".\n";
+                << trace.name(before.rows[0]) << ".\n";
       continue;
     }
     const Index leaving = before.rows[static_cast<std::size_t>(row)];

@@ -1,5 +1,5 @@
 // lcpush completion: what shells and man read, made from the table that --help prints.
-#include "cli/commands.hpp"
+#include "cli/shell.hpp"
 #include "lcpush/version.hpp"
 #include "text/wording.hpp"
 #include "text/wrap.hpp"
@@ -7,26 +7,9 @@
 namespace lcpush::cli {
 namespace {
 
-/// "--format --output", those of a command.
-std::string option_names(const Command& command) {
-  std::string names = "--help";
-  for (const Option& option : command.options) names += " " + option.name;
-  return names;
-}
-
-std::string command_names() {
-  std::string names;
-  for (const Command& command : all_commands()) names += (names.empty() ? "" : " ") + command.name;
-  return names;
-}
-
-/// The words of "text|json|svg"; none if the value is free.
-std::string value_words(const Option& option) {
-  std::string words = option.value;
-  if (words.find('|') == std::string::npos) return "";
-  for (char& c : words)
-    if (c == '|') c = ' ';
-  return words;
+/// What an option's value may be; empty if it is free.
+std::string value_words(const Command& command, const Option& option) {
+  return option.name == "format" ? joined(command.formats, " ") : "";
 }
 
 std::string bash_script() {
@@ -35,12 +18,17 @@ std::string bash_script() {
                      "  local words=\"\"\n  case ${COMP_WORDS[1]}:$before in\n";
   for (const Command& command : all_commands())
     for (const Option& option : command.options)
-      if (const std::string values = value_words(option); !values.empty())
-        text += "    " + command.name + ":" + option.name + ") words=\"" + values + "\" ;;\n";
+      if (const std::string values = value_words(command, option); !values.empty())
+        text += "    " + command.name + ":--" + option.name + ") words=\"" + values + "\" ;;\n";
   text += "  esac\n  if [[ -z $words && $word == -* ]]; then\n    case ${COMP_WORDS[1]} in\n";
-  for (const Command& command : all_commands())
-    text += "      " + command.name + ") words=\"" + option_names(command) + "\" ;;\n";
-  return text + "    esac\n  elif [[ $COMP_CWORD == 1 ]]; then\n    words=\"" + command_names() +
+  std::vector<std::string> names;
+  for (const Command& command : all_commands()) {
+    names.push_back(command.name);
+    text += "      " + command.name + ") words=\"--help";
+    for (const Option& option : command.options) text += " --" + option.name;
+    text += "\" ;;\n";
+  }
+  return text + "    esac\n  elif [[ $COMP_CWORD == 1 ]]; then\n    words=\"" + joined(names, " ") +
          "\"\n  fi\n  if [[ -n $words ]]; then\n"
          "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
          "  else\n    mapfile -t COMPREPLY < <(compgen -f -- \"$word\")\n  fi\n}\n"
@@ -67,11 +55,11 @@ std::string zsh_script() {
       for (std::size_t at = 0; (at = help.find_first_of("[]:", at)) != std::string::npos; at += 2)
         help.insert(at, "\\");
       std::string value;
-      if (const std::string values = value_words(option); !values.empty())
+      if (const std::string values = value_words(command, option); !values.empty())
         value = ":value:(" + values + ")";
       else if (!option.value.empty())
         value = ":" + option.value + ":_files";
-      text += " \\\n        " + shell_quoted(option.name + "[" + help + "]" + value);
+      text += " \\\n        " + shell_quoted("--" + option.name + "[" + help + "]" + value);
     }
     text += "\n      ;;\n";
   }
@@ -86,9 +74,9 @@ std::string fish_script() {
     text += "complete -c lcpush -n __fish_use_subcommand -f -a " + command.name + " -d " +
             shell_quoted(command.summary) + "\n";
     for (const Option& option : command.options) {
-      const std::string values = value_words(option);
+      const std::string values = value_words(command, option);
       text += "complete -c lcpush -n '__fish_seen_subcommand_from " + command.name + "' -l " +
-              option.name.substr(2) + (option.value.empty() ? "" : " -r") +
+              option.name + (option.value.empty() ? "" : " -r") +
               (values.empty() ? "" : " -f -a " + shell_quoted(values)) + " -d " +
               shell_quoted(option.help) + "\n";
     }
@@ -119,41 +107,37 @@ std::string man_page() {
             roff(command.summary) + "\n.nf\n\n" +
             roff(wrapped(reflowed(command.details), man_width)) + "\n.fi\n";
     for (const Option& option : command.options)
-      text += ".TP\n.B " + roff(option.name + (option.value.empty() ? "" : " " + option.value)) +
-              "\n" + roff(option.help) + "\n";
+      text += ".TP\n.B " +
+              roff("--" + option.name + (option.value.empty() ? "" : " " + option.value)) + "\n" +
+              roff(option.help) + "\n";
   }
   return text + ".SH EXIT STATUS\n0 solved, 1 not solved (the output says why), 2 bad input or "
                 "usage.\n";
 }
 
 int run_completion(const Arguments& arguments) {
-  const std::vector<std::string> known = {"bash", "zsh", "fish", "man"};
   const std::string wanted = arguments.files().empty() ? "" : arguments.files()[0];
-  if (wanted == "bash")
-    write_output(arguments, bash_script());
-  else if (wanted == "zsh")
-    write_output(arguments, zsh_script());
-  else if (wanted == "fish")
-    write_output(arguments, fish_script());
-  else if (wanted == "man")
-    write_output(arguments, man_page());
-  else
-    throw UsageError("say for whom: " + listed(known, "or") + suggestion(wanted, known));
-  return 0;
+  const std::vector<std::string> known = {"bash", "zsh", "fish", "man"};
+  for (std::size_t k = 0; k < known.size(); ++k)
+    if (wanted == known[k]) {
+      std::string (*const scripts[])() = {bash_script, zsh_script, fish_script, man_page};
+      write_output(arguments, scripts[k]());
+      return 0;
+    }
+  throw UsageError("say for whom: " + listed(known, "or") + suggestion(wanted, known));
 }
 
 } // namespace
 
-Command completion_command() {
+ShellCommand completion_command() {
   return {
-      "completion",
-      "bash|zsh|fish|man [-o FILE]",
-      "completion for a shell, or the man page",
-      "`cmake --install` puts all four where the system looks for them; this is for a tool\n"
-      "that was copied. A shell reads it at its start.\n\n"
-      "Example:\n  lcpush completion bash -o ~/.local/share/bash-completion/completions/lcpush\n",
-      {output_option},
-      1,
+      {"completion",
+       "bash|zsh|fish|man [-o FILE]",
+       "completion for a shell, or the man page",
+       "`cmake --install` puts all four where the system looks for them; this is for a tool\n"
+       "that was copied. A shell reads it at its start.\n\n"
+       "Example:\n  lcpush completion bash -o ~/.local/share/bash-completion/completions/lcpush\n",
+       {commands::output_option}},
       run_completion};
 }
 

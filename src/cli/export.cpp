@@ -1,10 +1,7 @@
 // lcpush export: the assembled problem as files that other solvers read.
 #include <filesystem>
-#include <fstream>
 
-#include "cli/commands.hpp"
-#include "cli/scene_arguments.hpp"
-#include "cli/time_limit.hpp"
+#include "cli/shell.hpp"
 #include "lcpush/desktop/export.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/limits.hpp"
@@ -12,31 +9,20 @@
 namespace lcpush::cli {
 namespace {
 
-namespace filesystem = std::filesystem;
-
-void write_file(const filesystem::path& path, const std::string& text) {
-  std::error_code failure;
-  filesystem::create_directories(path.parent_path(), failure);
-  if (failure)
-    throw InputError(path.parent_path().string() + ": cannot be made: " + failure.message());
-  std::ofstream stream(path, std::ios::binary);
-  stream << text << std::flush;
-  if (!stream)
-    throw InputError(path.string() + ": cannot be written; check the path and its permissions");
-}
-
 int run_export(const Arguments& arguments) {
-  const std::optional<std::string> directory = arguments.value("--output");
+  const std::optional<std::string> directory = arguments.text("output");
   if (!directory) throw UsageError("say where to: -o DIRECTORY");
-  const SceneFile file = read_scene_argument(arguments);
-  refuse_unknowns(arguments, file, limits::unknowns_exported, "files fit into 1 GB");
+  const SceneFile file = arguments.scene(commands::Needs::matrix);
+  arguments.refuse_unknowns(file, limits::unknowns_exported, "files fit into 1 GB");
   const Export result = export_scene(file);
-  const filesystem::path into(*directory);
+  const std::filesystem::path into(*directory);
   const std::string prefix = (into / "").string();
-  lift_time_limit();
-  for (const ExportFile& text : result.files) write_file(into / text.name, text.text);
+  for (const ExportFile& text : result.files) {
+    make_directory((into / text.name).parent_path().string());
+    write_file((into / text.name).string(), text.text);
+  }
   std::error_code nothing_there;
-  for (const std::string& name : result.absent) filesystem::remove(into / name, nothing_there);
+  for (const std::string& name : result.absent) std::filesystem::remove(into / name, nothing_there);
   std::printf("Wrote %sM.mtx, q.mtx and names.txt: %td unknowns, the literal laws, %s.\n",
               prefix.c_str(), result.unknowns, result.units.c_str());
   std::printf("The paper's program: H, f, A, b, Aeq, beq, lb, ub and answer.mtx; names.json says "
@@ -57,12 +43,12 @@ int run_export(const Arguments& arguments) {
 
 } // namespace
 
-Command export_command() {
+ShellCommand export_command() {
   return {
-      "export",
-      "SCENE.toml -o DIRECTORY",
-      "the assembled problem for other solvers, with scripts that run them",
-      R"(Writes M.mtx and q.mtx (w = M z + q in the scaled units that their comment names, without
+      {"export",
+       "SCENE.toml -o DIRECTORY",
+       "the assembled problem for other solvers, with scripts that run them",
+       R"(Writes M.mtx and q.mtx (w = M z + q in the scaled units that their comment names, without
 a pressure law), names.txt, a line an unknown, and free.txt, which of them are free; the
 paper's quadratic program (H, f, A, b, Aeq, beq, lb, ub) with names.json; the local problem
 of FCLIB; and solve_push.py and solve_push.m, which solve the program and write answer.json.
@@ -70,8 +56,7 @@ of FCLIB; and solve_push.py and solve_push.m, which solve the program and write 
 Example:
   lcpush export fixtures/scenes/straight_slide.toml -o slide
 )",
-      {{"--output", "DIRECTORY", "made if missing, with its parents; -o for short"}},
-      1,
+       {{"output", "DIRECTORY", "made if missing, with its parents; -o for short"}}},
       run_export};
 }
 

@@ -1,10 +1,13 @@
 // lcpush: dispatches to the commands and turns errors into messages and exit codes.
+#include <algorithm>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <new>
 
-#include "cli/commands.hpp"
-#include "cli/time_limit.hpp"
+#include "cli/ending.hpp"
+#include "cli/shell.hpp"
+#include "cli/shell_listener.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/version.hpp"
 #include "text/wording.hpp"
@@ -15,11 +18,11 @@ namespace {
 
 constexpr int bad_input_or_usage = 2;
 
-std::string overview(const std::vector<Command>& commands) {
+std::string overview(const std::vector<ShellCommand>& commands) {
   std::string text = "lcpush " + std::string(version_text) +
                      ": what happens when a grasped object is pushed against its environment\n\n"
                      "Usage: lcpush COMMAND FILE.. [OPTIONS]\n\nCommands:\n";
-  for (const Command& command : commands) {
+  for (const ShellCommand& command : commands) {
     std::string name = "  " + command.name;
     name.resize(13, ' ');
     text += name + command.summary + "\n";
@@ -33,12 +36,14 @@ std::string overview(const std::vector<Command>& commands) {
 
 /// Wrong usage, and what to type instead.
 int refuse(const std::string& message, const std::string& instead) {
-  std::cerr << wrapped(message, columns_of(Stream::errors)) << "\nTry: " << instead << "\n";
+  tell(message);
+  std::cerr << "Try: " << instead << "\n";
   return bad_input_or_usage;
 }
 
 /// The first word is none: what it is instead, and what to write.
-int refuse_command(const std::vector<Command>& commands, const std::vector<std::string>& words) {
+int refuse_command(const std::vector<ShellCommand>& commands,
+                   const std::vector<std::string>& words) {
   const std::string &first = words.front(), label = "lcpush: " + desktop::quoted(first);
   if (first[0] == '-')
     return refuse(label + " stands before the command; options follow it",
@@ -46,12 +51,70 @@ int refuse_command(const std::vector<Command>& commands, const std::vector<std::
   if (first.find_first_of("./") != std::string::npos)
     return refuse(label + " is no command", "lcpush solve " + first);
   std::vector<std::string> names;
-  for (const Command& command : commands) names.push_back(command.name);
+  for (const ShellCommand& command : commands) names.push_back(command.name);
   return refuse("lcpush: unknown command " + desktop::quoted(first) + suggestion(first, names),
                 "lcpush --help");
 }
 
-int run(const Command& command, const std::vector<std::string>& words, bool asks_for_help) {
+std::string help_text(const Command& command) {
+  std::string text = "lcpush " + command.name + ": " + command.summary + "\n\nUsage: lcpush " +
+                     command.name + " " + command.synopsis + "\n\n" + reflowed(command.details) +
+                     "\nOptions:\n";
+  for (const Option& option : command.options) {
+    std::string left = "  --" + option.name + (option.value.empty() ? "" : " " + option.value);
+    left.resize(std::max<std::size_t>(left.size() + 2, 28), ' ');
+    text += left + option.help + "\n";
+  }
+  return wrapped(text +
+                     "  --help                    this text\n\nExit status: 0 solved, 1 not solved "
+                     "(the output says why), 2 bad input or usage.\nMemory: about 1 GB at most; "
+                     "what would take more is refused before it begins.\n",
+                 columns_of(Stream::output));
+}
+
+/// Of a scene.
+void refuse_certificate_of_stdin(const Arguments& arguments) {
+  const std::vector<std::string>& files = arguments.files();
+  if (arguments.has("certify") && std::find(files.begin(), files.end(), "-") != files.end())
+    throw UsageError("--certify ties its proof to a file: name one instead of -");
+}
+
+/// How long the command may take, in seconds. What ends with what there is gets more for that.
+double limit_time(const Command& command, const Arguments& arguments) {
+  constexpr double longest_enumeration = 300; // who asks for all contact modes, waits
+  if (command.find("seconds") == nullptr) return std::numeric_limits<double>::infinity();
+  const double seconds =
+      arguments.number("seconds", commands::longest_time, ", in seconds")
+          .value_or(arguments.has("enumerate") ? longest_enumeration : usual_seconds);
+  if (command.ends_with_what_there_is) listen_for_signals();
+  cli::limit_time(command.name,
+                  command.ends_with_what_there_is ? seconds + usual_seconds : seconds);
+  return seconds;
+}
+
+int answer(const Command& command, const Arguments& arguments) {
+  refuse_certificate_of_stdin(arguments);
+  const std::string format = arguments.text("format").value_or(command.formats[0]);
+  if (format == "html" && command.formats[0] == "html")
+    refuse_page_on_terminal(arguments, command.name);
+  const double seconds = limit_time(command, arguments);
+  commands::Result result;
+  {
+    ShellListener listener(seconds);
+    result = command.run(arguments, listener);
+    if (listener.ran_out())
+      listener.announce(command.name + ": stopped after " + shown(seconds) +
+                        " s of processor time; --seconds " + shown(10 * seconds) +
+                        " gives it more.");
+  }
+  const std::size_t width = arguments.has("output") ? usual_width : columns_of(Stream::output);
+  write_output(arguments, format == "text" ? wrapped(result.text, width) : result.text);
+  for (const SceneDoubt& doubt : arguments.doubts()) tell("Check: " + doubt_text(doubt) + ".");
+  const bool is_proved = write_certificate(arguments, result);
+  return result.is_good && is_proved ? 0 : 1;
+}
+
+int run(const ShellCommand& command, const std::vector<std::string>& words, bool asks_for_help) {
   for (const std::string& word : words) asks_for_help |= word == "--help" || word == "-h";
   if (asks_for_help) {
     std::cout << help_text(command);
@@ -59,15 +122,14 @@ int run(const Command& command, const std::vector<std::string>& words, bool asks
   }
   try {
     const Arguments arguments(command, words);
-    limit_time(command, arguments);
-    return command.run(arguments);
+    return command.run_alone != nullptr ? command.run_alone(arguments) : answer(command, arguments);
   } catch (const UsageError& error) {
     return refuse("lcpush " + command.name + ": " + error.what(),
                   "lcpush " + command.name + " --help");
   }
 }
 
-int run(const std::vector<Command>& commands, const std::vector<std::string>& words) {
+int run(const std::vector<ShellCommand>& commands, const std::vector<std::string>& words) {
   if (words.empty()) {
     std::cerr << overview(commands);
     return bad_input_or_usage;
@@ -78,7 +140,7 @@ int run(const std::vector<Command>& commands, const std::vector<std::string>& wo
     return 0;
   }
   const std::string& name = asks_for_help && words.size() > 1 ? words[1] : words[0];
-  for (const Command& command : commands)
+  for (const ShellCommand& command : commands)
     if (command.name == name)
       return run(command, {&name + 1, words.data() + words.size()}, asks_for_help);
   if (asks_for_help) {
@@ -90,11 +152,12 @@ int run(const std::vector<Command>& commands, const std::vector<std::string>& wo
 
 } // namespace
 
-std::vector<Command> all_commands() {
-  return {solve_command(),     break_command(),    lcp_command(),     report_command(),
-          sweep_command(),     move_command(),     cone_command(),    plan_command(),
-          play_command(),      pivots_command(),   verify_command(),  spread_command(),
-          export_command(),    matrices_command(), example_command(), new_command(),
+std::vector<ShellCommand> all_commands() {
+  using namespace commands;
+  return {{solve_command()},   {break_command()},    {lcp_command()},    {report_command()},
+          {sweep_command()},   {move_command()},     {cone_command()},   {plan_command()},
+          play_command(),      {pivots_command()},   {verify_command()}, {spread_command()},
+          export_command(),    {matrices_command()}, example_command(),  new_command(),
           completion_command()};
 }
 
@@ -105,7 +168,7 @@ int main(int count, char** words) {
   try {
     return cli::run(cli::all_commands(), std::vector<std::string>(words + 1, words + count));
   } catch (const desktop::InputError& error) {
-    std::cerr << desktop::wrapped(error.what(), cli::columns_of(cli::Stream::errors)) << "\n";
+    cli::tell(error.what());
   } catch (const std::bad_alloc&) {
     std::cerr << "lcpush: out of memory; the problem is too large for this machine\n";
   } catch (const std::exception& error) {

@@ -1,8 +1,9 @@
 // lcpush example and lcpush new: scenes that the tool carries with it, shipped ones and commented
 // ones to start from.
+#include <algorithm>
 #include <filesystem>
 
-#include "cli/commands.hpp"
+#include "cli/shell.hpp"
 #include "scenes/shipped_scenes.hpp"
 #include "text/wording.hpp"
 
@@ -52,9 +53,13 @@ int run_example(const Arguments& arguments) {
 
 int run_new(const Arguments& arguments) {
   if (arguments.files().empty()) throw UsageError("say what is gripped: box or cylinder");
-  const std::string object = one_of("the object", arguments.files()[0], {"box", "cylinder"});
-  const std::string push =
-      one_of("--push", arguments.value("--push").value_or("slide"), {"slide", "pivot", "roll"});
+  const std::string object = arguments.files()[0];
+  const std::vector<std::string> objects = {"box", "cylinder"};
+  if (std::find(objects.begin(), objects.end(), object) == objects.end())
+    throw UsageError("the object is " + listed(objects, "or") + ", not " + desktop::quoted(object) +
+                     suggestion(object, objects));
+  const std::string push = arguments.one_of("push", arguments.text("push").value_or("slide"),
+                                            {"slide", "pivot", "roll"});
   return write_shipped(arguments, scene_templates(), object + "_" + push,
                        "a " + object + " does not " + push + "; try: lcpush new cylinder --push " +
                            push);
@@ -62,25 +67,24 @@ int run_new(const Arguments& arguments) {
 
 } // namespace
 
-Command example_command() {
-  return {"example",
-          "[NAME] [-o FILE]",
-          "lists the shipped scenes, or prints one",
-          "Example:\n  lcpush example pivot -o pivot.toml\n  lcpush solve pivot.toml\n",
-          {output_option},
-          1,
+ShellCommand example_command() {
+  return {{"example",
+           "[NAME] [-o FILE]",
+           "lists the shipped scenes, or prints one",
+           "Example:\n  lcpush example pivot -o pivot.toml\n  lcpush solve pivot.toml\n",
+           {commands::output_option}},
           run_example};
 }
 
-Command new_command() {
-  return {"new",
-          "box|cylinder [--push slide|pivot|roll] [-o FILE]",
-          "a commented scene to start from",
-          "Writes a scene that solves at once: a hand, an object and a push, each key explained.\n"
-          "Change the numbers to yours.\n\n"
-          "Example:\n  lcpush new box --push pivot -o mine.toml\n  lcpush solve mine.toml\n",
-          {{"--push", "MOTION", "slide (default), pivot or roll (a cylinder)"}, output_option},
-          1,
+ShellCommand new_command() {
+  return {{"new",
+           "box|cylinder [--push slide|pivot|roll] [-o FILE]",
+           "a commented scene to start from",
+           "Writes a scene that solves at once: a hand, an object and a push, each key explained.\n"
+           "Change the numbers to yours.\n\n"
+           "Example:\n  lcpush new box --push pivot -o mine.toml\n  lcpush solve mine.toml\n",
+           {{"push", "MOTION", "slide (default), pivot or roll (a cylinder)"},
+            commands::output_option}},
           run_new};
 }
 

@@ -65,11 +65,11 @@ static void test_errors(void) {
   expect_error("solve", "[]", "request", 1, "a question is a JSON object");
   expect_error("solve", "{}", "request", 1, "\"scene\" is missing");
   expect_error("solve", "{\n\"secne\": 3}", "request", 2, "no option is called \"secne\"");
-  expect_error("solve", "{" SCENE ", \"solver\": \"lemko\"}", "request", 1, "\"solver\" must be");
+  expect_error("solve", "{" SCENE ", \"solver\": \"lemko\"}", "request", 1, "\"solver\" is lemke");
   expect_error("solve", "{\"file\": \"a.toml\", \"scene\": \"[object]\\nmass = -1\\n\"}", "a.toml",
                2, "");
-  expect_error("sweep", "{" SCENE "}", "request", 1, "\"vary\" is missing");
-  expect_error("move", "{" SCENE ", \"frames\": 1}", "request", 1, "\"frames\" must be a whole");
+  expect_error("sweep", "{" SCENE "}", "request", 1, "say what to vary: \"vary\"");
+  expect_error("move", "{" SCENE ", \"frames\": 1}", "request", 1, "\"frames\" is a whole");
   expect_error("lcp",
                "{\"M\": {\"rows\": 2, \"row\": [1, 0], \"column\": [0, 0], \"value\": "
                "[1, 1]}, \"q\": [1, 1]}",

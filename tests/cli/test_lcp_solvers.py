@@ -215,7 +215,7 @@ class LcpSolvers(unittest.TestCase):
 
     def test_usage_errors_say_what_to_type(self):
         problem = inline([[2, 1], [1, 2]], [-5, -6])
-        self.refused(run(*problem, "--format", "csv"), "--format csv is for --history")
+        self.refused(run(*problem, "--format", "csv"), "--format is text or json")
         self.refused(run(*problem, "--solver", "pgs", "--history", "--format", "xml"),
                      "text, json or csv")
         for option in (("--history",), ("--sweeps", "9"), ("--relaxation", "1")):

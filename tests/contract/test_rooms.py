@@ -36,8 +36,10 @@ ROOMS = {
     "include/lcpush/c": ("What does C see?", ""),
     "include/lcpush/desktop": ("What can be asked on a desktop? One header a question.", CORE),
     "src/c": ("How is the C interface made of the core?", CORE),
-    "src/calls": ("What does another language ask the desktop, and how is it told?",
-                  "lcp mechanics/solve text formats desktop scenes pivots"),
+    "src/commands": ("What can be asked, with which options, and how is it answered?",
+                     f"{CORE} text formats desktop pivots"),
+    "src/calls": ("How does another language ask, and how is it told?",
+                  "lcp text formats desktop scenes commands"),
     "src/lcp": ("Which solvers are compiled once?", CORE),
     "src/mechanics": ("Which laws are compiled once?", CORE),
     "src/text": ("How are numbers and lists put into words?", "desktop"),
@@ -69,7 +71,7 @@ ROOMS = {
                  f"{CORE} {TOOLBOX} desktop scenes solve move pivots picture"),
     "src/play/wasm": ("How does a browser run the solver?", "play"),
     "src/cli": ("What do the words of a command line ask for?",
-                f"{CORE} text formats desktop scenes pivots"),
+                f"{CORE} text formats desktop scenes commands"),
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

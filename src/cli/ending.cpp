@@ -1,12 +1,14 @@
-#include "cli/time_limit.hpp"
+#include "cli/ending.hpp"
 
 #include <cmath>
 #include <csignal>
 #include <ctime>
+#include <initializer_list>
 
 #include <sys/time.h>
 #include <unistd.h>
 
+#include "cli/shell.hpp"
 #include "text/wording.hpp"
 #include "text/wrap.hpp"
 
@@ -42,6 +44,10 @@ void set_timer(double seconds) {
   setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
+volatile std::sig_atomic_t is_asked = 0;
+
+extern "C" void note_signal(int) { is_asked = 1; }
+
 } // namespace
 
 void limit_time(const std::string& command, double seconds) {
@@ -58,19 +64,20 @@ void limit_time(const std::string& command, double seconds) {
   set_timer(slowness * seconds);
 }
 
-void limit_time(const Command& command, const Arguments& arguments) {
-  constexpr double longest = 1e6;
-  for (const Option& option : command.options)
-    if (option.name == seconds_option.name)
-      limit_time(command.name,
-                 arguments.number(option.name, longest, ", in seconds").value_or(usual_seconds));
-}
-
 bool is_over(double seconds) {
   return static_cast<double>(std::clock()) >
          slowness * seconds * static_cast<double>(CLOCKS_PER_SEC);
 }
 
 void lift_time_limit() { set_timer(0); }
+
+void listen_for_signals() {
+  struct sigaction action {};
+  action.sa_handler = note_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+}
+
+bool is_asked_to_end() { return is_asked != 0; }
 
 } // namespace lcpush::cli

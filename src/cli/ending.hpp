@@ -1,7 +1,7 @@
-// How long a command may take.
+// How a command ends before its work is done: after some time, or at Ctrl-C.
 #pragma once
 
-#include "cli/arguments.hpp"
+#include <string>
 
 namespace lcpush::cli {
 
@@ -12,8 +12,6 @@ constexpr double usual_seconds = 8;
 /// From now on the command ends by itself after so much processor time, with exit status 1, and
 /// says on stderr what to do.
 void limit_time(const std::string& command, double seconds);
-/// If it takes --seconds: those, or the usual ones. `lcpush lcp` says beforehand what it will take.
-void limit_time(const Command& command, const Arguments& arguments);
 
 /// Has this process taken more processor time than `seconds` by now?
 bool is_over(double seconds);
@@ -21,7 +19,9 @@ bool is_over(double seconds);
 /// The work is done: what is left is to write it down, whole.
 void lift_time_limit();
 
-inline const Option seconds_option{"--seconds", "S",
-                                   "stop after so much processor time (8), with nothing written"};
+/// From now on the first SIGINT or SIGTERM is noted; the next one ends the process, as it would
+/// without this.
+void listen_for_signals();
+bool is_asked_to_end();
 
 } // namespace lcpush::cli

@@ -1,0 +1,28 @@
+// What every command that solves a push begins with.
+#pragma once
+
+#include <utility>
+
+#include "commands/listener.hpp"
+#include "lcpush/desktop/push.hpp"
+
+namespace lcpush::commands {
+
+using namespace desktop;
+
+/// A scene's push, watched by the listener, also in the search for other answers.
+struct AskedPush {
+  AskedPush(SceneFile scene, Solver solver, Listener& listener)
+      : file(std::move(scene)), push(file) {
+    options.solver = solver;
+    options.watcher = options.searching = &listener;
+  }
+  AskedPush(const AskedPush&) = delete; // its parts point at each other
+  AskedPush& operator=(const AskedPush&) = delete;
+
+  SceneFile file;
+  Push push;
+  PushOptions options;
+};
+
+} // namespace lcpush::commands

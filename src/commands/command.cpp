@@ -1,0 +1,37 @@
+#include "commands/command.hpp"
+
+namespace lcpush::commands {
+namespace {
+
+void add_unless_there(std::vector<Option>& options, const Option& option) {
+  for (const Option& known : options)
+    if (known.name == option.name) return;
+  options.push_back(option);
+}
+
+} // namespace
+
+const Option* Command::find(const std::string& option) const {
+  for (const Option& known : options)
+    if (known.name == option) return &known;
+  return nullptr;
+}
+
+std::vector<Option> with_common_options(std::vector<Option> own) {
+  add_unless_there(
+      own, format_option("for people (default) or for programs; --json for short", "text|json"));
+  own.push_back(output_option);
+  return own;
+}
+
+std::vector<Option> with_scene_options(std::vector<Option> own) {
+  own.push_back({"strict", "", "what looks odd about the scene is an error", false, true});
+  add_unless_there(own, seconds_option);
+  return with_common_options(std::move(own));
+}
+
+Option format_option(const std::string& help, const std::string& placeholder) {
+  return {"format", placeholder, help, false, true};
+}
+
+} // namespace lcpush::commands

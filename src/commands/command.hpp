@@ -1,0 +1,98 @@
+// What can be asked: one table of each command's options. The command line and other languages only
+// read values (values.hpp), help and completion only print the table.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lcpush/desktop/certify.hpp"
+
+namespace lcpush::commands {
+
+using namespace desktop;
+
+class Listener;
+class Values;
+
+struct Option {
+  std::string name;  ///< "stop-after"; "--stop-after" in a shell, "stop_after" as a key of JSON
+  std::string value; ///< placeholder of its value, empty for a flag
+  std::string help;
+  bool repeats = false;       ///< may be given several times
+  bool in_shell_only = false; ///< no key of JSON
+};
+
+struct Result {
+  bool is_good = false; ///< solved, found, valid: exit status 0
+  std::string text;     ///< in the format asked for
+  /// The proof of the answer, or none was found; empty where there is nothing to prove.
+  std::function<std::optional<Certificate>()> certify = {};
+};
+
+struct Command {
+  std::string name;
+  std::string synopsis; ///< what follows the name
+  std::string summary;  ///< one line for the list of commands
+  std::string details;  ///< paragraphs for --help, an example included
+  std::vector<Option> options;
+  std::size_t most_files = 1;
+  std::vector<std::string> formats = {"text", "json"}; ///< the first is a shell's usual one
+  /// Throws InputError, and what `values` refuse with.
+  Result (*run)(const Values& values, Listener& listener) = nullptr;
+  bool ends_with_what_there_is = false;    ///< when its seconds are over
+  std::vector<std::string> more_keys = {}; ///< of JSON alone
+
+  const Option* find(const std::string& option) const;
+};
+
+Command solve_command();
+Command break_command();
+Command lcp_command();
+Command report_command();
+Command sweep_command();
+Command move_command();
+Command cone_command();
+Command plan_command();
+Command pivots_command();
+Command verify_command();
+Command spread_command();
+Command matrices_command();
+
+// The three questions of verify.
+Result verify_push(const Values& values, Listener& listener);
+Result verify_motion(const Values& values, Listener& listener);
+Result verify_raw_problem(const Values& values, Listener& listener);
+
+// What several of them take.
+inline const Option output_option{
+    "output", "FILE", "write there instead of to standard output; -o for short", false, true};
+inline const Option verbose_option{
+    "verbose", "", "also all digits, the theory, how it was found; -v for short", false, true};
+inline const Option certify_option{
+    "certify", "FILE", "also write an exact proof of the answer for docs/check/lcpush_check.py",
+    false, true};
+inline const Option seconds_option{
+    "seconds", "S", "stop after so much processor time (8), with nothing written", false, true};
+inline const Option solver_option{"solver", "NAME",
+                                  "lemke (default), gauss-seidel (sweeps) or hybrid (both)"};
+inline const Option pressure_option{"pressure", "LAW",
+                                    "pad, even or rigid instead of the scene's own"};
+inline const Option matrix_option{"M", "MATRIX", "rows by semicolons, numbers by blanks"};
+inline const Option vector_option{"q", "VECTOR", "n numbers"};
+inline const Option free_option{"free", "I,J,..",
+                                "1-based rows that are equalities, or a file of them"};
+inline const Option lo_option{"lo", "ENDS", "lower ends of z: a file, numbers, or one for all"};
+inline const Option hi_option{"hi", "ENDS", "upper ends; friction where --findex names a row"};
+inline const Option findex_option{"findex", "ROWS",
+                                  "-1, or from 0 the row j with ends -hi z_j and hi z_j"};
+
+/// Also --format, unless it is there, and --output.
+std::vector<Option> with_common_options(std::vector<Option> own);
+/// Also --strict and --seconds, of a command that answers about a scene.
+std::vector<Option> with_scene_options(std::vector<Option> own);
+/// --format of a command that has more than text and json.
+Option format_option(const std::string& help, const std::string& placeholder = "FORMAT");
+
+} // namespace lcpush::commands

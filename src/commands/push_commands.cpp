@@ -1,0 +1,88 @@
+// solve and break: the push that a scene prescribes, and the force that breaks its grasp.
+#include "commands/asked_push.hpp"
+#include "commands/history.hpp"
+#include "commands/values.hpp"
+#include "lcpush/desktop/report.hpp"
+
+#include <memory>
+
+namespace lcpush::commands {
+namespace {
+
+const Option history_option{"history", "",
+                            "instead of the answer, each law's residual sweep by sweep (also csv)"};
+
+Result run_solve(const Values& values, Listener& listener) {
+  const Solver solver = values.solver();
+  const std::string format = values.format_with_history(solver);
+  const auto asked = std::make_shared<AskedPush>(values.scene(Needs::scene), solver, listener);
+  asked->options.record_history = values.has("history");
+  const HoldReport hold = asked->push.holds_without_push(asked->options);
+  const auto report = std::make_shared<PushReport>(asked->push.solve(asked->options));
+  return {report->status == Status::solved,
+          values.has("history") ? history_text(format, solver, report->status, report->history)
+          : format == "json"    ? solve_json(asked->file, hold, *report)
+                                : solve_text(asked->file, hold, *report, values.telling()),
+          [asked, report, &values] {
+            return certify_push(values.scene_document().text, asked->file, *report);
+          }};
+}
+
+Result run_break(const Values& values, Listener& listener) {
+  const Solver solver = values.solver();
+  const std::string format = values.format_with_history(solver);
+  const auto asked = std::make_shared<AskedPush>(values.scene(Needs::scene), solver, listener);
+  const Index pusher = values.pusher(asked->file);
+  values.refuse_still(asked->file);
+  PushOptions& options = asked->options;
+  const HoldReport hold = asked->push.holds_without_push(options);
+  options.record_history = values.has("history");
+  const auto report = std::make_shared<BreakReport>(asked->push.find_breaking(pusher, options));
+  options.record_history = false;
+  options.solver = Solver::lemke; // the search for the grip is its own
+  GripReport grip;
+  if (!values.has("history")) grip = find_smallest_grip(asked->file, hold, *report, options);
+  return {report->status == Status::solved,
+          values.has("history") ? history_text(format, solver, report->status, report->history)
+          : format == "json"    ? break_json(asked->file, hold, grip, *report)
+                                : break_text(asked->file, hold, grip, *report, values.telling()),
+          [asked, pusher, report, &values] {
+            return certify_break(values.scene_document().text, asked->file, asked->push, pusher,
+                                 *report);
+          }};
+}
+
+} // namespace
+
+Command solve_command() {
+  return {"solve",
+          "SCENE.toml [OPTIONS]",
+          "what a push does: forces, motion in the grip, contact modes",
+          "Reads a scene, assembles its complementarity problem and solves it by Lemke's pivots.\n"
+          "Accelerations are the object's, in the gripper's frame and SI units.\n\n"
+          "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
+          with_scene_options({verbose_option, solver_option, history_option, certify_option}),
+          1,
+          {"text", "json"},
+          run_solve};
+}
+
+Command break_command() {
+  return {
+      "break",
+      "SCENE.toml [OPTIONS]",
+      "the force that just moves the object in the grip",
+      "The limit of an ever smaller push in the scene's direction: the force at which the object\n"
+      "starts to move, how it then moves, and what a faster push adds.\n\n"
+      "Example:\n  lcpush break fixtures/scenes/straight_slide.toml\n",
+      with_scene_options({{"pusher", "NAME", "whose normal force is meant, among several"},
+                          verbose_option,
+                          solver_option,
+                          history_option,
+                          certify_option}),
+      1,
+      {"text", "json"},
+      run_break};
+}
+
+} // namespace lcpush::commands

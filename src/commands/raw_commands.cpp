@@ -1,0 +1,107 @@
+// lcp: raw linear complementarity problems.
+#include "commands/history.hpp"
+#include "commands/listener.hpp"
+#include "commands/values.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+
+namespace lcpush::commands {
+namespace {
+
+constexpr Index sweeps_before_pivots = 200; // where they come near at all, they do so soon
+constexpr Index announced_unknowns = 2000;  // in one piece
+
+RawOptions raw_options(const Values& values, Solver solver, Listener& listener) {
+  RawOptions options;
+  options.solver = solver;
+  options.watcher = &listener;
+  SweepOptions<double>& sweeps = options.sweeps;
+  if (solver == Solver::hybrid) sweeps.max_sweeps = sweeps_before_pivots;
+  sweeps.max_sweeps = values.whole("sweeps", {1}).value_or(sweeps.max_sweeps);
+  sweeps.relaxation =
+      values.number("relaxation", 2, " (1: plain Gauss-Seidel)").value_or(sweeps.relaxation);
+  return options;
+}
+
+/// Lemke's pivots store the largest piece whole: what that will take, before it is taken.
+void announce_effort(const Values& values, const RawProblem& problem, Listener& listener) {
+  const Index n = largest_piece(problem);
+  const std::string size = std::to_string(n) + " unknowns in one piece";
+  const std::string other =
+      "; " + values.label("solver") + " gauss-seidel stores only what is not zero";
+  if (n > largest_dimension)
+    values.refuse("M", size + " are too many for pivots, which take " +
+                           std::to_string(largest_dimension) + other);
+  if (n < announced_unknowns) return;
+  const double entries = static_cast<double>(n) * static_cast<double>(n);
+  const bool has_free =
+      std::find(problem.free.begin(), problem.free.end(), 1) != problem.free.end();
+  const double bytes = 8 * entries * (has_free ? 5 : 2);
+  listener.announce(size + ": pivots store " + printed("%.1f GB", bytes / 1e9) +
+                    " and are mostly " + std::to_string(n / 2) + " to " + std::to_string(2 * n) +
+                    printed(", each %.0f million", entries / 1e6) + " multiplications" + other);
+}
+
+Result run_lcp(const Values& values, Listener& listener) {
+  const Solver solver = values.solver();
+  const std::string format = values.format_with_history(solver);
+  const RawOptions options = raw_options(values, solver, listener);
+  const auto problem = std::make_shared<RawProblem>(values.raw_problem());
+  if (solver != Solver::gauss_seidel) announce_effort(values, *problem, listener);
+  const auto answer = std::make_shared<RawAnswer>(solve_raw(*problem, options));
+  if (const Index row = answer->bad_diagonal; row >= 0)
+    values.refuse("M", values.label("solver") + " gauss-seidel needs a positive diagonal, but " +
+                           values.row_name(row) + " has " + shown(problem->M(row, row)) +
+                           "; use lemke or hybrid");
+  if (answer->inconsistent_row >= 0)
+    values.refuse("q", "equality " + std::to_string(answer->inconsistent_row + 1) + " of " +
+                           values.label("free") +
+                           " cannot hold: what the others leave of it says 0 = something");
+  std::vector<HistoryRow> rows;
+  for (const SweepResidual& check : answer->history)
+    rows.push_back({check.sweep, {check.residual}});
+  return {answer->status == Status::solved,
+          values.has("history") ? history_text(format, solver, answer->status, {"residual"}, rows)
+          : format == "json"    ? raw_json(*problem, *answer, solver_text(solver))
+                                : raw_text(*problem, *answer),
+          [problem, answer, &values] {
+            const ExactMatrices typed = values.exact_matrices();
+            return certify_raw(typed.M, typed.q, problem->free, *answer);
+          }};
+}
+
+} // namespace
+
+Command lcp_command() {
+  return {"lcp",
+          "M.mtx q.mtx | --M \"2 1; 1 2\" --q \"-5 -6\" [OPTIONS]",
+          "solve a raw linear complementarity problem",
+          "Finds z with w = M z + q, z >= 0, w >= 0, z'w = 0. M and q are Matrix Market files\n"
+          "(- is standard input), or typed in place. Rows named by --free are equalities\n"
+          "w_i = 0 with a free z_i. Or in a box: lo <= z <= hi, w >= 0 where z is at lo, <= 0\n"
+          "at hi, 0 in between. ENDS and ROWS are n x 1 files or numbers, inf among them.\n"
+          "Gauss-Seidel takes row by row, stores no zeros and needs a positive diagonal; hybrid\n"
+          "does not, and goes on with Lemke's pivots.\n\n"
+          "Example:\n  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\"\n"
+          "  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\" --lo 0 --hi \"1 inf\"\n",
+          with_common_options({
+              matrix_option,
+              vector_option,
+              free_option,
+              lo_option,
+              hi_option,
+              findex_option,
+              solver_option,
+              {"sweeps", "N", "most sweeps (default 5000; 200 before hybrid's pivots)"},
+              {"relaxation", "W", "of the sweeps, between 0 and 2 (default 1)"},
+              {"history", "", "the residual after each check instead; also --format csv"},
+              certify_option,
+          }),
+          2,
+          {"text", "json"},
+          run_lcp};
+}
+
+} // namespace lcpush::commands

@@ -1,0 +1,236 @@
+// sweep and report: a scene solved many times, or shown.
+#include "commands/asked_push.hpp"
+#include "commands/values.hpp"
+#include "lcpush/desktop/report_page.hpp"
+#include "text/limits.hpp"
+#include "text/wording.hpp"
+
+#include <cmath>
+
+namespace lcpush::commands {
+namespace {
+
+ParameterSweepOptions sweep_options(const Values& values, Listener& listener, Index most) {
+  ParameterSweepOptions options;
+  options.steps = values.whole("steps", {2, most}).value_or(0);
+  options.pivoted = [&listener] { listener.end_if_cancelled(); };
+  return options;
+}
+
+/// All that is known before the first solve, so that bad input costs no time.
+std::vector<SweepCurve> read_curves(const Values& values, std::vector<VariedScene>& scenes) {
+  std::vector<SweepCurve> curves;
+  for (std::size_t k = 0; k < values.scene_count(); ++k) {
+    VariedScene scene = values.varied_scene(Needs::matrix, k);
+    const std::string given = scene.as_given().title,
+                      title = given.empty() ? values.scene_name(k) : given,
+                      mine = values.scene_count() > 1 ? title : "";
+    if (const auto each = values.each(scene)) {
+      for (const Variation& value : *each) {
+        curves.push_back(curve_at(value, title, mine));
+        scenes.push_back(scene.with(value.parameter, value.from));
+      }
+    } else {
+      curves.push_back({mine, title, std::nullopt, {}});
+      scenes.push_back(scene);
+    }
+  }
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    curves[k].sweep.variations = values.variations(scenes[k]);
+  refuse_overwritten(curves);
+  return curves;
+}
+
+std::vector<SweepQuantity> shown_quantities(const Values& values, const std::string& format) {
+  std::vector<SweepQuantity> shown;
+  const auto names = values.text("show");
+  if (!names) return shown;
+  if (format != "svg")
+    values.refuse("show", values.label("show") + " goes with " + values.label("format") +
+                              " svg; the other formats have everything");
+  for (const std::string_view name : split_at(*names, ','))
+    shown.push_back(sweep_quantity(std::string(name)));
+  return shown;
+}
+
+ParameterSweepOptions options_of_curves(const Values& values, Listener& listener,
+                                        const std::vector<SweepCurve>& curves,
+                                        const SceneFile& file) {
+  const bool is_map = values.variation_count() > 1;
+  if (is_map && curves.size() > 1)
+    values.refuse("each", "a map is of one scene: leave out the second " + values.label("vary") +
+                              ", or " + values.label("each") + " and the other scenes");
+  const ParameterSweepOptions options =
+      sweep_options(values, listener, is_map ? limits::map_steps : limits::sweep_steps);
+  const double samples = std::pow(options.steps, values.variation_count());
+  const std::string refusal = too_many_samples(samples * static_cast<double>(curves.size()), file);
+  if (!refusal.empty())
+    values.refuse("steps", refusal + "; ask for fewer " + values.label("steps"));
+  return options;
+}
+
+Result run_sweep(const Values& values, Listener& listener) {
+  const std::string format = values.format();
+  const std::size_t count = values.variation_count();
+  if (count == 0) values.refuse("vary", "say what to vary: " + values.usage("vary"));
+  if (count > 2)
+    values.refuse("vary", values.label("vary") + " is given once, or twice for a map, not " +
+                              std::to_string(count) + " times");
+  const std::vector<SweepQuantity> shown = shown_quantities(values, format);
+  std::vector<VariedScene> scenes;
+  std::vector<SweepCurve> curves = read_curves(values, scenes);
+  ParameterSweepOptions options =
+      options_of_curves(values, listener, curves, scenes.front().as_given());
+  bool is_complete = true;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    options.progress = [&listener, &curves, k](double done) {
+      listener.progress((static_cast<double>(k) + done) / static_cast<double>(curves.size()),
+                        "of the sweep");
+      listener.end_if_cancelled(); // where a neighbour's basis does, nothing pivots
+    };
+    options.pusher = values.pusher(scenes[k].as_given());
+    curves[k].sweep = sweep_parameter(scenes[k], curves[k].sweep.variations, options);
+    is_complete = is_complete && curves[k].sweep.complete;
+  }
+  std::vector<SceneDoubt> doubts;
+  const std::size_t curves_a_scene = scenes.size() / values.scene_count();
+  for (std::size_t k = 0; k < scenes.size() && format == "json"; k += curves_a_scene)
+    for (SceneDoubt& doubt : check_scene(scenes[k].as_given())) doubts.push_back(std::move(doubt));
+  return {is_complete, format == "json"  ? sweep_json(curves, doubts)
+                       : format == "csv" ? sweep_csv(curves)
+                       : format == "svg" ? sweep_svg(curves, sweep_title(curves), shown)
+                                         : sweep_text(curves, values.telling())};
+}
+
+std::vector<Sweep> swept(const Values& values, Listener& listener, const VariedScene& scene,
+                         const SceneFile& file) {
+  std::vector<Variation> variations;
+  if (values.has("vary"))
+    variations = values.variations(scene);
+  else if (values.has("steps"))
+    values.refuse("steps", values.label("steps") + " goes with " + values.usage("vary"));
+  ParameterSweepOptions options = sweep_options(values, listener, limits::report_steps);
+  options.progress = [&listener](double done) {
+    listener.progress(done, "of the sweep");
+    listener.end_if_cancelled();
+  };
+  if (!variations.empty()) options.pusher = values.pusher(file);
+  std::vector<Sweep> sweeps;
+  for (const Variation& variation : variations)
+    sweeps.push_back(sweep_parameter(scene, {variation}, options));
+  return sweeps;
+}
+
+/// Whose breaking force is asked for, or -1: nothing pushes, or nothing moves.
+Index breaking_pusher(const Values& values, const SceneFile& file) {
+  const bool has_pusher = file.bodies.back().role == Role::pusher;
+  if (!has_pusher && !values.has("pusher") && !values.has("vary")) return -1;
+  const Index pusher = values.pusher(file);
+  return push_size(file.view()) > 0 ? pusher : -1;
+}
+
+std::string one_picture(const Values& values, const PageContent& content) {
+  const std::string wanted = values.text("picture").value_or("front");
+  std::vector<std::string> names;
+  for (const Picture& picture : report_pictures(content)) {
+    if (picture.name == wanted) return picture.svg;
+    names.push_back(picture.name);
+  }
+  values.refuse_value("picture", wanted, listed(names, "or") + " for this scene", names);
+}
+
+Result run_report(const Values& values, Listener& listener) {
+  const std::string format = values.format();
+  if (values.has("picture") && format != "svg")
+    values.refuse("picture",
+                  values.label("picture") + " goes with " + values.label("format") + " svg");
+  const VariedScene scene = values.varied_scene(values.has("vary") ? Needs::matrix : Needs::scene);
+  const SceneFile file = scene.as_given();
+  const Index pusher = breaking_pusher(values, file);
+  // Before anything is solved: what is typed wrong should not take long to say.
+  std::vector<Sweep> sweeps = swept(values, listener, scene, file);
+  AskedPush asked(file, Solver::lemke, listener);
+  const HoldReport hold = asked.push.holds_without_push(asked.options);
+  BreakReport breaking;
+  GripReport grip;
+  if (pusher >= 0) {
+    breaking = asked.push.find_breaking(pusher, asked.options);
+    grip = find_smallest_grip(asked.file, hold, breaking, asked.options);
+  }
+  const PushReport report = asked.push.solve(asked.options); // last: its answer lives in the Push
+  const PageContent content{asked.file,
+                            hold,
+                            report,
+                            pusher >= 0 ? &breaking : nullptr,
+                            pusher >= 0 ? &grip : nullptr,
+                            std::move(sweeps)};
+  return {is_solved(content),
+          format == "svg" ? one_picture(values, content) : report_html(content)};
+}
+
+} // namespace
+
+Command sweep_command() {
+  return {
+      "sweep",
+      "SCENE.toml.. --vary PATH=FROM:TO [OPTIONS]",
+      "how the push changes with grip force, friction, place, motion, ..",
+      R"(Varies one number of the scene, or two for a map. PATH is a name and a key of the file,
+vectors counted from [0]: left.grip_force, wall.ends[0][1], object.mass, gravity[1]; *.KEY
+of all bodies that have it; wall.shift[1] moves a body along an axis (m), wall.turn turns
+its acceleration in the x-y plane, wall.tangent_turn its friction generators about the normal
+(degrees). A path that does not exist lists those that do. Several scenes, or several values
+with --each, give a curve each; what counts something (facets, points) varies there alone.
+
+Forces and accelerations give exact segments (under pressure "rigid" or "even"; "pad" by
+bisection) with their breakpoints in words; everything else is sampled, more closely where
+modes change.
+
+Examples:
+  lcpush sweep fixtures/scenes/straight_slide.toml --vary "*.grip_force=2:30" --pressure rigid
+)"
+      "  lcpush sweep fixtures/scenes/pivot.toml --vary edge.shift[0]=0:0.03 --steps 31 "
+      "--each facets=4,8,16 \\\n    --show force,twist[5] --format svg -o pivot.svg\n",
+      with_scene_options(
+          {{"vary", "PATH=FROM:TO", "what varies, and how far; twice for a map", true},
+           {"each", "PATH=V,V,..", "one curve for each of these values of another number"},
+           {"steps", "N", "points evenly spread, ends included (51; a map 11 each way)"},
+           pressure_option,
+           {"pusher", "NAME", "whose force is meant, among several"},
+           {"show", "NAME,NAME,..",
+            "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
+           verbose_option,
+           format_option("text (default), csv, json or svg; --json for short")}),
+      limits::curves,
+      {"text", "csv", "json", "svg"},
+      run_sweep};
+}
+
+Command report_command() {
+  return {
+      "report",
+      "SCENE.toml [OPTIONS]",
+      "one page to look at: the grasp in pictures, the answer in words, plots",
+      "Writes a page for a browser that needs nothing else: the grasp in three views with forces,\n"
+      "friction pyramids, contact modes and the axis that the object turns about; the answers of\n"
+      "`solve` and `break` in words; contacts, residuals, and a plot for each --vary (as in\n"
+      "`sweep`). A push without an answer gives a page that says why.\n\n"
+      "With --format svg one picture alone: isometric, front, top or side, friction, residuals,\n"
+      "sweep1, ..\n\n"
+      "Examples:\n"
+      "  lcpush report fixtures/scenes/pivot.toml -o report.html\n"
+      "  lcpush report fixtures/scenes/pivot.toml --vary edge.friction=0:1 -o r.html\n"
+      "  lcpush report fixtures/scenes/pivot.toml --format svg --picture front -o f.svg\n",
+      with_scene_options(
+          {{"vary", "PATH=FROM:TO", "also a plot of a sweep; may be given several times", true},
+           {"steps", "N", "points of the sweeps, evenly spread, ends included"},
+           pressure_option,
+           {"pusher", "NAME", "whose breaking force is meant, among several"},
+           format_option("html (default), or svg for one picture"),
+           {"picture", "NAME", "which one, with --format svg (front)"}}),
+      1,
+      {"html", "svg"},
+      run_report};
+}
+
+} // namespace lcpush::commands

@@ -1,0 +1,121 @@
+#include "commands/values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lcpush/desktop/input_error.hpp"
+#include "lcpush/mechanics/solve/workspace.hpp"
+#include "text/limits.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::commands {
+
+void Values::refuse_value(const std::string& option, const std::string& word,
+                          const std::string& rule, const std::vector<std::string>& known) const {
+  refuse(option, label(option) + " is " + rule + ", not " + desktop::quoted(word) +
+                     suggestion(word, known));
+}
+
+const std::string& Values::one_of(const std::string& option, const std::string& word,
+                                  const std::vector<std::string>& known) const {
+  if (std::find(known.begin(), known.end(), word) == known.end())
+    refuse_value(option, word, listed(known, "or"), known);
+  return word;
+}
+
+std::optional<Index> Values::whole(const std::string& option, const Range& range) const {
+  const std::optional<Written> given = written(option);
+  if (!given) return std::nullopt;
+  const double number = given->value;
+  if (number != std::floor(number) || number < static_cast<double>(range.smallest) ||
+      !(number <= static_cast<double>(range.largest)) || (range.even && std::fmod(number, 2) != 0))
+    refuse_value(
+        option, given->text,
+        (range.even ? "an even number from " : "a whole number from ") +
+            std::to_string(range.smallest) +
+            (range.largest < Range{0}.largest ? " to " + std::to_string(range.largest) : " on"));
+  return static_cast<Index>(std::min(number, 1e18)); // what is larger is as good as no limit
+}
+
+std::optional<double> Values::number(const std::string& option, double end,
+                                     const std::string& hint) const {
+  const std::optional<Written> given = written(option);
+  if (!given) return std::nullopt;
+  if (!(given->value > 0) || !(given->value < end))
+    refuse_value(option, given->text, "a number between 0 and " + shown(end) + hint);
+  return given->value;
+}
+
+Solver Values::solver() const {
+  const std::string name = text("solver").value_or("lemke");
+  if (name == "pgs") return Solver::gauss_seidel; // as many call it
+  one_of("solver", name, {"lemke", "gauss-seidel", "hybrid"});
+  return name == "lemke" ? Solver::lemke : name == "hybrid" ? Solver::hybrid : Solver::gauss_seidel;
+}
+
+std::string Values::format_with_history(Solver solver) const {
+  for (const char* option : {"sweeps", "relaxation", "history"})
+    if (solver == Solver::lemke && has(option))
+      refuse(option, label(option) + " is about sweeps: it goes with " + label("solver") +
+                         " gauss-seidel or hybrid");
+  return has("history") ? format({"text", "json", "csv"}) : format();
+}
+
+void Values::refuse_unknowns(const SceneFile& file, Index most, const std::string& what) const {
+  const Index unknowns = size_of(file.view()).unknowns();
+  if (unknowns > most)
+    throw InputError(scene_name() + ": the scene has " + std::to_string(unknowns) +
+                     " unknowns, more than the " + std::to_string(most) + " whose " + what +
+                     "; use fewer points or facets");
+}
+
+void Values::refuse_size(const SceneFile& file, Needs needs) const {
+  if (needs == Needs::matrix)
+    refuse_unknowns(file, limits::unknowns_matrix, "matrix fits into 1 GB");
+  else
+    refuse_unknowns(file, limits::unknowns_held, "solution fits into 1 GB");
+}
+
+void Values::refuse_still(const SceneFile& file) const {
+  if (!(push_size(file.view()) > 0))
+    refuse("scene", "no body of the scene moves: give a pusher an acceleration");
+}
+
+SceneFile Values::scene(Needs needs, Strokes strokes) const {
+  const Document document = scene_document();
+  SceneFile file = parse_scene(document.text, document.name, strokes);
+  inspect(file);
+  refuse_size(file, needs);
+  return file;
+}
+
+VariedScene Values::varied_scene(Needs needs, std::size_t k) const {
+  const Document document = scene_document(k);
+  VariedScene scene = VariedScene::parse(document.text, document.name);
+  if (const auto law = text("pressure"))
+    scene.set_pressure(one_of("pressure", *law, pressure_names()));
+  const SceneFile file = scene.as_given();
+  refuse_size(file, needs);
+  inspect(file);
+  return scene;
+}
+
+Index Values::pusher(const SceneFile& file) const {
+  std::vector<std::string> names;
+  Index pusher = -1;
+  const std::optional<std::string> wanted = text("pusher");
+  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
+    if (file.bodies[b].role != Role::pusher) continue;
+    names.push_back(file.body_names[b]);
+    if (!wanted || *wanted == file.body_names[b]) pusher = static_cast<Index>(b);
+  }
+  if (names.empty()) refuse("scene", "the scene has no [[pusher]]: nothing can break the grasp");
+  if (!wanted && names.size() > 1)
+    refuse("pusher", "the scene has several pushers: say which with " + label("pusher") + " " +
+                         listed(names, "or"));
+  if (pusher < 0)
+    refuse("pusher", "no pusher is named " + desktop::quoted(*wanted) + suggestion(*wanted, names));
+  return pusher;
+}
+
+} // namespace lcpush::commands

@@ -1,0 +1,139 @@
+// The values of a command's options, typed and checked, wherever they come from: words of a command
+// line or keys of a JSON object.
+#pragma once
+
+#include <exception>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands/command.hpp"
+#include "lcpush/desktop/raw_problem.hpp"
+#include "lcpush/desktop/solver.hpp"
+#include "lcpush/desktop/sweep.hpp"
+#include "lcpush/desktop/telling.hpp"
+
+namespace lcpush::commands {
+
+constexpr double longest_time = 1e6; // s
+
+/// What a command does with a scene.
+enum class Needs {
+  matrix, ///< holds M, or a dictionary of it
+  scene,  ///< O(points): sweeps, or pivots on the structured basis
+};
+
+/// A text, and what messages call it.
+struct Document {
+  std::string text, name;
+};
+
+/// n numbers, and what messages call them.
+struct NumberList {
+  std::vector<double> numbers;
+  std::string name;
+};
+
+/// M, n x n, and q, n x 1, every number as typed.
+struct ExactMatrices {
+  ExactMatrix M, q;
+  std::string name; ///< of M
+};
+
+class Values {
+public:
+  explicit Values(const Command& command) : command_(command) {}
+  Values(const Values&) = delete;
+  Values& operator=(const Values&) = delete;
+  virtual ~Values() = default;
+
+  // Each reader has these. All that refuse throw.
+  virtual bool has(const std::string& option) const = 0; ///< of a flag: is it set?
+  virtual std::optional<std::string> text(const std::string& option) const = 0;
+  /// A number and how it is written; nan if it is none.
+  struct Written {
+    double value;
+    std::string text;
+  };
+  virtual std::optional<Written> written(const std::string& option) const = 0;
+  /// `what` says what the numbers are.
+  virtual std::optional<std::vector<double>> numbers(const std::string& option, std::size_t count,
+                                                     const std::string& what) const = 0;
+  /// As messages name the option: --steps, or "steps".
+  virtual std::string label(const std::string& option) const = 0;
+  /// The same with a placeholder of its value, where there is one.
+  virtual std::string usage(const std::string& option) const = 0;
+  /// A row in messages, counted from 1.
+  virtual std::string row_name(Index row) const = 0;
+  /// See refuse.
+  virtual void throw_refusal(const std::string& option, const std::string& sentence) const = 0;
+  /// One of `known`, which begins with a shell's usual one.
+  virtual std::string format(const std::vector<std::string>& known) const = 0;
+  virtual Telling telling() const = 0;
+
+  // Scenes.
+  virtual std::size_t scene_count() const = 0;
+  virtual Document scene_document(std::size_t k = 0) const = 0;
+  virtual std::size_t variation_count() const = 0;
+  virtual std::vector<Variation> variations(const VariedScene& scene) const = 0;
+  /// A variation a value, from = to; nothing if no curves are asked for.
+  virtual std::optional<std::vector<Variation>> each(const VariedScene& scene) const = 0;
+
+  // Raw problems, and what is to be verified.
+  virtual ExactMatrices exact_matrices() const = 0;
+  virtual RawProblem raw_problem() const = 0;
+  virtual std::optional<NumberList> list(const std::string& option, Index n) const = 0;
+  virtual Document answer() const = 0;
+  virtual Document trajectory() const = 0;
+  virtual std::vector<double> z(const RawProblem& problem) const = 0;
+
+  // What follows from these.
+  /// Throws; `sentence` says what is wrong with the option.
+  [[noreturn]] void refuse(const std::string& option, const std::string& sentence) const {
+    throw_refusal(option, sentence);
+    std::terminate(); // never; but of a virtual function the compiler does not know
+  }
+  std::string format() const { return format(command_.formats); }
+  /// A command that also has residuals instead of its answer, as "csv", too.
+  std::string format_with_history(Solver solver) const;
+  const std::string& one_of(const std::string& option, const std::string& word,
+                            const std::vector<std::string>& known) const;
+  [[noreturn]] void refuse_value(const std::string& option, const std::string& word,
+                                 const std::string& rule,
+                                 const std::vector<std::string>& known = {}) const;
+  struct Range {
+    Index smallest;
+    Index largest = std::numeric_limits<Index>::max(); ///< or no limit
+    bool even = false;
+  };
+  std::optional<Index> whole(const std::string& option, const Range& range) const;
+  /// Between 0 and `end` without the two; `hint` goes on with what it is.
+  std::optional<double> number(const std::string& option, double end,
+                               const std::string& hint) const;
+  Solver solver() const;
+  std::string scene_name(std::size_t k = 0) const { return scene_document(k).name; }
+  SceneFile scene(Needs needs, Strokes strokes = Strokes::first) const;
+  /// With the law of --pressure, if it is given.
+  VariedScene varied_scene(Needs needs, std::size_t k = 0) const;
+  /// The body of --pusher, or the only pusher.
+  Index pusher(const SceneFile& file) const;
+  /// Refuses a scene with more unknowns than `most`, whose `what`.
+  void refuse_unknowns(const SceneFile& file, Index most, const std::string& what) const;
+  /// Refuses a scene in which nothing moves.
+  void refuse_still(const SceneFile& file) const;
+  /// The box of a raw problem of n rows; none if no option is given.
+  RawBounds bounds(Index n) const;
+
+protected:
+  const Command& command() const { return command_; }
+  /// Of every scene that is read.
+  virtual void inspect(const SceneFile&) const {}
+
+private:
+  const Command& command_;
+
+  void refuse_size(const SceneFile& file, Needs needs) const;
+};
+
+} // namespace lcpush::commands

@@ -1,0 +1,93 @@
+// verify: is somebody else's answer right?
+#include "commands/listener.hpp"
+#include "commands/values.hpp"
+#include "lcpush/desktop/trajectory.hpp"
+#include "lcpush/desktop/verify.hpp"
+
+namespace lcpush::commands {
+namespace {
+
+VerifyOptions verify_options(const Values& values) {
+  VerifyOptions options;
+  options.tolerance = values.number("tolerance", 1, ", such as 1e-6").value_or(options.tolerance);
+  return options;
+}
+
+Result run_verify(const Values& values, Listener& listener) {
+  if (values.has("trajectory")) return verify_motion(values, listener);
+  if (values.has("lcp") || values.has("M")) return verify_raw_problem(values, listener);
+  for (const char* option : {"q", "free", "lo", "hi", "findex"})
+    if (values.has(option))
+      values.refuse(option, values.label(option) + " goes with " + values.label("lcp"));
+  return verify_push(values, listener);
+}
+
+} // namespace
+
+Result verify_push(const Values& values, Listener&) {
+  const std::string format = values.format();
+  const VerifyOptions options = verify_options(values);
+  const Document answer = values.answer();
+  const SceneFile file = values.scene(Needs::matrix);
+  const VerifyReport report =
+      verify_answer(file, parse_foreign_answer(answer.text, answer.name, file), options);
+  return {is_valid(report.verdict), format == "json" ? verify_json(report, check_scene(file))
+                                                     : verify_text(file, report, values.telling())};
+}
+
+Result verify_motion(const Values& values, Listener&) {
+  constexpr double usual_tolerance = 0.01;
+  const std::string format = values.format();
+  const Document motion = values.trajectory();
+  const double tolerance =
+      values.number("tolerance", 1, ", such as 0.01").value_or(usual_tolerance);
+  const SceneFile file = values.scene(Needs::scene, Strokes::all);
+  const TrajectoryReport report =
+      verify_trajectory(file, parse_trajectory(motion.text, motion.name, file), tolerance);
+  return {report.verdict == TrajectoryVerdict::follows,
+          format == "json" ? trajectory_json(file, report) : trajectory_text(file, report)};
+}
+
+Result verify_raw_problem(const Values& values, Listener&) {
+  const std::string format = values.format();
+  const RawProblem problem = values.raw_problem();
+  const RawVerifyReport report = verify_raw(problem, values.z(problem), verify_options(values));
+  return {is_valid(report.verdict),
+          format == "json" ? verify_json(report) : verify_text(report, values.telling())};
+}
+
+Command verify_command() {
+  return {
+      "verify",
+      "SCENE.toml ANSWER.json | SCENE.toml --trajectory FILE | --lcp M.mtx q.mtx ANSWER.json",
+      "is somebody else's answer right, and if not, why?",
+      "ANSWER.json has the shape of `lcpush solve --json`, or any part of it: the forces, or\n"
+      "the motion, alone; what follows is filled in. Every law is checked row by row, by code\n"
+      "that solves nothing, and the answer is compared with lcpush's own. With --lcp (or --M\n"
+      "and --q) it is the z of a raw problem, in a box if one is given, as for `lcpush lcp`.\n"
+      "With --trajectory it is a motion, frames as of `lcpush move --json` or --format csv: each\n"
+      "step is compared with the laws' own, begun where the motion is, and forces, if there are\n"
+      "some, are judged by each law. Here exit status 0 means valid, 1 not.\n\n"
+      "Example:\n"
+      "  lcpush solve fixtures/scenes/tipping.toml --json -o answer.json\n"
+      "  lcpush verify fixtures/scenes/tipping.toml answer.json\n",
+      with_scene_options({
+          {"tolerance", "T", "what a row may be off by, scaled (default 1e-6)"},
+          {"trajectory", "FILE",
+           "a motion, JSON or CSV; then T is a part of the fastest speed and of "
+           "the largest force (0.01)"},
+          {"lcp", "", "a raw problem: M.mtx q.mtx ANSWER.json"},
+          matrix_option,
+          vector_option,
+          free_option,
+          lo_option,
+          hi_option,
+          findex_option,
+          verbose_option,
+      }),
+      3,
+      {"text", "json"},
+      run_verify};
+}
+
+} // namespace lcpush::commands
