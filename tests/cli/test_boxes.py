@@ -1,33 +1,19 @@
 """lcpush lcp and verify --lcp in boxes: --lo, --hi and --findex, from files, typed, and from standard input."""
 import json
-import pathlib
-import subprocess
-import sys
-import tempfile
-import unittest
 
-TOOL = sys.argv.pop(1)
-sys.argv.pop(1)  # the sources' folder
+from tool import ToolTest, main, run
+
 ARRAY = "%%MatrixMarket matrix array real general\n"
 CONTACT = ("--M", "2 0; 0 2", "--q", "-5 -3")
-
-
-def run(*words, text=""):
-    return subprocess.run([TOOL, *map(str, words)], input=text, capture_output=True, text=True, timeout=60)
 
 
 def answer(*words, text=""):
     return json.loads(run("lcp", *words, "--json", text=text).stdout)
 
 
-class Boxes(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
+class Boxes(ToolTest):
     def file(self, name, *numbers):
-        path = self.folder / name
+        path = self.path / name
         path.write_text(f"{ARRAY}{len(numbers)} 1\n" + "\n".join(numbers) + "\n")
         return path
 
@@ -49,7 +35,7 @@ class Boxes(unittest.TestCase):
         self.assertIn("between", run("lcp", *CONTACT, "--hi", "inf 0.5", "--findex", "-1 0").stdout)
 
     def test_verify_judges_in_the_form_given(self):
-        path = self.folder / "z.json"
+        path = self.path / "z.json"
         for z, valid in (([2.5, 1.25], True), ([2.5, 1.5], False), ([2.5, -1.25], False)):
             path.write_text(json.dumps({"z": z}))
             result = run("verify", *CONTACT, path, "--hi", "inf 0.5", "--findex", "-1 0", "--json")
@@ -64,9 +50,9 @@ class Boxes(unittest.TestCase):
         q = self.file("q.mtx", "-5", "-6")
         matrix = ARRAY.replace("general", "symmetric") + "2 2\n2 1\n2\n"
         self.assertEqual(answer("-", q, text=matrix)["w"], [0, 0])
-        empty = self.folder / "empty.mtx"
+        empty = self.path / "empty.mtx"
         empty.write_text(ARRAY + "0 0\n")
-        none = self.folder / "none.mtx"
+        none = self.path / "none.mtx"
         none.write_text(ARRAY + "0 1\n")
         found = answer(empty, none)
         self.assertEqual((found["status"], found["z"], found["pieces"]), ("solved", [], 0))
@@ -77,7 +63,7 @@ class Boxes(unittest.TestCase):
             lines.append(f"{i} {i} 2.5")
             if i < n:
                 lines.append(f"{i + 1} {i} -1")
-        M = self.folder / "chain.mtx"
+        M = self.path / "chain.mtx"
         M.write_text(f"%%MatrixMarket matrix coordinate real symmetric\n{n} {n} {len(lines)}\n" + "\n".join(lines))
         q = self.file("q.mtx", *["1"] * n)
         told = " ".join(run("lcp", M, q).stderr.split())
@@ -86,4 +72,4 @@ class Boxes(unittest.TestCase):
         self.assertEqual(run("lcp", M, q, "--solver", "gauss-seidel").stderr, "")
 
 
-unittest.main()
+main()

@@ -1,16 +1,9 @@
 """lcpush break says from which grip force on the grasp holds, without and with the pusher."""
 import json
-import pathlib
 import re
-import subprocess
-import sys
-import tempfile
-import unittest
 
-TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
-sys.path.insert(0, str(SOURCE / "tests/support"))
+from tool import SCENES, ToolTest, json_of, main, run
 from random_scenes import random_scene
-SCENES = SOURCE / "fixtures/scenes"
 SLIDE_TEXT = (SCENES / "straight_slide.toml").read_text()
 KEYS = ("smallest_grip", "smallest_grip_factor", "smallest_grip_from", "holds_at_rest",
         "smallest_grip_at_rest", "smallest_grip_at_rest_factor", "smallest_grip_at_rest_from")
@@ -30,26 +23,16 @@ def scene(fingers, extra="", pressure="pad", gravity=(0, -9.81, 0)):
             "normal = [1, 0, 0]\nfriction = 0\nacceleration = [0.1, 0, 0]\n")
 
 
-def actuator(name, body, direction, amount):
-    return (f'[[actuator]]\nname = "{name}"\nbodies = ["{body}"]\n'
-            f"twists = [{[*direction, 0, 0, 0]}]\n{amount}\n")
-
-
 def pinch(points=([0, 0],), left=20, right=20):
     return (finger("left", [[*p, 0.005] for p in points], 1, left) +
             finger("right", [[*p, -0.005] for p in points], -1, right))
 
 
-class Holding(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-
+class Holding(ToolTest):
     def run_tool(self, text, *words):
-        file = pathlib.Path(self.folder.name) / "scene.toml"
+        file = self.path / "scene.toml"
         file.write_text(text)
-        result = subprocess.run([TOOL, "break", str(file), *words], capture_output=True, text=True,
-                                timeout=60)
+        result = run("break", file, *words)
         self.assertIn(result.returncode, (0, 1), result.stderr)
         return result.stdout
 
@@ -84,16 +67,6 @@ class Holding(unittest.TestCase):
         self.assertIn("It would hold from 1.962 N per finger (of 1 N).", text)
         self.assertIn("The grasp does not hold", text)
 
-    def test_a_sheet_below_carries_what_the_fingers_do_not(self):
-        rolling = (SCENES / "rolling.toml").read_text()
-        answer = self.answer(rolling)
-        self.assertIs(answer["holds_without_push"], False)
-        self.assertIs(answer["holds_at_rest"], True)
-        self.assertAlmostEqual(answer["smallest_grip"], 8.175, 8) # per finger of parallel jaws
-        self.assertEqual(answer["smallest_grip_at_rest"], 0)
-        self.assertIn("With the pusher in place, at rest, it holds; it holds without any grip force",
-                      self.text(rolling))
-
     def test_no_grip_force_holds_without_friction_and_that_is_proved(self):
         slippery = scene(pinch().replace("friction = 0.5", "friction = 0"))
         answer = self.answer(slippery)
@@ -116,20 +89,6 @@ class Holding(unittest.TestCase):
         self.assertIn("That is this pressure law's limit; statics alone would allow 1.962 N",
                       self.text(beside))
 
-    def test_unequal_fingers_are_scaled_together(self):
-        stop = finger("stop", [[0, 0, -0.005]], -1, None).replace("friction = 0.5", "friction = 0")
-        text = scene(pinch(left=30), stop)
-        self.assertAlmostEqual(self.answer(text)["smallest_grip"], 1.5 * 1.962, 6)
-        self.assertIn("down to 2.943 N at left, the others in proportion (of 30 N)",
-                      self.text(text))
-
-    def test_a_hand_is_scaled_by_its_actuator(self):
-        hand = ('[[actuator]]\nname = "hand"\nbodies = ["left", "right"]\n'
-                "twists = [[0, 0, -1, 0, 0, 0], [0, 0, 1, 0, 0, 0]]\nforce = 40\n")
-        text = scene(pinch(left=None, right=None), hand)
-        self.assertAlmostEqual(self.answer(text)["smallest_grip"], 3.924, 8)
-        self.assertIn("down to a force of 3.924 (of 40) of actuator hand.", self.text(text))
-
     def test_an_actuator_is_no_pair_of_jaws_by_its_name(self):
         hand = "gravity = [0, 0, -9.81]\n" + (SCENES / "three_finger_hand.toml").read_text()
         for name in ("tendon", "jaws"):
@@ -138,73 +97,15 @@ class Holding(unittest.TestCase):
             self.assertIn(f"down to a force of 1.308 (of 24) of actuator {name}, the others in "
                           "proportion.", self.text(renamed))
 
-    def test_parallel_jaws_are_read_per_finger(self):
-        text = scene(pinch(), '[gripper]\njaws = "parallel"\n')
-        self.assertAlmostEqual(self.answer(text)["smallest_grip"], 1.962, 8)
-        self.assertIn("down to 1.962 N per finger (of 20 N)", self.text(text))
-
-    def test_an_actuator_without_force_is_not_the_one_spoken_of(self):
-        idle = actuator("idle", "stop", [1, 0, 0], "force = 0\ninertia = 0.1")
-        stop = finger("stop", [[-0.05, 0, 0]], -1, None).replace("[0, 0, 1]", "[1, 0, 0]")
-        hand = (actuator("l", "left", [0, 0, -1], "force = 1") +
-                actuator("r", "right", [0, 0, 1], "force = 1"))
-        text = scene(stop + pinch(left=None, right=None), idle + hand)
-        self.assertAlmostEqual(self.answer(text)["smallest_grip"], 1.962, 6)
-        self.assertIn("from a force of 1.962 (of 1) of actuator l, the others in proportion.",
-                      self.text(text))
-
-    def test_a_fall_that_is_slow_beside_a_huge_grip_is_a_fall(self):
-        slippery = pinch(left=1e4, right=1e4).replace("friction = 0.5", "friction = 0")
-        light = scene(slippery, gravity=(0, -0.09, 0)).replace("mass = 0.2", "mass = 0.001")
-        for pressure in ("pad", "even", "rigid"):
-            for solver in ("lemke", "hybrid", "gauss-seidel"):
-                text = light.replace('"pad"', f'"{pressure}"')
-                answer = self.answer(text, "--solver", solver)
-                self.assertEqual(answer["status"], "does_not_hold", (pressure, solver))
-                self.assertIs(answer["holds_without_push"], False)
-                self.assertIs(answer["holds_at_rest"], False)
-                self.assertAlmostEqual(answer["rest_acceleration"][1], -0.09, 5)
-        self.assertIn("does NOT hold the object: it accelerates at 0.09 m/s^2", self.text(light))
-
-    def test_a_huge_grip_with_friction_still_holds(self):
-        held = scene(pinch(left=1e4, right=1e4), gravity=(0, -0.09, 0)).replace("0.2", "0.001", 1)
-        for pressure in ("pad", "even", "rigid"):
-            answer = self.answer(held.replace('"pad"', f'"{pressure}"'))
-            self.assertEqual(answer["status"], "solved")
-            self.assertIs(answer["holds_without_push"], True)
-
-    def test_a_finger_that_moves_is_at_rest_before_the_push(self):
-        thumb = finger("thumb", [[-0.05, 0, 0]], -1, None).replace("[0, 0, 1]", "[1, 0, 0]")
-        hand = (actuator("l", "left", [0, 0, -1], "force = 20") +
-                actuator("r", "right", [0, 0, 1], "force = 20") +
-                actuator("t", "thumb", [1, 0, 0], "acceleration = 0.1"))
-        text = scene(pinch(left=None, right=None) + thumb, hand)
-        text = text.replace("center = [-0.05, 0, 0]\nnormal = [1, 0, 0]\nfriction = 0\n"
-                            "acceleration = [0.1, 0, 0]",
-                            "center = [0, 0.015, 0]\nnormal = [0, -1, 0]\nfriction = 0\n"
-                            "acceleration = [0, 0, 0]")
-        answer = self.answer(text)
-        self.assertIs(answer["holds_without_push"], True)
-        self.assertAlmostEqual(answer["smallest_grip"], 1.962, 6)
-
-    def test_where_more_drops_the_load_too_there_is_no_from(self):
-        below = finger("below", [[0, -0.015, 0]], -1, 1).replace("[0, 0, 1]", "[0, 1, 0]")
-        for force in (1, 3):
-            text = scene(below.replace("grip_force = 1", f"grip_force = {force}"))
-            self.assertAlmostEqual(self.answer(text)["smallest_grip"], 1.962, 6)
-            self.assertIn(f"It would hold only at about 1.962 N at below (of {force} N).",
-                          self.text(text))
-
     def test_what_compliance_leaves_of_a_motion_is_no_fall(self):
         # A hair above the least grip these two were called falling at 1e-8 m/s^2, and at 0.1 % less not.
         for seed, least in ((16, 0.02822077078110312), (112, 1.3007331747683242)):
             text = random_scene(seed)
             for factor in (0.999, 1, 1.001, 1.002, 1.02):
                 scaled = re.sub(r"grip_force = (\S+)", lambda m: f"grip_force = {float(m[1]) * least * factor!r}", text)
-                file = pathlib.Path(self.folder.name) / "scene.toml"
+                file = self.path / "scene.toml"
                 file.write_text(scaled)
-                result = subprocess.run([TOOL, "solve", file, "--json"], capture_output=True, text=True)
-                self.assertIs(json.loads(result.stdout)["holds_without_push"], factor >= 1, (seed, factor))
+                self.assertIs(json_of("solve", file)["holds_without_push"], factor >= 1, (seed, factor))
 
     def test_a_fall_slower_than_the_slowest_push_is_a_fall_and_no_pull(self):
         # 2 mu 2 N carries 1.962 N from mu = 0.4905 on. The object slips as the rod moves, whatever it weighs, so
@@ -224,24 +125,6 @@ class Holding(unittest.TestCase):
                     self.assertEqual(answer["status"], "does_not_hold", told)
                     self.assertAlmostEqual(answer["rest_acceleration"][1], (4 * friction - 1.962) / 0.2, 7)
 
-    def test_a_force_controlled_pusher_is_a_load_and_not_part_of_the_grip(self):
-        lifting = scene(pinch(left=5, right=5)).replace("center = [-0.05, 0, 0]", "center = [0, -0.015, 0]")
-        lifting = lifting.replace("normal = [1, 0, 0]", "normal = [0, 1, 0]\nnormal_force = 15")
-        answer = self.answer(lifting)
-        self.assertAlmostEqual(answer["smallest_grip"], 1.962, 8)
-        self.assertAlmostEqual(answer["smallest_grip_at_rest"], 15 - 1.962, 6)
-        self.assertEqual(answer["smallest_grip_at_rest_from"], "statics")
-
-    def test_without_gravity_nothing_is_needed(self):
-        answer = self.answer(scene(pinch(), gravity=(0, 0, 0)))
-        self.assertEqual(answer["smallest_grip"], 0)
-        self.assertEqual(answer["smallest_grip_at_rest"], 0)
-
-    def test_a_scene_that_nothing_grips_has_no_grip_force(self):
-        answer = self.answer(scene(pinch(left=None, right=None)))
-        self.assertIsNone(answer["smallest_grip"])
-        self.assertIsNone(answer["smallest_grip_at_rest"])
-
     def test_a_jam_has_every_key_too(self):
         stop = ('[[finger]]\nname = "stop"\nshape = "point"\ncenter = [0.05, 0, 0]\n'
                 "normal = [-1, 0, 0]\nfriction = 0.3\n")
@@ -251,4 +134,4 @@ class Holding(unittest.TestCase):
         self.assertAlmostEqual(answer["smallest_grip"], 1.962, 6)
 
 
-unittest.main(argv=[sys.argv[0]], verbosity=1)
+main()

@@ -1,31 +1,17 @@
 """The command line: exit codes, messages, JSON, and that bad input writes nothing."""
 import json
 import os
-import pathlib
 import re
 import subprocess
-import sys
-import tempfile
 import unittest
 
-TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+from tool import SOURCE, TOOL, ToolTest, main, run
+
 SLIDE = SOURCE / "fixtures/scenes/straight_slide.toml"
 SLIDE_TEXT = SLIDE.read_text()
 
 
-def run(*words, **options):
-    return subprocess.run([TOOL, *map(str, words)], capture_output=True, text=True, timeout=60,
-                          **options)
-
-
-class Commands(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.path = pathlib.Path(self.folder.name)
-
-    def tearDown(self):
-        self.folder.cleanup()
-
+class Commands(ToolTest):
     def scene(self, *changes):
         text = SLIDE_TEXT
         for old, new in changes:
@@ -34,11 +20,6 @@ class Commands(unittest.TestCase):
         file = self.path / "scene.toml"
         file.write_text(text)
         return file
-
-    def refused(self, result, pattern):
-        self.assertEqual(result.returncode, 2, result)
-        self.assertEqual(result.stdout, "")
-        self.assertRegex(result.stderr.replace("\n", " "), pattern)  # wrapped
 
     def test_solve_json_has_every_promised_key(self):
         answer = json.loads(run("solve", SLIDE, "--json").stdout)
@@ -133,24 +114,24 @@ force = 40
         out = self.path / "answer.json"
         self.assertEqual(run("solve", SLIDE, "--json", "-o", out).returncode, 0)
         self.assertEqual(json.loads(out.read_text())["status"], "solved")
-        self.refused(run("solve", self.path / "missing.toml", "-o", self.path / "no.txt"), "missing.toml")
+        self.is_refused(run("solve", self.path / "missing.toml", "-o", self.path / "no.txt"), "missing.toml")
         self.assertFalse((self.path / "no.txt").exists())
-        self.refused(run("solve", SLIDE, "-o", self.path / "no/such/folder.txt"), "cannot be written")
-        self.refused(run("solve", SLIDE, "-o", self.path), "is a directory")
+        self.is_refused(run("solve", SLIDE, "-o", self.path / "no/such/folder.txt"), "cannot be written")
+        self.is_refused(run("solve", SLIDE, "-o", self.path), "is a directory")
 
     def test_usage_errors_say_what_to_type(self):
         self.assertEqual(run().returncode, 2)
-        self.refused(run("slove", SLIDE), 'did you mean "solve"')
-        self.refused(run("solve", SLIDE, "--jsno"), 'did you mean "--json"')
-        self.refused(run("solve"), "a scene file is needed")
-        self.refused(run("solve", SLIDE, SLIDE), "one name too many")
-        self.refused(run("solve", SLIDE, "--format", "yaml"), "text or json")
-        self.refused(run("solve", SLIDE, "--solver", "simplex"), "--solver")
-        self.refused(run("solve", SLIDE, "-o"), "needs a value")
-        self.refused(run("break", SLIDE, "--pusher", "wal"), 'did you mean "wall"')
-        self.refused(run("lcp", "--M", "1"), "--M and --q go together")
-        self.refused(run("lcp", "--M", "1 2", "--q", "1"), "square")
-        self.refused(run("lcp", "--M", "1", "--q", "1", "--free", "2"), "rows from 1 to 1")
+        self.is_refused(run("slove", SLIDE), 'did you mean "solve"')
+        self.is_refused(run("solve", SLIDE, "--jsno"), 'did you mean "--json"')
+        self.is_refused(run("solve"), "a scene file is needed")
+        self.is_refused(run("solve", SLIDE, SLIDE), "one name too many")
+        self.is_refused(run("solve", SLIDE, "--format", "yaml"), "text or json")
+        self.is_refused(run("solve", SLIDE, "--solver", "simplex"), "--solver")
+        self.is_refused(run("solve", SLIDE, "-o"), "needs a value")
+        self.is_refused(run("break", SLIDE, "--pusher", "wal"), 'did you mean "wall"')
+        self.is_refused(run("lcp", "--M", "1"), "--M and --q go together")
+        self.is_refused(run("lcp", "--M", "1 2", "--q", "1"), "square")
+        self.is_refused(run("lcp", "--M", "1", "--q", "1", "--free", "2"), "rows from 1 to 1")
 
     def test_every_command_has_help_with_an_example(self):
         overview = run("--help").stdout
@@ -172,17 +153,17 @@ force = 40
                 (("box = [0.1, 0.03, 0.01]", "box = [0.1, 0.03]"), r"scene.toml:\d+: .*box"),
                 (("[object]", "[object"), r"scene.toml:\d+: ")]:
             with self.subTest(change=change):
-                self.refused(run("solve", self.scene(change)), pattern)
+                self.is_refused(run("solve", self.scene(change)), pattern)
 
     def test_hostile_files_are_refused_quickly(self):
         file = self.path / "hostile"
         for content in (b"", b"[" * 100000, bytes(range(256)) * 100, SLIDE_TEXT.encode()[:300]):
             file.write_bytes(content)
-            self.refused(run("solve", file), re.escape(str(file)))
-            self.refused(run("lcp", file, file), re.escape(str(file)))
+            self.is_refused(run("solve", file), re.escape(str(file)))
+            self.is_refused(run("lcp", file, file), re.escape(str(file)))
         file.write_text("%%MatrixMarket matrix array real general\n1000000000 1000000000\n1\n")
-        self.refused(run("lcp", file, file), "hostile:2")
-        self.refused(run("solve", self.path), "is a directory")
+        self.is_refused(run("lcp", file, file), "hostile:2")
+        self.is_refused(run("solve", self.path), "is a directory")
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
     def test_a_full_disk_is_reported(self):
@@ -191,4 +172,4 @@ force = 40
         self.assertEqual(result.returncode, 2)
 
 
-unittest.main(argv=[sys.argv[0]], verbosity=1)
+main()

@@ -1,19 +1,13 @@
 """lcpush cone: edges, verdicts and refusals on the command line."""
 import json
 import math
-import pathlib
-import subprocess
-import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+from tool import SOURCE, command, json_of, main
+
+run = command("cone")
 SQUARE = SOURCE / "docs/guide/square.toml"
-
-
-def run(*words, text=None):
-    return subprocess.run([TOOL, "cone", *map(str, words)], capture_output=True, text=True,
-                          timeout=60, input=text)
 
 
 def square(*changes):
@@ -78,8 +72,7 @@ class Cone(unittest.TestCase):
                            f"angular_acceleration = [0, 0, {wz * 1e-4}]"))
             text = without(text, "south", "north")  # cone leaves the others out
             cone = self.answer(text=text)
-            solved = json.loads(subprocess.run([TOOL, "solve", "-", "--json"], input=text,
-                                               capture_output=True, text=True, timeout=60).stdout)
+            solved = json_of("solve", "-", text=text)
             slips = any(c["mode"] != "stick" for c in solved["contacts"]
                         if c["name"].startswith("east"))
             self.assertEqual(cone["sticks"], not slips, (vy, wz))
@@ -174,8 +167,7 @@ class Cone(unittest.TestCase):
         text = slide.read_text().replace("acceleration = [0.1, 0, 0]",
                                          f"acceleration = [0.1, {at:.17g}, 0]")
         self.assertIn(f"{at:.17g}", text)
-        there = json.loads(subprocess.run([TOOL, "break", "-", "--json"], capture_output=True, text=True,
-                                          input='pressure = "rigid"\n' + text).stdout)
+        there = json_of("break", "-", text='pressure = "rigid"\n' + text)
         for mine, theirs in zip(wrench, there["force"] + there["moment"]):
             self.assertAlmostEqual(mine, theirs, 3)
         picture = run(slide, "--vary", vary, "--pressure", "rigid", "--format", "svg").stdout
@@ -212,5 +204,4 @@ class Cone(unittest.TestCase):
             self.assertIn("--twist", result.stderr)
 
 
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+main()

@@ -1,21 +1,14 @@
 """lcpush export: every file is there, fits the others and says what its numbers are."""
 import json
 import pathlib
-import subprocess
-import sys
-import tempfile
-import unittest
 
-TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+from tool import SOURCE, ToolTest, main, run
+
 SCENES = sorted((SOURCE / "fixtures/scenes").glob("*.toml"))
 SLIDE = SOURCE / "fixtures/scenes/straight_slide.toml"
 SOFT = SOURCE / "fixtures/scenes/soft_fingers.toml"
 FCLIB = {"W", "V", "R", "mu", "q", "s"}
 PROGRAM = ("H", "f", "A", "b", "Aeq", "beq", "lb", "ub", "answer")
-
-
-def run(*words):
-    return subprocess.run([TOOL, *map(str, words)], capture_output=True, text=True, timeout=60)
 
 
 def read(path):
@@ -33,11 +26,10 @@ def read(path):
     return rows, columns, values
 
 
-class Export(unittest.TestCase):
+class Export(ToolTest):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.out = pathlib.Path(self.folder.name, "new", "out")
+        super().setUp()
+        self.out = pathlib.Path(self.path, "new", "out")
 
     def export(self, scene, out=None):
         result = run("export", scene, "-o", out or self.out)
@@ -133,7 +125,7 @@ class Export(unittest.TestCase):
 
     def test_numbers_keep_their_bits_at_any_scale(self):
         text = SLIDE.read_text().replace("grip_force = 20", "grip_force = 2.0000000000000004e-7")
-        scene = pathlib.Path(self.folder.name, "small.toml")
+        scene = pathlib.Path(self.path, "small.toml")
         scene.write_text(text.replace("gravity = [0, -9.81, 0]", "gravity = [0, 0, 0]")
                          .replace("acceleration = [0.1, 0, 0]", "acceleration = [1e-9, 0, 0]"))
         self.export(scene)
@@ -152,4 +144,4 @@ class Export(unittest.TestCase):
         self.assertFalse(self.out.exists())
 
 
-unittest.main(argv=[sys.argv[0]], verbosity=1)
+main()

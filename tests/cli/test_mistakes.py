@@ -1,15 +1,11 @@
 """What people get wrong, on the command line and in their first scenes: every one of these is refused with a
 plain, located message that says what to do, or solved and named in a Check line."""
 import os
-import pathlib
 import re
 import shlex
-import subprocess
-import sys
-import tempfile
-import unittest
 
-TOOL, SOURCE = sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
+from tool import SOURCE, ToolTest, main, run
+
 SCENE = re.search(r"```toml\n(.*?)```", (SOURCE / "docs/guide/scenes.md").read_text(), flags=re.S)[1]
 SCENE = SCENE.replace("[[finger]]", '[gripper]\njaws = "parallel"\n\n[[finger]]', 1)  # jaws can be mistyped
 WALL = SCENE[SCENE.index("[[pusher]]"):]
@@ -182,19 +178,16 @@ RIGHT = [
 ]
 
 
-class Mistakes(unittest.TestCase):
+class Mistakes(ToolTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        (self.folder / "folder").mkdir()
+        super().setUp()
+        (self.path / "folder").mkdir()
         for name, text in FILES.items():
-            (self.folder / name).write_text(text, errors="surrogateescape")
-        self.names = sorted(os.listdir(self.folder))
+            (self.path / name).write_text(text, errors="surrogateescape")
+        self.names = sorted(os.listdir(self.path))
 
     def run_tool(self, words, text=""):
-        result = subprocess.run([TOOL, *shlex.split(words)], cwd=self.folder, input=text,
-                                capture_output=True, text=True, timeout=60)
+        result = run(*shlex.split(words), text=text, cwd=self.path)
         result.stderr = re.sub(r"lcpush: \d+ .*\n", "", result.stderr)  # progress, of a busy machine
         printed_scene = words.startswith("example")
         for line in ((result.stdout if not printed_scene else "") + result.stderr).splitlines():
@@ -209,7 +202,7 @@ class Mistakes(unittest.TestCase):
                 self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
                 for part in said:
                     self.assertIn(part, result.stderr.replace("\n", " "))
-                self.assertEqual(sorted(os.listdir(self.folder)), self.names)
+                self.assertEqual(sorted(os.listdir(self.path)), self.names)
 
     def changed(self, new, old):
         self.assertIn(old, SCENE)
@@ -230,7 +223,7 @@ class Mistakes(unittest.TestCase):
         self.assertEqual((result.returncode, result.stdout), (1, ""))
         self.assertIn("stopped after 0.2 s of processor time, nothing is written. --seconds 2 gives it",
                       result.stderr.replace("\n", " "))
-        self.assertEqual(sorted(os.listdir(self.folder)), self.names)
+        self.assertEqual(sorted(os.listdir(self.path)), self.names)
 
     def test_scenes_that_were_not_meant(self):
         for new, old, line, said in DOUBTS:
@@ -249,4 +242,4 @@ class Mistakes(unittest.TestCase):
                 self.assertEqual((result.returncode, result.stderr), (0, ""))
 
 
-unittest.main()
+main()

@@ -3,25 +3,19 @@ import csv
 import io
 import json
 import pathlib
-import subprocess
-import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
-sys.path.insert(0, str(SOURCE / "tests/support"))
+import tool
+from tool import SCENES, command, main
+
 from motion_frames import faults
 from random_scenes import random_scene
 
-SCENES = SOURCE / "fixtures/scenes"
+run = command("move")
 PIVOT, SLIDE = SCENES / "pivot.toml", SCENES / "straight_slide.toml"
 MODES = {"stick", "slide", "separate", "beside", "behind", "no_line", "away"}
-
-
-def run(*words, text=None):
-    return subprocess.run([TOOL, "move", *map(str, words)], capture_output=True, text=True,
-                          timeout=100, input=text)
 
 
 def answer(*words):
@@ -192,13 +186,11 @@ class Move(unittest.TestCase):
         self.assertAlmostEqual(printed["frames"][-1]["position"][0], 0, delta=1e-6)
         self.assertEqual([phase["motion"] for phase in printed["phases"]],
                          ["slide", "rest", "slide"])
-        solved = subprocess.run([TOOL, "solve", "-", "--json"], input=text, capture_output=True,
-                                text=True)
+        solved = tool.run("solve", "-", "--json", text=text)
         self.assertNotIn("back", solved.stdout)
         # Who is not there has no gap.
         first = printed["frames"][1]["contacts"]
         self.assertEqual({c["gap"] for c in first if c["mode"] == "away"}, {None})
 
 
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+main()

@@ -3,14 +3,13 @@ import json
 import pathlib
 import re
 import subprocess
-import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(sys.argv[2]) / "tests" / "support"))
+from tool import SOURCE, TOOL, main
+
 from random_scenes import random_scene
 
-TOOL, SOURCE = sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
 SCENES = sorted((SOURCE / "fixtures" / "scenes").glob("*.toml"))
 SLIDE = SOURCE / "fixtures" / "scenes" / "straight_slide.toml"
 COMMANDS = ["solve", "break", "lcp", "report", "sweep", "move", "pivots", "verify", "spread", "export",
@@ -56,13 +55,13 @@ class People(unittest.TestCase):
                 self.fits(run(*command, scene).stdout, f"{command} {name}")
 
     def test_random_scenes_fit_80_columns_and_nothing_is_odd_about_them(self):
-        for seed in range(12):
+        for seed in range(4):
             for command in (*ANSWERS, ["pivots"]):
                 result = run(*command, "-", text=random_scene(seed))
                 self.assertIn(result.returncode, (0, 1), result.stderr)
                 self.assertNotIn("Check", result.stderr, f"{command} {seed}")
                 self.fits(result.stdout, f"{command} {seed}")
-        for seed in range(12, 212):
+        for seed in range(12, 72):
             result = run("matrices", "-", "--strict", text=random_scene(seed))
             self.assertEqual((result.returncode, result.stderr), (0, ""), random_scene(seed))
 
@@ -172,4 +171,4 @@ class People(unittest.TestCase):
                                         input=run("completion", "bash").stdout).returncode, 0)
 
 
-unittest.main()
+main()

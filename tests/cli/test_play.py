@@ -2,19 +2,14 @@
 import html
 import pathlib
 import re
-import subprocess
-import sys
 import tempfile
 import unittest
 import urllib.parse
 
-TOOL, SOURCE = sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
-SCENES = SOURCE / "fixtures" / "scenes"
+import tool
+from tool import SCENES, command, main
 
-
-def run(*words, text=None):
-    return subprocess.run([TOOL, "play", *map(str, words)], cwd=SOURCE, input=text,
-                          capture_output=True, text=True, timeout=100)
+run = command("play")
 
 
 def scene_of(page):
@@ -73,8 +68,7 @@ class Play(unittest.TestCase):
             for path in SCENES.glob("*.toml"):
                 picture = (pathlib.Path(folder) / f"{path.stem}.svg").read_text(encoding="utf-8")
                 self.assertTrue(picture.startswith("<svg"), path.stem)
-            sentence = subprocess.run([TOOL, "solve", SCENES / "pivot.toml"], capture_output=True,
-                                      text=True, timeout=60).stdout.split("\n\n")[1]
+            sentence = tool.run("solve", SCENES / "pivot.toml").stdout.split("\n\n")[1]
             self.assertIn(html.escape(" ".join(sentence.split())), index)
 
     def test_a_gallery_is_a_folder_and_takes_no_scene(self):
@@ -85,5 +79,4 @@ class Play(unittest.TestCase):
             self.assertIn(said, " ".join(result.stderr.split()))
 
 
-if __name__ == "__main__":
-    unittest.main()
+main()

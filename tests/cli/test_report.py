@@ -1,29 +1,14 @@
 """lcpush report: one self-contained page and its pictures; numbers as in solve and break."""
-import json
 import math
-import pathlib
 import re
-import subprocess
-import sys
-import tempfile
-import unittest
-import urllib.parse
 import xml.etree.ElementTree as ElementTree
 
-TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
-SCENES = SOURCE / "fixtures/scenes"
+from tool import SCENES, SOURCE, ToolTest, main, run
+from tool import json_of as answer
+
 RAYS = SOURCE / "fixtures/rays"
 SVG = "{http://www.w3.org/2000/svg}"
 NAMESPACE = "http://www.w3.org/2000/svg"
-
-
-def run(command, *words):
-    return subprocess.run([TOOL, command, *map(str, words)], capture_output=True, text=True,
-                          timeout=100)
-
-
-def answer(command, scene, *words):
-    return json.loads(run(command, scene, "--json", *words).stdout)
 
 
 def element(page, name):
@@ -49,20 +34,7 @@ def tip_and_tail(arrow):
     return points(head)[0], (float(shaft.get("x1")), float(shaft.get("y1")))
 
 
-def lines_below_title(plot):
-    """The plot's lines. Titles differ, and a longer one moves the whole plot down."""
-    top = min(float(frame.get("y")) for frame in plot.iter(f"{SVG}rect"))
-    points = [[point.split(",") for point in line.get("points").split()]
-              for line in plot.iter(f"{SVG}polyline")]
-    return [[(x, round(float(y) - top, 3)) for x, y in line] for line in points]
-
-
-class Report(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.path = pathlib.Path(self.folder.name)
-
+class Report(ToolTest):
     def page(self, scene, *words, code=0):
         result = run("report", scene, *words)
         self.assertEqual(result.returncode, code, result.stderr)
@@ -75,10 +47,7 @@ class Report(unittest.TestCase):
         return ElementTree.fromstring(result.stdout)
 
     def refused(self, pattern, *words):
-        result = run("report", *words)
-        self.assertEqual(result.returncode, 2, result)
-        self.assertEqual(result.stdout, "")
-        self.assertRegex(result.stderr.replace("\n", " "), pattern)  # wrapped
+        self.is_refused(run("report", *words), pattern)
 
     def near(self, shown, exact, zero):
         """Six digits of the exact number, or 0 for what rounding left of a zero."""
@@ -159,22 +128,6 @@ class Report(unittest.TestCase):
         self.assertIn(f"{broken['break_force']:.6g} N, normal force of edge",
                       words(element(page, "breaking")))
 
-    def test_words_are_those_of_solve_and_break(self):
-        scene = SCENES / "rolling_two_answers.toml"
-        page = words(self.page(scene))
-        solved = run("solve", scene).stdout.split("\n\n")[1]
-        self.assertIn(" ".join(solved.split()), page)
-        self.assertIn(run("break", scene).stdout.split("\n\n")[1].split("\n")[0], page)
-
-    def test_residuals_stand_beside_the_tolerance(self):
-        page = self.page(SCENES / "straight_slide.toml")
-        rows = element(page, "laws").find(".//tbody").findall("tr")
-        self.assertEqual(len(rows), 7)
-        for row in rows:
-            cells = [words(cell) for cell in row]
-            self.assertEqual((cells[-2], cells[-1]), ("9.3e-10", "holds"))
-        self.assertEqual(len(classed(element(page, "laws"), "limit")), 1)
-
     def test_arrows_are_as_long_as_their_forces(self):
         scene = SCENES / "straight_slide.toml"
         svg = self.picture(scene, "front")
@@ -203,26 +156,6 @@ class Report(unittest.TestCase):
         self.assertAlmostEqual(y, ax / turn, delta=2e-5)
         self.assertGreater(abs(ay / turn), 1e-3)
 
-    def test_friction_stands_in_its_polygon_as_far_as_it_is_used(self):
-        for name in ("straight_slide", "pivot", "rolling"):
-            scene = SCENES / f"{name}.toml"
-            svg = self.picture(scene, "friction")
-            contacts = [c for c in answer("solve", scene)["contacts"] if c["normal_force"] > 1e-6]
-            polygons = classed(svg, "cone")
-            self.assertEqual(len(polygons), len(contacts))
-            drawn = {words(e) for e in svg.iter(f"{SVG}text")}
-            for contact in contacts:
-                self.assertIn(contact["name"], drawn)
-            used = sorted(math.dist(*tip_and_tail(arrow)) / 40 for arrow in classed(svg, "friction"))
-            text = [re.fullmatch(r"([\d.e+-]+) of ([\d.e+-]+) N", word) for word in drawn]
-            self.assertTrue(any(text))
-            shares = sorted(share for share in
-                            (math.hypot(*c["friction_force"]) / (self.mu(scene, c) *
-                             c["normal_force"]) for c in contacts) if share > 0.07)
-            self.assertEqual(len(used), len(shares))
-            for a, b in zip(used, shares):
-                self.assertAlmostEqual(a, b, delta=1e-3)
-
     def test_friction_points_as_it_does_in_its_contact_plane(self):
         # t and o = n x t of each body, as docs/theory/theory.md defines them.
         frames = {"left": ((1, 0, 0), (0, -1, 0)), "right": ((1, 0, 0), (0, 1, 0)),
@@ -243,59 +176,6 @@ class Report(unittest.TestCase):
     def mu(self, scene, contact):
         part = scene.read_text().split(f'name = "{contact["body"]}"')[1]
         return float(re.search(r"friction = ([\d.]+)", part)[1])
-
-    def test_every_picture_alone_is_the_page_s(self):
-        scene = SCENES / "pivot.toml"
-        sweep = ["--vary", "edge.friction=0:1", "--steps", 3]
-        page = self.page(scene, *sweep)
-        panels = set(element(page, "friction").iter(f"{SVG}svg"))
-        on_page = [svg.find(f"{SVG}desc").text for svg in page.iter(f"{SVG}svg")
-                   if svg not in panels]
-        alone = [self.picture(scene, name).find(f"{SVG}desc").text
-                 for name in ("isometric", "front", "top", "residuals")]
-        self.assertEqual(on_page, alone)
-        friction = self.picture(scene, "friction").find(f"{SVG}desc").text
-        for panel in panels:
-            self.assertIn(f"{panel[0].text} {panel[1].text}", friction)
-        self.assertGreater(len(panels), 5)
-        plots = [urllib.parse.unquote(image.get("src").split(",", 1)[1])
-                 for image in page.iter("img")]
-        words_ = ["--format", "svg", "--picture", "sweep1", *sweep]
-        self.assertEqual(plots, [run("report", scene, *words_).stdout])
-        default = run("report", scene, "--format", "svg").stdout
-        self.assertEqual(default, run("report", scene, "--format", "svg", "--picture",
-                                      "front").stdout)
-
-    def test_sweeps_are_those_of_sweep(self):
-        scene = SCENES / "straight_slide.toml"
-        law = ["--pressure", "rigid"]
-        page = element(self.page(scene, *law, "--vary", "*.grip_force=2:30", "--vary",
-                                 "object.mass=0.1:0.5", "--steps", 4), "sweeps")
-        self.assertEqual([words(h) for h in page.iter("h3")],
-                         ["Push by wall over *.grip_force", "Push by wall over object.mass"])
-        for segment in answer("sweep", scene, *law, "--vary", "*.grip_force=2:30")["segments"][:-1]:
-            self.assertIn(f"At {segment['to']:.6g}: {segment['change']}", words(page))
-        alone = self.picture(scene, "sweep1", *law, "--vary", "*.grip_force=2:30")
-        result = run("sweep", scene, *law, "--vary", "*.grip_force=2:30", "--format", "svg")
-        self.assertEqual(lines_below_title(alone),
-                         lines_below_title(ElementTree.fromstring(result.stdout)))
-
-    def test_sweep_tells_of_sampled_changes_two_answers_and_values_without_one(self):
-        scene = SCENES / "rolling_two_answers.toml"
-        vary = ["--vary", "sheet.friction=0.3:0.8"]
-        swept = answer("sweep", scene, *vary)
-        text = words(element(self.page(scene, *vary), "sweeps"))
-        self.assertTrue(swept["bistable"])
-        for band in swept["bistable"]:
-            self.assertIn(f"Bistable from {band['from']:.6g} to {band['to']:.6g}", text)
-        for point in swept["points"]:
-            if point["change"]:
-                self.assertIn(f"At {point['value']:.6g}: {point['change']}", text)
-        vary = ["--vary", "wall.friction=0.1:0.5", "--steps", 3]
-        jam = self.page(SCENES / "jam.toml", *vary, code=1)
-        self.assertIn("Some values have no answer", words(element(jam, "sweeps")))
-        held = self.page(SCENES / "straight_slide.toml", *vary)
-        self.assertNotIn("have no answer", words(element(held, "sweeps")))
 
     def test_ray_says_who_squeezes_and_exits_1(self):
         scene = SCENES / "jam.toml"
@@ -402,5 +282,4 @@ class Report(unittest.TestCase):
             self.assertEqual(run(*words_).returncode, 0, command)
 
 
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+main()

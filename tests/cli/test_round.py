@@ -5,17 +5,12 @@
 import json
 import math
 import pathlib
-import subprocess
-import sys
 import tempfile
 import unittest
 
-TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+from tool import SOURCE, json_of, main, run
+
 FOLDER = tempfile.TemporaryDirectory()
-
-
-def run(*words):
-    return subprocess.run([TOOL, *map(str, words)], capture_output=True, text=True)
 
 
 def scene(name, facets='"round"'):
@@ -24,10 +19,6 @@ def scene(name, facets='"round"'):
     path = pathlib.Path(FOLDER.name) / f"{name}.toml"
     path.write_text("\n".join([f"facets = {facets}", *kept]) + "\n")
     return path
-
-
-def answer(path):
-    return json.loads(run("solve", path, "--json").stdout)
 
 
 def verdict(path, data):
@@ -39,20 +30,20 @@ def verdict(path, data):
 class Round(unittest.TestCase):
     def test_friction_is_opposite_to_every_slip(self):
         for name in ("pivot", "tipping", "screw_driving", "soft_fingers", "rotating_pusher"):
-            found = answer(scene(name))
+            found = json_of("solve", scene(name))
             self.assertEqual(found["status"], "solved", name)
             self.assertLessEqual(found["residual"]["max"], 1e-9)
             self.assertLessEqual(found["off_round_cone"], 1e-9)
 
     def test_a_pyramid_is_told_what_it_costs(self):
         path = scene("pivot", "8")
-        self.assertGreater(answer(path)["off_round_cone"], 1e-3)
+        self.assertGreater(json_of("solve", path)["off_round_cone"], 1e-3)
         self.assertIn("8 facets cost up to", run("solve", path, "-v").stdout)
 
     def test_verify_judges_by_the_round_cone(self):
-        of_pyramids = answer(scene("pivot", "8"))
+        of_pyramids = json_of("solve", scene("pivot", "8"))
         path = scene("pivot")
-        mine = answer(path)
+        mine = json_of("solve", path)
         self.assertIn("Same solution.", verdict(path, mine).stdout)
         self.assertEqual(verdict(path, of_pyramids).returncode, 1)
         turned = json.loads(json.dumps(mine))
@@ -67,7 +58,7 @@ class Round(unittest.TestCase):
 
     def test_verify_fills_in_the_forces_of_a_motion(self):
         path = scene("pivot")
-        motion = {"object": answer(path)["object"]}
+        motion = {"object": json_of("solve", path)["object"]}
         self.assertEqual(verdict(path, motion).returncode, 0, verdict(path, motion).stdout)
 
     def test_a_line_between_forces_is_no_line_and_sweeps_say_so(self):
@@ -101,5 +92,4 @@ class Round(unittest.TestCase):
                       " ".join(done.stderr.split()))
 
 
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+main()

@@ -17,7 +17,8 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
+from tool import SOURCE, TOOL, main
+
 STUDIES = SOURCE / "docs/studies"
 PAGE = "".join((STUDIES / name).read_text() for name in ("README.md", "motion.md"))
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
@@ -400,5 +401,4 @@ class Rolling(unittest.TestCase):
         self.assertGreater(hatched, 10)
 
 
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+main()

@@ -2,21 +2,12 @@
 import csv
 import io
 import json
-import pathlib
-import subprocess
-import sys
-import tempfile
-import unittest
 import xml.etree.ElementTree as ElementTree
 
-TOOL, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
-SCENES = SOURCE / "fixtures/scenes"
+from tool import SCENES, SOURCE, ToolTest, command, main
+
+run = command("sweep")
 SVG = "{http://www.w3.org/2000/svg}"
-
-
-def run(*words):
-    return subprocess.run([TOOL, "sweep", *map(str, words)], capture_output=True, text=True,
-                          timeout=100)
 
 
 def flat(text):
@@ -24,11 +15,9 @@ def flat(text):
     return " ".join(text.split())
 
 
-class Sweep(unittest.TestCase):
+class Sweep(ToolTest):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.path = pathlib.Path(self.folder.name)
+        super().setUp()
         self.slide = self.path / "slide.toml"
         self.slide.write_text('pressure = "rigid"\n' +
                               (SCENES / "straight_slide.toml").read_text())
@@ -39,10 +28,7 @@ class Sweep(unittest.TestCase):
         return json.loads(result.stdout)
 
     def refused(self, pattern, *words):
-        result = run(*words)
-        self.assertEqual(result.returncode, 2, result)
-        self.assertEqual(result.stdout, "")
-        self.assertRegex(result.stderr.replace("\n", " "), pattern)  # wrapped
+        self.is_refused(run(*words), pattern)
 
     def test_segments_have_every_promised_key_and_cover_the_range(self):
         answer = self.answer(self.slide, "--vary", "*.grip_force=2:30")
@@ -179,13 +165,6 @@ class Sweep(unittest.TestCase):
         for grip, sheet in marked:  # 2 mu_f F between m g and T*
             self.assertTrue(4.905 <= 0.6 * grip <= sheet * 4.905 / (1 - 0.3 * sheet))
 
-    def test_text_names_the_breakpoints(self):
-        text = run(self.slide, "--vary", "*.grip_force=6:8").stdout
-        self.assertIn("at *.grip_force = 6.54 N (as prescribed at 6.52 N): wall sticks\n", text)
-        text = run(self.slide, "--vary", "*.grip_force=6:8", "-v").stdout
-        self.assertIn("at *.grip_force = 6.52: as prescribed: wall sticks", text)
-        self.assertIn("at *.grip_force = 6.54: at breaking: wall sticks", text)
-
     def test_the_message_comes_first(self):
         text = run(self.slide, "--vary", "*.grip_force=2:30").stdout
         self.assertIn(
@@ -203,13 +182,6 @@ class Sweep(unittest.TestCase):
         self.assertIn("grows from 19.1 to 20 N (from -4.8 to 4.8 degrees) and falls to 19.1 N.",
                       flat(plateau.stdout))
 
-    def test_neighbours_start_from_each_other_and_rounding_is_no_event(self):
-        for scene in ("tipping", "screw_driving"):
-            sweep = json.loads(run(SCENES / f"{scene}.toml", "--vary", "object.mass=0.01:1", "--steps",
-                                   "101", "--json").stdout)
-            self.assertLess(sweep["cold_solves"], 20, scene)
-            self.assertLess(len(sweep["points"]), 120, scene)
-
     def test_where_the_grasp_does_not_hold_the_message_says_so(self):
         drop = self.path / "drop.toml"
         drop.write_text(self.slide.read_text().replace("friction = 0.3", "friction = 0"))
@@ -221,11 +193,6 @@ class Sweep(unittest.TestCase):
         self.assertIn("In the whole range the grasp does not hold the box", text)
         self.assertIn("the push by wall, as prescribed,", flat(text))
         self.assertNotIn("-0", run(drop, "--vary", "*.grip_force=1:4", "--pressure", "pad").stdout)
-
-    def test_what_no_contact_changes_is_told_with_v_alone(self):
-        words = (self.slide, "--vary", "*.grip_force=2:30")
-        self.assertNotIn("another direction", run(*words).stdout)
-        self.assertIn("another direction", flat(run(*words, "-v").stdout))
 
     def test_two_answers_are_told_where_they_matter(self):
         words = (SCENES / "rolling_two_answers.toml", "--pressure", "rigid", "--vary",
@@ -257,42 +224,11 @@ class Sweep(unittest.TestCase):
                 if not verbose:
                     self.assertLessEqual(text.count("\n"), 40, text)
 
-    def test_rounding_is_no_motion(self):
-        text = run(SCENES / "straight_slide.toml", "--vary", "*.friction=0.3:0.9", "-v").stdout
-        self.assertNotRegex(text, r"e-(09|1\d)")
-
-    def test_the_picture_numbers_what_it_marks_and_hides_no_curve(self):
-        def drawn(*words):
-            return ElementTree.fromstring(run(*words, "--format", "svg").stdout)
-        tree = drawn(self.slide, "--vary", "*.grip_force=2:30")
-        marks = [e for e in tree.iter(SVG + "line") if e.get("class", "").startswith("mark")]
-        texts = [e.text for e in tree.iter(SVG + "text")]
-        self.assertEqual(len(marks), 1)
-        self.assertIn("1", texts)
-        self.assertIn("1: 6.54 N (as prescribed at 6.52 N): wall sticks", texts)
-        # Both forces are nearly the same: the lower one is wider, and the legend says so.
-        self.assertIn("Where curves coincide, the earlier is the wider one.", texts)
-        widths = [e.get("style") for e in tree.iter(SVG + "polyline") if "c0" in e.get("class")]
-        self.assertEqual(set(widths), {"stroke-width: 5.000"})
-        apart = drawn(SCENES / "pivot.toml", "--vary", "edge.shift[0]=0:0.03", "--show", "twist[5]")
-        self.assertFalse([e for e in apart.iter(SVG + "polyline") if e.get("style")])
-
-    def test_a_range_without_answers_exits_with_1(self):
-        answer = self.answer(SCENES / "jam.toml", "--vary", "*.grip_force=1:2", code=1)
-        self.assertIs(answer["complete"], False)
-        self.assertEqual(answer["segments"][0]["status"], "ray")
-        self.assertIsNone(answer["segments"][0]["force"])
-        self.assertEqual(answer["segments"][0]["break_force"], [None, None])
-
     def test_output_goes_to_a_file_and_messages_to_stderr(self):
         file = self.path / "slide.svg"
         result = run(self.slide, "--vary", "*.grip_force=6:8", "--format", "svg", "-o", file)
         self.assertEqual((result.returncode, result.stdout), (0, ""))
         ElementTree.parse(file)
-
-    def test_same_input_same_bytes(self):
-        words = (self.slide, "--vary", "*.grip_force=2:30", "--json")
-        self.assertEqual(run(*words).stdout, run(*words).stdout)
 
     def test_bad_input_says_what_is_possible(self):
         self.refused(r"say what to vary", self.slide)
@@ -327,5 +263,4 @@ class Sweep(unittest.TestCase):
         self.refused(r"--format is", self.slide, "--vary", "*.friction=0:1", "--format", "png")
 
 
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+main()

@@ -1,12 +1,7 @@
 """lcpush verify --trajectory: other people's motions, step by step."""
 import json
-import pathlib
-import sys
-import unittest
 
-SOURCE = pathlib.Path(sys.argv[2])
-sys.path.insert(0, str(SOURCE / "tests/support"))
-from motion_files import MotionFiles, run
+from tool import SOURCE, ToolTest, main, run
 
 PIVOT = SOURCE / "fixtures/scenes/pivot.toml"
 HELD = """gravity = [0, -9.81, 0]
@@ -32,7 +27,7 @@ grip_force = 12
 """
 
 
-class Trajectory(MotionFiles):
+class Trajectory(ToolTest):
     def verdict(self, scene, motion, *words):
         result = run("verify", scene, "--trajectory", motion, "--json", *words)
         self.assertIn(result.returncode, (0, 1), result.stderr)
@@ -118,5 +113,4 @@ class Trajectory(MotionFiles):
         self.assertIn("one file beside it", result.stderr)
 
 
-if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+main()
