@@ -4,11 +4,26 @@
 #include "commands/asked_push.hpp"
 #include "commands/values.hpp"
 #include "formats/json_writer.hpp"
+#include "formats/toml.hpp"
 #include "lcpush/desktop/export.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/lcp/problem.hpp"
 #include "scenes/warnings_json.hpp"
 #include "text/limits.hpp"
+
+namespace lcpush::desktop {
+
+static void write(JsonWriter& json, const TomlValue& value) {
+  std::visit([&json](const auto& data) { json.value(data); }, value.data);
+}
+
+static void write(JsonWriter& json, const TomlTable& table) {
+  json.begin_object();
+  for (const TomlEntry& entry : table.entries) json.member(entry.key, entry.value);
+  json.end_object();
+}
+
+} // namespace lcpush::desktop
 
 namespace lcpush::calls {
 namespace {
@@ -32,6 +47,20 @@ Result describe_scene(const Values& values, Listener&) {
   });
   json.member("parameters", values.varied_scene(Needs::scene).paths());
   write_warnings(json, check_scene(file));
+  return {true, json.end_object().text()};
+}
+
+/// The scene file as it is written: its keys, tables and lists of tables.
+Result list_tables(const Values& values, Listener&) {
+  const Document scene = values.scene_document();
+  const TomlDocument document = parse_toml(scene.text, scene.name);
+  JsonWriter json;
+  json.begin_object();
+  for (const TomlEntry& entry : document.root.entries) json.member(entry.key, entry.value);
+  for (const TomlSection& section : document.sections) {
+    json.key(section.name);
+    section.is_array ? json.value(section.tables) : json.value(section.tables[0]);
+  }
   return {true, json.end_object().text()};
 }
 
@@ -111,6 +140,7 @@ std::vector<Command> all_questions() {
   const std::vector<std::string> json = {"json"}, words = {"text", "json"};
   const Option tolerance{"tolerance", "T", ""};
   return {question("scene", "SCENE", {}, json, describe_scene),
+          question("tables", "SCENE", {}, json, list_tables),
           solve_command(),
           break_command(),
           sweep_command(),

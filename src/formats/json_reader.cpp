@@ -124,31 +124,17 @@ private:
   }
 
   double read_number() {
-    const std::size_t start = at_;
-    const auto digits = [&] {
-      const std::size_t first = at_;
-      while (!at_end() && peek() >= '0' && peek() <= '9') ++at_;
-      return at_ - first;
-    };
-    const bool minus = take("-");
-    const bool leading_zero = peek() == '0';
-    const std::size_t whole = digits();
-    bool valid = whole == 1 || (whole > 1 && !leading_zero);
-    if (valid && take(".")) valid = digits() > 0;
-    if (valid && (peek() == 'e' || peek() == 'E')) {
-      ++at_;
-      if (!take("-")) take("+");
-      valid = digits() > 0;
-    }
+    const std::string_view rest = text_.substr(at_);
+    const auto [length, is_whole] = decimal_prefix(rest);
+    at_ += length;
     for (const char* const word : {"NaN", "Infinity"})
       if (take(word)) fail(std::string(word) + " is no JSON; leave the number out, or write null");
-    if (!valid && whole == 0 && !minus)
+    if (length == 0)
       fail("expected a value (an object, an array, a string, a number, true, false or null), "
            "found " +
            next_shown());
-    const std::string_view word = text_.substr(start, at_ - start);
-    if (!valid) fail("no JSON number: " + quoted(text_.substr(start, at_ - start + 1)));
-    const NumberText number = read_finite_number(word);
+    if (!is_whole) fail("no JSON number: " + quoted(rest.substr(0, length + 1)));
+    const NumberText number = read_finite_number(rest.substr(0, length));
     if (number.error) fail(*number.error);
     return number.value;
   }

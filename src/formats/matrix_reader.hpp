@@ -17,14 +17,6 @@ namespace lcpush::desktop {
 
 inline constexpr const char* expected_banner = "%%MatrixMarket matrix array real general";
 
-/// ASCII letters only.
-inline std::string lower_case(std::string_view word) {
-  std::string result(word);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
 /// What a file says: the entries of an array column by column, or of a coordinate file as they
 /// come.
 template <class S> struct Parsed {
@@ -143,6 +135,7 @@ private:
              std::to_string(sizes[1]));
     parsed_.rows = sizes[0];
     parsed_.cols = sizes[1];
+    at_ = words_.size();
     return sizes;
   }
 
@@ -168,15 +161,25 @@ private:
              std::to_string(bytes_) + " bytes; is it cut off?");
   }
 
-  void require_more(std::uint64_t read, std::uint64_t wanted) {
-    if (!next_data())
-      refuse("the file ends after " + std::to_string(read) + " of " + std::to_string(wanted) +
-             " entries");
+  /// The `count` words of the entry after `read` others; a line holds whole entries.
+  const std::string_view* next_entry(std::size_t count, std::uint64_t read, std::uint64_t wanted) {
+    if (at_ == words_.size()) {
+      if (!next_data())
+        refuse("the file ends after " + std::to_string(read) + " of " + std::to_string(wanted) +
+               " entries");
+      if (words_.size() % count != 0)
+        refuse("expected \"ROW COLUMN VALUE\", got " + quoted(line_text_));
+      at_ = 0;
+    }
+    at_ += count;
+    return &words_[at_ - count];
   }
 
-  [[noreturn]] void refuse_more(std::uint64_t wanted, std::string_view more) const {
-    refuse("the sizes promise " + std::to_string(wanted) +
-           " entries, but here is more: " + quoted(more));
+  void expect_end(std::uint64_t wanted) {
+    const bool line_has_more = at_ < words_.size();
+    if (line_has_more || next_data())
+      refuse("the sizes promise " + std::to_string(wanted) +
+             " entries, but here is more: " + quoted(line_has_more ? words_[at_] : line_text_));
   }
 
   /// Of a symmetric matrix a file holds the lower triangle, of a skew-symmetric one what is below
@@ -196,22 +199,17 @@ private:
                                                                     : rows * (rows - 1) / 2;
     require_plausible(wanted, 2);
     parsed_.values.assign(bytes_ == UINTMAX_MAX ? 0 : rows * cols, S(0));
-    std::size_t at = words_.size();
     std::uint64_t read = 0;
     for (std::size_t j = 0; j < cols; ++j)
       for (std::size_t i = first_row(j); i < rows; ++i, ++read) {
-        if (at >= words_.size()) {
-          require_more(read, wanted);
-          at = 0;
-        }
+        const std::string_view word = *next_entry(1, read, wanted);
         if (parsed_.values.empty()) parsed_.values.assign(rows * cols, S(0));
-        const S value = read_number(words_[at++]);
+        const S value = read_number(word);
         parsed_.values[j * rows + i] = value;
         if (symmetry_ != Symmetry::general && i != j)
           parsed_.values[i * rows + j] = symmetry_ == Symmetry::skew ? S(-value) : value;
       }
-    if (at < words_.size() && wanted > 0) refuse_more(wanted, words_[at]);
-    if (next_data()) refuse_more(wanted, line_text_);
+    expect_end(wanted);
   }
 
   void read_coordinates() {
@@ -221,30 +219,22 @@ private:
       refuse(std::to_string(wanted) + " entries do not fit into " + std::to_string(sizes[0]) +
              " x " + std::to_string(sizes[1]) + " places");
     require_plausible(wanted, 6);
-    std::size_t at = words_.size();
-    for (std::uint64_t read = 0; read < wanted; ++read, at += 3) {
-      if (at >= words_.size()) {
-        require_more(read, wanted);
-        if (words_.size() % 3 != 0)
-          refuse("expected \"ROW COLUMN VALUE\", got " + quoted(line_text_));
-        at = 0;
-      }
-      const std::size_t row = read_index(words_[at], sizes[0], "row");
-      const std::size_t column = read_index(words_[at + 1], sizes[1], "column");
-      add_entry(row, column, read_number(words_[at + 2]));
+    for (std::uint64_t read = 0; read < wanted; ++read) {
+      const std::string_view* const words = next_entry(3, read, wanted);
+      const std::size_t row = read_index(words[0], sizes[0], "row");
+      const std::size_t column = read_index(words[1], sizes[1], "column");
+      add_entry(row, column, read_number(words[2]));
     }
-    if (at < words_.size() && wanted > 0) refuse_more(wanted, words_[at]);
-    if (next_data()) refuse_more(wanted, line_text_);
+    expect_end(wanted);
     refuse_duplicates(parsed_.entries);
   }
 
   void add_entry(std::size_t row, std::size_t column, const S& value) {
     if (row < first_row(column))
-      refuse(std::string(symmetry_ == Symmetry::skew ? "a skew-symmetric file holds what is below "
-                                                     : "a symmetric file holds the diagonal and "
-                                                       "what is below ") +
-             (symmetry_ == Symmetry::skew ? "the diagonal" : "it") + ", not row " +
-             std::to_string(row + 1) + " of column " + std::to_string(column + 1));
+      refuse(std::string(symmetry_ == Symmetry::skew
+                             ? "a skew-symmetric file holds what is below the diagonal"
+                             : "a symmetric file holds the diagonal and what is below it") +
+             ", not row " + std::to_string(row + 1) + " of column " + std::to_string(column + 1));
     parsed_.entries.push_back({row, column, value, line_});
     if (symmetry_ != Symmetry::general && row != column)
       parsed_.entries.push_back(
@@ -284,6 +274,7 @@ private:
   Symmetry symmetry_ = Symmetry::general;
   std::string_view line_text_;          ///< in the buffer
   std::vector<std::string_view> words_; ///< of line_text_
+  std::size_t at_ = 0;                  ///< the next of words_
   Parsed<S> parsed_;
 };
 

@@ -23,6 +23,13 @@ std::vector<std::string_view> split_words(std::string_view line) {
   }
 }
 
+std::string lower_case(std::string_view word) {
+  std::string result(word);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
 namespace {
 
 #if defined(__cpp_lib_to_chars)
@@ -77,12 +84,34 @@ template <> NumberTextOf<Rational> read_finite_number<Rational>(std::string_view
   return number;
 }
 
+DecimalPrefix decimal_prefix(std::string_view text) {
+  std::size_t at = 0;
+  const auto take = [&](std::string_view letters) {
+    const bool is_next = at < text.size() && letters.find(text[at]) != std::string_view::npos;
+    if (is_next) ++at;
+    return is_next;
+  };
+  const auto digits = [&] {
+    const std::size_t first = at;
+    while (take("0123456789")) {
+    }
+    return at - first;
+  };
+  take("-");
+  const bool begins_with_zero = text.substr(at, 1) == "0";
+  const std::size_t whole = digits();
+  if (whole == 0 || (whole > 1 && begins_with_zero)) return {at, false};
+  if (take(".") && digits() == 0) return {at, false};
+  if (!take("eE")) return {at, true};
+  take("+-");
+  const bool has_exponent = digits() > 0;
+  return {at, has_exponent};
+}
+
 std::optional<double> read_infinite(std::string_view word) {
   const bool is_negative = !word.empty() && word[0] == '-';
   if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.remove_prefix(1);
-  std::string letters(word);
-  for (char& c : letters)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string letters = lower_case(word);
   if (letters != "inf" && letters != "infinity") return std::nullopt;
   const double infinite = std::numeric_limits<double>::infinity();
   return is_negative ? -infinite : infinite;

@@ -13,6 +13,9 @@ class Rational;
 /// The parts of `line` between blanks (space, tab, carriage return).
 std::vector<std::string_view> split_words(std::string_view line);
 
+/// ASCII letters only.
+std::string lower_case(std::string_view word);
+
 template <class S> struct NumberTextOf {
   S value{0};
   std::optional<std::string> error; ///< if set, `value` means nothing
@@ -23,6 +26,14 @@ using NumberText = NumberTextOf<double>;
 template <class S = double> NumberTextOf<S> read_finite_number(std::string_view word);
 template <> NumberText read_finite_number<double>(std::string_view word);
 template <> NumberTextOf<Rational> read_finite_number<Rational>(std::string_view word);
+
+/// How many characters at the beginning of `text` are a decimal number without leading zeros,
+/// [-]digits[.digits][e[+-]digits]; `is_whole`: and nothing of one is missing there.
+struct DecimalPrefix {
+  std::size_t length;
+  bool is_whole;
+};
+DecimalPrefix decimal_prefix(std::string_view text);
 
 /// "inf" or "infinity", with a sign or without, in capitals or not.
 std::optional<double> read_infinite(std::string_view word);

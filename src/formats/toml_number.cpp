@@ -7,57 +7,16 @@
 namespace lcpush::desktop {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// The grammar check: copies a number without its plus sign and underscores.
-class NumberScanner {
-public:
-  explicit NumberScanner(std::string_view word) : word_(word) {}
-
-  /// True if the whole word is a number as TOML writes them.
-  bool scan() {
-    take_sign();
-    const std::size_t first = at_;
-    if (!take_digits()) return false;
-    if (word_[first] == '0' && at_ - first > 1) return false;
-    if (next_is('.') && !(take() && take_digits())) return false;
-    if (next_is('e') || next_is('E')) {
-      take();
-      take_sign();
-      if (!take_digits()) return false;
-    }
-    return at_ == word_.size();
-  }
-
-  const std::string& plain() const { return plain_; }
-
-private:
-  bool next_is(char c) const { return at_ < word_.size() && word_[at_] == c; }
-  bool take() {
-    plain_ += word_[at_++];
-    return true;
-  }
-  void take_sign() {
-    if (next_is('+')) {
-      ++at_;
-    } else if (next_is('-')) {
-      take();
-    }
-  }
-  bool digit_at(std::size_t i) const { return i < word_.size() && is_digit(word_[i]); }
-  bool take_digits() {
-    if (!digit_at(at_)) return false;
-    for (;;) {
-      while (digit_at(at_)) take();
-      if (!next_is('_') || !digit_at(at_ + 1)) return true;
-      ++at_;
-    }
-  }
-
-  std::string_view word_;
-  std::size_t at_ = 0;
-  std::string plain_;
-};
+/// `word` without a plus sign and without single underscores between digits.
+std::string plain_number(std::string_view word) {
+  const auto is_digit = [word](std::size_t i) {
+    return i < word.size() && word[i] >= '0' && word[i] <= '9';
+  };
+  std::string plain;
+  for (std::size_t i = word.substr(0, 1) == "+" ? 1 : 0; i < word.size(); ++i)
+    if (word[i] != '_' || !is_digit(i - 1) || !is_digit(i + 1)) plain += word[i];
+  return plain;
+}
 
 std::string why_not_a_number(std::string_view word) {
   std::string_view digits = word;
@@ -81,9 +40,11 @@ std::string why_not_a_number(std::string_view word) {
 } // namespace
 
 std::optional<std::string> read_toml_number(std::string_view word, TomlValue& value) {
-  NumberScanner scanner(word);
-  if (!scanner.scan()) return why_not_a_number(word);
-  value.digits = scanner.plain();
+  std::string plain = plain_number(word);
+  const auto [length, is_whole] = decimal_prefix(plain);
+  if (!is_whole || length != plain.size() || word.substr(0, 2) == "+-")
+    return why_not_a_number(word);
+  value.digits = std::move(plain);
   if (value.digits.find_first_of(".eE") == std::string::npos) {
     const auto whole = whole_number<std::int64_t>(value.digits);
     if (!whole) return quoted(word) + " does not fit in 64 bits; write it as a real, like 1e20";

@@ -42,6 +42,24 @@ class Record:
         return f"<{type(self).__name__} {told}>"
 
 
+class Document(Record):
+    """What the tool writes as JSON."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(json.loads(text))
+        self._json = text
+
+    @property
+    def json(self) -> str:
+        """The very text that the tool writes."""
+        return self._json
+
+    def save(self, path: Any) -> None:
+        """Writes `json` to a file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self._json)
+
+
 class Contact(Record):
     """A contact point: `name`, `body`, `position` (3,) m, `normal_force` N, `friction_force` (3,) N,
     `torsion` N m, `acceleration` (3,) m/s^2 of the object against its body, `mode` ("stick",
@@ -53,20 +71,15 @@ class Body(Record):
     `normal_force` N, `closing_acceleration` m/s^2 or None."""
 
 
-class Answer(Record):
+class Answer(Document):
     """An answer. `repr()` is its first sentence, `text()` all of it in words."""
 
-    _picture = ("report", {"format": "svg"})
-    _texts = True
+    _picture: Optional[str] = "report"  # the question that has it as SVG
+    _has_text = True
 
     def __init__(self, text: str, question: str, ask: Asker, title: str = "") -> None:
-        super().__init__(json.loads(text))
-        self._json, self._question, self._ask, self._title = text, question, ask, title
-
-    @property
-    def json(self) -> str:
-        """The very text that the tool prints with --json."""
-        return self._json
+        super().__init__(text)
+        self._question, self._ask, self._title = question, ask, title
 
     def text(self, full: bool = False) -> str:
         """The answer in words, as the tool prints it (not wrapped); `full`: as with -v. Solves
@@ -85,16 +98,10 @@ class Answer(Record):
         return [Record(warning) for warning in self._data.get("warnings", [])]
 
     def __repr__(self) -> str:
-        return self.sentence if self._texts else super().__repr__()
+        return self.sentence if self._has_text else super().__repr__()
 
-    def _repr_html_(self) -> str:
-        question, changes = self._picture
-        return self._ask(question, dict(changes))
-
-    def save(self, path: Any) -> None:
-        """Writes `json` to a file."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self._json)
+    def _repr_html_(self) -> Optional[str]:
+        return None if self._picture is None else self._ask(self._picture, {"format": "svg"})
 
 
 class Solution(Answer):
@@ -209,23 +216,9 @@ class Pivots(Answer):
                 + html.escape(self.page()) + '"></iframe>')
 
 
-class Certificate(Record):
+class Certificate(Document):
     """A proof in fractions, of `Scene.certify()`: `proof`, `statement`, `x`, `basis`, ..
     (docs/check/certificates.md). `save()` writes what docs/check/lcpush_check.py reads."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__(json.loads(text))
-        self._json = text
-
-    @property
-    def json(self) -> str:
-        """What the tool writes with --certify."""
-        return self._json
-
-    def save(self, path: Any) -> None:
-        """Writes `json` to a file."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self._json)
 
     def __repr__(self) -> str:
         return str(self._data["statement"])
@@ -242,6 +235,8 @@ class Verdict(Answer):
 class LcpAnswer(Answer):
     """Of `lcpush.lcp()`: `status`, `residual`, `pivots`, `basis`, .."""
 
+    _picture = None
+
     @property
     def z(self) -> Any:
         """Shape (n,)."""
@@ -252,15 +247,11 @@ class LcpAnswer(Answer):
         """w = M z + q, shape (n,)."""
         return array(self._data["w"])
 
-    def _repr_html_(self) -> Optional[str]:  # type: ignore[override]
-        return None
-
 
 class LcpVerdict(Verdict):
     """Of `lcpush.check()`: also `row`, `z` and `w` of the worst row (from 1)."""
 
-    def _repr_html_(self) -> Optional[str]:  # type: ignore[override]
-        return None
+    _picture = None
 
 
 class MotionVerdict(Answer):

@@ -39,20 +39,15 @@ def _listed(thing: Any, name: str) -> Any:
 
 def _floats(numbers: Iterable[Any], where: Callable[[int], str], finite: bool) -> List[float]:
     """`where` names the k-th in messages."""
-    given = list(numbers)
-    try:
-        found = [float(x) for x in given]
-    except (TypeError, ValueError, OverflowError):
-        found = []
-        for k, x in enumerate(given):
-            try:
-                found.append(float(x))
-            except (TypeError, ValueError, OverflowError):
-                raise InputError(f"{where(k)} must be a number, not {x!r}") from None
-    is_good = math.isfinite if finite else lambda x: not math.isnan(x)
-    if not all(map(is_good, found)):
-        k = [is_good(x) for x in found].index(False)
-        raise InputError(f"{where(k)} must be {'finite' if finite else 'a number'}, not {found[k]}")
+    found = []
+    for k, x in enumerate(numbers):
+        try:
+            value = float(x)
+        except (TypeError, ValueError, OverflowError):
+            raise InputError(f"{where(k)} must be a number, not {x!r}") from None
+        if math.isnan(value) or (finite and math.isinf(value)):
+            raise InputError(f"{where(k)} must be {'finite' if finite else 'a number'}, not {value}")
+        found.append(value)
     return found
 
 

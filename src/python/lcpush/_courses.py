@@ -1,7 +1,7 @@
 """Answers that go on: over a number of the scene, and over time."""
 from __future__ import annotations
 
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List
 
 from ._answers import Answer, Record
 from ._arrays import array, number, plain
@@ -32,18 +32,21 @@ def values_of(given: Any) -> Dict[str, Any]:
 class Curve(Record):
     """A curve of a sweep: `label`, `each_value`, `parameter`, `unit`, `segments`."""
 
+    def _curve(self) -> Dict[str, Any]:
+        return self._data
+
     @property
     def points(self) -> List[Record]:
         """The values at which it was solved, as evenly as asked; between exact segments none."""
-        return [Record(point) for point in self._data["points"]]
+        return [Record(point) for point in self._curve()["points"]]
 
     def _column(self, key: str, size: int = 0) -> Any:
         """Of the points, or of the segments' ends where nothing was sampled; nan where there is no
         answer."""
         none: Any = [_nan] * size if size > 0 else _nan
-        found = [point.get(key) for point in self._data["points"]]
+        found = [point.get(key) for point in self._curve()["points"]]
         if not found:
-            for segment in self._data["segments"]:
+            for segment in self._curve()["segments"]:
                 found += [segment[key][k] if segment.get(key) else None for k in range(2)]
         return array([none if value is None else value for value in found])
 
@@ -51,9 +54,9 @@ class Curve(Record):
     def values(self) -> Any:
         """The parameter's, shape (n,), in `unit`: of the points, or, where nothing was sampled, both
         ends of each segment."""
-        if self._data["points"]:
+        if self._curve()["points"]:
             return self._column("value")
-        return array([segment[side] for segment in self._data["segments"]
+        return array([segment[side] for segment in self._curve()["segments"]
                       for side in ("from", "to")])
 
     @property
@@ -81,21 +84,22 @@ class Curve(Record):
         return f"<Curve {self._data.get('label') or self._data['parameter']}>"
 
 
-class Sweep(Answer):
+class Sweep(Answer, Curve):
     """How the push changes with a number of the scene, of `Scene.sweep()`: `parameter`, `unit`,
-    `segments`, `complete`. With `each` it has `curves` instead."""
+    `segments`, `complete`. Also what its Curve has; with `each` it has `curves`
+    instead."""
 
-    _picture = ("sweep", {"format": "svg"})
+    _picture = "sweep"
 
     @property
     def curves(self) -> "List[Curve]":
         """One for each value of `each`; else one."""
         return [Curve(curve) for curve in self._data.get("curves", [self._data])]
 
-    def _only(self) -> "Curve":
+    def _curve(self) -> Dict[str, Any]:
         if "curves" in self._data:
             raise InputError("this sweep has a curve for each value: ask one of its `curves`")
-        return Curve(self._data)
+        return self._data
 
     @property
     def sentence(self) -> str:
@@ -105,42 +109,12 @@ class Sweep(Answer):
         return (f"{len(self.curves)} curves over {self.curves[0].parameter}: "
                 + ", ".join(curve.label for curve in self.curves))
 
-    @property
-    def points(self) -> List[Record]:
-        """Of its curve."""
-        return self._only().points
-
-    @property
-    def values(self) -> Any:
-        """Of its curve."""
-        return self._only().values
-
-    @property
-    def second_values(self) -> Any:
-        """Of a map."""
-        return self._only().second_values
-
-    @property
-    def break_force(self) -> Any:
-        """Of its curve."""
-        return self._only().break_force
-
-    @property
-    def force(self) -> Any:
-        """Of its curve."""
-        return self._only().force
-
-    @property
-    def twist(self) -> Any:
-        """Of its curve."""
-        return self._only().twist
-
 
 class Cone(Answer):
     """The pushes with which a pusher sticks, of `Scene.cone()`: `edges`, `sides`, `sticks`, `margin` rad,
     `smallest_grip` N. True where the push sticks."""
 
-    _picture = ("cone", {"format": "svg"})
+    _picture = "cone"
 
     def __bool__(self) -> bool:
         return bool(self._data["sticks"])
@@ -150,6 +124,8 @@ class Plan(Answer):
     """Pushes that take the object to another place, of `Scene.plan()`: `found`, `pushes`, `cost`,
     `replay`, and as `scene` the text of the scene with its strokes. True where it was found."""
 
+    _picture = None
+
     def __bool__(self) -> bool:
         return bool(self._data["found"])
 
@@ -157,14 +133,11 @@ class Plan(Answer):
         """An HTML page that plays it."""
         return self._ask("plan", {"format": "html"})
 
-    def _repr_html_(self) -> Optional[str]:  # type: ignore[override]
-        return None
-
 
 class Motion(Answer):
     """Where the object goes, of `Scene.move()`: `status`, `end`, `events`, `jumps`, `phases`."""
 
-    _picture = ("move", {"format": "svg"})
+    _picture = "move"
 
     @property
     def times(self) -> Any:

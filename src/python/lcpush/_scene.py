@@ -82,7 +82,8 @@ class Scene:
 
     def to_dict(self) -> Dict[str, Any]:
         """The tables and keys; `Scene(scene.to_dict())` is the same scene."""
-        return _toml.read(self._text)
+        tables: Dict[str, Any] = json.loads(self._ask("tables", {}))
+        return tables
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the scene file."""
