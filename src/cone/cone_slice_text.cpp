@@ -5,7 +5,6 @@
 #include "lcpush/desktop/naming.hpp"
 #include "scenes/warnings_json.hpp"
 #include "solve/push_words.hpp"
-#include "text/fitted.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 

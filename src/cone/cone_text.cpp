@@ -4,7 +4,6 @@
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
-#include "text/fitted.hpp"
 #include "text/format.hpp"
 
 #include <algorithm>

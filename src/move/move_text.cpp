@@ -3,7 +3,7 @@
 #include "move/motion_painter.hpp"
 #include "move/move_words.hpp"
 #include "solve/push_words.hpp"
-#include "text/fitted.hpp"
+#include "text/format.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
-#include "text/fitted.hpp"
+#include "text/format.hpp"
 
 #include <cmath>
 

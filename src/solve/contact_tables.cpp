@@ -3,69 +3,49 @@
 
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
-#include "solve/told_force.hpp"
+#include "solve/word_settings.hpp"
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
 
-std::vector<std::vector<std::string>> brief_contact_rows(const SceneFile& file,
-                                                         const PushReport& report) {
+TableRows contact_rows(const SceneFile& file, const PushReport& report, Telling telling) {
   const Scene<double> scene = file.view();
-  const auto digits = [](double x, double zero) { return brief(std::abs(x) <= zero ? 0 : x); };
-  double fastest = 0, widest = 0;
-  for (const ContactAnswer<double>& contact : report.answer.contacts) {
-    fastest = std::max(fastest, contact.acceleration.norm());
-    widest = std::max(widest, contact.acceleration.dot(scene.bodies[contact.body].normal));
-  }
-  // Where nothing moves, the fastest is rounding's.
-  const double told = told_force(file, report.scales);
-  const double zero_motion = std::max(1e-6 * fastest, 1e-9 * told / file.object.mass);
-  const double zero_force = shown_as_nothing(file, report.scales);
-  const bool opens = widest > zero_motion;
-  std::vector<std::vector<std::string>> rows{
-      {"contact", "does", "normal N", "friction N", "along", "slip m/s^2"}};
+  const bool is_full = telling == Telling::full;
+  const Noise& noise = is_full ? report.noise : report.brief_noise;
+  const auto digits = [&](double x, double zero) {
+    return is_full ? number(x, zero) : brief(x, zero);
+  };
+  const auto opening_of = [&](const ContactAnswer<double>& contact) {
+    return contact.acceleration.dot(scene.bodies[contact.body].normal);
+  };
+  const bool opens =
+      is_full || std::any_of(report.answer.contacts.begin(), report.answer.contacts.end(),
+                             [&](const auto& c) { return opening_of(c) > noise.acceleration; });
+  TableRows rows{
+      {"contact", is_full ? "mode" : "does", "normal N", "friction N", "along", "slip m/s^2"}};
   if (opens) rows.front().emplace_back("opening m/s^2");
   for (Index i = 0; i < report.answer.contacts.size; ++i) {
     const ContactAnswer<double>& contact = report.answer.contacts[i];
     const Vector3<double>& n = scene.bodies[contact.body].normal;
-    const double friction = contact.friction_force.norm(), opening = contact.acceleration.dot(n);
-    const bool rubs = friction > zero_force;
-    rows.push_back({point_name(file, i), mode_verb(contact.mode),
-                    digits(contact.normal_force, zero_force), digits(friction, zero_force),
-                    rubs ? direction_text(contact.friction_force / friction) : "-",
-                    digits((contact.acceleration - opening * n).norm(), zero_motion)});
-    if (opens) rows.back().push_back(digits(opening, zero_motion));
-  }
-  return rows;
-}
-
-std::vector<std::vector<std::string>> contact_rows(const SceneFile& file,
-                                                   const PushReport& report) {
-  const Scene<double> scene = file.view();
-  const double zero_force = 1e-9 * told_force(file, report.scales);
-  const double zero_motion = zero_force / file.object.mass;
-  std::vector<std::vector<std::string>> rows{
-      {"contact", "mode", "normal N", "friction N", "along", "slip m/s^2", "opening m/s^2"}};
-  for (Index i = 0; i < report.answer.contacts.size; ++i) {
-    const ContactAnswer<double>& contact = report.answer.contacts[i];
-    const Vector3<double>& n = scene.bodies[contact.body].normal;
-    const double friction = contact.friction_force.norm(), opening = contact.acceleration.dot(n);
-    rows.push_back(
-        {point_name(file, i), mode_text(contact.mode), number(contact.normal_force, zero_force),
-         number(friction, zero_force),
-         friction > zero_force ? vector_text(contact.friction_force / friction, 1e-6) : "-",
-         number((contact.acceleration - opening * n).norm(), zero_motion),
-         number(opening, zero_motion)});
+    const double friction = contact.friction_force.norm(), opening = opening_of(contact);
+    std::string along = "-";
+    if (friction > noise.force)
+      along = is_full ? vector_text(contact.friction_force / friction, word_settings.component)
+                      : direction_text(contact.friction_force / friction);
+    rows.push_back({point_name(file, i),
+                    is_full ? mode_text(contact.mode) : mode_verb(contact.mode),
+                    digits(contact.normal_force, noise.force), digits(friction, noise.force), along,
+                    digits((contact.acceleration - opening * n).norm(), noise.acceleration)});
+    if (opens) rows.back().push_back(digits(opening, noise.acceleration));
   }
   return rows;
 }
 
 std::vector<std::string> closing_sentences(const SceneFile& file, const PushReport& report) {
   const Scene<double> scene = file.view();
-  const double zero_motion = 1e-9 * told_force(file, report.scales) / file.object.mass;
   std::vector<std::string> list;
   const auto add = [&](const std::string& name, double s) {
-    if (std::abs(s) > zero_motion)
+    if (std::abs(s) > report.noise.acceleration)
       list.push_back(name + (s > 0 ? " closes at " : " is forced open at ") + number(std::abs(s)) +
                      " m/s^2");
   };
@@ -81,16 +61,15 @@ std::vector<std::string> closing_sentences(const SceneFile& file, const PushRepo
 }
 
 std::vector<std::string> torsion_sentences(const SceneFile& file, const PushReport& report) {
-  const Scene<double> scene = file.view();
-  const double zero = 1e-9 * report.scales.force * report.scales.length;
   std::vector<std::string> list;
   for (Index i = 0; i < report.answer.contacts.size; ++i) {
     const ContactAnswer<double>& contact = report.answer.contacts[i];
-    if (!(scene.bodies[contact.body].torsion_radius > 0)) continue;
-    list.push_back(point_name(file, i) + " twists the object with " +
-                   number(contact.torsion, zero) + " N m about its normal, against a spin of " +
-                   number(contact.spin, 1e-9 * report.scales.acceleration / report.scales.length) +
-                   " rad/s^2");
+    if (file.body(contact.body).torsion_radius > 0)
+      list.push_back(point_name(file, i) + " twists the object with " +
+                     number(contact.torsion, report.noise.moment) +
+                     " N m about its normal, against a spin of " +
+                     number(contact.spin, report.noise.acceleration / report.scales.length) +
+                     " rad/s^2");
   }
   return list;
 }

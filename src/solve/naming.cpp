@@ -7,8 +7,10 @@
 namespace lcpush::desktop {
 namespace {
 
+constexpr double half_digit = 0.5e-3;
+
 /// To three digits, without the sign of a zero.
-std::string rounded(double x) { return shown(std::round(x * 1000) / 1000 + 0.0); }
+std::string rounded(double x) { return shown(std::round(x * 1e3) / 1e3 + 0.0); }
 
 } // namespace
 
@@ -17,14 +19,17 @@ std::string point_name(const SceneFile& file, Index point) {
   return file.body_name(b) + "." + std::to_string(point - file.body(b).first_point + 1);
 }
 
-std::string direction_text(const Vector3<double>& direction) {
-  constexpr double slack = 5e-4;
-  for (Index axis = 0; axis < 3; ++axis)
-    for (const double sign : {1.0, -1.0})
-      if ((direction - sign * Vector3<double>::Unit(axis)).norm() < slack)
-        return std::string(sign > 0 ? "+" : "-") + "xyz"[axis];
+std::string components_text(const Vector3<double>& direction) {
   return "(" + rounded(direction[0]) + ", " + rounded(direction[1]) + ", " + rounded(direction[2]) +
          ")";
+}
+
+std::string direction_text(const Vector3<double>& direction) {
+  for (Index axis = 0; axis < 3; ++axis)
+    for (const double sign : {1.0, -1.0})
+      if ((direction - sign * Vector3<double>::Unit(axis)).norm() < half_digit)
+        return std::string(sign > 0 ? "+" : "-") + "xyz"[axis];
+  return components_text(direction);
 }
 
 std::string generator_text(const Generator<double>& generator, double torsion_radius) {

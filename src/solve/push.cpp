@@ -1,6 +1,7 @@
 #include "lcpush/desktop/smallest_grip.hpp"
+#include "solve/noise.hpp"
 #include "solve/push_rounds.hpp"
-#include "solve/told_force.hpp"
+#include "solve/word_settings.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
@@ -270,8 +271,9 @@ PushReport Push::solve(const PushOptions& options) & {
   report.residuals = check(scene_, report.scales, report.answer, 1.0);
   const double push = push_size(scene_);
   name_file_bodies();
+  find_noise(file_, report.answer, report);
   report.motion = describe_motion(file_.view(), report.answer, report.scales.length,
-                                  told_force(file_, report.scales) / scene_.object.mass, push);
+                                  report.noise.acceleration / word_settings.rounding, push);
   const double noise = rest_tolerance(options.solver) * report.scales.acceleration;
   report.hand_moves = any_moves(closings(std::max({push, report.motion.translation, noise})));
   // The solver has checked its own equations; this is the laws' own word, in SI units.
@@ -283,7 +285,7 @@ PushReport Push::solve(const PushOptions& options) & {
     report.final_basis = {};
     report.other.reset();
   }
-  if (is_lost(push, report.scales, report.residuals.beside)) {
+  if (is_too_slow(push, report.scales, report.residuals.beside)) {
     report.status = Status::numerical_breakdown;
     report.reason = "the push, " + shown(push) + " m/s^2, is too slow beside the grip (" +
                     shown(report.scales.force) + " N on " + shown(scene_.object.mass) +

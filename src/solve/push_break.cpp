@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "lcpush/desktop/smallest_grip.hpp"
+#include "solve/noise.hpp"
 #include "solve/push_rounds.hpp"
 #include "solve/rest_by_friction.hpp"
 #include "solve/scene_image.hpp"
@@ -212,6 +213,7 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   if (report.status == Status::ray) read_ray(options, report);
   if (report.status != Status::solved) return report;
   name_file_bodies();
+  find_noise(file_, work_.answer, report);
   Answer<double> moving = work_.answer;
   moving.acceleration = report.breaking.twist;
   report.motion =

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lcpush/desktop/smallest_grip.hpp"
+#include "lcpush/desktop/report.hpp"
+#include "text/format.hpp"
 
 namespace lcpush::desktop {
 
@@ -20,9 +21,7 @@ std::string facts_text(const std::vector<Fact>& facts);
 
 /// "Hand": what moves the fingers.
 Fact hand_fact(const SceneFile& file);
-/// "Before the push", without a full stop.
-Fact hold_words(const SceneFile& file, const HoldReport& hold);
-/// The same, as a sentence.
+/// "Before the push": does the grasp hold the object?
 Fact hold_fact(const SceneFile& file, const HoldReport& hold);
 /// The same for `break`: also from which grip force on the fingers alone hold, and the same with
 /// the pusher in place.
@@ -32,22 +31,18 @@ Fact grip_fact(const SceneFile& file, const HoldReport& hold, const GripReport& 
 std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report);
 /// The breaking force and what follows it. Precondition: solved.
 std::vector<Fact> break_facts(const SceneFile& file, const BreakReport& report);
-/// "Hand moves": bodies that a push which just breaks the grasp opens or closes; none: no fact.
-std::vector<Fact> closing_facts(const BreakReport& report);
-/// Of a grasp that moves before it is pushed.
-std::string does_not_hold_text(const SceneFile& file, const BreakReport& report);
-
 /// The same in three digits, without what a first look does not need.
 std::vector<Fact> brief_break_facts(const SceneFile& file, const BreakReport& report);
+
+/// Of a grasp that moves before it is pushed.
+std::string does_not_hold_text(const SceneFile& file, const BreakReport& report);
 /// "Without the push the grasp does not hold the object: ..". Precondition: it does not.
 std::string hold_sentence(const SceneFile& file, const HoldReport& hold);
 bool has_pusher(const SceneFile& file);
 
-/// In three digits; how a contact opens only where one does.
-std::vector<std::vector<std::string>> brief_contact_rows(const SceneFile& file,
-                                                         const PushReport& report);
-/// A head and a row for each contact.
-std::vector<std::vector<std::string>> contact_rows(const SceneFile& file, const PushReport& report);
+/// A head and a row for each contact; in brief, how a contact opens only where one does.
+TableRows contact_rows(const SceneFile& file, const PushReport& report,
+                       Telling telling = Telling::full);
 /// Soft points twist: their torque, and how fast they spin.
 std::vector<std::string> torsion_sentences(const SceneFile& file, const PushReport& report);
 /// Bodies whose actuators move them.
@@ -57,8 +52,6 @@ std::string run_words(const SceneFile& file, const RunReport& report);
 
 /// "No answer (ray): .." with the jam in words.
 std::string failure_text(const SceneFile& file, const RunReport& report);
-/// The ray's entries, in the solver's units; nothing without one.
-std::string ray_text(const RunReport& report);
 /// The keys reason, ray and, of a ray, jam.
 void write_failure(JsonWriter& json, const SceneFile& file, const RunReport& report);
 /// The title and an empty line, or nothing.

@@ -1,43 +1,35 @@
 #include "solve/sentence.hpp"
-#include "solve/told_force.hpp"
 
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "lcpush/desktop/naming.hpp"
+#include "solve/word_settings.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-// What is said in three digits leaves out what a thousandth of the whole is.
-constexpr double unsaid = 1e-3;
-
-/// Which way gravity points: 0, 1 or 2 for an axis, or -1.
-Index vertical_axis(const SceneFile& file) {
+/// The axis (0, 1 or 2) that is nearly along `v`, in three digits, or -1.
+Index axis_along(const Vector3<double>& v) {
   Index axis = 0;
-  const double largest = file.gravity.cwiseAbs().maxCoeff(&axis);
-  return largest > 0 && file.gravity.norm() - largest <= unsaid * largest ? axis : -1;
+  const double largest = v.cwiseAbs().maxCoeff(&axis);
+  return largest > 0 && v.norm() - largest <= word_settings.digit * v.norm() ? axis : -1;
 }
 
-/// "along x", "against x", "up".
+/// "along x", "against x"; "up" and "down" where gravity is along that axis.
 std::string axis_phrase(const SceneFile& file, Index axis, bool is_positive) {
-  if (axis == vertical_axis(file)) return (file.gravity[axis] < 0) == is_positive ? "up" : "down";
+  if (axis == axis_along(file.gravity))
+    return (file.gravity[axis] < 0) == is_positive ? "up" : "down";
   return std::string(is_positive ? "along " : "against ") + "xyz"[axis];
 }
 
-/// "(0.924, -0.383, 0)", a unit vector.
-std::string unit_text(const Vector3<double>& v) {
-  const auto digits = [](double x) { return brief(std::abs(x) < unsaid ? 0 : x); };
-  return "(" + digits(v[0]) + ", " + digits(v[1]) + ", " + digits(v[2]) + ")";
-}
-
 std::string direction_phrase(const SceneFile& file, const Vector3<double>& direction) {
-  Index axis = 0;
-  const double largest = direction.cwiseAbs().maxCoeff(&axis);
-  if (largest > 1 - unsaid) return axis_phrase(file, axis, direction[axis] > 0);
-  return "along " + unit_text(direction);
+  const Index axis = axis_along(direction);
+  return axis < 0 ? "along " + components_text(direction)
+                  : axis_phrase(file, axis, direction[axis] > 0);
 }
 
 struct ModeCount {
@@ -57,26 +49,74 @@ ModeCount count_modes(const Answer<double>& answer, const Body<double>& body) {
 /// "left slips", "wall opens at 1 of its 2 points and sticks at 1".
 std::string body_phrase(const std::string& name, const ModeCount& count) {
   constexpr Mode order[] = {Mode::slide, Mode::separate, Mode::stick};
-  std::vector<std::string> deeds;
+  std::vector<std::string> parts;
   for (const Mode mode : order) {
     if (count[mode] == 0) continue;
-    std::string deed = mode_verb(mode);
-    if (!count.all_are(mode)) deed += " at " + std::to_string(count[mode]);
-    if (!count.all_are(mode) && deeds.empty())
-      deed += " of its " + std::to_string(count.all()) + " points";
-    deeds.push_back(deed);
+    parts.emplace_back(mode_verb(mode));
+    if (count.all_are(mode)) continue;
+    parts.back() += " at " + std::to_string(count[mode]);
+    if (parts.size() == 1) parts.back() += " of its " + std::to_string(count.all()) + " points";
   }
-  return name + " " + joined(deeds, " and ");
+  return name + " " + joined(parts, " and ");
+}
+
+/// What the object does, after its name; nothing of the grip where the hand moves.
+std::string motion_phrase(const SceneFile& file, const RunReport& report) {
+  const Motion<double>& motion = report.motion;
+  const std::string in_grip = report.hand_moves ? "" : " in the grip";
+  const std::string turn = turn_phrase(motion.axis);
+  switch (motion.kind) {
+  case MotionKind::rest: return "does not move" + in_grip;
+  case MotionKind::slide: return "slides " + direction_phrase(file, motion.direction);
+  case MotionKind::pivot: return "pivots " + turn + in_grip;
+  case MotionKind::roll: return "rolls " + turn;
+  case MotionKind::turn: break;
+  }
+  if (motion.pitch != 0) return "turns " + turn + " and advances along it";
+  const bool is_near = motion.axis_point.norm() < report.scales.length;
+  return (is_near ? "turns " : "slides and turns ") + turn;
+}
+
+/// "every finger point slips", "left slips, right sticks, wall opens at 1 of its 2 points".
+std::string contacts_phrase(const SceneFile& file, const Answer<double>& answer) {
+  ModeCount fingers;
+  for (const Body<double>& body : file.bodies)
+    if (body.role == Role::finger)
+      for (std::size_t mode = 0; mode < 3; ++mode)
+        fingers.of[mode] += count_modes(answer, body).of[mode];
+  const bool as_one = fingers.all_are(Mode::slide) || fingers.all_are(Mode::stick);
+  std::vector<std::string> phrases;
+  if (fingers.all() > 0 && as_one)
+    phrases.push_back(fingers[Mode::slide] > 0 ? "every finger point slips"
+                                               : "no finger point slips");
+  for (std::size_t b = 0; b < file.bodies.size(); ++b)
+    if (file.bodies[b].role == Role::pusher || !as_one)
+      phrases.push_back(body_phrase(file.body_names[b], count_modes(answer, file.bodies[b])));
+  return listed(phrases, "and");
+}
+
+/// "sheet slides along", "wall rests at": what a pusher does that moves nothing.
+std::string idle_phrase(const SceneFile& file, const BreakReport& report) {
+  const Body<double>& pusher = file.body(report.pusher);
+  double speed = 0, closing = 0;
+  for (const Index i : points_of(pusher)) {
+    const Vector3<double> motion =
+        acceleration_at(file.points[static_cast<std::size_t>(i)], pusher.acceleration);
+    speed = std::max(speed, motion.norm());
+    closing = std::min(closing, motion.dot(pusher.normal));
+  }
+  const bool moves_away = closing < -word_settings.digit * speed;
+  return file.body_name(report.pusher) + (!(speed > 0) ? " rests at "
+                                          : moves_away ? " moves away from "
+                                                       : " slides along ");
 }
 
 } // namespace
 
 std::string turn_phrase(const Vector3<double>& axis) {
-  Index k = 0;
-  const double largest = axis.cwiseAbs().maxCoeff(&k);
-  if (largest > 1 - unsaid)
-    return std::string(axis[k] > 0 ? "counter-clockwise" : "clockwise") + " about " + "xyz"[k];
-  return "about " + unit_text(axis);
+  const Index k = axis_along(axis);
+  if (k < 0) return "about " + components_text(axis);
+  return std::string(axis[k] > 0 ? "counter-clockwise" : "clockwise") + " about " + "xyz"[k];
 }
 
 std::string object_name(const SceneFile& file) {
@@ -95,47 +135,14 @@ const char* mode_verb(Mode mode) {
 std::string force_phrase(const SceneFile& file, const Vector3<double>& force) {
   const double size = force.norm();
   const std::string text = brief(size) + " N";
-  std::vector<std::string> ways, parts;
+  std::vector<std::string> axes, parts;
   for (Index axis = 0; axis < 3; ++axis) {
-    if (std::abs(force[axis]) <= unsaid * size) continue;
-    ways.push_back(axis_phrase(file, axis, force[axis] > 0));
-    parts.push_back(brief(std::abs(force[axis])) + " N " + ways.back());
+    if (std::abs(force[axis]) <= word_settings.digit * size) continue;
+    axes.push_back(axis_phrase(file, axis, force[axis] > 0));
+    parts.push_back(brief(std::abs(force[axis])) + " N " + axes.back());
   }
-  if (ways.empty()) return text;
-  return text + (ways.size() == 1 ? " " + ways.front() : " (" + listed(parts, "and") + ")");
-}
-
-std::string motion_phrase(const SceneFile& file, const RunReport& report) {
-  const Motion<double>& motion = report.motion;
-  const char* const in_grip = report.hand_moves ? "" : " in the grip";
-  switch (motion.kind) {
-  case MotionKind::rest: return std::string("does not move") + in_grip;
-  case MotionKind::slide: return "slides " + direction_phrase(file, motion.direction);
-  case MotionKind::pivot: return "pivots " + turn_phrase(motion.axis) + in_grip;
-  case MotionKind::roll: return "rolls " + turn_phrase(motion.axis);
-  case MotionKind::turn: break;
-  }
-  if (motion.pitch != 0) return "turns " + turn_phrase(motion.axis) + " and advances along it";
-  const double lever = motion.axis_point.norm();
-  if (lever < report.scales.length) return "turns " + turn_phrase(motion.axis);
-  return "slides and turns " + turn_phrase(motion.axis);
-}
-
-std::string contacts_phrase(const SceneFile& file, const Answer<double>& answer) {
-  ModeCount fingers;
-  for (const Body<double>& body : file.bodies)
-    if (body.role == Role::finger)
-      for (std::size_t mode = 0; mode < 3; ++mode)
-        fingers.of[mode] += count_modes(answer, body).of[mode];
-  const bool as_one = fingers.all_are(Mode::slide) || fingers.all_are(Mode::stick);
-  std::vector<std::string> phrases;
-  if (fingers.all() > 0 && as_one)
-    phrases.push_back(fingers[Mode::slide] > 0 ? "every finger point slips"
-                                               : "no finger point slips");
-  for (std::size_t b = 0; b < file.bodies.size(); ++b)
-    if (file.bodies[b].role == Role::pusher || !as_one)
-      phrases.push_back(body_phrase(file.body_names[b], count_modes(answer, file.bodies[b])));
-  return listed(phrases, "and");
+  if (axes.empty()) return text;
+  return text + (axes.size() == 1 ? " " + axes.front() : " (" + listed(parts, "and") + ")");
 }
 
 std::string push_sentence(const SceneFile& file, const PushReport& report) {
@@ -144,7 +151,7 @@ std::string push_sentence(const SceneFile& file, const PushReport& report) {
   for (Index b = 0; b < scene.bodies.size; ++b) {
     if (scene.bodies[b].role != Role::pusher) continue;
     const Vector3<double> force = body_wrench(scene, report.answer, scene.bodies[b]).head<3>();
-    const bool presses = force.norm() > 1e-9 * told_force(file, report.scales);
+    const bool presses = force.norm() > report.noise.force;
     (presses ? names : idle).push_back(file.body_name(b));
     if (presses) forces.push_back(force_phrase(file, force));
   }
@@ -160,40 +167,16 @@ std::string push_sentence(const SceneFile& file, const PushReport& report) {
          contacts_phrase(file, report.answer) + ".";
 }
 
-namespace {
-
-/// What a pusher does that moves nothing.
-std::string idle_phrase(const SceneFile& file, const BreakReport& report) {
-  const Body<double>& pusher = file.body(report.pusher);
-  double speed = 0, closing = 0;
-  for (const Index i : points_of(pusher)) {
-    const Vector3<double> motion =
-        acceleration_at(file.points[static_cast<std::size_t>(i)], pusher.acceleration);
-    speed = std::max(speed, motion.norm());
-    closing = std::min(closing, motion.dot(pusher.normal));
-  }
-  if (!(speed > 0)) return " rests at ";
-  return closing < -unsaid * speed ? " moves away from " : " slides along ";
-}
-
-std::string idle_sentence(const SceneFile& file, const BreakReport& report) {
-  const double force = report.breaking.break_force;
-  return "The push does not break the grasp: " + file.body_name(report.pusher) +
-         idle_phrase(file, report) + object_name(file) + ", which does not move" +
-         (force > unsaid * report.scales.force ? ", and presses on it with " + brief(force) + " N"
-                                               : "") +
-         ".";
-}
-
-} // namespace
-
 std::string break_sentence(const SceneFile& file, const BreakReport& report) {
-  if (!report.breaking.breaks) return idle_sentence(file, report);
-  const double force = report.breaking.break_force; // 0 where rounding is all there is
-  return "The grasp breaks at " +
-         brief(std::abs(force) > 1e-12 * report.scales.force ? force : 0.0) +
-         " N, the normal force of " + file.body_name(report.pusher) + ": " + object_name(file) +
-         " then " + motion_phrase(file, report) + ".";
+  const double force = report.breaking.break_force;
+  if (report.breaking.breaks)
+    return "The grasp breaks at " + brief(force, report.noise.force) + " N, the normal force of " +
+           file.body_name(report.pusher) + ": " + object_name(file) + " then " +
+           motion_phrase(file, report) + ".";
+  const bool presses = force > word_settings.digit * report.scales.force;
+  return "The push does not break the grasp: " + idle_phrase(file, report) + object_name(file) +
+         ", which does not move" +
+         (presses ? ", and presses on it with " + brief(force) + " N" : "") + ".";
 }
 
 } // namespace lcpush::desktop

@@ -20,14 +20,6 @@ const char* mode_verb(Mode mode);
 /// "20.1 N (20 N along x, 1.96 N up)": three digits; "up" and "down" where gravity has an axis.
 std::string force_phrase(const SceneFile& file, const Vector3<double>& force);
 
-/// "slides through the grip along x", "pivots counter-clockwise about z in the grip": what the
-/// object does, after its name; nothing of the grip where the hand moves. Precondition: the report
-/// is of this file's scene.
-std::string motion_phrase(const SceneFile& file, const RunReport& report);
-
-/// "every finger point slips", "left slips, right sticks, wall opens at 1 of its 2 points".
-std::string contacts_phrase(const SceneFile& file, const Answer<double>& answer);
-
 /// "Push with 20.1 N along x: the box slides along x, every finger point slips."
 /// Precondition: solved.
 std::string push_sentence(const SceneFile& file, const PushReport& report);

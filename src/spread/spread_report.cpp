@@ -8,7 +8,7 @@
 #include "scenes/warnings_json.hpp"
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
-#include "text/fitted.hpp"
+#include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "sweep/sweep_words.hpp"
-#include "text/fitted.hpp"
+#include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "solve/sentence.hpp"
 #include "sweep/sweep_words.hpp"
-#include "text/fitted.hpp"
+#include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {

@@ -37,10 +37,19 @@ std::string block_text(const TableRows& rows, const std::vector<std::size_t>& wi
 
 } // namespace
 
-std::string brief(double x) {
-  const std::string digits = printed("%.3g", x);
-  const double rounded = std::strtod(digits.c_str(), nullptr);
-  return std::abs(rounded) >= 1000 && std::abs(rounded) < 1e6 ? printed("%.0f", rounded) : digits;
+std::string in_digits(double x, int digits, double zero) {
+  constexpr double too_long = 1e6;
+  if (std::abs(x) <= zero) x = 0;
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
+  const double rounded = std::strtod(text, nullptr), size = std::abs(rounded);
+  return size >= std::pow(10, digits) && size < too_long ? printed("%.0f", rounded) : text;
+}
+
+std::size_t table_width(const TableRows& rows) {
+  std::size_t sum = 0;
+  for (const std::size_t width : column_widths(rows)) sum += margin + width;
+  return sum;
 }
 
 std::string table_text(const TableRows& rows, std::size_t left, std::size_t width) {

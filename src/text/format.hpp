@@ -28,8 +28,12 @@ inline std::string number(double x, double zero = 0) {
   return printed("%.6g", std::abs(x) <= zero ? 0 : x);
 }
 
-/// Three significant digits, whole numbers below a million without an exponent.
-std::string brief(double x);
+/// In so many significant digits, whole numbers below a million without an exponent; what is no
+/// more than `zero` is 0.
+std::string in_digits(double x, int digits, double zero = 0);
+
+/// In three digits.
+inline std::string brief(double x, double zero = 0) { return in_digits(x, 3, zero); }
 
 /// A residual, without the digits that only say how rounding went.
 inline std::string residual_text(double residual) {
@@ -46,5 +50,19 @@ using TableRows = std::vector<std::vector<std::string>>;
 /// Columns beyond `width` go on below, behind the first one again.
 std::string table_text(const TableRows& rows, std::size_t left = 1,
                        std::size_t width = usual_width);
+
+/// As wide as table_text makes it, on one line.
+std::size_t table_width(const TableRows& rows);
+
+/// The first table of make(digits, is_long) that fits: with fewer digits, down to three, then in
+/// shorter words.
+template <class Make> std::string fitted_table(int most_digits, Make make) {
+  for (const bool is_long : {true, false})
+    for (int digits = most_digits; digits >= 3; --digits) {
+      const TableRows rows = make(digits, is_long);
+      if (table_width(rows) <= usual_width) return table_text(rows);
+    }
+  return table_text(make(3, false));
+}
 
 } // namespace lcpush::desktop

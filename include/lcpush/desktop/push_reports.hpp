@@ -27,6 +27,14 @@ struct SweepRecord {
   Residuals<double> residuals;
 };
 
+/// Less than these is told as 0: it is rounding, or nothing beside the scene's loads.
+struct Noise {
+  double force = 0;        ///< N
+  double moment = 0;       ///< N m
+  double acceleration = 0; ///< m/s^2
+  double length = 0;       ///< m
+};
+
 /// What the answers to every question of a push have in common.
 struct RunReport {
   Status status = Status::bad_input;
@@ -34,7 +42,8 @@ struct RunReport {
   Solver solver = Solver::lemke;
   PressureRun run;
   Scales<double> scales{};
-  Motion<double> motion; ///< of a break, per unit push
+  Noise noise, brief_noise; ///< in reports of six digits, and of three; of an answer
+  Motion<double> motion;    ///< of a break, per unit push
   bool hand_moves =
       false; ///< a body that an actuator drives, by more than a thousandth of the push
   Uniqueness unique_motion = Uniqueness::not_tested;

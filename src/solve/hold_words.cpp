@@ -1,0 +1,158 @@
+// What holds the object before it is pushed: the hand, and with which grip force.
+#include <cmath>
+
+#include "solve/push_words.hpp"
+#include "solve/sentence.hpp"
+#include "solve/word_settings.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+/// "20 N at left and 15 N at right", or "20 N" where a single finger presses.
+std::string grip_forces(const SceneFile& file) {
+  std::vector<std::string> list;
+  for (const Drive<double>& drive : file.drives)
+    if (file.body(drive.body).role == Role::finger)
+      list.push_back(number(file.actuators[static_cast<std::size_t>(drive.actuator)].force) +
+                     " N at " + file.body_name(drive.body));
+  return listed(list, "and");
+}
+
+std::string actuators_of_fingers(const SceneFile& file) {
+  std::vector<std::string> names;
+  for (std::size_t a = 0; a < file.actuators.size(); ++a)
+    if (grips(file.view(), static_cast<Index>(a))) names.push_back(file.actuator_names[a]);
+  return listed(names, "and");
+}
+
+std::string hand_words(const SceneFile& file) {
+  switch (file.hand) {
+  case Hand::independent: return "fingers that close independently: " + grip_forces(file);
+  case Hand::parallel:
+    return "a parallel jaw, " + number(file.actuators.front().force / 2) + " N a finger";
+  case Hand::locked:
+    return "locked jaws, closed with " + number(locked_force(file)) + " N a finger";
+  case Hand::actuators:
+    if (const std::string names = actuators_of_fingers(file); !names.empty())
+      return "fingers moved by " + names;
+    return "fingers that stand still";
+  case Hand::fixed: break;
+  }
+  return file.bodies.front().role == Role::finger ? "fingers that stand still" : "none";
+}
+
+/// "9.81 m/s^2 and 0 rad/s^2"; in three digits without what is a thousandth of the other.
+std::string acceleration_text(const Vector6<double>& a, double length, Telling telling) {
+  const double linear = a.head<3>().norm(), angular = a.tail<3>().norm();
+  if (telling == Telling::full) {
+    const double zero = word_settings.rounding * (linear + length * angular);
+    return number(linear, zero) + " m/s^2 and " + number(angular, zero / length) + " rad/s^2";
+  }
+  std::vector<std::string> parts;
+  if (linear > word_settings.digit * length * angular) parts.push_back(brief(linear) + " m/s^2");
+  if (length * angular > word_settings.digit * linear) parts.push_back(brief(angular) + " rad/s^2");
+  return listed(parts, "and");
+}
+
+/// Without a full stop.
+Fact hold_words(const SceneFile& file, const HoldReport& hold) {
+  const std::string label = "Before the push";
+  if (file.bodies.front().role == Role::pusher) return {label, "nothing grips the object"};
+  if (!has_pusher(file)) return {"Pusher", "none: this is the grasp alone"};
+  if (hold.status != Status::solved)
+    return {label, std::string("not known: without the pusher the solve ended with \"") +
+                       status_text(hold.status) + "\""};
+  if (hold.holds) return {label, "the grasp holds the object"};
+  return {label, "the grasp does NOT hold the object: it accelerates at " +
+                     acceleration_text(hold.acceleration, hold.length, Telling::full)};
+}
+
+/// "1.962 N per finger (of 20 N)", "a force of 1.962 (of 20) of actuator hand": that may turn its
+/// bodies, so no unit is named.
+std::string amount(const GripReport& report, double factor) {
+  const double zero = word_settings.rounding * std::abs(report.force);
+  const std::string now = number(factor * report.force, zero), whole = number(report.force);
+  if (report.of_actuator) return "a force of " + now + " (of " + whole + ") " + report.of;
+  return now + " N " + report.of + " (of " + whole + " N)";
+}
+
+/// From which force on it would hold, or down to which: "from 1.962 N per finger (of 1 N)".
+std::string limit(const GripReport& report, const SmallestGrip& grip, bool holds) {
+  if (grip.factor <= word_settings.rounding) return "without any grip force";
+  const char* word = holds ? "down to " : "with ";
+  // A beginning only where it holds with more, and not where less is what it takes.
+  if (!holds && grip.factor > 1 && grip.more == MoreGrip::holds) word = "from ";
+  if (!holds && grip.more == MoreGrip::drops) word = "only at about ";
+  if (holds && grip.gap > grip.factor) word = "with as little as ";
+  return word + amount(report, grip.factor);
+}
+
+/// The end of the line that says whether it holds, and where the pressure law, and not statics,
+/// sets the limit.
+std::string ending(const GripReport& report, const SmallestGrip& grip, bool holds) {
+  std::string text = holds ? "; it" : ".\nIt";
+  switch (grip.source) {
+  case GripSource::no_grip:
+    return std::string(holds ? "; no" : ".\nNo") + " grip force would hold it.";
+  case GripSource::not_searched: return text + "s smallest grip was not searched for.";
+  case GripSource::not_known:
+    return text + "s smallest grip is not known" +
+           (grip.bound > 0 ? ", but more than " + amount(report, grip.bound) : "") + ".";
+  case GripSource::statics:
+  case GripSource::search: break;
+  }
+  text += (holds ? " holds " : " would hold ") + limit(report, grip, holds) + ".";
+  if (grip.gap > grip.factor)
+    text += "\nNot with every grip above that: with " + amount(report, grip.gap) + " it does not.";
+  if (grip.source == GripSource::search && grip.bound > 0)
+    text += "\nThat is this pressure law's limit; statics alone would allow " +
+            amount(report, grip.bound) + ".";
+  return text;
+}
+
+bool same_answer(const SmallestGrip& a, const SmallestGrip& b) {
+  return a.source == b.source &&
+         std::abs(a.factor - b.factor) <= word_settings.table * std::abs(a.factor);
+}
+
+} // namespace
+
+bool has_pusher(const SceneFile& file) { return file.bodies.back().role == Role::pusher; }
+
+Fact hand_fact(const SceneFile& file) { return {"Hand", hand_words(file)}; }
+
+Fact hold_fact(const SceneFile& file, const HoldReport& hold) {
+  const Fact fact = hold_words(file, hold);
+  return {fact.label, fact.text + "."};
+}
+
+Fact grip_fact(const SceneFile& file, const HoldReport& hold, const GripReport& grip,
+               const BreakReport& report) {
+  if (grip.force == 0) return hold_fact(file, hold); // nothing grips
+  Fact fact = hold_words(file, hold);
+  const bool is_known = hold.status == Status::solved, holds = report.status == Status::solved;
+  fact.text += is_known ? ending(grip, grip.alone, hold.holds) : ".";
+  if (!holds && report.status != Status::does_not_hold) return fact;
+  if (is_known && hold.holds == holds && same_answer(grip.alone, grip.at_rest)) return fact;
+  fact.text += std::string("\nWith the pusher in place, at rest, it ") +
+               (holds ? "holds" : "does NOT hold") + ending(grip, grip.at_rest, holds);
+  return fact;
+}
+
+std::string does_not_hold_text(const SceneFile& file, const BreakReport& report) {
+  return "The grasp does not hold " + object_name(file) +
+         ", so no force just breaks it: with the pusher in place, at rest, " + object_name(file) +
+         " already accelerates at " +
+         acceleration_text(report.breaking.rest, report.scales.length, Telling::brief) + ".";
+}
+
+std::string hold_sentence(const SceneFile& file, const HoldReport& hold) {
+  const bool is_open = file.pressure == Pressure::rigid; // which leaves a patch's pressure open
+  return std::string("Without the push ") + (is_open ? "one answer of the laws" : "the grasp") +
+         " does not hold " + object_name(file) + ": it accelerates at " +
+         acceleration_text(hold.acceleration, hold.length, Telling::brief) + ".";
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,36 @@
+// What words leave out, as parts of a whole: no units.
+#pragma once
+
+#include <cstddef>
+
+namespace lcpush::desktop {
+
+struct WordSettings {
+  /// Of the loads and what they do: a full report shows less as 0. An answer that is called solved
+  /// may be off by 9.3e-10 of them (Tolerances::residual).
+  double rounding = 1e-9;
+  /// A file's force that is less than this part of the largest one cannot be the measure of what is
+  /// rounding: `rounding` of it times this is 1e-6, the last digit of six.
+  double smallest_load = 1e-3;
+  /// A component of a unit vector in a full report, of six digits.
+  double component = 1e-6;
+  /// A force or a motion in a table of three digits, of the loads or of the fastest motion: a
+  /// thousandth of its last digit.
+  double table = 1e-6;
+  /// The last of three digits: what is less beside the rest of a sentence is not mentioned.
+  double digit = 1e-3;
+  /// Of the scene's force: two answers whose forces differ by more are told with both forces; by
+  /// less, they differ in how the force is shared.
+  double other_force = 1e-5;
+  /// Of what rounding alone may leave of the scene's acceleration: a slower push would show motions
+  /// a tenth as fast as noise.
+  double slowest_push = 10;
+  /// Of the referee's residual beside the scene's force: a push stands out by five digits.
+  double push_digits = 1e5;
+
+  std::size_t label_width = 18; ///< characters, of a fact's label
+};
+
+constexpr WordSettings word_settings;
+
+} // namespace lcpush::desktop
