@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <iterator>
 
 namespace lcpush {
 
@@ -26,6 +27,27 @@ template <class T> struct Span {
   T& operator[](Index i) const { return data[i]; }
   T* begin() const { return data; }
   T* end() const { return data + size; }
+};
+
+/// The indices from `first` on, to loop over.
+struct Indices {
+  struct Iterator {
+    using iterator_category = std::input_iterator_tag;
+    using value_type = Index;
+    using difference_type = Index;
+    using pointer = const Index*;
+    using reference = Index;
+
+    Index i;
+    Index operator*() const { return i; }
+    Iterator& operator++() { return ++i, *this; }
+    bool operator==(const Iterator& other) const { return i == other.i; }
+    bool operator!=(const Iterator& other) const { return i != other.i; }
+  };
+
+  Index first, count;
+  Iterator begin() const { return {first}; }
+  Iterator end() const { return {first + count}; }
 };
 
 } // namespace lcpush

@@ -95,7 +95,7 @@ private:
     const Index slip = next_ + generators;
     for (Index i = 0; i < normals; ++i) add(slip, lambda + i, body.friction);
     for (Index j = 0; j < generators; ++j, ++next_) {
-      force(b, next_, laws::friction_direction(body, p, j, scene_.facets, si));
+      force(b, next_, laws::friction_direction(body, p, generator(body, j, scene_.facets), si));
       add(next_, slip, 1);
       add(slip, next_, -1);
     }

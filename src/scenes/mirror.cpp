@@ -42,7 +42,7 @@ bool bodies_match(const SceneFile& file, Index b, Index image, Index axis) {
     return false;
   const Scene<double> scene = file.view();
   const auto place = [&](Index i) { return file.points[static_cast<std::size_t>(i)]; };
-  const std::vector<Index> points = points_of(one), images = points_of(two);
+  const Indices points = points_of(one), images = points_of(two);
   return std::all_of(points.begin(), points.end(), [&](Index i) {
     return std::any_of(images.begin(), images.end(), [&](Index j) {
       return (place(j) - mirrored(place(i), axis)).norm() <= mirror_slack * place(i).norm() &&

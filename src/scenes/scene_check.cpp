@@ -81,7 +81,7 @@ private:
     SceneFile moved = file_;
     moved.object.center_of_mass = middle;
     return std::all_of(file_.bodies.begin(), file_.bodies.end(), [&](const Body<double>& body) {
-      const std::vector<Index> points = points_of(body);
+      const Indices points = points_of(body);
       return std::all_of(points.begin(), points.end(), [&](Index i) {
         const SurfacePoint surface = nearest_on_surface(moved, position(i), surface_slack * size_);
         return is_on_surface(surface) && points_into(body, surface);

@@ -10,7 +10,7 @@ namespace {
 /// the image down. Places, positions and weights alike.
 void restore_order(const SceneFile& file, const Body<double>& body, SceneFile& image) {
   constexpr double slack = 1e-9;
-  const std::vector<Index> points = points_of(body);
+  const Indices points = points_of(body);
   const auto at = [](const SceneFile& scene, Index i) -> const Vector3<double>& {
     return scene.points[static_cast<std::size_t>(i)];
   };

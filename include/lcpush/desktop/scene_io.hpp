@@ -141,13 +141,6 @@ inline bool takes_rounds(const SceneFile& file) {
   return file.pressure == Pressure::pad || file.is_round;
 }
 
-/// The body's points, as indices into Scene::points.
-template <class S> std::vector<Index> points_of(const Body<S>& body) {
-  std::vector<Index> list(static_cast<std::size_t>(body.point_count));
-  std::iota(list.begin(), list.end(), body.first_point);
-  return list;
-}
-
 /// m, what encloses its contact points and, of a known shape, the shape.
 double object_size(const SceneFile& file);
 

@@ -124,7 +124,7 @@ TEST_CASE("[T.3] a soft generator's column holds its torque, its row the spin") 
   const Vec3 p(0.01, 0.02, 0.03);
   for (const Index k : {3, 11, 30, 40, 41}) { // g = 8
     const Generator<double> d = generator(body, k, 8);
-    const Vector6<double> column = laws::friction_direction(body, p, k, 8, scales);
+    const Vector6<double> column = laws::friction_direction(body, p, generator(body, k, 8), scales);
     const Vec3 moment = p.cross(d.force) + d.torque * body.normal;
     CHECK((column.head<3>() - d.force).norm() <= 1e-15);
     CHECK((column.tail<3>() * scales.length - moment).norm() <= 1e-16);

@@ -42,7 +42,7 @@ template <class S> Vector3<S> friction_of(const Body<S>& body, const ContactAnsw
 template <class S>
 Vector6<S> body_wrench(const Scene<S>& scene, const Answer<S>& answer, const Body<S>& body) {
   Vector6<S> total = Vector6<S>::Zero();
-  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+  for (const Index i : points_of(body)) {
     const ContactAnswer<S>& contact = answer.contacts[i];
     total += wrench_column<S>(scene.points[i],
                               contact.normal_force * body.normal + contact.friction_force);
@@ -64,7 +64,7 @@ Vector6<S> body_twist(const Scene<S>& scene, const Answer<S>& answer, Index body
 template <class S>
 S closing_speed(const Scene<S>& scene, const Body<S>& body, const Drive<S>& drive) {
   S sum(0);
-  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+  for (const Index i : points_of(body))
     sum += acceleration_at(scene.points[i], drive.twist).dot(body.normal);
   return sum / S(body.point_count);
 }
@@ -85,16 +85,14 @@ template <class S> bool is_driven(const Scene<S>& scene, Index body) {
 /// How fast its actuators close a body, m/s^2 along its normal (mean over its points).
 template <class S> S mean_closing(const Answer<S>& answer, const Body<S>& body) {
   S sum(0);
-  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
-    sum += answer.contacts[i].closing_acceleration;
+  for (const Index i : points_of(body)) sum += answer.contacts[i].closing_acceleration;
   return sum / S(body.point_count);
 }
 
 /// The sum of a body's normal forces, N.
 template <class S> S normal_sum(const Answer<S>& answer, const Body<S>& body) {
   S sum(0);
-  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
-    sum += answer.contacts[i].normal_force;
+  for (const Index i : points_of(body)) sum += answer.contacts[i].normal_force;
   return sum;
 }
 

@@ -137,7 +137,7 @@ private:
     for (Index a = 0; a < scene.actuators.size; ++a) memory_.reach[a] = S(0);
     for (const Drive<S>& drive : scene.drives) {
       const Body<S>& body = scene.bodies[drive.body];
-      for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      for (const Index i : points_of(body))
         memory_.reach[drive.actuator] = maxi(
             memory_.reach[drive.actuator], S(acceleration_at(scene.points[i], drive.twist).norm()));
     }
@@ -164,8 +164,7 @@ private:
       const S tau = scene.actuators[a].force / memory_.reach[a];
       force = maxi(force, Eigen::numext::abs(tau));
     }
-    // Against a push of a thousand times that, rounding is all that is left of the grip.
-    force = maxi(force, S(scene.object.mass * push / S(1000)));
+    force = maxi(force, S(scene.object.mass * push / ModelSettings<S>::push_over_forces()));
     if (!(force > S(0))) force = scene.object.mass * (push > S(0) ? push : S(1));
     layout_.scales.force = force;
     layout_.scales.acceleration = force / scene.object.mass;
@@ -178,7 +177,7 @@ private:
     load_ = laws::load(scene, layout_.scales);
     if (!has_round_friction(scene)) return;
     for (const Body<S>& body : scene.bodies)
-      for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      for (const Index i : points_of(body))
         laws::round_cone(body, scene.points[i], scene.round_cones[i], scene.object.mass,
                          layout_.scales, factored_.mobility, load_);
   }
@@ -197,7 +196,7 @@ private:
           return generator(scene, body, i, j);
         return {memory_.wrenches[first_force + normals + j].template head<3>(), S(0)};
       };
-      for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+      for (const Index i : points_of(body)) {
         const Vector3<S>& p = scene.points[i];
         const ConeGroup<S> cone = laws::friction_cone(body, g, force, variable);
         memory_.cones[layout_.points] = cone;
@@ -237,13 +236,11 @@ private:
         for (const Drive<S>& drive : scene.drives)
           if (drive.actuator == a && drive.body == b)
             twist += laws::drive_twist(drive, memory_.reach[a], layout_.scales);
-        for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+        for (const Index i : points_of(body)) {
           const ConeGroup<S>& cone = memory_.cones[i];
           for (Index k = 0; k < cone.forces(); ++k) {
             const S coefficient = laws::grip_coefficient(twist, memory_.wrenches[cone.force + k]);
-            // A force across the motion does no work on it: what is left of it is rounding.
-            using std::abs;
-            if (!(abs(coefficient) > S(16) * Eigen::NumTraits<S>::epsilon())) continue;
+            if (!(Eigen::numext::abs(coefficient) > ModelSettings<S>::across_drive())) continue;
             memory_.coupled_variable[entry] = static_cast<int>(cone.variable + k);
             memory_.coupling[entry++] = coefficient;
           }

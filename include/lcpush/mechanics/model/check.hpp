@@ -115,7 +115,7 @@ template <class S, class Visit> struct LawRows {
   void enter(Index b, const S& sigma) {
     const Body<S>& body = scene.bodies[b];
     pressing = S(0);
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    for (const Index i : points_of(body))
       pressing += Eigen::numext::abs(answer.contacts[i].normal_force) +
                   answer.contacts[i].friction_force.norm();
     relative = answer.acceleration - body_twist(scene, answer, b, sigma);
@@ -206,10 +206,10 @@ template <class S, class Visit> struct LawRows {
     }
     // Distances between coplanar points do not see a warp out of the plane; the motion does, and
     // bounds them all: of a wide patch each point is told against some.
-    constexpr Index some = 32;
+    constexpr Index most = ModelSettings<S>::rigidity_neighbours;
     for (Index k = 0; k < 3; ++k)
       show(Law::rigidity, i, k, contact.acceleration[k] - acceleration[k], speed[k], unit);
-    for (Index k = i - body.first_point > some ? i - some : body.first_point; k < i; ++k)
+    for (Index k = i - body.first_point > most ? i - most : body.first_point; k < i; ++k)
       show(Law::rigidity, i, 3 + k,
            laws::patch_rigidity<S>(scene.points[i], contact.acceleration, scene.points[k],
                                    answer.contacts[k].acceleration),
@@ -228,7 +228,7 @@ template <class S, class Visit> struct LawRows {
       const Body<S>& body = scene.bodies[drive.body];
       balance += drive.twist.dot(body_wrench(scene, answer, body));
       own += drive.twist.cwiseAbs().dot(wrench_size(scene, answer, body));
-      for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+      for (const Index i : points_of(body))
         reach = Eigen::numext::maxi(reach, S(acceleration_at(scene.points[i], drive.twist).norm()));
     }
     show(Law::grip, a, -1, balance, own, scales.force * (reach > S(0) ? reach : S(1)), given);
@@ -248,7 +248,7 @@ void check_rows(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>&
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<S>& body = scene.bodies[b];
     rows.enter(b, sigma);
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+    for (const Index i : points_of(body)) {
       rows.enter_point(i);
       rows.motion(body, i);
       rows.friction(body, i, beta);

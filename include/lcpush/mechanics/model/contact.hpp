@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "lcpush/mechanics/model/scene.hpp"
+#include "lcpush/mechanics/model/settings.hpp"
 
 namespace lcpush {
 
@@ -99,12 +100,11 @@ template <class S> Vector3<S> tangent_along(const Vector3<S>& normal, const Vect
   return (direction - normal * normal.dot(direction)).normalized();
 }
 
-/// The axis (0, 1 or 2 for x, y or z) least aligned with `normal`, the first of them on a tie. A
-/// tie is up to 1e-9 (a float's rounding: 1e-6), so that a normal which is a rounding error off an
-/// axis does not turn the friction pyramid. Precondition: `normal` is a unit vector.
+/// The axis (0, 1 or 2 for x, y or z) least aligned with `normal`, the first of them on a tie.
+/// Precondition: `normal` is a unit vector.
 template <class S> Index least_aligned_axis(const Vector3<S>& normal) {
   using Eigen::numext::abs;
-  const S tie = S(1) / S(std::is_same_v<S, float> ? 1000000 : 1000000000);
+  const S tie = ModelSettings<S>::equal_components();
   Index axis = 0;
   for (Index i = 1; i < 3; ++i)
     if (abs(normal[i]) < abs(normal[axis]) - tie) axis = i;

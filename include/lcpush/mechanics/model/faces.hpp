@@ -133,7 +133,8 @@ PlacedPoint<S> place(const Surroundings<S>& surroundings, const Touching& touchi
   const S height = Vector3<S>(placed.position - plane).dot(placed.normal);
   placed.gap = on_body ? S(-height) : height;
   if (placed.absence != Absence::none) return placed;
-  if (face != nullptr && !is_over_face(*face, carrier.back(placed.position), S(depth / S(1000))))
+  if (face != nullptr &&
+      !is_over_face(*face, carrier.back(placed.position), S(depth * ModelSettings<S>::face_rim())))
     placed.absence = Absence::outside;
   else if (placed.gap < -depth)
     placed.absence = Absence::behind;
@@ -166,7 +167,7 @@ TouchMistake find_touch_mistake(const Scene<S>& scene, const Surroundings<S>& su
     return TouchMistake::index;
   if (surroundings.touching.size == 0) return TouchMistake::none;
   if (surroundings.touching.size != scene.bodies.size) return TouchMistake::index;
-  const S slack = S(1) / S(1000000);
+  const S slack = ModelSettings<S>::face_plane();
   S length(0);
   for (const Vector3<S>& p : scene.points) length = Eigen::numext::maxi(length, S(p.norm()));
   for (Index b = 0; b < scene.bodies.size; ++b) {
@@ -185,7 +186,7 @@ TouchMistake find_touch_mistake(const Scene<S>& scene, const Surroundings<S>& su
     const Face<S>& face = surroundings.faces[touching.face];
     const S sign = touching.riding == Riding::on_body ? S(-1) : S(1);
     if (!((face.normal * sign - body.normal).norm() <= slack)) return TouchMistake::plane;
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+    for (const Index i : points_of(body)) {
       const S height = Vector3<S>(scene.points[i] - face.point).dot(body.normal);
       if (!on_side && !is_absent(surroundings, b) &&
           !(Eigen::numext::abs(height) <= slack * length))

@@ -49,19 +49,13 @@ Vector6<S> normal_direction(const Body<S>& body, const Vector3<S>& p, const Scal
 }
 
 /// [T.3] Dissipation: 0 <= beta_ij _|_ W(d_ij)' (a - A_b) + xi_i >= 0.                   [P.4]
-/// Returns W(d_ij) for generator j of a body with g facets.
+/// Returns W(d_ij), d a generator of the body.
 template <class S>
 Vector6<S> friction_direction(const Body<S>& body, const Vector3<S>& p, const Generator<S>& d,
                               const Scales<S>& scales) {
   Vector6<S> column = wrench_column<S>(p / scales.length, d.force);
   column.template tail<3>() += d.torque / scales.length * body.normal;
   return column;
-}
-
-template <class S>
-Vector6<S> friction_direction(const Body<S>& body, const Vector3<S>& p, Index j, Index g,
-                              const Scales<S>& scales) {
-  return friction_direction(body, p, generator(body, j, g), scales);
 }
 
 /// [T.4] Friction cone: 0 <= xi_i _|_ mu_i lambda_i - sum_j beta_ij >= 0.                [P.3]

@@ -83,11 +83,10 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   }
   // Motion counts against the fastest point: a slow push moves everything slowly. Below what
   // rounding leaves of the loads, or of the object's own acceleration, there is no motion at all.
-  const S tolerance = S(1000) * Tolerances<S>().tie;
+  const S tolerance = ModelSettings<S>::counts();
   const Vector6<S>& a = answer.acceleration;
   const S own = a.template head<3>().norm() + scales.length * a.template tail<3>().norm();
-  const S rounding =
-      S(64) * Eigen::NumTraits<S>::epsilon() * (scales.acceleration + own) / tolerance;
+  const S rounding = ModelSettings<S>::motion_noise() * (scales.acceleration + own) / tolerance;
   const S unit = fastest > rounding ? fastest : rounding;
   const ContactMargins<S> margins{S(tolerance * scales.force), S(tolerance * unit)};
   for (Index i = 0; i < layout.points; ++i) {

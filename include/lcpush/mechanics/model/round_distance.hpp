@@ -1,8 +1,7 @@
 // How far an answer's friction is from the round cone's law [T.16]: of round friction what the
-// rounds leave, of pyramids what their facets cost.
+// iterations leave, of pyramids what their facets cost.
 #pragma once
 
-#include "lcpush/lcp/tolerances.hpp"
 #include "lcpush/mechanics/model/answer.hpp"
 #include "lcpush/mechanics/model/layout.hpp"
 
@@ -13,7 +12,8 @@ namespace lcpush {
 template <class S> class RoundDistance {
 public:
   RoundDistance(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer)
-      : scene_(scene), scales_(scales), answer_(answer), fastest_(still() * scales.acceleration) {
+      : scene_(scene), scales_(scales), answer_(answer),
+        fastest_(ModelSettings<S>::slip_noise() * scales.acceleration) {
     for (Index i = 0; i < scene.points.size; ++i)
       fastest_ = Eigen::numext::maxi(fastest_, S(slip(i).norm()));
   }
@@ -30,10 +30,7 @@ public:
   }
   /// Slower than this beside the fastest point, rounding tells a slip from none; and a point that
   /// sticks is within its pyramid, and so within its cone.
-  bool sticks(const S& speed) const {
-    const S slow = S(1) / S(std::is_same_v<S, float> ? 1000 : 10000000);
-    return !(speed > slow * fastest_);
-  }
+  bool sticks(const S& speed) const { return !(speed > ModelSettings<S>::sticking() * fastest_); }
 
   /// |f - projection of (f - v) onto the cone|, f over F, v over the fastest slip.
   S of(Index i) const {
@@ -62,9 +59,6 @@ private:
   const Scales<S>& scales_;
   const Answer<S>& answer_;
   S fastest_;
-
-  /// Of F / m: where nothing is faster, all slips are rounding.
-  static constexpr S still() { return S(256) * Tolerances<S>().residual; }
 };
 
 } // namespace lcpush

@@ -50,6 +50,11 @@ template <class S> struct Body {
   S preload{0}; ///< N, >= 0; of a locked finger: what it pressed with before it stood still
 };
 
+/// The body's points, as indices into Scene::points.
+template <class S> Indices points_of(const Body<S>& body) {
+  return {body.first_point, body.point_count};
+}
+
 /// A force-controlled degree of freedom of the hand.
 template <class S> struct Actuator {
   S force;   ///< tau, N: the force (or generalised force) it holds

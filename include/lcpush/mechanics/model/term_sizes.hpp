@@ -21,7 +21,7 @@ Vector6<S> wrench_size(const Scene<S>& scene, const Answer<S>& answer, const Bod
   using Eigen::numext::abs;
   Vector6<S> total = Vector6<S>::Zero();
   const Vector3<S> n = body.normal.cwiseAbs();
-  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+  for (const Index i : points_of(body)) {
     const ContactAnswer<S>& contact = answer.contacts[i];
     const Vector3<S> force = abs(contact.normal_force) * n + contact.friction_force.cwiseAbs();
     total.template head<3>() += force;
@@ -90,7 +90,7 @@ template <class S> S row_unit_of(const S& own, const S& common, const S& given =
   const Tolerances<S> tolerances;
   S noise = tolerances.noise * common;
   if (given > S(0)) {
-    const S part = S(1) / S(100000);
+    const S part = ModelSettings<S>::part_of_load();
     const S most = tolerances.residual < part ? S(part / tolerances.residual) : S(1);
     noise = mini(noise, S(most * given));
   }

@@ -23,33 +23,25 @@ enum class Mistake {
   round_cones,      ///< of round friction: not one for each point
 };
 
-namespace detail {
-/// In the order of Mistake. One array with a name: what does not ask for it does not link it, while
-/// literals stay together.
-inline constexpr char mistake_texts[] =
-    "\0"
-    "the memory is too small for the scene\0"
-    "a number is not finite, or overflows when scaled\0"
-    "the mass is not positive, or the inertia not positive definite\0"
-    "facets must be even, from 4 to 256\0"
-    "a normal is zero, or a tangent lies along it\0"
-    "friction, torsion radius and preload must be >= 0\0"
-    "a body has no points, or an index is outside of its array\0"
-    "an actuator has a negative force or inertia, or drives nothing\0"
-    "a soft contact has several points, even pressure shares an actuator or a preload, or a driven "
-    "body has a preload\0"
-    "no pusher moves: give one an acceleration\0"
-    "there is no scene: describe one first\0"
-    "weights must be > 0, one for each point\0"
-    "round friction needs a linearized cone for each point";
-} // namespace detail
-
 constexpr const char* mistake_text(Mistake mistake) {
+  constexpr const char* texts[] = {
+      "",
+      "the memory is too small for the scene",
+      "a number is not finite, or overflows when scaled",
+      "the mass is not positive, or the inertia not positive definite",
+      "facets must be even, from 4 to 256",
+      "a normal is zero, or a tangent lies along it",
+      "friction, torsion radius and preload must be >= 0",
+      "a body has no points, or an index is outside of its array",
+      "an actuator has a negative force or inertia, or drives nothing",
+      "a soft contact has several points, even pressure shares an actuator or a preload, or a "
+      "driven body has a preload",
+      "no pusher moves: give one an acceleration",
+      "there is no scene: describe one first",
+      "weights must be > 0, one for each point",
+      "round friction needs a linearized cone for each point"};
   if (mistake < Mistake::none || mistake > Mistake::round_cones) return "";
-  const char* text = detail::mistake_texts;
-  for (int before = static_cast<int>(mistake); before > 0; ++text)
-    if (*text == '\0') --before;
-  return text;
+  return texts[static_cast<int>(mistake)];
 }
 
 namespace detail {
@@ -64,11 +56,11 @@ template <class V> bool all_finite(const V& v) {
 /// Sylvester's criterion, relative to the largest entry.
 template <class S> bool is_positive_definite(const Matrix3<S>& I) {
   S scale(0);
-  for (Index k = 0; k < 9; ++k)
+  for (Index k = 0; k < I.size(); ++k)
     scale = Eigen::numext::maxi(scale, S(Eigen::numext::abs(I.data()[k])));
   if (!(scale > S(0)) || !is_finite(scale)) return false;
   const Matrix3<S> A = I / scale;
-  const S slack = S(16) * Eigen::NumTraits<S>::epsilon();
+  const S slack = ModelSettings<S>::symmetry();
   for (Index i = 0; i < 3; ++i)
     for (Index j = 0; j < i; ++j)
       if (!(Eigen::numext::abs(S(A(i, j) - A(j, i))) <= slack)) return false;
@@ -78,7 +70,7 @@ template <class S> bool is_positive_definite(const Matrix3<S>& I) {
 }
 
 template <class S> Mistake mistake_of(const Body<S>& body, Index points) {
-  const S slack = S(1000) * Eigen::NumTraits<S>::epsilon();
+  const S slack = ModelSettings<S>::unit_length();
   const auto near = [&](const S& x, const S& y) { return Eigen::numext::abs(S(x - y)) <= slack; };
   const bool finite = all_finite(body.normal) && all_finite(body.tangent) &&
                       all_finite(body.acceleration) && is_finite(body.friction) &&
@@ -103,11 +95,11 @@ template <class S> Mistake mistake_of_point_data(const Scene<S>& scene) {
   if (scene.weights.size != scene.points.size) return Mistake::weights;
   for (const Body<S>& body : scene.bodies) {
     S sum(0);
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
+    for (const Index i : points_of(body)) {
       if (!(scene.weights[i] > S(0))) return Mistake::weights;
       sum += scene.weights[i];
     }
-    const S slack = S(16 * body.point_count) * Eigen::NumTraits<S>::epsilon();
+    const S slack = ModelSettings<S>::sum_of_weights(body.point_count);
     if (!(Eigen::numext::abs(S(sum - S(1))) <= slack)) return Mistake::weights;
   }
   return Mistake::none;

@@ -75,7 +75,7 @@ template <class S> Vector6<S> load(const Scene<S>& scene) {
 template <class S> void grasp_matrix(const Scene<S>& scene, MatrixMap<S> G) {
   Index column = 0;
   for (const Body<S>& body : scene.bodies)
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    for (const Index i : points_of(body))
       for (Index c = 0; c < contact_components(body); ++c)
         G.col(column++) = contact_column(body, scene.points[i], c);
 }
@@ -97,7 +97,7 @@ Vector6<S> polyhedral_column(const Scene<S>& scene, const Body<S>& body, const V
 template <class S> void polyhedral_grasp_matrix(const Scene<S>& scene, MatrixMap<S> G_bar) {
   Index column = 0;
   for (const Body<S>& body : scene.bodies)
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    for (const Index i : points_of(body))
       for (Index k = 0; k < normal_count(body) + generator_count(scene, body); ++k)
         G_bar.col(column++) = polyhedral_column(scene, body, scene.points[i], k);
 }
@@ -112,7 +112,7 @@ void hand_jacobian(const Scene<S>& scene, Span<const Drive<S>> drives, MatrixMap
   Index row = 0;
   for (Index b = 0; b < scene.bodies.size; ++b) {
     const Body<S>& body = scene.bodies[b];
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    for (const Index i : points_of(body))
       for (Index c = 0; c < contact_components(body); ++c) {
         for (const Drive<S>& drive : drives)
           if (drive.body == b)
@@ -130,7 +130,7 @@ template <class S> void hand_jacobian(const Scene<S>& scene, MatrixMap<S> J) {
 /// object's centre of mass) it is the acceleration of its points.
 template <class S> void body_jacobian(const Scene<S>& scene, const Body<S>& body, MatrixMap<S> J) {
   Index row = 0;
-  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+  for (const Index i : points_of(body))
     for (Index c = 0; c < contact_components(body); ++c)
       J.row(row++) = contact_column(body, scene.points[i], c).transpose();
 }
@@ -140,7 +140,7 @@ template <class S> void body_jacobian(const Scene<S>& scene, const Body<S>& body
 template <class S> void prescribed_motion(const Scene<S>& scene, MatrixMap<S> v) {
   Index row = 0;
   for (const Body<S>& body : scene.bodies)
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
+    for (const Index i : points_of(body))
       for (Index c = 0; c < contact_components(body); ++c)
         v(row++, 0) = contact_column(body, scene.points[i], c).dot(body.acceleration);
 }

@@ -43,7 +43,7 @@ namespace detail {
 /// The point with the largest distance; of those that are equal but for rounding, the first.
 template <class S, class Distance>
 Index farthest(Span<const Vector3<S>> points, const Distance& distance) {
-  const S margin = S(1) + S(1024) * Eigen::NumTraits<S>::epsilon();
+  const S margin = S(1) + ModelSettings<S>::equal_distance();
   Index best = 0;
   S largest = distance(points[0]);
   for (Index i = 1; i < points.size; ++i) {
@@ -69,7 +69,7 @@ template <class S> PatchReferences<S> choose_references(Span<const Vector3<S>> p
     middle += p / S(points.size);
     largest = Eigen::numext::maxi(largest, S(p.norm()));
   }
-  const S rounding = S(16) * Eigen::NumTraits<S>::epsilon() * largest;
+  const S rounding = ModelSettings<S>::coordinates() * largest;
   chosen.point[0] =
       detail::farthest(points, [&](const Vector3<S>& p) { return (p - middle).norm(); });
   const Vector3<S> origin = points[chosen.point[0]];
@@ -119,19 +119,19 @@ void interpolation_weights(Span<const Vector3<S>> points, const PatchReferences<
 /// none, and points that fill space as many as a face.
 constexpr Index rigidity_count(Index k, Index m) { return 3 * (k - m - 1) + m * (m + 1) / 2; }
 
-/// Writes the rigidity_count rows of C r = 0 into A, from row `first` on. Column 3 i + axis is a
-/// component of r_i in the axes of `points`; columns from 3k on become 0.
+/// Writes C: the rigidity_count rows of C r = 0. Column 3 i + axis is a component of r_i in the
+/// axes of `points`.
 template <class S>
 void fill_rigidity(Span<const Vector3<S>> points, const PatchReferences<S>& at,
-                   Span<const S> weights, MatrixMap<S> A, Index first = 0) {
-  Index row = first;
-  A.middleRows(first, rigidity_count(points.size, at.rank)).setZero();
+                   Span<const S> weights, MatrixMap<S> C) {
+  Index row = 0;
+  C.setZero();
   for (Index j = 0; j < points.size; ++j) {
     if (at.reference_of(j) >= 0) continue;
     for (Index axis = 0; axis < 3; ++axis, ++row) {
-      A(row, 3 * j + axis) = S(1);
+      C(row, 3 * j + axis) = S(1);
       for (Index c = 0; c < at.count(); ++c)
-        A(row, 3 * at.point[c] + axis) = -weights[most_references * j + c];
+        C(row, 3 * at.point[c] + axis) = -weights[most_references * j + c];
     }
   }
   for (Index c = 0; c < at.count(); ++c)
@@ -139,28 +139,10 @@ void fill_rigidity(Span<const Vector3<S>> points, const PatchReferences<S>& at,
       const Vector3<S> between = points[at.point[c]] - points[at.point[d]];
       const S distance = between.norm();
       for (Index axis = 0; axis < 3; ++axis) {
-        A(row, 3 * at.point[c] + axis) = between[axis] / distance;
-        A(row, 3 * at.point[d] + axis) = -between[axis] / distance;
+        C(row, 3 * at.point[c] + axis) = between[axis] / distance;
+        C(row, 3 * at.point[d] + axis) = -between[axis] / distance;
       }
     }
-}
-
-/// Writes the 3k rows r_i - v - omega x (p_i - p_0) = 0 [P.10] into the first rows of A, which has
-/// 3k + 6 columns: r, then v, then omega times the patch's size. p_0 is the first reference.
-template <class S>
-void fill_rigid_motion(Span<const Vector3<S>> points, const PatchReferences<S>& at,
-                       MatrixMap<S> A) {
-  const Index k = points.size;
-  A.topRows(3 * k).setZero();
-  for (Index i = 0; i < k; ++i) {
-    const Vector3<S> arm = (points[i] - points[at.point[0]]) / at.size;
-    for (Index axis = 0; axis < 3; ++axis) {
-      A(3 * i + axis, 3 * i + axis) = S(1);
-      A(3 * i + axis, 3 * k + axis) = S(-1);
-      const Vector3<S> turn = cross<S>(Vector3<S>::Unit(axis), arm);
-      for (Index c = 0; c < 3; ++c) A(3 * i + c, 3 * k + 3 + axis) = -turn[c];
-    }
-  }
 }
 
 /// The rank by elimination with complete pivoting; A is used up. Entries below an eighth of
@@ -188,47 +170,35 @@ template <class S> Index rank_of(MatrixMap<S> A) {
 
 /// Are the conditions as many as they should be, and do all rigid motions meet them?
 template <class S> struct RigidityCheck {
-  Index count = 0;        ///< rigidity_count
-  Index rank = -1;        ///< of C; should be `count`
-  Index motion_rank = -1; ///< of the rows of [P.10]: 3k
-  Index stacked_rank = 0; ///< with C below them; should still be `motion_rank`
-  S residual{0};          ///< largest entry of C times the patch's six unit motions; 0 is right
+  Index count = 0; ///< rigidity_count
+  Index rank = -1; ///< of C; should be `count`
+  S residual{0};   ///< largest entry of C times the patch's six unit motions; 0 is right
 
-  bool holds() const {
-    return rank == count && stacked_rank == motion_rank && residual <= Tolerances<S>().pivot;
-  }
+  bool holds() const { return rank == count && residual <= Tolerances<S>().pivot; }
 };
 
 /// Scalars that check_rigidity needs for a patch of k points.
-constexpr Index rigidity_scalars(Index k) { return 6 * k * (3 * k + 6); }
+constexpr Index rigidity_scalars(Index k) { return 3 * k * 3 * k; }
 
 /// Judges the references and weights of a patch. With less than rigidity_scalars(k) of memory
-/// nothing is computed and holds() is false. Cost: about (6k)^2 3k multiply-adds.
+/// nothing is computed and holds() is false. Cost: about (3k)^3 multiply-adds.
 template <class S>
 RigidityCheck<S> check_rigidity(Span<const Vector3<S>> points, const PatchReferences<S>& at,
                                 Span<const S> weights, Span<S> memory) {
-  const Index k = points.size;
   RigidityCheck<S> result;
-  result.count = rigidity_count(k, at.rank);
-  if (memory.size < rigidity_scalars(k)) return result;
-
-  MatrixMap<S> stacked(memory.data, 3 * k + result.count, 3 * k + 6);
-  fill_rigid_motion(points, at, stacked);
-  fill_rigidity(points, at, weights, stacked, 3 * k);
-  for (Index row = 3 * k; row < stacked.rows(); ++row)
-    for (Index motion = 3 * k; motion < stacked.cols(); ++motion) {
-      S sum(0);
-      for (Index j = 0; j < 3 * k; ++j) sum += stacked(row, j) * stacked(j, motion);
-      detail::keep_worst(result.residual, sum);
-    }
-  result.stacked_rank = rank_of(stacked);
-
-  MatrixMap<S> motions(memory.data, 3 * k, 3 * k + 6);
-  fill_rigid_motion(points, at, motions);
-  result.motion_rank = rank_of(motions);
-
-  MatrixMap<S> C(memory.data, result.count, 3 * k);
+  result.count = rigidity_count(points.size, at.rank);
+  if (memory.size < rigidity_scalars(points.size)) return result;
+  MatrixMap<S> C(memory.data, result.count, 3 * points.size);
   fill_rigidity(points, at, weights, C);
+  // A rigid motion [P.10]: r_i = v + omega x (p_i - p_0), p_0 the first reference.
+  for (Index row = 0; row < C.rows(); ++row) {
+    Vector6<S> sum = Vector6<S>::Zero();
+    for (Index i = 0; i < points.size; ++i)
+      sum += wrench_column<S>((points[i] - points[at.point[0]]) / at.size,
+                              C.template block<1, 3>(row, 3 * i).transpose());
+    for (Index motion = 0; motion < 6; ++motion)
+      detail::keep_worst(result.residual, S(sum[motion]));
+  }
   result.rank = rank_of(C);
   return result;
 }
