@@ -1,8 +1,8 @@
 #include "formats/json_writer.hpp"
-#include "lcpush/desktop/report.hpp"
 #include "lcpush/mechanics/model/round_distance.hpp"
 #include "scenes/warnings_json.hpp"
 #include "solve/push_words.hpp"
+#include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -31,8 +31,10 @@ void write_contacts(JsonWriter& json, const SceneFile& file, const PushReport& r
 }
 
 void write_statement(JsonWriter& json, const char* key, const Statement& statement) {
-  json.key(key).begin_object().member("covered", statement.covered);
-  json.member("statement", statement.statement).member("reason", statement.reason()).end_object();
+  const bool covered = !statement.text.empty();
+  json.key(key).begin_object().member("covered", covered);
+  json.member("statement", covered ? statement.text : "none");
+  json.member("reason", joined(statement.reasons, "; ")).end_object();
 }
 
 const char* role_name(const Scene<double>& scene, Index body) {

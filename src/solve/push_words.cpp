@@ -77,23 +77,20 @@ std::string unique_text(const SceneFile& file, const PushReport& report) {
 }
 
 /// "said: why", on two lines if it is long, and a line for each further reason.
-std::string because(const std::string& said, const std::vector<std::string>& reasons) {
-  const bool fits = said.size() + reasons.front().size() <= usual_width;
-  std::string text = said + (fits ? ": " : ":\n") + reasons.front();
-  for (std::size_t k = 1; k < reasons.size(); ++k) text += ";\n" + reasons[k];
-  return text;
+std::string because(const Statement& statement, const std::string& without) {
+  const std::string said = statement.text.empty() ? without : statement.text;
+  const bool fits = said.size() + statement.reasons.front().size() <= usual_width;
+  return said + (fits ? ": " : ":\n") + joined(statement.reasons, ";\n");
 }
 
 /// Which theorem covers the scene.
 std::string theory_words(const SceneFile& file, const PushReport& report) {
-  const Statement exists = existence_statement(file, report.existence);
   std::string text =
-      because(exists.covered ? exists.statement : "no theorem promises an answer", exists.reasons);
+      because(existence_statement(file, report.existence), "no theorem promises an answer");
   if (report.status != Status::solved) return text;
-  const Statement unique = uniqueness_statement(report);
-  text +=
-      ";\n" + because(unique.covered ? unique.statement : "no theorem says that it is the only one",
-                      {unique.reasons.front()}); // more stands above
+  Statement unique = uniqueness_statement(report);
+  unique.reasons.resize(1); // more stands above
+  text += ";\n" + because(unique, "no theorem says that it is the only one");
   if (file.pressure == Pressure::rigid)
     text += "\n(pressure = \"rigid\" leaves a patch's pressure open: one answer of a set)";
   if (file.pressure == Pressure::even && !file.planar)

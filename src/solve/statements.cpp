@@ -1,17 +1,14 @@
-#include "lcpush/desktop/statements.hpp"
-
 #include <algorithm>
 #include <set>
 
 #include "lcpush/desktop/push.hpp"
+#include "solve/word_settings.hpp"
 #include "text/format.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr double idle_entry = 1e-6; // of the largest entry of a witness
 
 /// Names of the file's bodies that carry a part of the witness.
 std::vector<std::string> names_of(const SceneFile& file, const Assembly<double>& assembly,
@@ -25,12 +22,13 @@ std::vector<std::string> names_of(const SceneFile& file, const Assembly<double>&
   };
   if (verdict == Existence::closes_on_nothing)
     for (const Drive<double>& drive : scene.drives)
-      if (witness[static_cast<std::size_t>(drive.actuator)] > idle_entry * largest)
+      if (witness[static_cast<std::size_t>(drive.actuator)] > word_settings.witness * largest)
         mark(drive.body);
   if (verdict == Existence::can_be_squeezed)
     for (Index i = 0; i < layout.points; ++i)
       for (Index k = 0; k < layout.cones[i].normals; ++k)
-        if (witness[static_cast<std::size_t>(layout.cones[i].force + k)] > idle_entry * largest)
+        if (witness[static_cast<std::size_t>(layout.cones[i].force + k)] >
+            word_settings.witness * largest)
           mark(layout.body[i]);
   std::vector<std::string> names;
   for (const Index b : takes_part) names.push_back(file.body_name(b));
@@ -53,19 +51,13 @@ ExistenceFound find_existence(const SceneFile& file, const Assembly<double>& ass
   return found;
 }
 
-std::string Statement::reason() const {
-  std::string all = reasons.front();
-  for (std::size_t k = 1; k < reasons.size(); ++k) all += "; " + reasons[k];
-  return all;
-}
-
 Statement existence_statement(const SceneFile& file, const ExistenceFound& found) {
-  if (!found.studied) return {false, "none", {"not studied: the scene has too many unknowns"}};
+  if (!found.studied) return {"", {"not studied: the scene has too many unknowns"}};
   const std::string who = listed(found.bodies, "and");
-  Statement said{false, "none", {}};
+  Statement said;
   switch (found.verdict) {
   case Existence::proved:
-    said = {true, "an answer exists, whatever the loads", {"(H1) and (H2) of theory 5.3 hold"}};
+    said = {"an answer exists, whatever the loads", {"(H1) and (H2) of theory 5.3 hold"}};
     break;
   case Existence::closes_on_nothing:
     said.reasons = {"(H1) of theory 5.3 fails: the actuator of " + who +
@@ -80,7 +72,7 @@ Statement existence_statement(const SceneFile& file, const ExistenceFound& found
                     "only (theory 5.4)"};
     break;
   case Existence::not_known:
-    return {false, "none", {"not known: a linear program for theory 5.3 was not settled"}};
+    return {"", {"not known: a linear program for theory 5.3 was not settled"}};
   }
   if (std::any_of(file.bodies.begin(), file.bodies.end(),
                   [](const Body<double>& body) { return body.bilateral; }))
@@ -95,22 +87,20 @@ std::string tied_words(Index contacts) {
 
 Statement uniqueness_statement(const PushReport& report) {
   if (report.unique_motion == Uniqueness::yes)
-    return {true, "the motion is unique", {"every normal force with friction is known (theory 7)"}};
+    return {"the motion is unique", {"every normal force with friction is known (theory 7)"}};
   const FinalBasis& basis = report.final_basis;
-  Statement said{false, "none", {}};
+  Statement said;
   if (!report.undetermined.empty())
     said.reasons.push_back(report.undetermined +
                            " has friction and no known normal force (theory 7)");
-  std::string near = "this answer's neighbourhood was studied (final basis): ";
-  if (!basis.studied)
-    near = "this answer's neighbourhood was not studied";
-  else if (basis.motion_open)
-    near += "other motions lie next to it";
+  std::string near = "no other motion next to it";
+  if (basis.motion_open)
+    near = "other motions lie next to it";
   else if (basis.tied_contacts > 0)
-    near += tied_words(basis.tied_contacts) + ", which leaves it undecided";
-  else
-    near += "no other motion next to it";
-  said.reasons.push_back(near);
+    near = tied_words(basis.tied_contacts) + ", which leaves it undecided";
+  said.reasons.push_back(basis.studied
+                             ? "this answer's neighbourhood was studied (final basis): " + near
+                             : "this answer's neighbourhood was not studied");
   return said;
 }
 

@@ -17,6 +17,8 @@ struct WordSettings {
   /// A force or a motion in a table of three digits, of the loads or of the fastest motion: a
   /// thousandth of its last digit.
   double table = 1e-6;
+  /// Of a witness's largest entry: bodies with less take no part in it.
+  double witness = 1e-6;
   /// The last of three digits: what is less beside the rest of a sentence is not mentioned.
   double digit = 1e-3;
   /// Of the scene's force: two answers whose forces differ by more are told with both forces; by

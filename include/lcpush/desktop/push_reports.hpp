@@ -4,8 +4,8 @@
 #include "lcpush/desktop/final_basis.hpp"
 #include "lcpush/desktop/jam.hpp"
 #include "lcpush/desktop/solver.hpp"
-#include "lcpush/desktop/statements.hpp"
 #include "lcpush/mechanics/solve/breaking.hpp"
+#include "lcpush/mechanics/study/existence.hpp"
 #include "lcpush/mechanics/study/motion.hpp"
 #include "lcpush/mechanics/study/uniqueness.hpp"
 
@@ -33,6 +33,13 @@ struct Noise {
   double moment = 0;       ///< N m
   double acceleration = 0; ///< m/s^2
   double length = 0;       ///< m
+};
+
+/// Does a theorem promise an answer?
+struct ExistenceFound {
+  bool studied = false; ///< not for scenes of very many unknowns
+  Existence verdict = Existence::not_known;
+  std::vector<std::string> bodies; ///< that decide: who closes on nothing, or who squeezes
 };
 
 /// What the answers to every question of a push have in common.
@@ -100,5 +107,22 @@ struct BreakReport : RunReport {
     return largest;
   }
 };
+
+/// [T.8] The lemma's conditions on an assembled scene of `file`.
+ExistenceFound find_existence(const SceneFile& file, const Assembly<double>& assembly);
+
+/// What a theorem of docs/theory/theory.md says of a scene: an answer exists, or it is the only
+/// one.
+struct Statement {
+  std::string text;                 ///< empty: no theorem covers the scene
+  std::vector<std::string> reasons; ///< why, or why not; the first stands for itself
+};
+
+Statement existence_statement(const SceneFile& file, const ExistenceFound& found);
+
+/// "2 contacts are between two modes".
+std::string tied_words(Index contacts);
+/// For a push that is solved.
+Statement uniqueness_statement(const PushReport& report);
 
 } // namespace lcpush::desktop
