@@ -124,11 +124,15 @@ std::string break_unique_words(const BreakReport& report) {
   const bool same_motion = report.unique_motion != Uniqueness::no;
   if (same_force && same_motion)
     return "no other was found by other covering vectors and in mirrors";
+  double least = report.breaking.break_force, largest = least;
+  for (const OtherBreak& other : report.others) {
+    least = std::min(least, other.break_force);
+    largest = std::max(largest, other.break_force);
+  }
   const std::string open = same_motion ? "force" : same_force ? "motion" : "force and motion";
   return "NOT unique: other covering vectors, or mirrors, lead to another " + open +
          (same_force ? ""
-                     : ";\nfound between " + number(report.least_force()) + " and " +
-                           number(report.largest_force()) + " N") +
+                     : ";\nfound between " + number(least) + " and " + number(largest) + " N") +
          "\nAll of them: lcpush spread --break";
 }
 

@@ -9,7 +9,6 @@
 #include "lcpush/mechanics/study/motion.hpp"
 #include "lcpush/mechanics/study/uniqueness.hpp"
 
-#include <algorithm>
 #include <optional>
 
 namespace lcpush::desktop {
@@ -94,18 +93,6 @@ struct BreakReport : RunReport {
   Uniqueness unique_force = Uniqueness::not_tested;
   std::vector<OtherBreak> others;    ///< that differ from it and from each other
   std::optional<double> other_force; ///< N, of the others' the farthest from it, if any differs
-
-  /// N, the smallest and the largest that were found.
-  double least_force() const {
-    double least = breaking.break_force;
-    for (const OtherBreak& other : others) least = std::min(least, other.break_force);
-    return least;
-  }
-  double largest_force() const {
-    double largest = breaking.break_force;
-    for (const OtherBreak& other : others) largest = std::max(largest, other.break_force);
-    return largest;
-  }
 };
 
 /// [T.8] The lemma's conditions on an assembled scene of `file`.
