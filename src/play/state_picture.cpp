@@ -166,9 +166,9 @@ std::string StatePainter::contacts() const {
     for (const Index i : points_of(body)) {
       const ContactAnswer<double>& answer = report_.answer.contacts[i];
       const Pixel tip = sight_.place(figures_.positions()[static_cast<std::size_t>(i)]);
-      text += contact_figure(file_, view_, body, answer, tip, newtons_, 1e-9 * report_.scales.force)
-                  .elements +
-              mode_mark(answer.mode, tip);
+      text +=
+          contact_figure(file_, view_, body, answer, tip, newtons_, report_.noise.force).elements +
+          mode_mark(answer.mode, tip);
     }
   }
   return text;

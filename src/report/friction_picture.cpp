@@ -27,7 +27,7 @@ double friction_bound(const Body<double>& body, Index point, const PushReport& r
 }
 
 bool has_friction(const Body<double>& body, Index point, const PushReport& report) {
-  return friction_bound(body, point, report) > 1e-9 * report.scales.force;
+  return friction_bound(body, point, report) > report.noise.force;
 }
 
 /// The first points of each body, as many of each as there is room for.
@@ -56,7 +56,7 @@ Pixel in_plane(const Body<double>& body, const Vector3<double>& v) {
 }
 
 std::string amounts(const Cell& cell, const PushReport& report) {
-  const double zero = 1e-9 * report.scales.force;
+  const double zero = report.noise.force;
   const double friction = report.answer.contacts[cell.point].friction_force.norm();
   return (friction > zero ? rough_number(friction) : "0") + " of " + rough_number(cell.bound) +
          " N";
@@ -84,7 +84,7 @@ std::string cell_elements(const SceneFile& file, const Cell& cell, const PushRep
     if (along.size() < 4) text += text_element("quiet", center + at, along); // "+x" has room
   const Vector3<double> slip =
       answer.acceleration - answer.acceleration.dot(body.normal) * body.normal;
-  if (answer.mode == Mode::slide && slip.norm() > 1e-9 * report.scales.acceleration)
+  if (answer.mode == Mode::slide && slip.norm() > report.noise.acceleration)
     text +=
         arrow_element("motion thin", center,
                       center + 0.8 * radius * in_plane(body, Vector3<double>(slip.normalized())));

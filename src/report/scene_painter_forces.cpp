@@ -118,7 +118,7 @@ std::string ScenePainter::turning_axis() {
     if (is_screw) lines = {name, pitch};
     labels_.push_back({lines, at, Pixel::Zero(), at, is_screw ? 1U : 2U});
     words_.push_back("It turns about the " + name + more + " at " +
-                     vector_text(point, 1e-9 * report_.scales.length) + " m.");
+                     vector_text(point, report_.noise.length) + " m.");
     return turning_center(at);
   }
   const std::string name = is_screw ? "screw axis" : "axis of turning";

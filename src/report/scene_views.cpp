@@ -74,8 +74,8 @@ PictureScales picture_scales(const SceneFile& file, const PushReport& report) {
   if (scales.shows_forces) {
     most_force = std::max(most_force, (file.object.mass * file.gravity).norm());
     most_speed = std::max(most_speed, report.answer.acceleration.head<3>().norm());
-    scales.no_force = 1e-9 * report.scales.force;
-    scales.still = std::max(negligible * most_speed, 1e-9 * report.scales.acceleration);
+    scales.no_force = report.noise.force;
+    scales.still = std::max(negligible * most_speed, report.noise.acceleration);
   }
   scales.newtons = most_force > 0 ? longest_force / round_above(most_force) : 0;
   scales.accelerations = most_speed > 0 ? fastest / most_speed : 0;
