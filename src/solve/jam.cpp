@@ -6,13 +6,14 @@
 #include "lcpush/desktop/naming.hpp"
 #include "lcpush/desktop/owned.hpp"
 #include "lcpush/mechanics/model/answer.hpp"
+#include "solve/word_settings.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-constexpr double negligible = 1e-6; // of a motion or a force, beside the whole
+constexpr double negligible = word_settings.component;
 
 bool moves(const Body<double>& body) { return body.acceleration.norm() > 0; }
 
@@ -54,7 +55,8 @@ Vector3<double> across(const Body<double>& body, const Vector3<double>& force, b
 
 void find_remedies(const SceneFile& file, const Assembly<double>& assembly,
                    const std::vector<Squeeze<double>>& bodies, const TryScene& solves, Jam& jam) {
-  const double force = std::max(assembly.layout().scales.force, 1e-3 * file.object.mass);
+  const double force =
+      std::max(assembly.layout().scales.force, word_settings.least_remedy * file.object.mass);
   const auto add = [&](const std::string& text, const SceneFile& changed) {
     jam.remedies.push_back({text, solves != nullptr, solves != nullptr && solves(changed)});
   };
@@ -75,7 +77,7 @@ void find_remedies(const SceneFile& file, const Assembly<double>& assembly,
     SceneFile changed = file;
     changed.bodies[static_cast<std::size_t>(b)].acceleration.head<3>() = side;
     add(name + " moving across the squeeze, for example with acceleration " +
-            vector_text(side, 1e-9 * side.norm()),
+            vector_text(side, word_settings.rounding * side.norm()),
         changed);
   }
 }

@@ -2,15 +2,16 @@
 
 #include <cmath>
 
+#include "solve/word_settings.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-constexpr double half_digit = 0.5e-3;
-
 /// To three digits, without the sign of a zero.
-std::string rounded(double x) { return shown(std::round(x * 1e3) / 1e3 + 0.0); }
+std::string rounded(double x) {
+  return shown(std::round(x * word_settings.places) / word_settings.places + 0.0);
+}
 
 } // namespace
 
@@ -27,7 +28,7 @@ std::string components_text(const Vector3<double>& direction) {
 std::string direction_text(const Vector3<double>& direction) {
   for (Index axis = 0; axis < 3; ++axis)
     for (const double sign : {1.0, -1.0})
-      if ((direction - sign * Vector3<double>::Unit(axis)).norm() < half_digit)
+      if ((direction - sign * Vector3<double>::Unit(axis)).norm() < 0.5 / word_settings.places)
         return std::string(sign > 0 ? "+" : "-") + "xyz"[axis];
   return components_text(direction);
 }

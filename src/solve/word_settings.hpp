@@ -30,6 +30,9 @@ struct WordSettings {
   /// Of the referee's residual beside the scene's force: a push stands out by five digits.
   double push_digits = 1e5;
 
+  double places = 1e3;        ///< of unit vectors in sentences: three places after the point
+  double least_remedy = 1e-3; ///< N/kg: what a jam's remedy presses with where nothing else does
+
   std::size_t label_width = 18; ///< characters, of a fact's label
 };
 

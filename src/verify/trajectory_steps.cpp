@@ -110,7 +110,7 @@ Pose<double> SeenMotion::pose_of(Index body, double time, const Closings& closin
   for (const Drive<double>& drive : file_.drives)
     if (drive.body == body)
       way += closings[static_cast<std::size_t>(drive.actuator)].value_or(0) * drive.twist;
-  return carried(Pose<double>(), way, 1.0);
+  return moved_about_origin(Pose<double>(), way, 1.0);
 }
 
 std::optional<Pose<double>> SeenMotion::driven_pose(Index body, std::size_t k) const {

@@ -47,19 +47,19 @@ TEST_CASE("a body that turns about an axis stays on its circle, at any step") {
   for (const double h : {1e-3, 0.1, 3.0}) {
     Pose<double> pose;
     for (double t = 0; t < 9 - h / 2; t += h) {
-      pose = carried(pose, twist, h);
+      pose = moved_about_origin(pose, twist, h);
       CHECK((pose.at({0.1, 0, 0}) - Vec3(0.1, 0, 0)).norm() <= 1e-12);
     }
   }
   Vector6<double> straight = Vector6<double>::Zero();
   straight[0] = 0.3;
-  CHECK(carried(Pose<double>(), straight, 0.1).position[0] == 0.3 * 0.1);
+  CHECK(moved_about_origin(Pose<double>(), straight, 0.1).position[0] == 0.3 * 0.1);
 }
 
 TEST_CASE("back undoes at, and the same twist is read at another point") {
   Vector6<double> twist;
   twist << 0.1, 0.2, -0.3, 0.5, 0.4, -1;
-  const Pose<double> pose = carried(Pose<double>(), twist, 0.7);
+  const Pose<double> pose = moved_about_origin(Pose<double>(), twist, 0.7);
   const Vec3 x(0.02, -0.01, 0.03);
   CHECK((pose.back(pose.at(x)) - x).norm() < 1e-16);
   CHECK((twist_at(twist_at(twist, x), Vec3(-x)) - twist).norm() < 1e-16);

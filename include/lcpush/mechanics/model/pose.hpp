@@ -18,11 +18,11 @@ template <class S> struct Pose {
   }
 };
 
-/// The same twist taken at another point, both with the axes of the scene.
-template <class S> Vector6<S> twist_at(const Vector6<S>& twist, const Vector3<S>& from_here) {
-  Vector6<S> there = twist;
-  there.template head<3>() = acceleration_at(from_here, twist);
-  return there;
+/// The same twist taken at another point, `offset` from the first, both with the axes of the scene.
+template <class S> Vector6<S> twist_at(const Vector6<S>& twist, const Vector3<S>& offset) {
+  Vector6<S> moved = twist;
+  moved.template head<3>() = acceleration_at(offset, twist);
+  return moved;
 }
 
 namespace detail {
@@ -58,7 +58,8 @@ template <class S> Matrix3<S> straightened(const Matrix3<S>& R) {
 template <class S> Matrix3<S> rotation_by(const Vector3<S>& angle) {
   Vector3<S> x = angle;
   int doublings = 0;
-  for (; doublings < 64 && x.squaredNorm() > S(1); ++doublings) x /= S(2);
+  for (; doublings < ModelSettings<S>::most_halvings && x.squaredNorm() > S(1); ++doublings)
+    x /= S(2);
   const S square = x.squaredNorm();
   const S sine = detail::turning_series(square, 1);           // sin |x| / |x|
   const S versine = detail::turning_series(square, 2) / S(2); // (1 - cos |x|) / |x|^2
@@ -71,7 +72,7 @@ template <class S> Matrix3<S> rotation_by(const Vector3<S>& angle) {
   return R;
 }
 
-/// After a time h: the object's way, whose twist is at its centre of mass, the pose's position.
+/// The object after a time h; its twist is at its centre of mass, the pose's position.
 template <class S> Pose<S> moved(const Pose<S>& pose, const Vector6<S>& twist, const S& h) {
   const Vector3<S> turn = h * twist.template tail<3>();
   Pose<S> next;
@@ -80,26 +81,25 @@ template <class S> Pose<S> moved(const Pose<S>& pose, const Vector6<S>& twist, c
   return next;
 }
 
-/// After a time h: a body's way, whose twist is at the hand's origin and stands still meanwhile, so
-/// that what turns about an axis stays on its circles. Where h times a turn is above 1 rad, the
-/// way is cut in halves.
-template <class S> Pose<S> carried(const Pose<S>& pose, const Vector6<S>& twist, const S& h) {
-  const Vector3<S> turn = h * twist.template tail<3>(), way = h * twist.template head<3>();
+/// A body after a time h; its twist is at the hand's origin and stays the same meanwhile, so that
+/// what turns about an axis stays on its circles. A turn of more than 1 rad is done in halves.
+template <class S>
+Pose<S> moved_about_origin(const Pose<S>& pose, const Vector6<S>& twist, const S& h) {
+  const Vector3<S> turn = h * twist.template tail<3>(), shift = h * twist.template head<3>();
   const S square = turn.squaredNorm();
   if (square > S(1)) {
     const S half = h / S(2);
-    // A number that is no number would be halved for ever.
-    if (!(square < S(1e12))) return pose;
-    return carried(carried(pose, twist, half), twist, half);
+    if (!(square < ModelSettings<S>::turn_squared())) return pose; // not halved for ever
+    return moved_about_origin(moved_about_origin(pose, twist, half), twist, half);
   }
-  // exp of the whole twist: position + V way, V the mean rotation on the way.
+  // exp of the whole twist: position + V shift, V the mean rotation meanwhile.
   const S versine = detail::turning_series(square, 2) / S(2);
   const S rest = detail::turning_series(square, 3) / S(6); // (|x| - sin |x|) / |x|^3
   const Matrix3<S> R = rotation_by(turn);
-  const Vector3<S> across = cross(turn, way);
+  const Vector3<S> across = cross(turn, shift);
   Pose<S> next;
   next.position =
-      R.lazyProduct(pose.position) + way + versine * across + rest * cross(turn, across);
+      R.lazyProduct(pose.position) + shift + versine * across + rest * cross(turn, across);
   next.rotation = detail::straightened<S>(R.lazyProduct(pose.rotation));
   return next;
 }

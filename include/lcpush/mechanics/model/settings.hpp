@@ -31,6 +31,10 @@ template <class S> struct ModelSettings {
   static S coordinates() { return rounding(16); } ///< of the largest, in a difference of points
   static S equal_distance() { return rounding(1024); } ///< of one of two distances of points
 
+  // A motion.
+  static constexpr int most_halvings = 64;    ///< of a turn, until it is below 1 rad
+  static S turn_squared() { return S(1e12); } ///< rad^2: a larger turn in a step is no number
+
   // The problem.
   /// m times the push, over the other forces: against more, rounding is all that is left of them.
   static S push_over_forces() { return S(1000); }

@@ -154,7 +154,7 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::bend_gaps(const S&
   const Pose<S> object = moved(pose_, next_velocity_, h);
   for (Index k = 0; k < present_.points.size; ++k) {
     const Index i = m_.from[k], present = body_at(k), b = m_.body_of[present];
-    const Pose<S> hand = carried(m_.poses[b], end_twist(b), h);
+    const Pose<S> hand = moved_about_origin(m_.poses[b], end_twist(b), h);
     const Vector6<S> relative = next_velocity_ - twist_at(end_twist(b), pose_.position);
     const S opening = acceleration_at(m_.points[k], relative).dot(m_.bodies[present].normal);
     const PlacedPoint<S> then = placed(b, i, object, hand);
@@ -223,7 +223,7 @@ template <class S, class Pivots> S TimeStepper<S, Pivots>::deepest(const S& h, b
   missed = false;
   for (Index b = 0; b < scene_->bodies.size; ++b) {
     const Body<S>& body = scene_->bodies[b];
-    const Pose<S> hand = carried(m_.poses[b], end_twist(b), h);
+    const Pose<S> hand = moved_about_origin(m_.poses[b], end_twist(b), h);
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
       const Absence absence = m_.placed[i].absence;
       if (absence != Absence::none && absence != Absence::far) continue;
@@ -263,7 +263,7 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::commit(const S& h)
   Index present = 0;
   for (Index b = 0; b < scene_->bodies.size; ++b) {
     const Body<S>& body = scene_->bodies[b];
-    m_.poses[b] = carried(m_.poses[b], end_twist(b), h);
+    m_.poses[b] = moved_about_origin(m_.poses[b], end_twist(b), h);
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
       const bool touches = m_.placed[i].absence == Absence::none;
       read_contact(i, touches ? present : -1, placed(b, i, pose_, m_.poses[b]), h);
