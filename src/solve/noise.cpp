@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lcpush/lcp/tolerances.hpp"
-#include "lcpush/mechanics/model/contact.hpp"
+#include "lcpush/mechanics/model/answer.hpp"
 #include "solve/word_settings.hpp"
 
 namespace lcpush::desktop {
@@ -18,11 +18,8 @@ double rounding_of_force() {
 /// N: what the actuator asks of its points.
 double held_force(const Scene<double>& scene, Index actuator) {
   double reach = 0;
-  for (const Drive<double>& drive : scene.drives) {
-    if (drive.actuator != actuator) continue;
-    for (const Index i : points_of(scene.bodies[drive.body]))
-      reach = std::max(reach, acceleration_at(scene.points[i], drive.twist).norm());
-  }
+  for (const Drive<double>& drive : scene.drives)
+    if (drive.actuator == actuator) reach = std::max(reach, drive_reach(scene, drive));
   return std::abs(scene.actuators[actuator].force) / (reach > 0 ? reach : 1.0);
 }
 

@@ -69,6 +69,14 @@ S closing_speed(const Scene<S>& scene, const Body<S>& body, const Drive<S>& driv
   return sum / S(body.point_count);
 }
 
+/// m/s^2: the fastest point of the driven body per unit of the actuator.
+template <class S> S drive_reach(const Scene<S>& scene, const Drive<S>& drive) {
+  S reach(0);
+  for (const Index i : points_of(scene.bodies[drive.body]))
+    reach = Eigen::numext::maxi(reach, S(acceleration_at(scene.points[i], drive.twist).norm()));
+  return reach;
+}
+
 /// How many bodies it drives; one body by two drives counts twice.
 template <class S> Index drive_count(const Scene<S>& scene, Index actuator) {
   Index count = 0;

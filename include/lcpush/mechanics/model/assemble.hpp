@@ -135,12 +135,9 @@ private:
     for (const Vector3<S>& p : scene.points) length = maxi(length, S(p.norm()));
     if (!(length > S(0))) length = S(1);
     for (Index a = 0; a < scene.actuators.size; ++a) memory_.reach[a] = S(0);
-    for (const Drive<S>& drive : scene.drives) {
-      const Body<S>& body = scene.bodies[drive.body];
-      for (const Index i : points_of(body))
-        memory_.reach[drive.actuator] = maxi(
-            memory_.reach[drive.actuator], S(acceleration_at(scene.points[i], drive.twist).norm()));
-    }
+    for (const Drive<S>& drive : scene.drives)
+      memory_.reach[drive.actuator] =
+          maxi(memory_.reach[drive.actuator], drive_reach(scene, drive));
     for (Index a = 0; a < scene.actuators.size; ++a)
       if (!(memory_.reach[a] > S(0))) memory_.reach[a] = S(1);
   }

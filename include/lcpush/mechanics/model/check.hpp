@@ -182,8 +182,8 @@ template <class S, class Visit> struct LawRows {
     visit(complementarity(Law::cone, i, -1, limit - force, slip, size));
     if (slip == S(0)) return;
     const S along = f.dot(v) / slip;
-    const S astray = along > S(0) ? force : S((f - along / slip * v).norm());
-    visit(complementarity(Law::dissipation, i, -1, astray, slip, size));
+    const S misdirected = along > S(0) ? force : S((f - along / slip * v).norm());
+    visit(complementarity(Law::dissipation, i, -1, misdirected, slip, size));
   }
 
   /// [T.2], [T.6] and the pusher's motion at point i.
@@ -204,8 +204,7 @@ template <class S, class Visit> struct LawRows {
       normal.law = Law::pusher;
       visit(normal);
     }
-    // Distances between coplanar points do not see a warp out of the plane; the motion does, and
-    // bounds them all: of a wide patch each point is told against some.
+    // Distances between coplanar points do not see a warp out of the plane; the motion does.
     constexpr Index most = ModelSettings<S>::rigidity_neighbours;
     for (Index k = 0; k < 3; ++k)
       show(Law::rigidity, i, k, contact.acceleration[k] - acceleration[k], speed[k], unit);
@@ -228,8 +227,7 @@ template <class S, class Visit> struct LawRows {
       const Body<S>& body = scene.bodies[drive.body];
       balance += drive.twist.dot(body_wrench(scene, answer, body));
       own += drive.twist.cwiseAbs().dot(wrench_size(scene, answer, body));
-      for (const Index i : points_of(body))
-        reach = Eigen::numext::maxi(reach, S(acceleration_at(scene.points[i], drive.twist).norm()));
+      reach = Eigen::numext::maxi(reach, drive_reach(scene, drive));
     }
     show(Law::grip, a, -1, balance, own, scales.force * (reach > S(0) ? reach : S(1)), given);
   }

@@ -103,7 +103,7 @@ S patch_rigidity(const Vector3<S>& p_i, const Vector3<S>& r_i, const Vector3<S>&
 }
 
 /// [T.16] Round friction: in a point's friction space |f| <= mu lambda, and where it slips with v,
-/// f = - mu lambda v / |v|. Around the slip along -u of the last round this is
+/// f = - mu lambda v / |v|. About the slip along -u of the last iteration this is
 ///   f = mu lambda u - k (1 - u u') v,   k = mu lambda / |v|:
 /// a pyramid with a generator along u, and an inertia k across u. Adds that inertia to the
 /// object's, given and returned as B = M^-1, and to the load what the body's own motion makes of

@@ -38,9 +38,9 @@ public:
     if (sticks(v.norm())) return S(0);
     const S room = limit(i) / scales_.force;
     const Vector3<S> f = friction(i) / scales_.force;
-    Vector3<S> there = f - v / fastest_;
-    if (there.norm() > room) there *= room / there.norm();
-    return (f - there).norm();
+    Vector3<S> projected = f - v / fastest_;
+    if (projected.norm() > room) projected *= room / projected.norm();
+    return (f - projected).norm();
   }
 
   struct Worst {
