@@ -1,7 +1,7 @@
 // Behind lcpush_advance: a motion in memory that the caller gives beside the push's own.
 #pragma once
 
-#include "device_lemke.hpp"
+#include "lcpush/lcp/pivots/structured_lemke.hpp"
 #include "lcpush/mechanics/solve/step.hpp"
 
 namespace lcpush::c {
@@ -11,7 +11,7 @@ template <class S> struct CMotion {
   const Scene<S> scene;
   Span<Touching> touching;
   Surroundings<S> around{};
-  TimeStepper<S, DeviceLemke<S>> motion;
+  TimeStepper<S, SmallLemke<S>> motion;
 
   CMotion(const Scene<S>& its_scene, Span<Touching> its_touching, const MotionMemory<S>& memory)
       : scene(its_scene), touching(its_touching), motion(scene, around, memory) {

@@ -112,7 +112,6 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
   PushOptions stricter = options; // by other covers: pivots have ended on a poor basis
   stricter.sweeps.tolerance /= 100;
   stricter.lemke.first_cover += options.lemke.covers;
-  stricter.lemke.careful = !options.lemke.careful;
   const Index sweeps = spent.sweeps;
   const Status improved = run(stricter, sigma, spent, part);
   spent.sweeps += sweeps;

@@ -75,13 +75,6 @@ template <class Use> Status Push::with_rounds(const PushOptions& options, const 
   return with_pivots(options, pivots(), watcher, use);
 }
 
-/// Another path through the pads' rounds.
-inline PushOptions carelessly(const PushOptions& options) {
-  PushOptions careless = options;
-  careless.lemke.careful = false;
-  return careless;
-}
-
 template <class Use>
 Status Push::with_settled_pivots(const PushOptions& options, Watcher& watcher, const Use& use) {
   SettledPivots pivots(structured_pivots(), assembly_, pivots_left_);
@@ -89,8 +82,6 @@ Status Push::with_settled_pivots(const PushOptions& options, Watcher& watcher, c
   const bool may_sweep = pivots.sweeps() > 0 && !pivots.is_spent(); // pads that sweeps can move
   if (status == Status::numerical_breakdown && may_sweep)
     status = use(SweepRounds<double, Watcher>{sweeps_, options.sweeps, watcher});
-  if (status == Status::numerical_breakdown)
-    status = with_pivots(carelessly(options), pivots, watcher, use);
   settled_by_sweeps_ += pivots.sweeps();
   return status;
 }

@@ -176,15 +176,20 @@ template <class S> void multiply(const Problem<S>& problem, const S* z, S* out) 
   }
 }
 
-/// out = M z where z is -1 for every free unknown, and 0 elsewhere. Cost: O(couplings).
-template <class S>
-void multiply_bound(const FactoredProblem<S>& problem, Index free_begin, VectorMap<S> out) {
+/// out = M z where z is -1 for every free unknown, and 0 elsewhere. Cost: O(n) if factored.
+template <class S> void multiply_bound(const Problem<S>& problem, VectorMap<S> out) {
   out.setZero();
-  for (Index a = 0; a < problem.sums.size; ++a) {
-    const SumGroup<S>& sum = problem.sums[a];
-    out[free_begin + a] = -sum.inertia;
+  if (problem.factored == nullptr) {
+    for (Index j = problem.free_begin; j < problem.size; ++j)
+      detail::add_scaled(out.data(), problem.matrix + j * problem.size, S(-1), problem.size);
+    return;
+  }
+  const FactoredProblem<S>& factored = *problem.factored;
+  for (Index a = 0; a < factored.sums.size; ++a) {
+    const SumGroup<S>& sum = factored.sums[a];
+    out[problem.free_begin + a] = -sum.inertia;
     for (Index k = sum.first; k < sum.first + sum.count; ++k)
-      out[problem.coupled_variable[k]] += problem.coupling[k];
+      out[factored.coupled_variable[k]] += factored.coupling[k];
   }
 }
 

@@ -19,10 +19,6 @@ constexpr Index complement(Index variable, Index n) {
   return variable < n ? variable + n : variable - n;
 }
 
-/// Numbers of variables are this narrow where memory is small: there is but the entering column
-/// then, and what is cheaper computed than kept is not kept.
-template <class Int> inline constexpr bool is_narrow = sizeof(Int) < sizeof(int);
-
 /// Right-hand sides whose values a factorisation is asked for: from `first` on those before `exact`
 /// to rounding, those before `end` as they come.
 struct Wanted {

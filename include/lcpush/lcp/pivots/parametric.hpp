@@ -183,7 +183,7 @@ private:
   /// From the breakpoint on: t is basic, entering_ is not.
   PathEnd follow(const S& least, PathStep<S>& step) {
     const Index n = dictionary_.size();
-    const Index most_pivots = 100 + 4 * n;
+    const Index most_pivots = PathSettings::most_pivots(n);
     for (step.pivots = 1; step.pivots <= most_pivots; ++step.pivots) {
       const Index c = dictionary_.column_of(entering_), t_row = dictionary_.row_of(parameter());
       const S rate = dictionary_.table(t_row, c), largest = largest_of(c);

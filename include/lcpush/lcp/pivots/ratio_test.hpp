@@ -76,7 +76,7 @@ private:
   /// Reduces the tied candidates to one.
   TieBreak break_tie() {
     if (rule_ == TieRule::first_row) return TieBreak::order;
-    if (!is_narrow<Int> && rule_ == TieRule::lexicographic) {
+    if (rule_ == TieRule::lexicographic) {
       for (Index i = 0; i < d_.size() && count_ > 1; ++i) keep_lexicographic(i);
       return TieBreak::lexicographic;
     }

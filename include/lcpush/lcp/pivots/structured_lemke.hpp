@@ -10,16 +10,15 @@
 namespace lcpush {
 
 template <class S> using StructuredLemke = Lemke<S, StructuredBasis<S>>;
-/// Where memory is small: at most 16383 unknowns and 2047 cones, some exchanges (LemkeOptions), no
-/// ray() and no covering vector of the caller's, and none of what `careful` adds for wide patches.
-template <class S> using SmallBasis = StructuredBasis<S, std::int16_t>;
+/// On a device, with the exchanges that LemkeOptions says, and no ray().
+template <class S> using SmallBasis = StructuredBasis<S, DeviceMemory>;
 template <class S> using SmallLemke = Lemke<S, SmallBasis<S>>;
 
 namespace detail {
 template <class Basis>
 constexpr Index scalars_on(Index n, Index cones, Index shared, Index exchanges) {
   constexpr Index right_hand_sides = max_rhs + tie_columns;
-  const Index ray = is_narrow<typename Basis::Integer> ? 0 : 1;
+  const Index ray = Basis::Memory::keeps_ray ? 1 : 0;
   return Basis::scalars(n, cones, shared, right_hand_sides, exchanges) +
          // Rows and columns have one scale, and the entering column's memory is scratch.
          n * (lemke_vectors - right_hand_sides - 4 + ray);

@@ -46,7 +46,7 @@ public:
 
   /// After stagnated: did the forces grow without bound, as in a jam? They are far beyond what the
   /// problem's numbers ask for: a squeeze that every pass tightens.
-  bool runs_away() const { return squeeze() > S(10000); }
+  bool runs_away() const { return squeeze() > S(GaussSeidelSettings::runaway); }
 
 private:
   using Judged = JudgedSweeps<S>;

@@ -132,14 +132,13 @@ void BlockGaussSeidel<S>::shrink_to_cone(const ConeGroup<S>& cone, const S& most
 /// Friction on its simplex: moves from the generator that loses most to the one that gains most,
 /// the unused rest of the cone among them, until no move pays.
 template <class S> void BlockGaussSeidel<S>::solve_friction(const ConeGroup<S>& cone) {
-  constexpr int most_moves = 6;
   const Index first = cone.variable + cone.normals, force = cone.force + cone.normals;
   const Index rest = cone.generators; // stands for what the cone leaves unused
   const S most = cone.friction_limit(z_.data);
   shrink_to_cone(cone, most);
   S unused = most;
   for (Index k = 0; k < cone.generators; ++k) unused -= z_[first + k];
-  for (int move = 0; move < most_moves; ++move) {
+  for (int move = 0; move < GaussSeidelSettings::friction_moves; ++move) {
     Index to = rest, from = unused > S(0) ? rest : -1;
     S least(0), largest(0);
     for (Index k = 0; k < cone.generators; ++k) {
@@ -212,14 +211,13 @@ template <class S> void BlockGaussSeidel<S>::recover_multipliers() {
 }
 
 template <class S> template <class Watcher> Status BlockGaussSeidel<S>::check(Watcher& watcher) {
-  constexpr Index patience = 2000; // sweeps without a better residual
   this->ask_referee();
   if (runs_away())
     status_ = Status::stagnated;
   else if (passes())
     status_ = Status::solved;
   else
-    this->go_on(patience);
+    this->go_on(GaussSeidelSettings::patience_of_groups);
   watcher.checked(*this);
   return status_;
 }
@@ -237,19 +235,18 @@ template <class S> S BlockGaussSeidel<S>::squeeze() const {
 
 /// ProximalNewton with eps falling while it settles, and rising where it does not.
 template <class S> template <class Watcher> Status BlockGaussSeidel<S>::finish(Watcher& watcher) {
-  constexpr Index passes_each = 60;
+  using Settings = ProximalSettings;
   using Eigen::numext::sqrt;
-  // Above the first nothing is gained, and far below the second rates drown in rounding.
-  const S most_eps(1000), least_eps = sqrt(sqrt(Eigen::NumTraits<S>::epsilon()));
-  S eps(10), factor(0.5);
+  const S most_eps(Settings::most), least_eps = sqrt(sqrt(Eigen::NumTraits<S>::epsilon()));
+  S eps(Settings::first), factor(Settings::factor);
   if (!newton_.init(problem_, z_.data)) return status_ = Status::bad_input;
   const Index swept = sweeps_;
   while (status_ == Status::running) {
-    const bool settled = newton_.settle(eps, passes_each);
+    const bool settled = newton_.settle(eps, Settings::passes_each);
     sweeps_ = swept + newton_.passes();
     if (!settled) {
-      eps = Eigen::numext::mini(most_eps, S(5 * eps));
-      factor = factor < S(0.97) ? S(sqrt(factor)) : S(0.5);
+      eps = Eigen::numext::mini(most_eps, S(S(Settings::rise) * eps));
+      factor = factor < S(Settings::slowest) ? S(sqrt(factor)) : S(Settings::factor);
     } else {
       newton_.recover(z_.data);
       eps = Eigen::numext::maxi(least_eps, S(factor * eps));
@@ -261,8 +258,8 @@ template <class S> template <class Watcher> Status BlockGaussSeidel<S>::finish(W
 }
 
 template <class S> template <class Watcher> Status BlockGaussSeidel<S>::solve(Watcher& watcher) {
-  constexpr Index warming = 10; // sweeps that bring the forces near before Newton takes over
-  while (status_ == Status::running && !(options_.accelerate && sweeps_ >= warming)) {
+  while (status_ == Status::running &&
+         !(options_.accelerate && sweeps_ >= GaussSeidelSettings::warming)) {
     if (options_.accelerate && !keeps_all_sums_) break;
     (void)sweep(watcher);
   }

@@ -76,13 +76,12 @@ private:
 
   /// The referee's word; w_ is taken from it, as rounding has piled up in ours.
   template <class Watcher> Status check(Watcher& watcher) {
-    constexpr Index patience = 1000; // sweeps without a better residual
     this->ask_referee();
     for (Index i = 0; i < problem_.size; ++i) w_[i] = check_w_[i];
     if (residual_.residual <= options_.tolerance)
       status_ = Status::solved;
     else
-      this->go_on(patience);
+      this->go_on(GaussSeidelSettings::patience);
     watcher.checked(*this);
     return status_;
   }

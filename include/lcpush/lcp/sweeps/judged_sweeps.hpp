@@ -4,6 +4,7 @@
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/problem.hpp"
 #include "lcpush/lcp/residual.hpp"
+#include "lcpush/lcp/sweeps/settings.hpp"
 #include "lcpush/lcp/trace.hpp"
 #include "lcpush/status.hpp"
 
@@ -11,8 +12,8 @@ namespace lcpush {
 
 template <class S> struct SweepOptions {
   S tolerance = Tolerances<S>().residual; ///< scaled natural residual to stop at
-  Index max_sweeps = 5000;
-  Index check_every = 10; ///< sweeps between two residual checks
+  Index max_sweeps = GaussSeidelSettings::iterations;
+  Index check_every = GaussSeidelSettings::between_checks; ///< sweeps between residual checks
   S relaxation{1};        ///< omega of SOR, 0 < omega < 2; component-wise sweeps only
   bool accelerate = true; ///< block sweeps: go on with Newton's method on what the groups share
 };

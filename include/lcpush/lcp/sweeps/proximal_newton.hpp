@@ -18,6 +18,7 @@
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/problem.hpp"
 #include "lcpush/lcp/sweeps/coupling_table.hpp"
+#include "lcpush/lcp/sweeps/settings.hpp"
 #include "lcpush/lcp/sweeps/simplex.hpp"
 #include "lcpush/lcp/sweeps/small_solve.hpp"
 
@@ -185,7 +186,6 @@ private:
 
   /// One step of Newton's method, halved until phi_ falls. False if it does not.
   bool newton_step() {
-    constexpr int most_halvings = 12;
     const S before = residual(x_.data);
     fill_jacobian();
     for (Index k = 0; k < dimension_; ++k) step_[k] = -phi_[k];
@@ -193,10 +193,10 @@ private:
       return false;
     S t(1);
     bool falls = false;
-    for (int k = 0; k < most_halvings && !falls; ++k, t /= S(2)) {
+    for (int k = 0; k < ProximalSettings::halvings && !falls; ++k, t /= S(2)) {
       for (Index d = 0; d < dimension_; ++d) trial_[d] = x_[d] + t * step_[d];
       respond(trial_.data);
-      falls = residual(trial_.data) < (S(1) - t / S(10000)) * before;
+      falls = residual(trial_.data) < (S(1) - t / S(ProximalSettings::decrease)) * before;
     }
     for (Index d = 0; d < dimension_; ++d) x_[d] = trial_[d];
     return falls;
@@ -218,16 +218,15 @@ template <class S> bool ProximalNewton<S>::init(const Problem<S>& problem, const
 }
 
 template <class S> bool ProximalNewton<S>::settle(S eps, Index most_passes) {
-  constexpr int most_stuck = 5; // a kink may stop one step; the next one starts beyond it
   eps_ = eps;
   const Index end = passes_ + most_passes;
   int stuck = 0;
   S size(1);
   respond(x_.data);
   for (Index k = 0; k < n_; ++k) size = Eigen::numext::maxi(size, Eigen::numext::abs(force_[k]));
-  const S small = S(512) * Eigen::NumTraits<S>::epsilon() * size;
+  const S small = S(ProximalSettings::rounding) * Eigen::NumTraits<S>::epsilon() * size;
   bool settled = residual(x_.data) <= small;
-  while (!settled && passes_ < end && stuck <= most_stuck) {
+  while (!settled && passes_ < end && stuck <= ProximalSettings::most_stuck) {
     if (!newton_step()) ++stuck;
     settled = residual(x_.data) <= small;
   }

@@ -48,7 +48,7 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
   LemkeOptions<S> options;
   Watcher& watcher;
   /// Does it solve for the limit of a vanishing push exactly?
-  static constexpr bool carries_push = Pivots::carries_push;
+  static constexpr bool carries_push = true;
   static constexpr bool predicts = false; ///< starts from the modes that one expects
   static constexpr bool retreats = true;  ///< to softer pads, as PressureOptions may ask
 
@@ -117,7 +117,6 @@ private:
     single.covers = 1;
     if (limit_ > 0) single.max_pivots = limit_;
     single.first_cover += covers_tried_;
-    if (covers_tried_ > 0) single.rubs = true;
     ++covers_tried_;
     (void)lemke.init(problem_, single, memory.active.data, guess_);
   }
@@ -174,7 +173,7 @@ template <class S, class Start, class Watcher = const Unwatched, class Pivots = 
 struct StartedRounds {
   Start start;
   LemkeRounds<S, Watcher, Pivots> then;
-  static constexpr bool carries_push = Pivots::carries_push;
+  static constexpr bool carries_push = true;
   static constexpr bool predicts = Start::knows_breaking;
   static constexpr bool retreats = true;
 

@@ -16,7 +16,7 @@ struct LastStep {
 /// LemkeRounds whose first round starts from the last step's basis, cold if that leads nowhere.
 template <class S, class Pivots = Lemke<S>> class StepRounds {
 public:
-  static constexpr bool carries_push = Pivots::carries_push;
+  static constexpr bool carries_push = true;
   static constexpr bool predicts = false;
   static constexpr bool retreats = false;
 

@@ -33,10 +33,12 @@
 #pragma once
 
 #include <limits>
-#include <type_traits>
 
+#include "lcpush/lcp/pivots/basis.hpp"
 #include "lcpush/lcp/pivots/equilibrate.hpp"
+#include "lcpush/lcp/pivots/settings.hpp"
 #include "lcpush/lcp/pivots/structured/directions.hpp"
+#include "lcpush/lcp/residual.hpp"
 
 namespace lcpush {
 namespace detail {
@@ -62,13 +64,11 @@ namespace detail {
 
 enum LocalRole : int { normal_role, generator_role, slip_role, own_role, shared_role };
 
-/// Where memory is small, so is `Int`.
-template <class S, class Int> class LocalForm {
-  using Directions = std::conditional_t<is_narrow<Int>, ReadDirections<S, Int>, KeptDirections<S>>;
+template <class S, class M> class LocalForm {
+  using Int = typename M::Integer;
+  using Directions = typename M::template Directions<S>;
 
 public:
-  /// Loaded springs that are too many for the exchanges.
-  static constexpr Index many_springs = 24;
   static constexpr Index scalars(Index n, Index cones, Index shared) {
     const Index width = 6 + shared;
     return Directions::scalars(n, shared) + 4 * width + size_of_core(cones, width) + n + 3 * cones +
@@ -76,7 +76,7 @@ public:
   }
   /// C, and what it is the inverse of.
   static constexpr Index size_of_core(Index cones, Index width) {
-    return cones < many_springs ? 0 : 2 * width * width;
+    return cones < StructuredSettings::contacts_with_springs ? 0 : 2 * width * width;
   }
   /// Cones, or shared actuators.
   static constexpr Index most_groups() {
@@ -105,6 +105,10 @@ public:
     state_ = integers.take(n_);
     for (Span<Int>* span : {&normal_, &slip_, &own_actuator_}) *span = integers.take(cones);
   }
+  /// M z, and sums of the sizes in its rows, as given.
+  void product(const S* z, S* out) const { multiply_factored(*problem_, free_begin_, z, out); }
+  void row_sums(const S* z, S* out) const { multiply_terms(*problem_, free_begin_, true, z, out); }
+
   /// Symmetric scales that bring the diagonal of G' B G near 1; then no entry of it is larger
   /// (Cauchy and Schwarz). One scale for the generators of a cone, its reciprocal for the slip, so
   /// that these entries stay 1. Returns 0, or NaN if a number is not finite.

@@ -6,7 +6,7 @@
 namespace lcpush::detail {
 
 /// The normal force of a cone and the unknown of its own actuator become basic.
-template <class S, class Int> void LocalForm<S, Int>::press_by_own_actuator(Index c) {
+template <class S, class M> void LocalForm<S, M>::press_by_own_actuator(Index c) {
   const Index normal = normal_[c], own = own_actuator_[c];
   const S inverse = S(1) / own_coupling_[c];
   directions_.press(c, own, inverse);
@@ -19,7 +19,7 @@ template <class S, class Int> void LocalForm<S, Int>::press_by_own_actuator(Inde
 }
 
 /// The slip and the friction force along one generator become basic.
-template <class S, class Int> void LocalForm<S, Int>::slide(Index c, Index generator) {
+template <class S, class M> void LocalForm<S, M>::slide(Index c, Index generator) {
   const ConeGroup<S>& cone = problem_->cones[c];
   directions_.slide(c, generator);
   swap_roles(cone.slip(), generator);
@@ -27,7 +27,7 @@ template <class S, class Int> void LocalForm<S, Int>::slide(Index c, Index gener
 }
 
 /// The normal force of a compliant cone becomes basic. Pre: it slides already if it is to.
-template <class S, class Int> void LocalForm<S, Int>::load_spring(Index c) {
+template <class S, class M> void LocalForm<S, M>::load_spring(Index c) {
   const ConeGroup<S>& cone = problem_->cones[c];
   const Index normal = normal_[c];
   const S stiffness = S(1) / compliance_[c];
@@ -45,19 +45,19 @@ template <class S, class Int> void LocalForm<S, Int>::load_spring(Index c) {
 }
 
 /// Are there so many loaded springs? If not, nothing is divided by a compliance.
-template <class S, class Int>
+template <class S, class M>
 template <class IsBasic>
-bool LocalForm<S, Int>::has_springs(IsBasic is_basic) const {
+bool LocalForm<S, M>::has_springs(IsBasic is_basic) const {
   Index loaded = 0;
   for (Index c = 0; c < problem_->cones.size; ++c)
     loaded += compliance_[c] > S(0) && is_basic(normal_[c]) ? 1 : 0;
-  return loaded >= many_springs;
+  return loaded >= StructuredSettings::contacts_with_springs;
 }
 
 /// All of them, the actuators that they carry, and C. False if it is singular.
-template <class S, class Int>
+template <class S, class M>
 template <class IsBasic>
-bool LocalForm<S, Int>::load_springs(IsBasic is_basic) {
+bool LocalForm<S, M>::load_springs(IsBasic is_basic) {
   has_springs_ = true;
   springs_.setZero();
   for (Index c = 0; c < problem_->cones.size; ++c)
@@ -83,7 +83,7 @@ bool LocalForm<S, Int>::load_springs(IsBasic is_basic) {
 }
 
 /// Gauss-Jordan with row pivoting, in place, on rows of largest entry 1.
-template <class S, class Int> bool LocalForm<S, Int>::invert_core() {
+template <class S, class M> bool LocalForm<S, M>::invert_core() {
   const Index size = width();
   constexpr int most = 6 + 32; // few actuators are shared by many cones
   if (size > most) return false;
@@ -130,9 +130,9 @@ template <class S, class Int> bool LocalForm<S, Int>::invert_core() {
 
 /// Principal pivots inside the cones towards a basis, is_basic(slot) for its z. Precondition: as
 /// loaded. False if they are singular together.
-template <class S, class Int>
+template <class S, class M>
 template <class IsBasic>
-bool LocalForm<S, Int>::pivot_locally(IsBasic is_basic) {
+bool LocalForm<S, M>::pivot_locally(IsBasic is_basic) {
   const bool springs = has_springs(is_basic);
   for (Index c = 0; c < problem_->cones.size; ++c) {
     const ConeGroup<S>& cone = problem_->cones[c];
@@ -152,9 +152,9 @@ bool LocalForm<S, Int>::pivot_locally(IsBasic is_basic) {
 
 /// What these pivots do to a right-hand side: the rows' part, and the force and what the shared
 /// actuators are held at, at x = 0.
-template <class S, class Int>
-void LocalForm<S, Int>::transform(VectorMap<S>& rhs, VectorMap<S>& force,
-                                  VectorMap<S>& actuator_input) const {
+template <class S, class M>
+void LocalForm<S, M>::transform(VectorMap<S>& rhs, VectorMap<S>& force,
+                                VectorMap<S>& actuator_input) const {
   force.setZero();
   actuator_input.setZero();
   for (Index c = 0; c < problem_->cones.size; ++c) {

@@ -6,7 +6,7 @@
 namespace lcpush::detail {
 
 /// force_ and actuator_input_ += what slot does at x.
-template <class S, class Int> void LocalForm<S, Int>::add_force(Index slot, S x) {
+template <class S, class M> void LocalForm<S, M>::add_force(Index slot, S x) {
   if (slot == n_) {
     force_ += d_force_ * x;
     actuator_input_ += d_actuator_input_ * x;
@@ -26,7 +26,7 @@ template <class S, class Int> void LocalForm<S, Int>::add_force(Index slot, S x)
   }
 }
 
-template <class S, class Int> void LocalForm<S, Int>::find_velocity() {
+template <class S, class M> void LocalForm<S, M>::find_velocity() {
   const Vector6<S> wrench = force_.template head<6>();
   VectorMap<S>& v = has_springs_ ? core_input_ : v_;
   const Vector6<S> moved = problem_->mobility.lazyProduct(wrench);
@@ -40,7 +40,7 @@ template <class S, class Int> void LocalForm<S, Int>::find_velocity() {
 }
 
 /// v_ becomes what the row feels of each component of F, core_input_ of each s.
-template <class S, class Int> void LocalForm<S, Int>::begin_row(Index row) {
+template <class S, class M> void LocalForm<S, M>::begin_row(Index row) {
   v_.setZero();
   if (has_direction(row)) directions_.add(row, turned(group(row)), S(1), v_);
   if (role(row) == shared_role && has_springs_) {
@@ -61,7 +61,7 @@ template <class S, class Int> void LocalForm<S, Int>::begin_row(Index row) {
   if (role(row) == shared_role && !is_flipped(row)) v_[6 + group(row)] += S(1);
 }
 
-template <class S, class Int> S LocalForm<S, Int>::entry_of_row(Index row, Index slot) const {
+template <class S, class M> S LocalForm<S, M>::entry_of_row(Index row, Index slot) const {
   const S here = local(row, slot);
   if (slot == n_) {
     S sum = here + d_force_.dot(v_);
@@ -81,7 +81,7 @@ template <class S, class Int> S LocalForm<S, Int>::entry_of_row(Index row, Index
 }
 
 /// The entry without what is felt through v.
-template <class S, class Int> S LocalForm<S, Int>::local(Index row, Index slot) const {
+template <class S, class M> S LocalForm<S, M>::local(Index row, Index slot) const {
   if (slot == n_) return d_[row];
   const int row_role = role(row), slot_role = role(slot);
   if (group(row) != group(slot)) return S(0);
@@ -100,8 +100,8 @@ template <class S, class Int> S LocalForm<S, Int>::local(Index row, Index slot) 
 }
 
 /// The same for a whole column.
-template <class S, class Int>
-void LocalForm<S, Int>::add_local(Index slot, S x, VectorMap<S>& out) const {
+template <class S, class M>
+void LocalForm<S, M>::add_local(Index slot, S x, VectorMap<S>& out) const {
   const Index c = group(slot);
   switch (role(slot)) {
   case normal_role:
@@ -127,15 +127,15 @@ void LocalForm<S, Int>::add_local(Index slot, S x, VectorMap<S>& out) const {
 }
 
 /// out += what the rows feel of v_ and force_.
-template <class S, class Int> void LocalForm<S, Int>::add_felt(VectorMap<S>& out) const {
+template <class S, class M> void LocalForm<S, M>::add_felt(VectorMap<S>& out) const {
   directions_.add_dots([&](Index c) { return turned(c); }, v_, out);
   for (Index s = free_begin_; s < n_; ++s)
     if (role(s) == shared_role) out[s] += shared_row(s);
 }
 
-template <class S, class Int>
+template <class S, class M>
 template <class Inputs>
-void LocalForm<S, Int>::multiply(const Inputs& inputs, VectorMap<S>& out) {
+void LocalForm<S, M>::multiply(const Inputs& inputs, VectorMap<S>& out) {
   force_.setZero();
   actuator_input_.setZero();
   out.setZero();

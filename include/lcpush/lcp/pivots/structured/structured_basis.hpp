@@ -20,29 +20,29 @@ namespace lcpush {
 namespace detail {
 /// The most exchanges that the memory holds: `asked`, or as many as pay.
 constexpr Index most_exchanges(Index n, Index asked) {
-  const Index most = asked > 0 ? asked : 256;
+  const Index most = asked > 0 ? asked : StructuredSettings::exchanges;
   return n + 1 < most ? n + 1 : most;
 }
 } // namespace detail
 
-/// The basis that Lemke works on; everything is scaled. DenseBasis has the same members. Where
-/// memory is small, so is `Int`: of the size of all variables' numbers.
-template <class S, class Int = int> class StructuredBasis {
+/// `M`: what it keeps (basis.hpp).
+template <class S, class M = DesktopMemory> class StructuredBasis {
 public:
-  using Integer = Int;
-  Dictionary<S, Int> dictionary; ///< its table: the entering column alone
-  static constexpr bool is_little = false, one_scale = true, of_groups = true;
-  static constexpr bool carries_push = true, has_table = false;
+  using Memory = M;
+  using Integer = typename M::Integer;
+  using Int = Integer;
+  static constexpr bool takes_matrix = false; ///< of factored problems alone
+  Dictionary<S, Int> dictionary;              ///< its table: the entering column alone
 
   static constexpr Index scalars(Index n, Index cones, Index shared, Index right_hand_sides,
                                  Index exchanges) {
     const Index t = detail::most_exchanges(n, exchanges);
-    return detail::LocalForm<S, Int>::scalars(n, cones, shared) + n * (1 + right_hand_sides) +
+    return detail::LocalForm<S, M>::scalars(n, cones, shared) + n * (1 + right_hand_sides) +
            t * (t + 3);
   }
   static constexpr Index integers(Index n, Index cones, Index shared, Index exchanges) {
     const Index t = detail::most_exchanges(n, exchanges);
-    return detail::LocalForm<S, Int>::integers(n, cones, shared) + 3 * n + 2 + 2 * t;
+    return detail::LocalForm<S, M>::integers(n, cones, shared) + 3 * n + 2 + 2 * t;
   }
 
   static bool supports(const Problem<S>& problem, TieRule rule) {
@@ -51,16 +51,30 @@ public:
   }
   /// Is Int wide enough for as many?
   static constexpr bool numbers(Index n, Index cones, Index sums) {
-    constexpr Index most = detail::LocalForm<S, Int>::most_groups();
+    constexpr Index most = detail::LocalForm<S, M>::most_groups();
     return artificial(n) <= std::numeric_limits<Int>::max() && cones <= most && sums <= most;
   }
 
   /// `exchanges`: LemkeOptions::exchanges.
   void carve(const Problem<S>& problem, Index right_hand_sides, Index exchanges, Block<S>& scalars,
              Block<Int>& integers);
+  /// Rows and columns have one scale; the memory of the entering column is scratch, which neither a
+  /// response nor a pivot keeps; the target has been read before anything is a candidate.
+  void seat(const MethodMemory<S, Int>& method, Block<S>& scalars, Block<Int>& integers) {
+    scalars.seat(method.row_scale, n_);
+    new (&method.column_scale) VectorMap<S>(method.row_scale.data(), n_);
+    for (VectorMap<S>* map : {&method.row_sum, &method.scratch})
+      new (map) VectorMap<S>(dictionary.table.data(), n_);
+    method.candidates = method.target = integers.take(n_);
+  }
   S scale(bool equilibrates, const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
-          const VectorMap<S>& /*rowsum*/, const VectorMap<S>& /*scratch*/) const {
+          const VectorMap<S>& /*row_sum*/, const VectorMap<S>& /*scratch*/) const {
     return form_.scale(equilibrates, row_scale, column_scale);
+  }
+  void product(const S* z, S* out) const { form_.product(z, out); }
+  /// A bound on them.
+  void row_sums(const VectorMap<S>& column_scale, VectorMap<S>& row_sum) const {
+    form_.row_sums(column_scale.data(), row_sum.data());
   }
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
             const VectorMap<S>& covering_vector);
@@ -78,8 +92,7 @@ public:
   }
   /// Has the basis outgrown the memory, however it is factored?
   bool is_too_long() const { return t_ > capacity_; }
-  bool is_long() const { return t_ + 1 >= capacity_ || t_ >= long_; }
-  /// See DenseBasis.
+  bool must_refactor() const { return t_ + 1 >= capacity_ || t_ >= long_; }
   void respond(const VectorMap<S>& r, VectorMap<S> out);
   void set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale, const S& rhs_scale);
 
@@ -89,7 +102,7 @@ public:
                   const VectorMap<S>& scratch);
 
 private:
-  detail::LocalForm<S, Int> form_;
+  detail::LocalForm<S, M> form_;
   Index n_ = 0, capacity_ = 0, t_ = 0, long_ = 0;
   MatrixMap<S> inverse_{nullptr, 0, 0}; // t x t: rows as in_, columns as out_
   VectorMap<S> rates_{nullptr, 0};      // of slots in_, as one enters
@@ -240,9 +253,9 @@ private:
   }
 };
 
-template <class S, class Int>
-void StructuredBasis<S, Int>::carve(const Problem<S>& problem, Index right_hand_sides,
-                                    Index exchanges, Block<S>& scalars, Block<Int>& integers) {
+template <class S, class M>
+void StructuredBasis<S, M>::carve(const Problem<S>& problem, Index right_hand_sides,
+                                  Index exchanges, Block<S>& scalars, Block<Int>& integers) {
   n_ = problem.size;
   capacity_ = detail::most_exchanges(n_, exchanges);
   form_.carve(problem, scalars, integers);
@@ -255,13 +268,12 @@ void StructuredBasis<S, Int>::carve(const Problem<S>& problem, Index right_hand_
   in_ = integers.take(capacity_);
 }
 
-template <class S, class Int>
-void StructuredBasis<S, Int>::load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
-                                   const VectorMap<S>& covering_vector) {
+template <class S, class M>
+void StructuredBasis<S, M>::load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
+                                 const VectorMap<S>& covering_vector) {
   form_.load(row_scale, column_scale, covering_vector);
   t_ = 0;
-  constexpr Index few = 64; // a small answer has no more: then nothing is factored on the way
-  long_ = few;
+  long_ = StructuredSettings::exchanges_at_first;
   for (Index i = 0; i < n_; ++i) {
     out_at_[i] = in_at_[i] = -1;
     dictionary.basic[i] = static_cast<Int>(slack(i));
@@ -269,7 +281,7 @@ void StructuredBasis<S, Int>::load(const VectorMap<S>& row_scale, const VectorMa
   in_at_[n_] = -1;
 }
 
-template <class S, class Int> Index StructuredBasis<S, Int>::enter(Index variable) {
+template <class S, class M> Index StructuredBasis<S, M>::enter(Index variable) {
   const Index slot = slot_of(variable);
   dictionary.nonbasic[0] = static_cast<Int>(variable);
   VectorMap<S> at = entering_column();
@@ -285,9 +297,9 @@ template <class S, class Int> Index StructuredBasis<S, Int>::enter(Index variabl
   return 0;
 }
 
-template <class S, class Int>
-void StructuredBasis<S, Int>::exchange(Index row, Index /*column*/, Index entering,
-                                       const VectorMap<S>& /*scratch*/) {
+template <class S, class M>
+void StructuredBasis<S, M>::exchange(Index row, Index /*column*/, Index entering,
+                                     const VectorMap<S>& /*scratch*/) {
   const S* const rates = entering_column().data();
   const S pivot = rates[row];
   for (Index k = 0; k < dictionary.values.cols(); ++k) {

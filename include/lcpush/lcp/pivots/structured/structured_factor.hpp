@@ -6,7 +6,7 @@
 namespace lcpush {
 
 /// What the local form does not hold of the basis: rows that leave, slots that enter.
-template <class S, class Int> void StructuredBasis<S, Int>::list_exchanges(Span<Int> target) {
+template <class S, class M> void StructuredBasis<S, M>::list_exchanges(Span<Int> target) {
   constexpr int has_slack = 1, has_unknown = 2;
   bool has_artificial = false;
   const Span<Int> flags = out_at_; // free until rows have left
@@ -39,7 +39,7 @@ template <class S, class Int> void StructuredBasis<S, Int>::list_exchanges(Span<
 
 /// K^-1 in place of K by complete pivoting. Returns how many rows are left without a pivot above
 /// `smallest_pivot`; they and as many slots come last.
-template <class S, class Int> Index StructuredBasis<S, Int>::invert(const S& smallest_pivot) {
+template <class S, class M> Index StructuredBasis<S, M>::invert(const S& smallest_pivot) {
   MatrixMap<S> K = inverse_;
   for (Index k = 0; k < t_; ++k) {
     const LargestEntry<S> largest = largest_entry(
@@ -65,10 +65,10 @@ template <class S, class Int> Index StructuredBasis<S, Int>::invert(const S& sma
   return 0;
 }
 
-template <class S, class Int>
-Index StructuredBasis<S, Int>::factor(Span<Int> target, Span<Int> /*candidates*/,
-                                      const S& smallest_pivot, const VectorMap<S>& /*scratch*/,
-                                      const Wanted& wanted) {
+template <class S, class M>
+Index StructuredBasis<S, M>::factor(Span<Int> target, Span<Int> /*candidates*/,
+                                    const S& smallest_pivot, const VectorMap<S>& /*scratch*/,
+                                    const Wanted& wanted) {
   list_exchanges(target);
   if (t_ >= capacity_) { // the next pivot would have no room
     const Index asked = t_;
@@ -84,15 +84,14 @@ Index StructuredBasis<S, Int>::factor(Span<Int> target, Span<Int> /*candidates*/
   for (Index i = 0; i < n_; ++i) dictionary.basic[i] = static_cast<Int>(base_variable(i));
   for (Index k = 0; k < t_; ++k) place(k, out_[k], in_[k]);
   find_values(wanted);
-  constexpr Index room = 48; // exchanges until factoring afresh pays
-  long_ = t_ + room;
+  long_ = t_ + StructuredSettings::exchanges_between;
   return left;
 }
 
 /// The right-hand sides of the problem as given become the values of this basis: the unknowns that
 /// make the rows that have left 0. The exact ones are corrected for rounding in K^-1.
-template <class S, class Int> void StructuredBasis<S, Int>::find_values(const Wanted& wanted) {
-  constexpr int corrections = 2;
+template <class S, class M> void StructuredBasis<S, M>::find_values(const Wanted& wanted) {
+  constexpr int corrections = StructuredSettings::corrections;
   VectorMap<S> at = entering_column();
   VectorMap<S> entered(along_row_.data(), t_), left(along_column_.data(), t_);
   for (Index rhs = wanted.first; rhs < wanted.end; ++rhs) {
@@ -116,8 +115,8 @@ template <class S, class Int> void StructuredBasis<S, Int>::find_values(const Wa
 }
 
 /// out = the basic variables where every nonbasic one is as it is held and q = 0.
-template <class S, class Int>
-void StructuredBasis<S, Int>::respond_to(const Held& held, VectorMap<S>& out) {
+template <class S, class M>
+void StructuredBasis<S, M>::respond_to(const Held& held, VectorMap<S>& out) {
   VectorMap<S> at = entering_column();
   for (Index i = 0; i < n_; ++i) at[i] = in_at_[i] < 0 ? held.at(other_variable(i), n_) : S(0);
   form_.multiply(Inputs{nullptr, at.data(), n_}, out);
@@ -131,16 +130,16 @@ void StructuredBasis<S, Int>::respond_to(const Held& held, VectorMap<S>& out) {
   for (Index k = 0; k < t_; ++k) out[out_[k]] = rates_[k];
 }
 
-template <class S, class Int>
-void StructuredBasis<S, Int>::respond(const VectorMap<S>& r, VectorMap<S> out) {
+template <class S, class M>
+void StructuredBasis<S, M>::respond(const VectorMap<S>& r, VectorMap<S> out) {
   respond_to({r.data(), n_, nullptr, S(1)}, out);
 }
 
 /// Free unknowns that are basic are at S exactly and nothing else is: rounding in a solve would
 /// leave noise where the ratio test looks first.
-template <class S, class Int>
-void StructuredBasis<S, Int>::set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale,
-                                            const S& rhs_scale) {
+template <class S, class M>
+void StructuredBasis<S, M>::set_bound_rhs(Index free_begin, const VectorMap<S>& column_scale,
+                                          const S& rhs_scale) {
   VectorMap<S> values = column(dictionary.values, 0);
   const Held bound{nullptr, free_begin, column_scale.data(), -rhs_scale};
   respond_to(bound, values);
@@ -148,9 +147,9 @@ void StructuredBasis<S, Int>::set_bound_rhs(Index free_begin, const VectorMap<S>
 }
 
 /// After factor has left some: see DenseBasis. The lists stand where those that were left do.
-template <class S, class Int>
-bool StructuredBasis<S, Int>::drop_pairs(Index left, Span<Int> /*target*/, Span<Int> /*candidates*/,
-                                         const S& smallest_pivot, const VectorMap<S>& scratch) {
+template <class S, class M>
+bool StructuredBasis<S, M>::drop_pairs(Index left, Span<Int> /*target*/, Span<Int> /*candidates*/,
+                                       const S& smallest_pivot, const VectorMap<S>& scratch) {
   if (t_ > capacity_) return false;
   const Span<Int> in_base{out_.data + t_, left}, in_neither{in_.data + t_, left};
   // In the base and still there, while its complement has entered; and neither of both.

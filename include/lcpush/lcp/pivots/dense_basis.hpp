@@ -1,67 +1,61 @@
 // Lemke's basis as a dictionary: all n (n + 1) numbers of it, changed by every pivot.
 #pragma once
 
-#include <limits>
-
 #include "lcpush/lcp/complete_pivoting.hpp"
-#include "lcpush/lcp/pivots/dictionary.hpp"
+#include "lcpush/lcp/pivots/basis.hpp"
 #include "lcpush/lcp/pivots/equilibrate.hpp"
 #include "lcpush/lcp/pivots/ratio_test.hpp"
 #include "lcpush/lcp/problem.hpp"
 
 namespace lcpush {
 
-/// What Lemke asks of a basis. Everything is scaled; the right-hand sides are dictionary.values.
-/// With narrow integers it is the basis of TableLemke, in little code: of factored problems alone,
-/// rows and columns scaled alike.
-template <class S, class Int = int> class DenseBasis {
+/// Any problem, every tie rule, any scalar: the teaching engine, and the exact one.
+template <class S> class DenseBasis {
 public:
-  using Integer = Int;
-  Dictionary<S, Int> dictionary;
-  static constexpr bool is_little = is_narrow<Int>; ///< little code counts more than little work
-  static constexpr bool one_scale = is_little;      ///< are rows and columns scaled alike?
-  static constexpr bool of_groups = is_little;      ///< does it know factored problems alone?
-  static constexpr bool carries_push = !is_little;  ///< may the problem have a push?
-  static constexpr bool has_table = true;           ///< else there is but the entering column
+  using Memory = DesktopMemory;
+  using Integer = int;
+  static constexpr bool takes_matrix = true; ///< a problem without its factors, too
+  Dictionary<S> dictionary;
 
-  static bool supports(const Problem<S>& problem, TieRule rule) {
-    if constexpr (!is_little) return true;
-    return problem.factored != nullptr && problem.push == nullptr &&
-           rule != TieRule::lexicographic && numbers(problem.size);
-  }
-  /// Is Int wide enough for as many unknowns?
-  static constexpr bool numbers(Index n) { return n <= std::numeric_limits<Int>::max() / 2; }
+  static bool supports(const Problem<S>&, TieRule) { return true; }
 
   void carve(const Problem<S>& problem, Index right_hand_sides, Index /*exchanges*/,
-             Block<S>& scalars, Block<Int>& integers) {
+             Block<S>& scalars, Block<int>& integers) {
     problem_ = problem;
     dictionary.carve(problem.size, problem.size + 1, right_hand_sides, scalars, integers);
   }
+  /// Nothing is shared: the table is in use all the time.
+  void seat(const MethodMemory<S, int>& method, Block<S>& scalars, Block<int>& integers) const {
+    const Index n = problem_.size;
+    for (VectorMap<S>* map :
+         {&method.row_scale, &method.column_scale, &method.row_sum, &method.scratch})
+      scalars.seat(*map, n);
+    for (Span<int>* span : {&method.candidates, &method.target}) *span = integers.take(n);
+  }
 
-  /// Scales, and rowsum_i = sum_j |M_ij| column_scale_j. Returns 0, or NaN if M is not finite.
-  S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale, VectorMap<S> rowsum,
-          VectorMap<S> scratch) {
-    if constexpr (of_groups) return scale_alike(equilibrates, row_scale);
+  /// Post: row_sum = sum_j |M_ij| column_scale_j as well.
+  S scale(bool equilibrates, VectorMap<S> row_scale, VectorMap<S> column_scale,
+          VectorMap<S> row_sum, VectorMap<S> scratch) {
     const Index n = dictionary.size();
     MatrixMap<S> M(dictionary.table.data(), n, n);
     fill_matrix(problem_, M);
     if (equilibrates) equilibrate(M, row_scale, column_scale, scratch);
     holds_problem_ = true;
-    rowsum.setZero();
-    for (Index j = 0; j < n; ++j) rowsum += M.col(j).cwiseAbs();
-    for (Index i = 0; i < n; ++i) rowsum[i] /= row_scale[i];
-    return n > 0 ? S(rowsum.sum() - rowsum.sum()) : S(0);
+    row_sum.setZero();
+    for (Index j = 0; j < n; ++j) row_sum += M.col(j).cwiseAbs();
+    for (Index i = 0; i < n; ++i) row_sum[i] /= row_scale[i];
+    return n > 0 ? S(row_sum.sum() - row_sum.sum()) : S(0);
   }
+  void row_sums(const VectorMap<S>& /*column_scale*/, VectorMap<S>& /*row_sum*/) const {} // known
+
+  void product(const S* z, S* out) const { multiply(problem_, z, out); }
 
   /// The basis of all w under a covering vector; its right-hand sides are there already.
   template <class Column>
   void load(const VectorMap<S>& row_scale, const VectorMap<S>& column_scale,
             const Column& covering_vector) {
     const Index n = dictionary.size();
-    if constexpr (of_groups) {
-      fill_columns();
-      for (Index j = 0; j < n; ++j) scale_pair(j, row_scale[j]);
-    } else if (!holds_problem_) {
+    if (!holds_problem_) {
       fill_matrix(problem_, MatrixMap<S>(dictionary.table.data(), n, n));
       for (Index j = 0; j < n; ++j)
         dictionary.table.col(j) = dictionary.table.col(j).cwiseProduct(row_scale) * column_scale[j];
@@ -84,8 +78,7 @@ public:
     dictionary.exchange(row, column, scratch);
   }
   bool is_basic(Index variable) const { return dictionary.row_of(variable) >= 0; }
-  /// Has the basis grown so that factoring it afresh pays?
-  bool is_long() const { return false; }
+  bool must_refactor() const { return false; }
   bool is_too_long() const { return false; }
 
   /// out = how the basic variables respond to nonbasic w_j = r_j; r is 0 where w_j is basic.
@@ -105,7 +98,7 @@ public:
   /// Gauss-Jordan with complete pivoting from the basis of all w to the one in target (basic
   /// variables in any order). Returns how many of its z are left when pivots above `smallest_pivot`
   /// end: then candidates holds the w that should have left, target the z that should have entered.
-  Index factor(Span<Int> target, Span<Int> candidates, const S& smallest_pivot,
+  Index factor(Span<int> target, Span<int> candidates, const S& smallest_pivot,
                const VectorMap<S>& scratch, const Wanted& /*all come along*/) {
     const Index n = dictionary.size();
     // candidates: rows whose w is to leave; target: columns whose variable is to enter.
@@ -114,9 +107,9 @@ public:
     for (Index k = 0; k < n; ++k)
       if (target[k] < n) candidates[target[k]] = 0;
     for (Index i = 0; i < n; ++i)
-      if (candidates[i] != 0) candidates[leaving++] = static_cast<Int>(i);
+      if (candidates[i] != 0) candidates[leaving++] = static_cast<int>(i);
     for (Index k = 0; k < n; ++k)
-      if (target[k] >= n) target[wanted++] = static_cast<Int>(target[k] - n);
+      if (target[k] >= n) target[wanted++] = static_cast<int>(target[k] - n);
     return exchange_largest(
         candidates, target, wanted, smallest_pivot,
         [&](Index row, Index column) -> const S& { return dictionary.table(row, column); },
@@ -126,9 +119,8 @@ public:
   /// After factor has left some: makes the basis complementary again, without them. Where w_i
   /// has stayed but z_i has entered, and z_j has not entered but w_j has left, z_i leaves for w_j.
   /// False if that is singular too.
-  bool drop_pairs(Index left, Span<Int> target, Span<Int> candidates, const S& smallest_pivot,
+  bool drop_pairs(Index left, Span<int> target, Span<int> candidates, const S& smallest_pivot,
                   const VectorMap<S>& scratch) {
-    if constexpr (of_groups) return false; // the start is a cold one then
     const Index n = dictionary.size();
     const auto row = [&](Index i) { return dictionary.row_of(unknown(i, n)); };
     const auto column = [&](Index j) { return dictionary.column_of(slack(j)); };
@@ -144,44 +136,6 @@ public:
   }
 
 private:
-  /// The columns of M, by one product each: refinement links that code anyway.
-  void fill_columns() {
-    const Index n = dictionary.size();
-    VectorMap<S> unit(dictionary.table.data() + n * n, n); // where the covering vector will stand
-    unit.setZero();
-    for (Index j = 0; j < n; ++j) {
-      unit[j] = S(1);
-      detail::multiply_factored(*problem_.factored, problem_.free_begin, unit.data(),
-                                dictionary.table.data() + j * n);
-      unit[j] = S(0);
-    }
-  }
-  void scale_pair(Index j, const S& factor) {
-    for (Index i = 0; i < dictionary.size(); ++i) {
-      dictionary.table(i, j) *= factor;
-      dictionary.table(j, i) *= factor;
-    }
-  }
-  /// Row and column j by what brings the largest entry of the column near 1, twice.
-  S scale_alike(bool equilibrates, VectorMap<S> scale) {
-    const Index n = dictionary.size();
-    fill_columns();
-    S total(0);
-    for (int pass = 0; pass < 2; ++pass)
-      for (Index j = 0; j < n; ++j) {
-        S largest(0);
-        for (Index i = 0; i < n; ++i) {
-          const S size = Eigen::numext::abs(dictionary.table(i, j));
-          largest = Eigen::numext::maxi(largest, size);
-          total += size;
-        }
-        const S factor = equilibrates ? reciprocal_root(largest) : S(1);
-        scale[j] *= factor;
-        scale_pair(j, factor);
-      }
-    return total - total;
-  }
-
   Problem<S> problem_;
   bool holds_problem_ = false; // the table is the scaled M, from scale() to the first load()
 };

@@ -1,0 +1,63 @@
+// Every number of the pivots that is not a tolerance (tolerances.hpp), with its reason. None has a
+// unit: pivots, rows and factors of scaled data.
+#pragma once
+
+#include "lcpush/types.hpp"
+
+namespace lcpush {
+
+/// Of Lemke's method.
+struct LemkeSettings {
+  /// Covering vectors tried before a failure is reported. Of 10,000 random grasps all but a few
+  /// are solved under the first, all under six (docs/theory/numerics.md).
+  static constexpr Index covers = 6;
+  /// Pivots under one covering vector, at most: 1000 + 50 n. Random pushes take about n; what
+  /// takes 50 n has gone astray, and the next covering vector is the better bet.
+  static constexpr Index pivots = 1000, pivots_an_unknown = 50;
+  static constexpr Index most_pivots(Index n) { return pivots + pivots_an_unknown * n; }
+  /// Pivots between two looks at how far rounding has moved the values: a look costs one product,
+  /// a fraction of a per cent of so many pivots.
+  static constexpr Index pivots_between_looks = 64;
+  /// Values that are off by so many tie tolerances have drifted: a tie test is off then, too.
+  static constexpr int drift = 100;
+  /// Passes of iterative refinement, at most; it ends as soon as one gains nothing.
+  static constexpr int refinements = 4;
+  /// How often an answer that fails its check is factored afresh and pivoted on from, with tie
+  /// tolerances that are smaller by `closer` each time and zero the last time.
+  static constexpr Index repairs = 3;
+  static constexpr int closer = 1 << 10;
+  /// An answer whose residual is above the tolerance over this has passed barely: a tie may hide a
+  /// small violation.
+  static constexpr int barely = 16;
+};
+
+/// Of the structured basis.
+struct StructuredSettings {
+  /// Exchanges that the memory holds where the caller does not say: K^-1 of 256 rows takes 0.5 MB,
+  /// and a larger one costs more than factoring afresh.
+  static constexpr Index exchanges = 256;
+  /// Exchanges before the first factoring: the answer of a small problem has no more.
+  static constexpr Index exchanges_at_first = 64;
+  /// Exchanges from one factoring to the next: some fifty cost as much as it (numerics.md).
+  static constexpr Index exchanges_between = 48;
+  /// Corrections of values for rounding in K^-1; a third gains nothing.
+  static constexpr int corrections = 2;
+  /// From so many contacts on pads with a pressing point are pivoted as springs: fewer are cheaper
+  /// as exchanges.
+  static constexpr Index contacts_with_springs = 24;
+};
+
+/// Of a look at a basis that may still hold.
+struct HeldSettings {
+  /// Rounding that a product leaves of values about 1, in epsilons.
+  static constexpr int rounding = 64;
+};
+
+/// Of a path along a line of right-hand sides.
+struct PathSettings {
+  /// Pivots at one breakpoint, at most: 100 + 4 n. More is a cycle.
+  static constexpr Index pivots = 100, pivots_an_unknown = 4;
+  static constexpr Index most_pivots(Index n) { return pivots + pivots_an_unknown * n; }
+};
+
+} // namespace lcpush
