@@ -21,6 +21,8 @@ NEUTRAL = {*range(9), 0.5, 0.25, 90, 180, 360}
 PI = re.compile(r"3\.14159|6\.28318")
 # Numbers above that nobody chose either: file, literal, what it is.
 EXACT = {
+    ("include/lcpush/lcp/pivots/structured/local_form.hpp", "flipped = 8"): "a bit beside those of roles",
+    ("include/lcpush/lcp/pivots/structured/local_form.hpp", "16"): "a bit beside those of roles",
     ("include/lcpush/mechanics/model/contact.hpp", "64"): "a table of 64 steps round the circle",
     ("include/lcpush/mechanics/model/contact.hpp", "26"): "terms of a series, to rounding",
     ("include/lcpush/mechanics/model/contact.hpp", "12"): "30 degrees are a twelfth of a circle",
@@ -31,10 +33,7 @@ EXACT = {
 # Bare numbers that are left in each folder. These counts may only fall.
 LEFT = {
     "include/lcpush/lcp": 4,
-    "include/lcpush/lcp/pivots": 10,
     "include/lcpush/lcp/pivots/detail": 5,
-    "include/lcpush/lcp/pivots/structured": 8,
-    "include/lcpush/lcp/sweeps": 17,
     "include/lcpush/mechanics/solve": 73,
     "include/lcpush/mechanics/study": 13,
     "src/certify": 35,

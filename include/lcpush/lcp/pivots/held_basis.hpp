@@ -90,7 +90,7 @@ bool HeldBasis<S>::find_values(const Problem<S>& problem, const unsigned char* a
     z_[basic[i] - n] = value;
     size_ = Eigen::numext::maxi(size_, S(Eigen::numext::abs(value)));
   }
-  const S rounding = S(HeldSettings::rounding) * Eigen::NumTraits<S>::epsilon() * size_;
+  const S rounding = HeldSettings::rounding<S>() * size_;
   for (int pass = 0;; ++pass) {
     multiply(problem, z_.data(), w_.data());
     bool is_zero = true, is_near = true;

@@ -211,7 +211,8 @@ private:
         return PathEnd::forward;
       }
       if (falls && -change > least) return PathEnd::turned_back;
-      if (!grows && !falls && move * largest > S(1000) * tolerances_.tie) step.jumps = true;
+      if (!grows && !falls && move * largest > S(PathSettings::jump) * tolerances_.tie)
+        step.jumps = true;
       entering_ = complement(dictionary_.basic[blocking.row], n);
       dictionary_.exchange(blocking.row, c, scratch_);
     }

@@ -2,6 +2,8 @@
 // unit: pivots, rows and factors of scaled data.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "lcpush/types.hpp"
 
 namespace lcpush {
@@ -40,21 +42,28 @@ struct StructuredSettings {
   static constexpr Index exchanges_at_first = 64;
   /// Exchanges from one factoring to the next: some fifty cost as much as it (numerics.md).
   static constexpr Index exchanges_between = 48;
-  /// Corrections of values for rounding in K^-1; a third gains nothing.
+  /// Corrections of values for rounding in K^-1, while more than that of the largest is left of
+  /// them; a third gains nothing.
   static constexpr int corrections = 2;
+  template <class S> static S rounding() { return Eigen::NumTraits<S>::epsilon(); }
   /// From so many contacts on pads with a pressing point are pivoted as springs: fewer are cheaper
   /// as exchanges.
   static constexpr Index contacts_with_springs = 24;
+  /// Actuators that drive several contacts each, at most, where pads are springs: their matrix
+  /// stands on the stack. A hand has a few.
+  static constexpr int actuators_with_springs = 32;
 };
 
 /// Of a look at a basis that may still hold.
 struct HeldSettings {
-  /// Rounding that a product leaves of values about 1, in epsilons.
-  static constexpr int rounding = 64;
+  /// What rounding leaves of a product with values about 1.
+  template <class S> static S rounding() { return S(64) * Eigen::NumTraits<S>::epsilon(); }
 };
 
 /// Of a path along a line of right-hand sides.
 struct PathSettings {
+  /// An answer that moves by so many tie tolerances at a breakpoint has jumped.
+  static constexpr int jump = 1000;
   /// Pivots at one breakpoint, at most: 100 + 4 n. More is a cycle.
   static constexpr Index pivots = 100, pivots_an_unknown = 4;
   static constexpr Index most_pivots(Index n) { return pivots + pivots_an_unknown * n; }

@@ -237,7 +237,7 @@ template <class S> S BlockGaussSeidel<S>::squeeze() const {
 template <class S> template <class Watcher> Status BlockGaussSeidel<S>::finish(Watcher& watcher) {
   using Settings = ProximalSettings;
   using Eigen::numext::sqrt;
-  const S most_eps(Settings::most), least_eps = sqrt(sqrt(Eigen::NumTraits<S>::epsilon()));
+  const S most_eps(Settings::most), least_eps = Settings::least<S>();
   S eps(Settings::first), factor(Settings::factor);
   if (!newton_.init(problem_, z_.data)) return status_ = Status::bad_input;
   const Index swept = sweeps_;

@@ -224,7 +224,7 @@ template <class S> bool ProximalNewton<S>::settle(S eps, Index most_passes) {
   S size(1);
   respond(x_.data);
   for (Index k = 0; k < n_; ++k) size = Eigen::numext::maxi(size, Eigen::numext::abs(force_[k]));
-  const S small = S(ProximalSettings::rounding) * Eigen::NumTraits<S>::epsilon() * size;
+  const S small = ProximalSettings::rounding<S>() * size;
   bool settled = residual(x_.data) <= small;
   while (!settled && passes_ < end && stuck <= ProximalSettings::most_stuck) {
     if (!newton_step()) ++stuck;

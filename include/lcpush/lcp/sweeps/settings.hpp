@@ -2,6 +2,8 @@
 // reason. docs/theory/gauss_seidel.md has the measurements.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "lcpush/types.hpp"
 
 namespace lcpush {
@@ -32,7 +34,11 @@ struct ProximalSettings {
   static constexpr int halvings = 12;      ///< of one Newton step
   static constexpr int decrease = 10000;   ///< a step t has to take t over this off the residual
   static constexpr int most_stuck = 5;     ///< a kink may stop a step; the next starts beyond it
-  static constexpr int rounding = 512;     ///< epsilons of the largest force that count as solved
+  /// Of the largest force: what is left of the shared equations when they count as solved.
+  template <class S> static S rounding() { return S(512) * Eigen::NumTraits<S>::epsilon(); }
+  template <class S> static S least() {
+    return Eigen::numext::sqrt(Eigen::numext::sqrt(Eigen::NumTraits<S>::epsilon()));
+  }
 };
 
 } // namespace lcpush

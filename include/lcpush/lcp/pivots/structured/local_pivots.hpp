@@ -85,7 +85,7 @@ bool LocalForm<S, M>::load_springs(IsBasic is_basic) {
 /// Gauss-Jordan with row pivoting, in place, on rows of largest entry 1.
 template <class S, class M> bool LocalForm<S, M>::invert_core() {
   const Index size = width();
-  constexpr int most = 6 + 32; // few actuators are shared by many cones
+  constexpr int most = 6 + StructuredSettings::actuators_with_springs;
   if (size > most) return false;
   Index from[most];
   VectorMap<S>& row_size = core_input_; // free until the core is there

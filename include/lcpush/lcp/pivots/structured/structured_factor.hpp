@@ -99,7 +99,7 @@ template <class S, class M> void StructuredBasis<S, M>::find_values(const Wanted
     form_.evaluate(values);
     if (t_ == 0) continue;
     const int passes = rhs < wanted.exact ? 1 + corrections : 1;
-    const S noise = Eigen::NumTraits<S>::epsilon() * values.cwiseAbs().maxCoeff();
+    const S noise = StructuredSettings::rounding<S>() * values.cwiseAbs().maxCoeff();
     entered.setZero();
     for (int pass = 0; pass < passes; ++pass) {
       for (Index k = 0; k < t_; ++k)
