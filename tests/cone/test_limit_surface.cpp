@@ -104,18 +104,6 @@ TEST_CASE("[T.17] rays through the corners and edges of a symmetric surface are 
   }
 }
 
-TEST_CASE("[T.17] the surface turns and shifts with the object") {
-  const GripPoints points(desktop::parse_scene(two_discs(""), "t.toml"));
-  const Vector3<double> center(0.004, -0.007, 0);
-  const LimitSurface grip(points, 0.05, center, 0.3);
-  const LimitSurface still(points, 0.05);
-  // Along a generator of the turned pyramids, and a turn about the discs' centre.
-  CHECK(grip.power({1, 0, 0}) == doctest::Approx(90));
-  const Vector3<double> r = desktop::turned(Vector3<double>(0.006, 0.027, 0), -0.3);
-  CHECK(grip.power({r.y(), -r.x(), 0.05}) ==
-        doctest::Approx(still.power({0.02, -0.01, 0.05})).epsilon(0.05));
-}
-
 TEST_CASE("[T.17] points beside the object leave their force to the others of their patch") {
   const GripPoints points(desktop::parse_scene(two_discs(""), "t.toml"));
   std::vector<bool> touches(points.size(), true);

@@ -57,20 +57,6 @@ struct ScratchFile {
 
 } // namespace
 
-TEST_CASE("an array is read column by column") {
-  const HostMatrix m = parse(array_banner + "% a comment\n\n2 3\n1\n2\n3\n4\n5\n6\n");
-  CHECK(m.rows == 2);
-  CHECK(m.cols == 3);
-  CHECK(m(1, 0) == 2);
-  CHECK(m(0, 2) == 5);
-}
-
-TEST_CASE("coordinates come in any order, what is not named is zero") {
-  const HostMatrix m = parse(coordinate_banner + "2 2 2\n2 1 -0.5\n1 1 +1e-3\n");
-  CHECK(m.values == std::vector<double>{1e-3, -0.5, 0, 0});
-  CHECK(parse(coordinate_banner + "1 1 0\n").values == std::vector<double>{0});
-}
-
 TEST_CASE("capitals, integers, CRLF, tabs and a missing last newline are fine") {
   const HostMatrix m =
       parse("%%matrixmarket MATRIX Array Integer GENERAL\r\n%\r\n\t2  1\r\n 7 \r\n-8");
@@ -104,12 +90,6 @@ TEST_CASE("of a symmetric matrix the lower triangle is written, of a skew-symmet
   check_refused(start + "coordinate real skew-symmetric\n2 2 1\n1 1 5\n", "3",
                 "below the diagonal");
   check_refused(start + "array real symmetric\n2 3\n", "2", "only a square matrix is symmetric");
-}
-
-TEST_CASE("a matrix without rows is a matrix") {
-  CHECK(parse(array_banner + "0 0\n").rows == 0);
-  CHECK(parse_sparse_matrix(coordinate_banner + "0 0 0\n", "M.mtx").rows() == 0);
-  check_refused(array_banner + "0 0\n1\n", "3", "here is more");
 }
 
 TEST_CASE("sparse rows hold what is not zero, and may be many") {
@@ -197,17 +177,6 @@ TEST_CASE("entries are finite numbers") {
   check_refused(array_banner + "1 1\n" + std::string("1\0", 2) + "\n", "3", "\"1\\x00\"");
 }
 
-TEST_CASE("a file is read like a text") {
-  const ScratchFile file(array_banner + "2 1\n0.1\n-3\n");
-  CHECK(read_matrix_market(file.path).values == std::vector<double>{0.1, -3});
-  const ScratchFile short_file(array_banner + "20000 20000\n1\n");
-  CHECK(refusal([&] { read_matrix_market(short_file.path); }).find(":2: the sizes ask for") !=
-        std::string::npos);
-  const ScratchFile empty("");
-  CHECK(refusal([&] { read_matrix_market(empty.path); }).find(":1: the file is empty") !=
-        std::string::npos);
-}
-
 TEST_CASE("paths that cannot be read are named with the reason") {
   CHECK(refusal([] {
           read_matrix_market("no/such.mtx");
@@ -234,13 +203,6 @@ TEST_CASE("what is written reads back bit for bit") {
     REQUIRE(again.values.size() == m.values.size());
     CHECK(std::memcmp(again.values.data(), m.values.data(), 1000 * sizeof(double)) == 0);
   }
-}
-
-TEST_CASE("the written text") {
-  const HostMatrix m{2, 1, {0, 0.5}};
-  CHECK(write_matrix_market(m, MatrixMarketFormat::array, "") == array_banner + "2 1\n0\n0.5\n");
-  CHECK(write_matrix_market(m, MatrixMarketFormat::coordinate, "made by hand") ==
-        coordinate_banner + "% made by hand\n2 1 1\n2 1 0.5\n");
 }
 
 TEST_CASE("inline matrices: rows by semicolons, numbers by blanks or commas") {

@@ -84,18 +84,6 @@ TEST_CASE("every single number of q that matters is watched") {
   }
 }
 
-TEST_CASE("every entry of M that multiplies something is watched") {
-  Random random(3);
-  const Solved s = known_solution(random, 8, 2);
-  for (Index i = 0; i < 8; ++i)
-    for (Index j = 0; j < 8; ++j) {
-      if (s.z[j] == 0 || (i < 6 && i % 2 == 1)) continue;
-      DenseLcp<double> lcp = s.lcp;
-      lcp.M(i, j) += 1e-5;
-      CHECK(s.judge(lcp, s.z).residual > tolerance);
-    }
-}
-
 TEST_CASE("a negative z, a negative w and a pair both positive are each refused") {
   const Solved s{dense_lcp<double>(2, {1, 0, 0, 1}, {-1, 1}), VectorX<double>::Unit(2, 0),
                  VectorX<double>::Ones(2)};
@@ -151,15 +139,6 @@ TEST_CASE("the units of z do not matter when they are given") {
       scaled.lcp.M.col(j) /= factor;
     }
     CHECK(scaled.judge().residual == doctest::Approx(plain).epsilon(1e-12));
-  }
-}
-
-TEST_CASE("rounding in z is not taken for an error") {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    Random random(seed);
-    Solved s = known_solution(random, 12, 2);
-    for (Index j = 0; j < 12; ++j) s.z[j] *= 1 + 1e-15 * random.uniform(-1, 1);
-    CHECK(s.judge().residual <= 1e-12);
   }
 }
 

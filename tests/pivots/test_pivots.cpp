@@ -2,8 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "lcpush/desktop/pivots.hpp"
 #include "support/random_grasp.hpp"
@@ -45,37 +43,6 @@ Rational fraction(const TraceNumber& x) {
   return *Rational::parse(x.fraction);
 }
 
-/// One line of fixtures/traces.
-struct GoldenPath {
-  std::string problem, end;
-  PivotOptions options = exactly();
-  std::vector<std::string> pivots; ///< "z0 w2"
-};
-
-GoldenPath read_golden(const std::filesystem::path& file) {
-  GoldenPath path;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    std::string first, second;
-    words >> first >> second;
-    if (first.empty() || first[0] == '%') continue;
-    if (first == "problem") {
-      path.problem = second;
-    } else if (first == "rule") {
-      if (second == "first_row") path.options.rule = TieRule::first_row;
-    } else if (first == "cover") {
-      do path.options.cover.push_back(*Rational::parse(second));
-      while (words >> second);
-    } else if (first == "solved" || first == "ray" || first == "repeats") {
-      path.end = first;
-    } else {
-      path.pivots.push_back(first + " " + second);
-    }
-  }
-  return path;
-}
-
 /// A scene's trace with everything that it needs.
 struct SceneTrace {
   SceneFile file;
@@ -107,77 +74,6 @@ std::vector<std::filesystem::path> files_in(const std::string& folder, const std
 }
 
 } // namespace
-
-TEST_CASE("every golden path is the trace's, pivot for pivot and to its end") {
-  const auto files = files_in("traces", ".path");
-  REQUIRE(files.size() >= 20);
-  for (const auto& file : files) {
-    CAPTURE(file.string());
-    const GoldenPath golden = read_golden(file);
-    const PivotTrace trace = trace_of(textbook(golden.problem), golden.options);
-    std::vector<std::string> pivots;
-    for (const TracedPivot& pivot : trace.pivots)
-      pivots.push_back(name(trace, pivot.entering) + " " + name(trace, pivot.leaving));
-    CHECK(pivots == golden.pivots);
-    CHECK((trace.status == Status::solved) == (golden.end == "solved"));
-    CHECK((trace.status == Status::ray) == (golden.end == "ray"));
-    CHECK(trace.cycle.has_value() == (golden.end == "repeats"));
-    CHECK(trace.is_proved == (golden.end == "solved"));
-    CHECK(trace.ray.has_value() == (golden.end == "ray"));
-  }
-}
-
-TEST_CASE("every tableau satisfies w = q + M z + d z0 at every value of its nonbasic variables") {
-  for (const char* of : {"kostreva_1", "cps_4_4_16", "murty_2_8", "rock_paper_scissors"}) {
-    CAPTURE(of);
-    const ExactProblem given = textbook(of);
-    const PivotTrace trace = trace_of(given, exactly());
-    const Index n = trace.size;
-    REQUIRE(!trace.pivots.empty());
-    for (const TracedPivot& pivot : trace.pivots) {
-      REQUIRE(pivot.before.has_value());
-      const Tableau& t = *pivot.before;
-      // Nonbasic variables at 1, 2, 3, ..: then what the tableau says must fit the problem.
-      std::vector<Rational> at(static_cast<std::size_t>(2 * n + 1));
-      for (std::size_t j = 0; j < t.columns.size(); ++j)
-        at[static_cast<std::size_t>(t.columns[j])] = Rational(static_cast<int>(j) + 1);
-      for (std::size_t i = 0; i < t.rows.size(); ++i) {
-        Rational value = fraction(t.values[i].finite);
-        for (std::size_t j = 0; j < t.columns.size(); ++j)
-          value += fraction(t.entry(i, j)) * Rational(static_cast<int>(j) + 1);
-        at[static_cast<std::size_t>(t.rows[i])] = value;
-      }
-      for (Index i = 0; i < n; ++i) {
-        Rational w = given.q(i, 0) + at[static_cast<std::size_t>(2 * n)];
-        for (Index j = 0; j < n; ++j) w += given.M(i, j) * at[static_cast<std::size_t>(n + j)];
-        CHECK(w == at[static_cast<std::size_t>(i)]);
-      }
-      const auto row = static_cast<std::size_t>(pivot.row),
-                 column = static_cast<std::size_t>(pivot.column);
-      CHECK(t.rows[row] == pivot.leaving);
-      CHECK(t.columns[column] == pivot.entering);
-      REQUIRE(pivot.ratios[row].has_value());
-      CHECK(fraction(pivot.ratios[row]->finite) * fraction(t.entry(row, column)) ==
-            -fraction(t.values[row].finite));
-    }
-  }
-}
-
-TEST_CASE("Kostreva's cycle is found and told: six pivots that repeat") {
-  PivotOptions options = exactly();
-  options.rule = TieRule::first_row;
-  const PivotTrace trace = trace_of(textbook("kostreva_1"), options);
-  REQUIRE(trace.cycle.has_value());
-  CHECK(trace.cycle->length == 6);
-  CHECK(trace.status == Status::running);
-  CHECK(trace.reason.find("for ever") != std::string::npos);
-  const auto sorted = [&](std::size_t k) {
-    std::vector<Index> basis = trace.pivots[k].basis;
-    std::sort(basis.begin(), basis.end());
-    return basis;
-  };
-  CHECK(sorted(trace.cycle->first) == sorted(trace.cycle->first + trace.cycle->length));
-}
 
 TEST_CASE("the coin's pivots as mechanics") {
   const SceneTrace coin(root + "/fixtures/scenes/coin.toml");
@@ -294,16 +190,6 @@ TEST_CASE("a user may choose among the ties, and what was chosen is marked") {
   CHECK(asked == trace.pivots.size());
   CHECK(trace.pivots[0].leaving == slack(0));
   CHECK(trace.pivots[0].chosen);
-}
-
-TEST_CASE("z0 wins ties, and may be made to lose them") {
-  PivotOptions options = exactly();
-  const PivotTrace wins = trace_of(textbook("artificial_tie"), options);
-  options.z0_wins_ties = false;
-  const PivotTrace loses = trace_of(textbook("artificial_tie"), options);
-  REQUIRE(wins.status == Status::solved);
-  CHECK(wins.pivots.back().decided_by == TieBreak::artificial);
-  CHECK(loses.pivots[wins.pivots.size() - 1].leaving != artificial(3));
 }
 
 TEST_CASE("decimals taken as typed: 0.2 is 1/5, and 1/3 is 1/3") {

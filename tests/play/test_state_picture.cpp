@@ -1,7 +1,6 @@
 // The playground's picture: what is drawn stands where the scene has it, from wherever it is seen.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <regex>
 
 #include "formats/json_reader.hpp"
@@ -138,14 +137,4 @@ TEST_CASE("dots stand where a body could, and names cannot break the picture") {
                  "class=\"dot jams\"><circle class=\"where\" cx=\"380.00\" cy=\"230.00\"") == 1);
   CHECK(count_of(seen.svg, "it &lt;jams&gt;") == 1);
   CHECK(count_of(seen.svg, "data-body=\"&lt;b&gt;&quot;&amp;\"") == 1);
-}
-
-TEST_CASE("a look without directions, or of another scene, is refused") {
-  const std::string text = shipped_text("pivot.toml");
-  Playground page;
-  for (const char* look :
-       {"{}", R"({"right": [1, 0, 0]})", R"({"right": [1, 0], "up": [0, 1, 0]})",
-        R"({"right": [1, 0, 0], "up": [0, 1, 0], "moment": {"position": [0, 0, 0],
-                           "rotation": [1, 0, 0, 0, 1, 0, 0, 0, 1], "bodies": []}})"})
-    CHECK_THROWS_AS((void)page.answer_to(std::string("look ") + look, text), InputError);
 }

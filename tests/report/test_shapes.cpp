@@ -27,20 +27,6 @@ TEST_CASE("the hull of a square with points inside and on its edges is its four 
   CHECK(std::abs(area / 2) == 4);
 }
 
-TEST_CASE("round numbers lie below and above, within a factor") {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> power(-9, 9);
-  for (int k = 0; k < 500; ++k) {
-    const double x = std::pow(10, power(random));
-    CHECK(desktop::round_below(x) <= x * (1 + 1e-9));
-    CHECK(desktop::round_below(x) >= 0.39 * x);
-    CHECK(desktop::round_above(x) >= x * (1 - 1e-9));
-    CHECK(desktop::round_above(x) <= 1.7 * x);
-  }
-  CHECK(desktop::round_below(0.05) == doctest::Approx(0.05));
-  CHECK(desktop::round_above(20) == doctest::Approx(20));
-}
-
 TEST_CASE("a line is clipped to the picture, and one that misses it is not drawn") {
   const auto across = desktop::clipped_line({50, 20}, {1, 0}, 100, 40);
   REQUIRE(across.has_value());
@@ -134,28 +120,12 @@ TEST_CASE("a prism shows the faces that are turned to the viewer") {
   CHECK(desktop::faces_toward(coin, {1, 1, 1}).size() == 1); // its sides are round
 }
 
-TEST_CASE("a displacement turns about its axis, then shifts") {
-  desktop::Displacement quarter;
-  quarter.point = {1, 0, 0};
-  quarter.angle = std::acos(-1.0) / 2;
-  quarter.shift = {0, 0, 5};
-  CHECK((quarter({2, 0, 0}) - Vector(1, 1, 5)).norm() < 1e-12);
-  CHECK((quarter(quarter.point) - Vector(1, 0, 5)).norm() < 1e-12);
-}
-
 TEST_CASE("markup escapes what ends elements and attributes, and what XML cannot hold") {
   CHECK(desktop::escaped("<a href=\"x\">&'") == "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
   CHECK(desktop::escaped("\u00e4 \u6f22 \U0001F600") == "\u00e4 \u6f22 \U0001F600");
   CHECK(desktop::escaped(std::string("a\0b\x01\x1f\x7f", 6)) == "a\uFFFDb\uFFFD\uFFFD\uFFFD");
   CHECK(desktop::escaped("\xEF\xBF\xBE!") == "\uFFFD!"); // no character at all
   CHECK(desktop::escaped("a\nb\tc") == "a&#10;b\tc");
-}
-
-TEST_CASE("a long name is cut between letters") {
-  CHECK(desktop::shortened("wall", 4) == "wall");
-  CHECK(desktop::shortened("a longer name", 6) == "a lo..");
-  CHECK(desktop::shortened("\u00e4\u00f6\u00fc\u00df\u00e9", 4) == "\u00e4\u00f6..");
-  CHECK(desktop::shortened("\u00e4\u00f6\u00fc\u00df", 4) == "\u00e4\u00f6\u00fc\u00df");
 }
 
 TEST_CASE("a map's colour bar goes from its least value to its largest; equal values have none") {

@@ -117,27 +117,6 @@ TEST_CASE("a decimal is taken as typed") {
   CHECK(scene.points[0] == typed("0", "0", "1/200"));
 }
 
-TEST_CASE("the inertia of a box and of a cylinder are exact fractions") {
-  const Exact box = exactly(object_table + finger_table);
-  CHECK(box.object.inertia(0, 0) == Rational(1) / 60000);
-  CHECK(box.object.inertia(1, 1) == typed("0.0101") / 60);
-  CHECK(box.object.inertia(0, 1) == 0);
-  const Exact cylinder =
-      exactly(with_object("cylinder_radius = 0.1\ncylinder_length = 0.3\naxis = \"x\""));
-  CHECK(cylinder.object.inertia(0, 0) == typed("0.01"));
-  CHECK(cylinder.object.inertia(1, 1) == typed("0.02"));
-  CHECK(exactly(with_object("inertia = [0.1, 0.2, 0.2, 0.01, 0, 0]")).object.inertia(1, 0) ==
-        typed("0.01"));
-}
-
-TEST_CASE("points are seen from the centre of mass without rounding") {
-  const Exact scene = exactly(object_table + "center_of_mass = [0.1, 0, 0]\n" +
-                              with(finger_table, "center = [0, 0, 0.005]", "center = [0.3, 0, 0]"));
-  CHECK(scene.points[0][0] == Rational(1) / 5);
-  CHECK(0.3 - 0.1 != 0.2);
-  CHECK(scene.positions[0][0] == typed("0.3"));
-}
-
 TEST_CASE("the points of lines and rectangles are exact, and so are normals of a rational length") {
   const std::string rectangle = "shape = \"rectangle\"\nsize = [0.3, 0.1]\ntangent = [1, 0, 0]";
   const Exact flat = exactly(with_finger("shape = \"point\"", rectangle));
@@ -161,18 +140,6 @@ TEST_CASE("the points of lines and rectangles are exact, and so are normals of a
       exactly("facets = 4\n" +
               with_finger("normal = [0, 0, -2]", "normal = [0.3, 0.4, 0]\ntangent = [1, 0, 0]"));
   CHECK(along.bodies[0].tangent == typed("4/5", "-3/5", "0"));
-}
-
-TEST_CASE("a ring of four points is exact, other discs and rings stay in their plane") {
-  const std::string ring = "shape = \"ring\"\nradius = 0.1\npoints = ";
-  const Exact four = exactly("facets = 4\n" + with_finger("shape = \"point\"", ring + "4"));
-  CHECK(four.points[0] == typed("0.1", "0", "0.005"));
-  CHECK(four.inexact.empty());
-  const Exact five = exactly("facets = 4\n" + with_finger("shape = \"point\"", ring + "5"));
-  for (const Vector3<Rational>& p : five.points) CHECK(p[2] == typed("0.005"));
-  REQUIRE(five.inexact.size() == 1);
-  CHECK(five.inexact[0] ==
-        "the points of finger \"left\" are irrational: fractions within 1e-12 of them are used");
 }
 
 TEST_CASE("what is irrational is named") {
@@ -231,26 +198,6 @@ TEST_CASE("a number of too many digits is refused by name") {
                        InputError);
 }
 
-TEST_CASE("the object's shape is kept for drawings") {
-  const ObjectShape box = parsed(object_table + finger_table).shape;
-  CHECK(box.kind == ObjectShape::Kind::box);
-  CHECK(box.size == Vector3<double>(0.1, 0.03, 0.01));
-  const ObjectShape rod =
-      parsed(with_object("cylinder_radius = 0.1\ncylinder_length = 0.3\naxis = \"y\"")).shape;
-  CHECK(rod.kind == ObjectShape::Kind::cylinder);
-  CHECK(rod.axis == 1);
-  CHECK(rod.size == Vector3<double>(0.2, 0.3, 0.2));
-  // The inertia of a box of 2 kg with edges 1, 2, 3 m.
-  const ObjectShape like = parsed(with_object("inertia = [13, 10, 5]\n")).shape;
-  CHECK(like.kind == ObjectShape::Kind::unknown);
-  for (Index i = 0; i < 3; ++i) {
-    const double moments = 2.0 / 12 * (like.size.squaredNorm() - like.size[i] * like.size[i]);
-    CHECK(moments == Approx(i == 0 ? 13.0 : i == 1 ? 10.0 : 5.0));
-  }
-  CHECK(parsed(with_object("inertia = [1, 1, 2.001]")).shape.size[2] == 0);
-  CHECK(exactly(object_table + finger_table).shape.size == box.size);
-}
-
 TEST_CASE("every fixture's exact scene is its double scene but for rounding") {
   for (const std::string& path : scene_paths()) {
     CAPTURE(path);
@@ -277,19 +224,6 @@ TEST_CASE("every fixture's exact scene is its double scene but for rounding") {
       CHECK(exact.actuators[a].force.value() == rounded.actuators[a].force);
     CHECK(exact.body_names == rounded.body_names);
     CHECK(rounded.inexact.empty());
-  }
-}
-
-TEST_CASE("every fixture's exact assembly is its double assembly but for rounding") {
-  for (const std::string& path : scene_paths()) {
-    CAPTURE(path);
-    const Exact exact_file = read_scene<Rational>(path);
-    const SceneFile rounded_file = read_scene(path);
-    OwnedAssembly<Rational> exact(exact_file);
-    OwnedAssembly<double> rounded(rounded_file);
-    REQUIRE(exact.assembly.layout().size == rounded.assembly.layout().size);
-    CHECK(difference(exact.M().reshaped(), rounded.M().reshaped()) < 1e-12);
-    CHECK(difference(exact.right_hand_side(), rounded.right_hand_side()) < 1e-12);
   }
 }
 

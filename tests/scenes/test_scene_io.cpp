@@ -90,15 +90,6 @@ TEST_CASE("normals are normalised, tangents default or are projected") {
   CHECK((scene.bodies[1].tangent - Vec3(0, 1, 0)).norm() <= 1e-15);
 }
 
-TEST_CASE("positions are kept in the scene's frame and from the centre of mass") {
-  const SceneFile scene = parsed(whole_scene);
-  REQUIRE(scene.points.size() == 22);
-  REQUIRE(scene.positions.size() == 22);
-  CHECK(scene.positions[18] == Vec3(-0.05, -0.015, 0));
-  for (std::size_t i = 0; i < 22; ++i)
-    CHECK(scene.points[i] == scene.positions[i] - scene.object.center_of_mass);
-}
-
 TEST_CASE("a pusher's twist is taken at the centre of mass: v = a + alpha x (com - about)") {
   CHECK(
       (parsed(whole_scene).bodies[2].acceleration - twist(0.1 - 2 * 0.02, 0, 0, 0, 0, 2)).norm() <=
@@ -112,18 +103,6 @@ TEST_CASE("optional keys have their defaults") {
   CHECK(scene.facets == 8);
   CHECK(scene.pressure == Pressure::pad);
   CHECK(scene.object.center_of_mass == Vec3(0, 0, 0));
-}
-
-TEST_CASE("a view spans the file's arrays") {
-  const SceneFile file = parsed(whole_scene);
-  const Scene<double> scene = file.view();
-  CHECK(scene.points.data == file.points.data());
-  CHECK(scene.bodies.size == 3);
-  CHECK(scene.points.size == 22);
-  CHECK(scene.actuators.size == 1);
-  CHECK(scene.drives.size == 1);
-  CHECK(scene.facets == 12);
-  CHECK(scene.gravity == file.gravity);
 }
 
 TEST_CASE("inertia follows from a box, a cylinder or the tensor's entries") {

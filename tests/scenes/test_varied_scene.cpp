@@ -1,7 +1,6 @@
 // Numbers of a scene file by their paths.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "lcpush/desktop/input_error.hpp"
@@ -104,10 +103,6 @@ TEST_CASE("forces and accelerations are linear; mass, friction and places are no
     CHECK_FALSE(slide().find(path).linear);
 }
 
-TEST_CASE("what a path finds is what paths() lists") {
-  for (const std::string& path : slide().paths()) CHECK(slide().find(path).path == path);
-}
-
 TEST_CASE("what counts something is whole; facets vary even where the file leaves them out") {
   CHECK(slide().find("facets").whole);
   CHECK(slide().find("facets").value == 8);
@@ -121,15 +116,6 @@ TEST_CASE("what counts something is whole; facets vary even where the file leave
   CHECK(plate.at({plate.find("plate.points[0]")}, {5}).points.size() == 2 * 6 + 10);
   CHECK_THROWS_AS((void)plate.at({plate.find("*.points")}, {2.5}), InputError);
   CHECK_THROWS_AS((void)plate.at({plate.find("facets")}, {7}), InputError);
-}
-
-TEST_CASE("shift leaves a pair of counts alone") {
-  const VariedScene scene = VariedScene::parse(scene_text("planar_pusher.toml"), "plate.toml");
-  const SceneFile given = scene.as_given();
-  const SceneFile moved = scene.at({scene.find("plate.shift[1]")}, {0.003});
-  REQUIRE(moved.positions.size() == given.positions.size());
-  for (std::size_t i = 12; i < given.positions.size(); ++i)
-    CHECK((moved.positions[i] - given.positions[i] - Vector3<double>(0, 0.003, 0)).norm() <= 1e-17);
 }
 
 TEST_CASE("tangent_turn turns the first generator about the normal") {

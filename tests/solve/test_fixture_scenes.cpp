@@ -191,17 +191,3 @@ TEST_CASE("a grasp that drops the part says so before it speaks of pushing") {
   CHECK(pushed.linear(1) == Approx(-3.81));
   CHECK(pushed.normal_of("rod") == Approx(0.02));
 }
-
-TEST_CASE("what once failed stays solved, and its contacts' modes right") {
-  int scenes = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(LCPUSH_SOURCE_DIR "/fixtures/regressions")) {
-    const std::string name = entry.path().filename().string();
-    CAPTURE(name);
-    const Pushed pushed(scene_text(name, "regressions"));
-    for (Index i = 0; name == "free_pull.toml" && i < 3; ++i)
-      CHECK(pushed.report.answer.contacts[i].mode == Mode::stick);
-    ++scenes;
-  }
-  CHECK(scenes == 4);
-}

@@ -30,20 +30,6 @@ TEST_CASE("straight slide over the grip force: slope 2 mu and breakpoints to 1e-
   CHECK(sweep.complete);
 }
 
-TEST_CASE("the slope is 2 mu for every friction, aligned with a facet") {
-  for (const double mu : {0.2, 0.7}) {
-    const VariedScene scene =
-        VariedScene::parse(rigid(scene_text("straight_slide.toml")), "test.toml");
-    const SceneFile file = scene.at({scene.find("*.friction")}, {mu});
-    std::string text = lcpush::test::with(rigid(scene_text("straight_slide.toml")),
-                                          "friction = 0.5", "friction = " + std::to_string(mu));
-    const Sweep sweep = swept(text, "*.grip_force", 60, 100);
-    REQUIRE(sweep.segments.size() == 1);
-    CHECK(std::abs(sweep.segments[0].at_from.breaking.normal - 2 * mu * 60) <= 1e-8);
-    CHECK(std::abs(sweep.segments[0].at_to.breaking.normal - 2 * mu * 100) <= 1e-8);
-  }
-}
-
 TEST_CASE("tipping over the tip's force: (m g + F) / 3, one segment under every law") {
   for (const char* law : {"rigid", "pad"}) {
     CAPTURE(law);
@@ -94,14 +80,6 @@ TEST_CASE("rolling over the grip force: sharp at F*, and bistable where both mot
         std::string::npos);
   CHECK(two.back.front().change.push.front().path == PathBreak::turned_back);
   CHECK(two.back.front().change.jumps);
-}
-
-TEST_CASE("a jam over the whole range is one unsolved segment that says ray") {
-  const Sweep sweep = swept(rigid(scene_text("jam.toml")), "*.grip_force", 1, 9);
-  REQUIRE(sweep.segments.size() == 1);
-  CHECK(sweep.segments[0].kind == SegmentKind::unsolved);
-  CHECK(sweep.segments[0].at_from.push.status == Status::ray);
-  CHECK_FALSE(sweep.complete);
 }
 
 TEST_CASE("where no pusher moves there is a push to report, and no breaking") {

@@ -44,38 +44,6 @@ TEST_CASE("samples: warm and cold agree, and few solves are cold") {
   }
 }
 
-TEST_CASE("samples: the way back does not solve again what the way there would find again") {
-  ParameterSweepOptions options;
-  options.steps = 60;
-  const std::string text = scene_text("screw_driving.toml");
-  const Sweep both = swept(text, "*.friction", 0.25, 1, options);
-  CHECK(both.bistable.empty());
-  options.both_ways = false;
-  const Sweep there = swept(text, "*.friction", 0.25, 1, options);
-  CHECK(both.warm + both.cold <= there.warm + there.cold + 20);
-}
-
-TEST_CASE(
-    "samples: where both ways are at the same answer, the way back goes on as the way there") {
-  ParameterSweepOptions options;
-  options.steps = 200;
-  const std::string text = scene_text("planar_pusher.toml");
-  const Sweep both = swept(text, "*.tangent_turn", 0, 20, options);
-  options.both_ways = false;
-  const Sweep there = swept(text, "*.tangent_turn", 0, 20, options);
-  CHECK(2 * (both.warm + both.cold) <= 3 * (there.warm + there.cold));
-}
-
-TEST_CASE("samples: rounds that led nowhere at the neighbour are not pivoted again") {
-  int pivots = 0;
-  ParameterSweepOptions options;
-  options.steps = 60;
-  options.pivoted = [&] { ++pivots; };
-  const Sweep sweep = swept(scene_text("tipping.toml"), "object.mass", 0.25, 1, options);
-  CHECK(sweep.complete);
-  CHECK(pivots < 3000); // 1,880; 4,418 if they are
-}
-
 TEST_CASE("a force that breaks nothing does not tell two ways apart") {
   ParameterSweepOptions options;
   options.steps = 40;

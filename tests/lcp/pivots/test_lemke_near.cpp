@@ -77,30 +77,6 @@ TEST_CASE("redundant positive unknowns are left out: solved, in fewer pivots tha
   CHECK(near_pivots < cold_pivots);
 }
 
-TEST_CASE("from garbage: solved and right, or a failure that says so") {
-  int solved = 0, failed = 0;
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
-    const MatrixX<double> A = random_matrix(random, 10, 10);
-    DenseLcp<double> lcp{A * A.transpose() + 0.1 * MatrixX<double>::Identity(10, 10),
-                         random_vector(random, 10)};
-    if (seed % 2 == 0) lcp = Redundant(seed, 10, 4).lcp;
-    if (seed % 3 == 0) lcp.free_count = 2;
-    if (seed % 7 == 0) lcp.M.setZero();
-    Flags active(10);
-    for (unsigned char& flag : active) flag = random.integer(0, 1) == 0 ? 0 : 255;
-    LemkeRun<double> run(10);
-    const Status status = solve_near(run, lcp.view(), active);
-    CHECK(status != Status::running);
-    CHECK(status != Status::bad_input);
-    ++(status == Status::solved ? solved : failed);
-    if (status == Status::solved) CHECK(solution_error(lcp, run.z()) <= 1e-8);
-  }
-  MESSAGE("from garbage: " << solved << " solved, " << failed << " failed");
-  CHECK(solved >= 130);
-}
-
 TEST_CASE("n = 0, numbers that are not finite, and memory too small are as in a cold start") {
   const unsigned char none = 0;
   LemkeRun<double> empty(0);

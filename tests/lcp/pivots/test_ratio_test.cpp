@@ -58,11 +58,6 @@ TEST_CASE("the row with the smallest ratio blocks") {
   CHECK(blocking.decided_by == TieBreak::none);
 }
 
-TEST_CASE("nothing blocks when no basic value falls") {
-  Race race({0, -1, -2}, columns({{0}, {1}, {0}}), 1);
-  CHECK(race.run().row == -1);
-}
-
 TEST_CASE("a row whose rate is noise beside its column's largest entry cannot block") {
   // Row 0 alone falls, but by less than the threshold of the rising row 1.
   Race noise({0.5 * smallest_pivot, -1}, columns({{0}, {1}}), 1);
@@ -89,12 +84,6 @@ TEST_CASE("the artificial variable wins a tie, wherever it stands and whatever i
       CHECK(blocking.tied == 3);
       CHECK(blocking.decided_by == TieBreak::artificial);
     }
-}
-
-TEST_CASE("the artificial variable wins no race that it loses by more than the tolerance") {
-  Race race({1, 1}, columns({{1}, {1 + 1e-9}}), 1);
-  race.make_artificial(1);
-  CHECK(race.run().row == 0);
 }
 
 TEST_CASE("the artificial variable does not win against a later right-hand side that decides") {
@@ -135,13 +124,6 @@ TEST_CASE("a tie column decides before the size of the pivot does") {
   CHECK(blocking.decided_by == TieBreak::tie_column);
 }
 
-TEST_CASE("a tie in every column goes to the largest pivot") {
-  Race race({1, 3, 2}, columns({{0, 0}, {0, 0}, {0, 0}}), 1);
-  const Blocking blocking = race.run();
-  CHECK(blocking.row == 1);
-  CHECK(blocking.decided_by == TieBreak::size);
-}
-
 TEST_CASE("the first-row rule takes the first tied row, whatever the tie columns say") {
   Race race({1, 8}, columns({{0, 9}, {0, 1}}), 1);
   const Blocking blocking = race.run(TieRule::first_row);
@@ -163,13 +145,6 @@ TEST_CASE("the lexicographic rule takes the smallest row of the basis inverse ov
   race.dictionary.table(1, 1) = -7;
   blocking = race.run(TieRule::lexicographic);
   CHECK(blocking.row == 0);
-}
-
-TEST_CASE("within the tie tolerance rows are tied, beyond it they are not") {
-  Race near({1, 1}, columns({{1}, {1 + 0.5 * tie}}), 1);
-  CHECK(near.run().tied == 2);
-  Race apart({1, 1}, columns({{1}, {1 + 2.5 * tie}}), 1);
-  CHECK(apart.run().tied == 1);
 }
 
 TEST_CASE("a step is never longer than the tolerance beyond the smallest ratio") {

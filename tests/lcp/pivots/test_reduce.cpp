@@ -145,24 +145,6 @@ TEST_CASE("an answer of the exchanged problem is an answer of the mixed one") {
   CHECK(solved >= 35);
 }
 
-TEST_CASE("what an exchange leaves is the same problem: a point of one is a point of the other") {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    CAPTURE(seed);
-    const Index n = 6, equalities = 2, size = n + equalities;
-    const Mixed mixed = saddle(seed, n, equalities);
-    ReducedRun run(size);
-    REQUIRE(run.reduce(mixed, SingularBlock::exchange) == Status::solved);
-    const Problem<double>& reduced = run.reduction.problem();
-    Random random(seed);
-    const VectorX<double> x = random_vector(random, reduced.size);
-    VectorX<double> z(size);
-    run.reduction.recover(x.data(), z.data());
-    const VectorX<double> w = mixed.M * z + mixed.q;
-    const double scale = mixed.M.cwiseAbs().maxCoeff() * z.cwiseAbs().maxCoeff() + 1;
-    CHECK(w.tail(equalities).cwiseAbs().maxCoeff() <= 1e-12 * scale);
-  }
-}
-
 TEST_CASE("a redundant equality is named, and as many free unknowns are fixed at zero") {
   for (const SingularBlock mode : {SingularBlock::bound, SingularBlock::exchange}) {
     Mixed mixed = saddle(3, 5, 2);
@@ -205,48 +187,6 @@ TEST_CASE("contradicting equalities are refused and one of them is named") {
     CHECK(run.reduce(mixed, mode) == Status::bad_input);
     const Index row = run.reduction.inconsistent_row();
     CHECK((row == 1 || row == 2));
-  }
-}
-
-TEST_CASE("an equality without unknowns is redundant if it says 0 = 0, refused otherwise") {
-  Mixed mixed{MatrixX<double>::Identity(2, 2), VectorX<double>(2), {0, 1}};
-  mixed.M(1, 1) = 0;
-  mixed.q << -1, 0;
-  ReducedRun consistent(2), contradiction(2);
-  CHECK(consistent.reduce(mixed, SingularBlock::bound) == Status::solved);
-  CHECK(consistent.reduction.redundant_rows().size == 1);
-  CHECK(consistent.reduction.redundant_rows()[0] == 1);
-  mixed.q[1] = 1;
-  CHECK(contradiction.reduce(mixed, SingularBlock::bound) == Status::bad_input);
-  CHECK(contradiction.reduction.inconsistent_row() == 1);
-}
-
-TEST_CASE(
-    "without free unknowns nothing but the scale changes; with all free it is a linear solve") {
-  Mixed mixed = regular(5, 6);
-  mixed.is_free.assign(6, 0);
-  ReducedRun none(6);
-  REQUIRE(none.reduce(mixed, SingularBlock::bound) == Status::solved);
-  CHECK(none.reduction.problem().size == 6);
-  CHECK(mixed.error(none.solve(6)) <= 1e-10);
-  mixed.is_free.assign(6, 1);
-  ReducedRun all(6);
-  REQUIRE(all.reduce(mixed, SingularBlock::bound) == Status::solved);
-  CHECK(all.reduction.problem().size == 0);
-  CHECK((mixed.M * all.solve(6) + mixed.q).cwiseAbs().maxCoeff() <= 1e-10);
-}
-
-TEST_CASE("a recovered direction leaves every equality as it is") {
-  const Index n = 5, equalities = 2, size = n + equalities;
-  const Mixed mixed = saddle(11, n, equalities);
-  for (const SingularBlock mode : {SingularBlock::bound, SingularBlock::exchange}) {
-    ReducedRun run(size);
-    REQUIRE(run.reduce(mixed, mode) == Status::solved);
-    if (mode == SingularBlock::bound) continue; // there the equalities are still rows
-    const VectorX<double> x = VectorX<double>::Ones(run.reduction.problem().size);
-    VectorX<double> v(size);
-    run.reduction.recover_direction(x.data(), v.data());
-    CHECK((mixed.M * v).tail(equalities).cwiseAbs().maxCoeff() <= 1e-11 * v.cwiseAbs().maxCoeff());
   }
 }
 

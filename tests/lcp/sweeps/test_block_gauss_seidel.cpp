@@ -4,7 +4,6 @@
 
 #include <cstring>
 #include <limits>
-#include <string>
 
 #include "support/checked_sweeps.hpp"
 #include "support/grasp_families.hpp"
@@ -44,9 +43,6 @@ template <class S> struct Grasp {
     read_answer(push.assembly, run.sweeps.z(), push.memory.work.answer, S(1));
     return check(push.scene, push.scales(), push.answer(), S(1)).max();
   }
-  Vector6<S> motion(const S* z) const {
-    return problem.factored->mobility * contact_wrench(*problem.factored, z);
-  }
 };
 
 /// How many of the family's grasps are solved; each of them has to obey the laws.
@@ -74,12 +70,6 @@ Scene3 jammed() {
 }
 
 } // namespace
-
-TEST_CASE("without acceleration about 80 of 100 plain grasps are solved to 1e-6") {
-  const int solved = solved_of<double>(Family::plain, 1e-6, false);
-  MESSAGE(solved << " solved by plain sweeps");
-  CHECK(solved >= 70);
-}
 
 TEST_CASE("float: plain and driven grasps are solved to 1e-3") {
   CHECK(solved_of<float>(Family::plain, 1e-3F) == seeds);
@@ -146,36 +136,6 @@ TEST_CASE("every sweep keeps its sets: sums at their targets, friction within it
         CHECK(friction <= cone.friction * z[cone.variable] + 1e-12);
       }
     }
-  }
-}
-
-TEST_CASE("from a solution one check is enough, and sweeps go on from where they are told") {
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    CAPTURE(seed);
-    Grasp<double> grasp(Family::plain, seed, 1e-9);
-    REQUIRE(grasp.solve() == Status::solved);
-    const VectorX<double> start = grasp.run.z();
-    grasp.options.tolerance = 1e-6;
-    CheckedSweeps<double> checked;
-    CHECK(grasp.run.sweeps.init(grasp.problem, grasp.options, start.data(), checked) ==
-          Status::solved);
-    CHECK(grasp.run.sweeps.solve(checked) == Status::solved);
-    CHECK(grasp.run.sweeps.sweeps() == 0);
-    CHECK(checked.sweeps.size() == 1);
-  }
-}
-
-TEST_CASE("plain sweeps: step by step is the same run as solve, checked every ten sweeps") {
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    Grasp<double> whole(Family::plain, seed, 1e-6, false), single(Family::plain, seed, 1e-6, false);
-    CheckedSweeps<double> checked;
-    whole.options.max_sweeps = single.options.max_sweeps = 25;
-    const Status expected = whole.solve();
-    Status status = single.run.sweeps.init(single.problem, single.options, nullptr, checked);
-    while (status == Status::running) status = single.run.sweeps.sweep(checked);
-    CHECK(status == expected);
-    CHECK(single.run.z() == whole.run.z());
-    if (status == Status::sweep_limit) CHECK(checked.sweeps == std::vector<Index>{0, 10, 20, 25});
   }
 }
 

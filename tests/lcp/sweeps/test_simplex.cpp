@@ -120,34 +120,6 @@ TEST_CASE("a solution is a fixed point of proximal Newton at any eps") {
     }
 }
 
-TEST_CASE("settling again and again with less eps comes to Lemke's motion") {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    CAPTURE(seed);
-    Prepared run(determined_grasp(seed));
-    LemkeRun<double> lemke(run.problem.size);
-    REQUIRE(lemke.solve(run.problem) == Status::solved);
-    VectorX<double> z = VectorX<double>::Zero(run.problem.size);
-    REQUIRE(run.newton.init(run.problem, z.data()));
-    for (double eps = 10; eps > 1e-4; eps *= 0.5) (void)run.newton.settle(eps, 60);
-    run.newton.recover(z.data());
-    const FactoredProblem<double>& factored = *run.problem.factored;
-    const Vector6<double> motion = factored.mobility * contact_wrench(factored, z.data());
-    const Vector6<double> expected = factored.mobility * contact_wrench(factored, lemke.lemke.z());
-    CHECK((motion - expected).norm() <= 1e-6 * (1 + expected.norm()));
-  }
-}
-
-TEST_CASE("a settle that is not given enough passes leaves everything as it was") {
-  Prepared run(determined_grasp(3));
-  VectorX<double> start = VectorX<double>::Zero(run.problem.size), before = start, after = start;
-  REQUIRE(run.newton.init(run.problem, start.data()));
-  REQUIRE(run.newton.settle(10, 200));
-  run.newton.recover(before.data());
-  CHECK_FALSE(run.newton.settle(1e-3, 1));
-  run.newton.recover(after.data());
-  CHECK(after == before);
-}
-
 TEST_CASE("proximal Newton wants all of its memory") {
   Prepared run(determined_grasp(1));
   const VectorX<double> start = VectorX<double>::Zero(run.problem.size);

@@ -80,21 +80,6 @@ TEST_CASE("full = reduced: 1,000 random grasps of every kind") {
   MESSAGE("largest difference between full and reduced: " << worst);
 }
 
-TEST_CASE("full = reduced: a patch whose points share a normal but no plane") {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    CAPTURE(seed);
-    Scene3 scene = random_grasp<double>(seed);
-    Random random(seed);
-    std::vector<Vec3> points;
-    for (Index i = 0; i < 7; ++i) points.push_back(0.03 * random_vector(random, 3));
-    scene.add_body(Role::finger, {0, 1, 0.2}, 0.4, points);
-    SolvedPush<double> push(scene);
-    FullElimination full(push.assembly);
-    CHECK(full.form.patch(3).rank == 3);
-    CHECK(full.difference() <= rounding);
-  }
-}
-
 TEST_CASE("a wrong weight shows: full and reduced differ, rank and residual say so") {
   Index tried = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -137,41 +122,4 @@ TEST_CASE("too little memory is refused, not overrun") {
   std::vector<double> weights(3);
   FullForm<double> form({span_of(patches), span_of(first), span_of(weights)});
   CHECK(form.describe(push.assembly) == Status::bad_input);
-}
-
-TEST_CASE("Lemke on the full form's elimination gives the same motion") {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    CAPTURE(seed);
-    SolvedPush<double> push(determined_grasp(seed)); // whose motion is unique
-    FullElimination full(push.assembly);
-    Reduction<double> reduction = full.reduction();
-    REQUIRE(reduction.init(full.form.size(), full.M.data(), full.q.data(), full.eliminated.data(),
-                           SingularBlock::bound) == Status::solved);
-    Problem<double> reduced = reduction.problem();
-    reduced.free_begin = reduced.size - push.assembly.layout().actuators; // s is free, not >= 0
-    LemkeRun<double> lemke(reduced.size);
-    REQUIRE(lemke.solve(reduced) == Status::solved);
-    VectorX<double> z(full.form.size());
-    reduction.recover(lemke.lemke.z(), z.data());
-
-    LemkeRun<double> own(push.assembly.problem().size);
-    REQUIRE(own.solve(push.assembly.problem()) == Status::solved);
-    read_answer(push.assembly, own.lemke.z(), push.memory.work.answer, 1.0);
-    const Answer<double>& answer = push.answer();
-    const double unit = push.scales().acceleration, length = push.scales().length;
-    const Index a = full.form.acceleration();
-    const double size = z.tail(full.form.size() - a).cwiseAbs().maxCoeff() + 1;
-    for (Index k = 0; k < 6; ++k) {
-      const double SI = z[a + k] * unit / (k < 3 ? 1 : length);
-      CHECK(absolute(SI - answer.acceleration[k]) <= 1e-9 * size * unit / (k < 3 ? 1 : length));
-    }
-    for (Index i = 0; i < push.scene.points.size; ++i) {
-      const Body<double>& body = push.scene.bodies[answer.contacts[i].body];
-      const Vec3& r = answer.contacts[i].acceleration;
-      const Vec3 in_axes(r.dot(body.normal), r.dot(body.tangent),
-                         r.dot(body.normal.cross(body.tangent)));
-      for (Index c = 0; c < 3; ++c)
-        CHECK(absolute(z[full.form.relative(i) + c] * unit - in_axes[c]) <= 1e-9 * size * unit);
-    }
-  }
 }

@@ -121,50 +121,6 @@ TEST_CASE("J is how the bodies' points move when the actuators move: finite disp
   }
 }
 
-TEST_CASE("G-bar is G times the generators, and D is the friction part of them") {
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    CAPTURE(seed);
-    const Scene3 owned = some_scene(seed);
-    const Matrices m(owned.view());
-    CHECK(worst_of(m.G * m.E - m.G_bar) <= rounding);
-    Index row = 0, column = 0;
-    for (const Body<double>& body : m.scene.bodies) {
-      const Index g = generator_count(m.scene, body), width = contact_components(body);
-      MatrixX<double> D(width - 1, g);
-      friction_generators(m.scene, body, map_of(D));
-      for (Index j = 0; j < g; ++j) // on the circle, or the ellipsoid of a soft point
-        CHECK(D.col(j).head<2>().squaredNorm() +
-                  (width == 4 ? D(2, j) * D(2, j) / (body.torsion_radius * body.torsion_radius)
-                              : 0.0) ==
-              doctest::Approx(1).epsilon(1e-12));
-      for (Index i = 0; i < body.point_count; ++i) {
-        const Index normals = body.bilateral ? 2 : 1;
-        CHECK(m.E.block(row, column, width, 1) == MatrixX<double>::Identity(width, 1));
-        CHECK(worst_of(m.E.block(row + 1, column + normals, width - 1, g) - D) == 0);
-        row += width;
-        column += normals + g;
-      }
-    }
-    CHECK(row == m.E.rows());
-    CHECK(column == m.E.cols());
-  }
-}
-
-TEST_CASE("G-bar in scaled units is the assembly's, force by force") {
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    CAPTURE(seed);
-    SolvedPush<double> push(some_scene(seed));
-    const Matrices m(push.scene);
-    const double L = push.scales().length;
-    REQUIRE(m.G_bar.cols() == push.assembly.layout().forces);
-    for (Index k = 0; k < m.G_bar.cols(); ++k) {
-      Vector6<double> scaled = m.G_bar.col(k);
-      scaled.tail<3>() /= L;
-      CHECK(worst_of(scaled - push.assembly.factored().wrenches[k]) <= rounding);
-    }
-  }
-}
-
 TEST_CASE("an answer obeys the paper's equations written with its matrices") {
   Index solved = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {

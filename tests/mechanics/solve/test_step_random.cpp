@@ -84,22 +84,6 @@ TEST_CASE("random motions: every step is checked, and a step goes on from the la
   CHECK(pivots[pivots.size() / 2] <= 3);
 }
 
-TEST_CASE("two answers that lead to each other's gaps do not take turns for ever") {
-  // Corrections that only repeat themselves end 2.1e-9 and 8.2e-9 m deep here.
-  for (const auto& run_of : {std::pair(14, 154), std::pair(130, 30)}) {
-    const int seed = run_of.first, steps = run_of.second;
-    CAPTURE(seed);
-    OwnedMotion<double, StructuredLemke<double>> run(
-        random_grasp<double>(static_cast<std::uint64_t>(seed)));
-    begin_random(run, static_cast<std::uint64_t>(seed));
-    for (Index k = 0; k < steps; ++k) {
-      CAPTURE(k);
-      REQUIRE(run->advance(1e-3) == Status::solved);
-      CHECK(run->run().penetration <= 1e-10);
-    }
-  }
-}
-
 TEST_CASE(
     "a step that would end inside a face is too long; half of it, or a part of that, is not") {
   // Fingers run along a face that stands nearly on edge: corrections ended 1.1 um and 9 nm deep.
@@ -125,19 +109,6 @@ TEST_CASE(
       REQUIRE(h > 1e-5);
     }
     CHECK(refused > 0);
-  }
-}
-
-TEST_CASE("a tilt that is rounding does not couple a jaw with friction") {
-  // Of 1e-10 rad, with false rays from every start.
-  for (const std::uint64_t seed : {361u, 974u}) {
-    CAPTURE(seed);
-    OwnedMotion<double, StructuredLemke<double>> run(random_grasp<double>(seed));
-    begin_random(run, seed);
-    for (Index k = 0; k < 100; ++k) {
-      CAPTURE(k);
-      REQUIRE(run->advance(1e-3) == Status::solved);
-    }
   }
 }
 
@@ -234,22 +205,6 @@ TEST_CASE("a falling block lands on a floor, through a gap, and stays") {
   double weight = 0;
   for (Index i = 0; i < 4; ++i) weight += run->contact(i).normal_force;
   CHECK(weight == doctest::Approx(0.981));
-}
-
-TEST_CASE("even and rigid pressure, float: the same straight slide") {
-  Slide slide;
-  slide.pads = ring(4, 0.005);
-  for (const Pressure pressure : {Pressure::even, Pressure::rigid}) {
-    Scene3 scene = straight_slide(slide);
-    scene.base.planar = true;
-    scene.base.pressure = pressure;
-    OwnedMotion<double> run(scene);
-    REQUIRE(run.begin() == Status::running);
-    run->prescribed(2)[0] = 0.01;
-    for (Index k = 0; k < 100; ++k) REQUIRE(run->advance(0.01) == Status::solved);
-    CHECK(std::abs(run->pose().position[0] - 0.01) <= 1e-9);
-    CHECK(run->pose().rotation.isApprox(Matrix3<double>::Identity(), 1e-9));
-  }
 }
 
 TEST_CASE("what cannot be begun or stepped says why") {

@@ -107,36 +107,12 @@ TEST_CASE("[T.12] between two generators the pyramid gives cos(pi / g) of the fr
   CHECK(held.holding.factor * 20 == doctest::Approx(9.81 / std::cos(angle)).epsilon(1e-9));
 }
 
-TEST_CASE("[T.12] fingers of different force pull together, and only if a stop takes the rest") {
-  Scene3 scene = pinched({0, -9.81, 0}, 0.5, 20);
-  scene.actuators[0].force = 30;
-  CHECK(Held(scene).status == Status::does_not_hold); // 30 N against 20 N
-  add_point(scene, Role::finger, {0, 0, 1}, 0, {0, 0, -0.01});
-  // The moment wants equal friction on both sides: the weaker finger decides.
-  const Held held(scene);
-  REQUIRE(held.status == Status::solved);
-  CHECK(held.holding.factor == doctest::Approx(9.81 / (2 * 0.5 * 20)).epsilon(1e-9));
-}
-
 TEST_CASE("[T.12] what a stop carries needs no grip") {
   Scene3 scene = pinched({0, -9.81, 0}, 0.5, 20);
   add_point(scene, Role::finger, {0, 1, 0}, 0, {0, -0.01, 0});
   const Held held(scene);
   REQUIRE(held.status == Status::solved);
   CHECK(held.holding.factor <= 1e-12);
-}
-
-TEST_CASE("[T.12] a stop at the side holds together with the grip: the moment shares them") {
-  // The stop lifts at x = -l; the pinch, at x = h, holds the rest and the moment: m g l / (l + h).
-  const double l = 0.03, h = 0.01, mu = 0.5, F = 20;
-  Scene3 scene = pinched({0, -9.81, 0}, mu, F, {{h, 0, 0}});
-  add_point(scene, Role::finger, {0, 1, 0}, 0, {-l, 0, 0});
-  for (const bool planar : {false, true}) {
-    scene.base.planar = planar;
-    const Held held(scene);
-    REQUIRE(held.status == Status::solved);
-    CHECK(held.holding.factor * F == doctest::Approx(9.81 * l / (l + h) / (2 * mu)).epsilon(1e-9));
-  }
 }
 
 TEST_CASE("[T.12] no grip force holds without friction, or away from a one-sided contact") {
