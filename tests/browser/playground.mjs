@@ -7,9 +7,9 @@
 // Exit 0: all held. chromium.mjs says where the browser and its driver come from.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { check_all, open, phone, wide } from './chromium.mjs';
+import { check_all, phone, wide } from './chromium.mjs';
 import { root } from './engine.mjs';
 import { contrast_faults, covered_words, layout_faults } from './page_faults.mjs';
 import { agrees, chosen, fixture, middle_of, native, native_answers,
@@ -107,47 +107,6 @@ async function touching(browser) {
   await swipe([left + 12, top + 12], 60);
   assert.notEqual(await seen_from(), front, 'the view turns');
   assert.equal((await state(page)).text, before.text, 'and nothing else');
-  await end();
-}
-
-/// From the change of the text to the picture: solve, read, draw.
-async function speed(browser) {
-  const text = readFileSync(fixture('pivot'), 'utf8');
-  const many = text.replace('points = 2', 'points = 12');
-  const path = join(out, 'twenty.toml');
-  writeFileSync(path, many);
-  const points = JSON.parse(native('solve', path)).contacts.length;
-  assert.ok(points >= 20, `${points} contacts`);
-  const { page, end } = await played(browser, path);
-  await settled(page);
-  const times = await page.evaluate(async () => {
-    const { app, play } = window.lcpush;
-    const found = { update: [], drag: [], solve: [] };
-    const timed = (list, act) => {
-      const begin = performance.now();
-      act();
-      list.push(performance.now() - begin);
-    };
-    for (let k = 0; k < 100; k += 1) {
-      const by = [0.0002 * Math.sin(k), 0, 0];
-      app.wanted = play.edits.dragged(app.state, ['edge'], by);
-      timed(found.update, () => {
-        app.solve(false);
-        document.body.getBoundingClientRect(); // lays it out
-      });
-      await new Promise(requestAnimationFrame);
-    }
-    for (const question of ['drag', 'solve'])
-      for (let k = 0; k < 100; k += 1)
-        timed(found[question], () => app.solver.ask(question, app.wanted));
-    for (const list of Object.values(found)) list.sort((a, b) => a - b);
-    return found;
-  });
-  for (const [name, [...list]] of Object.entries(times))
-    console.log(`${name} of ${points} contacts: median ${list[50].toFixed(1)} ms, quickest tenth ${
-      list[10].toFixed(1)} ms, worst ${list[99].toFixed(1)} ms`);
-  // A busy machine is not the page's fault: its quickest tenth has to be within a frame.
-  assert.ok(times.update[10] < 16, `${times.update[10]} ms`);
   await end();
 }
 
@@ -333,23 +292,7 @@ async function looks(browser) {
   }
 }
 
-async function gallery(browser) {
-  const place = join(out, 'gallery');
-  execFileSync(tool, ['play', '--gallery', '-o', place]);
-  const { page, faults, close } = await open(browser, join(place, 'index.html'), wide);
-  const links_there = page.locator('li a');
-  assert.ok(await links_there.count() > 15);
-  const title = await links_there.nth(1).locator('strong').textContent();
-  assert.ok(await page.evaluate(() => [...document.images].slice(0, 3).every((image) =>
-    image.naturalWidth > 0)), 'pictures');
-  await links_there.nth(1).click();
-  await page.waitForFunction(() => window.lcpush);
-  assert.equal(await page.locator('#title').textContent(), title);
-  assert.deepEqual(faults, []);
-  await close();
-}
-
-const tests = { random_scenes, dragging, touching, speed, keyboard, errors, links, playing, looks, gallery };
+const tests = { random_scenes, dragging, touching, keyboard, errors, links, playing, looks };
 await check_all(Object.keys(tests).map((name) => ({ name })), chosen, out,
   async (browser, { name }) => {
     await tests[name](browser);

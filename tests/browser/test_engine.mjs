@@ -4,9 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { check_picture } from './checks.mjs';
 import { load_engine, root } from './engine.mjs';
-import { planar_tip, straight_slide } from './own_scene.mjs';
 import { own_trace } from './own_trace.mjs';
 
 const engine = load_engine();
@@ -126,18 +124,6 @@ test('fractions and decimals take the same pivots to the same answer', () => {
   }
 });
 
-test('rows with denominators keep exact tableaus', () => {
-  const M = [['2/3', '1/7'], ['1/5', '9/4']];
-  const trace = own_trace({ title: '', M, q: ['-5/11', '-6/13'], exact: true });
-  assert.equal(exact_defect(engine, M, ['-5/11', '-6/13'], trace.final.z, trace.final.w), 0);
-  const path = path_of(trace);
-  trace.pivots.forEach(({ tableau }, k) => {
-    const dictionary = path.dictionary(k);
-    assert.deepEqual(tableau.entries, tableau.entries.map((row, r) => row.map((_, c) =>
-      engine.fractions.text(dictionary.entry(r, c)))));
-  });
-});
-
 test('another tied row may leave; the branch ends by itself, by first rows it may cycle', () => {
   const path = path_of(textbook('kostreva_1', {}));
   const [first] = path.pivots;
@@ -164,54 +150,12 @@ test('values with a part times S are compared by that part first', () => {
   assert.deepEqual(trace.pivots[0].ratios, [[1, -5], 100]);
 });
 
-test('the forces of every basis of a scene obey Newton and the rows of the tableau', () => {
-  for (const problem of [straight_slide(4), straight_slide(8), planar_tip()]) {
-    const trace = own_trace(problem);
-    assert.equal(trace.status, 'solved');
-    const path = path_of(trace);
-    const n = trace.size;
-    path.frames.forEach((_, k) => {
-      const dictionary = path.dictionary(k);
-      const all = Array.from({ length: 2 * n + 1 }, () => [0, 0]);
-      dictionary.rows.forEach((variable, r) => {
-        const value = dictionary.value(r);
-        all[variable] = value.length === 2 ? value : [0, ...value];
-      });
-      const z = all.slice(n, 2 * n);
-      const w = all.slice(0, n).map((x) => x.map((part, level) => part - all[2 * n][level]));
-      const shown = engine.mechanics.picture(problem.scene, z, w);
-      const picture = { ...shown.finite, large: shown.large, z, w };
-      check_picture(problem.scene, picture, true);
-      if (k < 3) return;
-      picture.forces = picture.forces.map((force) => ({ ...force, normal: force.normal + 1 }));
-      assert.throws(() => check_picture(problem.scene, picture, true), 'a wrong force is noticed');
-    });
-  }
-});
-
 test('a decimal that is all of a fraction carries no sign of rounding', () => {
   const problem = new engine.Problem(own_trace({ title: '', M: [['1']], q: ['-1'], exact: true }));
   const shown = (text) => engine.number_text.scalar(problem, engine.fractions.parse(text), false);
   assert.deepEqual(['1/2', '-3/8', '7', '-1/16', '0'].map(shown),
     ['0.5', '\u22120.375', '7', '\u22120.0625', '0']);
   assert.deepEqual(['1/3', '123456789/1000'].map(shown), ['\u22480.3333', '\u2248123500']);
-});
-
-test('a branch tells its pivots as the recorded path does, where variables have a meaning', () => {
-  const trace = textbook('kostreva_1', {});
-  trace.variables.forEach((variable) =>
-    Object.assign(variable, { grows: `${variable.name} swells`, ends: `${variable.name} is gone` }));
-  const path = path_of(trace);
-  const frame = trace.pivots.findIndex(({ ties }) => ties.length > 1);
-  const { ties, leaving, entering } = path.step(frame);
-  const other = ties.find((variable) => variable !== leaving);
-  const branch = path.branch_at(frame, path.dictionary(frame).rows.indexOf(other), 'first_row');
-  const [grows, ends] = [entering, other].map((variable) => trace.variables[variable]);
-  assert.match(engine.words.sentence(branch, frame), new RegExp(`${ends.ends}\\.$`));
-  const next = branch.step(frame + 1);
-  assert.equal(engine.words.sentence(branch, frame + 1),
-    `As ${trace.variables[next.entering].grows}, ${trace.variables[next.leaving].ends}.`);
-  assert.ok(grows.grows);
 });
 
 test('a row that may not leave says why', () => {

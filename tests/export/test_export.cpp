@@ -1,13 +1,11 @@
-// What `lcpush export` writes, read again: the same problem, bit for bit, and lcpush's own answer
-// solves it.
+// What `lcpush export` writes, read again: the same problem, bit for bit. That other solvers solve
+// it: crosscheck/.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <map>
-
-#include <Eigen/Dense>
 
 #include "lcpush/desktop/export.hpp"
 #include "support/fixture_push.hpp"
@@ -75,35 +73,6 @@ force = 2
 inertia = 0.3
 )";
 
-// A cup pulls a bar through the grip of two fingers.
-const char* const pulled = R"(
-[object]
-mass = 0.5
-box = [0.1, 0.04, 0.02]
-[[finger]]
-name = "left"
-shape = "point"
-center = [0, 0, 0.01]
-normal = [0, 0, -1]
-friction = 0.4
-grip_force = 5
-[[finger]]
-name = "right"
-shape = "point"
-center = [0, 0, -0.01]
-normal = [0, 0, 1]
-friction = 0.4
-grip_force = 5
-[[pusher]]
-name = "cup"
-shape = "point"
-center = [-0.05, 0, 0]
-normal = [1, 0, 0]
-friction = 0.3
-follow = "bilateral"
-acceleration = [-0.1, 0, 0]
-)";
-
 struct Example {
   std::string name;
   desktop::SceneFile file;
@@ -119,7 +88,6 @@ std::vector<Example> examples() {
             [](const Example& a, const Example& b) { return a.name < b.name; });
   REQUIRE(all.size() >= 21);
   all.push_back({"mixed", desktop::parse_scene(mixed, "mixed.toml")});
-  all.push_back({"pulled", desktop::parse_scene(pulled, "pulled.toml")});
   all.push_back({"pushed_free", desktop::parse_scene(pushed_free, "pushed_free.toml")});
   for (const char* change : {"pressure = \"even\"\n", "pressure = \"even\"\nplanar = true\n"})
     all.push_back(
@@ -152,57 +120,17 @@ private:
 
 /// The exported program, and M and q of the full form that it must come from.
 struct Program {
-  MatrixX<double> H, f, A, b, Aeq, beq, lb, ub, answer;
+  MatrixX<double> H, f, A, b, Aeq, beq, lb, ub;
   MatrixX<double> M, q;
 
   explicit Program(const ReadBack& read)
       : H(read("H")), f(read("f")), A(read("A")), b(read("b")), Aeq(read("Aeq")), beq(read("beq")),
-        lb(read("lb")), ub(read("ub")), answer(read("answer")), M(A.rows() + Aeq.rows(), A.cols()),
-        q(M.rows(), 1) {
+        lb(read("lb")), ub(read("ub")), M(A.rows() + Aeq.rows(), A.cols()), q(M.rows(), 1) {
     M << -A, Aeq;
     q << b, -beq;
   }
   Index complementary() const { return A.rows(); }
-  double objective(const VectorX<double>& x) const { return x.dot(H * x) / 2 + f.col(0).dot(x); }
-  double violation(const VectorX<double>& x) const {
-    double worst = (Aeq * x - beq).cwiseAbs().maxCoeff();
-    worst = larger(worst, (A * x - b).maxCoeff());
-    worst = larger(worst, (lb - x).maxCoeff());
-    return larger(worst, (x - ub).maxCoeff());
-  }
 };
-
-/// An answer in the unknowns of the full form, from its SI values alone.
-VectorX<double> full_unknowns(const desktop::Push& push, const FullForm<double>& form,
-                              const Answer<double>& answer) {
-  const Layout<double>& layout = push.layout();
-  const Scales<double>& scales = layout.scales;
-  VectorX<double> x = VectorX<double>::Zero(form.size());
-  Index entry = 0;
-  for (Index i = 0; i < layout.points; ++i) {
-    const Body<double>& body = push.scene().bodies[layout.body[i]];
-    const ContactAnswer<double>& contact = answer.contacts[i];
-    const double lambda = contact.normal_force / scales.force;
-    x[layout.normal_index(i)] = body.bilateral ? larger(lambda, 0) : lambda;
-    if (body.bilateral) x[layout.normal_index(i) + 1] = larger(-lambda, 0);
-    for (Index j = 0; j < layout.cones[i].generators; ++j)
-      x[layout.friction_index(i, j)] = answer.friction[entry++] / scales.force;
-    if (layout.cones[i].generators > 0)
-      x[layout.slip_index(i)] = contact.slip / scales.acceleration;
-    const Vector3<double> r = contact.acceleration / scales.acceleration;
-    x[form.relative(i)] = r.dot(body.normal);
-    x[form.relative(i) + 1] = r.dot(body.tangent);
-    x[form.relative(i) + 2] = r.dot(cross(body.normal, body.tangent));
-    if (contact_components(body) == 4)
-      x[form.relative(i) + 3] = contact.spin * scales.length / scales.acceleration;
-  }
-  for (Index a = 0; a < layout.actuators; ++a)
-    x[layout.closing_index(a)] = answer.closing[a] * layout.reach[a] / scales.acceleration;
-  x.segment<3>(form.acceleration()) = answer.acceleration.head<3>() / scales.acceleration;
-  x.segment<3>(form.acceleration() + 3) =
-      answer.acceleration.tail<3>() * scales.length / scales.acceleration;
-  return x;
-}
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
@@ -252,66 +180,6 @@ TEST_CASE("export: the paper's program rebuilds the full form, number for number
     CHECK((program.lb.bottomRows(n - c).array() == -desktop::no_bound).all());
     CHECK((program.ub.array() == desktop::no_bound).all());
   }
-}
-
-TEST_CASE("export: without accelerations, the paper's program is M and q") {
-  for (const Example& example : examples()) {
-    CAPTURE(example.name);
-    const ReadBack read(desktop::export_scene(example.file));
-    const Program program(read);
-    const MatrixX<double> M = read("M"), q = read("q");
-    const Index n = M.rows(), rest = program.M.rows() - n;
-    // a and r from their own rows: y = - inverse(B) (C z + d).
-    const Eigen::PartialPivLU<MatrixX<double>> B(program.M.bottomRightCorner(rest, rest));
-    const MatrixX<double> D = program.M.topRightCorner(n, rest);
-    const MatrixX<double> own_M =
-        program.M.topLeftCorner(n, n) - D * B.solve(program.M.bottomLeftCorner(rest, n));
-    const MatrixX<double> own_q = program.q.topRows(n) - D * B.solve(program.q.bottomRows(rest));
-    CHECK(size_of_all(own_M - M) <= 1e-12 * larger(1, size_of_all(M)));
-    CHECK(size_of_all(own_q - q) <= 1e-12 * larger(1, size_of_all(q)));
-  }
-}
-
-TEST_CASE("export: lcpush's own answers solve the paper's program, and no worse force does") {
-  Index solved = 0;
-  for (const Example& example : examples()) {
-    CAPTURE(example.name);
-    desktop::Push push(example.file);
-    const FullElimination full(push.assembly());
-    const Program program((ReadBack(desktop::export_scene(example.file))));
-    const desktop::PushReport report = push.solve({});
-    if (report.status != Status::solved) continue;
-    ++solved;
-    const Answer<double>& answer = report.answer;
-    VectorX<double> x = full_unknowns(push, full.form, answer);
-    if (example.name == "pulled") CHECK(answer.contacts[2].normal_force < -1);
-    const double size = larger(1, x.cwiseAbs().maxCoeff());
-    CHECK(program.violation(x) <= 1e-9 * size);
-    CHECK(absolute(program.objective(x)) <= 1e-9 * size * size);
-
-    // `answer` reads the SI values off.
-    const VectorX<double> y = program.answer * x;
-    const Index actuators = push.layout().actuators;
-    REQUIRE(y.size() == 6 + actuators + 8 * push.layout().points);
-    CHECK((y.head<6>() - answer.acceleration).norm() <= 1e-12 * larger(1, y.head<6>().norm()));
-    for (Index a = 0; a < actuators; ++a)
-      CHECK(y[6 + a] == doctest::Approx(answer.closing[a]).epsilon(1e-12));
-    const double force = push.layout().scales.force;
-    for (Index i = 0; i < push.layout().points; ++i) {
-      const auto contact = y.segment<8>(6 + actuators + 8 * i);
-      CHECK(absolute(contact[0] - answer.contacts[i].normal_force) <= 1e-12 * size * force);
-      CHECK((contact.segment<3>(1) - answer.contacts[i].friction_force).norm() <=
-            1e-12 * size * force);
-      CHECK(absolute(contact[4] - answer.contacts[i].torsion) <= 1e-12 * size * force);
-      CHECK((contact.tail<3>() - answer.contacts[i].acceleration).norm() <=
-            1e-12 * size * push.layout().scales.acceleration);
-    }
-
-    // A force more, anywhere, breaks a constraint.
-    x[push.layout().normal_index(0)] += 0.1;
-    CHECK(program.violation(x) > 1e-3);
-  }
-  CHECK(solved >= 24);
 }
 
 TEST_CASE("export: FCLIB's arrays give the same motion, and its cone holds up to the facets") {
