@@ -6,6 +6,7 @@
 #include "picture/drawn_facets.hpp"
 #include "report/pictures.hpp"
 #include "solve/sentence.hpp"
+#include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -58,8 +59,7 @@ Pixel in_plane(const Body<double>& body, const Vector3<double>& v) {
 std::string amounts(const Cell& cell, const PushReport& report) {
   const double zero = report.noise.force;
   const double friction = report.answer.contacts[cell.point].friction_force.norm();
-  return (friction > zero ? rough_number(friction) : "0") + " of " + rough_number(cell.bound) +
-         " N";
+  return (friction > zero ? brief(friction) : "0") + " of " + brief(cell.bound) + " N";
 }
 
 std::string cell_elements(const SceneFile& file, const Cell& cell, const PushReport& report) {

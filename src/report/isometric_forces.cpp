@@ -3,6 +3,7 @@
 
 #include "report/isometric_painter.hpp"
 #include "solve/sentence.hpp"
+#include "text/format.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
@@ -70,11 +71,11 @@ std::string IsometricPainter::object_motion() {
     if (a.head<3>().norm() > scales_.still) {
       target = center + scales_.accelerations * view_.flat(a.head<3>());
       text += arrow("motion", center, target);
-      lines.push_back(rough_number(a.head<3>().norm()) + " m/s\u00B2");
+      lines.push_back(brief(a.head<3>().norm()) + " m/s\u00B2");
     }
     text += turning();
     if (turns(report_.motion))
-      lines.push_back("turns " + rough_number(report_.motion.rotation) + " rad/s\u00B2");
+      lines.push_back("turns " + brief(report_.motion.rotation) + " rad/s\u00B2");
     if (lines.size() == 1) lines.emplace_back("stays");
     words_.push_back("The " + name + ": " + listed({lines.begin() + 1, lines.end()}, "and") + ".");
   }
@@ -90,10 +91,8 @@ std::string IsometricPainter::weight() {
   const Pixel along = scales_.newtons * view_.flat(force);
   if (along.norm() < least_arrow) return "";
   const Pixel from = arrows_.clear_start(center, center + along);
-  labels_.push_back({{"weight " + rough_number(force.norm()) + " N"},
-                     from + along,
-                     along.normalized(),
-                     from + along});
+  labels_.push_back(
+      {{"weight " + brief(force.norm()) + " N"}, from + along, along.normalized(), from + along});
   return arrow("force weight", from, from + along);
 }
 
@@ -118,9 +117,9 @@ std::vector<std::string> IsometricPainter::body_words(Index b) const {
   }
   const double normal = normal_sum(report_.answer, body);
   if (normal > scales_.no_force)
-    words.push_back("presses " + rough_number(normal) + " N");
+    words.push_back("presses " + brief(normal) + " N");
   else if (normal < -scales_.no_force)
-    words.push_back("pulls " + rough_number(-normal) + " N");
+    words.push_back("pulls " + brief(-normal) + " N");
   else
     words.emplace_back("no force");
   words.push_back(modes_of(body, report_));

@@ -53,7 +53,4 @@ struct LawRow {
 };
 std::vector<LawRow> law_rows(Residuals<double> residuals);
 
-/// Three significant digits: what is easy to read in a picture; more stand in the tables.
-std::string rough_number(double x);
-
 } // namespace lcpush::desktop

@@ -73,8 +73,7 @@ std::string ScenePainter::weight() {
   const Pixel from = arrows_.clear_start(center, center + along), to = from + along;
   places_.block_line(from, to, 60);
   if ((to - from).norm() >= 2.5)
-    labels_.push_back(
-        {{"weight " + rough_number(force.norm()) + " N"}, to, along.normalized(), to});
+    labels_.push_back({{"weight " + brief(force.norm()) + " N"}, to, along.normalized(), to});
   return arrow_element("force weight", from, to);
 }
 
@@ -100,15 +99,15 @@ std::vector<std::string> ScenePainter::body_words(Index b) const {
     for (const JamBody& squeezing : report_.jam.bodies)
       if (squeezing.body == b) words.emplace_back("squeezes");
     const double moves = body_acceleration(scene_, body, report_).norm();
-    if (moves > 0) words.push_back("moves at " + rough_number(moves) + " m/s\u00B2");
+    if (moves > 0) words.push_back("moves at " + brief(moves) + " m/s\u00B2");
     return words;
   }
   Vector3<double> friction = Vector3<double>::Zero();
   for (const Index i : points_of(body)) friction += report_.answer.contacts[i].friction_force;
   const double normal = normal_sum(report_.answer, body);
-  if (std::abs(normal) > scales_.no_force) words.push_back("normal " + rough_number(normal) + " N");
+  if (std::abs(normal) > scales_.no_force) words.push_back("normal " + brief(normal) + " N");
   if (friction.norm() > scales_.no_force)
-    words.push_back("friction " + rough_number(friction.norm()) + " N");
+    words.push_back("friction " + brief(friction.norm()) + " N");
   if (words.size() == 1) words.emplace_back("no force");
   words.push_back(modes_of(body, report_));
   return words;

@@ -11,10 +11,6 @@
 
 namespace lcpush::desktop {
 
-std::string rough_number(double x) {
-  return number(std::strtod(printed("%.2e", x).c_str(), nullptr)); // 1000 rather than 1e+03
-}
-
 std::string ScenePainter::forces(const Body<double>& body, Index point) {
   if (!scales_.shows_forces) return "";
   const Pixel tip = place(positions_[static_cast<std::size_t>(point)]);
@@ -59,15 +55,15 @@ std::string ScenePainter::object_motion() {
       places_.block_line(center, tip, 60);
       arrows_.add(center, tip);
       const double whole = a.head<3>().norm();
-      lines.push_back(rough_number(flat.norm()) + " m/s\u00B2" +
-                      (flat.norm() < 0.995 * whole ? " of " + rough_number(whole) : ""));
+      lines.push_back(brief(flat.norm()) + " m/s\u00B2" +
+                      (flat.norm() < 0.995 * whole ? " of " + brief(whole) : ""));
       said.push_back("accelerates by " + lines.back());
     }
     const double spin = view_.toward.dot(a.tail<3>());
     if (report_.scales.length * std::abs(spin) > scales_.still) {
       places_.block_around(center, 22, 20);
       text += turning_arc(center, spin < 0);
-      lines.push_back("turns " + rough_number(std::abs(spin)) + " rad/s\u00B2");
+      lines.push_back("turns " + brief(std::abs(spin)) + " rad/s\u00B2");
       said.push_back(lines.back());
     }
     if (report_.motion.kind == MotionKind::rest)
@@ -91,7 +87,7 @@ std::string ScenePainter::away_mark(const Pixel& center, const std::string& name
   const auto line = clipped_line(middle, along, width, height_ - 26); // above the scales
   if (!line) return "";
   const Pixel tip = line->second - 5 * along, tail = tip - 26 * along;
-  const std::string distance = rough_number(1000 * report_.motion.axis_point.norm()) + " mm";
+  const std::string distance = brief(1000 * report_.motion.axis_point.norm()) + " mm";
   words_.push_back("Off the picture: " + name + pitch + ", " + distance +
                    " from the centre of mass.");
   places_.block_line(tail, tip, 3);
@@ -104,7 +100,7 @@ std::string ScenePainter::turning_axis() {
   const Motion<double>& motion = report_.motion;
   if (!scales_.shows_forces || !turns(motion)) return "";
   const bool is_screw = has_pitch(motion, report_.scales.length);
-  const std::string pitch = "pitch " + rough_number(1000 * motion.pitch) + " mm/rad";
+  const std::string pitch = "pitch " + brief(1000 * motion.pitch) + " mm/rad";
   const Vector3<double> point = file_.object.center_of_mass + motion.axis_point;
   const Pixel at = place(point);
   if (is_along_sight(view_, motion.axis)) {
