@@ -32,13 +32,13 @@ struct Jammed {
 };
 
 /// The words for a ray written by hand: entries by their unknowns' names, all others zero.
-struct Told {
+struct RayByHand {
   desktop::SceneFile file;
   desktop::Push push;
   desktop::Jam jam;
   std::string words;
 
-  Told(const std::string& text, const std::vector<desktop::NamedValue>& entries)
+  RayByHand(const std::string& text, const std::vector<desktop::NamedValue>& entries)
       : file(desktop::parse_scene(text, "test.toml")), push(file) {
     std::vector<double> v(static_cast<std::size_t>(push.layout().size));
     for (const desktop::NamedValue& entry : entries) v[unknown(entry.name)] = entry.value;
@@ -151,71 +151,72 @@ TEST_CASE("traces of rounding beside an actuator that runs away are neither a sq
                                 "twists = [[1, 0, 0, 0, 0, 0]]\nforce = 4\n"
                                 "[[actuator]]\nname = \"hold\"\nbodies = [\"stop\"]\n"
                                 "twists = [[0, 1, 0, 0, 0, 0]]\nforce = 4\n";
-  const Told told(desktop::object_table + desktop::finger_table + side_point("finger", "stop", 1) +
-                      side_point("pusher", "wall", -1, "acceleration = [0.1, 0, 0]\n") + actuators,
-                  {{"closing of drag", 1},
-                   {"closing of hold", 1e-13},
-                   {"normal of stop.1", 1e-12},
-                   {"normal of wall.1", 1e-12}});
-  CHECK(told.jam.bodies.empty());
-  CHECK_FALSE(told.jam.no_answer);
-  CHECK(told.says("Nothing is pressed: the actuator of left closes without end"));
+  const RayByHand ray(
+      desktop::object_table + desktop::finger_table + side_point("finger", "stop", 1) +
+          side_point("pusher", "wall", -1, "acceleration = [0.1, 0, 0]\n") + actuators,
+      {{"closing of drag", 1},
+       {"closing of hold", 1e-13},
+       {"normal of stop.1", 1e-12},
+       {"normal of wall.1", 1e-12}});
+  CHECK(ray.jam.bodies.empty());
+  CHECK_FALSE(ray.jam.no_answer);
+  CHECK(ray.says("Nothing is pressed: the actuator of left closes without end"));
 }
 
 TEST_CASE("a squeeze that no motion tightens is called neither a jam nor without an answer") {
   for (const char* motion : {"[0, 0, 0]", "[0, 0.1, 0]", "[1e-13, 0.1, 0]", "[-0.1, 0, 0]"}) {
     CAPTURE(motion);
-    const Told told(stop_and_wall(motion), {{"normal of stop.1", 1}, {"normal of wall.1", 1}});
-    CHECK(told.says("The object is squeezed by stop (fixed) at stop.1 and wall ("));
-    CHECK(told.says("nothing relieves it"));
-    CHECK_FALSE(told.says("jam"));
-    CHECK_FALSE(told.says("so there is no answer"));
+    const RayByHand ray(stop_and_wall(motion), {{"normal of stop.1", 1}, {"normal of wall.1", 1}});
+    CHECK(ray.says("The object is squeezed by stop (fixed) at stop.1 and wall ("));
+    CHECK(ray.says("nothing relieves it"));
+    CHECK_FALSE(ray.says("jam"));
+    CHECK_FALSE(ray.says("so there is no answer"));
   }
 }
 
 TEST_CASE("a point that presses and pulls alike is named") {
   const std::string held =
       side_point("pusher", "held", 1, "follow = \"bilateral\"\nacceleration = [0, 0.1, 0]\n");
-  const Told told(desktop::object_table + held +
-                      side_point("pusher", "wall", -1, "acceleration = [0.1, 0, 0]\n"),
-                  {{"normal of held.1", 1}, {"pull of held.1", 1}, {"normal of wall.1", 1e-3}});
-  CHECK(told.says("against held (moves as prescribed) at held.1."));
-  for (const desktop::JamBody& body : told.jam.bodies) CHECK_FALSE(body.points.empty());
+  const RayByHand ray(desktop::object_table + held +
+                          side_point("pusher", "wall", -1, "acceleration = [0.1, 0, 0]\n"),
+                      {{"normal of held.1", 1}, {"pull of held.1", 1}, {"normal of wall.1", 1e-3}});
+  CHECK(ray.says("against held (moves as prescribed) at held.1."));
+  for (const desktop::JamBody& body : ray.jam.bodies) CHECK_FALSE(body.points.empty());
 }
 
 TEST_CASE("an actuator that feels the squeeze is not said to be unloaded") {
   const std::string drive = "[[actuator]]\nname = \"a\"\nbodies = [\"stop\"]\ntwists = [[-1, 0, 0, "
                             "0, 0, 0]]\nforce = 4\n";
-  const Told told(stop_and_wall("[0.1, 0, 0]") + drive,
-                  {{"normal of stop.1", 1}, {"normal of wall.1", 1}});
-  CHECK(told.says("stop (driven by a force) at stop.1"));
-  CHECK_FALSE(told.jam.no_answer);
+  const RayByHand ray(stop_and_wall("[0.1, 0, 0]") + drive,
+                      {{"normal of stop.1", 1}, {"normal of wall.1", 1}});
+  CHECK(ray.says("stop (driven by a force) at stop.1"));
+  CHECK_FALSE(ray.jam.no_answer);
 }
 
 TEST_CASE("friction in the ray of a wall that slides: no claim that nothing gives way") {
-  const Told told(stop_and_wall("[0, 0.1, 0]"), oblique);
-  CHECK(told.says("It looks like a jam: wall (moves as prescribed) at wall.1 squeezes the object "
-                  "against stop (fixed) at stop.1.\n"));
-  CHECK(told.says("These pivots found no answer; friction takes part, so that is a strong sign"));
-  CHECK(told.says("no proof that there is none"));
-  CHECK_FALSE(told.says("nothing gives way"));
+  const RayByHand ray(stop_and_wall("[0, 0.1, 0]"), oblique);
+  CHECK(ray.says("It looks like a jam: wall (moves as prescribed) at wall.1 squeezes the object "
+                 "against stop (fixed) at stop.1.\n"));
+  CHECK(ray.says("These pivots found no answer; friction takes part, so that is a strong sign"));
+  CHECK(ray.says("no proof that there is none"));
+  CHECK_FALSE(ray.says("nothing gives way"));
 }
 
 TEST_CASE("a push across an oblique squeeze leads along the wall's face, never into the object") {
-  const Told slides(stop_and_wall("[0, 0.1, 0]"),
-                    oblique); // only the other way in the face is left
+  const RayByHand slides(stop_and_wall("[0, 0.1, 0]"),
+                         oblique); // only the other way in the face is left
   CHECK(slides.says("acceleration (0, 0, 0.1)"));
-  const Told leans(stop_and_wall("[0.1, 0, 0.05]"), oblique);
+  const RayByHand leans(stop_and_wall("[0.1, 0, 0.05]"), oblique);
   CHECK(leans.says("acceleration (0, 0, 0.111803"));
-  const Told planar("planar = true\n" + stop_and_wall("[0.1, 0, 0]"), oblique);
+  const RayByHand planar("planar = true\n" + stop_and_wall("[0.1, 0, 0]"), oblique);
   CHECK(planar.says("acceleration (0, -0.1, 0)")); // in the plane, and it loosens
 }
 
 TEST_CASE("a motion that the body has already is no remedy") {
-  const Told told(stop_and_wall("[0, 0, 0.1]\nangular_acceleration = [0, 0, -2]"), oblique);
-  REQUIRE(told.jam.bodies.size() == 2);
-  CHECK(told.jam.bodies[1].power > 0);
-  CHECK_FALSE(told.says("across the squeeze"));
+  const RayByHand ray(stop_and_wall("[0, 0, 0.1]\nangular_acceleration = [0, 0, -2]"), oblique);
+  REQUIRE(ray.jam.bodies.size() == 2);
+  CHECK(ray.jam.bodies[1].power > 0);
+  CHECK_FALSE(ray.says("across the squeeze"));
 }
 
 TEST_CASE("a planar scene's wedge of one body is against the plane") {
@@ -230,8 +231,8 @@ TEST_CASE("a planar scene's wedge of one body is against the plane") {
 }
 
 TEST_CASE("one body alone in space asks for a look at the scene") {
-  const Told told(stop_and_wall("[0.1, 0, 0]"), {{"normal of wall.1", 1}});
+  const RayByHand ray(stop_and_wall("[0.1, 0, 0]"), {{"normal of wall.1", 1}});
   CHECK(
-      told.says("wall (moves as prescribed) at wall.1 squeezes the object alone: check the scene"));
-  CHECK_FALSE(told.says("so there is no answer"));
+      ray.says("wall (moves as prescribed) at wall.1 squeezes the object alone: check the scene"));
+  CHECK_FALSE(ray.says("so there is no answer"));
 }
