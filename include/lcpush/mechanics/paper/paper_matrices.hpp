@@ -70,14 +70,19 @@ template <class S> Vector6<S> load(const Scene<S>& scene) {
   return w;
 }
 
+/// Calls use(row, body, W) for every component of every contact point: W is its column of G.
+template <class S, class Use> void for_each_component(const Scene<S>& scene, const Use& use) {
+  Index row = 0;
+  for (Index b = 0; b < scene.bodies.size; ++b)
+    for (const Index i : points_of(scene.bodies[b]))
+      for (Index c = 0; c < contact_components(scene.bodies[b]); ++c)
+        use(row++, b, contact_column(scene.bodies[b], scene.points[i], c));
+}
+
 /// G: 6 x contact_components(scene). Column: the wrench of a unit component of contact force on the
 /// object; rows 1-3 without unit (1 for the torsion column: rows 4-6), rows 4-6 in m.
 template <class S> void grasp_matrix(const Scene<S>& scene, MatrixMap<S> G) {
-  Index column = 0;
-  for (const Body<S>& body : scene.bodies)
-    for (const Index i : points_of(body))
-      for (Index c = 0; c < contact_components(body); ++c)
-        G.col(column++) = contact_column(body, scene.points[i], c);
+  for_each_component(scene, [&](Index column, Index, const Vector6<S>& W) { G.col(column) = W; });
 }
 
 /// The wrench of a unit of force k at a point p: n, -n where the body may pull, then generators.
@@ -109,17 +114,10 @@ template <class S> void polyhedral_grasp_matrix(const Scene<S>& scene, MatrixMap
 template <class S>
 void hand_jacobian(const Scene<S>& scene, Span<const Drive<S>> drives, MatrixMap<S> J) {
   J.setZero();
-  Index row = 0;
-  for (Index b = 0; b < scene.bodies.size; ++b) {
-    const Body<S>& body = scene.bodies[b];
-    for (const Index i : points_of(body))
-      for (Index c = 0; c < contact_components(body); ++c) {
-        for (const Drive<S>& drive : drives)
-          if (drive.body == b)
-            J(row, drive.actuator) += contact_column(body, scene.points[i], c).dot(drive.twist);
-        ++row;
-      }
-  }
+  for_each_component(scene, [&](Index row, Index b, const Vector6<S>& W) {
+    for (const Drive<S>& drive : drives)
+      if (drive.body == b) J(row, drive.actuator) += W.dot(drive.twist);
+  });
 }
 
 template <class S> void hand_jacobian(const Scene<S>& scene, MatrixMap<S> J) {
@@ -138,11 +136,9 @@ template <class S> void body_jacobian(const Scene<S>& scene, const Body<S>& body
 /// v, the right-hand side of [P.10]: contact_components(scene) x 1. How each body's points move as
 /// prescribed, along each component.
 template <class S> void prescribed_motion(const Scene<S>& scene, MatrixMap<S> v) {
-  Index row = 0;
-  for (const Body<S>& body : scene.bodies)
-    for (const Index i : points_of(body))
-      for (Index c = 0; c < contact_components(body); ++c)
-        v(row++, 0) = contact_column(body, scene.points[i], c).dot(body.acceleration);
+  for_each_component(scene, [&](Index row, Index b, const Vector6<S>& W) {
+    v(row, 0) = W.dot(scene.bodies[b].acceleration);
+  });
 }
 
 /// D of one point of this body: (contact_components(body) - 1) x generator_count(scene, body).
