@@ -59,13 +59,6 @@ enum class Absence {
   away,    ///< its body is not there
 };
 
-constexpr const char* absence_text(Absence absence) {
-  constexpr const char* texts[] = {
-      "",         "beside its face", "behind its face", "far away", "on the end of a round side",
-      "not there"};
-  return texts[static_cast<int>(absence)];
-}
-
 /// Where a point touches now: all in the hand's axes.
 template <class S> struct PlacedPoint {
   Vector3<S> position; ///< from the hand's origin
@@ -150,15 +143,6 @@ enum class TouchMistake {
   apart, ///< a point that does not lie in its face's plane at the start
   side,  ///< a round side whose normal is along its axis, or without a radius
 };
-
-constexpr const char* touch_mistake_text(TouchMistake mistake) {
-  constexpr const char* texts[] = {
-      "", "a body names a face or a side that there is not",
-      "edge against edge is not modelled: a body's normal has to be that of the face it touches",
-      "a point does not lie in the plane of its face",
-      "a round side needs a radius, and an axis across the normal"};
-  return texts[static_cast<int>(mistake)];
-}
 
 /// The first mistake in `surroundings`, for a motion of `scene`. Cost: O(points).
 template <class S>
