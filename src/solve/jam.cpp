@@ -116,12 +116,10 @@ std::vector<std::string> pressed_points(const SceneFile& file, const Body<double
 
 /// "wall (moves as prescribed) at wall.1".
 std::string described(const SceneFile& file, const Jam& jam, const JamBody& squeezing) {
-  const std::string driven = jam.loads_actuators
-                                 ? " (driven by a force)"
-                                 : " (driven by a force that the squeeze does not load)";
-  const std::string how = is_driven(file.view(), squeezing.body) ? driven
-                          : moves(file.body(squeezing.body))     ? " (moves as prescribed)"
-                                                                 : " (fixed)";
+  const char* how = moves(file.body(squeezing.body)) ? " (moves as prescribed)" : " (fixed)";
+  if (is_driven(file.view(), squeezing.body))
+    how = jam.loads_actuators ? " (driven by a force)"
+                              : " (driven by a force that the squeeze does not load)";
   return file.body_name(squeezing.body) + how + " at " + listed(squeezing.points, "and");
 }
 
@@ -140,6 +138,7 @@ std::string who_squeezes(const SceneFile& file, const Jam& jam) {
 
 /// What the squeeze is and what it proves.
 std::vector<std::string> squeeze_sentences(const SceneFile& file, const Jam& jam) {
+  const std::string no_proof = "These pivots found no answer; that is no proof that there is none.";
   const bool tightens = std::any_of(jam.bodies.begin(), jam.bodies.end(),
                                     [](const JamBody& body) { return body.power > 0; });
   if (!tightens) {
@@ -147,7 +146,7 @@ std::vector<std::string> squeeze_sentences(const SceneFile& file, const Jam& jam
     for (const JamBody& squeezing : jam.bodies) all.push_back(described(file, jam, squeezing));
     return {"The object is squeezed by " + listed(all, "and") +
                 ": no prescribed motion tightens it, and nothing relieves it.",
-            "These pivots found no answer; that is no proof that there is none."};
+            no_proof};
   }
   if (jam.no_answer)
     return {"A jam: " + who_squeezes(file, jam) + ", and nothing gives way.",
@@ -156,7 +155,7 @@ std::vector<std::string> squeeze_sentences(const SceneFile& file, const Jam& jam
   return {"It looks like a jam: " + who_squeezes(file, jam) + ".",
           jam.uses_friction ? "These pivots found no answer; friction takes part, so that is a "
                               "strong sign of a wedge but no proof that there is none."
-                            : "These pivots found no answer; that is no proof that there is none."};
+                            : no_proof};
 }
 
 } // namespace
@@ -203,11 +202,10 @@ std::vector<std::string> jam_findings(const SceneFile& file, const Jam& jam) {
 
 std::vector<std::string> jam_remedies(const Jam& jam) {
   std::vector<std::string> sentences;
-  if (jam.bodies.empty()) return sentences;
-  for (const Remedy& remedy : jam.remedies)
-    sentences.push_back(remedy.text + (!remedy.tried  ? ""
-                                       : remedy.works ? ": tried, it does"
-                                                      : ": tried, not by itself"));
+  for (const Remedy& remedy : jam.remedies) {
+    const char* tried = remedy.works ? ": tried, it does" : ": tried, not by itself";
+    sentences.push_back(remedy.text + (remedy.tried ? tried : ""));
+  }
   return sentences;
 }
 
