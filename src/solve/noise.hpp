@@ -6,9 +6,9 @@
 
 namespace lcpush::desktop {
 
-/// Sets the report's noise, and its brief_noise from the fastest of its contacts. In front of
-/// report.scales, measured by the smallest load that the file gives, so that what is shown as
-/// nothing is nothing beside that load too; but not by less than what rounding leaves of F.
+/// Sets the report's noise and brief_noise. They are measured by the smallest load that the file
+/// gives, so that what is shown as nothing is nothing beside that load too, but are never below
+/// what rounding leaves of F; a brief report's also by the fastest of `answer`'s contacts.
 void find_noise(const SceneFile& file, const Answer<double>& answer, RunReport& report);
 
 /// The actuator whose force is no more than what rounding leaves of F, or -1.

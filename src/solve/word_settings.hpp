@@ -9,8 +9,8 @@ struct WordSettings {
   /// Of the loads and what they do: a full report shows less as 0. An answer that is called solved
   /// may be off by 9.3e-10 of them (Tolerances::residual).
   double rounding = 1e-9;
-  /// A file's force that is less than this part of the largest one cannot be the measure of what is
-  /// rounding: `rounding` of it times this is 1e-6, the last digit of six.
+  /// `rounding` over this is what a full report shows of the file's smallest load: 1e-6 of it, the
+  /// last of six digits, however large another force is.
   double smallest_load = 1e-3;
   /// A component of a unit vector in a full report, of six digits.
   double component = 1e-6;
