@@ -85,8 +85,7 @@ TEST_CASE("more unknowns than short integers number are refused") {
   for (const Index n : {16383, 16384}) {
     problem.size = problem.free_begin = n;
     CHECK(StructuredBasis<double>::supports(problem, TieRule::generic));
-    CHECK(StructuredBasis<double, std::int16_t>::supports(problem, TieRule::generic) ==
-          (n == 16383));
+    CHECK(SmallBasis<double>::supports(problem, TieRule::generic) == (n == 16383));
   }
   const AssemblySize size{1638, 1638 * 8, 4, 4};
   std::vector<unsigned char> bytes(static_cast<std::size_t>(small_bytes<double>(size, 4, 1)));
