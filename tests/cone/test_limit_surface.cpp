@@ -15,7 +15,7 @@ using desktop::LimitSurface;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double half_turn = 3.14159265358979323846;
 
 std::string two_discs(const std::string& keys) {
   const std::string finger = "shape = \"disc\"\nradius = 0.01\nfriction = 0.9\ngrip_force = 50\n";
@@ -95,7 +95,7 @@ TEST_CASE("[T.17] rays through the corners and edges of a symmetric surface are 
             const Vector3<double> a = cross<double>(d, {0.3, -0.5, 0.8}), b = cross<double>(d, a);
             for (int k = 0; k < 32; ++k)
               for (const double size : {1e-2, 1e-5}) {
-                const double angle = pi * k / 16;
+                const double angle = half_turn * k / 16;
                 const Vector3<double> to =
                     std::cos(angle) * a.normalized() + std::sin(angle) * b.normalized();
                 CHECK(grip.power(at.twist + size * at.twist.norm() * to) >= at.force * (1 - 1e-12));

@@ -13,19 +13,19 @@ using lcpush::test::scene_text;
 
 namespace {
 
-const VariedScene& slide() {
+const VariedScene& varied_slide() {
   static const VariedScene scene =
       VariedScene::parse(scene_text("straight_slide.toml"), "slide.toml");
   return scene;
 }
 
 SceneFile slide_with(const std::string& path, double value) {
-  return slide().at({slide().find(path)}, {value});
+  return varied_slide().at({varied_slide().find(path)}, {value});
 }
 
-std::string refusal(const std::string& path) {
+std::string refusal_of_value(const std::string& path) {
   try {
-    (void)slide().find(path);
+    (void)varied_slide().find(path);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -41,8 +41,8 @@ TEST_CASE("a path names one number of the file") {
   CHECK(slide_with("right.friction", 0.7).bodies[0].friction == 0.5);
   CHECK(slide_with("wall.ends[1][2]", 0.001).positions[9][2] == 0.001);
   CHECK(slide_with("wall.acceleration[1]", 0.3).bodies[2].acceleration[1] == 0.3);
-  CHECK(slide().find("left.grip_force").value == 20);
-  CHECK(slide().find("left.grip_force").unit == "N");
+  CHECK(varied_slide().find("left.grip_force").value == 20);
+  CHECK(varied_slide().find("left.grip_force").unit == "N");
 }
 
 TEST_CASE("* names the same number of every body that has it") {
@@ -69,7 +69,7 @@ TEST_CASE("units are those of the table: an actuator's inertia is a mass, the ob
 }
 
 TEST_CASE("shift moves every point of a body, and nothing else") {
-  const SceneFile given = slide().as_given();
+  const SceneFile given = varied_slide().as_given();
   for (Index axis = 0; axis < 3; ++axis) {
     const SceneFile moved = slide_with("left.shift[" + std::to_string(axis) + "]", 0.002);
     for (std::size_t i = 0; i < given.positions.size(); ++i) {
@@ -97,17 +97,17 @@ TEST_CASE("turn turns the acceleration in the x-y plane, quarters exactly") {
 TEST_CASE("forces and accelerations are linear; mass, friction and places are not") {
   for (const char* path :
        {"*.grip_force", "gravity[0]", "wall.acceleration[2]", "wall.angular_acceleration[0]"})
-    CHECK(slide().find(path).linear);
+    CHECK(varied_slide().find(path).linear);
   for (const char* path : {"object.mass", "*.friction", "wall.shift[0]", "wall.turn",
                            "object.box[0]", "wall.ends[0][0]"})
-    CHECK_FALSE(slide().find(path).linear);
+    CHECK_FALSE(varied_slide().find(path).linear);
 }
 
 TEST_CASE("what counts something is whole; facets vary even where the file leaves them out") {
-  CHECK(slide().find("facets").whole);
-  CHECK(slide().find("facets").value == 8);
+  CHECK(varied_slide().find("facets").whole);
+  CHECK(varied_slide().find("facets").value == 8);
   CHECK(slide_with("facets", 16).facets == 16);
-  CHECK_FALSE(slide().find("left.points[0][1]").whole); // a list of points is no count
+  CHECK_FALSE(varied_slide().find("left.points[0][1]").whole); // a list of points is no count
   const VariedScene plate = VariedScene::parse(scene_text("planar_pusher.toml"), "plate.toml");
   CHECK(plate.find("*.points").whole);
   CHECK(plate.find("plate.points[1]").whole);
@@ -119,7 +119,7 @@ TEST_CASE("what counts something is whole; facets vary even where the file leave
 }
 
 TEST_CASE("tangent_turn turns the first generator about the normal") {
-  const SceneFile given = slide().as_given();
+  const SceneFile given = varied_slide().as_given();
   const auto turned = [](const std::string& path, double degrees, std::size_t body) {
     return slide_with(path, degrees).bodies[body].tangent;
   };
@@ -140,24 +140,25 @@ TEST_CASE("tangent_turn turns the first generator about the normal") {
 }
 
 TEST_CASE("with() changes a number for good") {
-  const VariedScene rough = slide().with(slide().find("*.friction"), 0.9);
+  const VariedScene rough = varied_slide().with(varied_slide().find("*.friction"), 0.9);
   CHECK(rough.find("left.friction").value == 0.9);
   CHECK(rough.at({rough.find("left.friction")}, {0.1}).bodies[1].friction == 0.9);
-  CHECK(slide().as_given().bodies[0].friction == 0.5);
-  CHECK_THROWS_AS((void)slide().with(slide().find("*.friction"), -1), InputError);
+  CHECK(varied_slide().as_given().bodies[0].friction == 0.5);
+  CHECK_THROWS_AS((void)varied_slide().with(varied_slide().find("*.friction"), -1), InputError);
 }
 
 TEST_CASE("an unknown path is refused with what is possible, and with the nearest") {
-  CHECK(refusal("wall.fricton").find("(did you mean \"wall.friction\"?)") != std::string::npos);
-  CHECK(refusal("gravty[1]").find("(did you mean \"gravity[1]\"?)") != std::string::npos);
-  const std::string message = refusal("nonsense.altogether");
+  CHECK(refusal_of_value("wall.fricton").find("(did you mean \"wall.friction\"?)") !=
+        std::string::npos);
+  CHECK(refusal_of_value("gravty[1]").find("(did you mean \"gravity[1]\"?)") != std::string::npos);
+  const std::string message = refusal_of_value("nonsense.altogether");
   for (const char* part : {"slide.toml: nothing to vary is called \"nonsense.altogether\"",
                            "gravity[..]", "wall.  ends[..]", "turn", "*.  "}) {
     CAPTURE(message);
     CHECK(message.find(part) != std::string::npos);
   }
   for (const char* path : {"", "gravity", "gravity[3]", "facets[0]", "left.points", "*.mass"})
-    CHECK(refusal(path).find("nothing to vary") != std::string::npos);
+    CHECK(refusal_of_value(path).find("nothing to vary") != std::string::npos);
 }
 
 TEST_CASE("a value that is no scene is refused with line and value") {

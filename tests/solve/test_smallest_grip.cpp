@@ -9,8 +9,8 @@ using doctest::Approx;
 
 namespace {
 
-constexpr desktop::Solver solvers[] = {desktop::Solver::lemke, desktop::Solver::hybrid,
-                                       desktop::Solver::gauss_seidel};
+constexpr desktop::Solver all_solvers[] = {desktop::Solver::lemke, desktop::Solver::hybrid,
+                                           desktop::Solver::gauss_seidel};
 
 /// Two points pinch a block of 1 g, which a rod touches at its side.
 desktop::SceneFile pinch(double friction, double grip, double gravity, Pressure pressure,
@@ -54,7 +54,7 @@ desktop::SceneFile fixture(const std::string& name) {
 
 TEST_CASE("[T.10] a fall is no rest because the grip is huge beside it") {
   for (const Pressure pressure : {Pressure::pad, Pressure::even, Pressure::rigid})
-    for (const desktop::Solver solver : solvers)
+    for (const desktop::Solver solver : all_solvers)
       for (const double grip : {10.0, 100.0, 3000.0}) {
         CAPTURE(static_cast<int>(pressure));
         CAPTURE(static_cast<int>(solver));

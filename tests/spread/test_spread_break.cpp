@@ -45,7 +45,7 @@ double distance(const SpreadReport& one, const SpreadReport& two) {
 }
 
 // Three point contacts: a cylinder that a sheet rolls, or slides under.
-std::string bistable(double grip) {
+std::string bistable_push(double grip) {
   const std::string force = std::to_string(grip);
   return R"(gravity = [0, -9.81, 0]
 planar = true
@@ -85,7 +85,8 @@ acceleration = [0.06, 0, 0]
 } // namespace
 
 TEST_CASE("[T.15] three contacts, rolling or held: all of it without being asked to enumerate") {
-  const SpreadReport report = spread_of(desktop::parse_scene(bistable(17.5), "test.toml"), false);
+  const SpreadReport report =
+      spread_of(desktop::parse_scene(bistable_push(17.5), "test.toml"), false);
   REQUIRE(report.status == Status::solved);
   CHECK(report.complete);
   CHECK(report.verdict == desktop::SpreadVerdict::ambiguous);
@@ -98,7 +99,7 @@ TEST_CASE("[T.15] three contacts, rolling or held: all of it without being asked
 }
 
 TEST_CASE("[T.15] breaking: rolling and held, with the twist per unit push") {
-  const SpreadReport report = breaking(bistable(17.5));
+  const SpreadReport report = breaking(bistable_push(17.5));
   REQUIRE(report.status == Status::solved);
   CHECK(report.complete);
   CHECK_FALSE(report.falls);

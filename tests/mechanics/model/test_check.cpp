@@ -13,12 +13,12 @@ using namespace lcpush::test;
 namespace {
 
 constexpr double passes = 1e-9;
-using Family = double Residuals<double>::*;
-constexpr Family newton = &Residuals<double>::newton, normal = &Residuals<double>::normal,
-                 dissipation = &Residuals<double>::dissipation, cone = &Residuals<double>::cone,
-                 grip = &Residuals<double>::grip, rigidity = &Residuals<double>::rigidity,
-                 pusher = &Residuals<double>::pusher;
-constexpr Family families[] = {newton, normal, dissipation, cone, grip, rigidity, pusher};
+using LawResidual = double Residuals<double>::*;
+constexpr LawResidual newton = &Residuals<double>::newton, normal = &Residuals<double>::normal,
+                      dissipation = &Residuals<double>::dissipation,
+                      cone = &Residuals<double>::cone, grip = &Residuals<double>::grip,
+                      rigidity = &Residuals<double>::rigidity, pusher = &Residuals<double>::pusher;
+constexpr LawResidual families[] = {newton, normal, dissipation, cone, grip, rigidity, pusher};
 
 /// A slide with four-point pads: every family has something to say.
 struct Slid : SolvedPush<double> {
@@ -35,11 +35,12 @@ struct Slid : SolvedPush<double> {
 };
 
 /// Exactly the named families exceed the tolerance.
-void check_families(const Residuals<double>& residuals, std::initializer_list<Family> expected) {
+void check_families(const Residuals<double>& residuals,
+                    std::initializer_list<LawResidual> expected) {
   for (std::size_t k = 0; k < std::size(families); ++k) {
     CAPTURE(k);
     bool wanted = false;
-    for (const Family family : expected) wanted = wanted || family == families[k];
+    for (const LawResidual family : expected) wanted = wanted || family == families[k];
     CHECK((residuals.*families[k] > passes) == wanted);
   }
   CHECK((residuals.max() > passes) == (expected.size() > 0));

@@ -61,7 +61,7 @@ Scene3 pinch(const std::vector<Vec3>& at, Pressure pressure) {
   return scene;
 }
 
-std::vector<Vec3> disc(Index k) {
+std::vector<Vec3> pad_of(Index k) {
   std::vector<Vec3> points(static_cast<std::size_t>(k));
   sample_disc<double>(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), R, {points.data(), k});
   return points;
@@ -69,7 +69,7 @@ std::vector<Vec3> disc(Index k) {
 
 /// Both fingertips of a pinch are discs.
 Scene3 disc_pinch(Index k, Pressure pressure) {
-  Scene3 scene = pinch(disc(k), pressure);
+  Scene3 scene = pinch(pad_of(k), pressure);
   scene.weights.resize(2 * static_cast<std::size_t>(k));
   disc_weights<double>({scene.weights.data(), k});
   disc_weights<double>({scene.weights.data() + k, k});
