@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <limits>
 #include <string_view>
+#include <tuple>
 
+#include "draw/view.hpp"
 #include "text/utf8.hpp"
 
 namespace lcpush::desktop {
@@ -47,22 +49,10 @@ double overlap(const Frame& a, const Frame& b) {
 /// False: nothing.
 bool clip(const Frame& frame, Pixel& from, Pixel& to) {
   constexpr double usual = 20000; // pixels
-  const Pixel start = from, along = to - from;
-  if (along.norm() <= usual) return true;
-  double first = 0, last = 1;
-  const auto keep = [&](double begin, double rate, double low, double high) {
-    if (rate == 0) return begin >= low && begin <= high;
-    const double a = (low - begin) / rate, b = (high - begin) / rate;
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
-    return first <= last; // not for NaN
-  };
-  if (!keep(start.x(), along.x(), frame.left, frame.right) ||
-      !keep(start.y(), along.y(), frame.top, frame.bottom) || !along.allFinite())
-    return false;
-  from = start + first * along;
-  to = start + last * along;
-  return true;
+  if ((to - from).norm() <= usual) return true;
+  const auto inside = clipped_line(frame, from, to - from, 0, 1);
+  if (inside) std::tie(from, to) = *inside;
+  return inside.has_value();
 }
 
 /// How many pixels of the line lie in the frame, in steps of 4.

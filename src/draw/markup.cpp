@@ -36,6 +36,22 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+std::string percent_encoded(const std::string& text, const char* plain) {
+  constexpr const char* digits = "0123456789ABCDEF";
+  std::string encoded;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') ||
+                          std::string_view(plain).find(c) != std::string_view::npos;
+    if (is_plain)
+      encoded += c;
+    else
+      (((encoded += '%') += digits[byte >> 4U]) += digits[byte & 15U]);
+  }
+  return encoded;
+}
+
 std::string shortened(const std::string& text, std::size_t most) {
   std::size_t letters = 0, cut = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

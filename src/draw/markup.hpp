@@ -20,6 +20,9 @@ struct Frame {
 /// Fit for the text and the attributes of XML and HTML. What XML cannot hold becomes U+FFFD.
 std::string escaped(const std::string& text);
 
+/// As an address carries it: letters, digits and the characters of `plain` stay.
+std::string percent_encoded(const std::string& text, const char* plain);
+
 /// At most so many letters, the last two dots if some are left out. Precondition: UTF-8.
 std::string shortened(const std::string& text, std::size_t most);
 

@@ -1,6 +1,8 @@
 // The looks of pages; palette(":root") and drawing_style() come with it.
 #pragma once
 
+#include "draw/markup.hpp"
+
 namespace lcpush::desktop {
 
 constexpr const char* page_style = R"css(* { box-sizing: border-box; }
@@ -84,5 +86,20 @@ footer { color: var(--soft); font-size: 15px; padding-top: 26px; padding-bottom:
   .scroll .plot { min-width: 0; }
 }
 )css";
+
+/// A page that loads nothing, up to its body: `title` is escaped, `style` more than page_style;
+/// `policy` allows more.
+inline std::string page_head(const std::string& title, const std::string& style = "",
+                             const std::string& policy = "") {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+         "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
+         "data:; "
+         "style-src 'unsafe-inline'" +
+         policy + "\"/>\n<link rel=\"icon\" href=\"data:,\"/>\n<title>" + title +
+         "</title>\n<style>\n" + palette(":root") + drawing_style() + page_style + style +
+         "</style>\n</head>\n<body>\n<header>\n<h1>" + title + "</h1>\n</header>\n<main>\n";
+}
 
 } // namespace lcpush::desktop

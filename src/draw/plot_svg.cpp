@@ -1,7 +1,5 @@
 // Line plots: panels above each other over one x.
 #include "draw/plot_svg.hpp"
-#include "draw/markup.hpp"
-#include <string_view>
 
 #include <algorithm>
 
@@ -174,20 +172,8 @@ std::string plot_svg(const Plot& plot) {
 }
 
 std::string plot_image(const std::string& svg, const std::string& words) {
-  constexpr const char* digits = "0123456789ABCDEF";
-  std::string data;
-  for (const char c : svg) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                          (c >= '0' && c <= '9') ||
-                          std::string_view("-_.~:/;=,()").find(c) != std::string_view::npos;
-    if (is_plain)
-      data += c;
-    else
-      (((data += '%') += digits[byte >> 4U]) += digits[byte & 15U]);
-  }
-  return "<img class=\"plot\" alt=\"" + escaped(words) + "\" src=\"data:image/svg+xml," + data +
-         "\"/>\n";
+  return "<img class=\"plot\" alt=\"" + escaped(words) + "\" src=\"data:image/svg+xml," +
+         percent_encoded(svg, "-_.~:/;=,()") + "\"/>\n";
 }
 
 } // namespace lcpush::desktop

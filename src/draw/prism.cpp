@@ -5,7 +5,7 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr std::size_t few_sides = 8;
+constexpr std::size_t most_drawn_sides = 8; // of more the edges are left out: it is round
 
 Vector3<double> product(const Vector3<double>& a, const Vector3<double>& b) {
   return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
@@ -106,24 +106,12 @@ double depth_below_surface(const Prism& prism, const Vector3<double>& point,
   return depth;
 }
 
-Vector3<double> Displacement::turned(const Vector3<double>& v) const {
-  return std::cos(angle) * v + std::sin(angle) * product(axis, v) +
-         (1 - std::cos(angle)) * axis.dot(v) * axis;
-}
-
-Prism Displacement::operator()(const Prism& prism) const {
-  Prism moved;
-  for (const auto& corner : prism.base) moved.base.push_back((*this)(corner));
-  moved.along = turned(prism.along);
-  return moved;
-}
-
 std::vector<std::vector<Vector3<double>>> faces_toward(const Prism& prism,
                                                        const Vector3<double>& toward) {
   std::vector<std::vector<Vector3<double>>> loops;
   std::size_t k = 0;
   for (const Face& face : faces_of(prism)) {
-    const bool is_drawn = k++ < 2 || prism.base.size() <= few_sides;
+    const bool is_drawn = k++ < 2 || prism.base.size() <= most_drawn_sides;
     if (is_drawn && face.outward.dot(toward) > 1e-6 * face.outward.norm())
       loops.push_back(face.loop);
   }

@@ -1,4 +1,4 @@
-// Boxes, cylinders and slabs in space, as prisms; and where a rigid motion takes them.
+// Boxes, cylinders and slabs in space, as prisms.
 #pragma once
 
 #include <vector>
@@ -44,19 +44,6 @@ std::vector<Vector3<double>> positions_beside(const Prism& object, const Vector3
     }
   return positions;
 }
-
-/// A turn about an axis through a point, then a shift.
-struct Displacement {
-  Vector3<double> point = Vector3<double>::Zero(), axis = Vector3<double>::UnitZ();
-  double angle = 0;
-  Vector3<double> shift = Vector3<double>::Zero();
-
-  Vector3<double> turned(const Vector3<double>& v) const;
-  Vector3<double> operator()(const Vector3<double>& at) const {
-    return point + turned(at - point) + shift;
-  }
-  Prism operator()(const Prism& prism) const;
-};
 
 /// As drawn: what encloses it, and of the faces that the viewer sees the ends and, of a few-sided
 /// prism, the sides.

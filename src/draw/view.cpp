@@ -1,9 +1,55 @@
 #include "draw/view.hpp"
 
-#include <cmath>
-#include <limits>
+#include "text/format.hpp"
 
 namespace lcpush::desktop {
+namespace {
+
+const char* axis_name(const Vector3<double>& axis) {
+  return axis.x() != 0 ? "x" : axis.y() != 0 ? "y" : "z";
+}
+
+} // namespace
+
+std::vector<View> axis_views(const Vector3<double>& gravity) {
+  const Vector3<double> pull = gravity.cwiseAbs();
+  const int up = pull.z() > std::max(pull.x(), pull.y())   ? 2
+                 : pull.x() > std::max(pull.y(), pull.z()) ? 0
+                                                           : 1;
+  const double sign = gravity[up] > 0 ? -1 : 1;
+  const Vector3<double> x(up == 0 ? sign : 1, 0, 0), y(0, sign, 0), z(0, 0, up == 0 ? 1 : sign);
+  const Vector3<double> r = up == 0 ? Vector3<double>(-y) : x,
+                        u = up == 0   ? x
+                            : up == 1 ? y
+                                      : z,
+                        t = up == 2 ? Vector3<double>(-y) : z;
+  std::vector<View> views{{"front", "Front view", r, u, t},
+                          {"top", up == 2 ? "View from above" : "Top view", r, -t, u},
+                          {"side", "Side view", -t, u, r}};
+  for (View& view : views) view.title += ", " + axes_words(view);
+  return views;
+}
+
+std::string axes_words(const View& view) {
+  return std::string(axis_name(view.right)) + " and " + axis_name(view.up);
+}
+
+View isometric_view(const View& front) {
+  const Vector3<double> right = (front.right - front.toward) / std::sqrt(2.0);
+  const Vector3<double> toward = (front.right + front.up + front.toward) / std::sqrt(3.0);
+  const Vector3<double> up = (2 * front.up - front.right - front.toward) / std::sqrt(6.0);
+  return {"isometric", "Isometric view", right, up, toward};
+}
+
+double fitting_scale(const Frame& shown, double width, double height) {
+  constexpr double least = 1e-9; // m, of what is seen as a point
+  return std::min(width / std::max(shown.width(), least), height / std::max(shown.height(), least));
+}
+
+Sight centered(const View& view, const Frame& shown, double meters, const Pixel& size) {
+  const Pixel middle((shown.left + shown.right) / 2, (shown.top + shown.bottom) / 2);
+  return {view, meters, size / 2, middle};
+}
 
 std::vector<std::size_t> hull_corners(const std::vector<Pixel>& points) {
   std::vector<std::size_t> order(points.size());
@@ -72,15 +118,34 @@ std::vector<Pixel> pad_rim(const View& view, const Vector3<double>& normal) {
 }
 
 std::string axes_elements(const View& view) {
-  const auto name = [](const Vector3<double>& axis) {
-    return axis.x() != 0 ? "x" : axis.y() != 0 ? "y" : "z";
-  };
   const double across = 24 * view.right.sum(), up = 24 * view.up.sum();
   const Pixel origin(across < 0 ? 42 : 16, up < 0 ? 14 : 42);
   return arrow_element("axis", origin, origin + Pixel(across, 0)) +
          arrow_element("axis", origin, origin - Pixel(0, up)) +
-         text_element("quiet", origin + Pixel(1.4 * across, 4), name(view.right), "middle") +
-         text_element("quiet", origin + Pixel(9, up > 0 ? -20 : 30), name(view.up));
+         text_element("quiet", origin + Pixel(1.4 * across, 4), axis_name(view.right), "middle") +
+         text_element("quiet", origin + Pixel(9, up > 0 ? -20 : 30), axis_name(view.up));
+}
+
+std::string scale_bars(double width, double bottom, double meters, double newtons) {
+  constexpr double bar_room = 70;
+  const double y = bottom - 14;
+  const auto bar = [y](double left, double size) {
+    return path_element("scale", move_to({left, y}) + "v6h" + pixels(size) + "v-6");
+  };
+  const double length = round_below(bar_room / meters), wide = length * meters;
+  std::string text =
+      bar(12, wide) + text_element("quiet", {18 + wide, y + 7}, number(1000 * length) + " mm");
+  if (newtons == 0) return text;
+  const double force = round_below(longest_force / newtons), size = force * newtons;
+  return text + bar(width - 12 - size, size) +
+         text_element("quiet", {width - 18 - size, y + 7}, number(force) + " N", "end");
+}
+
+std::string polyline_element(const std::string& kind, const std::vector<Pixel>& places) {
+  std::string strokes;
+  for (const Pixel& at : places)
+    strokes += strokes.empty() ? move_to(at) : "L" + move_to(at).substr(1);
+  return path_element(kind, strokes);
 }
 
 double round_below(double x) {
@@ -97,21 +162,21 @@ double round_above(double x) {
   return 10 * power;
 }
 
-std::optional<std::pair<Pixel, Pixel>> clipped_line(const Pixel& at, const Pixel& along,
-                                                    double width, double height) {
-  double from = -std::numeric_limits<double>::infinity(), to = -from;
-  const Pixel size(width, height);
+std::optional<std::pair<Pixel, Pixel>> clipped_line(const Frame& frame, const Pixel& at,
+                                                    const Pixel& along, double first, double last) {
+  if (!along.allFinite()) return std::nullopt;
+  const Pixel low(frame.left, frame.top), high(frame.right, frame.bottom);
   for (int k = 0; k < 2; ++k) {
     if (along[k] == 0) {
-      if (at[k] < 0 || at[k] > size[k]) return std::nullopt;
+      if (at[k] < low[k] || at[k] > high[k]) return std::nullopt;
       continue;
     }
-    const double a = -at[k] / along[k], b = (size[k] - at[k]) / along[k];
-    from = std::max(from, std::min(a, b));
-    to = std::min(to, std::max(a, b));
+    const double a = (low[k] - at[k]) / along[k], b = (high[k] - at[k]) / along[k];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
   }
-  if (!(from < to)) return std::nullopt;
-  return std::pair(Pixel(at + from * along), Pixel(at + to * along));
+  if (!(first < last)) return std::nullopt;
+  return std::pair(Pixel(at + first * along), Pixel(at + last * along));
 }
 
 } // namespace lcpush::desktop

@@ -1,8 +1,9 @@
-// Orthographic views along three axes, and the geometry of drawings.
+// Orthographic views, where they stand on a picture, and the geometry of drawings.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@ constexpr double fastest = 46;       ///< pixels of its largest acceleration
 struct View {
   std::string name;                  ///< "front", "top" or "side"
   std::string title;                 ///< "Front view, x and y"
-  Vector3<double> right, up, toward; ///< along axes; the last at the viewer
+  Vector3<double> right, up, toward; ///< the last at the viewer
 
   /// As drawn: to the right, and down.
   Pixel flat(const Vector3<double>& v) const { return {right.dot(v), -up.dot(v)}; }
@@ -27,17 +28,46 @@ struct View {
   bool is_behind(const Vector3<double>& normal) const { return toward.dot(normal) > 0.5; }
 };
 
-/// A front view with y up, and of the other two the one that shows more of a box of this size and
-/// of the bodies that touch it (anything with a normal).
+/// Front, top and side view, such that gravity pulls down the front view: the axis that it pulls
+/// along most is up or down there; without gravity y is up.
+std::vector<View> axis_views(const Vector3<double>& gravity);
+/// "x and z": those that run across and up the picture. Precondition: a view along an axis.
+std::string axes_words(const View& view);
+/// Seen from above, from the right of a front view; all three axes equally long.
+View isometric_view(const View& front);
+
+/// The front view, and of the other two the one that shows more of a box of this size and of the
+/// bodies that touch it (anything with a normal); with z up the one from above.
 template <class Body>
-std::vector<View> views_with_y_up(const Vector3<double>& size, const std::vector<Body>& bodies) {
-  const Vector3<double> x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-  const View front{"front", "Front view, x and y", x, y, z};
-  const auto is_along_x = [](const Body& body) { return std::abs(body.normal.x()) > 0.5; };
-  if (size.x() >= size.y() || std::any_of(bodies.begin(), bodies.end(), is_along_x))
-    return {front, {"top", "Top view, x and z", x, -z, y}};
-  return {front, {"side", "Side view, z and y", -z, y, x}};
+std::vector<View> two_views(const Vector3<double>& gravity, const Vector3<double>& size,
+                            const std::vector<Body>& bodies) {
+  std::vector<View> views = axis_views(gravity);
+  const View& front = views[0];
+  const auto shows_across = [&front](const Body& body) {
+    return std::abs(body.normal.dot(front.right)) > 0.5;
+  };
+  const bool shows_top = front.up.z() != 0 ||
+                         std::abs(size.dot(front.right)) >= std::abs(size.dot(front.up)) ||
+                         std::any_of(bodies.begin(), bodies.end(), shows_across);
+  views.erase(views.begin() + (shows_top ? 2 : 1));
+  return views;
 }
+
+/// From where something is seen, and where it stands on the picture.
+struct Sight {
+  View view;
+  double meters = 1;            ///< pixels a metre
+  Pixel center = Pixel::Zero(); ///< where what is flat at `middle` stands
+  Pixel middle = Pixel::Zero();
+
+  Pixel place(const Vector3<double>& at) const {
+    return center + meters * (view.flat(at) - middle);
+  }
+};
+/// Pixels a metre with which what is shown, in metres of the drawing, fills this room.
+double fitting_scale(const Frame& shown, double width, double height);
+/// With the middle of what is shown in the middle of a picture of this size.
+Sight centered(const View& view, const Frame& shown, double meters, const Pixel& size);
 
 /// What lies behind is drawn first.
 template <class Bodies>
@@ -64,13 +94,21 @@ std::vector<Pixel> pad_rim(const View& view, const Vector3<double>& normal);
 /// Two arrows in the corner of a picture, with the names of the axes.
 std::string axes_elements(const View& view);
 
+/// At the bottom of a picture: how long so many millimetres are, and so many newtons; 0: no force.
+std::string scale_bars(double width, double bottom, double meters, double newtons);
+/// A path through these places.
+std::string polyline_element(const std::string& kind, const std::vector<Pixel>& places);
+
 /// The largest of 1, 2, 5 times a power of ten that is not above x > 0.
 double round_below(double x);
 /// The smallest of a few round numbers that is not below x > 0.
 double round_above(double x);
 
-/// The part of the line through `at` along `along` inside [0, width] x [0, height], if any.
-std::optional<std::pair<Pixel, Pixel>> clipped_line(const Pixel& at, const Pixel& along,
-                                                    double width, double height);
+/// The part of the line through `at` along `along` inside the frame, if any; `along`'s multiples
+/// from `first` to `last` are on it.
+std::optional<std::pair<Pixel, Pixel>>
+clipped_line(const Frame& frame, const Pixel& at, const Pixel& along,
+             double first = -std::numeric_limits<double>::infinity(),
+             double last = std::numeric_limits<double>::infinity());
 
 } // namespace lcpush::desktop

@@ -1,9 +1,7 @@
 #include "move/motion_painter.hpp"
 
-#include "draw/marks.hpp"
 #include "move/move_words.hpp"
-#include "scenes/drawn_object.hpp"
-#include "text/format.hpp"
+#include "picture/contact_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +10,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr double margin = 84, bar_room = 70;
-
 /// A point of the object that was at `at`, scene's frame.
 Vector3<double> carried_by(const SceneFile& file, const Pose<double>& pose,
                            const Vector3<double>& at) {
@@ -21,17 +17,8 @@ Vector3<double> carried_by(const SceneFile& file, const Pose<double>& pose,
   return center + pose.at(at - center);
 }
 
-std::vector<View> axis_views(const SceneFile& file) {
-  const Vector3<double> x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), g = file.gravity.cwiseAbs();
-  if (g.z() > std::max(g.x(), g.y()))
-    return {
-        {"front", "x and z", x, z, -y}, {"top", "x and y", x, y, z}, {"side", "y and z", y, z, x}};
-  return {
-      {"front", "x and y", x, y, z}, {"top", "x and z", x, -z, y}, {"side", "z and y", -z, y, x}};
-}
-
 View clearest_view(const SceneFile& file, const MotionReport& report) {
-  const std::vector<View> views = axis_views(file);
+  const std::vector<View> views = axis_views(file.gravity);
   const auto seen = [&](const View& view) {
     double most = 0;
     for (const MotionFrame& frame : report.frames) {
@@ -48,8 +35,30 @@ View clearest_view(const SceneFile& file, const MotionReport& report) {
   return best;
 }
 
-bool touches(const PointState& point) {
-  return point.touch == Touch::sticks || point.touch == Touch::slips;
+/// All that the motion shows fits in.
+Sight motion_sight(const SceneFile& file, const MotionReport& report, const Prism& object) {
+  constexpr double margin = 84, width = MotionPainter::width, height = MotionPainter::height;
+  const View view = clearest_view(file, report);
+  std::vector<Pixel> shown;
+  for (const MotionFrame& frame : report.frames) {
+    for (const auto& corner : corners_of(object))
+      shown.push_back(view.flat(carried_by(file, frame.pose, corner)));
+    for (const PointState& point : frame.contacts)
+      if (point.touch != Touch::away) shown.push_back(view.flat(point.position));
+  }
+  const Frame extent = bounds(shown);
+  return centered(view, extent, fitting_scale(extent, width - 2 * margin, height - 2 * margin),
+                  {width, height});
+}
+
+/// Of one body's in the picture; the first step, which sets everything going at once, does not
+/// count.
+double largest_force(const MotionReport& report, const View& view) {
+  double most = 0;
+  for (std::size_t k = 1; k < report.frames.size(); ++k)
+    for (const BodyForce& body : report.frames[k].bodies)
+      if (k > 1 || report.frames.size() < 3) most = std::max(most, view.flat(body.force).norm());
+  return most;
 }
 
 } // namespace
@@ -63,33 +72,9 @@ std::vector<std::size_t> spread_out(std::size_t count, std::size_t most) {
 
 MotionPainter::MotionPainter(const SceneFile& file, const MotionReport& report)
     : file_(file), report_(report), object_(object_prism(file)),
-      view_(clearest_view(file, report)) {
-  std::vector<Pixel> shown;
-  for (const MotionFrame& frame : report.frames) {
-    for (const auto& corner : corners_of(object_))
-      shown.push_back(view_.flat(carried_by(file, frame.pose, corner)));
-    for (const PointState& point : frame.contacts)
-      if (point.touch != Touch::away) shown.push_back(view_.flat(point.position));
-  }
-  extent_ = bounds(shown);
-  meters_ = std::min((width - 2 * margin) / std::max(extent_.width(), 1e-9),
-                     (height - 2 * margin) / std::max(extent_.height(), 1e-9));
-  const double most = largest_force();
+      sight_(motion_sight(file, report, object_)) {
+  const double most = largest_force(report, view_);
   newtons_ = most > 0 ? longest_force / round_above(most) : 0;
-}
-
-/// Of one body's; the first step, which sets everything going at once, does not count.
-double MotionPainter::largest_force() const {
-  double most = 0;
-  for (std::size_t k = 1; k < report_.frames.size(); ++k)
-    for (const BodyForce& body : report_.frames[k].bodies)
-      if (k > 1 || report_.frames.size() < 3) most = std::max(most, view_.flat(body.force).norm());
-  return most;
-}
-
-Pixel MotionPainter::place(const Vector3<double>& at) const {
-  const Pixel middle((extent_.left + extent_.right) / 2, (extent_.top + extent_.bottom) / 2);
-  return Pixel(width / 2, height / 2) + meters_ * (view_.flat(at) - middle);
 }
 
 std::vector<Pixel> MotionPainter::outline(const MotionFrame& frame) const {
@@ -114,15 +99,11 @@ std::string MotionPainter::body(const MotionFrame& frame, Index b,
     const Pixel at = place(point.position);
     for (const Pixel& offset : pad_rim(view_, point.normal)) around.emplace_back(at + offset);
     normal = point.normal;
-    const bool sticks = point.touch == Touch::sticks;
-    marks += mark_element(sticks                        ? Mark::square
-                          : point.touch == Touch::slips ? Mark::triangle
-                                                        : Mark::ring,
-                          sticks                        ? "stick"
-                          : point.touch == Touch::slips ? "slide"
-                                                        : "separate",
-                          at);
-    if (!touches(point)) continue;
+    marks += mode_mark(point.touch == Touch::sticks  ? Mode::stick
+                       : point.touch == Touch::slips ? Mode::slide
+                                                     : Mode::separate,
+                       at);
+    if (!is_touching(point.touch)) continue;
     middle += point.position;
     ++touching;
   }
@@ -198,27 +179,29 @@ std::string MotionPainter::ghosts(const std::vector<std::size_t>& frames) const 
   return text;
 }
 
-std::string MotionPainter::way() const {
-  std::string strokes;
-  for (const MotionFrame& frame : report_.frames) {
-    const Pixel at = place(file_.object.center_of_mass + frame.pose.position);
-    strokes += strokes.empty() ? move_to(at) : "L" + move_to(at).substr(1);
-  }
-  return path_element("turning", strokes);
+std::string MotionPainter::path() const {
+  std::vector<Pixel> places;
+  for (const MotionFrame& frame : report_.frames)
+    places.push_back(place(file_.object.center_of_mass + frame.pose.position));
+  return polyline_element("turning", places);
 }
 
 std::string MotionPainter::surroundings() const {
-  const double length = round_below(bar_room / meters_), y = height - 14;
-  const auto bar = [y](double left, double long_by) {
-    return path_element("scale", move_to({left, y}) + "v6h" + pixels(long_by) + "v-6");
-  };
-  std::string text =
-      axes_elements(view_) + bar(12, length * meters_) +
-      text_element("quiet", {18 + length * meters_, y + 7}, number(1000 * length) + " mm");
-  if (newtons_ == 0) return text;
-  const double force = round_below(longest_force / newtons_), size = force * newtons_;
-  return text + bar(width - 12 - size, size) +
-         text_element("quiet", {width - 18 - size, y + 7}, number(force) + " N", "end");
+  return axes_elements(view_) + scale_bars(width, height, sight_.meters, newtons_);
+}
+
+std::string move_svg(const SceneFile& file, const MotionReport& report) {
+  constexpr std::size_t most_ghosts = 6;
+  const MotionPainter painter(file, report);
+  std::vector<std::size_t> ghosts = spread_out(report.frames.size(), most_ghosts + 1);
+  ghosts.pop_back(); // the object itself stands there
+  return svg_document(
+      {"move", file.title.empty() ? "Where the object goes" : file.title,
+       move_sentence(file, report) + " Seen in " + painter.axes() +
+           "; dashed, the object on its way; the line is that of its centre of mass.",
+       MotionPainter::width, MotionPainter::height,
+       painter.surroundings() + painter.ghosts(ghosts) + painter.moment(report.frames.back()) +
+           painter.path()});
 }
 
 } // namespace lcpush::desktop

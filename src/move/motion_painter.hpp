@@ -18,21 +18,22 @@ public:
   std::string moment(const MotionFrame& frame) const;
   /// Outlines of the object at these frames.
   std::string ghosts(const std::vector<std::size_t>& frames) const;
-  /// The way of the centre of mass.
-  std::string way() const;
+  /// The path of the centre of mass.
+  std::string path() const;
   /// Axes and scales.
   std::string surroundings() const;
-  const View& view() const { return view_; }
+  /// "x and z": what runs across and up.
+  std::string axes() const { return axes_words(sight_.view); }
 
 private:
   const SceneFile& file_;
   const MotionReport& report_;
-  Prism object_;
-  View view_;
-  Frame extent_{};
-  double meters_ = 1, newtons_ = 0; ///< pixels per m, per N
+  const Prism object_;
+  const Sight sight_;
+  const View& view_ = sight_.view;
+  double newtons_ = 0; ///< pixels per N
 
-  Pixel place(const Vector3<double>& at) const;
+  Pixel place(const Vector3<double>& at) const { return sight_.place(at); }
   std::vector<Pixel> outline(const MotionFrame& frame) const;
   struct PlacedName {
     Pixel at;
@@ -42,7 +43,6 @@ private:
   };
   std::string body(const MotionFrame& frame, Index b, std::vector<PlacedName>& names) const;
   static std::string apart(std::vector<PlacedName> names);
-  double largest_force() const;
 };
 
 /// So many of `count`, evenly spread, the last included.

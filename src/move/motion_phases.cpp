@@ -1,35 +1,32 @@
 #include "move/motion_phases.hpp"
 
+#include "move/settings.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace lcpush::desktop {
 namespace {
 
-// What moves the object by less than this part of the whole motion is no phase of its own; where
-// that leaves more than a sentence holds, twice that, and so on.
-constexpr double least_part = 0.02;
-constexpr std::size_t most_phases = 4;
-// Beyond so many degrees about another axis, a turn is another turn.
-constexpr double same_axis = 0.95; // cosine
+using Settings = MoveSettings;
 
 void append(MotionPhase& phase, const MotionPhase& next) {
   phase.until = next.until;
-  phase.way += next.way;
+  phase.path += next.path;
   phase.angle += next.angle;
   phase.along += next.along;
   phase.turn += next.turn;
 }
 
 /// How much of the motion it is, m.
-double amount(const MotionPhase& phase, double size) { return phase.way + size / 2 * phase.angle; }
+double amount(const MotionPhase& phase, double size) { return phase.path + size / 2 * phase.angle; }
 
 bool is_same(const MotionPhase& a, const MotionPhase& b) {
   if (a.kind != b.kind) return false;
   if (a.kind == MotionKind::rest) return true;
   const bool slides = a.kind == MotionKind::slide;
   const Vector3<double>&x = slides ? a.along : a.turn, &y = slides ? b.along : b.turn;
-  return x.dot(y) >= same_axis * x.norm() * y.norm();
+  return x.dot(y) >= Settings::same_axis * x.norm() * y.norm();
 }
 
 std::vector<MotionPhase> joined_neighbours(const std::vector<MotionPhase>& phases) {
@@ -42,11 +39,11 @@ std::vector<MotionPhase> joined_neighbours(const std::vector<MotionPhase>& phase
   return merged;
 }
 
-/// A turn that is next to nothing beside the way is none.
+/// A turn that is next to nothing beside the path is none.
 void name_by_whole(MotionPhase& phase, double size) {
-  constexpr double negligible = 1e-3;
   const bool may_slide = phase.kind == MotionKind::turn || phase.kind == MotionKind::pivot;
-  if (may_slide && size / 2 * phase.angle < negligible * phase.way) phase.kind = MotionKind::slide;
+  if (may_slide && size / 2 * phase.angle < Settings::no_turn * phase.path)
+    phase.kind = MotionKind::slide;
 }
 
 /// Without those that are less than this part of the whole.
@@ -89,7 +86,7 @@ MotionPhase phase_of(const Motion<double>& motion, const MotionFrame& end, doubl
   phase.from = end.time - h;
   phase.until = end.time;
   phase.along = h * end.twist.head<3>();
-  phase.way = phase.along.norm();
+  phase.path = phase.along.norm();
   phase.turn = h * end.twist.tail<3>();
   phase.angle = phase.turn.norm();
   return phase;
@@ -99,10 +96,28 @@ std::vector<MotionPhase> merged_phases(std::vector<MotionPhase> phases, double s
   phases = joined_neighbours(phases);
   for (MotionPhase& phase : phases) name_by_whole(phase, size);
   phases = joined_neighbours(phases);
-  for (double part = least_part; part < 1; part *= 2) {
+  for (double part = Settings::least_part; part < 1; part *= 2) {
     phases = without_slight(std::move(phases), size, part);
-    if (phases.size() <= most_phases) break;
+    if (phases.size() <= Settings::most_phases) break;
   }
   return phases;
 }
+
+void ForceJumps::add(double time, double h, double force) {
+  const auto& [before, jump] = last_;
+  const Step now{time, h, force, steps_ > 0 ? std::abs(force - jump.force) / h : 0};
+  // The first step sets everything going: a change to the second is not one of the push.
+  if (steps_ >= 4) {
+    const double change = std::abs(jump.force - before.force);
+    const bool is_large = change > Settings::least_jump * std::max(before.force, jump.force) &&
+                          change > Settings::worth_a_jump * largest_;
+    if (is_large && jump.rate > Settings::times_neighbours * std::max(before.rate, now.rate))
+      found_.push_back({jump.time, jump.h, before.force, jump.force});
+  }
+  if (steps_ > 0) largest_ = std::max(largest_, force);
+  last_[0] = jump;
+  last_[1] = now;
+  ++steps_;
+}
+
 } // namespace lcpush::desktop

@@ -2,10 +2,10 @@
 #include "lcpush/desktop/move.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
-#include "move/force_jumps.hpp"
 #include "move/motion_phases.hpp"
 #include "move/motion_run.hpp"
 #include "move/move_words.hpp"
+#include "move/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,19 +13,14 @@
 namespace lcpush::desktop {
 namespace {
 
-// Parts of the whole time.
-constexpr double first_step = 1e-3, longest_step = 0.02, event_step = 1.0 / 4096;
-constexpr double shortest_step = 0x1p-16; // what chatters must not take for ever either
-constexpr Index most_located = 64;        // events; a patch that flickers must not take for ever
-constexpr double usual_tolerance = 1e-3;
-constexpr int most_halvings = 4; // of a fixed step that has no answer
+using Settings = MoveSettings;
 
 class Mover {
 public:
   Mover(const SceneFile& file, const MoveOptions& options)
       : file_(file), options_(options), run_(file), size_(object_size(file)),
         time_(options.time.value_or(motion_time(file))) {
-    report_.tolerance = options.tolerance.value_or(usual_tolerance * size_);
+    report_.tolerance = options.tolerance.value_or(Settings::tolerance * size_);
     if (!options.step) report_.error = 0;
   }
 
@@ -38,7 +33,7 @@ public:
     }
     report_.status = Status::solved;
     last_ = report_.frames.back();
-    next_ = options_.step.value_or(first_step * time_);
+    next_ = options_.step.value_or(Settings::first_step * time_);
     bool goes_on = true;
     for (Index k = 1; goes_on && k < options_.frames; ++k) {
       goes_on = go_to(time_ * static_cast<double>(k) / static_cast<double>(options_.frames - 1));
@@ -53,7 +48,7 @@ public:
 private:
   /// False: the motion has ended before.
   bool go_to(double target) {
-    const double rounding = 1e-12 * time_;
+    const double rounding = Settings::same_time * time_;
     while (now() < target - rounding) {
       if (options_.progress) options_.progress(now() / time_, now());
       if (!begin_strokes()) return false;
@@ -67,7 +62,7 @@ private:
       const double room = std::min(options_.step ? time_ : target, next_stroke()) - now();
       // Equal steps up to there: a sliver that is left over would be an instant of its own, in
       // which gaps of second order have no time to close.
-      const double h = room / std::max(1.0, std::ceil(room / next_ - 1e-6));
+      const double h = room / std::max(1.0, std::ceil(room / next_ - Settings::whole_steps));
       const bool went = options_.step ? fixed_step(h) : controlled_step(h);
       if (!went) return false;
     }
@@ -78,7 +73,7 @@ private:
 
   bool begin_strokes() {
     run_.begin_strokes();
-    report_.body = run_.inside(1e-6 * size_);
+    report_.body = run_.inside(Settings::inside * size_);
     if (report_.body < 0) return true;
     report_.end = MoveEnd::inside;
     report_.status = Status::bad_input;
@@ -89,7 +84,7 @@ private:
     double next = time_;
     for (const Stroke& stroke : file_.strokes)
       for (const double t : {stroke.from, stroke.until})
-        if (t > now() * (1 + 1e-12)) next = std::min(next, t);
+        if (t > now() * (1 + Settings::same_time)) next = std::min(next, t);
     return next;
   }
 
@@ -101,7 +96,7 @@ private:
 
   /// One without an answer is tried as two of half its length, and these so again: pivots that went
   /// astray once need not do so twice, and a jam is a jam however short the step.
-  bool fixed_step(double h, int halvings = most_halvings) {
+  bool fixed_step(double h, int halvings = Settings::halvings) {
     const MotionRun::Saved before = run_.save();
     const Status status = solve(h);
     if (status != Status::solved) {
@@ -130,7 +125,7 @@ private:
       const bool is_lost = run_.stepper().run().lost;
       run_.restore(before);
       next_ = h / 2;
-      return h > event_step * time_ / 4 || fail(status, is_lost);
+      return h > Settings::event_step * time_ / 4 || fail(status, is_lost);
     }
     const double error = distance(whole, run_.stepper().pose());
     const double allowed = report_.tolerance * h / time_;
@@ -138,8 +133,9 @@ private:
     // What leaves its face at the end of a step is seen there, before the next one begins.
     const bool has_event =
         changes(last_, half.frame) || changes(half.frame, end.frame) || run_.leaves();
-    const bool locates = has_event && located_ < most_located && h > event_step * time_;
-    if ((error > allowed && h > shortest_step * time_) || locates) {
+    const bool locates =
+        has_event && located_ < Settings::most_located && h > Settings::event_step * time_;
+    if ((error > allowed && h > Settings::shortest_step * time_) || locates) {
       run_.restore(before);
       next_ = h / 2;
       return true;
@@ -149,7 +145,8 @@ private:
     if (passes_distance()) return go_last(before, h);
     keep(half);
     keep(end);
-    if (error < allowed / 4) next_ = std::min(std::max(next_, 2 * h), longest_step * time_);
+    if (error < allowed / 4)
+      next_ = std::min(std::max(next_, 2 * h), Settings::longest_step * time_);
     return true;
   }
 
@@ -169,7 +166,7 @@ private:
   /// A step so long that the distance is reached, by halving.
   bool go_last(const MotionRun::Saved& before, double h) {
     double least = 0, most = h;
-    for (int k = 0; k < 40; ++k) {
+    for (int k = 0; k < Settings::distance_halvings; ++k) {
       run_.restore(before);
       const double middle = (least + most) / 2;
       if (const Status status = solve(middle); status != Status::solved) return fail(status);
@@ -199,7 +196,7 @@ private:
       bool touches = false;
       for (const Index i : points_of(file_.body(drive.body))) {
         const Touch touch = last_.contacts[static_cast<std::size_t>(i)].touch;
-        touches = touches || touch == Touch::sticks || touch == Touch::slips;
+        touches = touches || is_touching(touch);
       }
       if (!touches) return drive.body;
     }

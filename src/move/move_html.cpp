@@ -21,35 +21,24 @@ namespace {
 constexpr std::size_t most_moments = 151, most_marks = 8;
 constexpr double least_between = 0.03; // of the time: marks nearer than that are one
 
-/// "8 slip", "3 stick, 1 beside".
-std::string doing_words(const SceneFile& file, const MotionFrame& frame, std::size_t b) {
-  constexpr const char* verbs[] = {
-      "stick",           "slip",    "are off", "are beside their face", "are behind an edge",
-      "stand on an end", "are away"};
-  std::vector<Index> counts(7, 0);
-  for (const Index i : points_of(file.bodies[b]))
-    ++counts[static_cast<std::size_t>(frame.contacts[static_cast<std::size_t>(i)].touch)];
-  std::vector<std::string> parts;
-  for (std::size_t t = 0; t < counts.size(); ++t)
-    if (counts[t] > 0) parts.push_back(std::to_string(counts[t]) + " " + verbs[t]);
-  return listed(parts, "and");
-}
-
 std::string moments(const MotionPainter& painter, const MotionReport& report,
-                    const std::vector<std::size_t>& told) {
+                    const std::vector<std::size_t>& shown) {
   std::string text;
-  for (const std::size_t k : told)
-    text += std::string("<g class=\"moment") + (k == told.back() ? " shown" : "") + "\">\n" +
+  for (const std::size_t k : shown)
+    text += std::string("<g class=\"moment") + (k == shown.back() ? " shown" : "") + "\">\n" +
             painter.moment(report.frames[k]) + "</g>\n";
   return text;
 }
 
 std::string frames_json(const SceneFile& file, const MotionReport& report,
-                        const std::vector<std::size_t>& told) {
+                        const std::vector<std::size_t>& shown) {
+  constexpr const char* verbs[] = {
+      "stick",           "slip",    "are off", "are beside their face", "are behind an edge",
+      "stand on an end", "are away"};
   const double last = report.frames.back().time;
   JsonWriter json;
   json.begin_array();
-  for (const std::size_t k : told) {
+  for (const std::size_t k : shown) {
     const MotionFrame& frame = report.frames[k];
     std::vector<std::string> cells;
     for (std::size_t b = 0; b < file.bodies.size(); ++b) {
@@ -58,7 +47,7 @@ std::string frames_json(const SceneFile& file, const MotionReport& report,
       const double square = f.squaredNorm() - body.normal_force * body.normal_force;
       cells.push_back(k == 0 ? "-" : brief(body.normal_force));
       cells.push_back(k == 0 ? "-" : brief(std::sqrt(std::max(square, 0.0))));
-      cells.push_back(k == 0 ? "-" : doing_words(file, frame, b));
+      cells.push_back(k == 0 ? "-" : listed(touch_words(file, frame, b, verbs, true), "and"));
     }
     const double share = last > 0 ? frame.time / last : 0;
     json.begin_object()
@@ -85,7 +74,7 @@ std::string force_plot(const SceneFile& file, const MotionReport& report) {
   for (std::size_t k = 1; k < report.frames.size(); ++k)
     line.pieces[0].emplace_back(report.frames[k].time, push_force(file, report.frames[k]).norm());
   plot.panels.push_back({"N", {line}});
-  for (const ToldEvent& event : told_events(file, report)) {
+  for (const EventLine& event : event_lines(file, report)) {
     const bool is_near =
         !plot.marks.empty() && event.time - plot.marks.back().x < least_between * plot.x_to;
     if (!is_near && plot.marks.size() == most_marks) break;
@@ -129,7 +118,7 @@ std::string controls(std::size_t count) {
 
 std::string events_list(const SceneFile& file, const MotionReport& report) {
   constexpr std::size_t most = 60;
-  const std::vector<ToldEvent> events = told_events(file, report);
+  const std::vector<EventLine> events = event_lines(file, report);
   if (events.empty()) return "";
   std::string text = "<h2>Events</h2>\n<ul>\n";
   for (std::size_t k = 0; k < std::min(events.size(), most); ++k)
@@ -142,32 +131,24 @@ std::string events_list(const SceneFile& file, const MotionReport& report) {
 
 std::string move_html(const SceneFile& file, const MotionReport& report) {
   const MotionPainter painter(file, report);
-  const std::vector<std::size_t> told = spread_out(report.frames.size(), most_moments);
+  const std::vector<std::size_t> shown = spread_out(report.frames.size(), most_moments);
   const std::string title = escaped(file.title.empty() ? "A motion without a title" : file.title);
   const std::string sentence = move_sentence(file, report);
-  Drawing drawing{"move",
-                  "The object on its way",
-                  sentence + " Seen in " + painter.view().title + ".",
-                  MotionPainter::width,
-                  MotionPainter::height,
-                  ""};
-  drawing.elements =
-      painter.surroundings() + painter.ghosts({0}) + moments(painter, report, told) + painter.way();
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-         "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
-         "data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'\"/>\n"
-         "<link rel=\"icon\" href=\"data:,\"/>\n<title>" +
-         title + "</title>\n<style>\n" + palette(":root") + drawing_style() + page_style +
-         player_style + "</style>\n</head>\n<body>\n<header>\n<h1>" + title +
-         "</h1>\n</header>\n<main>\n<p class=\"lead\">" + escaped(sentence) +
-         "</p>\n<div class=\"stage\">\n" + svg_element(drawing) + controls(told.size()) +
-         now_table(file) + "</div>\n" + force_plot(file, report) + events_list(file, report) +
+  const Drawing drawing{"move",
+                        "The object on its way",
+                        sentence + " Seen in " + painter.axes() + ".",
+                        MotionPainter::width,
+                        MotionPainter::height,
+                        painter.surroundings() + painter.ghosts({0}) +
+                            moments(painter, report, shown) + painter.path()};
+  return page_head(title, player_style, "; script-src 'unsafe-inline'") + "<p class=\"lead\">" +
+         escaped(sentence) + "</p>\n<div class=\"stage\">\n" + svg_element(drawing) +
+         controls(shown.size()) + now_table(file) + "</div>\n" + force_plot(file, report) +
+         events_list(file, report) +
          "</main>\n<footer>\n<p>SI units, the scene's axes, the gripper's frame. " +
          escaped(step_words(report)) + ". Written by lcpush " + version_text +
          ".</p>\n</footer>\n<script type=\"application/json\" id=\"frames\">" +
-         frames_json(file, report, told) + "</script>\n<script>" + player_script +
+         frames_json(file, report, shown) + "</script>\n<script>" + player_script +
          "</script>\n</body>\n</html>\n";
 }
 

@@ -87,7 +87,7 @@ std::string move_json(const SceneFile& file, const MotionReport& report) {
     json.member("motion", kinds[static_cast<int>(phase.kind)])
         .member("from", phase.from)
         .member("until", phase.until)
-        .member("way", phase.way)
+        .member("way", phase.path)
         .member("angle", phase.angle);
   });
   json.objects("events", report.events, [&](const MotionEvent& event) {

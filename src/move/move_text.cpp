@@ -2,6 +2,7 @@
 
 #include "move/motion_painter.hpp"
 #include "move/move_words.hpp"
+#include "move/settings.hpp"
 #include "solve/push_words.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
@@ -17,21 +18,11 @@ constexpr double degrees_of = 180 / 3.14159265358979323846;
 
 /// "left 8 slip; wall 2 stick, 2 beside": bodies that touch first.
 std::string contacts_words(const SceneFile& file, const MotionFrame& frame) {
+  constexpr const char* words[] = {"sticks", "slips", "parted", "beside", "behind", "end", "away"};
   std::vector<std::string> parts;
-  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
-    std::vector<Index> counts(7, 0);
-    for (const Index i : points_of(file.bodies[b]))
-      ++counts[static_cast<std::size_t>(frame.contacts[static_cast<std::size_t>(i)].touch)];
-    constexpr const char* verbs[] = {"sticks", "slips", "parted", "beside",
-                                     "behind", "end",   "away"};
-    std::vector<std::string> deeds;
-    for (std::size_t t = 0; t < counts.size(); ++t)
-      if (counts[t] == file.bodies[b].point_count)
-        deeds.emplace_back(verbs[t]);
-      else if (counts[t] > 0)
-        deeds.push_back(std::to_string(counts[t]) + " " + verbs[t]);
-    parts.push_back(file.body_names[b] + " " + joined(deeds, " "));
-  }
+  for (std::size_t b = 0; b < file.bodies.size(); ++b)
+    parts.push_back(file.body_names[b] + " " +
+                    joined(touch_words(file, frame, b, words, false), " "));
   return joined(parts, ", ");
 }
 
@@ -49,12 +40,13 @@ std::vector<Index> moving_axes(const MotionReport& report, bool turns, double le
 }
 
 std::string frames_table(const SceneFile& file, const MotionReport& report, bool verbose) {
-  double way = 0, turned = 0;
+  double path = 0, turned = 0;
   for (const MotionFrame& frame : report.frames) {
-    way = std::max(way, frame.pose.position.norm());
+    path = std::max(path, frame.pose.position.norm());
     turned = std::max(turned, object_size(file) / 2 * rotation_vector(frame.pose.rotation).norm());
   }
-  const double least = std::max(1e-3 * std::max(way, turned), unmoved * object_size(file));
+  const double least =
+      std::max(1e-3 * std::max(path, turned), MoveSettings::unmoved * object_size(file));
   std::vector<Index> shifts = moving_axes(report, false, least);
   const std::vector<Index> turns = moving_axes(report, true, 2 * least / object_size(file));
   if (shifts.empty() && turns.empty()) shifts = {0, 1, 2};
@@ -82,13 +74,13 @@ std::string frames_table(const SceneFile& file, const MotionReport& report, bool
 
 std::string events_text(const SceneFile& file, const MotionReport& report, bool verbose) {
   std::vector<std::string> lines;
-  for (const ToldEvent& event : told_events(file, report))
+  for (const EventLine& event : event_lines(file, report))
     lines.push_back(in_digits(event.time, 4) + " s: " + event.words +
                     (verbose ? printed(" (within %.1g s)", event.within) : ""));
   std::string text;
-  const std::size_t told = verbose ? lines.size() : std::min(lines.size(), brief_events);
-  for (std::size_t k = 0; k < told; ++k) text += (k > 0 ? "\n" : "") + lines[k];
-  if (told < lines.size()) text += "\n" + std::to_string(lines.size() - told) + " more, with -v";
+  const std::size_t shown = verbose ? lines.size() : std::min(lines.size(), brief_events);
+  for (std::size_t k = 0; k < shown; ++k) text += (k > 0 ? "\n" : "") + lines[k];
+  if (shown < lines.size()) text += "\n" + std::to_string(lines.size() - shown) + " more, with -v";
   return text;
 }
 

@@ -1,6 +1,7 @@
 #include "move/move_words.hpp"
 
 #include "lcpush/desktop/naming.hpp"
+#include "move/settings.hpp"
 #include "solve/sentence.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
@@ -12,9 +13,9 @@
 namespace lcpush::desktop {
 namespace {
 
+using Settings = MoveSettings;
+
 constexpr double degrees_a_radian = 180 / 3.14159265358979323846;
-// What is less than this part of the rest is not worth a word.
-constexpr double worth_a_word = 1e-3;
 
 std::string millimetres(double metres) { return brief(1000 * metres) + " mm"; }
 std::string degrees(double radians) {
@@ -96,8 +97,6 @@ const char* touch_verb(Touch from, Touch to) {
   return "";
 }
 
-bool is_touching(Touch touch) { return touch == Touch::sticks || touch == Touch::slips; }
-
 /// Points of one body that do the same after the same step.
 struct EventGroup {
   MotionEvent event; ///< of the first of them
@@ -163,7 +162,7 @@ Vector3<double> rotation_vector(const Matrix3<double>& R) {
   const Vector3<double> twice(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
   const double sine = twice.norm() / 2, cosine = (R.trace() - 1) / 2;
   const double angle = std::atan2(sine, cosine);
-  if (sine > 1e-6) return twice * (angle / (2 * sine));
+  if (sine > Settings::half_turn) return twice * (angle / (2 * sine));
   if (cosine > 0) return twice / 2;
   // Half a turn: R + 1 is twice the axis' square.
   const Matrix3<double> square = (R + Matrix3<double>::Identity()) / 2;
@@ -180,45 +179,59 @@ Vector3<double> push_force(const SceneFile& file, const MotionFrame& frame) {
 }
 
 std::string phase_words(const SceneFile& file, const MotionPhase& phase) {
-  const double angle = phase.turn.norm(), way = phase.along.norm();
+  const double angle = phase.turn.norm(), path = phase.along.norm();
   const double turned = object_size(file) / 2 * phase.angle;
   const std::string about = phase.turn.norm() > 0 ? " " + turn_phrase(phase.turn.normalized()) : "";
-  const bool goes = way > worth_a_word * (phase.way + turned);
+  const bool goes = path > Settings::worth_a_word * (phase.path + turned);
   const std::string along =
       goes ? " along " + direction_text(phase.along.normalized()) : std::string();
   switch (phase.kind) {
   case MotionKind::rest: return "stays for " + brief(phase.until - phase.from) + " s";
-  case MotionKind::slide: return "slides " + millimetres(way) + along;
+  case MotionKind::slide: return "slides " + millimetres(path) + along;
   case MotionKind::pivot: return "pivots " + degrees(angle) + about;
   case MotionKind::roll: return "rolls " + degrees(angle) + about;
   case MotionKind::turn: break;
   }
-  return "turns " + degrees(angle) + about + " and goes " + millimetres(way) + along;
+  return "turns " + degrees(angle) + about + " and goes " + millimetres(path) + along;
 }
 
 std::string move_sentence(const SceneFile& file, const MotionReport& report) {
-  std::vector<std::string> deeds;
-  for (const MotionPhase& phase : report.phases) deeds.push_back(phase_words(file, phase));
+  std::vector<std::string> parts;
+  for (const MotionPhase& phase : report.phases) parts.push_back(phase_words(file, phase));
   std::string name = object_name(file);
   name[0] = 'T';
   const bool rests = report.phases.size() == 1 && report.phases[0].kind == MotionKind::rest;
-  const std::string what = deeds.empty() || rests ? "does not move" : joined(deeds, ", then ");
-  const bool is_long = deeds.size() > 1 || report.end != MoveEnd::time;
+  const std::string what = parts.empty() || rests ? "does not move" : joined(parts, ", then ");
+  const bool is_long = parts.size() > 1 || report.end != MoveEnd::time;
   return name + " " + what + (is_long ? ", " : " ") + end_words(file, report) + "." +
          parted_words(file, report);
 }
 
-std::vector<ToldEvent> told_events(const SceneFile& file, const MotionReport& report) {
-  std::vector<ToldEvent> told;
+std::vector<EventLine> event_lines(const SceneFile& file, const MotionReport& report) {
+  std::vector<EventLine> lines;
   for (const EventGroup& group : grouped_events(file, report))
-    told.push_back({group.event.time, group.event.within, event_words(file, group)});
+    lines.push_back({group.event.time, group.event.within, event_words(file, group)});
   for (const ForceJump& jump : report.jumps)
-    told.push_back({jump.time, jump.within,
-                    std::string("the push ") + (jump.to < jump.from ? "falls" : "rises") +
-                        " from " + brief(jump.from) + " to " + brief(jump.to) + " N"});
-  std::stable_sort(told.begin(), told.end(),
-                   [](const ToldEvent& a, const ToldEvent& b) { return a.time < b.time; });
-  return told;
+    lines.push_back({jump.time, jump.within,
+                     std::string("the push ") + (jump.to < jump.from ? "falls" : "rises") +
+                         " from " + brief(jump.from) + " to " + brief(jump.to) + " N"});
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const EventLine& a, const EventLine& b) { return a.time < b.time; });
+  return lines;
+}
+
+std::vector<std::string> touch_words(const SceneFile& file, const MotionFrame& frame, std::size_t b,
+                                     const char* const (&words)[7], bool counts_all) {
+  Index counts[7] = {};
+  for (const Index i : points_of(file.bodies[b]))
+    ++counts[static_cast<std::size_t>(frame.contacts[static_cast<std::size_t>(i)].touch)];
+  std::vector<std::string> parts;
+  for (std::size_t t = 0; t < 7; ++t)
+    if (counts[t] == file.bodies[b].point_count && !counts_all)
+      parts.emplace_back(words[t]);
+    else if (counts[t] > 0)
+      parts.push_back(std::to_string(counts[t]) + " " + words[t]);
+  return parts;
 }
 
 std::string step_words(const MotionReport& report) {
@@ -229,23 +242,21 @@ std::string step_words(const MotionReport& report) {
   if (report.error)
     text += ", together within about " + millimetres(*report.error) + " (tolerance " +
             millimetres(report.tolerance) + ")";
-  // Below these, digits only say how rounding went.
-  constexpr double no_residual = 1e-9, no_depth = 1e-9;
-  text += "; laws within " +
-          (report.residual <= no_residual ? std::string("1e-9") : residual_text(report.residual));
-  return text + (report.penetration <= no_depth
+  text += "; laws within " + (report.residual <= Settings::exact ? std::string("1e-9")
+                                                                 : residual_text(report.residual));
+  return text + (report.penetration <= Settings::exact
                      ? std::string(", no point inside its face")
                      : ", deepest point inside its face " + millimetres(report.penetration));
 }
 
 std::string pose_words(const SceneFile& file, const Pose<double>& pose) {
   const Vector3<double> turn = rotation_vector(pose.rotation);
-  const double way = pose.position.norm(), turned = object_size(file) / 2 * turn.norm();
+  const double path = pose.position.norm(), turned = object_size(file) / 2 * turn.norm();
   std::vector<std::string> parts;
-  const double least = unmoved * object_size(file);
-  if (way > std::max(worth_a_word * turned, least))
-    parts.push_back(millimetres(way) + " along " + direction_text(pose.position / way));
-  if (turned > std::max(worth_a_word * way, least))
+  const double least = Settings::unmoved * object_size(file);
+  if (path > std::max(Settings::worth_a_word * turned, least))
+    parts.push_back(millimetres(path) + " along " + direction_text(pose.position / path));
+  if (turned > std::max(Settings::worth_a_word * path, least))
     parts.push_back("turned by " + degrees(turn.norm()) + " " + turn_phrase(turn.normalized()));
   return parts.empty() ? "where it was" : joined(parts, ", ");
 }

@@ -5,24 +5,28 @@
 
 namespace lcpush::desktop {
 
-constexpr double unmoved = 1e-9; ///< of the object's size: rounding goes farther in no run
-
 /// "The box slides 12.3 mm along x, then pivots 14 degrees clockwise about z, until left leaves its
 /// face after 0.71 s."
 std::string move_sentence(const SceneFile& file, const MotionReport& report);
 /// "slides 12.3 mm along x".
 std::string phase_words(const SceneFile& file, const MotionPhase& phase);
-struct ToldEvent {
+struct EventLine {
   double time, within; ///< s; at the end of a step so long
   std::string words;   ///< "left.3 leaves its face", "left begins to slip at 4 of its 12 points"
 };
 /// In order of time: what contacts do, points of one body that do the same at once as one, and
 /// jumps of the push.
-std::vector<ToldEvent> told_events(const SceneFile& file, const MotionReport& report);
+std::vector<EventLine> event_lines(const SceneFile& file, const MotionReport& report);
 /// How well it was stepped, without a full stop.
 std::string step_words(const MotionReport& report);
 /// "30 mm along x, turned by 12 degrees counter-clockwise about z".
 std::string pose_words(const SceneFile& file, const Pose<double>& pose);
+
+inline bool is_touching(Touch touch) { return touch == Touch::sticks || touch == Touch::slips; }
+/// "8 slip", "3 stick and 1 beside": how many points of a body do what, in these words for the
+/// values of Touch; `counts_all`: the number too where all do the same.
+std::vector<std::string> touch_words(const SceneFile& file, const MotionFrame& frame, std::size_t b,
+                                     const char* const (&words)[7], bool counts_all);
 
 /// rad, a rotation's axis times its angle, up to half a turn.
 Vector3<double> rotation_vector(const Matrix3<double>& rotation);

@@ -2,21 +2,33 @@
 #pragma once
 
 #include "lcpush/desktop/scene_io.hpp"
-#include "move/contact_faces.hpp"
+#include "lcpush/mechanics/model/faces.hpp"
 
 #include <vector>
 
 namespace lcpush::desktop {
 
+/// The arrays behind a motion's Surroundings, about the object's centre of mass.
+struct ContactFaces {
+  std::vector<Touching> touching;
+  std::vector<Face<double>> faces;
+  std::vector<std::vector<Vector3<double>>> corners; ///< of the faces
+  std::vector<RoundSide<double>> sides;
+  std::vector<unsigned char> absent; ///< of the bodies, as strokes come and go
+
+  /// Valid while this lives unchanged; the flags may change.
+  Surroundings<double> view();
+};
+
 class StrokeFaces {
 public:
-  /// `file` must outlive it. Throws InputError where a body meets no face.
+  /// `file` must outlive it. Throws InputError, with file and line, where a body meets no face.
   explicit StrokeFaces(const SceneFile& file);
   StrokeFaces(const StrokeFaces&) = delete; // views would look into the other one
   StrokeFaces& operator=(const StrokeFaces&) = delete;
 
-  /// To be called where strokes may begin, with the object's turn: their bodies touch what they
-  /// meet there.
+  /// To be called where strokes may begin, with the object's turn: their bodies touch the faces
+  /// that their normals point into there. Throws InputError where there is none.
   void begin_strokes(double time, const Matrix3<double>& turned);
   /// Who is there in a step with this middle?
   void place_strokes(double middle);

@@ -1,6 +1,5 @@
 #include "picture/contact_figures.hpp"
 
-#include "picture/drawn_facets.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "picture/turning.hpp"
-
 namespace lcpush::desktop {
 namespace {
 
@@ -21,15 +19,17 @@ bool is_same(const Frame& a, const Frame& b, double least) {
 
 } // namespace
 
-Vector3<double> middle_of(const std::vector<Vector3<double>>& positions, const Body<double>& body) {
+Vector3<double> DrawnScene::middle(const Body<double>& body) const {
   Vector3<double> sum = Vector3<double>::Zero();
-  for (const Index i : points_of(body)) sum += positions[static_cast<std::size_t>(i)];
+  for (const Index i : points_of(body)) sum += position(i);
   return sum / static_cast<double>(body.point_count);
 }
 
-GraspFigures::GraspFigures(const SceneFile& file, const Sight& sight, const Sizes& sizes)
-    : file_(file), scene_(file.view()), sight_(sight), sizes_(sizes),
-      positions_(drawn_positions(file)), object_(object_prism(file)) {}
+double DrawnScene::reach() const {
+  double reach = file.shape.size.norm() / 2;
+  for (const auto& position : positions) reach = std::max(reach, (position - center()).norm());
+  return reach;
+}
 
 PrismPicture GraspFigures::seen(const Prism& prism) const {
   return picture_of(prism, sight_.view,
@@ -44,7 +44,7 @@ Figure GraspFigures::figure_of(const Prism& prism, const std::string& kind) cons
 }
 
 Prism GraspFigures::moved(const Prism& prism, const Pose<double>& pose) const {
-  const Vector3<double>& center = file_.object.center_of_mass;
+  const Vector3<double>& center = drawn_.center();
   Prism there;
   for (const auto& corner : prism.base) there.base.emplace_back(center + pose.at(corner - center));
   there.along = pose.turned(prism.along);
@@ -52,32 +52,32 @@ Prism GraspFigures::moved(const Prism& prism, const Pose<double>& pose) const {
 }
 
 Figure GraspFigures::object(const Pose<double>& pose) const {
-  const bool is_guessed = file_.shape.kind == ObjectShape::Kind::unknown;
-  return figure_of(moved(object_, pose), is_guessed ? "object guessed" : "object");
+  const bool is_guessed = drawn_.file.shape.kind == ObjectShape::Kind::unknown;
+  return figure_of(moved(drawn_.object, pose), is_guessed ? "object guessed" : "object");
 }
 
 bool GraspFigures::is_driven(Index b) const {
-  return std::any_of(scene_.drives.begin(), scene_.drives.end(),
+  return std::any_of(drawn_.scene.drives.begin(), drawn_.scene.drives.end(),
                      [b](const Drive<double>& drive) { return drive.body == b; });
 }
 
 bool GraspFigures::is_table(Index b) const {
-  const double weight = file_.gravity.norm();
-  return !is_driven(b) && weight > 0 && scene_.bodies[b].normal.dot(file_.gravity) < -0.9 * weight;
+  const double weight = drawn_.file.gravity.norm();
+  return !is_driven(b) && weight > 0 &&
+         drawn_.scene.bodies[b].normal.dot(drawn_.file.gravity) < -0.9 * weight;
 }
 
 bool GraspFigures::is_rod(Index b) const {
-  return !is_table(b) && (is_driven(b) || scene_.bodies[b].point_count == 1);
+  return !is_table(b) && (is_driven(b) || drawn_.scene.bodies[b].point_count == 1);
 }
 
 /// With round ends, as wide as the contact.
 Figure GraspFigures::rod(const Body<double>& body, const std::string& kind,
                          const Pose<double>& pose) const {
-  const Vector3<double>& center = file_.object.center_of_mass;
-  const Vector3<double> tip = middle_of(positions_, body);
+  const Vector3<double>& center = drawn_.center();
+  const Vector3<double> tip = drawn_.middle(body);
   double reach = 0;
-  for (const Index i : points_of(body))
-    reach = std::max(reach, (positions_[static_cast<std::size_t>(i)] - tip).norm());
+  for (const Index i : points_of(body)) reach = std::max(reach, (drawn_.position(i) - tip).norm());
   const double thick = std::clamp(sight_.meters * reach + 3, least_finger, widest_finger);
   const Pixel at = sight_.place(center + pose.at(tip - center));
   const Pixel along = sight_.view.flat(pose.turned(body.normal));
@@ -91,11 +91,11 @@ Figure GraspFigures::rod(const Body<double>& body, const std::string& kind,
 }
 
 Prism GraspFigures::plate(Index b) const {
-  const Body<double>& body = scene_.bodies[b];
+  const Body<double>& body = drawn_.scene.bodies[b];
   std::vector<Vector3<double>> carried;
-  for (const Index i : points_of(body)) carried.push_back(positions_[static_cast<std::size_t>(i)]);
+  for (const Index i : points_of(body)) carried.push_back(drawn_.position(i));
   if (is_table(b))
-    for (const auto& corner : corners_of(object_)) {
+    for (const auto& corner : corners_of(drawn_.object)) {
       const double above = body.normal.dot(corner - carried.front());
       carried.emplace_back(corner - above * body.normal);
     }
@@ -105,34 +105,31 @@ Prism GraspFigures::plate(Index b) const {
 }
 
 Figure GraspFigures::body(Index b, const std::string& kind, const Pose<double>& pose) const {
-  if (is_rod(b)) return rod(scene_.bodies[b], kind, pose);
+  if (is_rod(b)) return rod(drawn_.scene.bodies[b], kind, pose);
   return figure_of(moved(plate(b), pose), kind);
 }
 
 Figure GraspFigures::ghost(const PushReport& report) const {
   const Motion<double>& motion = report.motion;
   if (motion.kind == MotionKind::rest) return {};
-  Displacement moved;
+  Vector6<double> twist = Vector6<double>::Zero();
   if (turns(motion)) {
-    moved.point = file_.object.center_of_mass + motion.axis_point;
-    moved.axis = motion.axis;
+    const Vector3<double> turn = motion.rotation * motion.axis;
+    twist << cross<double>(motion.axis_point, turn) + motion.pitch * turn, turn;
+  } else {
+    twist.head<3>() = motion.translation * motion.direction;
   }
-  const auto moved_by = [&](double part) {
-    Displacement d = moved;
-    d.angle = turns(motion) ? part * motion.rotation : 0;
-    d.shift = turns(motion) ? Vector3<double>(part * motion.rotation * motion.pitch * motion.axis)
-                            : Vector3<double>(part * motion.translation * motion.direction);
-    return d;
-  };
   double fastest_corner = 0;
-  for (const auto& corner : corners_of(object_)) {
-    const Vector3<double> arm = corner - file_.object.center_of_mass;
+  for (const auto& corner : corners_of(drawn_.object)) {
+    const Vector3<double> arm = corner - drawn_.center();
     fastest_corner =
         std::max(fastest_corner, acceleration_at(arm, report.answer.acceleration).norm());
   }
   double part = sizes_.ghost / sight_.meters / fastest_corner;
   if (turns(motion)) part = std::min(part, most_ghost_turn / motion.rotation);
-  const PrismPicture here = seen(object_), there = seen(moved_by(part)(object_));
+  const PrismPicture here = seen(drawn_.object),
+                     there =
+                         seen(moved(drawn_.object, moved_about_origin<double>({}, twist, part)));
   if (is_same(bounds(there.outline), bounds(here.outline), sizes_.least_ghost)) return {};
   Figure figure{there.outline, ""};
   for (const auto& face : there.faces) figure.elements += polygon_element("ghost inner", face);

@@ -9,23 +9,37 @@
 
 namespace lcpush::desktop {
 
-/// From where a grasp is seen, and where it stands on the picture.
-struct Sight {
-  View view;
-  double meters = 1;           ///< pixels a metre
-  Pixel shift = Pixel::Zero(); ///< where the scene's origin stands
+/// A scene with what every picture of it draws, made once. Precondition: the file outlives it.
+struct DrawnScene {
+  const SceneFile& file;
+  Scene<double> scene;
+  Prism object;                           ///< its box where the scene gives an inertia alone
+  std::vector<Vector3<double>> positions; ///< where contact points are drawn
 
-  Pixel place(const Vector3<double>& at) const { return shift + meters * view.flat(at); }
+  explicit DrawnScene(const SceneFile& scene_file)
+      : file(scene_file), scene(file.view()), object(object_prism(file)),
+        positions(drawn_positions(file)) {}
+
+  const Vector3<double>& center() const { return file.object.center_of_mass; }
+  const Vector3<double>& position(Index point) const {
+    return positions[static_cast<std::size_t>(point)];
+  }
+  /// The middle of a body's points.
+  Vector3<double> middle(const Body<double>& body) const;
+  /// Half of the largest extent of all that is there, about the centre of mass [m].
+  double reach() const;
 };
+
+/// Does the object turn about an axis?
+inline bool turns(const Motion<double>& motion) {
+  return motion.kind != MotionKind::rest && motion.kind != MotionKind::slide;
+}
 
 /// Elements, and what encloses them.
 struct Figure {
   std::vector<Pixel> outline;
   std::string elements;
 };
-
-/// The middle of a body's points.
-Vector3<double> middle_of(const std::vector<Vector3<double>>& positions, const Body<double>& body);
 
 class GraspFigures {
 public:
@@ -37,7 +51,8 @@ public:
   };
 
   /// Precondition: both outlive the figures.
-  GraspFigures(const SceneFile& file, const Sight& sight, const Sizes& sizes);
+  GraspFigures(const DrawnScene& drawn, const Sight& sight, const Sizes& sizes)
+      : drawn_(drawn), sight_(sight), sizes_(sizes) {}
 
   /// `pose`: of the object or of the body, about the centre of mass, from where the scene has it.
   Figure object(const Pose<double>& pose = {}) const;
@@ -51,17 +66,10 @@ public:
   /// The object a moment later, dashed; empty where that looks as now. Precondition: it is solved.
   Figure ghost(const PushReport& report) const;
 
-  /// Where contact points are drawn.
-  const std::vector<Vector3<double>>& positions() const { return positions_; }
-  const Prism& prism() const { return object_; }
-
 private:
-  const SceneFile& file_;
-  const Scene<double> scene_;
+  const DrawnScene& drawn_;
   const Sight& sight_;
   const Sizes sizes_;
-  const std::vector<Vector3<double>> positions_;
-  const Prism object_;
 
   PrismPicture seen(const Prism& prism) const;
   Figure figure_of(const Prism& prism, const std::string& kind) const;

@@ -53,19 +53,24 @@ PushOptions options_of(bool in_full) {
 }
 
 /// What a hand can take, and what moves with it.
-void write_page_scene(JsonWriter& json, const SceneFile& file) {
-  const std::vector<Vector3<double>> drawn = drawn_positions(file);
+void write_page_scene(JsonWriter& json, const DrawnScene& drawn) {
+  const SceneFile& file = drawn.file;
   json.begin_object().member("title", file.title);
-  json.member("center_of_mass", file.object.center_of_mass).member("reach", grasp_reach(file));
+  json.member("center_of_mass", drawn.center()).member("reach", drawn.reach());
   json.key("shape").begin_object().member("size", file.shape.size);
   json.member("axis", file.shape.axis).end_object();
-  json.objects("bodies", static_cast<Index>(file.bodies.size()), [&](Index b) {
-    const Body<double>& body = file.body(b);
+  json.objects("bodies", drawn.scene.bodies.size, [&](Index b) {
+    const Body<double>& body = drawn.scene.bodies[b];
     json.member("name", file.body_name(b));
     json.member("role", body.role == Role::finger ? "finger" : "pusher");
-    json.member("normal", body.normal).member("middle", middle_of(drawn, body));
+    json.member("normal", body.normal).member("middle", drawn.middle(body));
   });
   json.end_object();
+}
+
+void write_picture(JsonWriter& json, const StatePicture& picture) {
+  json.member("picture", picture.svg).member("meters", picture.sight.meters);
+  json.member("right", picture.sight.view.right).member("up", picture.sight.view.up);
 }
 
 /// The pusher whose force is meant: the first.
@@ -98,7 +103,7 @@ PressingPlace pressing_place(const Body<double>& body, const MotionFrame& frame)
   int count = 0;
   for (const Index i : points_of(body)) {
     const PointState& point = frame.contacts[static_cast<std::size_t>(i)];
-    if (point.touch != Touch::sticks && point.touch != Touch::slips) continue;
+    if (!is_touching(point.touch)) continue;
     place.middle += point.position;
     place.normal = point.normal;
     ++count;
@@ -176,7 +181,7 @@ std::string first_sentence(const SceneFile& file, const PushReport& report) {
 }
 
 Playground::Solved::Solved(std::string_view scene, bool is_in_full)
-    : text(scene), in_full(is_in_full), file(small_scene(scene)), push(file),
+    : text(scene), in_full(is_in_full), file(small_scene(scene)), drawn(file), push(file),
       hold(push.holds_without_push(options_of(in_full))), report(push.solve(options_of(in_full))) {}
 
 const Playground::Solved& Playground::solved(std::string_view text, bool in_full) {
@@ -190,11 +195,12 @@ std::string Playground::solve(std::string_view text, bool in_full, std::string_v
   const std::string answer = solve_json(file, now.hold, now.report);
   const std::string sentence = first_sentence(file, now.report);
   if (look.empty()) return with_words(answer, sentence);
-  const StatePicture picture = state_picture(file, now.report, read_look(look), sentence);
+  const StatePicture picture = state_picture(now.drawn, now.report, read_look(look), sentence);
   JsonWriter more;
   more.begin_object().key("scene");
-  write_page_scene(more, file);
-  more.member("picture", picture.svg).member("meters", picture.meters).end_object();
+  write_page_scene(more, now.drawn);
+  write_picture(more, picture);
+  more.end_object();
   return with_words(answer, sentence, ", " + more.text().substr(1, more.text().rfind('}') - 1));
 }
 
@@ -202,11 +208,11 @@ std::string Playground::look(std::string_view text, std::string_view look) {
   const Look wanted = read_look(look);
   const bool is_last = last_ && last_->text == text && last_->in_full == wanted.in_full;
   const Solved& now = is_last ? *last_ : solved(text, wanted.in_full);
-  const SceneFile& file = now.file;
-  const StatePicture picture =
-      state_picture(file, now.report, wanted, first_sentence(file, now.report));
   JsonWriter json;
-  json.begin_object().member("picture", picture.svg).member("meters", picture.meters).end_object();
+  json.begin_object();
+  write_picture(json,
+                state_picture(now.drawn, now.report, wanted, first_sentence(now.file, now.report)));
+  json.end_object();
   return json.text();
 }
 

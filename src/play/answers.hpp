@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "lcpush/desktop/push.hpp"
+#include "picture/grasp_figures.hpp"
 
 namespace lcpush::desktop {
 
@@ -16,10 +17,10 @@ class Playground {
 public:
   /// `question` is a word and what goes with it, `text` a scene; LOOK as read_look reads it:
   ///   "solve LOOK"   {"answer": as `solve --json`, "sentence": its first, "scene": what a hand can
-  ///                  take, "picture": as SVG, "meters": pixels a metre}; without LOOK the first
-  ///                  two
+  ///                  take, and as "look"}; without LOOK the first two
   ///   "drag LOOK"    the same without other answers and remedies, which take most of the time
-  ///   "look LOOK"    {"picture", "meters"}
+  ///   "look LOOK"    {"picture": as SVG, "meters": pixels a metre, "right", "up": the directions
+  ///                  that it shows so}
   ///   "break"        {"answer": as `break --json`, "sentence": empty without an answer}
   ///   "move T N"     {"answer": as `move --json --time T --frames N`, "sentence": its first,
   ///                  "poses": where the bodies are, frame by frame: position, rotation column by
@@ -36,7 +37,8 @@ private:
     std::string text;
     bool in_full;
     SceneFile file;
-    Push push; ///< whose memory the report looks at
+    DrawnScene drawn; ///< of the file
+    Push push;        ///< whose memory the report looks at
     HoldReport hold;
     PushReport report;
 

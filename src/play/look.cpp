@@ -50,8 +50,11 @@ Look read_look(std::string_view text) {
   Look look;
   if (const JsonValue* const full = value.find("full"); full != nullptr && full->as<bool>())
     look.in_full = *full->as<bool>();
-  look.right = reader.needed<3>(value, "right");
-  look.up = reader.needed<3>(value, "up");
+  look.view = reader.fields.text(value, "view");
+  if (look.view.empty()) {
+    look.right = reader.needed<3>(value, "right");
+    look.up = reader.needed<3>(value, "up");
+  }
   look.meters = reader.fields.number(value, "meters").value_or(look.meters);
   look.letter = reader.fields.number(value, "letter").value_or(look.letter);
   if (const JsonArray* const dots = reader.fields.objects(value, "dots"); dots != nullptr)

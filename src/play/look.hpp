@@ -12,7 +12,7 @@
 namespace lcpush::desktop {
 
 /// What would happen with a body in another place.
-struct Elsewhere {
+struct OtherPlace {
   Vector3<double> at;
   std::string kind, words;
 };
@@ -32,17 +32,19 @@ struct Moment {
 
 struct Look {
   bool in_full = true;       ///< as "solve" or as "drag"
+  std::string view;          ///< "front", "top", "side" or "isometric"; empty: as follows
   Vector3<double> right, up; ///< of the scene, on the picture; unit vectors
   double meters = 0;         ///< pixels a metre; 0: as large as all fits, however it is turned
   double letter = 7.5;       ///< pixels a letter is wide
-  std::vector<Elsewhere> dots;
+  std::vector<OtherPlace> dots;
   std::optional<Moment> moment;
 };
 
-/// {"full": true, "right": [3 numbers], "up": [3], "meters", "letter", "dots": [{"at", "kind",
-/// "words"}], "moment": {"position", "rotation": [9, row by row], "most_force", "path": [3 a
-/// place], "bodies": [{"position", "columns": [9, column by column], "middle", "normal", "force",
-/// "normal_force"}]}}; all but the directions can be left out. Throws InputError.
+/// {"full": true, "view": "front" or "right": [3 numbers] with "up": [3], "meters", "letter",
+/// "dots": [{"at", "kind", "words"}], "moment": {"position", "rotation": [9, row by row],
+/// "most_force", "path": [3 a place], "bodies": [{"position", "columns": [9, column by column],
+/// "middle", "normal", "force", "normal_force"}]}}; all but the view can be left out. Throws
+/// InputError.
 Look read_look(std::string_view text);
 
 } // namespace lcpush::desktop

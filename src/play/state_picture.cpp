@@ -3,6 +3,7 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "picture/contact_figures.hpp"
 #include "text/format.hpp"
+#include "text/wording.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,33 +15,37 @@ namespace {
 constexpr double state_width = 720, state_height = 480, state_margin = 92;
 constexpr double longest_arrow = 78;
 constexpr double rod_length = 46, label_distance = rod_length + 18;
-constexpr GraspFigures::Sizes state_sizes{rod_length, 30, 2};
 
 /// The part of a unit vector's length that lies in the picture, from which on its direction there
 /// can be told.
 constexpr double seen_part = 0.3;
 
 /// As large as all fits, however it is turned.
-double fitted_meters(const SceneFile& file, const View& view) {
-  const Vector3<double>& center = file.object.center_of_mass;
-  const double least = 0.2 * grasp_reach(file);
+double fitted_meters(const DrawnScene& drawn, const View& view) {
+  const double least = 0.2 * drawn.reach();
   Pixel most(least, least);
   const auto show = [&](const Vector3<double>& at) {
-    most = most.cwiseMax(view.flat(at - center).cwiseAbs());
+    most = most.cwiseMax(view.flat(at - drawn.center()).cwiseAbs());
   };
-  for (const auto& corner : corners_of(object_prism(file))) show(corner);
-  for (const auto& position : drawn_positions(file)) show(position);
-  return std::min((state_width / 2 - state_margin) / most.x(),
-                  (state_height / 2 - state_margin) / most.y());
+  for (const auto& corner : corners_of(drawn.object)) show(corner);
+  for (const auto& position : drawn.positions) show(position);
+  return fitting_scale({-most.x(), -most.y(), most.x(), most.y()}, state_width - 2 * state_margin,
+                       state_height - 2 * state_margin);
 }
 
-Sight sight_of(const SceneFile& file, const Look& look) {
-  const Vector3<double> toward = cross<double>(look.right, look.up);
-  Sight sight{{"", "", look.right, look.up, toward}};
-  sight.meters = look.meters > 0 ? look.meters : fitted_meters(file, sight.view);
-  sight.shift = Pixel(state_width / 2, state_height / 2) -
-                sight.meters * sight.view.flat(file.object.center_of_mass);
-  return sight;
+View view_of(const DrawnScene& drawn, const Look& look) {
+  if (look.view.empty()) return {"", "", look.right, look.up, cross<double>(look.right, look.up)};
+  std::vector<View> views = axis_views(drawn.file.gravity);
+  views.push_back(isometric_view(views[0]));
+  for (const View& view : views)
+    if (view.name == look.view) return view;
+  throw InputError("look: no view " + quoted(look.view));
+}
+
+Sight sight_of(const DrawnScene& drawn, const Look& look) {
+  const View view = view_of(drawn, look);
+  return {view, look.meters > 0 ? look.meters : fitted_meters(drawn, view),
+          Pixel(state_width / 2, state_height / 2), view.flat(drawn.center())};
 }
 
 } // namespace
@@ -48,9 +53,9 @@ Sight sight_of(const SceneFile& file, const Look& look) {
 /// One state from one direction.
 class StatePainter {
 public:
-  StatePainter(const SceneFile& file, const PushReport& report, const Look& look)
-      : file_(file), scene_(file.view()), report_(report), look_(look),
-        sight_(sight_of(file, look)), view_(sight_.view), figures_(file, sight_, state_sizes),
+  StatePainter(const DrawnScene& drawn, const PushReport& report, const Look& look)
+      : drawn_(drawn), report_(report), look_(look), sight_(sight_of(drawn, look)),
+        figures_(drawn, sight_, {rod_length, 30, 2}),
         is_answered_(report.status == Status::solved && !look.moment) {
     double most = look.moment ? look.moment->most_force : 0;
     for (Index i = 0; is_answered_ && i < scene_.points.size; ++i) {
@@ -60,16 +65,17 @@ public:
     newtons_ = longest_arrow / std::max(most, 1e-9);
   }
 
-  double meters() const { return sight_.meters; }
+  const Sight& sight() const { return sight_; }
   std::string svg(const std::string& title) const;
 
 private:
-  const SceneFile& file_;
-  const Scene<double> scene_;
+  const DrawnScene& drawn_;
+  const SceneFile& file_ = drawn_.file;
+  const Scene<double>& scene_ = drawn_.scene;
   const PushReport& report_;
   const Look& look_;
   const Sight sight_;
-  const View& view_;
+  const View& view_ = sight_.view;
   const GraspFigures figures_;
   const bool is_answered_; ///< and shown: not a moment of the motion
   double newtons_ = 0;     ///< pixels a newton
@@ -90,9 +96,8 @@ private:
 
 /// Of a body's contact, where it is now.
 Vector3<double> StatePainter::middle(Index b) const {
-  const Vector3<double> at = middle_of(figures_.positions(), scene_.bodies[b]);
+  const Vector3<double> at = drawn_.middle(scene_.bodies[b]), center = drawn_.center();
   if (!look_.moment) return at;
-  const Vector3<double>& center = file_.object.center_of_mass;
   return center + look_.moment->bodies[static_cast<std::size_t>(b)].pose.at(at - center);
 }
 
@@ -165,7 +170,7 @@ std::string StatePainter::contacts() const {
     const Body<double>& body = scene_.bodies[b];
     for (const Index i : points_of(body)) {
       const ContactAnswer<double>& answer = report_.answer.contacts[i];
-      const Pixel tip = sight_.place(figures_.positions()[static_cast<std::size_t>(i)]);
+      const Pixel tip = sight_.place(drawn_.position(i));
       text +=
           contact_figure(file_, view_, body, answer, tip, newtons_, report_.noise.force).elements +
           mode_mark(answer.mode, tip);
@@ -193,18 +198,15 @@ std::string StatePainter::pressing() const {
 }
 
 std::string StatePainter::trace() const {
-  std::string strokes;
-  if (!look_.moment) return strokes;
-  for (const auto& at : look_.moment->path) {
-    const std::string there = move_to(sight_.place(file_.object.center_of_mass + at));
-    strokes += strokes.empty() ? there : "L" + there.substr(1);
-  }
-  return path_element("trace", strokes);
+  if (!look_.moment) return "";
+  std::vector<Pixel> places;
+  for (const auto& at : look_.moment->path) places.push_back(sight_.place(drawn_.center() + at));
+  return polyline_element("trace", places);
 }
 
 std::string StatePainter::dots() const {
   std::string text;
-  for (const Elsewhere& dot : look_.dots) {
+  for (const OtherPlace& dot : look_.dots) {
     const Pixel at = sight_.place(dot.at);
     text += "<g class=\"dot " + escaped(dot.kind) + "\">" + circle_element("where", at, 4.5);
     if (dot.kind == "jams")
@@ -231,19 +233,12 @@ std::string StatePainter::svg(const std::string& title) const {
          before + trace() + dots() + contacts() + pressing() + labels + "</svg>";
 }
 
-StatePicture state_picture(const SceneFile& file, const PushReport& report, const Look& look,
+StatePicture state_picture(const DrawnScene& drawn, const PushReport& report, const Look& look,
                            const std::string& title) {
-  if (look.moment && look.moment->bodies.size() != file.bodies.size())
+  if (look.moment && look.moment->bodies.size() != drawn.file.bodies.size())
     throw InputError("look: another number of bodies than the scene has");
-  const StatePainter painter(file, report, look);
-  return {painter.svg(title), painter.meters()};
-}
-
-double grasp_reach(const SceneFile& file) {
-  double reach = file.shape.size.norm() / 2;
-  for (const auto& position : drawn_positions(file))
-    reach = std::max(reach, (position - file.object.center_of_mass).norm());
-  return reach;
+  const StatePainter painter(drawn, report, look);
+  return {painter.svg(title), painter.sight()};
 }
 
 std::string state_key() {

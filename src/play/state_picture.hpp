@@ -3,20 +3,18 @@
 #pragma once
 
 #include "lcpush/desktop/push.hpp"
+#include "picture/grasp_figures.hpp"
 #include "play/look.hpp"
 
 namespace lcpush::desktop {
 
 struct StatePicture {
-  std::string svg;   ///< an element; a body's parts are in a group with its name in data-body
-  double meters = 0; ///< pixels a metre
+  std::string svg; ///< an element; a body's parts are in a group with its name in data-body
+  Sight sight;
 };
 /// `title`: what is to be heard of it.
-StatePicture state_picture(const SceneFile& file, const PushReport& report, const Look& look,
+StatePicture state_picture(const DrawnScene& drawn, const PushReport& report, const Look& look,
                            const std::string& title);
-
-/// Half of the largest extent of all that is there, about the centre of mass [m].
-double grasp_reach(const SceneFile& file);
 
 /// What the picture's signs mean, as a list.
 std::string state_key();

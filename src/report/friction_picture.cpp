@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "picture/contact_figures.hpp"
-#include "picture/drawn_facets.hpp"
 #include "report/pictures.hpp"
 #include "solve/sentence.hpp"
 #include "text/format.hpp"

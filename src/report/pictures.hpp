@@ -7,13 +7,13 @@
 #include "draw/marks.hpp"
 #include "draw/view.hpp"
 #include "lcpush/desktop/push.hpp"
-#include "picture/turning.hpp"
+#include "picture/grasp_figures.hpp"
 
 namespace lcpush::desktop {
 
-/// A front view, and of the other two the one that shows more: where gravity points along z, that
-/// axis is up.
-std::vector<View> chosen_views(const SceneFile& file);
+inline std::vector<View> chosen_views(const SceneFile& file) {
+  return two_views(file.gravity, file.shape.size, file.bodies);
+}
 
 /// Is the axis a screw's? `length`: the size of the grasp, m.
 inline bool has_pitch(const Motion<double>& motion, double length) {
@@ -25,11 +25,11 @@ inline bool is_along_sight(const View& view, const Vector3<double>& axis) {
 }
 
 /// The isometric view: bodies as things, what each does, and a ghost of where the object goes.
-Drawing isometric_picture(const SceneFile& file, const PushReport& report);
+Drawing isometric_picture(const DrawnScene& drawn, const PushReport& report);
 
 /// One picture a view, to the same scales. Without an answer it shows the prescribed motions, and
 /// of a jam who squeezes.
-std::vector<Drawing> scene_pictures(const SceneFile& file, const PushReport& report);
+std::vector<Drawing> scene_pictures(const DrawnScene& drawn, const PushReport& report);
 
 /// The friction of each contact point that has some, within its polygon of radius mu lambda, body
 /// by body; of large patches the first points. Precondition, here and below: the push is solved.

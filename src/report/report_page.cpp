@@ -59,8 +59,9 @@ std::string legend(const SceneFile& file, const PushReport& push) {
 
 /// The isometric view, then the other two.
 std::vector<Drawing> grasp_pictures(const PageContent& content) {
-  std::vector<Drawing> drawings{isometric_picture(content.file, content.push)};
-  for (Drawing& drawing : scene_pictures(content.file, content.push))
+  const DrawnScene drawn(content.file);
+  std::vector<Drawing> drawings{isometric_picture(drawn, content.push)};
+  for (Drawing& drawing : scene_pictures(drawn, content.push))
     drawings.push_back(std::move(drawing));
   return drawings;
 }
@@ -163,15 +164,8 @@ std::string report_html(const PageContent& content) {
   if (solved) sections.push_back(residual_section(content));
   const std::string title =
       escaped(content.file.title.empty() ? "A push without a title" : content.file.title);
-  std::string page =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-      "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-      "style-src 'unsafe-inline'\"/>\n<link rel=\"icon\" href=\"data:,\"/>\n<title>" +
-      title + "</title>\n<style>\n" + palette(":root") + drawing_style() + page_style +
-      "</style>\n</head>\n<body>\n<header>\n<h1>" + title + "</h1>\n</header>\n<main>\n" +
-      section_html(answer_section(content)) + "<nav aria-label=\"On this page\">\n<ul>\n";
+  std::string page = page_head(title) + section_html(answer_section(content)) +
+                     "<nav aria-label=\"On this page\">\n<ul>\n";
   std::string main;
   for (const Section& section : sections) {
     page += "<li><a href=\"#" + section.id + "\">" + escaped(section.title) + "</a></li>\n";

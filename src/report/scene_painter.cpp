@@ -1,30 +1,41 @@
-#include "report/scene_painter.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "picture/contact_figures.hpp"
+#include "report/grasp_painter.hpp"
+#include "solve/sentence.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
-ScenePainter::ScenePainter(const SceneFile& file, const PushReport& report, const View& view,
-                           const PictureScales& scales)
-    : file_(file), scene_(file.view()), report_(report), view_(view), scales_(scales),
-      positions_(drawn_positions(file)), extent_(extent(file, report, view)),
-      height_(std::round(extent_.height() * scales.meters + 2 * margin_above)),
-      places_(width, height_) {}
+namespace {
 
-Frame ScenePainter::extent(const SceneFile& file, const PushReport& report, const View& view) {
+/// The picture is as high as what it shows.
+Pixel size_of(const Frame& extent, double meters) {
+  return {ScenePainter::width,
+          std::round(extent.height() * meters + 2 * ScenePainter::margin_above)};
+}
+
+} // namespace
+
+ScenePainter::ScenePainter(const DrawnScene& drawn, const PushReport& report, const View& view,
+                           double meters, const PictureScales& scales)
+    : GraspPainter(drawn, report, scales,
+                   centered(view, extent(drawn, report, view), meters,
+                            size_of(extent(drawn, report, view), meters)),
+                   size_of(extent(drawn, report, view), meters), {9, 2.5, 60}) {}
+
+Frame ScenePainter::extent(const DrawnScene& drawn, const PushReport& report, const View& view) {
   std::vector<Pixel> shown;
-  for (const auto& corner : box_corners(file.object.center_of_mass, file.shape.size))
+  for (const auto& corner : box_corners(drawn.center(), drawn.file.shape.size))
     shown.push_back(view.flat(corner));
-  for (const auto& position : drawn_positions(file)) shown.push_back(view.flat(position));
+  for (const auto& position : drawn.positions) shown.push_back(view.flat(position));
   const Frame frame = bounds(shown);
   const Motion<double>& motion = report.motion;
   if (report.status != Status::solved || !turns(motion) || !is_along_sight(view, motion.axis))
     return frame;
   // Its centre too, unless that would make everything else small.
-  const Pixel center = view.flat(file.object.center_of_mass + motion.axis_point);
+  const Pixel center = view.flat(drawn.center() + motion.axis_point);
   const double reach = 0.6 * std::max(frame.width(), frame.height());
   if (center.x() > frame.left - reach && center.x() < frame.right + reach &&
       center.y() > frame.top - reach && center.y() < frame.bottom + reach)
@@ -32,21 +43,16 @@ Frame ScenePainter::extent(const SceneFile& file, const PushReport& report, cons
   return bounds(shown);
 }
 
-Pixel ScenePainter::place(const Vector3<double>& position) const {
-  const Pixel middle((extent_.left + extent_.right) / 2, (extent_.top + extent_.bottom) / 2);
-  return Pixel(width / 2, height_ / 2) + scales_.meters * (view_.flat(position) - middle);
-}
-
 std::string ScenePainter::outline() {
   const ObjectShape& shape = file_.shape;
   std::vector<Pixel> corners;
-  for (const auto& corner : box_corners(file_.object.center_of_mass, shape.size))
+  for (const auto& corner : box_corners(drawn_.center(), shape.size))
     corners.push_back(place(corner));
   places_.block(bounds(corners), 0.6);
   places_.bar_edges(hull(corners));
   if (shape.kind == ObjectShape::Kind::cylinder && view_.toward[shape.axis] != 0)
-    return circle_element("object", place(file_.object.center_of_mass),
-                          scales_.meters * std::abs(view_.right.dot(shape.size)) / 2);
+    return circle_element("object", center(),
+                          sight_.meters * std::abs(view_.right.dot(shape.size)) / 2);
   return polygon_element(shape.kind == ObjectShape::Kind::unknown ? "object guessed" : "object",
                          hull(corners));
 }
@@ -54,8 +60,8 @@ std::string ScenePainter::outline() {
 std::string ScenePainter::pad(const Body<double>& body) {
   std::vector<Pixel> around;
   const std::vector<Pixel> rim = pad_rim(view_, body.normal);
-  for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-    const Pixel at = place(positions_[static_cast<std::size_t>(i)]);
+  for (const Index i : points_of(body)) {
+    const Pixel at = place(drawn_.position(i));
     places_.block_around(at, 12, 20);
     for (const Pixel& offset : rim) around.emplace_back(at + offset);
   }
@@ -65,30 +71,119 @@ std::string ScenePainter::pad(const Body<double>& body) {
                          hull(around));
 }
 
-std::string ScenePainter::weight() {
-  const Vector3<double> force = file_.object.mass * file_.gravity;
-  if (!scales_.shows_forces || !(view_.flat(force).norm() > scales_.no_force)) return "";
-  const Pixel center = place(file_.object.center_of_mass);
-  const Pixel along = scales_.newtons * view_.flat(force);
-  const Pixel from = arrows_.clear_start(center, center + along), to = from + along;
-  places_.block_line(from, to, 60);
-  if ((to - from).norm() >= 2.5)
-    labels_.push_back({{"weight " + brief(force.norm()) + " N"}, to, along.normalized(), to});
-  return arrow_element("force weight", from, to);
+std::string ScenePainter::forces(const Body<double>& body, Index point) {
+  if (!scales_.shows_forces) return "";
+  const Pixel tip = place(drawn_.position(point));
+  const ContactFigure figure = contact_figure(file_, view_, body, report_.answer.contacts[point],
+                                              tip, scales_.newtons, scales_.no_force);
+  places_.block_around(tip, 10, 2);
+  for (const Pixel& corner : figure.cone) places_.block_line(tip, corner, 30);
+  for (const auto& [tail, head] : figure.shafts) {
+    places_.block_line(tail, head, 60);
+    arrows_.add(tail, head);
+  }
+  return figure.elements;
 }
 
-/// Without an answer: an arrow for each body of a jam, of no particular length.
-std::string ScenePainter::squeezes() {
+std::string ScenePainter::marks(const Body<double>& body) {
   std::string text;
-  for (const JamBody& squeezing : report_.jam.bodies) {
-    const Body<double>& body = scene_.bodies[squeezing.body];
-    const Pixel flat = view_.flat(body.normal);
-    if (flat.norm() < 0.3) continue;
-    const Pixel tip = place(middle_of(positions_, body)), tail = tip - 60 * flat;
-    places_.block_line(tail, tip, 60);
-    text += arrow_element("force normal", tail, tip);
+  for (const Index i : points_of(body)) {
+    const Pixel at = place(drawn_.position(i));
+    std::string said = point_name(file_, i), mark = circle_element("mark", at, 3);
+    if (scales_.shows_forces) {
+      const ContactAnswer<double>& answer = report_.answer.contacts[i];
+      said += std::string(" ") + mode_verb(answer.mode) + ", normal force " +
+              number(answer.normal_force, scales_.no_force) + " N, friction " +
+              number(answer.friction_force.norm(), scales_.no_force) + " N";
+      mark = mode_mark(answer.mode, at);
+    }
+    text += "<g><title>" + escaped(said) + "</title>" + mark + "</g>\n";
   }
   return text;
+}
+
+std::string ScenePainter::object_motion() {
+  std::string text;
+  if (scales_.shows_forces) {
+    const Vector6<double>& a = report_.answer.acceleration;
+    const Pixel flat = view_.flat(a.head<3>());
+    const bool moves = flat.norm() > scales_.still;
+    const Pixel tip = moves ? Pixel(center() + scales_.accelerations * flat) : center();
+    std::vector<std::string> lines{"object"}, said;
+    if (moves) {
+      text += arrow("motion", center(), tip);
+      const double whole = a.head<3>().norm();
+      lines.push_back(brief(flat.norm()) + " m/s\u00B2" +
+                      (flat.norm() < 0.995 * whole ? " of " + brief(whole) : ""));
+      said.push_back("accelerates by " + lines.back());
+    }
+    const double spin = view_.toward.dot(a.tail<3>());
+    if (report_.scales.length * std::abs(spin) > scales_.still) {
+      places_.block_around(center(), 22, 20);
+      text += turning_arc(center(), spin < 0);
+      lines.push_back("turns " + brief(std::abs(spin)) + " rad/s\u00B2");
+      said.push_back(lines.back());
+    }
+    if (report_.motion.kind == MotionKind::rest)
+      lines.emplace_back("stays");
+    else if (lines.size() == 1)
+      lines.emplace_back(!(a.head<3>().norm() > scales_.still) ? "turns"
+                         : view_.toward.dot(a.head<3>()) > 0   ? "comes nearer"
+                                                               : "moves away");
+    if (said.empty()) said.push_back(lines.back());
+    labels_.push_back({lines, tip, Pixel::Zero(), tip});
+    words_.push_back("The object " + listed(said, "and") + ".");
+  }
+  return text + circle_element("center", center(), 3);
+}
+
+/// Where the axis is when that is off the picture. `pitch`: of a screw, else empty.
+std::string ScenePainter::away_mark(const Pixel& center, const std::string& name,
+                                    const std::string& pitch) {
+  const Pixel middle = size_ / 2, along = (center - middle).normalized();
+  const auto line = clipped_line({0, 0, width, size_.y() - 26}, middle, along); // above the scales
+  if (!line) return "";
+  const Pixel tip = line->second - 5 * along, tail = tip - 26 * along;
+  const std::string distance = brief(1000 * report_.motion.axis_point.norm()) + " mm";
+  words_.push_back("Off the picture: " + name + pitch + ", " + distance +
+                   " from the centre of mass.");
+  places_.block_line(tail, tip, 3);
+  labels_.push_back({{name, distance + " away"}, tail, Pixel(-along), tail});
+  return arrow_element("motion thin", tail, tip);
+}
+
+/// The instantaneous centre, or the axis as a line; of a screw with its pitch.
+std::string ScenePainter::turning_axis() {
+  const Motion<double>& motion = report_.motion;
+  if (!scales_.shows_forces || !turns(motion)) return "";
+  const bool is_screw = has_pitch(motion, report_.scales.length);
+  const std::string pitch = "pitch " + brief(1000 * motion.pitch) + " mm/rad";
+  const Vector3<double> point = drawn_.center() + motion.axis_point;
+  const Pixel at = place(point);
+  if (is_along_sight(view_, motion.axis)) {
+    const std::string name = is_screw ? "screw axis" : "instantaneous centre";
+    const std::string more = is_screw ? ", " + pitch : "";
+    if (at.x() < 8 || at.y() < 8 || at.x() > size_.x() - 8 || at.y() > size_.y() - 8)
+      return away_mark(at, name, more);
+    places_.block_around(at, 8, 3);
+    // In two lines, which find a place more easily.
+    std::vector<std::string> lines{"instantaneous", "centre"};
+    if (is_screw) lines = {name, pitch};
+    labels_.push_back({lines, at, Pixel::Zero(), at, is_screw ? 1U : 2U});
+    words_.push_back("It turns about the " + name + more + " at " +
+                     vector_text(point, report_.noise.length) + " m.");
+    return turning_center(at);
+  }
+  const std::string name = is_screw ? "screw axis" : "axis of turning";
+  words_.push_back("Its " + name + (is_screw ? " has " + pitch + "." : " lies in the picture."));
+  const auto line = clipped_line({0, 0, width, size_.y()}, at, view_.flat(motion.axis));
+  if (!line) return away_mark(at, name, "");
+  places_.block_endless_line(line->first, line->second, 200);
+  std::vector<std::string> lines{name};
+  if (is_screw) lines.push_back(pitch);
+  const Pixel near = line->first + 0.85 * (line->second - line->first);
+  labels_.push_back({lines, near, Pixel::Zero(), near});
+  return line_element("screw", line->first, line->second);
 }
 
 /// "left", "normal 20 N", "friction 10 N", "slips".
@@ -96,71 +191,56 @@ std::vector<std::string> ScenePainter::body_words(Index b) const {
   const Body<double>& body = scene_.bodies[b];
   std::vector<std::string> words{shortened(file_.body_name(b), 18)};
   if (!scales_.shows_forces) {
-    for (const JamBody& squeezing : report_.jam.bodies)
-      if (squeezing.body == b) words.emplace_back("squeezes");
-    const double moves = body_acceleration(scene_, body, report_).norm();
+    if (squeezes(b)) words.emplace_back("squeezes");
+    const double moves = acceleration_of(body).norm();
     if (moves > 0) words.push_back("moves at " + brief(moves) + " m/s\u00B2");
     return words;
   }
-  Vector3<double> friction = Vector3<double>::Zero();
-  for (const Index i : points_of(body)) friction += report_.answer.contacts[i].friction_force;
-  const double normal = normal_sum(report_.answer, body);
+  const double normal = normal_sum(report_.answer, body), friction = friction_of(body).norm();
   if (std::abs(normal) > scales_.no_force) words.push_back("normal " + brief(normal) + " N");
-  if (friction.norm() > scales_.no_force)
-    words.push_back("friction " + brief(friction.norm()) + " N");
+  if (friction > scales_.no_force) words.push_back("friction " + brief(friction) + " N");
   if (words.size() == 1) words.emplace_back("no force");
-  words.push_back(modes_of(body, report_));
+  words.push_back(modes_of(body));
   return words;
 }
 
-std::string ScenePainter::scale_bars(double bottom) {
-  const auto bar = [](double left, double y, double length) {
-    return path_element("scale", move_to({left, y}) + "v6h" + pixels(length) + "v-6");
-  };
-  const double y = bottom - 14;
-  const double length = round_below(70 / scales_.meters);
-  std::string text =
-      bar(12, y, length * scales_.meters) +
-      text_element("quiet", {18 + length * scales_.meters, y + 7}, number(1000 * length) + " mm");
-  if (!scales_.shows_forces || scales_.newtons == 0) return text;
-  const double force = round_below(longest_force / scales_.newtons);
-  const double size = force * scales_.newtons;
-  return text + bar(width - 12 - size, y, size) +
-         text_element("quiet", {width - 18 - size, y + 7}, number(force) + " N", "end");
+std::string ScenePainter::body_motion(Index b) {
+  const Body<double>& body = scene_.bodies[b];
+  const Pixel flat = view_.flat(body.normal), out = contact(body) - 22 * flat;
+  const Pixel moves = view_.flat(acceleration_of(body));
+  const bool is_still = !(moves.norm() > scales_.still);
+  label_body(body_words(b), contact(body) - 46 * flat, -flat, contact(body));
+  return is_still ? "" : arrow("motion thin", out, out + scales_.accelerations * moves);
 }
 
 Drawing ScenePainter::draw() {
-  Drawing drawing{view_.name, view_.title, "", width, height_, ""};
   std::string bodies, contacts, modes, motions;
   const Pixel corner(58, 54); // of the axes' names
   constexpr double scale_height = 24;
   places_.bar({0, 0, corner.x(), corner.y()});
-  places_.bar({0, height_ - scale_height, width, height_});
+  places_.bar({0, size_.y() - scale_height, width, size_.y()});
   const std::string object = outline();
   for (const Index b : bodies_back_to_front(view_, scene_.bodies)) {
     const Body<double>& body = scene_.bodies[b];
     bodies += pad(body);
-    for (Index i = body.first_point; i < body.first_point + body.point_count; ++i)
-      contacts += forces(body, i);
+    for (const Index i : points_of(body)) contacts += forces(body, i);
     modes += marks(body);
   }
   // One after the other: each leaves labels, words and arrows behind.
-  contacts += squeezes();
+  for (Index b = 0; b < scene_.bodies.size; ++b) contacts += squeeze(b, "force normal");
   motions += object_motion();
   contacts += weight();
   motions += turning_axis();
   for (Index b = 0; b < scene_.bodies.size; ++b) motions += body_motion(b);
-  const std::vector<Frame> words = placed_labels(places_, labels_);
-  const Frame used = places_.used(words, corner, scale_height + 6);
-  drawing.top = used.top;
-  drawing.height = used.height();
-  drawing.elements = shifted(axes_elements(view_), {0, used.top}) + scale_bars(used.bottom) +
-                     object + bodies + contacts + modes + motions + label_elements(labels_, words);
-  drawing.description = scales_.shows_forces
-                            ? "The object, the bodies that touch it, forces and motions."
-                            : "The object and the bodies that touch it. No answer was found, so no "
-                              "forces are drawn.";
-  for (const std::string& sentence : words_) drawing.description += " " + sentence;
+  Drawing drawing = labelled(corner, scale_height + 6,
+                             scales_.shows_forces
+                                 ? "The object, the bodies that touch it, forces and motions."
+                                 : "The object and the bodies that touch it. No answer was found, "
+                                   "so no forces are drawn.");
+  drawing.elements =
+      shifted(axes_elements(view_), {0, drawing.top}) +
+      scale_bars(width, drawing.top + drawing.height, sight_.meters, scales_.newtons) + object +
+      bodies + contacts + modes + motions + drawing.elements;
   return drawing;
 }
 

@@ -55,7 +55,7 @@ public:
 
 private:
   /// Where the laws lead in one step, or in so many equal ones.
-  struct Way {
+  struct StepEnd {
     Status status = Status::running;
     Pose<double> end;
     double off = 0;        ///< m/s, from where the motion goes
@@ -72,30 +72,30 @@ private:
     return half == Status::solved ? advance(h / 2, halvings - 1, is_halved) : half;
   }
 
-  Way way(const TrajectoryFrame& to, double h, int parts) {
-    Way way;
-    way.status = Status::solved;
+  StepEnd step_in(const TrajectoryFrame& to, double h, int parts) {
+    StepEnd step;
+    step.status = Status::solved;
     std::vector<Touch> before;
-    for (int k = 0; k < parts && way.status == Status::solved; ++k) {
+    for (int k = 0; k < parts && step.status == Status::solved; ++k) {
       bool is_halved = false;
-      way.status = advance(h / parts, Settings::part_halvings, is_halved);
+      step.status = advance(h / parts, Settings::part_halvings, is_halved);
       std::vector<Touch> touches = run_.touches();
       const bool goes_on = (k == 0 || touches == before) && !run_.leaves();
-      way.is_smooth = way.is_smooth && goes_on && !is_halved;
+      step.is_smooth = step.is_smooth && goes_on && !is_halved;
       before = std::move(touches);
     }
-    if (way.status != Status::solved) return way;
-    way.end = run_.stepper().pose();
-    way.off = speed_between(file_, way.end, to.pose, h);
-    way.saved = run_.save();
-    return way;
+    if (step.status != Status::solved) return step;
+    step.end = run_.stepper().pose();
+    step.off = speed_between(file_, step.end, to.pose, h);
+    step.saved = run_.save();
+    return step;
   }
 
   /// Nobody says in how many steps the other motion went from frame to frame, and implicit Euler's
-  /// error is in proportion to them: the laws' way is the one that comes nearest.
-  Way nearest_way(const TrajectoryFrame& to, double h) {
+  /// error is in proportion to them: the laws' own end is the one that comes nearest.
+  StepEnd nearest_end(const TrajectoryFrame& to, double h) {
     const MotionRun::Saved before = run_.save();
-    Way nearest = way(to, h, 1), last = nearest;
+    StepEnd nearest = step_in(to, h, 1), last = nearest;
     // Who says how short its steps are may have made many.
     const double said = to.step && *to.step > 0 ? h / *to.step : 0;
     const double most = std::clamp(said, Settings::most_parts, Settings::most_stated_parts);
@@ -103,7 +103,7 @@ private:
       const bool is_solved = last.status == Status::solved;
       if (is_solved && nearest.off <= report_.tolerance * report_.fastest) break;
       run_.restore(before);
-      Way finer = way(to, h, parts);
+      StepEnd finer = step_in(to, h, parts);
       // Yet finer ones change the end by about as much again, unless something happens on the way
       // whose moment they find: can that be enough?
       const bool is_settling = parts > 2 && is_solved && finer.status == Status::solved &&
@@ -135,7 +135,7 @@ private:
   void step(std::size_t k) {
     const TrajectoryFrame &from = given_[k - 1], &to = given_[k];
     const double h = to.time - from.time;
-    if (!from.twist && k == 1) { // its speed is not known before it has gone a way
+    if (!from.twist && k == 1) { // its speed is not known before it has moved
       run_.begin_at(from.time, from.pose, mean_twist(from.pose, to.pose, h));
       run_.begin_strokes();
       report_.status = run_.advance(h);
@@ -153,7 +153,7 @@ private:
                      acceleration_at(run_.scene().points[i], run_.prescribed(b, to.time)).norm());
     goes_ = std::max(goes_, speed_between(file_, from.pose, to.pose, h));
     report_.fastest = std::max(report_.fastest, goes_);
-    const Way own = nearest_way(to, h);
+    const StepEnd own = nearest_end(to, h);
     report_.status = own.status;
     if (report_.status != Status::solved) {
       report_.worst_time = to.time;

@@ -5,7 +5,6 @@
 #include "verify/trajectory_reader.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace lcpush::desktop {
@@ -24,16 +23,9 @@ Matrix3<double> by_quaternion(const std::vector<double>& q) {
 
 /// A column's place; none: the file has not got it.
 using Column = std::optional<std::size_t>;
-using Columns = std::array<Column, 3>;
-
-struct ContactColumns {
-  Column normal, torsion, gap;
-  Columns friction;
-};
-struct BodyColumns {
-  Column closing, speed;
-  Columns force, moment;
-};
+/// Of a body or a contact, in the order of the names below: vectors first.
+using Columns = std::vector<Column>;
+using Names = std::vector<std::string>;
 
 class CsvTrajectory {
 public:
@@ -63,12 +55,12 @@ public:
         has(rows_) ? rotation_of_rows(values(row, rows_)) : by_quaternion(values(row, quaternion_));
     if (has(speeds_)) frame.twist = Eigen::Map<const Vector6<double>>(values(row, speeds_).data());
     frame.step = number_in(row, step_);
-    for (const ContactColumns& columns : contacts_)
-      frame.contacts.push_back({number_in(row, columns.normal), vector_in(row, columns.friction),
-                                number_in(row, columns.torsion), number_in(row, columns.gap)});
-    for (const BodyColumns& columns : bodies_)
-      frame.bodies.push_back({vector_in(row, columns.force), vector_in(row, columns.moment),
-                              number_in(row, columns.closing), number_in(row, columns.speed)});
+    for (const Columns& at : contacts_)
+      frame.contacts.push_back({number_in(row, at[3]), vector_in(row, &at[0]),
+                                number_in(row, at[4]), number_in(row, at[5])});
+    for (const Columns& at : bodies_)
+      frame.bodies.push_back({vector_in(row, &at[0]), vector_in(row, &at[3]), number_in(row, at[6]),
+                              number_in(row, at[7])});
     return frame;
   }
 
@@ -78,7 +70,7 @@ private:
     int number;
   };
 
-  bool has(const std::vector<std::string>& names) const {
+  bool has(const Names& names) const {
     return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
       return std::count(names_.begin(), names_.end(), name) == 1;
     });
@@ -91,16 +83,17 @@ private:
       throw InputError(file_, 1, "there are two columns " + quoted(name) + ": leave one");
     return static_cast<std::size_t>(at - names_.begin());
   }
-  /// All of three, or none.
-  Columns columns(const std::string& name, const std::string& letter) const {
+  /// Those called `of` and one of these; of the `vectors` three that come first all or none.
+  Columns columns(const std::string& of, const Names& parts, std::size_t vectors) const {
     Columns found;
-    for (std::size_t k = 0; k < 3; ++k) found[k] = column(name + "." + letter + "xyz"[k]);
-    const bool some = found[0] || found[1] || found[2];
-    for (std::size_t k = 0; some && k < 3; ++k)
-      if (!found[k])
+    for (const std::string& part : parts) found.push_back(column(of + "." + part));
+    for (std::size_t k = 0; k < 3 * vectors; ++k) {
+      const std::size_t first = k - k % 3;
+      if (!found[k] && (found[first] || found[first + 1] || found[first + 2]))
         throw InputError(file_, 1,
-                         "the column " + quoted(name + "." + letter + "xyz"[k]) +
+                         "the column " + quoted(of + "." + parts[k]) +
                              " is missing: a vector has all of its three, or none");
+    }
     return found;
   }
 
@@ -110,36 +103,28 @@ private:
     step_ = column("step");
     contacts_.resize(places.contacts.size());
     for (const auto& [name, place] : places.contacts)
-      contacts_[place] = {column(name + ".normal"), column(name + ".torsion"),
-                          column(name + ".gap"), columns(name, "f")};
+      contacts_[place] = columns(name, of_contacts_, 1);
     bodies_.resize(places.bodies.size());
-    for (const auto& [name, place] : places.bodies)
-      bodies_[place] = {column(name + ".closing"), column(name + ".closing_speed"),
-                        columns(name, "f"), columns(name, "m")};
+    for (const auto& [name, place] : places.bodies) bodies_[place] = columns(name, of_bodies_, 2);
   }
 
   /// A force of what the scene has not is a slip of the pen, or of another scene.
   void refuse_strangers(const PlacesByName& places) const {
-    const std::vector<std::string> of_bodies{"fx", "fy", "fz",      "mx",
-                                             "my", "mz", "closing", "closing_speed"};
-    const std::vector<std::string> of_contacts{"normal", "fx", "fy", "fz", "torsion", "gap"};
-    const auto is_among = [](const std::vector<std::string>& list, const std::string& word) {
+    const auto is_among = [](const Names& list, const std::string& word) {
       return std::find(list.begin(), list.end(), word) != list.end();
     };
     for (const std::string& name : names_) {
       const std::size_t dot = name.rfind('.');
       if (dot == std::string::npos) continue;
       const std::string whose = name.substr(0, dot), what = name.substr(dot + 1);
-      const bool of_body = is_among(of_bodies, what), of_contact = is_among(of_contacts, what);
+      const bool of_body = is_among(of_bodies_, what), of_contact = is_among(of_contacts_, what);
       if ((!of_body && !of_contact) || (of_body && places.bodies.count(whose) > 0) ||
           (of_contact && places.contacts.count(whose) > 0))
         continue;
+      const char* const kind = !of_contact ? "body " : !of_body ? "contact " : "body or contact ";
       throw InputError(file_, 1,
-                       "column " + quoted(name) + ": the scene has no " +
-                           (!of_contact ? "body "
-                            : !of_body  ? "contact "
-                                        : "body or contact ") +
-                           quoted(whose) + suggestion(whose, places.known()));
+                       "column " + quoted(name) + ": the scene has no " + kind + quoted(whose) +
+                           suggestion(whose, places.known()));
     }
   }
 
@@ -148,7 +133,7 @@ private:
     if (read.error) throw InputError(file_, row.number, names_[at] + ": " + *read.error);
     return read.value;
   }
-  std::vector<double> values(const Row& row, const std::vector<std::string>& names) const {
+  std::vector<double> values(const Row& row, const Names& names) const {
     std::vector<double> list;
     for (const std::string& name : names) list.push_back(value(row, *column(name)));
     return list;
@@ -158,21 +143,21 @@ private:
     if (!at || trimmed(row.words[*at]).empty()) return std::nullopt;
     return value(row, *at);
   }
-  std::optional<Vector3<double>> vector_in(const Row& row, const Columns& at) const {
+  std::optional<Vector3<double>> vector_in(const Row& row, const Column* at) const {
     const auto x = number_in(row, at[0]), y = number_in(row, at[1]), z = number_in(row, at[2]);
     if (!x || !y || !z) return std::nullopt;
     return Vector3<double>(*x, *y, *z);
   }
 
   const std::string& file_;
-  std::vector<std::string> names_;
+  Names names_;
   Column step_;
-  std::vector<ContactColumns> contacts_;
-  std::vector<BodyColumns> bodies_;
-  const std::vector<std::string> rows_{"r11", "r12", "r13", "r21", "r22",
-                                       "r23", "r31", "r32", "r33"};
-  const std::vector<std::string> quaternion_{"qw", "qx", "qy", "qz"};
-  const std::vector<std::string> speeds_{"vx", "vy", "vz", "wx", "wy", "wz"};
+  std::vector<Columns> contacts_, bodies_;
+  const Names of_contacts_{"fx", "fy", "fz", "normal", "torsion", "gap"};
+  const Names of_bodies_{"fx", "fy", "fz", "mx", "my", "mz", "closing", "closing_speed"};
+  const Names rows_{"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"};
+  const Names quaternion_{"qw", "qx", "qy", "qz"};
+  const Names speeds_{"vx", "vy", "vz", "wx", "wy", "wz"};
 };
 
 } // namespace

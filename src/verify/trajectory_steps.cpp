@@ -13,7 +13,7 @@ namespace {
 using Settings = VerifySettings;
 
 /// m/s times s, or m/s^2 times s^2: how far a stroke has gone.
-double way_of(const Stroke& stroke, double time) {
+double stroke_at(const Stroke& stroke, double time) {
   const double since = std::clamp(time, stroke.from, stroke.until) - stroke.from;
   return stroke.is_velocity ? since : since * since / 2;
 }
@@ -42,7 +42,7 @@ bool SeenMotion::is_whole(std::size_t k) const {
   return std::abs(frames_[k].step.value_or(interval) - interval) <= Settings::interval * interval;
 }
 
-/// A velocity that is not given is that of the way to here, as of every implicit scheme.
+/// A velocity that is not given is the mean since the frame before, as of every implicit scheme.
 std::optional<Vector6<double>> SeenMotion::twist_of(std::size_t k) const {
   if (frames_[k].twist || !is_whole(k)) return frames_[k].twist;
   return mean_twist(frames_[k - 1].pose, frames_[k].pose, frames_[k].time - frames_[k - 1].time);
@@ -63,7 +63,7 @@ SeenMotion::Closings SeenMotion::of_actuators(std::size_t k,
   return list;
 }
 
-/// As given, or as the way since the frame before says.
+/// As given, or as the closings since the frame before say.
 SeenMotion::Closings SeenMotion::speeds_at(std::size_t k) const {
   Closings speeds = of_actuators(k, &FrameBody::closing_speed);
   if (!is_whole(k)) return speeds;
@@ -92,25 +92,25 @@ bool SeenMotion::are_pads(Index body) const {
 
 /// Does what is known of the closings say where it is?
 bool SeenMotion::is_found(Index body, const Closings& closings) const {
-  Index ways = file_.body(body).acceleration.squaredNorm() > 0 ? 1 : 0;
+  Index motions = file_.body(body).acceleration.squaredNorm() > 0 ? 1 : 0;
   bool is_known = true, turns = file_.body(body).acceleration.tail<3>().squaredNorm() > 0;
   for (const Drive<double>& drive : file_.drives) {
     if (drive.body != body) continue;
-    ++ways;
+    ++motions;
     turns = turns || drive.twist.tail<3>().squaredNorm() > 0;
     is_known = is_known && closings[static_cast<std::size_t>(drive.actuator)];
   }
-  // Where turns mix with other ways, the end depends on which went first.
-  return !is_driven(file_.view(), body) || (is_known && (!turns || ways == 1));
+  // Where turns mix with other motions, the end depends on which went first.
+  return !is_driven(file_.view(), body) || (is_known && (!turns || motions == 1));
 }
 
 Pose<double> SeenMotion::pose_of(Index body, double time, const Closings& closings) const {
-  Vector6<double> way =
-      way_of(file_.strokes[static_cast<std::size_t>(body)], time) * file_.body(body).acceleration;
+  Vector6<double> path = stroke_at(file_.strokes[static_cast<std::size_t>(body)], time) *
+                         file_.body(body).acceleration;
   for (const Drive<double>& drive : file_.drives)
     if (drive.body == body)
-      way += closings[static_cast<std::size_t>(drive.actuator)].value_or(0) * drive.twist;
-  return moved_about_origin(Pose<double>(), way, 1.0);
+      path += closings[static_cast<std::size_t>(drive.actuator)].value_or(0) * drive.twist;
+  return moved_about_origin(Pose<double>(), path, 1.0);
 }
 
 std::optional<Pose<double>> SeenMotion::driven_pose(Index body, std::size_t k) const {
@@ -131,8 +131,8 @@ PlacedPoint<double> SeenMotion::placed(Index body, Index point, const Pose<doubl
 std::optional<Vector6<double>> SeenMotion::body_twist(Index body, const SeenContact& contact,
                                                       const SeenStep& step) const {
   const Stroke& stroke = file_.strokes[static_cast<std::size_t>(body)];
-  const double way = way_of(stroke, step.time) - way_of(stroke, step.time - step.h);
-  Vector6<double> twist = way / step.h * file_.body(body).acceleration;
+  const double gone = stroke_at(stroke, step.time) - stroke_at(stroke, step.time - step.h);
+  Vector6<double> twist = gone / step.h * file_.body(body).acceleration;
   for (const Drive<double>& drive : file_.drives) {
     if (drive.body != body) continue;
     const std::optional<double>& speed = step.speeds[static_cast<std::size_t>(drive.actuator)];

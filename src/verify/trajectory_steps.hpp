@@ -7,7 +7,7 @@
 
 namespace lcpush::desktop {
 
-/// The velocity of the way between two poses, h seconds apart.
+/// The mean velocity between two poses, h seconds apart.
 Vector6<double> mean_twist(const Pose<double>& from, const Pose<double>& to, double h);
 
 /// A contact point in a step.

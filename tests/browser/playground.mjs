@@ -168,7 +168,7 @@ async function errors(browser) {
   assert.equal(await page.locator('#sentence.stale').count(), 1, 'the sentence is another scene\'s');
   assert.ok(await page.locator('#save-answer').isDisabled(), 'and so is the answer');
   assert.ok(await page.evaluate(() => window.lcpush.app.pixels_per_meter() > 0), 'can be dragged');
-  await page.click('[data-view="things"]');
+  await page.click('[data-view="isometric"]');
   assert.ok(await page.locator('#picture .face').count() > 1, 'can be looked at from elsewhere');
   await type(before.text.replace('mass = 0.2', 'mass = 0.3'));
   assert.equal((await state(page)).failure, '');

@@ -39,7 +39,7 @@ LEFT = {
     "src/certify": 35,
     "src/cone": 32,
     "src/dense": 5,
-    "src/move": 42,
+    "src/move": 14,
     "src/plan": 52,
     "src/raw": 23,
     "src/solve": 90,

@@ -61,7 +61,7 @@ ROOMS = {
     "src/pivots": ("What happens at every pivot?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/cone": ("With which pushes does a pusher stick?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/move": ("Where does the object end up in the grip?",
-                 f"{CORE} {TOOLBOX} desktop dense scenes solve"),
+                 f"{CORE} {TOOLBOX} desktop dense scenes solve picture"),
     "src/plan": ("Which pushes take the object to another place in the grip?",
                  f"{CORE} {TOOLBOX} desktop dense scenes solve cone"),
     "src/picture": ("How does a grasp look from here?", f"{CORE} {TOOLBOX} desktop scenes"),

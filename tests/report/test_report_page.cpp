@@ -8,7 +8,7 @@
 
 #include "lcpush/desktop/report_page.hpp"
 #include "report/pictures.hpp"
-#include "report/scene_painter.hpp"
+#include "report/grasp_painter.hpp"
 #include "solve/sentence.hpp"
 
 using namespace lcpush;

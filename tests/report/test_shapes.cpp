@@ -28,15 +28,16 @@ TEST_CASE("the hull of a square with points inside and on its edges is its four 
 }
 
 TEST_CASE("a line is clipped to the picture, and one that misses it is not drawn") {
-  const auto across = desktop::clipped_line({50, 20}, {1, 0}, 100, 40);
+  const desktop::Frame picture{0, 0, 100, 40};
+  const auto across = desktop::clipped_line(picture, {50, 20}, {1, 0});
   REQUIRE(across.has_value());
   CHECK(across->first.isApprox(desktop::Pixel(0, 20)));
   CHECK(across->second.isApprox(desktop::Pixel(100, 20)));
-  const auto diagonal = desktop::clipped_line({0, 0}, {2, 1}, 100, 40);
+  const auto diagonal = desktop::clipped_line(picture, {0, 0}, {2, 1});
   REQUIRE(diagonal.has_value());
   CHECK(diagonal->second.isApprox(desktop::Pixel(80, 40)));
-  CHECK_FALSE(desktop::clipped_line({0, -1}, {1, 0}, 100, 40).has_value());
-  CHECK_FALSE(desktop::clipped_line({-50, 0}, {1, 1.5}, 100, 40).has_value());
+  CHECK_FALSE(desktop::clipped_line(picture, {0, -1}, {1, 0}).has_value());
+  CHECK_FALSE(desktop::clipped_line(picture, {-50, 0}, {1, 1.5}).has_value());
 }
 
 TEST_CASE("labels with room around them do not cover each other or leave the picture") {

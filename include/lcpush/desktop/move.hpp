@@ -84,7 +84,7 @@ struct ForceJump {
 struct MotionPhase {
   MotionKind kind = MotionKind::rest;
   double from = 0, until = 0;
-  double way = 0;                                  ///< m, of the centre of mass
+  double path = 0;                                 ///< m, of the centre of mass
   double angle = 0;                                ///< rad
   Vector3<double> along = Vector3<double>::Zero(); ///< from its begin to its end, m
   Vector3<double> turn = Vector3<double>::Zero();  ///< rad, sum of the turns

@@ -36,9 +36,7 @@
     /// A promise of the answer; null if another question of its kind came before it was asked.
     ask(kind, question, text) {
       return new Promise((resolve, reject) => {
-        const replaced = this.waiting.filter((job) => job.kind === kind && job !== this.running);
-        for (const job of replaced) job.resolve(null);
-        this.waiting = this.waiting.filter((job) => !replaced.includes(job));
+        this.withdraw((job) => job.kind === kind && job !== this.running);
         this.waiting.push({ kind, question, text, resolve, reject });
         this.next();
       });
@@ -46,15 +44,22 @@
 
     /// Nobody waits for the questions of that kind any longer.
     drop(kind) {
-      const gone = this.waiting.filter((job) => job.kind === kind);
-      for (const job of gone) job.resolve(null);
-      this.waiting = this.waiting.filter((job) => !gone.includes(job));
-      if (!gone.includes(this.running)) return;
+      this.withdraw((job) => job.kind === kind);
+      if (this.running?.kind !== kind) return;
       clearTimeout(this.timer);
       this.running = null;
+      this.restart();
+      this.next();
+    }
+
+    withdraw(is_gone) {
+      for (const job of this.waiting.filter(is_gone)) job.resolve(null);
+      this.waiting = this.waiting.filter((job) => !is_gone(job));
+    }
+
+    restart() {
       this.worker.terminate();
       this.start();
-      this.next();
     }
 
     next() {
@@ -63,8 +68,7 @@
       const { question, text } = this.running;
       this.worker.postMessage({ question, text });
       this.timer = setTimeout(() => {
-        this.worker.terminate();
-        this.start();
+        this.restart();
         this.finish({ refusal: `no answer after ${longest / 1000} s` });
       }, longest);
     }

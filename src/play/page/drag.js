@@ -5,6 +5,8 @@
 
   const keys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
+  const body_at = ({ target }) => target.closest?.('[data-body]')?.dataset.body;
+
   class Hands {
     /// `app`: state, view, pixels_per_meter(), change(text, is_done), turn(dx, dy).
     constructor(app) {
@@ -25,7 +27,7 @@
 
     take(event) {
       if (event.button > 0 || this.held) return;
-      const body = event.target.closest?.('[data-body]')?.dataset.body;
+      const body = body_at(event);
       by_id('picture').setPointerCapture(event.pointerId);
       const { state } = this.app;
       this.held = { body, pointer: event.pointerId, at: [event.clientX, event.clientY], state,
@@ -60,7 +62,7 @@
       const by = keys[event.key];
       if (!by || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
-      const body = event.target.closest?.('[data-body]')?.dataset.body;
+      const body = body_at(event);
       if (!body) {
         this.app.turn(by[0] * 0.1, by[1] * 0.1);
         return;

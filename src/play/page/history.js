@@ -16,7 +16,6 @@
       if (this.undone.length > 0) this.done.push(this.undone.pop());
       return this.done.at(-1);
     }
-    can() { return { undo: this.done.length > 1, redo: this.undone.length > 0 }; }
   }
 
   play.History = History;

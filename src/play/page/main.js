@@ -6,6 +6,11 @@
   const with_drawing = (page) => page.replace('/*LOOKS*/', () => by_id('looks').textContent)
     .replace('/*DRAWING*/', () => by_id('drawing').textContent);
 
+  function warn(message) {
+    by_id('failure').hidden = false;
+    by_id('failure').textContent = message;
+  }
+
   class Application {
     /// `linked`: a scene from the address, or nothing.
     constructor(module, own, linked) {
@@ -68,12 +73,13 @@
         const { scene, lcp, broken } = await play.links.carried();
         if (scene && scene !== this.wanted) this.replace(scene);
         if (lcp) play.raw.show(lcp);
-        if (broken) this.warn(broken);
+        if (broken) warn(broken);
       });
     }
 
     /// Another text than the controls were made for.
     replace(text) {
+      if (this.view.name) this.view.choose(this.view.name); // where gravity pulls down in that one
       this.controls.forget();
       this.change(text, true);
     }
@@ -123,7 +129,7 @@
     }
 
     read(text, reply) {
-      const { answer, sentence, scene, picture, meters } = JSON.parse(reply);
+      const { answer, sentence, scene, ...drawn } = JSON.parse(reply);
       const written = reply.slice(reply.indexOf('{', 1), reply.indexOf('\n, "sentence": ') + 1);
       this.motion.forget();
       this.background.drop('pivots');
@@ -139,7 +145,7 @@
       this.fill_open();
       play.facts.update(this.state, this.breaking?.text === text && this.breaking.answer);
       this.controls.update(this.state);
-      this.show({ picture, meters });
+      this.show(drawn);
     }
 
     /// What is folded away is not written at every step of a hand.
@@ -151,15 +157,10 @@
 
     /// The last scene that was one stays, and the text can be mended.
     refuse(message) {
-      this.warn(this.state ? `${message}\nBelow stands the last scene that has none of this.` : message);
+      warn(this.state ? `${message}\nBelow stands the last scene that has none of this.` : message);
       for (const id of ['sentence', 'picture', 'facts']) by_id(id).classList.add('stale');
       this.fill_open();
       if (!this.state) by_id('text').closest('details').open = true;
-    }
-
-    warn(message) {
-      by_id('failure').hidden = false;
-      by_id('failure').textContent = message;
     }
 
     async find_breaking(text) {
@@ -177,8 +178,7 @@
 
     /// From where the state is looked at; `moment` of its motion, if any.
     look(moment) {
-      const { right, up } = this.view;
-      return { full: this.state?.in_full, right, up, meters: this.meters, moment,
+      return { full: this.state?.in_full, ...this.view.wanted(), meters: this.meters, moment,
         letter: window.innerWidth < 900 ? 12.5 : 7.5, dots: moment ? [] : this.reach.dots };
     }
 
@@ -189,10 +189,11 @@
     }
 
     /// The picture as the solver drew it. Who has the focus keeps it.
-    show({ picture, meters }) {
+    show({ picture, meters, ...directions }) {
       const box = by_id('picture');
       const focused = document.activeElement?.closest?.('#picture [data-body]')?.dataset.body;
       this.meters = meters;
+      this.view.drawn(directions);
       parsed(box, picture);
       const find = (name) => [...box.querySelectorAll('[data-body]')]
         .find((element) => element.dataset.body === name);
@@ -217,11 +218,12 @@
       this.redraw();
     }
     redraw() {
-      if (this.motion.shown === null || this.motion.shown === undefined) this.draw();
+      if (this.motion.shown === null) this.draw();
     }
     turn(dx, dy) {
+      if (!this.state) return;
       this.view.turn(dx, dy);
-      if (this.motion.shown === null || this.motion.shown === undefined) this.draw();
+      if (this.motion.shown === null) this.draw();
       else this.motion.seek(this.motion.shown);
     }
     pixels_per_meter() {
@@ -230,9 +232,8 @@
     }
 
     buttons() {
-      const can = this.history.can();
-      by_id('undo').disabled = !can.undo;
-      by_id('redo').disabled = !can.redo;
+      by_id('undo').disabled = this.history.done.length < 2;
+      by_id('redo').disabled = this.history.undone.length === 0;
       const is_shown = this.state?.text === this.wanted;
       for (const id of ['play', 'time', 'reset', 'pivots', 'save-answer', 'save-picture'])
         by_id(id).disabled = !is_shown;
@@ -260,11 +261,10 @@
       given.innerHTML = by_id('scene').textContent; // undoes what made it safe in the page
       const app = new Application(module, given.value, scene);
       if (lcp) play.raw.show(lcp);
-      if (broken) app.warn(broken);
+      if (broken) warn(broken);
       window.lcpush = { app, play };
     } catch (problem) {
-      by_id('failure').hidden = false;
-      by_id('failure').textContent = `This page needs a browser with WebAssembly (2023 or later): ${problem.message}`;
+      warn(`This page needs a browser with WebAssembly (2023 or later): ${problem.message}`);
       throw problem;
     }
   })();

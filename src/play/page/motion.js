@@ -9,7 +9,7 @@
   class Motion {
     /// `app`: state, background, view, draw(moment).
     constructor(app) {
-      this.app = app;
+      Object.assign(this, { app, shown: null });
       by_id('play').addEventListener('click', () => (this.playing ? this.pause() : this.start()));
       by_id('reset').addEventListener('click', () => this.reset());
       by_id('time').addEventListener('input', () => {
@@ -21,13 +21,17 @@
     /// Another scene: what was computed is none of its.
     forget() {
       if (!this.playing && !this.run && !by_id('motion').textContent) return;
-      this.app.background.drop('move');
-      this.pause();
       this.run = null;
+      this.rewind();
+    }
+
+    rewind() {
+      this.app.background.drop('move');
+      this.show_playing(false);
       this.shown = null;
       by_id('time').value = 0;
       by_id('clock').textContent = '';
-      by_id('motion').textContent = '';
+      if (!this.run) by_id('motion').textContent = '';
     }
 
     /// How far the push has gone that is shown.
@@ -55,9 +59,7 @@
     }
 
     async start() {
-      by_id('play').setAttribute('aria-pressed', 'true');
-      by_id('play').textContent = 'Pause';
-      this.playing = true;
+      this.show_playing(true);
       if (!await this.load() || !this.playing) {
         this.pause();
         return;
@@ -75,19 +77,15 @@
       requestAnimationFrame(step);
     }
 
-    pause() {
-      this.playing = false;
-      by_id('play').setAttribute('aria-pressed', 'false');
-      by_id('play').textContent = 'Play the push';
+    show_playing(playing) {
+      this.playing = playing;
+      by_id('play').setAttribute('aria-pressed', String(playing));
+      by_id('play').textContent = playing ? 'Pause' : 'Play the push';
     }
+    pause() { this.show_playing(false); }
 
     reset() {
-      this.pause();
-      this.app.background.drop('move');
-      if (!this.run) by_id('motion').textContent = '';
-      this.shown = null;
-      by_id('time').value = 0;
-      by_id('clock').textContent = '';
+      this.rewind();
       this.app.draw();
     }
 

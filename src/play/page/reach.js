@@ -1,7 +1,7 @@
 // What would happen if a body stood elsewhere along its face: the push solved at many places, shown
 // as dots while the body is held or has the focus.
 (() => {
-  const { h, by_id } = drawing.elements;
+  const { by_id } = drawing.elements;
   const { add, subtract, scale, dot, length, unit } = drawing.vectors;
   const samples = 25;
 
@@ -24,7 +24,7 @@
       const body = state.scene.bodies.find((one) => one.name === name);
       if (!body) {
         this.dots = [];
-        this.tell('');
+        by_id('dot-key').replaceChildren();
         return;
       }
       const way = along(view, body.normal);
@@ -32,31 +32,14 @@
       const now = dot(subtract(middle, state.scene.center_of_mass), way);
       const half = 0.5 * dot(state.scene.shape.size, way.map(Math.abs)) || state.scene.reach;
       const names = play.edits.dragged_together(state, name, false);
-      const found = [];
-      for (let k = 0; k < samples; k += 1) {
-        const by = scale(way, half * (2 * (k + 0.5) / samples - 1) - now);
-        let kind = 'none';
-        try {
-          const reply = await app.background.ask('reach', 'drag',
-            play.edits.dragged(state, names, by));
-          if (turn !== this.turn || reply === null) return;
-          kind = play.kind_of(JSON.parse(reply).answer);
-        } catch {
-          if (turn !== this.turn) return;
-        }
-        found.push({ at: add(middle, by), kind, words: play.kinds[kind] || 'no scene' });
-      }
-      this.dots = found;
-      this.tell(name);
+      const by = (k) => scale(way, half * (2 * (k + 0.5) / samples - 1) - now);
+      const found = await play.kinds_of(app.background, 'reach', samples,
+        (k) => play.edits.dragged(state, names, by(k)), () => turn === this.turn);
+      if (!found) return;
+      this.dots = found.map((kind, k) =>
+        ({ at: add(middle, by(k)), kind, words: play.kinds[kind] || 'no scene' }));
+      by_id('dot-key').replaceChildren(`With ${name} there: `, ...play.key_of(found));
       app.redraw();
-    }
-
-    /// The key of the dots that are there.
-    tell(name) {
-      const seen = Object.keys(play.kinds).filter((kind) =>
-        this.dots.some((dot_there) => dot_there.kind === kind));
-      by_id('dot-key').replaceChildren(...(seen.length === 0 ? [] : [`With ${name} there: `,
-        ...seen.map((kind) => h('span', {}, h('i', { class: kind }), play.kinds[kind]))]));
     }
 
     hide() { this.show(null); }

@@ -24,17 +24,40 @@
     return slips ? 'slips' : 'sticks';
   }
 
-  /// "sticks up to 0.31, slips above": the bands for those who do not see them.
-  function told(values, found) {
+  /// "0.1 to 0.3: it moves, the pusher sticks; ..": the bands for those who do not see them.
+  function bands_of(found) {
     const bands = [];
-    found.forEach((kind, k) => {
-      if (bands.at(-1)?.kind === kind) bands.at(-1).to = values[k];
-      else bands.push({ kind, from: values[k], to: values[k] });
-    });
-    const text = (x) => drawing.numbers.decimal(x);
+    for (const [kind, value] of found) {
+      if (bands.at(-1)?.kind !== kind) bands.push({ kind, from: value });
+      bands.at(-1).to = value;
+    }
+    const text = drawing.numbers.decimal;
     return bands.map(({ kind, from, to }) =>
       `${text(from)} to ${text(to)}: ${kinds[kind] || 'no scene'}`).join('; ');
   }
+
+  /// What happens in each of `count` scenes, asked one after the other; null as soon as nobody wants
+  /// to know it any longer.
+  async function kinds_of(background, question, count, scene, is_wanted) {
+    const found = [];
+    for (let k = 0; k < count; k += 1) {
+      let kind = 'none';
+      try {
+        const reply = await background.ask(question, 'drag', scene(k));
+        if (reply === null) return null;
+        kind = kind_of(JSON.parse(reply).answer);
+      } catch {
+        // A text that is no scene.
+      }
+      if (!is_wanted()) return null;
+      found.push(kind);
+    }
+    return found;
+  }
+
+  /// The key of the kinds that are there.
+  const key_of = (found) => Object.keys(kinds).filter((kind) => found.includes(kind))
+    .map((kind) => h('span', {}, h('i', { class: kind }), kinds[kind]));
 
   class Region {
     constructor(background) { Object.assign(this, { background, turn: 0 }); }
@@ -45,27 +68,15 @@
       this.turn += 1;
       const { turn } = this;
       const [least, most] = [Number(range.min), Number(range.max)];
-      const values = [...Array(samples).keys()].map((k) =>
-        least + (most - least) * (k + 0.5) / samples);
-      const found = [];
-      for (const value of values) {
-        let kind = 'none';
-        try {
-          const reply = await this.background.ask('region', 'drag', control.write(state, value));
-          if (turn !== this.turn || reply === null) return;
-          kind = kind_of(JSON.parse(reply).answer);
-        } catch {
-          if (turn !== this.turn) return;
-        }
-        found.push(kind);
-      }
+      const value = (k) => least + (most - least) * (k + 0.5) / samples;
+      const found = await kinds_of(this.background, 'region', samples,
+        (k) => control.write(state, value(k)), () => turn === this.turn);
+      if (!found) return;
       place.replaceChildren(...found.map((one) => h('i', { class: one })));
+      key.replaceChildren(...key_of(found));
       place.hidden = false;
-      const seen = Object.keys(kinds).filter((one) => found.includes(one));
-      key.replaceChildren(...seen.map((one) =>
-        h('span', {}, h('i', { class: one }), kinds[one])));
       key.hidden = false;
-      range.setAttribute('aria-description', told(values, found));
+      range.setAttribute('aria-description', bands_of(found.map((kind, k) => [kind, value(k)])));
     }
 
     /// The scene has changed elsewhere than at this slider.
@@ -84,5 +95,5 @@
     }
   }
 
-  Object.assign(play, { Region, kind_of, kinds });
+  Object.assign(play, { Region, kinds_of, key_of, kinds });
 })();

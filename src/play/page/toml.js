@@ -60,7 +60,6 @@
       const place = section?.keys[key];
       return place && value_of(this.text.slice(place.from, place.to));
     }
-    all(name) { return this.sections.filter((section) => section.name === name); }
     first(name) { return this.sections.find((section) => section.name === name); }
     /// The section of the finger or pusher called `name`.
     body(name) {

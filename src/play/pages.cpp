@@ -1,29 +1,18 @@
-// Every shipped scene: a picture, what happens, and a way into the playground.
+// The playground's page with a scene in it; and every shipped scene with a picture, what happens,
+// and a way into the playground.
 #include "draw/markup.hpp"
 #include "lcpush/desktop/play.hpp"
 #include "lcpush/desktop/report_page.hpp"
 #include "play/answers.hpp"
 #include "play/page_text.hpp"
+#include "play/state_picture.hpp"
 #include "scenes/shipped_scenes.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-/// As an address carries it.
-std::string in_address(const std::string& text) {
-  constexpr char digits[] = "0123456789ABCDEF";
-  std::string address;
-  for (const char c : text) {
-    const bool is_plain =
-        (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-    if (is_plain || c == '-' || c == '_' || c == '.') {
-      address += c;
-      continue;
-    }
-    const auto byte = static_cast<unsigned char>(c);
-    address += {'%', digits[byte / 16], digits[byte % 16]};
-  }
-  return address;
+void fill(std::string& page, const std::string& placeholder, const std::string& text) {
+  page.replace(page.find(placeholder), placeholder.size(), text);
 }
 
 /// The entry of a scene, and its picture as a file.
@@ -36,12 +25,25 @@ std::string entry(const ShippedScene& scene, std::vector<PlayFile>& files) {
   const PushReport report = push.solve(options);
   files.push_back({scene.name + ".svg",
                    report_pictures({file, hold, report, nullptr, nullptr, {}}).front().svg});
-  return "<li><a href=\"play.html#text=" + in_address(scene.text) + "\"><img src=\"" + scene.name +
-         ".svg\" alt=\"\" loading=\"lazy\"><strong>" + escaped(file.title) + "</strong><span>" +
-         escaped(first_sentence(file, report)) + "</span></a></li>\n";
+  return "<li><a href=\"play.html#text=" + percent_encoded(scene.text, "-_.") + "\"><img src=\"" +
+         scene.name + ".svg\" alt=\"\" loading=\"lazy\"><strong>" + escaped(file.title) +
+         "</strong><span>" + escaped(first_sentence(file, report)) + "</span></a></li>\n";
 }
 
 } // namespace
+
+std::string play_html(const std::string& text) {
+  std::string page = play_template();
+  // The scene last: what it says must not be taken for a placeholder.
+  fill(page, "/*LOOKS*/", palette(":root") + drawing_style());
+  fill(page, "/*STYLE*/", play_style());
+  fill(page, "/*DRAWING*/", drawing_script());
+  fill(page, "<!--KEY-->", state_key());
+  fill(page, "/*SCRIPT*/", play_script());
+  fill(page, "/*SOLVER*/", solver_text());
+  fill(page, "/*SCENE*/", escaped(text));
+  return page;
+}
 
 std::vector<PlayFile> play_gallery() {
   const std::vector<ShippedScene> scenes = example_scenes();
@@ -49,11 +51,8 @@ std::vector<PlayFile> play_gallery() {
   std::string entries;
   for (const ShippedScene& scene : scenes) entries += entry(scene, files);
   std::string page = gallery_template();
-  const auto fill = [&](const std::string& placeholder, const std::string& text) {
-    page.replace(page.find(placeholder), placeholder.size(), text);
-  };
-  fill("/*STYLE*/", palette(":root"));
-  fill("/*SCENES*/", entries);
+  fill(page, "/*STYLE*/", palette(":root"));
+  fill(page, "/*SCENES*/", entries);
   files.push_back({"index.html", page});
   return files;
 }

@@ -1,0 +1,44 @@
+// The numbers by which a motion is stepped and put into words.
+#pragma once
+
+#include "lcpush/types.hpp"
+
+namespace lcpush::desktop {
+
+struct MoveSettings {
+  // Faces. Directions and places are typed with three or four digits; lengths are parts of the
+  // scene's size.
+  static constexpr double typed_direction = 1e-3, typed_place = 1e-3;
+  static constexpr double typed_side = 1e-2; ///< on a round side, whose points are computed by hand
+  static constexpr double turned_face = 0.76; ///< of a unit vector: a face up to 45 degrees off
+  static constexpr double inside = 1e-6;      ///< of the object's size: a stroke that begins deeper
+  // Steps, as parts of the whole time.
+  static constexpr double first_step = 1e-3, longest_step = 0.02;
+  static constexpr double event_step = 1.0 / 4096; ///< how closely events are located
+  static constexpr double shortest_step = 0x1p-16; ///< what chatters must not take for ever either
+  static constexpr double same_time = 1e-12;       ///< rounding of a sum of steps
+  static constexpr double whole_steps = 1e-6;      ///< of a step, as which nothing is left over
+  static constexpr Index most_located =
+      64; ///< events; a patch that flickers must not take for ever
+  static constexpr double tolerance = 1e-3; ///< of the object's size, if nobody says: a thousandth
+  static constexpr int halvings = 4;        ///< of a fixed step that has no answer
+  static constexpr int distance_halvings = 40; ///< until a step's end is exact to 1e-12 of it
+  // Phases: what moves the object by less than this part of the whole motion is none of its own;
+  // where that leaves more than a sentence holds, twice that, and so on.
+  static constexpr double least_part = 0.02;
+  static constexpr std::size_t most_phases = 4;
+  static constexpr double same_axis = 0.95; ///< cosine: beyond 18 degrees it is another turn
+  static constexpr double no_turn = 1e-3;   ///< of the path: it slides
+  // Jumps of the push: less than this part of the force is none, nor what is next to nothing in the
+  // whole motion; at once is so many times as fast as the changes before and after. A force that
+  // changes gradually has steps alike, a blow goes up and down at the same rate.
+  static constexpr double least_jump = 0.1, worth_a_jump = 1e-3, times_neighbours = 8;
+  // Words.
+  static constexpr double worth_a_word = 1e-3; ///< of the rest: less is left out
+  static constexpr double unmoved = 1e-9; ///< of the object's size: rounding goes farther in no run
+  static constexpr double half_turn = 1e-6; ///< sine of an angle that is 0 or half a turn
+  static constexpr double exact =
+      1e-9; ///< residuals and depths, m, below only say how rounding went
+};
+
+} // namespace lcpush::desktop
