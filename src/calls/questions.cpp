@@ -133,7 +133,7 @@ Result certify(const Values& values, Listener& listener) {
 Command question(const std::string& name, const std::string& about, std::vector<Option> options,
                  std::vector<std::string> formats,
                  Result (*run)(const Values& values, Listener& listener)) {
-  return {name, about, "", "", std::move(options), 0, std::move(formats), run};
+  return {name, about, "", "", std::move(options), run, std::move(formats)};
 }
 
 std::vector<Command> all_questions() {

@@ -39,7 +39,7 @@ const JsonValue* Request::find(const std::string& option) const {
 bool Request::has(const std::string& option) const {
   const JsonValue* const value = find(option);
   const commands::Option* const known = command().find(option);
-  if (value == nullptr || known == nullptr || !known->value.empty()) return value != nullptr;
+  if (value == nullptr || known == nullptr || !known->is_flag()) return value != nullptr;
   if (value->as<bool>() == nullptr)
     refuse(option, label(option) + " must be true or false, got " + value->type());
   return *value->as<bool>();

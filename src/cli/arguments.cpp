@@ -25,7 +25,7 @@ std::vector<std::string> commands_with(const std::string& option) {
   std::vector<std::string> names;
   for (const Command& command : all_commands())
     for (const Option& known : command.options)
-      if ("--" + known.name == option) names.push_back(command.name);
+      if (known.label() == option) names.push_back(command.name);
   return names;
 }
 
@@ -52,10 +52,10 @@ void Arguments::read_option(const std::vector<std::string>& words, std::size_t& 
   }
   std::vector<std::string> known{"--json"};
   for (const Option& option : command().options) {
-    known.push_back("--" + option.name);
+    known.push_back(option.label());
     if (known.back() != name) continue;
     if (has(option.name) && !option.repeats) throw UsageError(name + " is given twice");
-    if (option.value.empty()) {
+    if (option.is_flag()) {
       if (inline_value) throw UsageError(name + " takes no value");
       values_[option.name] = {""};
       return;
@@ -130,7 +130,7 @@ std::optional<std::vector<double>> Arguments::numbers(const std::string& option,
 }
 
 std::string Arguments::usage(const std::string& option) const {
-  return label(option) + " " + command().find(option)->value;
+  return command().find(option)->usage();
 }
 
 void Arguments::throw_refusal(const std::string& option, const std::string& sentence) const {

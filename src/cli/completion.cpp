@@ -9,7 +9,7 @@ namespace {
 
 /// What an option's value may be; empty if it is free.
 std::string value_words(const Command& command, const Option& option) {
-  return option.name == "format" ? joined(command.formats, " ") : "";
+  return option.label() == "--format" ? joined(command.formats, " ") : "";
 }
 
 std::string bash_script() {
@@ -19,13 +19,13 @@ std::string bash_script() {
   for (const Command& command : all_commands())
     for (const Option& option : command.options)
       if (const std::string values = value_words(command, option); !values.empty())
-        text += "    " + command.name + ":--" + option.name + ") words=\"" + values + "\" ;;\n";
+        text += "    " + command.name + ":" + option.label() + ") words=\"" + values + "\" ;;\n";
   text += "  esac\n  if [[ -z $words && $word == -* ]]; then\n    case ${COMP_WORDS[1]} in\n";
   std::vector<std::string> names;
   for (const Command& command : all_commands()) {
     names.push_back(command.name);
     text += "      " + command.name + ") words=\"--help";
-    for (const Option& option : command.options) text += " --" + option.name;
+    for (const Option& option : command.options) text += " " + option.label();
     text += "\" ;;\n";
   }
   return text + "    esac\n  elif [[ $COMP_CWORD == 1 ]]; then\n    words=\"" + joined(names, " ") +
@@ -57,9 +57,9 @@ std::string zsh_script() {
       std::string value;
       if (const std::string values = value_words(command, option); !values.empty())
         value = ":value:(" + values + ")";
-      else if (!option.value.empty())
-        value = ":" + option.value + ":_files";
-      text += " \\\n        " + shell_quoted("--" + option.name + "[" + help + "]" + value);
+      else if (!option.is_flag())
+        value = std::string(":") + option.value + ":_files";
+      text += " \\\n        " + shell_quoted(option.label() + "[" + help + "]" + value);
     }
     text += "\n      ;;\n";
   }
@@ -76,7 +76,7 @@ std::string fish_script() {
     for (const Option& option : command.options) {
       const std::string values = value_words(command, option);
       text += "complete -c lcpush -n '__fish_seen_subcommand_from " + command.name + "' -l " +
-              option.name + (option.value.empty() ? "" : " -r") +
+              option.name + (option.is_flag() ? "" : " -r") +
               (values.empty() ? "" : " -f -a " + shell_quoted(values)) + " -d " +
               shell_quoted(option.help) + "\n";
     }
@@ -107,9 +107,7 @@ std::string man_page() {
             roff(command.summary) + "\n.nf\n\n" +
             roff(wrapped(reflowed(command.details), man_width)) + "\n.fi\n";
     for (const Option& option : command.options)
-      text += ".TP\n.B " +
-              roff("--" + option.name + (option.value.empty() ? "" : " " + option.value)) + "\n" +
-              roff(option.help) + "\n";
+      text += ".TP\n.B " + roff(option.usage()) + "\n" + roff(option.help) + "\n";
   }
   return text + ".SH EXIT STATUS\n0 solved, 1 not solved (the output says why), 2 bad input or "
                 "usage.\n";

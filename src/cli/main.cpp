@@ -61,7 +61,7 @@ std::string help_text(const Command& command) {
                      command.name + " " + command.synopsis + "\n\n" + reflowed(command.details) +
                      "\nOptions:\n";
   for (const Option& option : command.options) {
-    std::string left = "  --" + option.name + (option.value.empty() ? "" : " " + option.value);
+    std::string left = "  " + option.usage();
     left.resize(std::max<std::size_t>(left.size() + 2, 28), ' ');
     text += left + option.help + "\n";
   }

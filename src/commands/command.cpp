@@ -5,7 +5,7 @@ namespace {
 
 void add_unless_there(std::vector<Option>& options, const Option& option) {
   for (const Option& known : options)
-    if (known.name == option.name) return;
+    if (known.label() == option.label()) return;
   options.push_back(option);
 }
 
@@ -30,7 +30,7 @@ std::vector<Option> with_scene_options(std::vector<Option> own) {
   return with_common_options(std::move(own));
 }
 
-Option format_option(const std::string& help, const std::string& placeholder) {
+Option format_option(const char* help, const char* placeholder) {
   return {"format", placeholder, help, false, true};
 }
 

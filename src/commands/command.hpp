@@ -17,11 +17,15 @@ class Listener;
 class Values;
 
 struct Option {
-  std::string name;  ///< "stop-after"; "--stop-after" in a shell, "stop_after" as a key of JSON
-  std::string value; ///< placeholder of its value, empty for a flag
-  std::string help;
+  const char* name;  ///< "stop-after"; "--stop-after" in a shell, "stop_after" as a key of JSON
+  const char* value; ///< placeholder of its value, "" for a flag
+  const char* help;
   bool repeats = false;       ///< may be given several times
   bool in_shell_only = false; ///< no key of JSON
+
+  bool is_flag() const { return *value == '\0'; }
+  std::string label() const { return std::string("--") + name; }                 ///< "--steps"
+  std::string usage() const { return label() + (is_flag() ? "" : " ") + value; } ///< "--steps N"
 };
 
 struct Result {
@@ -37,10 +41,10 @@ struct Command {
   std::string summary;  ///< one line for the list of commands
   std::string details;  ///< paragraphs for --help, an example included
   std::vector<Option> options;
-  std::size_t most_files = 1;
-  std::vector<std::string> formats = {"text", "json"}; ///< the first is a shell's usual one
   /// Throws InputError, and what `values` refuse with.
   Result (*run)(const Values& values, Listener& listener) = nullptr;
+  std::vector<std::string> formats = {"text", "json"}; ///< the first is a shell's usual one
+  std::size_t most_files = 1;
   bool ends_with_what_there_is = false;    ///< when its seconds are over
   std::vector<std::string> more_keys = {}; ///< of JSON alone
 
@@ -93,6 +97,6 @@ std::vector<Option> with_common_options(std::vector<Option> own);
 /// Also --strict and --seconds, of a command that answers about a scene.
 std::vector<Option> with_scene_options(std::vector<Option> own);
 /// --format of a command that has more than text and json.
-Option format_option(const std::string& help, const std::string& placeholder = "FORMAT");
+Option format_option(const char* help, const char* placeholder = "FORMAT");
 
 } // namespace lcpush::commands

@@ -156,9 +156,9 @@ Command move_command() {
            {"seconds", "S",
             "stop after so much processor time (8), with what there is; so does Ctrl-C"},
            format_option("text (default), json, csv, svg or html; --json for short")}),
-      1,
-      {"text", "json", "csv", "svg", "html"},
       run_move,
+      {"text", "json", "csv", "svg", "html"},
+      1,
       true,
       {"most_steps"}};
 }
@@ -184,9 +184,8 @@ Command cone_command() {
                pressure_option,
                verbose_option,
                format_option("text (default), json or svg; --json for short")}),
-          1,
-          {"text", "json", "svg"},
-          run_cone};
+          run_cone,
+          {"text", "json", "svg"}};
 }
 
 Command plan_command() {
@@ -210,9 +209,9 @@ Command plan_command() {
            format_option(
                "text (default), json, html (the replay as a page) or toml (a scene with the plan's "
                "strokes); --json for short")}),
-      1,
-      {"text", "json", "html", "toml"},
       run_plan,
+      {"text", "json", "html", "toml"},
+      1,
       true};
 }
 

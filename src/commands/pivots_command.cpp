@@ -121,9 +121,9 @@ Command pivots_command() {
           seconds_option,
           format_option("text (default), json, latex or html; --json for short", "NAME"),
       }),
-      2,
+      run_pivots,
       {"text", "json", "latex", "html"},
-      run_pivots};
+      2};
 }
 
 } // namespace lcpush::commands

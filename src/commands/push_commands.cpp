@@ -1,7 +1,8 @@
-// solve and break: the push that a scene prescribes, and the force that breaks its grasp.
+// solve, break and matrices: a scene's push, the force that breaks its grasp, and its matrices.
 #include "commands/asked_push.hpp"
 #include "commands/history.hpp"
 #include "commands/values.hpp"
+#include "lcpush/desktop/matrices.hpp"
 #include "lcpush/desktop/report.hpp"
 
 #include <memory>
@@ -52,6 +53,14 @@ Result run_break(const Values& values, Listener& listener) {
           }};
 }
 
+Result run_matrices(const Values& values, Listener&) {
+  const std::string format = values.format();
+  const SceneFile file = values.scene(Needs::matrix);
+  const PaperMatrices matrices = paper_matrices(file);
+  return {true, format == "json" ? matrices_json(matrices, check_scene(file))
+                                 : matrices_text(file, matrices)};
+}
+
 } // namespace
 
 Command solve_command() {
@@ -62,8 +71,6 @@ Command solve_command() {
           "Accelerations are the object's, in the gripper's frame and SI units.\n\n"
           "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
           with_scene_options({verbose_option, solver_option, history_option, certify_option}),
-          1,
-          {"text", "json"},
           run_solve};
 }
 
@@ -80,9 +87,22 @@ Command break_command() {
                           solver_option,
                           history_option,
                           certify_option}),
-      1,
-      {"text", "json"},
       run_break};
+}
+
+Command matrices_command() {
+  return {"matrices",
+          "SCENE.toml [OPTIONS]",
+          "the paper's matrices: inertia, grasp matrix, hand Jacobian, generators",
+          "Prints the object's inertia M and load w, the grasp matrix G and its polyhedral form\n"
+          "G-bar, the hand Jacobian J with the pushers' blocks, what moves as prescribed (the\n"
+          "right-hand side v of the contact accelerations r = G' a - J s - v), the friction\n"
+          "generators D and, for each patch, its reference points, weights and number of\n"
+          "independent rigidity conditions. SI units, scene axes, at the object's centre of mass;\n"
+          "the scene as written, unsolved.\n\n"
+          "Example:\n  lcpush matrices fixtures/scenes/straight_slide.toml\n",
+          with_scene_options({}),
+          run_matrices};
 }
 
 } // namespace lcpush::commands

@@ -201,9 +201,9 @@ Examples:
             "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
            verbose_option,
            format_option("text (default), csv, json or svg; --json for short")}),
-      limits::curves,
+      run_sweep,
       {"text", "csv", "json", "svg"},
-      run_sweep};
+      limits::curves};
 }
 
 Command report_command() {
@@ -228,9 +228,8 @@ Command report_command() {
            {"pusher", "NAME", "whose breaking force is meant, among several"},
            format_option("html (default), or svg for one picture"),
            {"picture", "NAME", "which one, with --format svg (front)"}}),
-      1,
-      {"html", "svg"},
-      run_report};
+      run_report,
+      {"html", "svg"}};
 }
 
 } // namespace lcpush::commands

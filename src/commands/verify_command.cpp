@@ -85,9 +85,9 @@ Command verify_command() {
           findex_option,
           verbose_option,
       }),
-      3,
+      run_verify,
       {"text", "json"},
-      run_verify};
+      3};
 }
 
 } // namespace lcpush::commands

@@ -99,9 +99,9 @@ Command lcp_command() {
               {"history", "", "the residual after each check instead; also --format csv"},
               certify_option,
           }),
-          2,
+          run_lcp,
           {"text", "json"},
-          run_lcp};
+          2};
 }
 
 } // namespace lcpush::commands

@@ -1,7 +1,6 @@
-// spread and matrices: all answers of a scene, and what it is made of.
+// spread: all answers of a scene.
 #include "commands/listener.hpp"
 #include "commands/values.hpp"
-#include "lcpush/desktop/matrices.hpp"
 #include "lcpush/desktop/spread.hpp"
 #include "text/limits.hpp"
 
@@ -37,14 +36,6 @@ Result run_spread(const Values& values, Listener& listener) {
                                                : spread_text(file, report, values.telling())};
 }
 
-Result run_matrices(const Values& values, Listener&) {
-  const std::string format = values.format();
-  const SceneFile file = values.scene(Needs::matrix);
-  const PaperMatrices matrices = paper_matrices(file);
-  return {true, format == "json" ? matrices_json(matrices, check_scene(file))
-                                 : matrices_text(file, matrices)};
-}
-
 } // namespace
 
 Command spread_command() {
@@ -65,27 +56,10 @@ Command spread_command() {
                {"seconds", "S", "stop after that time, with what is found; so does Ctrl-C"},
                {"covers", "N", "covering vectors of Lemke's method to start from (32)"},
                verbose_option}),
-          1,
-          {"text", "json"},
           run_spread,
-          true};
-}
-
-Command matrices_command() {
-  return {"matrices",
-          "SCENE.toml [OPTIONS]",
-          "the paper's matrices: inertia, grasp matrix, hand Jacobian, generators",
-          "Prints the object's inertia M and load w, the grasp matrix G and its polyhedral form\n"
-          "G-bar, the hand Jacobian J with the pushers' blocks, what moves as prescribed (the\n"
-          "right-hand side v of the contact accelerations r = G' a - J s - v), the friction\n"
-          "generators D and, for each patch, its reference points, weights and number of\n"
-          "independent rigidity conditions. SI units, scene axes, at the object's centre of mass;\n"
-          "the scene as written, unsolved.\n\n"
-          "Example:\n  lcpush matrices fixtures/scenes/straight_slide.toml\n",
-          with_scene_options({}),
-          1,
           {"text", "json"},
-          run_matrices};
+          1,
+          true};
 }
 
 } // namespace lcpush::commands
