@@ -1,7 +1,8 @@
 #include "lcpush/desktop/certify.hpp"
 
+#include "certify/exact_answer.hpp"
 #include "certify/exact_cones.hpp"
-#include "certify/exact_search.hpp"
+#include "certify/settings.hpp"
 #include "certify/sha256.hpp"
 #include "solve/owned_assembly.hpp"
 #include "text/limits.hpp"
@@ -12,6 +13,8 @@
 
 namespace lcpush::desktop {
 namespace {
+
+constexpr CertifySettings settings;
 
 /// The doubles next to which the exact answer is looked for.
 struct Guess {
@@ -49,7 +52,7 @@ Guess guess_of(const Scene<double>& scene, const MixedProblem& problem,
   guess.x_unit.resize(guess.x.size(), 0);
   guess.w_unit.resize(guess.x.size(), 0);
   for (std::size_t i = 0; i < problem.size(); ++i) {
-    double sum = problem.q[0][i].value();
+    double sum = problem.q[i].value();
     for (const ExactEntry& e : problem.rows[i])
       sum += e.value.value() * guess.x[static_cast<std::size_t>(e.column)];
     guess.w.push_back(sum);
@@ -70,8 +73,8 @@ std::vector<Part> acting_of(const Guess& guess, double tolerance) {
 
 std::optional<ExactAnswer> answer_near(const MixedProblem& problem, const Guess& guess) {
   std::optional<ExactAnswer> exact;
-  for (const double tolerance : {1e-9, 1e-12, 1e-7})
-    if (!exact) exact = answer_near(problem, acting_of(guess, tolerance), {guess.x});
+  for (const double zero : settings.zeros)
+    if (!exact) exact = answer_near(problem, acting_of(guess, zero), guess.x);
   return exact;
 }
 
@@ -117,6 +120,22 @@ void take_basis(const MixedProblem& problem, Certificate& certificate) {
       certificate.basis.push_back(static_cast<Index>(i));
 }
 
+void take_answer(const MixedProblem& problem, const Guess& guess, ExactAnswer& exact,
+                 Certificate& certificate) {
+  certificate.x = std::move(exact.x);
+  take_basis(problem, certificate);
+  for (std::size_t i = 0; i < problem.size(); ++i)
+    if (guess.x_unit[i] > 0)
+      certificate.distance = std::max(
+          certificate.distance, std::abs(certificate.x[i].value() - guess.x[i]) / guess.x_unit[i]);
+}
+
+double largest_of(const std::vector<double>& numbers) {
+  double largest = 0;
+  for (const double x : numbers) largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
 } // namespace
 
 void Certificate::add_fingerprint(const std::string& bytes) {
@@ -127,32 +146,28 @@ std::optional<Certificate> certify_answer(const std::string& text, const SceneFi
                                           const Answer<double>& answer, double push) {
   Certificate certificate = scene_certificate(Proof::answer, text, file);
   certificate.push = Rational(push);
-  const MixedProblem problem = scene_problem(exact_scene(text, file, certificate.push), false);
+  const MixedProblem problem = scene_problem(exact_scene(text, file, certificate.push));
   const Guess guess = guess_of(file.view(), problem, answer);
   std::optional<ExactAnswer> exact = answer_near(problem, guess);
-  if (!exact) {
-    // Another cover ends in another basis, where less may tie.
-    constexpr Index covers = 3, apart = 20; // a cover that fails goes on to the next
-    exact = searched_answer(
-        problem,
-        [&](Index k) { return pivoted_basis(file.view(), push, apart * k, problem.size()); },
-        covers);
+  // Another cover ends in another basis, where less may tie.
+  std::vector<Basis> bases;
+  for (Index k = 0; k < settings.bases && !exact; ++k) {
+    const Basis basic = pivoted_basis(file.view(), push, settings.bases_apart * k, problem.size());
+    if (basic.empty() || std::find(bases.begin(), bases.end(), basic) != bases.end()) continue;
+    exact = answer_of_basis(problem, basic);
+    bases.push_back(basic);
   }
+  bases.resize(std::min(bases.size(), settings.pivoted_bases));
+  if (!exact) exact = answer_by_pivots(problem, bases, settings.pivots);
   if (!exact) return std::nullopt;
-  certificate.x = std::move(exact->x[0]);
-  take_basis(problem, certificate);
-  for (std::size_t i = 0; i < problem.size(); ++i)
-    if (guess.x_unit[i] > 0)
-      certificate.distance = std::max(
-          certificate.distance, std::abs(certificate.x[i].value() - guess.x[i]) / guess.x_unit[i]);
+  take_answer(problem, guess, *exact, certificate);
   return certificate;
 }
 
 std::optional<Certificate> certify_squeeze(const std::string& text, const SceneFile& file,
                                            const std::vector<NamedValue>& ray) {
   Certificate certificate = scene_certificate(Proof::squeeze, text, file);
-  const SceneOf<Rational> scene = exact_scene(text, file, 1);
-  const MixedProblem problem = scene_problem(scene, true);
+  const MixedProblem problem = scene_problem(exact_scene(text, file, 1));
   std::vector<double> guess(problem.size(), 0.0);
   double largest = 0;
   for (const NamedValue& entry : ray) {
@@ -163,7 +178,7 @@ std::optional<Certificate> certify_squeeze(const std::string& text, const SceneF
   }
   if (!(largest > 0)) return std::nullopt;
   for (double& value : guess) value /= largest;
-  std::optional<std::vector<Rational>> forces = squeeze_near(problem, guess);
+  std::optional<Column> forces = squeeze_near(problem, guess);
   if (!forces) return std::nullopt;
   certificate.x = std::move(*forces);
   take_basis(problem, certificate);
@@ -173,13 +188,40 @@ std::optional<Certificate> certify_squeeze(const std::string& text, const SceneF
 std::optional<Certificate> certify_cannot_hold(const std::string& text, const SceneFile& file) {
   Certificate certificate = scene_certificate(Proof::cannot_hold, text, file);
   certificate.push = 0;
-  std::vector<std::vector<Rational>> columns;
-  std::vector<Rational> load;
-  holding_question(scene_problem(exact_scene(text, file, 1), true), columns, load);
-  std::optional<std::vector<Rational>> motion = separation(columns, load);
+  std::vector<Column> columns;
+  Column load;
+  holding_question(scene_problem(exact_scene(text, file, 1)), columns, load);
+  std::optional<Column> motion = separation(columns, load);
   if (!motion) return std::nullopt;
   certificate.x = std::move(*motion);
   return certificate;
+}
+
+std::optional<Certificate> certify_push(const std::string& text, const SceneFile& file,
+                                        const PushReport& report) {
+  if (report.status == Status::solved) return certify_answer(text, file, report.answer, 1);
+  return certify_squeeze(text, file, report.ray);
+}
+
+std::optional<Certificate> certify_break(const std::string& text, const SceneFile& file, Push& push,
+                                         Index pusher, const BreakReport& report) {
+  if (report.status == Status::does_not_hold) return certify_cannot_hold(text, file);
+  if (report.status != Status::solved) return certify_squeeze(text, file, report.ray);
+  PushOptions again; // the answer at the small push; the search for others has overwritten it
+  again.solver = report.solver;
+  again.other_covers = 0;
+  push.find_breaking(pusher, again);
+  return certify_answer(text, file, push.last_answer(),
+                        report.breaking.small_push / push_size(file.view()));
+}
+
+std::string uncertified_law(const SceneFile& file) {
+  if (file.is_round)
+    return "proves pyramids, whose directions are fractions: give the scene a number of facets";
+  if (file.pressure == Pressure::even)
+    return "proves the literal equations, which pressure = \"even\" replaces: use \"pad\" or "
+           "\"rigid\"";
+  return {};
 }
 
 std::optional<Certificate> certify_raw(const ExactMatrix& M, const ExactMatrix& q,
@@ -190,37 +232,25 @@ std::optional<Certificate> certify_raw(const ExactMatrix& M, const ExactMatrix& 
   certificate.free = free;
   const MixedProblem problem = raw_mixed_problem(M, q, free);
   if (answer.status == Status::solved) {
-    std::optional<ExactAnswer> exact = answer_from_bases(problem, {answer.basic}, 0);
+    std::optional<ExactAnswer> exact = answer_of_basis(problem, answer.basic);
     Guess guess{answer.z, answer.w, {}, {}};
-    double x_unit = 0, w_unit = 0;
-    for (const double z : answer.z) x_unit = std::max(x_unit, std::abs(z));
-    for (const double w : answer.w) w_unit = std::max(w_unit, std::abs(w));
-    guess.x_unit.assign(answer.z.size(), x_unit);
-    guess.w_unit.assign(answer.z.size(), w_unit);
+    guess.x_unit.assign(answer.z.size(), largest_of(answer.z));
+    guess.w_unit.assign(answer.z.size(), largest_of(answer.w));
     if (!exact) exact = answer_near(problem, guess);
-    if (!exact)
-      exact = searched_answer(
-          problem, [&](Index) { return answer.basic; }, 1);
-    if (!exact) exact = answer_from_bases(problem, {answer.basic}, limits::pivots_certified);
+    if (!exact) exact = answer_by_pivots(problem, {answer.basic}, settings.pivots);
     if (!exact) return std::nullopt;
-    certificate.x = std::move(exact->x[0]);
-    take_basis(problem, certificate);
-    double largest = 0;
-    for (const Rational& x : certificate.x) largest = std::max(largest, std::abs(x.value()));
-    for (std::size_t i = 0; largest > 0 && i < answer.z.size(); ++i)
-      certificate.distance = std::max(certificate.distance,
-                                      std::abs(certificate.x[i].value() - answer.z[i]) / largest);
+    take_answer(problem, guess, *exact, certificate);
     return certificate;
   }
   // q = w - M z with w, z >= 0 has no answer if a combination of the rows forbids it.
   const std::size_t n = problem.size();
-  std::vector<std::vector<Rational>> columns;
+  std::vector<Column> columns;
   for (std::size_t j = 0; j < n; ++j) {
-    std::vector<Rational> of_w(n), of_z(n);
+    Column of_w(n), of_z(n);
     of_w[j] = 1;
     for (std::size_t i = 0; i < n; ++i) of_z[i] = -M(static_cast<Index>(i), static_cast<Index>(j));
     if (problem.is_free(j)) {
-      std::vector<Rational> other = of_z;
+      Column other = of_z;
       for (Rational& x : other) x.negate();
       columns.push_back(std::move(other));
     } else {
@@ -228,7 +258,7 @@ std::optional<Certificate> certify_raw(const ExactMatrix& M, const ExactMatrix& 
     }
     columns.push_back(std::move(of_z));
   }
-  std::optional<std::vector<Rational>> y = separation(columns, q.values);
+  std::optional<Column> y = separation(columns, q.values);
   if (!y) return std::nullopt;
   for (Rational& x : *y) x.negate();
   certificate.proof = Proof::no_answer;

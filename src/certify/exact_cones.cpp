@@ -1,5 +1,6 @@
 #include "certify/exact_cones.hpp"
 
+#include "certify/settings.hpp"
 #include "lcpush/desktop/owned.hpp"
 #include "lcpush/lcp/cone_membership.hpp"
 
@@ -9,9 +10,9 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr double nearly = 1e-9; // of the largest: an equality in exact numbers
+constexpr CertifySettings settings;
 
-Rational dot(const std::vector<Rational>& a, const std::vector<Rational>& b) {
+Rational dot(const Column& a, const Column& b) {
   Rational sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
     if (a[i].sign() != 0 && b[i].sign() != 0) sum += a[i] * b[i];
@@ -19,18 +20,16 @@ Rational dot(const std::vector<Rational>& a, const std::vector<Rational>& b) {
 }
 
 /// The part of b that is orthogonal to the columns. Pre: they are independent.
-std::optional<std::vector<Rational>>
-orthogonal_part(const std::vector<const std::vector<Rational>*>& columns,
-                const std::vector<Rational>& b) {
+std::optional<Column> orthogonal_part(const std::vector<const Column*>& columns, const Column& b) {
   std::vector<ExactRow> gram;
-  std::vector<Rational> right;
+  Column right;
   for (const auto* row : columns) {
     ExactRow& products = gram.emplace_back();
     for (std::size_t j = 0; j < columns.size(); ++j)
       products.push_back({static_cast<Index>(j), dot(*row, *columns[j])});
     right.push_back(dot(*row, b));
   }
-  std::vector<Rational> part = b;
+  Column part = b;
   if (columns.empty()) return part;
   const auto weights = ExactSystem(gram).solve(right);
   if (!weights) return std::nullopt;
@@ -41,8 +40,7 @@ orthogonal_part(const std::vector<const std::vector<Rational>*>& columns,
 
 } // namespace
 
-std::optional<std::vector<Rational>> separation(const std::vector<std::vector<Rational>>& columns,
-                                                const std::vector<Rational>& b) {
+std::optional<Column> separation(const std::vector<Column>& columns, const Column& b) {
   const auto m = static_cast<Index>(b.size()), n = static_cast<Index>(columns.size());
   std::vector<double> scalars(static_cast<std::size_t>(cone_membership_scalars(m, n)));
   std::vector<int> integers(static_cast<std::size_t>(least_squares_integers(m, n)));
@@ -58,29 +56,29 @@ std::optional<std::vector<Rational>> separation(const std::vector<std::vector<Ra
   if (question.ask(n) != Status::ray) return std::nullopt;
   std::vector<std::size_t> active;
   for (Index j = 0; j < n; ++j)
-    if (std::abs(question.A.col(j).dot(question.residual)) <= nearly * question.residual.norm())
+    if (std::abs(question.A.col(j).dot(question.residual)) <=
+        settings.equality * question.residual.norm())
       active.push_back(static_cast<std::size_t>(j));
   std::vector<ExactRow> rows(b.size());
   for (std::size_t i = 0; i < b.size(); ++i)
     for (std::size_t j = 0; j < active.size(); ++j)
       if (columns[active[j]][i].sign() != 0)
         rows[i].push_back({static_cast<Index>(j), columns[active[j]][i]});
-  std::vector<const std::vector<Rational>*> independent;
+  std::vector<const Column*> independent;
   for (const std::size_t j : largest_minor(rows, active.size()).columns)
     independent.push_back(&columns[active[j]]);
   const auto y = orthogonal_part(independent, b);
   if (!y || dot(*y, b).sign() <= 0) return std::nullopt;
-  for (const std::vector<Rational>& column : columns)
+  for (const Column& column : columns)
     if (dot(*y, column).sign() > 0) return std::nullopt;
   return y;
 }
 
-std::optional<std::vector<Rational>> squeeze_near(const MixedProblem& problem,
-                                                  const std::vector<double>& guess) {
+std::optional<Column> squeeze_near(const MixedProblem& problem, const std::vector<double>& guess) {
   std::vector<std::size_t> forces;
   std::vector<Index> place(problem.size(), -1);
   for (std::size_t i = 0; i < problem.size(); ++i)
-    if (guess[i] > nearly) {
+    if (guess[i] > settings.equality) {
       place[i] = static_cast<Index>(forces.size());
       forces.push_back(i);
     }
@@ -97,40 +95,36 @@ std::optional<std::vector<Rational>> squeeze_near(const MixedProblem& problem,
       size += std::abs(entry.value.value() * guess[j]);
     }
     const bool is_cone = problem.limits_forces(i) && !row.empty();
-    if (problem.is_free(i) || (is_cone && std::abs(sum) <= nearly * size))
+    if (problem.is_free(i) || (is_cone && std::abs(sum) <= settings.equality * size))
       rows.push_back(std::move(row));
   }
   std::vector<double> near;
   for (const std::size_t j : forces) near.push_back(guess[j]);
-  const auto solution = solution_near(rows, std::vector<Rational>(rows.size()), near);
+  const auto solution = solution_near(rows, Column(rows.size()), near, settings.guess_bits);
   if (!solution) return std::nullopt;
-  const std::vector<Rational>& f = *solution;
-  std::vector<Rational> x(problem.size());
+  const Column& f = *solution;
+  Column x(problem.size());
   Rational work = 0;
   for (std::size_t j = 0; j < forces.size(); ++j) {
     if (f[j].sign() < 0) return std::nullopt;
     x[forces[j]] = f[j];
-    work -= f[j] * problem.q[1][forces[j]];
+    work -= f[j] * problem.q[forces[j]];
   }
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    Rational sum = 0;
-    for (const ExactEntry& entry : problem.rows[i])
-      sum += entry.value * x[static_cast<std::size_t>(entry.column)];
-    if (problem.is_free(i) ? sum.sign() != 0 : problem.limits_forces(i) && sum.sign() < 0)
+  const Column w = times(problem, x);
+  for (std::size_t i = 0; i < problem.size(); ++i)
+    if (problem.is_free(i) ? w[i].sign() != 0 : problem.limits_forces(i) && w[i].sign() < 0)
       return std::nullopt;
-  }
   if (work.sign() <= 0) return std::nullopt;
   return x;
 }
 
-void holding_question(const MixedProblem& problem, std::vector<std::vector<Rational>>& columns,
-                      std::vector<Rational>& b) {
+void holding_question(const MixedProblem& problem, std::vector<Column>& columns, Column& b) {
   std::vector<std::size_t> rows; // what has to balance
   for (std::size_t i = 0; i < problem.size(); ++i)
     if (problem.is_free(i)) rows.push_back(i);
-  std::vector<std::vector<Rational>> of(problem.size(), std::vector<Rational>(rows.size()));
+  std::vector<Column> of(problem.size(), Column(rows.size()));
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    b.push_back(-problem.q[0][rows[k]]);
+    b.push_back(-problem.q[rows[k]]);
     for (const ExactEntry& entry : problem.rows[rows[k]])
       of[static_cast<std::size_t>(entry.column)][k] = entry.value;
   }
@@ -144,7 +138,7 @@ void holding_question(const MixedProblem& problem, std::vector<std::vector<Ratio
         const auto f = static_cast<std::size_t>(friction.column);
         if (normal.value.sign() < 0 || friction.value.sign() > 0) continue;
         is_frictionless[n] = is_frictionless[f] = 0;
-        std::vector<Rational> ray = of[n];
+        Column ray = of[n];
         for (std::size_t k = 0; k < ray.size(); ++k) ray[k] += normal.value * of[f][k];
         columns.push_back(std::move(ray));
       }

@@ -10,7 +10,7 @@ const Scales<Rational> si = {1, 1, 1};
 /// The laws in the paper's order, one row each.
 class SceneRows {
 public:
-  SceneRows(const Scene<Rational>& scene, bool breaks) : scene_(scene) {
+  explicit SceneRows(const Scene<Rational>& scene) : scene_(scene) {
     for (Index b = 0; b < scene.bodies.size; ++b) {
       const Body<Rational>& body = scene.bodies[b];
       pairs_ += body.point_count * (generator_count(scene, body) + (body.bilateral ? 2 : 1) +
@@ -20,7 +20,7 @@ public:
     axes_ = scene.planar ? std::vector<Index>{0, 1, 5} : std::vector<Index>{0, 1, 2, 3, 4, 5};
     const auto size = static_cast<std::size_t>(twist_) + axes_.size();
     problem_.rows.resize(size);
-    problem_.q.assign(breaks ? 2 : 1, std::vector<Rational>(size));
+    problem_.q.resize(size);
     problem_.free.assign(size, 0);
     for (auto i = static_cast<std::size_t>(pairs_); i < size; ++i) problem_.free[i] = 1;
   }
@@ -42,8 +42,8 @@ private:
   void add(Index row, Index column, const Rational& value) {
     if (value.sign() != 0) problem_.rows[static_cast<std::size_t>(row)].push_back({column, value});
   }
-  void constant(std::size_t column, Index row, const Rational& value) {
-    problem_.q[column][static_cast<std::size_t>(row)] += value;
+  void constant(Index row, const Rational& value) {
+    problem_.q[static_cast<std::size_t>(row)] += value;
   }
 
   /// [T.1] M a - load; the forces are added point by point.
@@ -56,14 +56,14 @@ private:
       const Index row = twist_ + static_cast<Index>(i);
       for (std::size_t j = 0; j < axes_.size(); ++j)
         add(row, twist_ + static_cast<Index>(j), M(axes_[i], axes_[j]));
-      constant(0, row, -load[axes_[i]]);
+      constant(row, -load[axes_[i]]);
     }
   }
 
   /// [T.5] m s - tau; the forces are added point by point.
   void grip(Index a) {
     add(pairs_ + a, pairs_ + a, scene_.actuators[a].inertia);
-    constant(0, pairs_ + a, -scene_.actuators[a].force);
+    constant(pairs_ + a, -scene_.actuators[a].force);
   }
 
   /// A force along `column` of body b: its row of relative acceleration, and what it does to the
@@ -79,7 +79,7 @@ private:
       add(unknown, pairs_ + drive.actuator, -power);
       add(pairs_ + drive.actuator, unknown, power);
     }
-    constant(problem_.q.size() - 1, unknown, -column.dot(scene_.bodies[b].acceleration));
+    constant(unknown, -column.dot(scene_.bodies[b].acceleration));
   }
 
   /// [T.2], [T.3] and [T.4] of one point.
@@ -105,9 +105,9 @@ private:
 
 } // namespace
 
-MixedProblem scene_problem(const SceneOf<Rational>& scene, bool breaks) {
+MixedProblem scene_problem(const SceneOf<Rational>& scene) {
   const Scene<Rational> view = scene.view();
-  return SceneRows(view, breaks).build();
+  return SceneRows(view).build();
 }
 
 MixedProblem raw_mixed_problem(const ExactMatrix& M, const ExactMatrix& q,
@@ -117,9 +117,44 @@ MixedProblem raw_mixed_problem(const ExactMatrix& M, const ExactMatrix& q,
   for (Index j = 0; j < M.cols; ++j)
     for (Index i = 0; i < M.rows; ++i)
       if (M(i, j).sign() != 0) problem.rows[static_cast<std::size_t>(i)].push_back({j, M(i, j)});
-  problem.q = {q.values};
+  problem.q = q.values;
   problem.free = free;
   return problem;
+}
+
+// All over one denominator first, so that of long numbers no more than one divisor a row is sought.
+Column times(const MixedProblem& problem, Column x, const Column& constant, const Column& cover,
+             const Rational& z0) {
+  x.push_back(z0);
+  BigInteger below = 1;
+  for (const Rational& number : x) below = common_multiple(below, number.denominator());
+  for (Rational& number : x)
+    number = Rational(number.numerator() * (below / number.denominator()), 1);
+  Column result;
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    Rational sum = constant.empty() ? Rational(0) : constant[i] * Rational(below, 1);
+    for (const ExactEntry& entry : problem.rows[i]) {
+      const Rational& by = x[static_cast<std::size_t>(entry.column)];
+      if (by.sign() != 0) sum += entry.value * by;
+    }
+    if (z0.sign() != 0) sum += cover[i] * x.back();
+    result.push_back(sum.sign() == 0 ? sum : Rational(sum.numerator(), sum.denominator() * below));
+  }
+  return result;
+}
+
+std::vector<ExactRow> cut(const MixedProblem& problem, const std::vector<std::size_t>& rows,
+                          const std::vector<std::size_t>& columns) {
+  std::vector<Index> place(problem.size(), -1);
+  for (std::size_t j = 0; j < columns.size(); ++j) place[columns[j]] = static_cast<Index>(j);
+  std::vector<ExactRow> result;
+  for (const std::size_t i : rows) {
+    ExactRow& row = result.emplace_back();
+    for (const ExactEntry& entry : problem.rows[i])
+      if (place[static_cast<std::size_t>(entry.column)] >= 0)
+        row.push_back({place[static_cast<std::size_t>(entry.column)], entry.value});
+  }
+  return result;
 }
 
 } // namespace lcpush::desktop

@@ -10,11 +10,12 @@
 
 namespace lcpush::desktop {
 
-/// w = L x + q, 0 <= x_i _|_ w_i >= 0; rows marked free: w_i = 0, x_i any number. With two columns,
-/// q is q[0] + sigma q[1] with an infinitesimal sigma > 0.
+using Column = std::vector<Rational>;
+
+/// w = L x + q, 0 <= x_i _|_ w_i >= 0; rows marked free: w_i = 0, x_i any number.
 struct MixedProblem {
   std::vector<ExactRow> rows;
-  std::vector<std::vector<Rational>> q;
+  Column q;
   std::vector<unsigned char> free;
 
   std::size_t size() const { return rows.size(); }
@@ -30,11 +31,19 @@ struct MixedProblem {
 
 /// The literal equations of a scene in SI units: the pairs in the order of Layout, then the
 /// actuators' s, then the object's acceleration [linear; angular], of a planar scene x, y and the
-/// rotation about z. With `breaks`, the push is infinitesimal.
-MixedProblem scene_problem(const SceneOf<Rational>& scene, bool breaks);
+/// rotation about z. In q the push stands in the rows of forces, the load in the free ones.
+MixedProblem scene_problem(const SceneOf<Rational>& scene);
 
 /// A raw problem as typed.
 MixedProblem raw_mixed_problem(const ExactMatrix& M, const ExactMatrix& q,
                                const std::vector<unsigned char>& free);
+
+/// L x + cover z0 + constant.
+Column times(const MixedProblem& problem, Column x, const Column& constant = {},
+             const Column& cover = {}, const Rational& z0 = 0);
+
+/// The submatrix of these rows and columns, in their order.
+std::vector<ExactRow> cut(const MixedProblem& problem, const std::vector<std::size_t>& rows,
+                          const std::vector<std::size_t>& columns);
 
 } // namespace lcpush::desktop

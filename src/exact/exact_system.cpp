@@ -9,10 +9,6 @@ namespace {
 
 using modular::prime;
 
-BigInteger common_multiple(const BigInteger& a, const BigInteger& b) {
-  return b.is_one() ? a : a / gcd(a, b) * b;
-}
-
 /// The number whose digits to the base of the prime are those of unknown i, the last one first.
 BigInteger of_digits(const std::vector<std::vector<modular::Limb>>& digits, std::size_t i) {
   std::vector<modular::Limb> number(digits.size(), 0); // 61 bits a digit
@@ -73,6 +69,10 @@ bool fractions_of(const std::vector<std::vector<modular::Limb>>& digits,
 }
 
 } // namespace
+
+BigInteger common_multiple(const BigInteger& a, const BigInteger& b) {
+  return b.is_one() || a == b ? a : a / gcd(a, b) * b;
+}
 
 ExactSystem::ExactSystem(const std::vector<ExactRow>& rows) : n_(rows.size()) {
   scale(rows);
@@ -208,10 +208,10 @@ ExactMinor largest_minor(const std::vector<ExactRow>& rows, std::size_t columns)
 
 std::optional<std::vector<Rational>> solution_near(const std::vector<ExactRow>& rows,
                                                    const std::vector<Rational>& right,
-                                                   const std::vector<double>& guess) {
+                                                   const std::vector<double>& guess, int bits) {
   double largest = 0;
   for (const double value : guess) largest = std::max(largest, std::abs(value));
-  const double grid = largest > 0 ? std::exp2(std::floor(std::log2(largest)) - 40) : 1;
+  const double grid = largest > 0 ? std::exp2(std::floor(std::log2(largest)) - bits) : 1;
   std::vector<Rational> x;
   for (const double value : guess) x.emplace_back(std::round(value / grid) * grid);
   const ExactMinor minor = largest_minor(rows, guess.size());

@@ -1,14 +1,16 @@
 // Linear equations in fractions, solved exactly.
 #pragma once
 
-#include "exact/lifted_rest.hpp"
-#include "exact/modular_factors.hpp"
+#include "exact/p_adic.hpp"
 #include "lcpush/desktop/rational.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace lcpush::desktop {
+
+/// The least common multiple of two numbers > 0.
+BigInteger common_multiple(const BigInteger& a, const BigInteger& b);
 
 /// An entry of a sparse row.
 struct ExactEntry {
@@ -58,9 +60,9 @@ struct ExactMinor {
 ExactMinor largest_minor(const std::vector<ExactRow>& rows, std::size_t columns);
 
 /// x with `rows` x = right, as far as the rows do not depend on those before them: what they leave
-/// open stays at `guess`, rounded to 40 bits of the largest guess. nullopt if there is none.
+/// open stays at `guess`, rounded to `bits` of the largest guess. nullopt if there is none.
 std::optional<std::vector<Rational>> solution_near(const std::vector<ExactRow>& rows,
                                                    const std::vector<Rational>& right,
-                                                   const std::vector<double>& guess);
+                                                   const std::vector<double>& guess, int bits);
 
 } // namespace lcpush::desktop

@@ -16,13 +16,13 @@ constexpr int limb_bits = 64;
 class Scratch {
 public:
   explicit Scratch(std::size_t size) {
-    if (size > few) heap_.reset(new Limb[size]);
+    if (size > on_stack) heap_.reset(new Limb[size]);
   }
   Limb* data() { return heap_ ? heap_.get() : stack_; }
 
 private:
-  static constexpr std::size_t few = 160;
-  Limb stack_[few];
+  static constexpr std::size_t on_stack = 160;
+  Limb stack_[on_stack];
   std::unique_ptr<Limb[]> heap_;
 };
 

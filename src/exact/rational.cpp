@@ -16,22 +16,6 @@ Rational scaled_by_two(BigInteger numerator, int exponent) {
   return {std::move(numerator), BigInteger(1) << static_cast<std::size_t>(-exponent)};
 }
 
-template <class Float> Rational exact_value(Float value) {
-  assert(std::isfinite(value));
-  constexpr int part = 32;
-  int exponent = 0;
-  Float rest = std::frexp(std::abs(value), &exponent);
-  BigInteger numerator;
-  for (; rest != Float(0); exponent -= part) {
-    rest = std::ldexp(rest, part);
-    const auto bits = static_cast<std::uint64_t>(rest);
-    numerator = (numerator << part) + BigInteger(bits);
-    rest -= static_cast<Float>(bits);
-  }
-  if (value < Float(0)) numerator.negate();
-  return scaled_by_two(std::move(numerator), exponent);
-}
-
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string_view take_digits(std::string_view& text) {
@@ -94,8 +78,14 @@ std::optional<BigInteger> whole_root(const BigInteger& a) {
 
 } // namespace
 
-Rational::Rational(double value) : Rational(exact_value(value)) {}
-Rational::Rational(long double value) : Rational(exact_value(value)) {}
+Rational::Rational(double value) {
+  assert(std::isfinite(value));
+  constexpr int bits = 53;
+  int exponent = 0;
+  const double size = std::ldexp(std::frexp(std::abs(value), &exponent), bits);
+  *this = scaled_by_two(static_cast<std::uint64_t>(size), exponent - bits);
+  if (value < 0) negate();
+}
 
 Rational::Rational(BigInteger numerator, BigInteger denominator)
     : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {
@@ -133,32 +123,32 @@ std::string Rational::text() const {
   return is_whole() ? numerator_.text() : numerator_.text() + '/' + denominator_.text();
 }
 
-double Rational::value(const BigInteger& numerator, const BigInteger& denominator) {
+double Rational::value() const {
   constexpr std::size_t exact_bits = 53;
   constexpr int smallest_exponent = -1074;
-  if (denominator.is_one()) return numerator.value();
-  const std::size_t above = numerator.bit_length(), below = denominator.bit_length();
+  if (denominator_.is_one()) return numerator_.value();
+  const std::size_t above = numerator_.bit_length(), below = denominator_.bit_length();
   if (above <= exact_bits && below <= exact_bits) // one rounding
-    return numerator.value() / denominator.value();
+    return numerator_.value() / denominator_.value();
   const auto difference = static_cast<std::ptrdiff_t>(above) - static_cast<std::ptrdiff_t>(below);
-  if (difference > 1025) return numerator.sign() < 0 ? -HUGE_VAL : HUGE_VAL;
-  if (difference < -1080) return numerator.sign() < 0 ? -0.0 : 0.0;
+  if (difference > 1025) return numerator_.sign() < 0 ? -HUGE_VAL : HUGE_VAL;
+  if (difference < -1080) return numerator_.sign() < 0 ? -0.0 : 0.0;
   const auto scaled = [](const BigInteger& a, int bits) {
     return bits > 0 ? a << static_cast<std::size_t>(bits) : a;
   };
   // 2^exponent <= |value| < 2^(exponent + 1)
   int exponent = static_cast<int>(difference);
-  const BigInteger size = abs(numerator);
-  if (scaled(size, -exponent) < scaled(denominator, exponent)) --exponent;
+  const BigInteger size = abs(numerator_);
+  if (scaled(size, -exponent) < scaled(denominator_, exponent)) --exponent;
   // |value| in units of its last bit, whose weight is 2^last.
   const int last = std::max(exponent - static_cast<int>(exact_bits) + 1, smallest_exponent);
-  const BigInteger divisor = scaled(denominator, last);
+  const BigInteger divisor = scaled(denominator_, last);
   BigInteger units, rest;
   BigInteger::divide(scaled(size, -last), divisor, &units, &rest);
   const int half = BigInteger::compare(rest << 1U, divisor);
   if (half > 0 || (half == 0 && units.is_odd())) units += 1;
   const double result = std::ldexp(units.value(), last);
-  return numerator.sign() < 0 ? -result : result;
+  return numerator_.sign() < 0 ? -result : result;
 }
 
 std::size_t Rational::bit_length() const {

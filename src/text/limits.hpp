@@ -43,10 +43,6 @@ constexpr Index unknowns_traced = 1000;    // every pivot keeps its ratios; the 
 constexpr Index unknowns_exact = 300;      // fractions grow with every pivot
 constexpr Index unknowns_certified = 3000; // the basis in doubles comes from the dense dictionary
 constexpr Index rows_certified = 1000;     // of a raw problem: a dense matrix of fractions
-constexpr Index unknowns_fine = 1000;     // beyond, pivots in 32 digits take longer than exact ones
-constexpr double entries_certified = 5e7; // of a dictionary in 32 digits, about 0.5 s
-constexpr Index covers_certified = 30;    // of a few unknowns all end alike
-constexpr std::size_t pivots_certified = 40; // each solves an exact system anew
 
 // Points and choices up to which sets are enumerated: the work doubles with each.
 constexpr std::size_t generators_enumerated = 6, pulls_enumerated = 8;

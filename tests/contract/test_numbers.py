@@ -36,7 +36,7 @@ LEFT = {
     "include/lcpush/lcp/pivots": 3,
     "include/lcpush/mechanics/solve": 73,
     "include/lcpush/mechanics/study": 13,
-    "src/certify": 35,
+    "src/certify": 25,
     "src/cone": 32,
     "src/dense": 5,
     "src/move": 14,

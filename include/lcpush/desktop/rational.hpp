@@ -24,7 +24,6 @@ public:
   /// The exact value, every bit of it. Pre: finite.
   explicit Rational(float value) : Rational(static_cast<double>(value)) {}
   explicit Rational(double value);
-  explicit Rational(long double value);
   /// numerator / denominator, reduced. Pre: denominator != 0.
   Rational(BigInteger numerator, BigInteger denominator);
 
@@ -35,9 +34,7 @@ public:
   /// "-2/7", or "3" for whole numbers. Cost: quadratic in the digits.
   std::string text() const;
   /// The nearest double, ties to even; infinite beyond its range, whatever the parts' lengths.
-  double value() const { return value(numerator_, denominator_); }
-  /// The same of a fraction that need not be in lowest terms. Pre: denominator > 0.
-  static double value(const BigInteger& numerator, const BigInteger& denominator);
+  double value() const;
 
   const BigInteger& numerator() const { return numerator_; }
   const BigInteger& denominator() const { return denominator_; }
