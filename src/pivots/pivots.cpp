@@ -84,7 +84,7 @@ std::vector<TraceNumber> all_traced(const PivotTrace& trace, const std::vector<S
 }
 
 template <class S>
-void take_solution(const ExactProblem& problem, const LemkeOf<S>& lemke, PivotTrace& trace) {
+void take_solution(const ExactProblem& problem, const Lemke<S>& lemke, PivotTrace& trace) {
   const Index n = trace.size;
   const std::vector<S> M = converted<S>(problem.M.values);
   std::vector<S> z(lemke.z(), lemke.z() + n), w = converted<S>(problem.q.values);
@@ -110,7 +110,7 @@ template <class S> TracedRay& take_ray(const std::vector<S>& v, PivotTrace& trac
   return *trace.ray;
 }
 
-template <class S> void take_ray(const LemkeOf<S>& lemke, const Story& story, PivotTrace& trace) {
+template <class S> void take_ray(const Lemke<S>& lemke, const Story& story, PivotTrace& trace) {
   TracedRay& ray = take_ray(std::vector<S>(lemke.ray(), lemke.ray() + trace.size), trace);
   std::vector<double> v;
   for (const TraceNumber& x : ray.v) v.push_back(x.value);
@@ -160,7 +160,7 @@ PivotTrace trace_by(const ExactProblem& given, const PivotOptions& options, cons
   book.tie_rule = options.rule;
   book.max_pivots = options.max_pivots;
 
-  std::conditional_t<std::is_same_v<S, double>, OwnedLemke<double>, ExactLemke> lemke(n);
+  OwnedLemke<S> lemke(n);
   RecordingWatcher<S> watcher(trace, story, options);
   trace.status = lemke.init(problem, book);
   while (trace.status == Status::running && !trace.cycle) trace.status = lemke.step(watcher);

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "lcpush/desktop/pivots.hpp"
-#include "pivots/exact_lemke.hpp"
+#include "lcpush/desktop/rational.hpp"
 
 namespace lcpush::desktop {
 
@@ -16,40 +16,10 @@ inline TraceNumber traced(const PivotTrace& trace, const Rational& x) {
   return {value, trace.has_fractions || !std::isfinite(value) ? x.text() : std::string()};
 }
 
-inline TraceNumber traced(const PivotTrace& trace, const Quotient& x) {
-  if (trace.has_fractions) return traced(trace, Rational(x.above, x.below));
-  const double value = Rational::value(x.above, x.below);
-  return std::isfinite(value) ? TraceNumber{value, {}} : traced(trace, Rational(x.above, x.below));
-}
-
 /// The desktop's solvers pivot doubles and know their watchers as Watcher.
 struct UnknownWatcher {};
 template <class S>
 using WatcherOf = std::conditional_t<std::is_same_v<S, double>, Watcher, UnknownWatcher>;
-
-/// Who pivots: in doubles the core, in fractions without taking divisors at every step.
-template <class S>
-using LemkeOf = std::conditional_t<std::is_same_v<S, double>, Lemke<double>, ExactLemke>;
-
-// What a dictionary's numbers are worth.
-inline double entry_of(const Lemke<double>& lemke, Index row, Index column) {
-  return lemke.dictionary().table(row, column);
-}
-inline double value_of(const Lemke<double>& lemke, Index row, Index k) {
-  return lemke.dictionary().values(row, k);
-}
-inline double ratio_of(const Lemke<double>& lemke, Index row, Index column, Index k) {
-  return -value_of(lemke, row, k) / entry_of(lemke, row, column);
-}
-inline Quotient entry_of(const ExactLemke& lemke, Index row, Index column) {
-  return lemke.entry(row, column);
-}
-inline Quotient value_of(const ExactLemke& lemke, Index row, Index k) {
-  return lemke.value(row, k);
-}
-inline Rational ratio_of(const ExactLemke& lemke, Index row, Index column, Index k) {
-  return lemke.ratio(row, column, k);
-}
 
 template <class S> class RecordingWatcher : public WatcherOf<S> {
 public:
@@ -57,7 +27,7 @@ public:
   RecordingWatcher(PivotTrace& trace, const Story& story, const PivotOptions& options)
       : trace_(trace), story_(story), options_(options), room_(options.most_entries) {}
 
-  void starts(const LemkeOf<S>& lemke) {
+  void starts(const Lemke<S>& lemke) {
     TracedRun run;
     run.first_pivot = trace_.pivots.size();
     run.title = title_of(lemke);
@@ -72,7 +42,7 @@ public:
     seen_.clear();
   }
 
-  Index choose_leaving_row(const LemkeOf<S>& lemke, const PendingPivot& pending) {
+  Index choose_leaving_row(const Lemke<S>& lemke, const PendingPivot& pending) {
     if (options_.pivoted) options_.pivoted();
     const Dictionary<S>& d = lemke.dictionary();
     TracedPivot pivot;
@@ -103,7 +73,7 @@ public:
     return row;
   }
 
-  void stepped(const LemkeOf<S>& lemke) {
+  void stepped(const Lemke<S>& lemke) {
     if (lemke.status() != Status::running) trace_.last = tableau(lemke);
     if (!is_pivoting_) return;
     is_pivoting_ = false;
@@ -126,7 +96,7 @@ public:
       trace_.cycle = Cycle{earlier->second, trace_.pivots.size() - 1 - earlier->second};
   }
 
-  Tableau tableau(const LemkeOf<S>& lemke) const {
+  Tableau tableau(const Lemke<S>& lemke) const {
     const Dictionary<S>& d = lemke.dictionary();
     Tableau t;
     t.rows.assign(d.basic.begin(), d.basic.end());
@@ -134,8 +104,7 @@ public:
     t.entries.reserve(static_cast<std::size_t>(d.size() * (d.size() + 1)));
     for (Index i = 0; i < d.size(); ++i) {
       t.values.push_back(value(lemke, i));
-      for (Index j = 0; j <= d.size(); ++j)
-        t.entries.push_back(traced(trace_, entry_of(lemke, i, j)));
+      for (Index j = 0; j <= d.size(); ++j) t.entries.push_back(traced(trace_, d.table(i, j)));
     }
     return t;
   }
@@ -161,23 +130,24 @@ private:
   Index n() const { return trace_.size; }
   bool has_S() const { return trace_.free_count > 0; }
 
-  TraceValue value(const LemkeOf<S>& lemke, Index row) const {
+  TraceValue value(const Lemke<S>& lemke, Index row) const {
     TraceValue v;
-    if (has_S()) v.times_S = traced(trace_, value_of(lemke, row, 0));
-    v.finite = traced(trace_, value_of(lemke, row, has_S() ? 1 : 0));
+    const auto& values = lemke.dictionary().values;
+    if (has_S()) v.times_S = traced(trace_, values(row, 0));
+    v.finite = traced(trace_, values(row, has_S() ? 1 : 0));
     return v;
   }
 
   /// How far the entering variable may grow before this row blocks; for the entry of z0, how much
   /// of it the row needs.
-  std::optional<TraceValue> ratio(const LemkeOf<S>& lemke, Index row,
+  std::optional<TraceValue> ratio(const Lemke<S>& lemke, Index row,
                                   const PendingPivot& pending) const {
     const Dictionary<S>& d = lemke.dictionary();
     const S& rate = d.table(row, pending.column);
     if (pending.repairs ? !(S(0) < rate) || !is_negative(d, row) : !(rate < S(0))) return {};
     TraceValue v;
-    if (has_S()) v.times_S = traced(trace_, ratio_of(lemke, row, pending.column, 0));
-    v.finite = traced(trace_, ratio_of(lemke, row, pending.column, has_S() ? 1 : 0));
+    if (has_S()) v.times_S = traced(trace_, S(-d.values(row, 0) / rate));
+    v.finite = traced(trace_, S(-d.values(row, has_S() ? 1 : 0) / rate));
     return v;
   }
 
@@ -186,7 +156,7 @@ private:
     return d.values(row, has_S() ? 1 : 0) < S(0);
   }
 
-  std::string title_of(const LemkeOf<S>& lemke) const {
+  std::string title_of(const Lemke<S>& lemke) const {
     const auto& basic = lemke.dictionary().basic;
     const auto z_basic = std::count_if(basic.begin(), basic.end(),
                                        [this](Index variable) { return variable >= n(); });

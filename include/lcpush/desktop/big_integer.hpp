@@ -20,8 +20,8 @@ template <class T> class Arithmetic {
   friend bool operator>(const T& a, const T& b) { return T::compare(a, b) > 0; }
   friend bool operator<=(const T& a, const T& b) { return T::compare(a, b) <= 0; }
   friend bool operator>=(const T& a, const T& b) { return T::compare(a, b) >= 0; }
-  friend T& operator+=(T& a, const T& b) { return a = a + b; }
-  friend T& operator-=(T& a, const T& b) { return a = a - b; }
+  friend T& operator+=(T& a, const T& b) { return b.sign() == 0 ? a : a = a + b; }
+  friend T& operator-=(T& a, const T& b) { return b.sign() == 0 ? a : a = a - b; }
   friend T& operator*=(T& a, const T& b) { return a = a * b; }
   friend std::ostream& operator<<(std::ostream& out, const T& a) { return out << a.text(); }
   friend T operator-(T a) {

@@ -13,6 +13,8 @@
 // read, refined and checked).
 #pragma once
 
+#include <type_traits>
+
 #include "lcpush/lcp/memory.hpp"
 #include "lcpush/lcp/pivots/dense_basis.hpp"
 #include "lcpush/lcp/pivots/ratio_test.hpp"
@@ -276,7 +278,7 @@ void Lemke<S, B>::pivot(const PendingPivotOf<Int>& pending, Watcher& watcher) {
   basis_.exchange(row, pending.column, pending.entering, scratch_);
   ++pivots_;
   ++pivots_of_try_;
-  fresh_ = false;
+  fresh_ = !std::is_floating_point<S>::value; // fractions stay what they are
 }
 
 #ifdef LCPUSH_EXTERN_TEMPLATES
