@@ -17,10 +17,14 @@ std::string refusal(const SceneFile& file) {
 
 } // namespace
 
-FclibProblem fclib_problem(const SceneFile& file) {
-  FclibProblem problem;
-  problem.refusal = refusal(file);
-  if (!problem.refusal.empty()) return problem;
+void add_fclib(const SceneFile& file, Export& result, Folder& folder) {
+  const std::string comment = "FCLIB's local problem, SI units";
+  result.fclib_refusal = refusal(file);
+  if (!result.fclib_refusal.empty()) {
+    for (const char* name : {"W", "V", "R", "mu", "q", "s"})
+      result.absent.push_back(std::string("fclib/") + name + ".mtx");
+    return;
+  }
   const EvenScene even(file.view());
   const Scene<double>& scene = even.scene;
   const Index rows = contact_components(scene), e = scene.actuators.size;
@@ -30,32 +34,36 @@ FclibProblem fclib_problem(const SceneFile& file) {
   const MatrixMap<double> G = map_of(grasp);
   // M^-1 in SI units; in a planar scene nothing moves out of the plane.
   const Matrix6<double> B = laws::newton(scene, Scales<double>{1, 1, 1}) / scene.object.mass;
-  problem.W = host_matrix(G.transpose() * (B * G));
+  HostMatrix W = host_matrix(G.transpose() * (B * G));
   // Rounding has no reason to be symmetric; readers test for it.
   for (Index j = 0; j < rows; ++j)
-    for (Index i = 0; i < j; ++i) map_of(problem.W)(j, i) = problem.W(i, j);
+    for (Index i = 0; i < j; ++i) map_of(W)(j, i) = W(i, j);
+  folder.matrix("fclib/W", W, comment);
 
-  problem.V = zero_matrix(rows, e);
-  hand_jacobian(scene, map_of(problem.V));
-  problem.R = zero_matrix(e, e);
-  problem.s = zero_matrix(e, 1);
+  HostMatrix V = zero_matrix(rows, e), R = zero_matrix(e, e), s = zero_matrix(e, 1);
+  hand_jacobian(scene, map_of(V));
   for (Index a = 0; a < e; ++a) {
-    map_of(problem.R)(a, a) = 0.0 - scene.actuators[a].inertia;
-    map_of(problem.s)(a, 0) = 0.0 - scene.actuators[a].force;
+    map_of(R)(a, a) = 0.0 - scene.actuators[a].inertia;
+    map_of(s)(a, 0) = 0.0 - scene.actuators[a].force;
+  }
+  if (e > 0) { // as FCLIB has it: V, R and s only where there are equalities
+    folder.matrix("fclib/V", host_matrix(map_of(V)), comment);
+    folder.matrix("fclib/R", R, comment);
+  } else {
+    result.absent = {"fclib/V.mtx", "fclib/R.mtx", "fclib/s.mtx"};
   }
 
-  problem.mu = zero_matrix(scene.points.size, 1);
-  problem.q = zero_matrix(rows, 1);
+  HostMatrix mu = zero_matrix(scene.points.size, 1), q = zero_matrix(rows, 1);
   const Vector6<double> fall = B * load(scene);
   for (const Body<double>& body : scene.bodies)
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
-      map_of(problem.mu)(i, 0) = body.friction;
-      map_of(problem.q).middleRows<3>(3 * i) =
+      map_of(mu)(i, 0) = body.friction;
+      map_of(q).middleRows<3>(3 * i) =
           G.middleCols<3>(3 * i).transpose() * (fall - body.acceleration);
     }
-  for (HostMatrix* matrix : {&problem.W, &problem.V, &problem.q})
-    for (double& x : matrix->values) x += 0.0;
-  return problem;
+  folder.vector("fclib/mu", mu, comment);
+  folder.vector("fclib/q", host_matrix(map_of(q)), comment);
+  if (e > 0) folder.vector("fclib/s", s, comment);
 }
 
 } // namespace lcpush::desktop

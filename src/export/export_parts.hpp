@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lcpush/desktop/export.hpp"
+#include "lcpush/desktop/matrix_market.hpp"
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/mechanics/paper/full_form.hpp"
 
@@ -49,8 +50,45 @@ private:
   FullForm<double> form_;
 };
 
-/// The program of a full form.
-PaperProgram paper_program(const OwnedFullForm& full);
+/// The files of an export.
+struct Folder {
+  std::vector<ExportFile> files;
+
+  void text(const std::string& name, std::string text) { files.push_back({name, std::move(text)}); }
+  void matrix(const std::string& name, const HostMatrix& matrix, const std::string& comment) {
+    text(name + ".mtx", write_matrix_market(matrix, MatrixMarketFormat::coordinate, comment));
+  }
+  void vector(const std::string& name, const HostMatrix& vector, const std::string& comment) {
+    text(name + ".mtx", write_matrix_market(vector, MatrixMarketFormat::array, comment));
+  }
+};
+
+/// The paper's optimisation problem in the full form's unknowns x = [lambda, beta.., xi point by
+/// point ; s ; a ; r] (see mechanics/paper/full_form.hpp), n of them, the first c complementary:
+///
+///   minimise x' H x / 2 + f' x   subject to   A x <= b,  Aeq x = beq,  lb <= x <= ub.
+///
+/// The objective is the sum of z_i w_i over the complementary pairs, so it is >= 0 wherever the
+/// constraints hold and 0 exactly at the solutions; it is not convex. With M and q of the full
+/// form:
+///
+///   A = -M(1..c, :), b = q(1..c), Aeq = M(c+1..n, :), beq = -q(c+1..n),
+///   H = C + C', f = [q(1..c) ; 0],   C = [M(1..c, :) ; 0].
+///
+/// `answer` x is [object's acceleration, 6 ; closing of each actuator ; for each contact
+/// normal_force, friction_force (3), torsion, acceleration (3)] in SI units and scene axes.
+void add_program(const OwnedFullForm& full, const std::string& units, Folder& folder);
+
+/// The local problem of the Frictional Contact Library (FCLIB), in SI units, components n, t, o
+/// contact by contact (k of them, e actuators):
+///
+///   u = W r + V l + q,   V' r + R l + s = 0,   K* contains u + mu |u_t| n  _|_  r in K,
+///
+/// K the *round* cone |r_t| <= mu r_n. r are the contact forces, u the accelerations of the object
+/// relative to the bodies, l = - the closings of the actuators. W (3k x 3k, symmetric, 1/kg) is the
+/// Delassus operator, V (3k x e) the hand Jacobian, R minus the actuators' inertia, s minus their
+/// forces, q (m/s^2) the acceleration under the weight alone, less the prescribed motion.
+void add_fclib(const SceneFile& file, Export& result, Folder& folder);
 
 /// names.json: what every column and row of the exported matrices is.
 std::string export_names(const Push& push, const OwnedFullForm& full);

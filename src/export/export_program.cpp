@@ -36,32 +36,29 @@ HostMatrix answer_matrix(const OwnedFullForm& full) {
 
 } // namespace
 
-PaperProgram paper_program(const OwnedFullForm& full) {
+void add_program(const OwnedFullForm& full, const std::string& units, Folder& folder) {
   const Index n = full.form().size(), c = full.complementary();
   HostMatrix M = zero_matrix(n, n), q = zero_matrix(n, 1);
   std::vector<unsigned char> eliminated(static_cast<std::size_t>(n));
   full.form().fill(map_of(M), q.values.data(), eliminated.data());
   auto C = map_of(M), f = map_of(q);
-  PaperProgram program;
-  program.complementary = c;
-  program.A = host_matrix(-C.topRows(c));
-  program.b = host_matrix(f.topRows(c));
-  program.Aeq = host_matrix(C.bottomRows(n - c));
-  program.beq = host_matrix(-f.bottomRows(n - c));
+  const HostMatrix A = host_matrix(-C.topRows(c)), b = host_matrix(f.topRows(c)),
+                   Aeq = host_matrix(C.bottomRows(n - c)), beq = host_matrix(-f.bottomRows(n - c));
   C.bottomRows(n - c).setZero();
   f.bottomRows(n - c).setZero();
-  program.H = host_matrix(C + C.transpose());
-  program.f = host_matrix(f);
-  program.ub = host_matrix(Eigen::VectorXd::Constant(n, no_bound));
-  program.lb = host_matrix(-map_of(program.ub));
-  map_of(program.lb).topRows(c).setZero();
-  program.answer = answer_matrix(full);
-  return program;
-}
-
-PaperProgram paper_program(const SceneFile& file) {
-  Push push(file);
-  return paper_program(OwnedFullForm(push.assembly()));
+  const HostMatrix ub = host_matrix(Eigen::VectorXd::Constant(n, no_bound));
+  HostMatrix lb = host_matrix(-Eigen::VectorXd::Constant(n, no_bound));
+  map_of(lb).topRows(c).setZero();
+  const std::string bounds = units + "; 1e30 stands for no bound";
+  folder.matrix("H", host_matrix(C + C.transpose()), "minimise x' H x / 2 + f' x; " + units);
+  folder.vector("f", host_matrix(f), units);
+  folder.matrix("A", A, "A x <= b; " + units);
+  folder.vector("b", b, units);
+  folder.matrix("Aeq", Aeq, "Aeq x = beq; " + units);
+  folder.vector("beq", beq, units);
+  folder.vector("lb", lb, bounds);
+  folder.vector("ub", ub, bounds);
+  folder.matrix("answer", answer_matrix(full), "the answer in SI units: answer x");
 }
 
 } // namespace lcpush::desktop
