@@ -102,7 +102,7 @@ embed_scripts(play_script "${SOURCES}/play/page")
 file(WRITE "${OUTPUT}"
      "// Made by src/cmake/embed_text.cmake; not to be edited.\n"
      "#include \"draw/markup.hpp\"\n#include \"export/export_parts.hpp\"\n"
-     "#include \"pivots/explorer_text.hpp\"\n"
+     "#include \"pivots/explorer.hpp\"\n"
      "#include \"play/page_text.hpp\"\n"
      "#include \"scenes/shipped_scenes.hpp\"\n\n"
      "namespace lcpush::desktop {\n${definitions}} // namespace lcpush::desktop\n")

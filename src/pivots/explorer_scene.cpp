@@ -1,4 +1,4 @@
-#include "pivots/explorer_scene.hpp"
+#include "pivots/explorer.hpp"
 
 #include "draw/marks.hpp"
 #include "draw/view.hpp"
@@ -157,15 +157,14 @@ void write_marks(JsonWriter& json) {
 
 } // namespace
 
-void write_scene(JsonWriter& json, const Push& push, ScenePictures pictures) {
+void write_scene(JsonWriter& json, const Push& push, bool draws) {
   json.begin_object();
   write_object(json, push.file());
   write_bodies(json, push);
-  write_points(json, push, pictures != ScenePictures::none);
-  if (pictures == ScenePictures::views)
+  write_points(json, push, draws);
+  if (draws) {
     json.objects("views", shown_views(push.file()),
                  [&](const View& view) { write_view(json, push, view); });
-  if (pictures != ScenePictures::none) {
     write_marks(json);
     json.member("longest_force", longest_force).member("fastest", fastest);
   }

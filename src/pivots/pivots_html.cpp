@@ -1,7 +1,7 @@
 // The explorer's page with a trace in it.
 #include "draw/markup.hpp"
 #include "lcpush/desktop/pivots.hpp"
-#include "pivots/explorer_text.hpp"
+#include "pivots/explorer.hpp"
 
 namespace lcpush::desktop {
 namespace {

@@ -1,6 +1,6 @@
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/pivots.hpp"
-#include "pivots/explorer_scene.hpp"
+#include "pivots/explorer.hpp"
 #include "scenes/warnings_json.hpp"
 
 namespace lcpush::desktop {
@@ -44,8 +44,7 @@ public:
     write_end();
     if (push != nullptr) write_warnings(json, check_scene(push->file()));
     json.key("scene");
-    const ScenePictures pictures = tableaus ? ScenePictures::none : ScenePictures::views;
-    push != nullptr ? write_scene(json, *push, pictures) : void(json.value(nullptr));
+    push != nullptr ? write_scene(json, *push, !tableaus) : void(json.value(nullptr));
     return json.end_object().text();
   }
 

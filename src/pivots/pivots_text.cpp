@@ -1,3 +1,4 @@
+// Pivots for people: as text for a terminal, and as arrays for LaTeX.
 #include "lcpush/desktop/pivots.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
@@ -11,7 +12,63 @@ std::string number_text(const TraceNumber& x) {
   return x.fraction.empty() ? number(x.value) : x.fraction;
 }
 
+/// \tfrac{2}{7}, or a decimal.
+std::string number_latex(const TraceNumber& x) {
+  const std::string text = number_text(x);
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return text;
+  const std::size_t begin = text[0] == '-' ? 1 : 0;
+  return text.substr(0, begin) + "\\tfrac{" + text.substr(begin, slash - begin) + "}{" +
+         text.substr(slash + 1) + "}";
+}
+
+std::string name_latex(const std::string& name) {
+  return name.substr(0, 1) + "_{" + name.substr(1) + "}";
+}
+
+/// How a tableau is written.
+struct Style {
+  std::string (*number)(const TraceNumber&);
+  std::string (*name)(const std::string&);
+  const char* space; ///< around S and signs
+  const char *value, *ratio, *no_ratio, *box, *box_end;
+};
+constexpr Style as_text = {
+    number_text, [](const std::string& name) { return name; }, " ", "value", "ratio", "-", "[",
+    "]"};
+constexpr Style as_latex = {number_latex,    name_latex, "",         "1",
+                            "\\text{ratio}", "",         "\\boxed{", "}"};
+
 bool is_zero(const TraceNumber& x) { return x.value == 0; }
+
+std::string value_in(const Style& style, const TraceValue& value) {
+  const std::string rest = style.number(value.finite), space = style.space;
+  if (!value.has_S()) return rest;
+  std::string text = style.number(value.times_S);
+  text = text == "1" ? "S" : text == "-1" ? "-S" : text + space + "S";
+  if (is_zero(value.finite)) return text;
+  const bool is_negative = rest[0] == '-';
+  return text + space + (is_negative ? "-" : "+") + space + rest.substr(is_negative ? 1 : 0);
+}
+
+/// The names first; the pivot element is boxed.
+TableRows cells_of(const Style& style, const PivotTrace& trace, const Tableau& tableau,
+                   const TracedPivot* pivot) {
+  TableRows rows{{"", style.value}};
+  for (const Index variable : tableau.columns) rows[0].push_back(style.name(trace.name(variable)));
+  if (pivot != nullptr) rows[0].push_back(style.ratio);
+  for (std::size_t i = 0; i < tableau.rows.size(); ++i) {
+    rows.push_back({style.name(trace.name(tableau.rows[i])), value_in(style, tableau.values[i])});
+    for (std::size_t j = 0; j < tableau.columns.size(); ++j) {
+      const std::string cell = style.number(tableau.entry(i, j));
+      rows.back().push_back(
+          pivot != nullptr && pivot->is_at(i, j) ? style.box + cell + style.box_end : cell);
+    }
+    if (pivot != nullptr)
+      rows.back().push_back(pivot->ratios[i] ? value_in(style, *pivot->ratios[i]) : style.no_ratio);
+  }
+  return rows;
+}
 
 std::string rule_text(const PivotTrace& trace) {
   if (trace.is_as_solved) return "generic covers and tie columns, scaled";
@@ -96,14 +153,7 @@ std::string ending(const PivotTrace& trace) {
 
 } // namespace
 
-std::string value_text(const TraceValue& value) {
-  if (!value.has_S()) return number_text(value.finite);
-  std::string text = number_text(value.times_S);
-  text = text == "1" ? "S" : text == "-1" ? "-S" : text + " S";
-  if (is_zero(value.finite)) return text;
-  const std::string rest = number_text(value.finite);
-  return text + (rest[0] == '-' ? " - " + rest.substr(1) : " + " + rest);
-}
+std::string value_text(const TraceValue& value) { return value_in(as_text, value); }
 
 TieWords tie_words(const TracedPivot& pivot) {
   if (pivot.chosen) return {"chosen", "chosen, not by the rule"};
@@ -121,20 +171,7 @@ TieWords tie_words(const TracedPivot& pivot) {
 
 std::string tableau_text(const PivotTrace& trace, const Tableau& tableau,
                          const TracedPivot* pivot) {
-  std::vector<std::vector<std::string>> rows{trace.names(tableau.columns)};
-  rows[0].insert(rows[0].begin(), {"", "value"});
-  if (pivot != nullptr) rows[0].push_back("ratio");
-  for (std::size_t i = 0; i < tableau.rows.size(); ++i) {
-    std::vector<std::string> row = {trace.name(tableau.rows[i]), value_text(tableau.values[i])};
-    for (std::size_t j = 0; j < tableau.columns.size(); ++j) {
-      std::string cell = number_text(tableau.entry(i, j));
-      row.push_back(pivot != nullptr && pivot->is_at(i, j) ? "[" + cell + "]" : cell);
-    }
-    if (pivot != nullptr)
-      row.push_back(pivot->ratios[i] ? value_text(*pivot->ratios[i]) : std::string("-"));
-    rows.push_back(row);
-  }
-  return table_text(rows);
+  return table_text(cells_of(as_text, trace, tableau, pivot));
 }
 
 std::string pivots_text(const PivotTrace& trace) {
@@ -153,6 +190,47 @@ std::string pivots_text(const PivotTrace& trace) {
   if (!trace.last) return text;
   const std::string table = tableau_text(trace, *trace.last, nullptr);
   return fits(table) ? text + "\n" + table : text;
+}
+
+namespace {
+
+std::string array_latex(const PivotTrace& trace, const Tableau& tableau, const TracedPivot* pivot) {
+  const TableRows rows = cells_of(as_latex, trace, tableau, pivot);
+  std::string text = "\\[\n\\begin{array}{r|r|" + std::string(tableau.columns.size(), 'r') +
+                     (pivot != nullptr ? "|r}\n " : "}\n ") + joined(rows[0], " & ") +
+                     " \\\\\n\\hline\n";
+  for (std::size_t i = 1; i < rows.size(); ++i) text += "  " + joined(rows[i], " & ") + " \\\\\n";
+  return text + "\\end{array}\n\\]\n";
+}
+
+/// Text in which nothing is a command.
+std::string plain(const std::string& words) {
+  std::string text;
+  for (const char c : words) {
+    if (std::string("#$%&_{}").find(c) != std::string::npos) text += '\\';
+    if (c == '\\' || c == '~' || c == '^') text += "\\char`\\";
+    text += c;
+  }
+  return text;
+}
+
+} // namespace
+
+std::string pivots_latex(const PivotTrace& trace) {
+  std::string text = "% Needs \\usepackage{amsmath}. A row says: basic variable = value + sum of "
+                     "entries times nonbasic variables.\n";
+  for (std::size_t k = 0; k < trace.pivots.size(); ++k) {
+    const TracedPivot& pivot = trace.pivots[k];
+    text += "\n\\noindent Pivot " + std::to_string(k) + ": $" +
+            name_latex(trace.name(pivot.entering)) + "$ enters, $" +
+            name_latex(trace.name(pivot.leaving)) + "$ leaves. " + plain(pivot.sentence) + "\n";
+    if (pivot.before) text += array_latex(trace, *pivot.before, &pivot);
+  }
+  const std::string end =
+      trace.status == Status::solved ? "Solved." : "Not solved: " + plain(trace.reason) + ".";
+  text += "\n\\noindent " + end + "\n";
+  if (trace.last) text += array_latex(trace, *trace.last, nullptr);
+  return text;
 }
 
 } // namespace lcpush::desktop

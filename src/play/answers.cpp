@@ -8,7 +8,7 @@
 #include "lcpush/desktop/report.hpp"
 #include "move/move_words.hpp"
 #include "picture/grasp_figures.hpp"
-#include "pivots/explorer_text.hpp"
+#include "pivots/explorer.hpp"
 #include "pivots/subject.hpp"
 #include "play/instant.hpp"
 #include "play/state_picture.hpp"

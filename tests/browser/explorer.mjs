@@ -118,7 +118,7 @@ async function check_sentences(page, name) {
   const different = await page.evaluate(() => {
     const path = window.lcpush.path();
     return [...path.frames.keys()].filter((k) => path.step(k)).map((k) =>
-      [path.step(k).sentence, window.lcpush.told(path, k)])
+      [path.step(k).sentence, window.lcpush.sentence_of(path, k)])
       .filter(([recorded, told]) => told !== null && told !== recorded);
   });
   assert.deepEqual(different.slice(0, 3), [], `${name}: sentences`);

@@ -202,7 +202,7 @@
     window.lcpush = {
       goto: (step) => { app.controls.stop(); app.go(step); }, state: () => app.state(),
       branch: (row, rule) => app.branch(row, rule), path: () => app.path,
-      told: (path, frame) => words.meant_sentence(path, frame, path.step(frame)),
+      sentence_of: (path, frame) => words.meant_sentence(path, frame, path.step(frame)),
     };
     app.start();
   } catch (problem) {
