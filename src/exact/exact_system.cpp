@@ -100,15 +100,14 @@ void ExactSystem::scale(const std::vector<ExactRow>& rows) {
   }
   for (const BigInteger& by : by_column) column_unit_.emplace_back(by, 1);
   for (std::size_t i = 0; i < n_; ++i) {
-    Row& scaled = rows_.emplace_back();
+    WholeRow& scaled = rows_.emplace_back();
     for (const ExactEntry& entry : rows[i]) {
       const BigInteger by = by_row[i] * by_column[static_cast<std::size_t>(entry.column)];
       scaled.emplace_back(entry.column, entry.value.numerator() * (by / entry.value.denominator()));
     }
-    limb_rows_.add_row(scaled);
   }
   row_unit_ = std::move(by_row);
-  for (const Row& row : rows_) {
+  for (const WholeRow& row : rows_) {
     std::size_t longest = 0;
     for (const auto& [column, value] : row) longest = std::max(longest, value.bit_length());
     most_bits_ += longest + 4; // sqrt(n) of at most 256 entries a row
@@ -118,7 +117,7 @@ void ExactSystem::scale(const std::vector<ExactRow>& rows) {
 void ExactSystem::factor() {
   std::vector<ModularFactors::Row> table;
   std::vector<Limb> sums(n_, 0); // a row may name a column twice
-  for (const Row& row : rows_) {
+  for (const WholeRow& row : rows_) {
     ModularFactors::Row& small = table.emplace_back();
     for (const auto& [column, value] : row) {
       Limb& sum = sums[static_cast<std::size_t>(column)];
@@ -158,7 +157,7 @@ std::optional<std::vector<Rational>> ExactSystem::solve(const std::vector<Ration
     c.push_back(scaled.numerator() * (denominator / scaled.denominator()));
     longest = std::max(longest, c.back().bit_length());
   }
-  LiftedRest rest(limb_rows_, c);
+  LiftedRest rest(rows_, c);
   std::vector<std::vector<Limb>> digits;
   const std::size_t most_digits = (2 * most_bits_ + longest) / 60 + 4;
   std::size_t next_try = 4;

@@ -36,12 +36,10 @@ public:
 
 private:
   using Limb = BigInteger::Limb;
-  using Row = std::vector<std::pair<Index, BigInteger>>;
   std::size_t n_;
-  std::vector<Row> rows_; // whole numbers: row i times row_unit_[i]
+  std::vector<WholeRow> rows_; // whole numbers: row i times row_unit_[i]
   std::vector<BigInteger> row_unit_;
   std::vector<Rational> column_unit_; // x_j is the unit times the integer system's unknown
-  LimbRows limb_rows_;                // the same rows
   std::optional<ModularFactors> factors_;
   std::size_t most_bits_ = 0; // of numerators and denominators, by Hadamard's bound
   bool is_singular_ = false;

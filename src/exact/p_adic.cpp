@@ -133,21 +133,17 @@ void ModularFactors::solve(std::vector<Limb>& b) const {
   b.swap(x);
 }
 
-void LimbRows::add_row(const std::vector<std::pair<Index, BigInteger>>& row) {
-  std::size_t longest = 0, room = 1;
-  for (const auto& [column, value] : row) {
-    entries_.push_back({column, value.sign() < 0, limbs_.size(), value.limb_count()});
-    limbs_.insert(limbs_.end(), value.magnitude(), value.magnitude() + value.limb_count());
-    longest = std::max(longest, value.bit_length());
-  }
-  while ((std::size_t{1} << room) < row.size()) ++room;
-  most_bits_ = std::max(most_bits_, longest + room);
-  ends_.push_back(entries_.size());
-}
-
-LiftedRest::LiftedRest(const LimbRows& rows, const std::vector<BigInteger>& c) : rows_(rows) {
-  std::size_t most = rows.most_bits() + modular::bits; // the rest falls to less than a row's sum
+LiftedRest::LiftedRest(const std::vector<WholeRow>& rows, const std::vector<BigInteger>& c)
+    : rows_(rows) {
+  std::size_t most = 0;
   for (const BigInteger& value : c) most = std::max(most, value.bit_length());
+  for (const WholeRow& row : rows) { // the rest falls to less than a row's sum
+    std::size_t longest = modular::bits;
+    while ((std::size_t{1} << (longest - modular::bits)) < row.size()) ++longest;
+    std::size_t entry = 0;
+    for (const auto& [column, value] : row) entry = std::max(entry, value.bit_length());
+    most = std::max(most, longest + entry);
+  }
   width_ = (most + 2) / limbs::limb_bits + 1; // the larger of two, doubled, and a sign
   rest_.assign(c.size() * width_, 0);
   for (std::size_t i = 0; i < c.size(); ++i) {
@@ -180,15 +176,13 @@ std::vector<Limb> LiftedRest::remainders() const {
 void LiftedRest::take(const std::vector<Limb>& digits) {
   static constexpr Limb inverse = inverse_of_prime();
   static_assert(inverse * modular::prime == 1);
-  std::size_t entry = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Limb* const rest = &rest_[i * width_];
-    for (; entry < rows_.ends_[i]; ++entry) {
-      const LimbRows::Entry& at = rows_.entries_[entry];
-      const Limb by = digits[static_cast<std::size_t>(at.column)];
+    for (const auto& [column, value] : rows_[i]) {
+      const Limb by = digits[static_cast<std::size_t>(column)];
       if (by == 0) continue;
-      (at.is_negative ? limbs::add_multiple : limbs::subtract_multiple)(
-          rest, width_, &rows_.limbs_[at.begin], at.count, by);
+      (value.sign() < 0 ? limbs::add_multiple : limbs::subtract_multiple)(
+          rest, width_, value.magnitude(), value.limb_count(), by);
     }
     limbs::divide_exactly(rest, width_, modular::prime, inverse);
   }

@@ -1,10 +1,13 @@
 // What the explorer's page is made of.
 #pragma once
 
-#include "formats/json_writer.hpp"
-#include "lcpush/desktop/pivots.hpp"
+#include <string>
 
 namespace lcpush::desktop {
+
+struct PivotTrace;
+class JsonWriter;
+class Push;
 
 /// Its files as text, embedded by src/cmake/embed_text.cmake: the page, with the places /*LOOKS*/
 /// (palette, drawing_style), /*DRAWING*/ (drawing_script),

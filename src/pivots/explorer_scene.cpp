@@ -2,6 +2,8 @@
 
 #include "draw/marks.hpp"
 #include "draw/view.hpp"
+#include "formats/json_writer.hpp"
+#include "lcpush/desktop/push.hpp"
 #include "scenes/drawn_object.hpp"
 
 namespace lcpush::desktop {

@@ -113,7 +113,7 @@ TEST_CASE("a double's exact value comes back as the same double") {
     CHECK(Rational(x).value() == x);
   CHECK(Rational(0.1) != typed("0.1"));
   CHECK(Rational(0.375F) == fraction(3, 8));
-  CHECK(Rational(-0.375L) == fraction(-3, 8));
+  CHECK(Rational(-0.375) == fraction(-3, 8));
 }
 
 TEST_CASE("value() is the nearest double: ties to even, subnormal, vanishing and overflowing") {

@@ -3,8 +3,7 @@
 // and labels drawn over them.
 (() => {
   const { svg, parsed } = drawing.elements;
-  const { polygon, arrow, mark } = explorer.shapes;
-  const { picture } = explorer.elements;
+  const { picture, polygon, arrow, mark } = explorer.elements;
   const { add, scale, subtract, dot, length, cross } = drawing.vectors;
   const { decimal } = explorer.number_text;
 
