@@ -14,8 +14,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr CertifySettings settings;
-
 /// The doubles next to which the exact answer is looked for.
 struct Guess {
   std::vector<double> x, w;           ///< SI units
@@ -73,7 +71,7 @@ std::vector<Part> acting_of(const Guess& guess, double tolerance) {
 
 std::optional<ExactAnswer> answer_near(const MixedProblem& problem, const Guess& guess) {
   std::optional<ExactAnswer> exact;
-  for (const double zero : settings.zeros)
+  for (const double zero : certify_settings.zeros)
     if (!exact) exact = answer_near(problem, acting_of(guess, zero), guess.x);
   return exact;
 }
@@ -151,14 +149,15 @@ std::optional<Certificate> certify_answer(const std::string& text, const SceneFi
   std::optional<ExactAnswer> exact = answer_near(problem, guess);
   // Another cover ends in another basis, where less may tie.
   std::vector<Basis> bases;
-  for (Index k = 0; k < settings.bases && !exact; ++k) {
-    const Basis basic = pivoted_basis(file.view(), push, settings.bases_apart * k, problem.size());
+  for (Index k = 0; k < certify_settings.bases && !exact; ++k) {
+    const Basis basic =
+        pivoted_basis(file.view(), push, certify_settings.bases_apart * k, problem.size());
     if (basic.empty() || std::find(bases.begin(), bases.end(), basic) != bases.end()) continue;
     exact = answer_of_basis(problem, basic);
     bases.push_back(basic);
   }
-  bases.resize(std::min(bases.size(), settings.pivoted_bases));
-  if (!exact) exact = answer_by_pivots(problem, bases, settings.pivots);
+  bases.resize(std::min(bases.size(), certify_settings.pivoted_bases));
+  if (!exact) exact = answer_by_pivots(problem, bases, certify_settings.pivots);
   if (!exact) return std::nullopt;
   take_answer(problem, guess, *exact, certificate);
   return certificate;
@@ -237,7 +236,7 @@ std::optional<Certificate> certify_raw(const ExactMatrix& M, const ExactMatrix& 
     guess.x_unit.assign(answer.z.size(), largest_of(answer.z));
     guess.w_unit.assign(answer.z.size(), largest_of(answer.w));
     if (!exact) exact = answer_near(problem, guess);
-    if (!exact) exact = answer_by_pivots(problem, {answer.basic}, settings.pivots);
+    if (!exact) exact = answer_by_pivots(problem, {answer.basic}, certify_settings.pivots);
     if (!exact) return std::nullopt;
     take_answer(problem, guess, *exact, certificate);
     return certificate;

@@ -7,8 +7,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr CertifySettings settings;
-
 /// Lemke's method on the original sparse rows: every pivot solves for what is basic anew, since the
 /// dictionary would fill with long fractions. The free unknowns are basic all the time.
 class Pivots {
@@ -209,7 +207,7 @@ std::optional<ExactAnswer> answer_near(const MixedProblem& problem, const std::v
   for (const std::size_t i : equations) right.push_back(-problem.q[i]);
   for (const std::size_t i : unknowns) near.push_back(guess[i]);
   const auto solution =
-      solution_near(cut(problem, equations, unknowns), right, near, settings.guess_bits);
+      solution_near(cut(problem, equations, unknowns), right, near, certify_settings.guess_bits);
   if (!solution) return std::nullopt;
   ExactAnswer answer{Column(problem.size()), {}};
   for (std::size_t j = 0; j < unknowns.size(); ++j) answer.x[unknowns[j]] = (*solution)[j];
@@ -227,13 +225,13 @@ std::optional<ExactAnswer> answer_by_pivots(const MixedProblem& problem,
                                             std::size_t most_pivots) {
   // A basis in the middle promises nothing: some paths from it end on rays, others are long. So all
   // of them go on by turns, and the shortest one ends the search.
-  const std::uint32_t covers = most_pivots > 0 ? settings.covers : 1;
+  const std::uint32_t covers = most_pivots > 0 ? certify_settings.covers : 1;
   for (std::uint32_t cover = 0; cover < covers; ++cover) {
     std::vector<Pivots> paths;
     for (const Basis& basic : bases) paths.emplace_back(problem, basic).start(1 + 2 * cover);
-    for (std::size_t pivots = 0;; pivots += settings.pivots_by_turns) {
+    for (std::size_t pivots = 0;; pivots += certify_settings.pivots_by_turns) {
       for (Pivots& path : paths) {
-        if (pivots > 0) path.go_on(settings.pivots_by_turns);
+        if (pivots > 0) path.go_on(certify_settings.pivots_by_turns);
         if (!path.is_solved()) continue;
         ExactAnswer answer = path.answer();
         if (solves_exactly(problem, answer)) return answer;

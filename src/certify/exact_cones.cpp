@@ -10,8 +10,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr CertifySettings settings;
-
 Rational dot(const Column& a, const Column& b) {
   Rational sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -57,7 +55,7 @@ std::optional<Column> separation(const std::vector<Column>& columns, const Colum
   std::vector<std::size_t> active;
   for (Index j = 0; j < n; ++j)
     if (std::abs(question.A.col(j).dot(question.residual)) <=
-        settings.equality * question.residual.norm())
+        certify_settings.equality * question.residual.norm())
       active.push_back(static_cast<std::size_t>(j));
   std::vector<ExactRow> rows(b.size());
   for (std::size_t i = 0; i < b.size(); ++i)
@@ -78,7 +76,7 @@ std::optional<Column> squeeze_near(const MixedProblem& problem, const std::vecto
   std::vector<std::size_t> forces;
   std::vector<Index> place(problem.size(), -1);
   for (std::size_t i = 0; i < problem.size(); ++i)
-    if (guess[i] > settings.equality) {
+    if (guess[i] > certify_settings.equality) {
       place[i] = static_cast<Index>(forces.size());
       forces.push_back(i);
     }
@@ -95,12 +93,12 @@ std::optional<Column> squeeze_near(const MixedProblem& problem, const std::vecto
       size += std::abs(entry.value.value() * guess[j]);
     }
     const bool is_cone = problem.limits_forces(i) && !row.empty();
-    if (problem.is_free(i) || (is_cone && std::abs(sum) <= settings.equality * size))
+    if (problem.is_free(i) || (is_cone && std::abs(sum) <= certify_settings.equality * size))
       rows.push_back(std::move(row));
   }
   std::vector<double> near;
   for (const std::size_t j : forces) near.push_back(guess[j]);
-  const auto solution = solution_near(rows, Column(rows.size()), near, settings.guess_bits);
+  const auto solution = solution_near(rows, Column(rows.size()), near, certify_settings.guess_bits);
   if (!solution) return std::nullopt;
   const Column& f = *solution;
   Column x(problem.size());

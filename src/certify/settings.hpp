@@ -29,4 +29,6 @@ struct CertifySettings {
   std::size_t pivots_by_turns = 6; ///< before the next basis goes on
 };
 
+constexpr CertifySettings certify_settings;
+
 } // namespace lcpush::desktop
