@@ -8,6 +8,7 @@
 #include <map>
 
 #include "lcpush/desktop/export.hpp"
+#include "lcpush/desktop/matrix_market.hpp"
 #include "support/fixture_push.hpp"
 #include "support/full_elimination.hpp"
 
