@@ -30,7 +30,7 @@ public:
     for (int attempt = 0; attempt < attempts; ++attempt, pads.exact_limit = false) {
       breaking = {};
       LemkeOptions<S> pivots = options(attempt);
-      if (breaks_exactly<Rounds>(this->scene_, pads)) pivots.covers = 1;
+      if (breaks_exactly(Rounds{lemke_}, this->scene_, pads)) pivots.covers = 1;
       status = find_breaking(this->assembly_, Rounds{lemke_, pivots}, this->work_, pusher, pads,
                              breaking, this->run_);
       if (status == Status::solved || status == Status::does_not_hold) break;

@@ -1,13 +1,11 @@
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/noise.hpp"
 #include "solve/push_rounds.hpp"
+#include "solve/rest_verdict.hpp"
 #include "solve/word_settings.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
-namespace {
-constexpr double ray_noise = 1e-9; // of its largest entry
-} // namespace
 
 std::string Push::variable_name(Index i) const {
   const Name name = name_of(layout(), i);
@@ -56,10 +54,8 @@ Lemke<double>& Push::pivots() {
   return *lemke_;
 }
 
-/// From this many unknowns on the structured basis is the faster one (docs/theory/numerics.md).
 bool Push::takes_structure(const PushOptions& options) const {
-  constexpr Index smallest = 200;
-  return !options.dense && layout().size >= smallest &&
+  return !options.dense && layout().size >= SolveSettings().structured &&
          StructuredBasis<double>::supports(assembly_.problem(), options.lemke.tie_rule);
 }
 
@@ -92,12 +88,11 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
   PressureOptions<double> pressure = pressure_options(assembly_, sigma);
   pressure.tolerance *= part;
   assembly_.push_by(sigma);
-  settled_by_sweeps_ = 0;
-  const Status status = with_rounds(options, [&](const auto& rounds) {
+  pressure.max_pivots = options.max_pivots;
+  const Status status = with_rounds(options, [&](const AnyRounds& rounds) {
     return solve_pressure(assembly_, rounds, work_.pressure, pressure, spent,
                           work_.friction_memory(scene_));
   });
-  spent.sweeps += settled_by_sweeps_;
   const bool can_start_anew =
       options.solver == Solver::lemke && options.lemke.first_cover < 2 * options.lemke.covers;
   // Sweeps stop at a residual that large forces make look small: laws and slips may ask for more.
@@ -110,7 +105,7 @@ Status Push::run(const PushOptions& options, double sigma, PressureRun& spent, d
     if (!(can_start_anew || can_improve) || worst <= Tolerances<double>().residual) return status;
   }
   PushOptions stricter = options; // by other covers: pivots have ended on a poor basis
-  stricter.sweeps.tolerance /= 100;
+  stricter.sweeps.tolerance /= SolveSettings().stricter;
   stricter.lemke.first_cover += options.lemke.covers;
   const Index sweeps = spent.sweeps;
   const Status improved = run(stricter, sigma, spent, part);
@@ -127,7 +122,7 @@ void Push::name_file_bodies() {
 std::string Push::explain(Status status, const PressureRun& run) const {
   bool squeezes = false;
   for (Index i = 0; status == Status::ray && i < layout().points; ++i)
-    squeezes = squeezes || ray()[layout().normal_index(i)] > ray_noise;
+    squeezes = squeezes || ray()[layout().normal_index(i)] > SolveSettings().ray_noise;
   switch (status) {
   case Status::ray:
     return squeezes
@@ -162,7 +157,7 @@ std::string Push::explain(Status status, const PressureRun& run) const {
 /// are long.
 void Push::read_ray(const PushOptions& options, RunReport& report) const {
   for (Index i = 0; i < layout().size; ++i)
-    if (ray()[i] > ray_noise) report.ray.push_back({variable_name(i), ray()[i], i});
+    if (ray()[i] > SolveSettings().ray_noise) report.ray.push_back({variable_name(i), ray()[i], i});
   const bool tries = options.explain_jams && layout().size <= limits::unknowns_remedied;
   report.jam = explain_jam(file_, assembly_, ray(), tries ? has_answer : nullptr);
 }
@@ -187,7 +182,7 @@ std::vector<NamedValue> Push::closings(double unit) const {
 }
 
 void Push::search_others(const PushOptions& options, PushReport& report) {
-  constexpr double tolerance = 1e-5;
+  const double tolerance = SolveSettings().same;
   const Index open = undetermined_body(scene_);
   const bool proved = open < 0;
   if (!proved)
@@ -196,10 +191,9 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
   const Outcome<double> first = outcome();
   if (!file_.is_round) report.final_basis = study_final_basis(assembly_, work_.answer);
   const bool affordable = layout().size <= limits::unknowns_searched;
-  pivots_left_ = limits::unknowns_pivoted_in_search / layout().size;
   for (Index k = 1; affordable && k <= options.other_covers; ++k) {
     PressureRun ignored;
-    if (run(by_other_cover(options, k), 1.0, ignored) != Status::solved) continue;
+    if (run(by_other_cover(options, k, layout().size), 1.0, ignored) != Status::solved) continue;
     ++report.covers_compared;
     const Outcome<double> second = outcome();
     const bool moves_alike =
@@ -209,7 +203,6 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
     same_a = same_a && moves_alike;
     same_f = same_f && pushes_alike;
   }
-  pivots_left_.reset();
   // A proof, an answer next to this one, or other covers' answers.
   const bool searched = report.covers_compared > 0 || report.final_basis.studied;
   const auto verdict = [&](bool none_other) {

@@ -1,73 +1,12 @@
 // Push: the grasp without a push, and the push that breaks it.
-#include <limits>
-#include <optional>
-
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/noise.hpp"
 #include "solve/push_rounds.hpp"
 #include "solve/rest_by_friction.hpp"
-#include "solve/scene_image.hpp"
-#include "text/limits.hpp"
+#include "solve/rest_verdict.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-/// One basis gives the breaking force; nothing is extrapolated from finite pushes.
-bool is_exact(const SceneFile& file, const PushOptions& options) {
-  return !takes_rounds(file) && options.solver != Solver::gauss_seidel;
-}
-
-/// The core calls rest what is slow beside the grip; beside the load it may be a fall.
-bool falls_slowly(const SceneFile& file, const BreakReport& report, const PushOptions& options) {
-  const Breaking<double>& breaking = report.breaking;
-  const double tolerance = rest_tolerance(options.solver);
-  return !is_at_rest(file, breaking.rest, report.scales, tolerance) &&
-         motion_size(breaking.rest, report.scales) > 64 * breaking.residuals.beside;
-}
-
-/// The least factor on the grip that holds the load, infinite if none does; none: not known.
-std::optional<double> least_factor(const SceneFile& file) {
-  Holding<double> holding;
-  const Status status = find_holding(file, holding);
-  if (status == Status::does_not_hold) return std::numeric_limits<double>::infinity();
-  return status == Status::solved ? std::optional<double>(holding.factor) : std::nullopt;
-}
-
-/// Finite pushes may all be stronger than the fall: the object then moves as they do, to the last
-/// digit, and nothing of the fall is left in what they are taken back to. Only statics tells.
-bool falls_by_statics(const SceneFile& file) {
-  if (carries_load(file)) return false;
-  const double more = file.is_round ? 1 + 2e-3 : 1 + 1e-6; // its facets are short of a circle
-  const std::optional<double> least = least_factor(file);
-  return least && *least > more;
-}
-
-/// Pushes were extrapolated and say that the grasp holds, or that the pusher pulls: does it hold?
-/// If not, report.breaking.rest becomes the fall.
-Status verdict_of_pushes(const SceneFile& file, BreakReport& report, const PushOptions& options) {
-  const bool falls = falls_by_statics(file);
-  const bool pulled = pulls(report.breaking, report.scales);
-  if (!falls && !pulled) return Status::solved;
-  Vector6<double> motion;
-  const bool is_known = Push(file).solve_at_rest(options, motion) == Status::solved;
-  const bool moves =
-      is_known && !is_at_rest(file, motion, report.scales, rest_tolerance(options.solver));
-  if (moves) report.breaking.rest = motion;
-  if (falls || moves) return Status::does_not_hold;
-  report.run.reason = Reason::pull;
-  return Status::numerical_breakdown;
-}
-
-/// The reverse: what is left when pushes far stronger than the load are taken back to none need not
-/// be a fall, where statics holds the load with room to spare.
-bool only_looks_falling(const SceneFile& file, const BreakReport& report,
-                        const PushOptions& options) {
-  constexpr double room = 1 - 1e-3;
-  const double smallest_push = options.solver == Solver::gauss_seidel ? 1e-4 : 1e-5; // of F / m
-  if (motion_size(report.breaking.rest, report.scales) > 2 * smallest_push) return false;
-  const std::optional<double> least = least_factor(file);
-  return least && *least < room;
-}
 
 bool is_over(Status status) { return status == Status::solved || status == Status::does_not_hold; }
 
@@ -82,11 +21,10 @@ bool is_same_motion(const Vector6<double>& one, const Vector6<double>& two, doub
 /// Notes that there was a second one, and `second` itself if it differs from all that is known. As
 /// in a solve, what the line through small pushes leaves open is no other answer.
 void add_other(const Breaking<double>& second, BreakReport& report) {
-  constexpr double tolerance = 1e-5;
   const Breaking<double>& first = report.breaking;
   for (Uniqueness* unique : {&report.unique_motion, &report.unique_force})
     if (*unique == Uniqueness::not_tested) *unique = Uniqueness::none_other_found;
-  const double slack = tolerance + 10 * std::max(first.line_error, second.line_error);
+  const double slack = SolveSettings().same + 10 * std::max(first.line_error, second.line_error);
   const double near = slack * std::max(report.scales.force, first.break_force);
   const auto pushes_alike = [&](double force) {
     return std::abs(force - second.break_force) <= near;
@@ -112,23 +50,11 @@ void add_other(const Breaking<double>& second, BreakReport& report) {
 
 } // namespace
 
-Status holding_verdict(const SceneFile& file, BreakReport& report, const PushOptions& options) {
-  if (is_exact(file, options))
-    return report.status == Status::solved && falls_slowly(file, report, options)
-               ? Status::does_not_hold
-               : report.status;
-  const bool pulled =
-      report.status == Status::numerical_breakdown && pulls(report.breaking, report.scales);
-  const bool holds =
-      report.status == Status::solved || pulled ||
-      (report.status == Status::does_not_hold && only_looks_falling(file, report, options));
-  return holds ? verdict_of_pushes(file, report, options) : report.status;
-}
-
 /// In pads, far below what their last compliance usually leaves.
 Status Push::solve_at_rest(const PushOptions& options, Vector6<double>& acceleration) {
   PressureRun ignored;
-  const Status status = run(options, 0.0, ignored, file_.pressure == Pressure::pad ? 1e-4 : 1);
+  const Status status =
+      run(options, 0.0, ignored, file_.pressure == Pressure::pad ? SolveSettings().finer_pads : 1);
   if (status == Status::solved) acceleration = work_.answer.acceleration;
   return status;
 }
@@ -165,21 +91,22 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
   assembly_.assemble(even.scene);
   report.status = rest(options);
   if (report.status == Status::solved) {
-    const double tolerance = rest_tolerance(options.solver);
-    report.acceleration = work_.answer.acceleration;
-    report.holds = is_at_rest(alone, report.acceleration, layout().scales, tolerance);
+    const double noise = rest_noise(alone, layout().scales, options.solver);
+    const auto decide = [&] {
+      report.acceleration = work_.answer.acceleration;
+      return decide_rest(alone, {report.acceleration, layout().scales, noise});
+    };
+    Rest rest = decide();
     // What the last round's compliance leaves looks like a slow fall, the more so the smaller the
     // patches are. A fall stays when more of that is taken away.
-    constexpr double slow = 1e5, part = 1e-4;
+    const SolveSettings settings;
     PressureRun ignored;
-    if (!report.holds && alone.pressure == Pressure::pad &&
-        is_at_rest(alone, report.acceleration, layout().scales, slow * tolerance) &&
-        run(options, 0.0, ignored, part) == Status::solved) {
-      report.acceleration = work_.answer.acceleration;
-      report.holds = is_at_rest(alone, report.acceleration, layout().scales, tolerance);
-    }
-    if (report.holds && !shows_a_fall(alone, layout().scales, tolerance))
-      report.status = Status::numerical_breakdown; // a fall would look the same
+    if (rest == Rest::falls && alone.pressure == Pressure::pad &&
+        motion_size(report.acceleration, layout().scales) <= settings.slow_fall * noise &&
+        run(options, 0.0, ignored, settings.finer_pads) == Status::solved)
+      rest = decide();
+    report.holds = rest != Rest::falls;
+    if (rest == Rest::not_known) report.status = Status::numerical_breakdown;
   }
   assembly_.assemble(scene_);
   return report;
@@ -187,14 +114,12 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
 
 Status Push::break_grasp(const PushOptions& options, Index pusher, Breaking<double>& breaking,
                          PressureRun& run) {
-  settled_by_sweeps_ = 0;
-  const PressureOptions<double> pressure = breaking_options(assembly_);
-  const Status status = with_rounds(options, [&](const auto& rounds) {
+  PressureOptions<double> pressure;
+  pressure.max_pivots = options.max_pivots;
+  return with_rounds(options, [&](const AnyRounds& rounds) {
     return lcpush::find_breaking(assembly_, rounds, work_, file_.body(pusher), pressure, breaking,
                                  run);
   });
-  run.sweeps += settled_by_sweeps_;
-  return status;
 }
 
 BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
@@ -224,33 +149,16 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   return report;
 }
 
-/// The same under other covers and in mirrors: is this the only force that breaks the grasp? What
-/// comes of it has passed the same referee.
+/// The same under other covers: is this the only force that breaks the grasp? What comes of it has
+/// passed the same referee.
 void Push::compare_others(const PushOptions& options, BreakReport& report) {
-  if (options.other_covers <= 0 || layout().size > limits::unknowns_searched) return;
-  pivots_left_ = limits::unknowns_pivoted_in_search / layout().size;
+  if (layout().size > limits::unknowns_searched) return;
   Breaking<double> second;
   PressureRun ignored;
   for (Index k = 1; k <= options.other_covers; ++k)
-    if (is_over(break_grasp(by_other_cover(options, k), report.pusher, second, ignored)))
+    if (is_over(
+            break_grasp(by_other_cover(options, k, layout().size), report.pusher, second, ignored)))
       add_other(second, report);
-  // Where a wide patch begins at a few of its points, so does its image: that starts from nothing
-  // too.
-  const Index starts = layout().size >= SettledPivots::smallest ? 2 : 1;
-  for (const SceneImage& image : scene_images(file_)) {
-    const SceneFile seen = image.of(file_);
-    Push push(seen);
-    push.pivots_left_ = pivots_left_;
-    for (Index k = 0; k < starts; ++k) {
-      if (!is_over(push.break_grasp(by_other_cover(options, k), report.pusher, second, ignored)))
-        continue;
-      second.force = image.of_twist(second.force);
-      second.twist = image.of_twist(second.twist);
-      add_other(second, report);
-    }
-    pivots_left_ = push.pivots_left_;
-  }
-  pivots_left_.reset();
 }
 
 } // namespace lcpush::desktop

@@ -1,5 +1,6 @@
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/grip_search.hpp"
+#include "solve/rest_verdict.hpp"
 #include "text/limits.hpp"
 
 #include <cmath>
@@ -11,45 +12,11 @@ bool grips(const SceneFile& file, std::size_t actuator) {
   return grips(file.view(), static_cast<Index>(actuator));
 }
 
-/// Statics has no round cones: theirs are 0.1 % short of a circle.
-Scene<double> in_facets(const SceneFile& file) {
-  constexpr Index nearly_round = 64;
-  Scene<double> scene = file.view();
-  if (file.is_round) scene.facets = nearly_round;
-  return scene;
-}
-
-/// ask(assembly, memory) of a file's scene.
-template <class Ask> Status ask_statics(const SceneFile& file, const Ask& ask) {
-  const AssembledScene assembled(in_facets(file));
-  const AssemblySize size = size_of(assembled.scene);
-  SolverMemory<double> memory(holding_scalars(size), holding_integers(size));
-  return ask(assembled.assembly,
-             StudyMemory<double>{span_of(memory.scalars), span_of(memory.integers)});
-}
-
 SceneFile scaled(SceneFile file, double factor) {
   for (std::size_t a = 0; a < file.actuators.size(); ++a)
     if (grips(file, a)) file.actuators[a].force *= factor;
   for (Body<double>& body : file.bodies) body.preload *= factor;
   return file;
-}
-
-/// The largest acceleration that the loads could give the object, m/s^2, turning at `length`.
-double load_acceleration(const SceneFile& file, double length) {
-  Vector3<double> load = file.gravity + file.object.wrench.head<3>() / file.object.mass;
-  if (file.planar) load[2] = 0;
-  const double turn = file.object.wrench.tail<3>().norm() / (file.object.mass * length);
-  double largest = std::max(load.norm(), turn);
-  for (std::size_t a = 0; a < file.actuators.size(); ++a)
-    if (!grips(file, a))
-      largest = std::max(largest, std::abs(file.actuators[a].force) / file.object.mass);
-  return largest;
-}
-
-/// m/s^2: a slower object is at rest, as far as its solver can say.
-double rest_limit(const SceneFile& file, const Scales<double>& scales, double tolerance) {
-  return tolerance * std::max(load_acceleration(file, scales.length), scales.acceleration / 16);
 }
 
 /// What a locked finger would press with, in the preload's unit, if it had to equal the load.
@@ -131,35 +98,6 @@ SceneFile hand_at_rest(const SceneFile& file) {
   return alone;
 }
 
-Status find_holding(const SceneFile& file, Holding<double>& holding) {
-  return ask_statics(file, [&](const auto& assembly, const auto& memory) {
-    return lcpush::find_holding(assembly, memory, holding);
-  });
-}
-
-bool carries_load(const SceneFile& file) {
-  return ask_statics(file, [](const auto& assembly, const auto& memory) {
-           return lcpush::carries_load(assembly, memory);
-         }) == Status::solved;
-}
-
-double rest_tolerance(Solver solver) {
-  // Pivots end at rounding, sweeps do not.
-  const Tolerances<double> tolerances;
-  return 64 * (solver == Solver::gauss_seidel ? tolerances.residual : tolerances.settled);
-}
-
-bool is_at_rest(const SceneFile& file, const Vector6<double>& acceleration,
-                const Scales<double>& scales, double tolerance) {
-  return motion_size(acceleration, scales) * scales.acceleration <=
-         rest_limit(file, scales, tolerance);
-}
-
-bool shows_a_fall(const SceneFile& file, const Scales<double>& scales, double tolerance) {
-  const double load = load_acceleration(file, scales.length);
-  return load == 0 || load >= 16 * rest_limit(file, scales, tolerance);
-}
-
 GripReport named_grip(const SceneFile& file) {
   GripReport report;
   if (file.hand == Hand::locked) {
@@ -214,8 +152,7 @@ GripReport find_smallest_grip(const SceneFile& file, const HoldReport& hold,
                  const SceneFile there = scaled(file, factor);
                  Push push(there);
                  const BreakReport at = push.find_breaking(broken.pusher, pushed.options());
-                 return at.status == Status::solved &&
-                        is_at_rest(there, at.breaking.rest, at.scales, at_rest<double>());
+                 return at.status == Status::solved;
                });
   return report;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solve/push_rounds.hpp"
+#include "solve/rest_verdict.hpp"
 #include "sweep/proven_jam.hpp"
 #include "sweep/remembered_rounds.hpp"
 
@@ -84,12 +85,11 @@ DetailedAnswer judge_breaking(const ScenePoint& p, Status status,
   return answer;
 }
 
-DetailedAnswer read_breaking(ScenePoint& p, const BasisSolution& solution) {
+DetailedAnswer read_breaking(ScenePoint& p, const PushLimit<double>& limit) {
   Breaking<double> breaking;
   PressureRun run;
-  Status status =
-      lcpush::read_breaking(p.assembly, solution.z.data(), solution.z_push.data(),
-                            solution.valid_to, p.work, p.pusher, push_size(p.scene), breaking, run);
+  Status status = lcpush::read_breaking(p.assembly, limit.z, limit.z_push, limit.valid_to, p.work,
+                                        p.pusher, push_size(p.scene), breaking, run);
   if (status == Status::solved) status = judge(breaking, p.assembly.layout().scales, run);
   return judge_breaking(p, status, breaking);
 }
@@ -133,7 +133,7 @@ Status SweepSolver::pivot(Question question, const LemkeOptions<double>& options
   const Problem<double> problem = point_->problem(question);
   Status status =
       from == nullptr ? lemke_->init(problem, options) : lemke_->init(problem, options, from);
-  if (status == Status::running) status = lemke_->solve(attendant_);
+  if (status == Status::running) status = lemke_->solve<Watcher>(attendant_);
   if (status != Status::solved) return status;
   basis = basis_of(*lemke_, problem.size);
   return status;
@@ -156,19 +156,17 @@ bool SweepSolver::stand_on(Question question, const Basis& basis) {
 
 DetailedAnswer SweepSolver::on_basis(Question question, const Basis& basis, bool thorough) {
   if (!has(question)) return {};
-  BasisSolution solution;
-  if (!solve_on_basis(point_->problem(question), basis, solution)) {
-    // The small system may be worse conditioned than the dictionary.
-    if (!thorough || !stand_on(question, basis)) return {};
-    const Index n = point_->assembly.layout().size;
-    solution.z = Eigen::Map<const Eigen::VectorXd>(lemke_->z(), n);
-    if (question == Question::breaking) {
-      solution.z_push = Eigen::Map<const Eigen::VectorXd>(lemke_->z_push(), n);
-      solution.valid_to = lemke_->valid_to();
-    }
-  }
-  return question == Question::push ? read_push(*point_, solution.z.data())
-                                    : read_breaking(*point_, solution);
+  make_structured();
+  const Problem<double> problem = point_->problem(question);
+  PushLimit<double> limit;
+  if (static_cast<Index>(basis.size()) != problem.size) return {};
+  if (held_->look(problem, basis.data()) == Status::solved)
+    limit = {held_->z(), held_->z_push(), held_->valid_to()};
+  else if (thorough && stand_on(question, basis)) // the dictionary may be better conditioned
+    limit = {lemke_->z(), lemke_->z_push(), lemke_->valid_to()};
+  else
+    return {};
+  return question == Question::push ? read_push(*point_, limit.z) : read_breaking(*point_, limit);
 }
 
 DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const RoundBases* others) {
@@ -217,19 +215,18 @@ DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const Ro
 }
 
 DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
-  constexpr Index smallest_structured = 200; // as a solve: the same path, the same answers
   const Problem<double> problem = point_->problem(question);
-  RoundMemory memory{bases, factored_[question]};
+  RoundMemory memory{bases};
   DetailedAnswer answer;
-  const bool structured = problem.size >= smallest_structured;
+  const bool structured = problem.size >= SolveSettings().structured; // as a solve
   make_structured();
-  if (structured) answer = solve_rounds<StructuredLemke<double>>(question, *structured_, memory);
+  if (structured) answer = solve_rounds(question, rounds_by(*structured_, memory));
   // A ray has been verified: the whole dictionary would find it again.
   const bool is_open = !answer.is_known() && answer.status != Status::ray;
   if (is_open && (!structured || problem.size <= limits::unknowns_dense)) {
     make_lemke();
     if (structured) memory.begin_again();
-    answer = solve_rounds<Lemke<double>>(question, *lemke_, memory);
+    answer = solve_rounds(question, rounds_by(*lemke_, memory));
   }
   memory.end();
   ++(memory.cold > 0 ? cold_ : warm_);
@@ -237,10 +234,12 @@ DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
   return answer;
 }
 
-template <class Pivots>
-DetailedAnswer SweepSolver::solve_rounds(Question question, Pivots& pivots, RoundMemory& memory) {
+template <class Pivots> AnyRounds SweepSolver::rounds_by(Pivots& pivots, RoundMemory& memory) {
+  return AnyRounds(RememberedRounds<Pivots>(pivots, memory, attendant_, *held_, *structured_));
+}
+
+DetailedAnswer SweepSolver::solve_rounds(Question question, const AnyRounds& rounds) {
   ScenePoint& p = *point_;
-  const RememberedRounds<Pivots> rounds(pivots, memory, attendant_, *held_, *structured_);
   PressureRun run;
   DetailedAnswer answer;
   if (question == Question::push) {
@@ -252,7 +251,7 @@ DetailedAnswer SweepSolver::solve_rounds(Question question, Pivots& pivots, Roun
   } else {
     Breaking<double> breaking;
     const Status status = find_breaking(p.assembly, rounds, p.work, p.pusher,
-                                        breaking_options(p.assembly), breaking, run);
+                                        PressureOptions<double>(), breaking, run);
     answer = judge_breaking(p, status, breaking);
     p.assembly.push_by(1.0);
   }

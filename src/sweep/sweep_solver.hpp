@@ -2,7 +2,6 @@
 // neighbour's basis.
 #pragma once
 
-#include "dense/basis_solution.hpp"
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/desktop/sweep.hpp"
 #include "lcpush/lcp/pivots/held_basis.hpp"
@@ -53,23 +52,24 @@ private:
 };
 
 /// Tells somebody of every pivot.
-struct Attendant {
+struct Attendant : Watcher {
   const std::function<void()>* pivoted = nullptr;
 
-  template <class L> void starts(const L&) const {}
-  template <class L> Index choose_leaving_row(const L&, const PendingPivot& pending) const {
-    return pending.blocking.row;
-  }
-  template <class L> void stepped(const L&) const { look(); }
+  explicit Attendant(const std::function<void()>* told) : pivoted(told) {}
+  void stepped(const Lemke<double>&) override { look(); }
+  void progressed(Index, Index) override { look(); }
   void look() const {
     if (pivoted != nullptr && *pivoted) (*pivoted)();
   }
 };
 
+/// An unknown: is z_i basic?
+using Basis = std::vector<unsigned char>;
 /// The bases that the rounds of one solve ended in, one after the other; one round of `rigid`.
 using RoundBases = std::vector<Basis>;
 
 struct RoundMemory;
+class AnyRounds;
 
 class SweepSolver {
 public:
@@ -101,8 +101,8 @@ public:
   /// Lemke stands at exactly this basis: it is the answer here.
   bool stand_on(Question question, const Basis& basis);
   Lemke<double>& lemke() { return *lemke_; }
-  /// The answer of one basis, checked; `thorough`: by the whole dictionary if the small system will
-  /// not do.
+  /// The answer of one basis, checked; `thorough`: by the whole dictionary if the basis' factors
+  /// will not do.
   DetailedAnswer on_basis(Question question, const Basis& basis, bool thorough = true);
 
 private:
@@ -115,12 +115,11 @@ private:
   std::optional<Owned<StructuredLemke<double>>> structured_;
   std::optional<Owned<HeldBasis<double>>> held_;
   Attendant attendant_;
-  OfBoth<std::vector<FactoredBasis>> factored_; // by the rounds, where the last sample was
   Index cold_ = 0, warm_ = 0;
 
   DetailedAnswer solve_pad(Question question, RoundBases& bases);
-  template <class Pivots>
-  DetailedAnswer solve_rounds(Question question, Pivots& pivots, RoundMemory& memory);
+  template <class Pivots> AnyRounds rounds_by(Pivots& pivots, RoundMemory& memory);
+  DetailedAnswer solve_rounds(Question question, const AnyRounds& rounds);
   void make_lemke();
   void make_structured();
   Status pivot(Question question, const LemkeOptions<double>& options, const unsigned char* from,

@@ -26,11 +26,9 @@ constexpr Index unknowns_exported = 4'000; // 63 bytes an entry, most of them of
 constexpr double bytes_a_sample = 2400, bytes_a_sampled_point = 40; // of a sweep, text included
 
 // Unknowns up to which a question is asked; beyond, its answer would take minutes.
-constexpr Index unknowns_dense = 2000; // pivots on the whole dictionary, where structured ones fail
-constexpr Index unknowns_dense_after_ray = 600; // a ray has been verified: it gets less
-                                                // time, and so does a search for other answers
-constexpr Index unknowns_searched = 2000;       // other answers, each as long as the first: three
-                                                // covers, and for a break seven images
+constexpr Index unknowns_dense = 600; // pivots on the whole dictionary, where structured ones fail
+constexpr Index unknowns_searched = 2000; // other answers, each as long as the first: three
+                                          // covers
 constexpr Index unknowns_pivoted_in_search = 20'000'000; // pivots, each of so many: about 0.5 s
 constexpr Index scalars_existence = 50'000'000;          // 400 MB: hundreds of actuators that drag
 constexpr Index unknowns_holding = 2000;                 // every factor that is asked is a push

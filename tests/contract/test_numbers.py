@@ -34,17 +34,17 @@ EXACT = {
 LEFT = {
     "include/lcpush/lcp": 4,
     "include/lcpush/lcp/pivots": 3,
-    "include/lcpush/mechanics/solve": 73,
+    "include/lcpush/mechanics/solve": 63,
     "include/lcpush/mechanics/study": 13,
     "src/certify": 25,
     "src/cone": 32,
-    "src/dense": 5,
+    "src/dense": 1,
     "src/move": 14,
     "src/plan": 52,
     "src/raw": 23,
-    "src/solve": 90,
+    "src/solve": 39,
     "src/spread": 28,
-    "src/sweep": 68,
+    "src/sweep": 65,
     "src/verify": 12,
 }
 

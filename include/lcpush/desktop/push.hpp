@@ -25,12 +25,15 @@ struct PushOptions {
   SweepOptions<double> sweeps = strict_sweeps();
   bool record_history = false;  ///< RunReport::history; costs a check of the laws each time
   Index other_covers = 3;       ///< covers tried in search of another answer
+  Index max_pivots = 0;         ///< of all proximal iterations together; 0: the solver's limits
   bool explain_jams = true;     ///< solve again with each change that might free a jam
   bool dense = false;           ///< pivots on the whole dictionary, whatever the size
   bool study_existence = true;  ///< ask the existence lemma's conditions: two linear programs
   Watcher* watcher = nullptr;   ///< told of all pivots and sweeps of the answer
   Watcher* searching = nullptr; ///< told of those of the search for other answers
 };
+
+class AnyRounds;
 
 class Push {
 public:
@@ -82,8 +85,6 @@ private:
   std::optional<OwnedLemke<double>> lemke_;                  // see pivots()
   std::optional<Owned<StructuredLemke<double>>> structured_; // see structured_pivots()
   bool last_structured_ = false;                             // did they pivot last?
-  Index settled_by_sweeps_ = 0;      // what their rounds have taken beside pivots
-  std::optional<Index> pivots_left_; // on the structured basis, of a search for other answers
   std::vector<SweepRecord> history_;
   Index swept_before_ = 0; // in the rounds that are over
   BlockGaussSeidel<double> sweeps_;
@@ -96,10 +97,8 @@ private:
   void begin(const PushOptions& options, RunReport& report);
   void record(Index sweep, const double* z);
   template <class Use> Status with_rounds(const PushOptions& options, const Use& use);
-  template <class Use>
-  Status with_settled_pivots(const PushOptions& options, Watcher& watcher, const Use& use);
-  template <class Pivots, class Use>
-  Status with_pivots(const PushOptions& options, Pivots& pivots, Watcher& watcher, const Use& use);
+  template <class Pivots>
+  AnyRounds rounds_by(Pivots& pivots, const PushOptions& options, Watcher& watcher);
   /// Until the rounds leave `part` of what they usually do.
   Status run(const PushOptions& options, double sigma, PressureRun& run, double part = 1);
   Status rest(const PushOptions& options);

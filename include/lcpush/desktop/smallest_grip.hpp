@@ -55,17 +55,7 @@ double locked_force(const SceneFile& file);
 /// The hand before any push: its fingers alone and at rest, with the actuators that drive one.
 SceneFile hand_at_rest(const SceneFile& file);
 
-/// [T.12] on a file: the least factor on the grip; and whether it is at most 1, proved if true.
+/// [T.12] on a file: the least factor on the grip.
 Status find_holding(const SceneFile& file, Holding<double>& holding);
-bool carries_load(const SceneFile& file);
-
-/// What a solver leaves of the acceleration of an object at rest, relative.
-double rest_tolerance(Solver solver);
-/// Is the acceleration rounding's? Beside what the load would do, or, where that is little beside
-/// the grip, beside what the solver leaves of the grip.
-bool is_at_rest(const SceneFile& file, const Vector6<double>& acceleration,
-                const Scales<double>& scales, double tolerance);
-/// Would a fall stand out, so that is_at_rest means that the load is held?
-bool shows_a_fall(const SceneFile& file, const Scales<double>& scales, double tolerance);
 
 } // namespace lcpush::desktop

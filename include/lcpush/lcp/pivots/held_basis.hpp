@@ -9,7 +9,7 @@ namespace lcpush {
 /// Scalars and ints that HeldBasis needs for n unknowns in `cones` groups; `shared` as for
 /// StructuredLemke. O(n).
 constexpr Index held_basis_scalars(Index n, Index cones, Index shared) {
-  return 4 * n + StructuredBasis<double>::scalars(n, cones, shared, 1, 0);
+  return 6 * n + StructuredBasis<double>::scalars(n, cones, shared, 2, 0);
 }
 constexpr Index held_basis_integers(Index n, Index cones) {
   return 2 * n + StructuredBasis<double>::integers(n, cones, 0, 0);
@@ -28,34 +28,49 @@ public:
 
   /// The basis in which z_i is basic where active[i] is not 0. Pre: `problem` is about 1 in size,
   /// as mechanics assembles it. Post: solved, and z() is the answer: w = q + M z is zero to
-  /// rounding where z is basic, and no sign is wrong by more than a tie; numerical_breakdown: it is
-  /// not, or not solved so well; bad_input: the problem is dense or has a push, or the memory is
-  /// too small. Cost: O(n), and the square of what the cones do not hold by themselves.
+  /// rounding where z is basic, and no sign is wrong by more than a tie; with a push, z() + sigma
+  /// z_push() is, as long as sigma <= valid_to(). Or numerical_breakdown: it is not, or not solved
+  /// so well; bad_input: the problem is dense, or the memory is too small. Cost: O(n), and the
+  /// square of what the cones do not hold by themselves.
   [[nodiscard]] Status look(const Problem<S>& problem, const unsigned char* active);
-  const S* z() const { return z_.data(); }
+  const S* z() const { return level_[0].z.data(); }
+  const S* z_push() const { return level_[1].z.data(); }
+  const S& valid_to() const { return valid_to_; } ///< as Lemke::valid_to
 
 private:
+  /// A right-hand side, and what the basis makes of it.
+  struct Level {
+    const S* q = nullptr;
+    VectorMap<S> z{nullptr, 0}, w{nullptr, 0};
+    S size{1}; // of z, at least 1
+  };
   Span<S> scalars_;
   Span<int> integers_;
   StructuredBasis<S> basis_;
-  VectorMap<S> z_{nullptr, 0}, w_{nullptr, 0}, ones_{nullptr, 0}, scratch_{nullptr, 0};
+  Level level_[2];
+  Index levels_ = 1; // 2: with a push
+  VectorMap<S> ones_{nullptr, 0}, scratch_{nullptr, 0};
   Span<int> target_, candidates_;
-  S size_{1}; // of z, at least 1
+  S valid_to_{-1};
 
   bool carve(const Problem<S>& problem);
   bool factor(const Problem<S>& problem, const unsigned char* active);
-  bool find_values(const Problem<S>& problem, const unsigned char* active);
+  bool find_values(const Problem<S>& problem, const unsigned char* active, Index k);
   bool has_right_signs(const Problem<S>& problem, const unsigned char* active);
 };
 
 template <class S> bool HeldBasis<S>::carve(const Problem<S>& problem) {
-  if (problem.push != nullptr || !StructuredBasis<S>::supports(problem, TieRule::generic))
-    return false;
+  if (!StructuredBasis<S>::supports(problem, TieRule::generic)) return false;
   Block<S> scalars(scalars_);
   Block<int> integers(integers_);
-  for (VectorMap<S>* map : {&z_, &w_, &ones_, &scratch_}) scalars.seat(*map, problem.size);
+  levels_ = problem.push != nullptr ? 2 : 1;
+  for (Level& level : level_)
+    for (VectorMap<S>* map : {&level.z, &level.w}) scalars.seat(*map, problem.size);
+  for (VectorMap<S>* map : {&ones_, &scratch_}) scalars.seat(*map, problem.size);
   for (Span<int>* span : {&target_, &candidates_}) *span = integers.take(problem.size);
-  basis_.carve(problem, 1, 0, scalars, integers);
+  basis_.carve(problem, 2, 0, scalars, integers);
+  level_[0].q = problem.q;
+  level_[1].q = problem.push;
   return !scalars.exhausted() && !integers.exhausted();
 }
 
@@ -68,55 +83,66 @@ bool HeldBasis<S>::factor(const Problem<S>& problem, const unsigned char* active
   ones_.setOnes();
   basis_.load(ones_, ones_, ones_);
   for (Index i = 0; i < n; ++i) {
-    basis_.dictionary.values(i, 0) = problem.q[i];
+    for (Index k = 0; k < levels_; ++k) basis_.dictionary.values(i, k) = level_[k].q[i];
     target_[i] = static_cast<int>(active[i] != 0 ? unknown(i, n) : slack(i));
   }
   const Tolerances<S> tolerances;
   const S smallest = tolerances.pivot * tolerances.tie;
-  return basis_.factor(target_, candidates_, smallest, scratch_, {0, 1, 1}) == 0;
+  return basis_.factor(target_, candidates_, smallest, scratch_, {0, levels_, levels_}) == 0;
 }
 
 /// z, and w = q + M z as given; corrected once if w is not zero where it has to be. False if it is
 /// not then either.
 template <class S>
-bool HeldBasis<S>::find_values(const Problem<S>& problem, const unsigned char* active) {
+bool HeldBasis<S>::find_values(const Problem<S>& problem, const unsigned char* active, Index k) {
   const Index n = problem.size;
   const Span<int>& basic = basis_.dictionary.basic;
-  z_.setZero();
-  size_ = S(1);
+  Level& level = level_[k];
+  level.z.setZero();
+  level.size = S(1);
   for (Index i = 0; i < n; ++i) {
     if (basic[i] < n) continue;
-    const S value = basis_.dictionary.values(i, 0);
-    z_[basic[i] - n] = value;
-    size_ = Eigen::numext::maxi(size_, S(Eigen::numext::abs(value)));
+    const S value = basis_.dictionary.values(i, k);
+    level.z[basic[i] - n] = value;
+    level.size = Eigen::numext::maxi(level.size, S(Eigen::numext::abs(value)));
   }
-  const S rounding = HeldSettings::rounding<S>() * size_;
+  const S rounding = HeldSettings::rounding<S>() * level.size;
   for (int pass = 0;; ++pass) {
-    multiply(problem, z_.data(), w_.data());
+    multiply(problem, level.z.data(), level.w.data());
     bool is_zero = true, is_near = true;
     for (Index i = 0; i < n; ++i) {
-      w_[i] += problem.q[i];
+      level.w[i] += level.q[i];
       if (active[i] == 0) continue;
-      const S left = Eigen::numext::abs(w_[i]); // NaN: neither
+      const S left = Eigen::numext::abs(level.w[i]); // NaN: neither
       is_zero = is_zero && left <= rounding;
       is_near = is_near && left <= Tolerances<S>().residual;
     }
     if (is_zero) return true;
     if (pass > 0 || !is_near) return false;
     for (Index i = 0; i < n; ++i)
-      if (active[i] == 0) w_[i] = S(0);
-    basis_.respond(w_, scratch_);
+      if (active[i] == 0) level.w[i] = S(0);
+    basis_.respond(level.w, scratch_);
     for (Index i = 0; i < n; ++i)
-      if (basic[i] >= n) z_[basic[i] - n] -= scratch_[i];
+      if (basic[i] >= n) level.z[basic[i] - n] -= scratch_[i];
   }
 }
 
+/// With a push: does what is zero not fall below, and how far does the rest carry?
 template <class S>
 bool HeldBasis<S>::has_right_signs(const Problem<S>& problem, const unsigned char* active) {
-  const S tie = Tolerances<S>().tie * size_;
+  const S tie = Tolerances<S>().tie * level_[0].size;
+  const S push_tie = Tolerances<S>().tie * level_[1].size;
+  valid_to_ = S(-1);
   for (Index i = 0; i < problem.free_begin; ++i) {
-    if (!((active[i] != 0 ? z_[i] : w_[i]) >= -tie)) return false;
-    z_[i] = Eigen::numext::maxi(z_[i], S(0));
+    VectorMap<S>& values = active[i] != 0 ? level_[0].z : level_[0].w;
+    if (!(values[i] >= -tie)) return false;
+    values[i] = Eigen::numext::maxi(values[i], S(0));
+    if (levels_ == 1) continue;
+    const S rate = active[i] != 0 ? level_[1].z[i] : level_[1].w[i];
+    if (!(rate < -push_tie)) continue;
+    if (!(values[i] > tie)) return false;
+    const S reach = values[i] / -rate;
+    if (valid_to_ < S(0) || reach < valid_to_) valid_to_ = reach;
   }
   return true;
 }
@@ -124,8 +150,9 @@ bool HeldBasis<S>::has_right_signs(const Problem<S>& problem, const unsigned cha
 template <class S>
 Status HeldBasis<S>::look(const Problem<S>& problem, const unsigned char* active) {
   if (!carve(problem)) return Status::bad_input;
-  const bool is_answer =
-      factor(problem, active) && find_values(problem, active) && has_right_signs(problem, active);
+  const bool is_answer = factor(problem, active) && find_values(problem, active, 0) &&
+                         (levels_ == 1 || find_values(problem, active, 1)) &&
+                         has_right_signs(problem, active);
   return is_answer ? Status::solved : Status::numerical_breakdown;
 }
 

@@ -45,6 +45,24 @@ template <class S> S motion_size(const Vector6<S>& acceleration, const Scales<S>
   return Eigen::numext::maxi(linear, angular) / scales.acceleration;
 }
 
+/// The numbers of breaking; accelerations in units of F / m.
+template <class S> struct BreakingSettings {
+  static constexpr int most_pushes = 5; ///< three make a line; each of two more is a tenth again,
+                                        ///< where a change of mode has bent it
+  S first_push{S(1) / S(1000)};         ///< below it the line's error is rounding's (theory 6)
+  S first_swept_push{S(1) / S(100)};    ///< sweeps see less far down
+  S fastest_push{S(1) / S(9)};          ///< the line is of smaller ones: beyond, inertia tells
+  S step{10};                           ///< each push is a tenth of the one before
+  /// A third push this near the line is on it, over F: rounding leaves 1e-13 (numerics.md).
+  S straight{S(1) / S(1000000)};
+  S straight_round{S(1) / S(1000000000)}; ///< round friction is a line only in the small
+  S own_motion{16}; ///< what is left at rest, in smallest pushes, may be those pushes' own doing
+  /// What rounding lets pads settle to: of a slow push's motion they may spoil little.
+  S finest_pads = Eigen::numext::maxi(S(512 * std::numeric_limits<double>::epsilon()),
+                                      S(16 * Eigen::NumTraits<S>::epsilon()));
+  S slowest_twist{S(1) / S(1000000)}; ///< of the push: a slower object does not move with it
+};
+
 /// Below this (in units of F / m) an acceleration counts as none: what rounding may leave, but
 /// never what somebody would see.
 template <class S> constexpr S at_rest() {
@@ -96,7 +114,7 @@ template <class S> bool moves_object(const Breaking<S>& breaking, const Scales<S
   const S noise = Eigen::numext::maxi(Tolerances<S>().residual,
                                       S(rounding * scales.acceleration / breaking.small_push));
   return motion_size(breaking.twist, scales) * scales.acceleration >
-         S(1) / S(1000000) + S(16) * noise;
+         BreakingSettings<S>().slowest_twist + S(16) * noise;
 }
 
 /// A pusher cannot pull. Where finite pushes taken back to none say that it does, by more than they
@@ -126,29 +144,12 @@ namespace detail {
 template <class S, class Rounds>
 Status break_exactly(Assembly<S>& assembly, Rounds& rounds, Workspace<S>& work,
                      const Body<S>& pusher, S unit, Breaking<S>& breaking, PressureRun& run) {
-  auto& by_pivots = rounds.pivots();
-  auto& lemke = by_pivots.lemke;
-  FirstBasis first;
   assembly.push_by(assembly.sigma());
-  const bool is_proposed = rounds.propose_breaking(work.pressure, first);
-  const Problem<S> problem = assembly.breaking_problem();
-  const auto solve = [&](Status begun) {
-    const Status status = begun == Status::running ? lemke.solve(by_pivots.watcher) : begun;
-    run.pivots += lemke.pivots();
-    return status;
-  };
-  Status status = Status::running;
-  if (is_proposed) {
-    LemkeOptions<S> options = by_pivots.options;
-    options.covers = 1;
-    options.max_pivots = first.limit;
-    status = solve(lemke.init(problem, options, work.pressure.active.data, first.guess));
-  }
-  if (status != Status::solved) status = solve(lemke.init(problem, by_pivots.options));
+  PushLimit<S> limit;
+  const Status status = rounds.solve_limit(assembly, work.pressure, run, limit);
   assembly.push_by(assembly.sigma());
-  run.reason = lemke.reason();
   if (status != Status::solved) return status;
-  return read_breaking(assembly, lemke.z(), lemke.z_push(), lemke.valid_to(), work, pusher, unit,
+  return read_breaking(assembly, limit.z, limit.z_push, limit.valid_to, work, pusher, unit,
                        breaking, run);
 }
 
@@ -158,57 +159,6 @@ template <class S> struct SmallPush {
   Vector6<S> wrench, acceleration;
   Residuals<S> residuals;
 };
-
-/// Solves a push whose fastest point moves at `size` of F / m.
-template <class S, class Rounds>
-Status push_slowly(Assembly<S>& assembly, Rounds rounds, Workspace<S>& work, const Body<S>& pusher,
-                   PressureOptions<S> options, S unit, S size, SmallPush<S>& push,
-                   PressureRun& run) {
-  const Scene<S>& scene = assembly.scene();
-  const Scales<S>& scales = assembly.layout().scales;
-  push.sigma = size * scales.acceleration / unit;
-  // Of a slow push's motion the pads may spoil little: to what rounding lets them settle.
-  constexpr double settled = 512 * std::numeric_limits<double>::epsilon();
-  const S rounding = Eigen::numext::maxi(S(settled), S(16 * Eigen::NumTraits<S>::epsilon()));
-  options.tolerance = Eigen::numext::maxi(S(size * Tolerances<S>().residual), rounding);
-  // Pads that yield more than a slow push moves would turn every slip away from what was predicted.
-  constexpr S slow = S(1) / S(1000);
-  if (Rounds::predicts && !options.goes_on && size < slow) options.first_compliance *= size / slow;
-  assembly.push_by(push.sigma);
-  rounds.demand(options.tolerance);
-  PressureSolve<S, Rounds> solve(assembly, rounds, work.pressure, options,
-                                 work.friction_memory(scene));
-  const Status status = solve.solve();
-  const PressureRun& one = solve.run();
-  run.pivots += one.pivots;
-  run.sweeps += one.sweeps;
-  run.rounds += one.rounds;
-  run.cold_restarts += one.cold_restarts;
-  run.reason = one.reason;
-  run.jammed = one.jammed;
-  if (status != Status::solved) return status;
-  push.compliance = solve.compliance();
-  read_answer(assembly, work.pressure.z.data, work.answer, push.sigma);
-  push.wrench = body_wrench(scene, work.answer, pusher);
-  push.normal = normal_sum(work.answer, pusher);
-  push.acceleration = work.answer.acceleration;
-  push.residuals = check(scene, scales, work.answer, push.sigma);
-  return status;
-}
-
-/// A tenth of the push moves everything a tenth as fast, but for what inertia takes: where pads are
-/// to be as stiff beside the motion as before, they go on from the last answer. Post: solved, or
-/// the push has to be solved from nothing.
-template <class S, class Rounds>
-Status go_on_slowly(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>& work,
-                    const Body<S>& pusher, PressureOptions<S> options, S unit, S size,
-                    const SmallPush<S>& last, SmallPush<S>& push, PressureRun& run) {
-  if (assembly.scene().pressure != Pressure::pad || has_round_friction(assembly.scene()))
-    return Status::running;
-  options.goes_on = true;
-  options.first_compliance = last.compliance / S(10);
-  return push_slowly(assembly, rounds, work, pusher, options, unit, size, push, run);
-}
 
 /// The line through two pushes, judged by a third, smaller one.
 template <class S>
@@ -231,77 +181,118 @@ Breaking<S> extrapolate(const SmallPush<S>* push, S unit, const Scales<S>& scale
   return line;
 }
 
-/// The line through ever smaller pushes, the first of them `size` of F / m. Where the third is off
-/// the line of the first two, a change of mode lies between, and where they leave a motion of their
-/// own size, one may lie below: go smaller. With a `stiffest` above 0 a push that asks for pads
-/// stiffer than that part of its size is lost, and so is one that does not go on from the last.
-template <class S, class Rounds>
-Status break_by_pushes_from(S size, const S& stiffest, Assembly<S>& assembly, const Rounds& rounds,
-                            Workspace<S>& work, const Body<S>& pusher, PressureOptions<S> options,
-                            S unit, Breaking<S>& breaking, PressureRun& run) {
-  constexpr int most_pushes = 5;
-  // Of round friction the force is a smooth function of the push: a line only in the small.
-  const bool is_round = has_round_friction(assembly.scene());
-  const S straight = S(1) / S(is_round ? 1000000000 : 1000000);
-  SmallPush<S> push[most_pushes];
-  bool is_of_push = false; // what is left without a push may be the smallest push's own doing
-  // Of pads that may retreat the stiffest are lost first: three pushes are a line, and one more is
-  // taken where it goes on from them.
-  const bool is_fast = size > S(1) / S(500);
-  const int enough = options.max_retreats > 0 && is_fast ? 3 : 2;
-  for (int k = 0; k < most_pushes; ++k, size /= S(10)) {
-    options.stiffest = size * stiffest;
-    const bool is_more = k > 2 && breaking.line_error <= straight && !is_of_push;
-    if (is_more) options.max_retreats = 0;
-    Status status = Status::running;
-    if constexpr (Rounds::predicts)
-      if (k > 0)
-        status = go_on_slowly(assembly, rounds, work, pusher, options, unit, size, push[k - 1],
-                              push[k], run);
-    const bool begins_anew = status == Status::running || stiffest == S(0);
-    if (status != Status::solved && !is_more && begins_anew)
-      status = push_slowly(assembly, rounds, work, pusher, options, unit, size, push[k], run);
-    if (status != Status::solved) return k < 3 ? status : Status::solved;
-    if (k < 2) continue;
-    const Breaking<S> line = extrapolate(push + k - 2, unit, assembly.layout().scales);
-    if (k == 2 || is_of_push || line.line_error < breaking.line_error) breaking = line;
-    breaking.small_push = line.small_push;
-    const S rest = motion_size(breaking.rest, assembly.layout().scales);
-    is_of_push = rest > at_rest<S>() && rest <= S(16) * size;
-    if (k >= enough && breaking.line_error <= straight && !is_of_push) break;
-  }
-  return Status::solved;
-}
+/// `pad`: compliance has to vanish before the push does, so the force of breaking is read off the
+/// line through three finite pushes; so it is under round friction, whose slips have no direction
+/// before they begin, and where the solver knows no infinitesimal push.
+template <class S, class Rounds> class BreakByPushes {
+public:
+  BreakByPushes(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>& work,
+                const Body<S>& pusher, const PressureOptions<S>& options, S unit)
+      : assembly_(assembly), rounds_(rounds), work_(work), pusher_(pusher), options_(options),
+        unit_(unit) {}
 
-/// `pad`: compliance has to vanish before the push does, so finite small pushes are extrapolated,
-/// as they are under round friction, whose slips have no direction before they begin;
-/// and so they are where the solver knows no infinitesimal ones. Where pads may retreat, a slow
-/// push may ask for stiffer ones than there are: then a faster one begins.
-template <class S, class Rounds>
-Status break_by_pushes(Assembly<S>& assembly, const Rounds& rounds, Workspace<S>& work,
-                       const Body<S>& pusher, const PressureOptions<S>& options, S unit,
-                       Breaking<S>& breaking, PressureRun& run) {
-  const bool may_retreat = options.max_retreats > 0;
-  // Sweeps see less far down, and so does single precision: each of three pushes is a tenth of the
-  // one before.
-  S size = Rounds::carries_push ? S(1) / S(1000) : S(1) / S(100);
-  size = Eigen::numext::maxi(size, S(3) * smallest_push<S>());
-  S stiffest = may_retreat && Rounds::carries_push ? S(1) / S(1000) : S(0);
-  for (;; size *= S(10), stiffest = S(0)) {
-    const Status status = break_by_pushes_from(size, stiffest, assembly, rounds, work, pusher,
-                                               options, unit, breaking, run);
-    const bool is_lost = status == Status::numerical_breakdown;
-    if (!is_lost || !may_retreat || size > S(1) / S(20)) return status;
+  /// Slow pushes first. They ask for pads as stiff as they are slow, and of many points the
+  /// stiffest have no answer in the digits: then faster ones.
+  Status find(Breaking<S>& breaking, PressureRun& run) {
+    const BreakingSettings<S> settings;
+    S first = Eigen::numext::maxi(rounds_.carries_push() ? settings.first_push
+                                                         : settings.first_swept_push,
+                                  S(3) * smallest_push<S>());
+    for (;; first *= settings.step) {
+      const Status status = find_from(first, breaking, run);
+      const bool is_lost = status == Status::numerical_breakdown || status == Status::pivot_limit ||
+                           status == Status::sweep_limit || status == Status::stagnated;
+      if (!is_lost || first * settings.step > settings.fastest_push) return status;
+    }
   }
-}
+
+private:
+  Assembly<S>& assembly_;
+  Rounds rounds_;
+  Workspace<S>& work_;
+  const Body<S>& pusher_;
+  PressureOptions<S> options_;
+  S unit_;
+  SmallPush<S> push_[BreakingSettings<S>::most_pushes];
+
+  /// Where the third push is off the line of the first two, a change of mode lies between, and
+  /// where they leave a motion of their own size, one may lie below: then the line is that of
+  /// smaller pushes.
+  Status find_from(S size, Breaking<S>& breaking, PressureRun& run) {
+    const BreakingSettings<S> settings;
+    const S straight =
+        has_round_friction(assembly_.scene()) ? settings.straight_round : settings.straight;
+    bool is_of_push = false; // what is left without a push may be the smallest push's own doing
+    for (int k = 0; k < BreakingSettings<S>::most_pushes; ++k, size /= settings.step) {
+      Status status = k > 0 && rounds_.goes_on() ? go_on(size, k, run) : Status::running;
+      if (status != Status::solved) status = push_slowly(size, options_, push_[k], run);
+      if (status != Status::solved) return k < 3 ? status : Status::solved;
+      if (k < 2) continue;
+      const Breaking<S> line = extrapolate(push_ + k - 2, unit_, assembly_.layout().scales);
+      if (k == 2 || is_of_push || line.line_error < breaking.line_error) breaking = line;
+      breaking.small_push = line.small_push;
+      const S rest = motion_size(breaking.rest, assembly_.layout().scales);
+      is_of_push = rest > at_rest<S>() && rest <= settings.own_motion * size;
+      if (breaking.line_error <= straight && !is_of_push) break;
+    }
+    return Status::solved;
+  }
+
+  /// Solves a push whose fastest point moves at `size` of F / m.
+  Status push_slowly(S size, PressureOptions<S> options, SmallPush<S>& push, PressureRun& run) {
+    const Scene<S>& scene = assembly_.scene();
+    const Scales<S>& scales = assembly_.layout().scales;
+    const BreakingSettings<S> settings;
+    push.sigma = size * scales.acceleration / unit_;
+    options.tolerance =
+        Eigen::numext::maxi(S(size * Tolerances<S>().residual), settings.finest_pads);
+    // Pads that yield more than a slow push moves would turn every slip away from what was
+    // predicted.
+    if (rounds_.goes_on() && !options.goes_on && size < settings.first_push)
+      options.first_compliance *= size / settings.first_push;
+    assembly_.push_by(push.sigma);
+    rounds_.require(options.tolerance);
+    PressureSolve<S, Rounds> solve(assembly_, rounds_, work_.pressure, options,
+                                   work_.friction_memory(scene));
+    const Status status = solve.solve();
+    const PressureRun& one = solve.run();
+    run.pivots += one.pivots;
+    run.sweeps += one.sweeps;
+    run.rounds += one.rounds;
+    run.cold_restarts += one.cold_restarts;
+    run.reason = one.reason;
+    run.jammed = one.jammed;
+    if (status != Status::solved) return status;
+    push.compliance = solve.compliance();
+    read_answer(assembly_, work_.pressure.z.data, work_.answer, push.sigma);
+    push.wrench = body_wrench(scene, work_.answer, pusher_);
+    push.normal = normal_sum(work_.answer, pusher_);
+    push.acceleration = work_.answer.acceleration;
+    push.residuals = check(scene, scales, work_.answer, push.sigma);
+    return status;
+  }
+
+  /// A tenth of the push moves everything a tenth as fast, but for what inertia takes: where pads
+  /// are to be as stiff beside the motion as before, they go on from the last answer. Post: solved,
+  /// or the push has to be solved from nothing.
+  Status go_on(S size, int k, PressureRun& run) {
+    if (assembly_.scene().pressure != Pressure::pad || has_round_friction(assembly_.scene()))
+      return Status::running;
+    PressureOptions<S> options = options_;
+    options.goes_on = true;
+    options.first_compliance = push_[k - 1].compliance / BreakingSettings<S>().step;
+    return push_slowly(size, options, push_[k], run);
+  }
+};
 
 } // namespace detail
 
 /// Will find_breaking ask for the limit of an infinitesimal push? Pads' compliance has to vanish
 /// before the push does.
 template <class Rounds, class S>
-bool breaks_exactly(const Scene<S>& scene, const PressureOptions<S>& options) {
-  return Rounds::carries_push && options.exact_limit && scene.pressure != Pressure::pad &&
+bool breaks_exactly(const Rounds& rounds, const Scene<S>& scene,
+                    const PressureOptions<S>& options) {
+  return rounds.carries_push() && options.exact_limit && scene.pressure != Pressure::pad &&
          !has_round_friction(scene);
 }
 
@@ -319,11 +310,11 @@ template <class S, class Rounds>
   if (unit > S(0)) run.reason = unsupported_reason(assembly);
   if (!(unit > S(0)) || run.reason != Reason::none) return Status::bad_input;
   Status status = Status::running;
-  if constexpr (Rounds::carries_push)
-    if (breaks_exactly<Rounds>(assembly.scene(), options))
-      status = detail::break_exactly(assembly, rounds, work, pusher, unit, breaking, run);
-  if (status == Status::running)
-    status = detail::break_by_pushes(assembly, rounds, work, pusher, options, unit, breaking, run);
+  if (breaks_exactly(rounds, assembly.scene(), options))
+    status = detail::break_exactly(assembly, rounds, work, pusher, unit, breaking, run);
+  else
+    status = detail::BreakByPushes<S, Rounds>(assembly, rounds, work, pusher, options, unit)
+                 .find(breaking, run);
   if (status != Status::solved) return status;
   return judge(breaking, assembly.layout().scales, run);
 }

@@ -92,35 +92,18 @@ S pad_violation(const Assembly<S>& assembly, const PressureMemory<S>& memory, S&
   return violation;
 }
 
-/// How often the last round's change of pressure may be repeated before a point lets go.
-template <class S> S pressure_reach(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
-  S reach(1000);
-  for (Index i = 0; i < assembly.layout().points; ++i) {
-    const ConeGroup<S>& cone = assembly.cones()[i];
-    const S lambda = cone.normal_force(memory.z.data), change = lambda - memory.preload[i];
-    if (cone.compliance > S(0) && lambda > S(0) && lambda < -reach * change)
-      reach = -lambda / change;
-  }
-  return reach;
-}
-
-/// The pressure, changed `reach` times more as in this round, becomes the next round's preload.
+/// The pressure becomes the next round's preload.
 template <class S>
-void take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory, S reach) {
-  for (Index i = 0; i < assembly.layout().points; ++i) {
-    const ConeGroup<S>& cone = assembly.cones()[i];
-    const S lambda = cone.normal_force(memory.z.data), change = lambda - memory.preload[i];
-    const bool goes_on = cone.compliance > S(0) && lambda > S(0);
-    memory.preload[i] = goes_on ? S(lambda + reach * change) : lambda;
-  }
+void take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
+  for (Index i = 0; i < assembly.layout().points; ++i)
+    memory.preload[i] = assembly.cones()[i].normal_force(memory.z.data);
 }
 
-/// A normal force beyond this is a squeeze that the rounds only tighten: a thousand times what the
-/// scene's forces and prescribed motions ask for.
-template <class S> S runaway_force(const Assembly<S>& assembly) {
+/// What the scene's forces and prescribed motions ask for.
+template <class S> S largest_load(const Assembly<S>& assembly) {
   S largest(1);
   for (const S& x : assembly.q()) largest = Eigen::numext::maxi(largest, S(Eigen::numext::abs(x)));
-  return S(1000) * largest;
+  return largest;
 }
 
 } // namespace detail

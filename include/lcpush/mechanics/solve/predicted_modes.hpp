@@ -4,7 +4,7 @@
 
 #include "lcpush/mechanics/model/assemble.hpp"
 #include "lcpush/mechanics/solve/expected_forces.hpp"
-#include "lcpush/mechanics/solve/rounds.hpp"
+#include "lcpush/mechanics/solve/first_basis.hpp"
 
 namespace lcpush {
 
@@ -128,13 +128,16 @@ void predict_modes_in_little_stack(const Assembly<S>& assembly, Span<unsigned ch
 
 /// The predicted modes as a first basis. One that leads astray shall cost no more than a cold one.
 template <class S> struct PredictedStart {
-  static constexpr bool knows_breaking = true;
+  static constexpr bool knows_limit = true;
   const Assembly<S>& assembly; ///< of the problems that the rounds solve
+  bool is_cold;                ///< nothing is predicted
 
-  PredictedStart(const Assembly<S>& of) : assembly(of) {}
+  PredictedStart(const Assembly<S>& of, bool begins_cold = false)
+      : assembly(of), is_cold(begins_cold) {}
 
   bool propose(const Problem<S>&, const PressureMemory<S>& memory, PressureRun&,
                FirstBasis& first) {
+    if (is_cold) return false;
     predict_modes(assembly, memory.active, memory.preload.data);
     first = {Guess::near, 2, assembly.layout().size / 2 + 16};
     return true;

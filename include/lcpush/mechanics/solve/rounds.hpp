@@ -1,15 +1,25 @@
-// The solvers that a pressure law's rounds may use: Lemke's pivots, block Gauss-Seidel, or the one
-// finished by the other. Each solves one problem after the other, cold or from the last answer:
+// The solvers that the proximal iterations of a pressure law ("rounds") may use: Lemke's pivots, or
+// block Gauss-Seidel. Each solves one problem after the other, cold or from the last answer:
 //
 //     void begin(problem, warm, memory)
 //     Status step(memory, run)     running; solved, and memory.z holds the unknowns; or why not
+//     void vary()                  other covering vectors from now on, where there are any
 //
-// A step is at most one pivot; sweeps are made all at once. The watcher (lcp/trace.hpp) sees every
-// pivot and every check of sweeps, of all rounds.
+// and for a breaking force
+//
+//     void require(tolerance)      of the answers from now on, as far as the solver gets
+//     bool carries_push()          does it solve for the limit of a vanishing push exactly?
+//     Status solve_limit(assembly, memory, run, limit)    that limit, if so
+//     bool goes_on()               may a slower push go on from the last one's pressure?
+//
+// A step is at most one pivot; Gauss-Seidel sweeps are made all at once. The watcher
+// (lcp/trace.hpp) sees every pivot and every check of sweeps, of all rounds. Where pivots may begin
+// but at nothing and at the last answer: first_basis.hpp.
 #pragma once
 
 #include "lcpush/lcp/pivots/structured_lemke.hpp"
 #include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
+#include "lcpush/mechanics/model/assemble.hpp"
 
 namespace lcpush {
 
@@ -35,11 +45,19 @@ template <class S> struct PressureMemory {
 };
 
 /// Where pivots are to begin: at memory.active, taken as `guess` says, under `covers` covering
-/// vectors one after the other, each of at most `limit` pivots.
+/// vectors one after the other, each of at most `limit` pivots (0: the solver's own limit).
 struct FirstBasis {
   Guess guess = Guess::near;
   Index covers = 1;
   Index limit = 0;
+};
+
+/// The answer of a vanishing push: z + sigma z_push for 0 <= sigma <= valid_to (< 0: no bound). It
+/// looks into the solver.
+template <class S> struct PushLimit {
+  const S* z = nullptr;
+  const S* z_push = nullptr;
+  S valid_to{-1};
 };
 
 /// `Pivots`, Lemke over either basis: cold under its covering vectors, warm from the last basis.
@@ -47,10 +65,8 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
   Pivots& lemke;
   LemkeOptions<S> options;
   Watcher& watcher;
-  /// Does it solve for the limit of a vanishing push exactly?
-  static constexpr bool carries_push = true;
-  static constexpr bool predicts = false; ///< starts from the modes that one expects
-  static constexpr bool retreats = true;  ///< to softer pads, as PressureOptions may ask
+  static constexpr bool carries_push() { return true; }
+  static constexpr bool goes_on() { return false; }
 
   explicit LemkeRounds(Pivots& solver, const LemkeOptions<S>& its_options = {},
                        Watcher& its_watcher = unwatched)
@@ -58,7 +74,7 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
 
   void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
     if (warm)
-      begin_near(problem, memory, Guess::basis, options.covers);
+      begin_near(problem, memory, {Guess::basis, options.covers, 0});
     else
       begin_cold(problem);
   }
@@ -75,50 +91,66 @@ template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>> str
       }
       return status;
     }
-    if (covers_tried_ == covers_) return status;
+    if (covers_tried_ == first_.covers) return status;
     // Copositivity does not protect a warm start: try it under each covering vector.
     start_near(memory);
     return Status::running;
   }
 
-  /// Other covering vectors from now on.
   void vary() { options.first_cover += options.covers; }
-  LemkeRounds& pivots() { return *this; }
-  bool propose_breaking(const PressureMemory<S>&, FirstBasis&) { return false; }
-  void demand(const S&) {} // pivots end at rounding anyway
+  void require(const S&) {} // pivots end at rounding anyway
 
   void begin_cold(const Problem<S>& problem) {
     problem_ = problem;
-    covers_ = covers_tried_ = 0;
+    first_.covers = covers_tried_ = 0;
     (void)lemke.init(problem, options);
   }
-
-  /// From memory.active, under `covers` covering vectors one after the other, each of at most
-  /// `limit` pivots (0: the solver's own limit).
-  void begin_near(const Problem<S>& problem, const PressureMemory<S>& memory, Guess guess,
-                  Index covers, Index limit = 0) {
+  void begin_near(const Problem<S>& problem, const PressureMemory<S>& memory,
+                  const FirstBasis& first) {
     problem_ = problem;
-    guess_ = guess;
-    limit_ = limit;
-    covers_ = covers;
+    first_ = first;
     covers_tried_ = 0;
     start_near(memory);
+  }
+
+  Status solve_limit(Assembly<S>& assembly, const PressureMemory<S>&, PressureRun& run,
+                     PushLimit<S>& limit) {
+    return end_limit(lemke.init(assembly.breaking_problem(), options), run, limit);
+  }
+  /// From memory.active, cold if that leads nowhere.
+  Status solve_limit_near(Assembly<S>& assembly, const PressureMemory<S>& memory,
+                          const FirstBasis& first, PressureRun& run, PushLimit<S>& limit) {
+    const LemkeOptions<S> single = single_cover(first);
+    const Status begun =
+        lemke.init(assembly.breaking_problem(), single, memory.active.data, first.guess);
+    const Status status = end_limit(begun, run, limit);
+    return status == Status::solved ? status : solve_limit(assembly, memory, run, limit);
   }
 
   const Problem<S>& problem() const { return problem_; }
 
 private:
   Problem<S> problem_{};
-  Guess guess_ = Guess::basis;
-  Index limit_ = 0, covers_ = 0, covers_tried_ = 0;
+  FirstBasis first_;
+  Index covers_tried_ = 0;
 
-  void start_near(const PressureMemory<S>& memory) {
+  LemkeOptions<S> single_cover(const FirstBasis& first) const {
     LemkeOptions<S> single = options;
     single.covers = 1;
-    if (limit_ > 0) single.max_pivots = limit_;
-    single.first_cover += covers_tried_;
-    ++covers_tried_;
-    (void)lemke.init(problem_, single, memory.active.data, guess_);
+    if (first.limit > 0) single.max_pivots = first.limit;
+    return single;
+  }
+  void start_near(const PressureMemory<S>& memory) {
+    LemkeOptions<S> single = single_cover(first_);
+    single.first_cover += covers_tried_++;
+    (void)lemke.init(problem_, single, memory.active.data, first_.guess);
+  }
+  Status end_limit(Status begun, PressureRun& run, PushLimit<S>& limit) {
+    const Status status = begun == Status::running ? lemke.solve(watcher) : begun;
+    run.pivots += lemke.pivots();
+    run.reason = lemke.reason();
+    if (status == Status::solved) limit = {lemke.z(), lemke.z_push(), lemke.valid_to()};
+    return status;
   }
 };
 
@@ -130,9 +162,8 @@ template <class S, class Watcher = const Unwatched> struct SweepRounds {
   BlockGaussSeidel<S>& sweeps;
   SweepOptions<S> options;
   Watcher& watcher;
-  static constexpr bool carries_push = false;
-  static constexpr bool predicts = false;
-  static constexpr bool retreats = true;
+  static constexpr bool carries_push() { return false; }
+  static constexpr bool goes_on() { return false; }
 
   explicit SweepRounds(BlockGaussSeidel<S>& solver, const SweepOptions<S>& its_options = {},
                        Watcher& its_watcher = unwatched)
@@ -156,92 +187,13 @@ template <class S, class Watcher = const Unwatched> struct SweepRounds {
   }
 
   void vary() {} // the same input takes the same path
-  /// Answers have to be this good, as far as the solver gets.
-  void demand(const S& tolerance) { options.tolerance = tolerance; }
+  void require(const S& tolerance) { options.tolerance = tolerance; }
+  Status solve_limit(Assembly<S>&, const PressureMemory<S>&, PressureRun&, PushLimit<S>&) {
+    return Status::bad_input;
+  }
 
 private:
   Index size_ = 0;
 };
-
-/// Lemke's pivots from a first basis, cold if there is none or if it leads nowhere; warm rounds go
-/// on from the last answer. It is never less reliable than LemkeRounds. The basis is Start's:
-///
-///     bool propose(problem, memory, run, first)     fills memory.active and `first`, if it can
-///     void begins_cold()                            it could not, or its basis led nowhere
-///     knows_breaking                                does it propose for a vanishing push as well?
-template <class S, class Start, class Watcher = const Unwatched, class Pivots = Lemke<S>>
-struct StartedRounds {
-  Start start;
-  LemkeRounds<S, Watcher, Pivots> then;
-  static constexpr bool carries_push = true;
-  static constexpr bool predicts = Start::knows_breaking;
-  static constexpr bool retreats = true;
-
-  StartedRounds(const Start& its_start, const LemkeRounds<S, Watcher, Pivots>& pivots)
-      : start(its_start), then(pivots) {}
-
-  void begin(const Problem<S>& problem, bool warm, const PressureMemory<S>& memory) {
-    problem_ = problem;
-    phase_ = warm ? Phase::pivots : Phase::start;
-    if (warm) then.begin(problem, true, memory);
-  }
-
-  Status step(const PressureMemory<S>& memory, PressureRun& run) {
-    if (phase_ == Phase::start) {
-      FirstBasis first;
-      const bool found = start.propose(problem_, memory, run, first);
-      if (!found) return begin_cold();
-      phase_ = Phase::proposed;
-      then.begin_near(problem_, memory, first.guess, first.covers, first.limit);
-      return Status::running;
-    }
-    const Status status = then.step(memory, run);
-    const bool astray = status != Status::running && status != Status::solved;
-    return astray && phase_ == Phase::proposed ? begin_cold() : status;
-  }
-
-  void vary() { then.vary(); }
-  LemkeRounds<S, Watcher, Pivots>& pivots() { return then; }
-  void demand(const S&) {}
-  /// A first basis for the limit of a vanishing push, if Start knows one.
-  bool propose_breaking(const PressureMemory<S>& memory, FirstBasis& first) {
-    PressureRun ignored;
-    return Start::knows_breaking && start.propose(problem_, memory, ignored, first);
-  }
-
-private:
-  enum class Phase { start, proposed, pivots };
-  Problem<S> problem_{};
-  Phase phase_ = Phase::pivots;
-
-  Status begin_cold() {
-    phase_ = Phase::pivots;
-    start.begins_cold();
-    then.begin_cold(problem_);
-    return Status::running;
-  }
-};
-
-/// A few sweeps: their positive unknowns are the first basis.
-template <class S, class Watcher = const Unwatched> struct SweptStart {
-  static constexpr bool knows_breaking = false;
-  SweepRounds<S, Watcher> sweeps;
-
-  SweptStart(const SweepRounds<S, Watcher>& its_sweeps) : sweeps(its_sweeps) {}
-
-  bool propose(const Problem<S>& problem, const PressureMemory<S>& memory, PressureRun& run,
-               FirstBasis& first) {
-    sweeps.begin(problem, false, memory);
-    if (sweeps.step(memory, run) != Status::solved) return false;
-    const S positive = S(1) / S(10000); // forces are of order 1 in the scene's units
-    for (Index i = 0; i < problem.size; ++i)
-      memory.active[i] = i >= problem.free_begin || memory.z[i] > positive ? 1 : 0;
-    first = {Guess::near, 1, problem.size};
-    return true;
-  }
-  void begins_cold() {}
-};
-template <class S, class Watcher = const Unwatched, class Pivots = Lemke<S>>
-using HybridRounds = StartedRounds<S, SweptStart<S, Watcher>, Watcher, Pivots>;
 
 } // namespace lcpush

@@ -16,10 +16,6 @@ struct LastStep {
 /// LemkeRounds whose first round starts from the last step's basis, cold if that leads nowhere.
 template <class S, class Pivots = Lemke<S>> class StepRounds {
 public:
-  static constexpr bool carries_push = true;
-  static constexpr bool predicts = false;
-  static constexpr bool retreats = false;
-
   StepRounds(Pivots& lemke, LastStep& last, const LemkeOptions<S>& options = {})
       : then_(lemke, options), last_(&last) {}
 
@@ -28,7 +24,7 @@ public:
     tries_last_ = is_first_ && last_->known;
     if (!tries_last_) return then_.begin(problem, warm, memory);
     for (Index i = 0; i < problem.size; ++i) memory.active[i] = last_->active[i];
-    then_.begin_near(problem, memory, last_->guess, 2, problem.size / 2 + 16);
+    then_.begin_near(problem, memory, {last_->guess, 2, problem.size / 2 + 16});
   }
 
   Status step(const PressureMemory<S>& memory, PressureRun& run) {
@@ -48,9 +44,6 @@ public:
   }
 
   void vary() { then_.vary(); }
-  void demand(const S&) {}
-  LemkeRounds<S, const Unwatched, Pivots>& pivots() { return then_; }
-  bool propose_breaking(const PressureMemory<S>&, FirstBasis&) { return false; }
 
 private:
   LemkeRounds<S, const Unwatched, Pivots> then_;

@@ -1,0 +1,42 @@
+// Does the object rest before it is pushed? The one place that decides it.
+#pragma once
+
+#include "lcpush/desktop/push.hpp"
+
+namespace lcpush::desktop {
+
+enum class Rest {
+  holds,
+  falls,
+  not_known, ///< the load is so small beside the grip that a fall would look like rest
+};
+
+/// What the scene's own law says of the object before it is pushed.
+struct RestMotion {
+  Vector6<double> acceleration; ///< m/s^2, rad/s^2
+  Scales<double> scales;        ///< of the assembly that was solved
+  double noise;                 ///< of its motion_size: what the solver may leave of rest
+  double small_push = 0; ///< > 0: taken back from finite pushes, of which this, of F / m, is the
+                         ///< smallest; all may be stronger than a fall
+};
+
+/// Statics [T.12] proves a fall; where it allows rest, the scene's own law decides, by the motion
+/// that it leaves. A law that was asked at rest itself has statics in it already.
+Rest decide_rest(const SceneFile& file, const RestMotion& motion);
+
+/// motion_size of what a solver leaves of an object at rest: beside what the load would do, or,
+/// where that is little beside the grip, beside what the solver leaves of the grip.
+double rest_noise(const SceneFile& file, const Scales<double>& scales, Solver solver);
+/// The relative error behind it.
+double rest_tolerance(Solver solver);
+
+/// The largest acceleration that the loads could give the object, m/s^2, turning at `length`.
+double load_acceleration(const SceneFile& file, double length);
+
+/// decide_rest on a breaking force that the core has found: report.status (solved or
+/// does_not_hold, with report.breaking and report.scales), or the other of the two;
+/// numerical_breakdown: the breaking force is below zero, yet no fall is seen. `scene` as solved.
+/// Changes report.breaking.rest alone, to a fall that the core did not see.
+Status holding_verdict(const SceneFile& file, BreakReport& report, const PushOptions& options);
+
+} // namespace lcpush::desktop

@@ -1,0 +1,49 @@
+// The numbers of solving on the desktop, and why they are what they are.
+#pragma once
+
+#include "lcpush/types.hpp"
+
+namespace lcpush::desktop {
+
+struct SolveSettings {
+  /// Unknowns from which on the structured basis is faster than the whole dictionary
+  /// (docs/theory/numerics.md).
+  Index structured = 200;
+  /// Unknowns of pads from which on a round that pivots do not end is left to Gauss-Seidel: of 60
+  /// points a cold start is dear, and of so many stiff pads the digits lose the last basis.
+  Index wide = 600;
+  /// An unknown that Gauss-Seidel leaves above this is basic; forces are of order 1.
+  double swept_force = 1e-9;
+  /// `hybrid`: a warm start for pivots is near enough where sweeps agree to six digits; and what
+  /// they have not reached by then, pivots reach sooner.
+  double swept_near = 1e-6;
+  Index swept_most = 200;
+  /// From a neighbour's basis: more pivots may end at another answer than the neighbour's goes on
+  /// to.
+  Index near_pivots = 4;
+  /// The residual of a sweep's answer is divided by this where the laws refuse it.
+  double stricter = 100;
+  // Does it hold? (rest_verdict.cpp)
+  /// Facets that stand for a circle in statics, 0.1 % short of it; so a load that needs this much
+  /// more grip falls, beside what rounding leaves of the least factor.
+  Index nearly_round = 64;
+  double short_of_round = 2e-3, short_of_load = 1e-6;
+  /// Statics holds the load with this much of the grip to spare: then what finite pushes leave of a
+  /// motion, at most two of the smallest (most often 1e-5 of F/m), is theirs.
+  double room = 1e-3, left_by_pushes = 2e-5;
+  /// A load below this part of the grip is measured beside the grip.
+  double least_load = 1.0 / 16;
+  /// A pad's last compliance looks like a slow fall, by at most so many times the noise; then the
+  /// rounds go on until they leave this part of it.
+  double slow_fall = 1e5, finer_pads = 1e-4;
+
+  /// Of a ray's largest entry: what is below has no part in it.
+  double ray_noise = 1e-9;
+  /// Two answers are one where motions and forces differ by no more than this, relative: pads
+  /// settle to 1.5e-11, and the worst conditioned of 10,000 random grasps lose five digits.
+  double same = 1e-5;
+  /// Of the unit that its closing is measured in: a finger that is slower does not move.
+  double hand_moves = 1e-3;
+};
+
+} // namespace lcpush::desktop
