@@ -5,13 +5,129 @@
 // as there are rows are ever in use. [Lawson, Hanson 1974, ch. 23]
 #pragma once
 
+#include <algorithm>
+
+#include "lcpush/lcp/independent_columns.hpp"
 #include "lcpush/lcp/memory.hpp"
+#include "lcpush/lcp/tolerances.hpp"
 #include "lcpush/status.hpp"
 
 namespace lcpush {
 
+/// The method, for columns that are made when they are asked for. `Key`: what names a column.
+template <class S, class Key> class ActiveColumns {
+public:
+  static constexpr Index scalars(Index m) { return 2 * m * m + 4 * m; }
+
+  /// `used`: memory for m keys. `barred`: for columns that were tried and help nothing; where it
+  /// is full, no others are tried.
+  ActiveColumns(Block<S>& block, Span<Key> used, Span<Key> barred)
+      : used_(used), barred_(barred), basis_(block.take(used.size * used.size), used.size) {
+    const Index m = used.size;
+    block.seat(R_, m, m);
+    for (VectorMap<S>* map : {&x_, &along_, &z_, &residual_}) block.seat(*map, m);
+  }
+
+  Index count() const { return basis_.count(); }             ///< columns in use
+  const Key& key(Index k) const { return used_[k]; }         ///< the k-th of them
+  const S& x(Index k) const { return x_[k]; }                ///< its share of b
+  const VectorMap<S>& residual() const { return residual_; } ///< m, b - A x
+
+  /// Goes on from the columns in use. `columns.steepest(residual, is_barred, key)` finds the column
+  /// whose product with the residual is largest, if one counts; `columns.column(key)` is that
+  /// column. One with no more new than the part `dependent` of it stays outside.
+  /// Post: solved, no column lessens the residual, or it is at most `met`; pivot_limit (the sets
+  /// did not settle). Cost: O(m) a column and exchange, as many as columns in use and a few more.
+  template <class B, class Columns>
+  [[nodiscard]] Status solve(const B& b, const Columns& columns, const S& dependent, const S& met) {
+    const Index most = Settings::exchanges + Settings::exchanges_a_row * used_.size;
+    for (Index step = 0; step < most; ++step) {
+      residual_ = b;
+      basis_.remove_from(residual_);
+      if (!(residual_.norm() > met) || !let_in(b, columns, dependent)) return Status::solved;
+    }
+    return Status::pivot_limit;
+  }
+
+private:
+  using Settings = LeastSquaresSettings;
+  Span<Key> used_, barred_;
+  IndependentColumns<S> basis_; // Q of the columns in use, A = Q R
+  MatrixMap<S> R_{nullptr, 0, 0};
+  VectorMap<S> x_{nullptr, 0}, along_{nullptr, 0}, z_{nullptr, 0}, residual_{nullptr, 0};
+
+  /// The column that lessens the residual most steeply comes into use; those that it makes negative
+  /// leave. False: none would, the answer is optimal.
+  template <class B, class Columns>
+  bool let_in(const B& b, const Columns& columns, const S& dependent) {
+    Index tried = 0;
+    const auto is_barred = [&](const Key& key) {
+      return std::find(used_.data, used_.data + count(), key) != used_.data + count() ||
+             std::find(barred_.data, barred_.data + tried, key) != barred_.data + tried;
+    };
+    while (count() < used_.size && tried < barred_.size) {
+      Key best{};
+      if (!columns.steepest(residual_, is_barred, best)) return false;
+      if (append(best, b, columns, dependent)) {
+        solve_in_use();
+        if (z_[count() - 1] > S(0)) {
+          move_to_least_squares(b, columns, dependent);
+          return true;
+        }
+        basis_.keep(count() - 1); // rounding alone made it look useful
+      }
+      barred_[tried++] = best;
+    }
+    return false;
+  }
+
+  template <class B, class Columns>
+  bool append(const Key& key, const B& b, const Columns& columns, const S& dependent) {
+    const Index k = count();
+    if (!basis_.take(columns.column(key), dependent, R_.data() + k * R_.rows())) return false;
+    along_[k] = basis_.direction(k).dot(b);
+    x_[k] = S(0);
+    used_[k] = key;
+    return true;
+  }
+
+  /// z of R z = Q' b: the least squares of the columns in use.
+  void solve_in_use() {
+    for (Index k = count() - 1; k >= 0; --k) {
+      S sum = along_[k];
+      for (Index l = k + 1; l < count(); ++l) sum -= R_(k, l) * z_[l];
+      z_[k] = sum / R_(k, k);
+    }
+  }
+
+  /// From x towards z as far as nothing turns negative; what reaches zero leaves, until z is
+  /// reached.
+  template <class B, class Columns>
+  void move_to_least_squares(const B& b, const Columns& columns, const S& dependent) {
+    const auto blocks = [&](Index k) { return !(z_[k] > S(0)) && x_[k] > z_[k]; };
+    const auto reach = [&](Index k) { return S(x_[k] / (x_[k] - z_[k])); };
+    for (;;) {
+      S share(1);
+      for (Index k = 0; k < count(); ++k)
+        if (blocks(k) && reach(k) < share) share = reach(k);
+      if (!(share < S(1))) break;
+      const Index before = count();
+      basis_.keep(0); // what stays is made orthogonal afresh
+      for (Index k = 0; k < before; ++k) {
+        if (blocks(k) && !(reach(k) > share)) continue;
+        const S moved = x_[k] + share * (z_[k] - x_[k]);
+        if (append(used_[k], b, columns, dependent)) x_[count() - 1] = moved;
+      }
+      solve_in_use();
+    }
+    for (Index k = 0; k < count(); ++k) x_[k] = Eigen::numext::maxi(z_[k], S(0));
+  }
+};
+
 /// Scalars and ints for m rows and n columns.
-constexpr Index least_squares_scalars(Index m, Index n) { return 2 * m * m + 5 * m + n; }
+constexpr Index least_squares_scalars(Index m, Index n) {
+  return ActiveColumns<double, int>::scalars(m) + n;
+}
 constexpr Index least_squares_integers(Index m, Index n) { return m + n; }
 
 template <class S> class NonnegativeLeastSquares {
@@ -20,138 +136,50 @@ public:
   NonnegativeLeastSquares(Span<S> scalars, Span<int> integers)
       : scalars_(scalars), integers_(integers) {}
 
-  /// A: m x n, columns of size about 1; b: m, of size about 1. Both outlive the solver.
-  /// Post: solved; pivot_limit (the sets did not settle); bad_input (memory too small).
-  /// Cost: O(m n) an exchange, as many as columns in use at the end and a few more.
+  /// A: m x n, columns of size about 1; b: m, of size about 1.
+  /// Post: as ActiveColumns; bad_input (memory too small).
   [[nodiscard]] Status solve(const MatrixMap<S>& A, const VectorMap<S>& b) {
     const Index m = A.rows(), n = A.cols();
-    if (!carve(m, n)) return Status::bad_input;
-    A_ = &A;
-    b_ = &b;
-    count_ = 0;
+    if (scalars_.size < least_squares_scalars(m, n) ||
+        integers_.size < least_squares_integers(m, n))
+      return Status::bad_input;
+    Block<S> scalars(scalars_);
+    Block<int> integers(integers_);
+    scalars.seat(x_, n);
+    const Span<int> used = integers.take(m), barred = integers.take(n);
+    ActiveColumns<S, int> active(scalars, used, barred);
+    const Status status = active.solve(b, Columns{A}, rounding(), S(0));
     x_.setZero();
-    for (Index step = 0; step < 10 * m + 100; ++step) {
-      find_residual();
-      if (!let_in()) return Status::solved;
-    }
-    return Status::pivot_limit;
+    for (Index k = 0; k < active.count(); ++k) x_[active.key(k)] = active.x(k);
+    new (&residual_) VectorMap<S>(active.residual());
+    return status;
   }
 
   const VectorMap<S>& x() const { return x_; }               ///< n
   const VectorMap<S>& residual() const { return residual_; } ///< m, b - A x
 
 private:
+  static constexpr S rounding() { return LeastSquaresSettings::rounding<S>(); }
+  struct Columns {
+    const MatrixMap<S>& A;
+
+    auto column(int j) const { return A.col(j); }
+    template <class IsBarred>
+    bool steepest(const VectorMap<S>& residual, const IsBarred& is_barred, int& best) const {
+      S largest = rounding();
+      for (Index j = 0; j < A.cols(); ++j) {
+        const S slope = A.col(j).dot(residual);
+        if (!(slope > largest) || is_barred(static_cast<int>(j))) continue;
+        largest = slope;
+        best = static_cast<int>(j);
+      }
+      return largest > rounding();
+    }
+  };
+
   Span<S> scalars_;
   Span<int> integers_;
-  const MatrixMap<S>* A_ = nullptr;
-  const VectorMap<S>* b_ = nullptr;
-  // The columns in use, and Q R of them by Gram and Schmidt; z_ are their least squares.
-  MatrixMap<S> Q_{nullptr, 0, 0}, R_{nullptr, 0, 0};
-  VectorMap<S> along_{nullptr, 0}, z_{nullptr, 0}, residual_{nullptr, 0}, x_{nullptr, 0};
-  Span<int> used_, barred_; // barred: the column brings nothing new
-  Index count_ = 0;
-
-  bool carve(Index m, Index n) {
-    Block<S> scalars(scalars_);
-    Block<int> integers(integers_);
-    for (MatrixMap<S>* map : {&Q_, &R_}) scalars.seat(*map, m, m);
-    for (VectorMap<S>* map : {&along_, &z_, &residual_}) scalars.seat(*map, m);
-    scalars.seat(x_, n);
-    used_ = integers.take(m);
-    barred_ = integers.take(n);
-    return !scalars.exhausted() && !integers.exhausted();
-  }
-
-  static S rounding() { return S(1000) * Eigen::NumTraits<S>::epsilon(); }
-
-  /// r = b - Q Q' b, and nothing is barred but what is in use.
-  void find_residual() {
-    residual_ = *b_;
-    for (int sweep = 0; sweep < 2; ++sweep)
-      for (Index k = 0; k < count_; ++k) residual_ -= Q_.col(k) * Q_.col(k).dot(residual_);
-    for (int& mark : barred_) mark = 0;
-    for (Index k = 0; k < count_; ++k) barred_[used_[k]] = 1;
-  }
-
-  /// The column that lessens the residual most steeply comes into use; those that it makes negative
-  /// leave. False: none would, the answer is optimal.
-  bool let_in() {
-    while (count_ < A_->rows()) {
-      Index best = -1;
-      S steepest = rounding();
-      for (Index j = 0; j < A_->cols(); ++j) {
-        if (barred_[j] != 0) continue;
-        const S slope = A_->col(j).dot(residual_);
-        if (!(slope > steepest)) continue;
-        steepest = slope;
-        best = j;
-      }
-      if (best < 0) return false;
-      barred_[best] = 1;
-      if (!append(best)) continue; // no new direction
-      solve_in_use();
-      if (z_[count_ - 1] > S(0)) {
-        move_to_least_squares();
-        return true;
-      }
-      --count_; // rounding alone made it look useful
-    }
-    return false;
-  }
-
-  /// Column j orthogonal to those in use, twice for the digits. False: it depends on them.
-  bool append(Index j) {
-    Q_.col(count_) = A_->col(j);
-    const S size = Q_.col(count_).norm();
-    R_.col(count_).setZero();
-    for (int sweep = 0; sweep < 2; ++sweep)
-      for (Index k = 0; k < count_; ++k) {
-        const S part = Q_.col(k).dot(Q_.col(count_));
-        R_(k, count_) += part;
-        Q_.col(count_) -= part * Q_.col(k);
-      }
-    const S rest = Q_.col(count_).norm();
-    if (!(rest > rounding() * size)) return false;
-    Q_.col(count_) /= rest;
-    R_(count_, count_) = rest;
-    along_[count_] = Q_.col(count_).dot(*b_);
-    used_[count_++] = static_cast<int>(j);
-    return true;
-  }
-
-  /// R z = Q' b.
-  void solve_in_use() {
-    for (Index k = count_ - 1; k >= 0; --k) {
-      S sum = along_[k];
-      for (Index l = k + 1; l < count_; ++l) sum -= R_(k, l) * z_[l];
-      z_[k] = sum / R_(k, k);
-    }
-  }
-
-  /// From x towards z as far as nothing turns negative; what reaches zero leaves, until z is
-  /// reached.
-  void move_to_least_squares() {
-    for (;;) {
-      S share(1);
-      for (Index k = 0; k < count_; ++k)
-        if (!(z_[k] > S(0)) && x_[used_[k]] / (x_[used_[k]] - z_[k]) < share)
-          share = x_[used_[k]] / (x_[used_[k]] - z_[k]);
-      Index left = 0;
-      const Index before = count_;
-      const bool arrives = !(share < S(1));
-      for (Index k = 0; k < before; ++k) {
-        const int j = used_[k];
-        const bool leaves = !arrives && !(z_[k] > S(0)) && !(x_[j] / (x_[j] - z_[k]) > share);
-        x_[j] = leaves ? S(0) : arrives ? S(z_[k]) : S(x_[j] + share * (z_[k] - x_[j]));
-        if (!leaves) used_[left++] = j;
-      }
-      if (arrives) return;
-      count_ = 0; // factor what stays afresh
-      for (Index k = 0; k < left; ++k)
-        if (!append(used_[k])) x_[used_[k]] = S(0);
-      solve_in_use();
-    }
-  }
+  VectorMap<S> x_{nullptr, 0}, residual_{nullptr, 0};
 };
 
 } // namespace lcpush

@@ -39,4 +39,18 @@ template <> struct Tolerances<float> {
   float independent = 0x1p-10F;
 };
 
+/// Of nonnegative least squares over columns near 1.
+struct LeastSquaresSettings {
+  /// Left of a column's product with the residual: rows of some hundred terms.
+  template <class S> static constexpr S rounding() {
+    return S(1000) * std::numeric_limits<S>::epsilon();
+  }
+  /// More exchanges than these are none that settle; random cones of 40 columns take 3 a row.
+  static constexpr int exchanges = 100, exchanges_a_row = 10;
+  static constexpr double ray_dependent =
+      1e-5; ///< the part of a ray that is new, or it helps nobody
+  static constexpr double force_dependent = 1e-3; ///< the same of forces that are to be basic
+  static constexpr int rays_tried = 8; ///< that help nothing, before an expected motion is given up
+};
+
 } // namespace lcpush
