@@ -1,123 +1,130 @@
 #include "dense/decompositions.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
-#include <Eigen/LU>
-#include <Eigen/QR>
+#include "dense/settings.hpp"
+#include "lcpush/lcp/nonnegative_least_squares.hpp"
 
 namespace lcpush::desktop {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-VectorXd least_squares(const MatrixXd& A, const VectorXd& b) {
-  return A.colPivHouseholderQr().solve(b);
+PivotedQr::PivotedQr(const MatrixXd& A, double small)
+    : factors_(A), scales_(VectorXd::Zero(std::min(A.rows(), A.cols()))),
+      order_(static_cast<std::size_t>(A.cols())) {
+  std::iota(order_.begin(), order_.end(), Index{0});
+  const Index m = A.rows(), n = A.cols();
+  // Of what each column has left below the rows that are done; squares, kept up to date, and taken
+  // afresh where subtracting has cost their digits.
+  VectorXd left = A.colwise().squaredNorm().transpose(), fresh = left;
+  for (Index k = 0; k < scales_.size(); ++k) {
+    const Index best = std::max_element(left.data() + k, left.data() + n) - left.data();
+    if (best != k) factors_.col(k).swap(factors_.col(best));
+    std::swap(left[k], left[best]);
+    std::swap(fresh[k], fresh[best]);
+    std::swap(order_[static_cast<std::size_t>(k)], order_[static_cast<std::size_t>(best)]);
+    // The reflection that leads column k to its first entry.
+    auto column = factors_.col(k).tail(m - k);
+    const double size = column.norm();
+    if (!(size > 0)) break;
+    const double first = column[0], diagonal = first > 0 ? -size : size;
+    scales_[k] = 1 - first / diagonal;
+    column.tail(m - k - 1) /= first - diagonal;
+    column[0] = diagonal;
+    for (Index j = k + 1; j < n; ++j) {
+      reflect(k, &factors_(0, j));
+      left[j] -= factors_(k, j) * factors_(k, j);
+      if (left[j] > DenseSettings::digits_left * fresh[j]) continue;
+      left[j] = fresh[j] = factors_.col(j).tail(m - k - 1).squaredNorm();
+    }
+    const double least = std::max(small, DenseSettings::rounding(m, n) * std::abs(factors_(0, 0)));
+    if (rank_ == k && size > least) ++rank_;
+  }
+}
+
+/// column -= s v (v' column), v = (1, what is stored below the diagonal).
+void PivotedQr::reflect(Index k, double* column) const {
+  const Index below = factors_.rows() - k - 1;
+  const double* const v = factors_.data() + k * factors_.rows() + k + 1;
+  double along = column[k];
+  for (Index i = 0; i < below; ++i) along += v[i] * column[k + 1 + i];
+  along *= scales_[k];
+  column[k] -= along;
+  for (Index i = 0; i < below; ++i) column[k + 1 + i] -= along * v[i];
+}
+
+MatrixXd PivotedQr::Q() const {
+  MatrixXd Q = MatrixXd::Identity(factors_.rows(), factors_.rows());
+  for (Index j = 0; j < Q.cols(); ++j)
+    for (Index k = scales_.size() - 1; k >= 0; --k) reflect(k, &Q(0, j));
+  return Q;
+}
+
+MatrixXd PivotedQr::R() const {
+  MatrixXd R = MatrixXd::Zero(factors_.rows(), factors_.cols());
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    const auto column = static_cast<Index>(k), above = std::min(column + 1, R.rows());
+    R.col(order_[k]).head(above) = factors_.col(column).head(above);
+  }
+  return R;
+}
+
+/// R x = y for the columns that count, in their places among A's; the others get 0.
+VectorXd PivotedQr::solve_triangle(VectorXd y) const {
+  VectorXd x = VectorXd::Zero(factors_.cols());
+  for (Index k = rank_ - 1; k >= 0; --k) {
+    const double value = y[k] / factors_(k, k);
+    y.head(k) -= value * factors_.col(k).head(k);
+    x[order_[static_cast<std::size_t>(k)]] = value;
+  }
+  return x;
+}
+
+VectorXd PivotedQr::solve(const VectorXd& b) const {
+  VectorXd y = b; // Q' b
+  for (Index k = 0; k < rank_; ++k) reflect(k, y.data());
+  return solve_triangle(std::move(y));
+}
+
+VectorXd PivotedQr::shortest(const VectorXd& b) const {
+  VectorXd x = solve(b);
+  if (rank_ == factors_.cols()) return x;
+  const MatrixXd N = kernel();
+  return x - N * PivotedQr(N).solve(x);
+}
+
+MatrixXd PivotedQr::kernel() const {
+  MatrixXd N(factors_.cols(), factors_.cols() - rank_);
+  for (Index k = 0; k < N.cols(); ++k) {
+    N.col(k) = solve_triangle(-factors_.col(rank_ + k).head(rank_));
+    N(order_[static_cast<std::size_t>(rank_ + k)], k) = 1;
+  }
+  return N;
+}
+
+double longest_column(const MatrixXd& A) {
+  return A.cols() > 0 ? A.colwise().norm().maxCoeff() : 0;
 }
 
 std::optional<VectorXd> least_squares(const MatrixXd& A, const VectorXd& b, double threshold) {
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
-  qr.setThreshold(threshold);
+  const PivotedQr qr(A, threshold * longest_column(A));
   if (qr.rank() < A.cols()) return std::nullopt;
-  return VectorXd(qr.solve(b));
+  return qr.solve(b);
 }
-
-VectorXd shortest_solution(const MatrixXd& A, const VectorXd& b, double threshold) {
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition(A);
-  decomposition.setThreshold(threshold);
-  return decomposition.solve(b);
-}
-
-void correct(const MatrixXd& A, const VectorXd& b, double threshold, VectorXd& x) {
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
-  decomposition.setThreshold(threshold);
-  decomposition.compute(A);
-  for (int round = 0; round < 2; ++round) {
-    const VectorXd off = A * x + b;
-    const VectorXd step = decomposition.solve(off);
-    x -= step;
-  }
-}
-
-namespace {
-
-/// The least squares of the chosen columns, 0 elsewhere.
-VectorXd solve_chosen(const MatrixXd& A, const VectorXd& b, const std::vector<Index>& chosen) {
-  MatrixXd columns(A.rows(), static_cast<Index>(chosen.size()));
-  for (std::size_t k = 0; k < chosen.size(); ++k)
-    columns.col(static_cast<Index>(k)) = A.col(chosen[k]);
-  const VectorXd found = least_squares(columns, b);
-  VectorXd x = VectorXd::Zero(A.cols());
-  for (std::size_t k = 0; k < chosen.size(); ++k) x[chosen[k]] = found[static_cast<Index>(k)];
-  return x;
-}
-
-} // namespace
 
 VectorXd nonnegative_least_squares(const MatrixXd& A, const VectorXd& b) {
-  constexpr double rounding = 1e-13;
-  const Index n = A.cols();
-  VectorXd x = VectorXd::Zero(n);
-  std::vector<Index> chosen;
-  for (Index exchange = 0; exchange < 3 * n; ++exchange) {
-    VectorXd gain = A.transpose() * (b - A * x);
-    for (const Index j : chosen) gain[j] = 0;
-    Index entering = 0;
-    if (!(gain.size() > 0 && gain.maxCoeff(&entering) > rounding * (1 + b.norm()))) break;
-    chosen.push_back(entering);
-    for (;;) {
-      const VectorXd target = solve_chosen(A, b, chosen);
-      double step = 1;
-      for (const Index j : chosen)
-        if (target[j] <= 0) step = std::min(step, x[j] > 0 ? x[j] / (x[j] - target[j]) : 0.0);
-      x += step * (target - x);
-      if (!(step < 1)) break;
-      const auto leaves = [&](Index j) { return !(x[j] > rounding); };
-      for (const Index j : chosen)
-        if (leaves(j)) x[j] = 0;
-      chosen.erase(std::remove_if(chosen.begin(), chosen.end(), leaves), chosen.end());
-    }
-  }
-  return x;
-}
-
-RowSpace row_space(const MatrixXd& A, double threshold) {
-  Eigen::ColPivHouseholderQR<MatrixXd> qr(A.transpose());
-  qr.setThreshold(threshold);
-  const Index columns = A.cols(), rank = qr.rank();
-  const MatrixXd Q = qr.householderQ() * MatrixXd(MatrixXd::Identity(columns, columns));
-  RowSpace space{Q.leftCols(rank),
-                 Q.rightCols(columns - rank),
-                 qr.matrixR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>(),
-                 {}};
-  for (Index k = 0; k < rank; ++k) space.order.push_back(qr.colsPermutation().indices()[k]);
-  return space;
-}
-
-Orthogonal orthogonal(const MatrixXd& A, double small) {
-  if (A.cols() == 0) return {MatrixXd::Identity(A.rows(), A.rows()), 0};
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
-  const auto pivots = qr.matrixQR().diagonal().cwiseAbs().array();
-  return {qr.householderQ(), (pivots > small).count()};
-}
-
-MatrixXd compressed(const MatrixXd& A) {
-  const Index n = A.rows();
-  MatrixXd transposed = MatrixXd::Zero(std::max(A.cols(), n), n);
-  transposed.topRows(A.cols()) = A.transpose();
-  const Eigen::HouseholderQR<MatrixXd> qr(transposed);
-  const MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  return R.transpose();
-}
-
-MatrixXd kernel(const MatrixXd& A, double threshold) {
-  Eigen::FullPivLU<MatrixXd> lu(A);
-  lu.setThreshold(threshold);
-  if (lu.rank() == A.cols()) return MatrixXd(A.cols(), 0);
-  return lu.kernel();
-}
-
-VectorXd solved_by_full_pivots(const MatrixXd& A, const VectorXd& b) {
-  return A.fullPivLu().solve(b);
+  const Index m = A.rows(), n = A.cols();
+  std::vector<double> scalars(static_cast<std::size_t>(least_squares_scalars(m, n)));
+  std::vector<int> integers(static_cast<std::size_t>(least_squares_integers(m, n)));
+  MatrixXd columns = A; // the solver's views are of what may change
+  VectorXd target = b;
+  NonnegativeLeastSquares<double> solver({scalars.data(), static_cast<Index>(scalars.size())},
+                                         {integers.data(), static_cast<Index>(integers.size())});
+  (void)solver.solve(MatrixMap<double>(columns.data(), m, n), VectorMap<double>(target.data(), m));
+  return solver.x();
 }
 
 } // namespace lcpush::desktop

@@ -1,4 +1,4 @@
-// Eigen's decompositions of real matrices behind plain functions: each is compiled once.
+// Ranks, least squares and null spaces of small dense matrices, by one decomposition.
 #pragma once
 
 #include <optional>
@@ -8,50 +8,44 @@
 
 namespace lcpush::desktop {
 
-/// The x of least |A x - b|, for columns that are independent to rounding.
-Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
+/// A P = Q R by Householder's reflections, the largest of the remaining columns first: R's diagonal
+/// falls, and what it falls to is what rounding, or dependence, has left. [Golub, Van Loan 5.4]
+/// Cost: O(rows columns
+/// min(rows, columns)).
+class PivotedQr {
+public:
+  /// The first entries of R's diagonal that are above `small`, and above rounding, count.
+  explicit PivotedQr(const Eigen::MatrixXd& A, double small = 0);
 
-/// The same; nothing if columns of A depend on each other to `threshold`.
+  Index rank() const { return rank_; }
+  Eigen::MatrixXd Q() const; ///< square; its first rank() columns span what A leads to
+  Eigen::MatrixXd R() const; ///< R P': A = Q() R()
+
+  /// An x of least |A x - b| with at most rank() entries that are not 0.
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  /// Of all x of least |A x - b| the shortest.
+  Eigen::VectorXd shortest(const Eigen::VectorXd& b) const;
+  /// A basis of all x with A x = 0, a column each: 1 in one of the columns that others make up.
+  Eigen::MatrixXd kernel() const;
+
+private:
+  Eigen::MatrixXd factors_;  // on and above the diagonal R, below it Householder's vectors
+  Eigen::VectorXd scales_;   // of them, whose first entry is 1
+  std::vector<Index> order_; // column k of A P is order_[k] of A
+  Index rank_ = 0;
+
+  void reflect(Index k, double* column) const;
+  Eigen::VectorXd solve_triangle(Eigen::VectorXd y) const;
+};
+
+/// R's first diagonal entry, in size: what `small` may be a part of.
+double longest_column(const Eigen::MatrixXd& A);
+
+/// The x of least |A x - b|; nothing if columns of A depend on each other to `threshold`.
 std::optional<Eigen::VectorXd> least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
                                              double threshold);
 
-/// Of all x of least |A x - b|, A singular to `threshold`, the shortest.
-Eigen::VectorXd shortest_solution(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
-                                  double threshold);
-
-/// Moves x, twice, by the shortest step after which A x + b is as near to 0 as it can be.
-void correct(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, double threshold,
-             Eigen::VectorXd& x);
-
-/// An x >= 0 with the least |A x - b|, to rounding, by active sets [Lawson, Hanson
-/// 1974, chapter 23]; b near 1. Ends always: after 3 columns' worth
-/// of exchanges with what it has. Cost: a few least squares of rows x rows.
+/// An x >= 0 with the least |A x - b|, or the nearest to it that was reached; b near 1.
 Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
-
-/// What the rows of A span, and what is orthogonal to them: A' = [basis complement] R, in an order.
-struct RowSpace {
-  Eigen::MatrixXd basis;      ///< columns x rank, orthonormal
-  Eigen::MatrixXd complement; ///< columns x (columns - rank), orthonormal
-  Eigen::MatrixXd triangle;   ///< rank x rank, upper: R of the independent rows
-  std::vector<Index> order;   ///< those rows, as R's columns stand
-};
-RowSpace row_space(const Eigen::MatrixXd& A, double threshold);
-
-/// Q of A = Q R, square: its first `rank` columns are what A leads to, as far as R's diagonal is
-/// above `small`.
-struct Orthogonal {
-  Eigen::MatrixXd Q;
-  Index rank;
-};
-Orthogonal orthogonal(const Eigen::MatrixXd& A, double small);
-
-/// L, square, of A = L O' with orthonormal columns O.
-Eigen::MatrixXd compressed(const Eigen::MatrixXd& A);
-
-/// A basis of all x with A x = 0, a column each; none: A has full rank to `threshold`.
-Eigen::MatrixXd kernel(const Eigen::MatrixXd& A, double threshold);
-
-/// The x of A x = b for a square A, singular ones to rounding.
-Eigen::VectorXd solved_by_full_pivots(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
 } // namespace lcpush::desktop

@@ -1,6 +1,5 @@
 // The one compiled copy of the solvers, for double.
 #include "lcpush/lcp/pivots/held_basis.hpp"
-#include "lcpush/lcp/pivots/linear_program.hpp"
 #include "lcpush/lcp/pivots/structured_lemke.hpp"
 #include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
 
@@ -12,7 +11,6 @@ template class StructuredBasis<double>;
 template class HeldBasis<double>;
 template class Lemke<double>;
 template class Lemke<double, StructuredBasis<double>>;
-template class LinearProgramSolver<double>;
 template class ProximalNewton<double>;
 template class BlockGaussSeidel<double>;
 template void fill_matrix<double>(const Problem<double>&, MatrixMap<double>);

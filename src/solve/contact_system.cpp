@@ -14,6 +14,14 @@ using Eigen::VectorXd;
 constexpr double rounding = 1e-9;   // of a direction's largest entry
 constexpr double dependent = 1e-11; // of the largest pivot
 
+/// L, square, of A = L O' with orthonormal columns O.
+MatrixXd compressed(const MatrixXd& A) {
+  MatrixXd L = MatrixXd::Zero(A.rows(), A.rows());
+  const Index k = std::min(A.rows(), A.cols());
+  L.leftCols(k) = PivotedQr(A.transpose()).R().topRows(k).transpose();
+  return L;
+}
+
 double largest_entry(const MatrixXd& A) { return A.size() > 0 ? A.cwiseAbs().maxCoeff() : 0; }
 
 } // namespace
@@ -76,8 +84,9 @@ MatrixXd ContactSystem::inertial(MatrixXd motion) const {
 /// vanishes, and a' = Z u is what no pad resists; f = O y of what does not yield.
 OpenDirections ContactSystem::open_directions() const {
   const Eigen::Map<const MatrixXd> pads = pads_.matrix();
-  const auto [basis, r] = orthogonal(pads, dependent * largest_entry(pads)); // [W Z]
-  const Index still = motions_ - r;
+  const PivotedQr yielding(pads, dependent * largest_entry(pads));
+  const MatrixXd basis = yielding.Q(); // [W Z]
+  const Index r = yielding.rank(), still = motions_ - r;
   const MatrixXd Z = basis.rightCols(still), J = compressed(stays_.matrix()).transpose() * basis;
   const double softest =
       compliance_.empty() ? 0 : *std::max_element(compliance_.begin(), compliance_.end());
@@ -88,15 +97,16 @@ OpenDirections ContactSystem::open_directions() const {
   const MatrixXd pushed = compressed(pushes_.matrix());
 
   // What J says of u holds to the first order; where it says nothing, of what pads yield.
-  const auto [rows, firm] = orthogonal(J.rightCols(still), dependent * largest_entry(J));
-  const MatrixXd JQ = rows.transpose() * J;
+  const PivotedQr first_order(J.rightCols(still), dependent * largest_entry(J));
+  const Index firm = first_order.rank();
+  const MatrixXd JQ = first_order.Q().transpose() * J;
   MatrixXd K = MatrixXd::Zero(2 * motions_, motions_ + pushed.cols());
   K.topRows(motions_) << -balance_rows(squeezed), inertial(Z), -balance_rows(pushed);
   K.block(motions_, r, firm, still) = JQ.topRightCorner(firm, still);
   K.bottomLeftCorner(motions_ - firm, r) = JQ.bottomLeftCorner(motions_ - firm, r);
 
   OpenDirections open;
-  const MatrixXd unresisted = kernel(K, dependent);
+  const MatrixXd unresisted = PivotedQr(K, dependent * largest_entry(K)).kernel();
   if (unresisted.cols() == 0) return open;
   // A small inertia counts as much as a large one; rows of J have been mixed.
   VectorXd size = K.cwiseAbs().rowwise().maxCoeff();

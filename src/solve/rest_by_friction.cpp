@@ -5,14 +5,9 @@
 #include "dense/decompositions.hpp"
 
 namespace lcpush::desktop {
-namespace {
-
-/// Two neighbouring generators that make up a force in the contact plane, at most `limit` together;
-/// false if that is too little.
-bool spread_friction(double along, double across, double limit, Index g, double* beta) {
-  const double size = std::hypot(along, across);
+double onto_neighbours(double along, double across, Index g, double* beta) {
   for (Index k = 0; k < g; ++k) beta[k] = 0;
-  if (!(size > 0)) return true;
+  if (!(std::hypot(along, across) > 0)) return 0;
   constexpr double turn = 6.283185307179586;
   const double angle = std::atan2(across, along) / turn;
   const auto j =
@@ -23,10 +18,8 @@ bool spread_friction(double along, double across, double limit, Index g, double*
   const double sine = c * s_next - s * c_next; // of the angle between them
   beta[k] = std::max(0.0, (along * s_next - across * c_next) / sine);
   beta[next] = std::max(0.0, (across * c - along * s) / sine);
-  return beta[k] + beta[next] <= limit;
+  return beta[k] + beta[next];
 }
-
-} // namespace
 
 std::vector<double> rest_by_friction(const Assembly<double>& assembly, const double* preload) {
   const Scene<double>& scene = assembly.scene();
@@ -64,7 +57,7 @@ std::vector<double> rest_by_friction(const Assembly<double>& assembly, const dou
     const double grips = preload[i] * layout.cones[i].friction;
     stiffness += grips * (t * t.transpose() + o * o.transpose());
   }
-  const Eigen::VectorXd motion = solved_by_full_pivots(stiffness, wanted);
+  const Eigen::VectorXd motion = PivotedQr(stiffness).solve(wanted);
   if (!((stiffness * motion - wanted).norm() <= 1e-12 * (1 + wanted.norm()))) return {};
   std::vector<double> z(static_cast<std::size_t>(layout.size), 0.0);
   for (Index i = 0; i < layout.points; ++i) {
@@ -77,7 +70,7 @@ std::vector<double> rest_by_friction(const Assembly<double>& assembly, const dou
     const double grips = preload[i] * cone.friction;
     const double along = grips * column(i, body.tangent).dot(motion);
     const double across = grips * column(i, cross(body.normal, body.tangent)).dot(motion);
-    if (!spread_friction(along, across, cone.friction * forces[0], cone.generators, forces + 1))
+    if (onto_neighbours(along, across, cone.generators, forces + 1) > cone.friction * forces[0])
       return {};
   }
   return z;

@@ -4,25 +4,21 @@
 #include <cmath>
 #include <limits>
 
-#include "spread/first_motion.hpp"
+#include "spread/settings.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-constexpr double no_push = 1e-8; // of F / m: the largest push of a face that has rest alone
-constexpr double small_part = 1e-3;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The answer to a push so small that no force has changed its sign.
-Face::Answer a_little_later(const Face& rest, const FirstMotion::Answer& first) {
-  Face::Answer answer = rest.inner_point();
-  answer.push = small_part;
-  for (Index i = 0; i < answer.z.size(); ++i)
-    if (first.forces[i] < 0)
-      answer.push = std::min(answer.push, answer.z[i] / (-2 * first.forces[i]));
-  answer.z += answer.push * first.forces;
-  answer.z.tail(first.closings.size()) = answer.push * first.closings;
-  return answer;
+/// The answer to a push so small that no force has changed its sign: at rest, and what is added to
+/// first order.
+Face::Answer a_little_later(Face::Answer rest, const Face::Answer& added, Index closings) {
+  rest.push = SpreadSettings::small_push;
+  for (Index i = 0; i < rest.z.size() - closings; ++i)
+    if (added.z[i] < 0) rest.push = std::min(rest.push, rest.z[i] / (-2 * added.z[i]));
+  rest.z += rest.push * added.z;
+  return rest;
 }
 
 } // namespace
@@ -53,9 +49,9 @@ bool FaceStudy::may_have_answers(const FaceModes& part) {
     return reaches_down(part, motions, pushed, failed) || failed;
   }
   Face face(problem_, part, motions, Instant::pushed);
-  const Face::Point point = face.find_point();
+  const Face::Ending point = face.find_point();
   take(face);
-  return point != Face::Point::none;
+  return point != Face::Ending::none;
 }
 
 /// Are there answers to arbitrarily small pushes, down to one at rest? Then, as the face is a
@@ -63,15 +59,15 @@ bool FaceStudy::may_have_answers(const FaceModes& part) {
 bool FaceStudy::reaches_down(const FaceModes& modes, const ModeMotions& motions,
                              Face::Answer& pushed, bool& failed) {
   Face rest(problem_, modes, motions, Instant::at_rest);
-  const Face::Point at_rest = rest.find_point();
+  const Face::Ending at_rest = rest.find_point();
   take(rest);
-  if (at_rest == Face::Point::none) return false;
+  if (at_rest == Face::Ending::none) return false;
   Face face(problem_, modes, motions, Instant::any_push);
-  Face::Point point = face.find_point();
-  if (point == Face::Point::found) point = face.largest_push(pushed);
+  Face::Ending point = face.find_point();
+  if (point == Face::Ending::found) point = face.largest_push(pushed);
   take(face);
-  failed = at_rest == Face::Point::failed || point == Face::Point::failed;
-  return !failed && point == Face::Point::found && pushed.push > no_push;
+  failed = at_rest == Face::Ending::failed || point == Face::Ending::failed;
+  return !failed && point == Face::Ending::found && pushed.push > SpreadSettings::no_push;
 }
 
 bool FaceStudy::is_answer(Face::Answer answer) {
@@ -98,10 +94,10 @@ FaceStudy::Result FaceStudy::study(const FaceModes& modes, double most_work,
   if (breaking_ && !reaches_down(modes, motions, pushed, failed))
     return failed ? Result::failed : Result::empty;
   Face face(problem_, modes, motions, breaking_ ? Instant::at_rest : Instant::pushed);
-  const Face::Point point = face.find_point();
+  const Face::Ending point = face.find_point();
   Result result = Result::failed;
-  if (point == Face::Point::none) result = Result::empty;
-  if (point == Face::Point::found)
+  if (point == Face::Ending::none) result = Result::empty;
+  if (point == Face::Ending::found)
     result = bound_all(face, breaking_ ? &pushed : nullptr, most_work, corners);
   if (breaking_ && result == Result::studied && !bound_first_motion(face, motions))
     result = Result::failed;
@@ -126,16 +122,17 @@ FaceStudy::Result FaceStudy::bound_all(Face& face, const Face::Answer* pushed, d
 bool FaceStudy::bound(Face& face, const Face::Answer* pushed, const Quantity& quantity, double sign,
                       std::vector<Face::Answer>& corners) {
   Face::Answer corner;
-  const Face::Point found = face.lowest(sign * quantity.f, corner);
-  if (found == Face::Point::failed || found == Face::Point::none) return false;
-  const Face::Answer answer = pushed != nullptr ? between(corner, *pushed, small_part) : corner;
-  if (found == Face::Point::found) corners.push_back(answer);
+  const Face::Ending found = face.lowest(sign * quantity.f, corner);
+  if (found == Face::Ending::failed || found == Face::Ending::none) return false;
+  const Face::Answer answer =
+      pushed != nullptr ? between(corner, *pushed, SpreadSettings::small_push) : corner;
+  if (found == Face::Ending::found) corners.push_back(answer);
   double& end = sign > 0 ? quantity.bounds->low : quantity.bounds->high;
   // Only what widens the interval has to pass the referee.
   if (std::isinf(end) && sign * end < 0) return true;
-  if (found == Face::Point::found && sign * quantity.value(corner.z) >= sign * end) return true;
+  if (found == Face::Ending::found && sign * quantity.value(corner.z) >= sign * end) return true;
   if ((pushed != nullptr && !is_answer(answer)) || !accept(corner)) return false;
-  if (found == Face::Point::unbounded) end = -sign * infinity;
+  if (found == Face::Ending::unbounded) end = -sign * infinity;
   return true;
 }
 
@@ -143,25 +140,26 @@ bool FaceStudy::bound(Face& face, const Face::Answer* pushed, const Quantity& qu
 bool FaceStudy::bound_first_motion(Face& rest, const ModeMotions& motions) {
   std::vector<bool> carries;
   if (!rest.find_inner_point(carries)) return false;
-  FirstMotion first(problem_, motions, rest.edges(), carries);
-  bool all = true;
-  for (Index k = 0; k < problem_.moving(); ++k)
+  Face first(rest, motions, carries);
+  const bool has_point = first.find_point() == Face::Ending::found;
+  bool all = has_point;
+  for (Index k = 0; has_point && k < problem_.moving(); ++k)
     for (const double sign : {1.0, -1.0}) {
-      FirstMotion::Answer answer;
-      const Simplex::Ending ending = first.lowest(k, sign, answer);
+      Face::Answer added;
+      const Face::Ending ending = first.slowest(k, sign, added);
       const Index axis = problem_.axis(k);
-      if (ending == Simplex::Ending::unbounded) { // the object may also begin to move by itself
+      if (ending == Face::Ending::unbounded) { // the object may also begin to move by itself
         (sign > 0 ? report_.twist[axis].low : report_.twist[axis].high) = -sign * infinity;
         continue;
       }
-      if (ending != Simplex::Ending::found || !is_answer(a_little_later(rest, answer))) {
+      if (ending != Face::Ending::found ||
+          !is_answer(a_little_later(rest.inner_point(), added, problem_.actuators()))) {
         all = false;
         continue;
       }
-      report_.twist[axis].include(answer.rate / (axis < 3 ? 1 : report_.scales.length));
+      report_.twist[axis].include(first.motion(k) / (axis < 3 ? 1 : report_.scales.length));
     }
-  work_ += first.work();
-  report_.programs += first.programs();
+  take(first);
   return all;
 }
 

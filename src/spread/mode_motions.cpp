@@ -3,23 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "spread/simplex.hpp"
+#include "dense/simplex.hpp"
+#include "spread/settings.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
 using Kind = ContactMode::Kind;
 
-constexpr double nothing = 1e-10;      // of a row of numbers near 1: what elimination leaves of it
-constexpr double contradiction = 1e-9; // of the push
-constexpr double parallel = 1e-12;
+constexpr double nothing = SpreadSettings::nothing;
 
 /// Rows of the same width one after the other: hundreds of thousands of lists are made.
 class RowList {
 public:
   explicit RowList(Index width) : width_(width) {
-    constexpr Index usual = 64;
-    numbers_.reserve(static_cast<std::size_t>(usual * width));
+    numbers_.reserve(static_cast<std::size_t>(SpreadSettings::usual_rows * width));
   }
   Index count() const { return static_cast<Index>(numbers_.size()) / width_; }
   double* row(Index i) { return numbers_.data() + i * width_; }
@@ -147,7 +145,7 @@ void solve(RowList& table, Index size, ModeMotions& motions) {
     given.push_back(column);
   }
   for (Index r = rank; r < rows; ++r)
-    if (std::abs(table.row(r)[size - 1]) > contradiction) motions.possible = false;
+    if (std::abs(table.row(r)[size - 1]) > SpreadSettings::contradiction) motions.possible = false;
   motions.span = Eigen::MatrixXd::Zero(size, size - rank);
   Index y = 0;
   for (Index k = 0; k < size; ++k) {
@@ -164,7 +162,9 @@ Index find_last(const RowList& kept, Index width) {
   const Index last = kept.count() - 1;
   for (Index k = 0; k < last; ++k) {
     Index same = 0;
-    while (same < width && std::abs(kept.row(k)[same] - kept.row(last)[same]) <= parallel) ++same;
+    while (same < width &&
+           std::abs(kept.row(k)[same] - kept.row(last)[same]) <= SpreadSettings::parallel)
+      ++same;
     if (same == width) return k;
   }
   return last;
@@ -220,7 +220,6 @@ ModeMotions motions_of(const LiteralProblem& problem, const FaceModes& modes, bo
 }
 
 bool has_own_motion(const ModeMotions& motions, double& work) {
-  constexpr double least = 1e-9; // of the push
   if (!motions.possible || !motions.distinct) return false;
   const Index rows = motions.signs.rows(), free = motions.span.cols() - 1;
   if (rows == 0) return true;
@@ -239,7 +238,7 @@ bool has_own_motion(const ModeMotions& motions, double& work) {
   work += program.work() + static_cast<double>(A.size());
   if (ending == Simplex::Ending::unbounded) return false;
   if (ending != Simplex::Ending::found) return true; // not refuted
-  return c.dot(program.point()) > least;
+  return c.dot(program.point()) > SpreadSettings::own_motion;
 }
 
 } // namespace lcpush::desktop

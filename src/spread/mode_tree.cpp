@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "spread/settings.hpp"
+
 namespace lcpush::desktop {
 namespace {
 
@@ -15,7 +17,8 @@ bool slip_alike(const LiteralProblem& problem, Index i, Index k) {
   const auto one = problem.rates().middleRows(layout.friction_index(i, 0), g);
   for (Index j = 0; j < g; ++j) {
     const Eigen::RowVectorXd other = problem.rates().row(layout.friction_index(k, j));
-    if (!((one.rowwise() - other).rowwise().norm().minCoeff() <= 1e-9)) return false;
+    if (!((one.rowwise() - other).rowwise().norm().minCoeff() <= SpreadSettings::slip_alike))
+      return false;
   }
   return true;
 }

@@ -12,13 +12,11 @@
 #include "lcpush/mechanics/solve/breaking.hpp"
 #include "spread/face_study.hpp"
 #include "spread/mode_tree.hpp"
+#include "spread/settings.hpp"
 #include "text/limits.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr double equal_answers = 1e-7; // of the scale of forces, or of motions
-constexpr double thorough_factor = 40;
 
 using Clock = std::chrono::steady_clock;
 
@@ -40,7 +38,8 @@ std::string key_of(const FaceModes& modes) {
 
 /// The same text for answers that are the same to a few roundings, as a rule.
 std::string corner_key(const Eigen::VectorXd& z) {
-  const Eigen::VectorXf rounded = (z.array().abs() > 1e-9).select(z, 0).cast<float>();
+  const Eigen::VectorXf rounded =
+      (z.array().abs() > SpreadSettings::zero).select(z, 0).cast<float>();
   return {reinterpret_cast<const char*>(rounded.data()),
           static_cast<std::size_t>(rounded.size()) * sizeof(float)};
 }
@@ -102,7 +101,7 @@ private:
 
   /// To the push as it is; of the instant of breaking, to one so small that the modes are its own.
   Status solve_path(OwnedLemke<double>& lemke, Index cover, Path& path) {
-    constexpr double small = 1e-3; // of F / m
+    constexpr double small = SpreadSettings::small_push;
     const Index n = problem_.layout().size;
     LemkeOptions<double> options = options_.lemke;
     options.first_cover = cover;
@@ -242,9 +241,9 @@ private:
       return;
     }
     const bool thorough = options_.enumeration == Enumeration::thorough;
-    const double most = options_.most_work * (thorough ? thorough_factor : 1);
+    const double most = options_.most_work * (thorough ? SpreadSettings::thorough_factor : 1);
     const double before = study_->work();
-    allow(most, thorough ? 1 : 0.8);
+    allow(most, thorough ? 1 : SpreadSettings::part_of_time);
     const Index failures = report_.failures;
     bool given_up = false;
     ModeTree tree(problem_);
@@ -253,9 +252,9 @@ private:
     tree.is_used_up = [&] {
       const double used = (study_->work() - before) / most;
       tell(std::max(used, tree.share()));
-      // Branches are left sooner later on, so that the share grows faster than the work: small
-      // scenes have done a hundredth of the tree after a tenth of the work.
-      const bool out_of_sight = used > 0.1 && tree.share() < used * used / 2;
+      // Branches are left sooner later on, so that the share grows faster than the work.
+      const bool out_of_sight =
+          used > SpreadSettings::judged_after && tree.share() < used * used / 2;
       given_up =
           given_up || is_used_up() || (out_of_sight && !thorough && options_.most_seconds <= 0);
       return given_up;
@@ -287,8 +286,10 @@ private:
 
 } // namespace
 
-double same_force(const SpreadReport& report) { return equal_answers * report.scales.force; }
-double same_acceleration(const SpreadReport& report) { return equal_answers * report.motion; }
+double same_force(const SpreadReport& report) { return SpreadSettings::same * report.scales.force; }
+double same_acceleration(const SpreadReport& report) {
+  return SpreadSettings::same * report.motion;
+}
 
 SpreadReport find_spread(const SceneFile& file, const SpreadOptions& options) {
   return Search(file, options).run();

@@ -1,22 +1,10 @@
 #include "spread/spread_face.hpp"
 
+#include <algorithm>
+
+#include "spread/settings.hpp"
+
 namespace lcpush::desktop {
-namespace {
-
-constexpr double far = 1000; // units of force, for what has no end
-
-Face::Point point_of(Simplex::Ending ending) {
-  switch (ending) {
-  case Simplex::Ending::found: return Face::Point::found;
-  case Simplex::Ending::none: return Face::Point::none;
-  case Simplex::Ending::unbounded: return Face::Point::unbounded;
-  case Simplex::Ending::failed: break;
-  }
-  return Face::Point::failed;
-}
-
-} // namespace
-
 Face::Face(const LiteralProblem& problem, const FaceModes& modes, const ModeMotions& motions,
            Instant instant)
     : problem_(problem), instant_(instant) {
@@ -33,16 +21,26 @@ Face::Face(const LiteralProblem& problem, const FaceModes& modes, const ModeMoti
   assemble(motions);
 }
 
+Face::Face(const Face& rest, const ModeMotions& motions, const std::vector<bool>& carries)
+    : problem_(rest.problem_), instant_(Instant::begins), span_(motions.span),
+      moving_(span_.cols() - 1), first_edge_(moving_) {
+  for (const bool carrying : {true, false})
+    for (std::size_t k = 0; k < carries.size(); ++k)
+      if (carries[k] == carrying) edges_.push_back(rest.edges_[k]);
+  assemble(motions, std::count(carries.begin(), carries.end(), true));
+}
+
 /// Rows: balance of accelerations, then of actuators, then the signs of the motion, then p <= 1.
-/// Columns: free motions, p, edges, what each sign has left.
-void Face::assemble(const ModeMotions& motions) {
+/// Columns: free motions, p, edges, of which the first `carrying` have no sign, what each sign has
+/// left.
+void Face::assemble(const ModeMotions& motions, Index carrying) {
   const bool rests = instant_ == Instant::at_rest, any = instant_ == Instant::any_push;
   const Index balances = problem_.load().size(), a = problem_.moving();
   const Index signs = rests ? 0 : motions.signs.rows();
   const Index bounded = signs + (any ? 1 : 0), edges = static_cast<Index>(edges_.size());
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(balances + bounded, first_edge_ + edges + bounded);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(A.rows());
-  b.head(balances) = problem_.load();
+  if (instant_ != Instant::begins) b.head(balances) = problem_.load();
   if (!rests) {
     Eigen::MatrixXd kinetic = span_.topRows(balances);
     kinetic.bottomRows(balances - a) =
@@ -50,8 +48,8 @@ void Face::assemble(const ModeMotions& motions) {
     A.topLeftCorner(balances, first_edge_) = kinetic.leftCols(first_edge_);
     A.block(balances, 0, signs, first_edge_) = motions.signs.leftCols(first_edge_);
     if (!any) {
-      b.head(balances) -= problem_.push() * kinetic.col(moving_);
-      b.tail(signs) = -problem_.push() * motions.signs.col(moving_);
+      b.head(balances) -= push() * kinetic.col(moving_);
+      b.tail(signs) = -push() * motions.signs.col(moving_);
     } else {
       A(A.rows() - 1, moving_) = -1;
       b[A.rows() - 1] = -1;
@@ -70,19 +68,20 @@ void Face::assemble(const ModeMotions& motions) {
     b[r] /= size;
   }
   work_ += static_cast<double>(A.size());
-  program_.emplace(A, b, moving_);
+  program_.emplace(A, b, moving_ + carrying);
 }
 
 Face::Answer Face::whole(const Eigen::VectorXd& v) const {
   Answer answer;
   answer.z = Eigen::VectorXd::Zero(problem_.layout().size);
   for (std::size_t k = 0; k < edges_.size(); ++k) {
-    const double along = std::max(v[first_edge_ + static_cast<Index>(k)], 0.0);
+    double along = v[first_edge_ + static_cast<Index>(k)];
+    if (instant_ != Instant::begins) along = std::max(along, 0.0);
     answer.z[edges_[k].normal] += along;
     if (edges_[k].friction >= 0) answer.z[edges_[k].friction] += edges_[k].mu * along;
   }
   if (instant_ == Instant::at_rest) return answer;
-  answer.push = instant_ == Instant::any_push ? v[moving_] : problem_.push();
+  answer.push = instant_ == Instant::any_push ? v[moving_] : push();
   Eigen::VectorXd y(moving_ + 1);
   y << v.head(moving_), answer.push;
   const Eigen::VectorXd x = span_ * y;
@@ -90,16 +89,16 @@ Face::Answer Face::whole(const Eigen::VectorXd& v) const {
   return answer;
 }
 
-Face::Point Face::find_point() {
-  if (!program_) return Point::none;
-  const Point ending = point_of(program_->find_point());
+Face::Ending Face::find_point() {
+  if (!program_) return Ending::none;
+  const Ending ending = program_->find_point();
   corners_ = program_->point();
   count_ = 1;
   return ending;
 }
 
 bool Face::find_inner_point(std::vector<bool>& carries) {
-  constexpr double force = 1e-7; // of the scene's
+  constexpr double force = SpreadSettings::carries;
   carries.assign(edges_.size(), true);
   Eigen::VectorXd c = Eigen::VectorXd::Zero(program_->point().size());
   for (std::size_t k = 0; k < edges_.size(); ++k) {
@@ -107,26 +106,26 @@ bool Face::find_inner_point(std::vector<bool>& carries) {
     if (corners_[column] > count_ * force) continue;
     Answer ignored;
     c[column] = -1;
-    const Point ending = minimise(c, ignored);
+    const Ending ending = minimise(c, ignored);
     c[column] = 0;
-    if (ending == Point::failed) return false;
-    carries[k] = ending == Point::unbounded || program_->point()[column] > force;
+    if (ending == Ending::failed) return false;
+    carries[k] = ending == Ending::unbounded || program_->point()[column] > force;
   }
   return true;
 }
 
-Face::Point Face::minimise(const Eigen::VectorXd& c, Answer& answer) {
-  const Point ending = point_of(program_->minimise(c));
-  if (ending == Point::failed) return ending;
+Face::Ending Face::minimise(const Eigen::VectorXd& c, Answer& answer) {
+  const Ending ending = program_->minimise(c);
+  if (ending == Ending::failed) return ending;
   Eigen::VectorXd v = program_->point();
-  if (ending == Point::unbounded) v += far * program_->ray();
-  corners_ += ending == Point::unbounded ? program_->point() + program_->ray() : v;
+  if (ending == Ending::unbounded) v += SpreadSettings::far * program_->ray();
+  corners_ += ending == Ending::unbounded ? program_->point() + program_->ray() : v;
   ++count_;
   answer = whole(v);
   return ending;
 }
 
-Face::Point Face::lowest(const Eigen::VectorXd& f, Answer& answer) {
+Face::Ending Face::lowest(const Eigen::VectorXd& f, Answer& answer) {
   Eigen::VectorXd c = Eigen::VectorXd::Zero(program_->point().size());
   for (std::size_t k = 0; k < edges_.size(); ++k)
     c[first_edge_ + static_cast<Index>(k)] =
@@ -134,7 +133,18 @@ Face::Point Face::lowest(const Eigen::VectorXd& f, Answer& answer) {
   return minimise(c, answer);
 }
 
-Face::Point Face::largest_push(Answer& answer) {
+Face::Ending Face::slowest(Index k, double sign, Answer& answer) {
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(program_->point().size());
+  c.head(moving_) = sign * span_.row(k).head(moving_).transpose();
+  return minimise(c, answer);
+}
+
+double Face::motion(Index k) const {
+  return span_.row(k).head(moving_).dot(program_->point().head(moving_)) +
+         span_(k, moving_) * push();
+}
+
+Face::Ending Face::largest_push(Answer& answer) {
   Eigen::VectorXd c = Eigen::VectorXd::Zero(program_->point().size());
   c[moving_] = -1;
   return minimise(c, answer);

@@ -4,8 +4,8 @@
 
 #include <optional>
 
+#include "dense/simplex.hpp"
 #include "spread/mode_motions.hpp"
-#include "spread/simplex.hpp"
 
 namespace lcpush::desktop {
 
@@ -14,38 +14,40 @@ enum class Instant {
   pushed,   ///< to the push as it is
   any_push, ///< to a push of any size p from 0 to 1, which is an unknown of its own
   at_rest,  ///< before the push: nothing moves, and nothing is asked of the motion
+  begins,   ///< how the answers at rest change with a push of p = 1, to first order in p: forces
+            ///< may fall where there are some, and grow anywhere
 };
 
 class Face {
 public:
+  using Ending = Simplex::Ending;
+
   Face(const LiteralProblem& problem, const FaceModes& modes, const ModeMotions& motions,
        Instant instant);
-
-  enum class Point {
-    found,
-    none,      ///< proved: no point of the face
-    unbounded, ///< of `lowest` only: the value falls without end
-    failed,    ///< the linear program's pivots, or a proof, or too near to tell
-  };
+  /// `begins`, at an inner point of the face at rest. `carries`: of its edges, those that can carry
+  /// a force.
+  Face(const Face& rest, const ModeMotions& motions, const std::vector<bool>& carries);
   /// A point of the face: the unknowns z (slips left out), and the push that they answer.
   struct Answer {
     Eigen::VectorXd z;
     double push = 0;
   };
 
-  Point find_point();
+  Ending find_point();
   Answer point() const { return whole(program_->point()); }
   /// The point where f z is smallest, f a functional of the forces; or a point far out in the
   /// direction that has no end. Pre: find_point has found one.
-  Point lowest(const Eigen::VectorXd& f, Answer& answer);
+  Ending lowest(const Eigen::VectorXd& f, Answer& answer);
+  /// The same of `sign` times entry k of the motion; and that entry there.
+  Ending slowest(Index k, double sign, Answer& answer);
+  double motion(Index k) const;
   /// `any_push`: the point with the largest push, proved to be none other than 0 if it is.
-  Point largest_push(Answer& answer);
+  Ending largest_push(Answer& answer);
 
   /// After `lowest` of some functionals: the mean of their points and more, such that an edge that
   /// can carry a force at all carries one there. False if a program fails.
   bool find_inner_point(std::vector<bool>& carries);
   Answer inner_point() const { return whole(corners_ / count_); }
-  const std::vector<ConeEdge>& edges() const { return edges_; }
 
   Index programs() const { return program_ ? program_->programs() : 0; }    ///< solved
   double work() const { return work_ + (program_ ? program_->work() : 0); } ///< multiplications
@@ -62,9 +64,10 @@ private:
   Eigen::VectorXd corners_; // their sum
   double count_ = 0;
 
-  void assemble(const ModeMotions& motions);
+  void assemble(const ModeMotions& motions, Index carrying = 0);
+  double push() const { return instant_ == Instant::begins ? 1 : problem_.push(); }
   Answer whole(const Eigen::VectorXd& v) const;
-  Point minimise(const Eigen::VectorXd& c, Answer& answer);
+  Ending minimise(const Eigen::VectorXd& c, Answer& answer);
 };
 
 } // namespace lcpush::desktop

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lcpush/mechanics/solve/breaking.hpp"
+#include "spread/settings.hpp"
 #include "text/limits.hpp"
 
 namespace lcpush::desktop {
@@ -10,7 +11,7 @@ namespace {
 
 using Kind = ContactMode::Kind;
 
-constexpr double tie = 1e-9; // of the largest force, or motion: at the limit
+constexpr double tie = SpreadSettings::tie;
 
 SceneFile literal(SceneFile file) {
   file.pressure = Pressure::rigid;
@@ -125,10 +126,10 @@ Residuals<double> LiteralProblem::check(const Answer<double>& answer, double pus
 }
 
 bool LiteralProblem::passes(const Residuals<double>& residuals, double push) const {
-  constexpr double smallest_part = 1e-5; // as for an answer of Push::solve
   const double worst = residuals.max();
   return worst <= Tolerances<double>().residual &&
-         (!(push_size(scene()) > 0 && push > 0) || residuals.beside <= smallest_part * push);
+         (!(push_size(scene()) > 0 && push > 0) ||
+          residuals.beside <= SpreadSettings::smallest_part * push);
 }
 
 std::vector<LiteralProblem::Look> LiteralProblem::look_at(const Eigen::VectorXd& z,
@@ -142,7 +143,8 @@ std::vector<LiteralProblem::Look> LiteralProblem::look_at(const Eigen::VectorXd&
       terms += z[cone.variable + k] * effects_.col(cone.variable + k).head(moving()).cwiseAbs();
   }
   // Below what rounding leaves of the accelerations that cancel there is no motion.
-  const double motion = std::max(1e-5 * terms.maxCoeff(), rates.cwiseAbs().maxCoeff());
+  const double motion =
+      std::max(SpreadSettings::motion * terms.maxCoeff(), rates.cwiseAbs().maxCoeff());
   std::vector<Look> looks;
   for (Index i = 0; i < layout().points; ++i) {
     const ConeGroup<double>& cone = layout().cones[i];

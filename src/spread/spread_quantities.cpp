@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "spread/settings.hpp"
+
 namespace lcpush::desktop {
 
 std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadReport& report) {
@@ -85,7 +87,7 @@ SpreadVerdict verdict_on(const SpreadReport& report) {
 }
 
 bool is_wider(const SpreadReport& wider, const SpreadReport& than) {
-  constexpr double counts = 1e-6; // of the scale of forces, or of motions
+  constexpr double counts = SpreadSettings::wider;
   const auto exceeds = [](const Interval& one, const Interval& two, double slack) {
     return one.low < two.low - slack || one.high > two.high + slack;
   };

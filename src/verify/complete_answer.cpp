@@ -1,7 +1,7 @@
 #include "verify/answer_completer.hpp"
 
 #include "dense/decompositions.hpp"
-#include "solve/owned_program.hpp"
+#include "dense/simplex.hpp"
 #include "verify/settings.hpp"
 
 #include <algorithm>
@@ -162,21 +162,19 @@ std::optional<Eigen::VectorXd> AnswerCompleter::closings_from_openings() const {
   double unit = 0;
   for (Index i = 0; i < points; ++i) unit = std::max(unit, std::abs(opening(i)));
   if (!(unit > 0)) unit = 1;
-  OwnedProgram program(2 * n + points, points);
-  for (Index a = 0; a < n; ++a) {
-    program.c[a] = -scene_.actuators[a].force / layout_.scales.force;
-    program.c[n + a] = -program.c[a];
-  }
+  Eigen::MatrixXd A(points, n + points); // the closings, what is left to each contact
+  Eigen::VectorXd b(points), c = Eigen::VectorXd::Zero(n + points);
+  for (Index a = 0; a < n; ++a) c[a] = -scene_.actuators[a].force / layout_.scales.force;
+  A.rightCols(points).setIdentity();
   for (Index i = 0; i < points; ++i) {
     const Eigen::VectorXd speeds = closing_speeds(i);
-    program.A.row(i).head(n) = speeds.transpose();
-    program.A.row(i).segment(n, n) = -speeds.transpose();
-    program.A(i, 2 * n + i) = 1;
+    A.row(i).head(n) = speeds.transpose();
     // A body that no actuator moves sets no limit.
-    program.b[i] = speeds.norm() > 0 ? opening(i) / unit : 1;
+    b[i] = speeds.norm() > 0 ? opening(i) / unit : 1;
   }
-  if (program.solve() != Status::solved) return std::nullopt;
-  return Eigen::VectorXd(unit * (program.x.head(n) - program.x.segment(n, n)));
+  const std::optional<Eigen::VectorXd> closed = cheapest_point(A, b, c, n);
+  if (!closed) return std::nullopt;
+  return Eigen::VectorXd(unit * closed->head(n));
 }
 
 void AnswerCompleter::find_closings() {

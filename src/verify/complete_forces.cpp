@@ -1,6 +1,7 @@
 // The forces of an AnswerCompleter: from the motion, and as generators.
 #include "dense/decompositions.hpp"
-#include "solve/owned_program.hpp"
+#include "dense/simplex.hpp"
+#include "solve/rest_by_friction.hpp"
 #include "text/limits.hpp"
 #include "verify/answer_completer.hpp"
 
@@ -109,47 +110,32 @@ void AnswerCompleter::find_forces() {
   }
 }
 
-/// A friction force as generators with the least sum: two neighbours.
+/// A friction force as generators with the least sum.
 void AnswerCompleter::split_friction(Index point, double* beta) {
   const Body<double>& body = body_of(point);
-  const Index g = layout_.cones[point].generators;
   const Vector3<double>& f = answer_.contacts[point].friction_force;
-  for (Index j = 0; j < g; ++j) beta[j] = 0;
   if (body.torsion_radius > 0) return split_soft(point, beta);
-  double best = -1;
-  for (Index j = 0; j < g; ++j) {
-    const Vector3<double> d = generator(scene_, body, point, j).force,
-                          e = generator(scene_, body, point, (j + 1) % g).force;
-    const double c = d.dot(e), determinant = 1 - c * c;
-    const double x = (f.dot(d) - c * f.dot(e)) / determinant;
-    const double y = (f.dot(e) - c * f.dot(d)) / determinant;
-    const double rounding = -1e-12 * f.norm();
-    if (x < rounding || y < rounding || (best >= 0 && x + y >= best)) continue;
-    for (Index k = 0; k < g; ++k) beta[k] = 0;
-    best = x + y;
-    beta[j] = std::max(x, 0.0);
-    beta[(j + 1) % g] = std::max(y, 0.0);
-  }
+  const Vector3<double> t = generator(scene_, body, point, 0).force; // round friction turns it
+  onto_neighbours(f.dot(t), f.dot(cross(body.normal, t)), layout_.cones[point].generators, beta);
 }
 
 void AnswerCompleter::split_soft(Index point, double* beta) {
   const Body<double>& body = body_of(point);
   const ContactAnswer<double>& contact = answer_.contacts[point];
   const Index g = layout_.cones[point].generators;
+  for (Index j = 0; j < g; ++j) beta[j] = 0;
   const Vector3<double> o = cross(body.normal, body.tangent);
-  OwnedProgram program(g, 3);
-  program.b << contact.friction_force.dot(body.tangent), contact.friction_force.dot(o),
-      contact.torsion / body.torsion_radius;
-  const double size = program.b.norm();
+  Eigen::MatrixXd A(3, g);
+  Eigen::Vector3d b(contact.friction_force.dot(body.tangent), contact.friction_force.dot(o),
+                    contact.torsion / body.torsion_radius);
+  const double size = b.norm();
   if (!(size > 0)) return;
-  program.b /= size;
-  program.c.setOnes();
   for (Index j = 0; j < g; ++j) {
     const Generator<double> d = generator(scene_, body, point, j);
-    program.A.col(j) << d.force.dot(body.tangent), d.force.dot(o), d.torque / body.torsion_radius;
+    A.col(j) << d.force.dot(body.tangent), d.force.dot(o), d.torque / body.torsion_radius;
   }
-  if (program.solve() != Status::solved) return;
-  for (Index j = 0; j < g; ++j) beta[j] = program.x[j] * size;
+  if (const auto least = cheapest_point(A, b / size, Eigen::VectorXd::Ones(g), 0))
+    for (Index j = 0; j < g; ++j) beta[j] = size * (*least)[j];
 }
 
 } // namespace lcpush::desktop

@@ -1,7 +1,6 @@
 #include "verify/foreign_point.hpp"
 #include "dense/decompositions.hpp"
-
-#include "solve/owned_program.hpp"
+#include "dense/simplex.hpp"
 #include "text/limits.hpp"
 #include "verify/settings.hpp"
 
@@ -35,8 +34,13 @@ std::optional<Eigen::VectorXd> refine_point(const DenseProblem& problem, const E
   Eigen::VectorXd refined = Eigen::VectorXd::Zero(z.size());
   if (!basic.empty()) {
     Eigen::VectorXd z_B = z(basic);
-    correct(problem.M(basic, basic), problem.q(basic), VerifySettings::basis_dependent, z_B);
-    refined(basic) = z_B; // where the basis leaves forces open, the least change
+    const Eigen::MatrixXd M_BB = problem.M(basic, basic);
+    const PivotedQr qr(M_BB, VerifySettings::basis_dependent * longest_column(M_BB));
+    for (int step = 0; step < 2; ++step) { // the second for the digits of the first
+      const Eigen::VectorXd w_B = M_BB * z_B + problem.q(basic);
+      z_B -= qr.shortest(w_B); // where the basis leaves forces open, the least change
+    }
+    refined(basic) = z_B;
   }
   if (!refined.allFinite()) return std::nullopt;
   return refined;
@@ -56,21 +60,20 @@ bool is_stationary(const DenseProblem& problem, const Eigen::VectorXd& z) {
     gradient[i] += w[i];
     objective += z[i] * w[i];
   }
-  // Columns: z; minus z for what is free; w.
-  OwnedProgram program(3 * n, n);
-  program.A.leftCols(n) = problem.M;
-  program.b = -problem.q;
-  program.c.head(n) = gradient;
-  for (Index i = 0; i < n; ++i) {
-    if (problem.is_free(i)) {
-      program.A.col(n + i) = -problem.M.col(i);
-      program.c[n + i] = -gradient[i];
-    } else {
-      program.A(i, 2 * n + i) = -1;
-    }
-  }
-  if (program.solve() != Status::solved) return false;
-  return gradient.dot(z) - program.c.dot(program.x) <= VerifySettings::stationary * objective;
+  // Columns: the free z, the other z, their w.
+  std::vector<Index> order;
+  for (const bool free : {true, false})
+    for (Index i = 0; i < n; ++i)
+      if (problem.is_free(i) == free) order.push_back(i);
+  const Index pairs = std::count(problem.free.begin(), problem.free.end(), 0);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n + pairs);
+  A.leftCols(n) = problem.M(Eigen::all, order);
+  for (Index k = 0; k < pairs; ++k) A(order[static_cast<std::size_t>(n - pairs + k)], n + k) = -1;
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(n + pairs);
+  c.head(n) = gradient(order);
+  const std::optional<Eigen::VectorXd> lowest = cheapest_point(A, -problem.q, c, n - pairs);
+  if (!lowest) return false;
+  return gradient.dot(z) - c.dot(*lowest) <= VerifySettings::stationary * objective;
 }
 
 } // namespace lcpush::desktop

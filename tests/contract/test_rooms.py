@@ -21,8 +21,7 @@ TOOLBOX = "text exact formats draw"
 ROOMS = {
     "include/lcpush/lcp": ("What is the problem, and is this its answer?", ""),
     "include/lcpush/lcp/pivots": ("How do pivots solve it?",
-                                  "lcp lcp/pivots/detail lcp/pivots/structured"),
-    "include/lcpush/lcp/pivots/detail": ("How does Lemke's method keep house?", "lcp lcp/pivots"),
+                                  "lcp lcp/pivots/structured"),
     "include/lcpush/lcp/pivots/structured": ("How does a pivot cost O(points)?", "lcp lcp/pivots"),
     "include/lcpush/lcp/sweeps": ("How do Gauss-Seidel sweeps solve it?", "lcp"),
     "include/lcpush/mechanics/model": ("Which laws hold between an object and what touches it?",

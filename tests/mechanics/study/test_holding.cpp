@@ -1,7 +1,7 @@
 // [T.12] Holding: the smallest factor on the grip forces, against closed forms and solved scenes.
 #include <doctest/doctest.h>
 
-#include "lcpush/lcp/pivots/linear_program.hpp"
+#include "dense/simplex.hpp"
 #include "lcpush/mechanics/study/holding.hpp"
 #include "lcpush/mechanics/study/uniqueness.hpp"
 #include "support/scenes.hpp"
@@ -35,21 +35,22 @@ struct Held {
   Held& operator=(const Held&) = delete;
 };
 
-/// [T.12] as it stands, by the solver of linear programs: forces and phi, cones as inequalities.
+/// [T.12] as it stands, by the simplex method: forces, phi, and what is left of the cones.
 Status literal_program(const Assembly<double>& assembly, double& factor) {
   const Layout<double>& layout = assembly.layout();
   const FactoredProblem<double>& f = assembly.factored();
   const Index phi = layout.forces, rows = 6 + layout.actuators;
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(rows, phi + 1);
-  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(layout.points, phi + 1);
-  Eigen::VectorXd b = Eigen::VectorXd::Zero(rows), c = Eigen::VectorXd::Unit(phi + 1, phi);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(rows + layout.points, phi + 1 + layout.points);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(A.rows());
   b.head<6>() = -laws::load(assembly.scene(), layout.scales);
-  for (Index i = 0; i < layout.points; ++i)
+  for (Index i = 0; i < layout.points; ++i) {
     for (Index k = 0; k < layout.cones[i].forces(); ++k) {
       const Index j = layout.cones[i].force + k;
       A.col(j).head<6>() = f.wrenches[j];
-      H(i, j) = k == 0 ? layout.cones[i].friction : -1;
+      A(rows + i, j) = k == 0 ? layout.cones[i].friction : -1;
     }
+    A(rows + i, phi + 1 + i) = -1;
+  }
   for (Index a = 0; a < layout.actuators; ++a) {
     A(6 + a, phi) = -f.sums[a].target;
     for (Index k = f.sums[a].first; k < f.sums[a].first + f.sums[a].count; ++k) {
@@ -58,15 +59,12 @@ Status literal_program(const Assembly<double>& assembly, double& factor) {
       A(6 + a, cone.force + variable - cone.variable) += f.coupling[k];
     }
   }
-  const Index scalars = linear_program_scalars(phi + 1, rows, layout.points);
-  const Index integers = linear_program_integers(phi + 1, rows, layout.points);
-  std::vector<double> numbers(static_cast<std::size_t>(scalars));
-  std::vector<int> places(static_cast<std::size_t>(integers));
-  LinearProgramSolver<double> solver({numbers.data(), scalars}, {places.data(), integers});
-  const Status status = solver.solve(
-      {phi + 1, rows, layout.points, A.data(), b.data(), H.data(), c.data()}, {}, unwatched);
-  if (status == Status::solved) factor = solver.x()[phi];
-  return status == Status::ray ? Status::does_not_hold : status;
+  desktop::Simplex program(A, b, 0);
+  using Ending = desktop::Simplex::Ending;
+  if (program.find_point() == Ending::none) return Status::does_not_hold;
+  const Ending ending = program.minimise(Eigen::VectorXd::Unit(A.cols(), phi));
+  factor = program.point()[phi];
+  return ending == Ending::found ? Status::solved : Status::numerical_breakdown;
 }
 
 /// A cube of 1 kg pinched at its centre from z = +-1 cm.

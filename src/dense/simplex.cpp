@@ -1,17 +1,15 @@
-#include "spread/simplex.hpp"
+#include "dense/simplex.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "dense/settings.hpp"
+
 namespace lcpush::desktop {
 namespace {
 
-constexpr double smallest_pivot = 1e-9;
-constexpr double price_noise = 1e-10;                // a reduced cost below it is none
-constexpr double value_noise = 1e-12;                // ties of the ratio test
-constexpr double agrees = 1e-10, contradicts = 1e-8; // what is left of an equation or a sign
-constexpr double proof = 1e-8;                       // of a reduced cost, recomputed
+using Settings = SimplexSettings;
 
 double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 
@@ -54,11 +52,11 @@ void Simplex::pivot(Index row, Index column) {
 }
 
 /// A basis: first all free variables, then for each row left the variable that is largest in it.
-/// False: a row without one contradicts itself.
+/// False: a row without one Settings::contradicts itself.
 bool Simplex::start() {
   for (Index j = 0; j < free_; ++j) {
     Index best = -1;
-    double largest = smallest_pivot;
+    double largest = Settings::pivot;
     for (Index i = 0; i < rows(); ++i)
       if (basic_[static_cast<std::size_t>(i)] < 0 && std::abs(table_(i, j)) > largest) {
         largest = std::abs(table_(i, j));
@@ -71,9 +69,9 @@ bool Simplex::start() {
     Index best = -1;
     if (A_.cols() > free_)
       table_.row(i).segment(free_, A_.cols() - free_).cwiseAbs().maxCoeff(&best);
-    if (best >= 0 && std::abs(table_(i, free_ + best)) > smallest_pivot)
+    if (best >= 0 && std::abs(table_(i, free_ + best)) > Settings::pivot)
       pivot(i, free_ + best);
-    else if (std::abs(table_(i, value_)) > contradicts)
+    else if (std::abs(table_(i, value_)) > Settings::contradicts)
       return false;
     else
       table_.row(i).head(A_.cols()).setZero();
@@ -98,7 +96,7 @@ void Simplex::price(const Eigen::VectorXd& c) {
 Index Simplex::entering(bool first) const {
   const Index m = rows();
   Index best = -1;
-  double lowest = -price_noise;
+  double lowest = -Settings::price;
   for (Index j = free_; j < helper_; ++j) {
     if (is_basic_[static_cast<std::size_t>(j)] || !(table_(m, j) < lowest)) continue;
     best = j;
@@ -112,12 +110,13 @@ Index Simplex::entering(bool first) const {
 Index Simplex::leaving(Index column, bool first) const {
   double least = std::numeric_limits<double>::infinity();
   for (Index i = 0; i < rows(); ++i)
-    if (has_sign(i) && table_(i, column) > smallest_pivot)
-      least = std::min(least, (std::max(table_(i, value_), 0.0) + value_noise) / table_(i, column));
+    if (has_sign(i) && table_(i, column) > Settings::pivot)
+      least =
+          std::min(least, (std::max(table_(i, value_), 0.0) + Settings::tie) / table_(i, column));
   Index best = -1;
   for (Index i = 0; i < rows(); ++i) {
     const double along = table_(i, column);
-    if (!has_sign(i) || !(along > smallest_pivot) ||
+    if (!has_sign(i) || !(along > Settings::pivot) ||
         std::max(table_(i, value_), 0.0) / along > least)
       continue;
     const Index j = basic_[static_cast<std::size_t>(i)];
@@ -130,7 +129,7 @@ Index Simplex::leaving(Index column, bool first) const {
 }
 
 Simplex::Ending Simplex::descend() {
-  const Index m = rows(), most = 40 * (m + 10);
+  const Index m = rows(), most = Settings::pivots + Settings::pivots_a_row * m;
   Index idle = 0;
   for (Index k = 0; k < most; ++k) {
     const bool first = idle > 2 * m; // at a corner of many: the largest pivots may go in circles
@@ -146,7 +145,7 @@ Simplex::Ending Simplex::descend() {
       ray_ /= ray_.cwiseAbs().maxCoeff();
       return Ending::unbounded;
     }
-    idle = table_(row, value_) > value_noise ? 0 : idle + 1;
+    idle = table_(row, value_) > Settings::tie ? 0 : idle + 1;
     pivot(row, column);
   }
   return Ending::failed;
@@ -171,22 +170,24 @@ void Simplex::read_point() {
   add(table_.block(0, multipliers_, m, m) * off);
   work_ += static_cast<double>(m * (A_.cols() + m));
   for (Index j = free_; j < point_.size(); ++j)
-    if (point_[j] < 0 && point_[j] > -agrees) point_[j] = 0;
+    if (point_[j] < 0 && point_[j] > -Settings::agrees) point_[j] = 0;
 }
 
 bool Simplex::is_point() const {
-  return largest(A_ * point_ - b_) <= agrees * (1 + largest(b_)) && is_above(0, point_, free_);
+  return largest(A_ * point_ - b_) <= Settings::agrees * (1 + largest(b_)) &&
+         is_above(0, point_, free_);
 }
 
 bool Simplex::is_proved(const Eigen::VectorXd& c) const {
   const Eigen::VectorXd reduced = c - A_.transpose() * multipliers();
-  return largest(reduced.head(free_)) <= proof && is_above(-proof, reduced, free_);
+  return largest(reduced.head(free_)) <= Settings::proof &&
+         is_above(-Settings::proof, reduced, free_);
 }
 
 bool Simplex::is_ray(const Eigen::VectorXd& c) {
   for (Index j = free_; j < ray_.size(); ++j)
-    if (ray_[j] < 0 && ray_[j] > -agrees) ray_[j] = 0;
-  return largest(A_ * ray_) <= agrees && c.dot(ray_) < 0 && is_above(0, ray_, free_);
+    if (ray_[j] < 0 && ray_[j] > -Settings::agrees) ray_[j] = 0;
+  return largest(A_ * ray_) <= Settings::agrees && c.dot(ray_) < 0 && is_above(0, ray_, free_);
 }
 
 Simplex::Ending Simplex::find_point() {
@@ -195,9 +196,9 @@ Simplex::Ending Simplex::find_point() {
   if (m == 0) return Ending::found;
   if (!start()) return Ending::none;
   Index worst = -1;
-  double lowest = -value_noise;
+  double lowest = -Settings::tie;
   for (Index i = 0; i < m; ++i) {
-    if (!has_sign(i) || table_(i, value_) >= -value_noise) continue;
+    if (!has_sign(i) || table_(i, value_) >= -Settings::tie) continue;
     table_(i, helper_) = -1;
     if (table_(i, value_) < lowest) {
       lowest = table_(i, value_);
@@ -215,13 +216,14 @@ Simplex::Ending Simplex::find_point() {
       // Row i says: helper + (what is not negative) = left, a combination of the rows as given.
       const Eigen::VectorXd y = table_.row(i).segment(multipliers_, m).transpose();
       const Eigen::VectorXd sum = -A_.transpose() * y;
-      const bool refuted = y.dot(b_) > contradicts / 2 && largest(sum.head(free_)) <= proof &&
-                           is_above(-proof, sum, free_);
-      if (left > contradicts) return refuted ? Ending::none : Ending::failed;
-      if (left > agrees) return Ending::failed;
+      const bool refuted = y.dot(b_) > Settings::contradicts / 2 &&
+                           largest(sum.head(free_)) <= Settings::proof &&
+                           is_above(-Settings::proof, sum, free_);
+      if (left > Settings::contradicts) return refuted ? Ending::none : Ending::failed;
+      if (left > Settings::agrees) return Ending::failed;
       Index best = -1;
       table_.row(i).segment(free_, helper_ - free_).cwiseAbs().maxCoeff(&best);
-      if (best >= 0 && std::abs(table_(i, free_ + best)) > smallest_pivot) {
+      if (best >= 0 && std::abs(table_(i, free_ + best)) > Settings::pivot) {
         pivot(i, free_ + best);
       } else {
         table_.row(i).head(helper_).setZero();
@@ -242,13 +244,22 @@ Simplex::Ending Simplex::minimise(const Eigen::VectorXd& c) {
   const Eigen::VectorXd costs = c / size;
   price(costs);
   for (Index j = 0; j < free_; ++j) // a free variable that no row holds
-    if (!is_basic_[static_cast<std::size_t>(j)] && std::abs(table_(rows(), j)) > proof)
+    if (!is_basic_[static_cast<std::size_t>(j)] && std::abs(table_(rows(), j)) > Settings::proof)
       return Ending::failed;
   const Ending ending = descend();
   read_point();
   if (ending == Ending::failed || !is_point()) return Ending::failed;
   if (ending == Ending::unbounded) return is_ray(costs) ? ending : Ending::failed;
   return is_proved(costs) ? ending : Ending::failed;
+}
+
+std::optional<Eigen::VectorXd> cheapest_point(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
+                                              const Eigen::VectorXd& c, Index free) {
+  Simplex program(A, b, free);
+  if (program.find_point() != Simplex::Ending::found ||
+      program.minimise(c) != Simplex::Ending::found)
+    return std::nullopt;
+  return program.point();
 }
 
 } // namespace lcpush::desktop

@@ -2,6 +2,7 @@
 // where the one before ended, a few pivots away. The primal simplex method on a full tableau.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lcpush/types.hpp"
@@ -58,5 +59,10 @@ private:
   bool is_proved(const Eigen::VectorXd& c) const;
   bool is_ray(const Eigen::VectorXd& c);
 };
+
+/// Of the set A v = b, v_j >= 0 for j >= free, a point with the smallest c v; none: the set is
+/// empty, c v has no end, or it is not proved that nothing is smaller.
+std::optional<Eigen::VectorXd> cheapest_point(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
+                                              const Eigen::VectorXd& c, Index free);
 
 } // namespace lcpush::desktop
