@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lcpush/mechanics/model/check.hpp"
+#include "lcpush/mechanics/solve/settings.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
 
 namespace lcpush {
@@ -44,34 +45,6 @@ template <class S> S motion_size(const Vector6<S>& acceleration, const Scales<S>
   const S angular = scales.length * acceleration.template tail<3>().norm();
   return Eigen::numext::maxi(linear, angular) / scales.acceleration;
 }
-
-/// The numbers of breaking; accelerations in units of F / m.
-template <class S> struct BreakingSettings {
-  static constexpr int most_pushes = 5; ///< three make a line; each of two more is a tenth again,
-                                        ///< where a change of mode has bent it
-  S first_push{S(1) / S(1000)};         ///< below it the line's error is rounding's (theory 6)
-  S first_swept_push{S(1) / S(100)};    ///< sweeps see less far down
-  S fastest_push{S(1) / S(9)};          ///< the line is of smaller ones: beyond, inertia tells
-  S step{10};                           ///< each push is a tenth of the one before
-  /// A third push this near the line is on it, over F: rounding leaves 1e-13 (numerics.md).
-  S straight{S(1) / S(1000000)};
-  S straight_round{S(1) / S(1000000000)}; ///< round friction is a line only in the small
-  S own_motion{16}; ///< what is left at rest, in smallest pushes, may be those pushes' own doing
-  /// What rounding lets pads settle to: of a slow push's motion they may spoil little.
-  S finest_pads = Eigen::numext::maxi(S(512 * std::numeric_limits<double>::epsilon()),
-                                      S(16 * Eigen::NumTraits<S>::epsilon()));
-  S slowest_twist{S(1) / S(1000000)}; ///< of the push: a slower object does not move with it
-};
-
-/// Below this (in units of F / m) an acceleration counts as none: what rounding may leave, but
-/// never what somebody would see.
-template <class S> constexpr S at_rest() {
-  const S rounding = S(1024) * Tolerances<S>().residual, seen = S(3) / S(1000);
-  return rounding < seen ? rounding : seen;
-}
-
-/// In units of F / m: a slower push drowns in what the residual check lets pass.
-template <class S> constexpr S smallest_push() { return S(256) * Tolerances<S>().residual; }
 
 /// The limit z + sigma z_push, for 0 <= sigma <= valid_to (< 0: no bound), as forces and motions.
 /// Post: solved, or numerical_breakdown with run.reason; breaking.residuals is the check's word.

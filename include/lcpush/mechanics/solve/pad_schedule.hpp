@@ -1,32 +1,9 @@
 // How stiff pads become from one proximal iteration to the next.
 #pragma once
 
-#include "lcpush/lcp/tolerances.hpp"
-#include "lcpush/types.hpp"
-
-#include <Eigen/Core>
+#include "lcpush/mechanics/solve/settings.hpp"
 
 namespace lcpush {
-
-template <class S> struct PressureOptions {
-  S first_compliance{S(1) / S(100)}; ///< eps of round 1: a hundredth of the grip's force over mass,
-                                     ///< so that a pad's modes are nearly those of the end
-  S factor{S(0.31622776601683794)};  ///< eps falls by this a round, 10^-1/2; the fewest pivots of
-                                     ///< 10^-1/4 to 10^-1 on random grasps
-  S slowest{S(7) / S(10)};           ///< .. and by no larger one after rounds that were lost
-  Index max_rounds = 60;             ///< a median of 7 is enough (docs/theory/numerics.md)
-  Index stiff_starts = 2;       ///< from the literal basis, if the rounds from nothing are lost
-  S stiff_start{S(1) / S(100)}; ///< the first compliance of each, beside the one before
-  Index max_turns = 32;         ///< of round friction's pyramids; Newton's method takes 4
-  Index max_pivots = 0;              ///< of all rounds together; 0: the solver's limits alone
-  S runaway{1000}; ///< a squeeze that rounds only tighten: a normal force beyond this, in what the
-                   ///< scene's forces and prescribed motions ask for
-  S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
-  Index fine_rounds = 0; ///< so many more at most, while the violation is above `finest`
-  S finest{0};
-  bool exact_limit = true; ///< a breaking force by an infinitesimal push, where rounds carry one
-  bool goes_on = false;    ///< `pad`: from the memory's last answer, as if this were its next round
-};
 
 /// The compliance eps falls by a factor a round. A round that is lost is tried again at a larger
 /// compliance, and from there eps comes down more slowly; each one that is solved makes it faster

@@ -6,6 +6,7 @@
 #include "lcpush/mechanics/model/read_answer.hpp"
 #include "lcpush/mechanics/model/round_distance.hpp"
 #include "lcpush/mechanics/solve/rounds.hpp"
+#include "lcpush/mechanics/solve/settings.hpp"
 
 namespace lcpush {
 
@@ -80,10 +81,10 @@ private:
         f - laws::resisting_force(body, assembly_.scene().points[i], cone, answer_->acceleration);
     cone.inertia = S(0);
     const bool slides = answer_->contacts[i].slip > S(0) && !cones.sticks(speed);
-    const S least = slides ? S(0.5) : S(0.9);
+    const S least = slides ? RoundSettings::slides<S>() : RoundSettings::sticks<S>();
     if (!(force > least * room)) return;
     // Along an edge a polygon gives way before the circle does: first fill it out there.
-    const bool on_edge = in_pyramid.norm() < S(0.9999) * room;
+    const bool on_edge = in_pyramid.norm() < RoundSettings::corner<S>() * room;
     cone.along = slides && !on_edge ? Vector3<S>(v / -speed) : Vector3<S>(f / force);
     if (!slides) return;
     cone.inertia = room / speed;

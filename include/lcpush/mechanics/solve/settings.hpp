@@ -1,0 +1,72 @@
+// The numbers of this room, without units unless said: how pads become stiff, and how slow the
+// pushes are that break a grasp.
+#pragma once
+
+#include "lcpush/lcp/tolerances.hpp"
+#include "lcpush/types.hpp"
+
+#include <Eigen/Core>
+
+#include <limits>
+
+namespace lcpush {
+
+/// Of a pressure law's proximal iterations ("rounds").
+template <class S> struct PressureOptions {
+  S first_compliance{S(1) / S(100)}; ///< eps of round 1: a hundredth of the grip's force over mass,
+                                     ///< so that a pad's modes are nearly those of the end
+  S factor{S(0.31622776601683794)};  ///< eps falls by this a round, 10^-1/2; the fewest pivots of
+                                     ///< 10^-1/4 to 10^-1 on random grasps
+  S slowest{S(7) / S(10)};           ///< .. and by no larger one after rounds that were lost
+  Index max_rounds = 60;             ///< a median of 7 is enough (docs/theory/numerics.md)
+  Index stiff_starts = 2;       ///< from the literal basis, if the rounds from nothing are lost
+  S stiff_start{S(1) / S(100)}; ///< the first compliance of each, beside the one before
+  Index max_turns = 32;         ///< of round friction's pyramids; Newton's method takes 4
+  Index max_pivots = 0;         ///< of all rounds together; 0: the solver's limits alone
+  S runaway{1000}; ///< a squeeze that rounds only tighten: a normal force beyond this, in what the
+                   ///< scene's forces and prescribed motions ask for
+  S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
+  Index fine_rounds = 0; ///< so many more at most, while the violation is above `finest`
+  S finest{0};
+  bool exact_limit = true; ///< a breaking force by an infinitesimal push, where rounds carry one
+  bool goes_on = false;    ///< `pad`: from the memory's last answer, as if this were its next round
+};
+
+/// Of round friction: which points' pyramids turn, by how much of mu lambda their friction takes
+/// up.
+struct RoundSettings {
+  template <class S> static constexpr S slides() { return S(0.5); } ///< less is on its way to stick
+  template <class S> static constexpr S sticks() { return S(0.9); } ///< less is far from slipping
+  /// Below this the force is on an edge of its pyramid, which gives way before the circle does.
+  template <class S> static constexpr S corner() { return S(0.9999); }
+};
+
+/// The numbers of breaking; accelerations in units of F / m.
+template <class S> struct BreakingSettings {
+  static constexpr int most_pushes = 5; ///< three make a line; each of two more is a tenth again,
+                                        ///< where a change of mode has bent it
+  S first_push{S(1) / S(1000)};         ///< below it the line's error is rounding's (theory 6)
+  S first_swept_push{S(1) / S(100)};    ///< sweeps see less far down
+  S fastest_push{S(1) / S(9)};          ///< the line is of smaller ones: beyond, inertia tells
+  S step{10};                           ///< each push is a tenth of the one before
+  /// A third push this near the line is on it, over F: rounding leaves 1e-13 (numerics.md).
+  S straight{S(1) / S(1000000)};
+  S straight_round{S(1) / S(1000000000)}; ///< round friction is a line only in the small
+  S own_motion{16}; ///< what is left at rest, in smallest pushes, may be those pushes' own doing
+  /// What rounding lets pads settle to: of a slow push's motion they may spoil little.
+  S finest_pads = Eigen::numext::maxi(S(512 * std::numeric_limits<double>::epsilon()),
+                                      S(16 * Eigen::NumTraits<S>::epsilon()));
+  S slowest_twist{S(1) / S(1000000)}; ///< of the push: a slower object does not move with it
+};
+
+/// Below this (in units of F / m) an acceleration counts as none: what rounding may leave, but
+/// never what somebody would see.
+template <class S> constexpr S at_rest() {
+  const S rounding = S(1024) * Tolerances<S>().residual, seen = S(3) / S(1000);
+  return rounding < seen ? rounding : seen;
+}
+
+/// In units of F / m: a slower push drowns in what the residual check lets pass.
+template <class S> constexpr S smallest_push() { return S(256) * Tolerances<S>().residual; }
+
+} // namespace lcpush
