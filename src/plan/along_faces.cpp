@@ -1,4 +1,4 @@
-#include "plan/along_faces.hpp"
+#include "plan/plan_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,7 @@
 // The search for a plan, and its replay.
 #include "lcpush/desktop/plan.hpp"
 
-#include "plan/along_faces.hpp"
-#include "plan/plan_scene.hpp"
-#include "plan/slide.hpp"
+#include "plan/plan_parts.hpp"
 #include "text/format.hpp"
 
 #include <algorithm>

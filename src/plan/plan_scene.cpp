@@ -1,6 +1,5 @@
-#include "plan/plan_scene.hpp"
+#include "plan/plan_parts.hpp"
 
-#include "plan/planar_motion.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 

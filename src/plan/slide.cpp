@@ -1,4 +1,4 @@
-#include "plan/slide.hpp"
+#include "plan/plan_parts.hpp"
 
 #include <cmath>
 #include <limits>
