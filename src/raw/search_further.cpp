@@ -103,12 +103,18 @@ bool settle_near_points(const RawProblem& problem, const RawOptions& options, in
 
 void search_further(const RawProblem& problem, const RawOptions& options, int level,
                     Attempts& attempts) {
+  // Pairs of the size of rounding at the points where the first attempts ended, solved alone.
   if (settle_near_points(problem, options, level, attempts)) return;
+  // Balanced scales, and entries of q that are rounding noise taken as zero.
   const DensePiece scaled(problem, DensePiece::Scaled::yes);
   if (try_without_noise(scaled, options, attempts)) return;
+  // Other covering vectors: d = 1, then generic ones.
   if (try_covers(scaled, options, attempts)) return;
+  // As at first, for the points where those ended.
   if (settle_near_points(problem, options, level, attempts)) return;
+  // Lemke from pseudo-random complementary bases.
   if (try_starts(scaled, attempts)) return;
+  // All complementary cones of a small problem.
   (void)try_all_cones(scaled, attempts);
 }
 
