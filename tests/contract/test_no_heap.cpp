@@ -119,30 +119,6 @@ TEST_CASE_TEMPLATE("a dense solve allocates nothing, cold or warm", S, float, do
   }
 }
 
-TEST_CASE("a ray under all covers and bad input allocate nothing") {
-  DenseLcp<double> lcp = dense_lcp<double>(2, {-1, 0, 0, -1}, {-1, -2});
-  LemkeRun<double> run(2);
-  Status ray = Status::running, bad = Status::running;
-  CHECK(heap_calls_of([&] {
-          ray = run.solve(lcp);
-          lcp.q[0] = std::numeric_limits<double>::infinity();
-          bad = run.solve(lcp);
-        }) == 0);
-  CHECK(ray == Status::ray);
-  CHECK(bad == Status::bad_input);
-}
-
-TEST_CASE_TEMPLATE("component-wise sweeps allocate nothing", S, float, double) {
-  const DenseLcp<S> lcp = positive_definite<S>(8);
-  SweepRun<S> run(8);
-  SweepOptions<S> options;
-  options.max_sweeps = 50;
-  Status status = Status::running;
-  CHECK(heap_calls_of([&] { status = run.solve(lcp, options); }) == 0);
-  CHECK(status != Status::bad_input);
-  CHECK(run.sweeps.sweeps() > 0);
-}
-
 TEST_CASE_TEMPLATE("block sweeps allocate nothing, with and without proximal Newton", S, float,
                    double) {
   for (const bool accelerate : {false, true}) {

@@ -75,24 +75,6 @@ TEST_CASE("a watcher sees every pivot before it is made, and changes nothing") {
   }
 }
 
-// All three rows of Kostreva's examples are tied when z0 enters.
-TEST_CASE("a watcher sees all tied rows and what decided") {
-  const DenseLcp<double> lcp = textbook("kostreva_1");
-  const VectorX<double> ones = VectorX<double>::Ones(3);
-  LemkeRun<double> run(3);
-  Diary diary;
-  REQUIRE(run.lemke.init(lcp.view(), by_the_book(ones, TieRule::lexicographic)) == Status::running);
-  REQUIRE(run.lemke.solve(diary) == Status::solved);
-  CHECK(diary.tied[0].size() == 3);
-  CHECK(diary.pivots[0].blocking.decided_by == TieBreak::lexicographic);
-  CHECK(diary.pivots.back().leaving == artificial(3));
-  for (std::size_t k = 0; k < diary.pivots.size(); ++k) {
-    bool found = false;
-    for (const int variable : diary.tied[k]) found = found || variable == diary.pivots[k].leaving;
-    CHECK(found);
-  }
-}
-
 TEST_CASE("a watcher may let another of the tied rows leave") {
   struct LastTied {
     Index changed = 0;
@@ -146,16 +128,6 @@ TEST_CASE("a ring keeps the last entries in the caller's memory, the oldest firs
     CHECK(few[k].leaving == same.leaving);
     CHECK(few[k].tied == same.tied);
   }
-}
-
-TEST_CASE("a ring without memory only counts") {
-  TraceRing<double> ring({nullptr, 0});
-  const DenseLcp<double> lcp = textbook("cps_4_4_7");
-  LemkeRun<double> run(3);
-  REQUIRE(run.lemke.init(lcp.view()) == Status::running);
-  REQUIRE(run.lemke.solve(ring) == Status::solved);
-  CHECK(static_cast<Index>(ring.seen()) == run.lemke.pivots());
-  CHECK(ring.size() == 0);
 }
 
 TEST_CASE("a ring keeps checks of sweeps") {

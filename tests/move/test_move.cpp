@@ -74,23 +74,6 @@ TEST_CASE("a grasp that holds does not creep in ten seconds") {
   }
 }
 
-TEST_CASE("discs hold as well as points do: every point has its share, and none is at its limit") {
-  for (const double grip_force : {12.0, 60.0})
-    for (const double step : {0.33, 0.1, 0.01}) {
-      CAPTURE(grip_force);
-      CAPTURE(step);
-      std::string text = gripped_bar(grip_force, "");
-      for (int finger = 0; finger < 2; ++finger)
-        text = with(with(text, "shape = \"ring\"", "shape = \"disc\""), "\npoints = 4", "");
-      const SceneFile file = scene_of(text);
-      const MotionReport report = moved_to(file, 10, step);
-      REQUIRE(report.status == Status::solved);
-      CHECK(report.end == MoveEnd::time);
-      for (const Vector3<double>& p : file.points)
-        CHECK((last_pose(report).at(p) - p).norm() <= 1e-12);
-    }
-}
-
 TEST_CASE("a fixed step is as long as was asked, however many frames are kept") {
   const SceneFile file = scene_of(gripped_bar(20, wall));
   MoveOptions options;
@@ -146,14 +129,6 @@ TEST_CASE("a slide of 30 mm under gravity drops nothing, and a patch that runs o
   CHECK(std::abs(lost.events[0].time - 6.5) <= 10.0 / 4096 + lost.events[0].within);
 }
 
-TEST_CASE("a patch that loses points goes on as it went, in words too") {
-  const SceneFile file = read_scene(LCPUSH_SOURCE_DIR "/fixtures/scenes/straight_slide.toml");
-  const MotionReport report = moved_to(file, 2);
-  CHECK(report.end == MoveEnd::lost);
-  REQUIRE(report.phases.size() == 1);
-  CHECK(report.phases[0].kind == MotionKind::slide);
-}
-
 TEST_CASE("a bar about a pin follows the push in closed form, however it is stepped") {
   const SceneFile file = scene_of(pinned);
   for (const std::optional<double> step : {std::optional<double>(), std::optional<double>(0.01)}) {
@@ -181,35 +156,6 @@ TEST_CASE("a cylinder in a parallel jaw rolls by s / R") {
   CHECK(std::abs(turned_z(report) - way / radius) <= 1e-9);
   CHECK(report.phases[0].kind == MotionKind::roll);
   CHECK(report.penetration <= 1e-9);
-}
-
-TEST_CASE("steps are chosen such that the whole path is within the tolerance") {
-  const SceneFile file = read_scene(LCPUSH_SOURCE_DIR "/fixtures/scenes/pivot.toml");
-  const MotionReport best = moved_to(file, 0.5, {}, 2e-6);
-  std::vector<double> errors;
-  for (const double tolerance : {4e-4, 1e-4, 2.5e-5}) {
-    const MotionReport report = moved_to(file, 0.5, {}, tolerance);
-    REQUIRE(report.status == Status::solved);
-    REQUIRE(report.error.has_value());
-    CHECK(*report.error <= tolerance);
-    double off = 0;
-    for (const Vector3<double>& p : file.points)
-      off = std::max(off, (last_pose(report).at(p) - last_pose(best).at(p)).norm());
-    CHECK(off <= 2 * tolerance);
-    errors.push_back(off);
-  }
-  CHECK(errors.back() < errors.front());
-}
-
-TEST_CASE("a fixed step is first order: half of it, half the error") {
-  const SceneFile file = read_scene(LCPUSH_SOURCE_DIR "/fixtures/scenes/soft_fingers.toml");
-  std::vector<double> turn;
-  for (const double h : {4e-3, 2e-3, 1e-3, 5e-4}) turn.push_back(turned_z(moved_to(file, 0.16, h)));
-  for (std::size_t k = 0; k < 2; ++k) {
-    const double ratio = (turn[k + 1] - turn[k]) / (turn[k + 2] - turn[k + 1]);
-    CHECK(ratio >= 1.9);
-    CHECK(ratio <= 2.1);
-  }
 }
 
 TEST_CASE("strokes come and go, and what moves is what is there") {

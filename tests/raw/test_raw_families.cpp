@@ -49,28 +49,6 @@ TEST_CASE("free unknowns may be split in two") {
   }
 }
 
-TEST_CASE("pairs that come twice or say nothing do no harm") {
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    CAPTURE(seed);
-    Random random(seed);
-    const DenseRaw idle = with_idle_pairs(grasp_at_rest(seed, seed % 2 == 0), 0);
-    check_solved(idle);
-    check_solved(in_other_units(idle, random, 4));
-  }
-}
-
-TEST_CASE("problems side by side do not see each other") {
-  for (std::uint64_t seed = 0; seed < 20; ++seed)
-    for (const double scale : {1e-30, 1e-16, 1.0, 1e16}) {
-      CAPTURE(seed);
-      CAPTURE(scale);
-      const DenseRaw a = grasp_at_rest(seed, false), b = grasp_at_rest(seed + 100, true);
-      const DenseRaw both = side_by_side(a, b, scale);
-      check_solved(both);
-      CHECK(solve_raw(both.raw(), {}).search.pieces == 2);
-    }
-}
-
 TEST_CASE("rounding noise in q makes no ray") {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     CAPTURE(seed);

@@ -52,13 +52,6 @@ TEST_CASE("a shape refuses the keys of another and what it cannot sample") {
         "points 1 and 3 coincide");
 }
 
-TEST_CASE("a direction must point somewhere") {
-  check_refusal(with_finger("[0, 0, -2]", "[0, 0, 0]"),
-                "8: finger \"left\": normal must not be zero; give the direction into the object");
-  check_says(with_finger("tangent = [0, 0, 0]"), "neither zero nor parallel");
-  check_says(with_finger("tangent = [0, 0, 7]"), "neither zero nor parallel");
-}
-
 TEST_CASE("an actuator is complete and drives bodies that exist, once each") {
   const std::string head = "[[actuator]]\nname = \"jaw\"\n", bodies = "bodies = [\"left\"]\n",
                     twists = "twists = [[0, 0, 1, 0, 0, 0]]\n", force = "force = 1\n";
@@ -129,11 +122,6 @@ TEST_CASE("even pressure, soft points and bilateral pushers are read") {
   CHECK_FALSE(parsed(with_pusher(wall + "\"unilateral\"")).bodies[0].bilateral);
 }
 
-TEST_CASE("a torsion radius goes with a single point") {
-  check_says(with_finger("shape = \"point\"", "torsion_radius = 1\nshape = \"disc\"\nradius = 1"),
-             "torsion_radius goes with a single point only; this patch has 12");
-}
-
 TEST_CASE("an unknown key is refused with the nearest known one") {
   check_refusal(with_finger("friction", "fricton"),
                 "9: finger \"left\": unknown key \"fricton\" (did you mean \"friction\"?)");
@@ -143,19 +131,6 @@ TEST_CASE("an unknown key is refused with the nearest known one") {
   check_says(with_finger("gravity = [0, 0, 0]"), "; it stands at the top, before the first table");
   check_says(with_finger("mu = 0.5"), "(did you mean \"friction\"?)");
   check_says(with_finger("grip = 20"), "(did you mean \"grip_force\"?)");
-}
-
-TEST_CASE("an unknown, single or repeated table is refused") {
-  check_refusal(with_finger("[[fingr]]"), "10: unknown table \"fingr\" (did you mean \"finger\"?)");
-  check_says(with(with_finger(""), "[[finger]]", "[finger]"),
-             "write [[finger]] instead of [finger]");
-  check_says(with(with_finger(""), "[object]", "[[object]]"), "there is only one object");
-  check_refusal(finger_table,
-                "1: missing the table [object]; add [object] with mass and box, for example");
-  check_refusal(object_table, "1: nothing touches the object; add at least one [[finger]] or "
-                              "[[pusher]]");
-  check_says("facets = 4", "missing the table [object]");
-  check_says("# nothing yet", "1: there is nothing in it; `lcpush new box` writes a scene");
 }
 
 TEST_CASE("a missing key is named with its table, line and an example") {

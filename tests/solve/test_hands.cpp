@@ -71,15 +71,6 @@ TEST_CASE("two equal opposed fingers are a parallel jaw unless the scene says ot
   CHECK(hand_of(object + along_x) == desktop::Hand::fixed);
 }
 
-TEST_CASE(
-    "no sweep turns one hand into another: a jaw's grip forces change together or not at all") {
-  const desktop::VariedScene scene = desktop::VariedScene::parse(box_text("", along_x), "box.toml");
-  CHECK(scene.at({scene.find("*.grip_force")}, {30}).hand == desktop::Hand::parallel);
-  CHECK_THROWS_WITH_AS((void)scene.at({scene.find("left.grip_force")}, {30}),
-                       doctest::Contains("parallel jaws share one grip_force"),
-                       desktop::InputError);
-}
-
 TEST_CASE("pushed along its normals a hand gives way at 0 N, at 2 F or not at all") {
   Solved independent(box("independent", along_z));
   CHECK(independent.broken().breaking.break_force == Approx(0).epsilon(1e-9));
@@ -90,17 +81,6 @@ TEST_CASE("pushed along its normals a hand gives way at 0 N, at 2 F or not at al
   CHECK(jaw.breaking.break_force <= 40 + 1e-6);
   Solved locked(box("locked", pusher("[0, 0, -0.005]", "[0, 0, 1]", "[0, 0, 0.1]")));
   CHECK(locked.report().status == Status::ray);
-}
-
-TEST_CASE("a parallel jaw that is pushed along its normals at the middle gives way at 2 F") {
-  Solved jaw(box("", pusher("[0, 0, -0.005]", "[0, 0, 1]", "[0, 0, 0.1]")));
-  const desktop::BreakReport broken = jaw.broken();
-  REQUIRE(broken.status == Status::solved);
-  CHECK(broken.breaking.break_force == Approx(40).epsilon(1e-6));
-  REQUIRE(broken.closings.size() == 2);
-  CHECK(broken.closings[0].value == Approx(-1).epsilon(1e-6));
-  CHECK(broken.hand_moves);
-  CHECK(desktop::break_text(jaw.file, {}, {}, broken).find("in the grip") == std::string::npos);
 }
 
 TEST_CASE("locked jaws answer a load from their preload: what one finger gains the other loses") {
@@ -116,13 +96,6 @@ TEST_CASE("locked jaws answer a load from their preload: what one finger gains t
     if (load < 40) CHECK(parallel.normal_of(0) == Approx(left).epsilon(1e-6));
     CHECK(parallel.push.holds_without_push({}).holds == (load < 40));
   }
-}
-
-TEST_CASE("along their plane locked jaws resist as the parallel jaw of their preload does") {
-  Solved locked(box("locked", along_x)), parallel(box("", along_x));
-  CHECK(locked.broken().breaking.break_force == Approx(20).epsilon(1e-5));
-  CHECK(parallel.broken().breaking.break_force == Approx(20).epsilon(1e-5));
-  CHECK_FALSE(locked.broken().hand_moves);
 }
 
 TEST_CASE("locked jaws hold a weight along their plane from the preload that friction asks for") {
@@ -168,16 +141,6 @@ TEST_CASE("[T.1] an applied force at the centre of mass is a weight, one beside 
                                  "center_of_mass = [0.01, 0, 0]\nforce = [0, -1.5, 0]\n"
                                  "at = [0.03, 0, 0]\n");
   CHECK(moved.object.wrench[5] == Approx(-1.5 * 0.02));
-}
-
-TEST_CASE("[T.1] an object without contacts that carry it falls as its load says") {
-  Solved loose(box("", pusher("[0, -0.015, 0]", "[0, 1, 0]", "[0, -0.1, 0]"),
-                   "force = [0, 40, 0]\nmoment = [0, 0, 0.3]\n"));
-  const desktop::HoldReport hold = loose.push.holds_without_push({});
-  REQUIRE(hold.status == Status::solved);
-  CHECK_FALSE(hold.holds);
-  CHECK(hold.acceleration[1] > 10);
-  CHECK(hold.acceleration[5] > 10);
 }
 
 TEST_CASE("[T.10] a pusher that moves away or slides along breaks nothing") {

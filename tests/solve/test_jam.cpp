@@ -146,23 +146,6 @@ TEST_CASE("an actuator that closes on nothing runs away, and nothing is called s
   CHECK(jammed.says("the actuator of left closes without end"));
 }
 
-TEST_CASE("traces of rounding beside an actuator that runs away are neither a squeeze nor a run") {
-  const std::string actuators = "[[actuator]]\nname = \"drag\"\nbodies = [\"left\"]\n"
-                                "twists = [[1, 0, 0, 0, 0, 0]]\nforce = 4\n"
-                                "[[actuator]]\nname = \"hold\"\nbodies = [\"stop\"]\n"
-                                "twists = [[0, 1, 0, 0, 0, 0]]\nforce = 4\n";
-  const RayByHand ray(
-      desktop::object_table + desktop::finger_table + side_point("finger", "stop", 1) +
-          side_point("pusher", "wall", -1, "acceleration = [0.1, 0, 0]\n") + actuators,
-      {{"closing of drag", 1},
-       {"closing of hold", 1e-13},
-       {"normal of stop.1", 1e-12},
-       {"normal of wall.1", 1e-12}});
-  CHECK(ray.jam.bodies.empty());
-  CHECK_FALSE(ray.jam.no_answer);
-  CHECK(ray.says("Nothing is pressed: the actuator of left closes without end"));
-}
-
 TEST_CASE("a squeeze that no motion tightens is called neither a jam nor without an answer") {
   for (const char* motion : {"[0, 0, 0]", "[0, 0.1, 0]", "[1e-13, 0.1, 0]", "[-0.1, 0, 0]"}) {
     CAPTURE(motion);
@@ -210,29 +193,4 @@ TEST_CASE("a push across an oblique squeeze leads along the wall's face, never i
   CHECK(leans.says("acceleration (0, 0, 0.111803"));
   const RayByHand planar("planar = true\n" + stop_and_wall("[0.1, 0, 0]"), oblique);
   CHECK(planar.says("acceleration (0, -0.1, 0)")); // in the plane, and it loosens
-}
-
-TEST_CASE("a motion that the body has already is no remedy") {
-  const RayByHand ray(stop_and_wall("[0, 0, 0.1]\nangular_acceleration = [0, 0, -2]"), oblique);
-  REQUIRE(ray.jam.bodies.size() == 2);
-  CHECK(ray.jam.bodies[1].power > 0);
-  CHECK_FALSE(ray.says("across the squeeze"));
-}
-
-TEST_CASE("a planar scene's wedge of one body is against the plane") {
-  const std::string leaning =
-      "planar = true\n" + desktop::object_table +
-      "[[pusher]]\nname = \"p\"\nshape = \"point\"\ncenter = [-0.05, 0, 0]\n"
-      "normal = [0.1, 0, 1]\nfriction = 0.5\nacceleration = [0, 0, 0.1]\n";
-  const Jammed jammed(leaning);
-  CHECK(jammed.says("p (moves as prescribed) at p.1 wedges the object against the plane that it is "
-                    "held in."));
-  CHECK_FALSE(jammed.says("between them"));
-}
-
-TEST_CASE("one body alone in space asks for a look at the scene") {
-  const RayByHand ray(stop_and_wall("[0.1, 0, 0]"), {{"normal of wall.1", 1}});
-  CHECK(
-      ray.says("wall (moves as prescribed) at wall.1 squeezes the object alone: check the scene"));
-  CHECK_FALSE(ray.says("so there is no answer"));
 }

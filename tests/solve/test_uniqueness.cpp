@@ -40,12 +40,6 @@ TEST_CASE("[T.9] a held cylinder's push is open within the bounds of theory 8, i
   CHECK(report.unique_motion == Uniqueness::none_other_found);
 }
 
-TEST_CASE("[T.9] a plate that sticks to the disc shares side forces with the fingers as it likes") {
-  const desktop::PushReport report = report_of("three_finger_hand.toml");
-  CHECK(report.final_basis.wrench_open);
-  CHECK(report.final_basis.motion_isolated());
-}
-
 TEST_CASE("[T.9] under rigid a patch's open pressure shows as tied contacts or other answers") {
   for (const char* name : {"pivot.toml", "two_pushers.toml"}) {
     CAPTURE(name);
@@ -67,17 +61,6 @@ TEST_CASE("[T.9] proved motions are called proved, and the final basis never con
     CHECK(basis.studied);
     CHECK_FALSE(basis.motion_open);
   }
-}
-
-TEST_CASE("[T.9] an edge without friction: its force is what the slide needs, no more open") {
-  Scene3 scene = straight_slide();
-  scene.bodies.back().friction = 0;
-  scene.base.gravity.setZero();
-  scene.base.pressure = Pressure::rigid;
-  SolvedPush<double> push(scene);
-  REQUIRE(push.solve() == Status::solved);
-  const desktop::FinalBasis one = desktop::study_final_basis(push.assembly, push.answer());
-  CHECK_FALSE(one.wrench_open);
 }
 
 TEST_CASE("[T.9] a thousand points are studied as few are") {
@@ -143,16 +126,4 @@ acceleration = [0.1, 0, 0]
   CHECK(pad == doctest::Approx(13.9648).epsilon(1e-5));
   CHECK(break_force("pressure = \"even\"\n" + bar) == doctest::Approx(pad).epsilon(1e-6));
   CHECK(break_force("pressure = \"rigid\"\n" + bar) > 1.2 * pad);
-}
-
-TEST_CASE("[T.9] break says when another cover breaks the grasp in another way") {
-  const auto broken = [](const std::string& name, const std::string& law) {
-    const desktop::SceneFile file = desktop::parse_scene(
-        with(scene_text(name), "\ntitle", "\npressure = \"" + law + "\"\ntitle"), "test.toml");
-    return desktop::Push(file).find_breaking(static_cast<Index>(file.bodies.size()) - 1, {});
-  };
-  CHECK(broken("straight_slide.toml", "pad").unique_force == Uniqueness::none_other_found);
-  CHECK(broken("straight_slide.toml", "pad").unique_motion == Uniqueness::none_other_found);
-  CHECK(broken("straight_slide_point.toml", "rigid").unique_force == Uniqueness::no);
-  CHECK(broken("pivot.toml", "rigid").unique_motion == Uniqueness::no);
 }

@@ -34,18 +34,6 @@ TEST_CASE("a brief text has a message, what matters, and at most a dozen rows") 
   CHECK(says(sweep_text(drops, Telling::full), "the grasp holds the box"));
 }
 
-TEST_CASE("forces alone that differ by less than 1 % are told in the full text") {
-  Sweep sweep = swept(rigid(scene_text("rolling_two_answers.toml")), "*.grip_force", 7, 10);
-  REQUIRE(sweep.bistable.size() == 2);
-  const std::string words = "From 8.61 to 10 N there are two answers";
-  CHECK(says(sweep_text(sweep, Telling::brief), words));
-  sweep.bistable[1].force_share = 0.009;
-  CHECK_FALSE(says(sweep_text(sweep, Telling::brief), words));
-  CHECK(says(sweep_text(sweep, Telling::full), words));
-  sweep.bistable[1].motion = true;
-  CHECK(says(sweep_text(sweep, Telling::brief), words));
-}
-
 TEST_CASE("a brief text tells a few changes and counts the others") {
   Sweep sweep = swept(rigid(scene_text("straight_slide.toml")), "*.grip_force", 10, 14);
   REQUIRE(sweep.segments.size() == 1);

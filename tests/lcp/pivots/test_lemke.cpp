@@ -191,16 +191,6 @@ TEST_CASE("same input, same bits: what the memory held before does not matter") 
   }
 }
 
-TEST_CASE("a ray is the same ray in memory that held something else before") {
-  const DenseLcp<double> lcp =
-      dense_lcp<double>(3, {-1, 0, -3, 1, -2, -5, -2, -1, -2}, {-3, -2, -1});
-  LemkeRun<double> clean(3), dirty(3);
-  for (double& x : dirty.scalars) x = std::numeric_limits<double>::quiet_NaN();
-  REQUIRE(clean.solve(lcp) == Status::ray);
-  REQUIRE(dirty.solve(lcp) == Status::ray);
-  CHECK(clean.ray() == dirty.ray());
-}
-
 TEST_CASE("generic covers are positive, differ from each other and repeat") {
   for (std::uint32_t seed = 0; seed < 6; ++seed)
     for (Index i = 0; i < 200; ++i) {
@@ -210,15 +200,4 @@ TEST_CASE("generic covers are positive, differ from each other and repeat") {
       CHECK(generic_number<double>(seed, i) != generic_number<double>(seed, i + 1));
       CHECK(double(generic_number<float>(seed, i)) == generic_number<double>(seed, i));
     }
-}
-
-TEST_CASE("float: random positive definite problems are solved to float's precision") {
-  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    const DenseLcp<double> wide = positive_definite(seed, 12);
-    const DenseLcp<float> lcp{wide.M.cast<float>(), wide.q.cast<float>()};
-    LemkeRun<float> run(12);
-    REQUIRE(run.solve(lcp) == Status::solved);
-    CHECK(solution_error({lcp.M.cast<double>(), lcp.q.cast<double>()}, run.z().cast<double>()) <=
-          4 * double(Tolerances<float>().residual));
-  }
 }

@@ -53,33 +53,10 @@ TEST_CASE("a solved push passes in every family") {
   check_families(slid.judge(), {});
 }
 
-TEST_CASE("Newton alone reacts to the load; a torsion that no generator carries, cone and Newton") {
-  Slid slid;
-  slid.scene.gravity[2] += 1e-5;
-  check_families(slid.judge(), {newton});
-  slid.scene.gravity[2] -= 1e-5;
-  slid.mutable_answer().contacts[1].torsion += 1e-5;
-  check_families(slid.judge(), {newton, cone});
-}
-
 TEST_CASE("a friction force that no generator carries is seen by Newton and the cone") {
   Slid slid;
   slid.mutable_answer().contacts[2].friction_force[1] += 1e-5 * slid.force();
   check_families(slid.judge(), {newton, cone});
-}
-
-TEST_CASE("a normal force enters Newton, grip force and friction cone") {
-  Slid slid;
-  slid.mutable_answer().contacts[0].normal_force += 1e-5 * slid.force();
-  check_families(slid.judge(), {newton, grip, cone});
-}
-
-TEST_CASE("a negative normal force is seen by the normal law too") {
-  Slid slid;
-  slid.mutable_answer().contacts[0].normal_force = -1e-5 * slid.force();
-  const Residuals<double> residuals = slid.judge();
-  CHECK(residuals.normal > passes);
-  CHECK(residuals.newton > passes);
 }
 
 TEST_CASE("the grip force alone reacts to what the actuator should hold") {

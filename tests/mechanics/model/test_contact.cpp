@@ -48,17 +48,6 @@ TEST_CASE_TEMPLATE("mirrored directions have the same bits", S, float, double) {
     }
 }
 
-TEST_CASE_TEMPLATE("the circle agrees with the library's cosine and sine", S, float, double) {
-  const double rounding = 4 * double(Eigen::NumTraits<S>::epsilon());
-  for (Index g = 4; g <= 256; g += 2)
-    for (Index j = 0; j < g; ++j) {
-      const long double angle = 2 * 3.141592653589793238462643L * static_cast<long double>(j) /
-                                static_cast<long double>(g);
-      CHECK(absolute(double(circle_cosine<S>(j, g)) - double(std::cos(angle))) <= rounding);
-      CHECK(absolute(double(circle_sine<S>(j, g)) - double(std::sin(angle))) <= rounding);
-    }
-}
-
 TEST_CASE_TEMPLATE("generators are unit vectors in the contact plane, the first along t, turning "
                    "towards o = n x t",
                    S, float, double) {
@@ -124,13 +113,4 @@ TEST_CASE("a double's normal may be off by a picometre a metre") {
   CHECK(least_aligned_axis<double>({1e-12, 0, 1}) == 0);
   CHECK(least_aligned_axis<double>({0, 1e-12, 1}) == 0);
   CHECK(least_aligned_axis<double>({1, 1e-12, 0}) == 1);
-}
-
-TEST_CASE("a diagonal's normal has one tangent, however it was rounded") {
-  const double r = std::sqrt(0.5), s = std::sqrt(1.0 / 3);
-  for (const double off : {-1e-16, 0.0, 1e-16, -1e-12, 1e-12}) {
-    CHECK(least_aligned_axis<double>({r, r + off, 0}) == 2);
-    CHECK(least_aligned_axis<double>({s, s + off, s - off}) == 0);
-    CHECK(least_aligned_axis<double>({s + off, s, s - off}) == 0);
-  }
 }

@@ -55,19 +55,6 @@ TEST_CASE("[T.1] Newton: the mobility turns a wrench into the acceleration that 
   CHECK((laws::load(pulled, scales) - weight - scaled).norm() <= 1e-15);
 }
 
-TEST_CASE("[T.1] Newton in a planar scene: nothing moves out of the plane") {
-  Scene3 owned = crooked();
-  owned.base.planar = true;
-  const Matrix6<double> A = laws::newton(owned.view(), scales);
-  Vector6<double> wrench;
-  wrench << 1, 2, 3, 4, 5, 6;
-  const Vector6<double> a = A * wrench;
-  CHECK(a[0] == 1);
-  CHECK(a[1] == 2);
-  CHECK(a.segment<3>(2).isZero(0));
-  CHECK(a[5] == doctest::Approx(6 * 0.2 * 0.05 * 0.05 / 5e-4));
-}
-
 TEST_CASE("[T.2] normal: the column is n and its moment, the row is the opening acceleration") {
   const Scene3 owned = crooked();
   const Body<double>& body = owned.bodies[0];
@@ -91,7 +78,8 @@ TEST_CASE("[T.3] dissipation: the columns are the generators and their moments")
   for (const Vec3& p : owned.points)
     for (Index j = 0; j < g; ++j) {
       const Vec3 d = generator(body, j, g).force;
-      const Vector6<double> column = laws::friction_direction(body, p, generator(body, j, g), scales);
+      const Vector6<double> column =
+          laws::friction_direction(body, p, generator(body, j, g), scales);
       CHECK((column.head<3>() - d).norm() <= 1e-15);
       CHECK((column.tail<3>() * scales.length - p.cross(d)).norm() <= 1e-16);
     }

@@ -61,16 +61,6 @@ Vector6<double> acceleration_of(const Scene3& scene) {
   return push.answer().acceleration;
 }
 
-double break_force_of(const Scene3& scene, Pressure pressure) {
-  Scene3 copy = scene;
-  copy.base.pressure = pressure;
-  SolvedPush<double> push(copy);
-  Breaking<double> breaking;
-  REQUIRE(find_breaking(push.assembly, LemkeRounds{push.lemke}, push.memory.work,
-                        push.scene.bodies[2], push.options, breaking, push.run) == Status::solved);
-  return breaking.break_force;
-}
-
 /// The 24 rotations that take axes to axes.
 std::vector<Mat3> quarter_turns() {
   std::vector<Mat3> turns;
@@ -132,20 +122,6 @@ TEST_CASE("another unit of mass, length or time rescales the answer and nothing 
       CHECK((b.head<3>() / unit - a.head<3>()).norm() <= alike * a.norm());
       CHECK((b.tail<3>() * time * time - a.tail<3>()).norm() <= alike * a.norm());
     }
-  }
-}
-
-TEST_CASE("a straight slide breaks alike under every turn, mirror and unit") {
-  const Scene3 scene = straight_slide();
-  for (const Pressure pressure : {Pressure::pad, Pressure::rigid}) {
-    const double force = break_force_of(scene, pressure);
-    for (const Mat3& R : quarter_turns())
-      CHECK(break_force_of(moved(R, scene), pressure) == doctest::Approx(force).epsilon(1e-8));
-    for (const Mat3& R : quarter_turns())
-      CHECK(break_force_of(moved(Mat3(-R), scene), pressure) ==
-            doctest::Approx(force).epsilon(1e-8));
-    CHECK(break_force_of(rescaled(scene, 50, 1e-3, 7), pressure) * 7 * 7 / (50 * 1e-3) ==
-          doctest::Approx(force).epsilon(1e-8));
   }
 }
 

@@ -28,11 +28,6 @@ double turned_about_z(const Pose<double>& pose) {
   return std::atan2(pose.rotation(1, 0), pose.rotation(0, 0));
 }
 
-Vec3 momentum_of_spin(const Matrix3<double>& I, const OwnedMotion<double>& run) {
-  const Matrix3<double> R = run.motion[0].pose().rotation;
-  return R * I * R.transpose() * run.motion[0].velocity().tail<3>();
-}
-
 } // namespace
 
 TEST_CASE("[T.13] the first step from rest is the push with A_b = V_b / h, bit for bit") {
@@ -131,71 +126,6 @@ TEST_CASE("just below the holding grip the fall is the scheme's, exactly") {
   run_to(run, 0.1, h);
   const double a = 9.81 - 2 * mu * F / m;
   CHECK(std::abs(run->pose().position[1] + a * h * h * 100 * 101 / 2) <= 1e-14);
-}
-
-TEST_CASE("a straight slide under gravity over 30 mm drops nothing and follows its wall") {
-  Slide slide;
-  slide.pads = ring(4, 0.005);
-  OwnedMotion<double> run(straight_slide(slide));
-  REQUIRE(run.begin() == Status::running);
-  run->prescribed(2)[0] = 0.01;
-  CHECK(run_to(run, 3, 0.01) <= 1e-9);
-  CHECK(std::abs(run->pose().position[0] - 0.03) <= 1e-12);
-  CHECK(std::abs(run->pose().position[1]) <= 1e-12);
-  CHECK(std::abs(turned_about_z(run->pose())) <= 1e-12);
-  CHECK(run->run().pivots <= 3);
-}
-
-TEST_CASE("nothing touches: free fall is the scheme's, spin keeps momentum and energy to order") {
-  Scene3 scene = bare_scene(0.2, {1e-4, 2e-4, 2.5e-4}, {0, -9.81, 0});
-  scene.add_body(Role::pusher, {0, 1, 0}, 0.5, {{0, -1, 0}}); // a floor far below
-  std::vector<double> errors;
-  for (const double h : {2e-3, 1e-3, 5e-4}) {
-    OwnedMotion<double> run(scene);
-    run.touching = {
-        {Riding::on_body, 0, 0},
-    };
-    run.add_face({0, -1, 0}, {0, -1, 0}, {0.01, 0, 0}, {0, 0, 0.01});
-    REQUIRE(run.begin() == Status::running);
-    run->prescribed(0)[1] = -100; // and it leaves
-    run->velocity() << 0.3, 0.4, 0, 3, -5, 4;
-    const Vec3 L = momentum_of_spin(scene.base.object.inertia, run);
-    const double energy = L.dot(run->velocity().tail<3>());
-    run_to(run, 0.2, h);
-    const double k = std::round(0.2 / h);
-    CHECK(std::abs(run->pose().position[0] - 0.3 * 0.2) <= 1e-14);
-    CHECK(std::abs(run->pose().position[1] - (0.4 * 0.2 - 9.81 * h * h * k * (k + 1) / 2)) <=
-          1e-14);
-    const Vec3 now = momentum_of_spin(scene.base.object.inertia, run);
-    const double drift = std::abs(now.dot(run->velocity().tail<3>()) / energy - 1);
-    errors.push_back((now - L).norm() / L.norm() + drift);
-    CHECK(errors.back() <= 20 * h);
-  }
-  CHECK(errors[0] / errors[1] == doctest::Approx(2).epsilon(0.05));
-  CHECK(errors[1] / errors[2] == doctest::Approx(2).epsilon(0.05));
-}
-
-TEST_CASE("a cylinder in a parallel jaw rolls on a moving sheet by s / R") {
-  Roll roll;
-  roll.F = 0.3;
-  OwnedMotion<double> run(rolling(roll));
-  run.touching.assign(3, {Riding::on_side, -1, 0});
-  RoundSide<double> side;
-  side.radius = roll.radius;
-  run.sides = {side};
-  REQUIRE(run.begin() == Status::running);
-  // As slowly as an even speed-up below the sheet's grip.
-  double travelled = 0, deepest = 0;
-  for (Index k = 1; k <= 1000; ++k) {
-    run->prescribed(2)[0] = 0.1 * std::min(1.0, double(k) / 500);
-    travelled += 1e-3 * run->prescribed(2)[0];
-    REQUIRE(run->advance(1e-3) == Status::solved);
-    deepest = std::max(deepest, run->run().penetration);
-  }
-  CHECK(std::abs(turned_about_z(run->pose()) -
-                 std::remainder(travelled / roll.radius, 6.283185307179586)) <= 1e-9);
-  CHECK(std::abs(run->pose().position[0]) <= 1e-9);
-  CHECK(deepest <= 1e-9);
 }
 
 TEST_CASE("a step that would leap is refused with its reason, and nothing has moved") {

@@ -72,16 +72,6 @@ TEST_CASE("[T.8] a ray proves nothing if the motion rests or loosens it") {
   }
 }
 
-TEST_CASE("[T.8] a motion however slow beside the grip tightens") {
-  CHECK(Pressed<double>(jam_scene(1e-12)).read().proves_no_answer());
-}
-
-TEST_CASE("[T.8] a power that is rounding beside the motion tightens nothing") {
-  Scene3 scene = jam_scene(0.0);
-  scene.bodies[wall].acceleration << 1e-13, 0.1, 0, 0, 0, 0;
-  CHECK_FALSE(Pressed<double>(scene).read().proves_no_answer());
-}
-
 TEST_CASE("[T.8] a ray proves nothing if friction takes part or an actuator feels it") {
   Pressed<double> rubs(jam_scene(0.1));
   for (const Index b : {stop, wall})
@@ -115,21 +105,4 @@ TEST_CASE("[T.8] forces that do not balance prove nothing, but the plane takes w
   Ray<double> planar(scene);
   planar.entry(planar.layout().normal_index(finger + 1)) = 1;
   CHECK(planar.read().proves_no_answer());
-}
-
-TEST_CASE("[T.8] noise is told by the ray's largest entry, whatever that is") {
-  const double trace = 1e-12;
-  Ray<double> runs(jam_scene(0.1)); // an actuator's ray
-  runs.entry(runs.layout().closing_index(0)) = 1;
-  for (const Index b : {stop, wall}) runs.entry(runs.layout().normal_index(b)) = trace;
-  CHECK_FALSE(runs.read().proves_no_answer());
-  for (const Index b : {stop, wall}) CHECK(runs.body(b).normal == 0);
-  CHECK(runs.body(finger).runs_away);
-
-  Pressed<double> pressed(jam_scene(0.1)); // a squeeze
-  pressed.entry(pressed.layout().closing_index(0)) = trace;
-  pressed.entry(pressed.layout().friction_index(wall, 0)) = trace;
-  CHECK(pressed.read().proves_no_answer());
-  CHECK_FALSE(pressed.body(finger).runs_away);
-  CHECK(pressed.body(wall).friction == 0);
 }
