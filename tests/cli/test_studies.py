@@ -285,31 +285,6 @@ class OffsetPush(unittest.TestCase):
             self.check_curve(curve, scene_points(points=curve["each_value"]), 16)
 
 
-class RotatingPusher(unittest.TestCase):
-    def test_force_and_slip_over_rotation_fall_with_the_distance(self):
-        """And far out the moment is the torsion of two discs, less at most what a pyramid takes."""
-        rows = re.findall(r"(?m)^\| (\d+) mm \|" + r" ([\d.]+) (?:N|mm/rad) \|" * 4, PAGE)
-        for curve in answers("rotating.svg"):
-            column = {8: 0, 16: 1}[curve["each_value"]]
-            before = (math.inf, math.inf)
-            for point, row in zip(steps(curve), rows, strict=True):
-                twist = point["break_twist"]
-                now = (point["break_force"], 1e3 * math.hypot(*twist[:2]) / twist[5])
-                self.assertAlmostEqual(40 + 1e3 * point["value"], float(row[0]))
-                for k in (0, 1):
-                    self.assertAlmostEqual(now[k], float(row[1 + 2 * k + column]), delta=0.0051)
-                    self.assertLessEqual(now[k], before[k] * (1 + 1e-6))
-                before = now
-        with tempfile.TemporaryDirectory() as folder:
-            far = pathlib.Path(folder) / "far.toml"
-            text = (SOURCE / "fixtures/scenes/rotating_pusher.toml").read_text()
-            far.write_text(text.replace("[0.04, -0.01", "[0.07, -0.01"))
-            moment = json.loads(run(["break", far, "--json"]).stdout)["moment"][2]
-        torsion = 2 * 2 / 3 * MU * GRIP * 0.005
-        self.assertLessEqual(moment, torsion)
-        self.assertGreaterEqual(moment, torsion * math.cos(math.pi / 8))
-
-
 class Rolling(unittest.TestCase):
     WEIGHT, FINGER, RADIUS = 0.5 * 9.81, 0.3, 0.02
     INERTIA = 0.5 * 0.5 * 0.1  # I sigma / R^2
