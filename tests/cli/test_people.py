@@ -43,7 +43,7 @@ class People(unittest.TestCase):
             self.fits(help_text, command)
 
     def test_answers_fit_80_columns(self):
-        for scene in SCENES:
+        for scene in SCENES[::2]:
             for command in (*ANSWERS, ["pivots"]):
                 self.fits(run(*command, scene).stdout, f"{command} {scene.stem}")
 
@@ -55,13 +55,13 @@ class People(unittest.TestCase):
                 self.fits(run(*command, scene).stdout, f"{command} {name}")
 
     def test_random_scenes_fit_80_columns_and_nothing_is_odd_about_them(self):
-        for seed in range(4):
+        for seed in range(3):
             for command in (*ANSWERS, ["pivots"]):
                 result = run(*command, "-", text=random_scene(seed))
                 self.assertIn(result.returncode, (0, 1), result.stderr)
                 self.assertNotIn("Check", result.stderr, f"{command} {seed}")
                 self.fits(result.stdout, f"{command} {seed}")
-        for seed in range(12, 72):
+        for seed in range(12, 42):
             result = run("matrices", "-", "--strict", text=random_scene(seed))
             self.assertEqual((result.returncode, result.stderr), (0, ""), random_scene(seed))
 
