@@ -34,10 +34,6 @@ PivotOptions exactly() {
   return options;
 }
 
-std::string name(const PivotTrace& trace, Index variable) {
-  return trace.variables[static_cast<std::size_t>(variable)].name;
-}
-
 Rational fraction(const TraceNumber& x) {
   REQUIRE(!x.fraction.empty());
   return *Rational::parse(x.fraction);

@@ -13,9 +13,9 @@ using namespace lcpush::test;
 
 namespace {
 
-template <class S> Body<S> body_with(const Vector3<S>& normal) {
+template <class S> Body<S> body_with(const Vector3<S>& direction) {
   Body<S> body{};
-  body.normal = normal.normalized();
+  body.normal = direction.normalized();
   body.tangent = default_tangent<S>(body.normal);
   body.friction = S(0.5);
   return body;
