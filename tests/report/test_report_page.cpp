@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "lcpush/desktop/report_page.hpp"
-#include "report/pictures.hpp"
 #include "report/grasp_painter.hpp"
+#include "report/pictures.hpp"
 #include "solve/sentence.hpp"
 
 using namespace lcpush;

@@ -19,8 +19,8 @@ public:
   /// twice made orthogonal, for the digits. `parts`, if given, becomes the column as the sum of
   /// parts[k] direction(k), k <= count. Pre: count < Q's columns.
   template <class Column> bool take(const Column& column, const S& dependent, S* parts = nullptr) {
+    Q_.col(count_) = column;
     auto rest = Q_.col(count_);
-    rest = column;
     const S size = rest.norm();
     for (Index k = 0; parts != nullptr && k < count_; ++k) parts[k] = S(0);
     for (int pass = 0; pass < 2; ++pass)

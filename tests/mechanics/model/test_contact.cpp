@@ -51,15 +51,15 @@ TEST_CASE_TEMPLATE("mirrored directions have the same bits", S, float, double) {
 TEST_CASE_TEMPLATE("generators are unit vectors in the contact plane, the first along t, turning "
                    "towards o = n x t",
                    S, float, double) {
-  const S rounding = S(8) * Eigen::NumTraits<S>::epsilon();
+  const S allowed = S(8) * Eigen::NumTraits<S>::epsilon();
   for (const Vector3<S>& n : {Vector3<S>(S(0), S(0), S(1)), Vector3<S>(S(-1), S(0), S(0)),
                               Vector3<S>(S(1), S(-2), S(3))}) {
     const Body<S> body = body_with<S>(n);
     for (const Index g : {4, 6, 8, 14, 256}) {
       for (Index j = 0; j < g; ++j) {
         const Vector3<S> d = generator(body, j, g).force;
-        CHECK(std::abs(d.norm() - S(1)) <= rounding);
-        CHECK(std::abs(d.dot(body.normal)) <= rounding);
+        CHECK(std::abs(d.norm() - S(1)) <= allowed);
+        CHECK(std::abs(d.dot(body.normal)) <= allowed);
       }
       CHECK(generator(body, 0, g).force == body.tangent);
       CHECK(generator(body, 1, g).force.dot(cross(body.normal, body.tangent)) > S(0));
@@ -97,10 +97,10 @@ TEST_CASE_TEMPLATE("a normal that is a rounding error off an axis has the axis' 
       CHECK(chosen == (along == 0 ? 1 : 0)); // the first of the two that are as little aligned
       for (const S off : {S(1e-17), eps / 2, eps, S(4) * eps})
         for (Index k = 0; k < 27; ++k) {
-          Vector3<S> normal = axis + off * Vector3<S>(S(k % 3 - 1), S(k / 3 % 3 - 1), S(k / 9 - 1));
-          normal.normalize();
-          CHECK(least_aligned_axis<S>(normal) == chosen);
-          const Vector3<S> turned = default_tangent<S>(normal) - default_tangent<S>(axis);
+          Vector3<S> tilted = axis + off * Vector3<S>(S(k % 3 - 1), S(k / 3 % 3 - 1), S(k / 9 - 1));
+          tilted.normalize();
+          CHECK(least_aligned_axis<S>(tilted) == chosen);
+          const Vector3<S> turned = default_tangent<S>(tilted) - default_tangent<S>(axis);
           CHECK(turned.norm() <= S(16) * eps);
         }
     }

@@ -93,21 +93,21 @@ TEST_CASE("[T.3] dissipation: the columns are the generators and their moments")
 TEST_CASE("[T.4] friction cone: mu lambda - sum beta in one row, xi in every generator's") {
   const Scene3 owned = crooked();
   const Index g = 6;
-  const ConeGroup<double> cone = laws::friction_cone(owned.bodies[0], g, 0, 0);
-  CHECK(cone.size() == g + 2);
-  CHECK(cone.slip() == g + 1);
+  const ConeGroup<double> group = laws::friction_cone(owned.bodies[0], g, 0, 0);
+  CHECK(group.size() == g + 2);
+  CHECK(group.slip() == g + 1);
   std::vector<Vector6<double>> none(static_cast<std::size_t>(g + 1), Vector6<double>::Zero());
   FactoredProblem<double> factored{};
   factored.mobility.setIdentity();
   factored.wrenches = {none.data(), g + 1};
-  factored.cones = {&cone, 1};
+  factored.cones = {&group, 1};
   Problem<double> problem;
   problem.size = problem.free_begin = g + 2;
   problem.factored = &factored;
   VectorX<double> z(g + 2), out(g + 2);
   z << 10, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 5; // lambda, six beta, xi
   multiply(problem, z.data(), out.data());
-  CHECK(out[cone.slip()] == doctest::Approx(0.4 * 10 - 2.1));
+  CHECK(out[group.slip()] == doctest::Approx(0.4 * 10 - 2.1));
   for (Index j = 1; j <= g; ++j) CHECK(out[j] == 5);
   CHECK(out[0] == 0);
 }
@@ -150,25 +150,26 @@ TEST_CASE("[T.16] round friction: an inertia across the slip resists what turns 
     body.torsion_radius = torsion_radius;
     const Scene<double> scene = owned.view();
     const bool is_soft = torsion_radius > 0;
-    LinearizedCone<double> cone;
-    cone.along = Vec3(0.6, -0.7, is_soft ? 0.5 : 0).normalized();
-    cone.body_motion = {0.1, 0.2, is_soft ? -0.3 : 0};
-    cone.inertia = 3;
+    LinearizedCone<double> round_cone;
+    round_cone.along = Vec3(0.6, -0.7, is_soft ? 0.5 : 0).normalized();
+    round_cone.body_motion = {0.1, 0.2, is_soft ? -0.3 : 0};
+    round_cone.inertia = 3;
     const Vec3 p = scene.points[0];
     Matrix6<double> B = laws::newton(scene, scales);
     Vector6<double> wrench, load = laws::load(scene, scales);
     wrench << 1, -2, 3, 0.4, 0.5, -0.6;
-    laws::round_cone(body, p, cone, scene.object.mass, scales, B, load);
+    laws::round_cone(body, p, round_cone, scene.object.mass, scales, B, load);
     Vector6<double> a = B * (wrench + load) * scales.acceleration; // as a round solves for it
     a.tail<3>() /= scales.length;
 
     // M a = w + contact forces + the resistance - k (1 - u u') (v - c), by hand.
     const Vec3 t = body.tangent, o = body.normal.cross(t), r = point_acceleration(a, p);
     Vec3 v(r.dot(t), r.dot(o), torsion_radius * a.tail<3>().dot(body.normal));
-    v -= cone.body_motion;
-    Vec3 resists = -3 * (v - cone.along * cone.along.dot(v));
+    v -= round_cone.body_motion;
+    Vec3 resists = -3 * (v - round_cone.along * round_cone.along.dot(v));
     if (!is_soft) resists[2] = 0;
-    CHECK((laws::resisting_force(body, p, cone, a) - resists).norm() <= 1e-12 * resists.norm());
+    CHECK((laws::resisting_force(body, p, round_cone, a) - resists).norm() <=
+          1e-12 * resists.norm());
     const Vec3 force = resists[0] * t + resists[1] * o;
     const Vec3 moment = p.cross(force) + torsion_radius * resists[2] * body.normal;
     const Vec3 pushed = scales.force * wrench.head<3>() + 0.2 * scene.gravity + force;

@@ -52,15 +52,15 @@ TEST_CASE_TEMPLATE("a disc's points lie within it and in its plane, its centroid
                    float, double) {
   const Plane<S> plane;
   const S radius = S(0.05);
-  const S rounding = S(50) * std::numeric_limits<S>::epsilon();
+  const S allowed = S(50) * std::numeric_limits<S>::epsilon();
   for (std::size_t k = 2; k <= 400; ++k) {
     CAPTURE(k);
     const Points<S> points = disc(plane, radius, k);
     for (const Vector3<S>& p : points) {
-      CHECK((p - plane.center).norm() <= radius + rounding);
-      CHECK(std::abs(plane.n.dot(p - plane.center)) <= rounding);
+      CHECK((p - plane.center).norm() <= radius + allowed);
+      CHECK(std::abs(plane.n.dot(p - plane.center)) <= allowed);
     }
-    CHECK((centroid(points) - plane.center).norm() <= rounding);
+    CHECK((centroid(points) - plane.center).norm() <= allowed);
   }
 }
 

@@ -23,12 +23,12 @@ TEST_CASE("a turn about an axis, from nothing to several rounds") {
     CHECK(bent(R) <= 1e-14);
   }
   CHECK(rotation_by<double>(Vec3::Zero()) == Matrix3<double>::Identity());
-  const Vec3 x(0.3, -0.7, 0.2);
-  CHECK((rotation_by<double>(x) * rotation_by<double>(-x) - Matrix3<double>::Identity()).norm() <
-        1e-15);
-  CHECK((rotation_by<double>(x) * x - x).norm() < 1e-16);
-  CHECK((rotation_by<double>(x) * rotation_by<double>(x) - rotation_by<double>(2 * x)).norm() <
-        1e-15);
+  const Vec3 place(0.3, -0.7, 0.2);
+  CHECK((rotation_by<double>(place) * rotation_by<double>(-place) - Matrix3<double>::Identity())
+            .norm() < 1e-15);
+  CHECK((rotation_by<double>(place) * place - place).norm() < 1e-16);
+  CHECK((rotation_by<double>(place) * rotation_by<double>(place) - rotation_by<double>(2 * place))
+            .norm() < 1e-15);
 }
 
 TEST_CASE("a million small turns leave a rotation") {
@@ -60,8 +60,8 @@ TEST_CASE("back undoes at, and the same twist is read at another point") {
   Vector6<double> twist;
   twist << 0.1, 0.2, -0.3, 0.5, 0.4, -1;
   const Pose<double> pose = moved_about_origin(Pose<double>(), twist, 0.7);
-  const Vec3 x(0.02, -0.01, 0.03);
-  CHECK((pose.back(pose.at(x)) - x).norm() < 1e-16);
-  CHECK((twist_at(twist_at(twist, x), Vec3(-x)) - twist).norm() < 1e-16);
-  CHECK((acceleration_at(x, twist) - twist_at(twist, x).head<3>()).norm() == 0);
+  const Vec3 place(0.02, -0.01, 0.03);
+  CHECK((pose.back(pose.at(place)) - place).norm() < 1e-16);
+  CHECK((twist_at(twist_at(twist, place), Vec3(-place)) - twist).norm() < 1e-16);
+  CHECK((acceleration_at(place, twist) - twist_at(twist, place).head<3>()).norm() == 0);
 }

@@ -120,7 +120,6 @@ TEST_CASE("[T.4] the soft polyhedron reaches at worst as far as docs/theory/theo
 
 TEST_CASE("[T.3] a soft generator's column holds its torque, its row the spin") {
   const Body<double> body = soft_body(0.01);
-  const Scales<double> scales{20, 0.05, 100};
   const Vec3 p(0.01, 0.02, 0.03);
   for (const Index k : {3, 11, 30, 40, 41}) { // g = 8
     const Generator<double> d = generator(body, k, 8);

@@ -34,8 +34,8 @@ constexpr const char* mistake_text(Mistake mistake) {
       "friction, torsion radius and preload must be >= 0",
       "a body has no points, or an index is outside of its array",
       "an actuator has a negative force or inertia, or drives nothing",
-      "a soft contact has several points, even pressure shares an actuator or a preload, or a "
-      "driven body has a preload",
+      ("a soft contact has several points, even pressure shares an actuator or a preload, or a "
+       "driven body has a preload"),
       "no pusher moves: give one an acceleration",
       "there is no scene: describe one first",
       "weights must be > 0, one for each point",

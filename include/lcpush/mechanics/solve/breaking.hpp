@@ -258,6 +258,16 @@ private:
   }
 };
 
+/// Not inlined: a device that asks for the exact limit has no stack for pushes.
+template <class S, class Rounds>
+[[gnu::noinline]] Status break_by_pushes(Assembly<S>& assembly, const Rounds& rounds,
+                                         Workspace<S>& work, const Body<S>& pusher,
+                                         const PressureOptions<S>& options, S unit,
+                                         Breaking<S>& breaking, PressureRun& run) {
+  return BreakByPushes<S, Rounds>(assembly, rounds, work, pusher, options, unit)
+      .find(breaking, run);
+}
+
 } // namespace detail
 
 /// Will find_breaking ask for the limit of an infinitesimal push? Pads' compliance has to vanish
@@ -286,8 +296,7 @@ template <class S, class Rounds>
   if (breaks_exactly(rounds, assembly.scene(), options))
     status = detail::break_exactly(assembly, rounds, work, pusher, unit, breaking, run);
   else
-    status = detail::BreakByPushes<S, Rounds>(assembly, rounds, work, pusher, options, unit)
-                 .find(breaking, run);
+    status = detail::break_by_pushes(assembly, rounds, work, pusher, options, unit, breaking, run);
   if (status != Status::solved) return status;
   return judge(breaking, assembly.layout().scales, run);
 }
