@@ -186,7 +186,7 @@ private:
   const Body<S>& pusher_;
   PressureOptions<S> options_;
   S unit_;
-  SmallPush<S> push_[BreakingSettings<S>::most_pushes];
+  SmallPush<S> push_[3]; // the last three
 
   /// Where the third push is off the line of the first two, a change of mode lies between, and
   /// where they leave a motion of their own size, one may lie below: then the line is that of
@@ -197,11 +197,13 @@ private:
         has_round_friction(assembly_.scene()) ? settings.straight_round : settings.straight;
     bool is_of_push = false; // what is left without a push may be the smallest push's own doing
     for (int k = 0; k < BreakingSettings<S>::most_pushes; ++k, size /= settings.step) {
-      Status status = k > 0 && rounds_.goes_on() ? go_on(size, k, run) : Status::running;
-      if (status != Status::solved) status = push_slowly(size, options_, push_[k], run);
+      const int at = k < 2 ? k : 2;
+      for (int i = 0; k > 2 && i < 2; ++i) push_[i] = push_[i + 1];
+      Status status = at > 0 && rounds_.goes_on() ? go_on(size, at, run) : Status::running;
+      if (status != Status::solved) status = push_slowly(size, options_, push_[at], run);
       if (status != Status::solved) return k < 3 ? status : Status::solved;
       if (k < 2) continue;
-      const Breaking<S> line = extrapolate(push_ + k - 2, unit_, assembly_.layout().scales);
+      const Breaking<S> line = extrapolate(push_, unit_, assembly_.layout().scales);
       if (k == 2 || is_of_push || line.line_error < breaking.line_error) breaking = line;
       breaking.small_push = line.small_push;
       const S rest = motion_size(breaking.rest, assembly_.layout().scales);
@@ -248,13 +250,13 @@ private:
   /// A tenth of the push moves everything a tenth as fast, but for what inertia takes: where pads
   /// are to be as stiff beside the motion as before, they go on from the last answer. Post: solved,
   /// or the push has to be solved from nothing.
-  Status go_on(S size, int k, PressureRun& run) {
+  Status go_on(S size, int at, PressureRun& run) {
     if (assembly_.scene().pressure != Pressure::pad || has_round_friction(assembly_.scene()))
       return Status::running;
     PressureOptions<S> options = options_;
     options.goes_on = true;
-    options.first_compliance = push_[k - 1].compliance / BreakingSettings<S>().step;
-    return push_slowly(size, options, push_[k], run);
+    options.first_compliance = push_[at - 1].compliance / BreakingSettings<S>().step;
+    return push_slowly(size, options, push_[at], run);
   }
 };
 
