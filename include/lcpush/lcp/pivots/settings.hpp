@@ -1,5 +1,5 @@
 // Every number of the pivots that is not a tolerance (tolerances.hpp), with its reason. None has a
-// unit: pivots, rows and factors of scaled data.
+// unit: pivots, rows and factors of scaled data. "Not measured": no recorded figure chose it.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,40 +10,40 @@ namespace lcpush {
 
 /// Of Lemke's method.
 struct LemkeSettings {
-  /// Covering vectors tried before a failure is reported. Of 10,000 random grasps all but a few
-  /// are solved under the first, all under six (docs/theory/numerics.md).
+  /// Covering vectors tried before a failure is reported: with six, 10,000 of 10,000 random grasps
+  /// are solved under every law (docs/theory/numerics.md). Fewer are not measured.
   static constexpr Index covers = 6;
-  /// Pivots under one covering vector, at most: 1000 + 50 n. Random pushes take about n; what
-  /// takes 50 n has gone astray, and the next covering vector is the better bet.
+  /// Pivots under one covering vector, at most: 1000 + 50 n. Random pushes take about a hundred
+  /// and at most 5775 of them (docs/theory/numerics.md). The slope is not measured.
   static constexpr Index pivots = 1000, pivots_an_unknown = 50;
   static constexpr Index most_pivots(Index n) { return pivots + pivots_an_unknown * n; }
-  /// Pivots between two looks at how far rounding has moved the values: a look costs one product,
-  /// a fraction of a per cent of so many pivots.
+  /// Pivots between two looks at how far rounding has moved the values: a look costs one product.
+  /// Not measured.
   static constexpr Index pivots_between_looks = 64;
-  /// Values that are off by so many tie tolerances have drifted: a tie test is off then, too.
+  /// Values that are off by so many tie tolerances have drifted. Not measured.
   static constexpr int drift = 100;
-  /// Passes of iterative refinement, at most; it ends as soon as one gains nothing.
+  /// Passes of iterative refinement, at most; it ends as soon as one gains nothing. Not measured.
   static constexpr int refinements = 4;
   /// How often an answer that fails its check is factored afresh and pivoted on from, with tie
   /// tolerances that are smaller by `closer` each time and zero the last time.
   static constexpr Index repairs = 3;
   static constexpr int closer = 1 << 10;
   /// An answer whose residual is above the tolerance over this has passed barely: a tie may hide a
-  /// small violation.
+  /// small violation. Not measured.
   static constexpr int barely = 16;
 };
 
 /// Of the structured basis.
 struct StructuredSettings {
-  /// Exchanges that the memory holds where the caller does not say: K^-1 of 256 rows takes 0.5 MB,
-  /// and a larger one costs more than factoring afresh.
+  /// Exchanges that the memory holds where the caller does not say: K^-1 of 256 rows takes 0.5 MB.
+  /// A limit of memory (docs/decisions/0007-structured-basis.md).
   static constexpr Index exchanges = 256;
   /// Exchanges before the first factoring: the answer of a small problem has no more.
   static constexpr Index exchanges_at_first = 64;
   /// Exchanges from one factoring to the next: some fifty cost as much as it (numerics.md).
   static constexpr Index exchanges_between = 48;
   /// Corrections of values for rounding in K^-1, while more than that of the largest is left of
-  /// them; a third gains nothing.
+  /// them. Not measured.
   static constexpr int corrections = 2;
   template <class S> static S rounding() { return Eigen::NumTraits<S>::epsilon(); }
   /// From so many contacts on pads with a pressing point are pivoted as springs: fewer are cheaper

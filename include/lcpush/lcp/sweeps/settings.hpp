@@ -11,10 +11,10 @@ namespace lcpush {
 struct GaussSeidelSettings {
   /// Iterations, at most, and between two residual checks, each of which costs about one.
   static constexpr Index iterations = 5000, between_checks = 10;
-  /// Iterations without a better residual that end a run: by components, and by groups, whose
-  /// residual rests longer while forces move between the points of a patch.
+  /// Iterations without a better residual that end a run: by components, and by groups. Not
+  /// measured.
   static constexpr Index patience = 1000, patience_of_groups = 2000;
-  /// Moves of one cone's friction an iteration; more gain nothing before its neighbours have moved.
+  /// Moves of one cone's friction an iteration, at most. Not measured.
   static constexpr int friction_moves = 6;
   /// Iterations that bring the forces near before Newton's method takes over.
   static constexpr Index warming = 10;
