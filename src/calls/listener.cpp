@@ -1,11 +1,25 @@
 #include "calls/listener.hpp"
 
+#include <ctime>
+
 namespace lcpush::calls {
 namespace {
 
 constexpr std::chrono::milliseconds between_calls(20);
 
 } // namespace
+
+double ForeignListener::processor_time() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+desktop::Stop ForeignListener::stop(double part) {
+  return is_cancelled()                                 ? desktop::Stop::signal
+         : processor_time() - begin_ >= part * seconds_ ? desktop::Stop::time
+                                                        : desktop::Stop::none;
+}
 
 bool ForeignListener::is_cancelled() {
   if (was_cancelled_ || other_ == nullptr || other_->is_cancelled == nullptr) return was_cancelled_;

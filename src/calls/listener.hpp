@@ -5,6 +5,7 @@
 #include "lcpush/lcpush_desktop.h"
 
 #include <chrono>
+#include <limits>
 
 namespace lcpush::calls {
 
@@ -16,12 +17,12 @@ class ForeignListener : public commands::Listener {
 public:
   explicit ForeignListener(const lcpush_desktop_listener* other) : other_(other) {}
 
-  /// The work is to end with what there is after so long.
-  void end_after(double seconds) { end_ = Clock::now() + std::chrono::duration<double>(seconds); }
+  /// The work is to end with what there is after so much processor time of this thread.
+  void end_after(double seconds) { seconds_ = seconds; }
   bool was_cancelled() const { return was_cancelled_; }
 
   void progress(double done, const std::string& of) override;
-  bool is_interrupted() override { return is_cancelled() || Clock::now() >= end_; }
+  desktop::Stop stop(double part) override;
   void end_if_cancelled() override {
     if (is_cancelled()) throw Cancelled();
   }
@@ -34,10 +35,10 @@ private:
   using Clock = std::chrono::steady_clock;
   const lcpush_desktop_listener* other_;
   Clock::time_point next_look_ = Clock::now(), next_note_ = next_look_;
-  std::chrono::time_point<Clock, std::chrono::duration<double>> end_ =
-      std::chrono::time_point<Clock, std::chrono::duration<double>>::max();
+  double seconds_ = std::numeric_limits<double>::infinity(), begin_ = processor_time();
   bool was_cancelled_ = false;
 
+  static double processor_time(); // s, of this thread
   bool is_cancelled();
 };
 

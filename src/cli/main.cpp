@@ -16,6 +16,8 @@
 namespace lcpush::cli {
 namespace {
 
+using desktop::Stop;
+
 constexpr int bad_input_or_usage = 2;
 
 std::string overview(const std::vector<ShellCommand>& commands) {
@@ -102,9 +104,11 @@ int answer(const Command& command, const Arguments& arguments) {
   {
     ShellListener listener(seconds);
     result = command.run(arguments, listener);
-    if (listener.ran_out())
+    const std::string rest = "; what there was by then is written";
+    if (result.stop == Stop::signal) listener.announce(command.name + ": interrupted" + rest + ".");
+    if (result.stop == Stop::time)
       listener.announce(command.name + ": stopped after " + shown(seconds) +
-                        " s of processor time; --seconds " + shown(10 * seconds) +
+                        " s of processor time" + rest + "; --seconds " + shown(10 * seconds) +
                         " gives it more.");
   }
   const std::size_t width = arguments.has("output") ? usual_width : columns_of(Stream::output);

@@ -39,9 +39,10 @@ void ShellListener::progress(double done, const std::string& of) {
   if (is_due()) show(std::to_string(std::lround(100 * done)) + " % " + of);
 }
 
-bool ShellListener::is_interrupted() {
-  if (!ran_out_) ran_out_ = is_over(seconds_);
-  return ran_out_ || is_asked_to_end();
+desktop::Stop ShellListener::stop(double part) {
+  return is_asked_to_end()          ? desktop::Stop::signal
+         : is_over(part * seconds_) ? desktop::Stop::time
+                                    : desktop::Stop::none;
 }
 
 void ShellListener::announce(const std::string& sentence) {

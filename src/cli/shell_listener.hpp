@@ -14,11 +14,8 @@ public:
   explicit ShellListener(double seconds) : seconds_(seconds) {}
   ~ShellListener() override;
 
-  /// Did it end so?
-  bool ran_out() const { return ran_out_; }
-
   void progress(double done, const std::string& of) override;
-  bool is_interrupted() override;
+  desktop::Stop stop(double part) override;
   void announce(const std::string& sentence) override;
   Index choose_row(const desktop::PivotTrace& trace) override;
   void stepped(const Lemke<double>& lemke) override {
@@ -30,7 +27,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point begin_ = Clock::now(), next_ = begin_ + std::chrono::seconds(1);
-  bool was_shown_ = false, ran_out_ = false;
+  bool was_shown_ = false;
   long pivots_ = 0;
   double seconds_;
 

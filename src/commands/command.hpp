@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lcpush/desktop/certify.hpp"
+#include "lcpush/desktop/stop.hpp"
 
 namespace lcpush::commands {
 
@@ -33,6 +34,7 @@ struct Result {
   std::string text;     ///< in the format asked for
   /// The proof of the answer, or none was found; empty where there is nothing to prove.
   std::function<std::optional<Certificate>()> certify = {};
+  Stop stop = Stop::none; ///< what ended the work early: then this is what there was
 };
 
 struct Command {

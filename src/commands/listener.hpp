@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "lcpush/desktop/stop.hpp"
 #include "lcpush/desktop/watcher.hpp"
 
 namespace lcpush::desktop {
@@ -16,8 +17,8 @@ class Listener : public desktop::Watcher {
 public:
   /// `done`, 0 to 1, of what: "of the motion".
   virtual void progress(double done, const std::string& of) = 0;
-  /// Is the work to end with what there is?
-  virtual bool is_interrupted() = 0;
+  /// Is the work, or a part of it that may take `part` of the time, to end with what there is?
+  virtual desktop::Stop stop(double part) = 0;
   /// Throws if it is to end where nothing is there yet.
   virtual void end_if_cancelled() {}
   /// What the work will take, before it begins.

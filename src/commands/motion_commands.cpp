@@ -40,7 +40,7 @@ MoveOptions move_options(const Values& values, const SceneFile& file, Listener& 
   options.progress = [&listener](double done, double at) {
     listener.progress(done, "of the motion, at " + printed("%.3g s", at));
   };
-  options.is_interrupted = [&listener] { return listener.is_interrupted(); };
+  options.stop = [&listener](double part) { return listener.stop(part); };
   return options;
 }
 
@@ -53,7 +53,9 @@ Result run_move(const Values& values, Listener& listener) {
           : format == "csv"  ? move_csv(file, report)
           : format == "svg"  ? move_svg(file, report)
           : format == "html" ? move_html(file, report)
-                             : move_text(file, report, values.telling() == Telling::full)};
+                             : move_text(file, report, values.telling() == Telling::full),
+          {},
+          report.stop};
 }
 
 std::optional<Vector6<double>> asked_twist(const Values& values) {
@@ -113,7 +115,7 @@ Result run_plan(const Values& values, Listener& listener) {
   options.progress = [&listener](double done) {
     listener.progress(done, "of the places that are tried");
   };
-  options.is_interrupted = [&listener] { return listener.is_interrupted(); };
+  options.stop = [&listener](double part) { return listener.stop(part); };
   const PlanReport report =
       find_plan(scene.text, scene.name, {(*to)[0], (*to)[1], (*to)[2]}, options);
   if ((format == "html" || format == "toml") && report.pushes.empty())
@@ -122,11 +124,13 @@ Result run_plan(const Values& values, Listener& listener) {
                                        : ": no plan was found, so there is none to show; `lcpush "
                                          "plan` without " +
                                              values.label("format") + " says how near it came"));
-  return {report.found, format == "json"   ? plan_json(file, report)
-                        : format == "html" ? move_html(report.scene, report.replay)
-                        : format == "toml"
-                            ? report.scene_text
-                            : plan_text(file, report, values.telling() == Telling::full)};
+  return {report.found,
+          format == "json"   ? plan_json(file, report)
+          : format == "html" ? move_html(report.scene, report.replay)
+          : format == "toml" ? report.scene_text
+                             : plan_text(file, report, values.telling() == Telling::full),
+          {},
+          report.stop};
 }
 
 } // namespace

@@ -17,9 +17,9 @@ SpreadOptions spread_options(const Values& values, Listener& listener) {
                                ": all contact modes, or the paths alone");
   if (values.has("enumerate")) options.enumeration = Enumeration::thorough;
   if (values.has("paths")) options.enumeration = Enumeration::none;
-  options.most_seconds = values.number("seconds", longest_time, ", in seconds").value_or(0);
+  options.by_time = values.has("seconds");
   options.watcher = &listener;
-  options.is_interrupted = [&listener] { return listener.is_interrupted(); };
+  options.stop = [&listener](double part) { return listener.stop(part); };
   options.progress = [&listener](double done) { listener.progress(done, "of the work"); };
   return options;
 }
@@ -31,9 +31,11 @@ Result run_spread(const Values& values, Listener& listener) {
   if (options.breaking) values.refuse_still(file);
   values.refuse_unknowns(file, limits::unknowns_spread, "faces can be bounded");
   const SpreadReport report = find_spread(file, options);
-  return {report.status == Status::solved, format == "json"
-                                               ? spread_json(file, report)
-                                               : spread_text(file, report, values.telling())};
+  return {report.status == Status::solved,
+          format == "json" ? spread_json(file, report)
+                           : spread_text(file, report, values.telling()),
+          {},
+          report.stop};
 }
 
 } // namespace
@@ -53,7 +55,8 @@ Command spread_command() {
               {{"break", "", "the force that just moves the object, and how it begins to move"},
                {"enumerate", "", "look longer, a minute or so, for all contact modes"},
                {"paths", "", "only what the covering vectors reach"},
-               {"seconds", "S", "stop after that time, with what is found; so does Ctrl-C"},
+               {"seconds", "S",
+                "stop after so much processor time, with what is found; so does Ctrl-C"},
                {"covers", "N", "covering vectors of Lemke's method to start from (32)"},
                verbose_option}),
           run_spread,

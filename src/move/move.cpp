@@ -52,9 +52,9 @@ private:
     while (now() < target - rounding) {
       if (options_.progress) options_.progress(now() / time_, now());
       if (!begin_strokes()) return false;
-      const bool is_stopped = options_.is_interrupted && options_.is_interrupted();
-      if (is_stopped || report_.solves >= options_.most_steps) {
-        report_.end = is_stopped ? MoveEnd::stopped : MoveEnd::steps;
+      report_.stop = stop_now(options_.stop);
+      if (report_.stop != Stop::none || report_.solves >= options_.most_steps) {
+        report_.end = report_.stop != Stop::none ? MoveEnd::stopped : MoveEnd::steps;
         report_.status = Status::pivot_limit;
         return false;
       }

@@ -73,6 +73,7 @@ std::string move_json(const SceneFile& file, const MotionReport& report) {
   json.begin_object()
       .member("status", status_text(report.status))
       .member("end", move_end_text(report.end))
+      .member("stopped", unless_empty(std::string(stop_text(report.stop))))
       .member("end_body", when(report.body >= 0,
                                report.body >= 0 ? file.body_name(report.body) : std::string()))
       .member("time", report.frames.back().time)

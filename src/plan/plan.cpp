@@ -84,10 +84,11 @@ private:
     return way ? way : roadmap_.cheapest();
   }
 
-  bool goes_on() const {
+  bool goes_on() {
     if (options_.progress)
       options_.progress(static_cast<double>(report_.tried) / static_cast<double>(options_.tries));
-    return !(options_.is_interrupted && options_.is_interrupted());
+    report_.stop = stop_now(options_.stop);
+    return report_.stop == Stop::none;
   }
 
   void take(const Legs& legs) {
@@ -129,6 +130,7 @@ private:
     MoveOptions options;
     options.step = report_.replay_step = step;
     options.most_steps = most_steps;
+    options.stop = options_.stop;
     report_.replay = move(report_.scene, options);
     const Pose<double>& end = report_.replay.frames.back().pose;
     const double angle = std::atan2(end.rotation(1, 0), end.rotation(0, 0));

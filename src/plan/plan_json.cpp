@@ -19,6 +19,7 @@ std::string plan_json(const SceneFile& file, const PlanReport& report) {
       .member("goal", listed(report.goal))
       .member("holds_start", report.holds_start)
       .member("holds_goal", report.holds_goal)
+      .member("stopped", unless_empty(std::string(stop_text(report.stop))))
       .member("tried", report.tried)
       .member("nearest", listed(report.nearest))
       .member("cost", when(is_replayed, report.cost));

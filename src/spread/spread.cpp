@@ -1,7 +1,6 @@
 #include "lcpush/desktop/spread.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -17,8 +16,6 @@
 
 namespace lcpush::desktop {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Modes, and lists of them, have the same text only if they are the same.
 std::string key_of(const ContactMode& mode) {
@@ -61,7 +58,7 @@ public:
     if (options_.enumeration != Enumeration::none) enumerate();
     include_paths();
     if (!report_.complete) walk();
-    if (report_.complete) report_.stop = SpreadReport::Stop::none;
+    if (report_.complete) report_.stop = Stop::none;
     if (report_.faces > 0 || (!options_.breaking && report_.covering_vectors_solved > 0)) {
       report_.status = Status::solved;
       conclude();
@@ -94,8 +91,7 @@ private:
   std::vector<Path> paths_;
   std::unordered_set<std::string> known_, studied_; // by key_of
   std::deque<FaceModes> waiting_;
-  double most_work_ = 0, most_seconds_ = 0;
-  Clock::time_point begin_ = Clock::now();
+  double most_work_ = 0, part_of_time_ = 1;
 
   Index first_pusher() const { return report_.pushers.empty() ? 0 : report_.pushers.front().body; }
 
@@ -209,24 +205,15 @@ private:
 
   /// The work, or the seconds asked for, from now on; `part` of them.
   void allow(double work, double part) {
-    const bool timed = options_.most_seconds > 0;
-    most_work_ = timed ? std::numeric_limits<double>::infinity() : study_->work() + work;
-    most_seconds_ = timed ? part * options_.most_seconds : std::numeric_limits<double>::infinity();
+    most_work_ = options_.by_time ? std::numeric_limits<double>::infinity() : study_->work() + work;
+    part_of_time_ = options_.by_time ? part : 1;
   }
 
   /// By the clock or by the user, whatever work is left.
   bool is_stopped() {
-    using Stop = SpreadReport::Stop;
-    const auto passed = [&] {
-      return std::chrono::duration<double>(Clock::now() - begin_).count();
-    };
-    if (options_.is_interrupted && options_.is_interrupted())
-      report_.stop = Stop::signal;
-    else if (options_.most_seconds > 0 && passed() > most_seconds_)
-      report_.stop = Stop::time;
-    else
-      return false;
-    return true;
+    const Stop stop = stop_now(options_.stop, part_of_time_);
+    if (stop != Stop::none) report_.stop = stop;
+    return stop != Stop::none;
   }
 
   bool is_used_up() { return study_->work() > most_work_ || is_stopped(); }
@@ -255,17 +242,15 @@ private:
       // Branches are left sooner later on, so that the share grows faster than the work.
       const bool out_of_sight =
           used > SpreadSettings::judged_after && tree.share() < used * used / 2;
-      given_up =
-          given_up || is_used_up() || (out_of_sight && !thorough && options_.most_seconds <= 0);
+      given_up = given_up || is_used_up() || (out_of_sight && !thorough && !options_.by_time);
       return given_up;
     };
     tree.visit();
     report_.assignments = tree.assignments();
     if (given_up)
-      report_.enumeration = report_.stop == SpreadReport::Stop::signal ? "it was interrupted"
-                            : report_.stop == SpreadReport::Stop::time
-                                ? "the time was up"
-                                : "the limit of work was reached";
+      report_.enumeration = report_.stop == Stop::signal ? "it was interrupted"
+                            : report_.stop == Stop::time ? "the time was up"
+                                                         : "the limit of work was reached";
     else if (report_.failures > failures)
       report_.enumeration = "some assignments of modes could not be settled";
     else

@@ -47,21 +47,12 @@ Fact law_fact(const SceneFile& file) {
                       (pyramids.empty() ? "" : ";\n" + pyramids)};
 }
 
-std::string stop_name(SpreadReport::Stop stop) {
-  return stop == SpreadReport::Stop::none   ? ""
-         : stop == SpreadReport::Stop::time ? "time"
-                                            : "signal";
-}
-
-std::string stop_text(const SpreadReport& report) {
-  return report.stop == SpreadReport::Stop::time ? "the time was up before all was seen"
-                                                 : "interrupted before all was seen";
-}
-
 /// What may be missing.
 std::vector<std::string> doubts_of(const SpreadReport& report) {
   std::vector<std::string> list;
-  if (report.stop != SpreadReport::Stop::none) list.push_back(stop_text(report));
+  if (report.stop != Stop::none)
+    list.push_back(report.stop == Stop::time ? "the time was up before all was seen"
+                                             : "interrupted before all was seen");
   if (!report.enumeration.empty() && report.asked == Enumeration::thorough)
     list.push_back("not enumerated to the end: " + report.enumeration);
   if (report.faces_left > 0 && !report.complete)
@@ -257,7 +248,7 @@ std::string spread_json(const SceneFile& file, const SpreadReport& report) {
   json.member("faces", report.faces).member("covers", report.covering_vectors);
   json.member("covers_solved", report.covering_vectors_solved).member("complete", report.complete);
   json.member("enumeration", unless_empty(report.enumeration));
-  json.member("stopped", unless_empty(stop_name(report.stop)));
+  json.member("stopped", unless_empty(std::string(stop_text(report.stop))));
   json.member("faces_left", report.faces_left).member("failures", report.failures);
   json.member("linear_programs", report.programs).member("assignments", report.assignments);
   if (!solved) {

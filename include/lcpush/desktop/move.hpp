@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lcpush/desktop/scene_io.hpp"
+#include "lcpush/desktop/stop.hpp"
 #include "lcpush/mechanics/model/pose.hpp"
 #include "lcpush/mechanics/solve/motion_memory.hpp"
 #include "lcpush/mechanics/study/motion.hpp"
@@ -22,7 +23,7 @@ struct MoveOptions {
   Index frames = 101;                                        ///< kept, the first and last included
   Index most_steps = 100'000;                                ///< solved
   std::function<void(double done, double time)> progress;    ///< done: 0 to 1
-  std::function<bool()> is_interrupted;                      ///< true ends it with what there is
+  StopCheck stop;                                            ///< ends it with what there is
 };
 
 /// What a contact point does.
@@ -96,7 +97,7 @@ enum class MoveEnd {
   lost,    ///< a finger without inertia touches nothing any more
   inside,  ///< a stroke begins inside the object
   steps,   ///< most_steps
-  stopped, ///< is_interrupted said so
+  stopped, ///< by MoveOptions::stop
   leaps,   ///< a step that goes too far to be one: a squeeze that gives way, or --step is too long
   failed,  ///< a step without an answer: `status` says why
 };
@@ -106,6 +107,7 @@ struct MotionReport {
   Status status = Status::bad_input; ///< solved unless the end is lost, inside, steps, stopped,
                                      ///< leaps or failed
   MoveEnd end = MoveEnd::failed;
+  Stop stop = Stop::none;          ///< stopped: why
   Reason reason = Reason::none;    ///< of a step that failed
   Index body = -1;                 ///< lost or inside: which
   std::vector<MotionFrame> frames; ///< the first at time 0, before anything moves

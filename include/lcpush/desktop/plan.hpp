@@ -22,7 +22,7 @@ struct PlanOptions {
   double speed = 0.01; ///< m/s, of the fastest point of a pusher
   double position_error = 1e-3, angle_error = 3.14159265358979323846 / 180; ///< of the replay
   std::function<void(double done)> progress;                                ///< 0 to 1
-  std::function<bool()> is_interrupted; ///< true ends the search
+  StopCheck stop;                                                           ///< ends the search
 };
 
 enum class PushKind {
@@ -47,6 +47,7 @@ struct PlannedPush {
 struct PlanReport {
   bool found = false;                         ///< and its replay ends within the errors allowed
   bool holds_start = true, holds_goal = true; ///< by the grip alone; else nothing is tried
+  Stop stop = Stop::none;                     ///< what ended the search, or its replay, early
   PlanarPose goal;
   std::vector<PlannedPush> pushes;
   double cost = 0;        ///< m: the way of the centre of mass, turns at the object's size, and

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lcpush/desktop/push.hpp"
+#include "lcpush/desktop/stop.hpp"
 #include "lcpush/desktop/telling.hpp"
 
 namespace lcpush::desktop {
@@ -40,12 +41,12 @@ struct SpreadOptions {
   Index most_faces = 2000;  ///< studied on the way from the paths
   double most_work = 1.3e9; ///< multiplications, about two seconds: after them no further face is
                             ///< begun, and enumeration ends; `thorough`: after forty times that
-  double most_seconds = 0;  ///< > 0: this time instead, whatever the work; then the same input
-                            ///< need not give the same bits
+  bool by_time = false;     ///< as long as `stop` allows instead, whatever the work; then the
+                            ///< same input need not give the same bits
   LemkeOptions<double> lemke{};
   Watcher* watcher = nullptr;           ///< told of these paths' pivots
   std::function<void(double)> progress; ///< told from time to time what share is done, 0 to 1
-  std::function<bool()> is_interrupted; ///< true ends it with what is found
+  StopCheck stop;                       ///< ends it with what is found
 };
 
 enum class SpreadVerdict {
@@ -97,8 +98,7 @@ struct SpreadReport {
   Enumeration asked = Enumeration::if_small;
   bool complete = false;   ///< every answer lies on a studied face: enumeration ended, no failure
   std::string enumeration; ///< why it is not complete, empty otherwise
-  /// What ended it before its work was done: most_seconds, or is_interrupted.
-  enum class Stop { none, time, signal } stop = Stop::none;
+  Stop stop = Stop::none;  ///< what ended it before its work was done
 
   PushReport failure; ///< not solved: how Push::solve ends, with reason, ray and jam
 };
