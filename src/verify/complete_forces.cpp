@@ -1,141 +1,234 @@
-// The forces of an AnswerCompleter: from the motion, and as generators.
+// The forces of an AnswerCompleter: from the motion and the bodies' sums, and as generators.
 #include "dense/decompositions.hpp"
 #include "dense/simplex.hpp"
 #include "solve/rest_by_friction.hpp"
 #include "text/limits.hpp"
 #include "verify/answer_completer.hpp"
+#include "verify/settings.hpp"
 
 #include <algorithm>
 
 namespace lcpush::desktop {
 
-/// Newton's law, the grip, the cones and what is given of a soft point's friction, as rows on the
-/// forces that this motion allows, scaled; then what sticking leaves of the cones.
-AnswerCompleter::ForceRows AnswerCompleter::force_rows() {
+/// What a unit of the force is in every row, scaled: Newton's law, the grip, the sums that are
+/// given of its body, its point's cone, and what is given of a soft point's friction.
+Eigen::VectorXd AnswerCompleter::column(const PointForce& force) const {
+  const Index i = force.point, b = layout_.body[i], cones = force_rows();
   const Scales<double>& scales = layout_.scales;
-  const Index grips = layout_.actuators, points = layout_.points, cone_rows = 6 + grips;
-  const double least = tolerance_ * scales.acceleration;
-  ForceRows rows{Eigen::MatrixXd::Zero(cone_rows + 4 * points, layout_.forces + points),
-                 Eigen::VectorXd::Zero(cone_rows + 4 * points)};
-  rows.b.head<6>() << scene_.object.mass * answer_.acceleration.head<3>() / scales.force,
-      scene_.object.inertia * answer_.acceleration.tail<3>() / (scales.force * scales.length);
-  rows.b.head<6>() -= laws::load(scene_, scales);
-  for (Index a = 0; a < grips; ++a)
-    rows.b[6 + a] = factored_.sums[a].target - factored_.sums[a].inertia * answer_.closing[a] *
-                                                   layout_.reach[a] / scales.acceleration;
-  Index entry = 0;
-  for (Index i = 0; i < points; ++i) {
-    const ConeGroup<double>& cone = layout_.cones[i];
-    const Index cone_row = cone_rows + i, given_row = cone_rows + points + 3 * i;
-    const bool friction_is_known = friction_known(i);
-    for (Index k = 0; k < cone.forces(); ++k) {
-      const bool is_normal = k < cone.normals;
-      Eigen::VectorXd column = Eigen::VectorXd::Zero(rows.b.size());
-      column.head<6>() = factored_.wrenches[cone.force + k];
-      for (const Drive<double>& drive : scene_.drives)
-        if (drive.body == layout_.body[i])
-          column[6 + drive.actuator] += laws::grip_coefficient(
-              drive, factored_.wrenches[cone.force + k], layout_.reach[drive.actuator], scales);
-      if (cone.generators > 0) column[cone_row] = is_normal ? cone.friction : -1;
-      if (!is_normal && !friction_is_known && contact_of(i).friction_force)
-        column.segment<3>(given_row) = generator(scene_, body_of(i), i, k - cone.normals).force;
-      const double beta = is_normal ? 0 : answer_.friction[entry++];
-      const double lambda = (k == 0 ? 1 : -1) * answer_.contacts[i].normal_force;
-      if (is_normal ? normal_known(i) : friction_is_known)
-        rows.b -= std::max(is_normal ? lambda : beta, 0.0) / scales.force * column;
-      else if (is_normal ? gap(i) <= least : slides_against(i, k - cone.normals) <= least)
-        rows.A.col(cone.force + k) = column;
-    }
-    // What sliding leaves of the cone is nothing.
-    if (cone.generators > 0 && !(answer_.contacts[i].slip > least))
-      rows.A(cone_row, layout_.forces + i) = -1;
-    if (!friction_is_known && contact_of(i).friction_force)
-      rows.b.segment<3>(given_row) = *contact_of(i).friction_force / scales.force;
+  const Body<double>& body = body_of(i);
+  const bool is_normal = force.sign != 0;
+  const Generator<double> d = is_normal ? Generator<double>{force.sign * body.normal, 0}
+                                        : generator_along(body, force.direction);
+  const Vector6<double> W = laws::friction_direction(body, scene_.points[i], d, scales);
+  Eigen::VectorXd rows = Eigen::VectorXd::Zero(cones + 4 * layout_.points);
+  rows.head<6>() = W;
+  if (scene_.planar) rows.segment<3>(2).setZero(); // out-of-plane balance is dropped
+  for (const Drive<double>& drive : scene_.drives)
+    if (drive.body == b)
+      rows[6 + drive.actuator] +=
+          laws::grip_coefficient(drive, W, layout_.reach[drive.actuator], scales);
+  if (!given_.bodies.empty()) {
+    const ForeignBody& given = given_.bodies[static_cast<std::size_t>(b)];
+    const Index sums = 6 + layout_.actuators + 7 * b;
+    if (given.force) rows.segment<3>(sums) = W.head<3>();
+    if (given.moment) rows.segment<3>(sums + 3) = W.tail<3>();
+    if (given.normal_force) rows[sums + 6] = force.sign;
   }
-  for (Index row = 2; scene_.planar && row <= 4; ++row) { // out-of-plane balance is dropped
-    rows.A.row(row).setZero();
-    rows.b[row] = 0;
-  }
+  if (layout_.cones[i].generators > 0) rows[cones + i] = is_normal ? body.friction : -1;
+  if (!is_normal && !friction_known(i) && contact_of(i).friction_force)
+    rows.segment<3>(cones + layout_.points + 3 * i) = d.force;
   return rows;
+}
+
+/// What the rows of unknown forces sum up to.
+Eigen::VectorXd AnswerCompleter::targets() const {
+  const Scales<double>& scales = layout_.scales;
+  const Index cones = force_rows();
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(cones + 4 * layout_.points);
+  b.head<6>() << scene_.object.mass * answer_.acceleration.head<3>() / scales.force,
+      scene_.object.inertia * answer_.acceleration.tail<3>() / (scales.force * scales.length);
+  b.head<6>() -= laws::load(scene_, scales);
+  if (scene_.planar) b.segment<3>(2).setZero();
+  for (Index a = 0; a < layout_.actuators; ++a) {
+    const SumGroup<double> grip = laws::grip_force(scene_, a, layout_.reach[a], scales);
+    b[6 + a] =
+        grip.target - grip.inertia * answer_.closing[a] * layout_.reach[a] / scales.acceleration;
+  }
+  for (std::size_t k = 0; k < given_.bodies.size(); ++k) {
+    const ForeignBody& given = given_.bodies[k];
+    const Index sums = 6 + layout_.actuators + 7 * static_cast<Index>(k);
+    if (given.force) b.segment<3>(sums) = *given.force / scales.force;
+    if (given.moment) b.segment<3>(sums + 3) = *given.moment / (scales.force * scales.length);
+    if (given.normal_force) b[sums + 6] = *given.normal_force / scales.force;
+  }
+  std::vector<double> beta;
+  for (Index i = 0; i < layout_.points; ++i) {
+    const ContactAnswer<double>& contact = answer_.contacts[i];
+    const double lambda = contact.normal_force / scales.force;
+    if (normal_known(i)) b -= std::abs(lambda) * column({i, lambda < 0 ? -1.0 : 1.0, {}});
+    const Vector3<double> friction = friction_of(body_of(i), contact) / scales.force;
+    const double size = friction.norm();
+    if (friction_known(i) && size > 0) {
+      beta.resize(static_cast<std::size_t>(layout_.cones[i].generators));
+      Eigen::VectorXd known = size * column({i, 0, friction / size});
+      known[cones + i] = file_.is_round ? -size : -split_friction(i, beta.data()) / scales.force;
+      b -= known;
+    } else if (!friction_known(i) && contact_of(i).friction_force) {
+      b.segment<3>(cones + layout_.points + 3 * i) = contact.friction_force / scales.force;
+    }
+  }
+  return b;
+}
+
+/// The unknown ones that this motion allows. Round friction that sticks may have any direction:
+/// here it has its axes'.
+std::vector<AnswerCompleter::PointForce> AnswerCompleter::possible_forces() const {
+  std::vector<PointForce> forces;
+  for (Index i = 0; i < layout_.points; ++i) {
+    const ConeGroup<double>& cone = layout_.cones[i];
+    if (!normal_known(i) && gap(i) <= least())
+      for (Index k = 0; k < cone.normals; ++k)
+        forces.push_back({i, k == 0 ? 1.0 : -1.0, Vector3<double>::Zero()});
+    if (friction_known(i)) continue;
+    const Index g = generator_count(scene_, body_of(i));
+    const Vector3<double> v = slip(i);
+    if (!file_.is_round) {
+      for (Index j = 0; j < g; ++j)
+        if (slides_against(i, j) <= least())
+          forces.push_back({i, 0, generator_direction<double>(j, scene_.facets)});
+    } else if (v.norm() > least()) {
+      forces.push_back({i, 0, -v.normalized()});
+    } else {
+      for (Index k = 0; k < (body_of(i).torsion_radius > 0 ? 6 : 4); ++k)
+        forces.push_back({i, 0, (k % 2 == 0 ? 1.0 : -1.0) * Vector3<double>::Unit(k / 2)});
+    }
+  }
+  return forces;
+}
+
+/// The direction of a sticking point's round friction that takes most off what the fit leaves.
+std::optional<AnswerCompleter::PointForce>
+AnswerCompleter::steepest(Index point, const Eigen::VectorXd& off) const {
+  if (friction_known(point) || answer_.contacts[point].slip > least()) return std::nullopt;
+  Vector3<double> down = Vector3<double>::Zero();
+  for (Index k = 0; k < (body_of(point).torsion_radius > 0 ? 3 : 2); ++k) {
+    Eigen::VectorXd along = column({point, 0, Vector3<double>::Unit(k)});
+    along[force_rows() + point] = 0; // of every direction alike
+    down[k] = -along.dot(off);
+  }
+  if (!(down.norm() > 0)) return std::nullopt;
+  return PointForce{point, 0, down.normalized()};
 }
 
 /// Forces >= 0 that fit the rows best. A bilateral contact that pushed and pulled at once would
 /// widen its own cone: where the fit does that, every choice of one of the two is tried.
-Eigen::VectorXd AnswerCompleter::fitting_forces(const ForceRows& rows) const {
-  Eigen::VectorXd best = nonnegative_least_squares(rows.A, rows.b);
-  std::vector<Index> pulls; // the first of two columns
-  for (Index i = 0; i < layout_.points; ++i)
-    if (layout_.cones[i].normals == 2 && !normal_known(i)) pulls.push_back(layout_.cones[i].force);
+Eigen::VectorXd AnswerCompleter::fitting(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
+                                         const std::vector<PointForce>& forces) const {
+  Eigen::VectorXd best = nonnegative_least_squares(A, b);
+  std::vector<Index> pulls; // the second of two columns
+  for (std::size_t k = 0; k < forces.size(); ++k)
+    if (forces[k].sign < 0) pulls.push_back(static_cast<Index>(k));
   const bool splits = std::any_of(pulls.begin(), pulls.end(),
-                                  [&](Index k) { return best[k] > 0 && best[k + 1] > 0; });
+                                  [&](Index k) { return best[k] > 0 && best[k - 1] > 0; });
   if (!splits || pulls.size() > limits::pulls_enumerated) return best;
-  double least = -1;
+  double smallest = -1;
   for (unsigned choice = 0; choice < 1U << pulls.size(); ++choice) {
-    Eigen::MatrixXd A = rows.A;
+    Eigen::MatrixXd chosen = A;
     for (std::size_t k = 0; k < pulls.size(); ++k)
-      A.col(pulls[k] + ((choice >> k & 1U) != 0 ? 0 : 1)).setZero();
-    const Eigen::VectorXd x = nonnegative_least_squares(A, rows.b);
-    const double rest = (A * x - rows.b).norm();
-    if (least >= 0 && rest >= least) continue;
-    least = rest;
+      chosen.col(pulls[k] - ((choice >> k & 1U) != 0 ? 1 : 0)).setZero();
+    const Eigen::VectorXd x = nonnegative_least_squares(chosen, b);
+    const double rest = (chosen * x - b).norm();
+    if (smallest >= 0 && rest >= smallest) continue;
+    smallest = rest;
     best = x;
   }
   return best;
 }
 
-/// Forces that were not given: those that leave the laws least to complain about.
+/// Forces that were not given: those that leave the laws least to complain about. Round cones get
+/// generators where the friction is to go, until it goes there.
 void AnswerCompleter::find_forces() {
-  const Eigen::VectorXd x = fitting_forces(force_rows());
+  const Eigen::VectorXd b = targets();
+  std::vector<PointForce> forces = possible_forces();
+  std::vector<Index> sticking; // sliding leaves nothing of the cone
+  for (Index i = 0; i < layout_.points; ++i)
+    if (!(answer_.contacts[i].slip > least())) sticking.push_back(i);
+  Eigen::VectorXd x;
+  for (int round = 0;; ++round) {
+    const auto count = static_cast<Index>(forces.size());
+    Eigen::MatrixXd A =
+        Eigen::MatrixXd::Zero(b.size(), count + static_cast<Index>(sticking.size()));
+    for (Index k = 0; k < count; ++k) A.col(k) = column(forces[static_cast<std::size_t>(k)]);
+    for (std::size_t k = 0; k < sticking.size(); ++k)
+      A(force_rows() + sticking[k], count + static_cast<Index>(k)) = -1;
+    x = fitting(A, b, forces);
+    const Eigen::VectorXd off = A * x - b;
+    if (!file_.is_round || round == VerifySettings::cone_rounds ||
+        off.cwiseAbs().maxCoeff() <= VerifySettings::fits * tolerance_)
+      break;
+    for (const Index i : sticking)
+      if (const auto more = steepest(i, off)) forces.push_back(*more);
+  }
   completion_.has_forces = true;
   completion_.completed.emplace_back("forces that were not given, from the motion");
-  Index entry = 0;
   for (Index i = 0; i < layout_.points; ++i) {
-    const ConeGroup<double>& cone = layout_.cones[i];
-    ContactAnswer<double>& contact = answer_.contacts[i];
-    const auto force = [&](Index k) { return x[cone.force + k] * layout_.scales.force; };
-    if (!normal_known(i)) contact.normal_force = force(0) - (cone.normals == 2 ? force(1) : 0);
-    if (friction_known(i)) {
-      entry += cone.generators;
-      continue;
-    }
-    contact.friction_force.setZero();
-    contact.torsion = 0;
-    for (Index j = 0; j < cone.generators; ++j) {
-      const double beta = force(cone.normals + j);
-      const Generator<double> d = generator(scene_, body_of(i), i, j);
-      answer_.friction[entry++] = beta;
-      contact.friction_force += beta * d.force;
-      contact.torsion += beta * d.torque;
-    }
+    if (friction_known(i)) continue;
+    answer_.contacts[i].friction_force.setZero();
+    answer_.contacts[i].torsion = 0;
+  }
+  for (std::size_t k = 0; k < forces.size(); ++k) {
+    ContactAnswer<double>& contact = answer_.contacts[forces[k].point];
+    const double force = x[static_cast<Index>(k)] * layout_.scales.force;
+    contact.normal_force += forces[k].sign * force;
+    if (forces[k].sign != 0) continue;
+    const Generator<double> d = generator_along(body_of(forces[k].point), forces[k].direction);
+    contact.friction_force += force * d.force;
+    contact.torsion += force * d.torque;
   }
 }
 
-/// A friction force as generators with the least sum.
-void AnswerCompleter::split_friction(Index point, double* beta) {
-  const Body<double>& body = body_of(point);
-  const Vector3<double>& f = answer_.contacts[point].friction_force;
-  if (body.torsion_radius > 0) return split_soft(point, beta);
-  const Vector3<double> t = generator(scene_, body, point, 0).force; // round friction turns it
-  onto_neighbours(f.dot(t), f.dot(cross(body.normal, t)), layout_.cones[point].generators, beta);
-}
-
-void AnswerCompleter::split_soft(Index point, double* beta) {
+/// A friction force as generators with the least sum, N, which is returned.
+double AnswerCompleter::split_friction(Index point, double* beta) const {
   const Body<double>& body = body_of(point);
   const ContactAnswer<double>& contact = answer_.contacts[point];
-  const Index g = layout_.cones[point].generators;
-  for (Index j = 0; j < g; ++j) beta[j] = 0;
-  const Vector3<double> o = cross(body.normal, body.tangent);
+  const Index g = generator_count(scene_, body);
+  if (!(body.torsion_radius > 0)) { // round friction turns its generators
+    const Vector3<double> t = generator(scene_, body, point, 0).force;
+    const Vector3<double>& f = contact.friction_force;
+    return onto_neighbours(f.dot(t), f.dot(cross(body.normal, t)), g, beta);
+  }
+  std::fill_n(beta, g, 0.0);
+  const Vector3<double> friction = friction_of(body, contact);
+  const double size = friction.norm();
+  if (!(size > 0)) return 0;
   Eigen::MatrixXd A(3, g);
-  Eigen::Vector3d b(contact.friction_force.dot(body.tangent), contact.friction_force.dot(o),
-                    contact.torsion / body.torsion_radius);
-  const double size = b.norm();
-  if (!(size > 0)) return;
   for (Index j = 0; j < g; ++j) {
     const Generator<double> d = generator(scene_, body, point, j);
-    A.col(j) << d.force.dot(body.tangent), d.force.dot(o), d.torque / body.torsion_radius;
+    A.col(j) << d.force.dot(body.tangent), d.force.dot(cross(body.normal, body.tangent)),
+        d.torque / body.torsion_radius;
   }
-  if (const auto least = cheapest_point(A, b / size, Eigen::VectorXd::Ones(g), 0))
-    for (Index j = 0; j < g; ++j) beta[j] = size * (*least)[j];
+  double sum = 0;
+  if (const auto least = cheapest_point(A, friction / size, Eigen::VectorXd::Ones(g), 0))
+    for (Index j = 0; j < g; ++j) sum += beta[j] = size * (*least)[j];
+  return sum;
+}
+
+/// All of them; round cones are turned to the forces first, or against the slip.
+void AnswerCompleter::split_frictions() {
+  if (file_.is_round) {
+    std::vector<Vector3<double>> directions;
+    for (Index i = 0; i < layout_.points; ++i) {
+      const Vector3<double> friction = friction_of(body_of(i), answer_.contacts[i]);
+      directions.push_back(friction.norm() > 0 ? friction : Vector3<double>(-slip(i)));
+    }
+    push_.linearize_cones(directions);
+  }
+  double* beta = answer_.friction.data;
+  for (Index i = 0; i < layout_.points; ++i) {
+    const Index g = layout_.cones[i].generators;
+    if (g > 0) split_friction(i, beta);
+    beta += g;
+  }
 }
 
 } // namespace lcpush::desktop

@@ -2,8 +2,6 @@
 
 #include "formats/json_fields.hpp"
 #include "lcpush/desktop/push.hpp"
-#include "text/limits.hpp"
-#include "text/text_file.hpp"
 #include "text/wording.hpp"
 #include "verify/settings.hpp"
 
@@ -12,30 +10,33 @@
 namespace lcpush::desktop {
 namespace {
 
-/// Where each entry of the file belongs: by name if the names are exactly the scene's, else by
-/// order. `fault` receives why it fits neither way.
+/// Where each entry of the file belongs: by name if all are named as the scene names them, and then
+/// some may be left out; else by order. `fault` receives why it fits neither way.
 std::vector<std::size_t> places(const std::vector<std::string>& given,
                                 const std::vector<std::string>& known, const char* what,
                                 std::string& fault) {
-  std::vector<std::size_t> place(given.size());
-  for (std::size_t k = 0; k < given.size(); ++k) place[k] = k;
-  if (given.size() != known.size()) {
+  std::vector<std::size_t> by_name, by_order;
+  for (const std::string& name : given) {
+    const auto at =
+        static_cast<std::size_t>(std::find(known.begin(), known.end(), name) - known.begin());
+    const bool is_other =
+        given.size() == known.size() && !name.empty() && name != known[by_order.size()];
+    if (is_other && fault.empty())
+      fault = "number " + std::to_string(by_order.size() + 1) + " of its " + what + " is called " +
+              quoted(name) + ", the scene's " + quoted(known[by_order.size()]);
+    by_order.push_back(by_order.size());
+    if (at < known.size() && std::count(by_name.begin(), by_name.end(), at) == 0)
+      by_name.push_back(at);
+  }
+  if (by_name.size() == given.size()) {
+    fault.clear();
+    return by_name;
+  }
+  if (given.size() != known.size())
     fault = "its number of " + std::string(what) + " is " + std::to_string(given.size()) +
-            ", the scene's " + std::to_string(known.size());
-    return {};
-  }
-  const bool by_name = std::is_permutation(given.begin(), given.end(), known.begin());
-  for (std::size_t k = 0; k < given.size(); ++k) {
-    if (by_name)
-      place[k] =
-          static_cast<std::size_t>(std::find(known.begin(), known.end(), given[k]) - known.begin());
-    else if (!given[k].empty() && given[k] != known[k]) {
-      fault = "number " + std::to_string(k + 1) + " of its " + what + " is called " +
-              quoted(given[k]) + ", the scene's " + quoted(known[k]);
-      return {};
-    }
-  }
-  return place;
+            ", the scene's " + std::to_string(known.size()) +
+            ", and not all have the scene's names";
+  return by_order;
 }
 
 ForeignContact read_contact(const JsonFields& fields, const JsonValue& value) {
@@ -63,11 +64,11 @@ void read_contacts(const JsonFields& fields, const JsonArray& array, const Scene
     known.push_back(point_name(file, static_cast<Index>(i)));
   const std::vector<std::size_t> place = places(given, known, "contacts", answer.not_this_scene);
   if (!answer.not_this_scene.empty()) return;
-  answer.contacts.resize(read.size());
+  answer.contacts.resize(known.size());
   for (std::size_t k = 0; k < read.size(); ++k) answer.contacts[place[k]] = read[k];
   double size = 0;
   for (const Vector3<double>& p : file.points) size = std::max(size, p.norm());
-  for (std::size_t i = 0; i < read.size(); ++i) {
+  for (std::size_t i = 0; i < known.size(); ++i) {
     const ForeignContact& contact = answer.contacts[i];
     const std::string& body = file.body_name(file.body_of(static_cast<Index>(i)));
     if (!contact.body.empty() && contact.body != body)
@@ -89,7 +90,7 @@ void read_bodies(const JsonFields& fields, const JsonArray& array, const SceneFi
   const std::vector<std::size_t> place =
       places(given, file.body_names, "bodies", answer.not_this_scene);
   if (!answer.not_this_scene.empty()) return;
-  answer.bodies.resize(array.size());
+  answer.bodies.resize(file.bodies.size());
   for (std::size_t k = 0; k < array.size(); ++k) {
     ForeignBody& body = answer.bodies[place[k]];
     body.force = fields.vector<3>(array[k], "force");
@@ -105,10 +106,15 @@ void read_bodies(const JsonFields& fields, const JsonArray& array, const SceneFi
 }
 
 bool says_something(const ForeignAnswer& answer) {
-  if (answer.acceleration) return true;
-  return std::any_of(answer.contacts.begin(), answer.contacts.end(), [](const ForeignContact& c) {
+  const auto says_body = [](const ForeignBody& b) {
+    return b.force || b.moment || b.normal_force || !b.closing.empty();
+  };
+  const auto says_contact = [](const ForeignContact& c) {
     return c.normal_force || c.friction_force || c.acceleration || c.torsion;
-  });
+  };
+  return answer.acceleration || !answer.closing.empty() ||
+         std::any_of(answer.bodies.begin(), answer.bodies.end(), says_body) ||
+         std::any_of(answer.contacts.begin(), answer.contacts.end(), says_contact);
 }
 
 } // namespace
@@ -122,6 +128,8 @@ ForeignAnswer parse_foreign_answer(std::string_view text, const std::string& fil
   ForeignAnswer answer;
   answer.file = file_name;
   answer.status = fields.text(root, "status");
+  answer.break_force = fields.number(root, "break_force");
+  answer.pusher = fields.text(root, "pusher");
   if (const JsonValue* const object = root.find("object")) {
     if (object->as<JsonObject>() == nullptr)
       fields.refuse(*object, std::string("\"object\" must be an object, got ") + object->type());
@@ -134,17 +142,18 @@ ForeignAnswer parse_foreign_answer(std::string_view text, const std::string& fil
   const JsonArray* const bodies = fields.objects(root, "bodies");
   if (bodies != nullptr && answer.not_this_scene.empty())
     read_bodies(fields, *bodies, file, answer);
-  if (answer.not_this_scene.empty() && !says_something(answer))
+  if (!answer.not_this_scene.empty()) return answer;
+  if (answer.break_force && says_something(answer))
+    fields.refuse(root, "\"break_force\" is of another moment than the rest: verify one of them");
+  if (!answer.break_force && !says_something(answer))
     fields.refuse(root,
-                  "nothing to verify: give \"object\": {\"acceleration\": [6 numbers]} or "
-                  "\"contacts\": [{\"normal_force\": .., \"friction_force\": [..]}, ..]" +
+                  "nothing to verify: give \"object\": {\"acceleration\": [6 numbers]}, "
+                  "\"bodies\": [{\"name\": .., \"force\": [..], \"moment\": [..]}, ..], "
+                  "\"contacts\": [{\"normal_force\": .., \"friction_force\": [..]}, ..] or "
+                  "\"break_force\"" +
                       (answer.status.empty() ? std::string()
                                              : ", not only \"status\": " + quoted(answer.status)));
   return answer;
-}
-
-ForeignAnswer read_foreign_answer(const std::string& path, const SceneFile& file) {
-  return parse_foreign_answer(read_text_file(path, limits::answer_bytes), path, file);
 }
 
 } // namespace lcpush::desktop

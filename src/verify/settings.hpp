@@ -10,12 +10,18 @@ struct VerifySettings {
   static constexpr double dependent = 1e-10;       ///< least squares leave such a direction open
   static constexpr double basis_dependent = 1e-11; ///< the same in the basis that z names, whose
                                                    ///< columns differ by the stiffness of pads
-  static constexpr double same_place = 1e-6;       ///< of the scene's size: places in six digits
-  static constexpr double same_answer = 1e-6;      ///< least tolerance of "the same answer": two
-                                                   ///< solvers' answers in double agree to 1e-8
-  static constexpr double times_tolerance = 10;    ///< an answer off by the tolerance may lie so
-                                                   ///< many times it away from the exact one
-  static constexpr double stationary = 0.01;       ///< descent takes off less: an optimiser stops
+  /// Of the tolerance: what is slower does not move. A slow slip has one direction of friction, and
+  /// in few digits nothing is at rest: the first that lets all laws hold.
+  static constexpr double moves[] = {1e-4, 1e-2, 1};
+  static constexpr int cone_rounds = 30; ///< of fits, each with a generator more a point: 15 were
+                                         ///< the most that the shipped scenes took
+  static constexpr double fits = 1e-3;   ///< of the tolerance: so well forces are fitted
+  static constexpr double same_place = 1e-6;    ///< of the scene's size: places in six digits
+  static constexpr double same_answer = 1e-6;   ///< least tolerance of "the same answer": two
+                                                ///< solvers' answers in double agree to 1e-8
+  static constexpr double times_tolerance = 10; ///< an answer off by the tolerance may lie so
+                                                ///< many times it away from the exact one
+  static constexpr double stationary = 0.01;    ///< descent takes off less: an optimiser stops
   // Motions: files are printed with six digits or more, single precision among them.
   static constexpr double rotation = 1e-6;   ///< off orthonormal
   static constexpr double interval = 1e-3;   ///< of a step: times printed with few digits
@@ -23,9 +29,21 @@ struct VerifySettings {
   static constexpr double same_speed = 1e-9; ///< of a difference: rounding, no other worst step
   static constexpr double at_rest = 1e-3;    ///< of the motion judged: slower, the laws hold it
   static constexpr double half_spin = 1e-9;  ///< sine of a turn that is none
+  static constexpr double start = 1e-3;      ///< of the object's size, and of a turn: a simulator's
+                                             ///< first step goes less far
+  static constexpr double first_frame = 1.5; ///< intervals from 0: a first frame after a step
+  /// Times the allowed difference: a change of velocity that is followed. Accelerations that are
+  /// an eighth wrong make half of that wrong on average.
+  static constexpr double changes = 16;
+  static constexpr std::size_t least_change_frames = 8; ///< of few, schemes differ by as much
+  static constexpr int change_parts = 16;               ///< of an interval between two frames
+  static constexpr std::size_t change_frames = 200; ///< followed at most: seconds of a slow motion
   // How finely a step between two frames is repeated, doubling its parts.
   static constexpr double most_parts = 64;          ///< simulators make up to 50 steps a frame
   static constexpr double most_stated_parts = 1024; ///< where the file says how short its steps are
+  static constexpr double settling_parts = 4; ///< from then on twice as many say how many will do
+  static constexpr double jump = 0.1;         ///< of the fastest speed, between two frames
+  static constexpr double limit = 2; ///< of the way to twice as many steps, whose errors are half
   static constexpr double nearer = 0.9;   ///< finer parts count if they come so much nearer
   static constexpr int part_halvings = 8; ///< of a part that has no answer
   // Forces: the unit of a frame whose largest force or speed is next to nothing, as parts of what

@@ -1,6 +1,8 @@
 #include "lcpush/desktop/verify.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
 #include "verify/answer_completer.hpp"
 #include "verify/foreign_point.hpp"
 #include "verify/settings.hpp"
@@ -51,10 +53,19 @@ Eigen::VectorXd unknowns_of(const Layout<double>& layout, const Answer<double>& 
   return z;
 }
 
-/// The largest difference among the contact forces that the file gives.
-double force_difference(const ForeignAnswer& given, const Answer<double>& a,
-                        const Answer<double>& b) {
+/// The largest difference among the contact forces that the file gives, and the bodies'.
+double force_difference(const Scene<double>& scene, const ForeignAnswer& given,
+                        const Answer<double>& a, const Answer<double>& b) {
   double most = 0;
+  for (Index k = 0; k < static_cast<Index>(given.bodies.size()); ++k) {
+    const ForeignBody& body = given.bodies[static_cast<std::size_t>(k)];
+    const Vector6<double> off =
+        body_wrench(scene, a, scene.bodies[k]) - body_wrench(scene, b, scene.bodies[k]);
+    if (body.force) most = std::max(most, off.head<3>().norm());
+    if (body.normal_force)
+      most =
+          std::max(most, std::abs(normal_sum(a, scene.bodies[k]) - normal_sum(b, scene.bodies[k])));
+  }
   for (Index i = 0; i < static_cast<Index>(given.contacts.size()); ++i) {
     const ForeignContact& contact = given.contacts[static_cast<std::size_t>(i)];
     const ContactAnswer<double>&x = a.contacts[i], &y = b.contacts[i];
@@ -72,8 +83,7 @@ double motion_difference(const Answer<double>& a, const Answer<double>& b,
 class Verification {
 public:
   Verification(const SceneFile& file, const ForeignAnswer& given, const VerifyOptions& options)
-      : given_(given), push_(file), layout_(push_.layout()), answer_(layout_) {
-    if (file.is_round) push_.linearize_cones(friction_directions());
+      : given_(given), push_(file), own_(file), layout_(push_.layout()), answer_(layout_) {
     report_.tolerance = options.tolerance;
   }
 
@@ -82,48 +92,35 @@ public:
       report_.because = given_.not_this_scene;
       return report_;
     }
-    const Completion completion = AnswerCompleter(push_, given_, report_.tolerance, answer_).run();
-    if (!completion.missing.empty())
-      throw InputError(given_.file + ": what is given leaves the rest open; give also " +
-                       completion.missing);
-    has_forces_ = completion.has_forces;
-    report_.completed = completion.completed;
-    report_.rows = broken_rows(push_, given_, answer_);
-    report_.residual = worst_row().scaled;
+    for (const double part : VerifySettings::moves) {
+      complete(part * report_.tolerance);
+      if (!has_forces_ || report_.residual <= report_.tolerance) break;
+    }
     study_point();
     return report_;
   }
 
 private:
+  /// `least`: what is slower, in scaled units, does not move.
+  void complete(double least) {
+    const Completion completion = AnswerCompleter(push_, own_, given_, least, answer_).run();
+    if (!completion.missing.empty())
+      throw InputError(given_.file + ": what is given leaves the rest open; give also " +
+                       completion.missing);
+    has_forces_ = completion.has_forces;
+    report_.completed = completion.completed;
+    report_.rows = broken_rows(push_, given_, answer_, has_forces_);
+    report_.residual = worst_row().scaled;
+  }
+
   const ForeignAnswer& given_;
   Push push_;
+  OwnSolution own_;
   const Layout<double>& layout_;
   OwnedAnswer answer_;
   VerifyReport report_;
   bool has_forces_ = false; // filled in
 
-  /// Of round friction: where each point's force acts as far as the file tells, else against its
-  /// slip.
-  std::vector<Vector3<double>> friction_directions() const {
-    const Scene<double>& scene = push_.scene();
-    std::vector<Vector3<double>> list;
-    for (Index i = 0; i < layout_.points; ++i) {
-      const Body<double>& body = scene.bodies[layout_.body[i]];
-      const ForeignContact contact =
-          given_.contacts.empty() ? ForeignContact() : given_.contacts[static_cast<std::size_t>(i)];
-      ContactAnswer<double> known;
-      if (contact.friction_force) known.friction_force = *contact.friction_force;
-      if (contact.torsion) known.torsion = *contact.torsion;
-      if (contact.friction_force || !given_.acceleration)
-        list.push_back(friction_of(body, known));
-      else
-        list.push_back(
-            -slip_of<double>(body, scene.points[i], *given_.acceleration - body.acceleration));
-    }
-    return list;
-  }
-
-  /// Everything that needs the literal problem, before a pressure law changes it.
   void study_point() {
     const DenseProblem problem = dense(push_.assembly().problem());
     const Eigen::VectorXd z = unknowns_of(layout_, answer_);
@@ -164,20 +161,17 @@ private:
     read_answer(push_.assembly(), point->data(), refined, 1.0);
     report_.refined.residual = check(push_.scene(), layout_.scales, refined, 1.0).max();
     report_.refined.moved = (*point - z).cwiseAbs().maxCoeff();
-    report_.refined.force = force_difference(given_, answer_, refined);
+    report_.refined.force = force_difference(push_.scene(), given_, answer_, refined);
     report_.refined.acceleration = motion_difference(answer_, refined, layout_.scales);
   }
 
   void compare(const Answer<double>& nearest) {
-    PushOptions options;
-    options.explain_jams = false;
-    options.other_covers = 0;
-    const PushReport own = push_.solve(options);
+    const PushReport& own = own_.report();
     report_.own.status = own.status;
     report_.verdict = Verdict::other_solution;
     if (own.status != Status::solved) return;
     const Scales<double>& scales = layout_.scales;
-    report_.own.force = force_difference(given_, nearest, own.answer);
+    report_.own.force = force_difference(push_.scene(), given_, nearest, own.answer);
     report_.own.acceleration = motion_difference(nearest, own.answer, scales);
     const double close = close_by(report_.tolerance);
     double largest = scales.force;
@@ -199,6 +193,49 @@ private:
   }
 };
 
+Index pusher_of(const SceneFile& file, const ForeignAnswer& given) {
+  std::vector<std::string> names;
+  Index pusher = -1;
+  for (Index b = 0; b < static_cast<Index>(file.bodies.size()); ++b) {
+    if (file.body(b).role != Role::pusher) continue;
+    names.push_back(file.body_name(b));
+    if (given.pusher.empty() || given.pusher == names.back()) pusher = b;
+  }
+  if (pusher < 0 || (given.pusher.empty() && names.size() > 1))
+    throw InputError(given.file + ": \"break_force\" is of a pusher" +
+                     (names.empty() ? ", and the scene has none"
+                                    : ": give also \"pusher\", " + listed(names, "or")));
+  return pusher;
+}
+
+/// Of the force that just moves the object: beside lcpush's own, and others that obey the laws.
+VerifyReport verify_break(const SceneFile& file, const ForeignAnswer& given,
+                          const VerifyOptions& options) {
+  Push push(file);
+  const BreakReport own = push.find_breaking(pusher_of(file, given), PushOptions());
+  VerifyReport report;
+  report.tolerance = options.tolerance;
+  report.own.status = own.status;
+  report.verdict = Verdict::other_solution;
+  if (own.status != Status::solved) return report;
+  const double lawful = own.breaking.break_force, size = std::abs(lawful) + own.scales.force;
+  const auto off = [&](double force) { return std::abs(*given.break_force - force); };
+  double least = off(lawful);
+  for (const OtherBreak& other : own.others) least = std::min(least, off(other.break_force));
+  report.own.force = off(lawful);
+  report.residual = least / size;
+  report.rows = {{std::nullopt, "lcpush's own push breaks the grasp at " + brief(lawful) + " N",
+                  report.residual, least, "N"}};
+  const double close = close_by(options.tolerance) * size;
+  if (report.own.force <= close)
+    report.verdict = Verdict::same_solution;
+  else if (!(least <= close) || !own.breaking.breaks)
+    report.verdict = Verdict::not_a_solution;
+  if (report.verdict == Verdict::not_a_solution)
+    report.because = std::string(law_text(report.rows[0])) + ": " + report.rows[0].name;
+  return report;
+}
+
 } // namespace
 
 const char* verdict_text(Verdict verdict) {
@@ -213,7 +250,9 @@ const char* verdict_text(Verdict verdict) {
 
 VerifyReport verify_answer(const SceneFile& file, const ForeignAnswer& answer,
                            const VerifyOptions& options) {
-  return Verification(file, answer, options).run();
+  return answer.break_force && answer.not_this_scene.empty()
+             ? verify_break(file, answer, options)
+             : Verification(file, answer, options).run();
 }
 
 } // namespace lcpush::desktop

@@ -89,8 +89,10 @@ bool is_worse(double violation, double than) {
 /// Numbers of the file that follow from others.
 class GivenSums {
 public:
-  GivenSums(const Push& push, const ForeignAnswer& given, const Answer<double>& answer)
-      : file_(push.file()), scene_(push.file().view()), scales_(push.layout().scales),
+  GivenSums(const Push& push, const ForeignAnswer& given, const Answer<double>& answer,
+            bool is_completed)
+      : is_not_(is_completed ? " is not what forces by the laws make" : " is not its points' sum"),
+        file_(push.file()), scene_(push.file().view()), scales_(push.layout().scales),
         given_(given), answer_(answer) {}
 
   BrokenRow worst() {
@@ -105,6 +107,7 @@ public:
   }
 
 private:
+  const char* is_not_;
   const SceneFile& file_;
   Scene<double> scene_;
   const Scales<double>& scales_;
@@ -124,15 +127,14 @@ private:
     const Vector6<double> wrench = body_wrench(scene_, answer_, body);
     for (Index k = 0; k < 3; ++k) {
       if (given.force)
-        note((*given.force)[k] - wrench[k], scales_.force, "N",
-             "force" + of + " is not its points' sum");
+        note((*given.force)[k] - wrench[k], scales_.force, "N", "force" + of + is_not_);
       if (given.moment)
         note((*given.moment)[k] - wrench[3 + k], scales_.force * scales_.length, "N m",
-             "moment" + of + " is not its points' sum");
+             "moment" + of + is_not_);
     }
     if (given.normal_force)
       note(*given.normal_force - normal_sum(answer_, body), scales_.force, "N",
-           "normal_force" + of + " is not its points' sum");
+           "normal_force" + of + is_not_);
     const std::string closes = "closing_acceleration" + of + " is not the motion's";
     if (given.closing.size() == 1)
       note(given.closing[0] - mean_closing(answer_, body), scales_.acceleration, "m/s^2", closes);
@@ -158,7 +160,7 @@ Violation<double> beside_its_load(const Scene<double>& scene, Violation<double> 
 } // namespace
 
 std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
-                                   const Answer<double>& answer) {
+                                   const Answer<double>& answer, bool is_completed) {
   std::vector<Violation<double>> worst(static_cast<std::size_t>(law_count));
   std::vector<bool> any(worst.size());
   check_rows(push.scene(), push.layout().scales, answer, 1.0, [&](const Violation<double>& shown) {
@@ -175,7 +177,7 @@ std::vector<BrokenRow> broken_rows(const Push& push, const ForeignAnswer& given,
     rows.push_back({row.law, name(row), std::abs(row.scaled), std::abs(row.scaled * row.unit),
                     name.unit(row)});
   }
-  rows.push_back(GivenSums(push, given, answer).worst());
+  rows.push_back(GivenSums(push, given, answer, is_completed).worst());
   return rows;
 }
 

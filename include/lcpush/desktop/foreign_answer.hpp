@@ -27,18 +27,19 @@ struct ForeignAnswer {
   std::string file;                            ///< for messages
   std::string status;                          ///< as claimed; empty if not given
   std::optional<Vector6<double>> acceleration; ///< of the object
-  std::vector<ForeignContact> contacts;        ///< none, or in the scene's order
+  std::vector<ForeignContact> contacts;        ///< none, or the scene's
   std::vector<ForeignBody> bodies;             ///< none, or one a body of the scene's
   std::vector<double> closing;                 ///< none, or one an actuator
+  std::optional<double> break_force;           ///< N: then nothing else is given
+  std::string pusher;                          ///< whose; empty: the only one
   /// Why this cannot be an answer to the scene: other bodies, other points. Empty if it can.
   std::string not_this_scene;
 };
 
 /// Reads an answer to the scene `file`. Contacts and bodies are matched by name where all are named
-/// as the scene names them, else by order; null stands for what is not known; keys that are not
-/// known are ignored. Throws InputError, with file and line, on what is no JSON or has the wrong
-/// type, and if nothing is in it that could be checked.
-ForeignAnswer read_foreign_answer(const std::string& path, const SceneFile& file);
+/// as the scene names them, and then some may be left out, else by order; null stands for what is
+/// not known; keys that are not known are ignored. Throws InputError, with file and line, on what
+/// is no JSON or has the wrong type, and if nothing is in it that could be checked.
 ForeignAnswer parse_foreign_answer(std::string_view text, const std::string& file_name,
                                    const SceneFile& file);
 
