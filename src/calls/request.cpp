@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "formats/read_number.hpp"
 #include "text/limits.hpp"
 
 namespace lcpush::calls {
@@ -210,10 +211,12 @@ std::optional<commands::NumberList> Request::list(const std::string& option, Ind
     refuse(option, label(option) + " must be an array of " + std::to_string(n) + " numbers");
   commands::NumberList list{{}, label(option)};
   for (const JsonValue& entry : *array) {
-    if (!entry.is_null() && entry.as<double>() == nullptr)
-      fields_.refuse(entry, label(option) + " must hold numbers, or null for none");
     const double none = option == "lo" ? -infinity : option == "hi" ? infinity : -1;
-    list.numbers.push_back(entry.is_null() ? none : *entry.as<double>());
+    const std::string* const word = entry.as<std::string>();
+    const std::optional<double> infinite = word != nullptr ? read_infinite(*word) : std::nullopt;
+    if (!entry.is_null() && !infinite && entry.as<double>() == nullptr)
+      fields_.refuse(entry, label(option) + " must hold numbers, \"inf\", or null for none");
+    list.numbers.push_back(entry.is_null() ? none : infinite ? *infinite : *entry.as<double>());
   }
   return list;
 }

@@ -7,6 +7,7 @@
 #include "text/whole_number.hpp"
 #include "text/wording.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace lcpush::cli {
@@ -51,9 +52,12 @@ void check_sizes(const MatrixNames& names, Index rows, Index cols, Index q_rows,
                      by(q_rows, q_cols));
 }
 
-/// "0 1 inf": numbers by blanks or commas. Nothing if a word is no number: it names a file then.
-std::optional<std::vector<double>> typed_numbers(const std::string& text) {
+/// "0 1 inf" or "[0; 1; Inf]": numbers by blanks, commas or semicolons. Nothing if a word is no
+/// number: it names a file then.
+std::optional<std::vector<double>> typed_numbers(const std::string& given) {
   std::vector<double> numbers;
+  std::string text = without_brackets(given);
+  std::replace(text.begin(), text.end(), ';', ',');
   for (const std::string_view part : split_at(text, ','))
     for (const std::string_view word : split_words(part)) {
       if (const auto infinite = read_infinite(word)) {

@@ -3,6 +3,7 @@
 #include "commands/listener.hpp"
 #include "commands/values.hpp"
 #include "text/format.hpp"
+#include "text/limits.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
@@ -11,7 +12,8 @@ namespace lcpush::commands {
 namespace {
 
 constexpr Index sweeps_before_pivots = 200; // where they come near at all, they do so soon
-constexpr Index announced_unknowns = 2000;  // in one piece
+constexpr Index large = 2000;               // unknowns in one piece: pivots take seconds
+constexpr double over_relaxation = 1.9;
 
 RawOptions raw_options(const Values& values, Solver solver, Listener& listener) {
   RawOptions options;
@@ -25,23 +27,36 @@ RawOptions raw_options(const Values& values, Solver solver, Listener& listener) 
   return options;
 }
 
-/// Lemke's pivots store the largest piece whole: what that will take, before it is taken.
+/// Pivots store the largest piece whole: what that takes is said, or refused, before it is taken.
 void announce_effort(const Values& values, const RawProblem& problem, Listener& listener) {
   const Index n = largest_piece(problem);
-  const std::string size = std::to_string(n) + " unknowns in one piece";
+  if (n < large) return;
+  const double bytes = pivot_bytes(problem),
+               entries = static_cast<double>(n) * static_cast<double>(n);
+  const std::string takes =
+      std::to_string(n) + " unknowns in one piece: pivots store " + printed("%.1f GB", bytes / 1e9);
   const std::string other =
       "; " + values.label("solver") + " gauss-seidel stores only what is not zero";
-  if (n > largest_dimension)
-    values.refuse("M", size + " are too many for pivots, which take " +
-                           std::to_string(largest_dimension) + other);
-  if (n < announced_unknowns) return;
-  const double entries = static_cast<double>(n) * static_cast<double>(n);
-  const bool has_free =
-      std::find(problem.free.begin(), problem.free.end(), 1) != problem.free.end();
-  const double bytes = 8 * entries * (has_free ? 5 : 2);
-  listener.announce(size + ": pivots store " + printed("%.1f GB", bytes / 1e9) +
-                    " and are mostly " + std::to_string(n / 2) + " to " + std::to_string(2 * n) +
-                    printed(", each %.0f million", entries / 1e6) + " multiplications" + other);
+  if (bytes > limits::memory)
+    values.refuse("M", takes + ", and no command takes more than 1" + other);
+  listener.announce(takes + " and are mostly " + std::to_string(n / 2) + " to " +
+                    std::to_string(2 * n) + printed(", each %.0f million", entries / 1e6) +
+                    " multiplications" + other);
+}
+
+/// Of a large problem sweeps are tried first where nobody says by what: over-relaxed, which settles
+/// symmetric problems, and plain. Nothing: they do not settle.
+std::optional<RawAnswer> try_sweeps(const Values& values, const RawProblem& problem,
+                                    RawOptions options) {
+  if (values.has("solver") || largest_piece(problem) < large) return std::nullopt;
+  options.solver = Solver::gauss_seidel;
+  for (const double relaxation : {over_relaxation, 1.0}) {
+    options.sweeps.relaxation = relaxation;
+    RawAnswer answer = solve_raw(problem, options);
+    if (answer.status == Status::solved) return answer;
+    if (answer.bad_diagonal >= 0) break;
+  }
+  return std::nullopt;
 }
 
 Result run_lcp(const Values& values, Listener& listener) {
@@ -49,8 +64,12 @@ Result run_lcp(const Values& values, Listener& listener) {
   const std::string format = values.format_with_history(solver);
   const RawOptions options = raw_options(values, solver, listener);
   const auto problem = std::make_shared<RawProblem>(values.raw_problem());
-  if (solver != Solver::gauss_seidel) announce_effort(values, *problem, listener);
-  const auto answer = std::make_shared<RawAnswer>(solve_raw(*problem, options));
+  announce_infinite(*problem, listener);
+  std::optional<RawAnswer> swept = try_sweeps(values, *problem, options);
+  const Solver used = swept ? Solver::gauss_seidel : solver;
+  if (used != Solver::gauss_seidel) announce_effort(values, *problem, listener);
+  const auto answer =
+      std::make_shared<RawAnswer>(swept ? std::move(*swept) : solve_raw(*problem, options));
   if (const Index row = answer->bad_diagonal; row >= 0)
     values.refuse("M", values.label("solver") + " gauss-seidel needs a positive diagonal, but " +
                            values.row_name(row) + " has " + shown(problem->M(row, row)) +
@@ -64,7 +83,7 @@ Result run_lcp(const Values& values, Listener& listener) {
     rows.push_back({check.sweep, {check.residual}});
   return {answer->status == Status::solved,
           values.has("history") ? history_text(format, solver, answer->status, {"residual"}, rows)
-          : format == "json"    ? raw_json(*problem, *answer, solver_text(solver))
+          : format == "json"    ? raw_json(*problem, *answer, solver_text(used))
                                 : raw_text(*problem, *answer),
           [problem, answer, &values] {
             const ExactMatrices typed = values.exact_matrices();
@@ -94,6 +113,7 @@ Command lcp_command() {
               hi_option,
               findex_option,
               solver_option,
+              seconds_option,
               {"sweeps", "N", "most sweeps (default 5000; 200 before hybrid's pivots)"},
               {"relaxation", "W", "of the sweeps, between 0 and 2 (default 1)"},
               {"history", "", "the residual after each check instead; also --format csv"},

@@ -1,4 +1,5 @@
 // The box of a raw problem: lo, hi and findex.
+#include "commands/listener.hpp"
 #include "commands/values.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "text/wording.hpp"
@@ -37,7 +38,25 @@ void check_leader(const Values& values, const RawBounds& bounds, const NumberLis
     throw InputError(what + "which may be negative; its " + values.label("lo") + " must be >= 0");
 }
 
+/// Other programs write 1e20 or 1e30 where there is no end. How many are taken so.
+Index make_infinite(std::vector<double>& ends) {
+  Index count = 0;
+  for (double& end : ends) {
+    if (!std::isfinite(end) || std::abs(end) < infinite_end) continue;
+    end = std::copysign(std::numeric_limits<double>::infinity(), end);
+    ++count;
+  }
+  return count;
+}
+
 } // namespace
+
+void announce_infinite(const RawProblem& problem, Listener& listener) {
+  if (problem.bounds.huge > 0)
+    listener.announce(std::to_string(problem.bounds.huge) + " of the ends " +
+                      (problem.bounds.huge == 1 ? "is" : "are") + " " + shown(infinite_end) +
+                      " or more in size, and taken as infinite");
+}
 
 RawBounds Values::bounds(Index n) const {
   RawBounds bounds;
@@ -56,6 +75,7 @@ RawBounds Values::bounds(Index n) const {
                    findex = given("findex", -1);
   bounds.lo = lo.numbers;
   bounds.hi = hi.numbers;
+  bounds.huge = make_infinite(bounds.lo) + make_infinite(bounds.hi);
   for (Index i = 0; i < n; ++i) bounds.follows.push_back(followed(*this, findex, i));
   for (Index i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(i);

@@ -16,7 +16,8 @@
 
 namespace lcpush::commands {
 
-constexpr double longest_time = 1e6; // s
+constexpr double longest_time = 1e6;  // s
+constexpr double infinite_end = 1e15; // ends from here on: 1e20 and 1e30 are PATH's and OSQP's none
 
 /// What a command does with a scene.
 enum class Needs {
@@ -135,5 +136,8 @@ private:
 
   void refuse_size(const SceneFile& file, Needs needs) const;
 };
+
+/// Says once how many ends were so large.
+void announce_infinite(const RawProblem& problem, Listener& listener);
 
 } // namespace lcpush::commands

@@ -48,9 +48,10 @@ Result verify_motion(const Values& values, Listener&) {
           format == "json" ? trajectory_json(file, report) : trajectory_text(file, report)};
 }
 
-Result verify_raw_problem(const Values& values, Listener&) {
+Result verify_raw_problem(const Values& values, Listener& listener) {
   const std::string format = values.format();
   const RawProblem problem = values.raw_problem();
+  announce_infinite(problem, listener);
   const RawVerifyReport report = verify_raw(problem, values.z(problem), verify_options(values));
   return {is_valid(report.verdict),
           format == "json" ? verify_json(report) : verify_text(report, values.telling())};

@@ -22,9 +22,28 @@ template <class S> std::vector<S> read_row(std::string_view text, const std::str
 
 } // namespace
 
+std::string without_brackets(std::string_view text) {
+  std::string plain;
+  int depth = 0;
+  bool ends_row = false;
+  for (const char c : text) {
+    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    if (c == ']' && depth == 1) ends_row = true;
+    if (c == '[' && ends_row) plain += ';';
+    if (c == '[') ends_row = false;
+    const bool is_between = ends_row && (c == ',' || c == ' ' || c == '\n');
+    if (c != '[' && c != ']' && !is_between) plain += c;
+  }
+  const bool is_closed = depth == 0 && plain.size() < text.size();
+  if (!is_closed) return std::string(text);
+  const std::size_t last = plain.find_last_not_of(" ;");
+  return last == std::string::npos ? plain : plain.substr(0, last + 1);
+}
+
 template <class S>
-MatrixOf<S> parse_inline_matrix(std::string_view text, const std::string& option) {
+MatrixOf<S> parse_inline_matrix(std::string_view given, const std::string& option) {
   std::vector<std::vector<S>> rows;
+  const std::string text = without_brackets(given);
   for (const std::string_view part : split_at(text, ';')) {
     const std::string where = option + ": row " + std::to_string(rows.size() + 1) + ": ";
     rows.push_back(read_row<S>(part, where));

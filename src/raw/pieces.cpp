@@ -57,6 +57,22 @@ Index largest_piece(const RawProblem& problem) {
   return pieces.empty() ? 0 : static_cast<Index>(pieces.back().size());
 }
 
+double pivot_bytes(const RawProblem& problem) {
+  double unknowns = 0;
+  bool has_free = false;
+  for (Index i = 0; i < problem.size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const bool is_boxed = problem.bounds.given();
+    const bool has_lo = !is_boxed || std::isfinite(problem.bounds.lo[at]);
+    const bool has_hi = is_boxed && std::isfinite(problem.bounds.hi[at]);
+    has_free = has_free || problem.is_free(i) || (!has_lo && !has_hi);
+    unknowns += is_boxed && problem.bounds.leader(i) >= 0 ? 3 : has_lo && has_hi ? 2 : 1;
+  }
+  const double n = static_cast<double>(largest_piece(problem)) * unknowns /
+                   static_cast<double>(std::max<Index>(problem.size(), 1));
+  return sizeof(double) * n * n * (has_free ? 5 : 2);
+}
+
 RawProblem cut_out(const RawProblem& problem, const std::vector<Index>& rows) {
   RawProblem part;
   part.M.cols = static_cast<Index>(rows.size());

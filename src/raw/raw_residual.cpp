@@ -77,11 +77,14 @@ Referee::Referee(const RawProblem& problem)
 
 /// How large z_j may be for rounding in it to be excused: its own size and what it may have caught
 /// of the unknowns that share a row with it. What of these a row brings, it brings through its
-/// terms: a huge unknown with a tiny coefficient hides nothing.
+/// terms: a huge unknown with a tiny coefficient hides nothing. The row is its own; where that has
+/// no diagonal, any.
 void Referee::measure_unknowns(const std::vector<double>& z) {
   const Index n = problem_.size();
   size_.assign(z.size(), 0.0);
   caught_.assign(z.size(), 0.0);
+  std::vector<bool> has_diagonal(z.size());
+  for (Index i = 0; i < n; ++i) has_diagonal[static_cast<std::size_t>(i)] = problem_.M(i, i) != 0;
   for (Index i = 0; i < n; ++i) {
     double largest = 0, terms = std::abs(problem_.q[static_cast<std::size_t>(i)]);
     for (const SparseEntry& entry : problem_.M.row(i)) {
@@ -92,7 +95,8 @@ void Referee::measure_unknowns(const std::vector<double>& z) {
     for (const SparseEntry& entry : problem_.M.row(i)) {
       const auto j = static_cast<std::size_t>(entry.column);
       size_[j] = std::max(size_[j], largest);
-      if (entry.value != 0) caught_[j] = std::max(caught_[j], terms / std::abs(entry.value));
+      if (entry.value != 0 && (entry.column == i || !has_diagonal[j]))
+        caught_[j] = std::max(caught_[j], terms / std::abs(entry.value));
     }
   }
   const double noise = Tolerances<double>().noise;

@@ -49,6 +49,24 @@ class Lists(unittest.TestCase):
         for none in (None, -math.inf):
             self.assertLess(lcpush.lcp(M, [5, -6], lo=[none, 0], hi=None).z[0], 0)
 
+    def test_boxes_follow_rows_and_sweeps_are_asked_for(self):
+        box = ([[2, 0], [0, 2]], [-5, -3])
+        for findex in ([-1, 0], (None, 0)):
+            for options in ({}, {"solver": "gauss-seidel", "sweeps": 100, "relaxation": 1.2}):
+                answer = lcpush.lcp(*box, hi=[math.inf, 0.5], findex=findex, **options)
+                self.assertEqual([round(float(z), 9) for z in answer.z], [2.5, 1.25])
+                self.assertTrue(lcpush.check(*box, answer.z, hi=["Inf", 0.5], findex=findex))
+        self.assertRaisesRegex(lcpush.NotSolved, "limit of sweeps", lcpush.lcp, [[2, 1], [1, 2]], Q,
+                               solver="gauss-seidel", sweeps=1)
+        for end in (1e15, 1e20, 1e30, math.inf, "inf", "Inf", None):
+            lo = [-end if isinstance(end, float) else None if end is None else f"-{end}"] * 2
+            self.assertEqual(lcpush.lcp(M, Q, lo=lo, hi=[end, end])["at"], ["between", "between"])
+        self.assertEqual(list(lcpush.lcp("[2 1; 1 2]", "[-5; -6]").z), list(lcpush.lcp(M, Q).z))
+
+    def test_that_are_empty_are_no_gravity(self):
+        tables = {**lcpush.read(SLIDE).to_dict(), "gravity": []}
+        self.assertRaisesRegex(lcpush.InputError, "gravity", lcpush.Scene, tables)
+
     def test_without_an_order_are_refused(self):
         for matrix, q in ((M, {-5, -6}), ([{1, 2}, {3, 4}], Q), ({0: 1}, [1]), (M, b"ab")):
             self.assertRaises(lcpush.InputError, lcpush.lcp, matrix, q)

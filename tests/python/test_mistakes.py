@@ -78,7 +78,8 @@ OF_FINGERS = {  # another value of the first finger's friction, or another key
 }
 
 OF_PROBLEMS = {
-    "M must be a matrix: a list of rows": lambda: lcpush.lcp("abc", [1]),
+    "M must be a matrix: a list of rows": lambda: lcpush.lcp(5, [1]),
+    "M[0, 0] must be a number, not 'abc'": lambda: lcpush.lcp("abc", [1]),
     "M must be a list of rows, but 1 is no row": lambda: lcpush.lcp([1, 2], Q),
     "row 0 has 2 numbers, row 1 has 1": lambda: lcpush.lcp([[1, 2], [3]], Q),
     "M[0, 1] must be a number, not 'a'": lambda: lcpush.lcp([[1, "a"], [1, 2]], Q),

@@ -86,6 +86,10 @@ class SameJson(unittest.TestCase):
         plan = scene.plan((-0.01, 0, 0))
         words = ("plan", path, "--to", "-0.01 0 0")
         self.assertEqual(plan.json, printed(*words, "--json"))
+        for part in (cone.edges[0], plan.pushes[0] if plan else cone.edges[-1]):
+            self.assertIsInstance(part, lcpush.Record)
+            self.assertEqual({key: listed(getattr(part, key)) for key in part}, part.to_dict())
+            self.assertEqual(dict(part), part.to_dict())
         if plan:
             self.assertEqual(plan.page(), printed(*words, "--format", "html"))
             self.assertEqual(lcpush.Scene(plan.scene).text, printed(*words, "--format", "toml"))

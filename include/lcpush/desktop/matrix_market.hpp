@@ -77,8 +77,11 @@ SparseRows read_sparse_matrix(const std::string& path);
 HostMatrix parse_matrix_market(const std::string& text, const std::string& file_name);
 SparseRows parse_sparse_matrix(const std::string& text, const std::string& file_name);
 
-/// Rows by `;`, numbers by blanks or commas: "2 1; 1 2", fractions among them: "1/3". `option`
-/// names the text in messages.
+/// MATLAB's "[2 1; 1 2]" and Python's "[[2, 1], [1, 2]]" as "2 1; 1 2"; other texts as they are.
+std::string without_brackets(std::string_view text);
+
+/// Rows by `;`, numbers by blanks or commas: "2 1; 1 2", fractions among them: "1/3"; brackets
+/// around them may stand. `option` names the text in messages.
 template <class S = double>
 MatrixOf<S> parse_inline_matrix(std::string_view text, const std::string& option);
 

@@ -19,6 +19,7 @@ struct RawBounds {
   /// Empty, or for each row -1 or another row j, from 0: the ends are then -hi_i z_j and hi_i z_j,
   /// and lo_i is not read.
   std::vector<Index> follows;
+  Index huge = 0; ///< ends that were so large that they were taken as infinite
 
   bool given() const { return !lo.empty(); }
   Index leader(Index i) const {
@@ -103,5 +104,7 @@ std::string raw_json(const RawProblem& problem, const RawAnswer& answer, const s
 
 /// Rows of the largest piece that no entry of M connects to the rest: what pivots will store.
 Index largest_piece(const RawProblem& problem);
+/// About what that takes; a row between two ends is two unknowns there.
+double pivot_bytes(const RawProblem& problem);
 
 } // namespace lcpush::desktop

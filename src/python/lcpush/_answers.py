@@ -7,14 +7,25 @@ from __future__ import annotations
 
 import html
 import json
-from typing import Any, Dict, List, Optional
+from collections.abc import Mapping
+from typing import Any, Dict, Iterator, List, Optional
 
 from ._arrays import array
 from ._library import Asker
 
 
-class Record:
-    """A part of an answer: its keys are attributes; lists of numbers are arrays."""
+def _told(value: Any) -> Any:
+    """Dictionaries as records, also in lists."""
+    if isinstance(value, dict):
+        return Record(value)
+    if isinstance(value, list) and value and isinstance(value[0], dict):
+        return [Record(entry) for entry in value]
+    return value
+
+
+class Record(Mapping[str, Any]):
+    """A part of an answer: its keys are attributes; lists of numbers are arrays. It is a read-only
+    dictionary, too."""
 
     _arrays = ("position", "friction_force", "acceleration", "force", "moment", "velocity",
                "rotation", "twist", "break_twist")
@@ -27,7 +38,21 @@ class Record:
         if name not in data:
             raise AttributeError(f"{type(self).__name__} has no {name!r}; it has "
                                  + ", ".join(sorted(data)))
-        return array(data[name]) if name in self._arrays else data[name]
+        return array(data[name]) if name in self._arrays else _told(data[name])
+
+    def __getitem__(self, key: str) -> Any:
+        return self._data[key]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._data)
+
+    def __len__(self) -> int:
+        return len(self._data)
+
+    def __bool__(self) -> bool:
+        return True
+
+    __hash__ = object.__hash__
 
     def __dir__(self) -> List[str]:
         return sorted({*super().__dir__(), *self._data})

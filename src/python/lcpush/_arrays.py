@@ -27,7 +27,11 @@ def _is_list(thing: Any) -> bool:
 
 
 def _listed(thing: Any, name: str) -> Any:
-    """Matrices and vectors of SciPy, NumPy, pandas, .. as NumPy's arrays; others as they are."""
+    """Matrices and vectors of SciPy, NumPy, pandas, .. as NumPy's arrays; "[2 1; 1 2]" as rows;
+    others as they are."""
+    if isinstance(thing, str):
+        found = [row.replace(",", " ").split() for row in thing.strip("[] ;\n").split(";")]
+        return found if name == "M" else [x for row in found for x in row]
     if hasattr(thing, "toarray"):
         thing = thing.toarray()
     if numpy is None or not hasattr(thing, "__array__"):
@@ -95,6 +99,15 @@ def rows(given: Any, count: int) -> Optional[List[int]]:
             raise InputError(f"free must hold rows from 0 to {count - 1}, not {k}")
         found.append(k + 1)
     return found
+
+
+def findex(given: Any, count: int) -> Optional[List[float]]:
+    """For each row -1, or None, or the row from 0 that its ends follow."""
+    if given is None:
+        return None
+    if isinstance(given, (list, tuple)):
+        given = [-1 if row is None else row for row in given]
+    return plain(given, "findex", count)
 
 
 def ends(numbers: Any, name: str, count: int, none: float) -> Optional[List[Optional[float]]]:

@@ -5,37 +5,44 @@ import math
 from typing import Any, Dict, Iterable, Optional
 
 from ._answers import LcpAnswer, LcpVerdict, Pivots
-from ._arrays import ends, entries, plain, rows, table_of
+from ._arrays import ends, entries, findex as followed, plain, rows, table_of
 from ._errors import NotSolved
 from ._library import NOT_SOLVED, Asker, Progress, ask
 
 
-def _problem(M: Any, q: Any, free: Optional[Iterable[int]], lo: Any, hi: Any) -> Dict[str, Any]:
+def _problem(M: Any, q: Any, free: Optional[Iterable[int]], lo: Any, hi: Any,
+             findex: Any) -> Dict[str, Any]:
     matrix = entries(M)
     count = matrix["rows"]
     return {"M": matrix, "q": plain(q, "q", count), "free": rows(free, count),
-            "lo": ends(lo, "lo", count, -math.inf), "hi": ends(hi, "hi", count, math.inf)}
+            "lo": ends(lo, "lo", count, -math.inf), "hi": ends(hi, "hi", count, math.inf),
+            "findex": followed(findex, count)}
 
 
 def lcp(M: Any, q: Any, *, free: Optional[Iterable[int]] = None, lo: Any = None, hi: Any = None,
-        solver: Optional[str] = None, check: bool = True,
+        findex: Any = None, solver: Optional[str] = None, sweeps: Optional[int] = None,
+        relaxation: Optional[float] = None, check: bool = True,
         progress: Optional[Progress] = None) -> LcpAnswer:
     """Finds z with w = M z + q, z >= 0, w >= 0, z'w = 0.
 
     Args:
-        M: shape (n, n): a list of rows, a NumPy array or a SciPy sparse matrix
+        M: shape (n, n): a list of rows, a NumPy array, a SciPy sparse matrix or "[2 1; 1 2]"
         q: shape (n,)
         free: rows, from 0, that are equalities w_i = 0 with a free z_i
         lo, hi: ends of a box instead, shape (n,) or one for all, infinities among them:
-            lo <= z <= hi, w >= 0 where z is at lo, <= 0 at hi, 0 in between
+            lo <= z <= hi, w >= 0 where z is at lo, <= 0 at hi, 0 in between; from 1e15 on they are
+            infinite
+        findex: shape (n,): -1, or the row j, from 0, of the ends -hi z_j and hi z_j
         solver: "lemke" (default), "gauss-seidel" or "hybrid"
+        sweeps, relaxation: most sweeps of the last two, and their over-relaxation, between 0 and 2
         check: raise NotSolved if there is no answer
 
     >>> answer = lcp([[2, 1], [1, 2]], [-5, -6])
     >>> [round(float(z), 6) for z in answer.z]
     [1.333333, 2.333333]
     """
-    problem, options = _problem(M, q, free, lo, hi), {"solver": solver}
+    problem = _problem(M, q, free, lo, hi, findex)
+    options = {"solver": solver, "sweeps": sweeps, "relaxation": relaxation}
     code, text = ask("lcp", {**problem, **options}, progress)
     answer = LcpAnswer(text, "lcp", Asker("lcp", problem, options))
     if check and code == NOT_SOLVED:
@@ -44,7 +51,7 @@ def lcp(M: Any, q: Any, *, free: Optional[Iterable[int]] = None, lo: Any = None,
 
 
 def check(M: Any, q: Any, z: Any, *, free: Optional[Iterable[int]] = None, lo: Any = None,
-              hi: Any = None, tolerance: Optional[float] = None) -> LcpVerdict:
+              hi: Any = None, findex: Any = None, tolerance: Optional[float] = None) -> LcpVerdict:
     """Is z, shape (n,), a solution of lcp(M, q)? Judged by code that solves nothing.
 
     >>> bool(check([[2, 1], [1, 2]], [-5, -6], [4 / 3, 7 / 3]))
@@ -52,7 +59,7 @@ def check(M: Any, q: Any, z: Any, *, free: Optional[Iterable[int]] = None, lo: A
     >>> bool(check([[2, 1], [1, 2]], [-5, -6], [1.3, 2.3]))
     False
     """
-    problem = _problem(M, q, free, lo, hi)
+    problem = _problem(M, q, free, lo, hi, findex)
     options = {"z": plain(z, "z", problem["M"]["rows"]), "tolerance": tolerance}
     text = ask("verify_lcp", {**problem, **options})[1]
     return LcpVerdict(text, "verify_lcp", Asker("verify_lcp", problem, options))

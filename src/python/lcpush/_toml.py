@@ -10,6 +10,7 @@ from typing import Any, List, Mapping
 from ._errors import InputError
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
+_LISTS = ("finger", "pusher", "actuator")  # of tables, which may be none
 
 
 def _value(value: Any, where: str) -> str:
@@ -58,7 +59,7 @@ def write(scene: Mapping[str, Any]) -> str:
     """`{"object": {..}, "finger": [{..}, ..]}` as a scene file."""
     top, lines = {}, []
     for key, value in scene.items():
-        is_list = isinstance(value, (list, tuple))
+        is_list = isinstance(value, (list, tuple)) and (len(value) > 0 or key in _LISTS)
         if isinstance(value, Mapping):
             lines += ["", f"[{key}]", *_pairs(value, f"{key}: ")]
         elif is_list and all(isinstance(entry, Mapping) for entry in value):
