@@ -2,10 +2,9 @@
 
 #include "lcpush/desktop/move.hpp"
 #include "lcpush/desktop/smallest_grip.hpp"
-#include "move/motion_run.hpp"
+#include "verify/followed_motion.hpp"
 #include "verify/settings.hpp"
 #include "verify/trajectory_forces.hpp"
-#include "verify/trajectory_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +23,22 @@ double speed_between(const SceneFile& file, const Pose<double>& a, const Pose<do
   return std::max(0.0, most - Settings::digits * object_size(file)) / h;
 }
 
+/// The same to the nearest place from a on through b to the limit of ever more steps: what steps of
+/// unequal lengths make lies there.
+double speed_from_between(const SceneFile& file, const Pose<double>& a, const Pose<double>& b,
+                          const Pose<double>& to, double h) {
+  double along = 0, square = 0;
+  for (const Vector3<double>& p : file.points) {
+    const Vector3<double> way = b.at(p) - a.at(p);
+    along += way.dot(to.at(p) - a.at(p));
+    square += way.squaredNorm();
+  }
+  const double part = square > 0 ? std::clamp(along / square, 0.0, Settings::limit) : 0.0;
+  const auto between = [part](const auto& x, const auto& y) { return (x + part * (y - x)).eval(); };
+  return speed_between(file, {between(a.position, b.position), between(a.rotation, b.rotation)}, to,
+                       h);
+}
+
 /// How many times the grip that holds the scene's grip is.
 std::optional<double> held_times(const SceneFile& file) {
   Push push(file);
@@ -35,16 +50,34 @@ std::optional<double> held_times(const SceneFile& file) {
   return 1 / grip.alone.factor;
 }
 
+/// Where the motion begins, if it is not where the scene has the object: positions of another
+/// origin, as a simulator's world. A motion that begins later may be anywhere.
+std::optional<Vector3<double>> first_offset(const SceneFile& file,
+                                            const std::vector<TrajectoryFrame>& frames) {
+  const Pose<double>&first = frames[0].pose, &second = frames[1].pose;
+  const double size = object_size(file), since = frames[0].time;
+  const double moves = since > 0
+                           ? 2 * (second.position - first.position).norm() + Settings::start * size
+                           : Settings::digits * size;
+  const bool is_turned = (first.rotation - Matrix3<double>::Identity()).norm() > Settings::start;
+  const bool is_start = since <= Settings::first_frame * (frames[1].time - since);
+  if (!is_start || !(first.position.norm() > moves || (since == 0 && is_turned)))
+    return std::nullopt;
+  return first.position;
+}
+
 class TrajectoryJudge {
 public:
   TrajectoryJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given)
-      : file_(file), given_(given), seen_(file, given), run_(file) {}
+      : file_(file), given_(given), laws_(file, given) {}
 
   TrajectoryReport judge(double tolerance) {
     report_.tolerance = tolerance;
     report_.status = run_.start();
     if (report_.status == Status::running) report_.status = Status::solved;
     for (std::size_t k = 1; k < given_.size() && report_.status == Status::solved; ++k) step(k);
+    if (report_.status == Status::solved)
+      report_.missed = judge_changes(file_, given_, tolerance * report_.fastest);
     const double span = given_.back().time - given_.front().time;
     report_.creep = speed_between(file_, given_.front().pose, given_.back().pose, span);
     if (report_.steps > 0) report_.mean /= static_cast<double>(report_.steps);
@@ -63,22 +96,13 @@ private:
     MotionRun::Saved saved;
   };
 
-  /// Where a step is too long for the laws, two of half its length may be there.
-  Status advance(double h, int halvings, bool& is_halved) {
-    const Status status = run_.advance(h);
-    if (status == Status::solved || halvings == 0 || run_.stepper().run().lost) return status;
-    is_halved = true;
-    const Status half = advance(h / 2, halvings - 1, is_halved);
-    return half == Status::solved ? advance(h / 2, halvings - 1, is_halved) : half;
-  }
-
   StepEnd step_in(const TrajectoryFrame& to, double h, int parts) {
     StepEnd step;
     step.status = Status::solved;
     std::vector<Touch> before;
     for (int k = 0; k < parts && step.status == Status::solved; ++k) {
       bool is_halved = false;
-      step.status = advance(h / parts, Settings::part_halvings, is_halved);
+      step.status = laws_.advance(h / parts, is_halved, Settings::part_halvings);
       std::vector<Touch> touches = run_.touches();
       const bool goes_on = (k == 0 || touches == before) && !run_.leaves();
       step.is_smooth = step.is_smooth && goes_on && !is_halved;
@@ -96,6 +120,10 @@ private:
   StepEnd nearest_end(const TrajectoryFrame& to, double h) {
     const MotionRun::Saved before = run_.save();
     StepEnd nearest = step_in(to, h, 1), last = nearest;
+    // A jump is over before a frame is: until steps are as short, all of them step over it.
+    const Vector6<double> jump = run_.stepper().velocity() - before.moment.velocity;
+    const bool jumps = fastest_point(file_, to.pose, jump) > Settings::jump * report_.fastest;
+    const double settles = jumps ? Settings::most_parts : Settings::settling_parts;
     // Who says how short its steps are may have made many.
     const double said = to.step && *to.step > 0 ? h / *to.step : 0;
     const double most = std::clamp(said, Settings::most_parts, Settings::most_stated_parts);
@@ -106,7 +134,7 @@ private:
       StepEnd finer = step_in(to, h, parts);
       // Yet finer ones change the end by about as much again, unless something happens on the way
       // whose moment they find: can that be enough?
-      const bool is_settling = parts > 2 && is_solved && finer.status == Status::solved &&
+      const bool is_settling = parts >= settles && is_solved && finer.status == Status::solved &&
                                last.is_smooth && finer.is_smooth;
       const bool is_hopeless =
           is_settling && finer.off > 2 * speed_between(file_, last.end, finer.end, h) +
@@ -115,6 +143,9 @@ private:
           finer.status == Status::solved &&
           (nearest.status != Status::solved || finer.off < Settings::nearer * nearest.off);
       if (is_nearer) nearest = finer;
+      if (is_solved && finer.status == Status::solved)
+        nearest.off =
+            std::min(nearest.off, speed_from_between(file_, last.end, finer.end, to.pose, h));
       last = std::move(finer);
       if (is_hopeless) break;
     }
@@ -122,30 +153,16 @@ private:
     return nearest;
   }
 
-  /// The fingers are where frame k has them, if it says so.
-  void close_hand(std::size_t k) {
-    const auto closings = seen_.closings_at(k), speeds = seen_.speeds_at(k);
-    for (std::size_t a = 0; a < closings.size(); ++a)
-      if (closings[a]) run_.close(static_cast<Index>(a), *closings[a], speeds[a].value_or(0));
-    for (Index b = 0; b < run_.scene().bodies.size; ++b)
-      if (const std::optional<Pose<double>> pose = seen_.driven_pose(b, k)) run_.put(b, *pose);
-  }
-
   /// From frame k - 1 to frame k, by the laws and as given.
   void step(std::size_t k) {
     const TrajectoryFrame &from = given_[k - 1], &to = given_[k];
     const double h = to.time - from.time;
-    if (!from.twist && k == 1) { // its speed is not known before it has moved
-      run_.begin_at(from.time, from.pose, mean_twist(from.pose, to.pose, h));
-      run_.begin_strokes();
+    const bool is_unknown = !from.twist && k == 1; // its speed, before it has moved
+    laws_.begin_at(k - 1, velocity_at(given_, k - 1));
+    if (is_unknown) {
       report_.status = run_.advance(h);
       return;
     }
-    close_hand(k - 1);
-    const double before = k > 1 ? from.time - given_[k - 2].time : h;
-    run_.begin_at(from.time, from.pose,
-                  from.twist ? *from.twist : mean_twist(given_[k - 2].pose, from.pose, before));
-    run_.begin_strokes();
     for (Index b = 0; b < run_.scene().bodies.size; ++b)
       for (const Index i : points_of(run_.scene().bodies[b]))
         report_.fastest =
@@ -172,7 +189,8 @@ private:
   }
 
   void decide() {
-    const bool is_near = report_.worst <= report_.tolerance * report_.fastest;
+    const double allowed = report_.tolerance * report_.fastest;
+    const bool is_near = report_.worst <= allowed && report_.missed.speed <= allowed;
     const bool goes_on = report_.status == Status::solved;
     if (is_near)
       report_.verdict = !goes_on            ? TrajectoryVerdict::stopped
@@ -185,8 +203,8 @@ private:
 
   const SceneFile& file_;
   const std::vector<TrajectoryFrame>& given_;
-  SeenMotion seen_;
-  MotionRun run_;
+  FollowedMotion laws_;
+  MotionRun& run_ = laws_.run();
   TrajectoryReport report_;
   double goes_ = 0, own_ = 0; ///< m/s, the fastest step as given and by the laws
 };
@@ -201,7 +219,17 @@ const char* verdict_text(TrajectoryVerdict verdict) {
 TrajectoryReport verify_trajectory(const SceneFile& file,
                                    const std::vector<TrajectoryFrame>& trajectory,
                                    double tolerance) {
-  return TrajectoryJudge(file, trajectory).judge(tolerance);
+  const std::optional<Vector3<double>> offset = first_offset(file, trajectory);
+  if (!offset) return TrajectoryJudge(file, trajectory).judge(tolerance);
+  std::vector<TrajectoryFrame> moved = trajectory;
+  const Matrix3<double> turned = trajectory.front().pose.rotation.transpose();
+  for (TrajectoryFrame& frame : moved) {
+    frame.pose.position -= *offset;
+    frame.pose.rotation *= turned;
+  }
+  TrajectoryReport report = TrajectoryJudge(file, moved).judge(tolerance);
+  report.offset = offset;
+  return report;
 }
 
 } // namespace lcpush::desktop

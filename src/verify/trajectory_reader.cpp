@@ -3,8 +3,6 @@
 #include "formats/json_fields.hpp"
 #include "lcpush/desktop/naming.hpp"
 #include "lcpush/mechanics/model/contact.hpp"
-#include "text/limits.hpp"
-#include "text/text_file.hpp"
 #include "text/wording.hpp"
 #include "verify/settings.hpp"
 
@@ -162,10 +160,6 @@ ReadFrames frames_of_json(const std::string& text, const std::string& file,
     read.lines.push_back(entry.line);
   }
   return read;
-}
-
-std::vector<TrajectoryFrame> read_trajectory(const std::string& path, const SceneFile& scene) {
-  return parse_trajectory(read_text_file(path, limits::answer_bytes), file_label(path), scene);
 }
 
 std::vector<TrajectoryFrame> parse_trajectory(const std::string& text, const std::string& file,

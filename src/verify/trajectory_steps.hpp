@@ -38,6 +38,8 @@ struct SeenStep {
 
 class SeenMotion {
 public:
+  using Closings = std::vector<std::optional<double>>;
+
   /// Both must outlive it.
   SeenMotion(const SceneFile& file, const std::vector<TrajectoryFrame>& frames);
 
@@ -52,10 +54,12 @@ public:
   std::vector<std::optional<double>> speeds_at(std::size_t k) const;
   /// Where a driven body is at frame k; none: that is not known.
   std::optional<Pose<double>> driven_pose(Index body, std::size_t k) const;
+  /// Where a body is at that time by its stroke alone.
+  Pose<double> stroke_pose(Index body, double time) const {
+    return pose_of(body, time, Closings(file_.actuators.size()));
+  }
 
 private:
-  using Closings = std::vector<std::optional<double>>;
-
   std::optional<Vector6<double>> twist_of(std::size_t k) const;
   bool is_whole(std::size_t k) const;
   Closings of_actuators(std::size_t k, std::optional<double> FrameBody::*number) const;

@@ -109,6 +109,11 @@ std::string verdict_sentence(const SceneFile& file, const TrajectoryReport& repo
            fault_sentence(file, *report.forces->broken(report.tolerance)) + ".";
   case TrajectoryVerdict::differs: break;
   }
+  if (report.worst <= report.tolerance * report.fastest)
+    return "The motion breaks the laws: from " + brief(report.missed.from) + " to " +
+           brief(report.missed.until) +
+           " s its velocity changes otherwise than by their accelerations, by " +
+           speed_text(report.missed.speed) + " on average.";
   return "The motion breaks the laws: they lead elsewhere by " + worst + ".";
 }
 
@@ -144,6 +149,12 @@ std::string trajectory_text(const SceneFile& file, const TrajectoryReport& repor
                          " s), " + speed_text(report.mean) + " on average"},
       {"Beside", speed_text(report.fastest) + ", the fastest that moves; allowed are " +
                      brief(report.tolerance) + " of it"}};
+  if (report.verdict == TrajectoryVerdict::differs)
+    facts.push_back({"Changes", "over several steps the laws lead to another mean velocity by " +
+                                    speed_text(report.missed.speed) + " at most"});
+  if (report.offset)
+    facts.push_back({"Begins at", vector_text(*report.offset) +
+                                      " m instead of 0: its positions are judged from there on"});
   if (report.forces) facts.push_back(force_fact(file, report));
   return title_line(file) + verdict_sentence(file, report) + "\n\n" + facts_text(facts);
 }
@@ -158,6 +169,8 @@ std::string trajectory_json(const SceneFile& file, const TrajectoryReport& repor
       .member("worst", report.worst)
       .member("worst_time", report.worst_time)
       .member("mean", report.mean)
+      .member("missed_change", report.missed.speed)
+      .member("offset", report.offset)
       .member("status", status_text(report.status))
       .member("creep", report.creep)
       .member("held", report.held)

@@ -64,6 +64,70 @@ class Trajectory(ToolTest):
         text = "\n".join([head, *(",".join(row) for row in slow)])
         self.assertEqual(self.verdict(scene, self.file("m.csv", text))[0]["verdict"], "differs")
 
+    def fall(self, down, seconds, frames, start=(0, 0, 0), speeds=True):
+        """The verdict on a log of a box that slips out of 2 x 2 N and falls at `down` m/s^2."""
+        scene = self.file("slips.toml", HELD.replace("grip_force = 12", "grip_force = 2").replace("0.045", "0.2")
+                          .replace("friction = 0.7", "friction = 0.3"))
+        rows = ["time,x,y,z,qw,qx,qy,qz" + ",vx,vy,vz,wx,wy,wz" * speeds]
+        for t in (seconds * k / (frames - 1) for k in range(frames)):
+            x, y, z = start[0], start[1] - down * t * t / 2, start[2]
+            rows.append(f"{t},{x},{y},{z},1,0,0,0" + f",0,{-down * t},0,0,0,0" * speeds)
+        motion = self.file("m.csv", "\n".join(rows))
+        return self.verdict(scene, motion)[0], run("verify", scene, "--trajectory", motion).stdout
+
+    def test_wrong_accelerations_add_up(self):
+        right = 9.81 - 2 * 0.3 * 2 / 0.2
+        for seconds, frames in ((0.06, 61), (0.06, 601), (0.05, 21)):
+            for speeds in (True, False):
+                self.assertEqual(self.fall(right, seconds, frames, speeds=speeds)[0]["verdict"], "follows")
+                # Twice as fast, half as fast, friction of half and of a twentieth less.
+                for wrong in (2 * right, right / 2, 9.81 - 3, 1.3 * right):
+                    report, text = self.fall(wrong, seconds, frames, speeds=speeds)
+                    self.assertNotEqual(report["verdict"], "follows", (seconds, frames, speeds, wrong))
+        self.assertIn("its velocity changes otherwise than", " ".join(self.fall(2 * right, 0.05, 501)[1].split()))
+
+    def test_positions_of_another_origin_are_judged_from_their_first_on(self):
+        right = 9.81 - 2 * 0.3 * 2 / 0.2
+        for start in ((0.5, 0.3, 0.01), (0, 0, 0.01), (-3, 0, 0)):
+            report, text = self.fall(right, 0.06, 61, start)
+            self.assertEqual((report["verdict"], report["offset"]), ("follows", list(start)))
+            self.assertIn("Begins at", text)
+        self.assertIsNone(self.fall(right, 0.06, 61)[0]["offset"])
+        moved = json.loads(self.own("--json"))
+        for frame in moved["frames"]:
+            frame["position"][2] += 0.01
+        report, _ = self.verdict(PIVOT, self.file("m.json", json.dumps(moved)))
+        self.assertEqual((report["verdict"], report["forces"]["broken"]), ("follows", None))
+        late = json.loads(self.own("--json"))
+        late["frames"] = late["frames"][30:]  # which is no start
+        report, _ = self.verdict(PIVOT, self.file("m.json", json.dumps(late)))
+        self.assertEqual((report["verdict"], report["offset"]), ("follows", None))
+
+    def test_short_first_steps_follow(self):
+        rod = self.file("rod.toml", """facets = 8
+planar = true
+[object]
+mass = 0.23
+box = [0.107, 0.0316, 0.012]
+""" + "".join(f"""[[finger]]
+name = "{name}"
+normal = [0, 0, {-side}]
+friction = 0.52
+grip_force = 26.3
+shape = "line"
+ends = [[0.0053, -0.0028, {0.006 * side}], [0.0153, -0.0028, {0.006 * side}]]
+""" for name, side in (("left", 1), ("right", -1))) + """[[pusher]]
+name = "rod"
+friction = 0.127
+normal = [0, 1, 0]
+velocity = [0.0025, 0.0147, 0]
+shape = "point"
+center = [-0.0109, -0.0158, 0]
+""")
+        for time, frames in ((0.3, 41), (0.3, 101), (1, 101)):
+            motion = run("move", rod, "--time", time, "--frames", frames, "--json").stdout
+            self.assertEqual(self.verdict(rod, self.file("m.json", motion))[0]["verdict"], "follows", (time, frames))
+
     def test_without_velocities_too(self):
         motion = json.loads(self.own("--json"))
         for frame in motion["frames"]:

@@ -41,8 +41,7 @@ struct TrajectoryFrame {
 /// columns time, x, y, z, then r11 .. r33 or qw, qx, qy, qz, and if they are known vx .. wz and
 /// forces. Throws InputError: not of this shape, times that do not grow, no rotation, bodies or
 /// contacts that the scene has not.
-std::vector<TrajectoryFrame> read_trajectory(const std::string& path, const SceneFile& scene);
-/// The same for a text; `file_name` only names it in messages.
+/// `file_name` only names the text in messages.
 std::vector<TrajectoryFrame> parse_trajectory(const std::string& text, const std::string& file_name,
                                               const SceneFile& scene);
 
@@ -95,6 +94,13 @@ struct ForceReport {
   const WorstForce* broken(double tolerance) const;
 };
 
+/// What each step's end does not show, since it is small beside the tolerance, adds up: the
+/// velocity is followed until it has changed so much that wrong accelerations show.
+struct MissedChange {
+  double speed = 0; ///< m/s, by which the laws lead elsewhere on average over so long, at most
+  double from = 0, until = 0; ///< s
+};
+
 /// Steps are compared one by one, each begun where the other motion is.
 struct TrajectoryReport {
   TrajectoryVerdict verdict = TrajectoryVerdict::differs;
@@ -104,6 +110,9 @@ struct TrajectoryReport {
   double worst = 0;      ///< m/s, between the ends of a step, at the contact point where most
   double worst_time = 0; ///< s, at that step's end
   double mean = 0;       ///< m/s
+  MissedChange missed;   ///< over several steps
+  /// m: the positions are relative to another origin, and so are judged from their first on.
+  std::optional<Vector3<double>> offset;
   Status status = Status::solved;    ///< of the step that stopped
   double creep = 0;                  ///< m/s, mean speed of the contact point that goes farthest
   std::optional<double> held;        ///< so many times the grip that holds: the scene's own

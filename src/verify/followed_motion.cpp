@@ -1,0 +1,142 @@
+#include "verify/followed_motion.hpp"
+#include "verify/settings.hpp"
+
+#include <algorithm>
+
+namespace lcpush::desktop {
+namespace {
+
+using Settings = VerifySettings;
+
+class ChangeJudge {
+public:
+  ChangeJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given, double allowed)
+      : file_(file), given_(given), allowed_(allowed), laws_(file, given) {}
+
+  MissedChange judge(double enough) {
+    MissedChange worst;
+    if (laws_.run().start() != Status::running) return worst;
+    std::size_t from = 0;
+    if (!given_[0].twist) { // its speed is not known before it has moved
+      if (!led_astray(0, 1, 1)) return worst;
+      from = 1;
+    }
+    std::optional<MissedChange> last;
+    for (std::size_t to = from + 1; to < given_.size(); ++to) {
+      const double changed = fastest_point(file_, given_[to].pose,
+                                           velocity_at(given_, to) - velocity_at(given_, from));
+      const bool is_last = to + 1 == given_.size();
+      const std::size_t frames = to - from;
+      const bool shows = changed >= enough && frames >= Settings::least_change_frames;
+      if (!shows && !is_last && frames < Settings::change_frames) continue;
+      const std::optional<double> missed = missed_change(from, to);
+      if (!missed) return worst; // the steps there have been judged
+      // An event may be missed by once; what is wrong with the dynamics lasts.
+      const MissedChange now{*missed, given_[from].time, given_[to].time};
+      const MissedChange& less = last && last->speed < now.speed ? *last : now;
+      if ((last || is_last) && less.speed > worst.speed) worst = less;
+      last = now;
+      from = to;
+    }
+    return worst;
+  }
+
+private:
+  const SceneFile& file_;
+  const std::vector<TrajectoryFrame>& given_;
+  double allowed_;
+  FollowedMotion laws_;
+
+  /// By how much the laws lead the points of contact elsewhere, m, interval for interval, summed
+  /// up: each in so many steps from the given place, at the velocity to which they have led before.
+  std::optional<Eigen::VectorXd> led_astray(std::size_t from, std::size_t to, int parts) {
+    Eigen::VectorXd astray = Eigen::VectorXd::Zero(3 * static_cast<Index>(file_.points.size()));
+    Vector6<double> velocity = velocity_at(given_, from);
+    for (std::size_t k = from + 1; k <= to; ++k) {
+      laws_.begin_at(k - 1, velocity);
+      const double h = (given_[k].time - given_[k - 1].time) / parts;
+      bool is_halved = false;
+      for (int part = 0; part < parts; ++part)
+        if (laws_.advance(h, is_halved, Settings::part_halvings) != Status::solved)
+          return std::nullopt;
+      const MotionRun::Stepper& end = laws_.run().stepper();
+      velocity = end.velocity();
+      for (std::size_t i = 0; i < file_.points.size(); ++i)
+        astray.segment<3>(3 * static_cast<Index>(i)) +=
+            end.pose().at(file_.points[i]) - given_[k].pose.at(file_.points[i]);
+    }
+    return astray;
+  }
+
+  /// m/s on average; of several numbers of steps, and of what steps of unequal lengths make, the
+  /// least. While more steps still lead elsewhere by as much, the laws say nothing: 0.
+  std::optional<double> missed_change(std::size_t from, std::size_t to) {
+    const double time = given_[to].time - given_[from].time;
+    const auto speed = [time](const Eigen::VectorXd& astray) {
+      double most = 0;
+      for (Index i = 0; i < astray.size(); i += 3)
+        most = std::max(most, astray.segment<3>(i).norm() / time);
+      return most;
+    };
+    const MotionRun::Saved before = laws_.run().save();
+    std::optional<Eigen::VectorXd> last = led_astray(from, to, 1);
+    if (!last) return std::nullopt;
+    double off = speed(*last);
+    for (int parts = 2; parts <= Settings::change_parts && off > allowed_; parts *= 2) {
+      laws_.run().restore(before);
+      const std::optional<Eigen::VectorXd> finer = led_astray(from, to, parts);
+      if (!finer) return std::nullopt;
+      const Eigen::VectorXd way = *finer - *last;
+      const double part = way.squaredNorm() > 0 ? -way.dot(*last) / way.squaredNorm() : 0.0;
+      off = std::min(off, speed(*last + std::clamp(part, 0.0, Settings::limit) * way));
+      if (off > 2 * speed(way) + allowed_) return off;
+      last = finer;
+    }
+    return off > allowed_ ? 0 : off;
+  }
+};
+
+} // namespace
+
+void FollowedMotion::begin_at(std::size_t k, const Vector6<double>& twist) {
+  if (k == 0) run_.begin_strokes(); // those of the scene's start, where a motion begins late
+  const auto closings = seen_.closings_at(k), speeds = seen_.speeds_at(k);
+  for (std::size_t a = 0; a < closings.size(); ++a)
+    if (closings[a]) run_.close(static_cast<Index>(a), *closings[a], speeds[a].value_or(0));
+  for (Index b = 0; b < run_.scene().bodies.size; ++b) {
+    if (k == 0 && !is_driven(run_.scene(), b)) run_.put(b, seen_.stroke_pose(b, given_[k].time));
+    if (const std::optional<Pose<double>> pose = seen_.driven_pose(b, k)) run_.put(b, *pose);
+  }
+  run_.begin_at(given_[k].time, given_[k].pose, twist);
+  run_.begin_strokes();
+}
+
+Status FollowedMotion::advance(double h, bool& is_halved, int halvings) {
+  const Status status = run_.advance(h);
+  if (status == Status::solved || halvings == 0 || run_.stepper().run().lost) return status;
+  is_halved = true;
+  const Status half = advance(h / 2, is_halved, halvings - 1);
+  return half == Status::solved ? advance(h / 2, is_halved, halvings - 1) : half;
+}
+
+Vector6<double> velocity_at(const std::vector<TrajectoryFrame>& given, std::size_t k) {
+  if (given[k].twist) return *given[k].twist;
+  const TrajectoryFrame& from = given[k == 0 ? 0 : k - 1];
+  const TrajectoryFrame& to = given[k == 0 ? 1 : k];
+  return mean_twist(from.pose, to.pose, to.time - from.time);
+}
+
+double fastest_point(const SceneFile& file, const Pose<double>& object,
+                     const Vector6<double>& twist) {
+  double most = 0;
+  for (const Vector3<double>& p : file.points)
+    most = std::max(most, acceleration_at<double>(object.rotation * p, twist).norm());
+  return most;
+}
+
+MissedChange judge_changes(const SceneFile& file, const std::vector<TrajectoryFrame>& given,
+                           double allowed) {
+  return ChangeJudge(file, given, allowed).judge(Settings::changes * allowed);
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,39 @@
+// The laws' own motion, begun again and again where somebody else's is.
+#pragma once
+
+#include "move/motion_run.hpp"
+#include "verify/trajectory_steps.hpp"
+
+namespace lcpush::desktop {
+
+class FollowedMotion {
+public:
+  /// Both must outlive it.
+  FollowedMotion(const SceneFile& file, const std::vector<TrajectoryFrame>& given)
+      : given_(given), seen_(file, given), run_(file) {}
+
+  MotionRun& run() { return run_; }
+  /// At frame k with this velocity; the fingers are where that has them, if it says so, else where
+  /// they were. Pre: called with growing k.
+  void begin_at(std::size_t k, const Vector6<double>& twist);
+  /// One step; where it is too long for the laws, two of half its length may be there.
+  [[nodiscard]] Status advance(double h, bool& is_halved, int halvings);
+
+private:
+  const std::vector<TrajectoryFrame>& given_;
+  SeenMotion seen_;
+  MotionRun run_;
+};
+
+/// At frame k, as given; or as of every implicit scheme the mean since the frame before.
+Vector6<double> velocity_at(const std::vector<TrajectoryFrame>& given, std::size_t k);
+
+/// m/s: of the point of contact that this twist moves fastest.
+double fastest_point(const SceneFile& file, const Pose<double>& object,
+                     const Vector6<double>& twist);
+
+/// `allowed`: m/s. Cost: a step a frame; where they miss, up to 31.
+MissedChange judge_changes(const SceneFile& file, const std::vector<TrajectoryFrame>& given,
+                           double allowed);
+
+} // namespace lcpush::desktop
