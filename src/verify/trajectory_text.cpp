@@ -145,8 +145,9 @@ std::string trajectory_text(const SceneFile& file, const TrajectoryReport& repor
       {"Compared", counted(report.steps, "step") +
                        ", each begun where the motion is and made in so many equal parts as "
                        "come nearest"},
-      {"Difference", speed_text(report.worst) + " at most (at " + brief(report.worst_time) +
-                         " s), " + speed_text(report.mean) + " on average"},
+      {"Difference", speed_text(report.worst) + " at most" +
+                         (report.worst > 0 ? " (at " + brief(report.worst_time) + " s)" : "") +
+                         ", " + speed_text(report.mean) + " on average"},
       {"Beside", speed_text(report.fastest) + ", the fastest that moves; allowed are " +
                      brief(report.tolerance) + " of it"}};
   if (report.verdict == TrajectoryVerdict::differs)
