@@ -72,27 +72,30 @@ std::optional<Vector6<double>> asked_twist(const Values& values) {
 }
 
 /// A cut, where --vary asks for one.
-Result run_slice(const Values& values, const std::string& format, const VariedScene& scene) {
+Result run_slice(const Values& values, const std::string& format, const VariedScene& scene,
+                 Listener& listener) {
   if (values.has("twist"))
     values.refuse("twist", values.label("vary") + " cuts the cone, " + values.label("twist") +
                                " judges one motion; give one of the two");
-  const SceneFile all = scene.as_given();
-  const VariedScene alone = scene.with_only_pusher(all.body_name(values.pusher(all)));
-  const std::vector<Variation> variations = values.variations(alone);
+  const std::vector<Variation> variations = values.variations(scene);
   if (variations.size() != 1)
     values.refuse("vary", values.label("vary") + " cuts the cone along one number");
-  const SceneFile file = alone.as_given();
-  const ConeSlice slice = find_slice(alone, variations[0], values.pusher(file));
-  return {true, format == "json"  ? slice_json(file, slice)
-                : format == "svg" ? slice_svg(file, slice)
-                                  : slice_text(file, slice)};
+  const SceneFile file = scene.as_given();
+  const ConeSlice slice = find_slice(scene, variations[0], values.pusher(file),
+                                     [&](double part) { return listener.stop(part); });
+  return {true,
+          format == "json"  ? slice_json(file, slice)
+          : format == "svg" ? slice_svg(file, slice)
+                            : slice_text(file, slice),
+          {},
+          slice.stop};
 }
 
-Result run_cone(const Values& values, Listener&) {
+Result run_cone(const Values& values, Listener& listener) {
   const std::string format = values.format();
   const std::optional<Vector6<double>> twist = asked_twist(values);
-  const VariedScene scene = values.varied_scene(Needs::scene);
-  if (values.has("vary")) return run_slice(values, format, scene);
+  const VariedScene scene = values.with_only_pusher(values.varied_scene(Needs::scene), listener);
+  if (values.has("vary")) return run_slice(values, format, scene, listener);
   const SceneFile file = scene.as_given();
   const ConeReport report = find_cone(file, values.pusher(file), twist);
   return {report.status == Status::solved, format == "json" ? cone_json(file, report)
@@ -184,12 +187,14 @@ Command cone_command() {
               {{"twist", "V", "the motion that is judged, \"vx vy wz\" at the centre of mass"},
                {"vary", "PATH=FROM:TO",
                 "any scene: where along this, such as wall.acceleration[1]=-1:1, it sticks"},
-               {"pusher", "NAME", "which one, among several"},
+               {"pusher", "NAME", "which one, among several; the others are left out"},
                pressure_option,
                verbose_option,
                format_option("text (default), json or svg; --json for short")}),
           run_cone,
-          {"text", "json", "svg"}};
+          {"text", "json", "svg"},
+          1,
+          true};
 }
 
 Command plan_command() {

@@ -13,15 +13,17 @@ namespace {
 ParameterSweepOptions sweep_options(const Values& values, Listener& listener, Index most) {
   ParameterSweepOptions options;
   options.steps = values.whole("steps", {2, most}).value_or(0);
-  options.pivoted = [&listener] { listener.end_if_cancelled(); };
+  options.stop = [&listener](double part) { return listener.stop(part); };
   return options;
 }
 
 /// All that is known before the first solve, so that bad input costs no time.
-std::vector<SweepCurve> read_curves(const Values& values, std::vector<VariedScene>& scenes) {
+std::vector<SweepCurve> read_curves(const Values& values, Listener& listener,
+                                    std::vector<VariedScene>& scenes) {
   std::vector<SweepCurve> curves;
   for (std::size_t k = 0; k < values.scene_count(); ++k) {
-    VariedScene scene = values.varied_scene(Needs::matrix, k);
+    const VariedScene scene =
+        values.with_only_pusher(values.varied_scene(Needs::matrix, k), listener);
     const std::string given = scene.as_given().title,
                       title = given.empty() ? values.scene_name(k) : given,
                       mine = values.scene_count() > 1 ? title : "";
@@ -78,28 +80,33 @@ Result run_sweep(const Values& values, Listener& listener) {
                               std::to_string(count) + " times");
   const std::vector<SweepQuantity> shown = shown_quantities(values, format);
   std::vector<VariedScene> scenes;
-  std::vector<SweepCurve> curves = read_curves(values, scenes);
+  std::vector<SweepCurve> curves = read_curves(values, listener, scenes);
   ParameterSweepOptions options =
       options_of_curves(values, listener, curves, scenes.front().as_given());
   bool is_complete = true;
+  Stop stop = Stop::none;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     options.progress = [&listener, &curves, k](double done) {
       listener.progress((static_cast<double>(k) + done) / static_cast<double>(curves.size()),
                         "of the sweep");
-      listener.end_if_cancelled(); // where a neighbour's basis does, nothing pivots
     };
     options.pusher = values.pusher(scenes[k].as_given());
     curves[k].sweep = sweep_parameter(scenes[k], curves[k].sweep.variations, options);
     is_complete = is_complete && curves[k].sweep.complete;
+    stop = curves[k].sweep.stop;
+    if (stop != Stop::none) curves.resize(k + 1); // with what there is
   }
   std::vector<SceneDoubt> doubts;
   const std::size_t curves_a_scene = scenes.size() / values.scene_count();
   for (std::size_t k = 0; k < scenes.size() && format == "json"; k += curves_a_scene)
     for (SceneDoubt& doubt : check_scene(scenes[k].as_given())) doubts.push_back(std::move(doubt));
-  return {is_complete, format == "json"  ? sweep_json(curves, doubts)
-                       : format == "csv" ? sweep_csv(curves)
-                       : format == "svg" ? sweep_svg(curves, sweep_title(curves), shown)
-                                         : sweep_text(curves, values.telling())};
+  return {is_complete,
+          format == "json"  ? sweep_json(curves, doubts)
+          : format == "csv" ? sweep_csv(curves)
+          : format == "svg" ? sweep_svg(curves, sweep_title(curves), shown)
+                            : sweep_text(curves, values.telling()),
+          {},
+          stop};
 }
 
 std::vector<Sweep> swept(const Values& values, Listener& listener, const VariedScene& scene,
@@ -110,9 +117,10 @@ std::vector<Sweep> swept(const Values& values, Listener& listener, const VariedS
   else if (values.has("steps"))
     values.refuse("steps", values.label("steps") + " goes with " + values.usage("vary"));
   ParameterSweepOptions options = sweep_options(values, listener, limits::report_steps);
-  options.progress = [&listener](double done) {
-    listener.progress(done, "of the sweep");
+  options.progress = [&listener](double done) { listener.progress(done, "of the sweep"); };
+  options.stop = [&listener](double) { // a page without its plots would be none
     listener.end_if_cancelled();
+    return Stop::none;
   };
   if (!variations.empty()) options.pusher = values.pusher(file);
   std::vector<Sweep> sweeps;
@@ -196,14 +204,15 @@ Examples:
            {"each", "PATH=V,V,..", "one curve for each of these values of another number"},
            {"steps", "N", "points evenly spread, ends included (51; a map 11 each way)"},
            pressure_option,
-           {"pusher", "NAME", "whose force is meant, among several"},
+           {"pusher", "NAME", "which one pushes, among several; the others are left out"},
            {"show", "NAME,NAME,..",
             "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
            verbose_option,
            format_option("text (default), csv, json or svg; --json for short")}),
       run_sweep,
       {"text", "csv", "json", "svg"},
-      limits::curves};
+      limits::curves,
+      true};
 }
 
 Command report_command() {

@@ -1,5 +1,7 @@
 #include "commands/values.hpp"
 
+#include "commands/listener.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -116,6 +118,19 @@ Index Values::pusher(const SceneFile& file) const {
   if (pusher < 0)
     refuse("pusher", "no pusher is named " + desktop::quoted(*wanted) + suggestion(*wanted, names));
   return pusher;
+}
+
+VariedScene Values::with_only_pusher(const VariedScene& scene, Listener& listener) const {
+  const SceneFile file = scene.as_given();
+  const std::string& name = file.body_name(pusher(file));
+  std::vector<std::string> others;
+  for (std::size_t b = 0; b < file.bodies.size(); ++b)
+    if (file.bodies[b].role == Role::pusher && file.body_names[b] != name)
+      others.push_back(file.body_names[b]);
+  if (others.empty()) return scene;
+  listener.announce(name + " alone pushes; " + listed(others, "and") +
+                    (others.size() > 1 ? " are" : " is") + " left out.");
+  return scene.with_only_pusher(name);
 }
 
 } // namespace lcpush::commands

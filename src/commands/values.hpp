@@ -119,6 +119,8 @@ public:
   VariedScene varied_scene(Needs needs, std::size_t k = 0) const;
   /// The body of --pusher, or the only pusher.
   Index pusher(const SceneFile& file) const;
+  /// The scene in which that one alone pushes; the listener hears which others are left out.
+  VariedScene with_only_pusher(const VariedScene& scene, Listener& listener) const;
   /// Refuses a scene with more unknowns than `most`, whose `what`.
   void refuse_unknowns(const SceneFile& file, Index most, const std::string& what) const;
   /// Refuses a scene in which nothing moves.

@@ -28,15 +28,18 @@ struct Look {
 
 class Slicer {
 public:
-  Slicer(const VariedScene& scene, const Variation& variation, Index pusher)
-      : scene_(scene), pusher_(pusher), slice_{variation, pusher, true, {}, {}} {}
+  Slicer(const VariedScene& scene, const Variation& variation, Index pusher, const StopCheck& stop)
+      : scene_(scene), pusher_(pusher),
+        stop_(stop), slice_{variation, pusher, true, Stop::none, {}, {}} {}
 
   ConeSlice cut() {
     ParameterSweepOptions options;
     options.pusher = pusher_;
     options.both_ways = false;
     options.steps = 2;
+    options.stop = stop_;
     const Sweep sweep = sweep_parameter(scene_, {slice_.variation}, options);
+    slice_.stop = sweep.stop;
     if (sweep.segments.empty())
       sample();
     else
@@ -47,7 +50,13 @@ public:
 private:
   const VariedScene& scene_;
   const Index pusher_;
+  const StopCheck& stop_;
   ConeSlice slice_;
+
+  bool goes_on() {
+    if (slice_.stop == Stop::none) slice_.stop = stop_now(stop_);
+    return slice_.stop == Stop::none;
+  }
 
   Look look(double value) const {
     const SceneFile file = scene_.at({slice_.variation.parameter}, {value});
@@ -113,10 +122,10 @@ private:
     slice_.is_exact = false;
     const double from = slice_.variation.from, width = slice_.variation.to - from;
     Look last = look(from);
-    for (int k = 1; k <= samples; ++k) {
+    for (int k = 1; k <= samples && goes_on(); ++k) {
       const Look next = look(k == samples ? slice_.variation.to : from + width * k / samples);
       Look low = last, high = next;
-      while (!low.is_like(high) &&
+      while (!low.is_like(high) && goes_on() &&
              std::abs(high.value - low.value) > sampled_to * std::abs(width)) {
         const Look middle = look((low.value + high.value) / 2);
         (middle.is_like(low) ? low : high) = middle;
@@ -147,8 +156,9 @@ private:
 
 } // namespace
 
-ConeSlice find_slice(const VariedScene& scene, const Variation& variation, Index pusher) {
-  return Slicer(scene, variation, pusher).cut();
+ConeSlice find_slice(const VariedScene& scene, const Variation& variation, Index pusher,
+                     const StopCheck& stop) {
+  return Slicer(scene, variation, pusher, stop).cut();
 }
 
 } // namespace lcpush::desktop

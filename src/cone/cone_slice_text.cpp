@@ -59,7 +59,8 @@ std::string slice_json(const SceneFile& file, const ConeSlice& slice) {
   json.begin_object()
       .member("pusher", file.body_name(slice.pusher))
       .member("vary", slice.variation.parameter.path)
-      .member("exact", slice.is_exact);
+      .member("exact", slice.is_exact)
+      .member("stopped", unless_empty(std::string(stop_text(slice.stop))));
   json.objects("ranges", slice.ranges, [&](const ConeSlice::Range& range) {
     json.member("from", range.from)
         .member("to", range.to)

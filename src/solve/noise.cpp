@@ -39,21 +39,30 @@ double load_size(const SceneFile& file, const Scales<double>& scales) {
 
 } // namespace
 
+Noise noise_below(const SceneFile& file, const Scales<double>& scales, double part) {
+  const double force = std::max(rounding_of_force() * scales.force, part * load_size(file, scales));
+  return {force, force * scales.length, force / file.object.mass, part * scales.length};
+}
+
 void find_noise(const SceneFile& file, const Answer<double>& answer, RunReport& report) {
-  const Scales<double>& scales = report.scales;
-  const double load = load_size(file, scales), least = rounding_of_force() * scales.force;
-  const auto noise_below = [&](double part) {
-    const double force = std::max(least, part * load);
-    return Noise{force, force * scales.length, force / file.object.mass, part * scales.length};
-  };
-  report.noise = noise_below(word_settings.rounding);
-  report.brief_noise = noise_below(word_settings.table);
+  report.noise = noise_below(file, report.scales, word_settings.rounding);
+  report.brief_noise = noise_below(file, report.scales, word_settings.table);
   // Where nothing moves, the fastest is rounding's.
   double fastest = 0;
   for (const ContactAnswer<double>& contact : answer.contacts)
     fastest = std::max(fastest, contact.acceleration.norm());
   report.brief_noise.acceleration =
       std::max(report.noise.acceleration, word_settings.table * fastest);
+}
+
+void let_rest(const SceneFile& file, const Noise& noise, Answer<double>& answer) {
+  const Scene<double> scene = file.view();
+  for (Index i = 0; i < answer.contacts.size; ++i) {
+    ContactAnswer<double>& contact = answer.contacts[i];
+    const double spin = scene.bodies[contact.body].torsion_radius * std::abs(contact.spin);
+    if (contact.acceleration.norm() + spin + clearance_of(scene, i) <= noise.acceleration)
+      contact.mode = Mode::stick;
+  }
 }
 
 Index lost_actuator(const SceneFile& file, const Scales<double>& scales) {

@@ -6,10 +6,17 @@
 
 namespace lcpush::desktop {
 
-/// Sets the report's noise and brief_noise. They are measured by the smallest load that the file
-/// gives, so that what is shown as nothing is nothing beside that load too, but are never below
-/// what rounding leaves of F; a brief report's also by the fastest of `answer`'s contacts.
+/// A part of the smallest load that the file gives, so that what is shown as nothing is nothing
+/// beside that load too, but never below what rounding leaves of F.
+Noise noise_below(const SceneFile& file, const Scales<double>& scales, double part);
+
+/// Sets the report's noise and brief_noise; a brief report's also by the fastest of `answer`'s
+/// contacts.
 void find_noise(const SceneFile& file, const Answer<double>& answer, RunReport& report);
+
+/// A contact whose point stands still but for noise sticks: without a force it neither slips nor
+/// opens.
+void let_rest(const SceneFile& file, const Noise& noise, Answer<double>& answer);
 
 /// The actuator whose force is no more than what rounding leaves of F, or -1.
 Index lost_actuator(const SceneFile& file, const Scales<double>& scales);

@@ -264,6 +264,7 @@ PushReport Push::solve(const PushOptions& options) & {
   const double push = push_size(scene_);
   name_file_bodies();
   find_noise(file_, report.answer, report);
+  let_rest(file_, report.noise, report.answer);
   report.motion = describe_motion(file_.view(), report.answer, report.scales.length,
                                   report.noise.acceleration / word_settings.rounding, push);
   const double noise = rest_tolerance(options.solver) * report.scales.acceleration;

@@ -25,8 +25,12 @@ struct SpreadSettings {
   static constexpr double wider = 1e-6; ///< the same: what a range must gain to be another
   static constexpr double zero = 1e-9;  ///< of the unknowns of a corner that is met again
   // How far enumeration goes.
-  static constexpr double thorough_factor = 40; ///< times the usual work: a minute
-  static constexpr double part_of_time = 0.8;   ///< of the seconds asked for, before the walk
+  static constexpr double thorough_factor = 40;      ///< times the usual work: a minute
+  static constexpr double part_of_time = 0.8;        ///< of the seconds asked for, before the walk
+  static constexpr double part_of_walk = 0.5;   ///< of the work of enumeration: a second
+  static constexpr double part_of_enumeration = 0.5; ///< of the progress, before the walk
+  /// Multiplications in the time that it takes to propose a mode of a contact: 30 ns.
+  static constexpr double work_of_a_mode = 20;
   /// Small scenes have done a hundredth of the tree after this part of the work.
   static constexpr double judged_after = 0.1;
 };

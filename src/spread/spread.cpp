@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <deque>
 #include <limits>
 #include <optional>
@@ -9,6 +10,8 @@
 #include <unordered_set>
 
 #include "lcpush/mechanics/solve/breaking.hpp"
+#include "solve/noise.hpp"
+#include "solve/word_settings.hpp"
 #include "spread/face_study.hpp"
 #include "spread/mode_tree.hpp"
 #include "spread/settings.hpp"
@@ -17,19 +20,24 @@
 namespace lcpush::desktop {
 namespace {
 
-/// Modes, and lists of them, have the same text only if they are the same.
-std::string key_of(const ContactMode& mode) {
-  std::string key{static_cast<char>('a' + static_cast<int>(mode.kind) + (mode.pulls ? 4 : 0))};
-  for (const Index j : mode.active) {
-    key += static_cast<char>(j & 0x7f);
-    key += static_cast<char>('0' + (j >> 7));
-  }
-  return key + ';';
+/// Lists of modes have the same key only if they are the same, but for once in 10^18: it is the sum
+/// of its contacts' keys, so that what differs in one contact costs one of them.
+std::uint64_t key_of(std::size_t contact, const ContactMode& mode) {
+  const auto mixed = [](std::uint64_t x) { // splitmix64
+    x += 0x9e3779b97f4a7c15U;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
+    return x ^ (x >> 31);
+  };
+  std::uint64_t key =
+      mixed(8 * contact + static_cast<std::uint64_t>(mode.kind) + (mode.pulls ? 4 : 0));
+  for (const Index j : mode.active) key = mixed(key ^ static_cast<std::uint64_t>(j));
+  return key;
 }
 
-std::string key_of(const FaceModes& modes) {
-  std::string key;
-  for (const ContactMode& mode : modes) key += key_of(mode);
+std::uint64_t key_of(const FaceModes& modes) {
+  std::uint64_t key = 0;
+  for (std::size_t i = 0; i < modes.size(); ++i) key += key_of(i, modes[i]);
   return key;
 }
 
@@ -47,6 +55,8 @@ public:
     report_.breaking = options.breaking;
     report_.asked = options.enumeration;
     report_.scales = problem_.layout().scales;
+    report_.noise = noise_below(file, report_.scales, word_settings.rounding);
+    if (options.breaking) report_.noise.acceleration = word_settings.rounding;
     report_.contacts.resize(static_cast<std::size_t>(problem_.layout().points));
     for (Index b = 0; b < problem_.scene().bodies.size; ++b)
       if (problem_.scene().bodies[b].role == Role::pusher) report_.pushers.push_back({b, {}});
@@ -89,10 +99,13 @@ private:
   SpreadReport report_;
   std::optional<FaceStudy> study_;
   std::vector<Path> paths_;
-  std::unordered_set<std::string> known_, studied_; // by key_of
+  std::unordered_set<std::uint64_t> known_, studied_; // by key_of
   std::deque<FaceModes> waiting_;
   double most_work_ = 0, part_of_time_ = 1;
+  double walked_ = 0;           // work of finding faces next to others
+  double begun_ = 0, told_ = 0; // of the progress: where this stage began, and what was said last
 
+  double work() const { return study_->work() + walked_; }
   Index first_pusher() const { return report_.pushers.empty() ? 0 : report_.pushers.front().body; }
 
   /// To the push as it is; of the instant of breaking, to one so small that the modes are its own.
@@ -156,17 +169,16 @@ private:
     FaceModes modes = problem_.face_of(answer.z, answer.push);
     propose(modes);
     std::vector<std::vector<ContactMode>> others = problem_.modes_at(answer.z, answer.push);
-    std::string before, after = key_of(modes);
+    const std::uint64_t here = key_of(modes);
     for (std::size_t i = 0; i < modes.size(); ++i) {
-      const std::string own = key_of(modes[i]);
-      after.erase(0, own.size());
+      const std::uint64_t own = key_of(i, modes[i]);
+      walked_ += SpreadSettings::work_of_a_mode * static_cast<double>(others[i].size());
       for (ContactMode& other : others[i]) {
-        if (!known_.insert(before + key_of(other) + after).second) continue;
+        if (!known_.insert(here - own + key_of(i, other)).second) continue;
         std::swap(modes[i], other);
         waiting_.push_back(modes);
         std::swap(modes[i], other);
       }
-      before += own;
     }
   }
 
@@ -174,7 +186,7 @@ private:
   void study(const FaceModes& modes, bool lead_on) {
     if (!studied_.insert(key_of(modes)).second) return;
     std::vector<Face::Answer> corners;
-    switch (study_->study(modes, most_work_, corners)) {
+    switch (study_->study(modes, most_work_ - walked_, corners)) {
     case FaceStudy::Result::studied: ++report_.faces; break;
     case FaceStudy::Result::failed: ++report_.failures; break;
     case FaceStudy::Result::out_of_work: ++report_.faces_left; break;
@@ -187,8 +199,9 @@ private:
   }
 
   void walk() {
-    allow(options_.most_work, 1);
-    const double before = study_->work();
+    const double most = SpreadSettings::part_of_walk * options_.most_work;
+    allow(most, 1);
+    const double before = work();
     for (const Path& path : paths_) // their own faces first
       propose(problem_.face_of(path.moving.z, path.moving.push));
     for (const Path& path : paths_) propose_adjacent_faces(path.moving);
@@ -196,7 +209,7 @@ private:
       const FaceModes next = std::move(waiting_.front());
       waiting_.pop_front();
       study(next, true);
-      tell((study_->work() - before) / options_.most_work);
+      tell((work() - before) / most);
     }
     report_.faces_left += static_cast<Index>(
         std::count_if(waiting_.begin(), waiting_.end(),
@@ -204,9 +217,10 @@ private:
   }
 
   /// The work, or the seconds asked for, from now on; `part` of them.
-  void allow(double work, double part) {
-    most_work_ = options_.by_time ? std::numeric_limits<double>::infinity() : study_->work() + work;
+  void allow(double more, double part) {
+    most_work_ = options_.by_time ? std::numeric_limits<double>::infinity() : work() + more;
     part_of_time_ = options_.by_time ? part : 1;
+    begun_ = told_;
   }
 
   /// By the clock or by the user, whatever work is left.
@@ -216,10 +230,12 @@ private:
     return stop != Stop::none;
   }
 
-  bool is_used_up() { return study_->work() > most_work_ || is_stopped(); }
+  bool is_used_up() { return work() > most_work_ || is_stopped(); }
 
-  void tell(double share) const {
-    if (options_.progress) options_.progress(std::min(share, 1.0));
+  /// `share` of this stage, which is the rest, or of enumeration half of it.
+  void tell(double share, double part = 1) {
+    told_ = std::max(told_, begun_ + part * (1 - begun_) * std::min(share, 1.0));
+    if (options_.progress) options_.progress(told_);
   }
 
   void enumerate() {
@@ -229,7 +245,7 @@ private:
     }
     const bool thorough = options_.enumeration == Enumeration::thorough;
     const double most = options_.most_work * (thorough ? SpreadSettings::thorough_factor : 1);
-    const double before = study_->work();
+    const double before = work();
     allow(most, thorough ? 1 : SpreadSettings::part_of_time);
     const Index failures = report_.failures;
     bool given_up = false;
@@ -237,8 +253,8 @@ private:
     tree.may_have_answers = [&](const FaceModes& part) { return study_->may_have_answers(part); };
     tree.leaf = [&](const FaceModes& modes) { study(modes, false); };
     tree.is_used_up = [&] {
-      const double used = (study_->work() - before) / most;
-      tell(std::max(used, tree.share()));
+      const double used = (work() - before) / most;
+      tell(std::max(used, tree.share()), SpreadSettings::part_of_enumeration);
       // Branches are left sooner later on, so that the share grows faster than the work.
       const bool out_of_sight =
           used > SpreadSettings::judged_after && tree.share() < used * used / 2;
@@ -261,8 +277,20 @@ private:
     const double length = report_.scales.length;
     for (Index k = 0; k < 6; ++k) {
       const double lever = k < 3 ? 1 : length;
-      for (const double x : {report_.twist[k].low, report_.twist[k].high})
-        if (std::isfinite(x)) report_.motion = std::max(report_.motion, std::abs(x) * lever);
+      for (double* const x : {&report_.twist[k].low, &report_.twist[k].high}) {
+        if (std::abs(*x) * lever <= report_.noise.acceleration) *x = 0;
+        if (std::isfinite(*x)) report_.motion = std::max(report_.motion, std::abs(*x) * lever);
+      }
+    }
+    const auto let_be_zero = [&](Interval& interval, double noise) {
+      for (double* const x : {&interval.low, &interval.high})
+        if (std::abs(*x) <= noise) *x = 0;
+    };
+    for (PusherSpread& pusher : report_.pushers) let_be_zero(pusher.force, report_.noise.force);
+    for (ContactSpread& contact : report_.contacts) {
+      for (Interval* const force : {&contact.normal, contact.tangential, contact.tangential + 1})
+        let_be_zero(*force, report_.noise.force);
+      let_be_zero(contact.torsion, report_.noise.moment);
     }
     report_.motion = std::max(report_.motion, options_.breaking ? 1 : push_size(problem_.scene()));
     report_.verdict = verdict_on(report_);
@@ -271,9 +299,11 @@ private:
 
 } // namespace
 
-double same_force(const SpreadReport& report) { return SpreadSettings::same * report.scales.force; }
+double same_force(const SpreadReport& report) {
+  return std::max(report.noise.force, SpreadSettings::same * report.scales.force);
+}
 double same_acceleration(const SpreadReport& report) {
-  return SpreadSettings::same * report.motion;
+  return std::max(report.noise.acceleration, SpreadSettings::same * report.motion);
 }
 
 SpreadReport find_spread(const SceneFile& file, const SpreadOptions& options) {

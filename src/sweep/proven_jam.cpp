@@ -6,15 +6,9 @@
 #include "lcpush/desktop/owned.hpp"
 #include "lcpush/mechanics/study/existence.hpp"
 #include "lcpush/mechanics/study/jam.hpp"
+#include "sweep/settings.hpp"
 
 namespace lcpush::desktop {
-namespace {
-
-/// What the referee lets a separation be below zero is a thousandth of this.
-constexpr double clearly = 1e-6;
-
-} // namespace
-
 bool is_proven_jam(const Assembly<double>& assembly) {
   const Layout<double>& layout = assembly.layout();
   const ExistenceSize size = existence_size(assembly);
@@ -34,7 +28,8 @@ bool is_proven_jam(const Assembly<double>& assembly) {
     }
   std::vector<Squeeze<double>> bodies(static_cast<std::size_t>(assembly.scene().bodies.size));
   const RaySum<double> sum = read_ray(assembly, v.data(), span_of(bodies));
-  return sum.proves_no_answer() && sum.power > clearly * total * std::max(sum.motion, 1.0);
+  return sum.proves_no_answer() &&
+         sum.power > SweepSettings::proven_squeeze * total * std::max(sum.motion, 1.0);
 }
 
 } // namespace lcpush::desktop

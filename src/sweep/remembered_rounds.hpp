@@ -76,13 +76,13 @@ public:
   static constexpr bool carries_push() { return true; }
   static constexpr bool goes_on() { return true; } ///< as slower pushes of a solve do
 
-  RememberedRounds(Pivots& lemke, RoundMemory& memory, Attendant& attendant,
+  RememberedRounds(Pivots& lemke, RoundMemory& memory, StopWatcher& watcher,
                    HeldBasis<double>& held, StructuredLemke<double>& structured)
-      : then_(RememberedStart{memory}, Then(lemke, {}, attendant)), attendant_(attendant),
-        held_(held), structured_(structured) {}
+      : then_(RememberedStart{memory}, Then(lemke, {}, watcher)), watcher_(watcher), held_(held),
+        structured_(structured) {}
 
   void begin(const Problem<double>& problem, bool warm, const PressureMemory<double>& pressure) {
-    attendant_.look();
+    watcher_.look();
     RememberedStart& start = then_.start;
     start.round = start.memory.next++;
     size_ = problem.size;
@@ -115,7 +115,7 @@ public:
 
 private:
   StartedRounds<double, RememberedStart, Watcher, Pivots> then_;
-  Attendant& attendant_;
+  StopWatcher& watcher_;
   HeldBasis<double>& held_;
   StructuredLemke<double>& structured_;
   Index size_ = 0;                ///< unknowns of the round: the memory may have room for more
@@ -142,7 +142,7 @@ private:
     options.covers = 1;
     options.max_pivots = SolveSettings().near_pivots;
     Status status = structured_.init(problem, options, start.basis().data());
-    if (status == Status::running) status = structured_.solve<Watcher>(attendant_);
+    if (status == Status::running) status = structured_.solve<Watcher>(watcher_);
     if (status != Status::solved) return;
     known_ = structured_.z();
     start.memory.end_round(start.round, basis_of(structured_, problem.size));

@@ -5,15 +5,12 @@
 #include <utility>
 
 #include "lcpush/desktop/input_error.hpp"
+#include "sweep/settings.hpp"
 #include "sweep/sweep_pieces.hpp"
 #include "sweep/sweep_samples.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr double merge_distance = 1e-9; // of the range: cuts nearer than this are one
-constexpr double jump = 1e-6;           // relative: a larger step of the answer is a jump
-constexpr double bisection_blur = 1e-5; // of the range: what bisection leaves between two ways
 
 /// Both questions along the range, each in its own pieces.
 using Tracks = OfBoth<std::vector<Piece>>; // breaking: empty if no pusher moves
@@ -34,14 +31,14 @@ std::vector<double> ends_of(const Tracks& tracks) {
 }
 
 /// The ends of the segments.
-std::vector<double> merged_cuts(const Tracks& tracks) {
+std::vector<double> merged_cuts(const Tracks& tracks, double end) {
   std::vector<double> ends = ends_of(tracks);
   std::sort(ends.begin(), ends.end());
   std::vector<double> cuts = {0};
   for (const double t : ends)
-    if (t < 1 && t - cuts.back() > merge_distance) cuts.push_back(t);
-  if (1 - cuts.back() > merge_distance) cuts.push_back(1);
-  cuts.back() = 1;
+    if (t < end && t - cuts.back() > SweepSettings::merge_distance) cuts.push_back(t);
+  if (end - cuts.back() > SweepSettings::merge_distance) cuts.push_back(end);
+  cuts.back() = end;
   return cuts;
 }
 
@@ -53,7 +50,7 @@ AnswerChange change_between(const Piece& before, const Piece& after, Question qu
   else if (before.is_unsolved())
     change.kind = AnswerChange::Kind::found;
   else
-    change.jumps = differ(before.at_to, after.at_from, question, jump);
+    change.jumps = differ(before.at_to, after.at_from, question, SweepSettings::jump);
   change.path = before.path;
   return change;
 }
@@ -63,7 +60,7 @@ SweepChange change_at(const Tracks& tracks, double t) {
   for (const Question question : questions) {
     const std::vector<Piece>& pieces = tracks[question];
     for (std::size_t i = 1; i < pieces.size(); ++i) {
-      if (!(std::abs(pieces[i - 1].to - t) <= merge_distance)) continue;
+      if (!(std::abs(pieces[i - 1].to - t) <= SweepSettings::merge_distance)) continue;
       change[question].push_back(change_between(pieces[i - 1], pieces[i], question));
       change.jumps = change.jumps || change[question].back().jumps;
     }
@@ -71,10 +68,19 @@ SweepChange change_at(const Tracks& tracks, double t) {
   return change;
 }
 
+/// How far both have come: to 1, unless they were stopped.
+double end_of(const Tracks& tracks) {
+  double end = 1;
+  for (const Question question : questions)
+    if (!tracks[question].empty()) end = std::min(end, tracks[question].back().to);
+  return end;
+}
+
 /// Both tracks together.
 std::vector<SweepSegment> segments_of(const Variation& variation, const Tracks& tracks) {
   std::vector<SweepSegment> list;
-  const std::vector<double> ends = merged_cuts(tracks);
+  const double end = end_of(tracks);
+  const std::vector<double> ends = merged_cuts(tracks, end);
   for (std::size_t k = 1; k < ends.size(); ++k) {
     const double from = ends[k - 1], to = ends[k], middle = (from + to) / 2;
     SweepSegment segment;
@@ -88,7 +94,7 @@ std::vector<SweepSegment> segments_of(const Variation& variation, const Tracks& 
       segment.at_from[question] = told(piece->at(from));
       segment.at_to[question] = told(piece->at(to));
     }
-    if (to < 1) segment.change = change_at(tracks, to);
+    if (to < end) segment.change = change_at(tracks, to);
     list.push_back(std::move(segment));
   }
   return list;
@@ -99,14 +105,16 @@ Tracks find_tracks(SweepSolver& solver, bool exact, const ParameterSweepOptions&
   const auto find = exact ? exact_pieces : bisected_pieces;
   Tracks tracks;
   for (const Question question : questions) {
+    if (solver.stop() != Stop::none) break;
     bool has = false; // somewhere in the range
-    for (const double t : {0.0, 0.3, 1.0}) {
+    for (const double t : SweepSettings::looked_at) {
       solver.go_to(value_at(solver.variations().front(), t));
       has = has || solver.has(question);
     }
     if (!has) continue;
     const bool second = question == Question::breaking;
-    const double tolerance = (exact ? 1e-10 : 1e-6) * (second ? 10 : 1);
+    const double tolerance = (exact ? SweepSettings::one_exact_line : SweepSettings::one_line) *
+                             (second ? SweepSettings::breaking_lines : 1);
     const Progress progress =
         part_of(options.progress, second ? begin + share / 2 : begin, share / 2);
     tracks[question] = joined(find(solver, question, progress), question, tolerance);
@@ -147,22 +155,57 @@ bool is_complete(const SweepValue& value) {
 void find_segments(const VariedScene& scene, SweepSolver& solver, bool exact,
                    const ParameterSweepOptions& options, Sweep& sweep) {
   const Variation &variation = sweep.variations.front(), back_again = reversed(variation);
-  const double share = options.both_ways ? 0.5 : 1;
+  const bool both_ways = options.both_ways && exact; // bisection solves from nothing
+  const double share = both_ways ? 0.5 : 1;
   const Tracks there = find_tracks(solver, exact, options, 0, share);
   sweep.asks_breaking = !there.breaking.empty();
-  sweep.segments = segments_of(variation, there);
-  if (options.both_ways) {
+  const bool has_any = !there.push.empty() || !there.breaking.empty();
+  if (has_any) sweep.segments = segments_of(variation, there);
+  if (both_ways && solver.stop() == Stop::none) {
     SweepSolver backwards(scene, {back_again}, solver.pusher(), options);
     const Tracks back = find_tracks(backwards, exact, options, share, share);
-    const double shortest = exact ? 4 * merge_distance : bisection_blur;
-    sweep.bistable = disagreements(compared(there, back, variation, shortest),
-                                   2 * shortest * std::abs(variation.to - variation.from));
+    const double shortest = SweepSettings::shortest_told * SweepSettings::merge_distance;
+    sweep.stop = backwards.stop();
+    if (sweep.stop == Stop::none)
+      sweep.bistable = disagreements(compared(there, back, variation, shortest),
+                                     2 * shortest * std::abs(variation.to - variation.from));
     if (!sweep.bistable.empty()) sweep.back = segments_of(back_again, back);
     sweep.cold += backwards.cold();
     sweep.warm += backwards.warm();
   }
   for (const SweepSegment& segment : sweep.segments)
     sweep.complete = sweep.complete && is_complete(segment.at_from);
+}
+
+/// Where a sweep was stopped, its range ends; of a map whole rows remain.
+void end_where_stopped(const Variation& asked, Sweep& sweep) {
+  sweep.complete = false;
+  std::vector<SweepPoint>& points = sweep.points;
+  double end = asked.from;
+  if (sweep.is_map()) {
+    const auto next = std::find_if(points.begin(), points.end(), [&](const SweepPoint& point) {
+      return point.second != points.front().second;
+    });
+    const auto columns = static_cast<std::size_t>(next - points.begin());
+    if (next != points.end()) {
+      points.resize(points.size() / columns * columns);
+      sweep.variations[1].to = *points.back().second;
+      return;
+    }
+  }
+  if (!points.empty()) end = points.back().value;
+  if (!sweep.segments.empty()) end = sweep.segments.back().to;
+  if (end != asked.from) sweep.variations[0].to = end;
+}
+
+void sweep_line(const VariedScene& scene, SweepSolver& solver, const ParameterSweepOptions& options,
+                Sweep& sweep) {
+  const Variation& variation = sweep.variations.front();
+  for (const double value : {variation.from, variation.to}) solver.go_to(value);
+  const bool linear = variation.parameter.linear && !sweep.scene.is_round;
+  if (linear) find_segments(scene, solver, sweep.scene.pressure != Pressure::pad, options, sweep);
+  if (!linear || options.steps > 0) sample_line(scene, solver, options, sweep);
+  find_zeros(solver, sweep);
 }
 
 Index only_pusher(const SceneFile& file) {
@@ -188,20 +231,23 @@ Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& va
   const Index pusher = options.pusher >= 0 ? options.pusher : only_pusher(file);
   sweep.pusher = file.body_name(pusher);
   SweepSolver solver(scene, variations, pusher, options);
-  if (sweep.is_map()) {
-    sample_map(solver, options, sweep);
-  } else {
+  if (!sweep.is_map()) {
     const Variation& variation = variations.front();
     if (variation.parameter.whole)
       throw InputError(file.lines.file + ": " + variation.parameter.path +
                        " counts something: it takes a list of whole numbers "
                        "(--each facets=4,8,16), not a range");
-    for (const double value : {variation.from, variation.to}) solver.go_to(value);
-    const bool linear = variation.parameter.linear && !file.is_round;
-    if (linear) find_segments(scene, solver, file.pressure != Pressure::pad, options, sweep);
-    if (!linear || options.steps > 0) sample_line(scene, solver, options, sweep);
-    find_zeros(solver, sweep);
   }
+  try {
+    if (sweep.is_map())
+      sample_map(solver, options, sweep);
+    else
+      sweep_line(scene, solver, options, sweep);
+  } catch (const Stopped& stopped) {
+    sweep.stop = stopped.why;
+  }
+  if (solver.stop() != Stop::none) sweep.stop = solver.stop();
+  if (sweep.stop != Stop::none) end_where_stopped(variations.front(), sweep);
   sweep.cold += solver.cold();
   sweep.warm += solver.warm();
   return sweep;

@@ -4,16 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "sweep/settings.hpp"
 #include "sweep/sweep_pieces.hpp"
 #include "text/limits.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr double on_the_line = 1e-6; // relative; of breaking ten times that
-constexpr Index samples = 32;
-constexpr double breaking_blur = 1e-4; // of the range, at breaking
-constexpr double first_stride = 1.0 / 256;
 
 struct At {
   double t;
@@ -28,7 +24,7 @@ public:
   /// Strides that double while the answers stay on one line, then bisection.
   Piece grow(const At& start, At& next) {
     At last = start, middle = start; // the line goes through start and last
-    double stride = first_stride;
+    double stride = SweepSettings::first_stride;
     bool beyond = false;
     const auto continues = [&](const At& candidate) {
       if (!same_modes(start.answer, candidate.answer)) return false;
@@ -36,11 +32,13 @@ public:
       const DetailedAnswer expected =
           on_line(start.answer, start.t, last.answer, last.t, candidate.t);
       const double reach = (candidate.t - start.t) / (last.t - start.t);
-      const double tolerance = on_the_line * (question_ == Question::breaking ? 10 : 1);
+      const double tolerance =
+          SweepSettings::one_line *
+          (question_ == Question::breaking ? SweepSettings::breaking_lines : 1);
       return !differ(expected, candidate.answer, question_, tolerance * std::max(1.0, reach));
     };
     // Two answers always lie on a line: the first stride is halved until a third lies there too.
-    while (start.answer.is_known() && stride > bisection_width && start.t < 1) {
+    while (start.answer.is_known() && stride > SweepSettings::bisection_width && start.t < 1) {
       const double end = std::min(1.0, start.t + stride);
       last = start;
       const At far = solve(end), near = solve((start.t + end) / 2);
@@ -60,8 +58,8 @@ public:
     while (last.t < 1 && !(beyond && last.t == start.t)) {
       const double limit = beyond ? next.t : 1;
       double t = std::min(limit, last.t + stride);
-      if (beyond && t >= next.t - bisection_width / 2) t = (last.t + next.t) / 2;
-      if (beyond && next.t - last.t <= bisection_width) break;
+      if (beyond && t >= next.t - SweepSettings::bisection_width / 2) t = (last.t + next.t) / 2;
+      if (beyond && next.t - last.t <= SweepSettings::bisection_width) break;
       At candidate = solve(t);
       if (continues(candidate)) {
         middle = std::exchange(last, std::move(candidate));
@@ -85,9 +83,10 @@ public:
   At solve(double t) {
     ++solves_;
     solver_.go_to(value_at(solver_.variations().front(), t));
-    constexpr double aside = 1e-7; // where a push vanishes, the limit from one side
     if (!solver_.has(question_))
-      solver_.go_to(value_at(solver_.variations().front(), t < 0.75 ? t + aside : t - aside));
+      solver_.go_to(value_at(solver_.variations().front(), t < SweepSettings::aside_after
+                                                               ? t + SweepSettings::aside
+                                                               : t - SweepSettings::aside));
     RoundBases none; // fresh, so that the path here does not matter
     return {t, solver_.solve(question_, none)};
   }
@@ -122,7 +121,7 @@ void sharpen(Question question, Piece& before, Piece& after, double nearest) {
   const Values off = values(before.at_to) - values(after.at_from);
   const Values kink = slope(after) - slope(before);
   // Each question in its own size, so that forces do not drown motions.
-  const Values size = values(before.at_to).cwiseAbs() + Values::Constant(1e-12);
+  const Values size = values(before.at_to).cwiseAbs() + Values::Constant(SweepSettings::sharpened);
   const Values scaled_kink = kink.cwiseQuotient(size);
   Index largest = 0;
   if (!(scaled_kink.cwiseAbs().maxCoeff(&largest) > 0)) return;
@@ -152,14 +151,11 @@ std::vector<Piece> without_slivers(const std::vector<Piece>& pieces, double shor
   return list;
 }
 
-} // namespace
-
-std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question,
-                                   const Progress& progress) {
+void walk_through(SweepSolver& solver, Question question, const Progress& progress,
+                  std::vector<Piece>& pieces) {
   BisectedWalk walk(solver, question);
-  std::vector<Piece> pieces;
   At start = walk.solve(0), next = start;
-  while (static_cast<Index>(pieces.size()) < most_pieces && !walk.is_used_up()) {
+  while (static_cast<Index>(pieces.size()) < SweepSettings::most_pieces && !walk.is_used_up()) {
     pieces.push_back(walk.grow(start, next));
     if (pieces.back().to >= 1 || next.t > 1) break;
     progress(pieces.back().to);
@@ -168,17 +164,30 @@ std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question,
   start.t = std::min(start.t, 1.0);
   // Where answers branch all the time there is no end to bisection.
   const double begin = pieces.back().to;
-  for (Index k = 1; begin < 1 && k <= samples; ++k) {
-    At end = walk.solve(k == samples ? 1 : begin + (1 - begin) * static_cast<double>(k) / samples);
+  for (Index k = 1; begin < 1 && k <= SweepSettings::strokes; ++k) {
+    At end = walk.solve(k == SweepSettings::strokes ? 1
+                                                    : begin + (1 - begin) * static_cast<double>(k) /
+                                                                  SweepSettings::strokes);
     const bool known = start.answer.is_known() && start.answer.status == end.answer.status;
     pieces.push_back({start.t, end.t, known ? SegmentKind::sampled : SegmentKind::unsolved,
                       start.answer, end.answer});
     start = std::move(end);
   }
-  const double blur = question == Question::breaking ? breaking_blur : 0;
+}
+
+} // namespace
+
+std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question,
+                                   const Progress& progress) {
+  std::vector<Piece> pieces;
+  try {
+    walk_through(solver, question, progress, pieces);
+  } catch (const Stopped&) { // with what there is
+  }
+  const double blur = question == Question::breaking ? SweepSettings::breaking_blur : 0;
   std::vector<Piece> list = without_slivers(pieces, blur);
   for (std::size_t i = 1; i < list.size(); ++i)
-    sharpen(question, list[i - 1], list[i], 2 * bisection_width + blur);
+    sharpen(question, list[i - 1], list[i], 2 * SweepSettings::bisection_width + blur);
   return list;
 }
 

@@ -3,19 +3,18 @@
 
 #include "lcpush/desktop/naming.hpp"
 #include "solve/sentence.hpp"
+#include "sweep/settings.hpp"
 #include "sweep/sweep_words.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-constexpr double alike = 1e-2; // of the range: nearer changes of push and breaking are one event
-
 /// As one contact does it, and as several do: "wall.1 sticks", "wall.1 and wall.2 stick".
-struct DeedWords {
+struct EventWords {
   const char *one, *many;
 };
-constexpr DeedWords deed_words[] = {
+constexpr EventWords event_words[] = {
     {"slides with friction in another direction", "slide with friction in another direction"},
     {"takes load", "take load"},
     {"is relieved of its load", "are relieved of their load"},
@@ -26,24 +25,24 @@ constexpr DeedWords deed_words[] = {
     {"starts to slide", "start to slide"},
 };
 
-Deed deed_of(const ContactChange& change) {
+ContactEvent event_of(const ContactChange& change) {
   const bool touches = change.from == Mode::separate;
   if (change.from == change.to) {
-    if (change.was_pressed == change.is_pressed) return Deed::turns;
-    return change.is_pressed ? Deed::takes_load : Deed::drops_load;
+    if (change.was_pressed == change.is_pressed) return ContactEvent::turns;
+    return change.is_pressed ? ContactEvent::takes_load : ContactEvent::drops_load;
   }
-  if (change.to == Mode::separate) return Deed::separates;
-  if (change.to == Mode::stick) return touches ? Deed::lands : Deed::sticks;
-  return touches ? Deed::grazes : Deed::slides;
+  if (change.to == Mode::separate) return ContactEvent::separates;
+  if (change.to == Mode::stick) return touches ? ContactEvent::lands : ContactEvent::sticks;
+  return touches ? ContactEvent::grazes : ContactEvent::slides;
 }
 
 /// Of a direction: three, times 1000.
 Vector3<double> shown_digits(const Vector3<double>& direction) {
-  return (1000 * direction).array().round();
+  return (SweepSettings::direction_places * direction).array().round();
 }
 
-bool is_same(const SharedDeed& a, const SharedDeed& b) {
-  return a.deed == b.deed && a.contacts == b.contacts &&
+bool is_same(const SharedEvent& a, const SharedEvent& b) {
+  return a.event == b.event && a.contacts == b.contacts &&
          shown_digits(a.along) == shown_digits(b.along);
 }
 
@@ -55,21 +54,21 @@ bool are_same(const std::vector<ToldChange>& a, const std::vector<ToldChange>& b
       [but_for_jumps](const ToldChange& one, const ToldChange& other) {
         return one.kind == other.kind && one.from == other.from && one.to == other.to &&
                (but_for_jumps || (one.jumps == other.jumps && one.path == other.path)) &&
-               std::equal(one.deeds.begin(), one.deeds.end(), other.deeds.begin(),
-                          other.deeds.end(), is_same);
+               std::equal(one.events.begin(), one.events.end(), other.events.begin(),
+                          other.events.end(), is_same);
       });
 }
 
-std::vector<SharedDeed> shared_deeds(const AnswerChange& change) {
-  std::vector<SharedDeed> different;
+std::vector<SharedEvent> shared_events(const AnswerChange& change) {
+  std::vector<SharedEvent> different;
   for (const ContactChange& contact : change.contacts) {
-    const Deed deed = deed_of(contact);
-    const bool slides = deed == Deed::grazes || deed == Deed::slides;
+    const ContactEvent event = event_of(contact);
+    const bool slides = event == ContactEvent::grazes || event == ContactEvent::slides;
     const Vector3<double> along = slides ? contact.slip : Vector3<double>::Zero();
-    auto same = std::find_if(different.begin(), different.end(), [&](const SharedDeed& other) {
-      return other.deed == deed && shown_digits(other.along) == shown_digits(along);
+    auto same = std::find_if(different.begin(), different.end(), [&](const SharedEvent& other) {
+      return other.event == event && shown_digits(other.along) == shown_digits(along);
     });
-    if (same == different.end()) same = different.insert(same, {deed, along, {}});
+    if (same == different.end()) same = different.insert(same, {event, along, {}});
     same->contacts.push_back(contact.contact);
   }
   return different;
@@ -77,19 +76,19 @@ std::vector<SharedDeed> shared_deeds(const AnswerChange& change) {
 
 /// Nothing if it is not worth a word in a brief text.
 std::optional<ToldChange> told_change(const AnswerChange& change, Telling telling) {
-  ToldChange told{change.kind,          change.from,  change.to,
-                  shared_deeds(change), change.jumps, change.path};
+  ToldChange told{change.kind,           change.from,  change.to,
+                  shared_events(change), change.jumps, change.path};
   if (telling == Telling::full || change.kind != AnswerChange::Kind::modes) return told;
-  const auto is_minor = [](const SharedDeed& shared) {
-    return shared.deed == Deed::turns || shared.deed == Deed::takes_load ||
-           shared.deed == Deed::drops_load;
+  const auto is_minor = [](const SharedEvent& shared) {
+    return shared.event == ContactEvent::turns || shared.event == ContactEvent::takes_load ||
+           shared.event == ContactEvent::drops_load;
   };
   if (told.is_of_holding())
-    told.deeds.clear();
+    told.events.clear();
   else
-    told.deeds.erase(std::remove_if(told.deeds.begin(), told.deeds.end(), is_minor),
-                     told.deeds.end());
-  if (told.deeds.empty() && !told.jumps && !told.is_of_holding()) return std::nullopt;
+    told.events.erase(std::remove_if(told.events.begin(), told.events.end(), is_minor),
+                      told.events.end());
+  if (told.events.empty() && !told.jumps && !told.is_of_holding()) return std::nullopt;
   return told;
 }
 
@@ -101,7 +100,7 @@ std::vector<ToldChange> told_changes(const std::vector<AnswerChange>& changes, T
 }
 
 /// The contacts that do this: a body's name where all of its points do.
-std::string sentence(const SceneFile& file, const SharedDeed& shared) {
+std::string sentence(const SceneFile& file, const SharedEvent& shared) {
   const std::vector<Index>& points = shared.contacts;
   std::vector<std::string> names;
   for (std::size_t k = 0; k < points.size();) {
@@ -112,7 +111,7 @@ std::string sentence(const SceneFile& file, const SharedDeed& shared) {
     names.push_back(whole && count > 1 ? file.body_name(b) : point_name(file, points[k]));
     k = whole ? last + 1 : k + 1;
   }
-  const DeedWords& words = deed_words[static_cast<std::size_t>(shared.deed)];
+  const EventWords& words = event_words[static_cast<std::size_t>(shared.event)];
   return listed(names, "and") + " " + (names.size() > 1 ? words.many : words.one) +
          (shared.along.norm() > 0 ? " along " + direction_text(shared.along) : "");
 }
@@ -129,7 +128,7 @@ std::string modes_text(const SceneFile& file, const ToldChange& change) {
         std::string("the grasp ") +
             (change.turns_to(Status::does_not_hold) ? "no longer holds " : "holds ") +
             object_name(file));
-  for (const SharedDeed& shared : change.deeds) add(text, ", ", sentence(file, shared));
+  for (const SharedEvent& shared : change.events) add(text, ", ", sentence(file, shared));
   if (!text.empty()) return text;
   return change.jumps ? "forces change" : "forces are shared in another way";
 }
@@ -169,7 +168,7 @@ void add_events(std::vector<SweepEvent>& events, double value, const SweepChange
 /// Nothing but a jump of the forces.
 bool is_bare_jump(const SweepEvent& event) {
   return std::all_of(event.changes.begin(), event.changes.end(), [](const ToldChange& change) {
-    return change.deeds.empty() && change.kind == AnswerChange::Kind::modes &&
+    return change.events.empty() && change.kind == AnswerChange::Kind::modes &&
            !change.is_of_holding();
   });
 }
@@ -190,7 +189,7 @@ std::vector<SweepEvent>::iterator alike_in(std::vector<SweepEvent>& list, const 
 /// is told is a part of it.
 std::vector<SweepEvent> merged(const Sweep& sweep, const std::vector<SweepEvent>& events) {
   const Variation& variation = sweep.variations[0];
-  const double near = alike * std::abs(variation.to - variation.from);
+  const double near = SweepSettings::alike * std::abs(variation.to - variation.from);
   std::vector<SweepEvent> list;
   for (const SweepEvent& event : events) {
     const bool is_part =

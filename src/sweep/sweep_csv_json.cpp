@@ -120,6 +120,7 @@ void write_sweep(JsonWriter& json, const Sweep& sweep) {
     json.member("second_from", second.from).member("second_to", second.to);
   }
   json.member("pusher", sweep.pusher).member("complete", sweep.complete);
+  json.member("stopped", unless_empty(std::string(stop_text(sweep.stop))));
   std::vector<std::string> contacts;
   for (std::size_t i = 0; i < sweep.scene.points.size(); ++i)
     contacts.push_back(point_name(sweep.scene, static_cast<Index>(i)));

@@ -2,13 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sweep/settings.hpp"
 #include "sweep/sweep_words.hpp"
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr Index row_count = 11;
 
 /// On the straight line of its segment, or at its step; nothing where neither is known.
 std::optional<double> force_at(const Sweep& sweep, double value, Question question) {
@@ -39,11 +38,12 @@ std::vector<double> shown_values(const Sweep& sweep) {
     if (!point.refined) steps.push_back(point.value);
   const Variation& variation = sweep.variations[0];
   if (steps.empty())
-    for (Index k = 0; k < row_count; ++k)
+    for (Index k = 0; k < SweepSettings::rows_of_curves; ++k)
       steps.push_back(variation.from + (variation.to - variation.from) * static_cast<double>(k) /
-                                           static_cast<double>(row_count - 1));
+                                           static_cast<double>(SweepSettings::rows_of_curves - 1));
   std::vector<double> values;
-  for (const std::size_t k : evenly(steps.size(), static_cast<std::size_t>(row_count)))
+  for (const std::size_t k :
+       evenly(steps.size(), static_cast<std::size_t>(SweepSettings::rows_of_curves)))
     values.push_back(steps[k]);
   return values;
 }

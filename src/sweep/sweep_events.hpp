@@ -6,11 +6,11 @@
 namespace lcpush::desktop {
 
 /// What a contact does from here on.
-enum class Deed { turns, takes_load, drops_load, separates, lands, sticks, grazes, slides };
+enum class ContactEvent { turns, takes_load, drops_load, separates, lands, sticks, grazes, slides };
 
 /// Several contacts that do the same.
-struct SharedDeed {
-  Deed deed;
+struct SharedEvent {
+  ContactEvent event;
   Vector3<double> along; ///< of those that begin to slide: their direction, or zero
   std::vector<Index> contacts;
 };
@@ -19,7 +19,7 @@ struct SharedDeed {
 struct ToldChange {
   AnswerChange::Kind kind = AnswerChange::Kind::modes;
   Status from = Status::solved, to = Status::solved;
-  std::vector<SharedDeed> deeds;
+  std::vector<SharedEvent> events;
   bool jumps = false;
   PathBreak path = PathBreak::none;
 

@@ -2,32 +2,39 @@
 #include <utility>
 
 #include "lcpush/lcp/pivots/parametric.hpp"
+#include "sweep/settings.hpp"
 #include "sweep/sweep_pieces.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr double least = 1e-10; // of the range: shorter is no segment
-constexpr double inside = 1e-3; // of a segment: where its ends are solved and checked
-constexpr Index probes = 64;    // where nothing was found, look in so many places
 
 class ExactWalk {
 public:
   ExactWalk(SweepSolver& solver, Question question, const Progress& progress)
       : solver_(solver), question_(question), progress_(progress) {}
 
+  /// Ends early with what there is.
   std::vector<Piece> run() {
-    measure_directions();
-    if (!start_at(0) && !start_beyond() && !find_later_start()) return std::move(pieces_);
-    Index steps = 0;
-    while (step() && static_cast<Index>(pieces_.size()) < most_pieces && ++steps < 4 * most_pieces)
-      continue;
-    const double end = pieces_.empty() ? 0 : pieces_.back().to;
-    if (end < 1 - least) pieces_.push_back({end, 1, SegmentKind::unsolved}); // gave up: say so
+    try {
+      walk();
+    } catch (const Stopped&) {
+    }
     return std::move(pieces_);
   }
 
 private:
+  void walk() {
+    measure_directions();
+    if (!start_at(0) && !start_beyond() && !find_later_start()) return;
+    Index steps = 0;
+    while (step() && static_cast<Index>(pieces_.size()) < SweepSettings::most_pieces &&
+           ++steps < SweepSettings::steps_a_piece * SweepSettings::most_pieces)
+      continue;
+    const double end = pieces_.empty() ? 0 : pieces_.back().to;
+    if (end < 1 - SweepSettings::shortest_segment)
+      pieces_.push_back({end, 1, SegmentKind::unsolved}); // gave up: say so
+  }
+
   SweepSolver& solver_;
   Question question_;
   const Progress& progress_;
@@ -57,7 +64,7 @@ private:
     };
     const auto first = right_hand_sides(0), last = right_hand_sides(1);
     const auto step = [](const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
-      const double rounding = 64 * Eigen::NumTraits<double>::epsilon() * from.cwiseAbs().maxCoeff();
+      const double rounding = SweepSettings::rounding_of_steps() * from.cwiseAbs().maxCoeff();
       Eigen::VectorXd by = to - from;
       if (by.cwiseAbs().maxCoeff() <= rounding) by.setZero();
       return by;
@@ -96,11 +103,13 @@ private:
 
   /// A fresh solve a little beyond t_, and back to where its basis begins.
   bool start_beyond() {
-    for (const double h : {1e-9, 1e-7, 1e-5}) {
+    for (const double h : SweepSettings::beyond) {
       if (t_ + h > 1 || !start_at(t_ + h)) continue;
       double back = 0;
       const bool ends = path().holds_back_to(back);
-      if (!ends || reference_ + back <= t_ + least || h == 1e-5) return true;
+      if (!ends || reference_ + back <= t_ + SweepSettings::shortest_segment ||
+          h == SweepSettings::beyond[2])
+        return true;
     }
     return false;
   }
@@ -109,8 +118,10 @@ private:
   /// unsolved.
   bool find_later_start() {
     double none = t_, found = -1;
-    for (Index k = 1; k <= probes && found < 0; ++k) {
-      const double t = k == probes ? 1 : t_ + (1 - t_) * static_cast<double>(k) / probes;
+    for (Index k = 1; k <= SweepSettings::probes && found < 0; ++k) {
+      const double t = k == SweepSettings::probes
+                           ? 1
+                           : t_ + (1 - t_) * static_cast<double>(k) / SweepSettings::probes;
       if (start_at(t))
         found = t;
       else
@@ -126,11 +137,11 @@ private:
       double back = 0;
       if (!path().holds_back_to(back)) back = -reference_;
       found = std::max(reference_ + back, none);
-      if (found - none <= 1e-6) break;
+      if (found - none <= SweepSettings::gap_width) break;
       const double middle = (none + found) / 2;
       if (!start_at(middle)) {
         none = middle;
-        if (!start_at(found + std::min(1e-9, (1 - found) / 2))) break;
+        if (!start_at(found + std::min(SweepSettings::merge_distance, (1 - found) / 2))) break;
       }
     }
     gap.to = found;
@@ -142,13 +153,15 @@ private:
   /// The piece from t_ to `end`, solved and checked just inside its ends. False if it is no answer.
   bool add_piece(double end) {
     const double length = end - t_;
-    const double first = t_ + inside * length, last = end - inside * length;
+    const double first = t_ + SweepSettings::inside_segment * length,
+                 last = end - SweepSettings::inside_segment * length;
     const auto at = [&](double t) {
       go_to(t);
       return solver_.on_basis(question_, basis_);
     };
     // Not the very middle: there a motion that changes its sign vanishes.
-    const DetailedAnswer a = at(first), b = at(last), middle = at(t_ + 0.487 * length);
+    const DetailedAnswer a = at(first), b = at(last),
+                         middle = at(t_ + SweepSettings::near_middle * length);
     for (const DetailedAnswer* answer : {&a, &b, &middle})
       if (!answer->is_known()) return false;
     Piece piece{t_, end, SegmentKind::exact, on_line(a, first, b, last, t_),
@@ -166,9 +179,9 @@ private:
   /// One piece, and on to the next. False at the end of the range.
   bool step() {
     ParametricPath<double> path = this->path();
-    const PathStep<double> step = path.advance(least);
+    const PathStep<double> step = path.advance(SweepSettings::shortest_segment);
     const double end = step.end == PathEnd::unbounded ? 1 : std::min(1.0, reference_ + step.until);
-    if (end - t_ > least && !add_piece(end)) {
+    if (end - t_ > SweepSettings::shortest_segment && !add_piece(end)) {
       // Rounding has led the path astray, and what it found is not believed: start afresh, once.
       if (t_ != astray_ && start_beyond()) {
         astray_ = t_;
@@ -177,7 +190,7 @@ private:
       failure_ = Status::numerical_breakdown;
       return find_later_start();
     }
-    if (end >= 1 - least) return false;
+    if (end >= 1 - SweepSettings::shortest_segment) return false;
     t_ = std::max(t_, end);
     progress_(t_);
     if (step.end == PathEnd::forward) {
@@ -185,7 +198,7 @@ private:
       for (std::size_t i = 0; i < next.size(); ++i)
         next[i] = path.is_active(static_cast<Index>(i)) ? 1 : 0;
       const double until = step.next_ends ? std::min(1.0, reference_ + step.next_until) : 1;
-      const double middle = t_ + std::max((until - t_) / 2, least);
+      const double middle = t_ + std::max((until - t_) / 2, SweepSettings::shortest_segment);
       go_to(middle);
       if (solver_.stand_on(question_, next)) {
         basis_ = next;

@@ -4,16 +4,12 @@
 #include <utility>
 
 #include "solve/sentence.hpp"
+#include "sweep/settings.hpp"
 #include "sweep/sweep_words.hpp"
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr double unsaid = 5e-4;        // of the largest force: less does not show in three digits
-constexpr double short_piece = 1e-3;   // of the range: the slope of a shorter one is not told
-constexpr double short_stretch = 1e-2; // of the range: an extreme is at a place
-constexpr double worth_a_word = 0.01;  // of the force, where the forces alone differ
 
 using ForceCurve = std::vector<std::pair<double, double>>;
 
@@ -62,7 +58,7 @@ std::string extreme_place(const Variation& variation, const ForceCurve& curve,
   while (first != curve.begin() && is_there(*(first - 1))) --first;
   while (last + 1 != curve.end() && is_there(*(last + 1))) ++last;
   const double length = std::abs(last->first - first->first);
-  return length <= short_stretch * std::abs(variation.to - variation.from)
+  return length <= SweepSettings::short_stretch * std::abs(variation.to - variation.from)
              ? "at " + with_unit(variation, extreme->first)
              : "from " + value_text(variation, first->first) + " to " +
                    with_unit(variation, last->first);
@@ -72,8 +68,9 @@ std::string extreme_place(const Variation& variation, const ForceCurve& curve,
 std::string course_text(const Sweep& sweep, const ForceCurve& curve) {
   const Variation& variation = sweep.variations[0];
   const auto [lowest, most] = std::minmax_element(curve.begin(), curve.end(), by_force);
-  const double noise = unsaid * std::max(std::abs(lowest->second), std::abs(most->second));
-  const double size = noise / unsaid;
+  const double noise =
+      SweepSettings::unsaid * std::max(std::abs(lowest->second), std::abs(most->second));
+  const double size = noise / SweepSettings::unsaid;
   const auto digits = [size](double force) { return in_digits(told_force(force, size), 3); };
   const auto place = [&](ForceCurve::const_iterator at) {
     return " N (" + extreme_place(variation, curve, at, noise) + ")";
@@ -106,7 +103,8 @@ std::string slope_text(const Sweep& sweep, Question question, const ForceCurve& 
     const double width = segment.to - segment.from;
     const bool is_line =
         segment.kind == SegmentKind::exact || segment.kind == SegmentKind::bisected;
-    if (!is_line || !segment.at_from.breaking.has_force() || std::abs(width) < short_piece * range)
+    if (!is_line || !segment.at_from.breaking.has_force() ||
+        std::abs(width) < SweepSettings::short_piece * range)
       continue;
     const double slope = (segment.at_to.breaking.normal - segment.at_from.breaking.normal) / width;
     lowest = any ? std::min(lowest, slope) : slope;
@@ -114,7 +112,7 @@ std::string slope_text(const Sweep& sweep, Question question, const ForceCurve& 
     any = true;
   }
   const auto largest = std::max_element(curve.begin(), curve.end(), by_force);
-  const double zero = unsaid * std::abs(largest->second) / range;
+  const double zero = SweepSettings::unsaid * std::abs(largest->second) / range;
   if (!any || std::max(std::abs(lowest), std::abs(most)) <= zero) return "";
   if (most <= zero && lowest < -zero) std::tie(lowest, most) = std::pair(-most, -lowest);
   const std::string a = in_digits(lowest, 3, zero), b = in_digits(most, 3, zero);
@@ -205,6 +203,10 @@ std::string gaps_text(const Sweep& sweep) {
   return text;
 }
 
+std::string stopped_text(const Sweep& sweep) {
+  return sweep.stop == Stop::time ? "before the time was up" : "before the interruption";
+}
+
 std::string capital(std::string text) {
   if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;
@@ -261,13 +263,18 @@ double force_of(const SweepValue& value, Question question) {
 }
 
 double told_force(double force, double largest) {
-  const double zero = (force < 0 ? 1e-3 : 1e-4) * largest;
+  const double zero =
+      (force < 0 ? SweepSettings::told_negative : SweepSettings::told_zero) * largest;
   return std::abs(force) <= zero ? 0 : force;
 }
 
 std::string message_text(const Sweep& sweep) {
   const Question question = asked(sweep);
-  if (sweep.is_map()) return map_message(sweep, question);
+  if (sweep.points.empty() && sweep.segments.empty())
+    return "Nothing was found " + stopped_text(sweep) + ".\n";
+  const std::string end =
+      sweep.stop == Stop::none ? "" : "More was not looked at " + stopped_text(sweep) + ".\n";
+  if (sweep.is_map()) return map_message(sweep, question) + end;
   const ForceCurve curve = solved_forces(sweep, question);
   const std::string head = "As " + range_text(sweep.variations[0]) + ", ";
   std::string text;
@@ -276,11 +283,11 @@ std::string message_text(const Sweep& sweep) {
   else
     text = head + subject(sweep, question) + " " + course_text(sweep, curve) +
            slope_text(sweep, question, curve) + ".\n";
-  return text + gaps_text(sweep);
+  return text + gaps_text(sweep) + end;
 }
 
 std::string bistable_text(const Sweep& sweep, const BistableRange& range, Telling telling) {
-  const bool is_minor = !range.motion && range.force_share < worth_a_word;
+  const bool is_minor = !range.motion && range.force_share < SweepSettings::worth_a_word;
   if (is_minor && telling == Telling::brief) return "";
   const Variation& variation = sweep.variations[0];
   const std::string where = range.from == range.to
@@ -290,10 +297,11 @@ std::string bistable_text(const Sweep& sweep, const BistableRange& range, Tellin
   const std::string forces = "by up to " + newtons(range.force_difference, 0) + " (" +
                              in_digits(100 * range.force_share, 2) + " %)";
   return capital(where) + " there are two answers: on the way back " +
-         (range.motion
-              ? object_name(sweep.scene) + " moves in another way" +
-                    (range.force_share < worth_a_word ? "" : ", and the force is another " + forces)
-              : "the force is another " + forces + ", the motion is the same") +
+         (range.motion ? object_name(sweep.scene) + " moves in another way" +
+                             (range.force_share < SweepSettings::worth_a_word
+                                  ? ""
+                                  : ", and the force is another " + forces)
+                       : "the force is another " + forces + ", the motion is the same") +
          ".\n";
 }
 

@@ -1,12 +1,11 @@
 #include "sweep/sweep_pieces.hpp"
+#include "sweep/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr double equal_answers = 1e-5; // relative: answers of one branch agree that well
 
 double force_size(const SweepAnswer& a) { return std::max(std::abs(a.normal), a.force.norm()); }
 
@@ -16,10 +15,10 @@ bool other_motion(const SweepAnswer& a, const SweepAnswer& b, double tolerance) 
   return (a.twist - b.twist).norm() > motion;
 }
 
-template <class Same>
-bool same_contacts(const DetailedAnswer& a, const DetailedAnswer& b, Same same) {
+template <class Equal>
+bool same_contacts(const DetailedAnswer& a, const DetailedAnswer& b, Equal equal) {
   return std::equal(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end(),
-                    same);
+                    equal);
 }
 
 void note_difference(BistableRange& range, const SweepAnswer& a, const SweepAnswer& b) {
@@ -120,16 +119,28 @@ AnswerChange change_between(const DetailedAnswer& before, const DetailedAnswer& 
   return change;
 }
 
-SweepAnswer told(const SweepAnswer& answer) {
-  return answer.is_solved() ? answer : SweepAnswer{answer.status};
+SweepAnswer told(const DetailedAnswer& answer) {
+  if (!answer.is_solved()) return {answer.status};
+  SweepAnswer told = answer;
+  const auto but_for_noise = [](double& value, double zero, double noise) {
+    if (std::abs(value) <= std::max(zero, noise)) value = 0;
+  };
+  but_for_noise(told.normal, answer.zero.force, answer.force_noise);
+  for (double& force : told.force) but_for_noise(force, answer.zero.force, answer.force_noise);
+  const double length = answer.zero.moment / answer.zero.force;
+  for (Index k = 0; k < 6; ++k)
+    but_for_noise(told.twist[k], answer.zero.acceleration / (k < 3 ? 1 : length),
+                  answer.twist_noise(k));
+  return told;
 }
 
 bool same_answer(const SweepAnswer& a, const SweepAnswer& b, Question question) {
-  return !differ(a, b, question, equal_answers);
+  return !differ(a, b, question, SweepSettings::equal_answers);
 }
 
 bool moves_otherwise(const SweepValue& a, const SweepValue& b) {
-  return a.push.is_solved() && b.push.is_solved() && other_motion(a.push, b.push, equal_answers);
+  return a.push.is_solved() && b.push.is_solved() &&
+         other_motion(a.push, b.push, SweepSettings::equal_answers);
 }
 
 std::vector<BistableRange> disagreements(const std::vector<TwoWays>& list, double near) {

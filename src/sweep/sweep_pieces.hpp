@@ -4,14 +4,14 @@
 #include <cmath>
 #include <functional>
 
+#include "sweep/settings.hpp"
 #include "sweep/sweep_solver.hpp"
 
 namespace lcpush::desktop {
 
 /// Where bisection ends: this part of the range.
-constexpr double bisection_width = 1e-6;
+/// The same of what is found from small pushes, whose own size blurs it.
 /// No sweep has more pieces; what is left is one unsolved piece, or strokes between samples.
-constexpr Index most_pieces = 1000;
 
 /// The straight line through two answers: at `t` if they are at t0 and t1.
 DetailedAnswer on_line(const DetailedAnswer& first, double t0, const DetailedAnswer& second,
@@ -59,8 +59,8 @@ AnswerChange change_between(const DetailedAnswer& before, const DetailedAnswer& 
 /// Pieces that go on in one line in the same modes become one.
 std::vector<Piece> joined(const std::vector<Piece>& pieces, Question question, double tolerance);
 
-/// What the sweep tells of an answer: of one that is not solved the status alone.
-SweepAnswer told(const SweepAnswer& answer);
+/// What the sweep tells of an answer: of one that is not solved the status alone; of noise 0.
+SweepAnswer told(const DetailedAnswer& answer);
 
 /// What the way there and the way back find in one part of the range, or at one value.
 struct TwoWays {
@@ -84,7 +84,7 @@ inline double value_at(const Variation& variation, double t) {
   if (t <= 0) return variation.from;
   if (t >= 1) return variation.to;
   const double range = variation.to - variation.from, value = variation.from + t * range;
-  return std::abs(value) <= 1e-12 * std::abs(range) ? 0 : value;
+  return std::abs(value) <= SweepSettings::value_rounding * std::abs(range) ? 0 : value;
 }
 
 } // namespace lcpush::desktop

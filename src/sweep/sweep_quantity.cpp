@@ -30,10 +30,7 @@ double value_of(const SweepQuantity& quantity, const SweepValue& at) {
   case Kind::break_force: return at.breaking.normal;
   case Kind::force: return at.push.force.norm();
   case Kind::force_component: return at.push.force[quantity.component];
-  case Kind::twist: {
-    const double value = at.push.twist[quantity.component];
-    return std::abs(value) <= at.push.twist_noise(quantity.component) ? 0 : value;
-  }
+  case Kind::twist: return at.push.twist[quantity.component];
   case Kind::break_twist: return at.breaking.twist[quantity.component];
   }
   return 0;

@@ -4,42 +4,64 @@
 #include <memory>
 #include <utility>
 
+#include "sweep/settings.hpp"
 #include "sweep/sweep_pieces.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
-constexpr Index default_steps = 51, default_map_steps = 11;
-constexpr double sampled_jump = 1e-3; // relative: a larger step over bisection_width is a jump
-
 bool same_modes(const Sample& a, const Sample& b) {
   return same_modes(a.push, b.push) && same_modes(a.breaking, b.breaking);
 }
 
-/// Between two neighbours of different modes: the two points closest to the change.
-void refine(SweepSolver& solver, const Sample& from, const Sample& to,
-            std::vector<SweepPoint>& points) {
-  Sample low = from, high = to;
-  while (high.t - low.t > bisection_width) {
-    Sample middle = sample_at(solver, (low.t + high.t) / 2, &low, &high);
-    (same_modes(middle, low) ? low : high) = std::move(middle);
-  }
+SweepChange change_over(const Sample& low, const Sample& high) {
   SweepChange change;
   for (const Question question : questions) {
     const DetailedAnswer &before = low[question], &after = high[question];
     AnswerChange mine = change_between(before, after);
+    // What is no jump may change over a wider gap by more.
+    const double step =
+        std::max(SweepSettings::sampled_jump, SweepSettings::steepest_change * (high.t - low.t));
     if (!after.is_known())
       mine.kind = AnswerChange::Kind::lost;
     else if (!before.is_known())
       mine.kind = AnswerChange::Kind::found;
     else
-      mine.jumps = differ(before, after, question, sampled_jump);
+      mine.jumps = differ(before, after, question, step);
     if (mine.jumps || !same_modes(before, after)) change[question] = {mine};
     change.jumps = change.jumps || mine.jumps;
   }
+  return change;
+}
+
+/// Between two neighbours of different modes: the two points closest to each change, one question
+/// after the other. Pre: `from` is the last of the points.
+void refine(SweepSolver& solver, const Sample& from, const Sample& to,
+            std::vector<SweepPoint>& points) {
+  const bool pushes = !same_modes(from.push, to.push);
+  const Question asked = pushes ? Question::push : Question::breaking;
+  const Question other = pushes ? Question::breaking : Question::push;
+  const bool is_blurred = solver.is_from_nothing(asked) && from[asked].status == to[asked].status;
+  const double width =
+      is_blurred ? SweepSettings::sampled_blur : SweepSettings::bisection_width;
+  Sample low = from, high = to;
+  while (high.t - low.t > width) {
+    Sample middle = sample_at(solver, (low.t + high.t) / 2, {&low, &high}, {asked});
+    (same_modes(middle[asked], low[asked]) ? low : high) = std::move(middle);
+  }
+  const auto complete = [&](Sample& sample, const Sample& neighbour) {
+    const Sample rest = sample_at(solver, sample.t, {&neighbour}, {other});
+    sample[other] = rest[other];
+    sample.bases[other] = rest.bases[other];
+  };
   const Variation& variation = solver.variations().front();
-  if (low.t > from.t) points.push_back(refined_point(low, variation));
-  points.back().change = change;
+  if (low.t > from.t) {
+    complete(low, from);
+    if (!same_modes(from, low)) refine(solver, from, low, points);
+    points.push_back(refined_point(low, variation));
+  }
+  if (high.t < to.t) complete(high, low);
+  points.back().change = change_over(low, high);
   if (!(high.t < to.t)) return;
   points.push_back(refined_point(high, variation));
   // Several changes may lie between two steps.
@@ -47,7 +69,7 @@ void refine(SweepSolver& solver, const Sample& from, const Sample& to,
 }
 
 /// The points of one way through the range, and the bases in which its steps have ended.
-class Way {
+class SampledPath {
 public:
   std::vector<SweepPoint> points;
 
@@ -62,7 +84,9 @@ public:
       bases_.reset();
     } else if (!bases_ || !same_bases(*bases_, sample.bases)) {
       kept_ += size_of(sample.bases);
-      bases_ = kept_ <= most_kept ? std::make_shared<OfBoth<RoundBases>>(sample.bases) : nullptr;
+      bases_ = kept_ <= SweepSettings::most_kept
+                   ? std::make_shared<OfBoth<RoundBases>>(sample.bases)
+                   : nullptr;
     }
     steps_.push_back({points.size(), bases_});
     points.push_back(point_of(sample, variation));
@@ -88,7 +112,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_kept = 64'000'000; // bytes: a flag an unknown and round
   struct Step {
     std::size_t point;
     std::shared_ptr<const OfBoth<RoundBases>> bases; // null: another start may end elsewhere
@@ -112,41 +135,44 @@ private:
 /// Each from its neighbour's answer, and more of them where modes change. On the way back what the
 /// way `there` would find again is taken from it, and where both are at the same answer they go on
 /// as one.
-Way sampled(SweepSolver& solver, Index steps, const Progress& progress,
-            const Way* there = nullptr) {
-  Way way;
+SampledPath sampled(SweepSolver& solver, Index steps, const Progress& progress,
+                    const SampledPath* there = nullptr) {
+  SampledPath way;
   Sample last;
   bool is_solved = false; // or only the bases of `last` are known
-  for (Index k = 0; k < steps; ++k) {
-    const double t = static_cast<double>(k) / static_cast<double>(std::max<Index>(steps - 1, 1));
-    const SweepPoint* const again =
-        there != nullptr && k > 0 ? there->found_again(steps - 1 - k, last.bases) : nullptr;
-    if (again != nullptr) {
-      way.points.push_back(*again);
-      way.points.back().change = {};
-      last.t = t;
-    } else {
-      if (k > 0 && !is_solved) last = sample_at(solver, last.t, &last);
-      Sample sample = sample_at(solver, t, k > 0 ? &last : nullptr);
-      if (k > 0 && !same_modes(last, sample)) refine(solver, last, sample, way.points);
-      way.add(sample, last.bases, solver.variations().front());
-      if (there != nullptr) there->join(steps - 1 - k, way.points.back(), sample.bases);
-      last = std::move(sample);
+  for (Index k = 0; k < steps; ++k) try {
+      const double t = static_cast<double>(k) / static_cast<double>(std::max<Index>(steps - 1, 1));
+      const SweepPoint* const again =
+          there != nullptr && k > 0 ? there->found_again(steps - 1 - k, last.bases) : nullptr;
+      if (again != nullptr) {
+        way.points.push_back(*again);
+        way.points.back().change = {};
+        last.t = t;
+      } else {
+        if (k > 0 && !is_solved) last = sample_at(solver, last.t, {&last});
+        Sample sample = sample_at(solver, t, {k > 0 ? &last : nullptr});
+        if (k > 0 && !same_modes(last, sample)) refine(solver, last, sample, way.points);
+        way.add(sample, last.bases, solver.variations().front());
+        if (there != nullptr) there->join(steps - 1 - k, way.points.back(), sample.bases);
+        last = std::move(sample);
+      }
+      is_solved = again == nullptr;
+      progress(t);
+    } catch (const Stopped&) {
+      break;
     }
-    is_solved = again == nullptr;
-    progress(t);
-  }
   return way;
 }
 
-/// The two ways at the steps that both have taken.
-std::vector<TwoWays> compared(const std::vector<SweepPoint>& there,
-                              const std::vector<SweepPoint>& back) {
+/// The two ways at the steps that both have taken. What is found from nothing is the same on both.
+std::vector<TwoWays> compared(const SweepSolver& solver, const std::vector<SweepPoint>& there,
+                              std::vector<SweepPoint>& back) {
   std::vector<TwoWays> list;
   auto returning = back.rbegin();
   for (const SweepPoint& point : there) {
     if (point.refined) continue;
     while (returning->refined) ++returning;
+    if (solver.is_from_nothing(Question::breaking)) returning->at.breaking = point.at.breaking;
     list.push_back({point.value, point.value, point.at, returning++->at});
   }
   return list;
@@ -169,59 +195,71 @@ SweepPoint refined_point(const Sample& sample, const Variation& variation) {
   return point;
 }
 
-Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour, const Sample* other) {
+namespace {
+
+/// At the solver's present value.
+Sample sample_here(SweepSolver& solver, double t, SampleStart start,
+                   const std::vector<Question>& asked) {
   Sample sample;
   sample.t = t;
-  if (!solver.is_warm()) neighbour = nullptr;
-  if (neighbour != nullptr) sample.bases = neighbour->bases;
-  const bool both = neighbour != nullptr && other != nullptr;
-  for (const Question question : questions)
-    sample[question] =
-        solver.solve(question, sample.bases[question], both ? &other->bases[question] : nullptr);
+  if (!solver.is_warm()) start = {};
+  if (start.neighbour != nullptr) sample.bases = start.neighbour->bases;
+  const bool both = start.neighbour != nullptr && start.other != nullptr;
+  for (const Question question : asked)
+    sample[question] = solver.solve(question, sample.bases[question],
+                                    both ? &start.other->bases[question] : nullptr);
   return sample;
 }
 
-Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour, const Sample* other) {
+} // namespace
+
+Sample sample_at(SweepSolver& solver, double t, const SampleStart& start,
+                 const std::vector<Question>& asked) {
   solver.go_to(value_at(solver.variations().front(), t));
-  return sample_here(solver, t, neighbour, other);
+  return sample_here(solver, t, start, asked);
 }
 
 void sample_line(const VariedScene& scene, SweepSolver& solver,
                  const ParameterSweepOptions& options, Sweep& sweep) {
-  const Index steps = options.steps > 0 ? options.steps : default_steps;
+  const Index steps = options.steps > 0 ? options.steps : SweepSettings::usual_steps;
   // From nothing both ways are the same.
   const bool back = options.both_ways && options.warm && sweep.segments.empty();
-  Way there = sampled(solver, steps, part_of(options.progress, 0, back ? 0.5 : 1));
+  SampledPath there = sampled(solver, steps, part_of(options.progress, 0, back ? 0.5 : 1));
   for (const SweepPoint& point : there.points) {
     sweep.complete = sweep.complete && point.at.push.is_known();
     sweep.asks_breaking = sweep.asks_breaking || point.at.breaking.status != Status::bad_input;
   }
-  if (back) {
+  if (back && solver.stop() == Stop::none) {
     SweepSolver backwards(scene, {reversed(sweep.variations.front())}, solver.pusher(), options);
-    Way returning = sampled(backwards, steps, part_of(options.progress, 0.5, 0.5), &there);
+    backwards.leave_out_what_is_from_nothing();
+    SampledPath returning = sampled(backwards, steps, part_of(options.progress, 0.5, 0.5), &there);
     sweep.cold += backwards.cold();
     sweep.warm += backwards.warm();
-    sweep.bistable = disagreements(compared(there.points, returning.points), 0);
+    sweep.stop = backwards.stop();
+    if (sweep.stop == Stop::none)
+      sweep.bistable = disagreements(compared(solver, there.points, returning.points), 0);
     if (!sweep.bistable.empty()) sweep.points_back = std::move(returning.points);
   }
   sweep.points = std::move(there.points);
 }
 
 void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep& sweep) {
-  const Index steps = options.steps > 0 ? options.steps : default_map_steps;
+  const Index steps = options.steps > 0 ? options.steps : SweepSettings::usual_map_steps;
   const Variation &first = sweep.variations[0], &second = sweep.variations[1];
   const auto share = [&](Index k) {
     return static_cast<double>(k) / static_cast<double>(std::max<Index>(steps - 1, 1));
   };
-  const auto at = [&](Index k, Index row, const Sample* neighbour) {
+  const std::vector<Question> both(std::begin(questions), std::end(questions));
+  const auto at = [&](Index k, Index row, const Sample* neighbour,
+                      const std::vector<Question>& asked) {
     solver.go_to({value_at(first, share(k)), value_at(second, share(row))});
-    return sample_here(solver, share(k), neighbour);
+    return sample_here(solver, share(k), {neighbour}, asked);
   };
   Sample row_begin, last;
   for (Index row = 0; row < steps; ++row) {
     for (Index k = 0; k < steps; ++k) {
       const Sample* const neighbour = k > 0 ? &last : row > 0 ? &row_begin : nullptr;
-      last = at(k, row, neighbour);
+      last = at(k, row, neighbour, both);
       if (k == 0) row_begin = last;
       sweep.points.push_back(point_of(last, first));
       sweep.points.back().second = value_at(second, share(row));
@@ -233,7 +271,8 @@ void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep
     // Warm answers stay on their branch; from nothing another one may be found.
     for (Index k = 0; options.both_ways && options.warm && k < steps; ++k) {
       SweepPoint& point = sweep.points[static_cast<std::size_t>(row * steps + k)];
-      point.bistable = moves_otherwise(point.at, point_of(at(k, row, nullptr), first).at);
+      point.bistable =
+          moves_otherwise(point.at, point_of(at(k, row, nullptr, {Question::push}), first).at);
     }
   }
 }

@@ -24,13 +24,14 @@ struct Sample : OfBoth<DetailedAnswer> {
   double t = 0; ///< 0 to 1 over the range
   OfBoth<RoundBases> bases;
 };
-/// At the solver's present value; from a neighbour's bases (and those of the neighbour on the other
-/// side), or from nothing.
-Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour,
-                   const Sample* other = nullptr);
-/// The same at t of the only parameter.
-Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour,
-                 const Sample* other = nullptr);
+/// What a sample starts from: nothing, a neighbour's bases, or those of the neighbours on both
+/// sides.
+struct SampleStart {
+  const Sample *neighbour = nullptr, *other = nullptr;
+};
+/// The answers to these questions at t of the only parameter.
+Sample sample_at(SweepSolver& solver, double t, const SampleStart& start,
+                 const std::vector<Question>& asked = {Question::push, Question::breaking});
 SweepPoint point_of(const Sample& sample, const Variation& variation);
 /// The same, as one that lies between two of the steps.
 SweepPoint refined_point(const Sample& sample, const Variation& variation);

@@ -4,13 +4,18 @@
 #include <cmath>
 #include <utility>
 
+#include "solve/noise.hpp"
 #include "solve/push_rounds.hpp"
 #include "solve/rest_verdict.hpp"
+#include "solve/word_settings.hpp"
 #include "sweep/proven_jam.hpp"
 #include "sweep/remembered_rounds.hpp"
+#include "sweep/settings.hpp"
 
 namespace lcpush::desktop {
 namespace {
+
+constexpr SweepSettings settings;
 
 std::vector<Parameter> parameters_of(const std::vector<Variation>& variations) {
   std::vector<Parameter> parameters;
@@ -22,16 +27,21 @@ std::vector<Parameter> parameters_of(const std::vector<Variation>& variations) {
 DetailedAnswer read_contacts(const ScenePoint& p, DetailedAnswer answer) {
   const Answer<double>& solved = p.work.answer;
   const Scales<double>& scales = p.assembly.layout().scales;
-  const double pressed = 1000 * Tolerances<double>().tie * scales.force;
-  answer.force_noise = 1e-11 * scales.force;
-  answer.motion_noise = 1e-11 * scales.acceleration;
+  const double pressed = settings.pressed * Tolerances<double>().tie * scales.force;
+  answer.zero = noise_below(p.file, scales, word_settings.rounding);
+  answer.force_noise = settings.rounding * scales.force;
+  answer.motion_noise = settings.rounding * scales.acceleration;
   answer.turning_noise = answer.motion_noise / scales.length;
   double fastest = 0;
   for (const ContactAnswer<double>& contact : solved.contacts)
     fastest = std::max(fastest, contact.acceleration.norm());
-  // What a residual leaves open of slips is no event of the sweep.
-  const double open = std::max(answer.motion_noise, 2 * answer.residual * scales.acceleration);
-  const double rounded = std::min(open, 5e-6 * fastest);
+  // What the residual leaves open of slips is no event of the sweep; nor is anything where nothing
+  // moves.
+  const double open =
+      std::max(answer.motion_noise, settings.residuals * answer.residual * scales.acceleration);
+  const double rounded = fastest <= answer.zero.acceleration
+                             ? answer.zero.acceleration
+                             : std::min(open, settings.slowest_slip * fastest);
   Index entry = 0;
   for (Index i = 0; i < solved.contacts.size; ++i) {
     const ContactAnswer<double>& contact = solved.contacts[i];
@@ -43,6 +53,8 @@ DetailedAnswer read_contacts(const ScenePoint& p, DetailedAnswer answer) {
     const double sliding =
         slip.norm() + p.scene.bodies[contact.body].torsion_radius * std::abs(contact.spin);
     if (state.mode == Mode::slide && sliding <= rounded) state.mode = Mode::stick;
+    if (state.mode == Mode::separate && contact.acceleration.norm() + sliding <= rounded)
+      state.mode = Mode::stick; // rests there without a force
     if (state.mode == Mode::slide && slip.norm() > 0) state.slip = slip.normalized();
     for (Index j = 0; j < p.assembly.layout().cones[i].generators; ++j, ++entry)
       if (solved.friction[entry] > pressed) state.rubs.push_back(j);
@@ -79,9 +91,15 @@ DetailedAnswer judge_breaking(const ScenePoint& p, Status status,
   answer.breaks = breaking.breaks;
   answer.residual = breaking.residuals.max();
   answer = read_contacts(p, std::move(answer));
-  answer.motion_noise /= push_size(p.scene); // of a unit push
+  // Of a unit push: what the smallest one's residual leaves open.
+  answer.motion_noise /= push_size(p.scene);
+  answer.turning_noise = answer.motion_noise / report.scales.length;
+  if (breaking.small_push > 0)
+    answer.zero.acceleration =
+        std::max(word_settings.rounding, settings.residuals * answer.residual *
+                                             report.scales.acceleration / breaking.small_push);
   // What extrapolating from finite pushes leaves open.
-  answer.force_noise += 10 * breaking.line_error * report.scales.force;
+  answer.force_noise += settings.line_errors * breaking.line_error * report.scales.force;
   return answer;
 }
 
@@ -104,10 +122,11 @@ bool ScenePoint::has_no_answer() {
 
 SweepSolver::SweepSolver(const VariedScene& scene, const std::vector<Variation>& variations,
                          Index pusher, const ParameterSweepOptions& options)
-    : variations_(variations), scene_(scene), pusher_(pusher),
-      is_warm_(options.warm), attendant_{&options.pivoted} {}
+    : variations_(variations), scene_(scene), pusher_(pusher), is_warm_(options.warm),
+      watcher_(options.stop) {}
 
 void SweepSolver::go_to(const std::vector<double>& values) {
+  watcher_.look();
   point_ = std::make_unique<ScenePoint>(scene_.at(parameters_of(variations_), values), pusher_);
 }
 
@@ -133,7 +152,7 @@ Status SweepSolver::pivot(Question question, const LemkeOptions<double>& options
   const Problem<double> problem = point_->problem(question);
   Status status =
       from == nullptr ? lemke_->init(problem, options) : lemke_->init(problem, options, from);
-  if (status == Status::running) status = lemke_->solve<Watcher>(attendant_);
+  if (status == Status::running) status = lemke_->solve<Watcher>(watcher_);
   if (status != Status::solved) return status;
   basis = basis_of(*lemke_, problem.size);
   return status;
@@ -177,7 +196,12 @@ DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const Ro
     none.status = Status::ray;
     return none;
   }
-  if (takes_rounds(point_->file)) return solve_pad(question, bases);
+  if (takes_rounds(point_->file)) {
+    if (is_from_nothing(question)) bases.clear();
+    DetailedAnswer answer = solve_pad(question, bases);
+    if (is_from_nothing(question)) bases.clear();
+    return answer;
+  }
   if (others != nullptr && !others->empty() && !bases.empty()) {
     for (const RoundBases* candidate : {static_cast<const RoundBases*>(&bases), others}) {
       const DetailedAnswer answer = on_basis(question, candidate->front(), false);
@@ -235,7 +259,7 @@ DetailedAnswer SweepSolver::solve_pad(Question question, RoundBases& bases) {
 }
 
 template <class Pivots> AnyRounds SweepSolver::rounds_by(Pivots& pivots, RoundMemory& memory) {
-  return AnyRounds(RememberedRounds<Pivots>(pivots, memory, attendant_, *held_, *structured_));
+  return AnyRounds(RememberedRounds<Pivots>(pivots, memory, watcher_, *held_, *structured_));
 }
 
 DetailedAnswer SweepSolver::solve_rounds(Question question, const AnyRounds& rounds) {

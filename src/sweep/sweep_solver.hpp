@@ -24,6 +24,7 @@ struct ContactState {
 /// An answer while it is worked with: a breaking force at which the object does not hold keeps its
 /// numbers.
 struct DetailedAnswer : SweepAnswer {
+  Noise zero; ///< less is told as 0
   std::vector<ContactState> contacts;
 };
 
@@ -51,16 +52,26 @@ private:
   std::optional<bool> jammed_;
 };
 
-/// Tells somebody of every pivot.
-struct Attendant : Watcher {
-  const std::function<void()>* pivoted = nullptr;
+/// Thrown out of a solve that is not to go on: all that solves owns its memory.
+struct Stopped {
+  Stop why;
+};
 
-  explicit Attendant(const std::function<void()>* told) : pivoted(told) {}
+/// Asks at every pivot whether the sweep is to end; once it is, nothing is solved any more.
+class StopWatcher : public Watcher {
+public:
+  explicit StopWatcher(const StopCheck& check) : check_(check) {}
   void stepped(const Lemke<double>&) override { look(); }
   void progressed(Index, Index) override { look(); }
-  void look() const {
-    if (pivoted != nullptr && *pivoted) (*pivoted)();
+  void look() {
+    if (stop_ == Stop::none) stop_ = stop_now(check_);
+    if (stop_ != Stop::none) throw Stopped{stop_};
   }
+  Stop stop() const { return stop_; }
+
+private:
+  const StopCheck& check_;
+  Stop stop_ = Stop::none;
 };
 
 /// An unknown: is z_i basic?
@@ -84,14 +95,23 @@ public:
   const std::vector<Variation>& variations() const { return variations_; }
   Index pusher() const { return pusher_; }
   bool is_warm() const { return is_warm_; }
+  Stop stop() const { return watcher_.stop(); }
 
   /// Is there anything to ask? Without a prescribed motion nothing breaks.
   bool has(Question question) const {
-    return question == Question::push || push_size(point_->scene) > 0;
+    return question == Question::push ||
+           (push_size(point_->scene) > 0 && !(leaves_out_ && is_from_nothing(question)));
   }
   /// The answer by the scene's pressure law, from `bases` if there are any, which receive its own.
   /// `others` are tried next, before any pivot: those of a neighbour on the other side.
   DetailedAnswer solve(Question question, RoundBases& bases, const RoundBases* others = nullptr);
+  /// The instant of breaking by finite pushes is found from nothing, as by `break`: a neighbour's
+  /// bases save no work, and the way there makes no difference.
+  bool is_from_nothing(Question question) const {
+    return question == Question::breaking && takes_rounds(point_->file);
+  }
+  /// Where that has been asked before.
+  void leave_out_what_is_from_nothing() { leaves_out_ = true; }
   Index cold() const { return cold_; }
   Index warm() const { return warm_; }
 
@@ -109,12 +129,12 @@ private:
   std::vector<Variation> variations_;
   const VariedScene& scene_;
   Index pusher_;
-  bool is_warm_;
+  bool is_warm_, leaves_out_ = false;
   std::unique_ptr<ScenePoint> point_;
   std::optional<OwnedLemke<double>> lemke_;
   std::optional<Owned<StructuredLemke<double>>> structured_;
   std::optional<Owned<HeldBasis<double>>> held_;
-  Attendant attendant_;
+  StopWatcher watcher_;
   Index cold_ = 0, warm_ = 0;
 
   DetailedAnswer solve_pad(Question question, RoundBases& bases);

@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sweep/settings.hpp"
 #include "sweep/sweep_words.hpp"
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr std::size_t most_rows = 12, most_columns = 8;
-constexpr double rounding = 1e-12; // of the largest force: what it leaves of a zero
-constexpr double unfelt = 1e-6;    // of the motion: what rounding and bisection leave of a zero
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -47,10 +44,10 @@ double largest_force(const Sweep& sweep) {
 void add_motion(std::vector<std::string>& row, const SweepAnswer& push, int digits) {
   const double linear = push.twist.head<3>().norm(), angular = push.twist.tail<3>().norm();
   const double length = push.turning_noise > 0 ? push.motion_noise / push.turning_noise : 1;
-  row.push_back(
-      answer_cell(push, linear, digits, std::max(push.motion_noise, unfelt * angular * length)));
-  row.push_back(
-      answer_cell(push, angular, digits, std::max(push.turning_noise, unfelt * linear / length)));
+  row.push_back(answer_cell(push, linear, digits,
+                            std::max(push.motion_noise, SweepSettings::unfelt * angular * length)));
+  row.push_back(answer_cell(push, angular, digits,
+                            std::max(push.turning_noise, SweepSettings::unfelt * linear / length)));
 }
 
 /// A row of the brief table.
@@ -82,13 +79,13 @@ std::vector<ShownValue> shown_of(const std::vector<SweepSegment>& segments,
 
 /// What matters, if that is few enough; else evenly chosen.
 std::vector<ShownValue> chosen(const std::vector<ShownValue>& all) {
-  if (all.size() <= most_rows) return all;
+  if (all.size() <= SweepSettings::most_rows) return all;
   std::vector<ShownValue> list;
   for (const ShownValue& shown : all)
     if (shown.matters) list.push_back(shown);
-  if (list.size() > 2 && list.size() <= most_rows) return list;
+  if (list.size() > 2 && list.size() <= SweepSettings::most_rows) return list;
   list.clear();
-  for (const std::size_t k : evenly(all.size(), most_rows)) list.push_back(all[k]);
+  for (const std::size_t k : evenly(all.size(), SweepSettings::most_rows)) list.push_back(all[k]);
   return list;
 }
 
@@ -97,7 +94,7 @@ std::vector<ShownValue> chosen(const std::vector<ShownValue>& all) {
 std::vector<std::size_t> evenly(std::size_t n, std::size_t most) {
   std::size_t count = std::min(n, most);
   // Steps of the same size, if a few fewer make that possible.
-  for (std::size_t fewer = count; n > most && fewer >= 6; --fewer)
+  for (std::size_t fewer = count; n > most && fewer >= SweepSettings::fewest_even_rows; --fewer)
     if ((n - 1) % (fewer - 1) == 0) {
       count = fewer;
       break;
@@ -111,10 +108,11 @@ std::vector<std::size_t> evenly(std::size_t n, std::size_t most) {
 std::string value_text(const Variation& variation, double value) {
   const double range = std::abs(variation.to - variation.from);
   const double size = std::max(std::abs(variation.from), std::abs(variation.to));
-  const int digits = 3 + std::clamp(static_cast<int>(std::log10(size / range)), 0, 9);
+  const int digits =
+      3 + std::clamp(static_cast<int>(std::log10(size / range)), 0, SweepSettings::digits_more);
   // The ends are as somebody has typed them.
   const bool is_end = value == variation.from || value == variation.to;
-  return is_end ? number(value) : in_digits(value, digits, 1e-9 * range);
+  return is_end ? number(value) : in_digits(value, digits, SweepSettings::merge_distance * range);
 }
 
 std::string with_unit(const Variation& variation, double value) {
@@ -127,8 +125,7 @@ std::string place_text(const Variation& variation, double value) {
 }
 
 bool are_one_place(const Variation& variation, double a, double b) {
-  constexpr double part = 1e-5; // of the range: ten times what bisection leaves
-  return std::abs(a - b) <= part * std::abs(variation.to - variation.from);
+  return std::abs(a - b) <= SweepSettings::one_place * std::abs(variation.to - variation.from);
 }
 
 std::string event_place(const Variation& variation, const SweepEvent& event) {
@@ -170,8 +167,9 @@ std::string map_table(const Sweep& sweep, std::size_t& left_out) {
   while (columns < sweep.points.size() &&
          sweep.points[columns].second == sweep.points.front().second)
     ++columns;
-  const std::vector<std::size_t> across = evenly(columns, most_columns);
-  const std::vector<std::size_t> down = evenly(sweep.points.size() / columns, most_rows);
+  const std::vector<std::size_t> across = evenly(columns, SweepSettings::most_columns);
+  const std::vector<std::size_t> down =
+      evenly(sweep.points.size() / columns, SweepSettings::most_rows);
   left_out = sweep.points.size() - across.size() * down.size();
   const Question question = asked(sweep);
   const double largest = largest_force(sweep);
@@ -189,7 +187,7 @@ std::string map_table(const Sweep& sweep, std::size_t& left_out) {
 }
 
 std::string segment_table(const Sweep& sweep, const std::vector<SweepSegment>& segments) {
-  const double zero = rounding * largest_force(sweep);
+  const double zero = SweepSettings::table_rounding * largest_force(sweep);
   return fitted_table(6, [&](int digits, bool long_head) {
     Rows rows{{head_of(sweep.variations[0].parameter, long_head), "to", "break N", "to", "slope",
                "push N", "to", "found"}};
@@ -210,7 +208,7 @@ std::string segment_table(const Sweep& sweep, const std::vector<SweepSegment>& s
 }
 
 std::string point_table(const Sweep& sweep, const std::vector<SweepPoint>& points) {
-  const double zero = rounding * largest_force(sweep);
+  const double zero = SweepSettings::table_rounding * largest_force(sweep);
   return fitted_table(6, [&](int digits, bool long_head) {
     Rows rows{{head_of(sweep.variations[0].parameter, long_head)}};
     if (sweep.is_map()) rows[0].push_back(head_of(sweep.variations[1].parameter, long_head));

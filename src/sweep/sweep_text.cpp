@@ -4,14 +4,12 @@
 
 #include "solve/push_words.hpp"
 #include "solve/sentence.hpp"
+#include "sweep/settings.hpp"
 #include "sweep/sweep_words.hpp"
 #include "text/format.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-// In a brief text.
-constexpr std::size_t most_changes = 8, most_zeros = 4;
 
 /// A line after another.
 std::string paragraph(const std::string& lines) { return lines.empty() ? "" : "\n" + lines; }
@@ -53,7 +51,7 @@ std::string event_lines(const Sweep& sweep, const std::vector<SweepEvent>& event
     lines.back() += event_text(sweep, event);
     last = &event;
   }
-  return few_lines(lines, is_full ? lines.size() : most_changes, "change");
+  return few_lines(lines, is_full ? lines.size() : SweepSettings::most_changes, "change");
 }
 
 template <class List>
@@ -65,7 +63,7 @@ std::string change_lines(const Sweep& sweep, const List& list, Telling telling) 
 std::string zero_line(const Sweep& sweep, const SweepZero& zero, Telling telling) {
   const Variation& variation = sweep.variations[0];
   const bool is_full = telling == Telling::full;
-  const double small = 1e-9 * std::abs(variation.to - variation.from);
+  const double small = SweepSettings::merge_distance * std::abs(variation.to - variation.from);
   const auto value = [&](double x) {
     return is_full ? number(x, small) : value_text(variation, x);
   };
@@ -86,7 +84,8 @@ std::string zero_line(const Sweep& sweep, const SweepZero& zero, Telling telling
 std::string zero_lines(const Sweep& sweep, Telling telling) {
   std::vector<std::string> lines;
   for (const SweepZero& zero : sweep.zeros) lines.push_back(zero_line(sweep, zero, telling));
-  return few_lines(lines, telling == Telling::full ? lines.size() : most_zeros, "zero");
+  return few_lines(lines, telling == Telling::full ? lines.size() : SweepSettings::most_zeros,
+                   "zero");
 }
 
 std::string bistable_lines(const Sweep& sweep, Telling telling) {

@@ -3,14 +3,11 @@
 #include <cmath>
 #include <utility>
 
+#include "sweep/settings.hpp"
 #include "sweep/sweep_samples.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr double zero_width = 1e-10; // of the range; then the line through both sides
-constexpr double negligible = 1e-9;  // of the component's largest value
-constexpr double steepest = 1e-3;    // of a change of sign: what may be left of it there is no jump
 
 /// Below this a component counts as zero: rounding, or nothing compared with its largest value.
 Vector6<double> thresholds(const Sweep& sweep) {
@@ -19,7 +16,7 @@ Vector6<double> thresholds(const Sweep& sweep) {
     for (Index k = 0; k < 6; ++k) noise[k] = std::max(noise[k], value.push.twist_noise(k));
     largest = largest.cwiseMax(value.push.twist.cwiseAbs());
   });
-  const Vector6<double> zero = noise.cwiseMax(negligible * largest);
+  const Vector6<double> zero = noise.cwiseMax(SweepSettings::negligible * largest);
   // -1: zero everywhere, which is not worth a word
   return (largest.array() > zero.array()).select(zero, -1.0);
 }
@@ -69,17 +66,18 @@ Crossing crossing_between(SweepSolver& solver, Index k, double threshold, const 
     return (value - variation.from) / (variation.to - variation.from);
   };
   const double whole = std::abs(second.at.push.twist[k] - first.at.push.twist[k]);
-  Sample low = sample_at(solver, share_of(first.value), nullptr);
-  Sample high = sample_at(solver, share_of(second.value), nullptr);
+  const std::vector<Question> asked = {Question::push};
+  Sample low = sample_at(solver, share_of(first.value), {}, asked);
+  Sample high = sample_at(solver, share_of(second.value), {}, asked);
   Sample shoulder_low = low, shoulder_high = high; // the last ones that are not yet on the slope
   const auto value = [k](const Sample& sample) { return sample.push.twist[k]; };
   if (sign_of(value(low), 0) * sign_of(value(high), 0) != -1) // afresh, another branch is found
     return {{k, first.value, second.value, true}, {}};
   const auto near = [&](const Sample& sample, const SweepPoint& end) {
-    return std::abs(value(sample) - end.at.push.twist[k]) <= whole / 10;
+    return std::abs(value(sample) - end.at.push.twist[k]) <= SweepSettings::shoulder * whole;
   };
-  while (high.t - low.t > zero_width) {
-    Sample middle = sample_at(solver, (low.t + high.t) / 2, &low, &high);
+  while (high.t - low.t > SweepSettings::zero_width) {
+    Sample middle = sample_at(solver, (low.t + high.t) / 2, {&low, &high}, asked);
     if (!middle.push.is_solved()) break;
     const bool below = sign_of(value(middle), 0) * sign_of(value(low), 0) > 0;
     if (below && near(middle, first)) shoulder_low = middle;
@@ -89,14 +87,15 @@ Crossing crossing_between(SweepSolver& solver, Index k, double threshold, const 
   Crossing crossing;
   const double rise = value(high) - value(low);
   crossing.zero.component = k;
-  crossing.zero.jumps = std::abs(rise) > std::max(steepest * whole, 2 * threshold);
+  crossing.zero.jumps =
+      std::abs(rise) > std::max(SweepSettings::steepest_zero * whole, 2 * threshold);
   const double t = crossing.zero.jumps ? high.t : low.t - value(low) / rise * (high.t - low.t);
   crossing.zero.from = crossing.zero.to = value_at(variation, t);
-  const auto show = [&](const Sample& sample) {
-    crossing.points.push_back(refined_point(sample, variation));
+  const auto show = [&](const Sample& at) { // with both answers
+    crossing.points.push_back(refined_point(sample_at(solver, at.t, {&at}), variation));
   };
   if (shoulder_low.t > share_of(first.value)) show(shoulder_low);
-  if (!crossing.zero.jumps) show(sample_at(solver, t, &low));
+  if (!crossing.zero.jumps) show(sample_at(solver, t, {&low}, asked));
   if (shoulder_high.t < share_of(second.value)) show(shoulder_high);
   return crossing;
 }

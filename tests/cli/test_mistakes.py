@@ -218,7 +218,7 @@ class Mistakes(ToolTest):
 
     def test_what_takes_too_long_ends_and_says_so(self):
         slow = self.changed("facets = 64\n[object]", "[object]")
-        words = 'sweep - --vary "*.friction=0:1e9" --steps 2000 -o curve.txt --seconds 0.2'
+        words = 'report - --vary "*.friction=0:1e9" -o curve.html --seconds 0.2'
         result = self.run_tool(words, slow)
         self.assertEqual((result.returncode, result.stdout), (1, ""))
         self.assertIn("stopped after 0.2 s of processor time, nothing is written. --seconds 2 gives it",

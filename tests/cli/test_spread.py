@@ -1,5 +1,7 @@
 """lcpush spread on the command line: exit codes, keys, words that claim no more than was done."""
 import json
+import re
+import resource
 import signal
 import subprocess
 import time
@@ -132,6 +134,43 @@ class Spread(ToolTest):
             out, _ = process.communicate(timeout=20)
             self.assertEqual(process.returncode, 0)
             self.assertIn(words, out)
+
+    def test_noise_is_no_motion(self):
+        table = self.file("table.toml", """gravity = [0, 0, -9.81]
+[object]
+mass = 8
+box = [0.8, 0.6, 0.7]
+[[finger]]
+name = "legs"
+shape = "rectangle"
+points = [2, 2]
+center = [0, 0, -0.35]
+size = [0.8, 0.6]
+normal = [0, 0, 1]
+friction = 0.5
+""")
+        self.assertIn("does not move; the laws leave its forces open.", run(table).stdout)
+        answer = json.loads(run(table, "--json").stdout)
+        self.assertEqual((answer["verdict"], answer["twist"]), ("same_motion", [[0, 0]] * 6))
+
+    def test_two_default_pads_take_two_seconds_and_the_progress_grows(self):
+        pads = self.file("pads.toml", "facets = 8\ngravity = [0, 0, -9.81]\n"
+                         "[object]\nmass = 0.1\nbox = [0.04, 0.04, 0.04]\n" + "".join(
+                             f"""[[finger]]
+name = "pad{y > 0}"
+shape = "rectangle"
+center = [0, {y}, 0]
+size = [0.02, 0.02]
+normal = [0, {-50 * y}, 0]
+friction = 1
+grip_force = 20
+""" for y in (0.02, -0.02)))
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        result = run(pads, "--json")
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 6)
+        self.assertIsNone(json.loads(result.stdout)["stopped"])
+        shares = [int(share) for share in re.findall(r"(\d+) % of the work", result.stderr)]
+        self.assertEqual(shares, sorted(shares))
 
     def test_nothing_that_touches_is_a_set_of_one_answer(self):
         # Of a face without an edge there is nothing to start a linear program from.

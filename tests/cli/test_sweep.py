@@ -2,11 +2,42 @@
 import csv
 import io
 import json
+import resource
 import xml.etree.ElementTree as ElementTree
 
 from tool import SCENES, SOURCE, ToolTest, command, main
 
 run = command("sweep")
+# Rubber pads of default points, pushed by a table's edge.
+BLOCK = """facets = 8
+gravity = [0, -9.81, 0]
+[object]
+mass = 0.12
+box = [0.08, 0.04, 0.02]
+[[finger]]
+name = "left"
+shape = "rectangle"
+center = [0, 0, 0.01]
+size = [0.02, 0.01]
+normal = [0, 0, -1]
+friction = 0.8
+grip_force = 20
+[[finger]]
+name = "right"
+shape = "rectangle"
+center = [0, 0, -0.01]
+size = [0.02, 0.01]
+normal = [0, 0, 1]
+friction = 0.8
+grip_force = 20
+[[pusher]]
+name = "edge"
+shape = "line"
+ends = [[-0.04, -0.01, -0.01], [-0.04, -0.01, 0.01]]
+normal = [1, 0, 0]
+friction = 0.4
+acceleration = [0.1, 0, 0]
+"""
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -58,6 +89,51 @@ class Sweep(ToolTest):
             if abs(friction - 0.4905) > 1e-7:
                 self.assertEqual(force != "", friction > 0.4905, (friction, force))
             self.assertGreaterEqual(float(force or 0), -1e-9, friction)
+
+    def test_stopped_early_it_has_what_there_is(self):
+        pads = self.file("block.toml", BLOCK)
+        for varied in (["*.friction=0.3:0.9", "--steps", 400], ["*.grip_force=15:30"],
+                       ["*.friction=0.3:0.9", "--vary", "*.grip_force=15:30", "--steps", 9]):
+            with self.subTest(varied):
+                words = ["--vary", *varied, "--seconds", "0.5"]
+                result = run(pads, *words, "--json")
+                answer = json.loads(result.stdout)
+                self.assertEqual((result.returncode, answer["stopped"], answer["complete"]),
+                                 (1, "time", False))
+                self.assertIn("stopped after 0.5 s of processor time; what there was",
+                              flat(result.stderr))
+                reached = (answer["points"] or answer["segments"])[-1]
+                if "second_value" not in reached:
+                    self.assertEqual(answer["to"], reached.get("value") or reached["to"])
+                for extra in ((), ("--format", "csv"), ("--format", "svg")):
+                    self.assertGreater(len(run(pads, *words, *extra).stdout), 100)
+                self.assertIn("More was not looked at before the time was up.",
+                              flat(run(pads, *words).stdout))
+
+    def test_two_default_pads_take_seconds(self):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        result = run(self.file("block.toml", BLOCK), "--vary", "edge.shift[1]=-0.009:0.029",
+                     "--seconds", 60)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before, 12)
+
+    def test_rounding_is_zero_in_every_format(self):
+        answer = self.answer(SCENES / "two_pushers.toml", "--vary", "*.friction=0.1:0.9", "--steps", 5,
+                             "--pusher", "upper")
+        numbers = [abs(x) for point in answer["points"] for key in ("force", "twist", "break_twist")
+                   for x in point[key] or ()]
+        numbers += [abs(point["break_force"] or 0) for point in answer["points"]]
+        self.assertTrue(all(x == 0 or x > 1e-9 for x in numbers), sorted(numbers)[:9])
+
+    def test_other_pushers_are_left_out_and_it_says_so(self):
+        scene = (SCENES / "two_pushers.toml").read_text()
+        alone = self.file("alone.toml", scene[:scene.rindex("[[pusher]]")])
+        for words in (("sweep", "--vary", "*.friction=0.2:0.9", "--steps", "3"),
+                      ("cone", "--vary", "upper.acceleration[1]=-0.1:0.1")):
+            with self.subTest(words[0]):
+                both = command(words[0])(SCENES / "two_pushers.toml", "--pusher", "upper", *words[1:])
+                self.assertEqual(both.stdout, command(words[0])(alone, *words[1:]).stdout)
+                self.assertIn("upper alone pushes; lower is left out.", both.stderr)
 
     def test_points_come_with_steps(self):
         answer = self.answer(self.slide, "--vary", "*.grip_force=10:30", "--steps", "5")

@@ -87,6 +87,7 @@ struct ConeSlice {
   Variation variation;
   Index pusher = -1;
   bool is_exact = true;                          ///< ends by parametric pivots; else by bisection
+  Stop stop = Stop::none;                        ///< what ended it early
   std::vector<Range> ranges;                     ///< from end to end; neighbours differ
   std::vector<std::pair<double, double>> forces; ///< (value, N) of the push at the ends of pieces
 };
@@ -94,7 +95,8 @@ struct ConeSlice {
 /// `pusher`: a body, the only pusher of the scene that moves. By a sweep of the breaking force
 /// (sweep.hpp): exact where that is, and by bisection between samples where it has no segments.
 /// Throws InputError as sweep_parameter does.
-ConeSlice find_slice(const VariedScene& scene, const Variation& variation, Index pusher);
+ConeSlice find_slice(const VariedScene& scene, const Variation& variation, Index pusher,
+                     const StopCheck& stop = {});
 
 std::string slice_text(const SceneFile& file, const ConeSlice& slice);
 std::string slice_json(const SceneFile& file, const ConeSlice& slice);

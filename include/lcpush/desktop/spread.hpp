@@ -85,6 +85,7 @@ struct SpreadReport {
   std::vector<ContactSpread> contacts;
   Scales<double> scales{};
   double motion = 0; ///< m/s^2, the largest |acceleration| reached or the push: the scale of `same`
+  Noise noise;       ///< what is less is 0; of breaking the acceleration is per unit push
   double residual = 0; ///< the largest of the answers behind the bounds
 
   Index covering_vectors = 0; ///< tried

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lcpush/desktop/scene_check.hpp"
+#include "lcpush/desktop/stop.hpp"
 #include "lcpush/desktop/telling.hpp"
 #include "lcpush/desktop/varied_scene.hpp"
 #include "lcpush/mechanics/model/answer.hpp"
@@ -154,7 +155,9 @@ struct Sweep {
   std::vector<BistableRange> bistable;
   std::vector<SweepZero> zeros; ///< component by component, in the sweep's order; not in a map
   bool complete = true;         ///< every value was solved, or does not hold
-  Index cold = 0, warm = 0;     ///< solves from nothing, and from a neighbour's basis
+  /// What ended it early. Then `variations` end where it has come to, if it has come anywhere.
+  Stop stop = Stop::none;
+  Index cold = 0, warm = 0; ///< solves from nothing, and from a neighbour's basis
 
   bool is_map() const { return variations.size() == 2; }
 };
@@ -174,8 +177,7 @@ struct ParameterSweepOptions {
   bool both_ways = true; ///< sweep back as well, in search of other answers
   bool warm = true;      ///< start from the neighbour's answer
   std::function<void(double done)> progress; ///< 0 to 1
-  /// Is called after each round and pivot; what it throws, or `progress`, ends the sweep.
-  std::function<void()> pivoted;
+  StopCheck stop; ///< asked after each round and pivot; ends the sweep with what there is
 };
 
 /// Sweeps one parameter, or two for a map. Where `rigid` or `even` pressure meets a parameter that
