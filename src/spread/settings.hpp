@@ -27,7 +27,6 @@ struct SpreadSettings {
   // How far enumeration goes.
   static constexpr double thorough_factor = 40;      ///< times the usual work: a minute
   static constexpr double part_of_time = 0.8;        ///< of the seconds asked for, before the walk
-  static constexpr double part_of_walk = 0.5;   ///< of the work of enumeration: a second
   static constexpr double part_of_enumeration = 0.5; ///< of the progress, before the walk
   /// Multiplications in the time that it takes to propose a mode of a contact: 30 ns.
   static constexpr double work_of_a_mode = 20;

@@ -199,8 +199,7 @@ private:
   }
 
   void walk() {
-    const double most = SpreadSettings::part_of_walk * options_.most_work;
-    allow(most, 1);
+    allow(options_.most_work, 1);
     const double before = work();
     for (const Path& path : paths_) // their own faces first
       propose(problem_.face_of(path.moving.z, path.moving.push));
@@ -209,7 +208,7 @@ private:
       const FaceModes next = std::move(waiting_.front());
       waiting_.pop_front();
       study(next, true);
-      tell((work() - before) / most);
+      tell((work() - before) / options_.most_work);
     }
     report_.faces_left += static_cast<Index>(
         std::count_if(waiting_.begin(), waiting_.end(),

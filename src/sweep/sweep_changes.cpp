@@ -211,6 +211,9 @@ std::vector<SweepEvent> merged(const Sweep& sweep, const std::vector<SweepEvent>
   return list;
 }
 
+double place_of(const SweepSegment& segment) { return segment.to; }
+double place_of(const SweepPoint& point) { return point.value; }
+
 std::string joined_events(const Sweep& sweep, double value, const SweepChange& change) {
   std::vector<SweepEvent> events;
   add_events(events, value, change, Telling::full);
@@ -221,20 +224,14 @@ std::string joined_events(const Sweep& sweep, double value, const SweepChange& c
 
 } // namespace
 
-std::vector<SweepEvent> events_of(const Sweep& sweep, const std::vector<SweepSegment>& segments,
-                                  Telling telling) {
+template <class List>
+std::vector<SweepEvent> events_of(const Sweep& sweep, const List& list, Telling telling) {
   std::vector<SweepEvent> events;
-  for (const SweepSegment& segment : segments)
-    add_events(events, segment.to, segment.change, telling);
+  for (const auto& one : list) add_events(events, place_of(one), one.change, telling);
   return telling == Telling::full ? events : merged(sweep, events);
 }
-
-std::vector<SweepEvent> events_of(const Sweep& sweep, const std::vector<SweepPoint>& points,
-                                  Telling telling) {
-  std::vector<SweepEvent> events;
-  for (const SweepPoint& point : points) add_events(events, point.value, point.change, telling);
-  return telling == Telling::full ? events : merged(sweep, events);
-}
+template std::vector<SweepEvent> events_of(const Sweep&, const std::vector<SweepSegment>&, Telling);
+template std::vector<SweepEvent> events_of(const Sweep&, const std::vector<SweepPoint>&, Telling);
 
 std::string event_text(const Sweep& sweep, const SweepEvent& event) {
   std::string text;

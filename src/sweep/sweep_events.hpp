@@ -43,10 +43,9 @@ struct SweepEvent {
 
 /// In the sweep's order. brief: what sticks, slides, opens, breaks or jumps; full: also friction
 /// that turns, and forces that are shared in another way.
-std::vector<SweepEvent> events_of(const Sweep& sweep, const std::vector<SweepSegment>& segments,
-                                  Telling telling);
-std::vector<SweepEvent> events_of(const Sweep& sweep, const std::vector<SweepPoint>& points,
-                                  Telling telling);
+/// `List`: segments or points.
+template <class List>
+std::vector<SweepEvent> events_of(const Sweep& sweep, const List& list, Telling telling);
 
 /// "at breaking: left.2 separates; the answer jumps", without its value.
 std::string event_text(const Sweep& sweep, const SweepEvent& event);

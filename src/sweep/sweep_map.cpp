@@ -3,7 +3,6 @@
 
 #include "draw/plot_svg.hpp"
 #include "lcpush/desktop/input_error.hpp"
-#include "sweep/sweep_pictures.hpp"
 #include "sweep/sweep_quantity.hpp"
 #include "text/format.hpp"
 

@@ -14,4 +14,8 @@ std::string words_of(const SweepQuantity& quantity);
 /// "*.grip_force in N".
 std::string axis_label(const Parameter& parameter);
 
+/// Of a sweep over two parameters; one quantity, or the breaking force.
+std::string sweep_map_svg(const Sweep& sweep, const std::string& title,
+                          const std::vector<SweepQuantity>& shown);
+
 } // namespace lcpush::desktop

@@ -4,7 +4,6 @@
 
 #include "draw/plot_svg.hpp"
 #include "lcpush/desktop/input_error.hpp"
-#include "sweep/sweep_pictures.hpp"
 #include "sweep/sweep_quantity.hpp"
 #include "sweep/sweep_words.hpp"
 #include "text/format.hpp"

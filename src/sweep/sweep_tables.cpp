@@ -120,10 +120,6 @@ std::string with_unit(const Variation& variation, double value) {
   return value_text(variation, value) + (unit.empty() ? "" : " " + unit);
 }
 
-std::string place_text(const Variation& variation, double value) {
-  return variation.parameter.path + " = " + with_unit(variation, value);
-}
-
 bool are_one_place(const Variation& variation, double a, double b) {
   return std::abs(a - b) <= SweepSettings::one_place * std::abs(variation.to - variation.from);
 }

@@ -12,8 +12,6 @@ namespace lcpush::desktop {
 std::string value_text(const Variation& variation, double value);
 /// "6.52 N".
 std::string with_unit(const Variation& variation, double value);
-/// "*.grip_force = 6.52 N".
-std::string place_text(const Variation& variation, double value);
 
 /// Too near to be told apart.
 bool are_one_place(const Variation& variation, double a, double b);

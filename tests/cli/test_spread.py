@@ -210,6 +210,22 @@ class Theory(ToolTest):
     def solved(self, path):
         return json_of("solve", path)
 
+    def test_a_contact_without_force_at_rest_does_not_slip(self):
+        scene = self.file("locked.toml", """[object]
+mass = 0.2
+box = [0.1, 0.03, 0.01]
+[gripper]
+jaws = "locked"
+""" + "".join(f"""[[finger]]
+name = "{name}"
+shape = "point"
+center = [0, 0, {z}]
+normal = {normal}
+friction = 0.2
+grip_force = 20
+""" for name, z, normal in (("left", 0.005, [0, 0, -1]), ("right", -0.005, [0.6, 0, 0.8]))))
+        self.assertEqual([contact["mode"] for contact in self.solved(scene)["contacts"]], ["stick"] * 2)
+
     def test_covered_scenes_say_so(self):
         text = (SCENES / "soft_fingers.toml").read_text()
         text = text.replace("[[finger]]", '[gripper]\njaws = "independent"\n[[finger]]', 1)
