@@ -20,25 +20,36 @@
 namespace lcpush::desktop {
 namespace {
 
+std::uint64_t mixed(std::uint64_t x) { // splitmix64
+  x += 0x9e3779b97f4a7c15U;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
+  return x ^ (x >> 31);
+}
+
+std::uint64_t mixed(std::uint64_t key, const std::vector<Index>& list) {
+  for (const Index j : list) key = mixed(key ^ static_cast<std::uint64_t>(j));
+  return key;
+}
+
 /// Lists of modes have the same key only if they are the same, but for once in 10^18: it is the sum
 /// of its contacts' keys, so that what differs in one contact costs one of them.
 std::uint64_t key_of(std::size_t contact, const ContactMode& mode) {
-  const auto mixed = [](std::uint64_t x) { // splitmix64
-    x += 0x9e3779b97f4a7c15U;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-    return x ^ (x >> 31);
-  };
-  std::uint64_t key =
-      mixed(8 * contact + static_cast<std::uint64_t>(mode.kind) + (mode.pulls ? 4 : 0));
-  for (const Index j : mode.active) key = mixed(key ^ static_cast<std::uint64_t>(j));
-  return key;
+  return mixed(mixed(8 * contact + static_cast<std::uint64_t>(mode.kind) + (mode.pulls ? 4 : 0)),
+               mode.active);
 }
 
 std::uint64_t key_of(const FaceModes& modes) {
   std::uint64_t key = 0;
   for (std::size_t i = 0; i < modes.size(); ++i) key += key_of(i, modes[i]);
   return key;
+}
+
+std::uint64_t key_of(std::size_t contact, const ContactReading& at) {
+  std::uint64_t key = contact;
+  for (const bool flag : {at.pressed, at.pulls, at.gap_closed, at.slips, at.at_limit})
+    key = 2 * key + (flag ? 1 : 0);
+  return mixed(mixed(mixed(mixed(key), at.carrying)), at.opposing);
 }
 
 /// The same text for answers that are the same to a few roundings, as a rule.
@@ -99,7 +110,7 @@ private:
   SpreadReport report_;
   std::optional<FaceStudy> study_;
   std::vector<Path> paths_;
-  std::unordered_set<std::uint64_t> known_, studied_; // by key_of
+  std::unordered_set<std::uint64_t> known_, studied_, proposed_; // by key_of
   std::deque<FaceModes> waiting_;
   double most_work_ = 0, part_of_time_ = 1;
   double walked_ = 0;           // work of finding faces next to others
@@ -166,20 +177,22 @@ private:
   /// The faces next to an answer on a known face: one contact does something else that it may be
   /// said to do there.
   void propose_adjacent_faces(const Face::Answer& answer) {
-    FaceModes modes = problem_.face_of(answer.z, answer.push);
+    const std::vector<ContactReading> readings = problem_.readings_at(answer.z, answer.push);
+    FaceModes modes = problem_.face_of(readings);
     propose(modes);
-    std::vector<std::vector<ContactMode>> others = problem_.modes_at(answer.z, answer.push);
     const std::uint64_t here = key_of(modes);
     for (std::size_t i = 0; i < modes.size(); ++i) {
-      const std::uint64_t own = key_of(i, modes[i]);
-      walked_ += SpreadSettings::work_of_a_mode * static_cast<double>(others[i].size());
-      for (ContactMode& other : others[i]) {
-        if (!known_.insert(here - own + key_of(i, other)).second) continue;
+      // Corners are alike in most contacts: what one leads to has been proposed.
+      const std::uint64_t rest = here - key_of(i, modes[i]);
+      if (!proposed_.insert(rest + key_of(i, readings[i])).second) continue;
+      for (ContactMode& other : problem_.modes_of(static_cast<Index>(i), readings[i])) {
+        if (!known_.insert(rest + key_of(i, other)).second) continue;
         std::swap(modes[i], other);
         waiting_.push_back(modes);
         std::swap(modes[i], other);
       }
     }
+    walked_ += SpreadSettings::work_of_a_contact * static_cast<double>(modes.size());
   }
 
   /// The bounds over a face, once; its corners lead on.
@@ -202,7 +215,7 @@ private:
     allow(options_.most_work, 1);
     const double before = work();
     for (const Path& path : paths_) // their own faces first
-      propose(problem_.face_of(path.moving.z, path.moving.push));
+      propose(problem_.face_of(problem_.readings_at(path.moving.z, path.moving.push)));
     for (const Path& path : paths_) propose_adjacent_faces(path.moving);
     while (!waiting_.empty() && !is_used_up() && report_.faces < options_.most_faces) {
       const FaceModes next = std::move(waiting_.front());

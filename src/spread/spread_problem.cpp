@@ -20,13 +20,6 @@ SceneFile literal(SceneFile file) {
 
 } // namespace
 
-/// What decides the mode of one contact, in the assembly's units.
-struct LiteralProblem::Look {
-  bool pressed, pulls, gap_closed, slips, at_limit;
-  std::vector<Index> carrying; ///< generators with a force
-  std::vector<Index> opposing; ///< generators that oppose the slip best
-};
-
 LiteralProblem::LiteralProblem(const SceneFile& file)
     : file_(literal(file)), assembled_(file_.view()) {
   const FactoredProblem<double>& given = factored();
@@ -132,8 +125,8 @@ bool LiteralProblem::passes(const Residuals<double>& residuals, double push) con
           residuals.beside <= SpreadSettings::smallest_part * push);
 }
 
-std::vector<LiteralProblem::Look> LiteralProblem::look_at(const Eigen::VectorXd& z,
-                                                          double push) const {
+std::vector<ContactReading> LiteralProblem::readings_at(const Eigen::VectorXd& z,
+                                                        double push) const {
   const Eigen::VectorXd x = motion_of(z, push), rates = rates_ * x;
   Eigen::VectorXd terms = load_.head(moving()).cwiseAbs();
   double force = 0;
@@ -145,34 +138,34 @@ std::vector<LiteralProblem::Look> LiteralProblem::look_at(const Eigen::VectorXd&
   // Below what rounding leaves of the accelerations that cancel there is no motion.
   const double motion =
       std::max(SpreadSettings::motion * terms.maxCoeff(), rates.cwiseAbs().maxCoeff());
-  std::vector<Look> looks;
+  std::vector<ContactReading> readings;
   for (Index i = 0; i < layout().points; ++i) {
     const ConeGroup<double>& cone = layout().cones[i];
     const double lambda = cone.normal_force(z.data());
-    Look look;
-    look.pressed = std::abs(lambda) > tie * force;
-    look.pulls = lambda < 0;
-    look.gap_closed = std::abs(rates[cone.variable]) <= tie * motion;
+    ContactReading reading;
+    reading.pressed = std::abs(lambda) > tie * force;
+    reading.pulls = lambda < 0;
+    reading.gap_closed = std::abs(rates[cone.variable]) <= tie * motion;
     double fastest = 0, used = 0;
     const auto against = [&](Index j) { return -rates[layout().friction_index(i, j)]; };
     for (Index j = 0; j < cone.generators; ++j) {
       const double beta = z[layout().friction_index(i, j)];
       fastest = std::max(fastest, against(j));
       used += beta;
-      if (beta > tie * force) look.carrying.push_back(j);
+      if (beta > tie * force) reading.carrying.push_back(j);
     }
     for (Index j = 0; j < cone.generators; ++j)
-      if (against(j) >= fastest - tie * motion) look.opposing.push_back(j);
-    look.slips = fastest > tie * motion;
-    look.at_limit = cone.generators > 0 && cone.friction_limit(z.data()) - used <= tie * force;
-    looks.push_back(std::move(look));
+      if (against(j) >= fastest - tie * motion) reading.opposing.push_back(j);
+    reading.slips = fastest > tie * motion;
+    reading.at_limit = cone.generators > 0 && cone.friction_limit(z.data()) - used <= tie * force;
+    readings.push_back(std::move(reading));
   }
-  return looks;
+  return readings;
 }
 
-FaceModes LiteralProblem::face_of(const Eigen::VectorXd& z, double push) const {
+FaceModes LiteralProblem::face_of(const std::vector<ContactReading>& readings) const {
   FaceModes modes;
-  for (const Look& at : look_at(z, push)) {
+  for (const ContactReading& at : readings) {
     const ConeGroup<double>& cone = layout().cones[static_cast<Index>(modes.size())];
     if (!at.gap_closed)
       modes.push_back({Kind::open, false, {}});
@@ -201,15 +194,7 @@ std::vector<ContactMode> LiteralProblem::every_mode(Index i) const {
   return modes;
 }
 
-std::vector<std::vector<ContactMode>> LiteralProblem::modes_at(const Eigen::VectorXd& z,
-                                                               double push) const {
-  std::vector<std::vector<ContactMode>> modes;
-  for (const Look& at : look_at(z, push))
-    modes.push_back(modes_of(static_cast<Index>(modes.size()), at));
-  return modes;
-}
-
-std::vector<ContactMode> LiteralProblem::modes_of(Index i, const Look& at) const {
+std::vector<ContactMode> LiteralProblem::modes_of(Index i, const ContactReading& at) const {
   const ConeGroup<double>& cone = layout().cones[i];
   std::vector<ContactMode> modes;
   if (!at.pressed && cone.normals == 1) modes.push_back({Kind::open, false, {}});

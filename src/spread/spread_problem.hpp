@@ -25,6 +25,13 @@ struct ContactMode {
 };
 using FaceModes = std::vector<ContactMode>; ///< one a contact point
 
+/// What decides the mode of one contact at an answer, in the assembly's units.
+struct ContactReading {
+  bool pressed, pulls, gap_closed, slips, at_limit;
+  std::vector<Index> carrying; ///< generators with a force
+  std::vector<Index> opposing; ///< generators that oppose the slip best
+};
+
 /// An edge of a contact's friction cone: the unknowns that are 1 and mu along it. The forces that a
 /// cone holds are the sums of its edges with factors >= 0.
 struct ConeEdge {
@@ -78,18 +85,17 @@ public:
   /// No law broken by more than the tolerance, nor than a small part of the push.
   bool passes(const Residuals<double>& residuals, double push) const;
 
-  /// What every contact does at the answer z, ties resolved towards more unknowns.
-  FaceModes face_of(const Eigen::VectorXd& z, double push) const;
-  /// All that each contact may be said to do there: several at the limit of two modes.
-  std::vector<std::vector<ContactMode>> modes_at(const Eigen::VectorXd& z, double push) const;
+  std::vector<ContactReading> readings_at(const Eigen::VectorXd& z, double push) const;
+  /// What every contact does there, ties resolved towards more unknowns.
+  FaceModes face_of(const std::vector<ContactReading>& readings) const;
+  /// All that a contact may be said to do there: several at the limit of two modes.
+  std::vector<ContactMode> modes_of(Index i, const ContactReading& at) const;
   /// All that it can do at all; not for soft points.
   std::vector<ContactMode> every_mode(Index i) const;
   bool is_soft(Index i) const;
   bool has_soft_points() const;
 
 private:
-  struct Look;
-
   SceneFile file_;
   AssembledScene assembled_;
   double unit_ = 1; // m/s^2: the push of p = 1
@@ -97,9 +103,6 @@ private:
   std::vector<Index> axes_; // of a twist: those that move
   Eigen::MatrixXd rates_, effects_;
   Eigen::VectorXd load_, inertia_;
-
-  std::vector<Look> look_at(const Eigen::VectorXd& z, double push) const;
-  std::vector<ContactMode> modes_of(Index i, const Look& at) const;
 };
 
 /// What a unit force along the edge does, as a column of effects().
