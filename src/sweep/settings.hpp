@@ -13,7 +13,6 @@ struct SweepSettings {
   // How finely a change is found, in t.
   static constexpr double bisection_width = 1e-6;
   static constexpr double breaking_blur = 1e-4;  ///< where small pushes lie on both sides of it
-  static constexpr double sampled_blur = 1e-3;   ///< the same between samples: the last digit told
   static constexpr double zero_width = 1e-10;    ///< then the line through both sides
   static constexpr double merge_distance = 1e-9; ///< of exact ends: nearer ones are one
   static constexpr double shortest_told = 4;     ///< merge distances: a shorter stretch is unknown

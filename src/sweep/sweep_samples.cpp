@@ -42,7 +42,7 @@ void refine(SweepSolver& solver, const Sample& from, const Sample& to,
   const Question asked = pushes ? Question::push : Question::breaking;
   const Question other = pushes ? Question::breaking : Question::push;
   const bool is_blurred = solver.is_from_nothing(asked) && from[asked].status == to[asked].status;
-  const double width = is_blurred ? SweepSettings::sampled_blur : SweepSettings::bisection_width;
+  const double width = is_blurred ? SweepSettings::breaking_blur : SweepSettings::bisection_width;
   Sample low = from, high = to;
   while (high.t - low.t > width) {
     Sample middle = sample_at(solver, (low.t + high.t) / 2, {&low, &high}, {asked});

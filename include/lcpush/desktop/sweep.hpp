@@ -93,6 +93,8 @@ struct AnswerChange {
 /// Several of one question only where they are too near to separate.
 struct SweepChange : OfBoth<std::vector<AnswerChange>> {
   bool jumps = false; ///< an answer is discontinuous
+
+  bool is_empty() const { return push.empty() && breaking.empty(); }
 };
 
 /// How a segment was found.
