@@ -93,7 +93,7 @@ VectorXd PivotedQr::shortest(const VectorXd& b) const {
   VectorXd x = solve(b);
   if (rank_ == factors_.cols()) return x;
   const MatrixXd N = kernel();
-  return x - N * PivotedQr(N).solve(x);
+  return x - product(N, PivotedQr(N).solve(x));
 }
 
 MatrixXd PivotedQr::kernel() const {
@@ -103,6 +103,14 @@ MatrixXd PivotedQr::kernel() const {
     N(order_[static_cast<std::size_t>(rank_ + k)], k) = 1;
   }
   return N;
+}
+
+MatrixXd product(const Eigen::Ref<const MatrixXd>& A, const Eigen::Ref<const MatrixXd>& B) {
+  MatrixXd C = MatrixXd::Zero(A.rows(), B.cols());
+  for (Index j = 0; j < B.cols(); ++j)
+    for (Index k = 0; k < B.rows(); ++k)
+      for (Index i = 0; i < A.rows(); ++i) C(i, j) += A(i, k) * B(k, j);
+  return C;
 }
 
 double longest_column(const MatrixXd& A) {

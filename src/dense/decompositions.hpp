@@ -10,8 +10,7 @@ namespace lcpush::desktop {
 
 /// A P = Q R by Householder's reflections, the largest of the remaining columns first: R's diagonal
 /// falls, and what it falls to is what rounding, or dependence, has left. [Golub, Van Loan 5.4]
-/// Cost: O(rows columns
-/// min(rows, columns)).
+/// Cost: O(rows columns min(rows, columns)).
 class PivotedQr {
 public:
   /// The first entries of R's diagonal that are above `small`, and above rounding, count.
@@ -37,6 +36,11 @@ private:
   void reflect(Index k, double* column) const;
   Eigen::VectorXd solve_triangle(Eigen::VectorXd y) const;
 };
+
+/// A B, the terms of an entry added in their order. Eigen's own products differ in their bits with
+/// a processor's caches, and each kind of factor costs a compiler a second.
+Eigen::MatrixXd product(const Eigen::Ref<const Eigen::MatrixXd>& A,
+                        const Eigen::Ref<const Eigen::MatrixXd>& B);
 
 /// R's first diagonal entry, in size: what `small` may be a part of.
 double longest_column(const Eigen::MatrixXd& A);

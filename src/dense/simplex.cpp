@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dense/decompositions.hpp"
 #include "dense/settings.hpp"
 
 namespace lcpush::desktop {
@@ -166,20 +167,20 @@ void Simplex::read_point() {
         point_[j] += values[i];
   };
   add(table_.col(value_).head(m));
-  const Eigen::VectorXd off = b_ - A_ * point_;
-  add(table_.block(0, multipliers_, m, m) * off);
+  const Eigen::VectorXd off = b_ - product(A_, point_);
+  add(product(table_.block(0, multipliers_, m, m), off));
   work_ += static_cast<double>(m * (A_.cols() + m));
   for (Index j = free_; j < point_.size(); ++j)
     if (point_[j] < 0 && point_[j] > -Settings::agrees) point_[j] = 0;
 }
 
 bool Simplex::is_point() const {
-  return largest(A_ * point_ - b_) <= Settings::agrees * (1 + largest(b_)) &&
+  return largest(product(A_, point_) - b_) <= Settings::agrees * (1 + largest(b_)) &&
          is_above(0, point_, free_);
 }
 
 bool Simplex::is_proved(const Eigen::VectorXd& c) const {
-  const Eigen::VectorXd reduced = c - A_.transpose() * multipliers();
+  const Eigen::VectorXd reduced = c - product(A_.transpose(), multipliers());
   return largest(reduced.head(free_)) <= Settings::proof &&
          is_above(-Settings::proof, reduced, free_);
 }
@@ -187,7 +188,8 @@ bool Simplex::is_proved(const Eigen::VectorXd& c) const {
 bool Simplex::is_ray(const Eigen::VectorXd& c) {
   for (Index j = free_; j < ray_.size(); ++j)
     if (ray_[j] < 0 && ray_[j] > -Settings::agrees) ray_[j] = 0;
-  return largest(A_ * ray_) <= Settings::agrees && c.dot(ray_) < 0 && is_above(0, ray_, free_);
+  return largest(product(A_, ray_)) <= Settings::agrees && c.dot(ray_) < 0 &&
+         is_above(0, ray_, free_);
 }
 
 Simplex::Ending Simplex::find_point() {
@@ -215,7 +217,7 @@ Simplex::Ending Simplex::find_point() {
       const double left = table_(i, value_);
       // Row i says: helper + (what is not negative) = left, a combination of the rows as given.
       const Eigen::VectorXd y = table_.row(i).segment(multipliers_, m).transpose();
-      const Eigen::VectorXd sum = -A_.transpose() * y;
+      const Eigen::VectorXd sum = -product(A_.transpose(), y);
       const bool refuted = y.dot(b_) > Settings::contradicts / 2 &&
                            largest(sum.head(free_)) <= Settings::proof &&
                            is_above(-Settings::proof, sum, free_);

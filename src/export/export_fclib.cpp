@@ -1,4 +1,5 @@
 // The local problem of the Frictional Contact Library, from the paper's matrices in SI units.
+#include "dense/decompositions.hpp"
 #include "export/export_parts.hpp"
 
 namespace lcpush::desktop {
@@ -34,7 +35,7 @@ void add_fclib(const SceneFile& file, Export& result, Folder& folder) {
   const MatrixMap<double> G = map_of(grasp);
   // M^-1 in SI units; in a planar scene nothing moves out of the plane.
   const Matrix6<double> B = laws::newton(scene, Scales<double>{1, 1, 1}) / scene.object.mass;
-  HostMatrix W = host_matrix(G.transpose() * (B * G));
+  HostMatrix W = host_matrix(product(G.transpose(), product(B, G)));
   // Rounding has no reason to be symmetric; readers test for it.
   for (Index j = 0; j < rows; ++j)
     for (Index i = 0; i < j; ++i) map_of(W)(j, i) = W(i, j);
@@ -58,8 +59,8 @@ void add_fclib(const SceneFile& file, Export& result, Folder& folder) {
   for (const Body<double>& body : scene.bodies)
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
       map_of(mu)(i, 0) = body.friction;
-      map_of(q).middleRows<3>(3 * i) =
-          G.middleCols<3>(3 * i).transpose() * (fall - body.acceleration);
+      for (Index c = 0; c < 3; ++c)
+        map_of(q)(3 * i + c, 0) = G.col(3 * i + c).dot(fall - body.acceleration);
     }
   folder.vector("fclib/mu", mu, comment);
   folder.vector("fclib/q", host_matrix(map_of(q)), comment);

@@ -70,7 +70,7 @@ void ContactSystem::press(Index i, const Vector6<double>& normal, const Vector6<
 /// Accelerations from forces: the object's by its mobility.
 MatrixXd ContactSystem::balance_rows(const MatrixXd& effect) const {
   MatrixXd moved = effect.topRows(motions_);
-  moved.topRows(6) = assembly_.factored().mobility * effect.topRows(6);
+  moved.topRows(6) = product(assembly_.factored().mobility, effect.topRows(6));
   return moved;
 }
 
@@ -87,19 +87,21 @@ OpenDirections ContactSystem::open_directions() const {
   const PivotedQr yielding(pads, dependent * largest_entry(pads));
   const MatrixXd basis = yielding.Q(); // [W Z]
   const Index r = yielding.rank(), still = motions_ - r;
-  const MatrixXd Z = basis.rightCols(still), J = compressed(stays_.matrix()).transpose() * basis;
+  const MatrixXd Z = basis.rightCols(still),
+                 J = product(compressed(stays_.matrix()).transpose(), basis);
   const double softest =
       compliance_.empty() ? 0 : *std::max_element(compliance_.begin(), compliance_.end());
   const VectorXd stiffness =
       Eigen::Map<const VectorXd>(compliance_.data(), pads.cols()).cwiseInverse() * softest;
-  const MatrixXd pressures = -(stiffness.asDiagonal() * (pads.transpose() * basis.leftCols(r)));
-  const MatrixXd squeezed = pads_push_.matrix() * pressures;
+  const MatrixXd pressures =
+      -(stiffness.asDiagonal() * product(pads.transpose(), basis.leftCols(r)));
+  const MatrixXd squeezed = product(pads_push_.matrix(), pressures);
   const MatrixXd pushed = compressed(pushes_.matrix());
 
   // What J says of u holds to the first order; where it says nothing, of what pads yield.
   const PivotedQr first_order(J.rightCols(still), dependent * largest_entry(J));
   const Index firm = first_order.rank();
-  const MatrixXd JQ = first_order.Q().transpose() * J;
+  const MatrixXd JQ = product(first_order.Q().transpose(), J);
   MatrixXd K = MatrixXd::Zero(2 * motions_, motions_ + pushed.cols());
   K.topRows(motions_) << -balance_rows(squeezed), inertial(Z), -balance_rows(pushed);
   K.block(motions_, r, firm, still) = JQ.topRightCorner(firm, still);
@@ -112,15 +114,16 @@ OpenDirections ContactSystem::open_directions() const {
   VectorXd size = K.cwiseAbs().rowwise().maxCoeff();
   size.tail(motions_).setConstant(size.tail(motions_).maxCoeff());
   for (Index k = 0; k < unresisted.cols(); ++k) {
-    const VectorXd x = unresisted.col(k), force = pushed * x.tail(pushed.cols()),
-                   motion = Z * x.segment(r, still);
-    const double largest = std::max(
-        {largest_entry(motion), largest_entry(pressures * x.head(r)), largest_entry(force)});
+    const VectorXd x = unresisted.col(k), force = product(pushed, x.tail(pushed.cols())),
+                   motion = product(Z, x.segment(r, still));
+    const double largest =
+        std::max({largest_entry(motion), largest_entry(product(pressures, x.head(r))),
+                  largest_entry(force)});
     // Forces that hold each other, or what rounding makes of no solution, say nothing.
-    const VectorXd violation = (K * x).cwiseAbs() - rounding * largest * size;
+    const VectorXd violation = product(K, x).cwiseAbs() - rounding * largest * size;
     if (!(largest > rounding * largest_entry(x) && violation.maxCoeff() <= 0)) continue;
     open.motion = open.motion || motion.head<6>().norm() > rounding * largest;
-    const Vector6<double> pushers = (force + squeezed * x.head(r)).tail<6>();
+    const Vector6<double> pushers = (force + product(squeezed, x.head(r))).tail<6>();
     open.wrench = open.wrench || pushers.norm() > rounding * largest;
   }
   return open;

@@ -1,6 +1,7 @@
 // A complementarity problem with its matrix written out, for what looks at M as a whole.
 #pragma once
 
+#include "dense/decompositions.hpp"
 #include "lcpush/lcp/problem.hpp"
 
 #include <vector>
@@ -14,7 +15,7 @@ struct DenseProblem {
   std::vector<unsigned char> free;
 
   bool is_free(Index i) const { return free[static_cast<std::size_t>(i)] != 0; }
-  Eigen::VectorXd w(const Eigen::VectorXd& z) const { return M * z + q; }
+  Eigen::VectorXd w(const Eigen::VectorXd& z) const { return product(M, z) + q; }
 };
 
 inline DenseProblem dense(const Problem<double>& problem) {

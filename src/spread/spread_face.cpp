@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dense/decompositions.hpp"
 #include "spread/settings.hpp"
 
 namespace lcpush::desktop {
@@ -84,7 +85,7 @@ Face::Answer Face::whole(const Eigen::VectorXd& v) const {
   answer.push = instant_ == Instant::any_push ? v[moving_] : push();
   Eigen::VectorXd y(moving_ + 1);
   y << v.head(moving_), answer.push;
-  const Eigen::VectorXd x = span_ * y;
+  const Eigen::VectorXd x = product(span_, y);
   answer.z.tail(problem_.actuators()) = x.segment(problem_.moving(), problem_.actuators());
   return answer;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dense/decompositions.hpp"
 #include "lcpush/mechanics/solve/breaking.hpp"
 #include "spread/settings.hpp"
 #include "text/limits.hpp"
@@ -102,7 +103,7 @@ Eigen::VectorXd LiteralProblem::motion_of(const Eigen::VectorXd& z, double push)
 }
 
 void LiteralProblem::complete(double push, Eigen::VectorXd& z) const {
-  const Eigen::VectorXd rates = rates_ * motion_of(z, push);
+  const Eigen::VectorXd rates = product(rates_, motion_of(z, push));
   for (const ConeGroup<double>& cone : layout().cones)
     if (cone.generators > 0)
       z[cone.slip()] =
@@ -127,7 +128,7 @@ bool LiteralProblem::passes(const Residuals<double>& residuals, double push) con
 
 std::vector<ContactReading> LiteralProblem::readings_at(const Eigen::VectorXd& z,
                                                         double push) const {
-  const Eigen::VectorXd x = motion_of(z, push), rates = rates_ * x;
+  const Eigen::VectorXd x = motion_of(z, push), rates = product(rates_, x);
   Eigen::VectorXd terms = load_.head(moving()).cwiseAbs();
   double force = 0;
   for (const ConeGroup<double>& cone : layout().cones) {

@@ -37,7 +37,7 @@ std::optional<Eigen::VectorXd> refine_point(const DenseProblem& problem, const E
     const Eigen::MatrixXd M_BB = problem.M(basic, basic);
     const PivotedQr qr(M_BB, VerifySettings::basis_dependent * longest_column(M_BB));
     for (int step = 0; step < 2; ++step) { // the second for the digits of the first
-      const Eigen::VectorXd w_B = M_BB * z_B + problem.q(basic);
+      const Eigen::VectorXd w_B = product(M_BB, z_B) + problem.q(basic);
       z_B -= qr.shortest(w_B); // where the basis leaves forces open, the least change
     }
     refined(basic) = z_B;
@@ -53,7 +53,7 @@ bool is_stationary(const DenseProblem& problem, const Eigen::VectorXd& z) {
   Eigen::VectorXd products = z;
   for (Index i = 0; i < n; ++i)
     if (problem.is_free(i)) products[i] = 0;
-  Eigen::VectorXd gradient = problem.M.transpose() * products;
+  Eigen::VectorXd gradient = product(problem.M.transpose(), products);
   double objective = 0;
   for (Index i = 0; i < n; ++i) {
     if (problem.is_free(i)) continue;
