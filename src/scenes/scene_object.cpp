@@ -4,8 +4,8 @@
 
 #include "lcpush/mechanics/model/contact.hpp"
 
-#include <Eigen/Eigenvalues>
-
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace lcpush::desktop {
@@ -52,13 +52,26 @@ Matrix3<S> typed_inertia(const TableReader& table, const S& mass, ObjectShape& s
   return inertia;
 }
 
+/// The eigenvalues, the smallest first: the roots of the characteristic polynomial as cosines.
+Vector3<double> principal_moments(const Matrix3<double>& inertia) {
+  const double middle = inertia.trace() / 3;
+  const Matrix3<double> off = inertia - middle * Matrix3<double>::Identity();
+  const double spread = std::sqrt(off.squaredNorm() / 6);
+  if (!(spread > 0)) return Vector3<double>::Constant(middle);
+  const double third_turn = std::acos(-0.5);
+  const double cosine =
+      off.col(0).dot(cross<double>(off.col(1), off.col(2))) / (2 * spread * spread * spread);
+  const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) / 3;
+  const double least = middle + 2 * spread * std::cos(angle + third_turn);
+  const double most = middle + 2 * spread * std::cos(angle);
+  return {least, inertia.trace() - least - most, most};
+}
+
 void check_inertia(const TableReader& table, const std::string& key,
                    const Matrix3<double>& inertia) {
   const double scale = inertia.cwiseAbs().maxCoeff();
   if (!(scale > 0)) table.fail(key, key + " gives no inertia; check its units (SI)");
-  const Eigen::SelfAdjointEigenSolver<Matrix3<double>> solver(inertia / scale,
-                                                              Eigen::EigenvaluesOnly);
-  const Vector3<double> moments = solver.eigenvalues();
+  const Vector3<double> moments = principal_moments(inertia / scale);
   if (!(moments[0] > thinnest * moments[2]) && key != "inertia")
     table.fail(key, key + " gives an object far too thin for its length; check its units (SI)");
   if (!(moments[0] > thinnest * moments[2]))

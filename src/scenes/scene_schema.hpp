@@ -10,9 +10,9 @@ namespace lcpush::desktop {
 
 /// A key that a table may have.
 struct Key {
-  std::string name;
-  std::string example;    ///< a value that it may have
-  std::string unit = {};  ///< of its numbers
+  const char* name;
+  const char* example;    ///< a value that it may have
+  const char* unit = "";  ///< of its numbers
   bool is_linear = false; ///< they enter the right-hand side alone, and linearly
 };
 using Schema = std::vector<Key>;

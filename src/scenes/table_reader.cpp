@@ -61,7 +61,7 @@ const TomlValue& TableReader::require(const std::string& key) const {
   const auto is_key = [&key](const Key& known) { return known.name == key; };
   const auto known = std::find_if(schema_.begin(), schema_.end(), is_key);
   fail(key, "missing key " + quoted(key) + "; add for example " + key + " = " + known->example +
-                (known->unit.empty() ? "" : "  # " + known->unit));
+                (*known->unit == '\0' ? "" : std::string("  # ") + known->unit));
 }
 
 bool TableReader::is_text(const std::string& key) const {
