@@ -108,6 +108,12 @@ Rational Rational::in_lowest_terms(BigInteger numerator, BigInteger denominator)
   return result;
 }
 
+Rational::Rational(const Rational&) = default;
+Rational::Rational(Rational&&) noexcept = default;
+Rational& Rational::operator=(const Rational&) = default;
+Rational& Rational::operator=(Rational&&) noexcept = default;
+Rational::~Rational() = default;
+
 std::optional<Rational> Rational::parse(std::string_view text) {
   if (text.size() > limits::fraction_characters) return std::nullopt;
   const bool has_sign = !text.empty() && (text.front() == '-' || text.front() == '+');

@@ -1,9 +1,13 @@
 // The one compiled copy of the solvers, for double.
+#include "lcpush/lcp/cone_membership.hpp"
+#include "lcpush/lcp/nonnegative_least_squares.hpp"
 #include "lcpush/lcp/pivots/held_basis.hpp"
 #include "lcpush/lcp/pivots/structured_lemke.hpp"
 #include "lcpush/lcp/sweeps/block_gauss_seidel.hpp"
 
 namespace lcpush {
+template class NonnegativeLeastSquares<double>;
+template class ConeMembership<double>;
 template class Dictionary<double>;
 template class RatioTest<double>;
 template class DenseBasis<double>;

@@ -3,11 +3,16 @@
 #include "lcpush/mechanics/model/check.hpp"
 #include "lcpush/mechanics/model/read_answer.hpp"
 #include "lcpush/mechanics/solve/step.hpp"
+#include "lcpush/mechanics/solve/workspace.hpp"
 
 namespace lcpush {
 template double circle_cosine<double>(Index, Index);
 template Generator<double> generator<double>(const Body<double>&, Index, Index);
 template class Assembly<double>;
+template struct detail::TermSizes<double>;
+template Status spread_evenly<double>(const Scene<double>&, const EvenMemory<double>&,
+                                      Scene<double>&);
+template Workspace<double> detail::take_common<double>(Arena&, const AssemblySize&);
 template void read_answer<double>(const Assembly<double>&, const double*, Answer<double>&, double,
                                   bool);
 template Residuals<double> check<double>(const Scene<double>&, const Scales<double>&,

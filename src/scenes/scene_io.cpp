@@ -10,6 +10,15 @@
 
 namespace lcpush::desktop {
 
+template <class S> SceneOf<S>::SceneOf() = default;
+template <class S> SceneOf<S>::SceneOf(const SceneOf&) = default;
+template <class S> SceneOf<S>::SceneOf(SceneOf&&) noexcept = default;
+template <class S> SceneOf<S>& SceneOf<S>::operator=(const SceneOf&) = default;
+template <class S> SceneOf<S>& SceneOf<S>::operator=(SceneOf&&) noexcept = default;
+template <class S> SceneOf<S>::~SceneOf() = default;
+template struct SceneOf<double>;
+template struct SceneOf<Rational>;
+
 std::string read_scene_text(const std::string& path) {
   return read_text_file(path, limits::scene_bytes);
 }

@@ -7,6 +7,8 @@
 
 namespace lcpush::desktop {
 
+template struct EvenSceneOf<double>;
+
 std::string Push::variable_name(Index i) const {
   const Name name = name_of(layout(), i);
   switch (name.meaning) {

@@ -1,5 +1,6 @@
 #include "text/wording.hpp"
 
+#include "lcpush/desktop/input_error.hpp"
 #include "text/utf8.hpp"
 
 #include <algorithm>
@@ -37,6 +38,10 @@ std::string letters_of(std::string_view word) {
 }
 
 } // namespace
+
+InputError::InputError(const std::string& file, int line, const std::string& message)
+    : std::runtime_error(file + ":" + std::to_string(line) + ": " + message), file_(file),
+      message_(message), line_(line) {}
 
 std::string quoted(std::string_view text) {
   std::size_t length = std::min(text.size(), longest_shown);

@@ -23,6 +23,7 @@ template <class S> struct EvenSceneOf {
     if (spread_evenly(given, memory, scene) != Status::solved) scene = given;
   }
 };
+extern template struct EvenSceneOf<double>;
 using EvenScene = EvenSceneOf<double>;
 
 /// The arrays behind `given` outlive this. Memory: sweep_bytes. `is_round`: friction is round, and

@@ -12,9 +12,7 @@ class InputError : public std::runtime_error {
 public:
   explicit InputError(const std::string& message)
       : std::runtime_error(message), message_(message) {}
-  InputError(const std::string& file, int line, const std::string& message)
-      : std::runtime_error(file + ":" + std::to_string(line) + ": " + message), file_(file),
-        message_(message), line_(line) {}
+  InputError(const std::string& file, int line, const std::string& message);
 
   /// As messages name it; empty and 0: the message itself says where, or it is nowhere.
   const std::string& file() const { return file_; }

@@ -26,6 +26,12 @@ public:
   explicit Rational(double value);
   /// numerator / denominator, reduced. Pre: denominator != 0.
   Rational(BigInteger numerator, BigInteger denominator);
+  // Compiled once: matrices of fractions are full of them.
+  Rational(const Rational&);
+  Rational(Rational&&) noexcept;
+  Rational& operator=(const Rational&);
+  Rational& operator=(Rational&&) noexcept;
+  ~Rational();
 
   /// The number as it is typed: a decimal ("0.2" is 1/5, "-1.5e-3", "+2", ".5") or a fraction of
   /// two whole numbers ("-2/7"). nullopt for anything else, for a denominator of zero, and for what

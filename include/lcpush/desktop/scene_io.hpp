@@ -113,6 +113,14 @@ template <class S> struct SceneOf {
   /// Of an exact scene: a sentence for each thing that is irrational, which therefore is not exact.
   std::vector<std::string> inexact;
 
+  // Compiled once: every room copies scenes.
+  SceneOf();
+  SceneOf(const SceneOf&);
+  SceneOf(SceneOf&&) noexcept;
+  SceneOf& operator=(const SceneOf&);
+  SceneOf& operator=(SceneOf&&) noexcept;
+  ~SceneOf();
+
   /// The scene over these arrays: valid while this object lives unchanged.
   Scene<S> view() const {
     const auto span_of = [](const auto& list) {

@@ -60,4 +60,8 @@ template <class S> struct ConeMembership {
   }
 };
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template class ConeMembership<double>;
+#endif
+
 } // namespace lcpush

@@ -182,4 +182,8 @@ private:
   VectorMap<S> x_{nullptr, 0}, residual_{nullptr, 0};
 };
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template class NonnegativeLeastSquares<double>;
+#endif
+
 } // namespace lcpush

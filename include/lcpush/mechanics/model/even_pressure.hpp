@@ -81,4 +81,9 @@ template <class S>
   return Status::solved;
 }
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template Status spread_evenly<double>(const Scene<double>&, const EvenMemory<double>&,
+                                             Scene<double>&);
+#endif
+
 } // namespace lcpush

@@ -98,4 +98,8 @@ template <class S> S row_unit_of(const S& own, const S& common, const S& given =
 }
 
 } // namespace detail
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template struct detail::TermSizes<double>;
+#endif
+
 } // namespace lcpush

@@ -237,4 +237,8 @@ template <class S> Workspace<S> make_sweep_workspace(Arena arena, const Assembly
   return w;
 }
 
+#ifdef LCPUSH_EXTERN_TEMPLATES
+extern template Workspace<double> detail::take_common<double>(Arena&, const AssemblySize&);
+#endif
+
 } // namespace lcpush
