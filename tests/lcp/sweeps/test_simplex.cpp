@@ -5,8 +5,6 @@
 #include <functional>
 #include <limits>
 
-#include <Eigen/LU>
-
 #include "lcpush/lcp/sweeps/proximal_newton.hpp"
 #include "support/scenes.hpp"
 #include "support/solved_push.hpp"
@@ -75,18 +73,18 @@ TEST_CASE("a point inside the simplex has threshold 0, and so has one without po
   CHECK(simplex_threshold(inside, 0, 1.0) == 0);
 }
 
-TEST_CASE("small equations: Eigen's solution, rows swapped where the first pivot is zero") {
+TEST_CASE("small equations hold, rows swapped where the first pivot is zero") {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     CAPTURE(seed);
     Random random(seed);
     const Index n = random.integer(1, 10);
     MatrixX<double> J = random_matrix(random, n, n);
     if (n > 1) J(0, 0) = 0;
-    VectorX<double> b = random_vector(random, n);
-    const VectorX<double> expected = J.fullPivLu().solve(b);
+    const VectorX<double> b = random_vector(random, n);
+    VectorX<double> x = b;
     MatrixX<double> used = J;
-    REQUIRE(solve_small(MatrixMap<double>(used.data(), n, n), b.data()));
-    CHECK((b - expected).cwiseAbs().maxCoeff() <= 1e-9 * (1 + expected.cwiseAbs().maxCoeff()));
+    REQUIRE(solve_small(MatrixMap<double>(used.data(), n, n), x.data()));
+    CHECK((J * x - b).cwiseAbs().maxCoeff() <= 1e-12 * (1 + x.cwiseAbs().maxCoeff()));
   }
 }
 
