@@ -22,8 +22,8 @@ function(lcpush_compile_options target)
   endif()
 endfunction()
 
-# A room is compiled in one go: its files share most of what they include and instantiate. With
-# LCPUSH_UNITY off, each file is compiled alone.
+# A room is compiled in one go: its files share most of what they include and instantiate, and so do
+# rooms of fractions, of pictures and of reports. With LCPUSH_UNITY off, each file is compiled alone.
 function(lcpush_compile_rooms target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD "${LCPUSH_UNITY}" UNITY_BUILD_MODE GROUP)
   if(NOT LCPUSH_UNITY) # what nearly every file reads is parsed once
@@ -32,6 +32,9 @@ function(lcpush_compile_rooms target)
   foreach(source IN LISTS ARGN)
     cmake_path(GET source PARENT_PATH room)
     cmake_path(GET room FILENAME room)
+    string(REGEX REPLACE "^(certify|play)$" "pivots" room ${room})
+    string(REGEX REPLACE "^picture$" "draw" room ${room})
+    string(REGEX REPLACE "^commands$" "report" room ${room})
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room})
   endforeach()
 endfunction()
