@@ -57,6 +57,7 @@ def scene_problem(text, g):  # w = L x + q0 + push q1: L, q0, q1, the free rows,
     obj, fingers, pushers = scene["object"], scene.get("finger", []), [b for b in scene.get("pusher", []) if not b.get("from")]
     m, com, box, r = F(obj["mass"]), obj.get("center_of_mass", ZERO), obj.get("box"), obj.get("cylinder_radius")
     I = (list(obj.get("inertia", [])) or (box and [m * (dot(box, box) - e*e) / 12 for e in box]) or
+         (not r and 3 * [2 * m * obj["sphere_radius"]**2 / 5]) or
          [m * (6*r*r if obj.get("axis", "z") == a else 3*r*r + obj["cylinder_length"]**2) / 12 for a in "xyz"]) + ZERO
     load = add(obj.get("force", ZERO), scene.get("gravity", ZERO), m) + add(
         obj.get("moment", ZERO), cross(add(obj.get("at", com), com, -1), obj.get("force", ZERO)))

@@ -6,6 +6,8 @@ namespace lcpush::desktop {
 namespace {
 
 constexpr std::size_t most_drawn_sides = 8; // of more the edges are left out: it is round
+constexpr int round_sides = 60;
+constexpr double round_step = 2 * 3.14159265358979323846 / round_sides;
 
 Vector3<double> product(const Vector3<double>& a, const Vector3<double>& b) {
   return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(),
@@ -59,19 +61,28 @@ Prism box_prism(const Vector3<double>& center, const Vector3<double>& size) {
 }
 
 Prism cylinder_prism(const Vector3<double>& center, const Vector3<double>& size, Index axis) {
-  constexpr int sides = 60;
-  constexpr double step = 2 * 3.14159265358979323846 / sides;
   const Index u = (axis + 1) % 3, v = (axis + 2) % 3;
   Prism prism;
   prism.along = Vector3<double>::Zero();
   prism.along[axis] = size[axis];
-  for (int k = 0; k < sides; ++k) {
+  for (int k = 0; k < round_sides; ++k) {
     Vector3<double> corner = center - prism.along / 2;
-    corner[u] += size[u] / 2 * std::cos(k * step);
-    corner[v] += size[v] / 2 * std::sin(k * step);
+    corner[u] += size[u] / 2 * std::cos(k * round_step);
+    corner[v] += size[v] / 2 * std::sin(k * round_step);
     prism.base.push_back(corner);
   }
   return prism;
+}
+
+Prism ball_prism(const Vector3<double>& center, double radius) {
+  Prism ball{{}, Vector3<double>::Zero()};
+  for (int ring = 0; ring <= round_sides / 2; ++ring)
+    for (int k = 0; k < round_sides; ++k) {
+      const double across = std::sin(ring * round_step), along = std::cos(ring * round_step);
+      const double x = across * std::cos(k * round_step), y = across * std::sin(k * round_step);
+      ball.base.emplace_back(center + radius * Vector3<double>(x, y, along));
+    }
+  return ball;
 }
 
 Prism slab_prism(const std::vector<Vector3<double>>& carried, const Vector3<double>& normal,
@@ -94,8 +105,28 @@ Prism slab_prism(const std::vector<Vector3<double>>& carried, const Vector3<doub
   return prism;
 }
 
+Prism rounded_prism(const std::vector<Vector3<double>>& points, const Vector3<double>& normal,
+                    const Vector3<double>& tangent, double margin, double length) {
+  const Vector3<double> other = product(normal, tangent);
+  std::vector<Pixel> rim;
+  for (const auto& point : points)
+    for (int k = 0; k < round_sides; ++k)
+      rim.emplace_back(point.dot(tangent) + margin * std::cos(k * round_step),
+                       point.dot(other) + margin * std::sin(k * round_step));
+  Prism prism{{}, -length * normal};
+  for (const Pixel& at : hull(rim))
+    prism.base.emplace_back(at.x() * tangent + at.y() * other + points[0].dot(normal) * normal);
+  return prism;
+}
+
 double depth_below_surface(const Prism& prism, const Vector3<double>& point,
                            const Vector3<double>& along) {
+  if (prism.along.isZero()) { // a ball
+    const Vector3<double> to = middle_of(prism.base) - point;
+    const double there = to.dot(along),
+                 room = (prism.base[0] - middle_of(prism.base)).squaredNorm() - to.squaredNorm();
+    return room > 0 ? there + std::sqrt(there * there + room) : 0;
+  }
   double depth = std::numeric_limits<double>::infinity();
   for (const Face& face : faces_of(prism)) {
     const double below = face.outward.dot(face.loop[0] - point);

@@ -19,10 +19,17 @@ std::vector<Vector3<double>> corners_of(const Prism& prism);
 Prism box_prism(const Vector3<double>& center, const Vector3<double>& size);
 /// About axis 0, 1 or 2; `size` is what encloses it.
 Prism cylinder_prism(const Vector3<double>& center, const Vector3<double>& size, Index axis);
+/// As points all over it, without an edge to extrude them: their hull is round from anywhere.
+Prism ball_prism(const Vector3<double>& center, double radius);
 /// A slab of this thickness behind what it carries: its face, across `normal`, reaches `margin`
 /// beyond all of them.
 Prism slab_prism(const std::vector<Vector3<double>>& carried, const Vector3<double>& normal,
                  const Vector3<double>& tangent, double margin, double thickness);
+
+/// Behind points of a plane across `normal`: a prism `length` long, whose face reaches `margin`
+/// beyond each of them.
+Prism rounded_prism(const std::vector<Vector3<double>>& points, const Vector3<double>& normal,
+                    const Vector3<double>& tangent, double margin, double length);
 
 /// How far a point lies below the prism's surface along a direction: 0 on it or outside.
 double depth_below_surface(const Prism& prism, const Vector3<double>& point,
@@ -34,7 +41,7 @@ template <class Body>
 std::vector<Vector3<double>> positions_beside(const Prism& object, const Vector3<double>& center,
                                               std::vector<Vector3<double>> positions,
                                               const std::vector<Body>& bodies) {
-  const double near = 1e-6 * object.along.norm();
+  const double near = 1e-6 * (object.base[0] - center).norm();
   for (const Body& body : bodies)
     for (Index i = body.first_point; i < body.first_point + body.point_count; ++i) {
       Vector3<double>& at = positions[static_cast<std::size_t>(i)];

@@ -1,5 +1,6 @@
 #include "move/motion_phases.hpp"
 
+#include "move/move_words.hpp"
 #include "move/settings.hpp"
 
 #include <algorithm>
@@ -20,6 +21,13 @@ void append(MotionPhase& phase, const MotionPhase& next) {
 
 /// How much of the motion it is, m.
 double amount(const MotionPhase& phase, double size) { return phase.path + size / 2 * phase.angle; }
+
+/// The word of the larger one stays.
+MotionPhase as_one(MotionPhase a, const MotionPhase& b, double size) {
+  if (amount(b, size) > amount(a, size)) a.kind = b.kind;
+  append(a, b);
+  return a;
+}
 
 bool is_same(const MotionPhase& a, const MotionPhase& b) {
   if (a.kind != b.kind) return false;
@@ -64,14 +72,11 @@ std::vector<MotionPhase> without_slight(std::vector<MotionPhase> phases, double 
                                                  std::pair(!is_slight(b), amount(b, size));
                                         });
     if (!is_slight(*least)) break;
-    // It goes to the larger neighbour, whose word stays.
     const auto next = least + 1;
     const bool to_next = least == phases.begin() ||
                          (next != phases.end() && amount(*next, size) > amount(*(least - 1), size));
     const auto first = to_next ? least : least - 1;
-    const MotionKind kind = to_next ? next->kind : (least - 1)->kind;
-    append(*first, *(first + 1));
-    first->kind = kind;
+    *first = as_one(*first, *(first + 1), size);
     phases.erase(first + 1);
     phases = joined_neighbours(phases);
   }
@@ -80,37 +85,58 @@ std::vector<MotionPhase> without_slight(std::vector<MotionPhase> phases, double 
 
 } // namespace
 
-MotionPhase phase_of(const Motion<double>& motion, const MotionFrame& end, double h) {
+MotionPhase phase_of(MotionKind kind, const MotionFrame& end) {
   MotionPhase phase;
-  phase.kind = motion.kind;
-  phase.from = end.time - h;
+  phase.kind = kind;
+  phase.from = end.time - end.step;
   phase.until = end.time;
-  phase.along = h * end.twist.head<3>();
+  phase.along = end.step * end.twist.head<3>();
   phase.path = phase.along.norm();
-  phase.turn = h * end.twist.tail<3>();
+  phase.turn = end.step * end.twist.tail<3>();
   phase.angle = phase.turn.norm();
   return phase;
 }
 
-std::vector<MotionPhase> merged_phases(std::vector<MotionPhase> phases, double size) {
-  phases = joined_neighbours(phases);
-  for (MotionPhase& phase : phases) name_by_whole(phase, size);
-  phases = joined_neighbours(phases);
+MotionPhase phase_of(MotionKind kind, const MotionFrame& begin, const MotionFrame& end) {
+  MotionPhase phase = phase_of(kind, end);
+  phase.along = end.pose.position - begin.pose.position;
+  phase.path = phase.along.norm();
+  phase.turn = rotation_vector(end.pose.rotation * begin.pose.rotation.transpose());
+  phase.angle = phase.turn.norm();
+  return phase;
+}
+
+void Phases::add(const MotionPhase& step) {
+  if (!phases_.empty() && is_same(phases_.back(), step))
+    append(phases_.back(), step);
+  else
+    phases_.push_back(step);
+  if (phases_.size() < Settings::kept_phases) return;
+  std::vector<MotionPhase> fewer;
+  for (std::size_t k = 0; k + 1 < phases_.size(); k += 2)
+    fewer.push_back(as_one(phases_[k], phases_[k + 1], size_));
+  phases_ = std::move(fewer);
+}
+
+std::vector<MotionPhase> Phases::take() {
+  for (MotionPhase& phase : phases_) name_by_whole(phase, size_);
+  std::vector<MotionPhase> phases = joined_neighbours(phases_);
   for (double part = Settings::least_part; part < 1; part *= 2) {
-    phases = without_slight(std::move(phases), size, part);
+    phases = without_slight(std::move(phases), size_, part);
     if (phases.size() <= Settings::most_phases) break;
   }
   return phases;
 }
 
-void ForceJumps::add(double time, double h, double force) {
+void ForceJumps::add(double time, double h, double force, double others) {
   const auto& [before, jump] = last_;
   const Step now{time, h, force, steps_ > 0 ? std::abs(force - jump.force) / h : 0};
   // The first step sets everything going: a change to the second is not one of the push.
   if (steps_ >= 4) {
     const double change = std::abs(jump.force - before.force);
-    const bool is_large = change > Settings::least_jump * std::max(before.force, jump.force) &&
-                          change > Settings::worth_a_jump * largest_;
+    const bool is_large =
+        change > Settings::least_jump * std::max(before.force, jump.force) &&
+        change > std::max(Settings::worth_a_jump * largest_, Settings::exact * others);
     if (is_large && jump.rate > Settings::times_neighbours * std::max(before.rate, now.rate))
       found_.push_back({jump.time, jump.h, before.force, jump.force});
   }

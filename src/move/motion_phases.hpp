@@ -5,19 +5,30 @@
 
 namespace lcpush::desktop {
 
-/// A step of h: what it did is `motion`, in words of the instant.
-MotionPhase phase_of(const Motion<double>& motion, const MotionFrame& end, double h);
+/// What a step did that goes on as the last one, or as `begin` and `end` differ.
+MotionPhase phase_of(MotionKind kind, const MotionFrame& end);
+MotionPhase phase_of(MotionKind kind, const MotionFrame& begin, const MotionFrame& end);
 
-/// Neighbours of one kind become one; what is over at once, or moves the object by next to nothing
-/// of `size`, goes to its neighbour.
-std::vector<MotionPhase> merged_phases(std::vector<MotionPhase> phases, double size);
+/// A run's phases from those of its steps: neighbours of one kind become one; what is over at once,
+/// or moves the object by next to nothing of `size`, goes to its neighbour.
+class Phases {
+public:
+  explicit Phases(double size) : size_(size) {}
+  void add(const MotionPhase& step);
+  std::vector<MotionPhase> take();
+
+private:
+  double size_;
+  std::vector<MotionPhase> phases_;
+};
 
 /// Where the push force falls or rises at once though no contact comes or goes: one step of a run
 /// looks like any other, so a jump is known by its neighbours.
 class ForceJumps {
 public:
-  /// The next step: from `time` on, `h` seconds, `force` newtons on average.
-  void add(double time, double h, double force);
+  /// The next step: from `time` on, `h` seconds, `force` newtons on average beside others of up to
+  /// `others`, whose rounding is no jump.
+  void add(double time, double h, double force, double others);
   std::vector<ForceJump> take() { return std::move(found_); }
 
 private:

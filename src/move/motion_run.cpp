@@ -2,6 +2,8 @@
 
 #include "lcpush/desktop/owned.hpp"
 #include "lcpush/mechanics/model/even_pressure.hpp"
+#include "move/move_words.hpp"
+#include "move/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +62,7 @@ Scene<double> MotionRun::scene_of(const SceneFile& file) const {
 
 Status MotionRun::advance(double h) {
   const double now = stepper_.time();
+  began_ = stepper_.pose().position;
   faces_.place_strokes(now + h / 2);
   for (Index b = 0; b < scene_.bodies.size; ++b) {
     // Without inertia, what a step takes is the velocity at its end; over it, the way that an
@@ -71,6 +74,32 @@ Status MotionRun::advance(double h) {
                                           : end;
   }
   return stepper_.advance(h);
+}
+
+bool MotionRun::extrapolate(const Stepper::Moment& whole, const std::vector<Pose<double>>& bodies,
+                            double slack) {
+  const Stepper::Moment halves = stepper_.moment();
+  Stepper::Moment end = halves;
+  end.pose.position += halves.pose.position - whole.pose.position;
+  end.pose.rotation = halves.pose.rotation * whole.pose.rotation.transpose() * halves.pose.rotation;
+  end.velocity += halves.velocity - whole.velocity;
+  stepper_.return_to(end);
+  for (Index b = 0; b < scene_.bodies.size; ++b) {
+    const Pose<double>& other = bodies[static_cast<std::size_t>(b)];
+    const Pose<double>& pose = stepper_.pose_of(b);
+    bool fits = (pose.position - other.position).norm() <= slack &&
+                pose.rotation.isApprox(other.rotation, MoveSettings::same_time);
+    for (const Index i : points_of(scene_.bodies[b]))
+      if (is_touching(touch_of(stepper_.contact(i)))) {
+        const PlacedPoint<double> then = placed(b, i, slack);
+        fits = fits && then.absence == Absence::none && std::abs(then.gap) <= slack;
+      }
+    if (!fits) {
+      stepper_.return_to(halves);
+      return false;
+    }
+  }
+  return true;
 }
 
 MotionRun::Saved MotionRun::save() const {
@@ -105,7 +134,7 @@ MotionFrame MotionRun::frame(double h) const {
   frame.pose = stepper_.pose();
   frame.twist = stepper_.velocity();
   // Points press where they were when the step began.
-  const Vector3<double> center = frame.pose.position - h * frame.twist.head<3>();
+  const Vector3<double>& center = began_;
   for (Index b = 0; b < scene_.bodies.size; ++b) {
     const Body<double>& body = scene_.bodies[b];
     BodyForce sum;
@@ -167,17 +196,32 @@ Motion<double> MotionRun::describe(double length) const {
   answer.acceleration = stepper_.velocity();
   Scene<double> scene = push;
   scene.bodies = span_of(std::as_const(bodies));
-  return describe_motion(scene, answer, length, speed > 0 ? speed : length, speed);
+  Motion<double> motion = describe_motion(scene, answer, length, speed > 0 ? speed : length, speed);
+  if (motion.kind == MotionKind::pivot || motion.kind == MotionKind::turn)
+    motion.kind = rolls() ? MotionKind::roll : motion.kind;
+  return motion;
+}
+
+/// Does the round side stick to a plane and turn over on it?
+bool MotionRun::rolls() const {
+  const Vector3<double> turn = stepper_.velocity().tail<3>();
+  for (Index b = 0; b < scene_.bodies.size; ++b)
+    for (const Index i : points_of(scene_.bodies[b])) {
+      const StepContact<double>& contact = stepper_.contact(i);
+      if (faces_.touching(b).riding == Riding::on_side && contact.normal_force > 0 &&
+          touch_of(contact) == Touch::sticks &&
+          std::abs(turn.dot(contact.normal)) < turn.norm() / 2)
+        return true;
+    }
+  return false;
 }
 
 Index MotionRun::inside(double slack) const {
   for (Index b = 0; b < scene_.bodies.size; ++b) {
     if (file_.strokes[static_cast<std::size_t>(b)].from != stepper_.time()) continue;
     for (const Index i : points_of(scene_.bodies[b])) {
-      const PlacedPoint<double> placed =
-          place(around_, faces_.touching(b), scene_.bodies[b], scene_.points[i], stepper_.pose(),
-                stepper_.pose_of(b), slack);
-      if (placed.absence != Absence::outside && placed.gap < -slack) return b;
+      const PlacedPoint<double> now = placed(b, i, slack);
+      if (now.absence != Absence::outside && now.gap < -slack) return b;
     }
   }
   return -1;

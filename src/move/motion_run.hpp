@@ -34,6 +34,15 @@ public:
   Saved save() const;
   void restore(const Saved& saved);
 
+  /// The two steps just made are halves of one that ended at `whole`, with this twist: ends where
+  /// they lead without their error of first order. False, and all stays as it is: bodies went
+  /// elsewhere, or a point that touches would be off its face by more than `slack`.
+  bool extrapolate(const Stepper::Moment& whole, const std::vector<Pose<double>>& bodies,
+                   double slack);
+  std::vector<Pose<double>> body_poses() const {
+    return {memory_.poses.begin(), memory_.poses.end()};
+  }
+
   /// The object is there, then, at this speed; the bodies stay where they are.
   void begin_at(double time, const Pose<double>& pose, const Vector6<double>& twist) {
     stepper_.return_to({pose, twist, time, stepper_.moment().knows_last});
@@ -68,6 +77,11 @@ public:
 
 private:
   Scene<double> scene_of(const SceneFile& file) const;
+  bool rolls() const;
+  PlacedPoint<double> placed(Index body, Index point, double slack) const {
+    return place(around_, faces_.touching(body), scene_.bodies[body], scene_.points[point],
+                 stepper_.pose(), stepper_.pose_of(body), slack);
+  }
 
   const SceneFile& file_;
   StrokeFaces faces_;
@@ -77,6 +91,7 @@ private:
   std::vector<unsigned char> bytes_;
   std::size_t kept_;            ///< of the bytes, those that a step leaves to the next
   MotionMemory<double> memory_; ///< over the bytes
+  Vector3<double> began_ = Vector3<double>::Zero(); ///< m, the centre when the last step began
   Stepper stepper_;
 };
 

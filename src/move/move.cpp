@@ -15,11 +15,21 @@ namespace {
 
 using Settings = MoveSettings;
 
+/// Does no body speed up or turn?
+bool moves_steadily(const SceneFile& file) {
+  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
+    const Vector6<double>& motion = file.bodies[b].acceleration;
+    const bool speeds_up = !file.strokes[b].is_velocity && !motion.isZero(0);
+    if (speeds_up || !motion.tail<3>().isZero(0)) return false;
+  }
+  return true;
+}
+
 class Mover {
 public:
   Mover(const SceneFile& file, const MoveOptions& options)
       : file_(file), options_(options), run_(file), size_(object_size(file)),
-        time_(options.time.value_or(motion_time(file))) {
+        time_(options.time.value_or(motion_time(file))), is_steady_(moves_steadily(file)) {
     report_.tolerance = options.tolerance.value_or(Settings::tolerance * size_);
     if (!options.step) report_.error = 0;
   }
@@ -40,7 +50,7 @@ public:
       if (last_.time > report_.frames.back().time) report_.frames.push_back(last_);
     }
     if (goes_on) report_.end = MoveEnd::time;
-    report_.phases = merged_phases(std::move(phases_), size_);
+    report_.phases = phases_.take();
     report_.jumps = jumps_.take();
     return std::move(report_);
   }
@@ -65,6 +75,10 @@ private:
       const double h = room / std::max(1.0, std::ceil(room / next_ - Settings::whole_steps));
       const bool went = options_.step ? fixed_step(h) : controlled_step(h);
       if (!went) return false;
+      if (is_free()) {
+        report_.end = MoveEnd::free;
+        return false;
+      }
     }
     return true;
   }
@@ -78,6 +92,16 @@ private:
     report_.end = MoveEnd::inside;
     report_.status = Status::bad_input;
     return false;
+  }
+
+  /// Are velocities about to change at once?
+  bool something_starts() const {
+    const auto is_now = [&](double time) {
+      return std::abs(time - now()) <= Settings::same_time * time_;
+    };
+    return std::any_of(file_.strokes.begin(), file_.strokes.end(), [&](const Stroke& stroke) {
+      return is_now(stroke.from) || is_now(stroke.until);
+    });
   }
 
   double next_stroke() const {
@@ -109,11 +133,14 @@ private:
     return true;
   }
 
-  /// One step of h against two of h / 2, which are kept if they agree.
+  /// One step of h against two of h / 2. These are kept if they agree, or what the three lead to
+  /// without their error of first order if that agrees better with the mean of its velocities.
   bool controlled_step(double h) {
     const MotionRun::Saved before = run_.save();
+    const bool starts = something_starts();
     Status status = solve(h);
-    const Pose<double> whole = run_.stepper().pose();
+    const MotionRun::Stepper::Moment whole = run_.stepper().moment();
+    const std::vector<Pose<double>> bodies = run_.body_poses();
     run_.restore(before);
     if (status == Status::solved) status = solve(h / 2);
     Taken half;
@@ -125,16 +152,30 @@ private:
       const bool is_lost = run_.stepper().run().lost;
       run_.restore(before);
       next_ = h / 2;
-      return h > Settings::event_step * time_ / 4 || fail(status, is_lost);
+      const bool leaps = run_.stepper().run().reason == Reason::leap;
+      const double least = leaps ? Settings::shortest_step : Settings::event_step / 4;
+      return h > least * time_ || fail(status, is_lost);
     }
-    const double error = distance(whole, run_.stepper().pose());
-    const double allowed = report_.tolerance * h / time_;
-    const Taken end = taken(h / 2);
+    double error = distance(whole.pose, run_.stepper().pose());
+    const double share = std::max(h / time_, starts ? Settings::share_of_start : 0);
+    const double allowed = report_.tolerance * share;
+    Taken end = taken(h / 2);
     // What leaves its face at the end of a step is seen there, before the next one begins.
     const bool has_event =
         changes(last_, half.frame) || changes(half.frame, end.frame) || run_.leaves();
     const bool locates =
         has_event && located_ < Settings::most_located && h > Settings::event_step * time_;
+    if (is_steady_ && !has_event && run_.extrapolate(whole, bodies, Settings::exact * size_)) {
+      const Vector6<double> mean = (before.moment.velocity + run_.stepper().velocity()) / 2;
+      const double other = distance(moved(before.moment.pose, mean, h), run_.stepper().pose());
+      if (other < error) {
+        error = other;
+        end = taken(h / 2);
+        end.phase = phase_of(end.phase.kind, half.frame, end.frame);
+      } else {
+        run_.begin_at(now(), end.frame.pose, end.frame.twist);
+      }
+    }
     if ((error > allowed && h > Settings::shortest_step * time_) || locates) {
       run_.restore(before);
       next_ = h / 2;
@@ -219,7 +260,7 @@ private:
   Taken taken(double h) const {
     const StepRun<double>& step = run_.stepper().run();
     const MotionFrame frame = run_.frame(h);
-    return {frame, phase_of(run_.describe(size_), frame, h), step.penetration, step.residual};
+    return {frame, phase_of(run_.describe(size_).kind, frame), step.penetration, step.residual};
   }
 
   void keep(const Taken& step) {
@@ -229,26 +270,44 @@ private:
       if (frame.contacts[i].touch != last_.contacts[i].touch)
         report_.events.push_back({frame.time - h, h, static_cast<Index>(i), last_.contacts[i].touch,
                                   frame.contacts[i].touch});
-    phases_.push_back(step.phase);
-    jumps_.add(frame.time - h, h, push_force(file_, frame).norm());
+    phases_.add(step.phase);
+    jumps_.add(frame.time - h, h, push_force(file_, frame.bodies).norm(), hardest(frame.bodies));
     report_.penetration = std::max(report_.penetration, step.penetration);
     report_.residual = std::max(report_.residual, step.residual);
+    for (const PointState& point : frame.contacts)
+      if (point.normal_force > 0)
+        report_.pressed_gap = std::max(report_.pressed_gap, point.gap.value_or(0));
+    if (report_.steps < 2) report_.first = frame.bodies;
     report_.shortest = report_.steps == 0 ? h : std::min(report_.shortest, h);
     report_.longest = std::max(report_.longest, h);
     ++report_.steps;
     last_ = frame;
+    if (is_touched()) touched_ = frame.pose.position;
+  }
+
+  bool is_touched() const {
+    return std::any_of(last_.contacts.begin(), last_.contacts.end(),
+                       [](const PointState& point) { return is_touching(point.touch); });
+  }
+  /// Has nothing touched it for a long way, and is nothing to come?
+  bool is_free() const {
+    return (last_.pose.position - touched_).norm() > Settings::free_way * size_ &&
+           std::none_of(file_.strokes.begin(), file_.strokes.end(),
+                        [&](const Stroke& stroke) { return stroke.from > now(); });
   }
 
   const SceneFile& file_;
   const MoveOptions& options_;
   MotionRun run_;
   const double size_, time_;
+  const bool is_steady_;
   MotionReport report_;
   MotionFrame last_;
-  std::vector<MotionPhase> phases_;
+  Phases phases_{size_};
   ForceJumps jumps_;
   double next_ = 0;
   Index located_ = 0;
+  Vector3<double> touched_ = Vector3<double>::Zero(); ///< m, where it was when something did
 };
 
 } // namespace
@@ -267,8 +326,8 @@ const char* touch_text(Touch touch) {
 }
 
 const char* move_end_text(MoveEnd end) {
-  constexpr const char* texts[] = {"time",  "distance", "lost",  "inside",
-                                   "steps", "stopped",  "leaps", "failed"};
+  constexpr const char* texts[] = {"time",    "distance", "lost",   "inside", "steps",
+                                   "stopped", "leaps",    "failed", "free"};
   return texts[static_cast<int>(end)];
 }
 

@@ -33,7 +33,7 @@ std::string moments(const MotionPainter& painter, const MotionReport& report,
 std::string frames_json(const SceneFile& file, const MotionReport& report,
                         const std::vector<std::size_t>& shown) {
   constexpr const char* verbs[] = {
-      "stick",           "slip",    "are off", "are beside their face", "are behind an edge",
+      "stick",           "slip",    "are open", "are beside their face", "are behind an edge",
       "stand on an end", "are away"};
   const double last = report.frames.back().time;
   JsonWriter json;
@@ -42,11 +42,12 @@ std::string frames_json(const SceneFile& file, const MotionReport& report,
     const MotionFrame& frame = report.frames[k];
     std::vector<std::string> cells;
     for (std::size_t b = 0; b < file.bodies.size(); ++b) {
-      const BodyForce& body = frame.bodies[b];
+      const bool starts = k == 0 && !report.first.empty();
+      const BodyForce& body = starts ? report.first[b] : frame.bodies[b];
       const Vector3<double>& f = body.force;
       const double square = f.squaredNorm() - body.normal_force * body.normal_force;
-      cells.push_back(k == 0 ? "-" : brief(body.normal_force));
-      cells.push_back(k == 0 ? "-" : brief(std::sqrt(std::max(square, 0.0))));
+      cells.push_back(brief(body.normal_force));
+      cells.push_back(brief(std::sqrt(std::max(square, 0.0))));
       cells.push_back(k == 0 ? "-" : listed(touch_words(file, frame, b, verbs, true), "and"));
     }
     const double share = last > 0 ? frame.time / last : 0;
@@ -72,7 +73,8 @@ std::string force_plot(const SceneFile& file, const MotionReport& report) {
   plot.x_to = report.frames.back().time;
   PlotLine line{"push force", {{}}};
   for (std::size_t k = 1; k < report.frames.size(); ++k)
-    line.pieces[0].emplace_back(report.frames[k].time, push_force(file, report.frames[k]).norm());
+    line.pieces[0].emplace_back(report.frames[k].time,
+                                push_force(file, report.frames[k].bodies).norm());
   plot.panels.push_back({"N", {line}});
   for (const EventLine& event : event_lines(file, report)) {
     const bool is_near =
@@ -112,7 +114,7 @@ std::string controls(std::size_t count) {
          "\" aria-label=\"Time\"/>\n<output id=\"clock\" for=\"time\"></output>\n</div>\n"
          "<p class=\"aside\"><span id=\"place\"></span></p>\n"
          "<p class=\"aside\">Space plays, the arrow keys step. Squares stick, triangles slip, "
-         "rings are off; solid arrows press, dashed ones are friction; the line is the way of "
+         "rings are open; solid arrows press, dashed ones are friction; the line is the way of "
          "the centre of mass.</p>\n";
 }
 
@@ -141,8 +143,12 @@ std::string move_html(const SceneFile& file, const MotionReport& report) {
                         MotionPainter::height,
                         painter.surroundings() + painter.ghosts({0}) +
                             moments(painter, report, shown) + painter.path()};
+  std::string checks;
+  for (const SceneDoubt& doubt : motion_doubts(file, report))
+    if (doubt.doubt == Doubt::unknown_shape)
+      checks += "<p class=\"aside\">Check: " + escaped(doubt_text(doubt)) + "</p>\n";
   return page_head(title, player_style, "; script-src 'unsafe-inline'") + "<p class=\"lead\">" +
-         escaped(sentence) + "</p>\n<div class=\"stage\">\n" + svg_element(drawing) +
+         escaped(sentence) + "</p>\n" + checks + "<div class=\"stage\">\n" + svg_element(drawing) +
          controls(shown.size()) + now_table(file) + "</div>\n" + force_plot(file, report) +
          events_list(file, report) +
          "</main>\n<footer>\n<p>SI units, the scene's axes, the gripper's frame. " +

@@ -2,6 +2,7 @@
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/move.hpp"
 #include "lcpush/desktop/naming.hpp"
+#include "move/move_words.hpp"
 #include "scenes/warnings_json.hpp"
 #include "text/format.hpp"
 
@@ -81,7 +82,8 @@ std::string move_json(const SceneFile& file, const MotionReport& report) {
       .member("step", std::vector<double>{report.shortest, report.longest})
       .member("tolerance", when(report.error.has_value(), report.tolerance))
       .member("error", report.error)
-      .member("penetration", report.penetration);
+      .member("penetration", report.penetration)
+      .member("pressed_gap", report.pressed_gap);
   json.key("residual").begin_object().member("max", report.residual).end_object();
   json.objects("phases", report.phases, [&](const MotionPhase& phase) {
     constexpr const char* kinds[] = {"rest", "slide", "pivot", "roll", "turn"};
@@ -106,7 +108,7 @@ std::string move_json(const SceneFile& file, const MotionReport& report) {
   });
   json.objects("frames", report.frames,
                [&](const MotionFrame& frame) { write_frame(json, file, frame); });
-  write_warnings(json, check_scene(file));
+  write_warnings(json, motion_doubts(file, report));
   json.end_object();
   return json.text();
 }

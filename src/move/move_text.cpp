@@ -18,7 +18,7 @@ constexpr double degrees_of = 180 / 3.14159265358979323846;
 
 /// "left 8 slip; wall 2 stick, 2 beside": bodies that touch first.
 std::string contacts_words(const SceneFile& file, const MotionFrame& frame) {
-  constexpr const char* words[] = {"sticks", "slips", "parted", "beside", "behind", "end", "away"};
+  constexpr const char* words[] = {"sticks", "slips", "open", "beside", "behind", "end", "away"};
   std::vector<std::string> parts;
   for (std::size_t b = 0; b < file.bodies.size(); ++b)
     parts.push_back(file.body_names[b] + " " +
@@ -65,7 +65,10 @@ std::string frames_table(const SceneFile& file, const MotionReport& report, bool
             in_digits(1000 * frame.pose.position[axis], digits, 1000 * least / 10));
       for (const Index axis : turns)
         rows.back().push_back(in_digits(degrees_of * turn[axis], digits, degrees_of * least / 10));
-      rows.back().push_back(k == 0 ? "-" : in_digits(push_force(file, frame).norm(), digits, 1e-9));
+      const bool starts = k == 0 && !report.first.empty();
+      const std::vector<BodyForce>& bodies = starts ? report.first : frame.bodies;
+      rows.back().push_back(in_digits(push_force(file, bodies).norm(), digits,
+                                      MoveSettings::exact * std::max(1.0, hardest(bodies))));
     }
     return rows;
   };
@@ -96,6 +99,8 @@ std::string move_text(const SceneFile& file, const MotionReport& report, bool ve
       facts.push_back({"Phase", brief(phase.from) + " to " + brief(phase.until) +
                                     " s: " + phase_words(file, phase)});
   facts.push_back({"Steps", step_words(report)});
+  for (const SceneDoubt& doubt : motion_doubts(file, report))
+    if (doubt.doubt == Doubt::unknown_shape) facts.push_back({"Check", doubt_text(doubt)});
   return title_line(file) + move_sentence(file, report) + "\n\n" +
          frames_table(file, report, verbose) + "\n" + facts_text(facts);
 }

@@ -30,8 +30,7 @@ struct Squeeze {
 };
 Squeeze squeeze_of(const SceneFile& file, const MotionFrame& frame) {
   Squeeze squeeze;
-  for (const BodyForce& body : frame.bodies)
-    squeeze.force = std::max(squeeze.force, body.normal_force);
+  squeeze.force = hardest(frame.bodies);
   for (std::size_t b = 0; b < frame.bodies.size(); ++b)
     if (frame.bodies[b].normal_force > squeeze.force / 2)
       squeeze.names.push_back(file.body_names[b]);
@@ -75,6 +74,7 @@ std::string end_words(const SceneFile& file, const MotionReport& report) {
            "; ask for a longer --step, a coarser --tolerance or less --time";
   case MoveEnd::stopped: return "until it was stopped, after " + after;
   case MoveEnd::leaps: return leap_words(report, squeeze, after);
+  case MoveEnd::free: return "and has then gone on freely, after " + after;
   case MoveEnd::failed: break;
   }
   if (report.status == Status::ray)
@@ -88,7 +88,7 @@ const char* touch_verb(Touch from, Touch to) {
   switch (to) {
   case Touch::sticks: return from == Touch::slips ? "stops slipping" : "touches and sticks";
   case Touch::slips: return from == Touch::sticks ? "begins to slip" : "touches and slips";
-  case Touch::parted: return from == Touch::away ? "comes" : "parts from the object";
+  case Touch::parted: return from == Touch::away ? "comes" : "opens";
   case Touch::beside: return "leaves its face";
   case Touch::behind: return "comes round an edge";
   case Touch::no_line: return "stands on the side's end";
@@ -106,12 +106,13 @@ struct EventGroup {
 std::vector<EventGroup> grouped_events(const SceneFile& file, const MotionReport& report) {
   std::vector<EventGroup> groups;
   for (const MotionEvent& event : report.events) {
-    const auto same = std::find_if(groups.rbegin(), groups.rend(), [&](const EventGroup& group) {
-      return group.event.time == event.time && group.event.from == event.from &&
-             group.event.to == event.to &&
+    const auto is_new = [&](const EventGroup& group) { return group.event.time != event.time; };
+    const auto begin = std::find_if(groups.rbegin(), groups.rend(), is_new);
+    const auto same = std::find_if(groups.rbegin(), begin, [&](const EventGroup& group) {
+      return group.event.from == event.from && group.event.to == event.to &&
              file.body_of(group.event.point) == file.body_of(event.point);
     });
-    if (same == groups.rend())
+    if (same == begin)
       groups.push_back({event});
     else
       ++same->points;
@@ -171,11 +172,44 @@ Vector3<double> rotation_vector(const Matrix3<double>& R) {
   return angle * square.col(k) / std::sqrt(square(k, k));
 }
 
-Vector3<double> push_force(const SceneFile& file, const MotionFrame& frame) {
+Vector3<double> push_force(const SceneFile& file, const std::vector<BodyForce>& bodies) {
   Vector3<double> force = Vector3<double>::Zero();
-  for (std::size_t b = 0; b < frame.bodies.size(); ++b)
-    if (file.bodies[b].role == Role::pusher) force += frame.bodies[b].force;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (file.bodies[b].role == Role::pusher) force += bodies[b].force;
   return force;
+}
+
+double hardest(const std::vector<BodyForce>& bodies) {
+  double most = 0;
+  for (const BodyForce& body : bodies) most = std::max(most, body.normal_force);
+  return most;
+}
+
+std::vector<SceneDoubt> motion_doubts(const SceneFile& file, const MotionReport& report) {
+  std::vector<SceneDoubt> doubts = check_scene(file);
+  if (file.shape.kind != ObjectShape::Kind::unknown || !file.faces.empty()) return doubts;
+  for (Index b = 0; b < static_cast<Index>(file.bodies.size()); ++b) {
+    if (file.strokes[static_cast<std::size_t>(b)].rides_on_object) continue;
+    const auto goes_over = [&](const MotionFrame& frame) {
+      const auto i = static_cast<std::size_t>(file.body(b).first_point);
+      const PointState& point = frame.contacts[i];
+      const Matrix3<double>& R = frame.pose.rotation;
+      const Vector3<double> at = point.position - file.object.center_of_mass - frame.pose.position;
+      const double slid = (R.transpose() * at - file.points[i]).norm();
+      const Matrix3<double> beside =
+          frame.body_poses[static_cast<std::size_t>(b)].rotation.transpose() * R;
+      const double tilted = (beside * file.body(b).normal - file.body(b).normal).norm();
+      return is_touching(point.touch) &&
+             std::max(slid / object_size(file), tilted) > Settings::over_surface;
+    };
+    if (std::none_of(report.frames.begin(), report.frames.end(), goes_over)) continue;
+    doubts.push_back({Doubt::unknown_shape, file.lines.file, file.lines.object,
+                      "object: its shape is not known: " + file.body_name(b) +
+                          " slides or rolls on it as on a plane without end; give box, "
+                          "cylinder_radius with cylinder_length, sphere_radius, or its [[face]]s"});
+    break;
+  }
+  return doubts;
 }
 
 std::string phase_words(const SceneFile& file, const MotionPhase& phase) {
@@ -189,10 +223,11 @@ std::string phase_words(const SceneFile& file, const MotionPhase& phase) {
   case MotionKind::rest: return "stays for " + brief(phase.until - phase.from) + " s";
   case MotionKind::slide: return "slides " + millimetres(path) + along;
   case MotionKind::pivot: return "pivots " + degrees(angle) + about;
-  case MotionKind::roll: return "rolls " + degrees(angle) + about;
+  case MotionKind::roll:
   case MotionKind::turn: break;
   }
-  return "turns " + degrees(angle) + about + " and goes " + millimetres(path) + along;
+  return (phase.kind == MotionKind::roll ? "rolls " : "turns ") + degrees(angle) + about +
+         (goes ? " and goes " + millimetres(path) + along : "");
 }
 
 std::string move_sentence(const SceneFile& file, const MotionReport& report) {
@@ -244,9 +279,12 @@ std::string step_words(const MotionReport& report) {
             millimetres(report.tolerance) + ")";
   text += "; laws within " + (report.residual <= Settings::exact ? std::string("1e-9")
                                                                  : residual_text(report.residual));
-  return text + (report.penetration <= Settings::exact
-                     ? std::string(", no point inside its face")
-                     : ", deepest point inside its face " + millimetres(report.penetration));
+  text += report.penetration <= Settings::exact
+              ? std::string(", no point inside its face")
+              : ", deepest point inside its face " + millimetres(report.penetration);
+  if (report.pressed_gap > Settings::seen_gap)
+    text += ", the largest gap across which one presses " + millimetres(report.pressed_gap);
+  return text;
 }
 
 std::string pose_words(const SceneFile& file, const Pose<double>& pose) {

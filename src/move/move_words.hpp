@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lcpush/desktop/move.hpp"
+#include "lcpush/desktop/scene_check.hpp"
 
 namespace lcpush::desktop {
 
@@ -31,6 +32,10 @@ std::vector<std::string> touch_words(const SceneFile& file, const MotionFrame& f
 /// rad, a rotation's axis times its angle, up to half a turn.
 Vector3<double> rotation_vector(const Matrix3<double>& rotation);
 /// N, of all pushers on the object.
-Vector3<double> push_force(const SceneFile& file, const MotionFrame& frame);
+Vector3<double> push_force(const SceneFile& file, const std::vector<BodyForce>& bodies);
+/// N, the most that a body presses with.
+double hardest(const std::vector<BodyForce>& bodies);
+/// What is odd about the scene, and what the motion shows of it beside: a shape that it would take.
+std::vector<SceneDoubt> motion_doubts(const SceneFile& file, const MotionReport& report);
 
 } // namespace lcpush::desktop

@@ -107,10 +107,9 @@ private:
     const Body<double>& body = file_.body(b);
     if (is_on_round_side(b)) return round_side(b);
     if (stroke(b).rides_on_object) return {Riding::on_object, -1, 0};
-    if (surfaces_.empty() && file_.shape.kind != ObjectShape::Kind::cylinder) return {};
+    if (surfaces_.empty()) return {};
     // A later stroke meets an object that may have turned by then: its face is found again.
-    if (stroke(b).from > 0 && !surfaces_.empty())
-      return {Riding::on_body, add(nearest(body.normal), b), 0};
+    if (stroke(b).from > 0) return {Riding::on_body, add(nearest(body.normal), b), 0};
     std::vector<const Surface*> facing;
     for (const Surface& surface : surfaces_)
       if ((surface.face.normal + body.normal).norm() <= Settings::typed_direction)
@@ -164,16 +163,22 @@ private:
            is_over_face(face, point_at(point), Settings::typed_place * length_);
   }
 
+  bool is_ball() const { return file_.shape.kind == ObjectShape::Kind::ball; }
+  /// Of the round side; a ball has none: wherever a plane touches it, it does so at one point.
+  Vector3<double> side_axis() const {
+    if (is_ball()) return Vector3<double>::Zero();
+    return Vector3<double>::Unit(file_.shape.axis);
+  }
   bool is_on_round_side(Index b) const {
-    if (file_.shape.kind != ObjectShape::Kind::cylinder || !file_.faces.empty()) return false;
-    const Vector3<double> axis = Vector3<double>::Unit(file_.shape.axis);
-    return !stroke(b).rides_on_object && std::abs(axis.dot(file_.body(b).normal)) < 0.5;
+    if (!is_ball() && file_.shape.kind != ObjectShape::Kind::cylinder) return false;
+    return file_.faces.empty() && !stroke(b).rides_on_object &&
+           std::abs(side_axis().dot(file_.body(b).normal)) < 0.5;
   }
 
   Touching round_side(Index b) {
     const Body<double>& body = file_.body(b);
     const double radius = file_.shape.size[(file_.shape.axis + 1) % 3] / 2;
-    const Vector3<double> axis = Vector3<double>::Unit(file_.shape.axis);
+    const Vector3<double> axis = side_axis();
     for (const Index i : points_of(body)) {
       const Vector3<double>& p = point_at(i);
       const Vector3<double> across = p - axis * axis.dot(p);
@@ -222,6 +227,11 @@ private:
                "meets a plane of this body, say points_on = \"object\"");
   }
   [[noreturn]] void refuse_side(Index b) const {
+    if (is_ball())
+      refuse(b, lines(b).place,
+             "a body that touches a ball is a plane, at one point, where the normal points to the "
+             "centre. If it is a point of the object that meets a plane of this body, say "
+             "points_on = \"object\"");
     refuse(b, lines(b).place,
            "a body that touches a cylinder's side is a plane along it: its points lie on the side, "
            "where the normal points to the axis. If they are points of the object that meet a "

@@ -7,8 +7,8 @@ namespace lcpush::desktop {
 namespace {
 
 // Lengths in pixels.
-constexpr double least_finger = 9, widest_finger = 17;
-constexpr double plate_margin = 10, table_margin = 26, plate_thickness = 7;
+constexpr double finger_radius = 9, patch_margin = 3; // about a single point, and about others
+constexpr double table_margin = 26, plate_thickness = 7;
 constexpr double most_ghost_turn = 0.5; // rad
 
 /// A cylinder that turns about its own axis looks as it did.
@@ -67,46 +67,27 @@ bool GraspFigures::is_table(Index b) const {
          drawn_.scene.bodies[b].normal.dot(drawn_.file.gravity) < -0.9 * weight;
 }
 
-bool GraspFigures::is_rod(Index b) const {
-  return !is_table(b) && (is_driven(b) || drawn_.scene.bodies[b].point_count == 1);
-}
-
-/// With round ends, as wide as the contact.
-Figure GraspFigures::rod(const Body<double>& body, const std::string& kind,
-                         const Pose<double>& pose) const {
-  const Vector3<double>& center = drawn_.center();
-  const Vector3<double> tip = drawn_.middle(body);
-  double reach = 0;
-  for (const Index i : points_of(body)) reach = std::max(reach, (drawn_.position(i) - tip).norm());
-  const double thick = std::clamp(sight_.meters * reach + 3, least_finger, widest_finger);
-  const Pixel at = sight_.place(center + pose.at(tip - center));
-  const Pixel along = sight_.view.flat(pose.turned(body.normal));
-  std::vector<Pixel> around;
-  for (const double back : {thick, sizes_.finger})
-    for (int k = 0; k < 24; ++k)
-      around.emplace_back(at - back * along +
-                          thick * Pixel(std::cos(k * 0.2618), std::sin(k * 0.2618)));
-  const std::vector<Pixel> outline = hull(around);
-  return {outline, polygon_element(kind, outline)};
-}
-
-Prism GraspFigures::plate(Index b) const {
+/// What carries the object is wide; anything else reaches away from its patch, in the patch's own
+/// shape.
+Prism GraspFigures::thing(Index b) const {
   const Body<double>& body = drawn_.scene.bodies[b];
   std::vector<Vector3<double>> carried;
   for (const Index i : points_of(body)) carried.push_back(drawn_.position(i));
-  if (is_table(b))
+  if (is_table(b)) {
     for (const auto& corner : corners_of(drawn_.object)) {
       const double above = body.normal.dot(corner - carried.front());
       carried.emplace_back(corner - above * body.normal);
     }
-  return slab_prism(carried, body.normal, body.tangent,
-                    (is_table(b) ? table_margin : plate_margin) / sight_.meters,
-                    plate_thickness / sight_.meters);
+    return slab_prism(carried, body.normal, body.tangent, table_margin / sight_.meters,
+                      plate_thickness / sight_.meters);
+  }
+  const double margin = body.point_count == 1 ? finger_radius : patch_margin;
+  return rounded_prism(carried, body.normal, body.tangent, margin / sight_.meters,
+                       sizes_.finger / sight_.meters);
 }
 
 Figure GraspFigures::body(Index b, const std::string& kind, const Pose<double>& pose) const {
-  if (is_rod(b)) return rod(drawn_.scene.bodies[b], kind, pose);
-  return figure_of(moved(plate(b), pose), kind);
+  return figure_of(moved(thing(b), pose), kind);
 }
 
 Figure GraspFigures::ghost(const PushReport& report) const {

@@ -45,7 +45,7 @@ class GraspFigures {
 public:
   /// Lengths in pixels.
   struct Sizes {
-    double finger;      ///< how far a finger's rod reaches
+    double finger;      ///< how far a finger reaches
     double ghost;       ///< how far the ghost's fastest corner goes
     double least_ghost; ///< a ghost that differs by less is not drawn
   };
@@ -56,12 +56,10 @@ public:
 
   /// `pose`: of the object or of the body, about the centre of mass, from where the scene has it.
   Figure object(const Pose<double>& pose = {}) const;
-  /// A finger's rod, a plate, or the table that carries the object.
+  /// A finger or a pusher as wide as its patch, or the table that carries the object.
   Figure body(Index b, const std::string& kind, const Pose<double>& pose = {}) const;
   /// Does it stay when a finger is meant to follow, and does the object lie on it?
   bool is_table(Index b) const;
-  /// Is it drawn as a rod? Otherwise as a plate.
-  bool is_rod(Index b) const;
 
   /// The object a moment later, dashed; empty where that looks as now. Precondition: it is solved.
   Figure ghost(const PushReport& report) const;
@@ -74,8 +72,7 @@ private:
   PrismPicture seen(const Prism& prism) const;
   Figure figure_of(const Prism& prism, const std::string& kind) const;
   Prism moved(const Prism& prism, const Pose<double>& pose) const;
-  Figure rod(const Body<double>& body, const std::string& kind, const Pose<double>& pose) const;
-  Prism plate(Index b) const;
+  Prism thing(Index b) const;
   bool is_driven(Index b) const;
 };
 

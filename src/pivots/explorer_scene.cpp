@@ -112,9 +112,8 @@ void write_view(JsonWriter& json, const Push& push, const View& view) {
   const Frame frame = bounds(shown);
   json.member("frame", Eigen::Vector4d(frame.left, frame.top, frame.right, frame.bottom));
   json.member("outline", hull(box));
-  const bool is_round =
-      file.shape.kind == ObjectShape::Kind::cylinder && view.toward[file.shape.axis] != 0;
-  json.member("radius", is_round ? std::abs(view.right.dot(file.shape.size)) / 2 : 0.0);
+  json.member("radius",
+              is_round_in(view, file.shape) ? std::abs(view.right.dot(file.shape.size)) / 2 : 0.0);
   json.objects("bodies", bodies_back_to_front(view, push.scene().bodies),
                [&](Index b) { write_body_in_view(json, push, view, b); });
 }

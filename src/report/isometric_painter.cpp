@@ -135,7 +135,7 @@ void IsometricPainter::label(Index b) {
   // Of a finger behind the object the far end is seen.
   const double seen = view_.toward.dot(body.normal) > 0 ? 0.95 : 0.6;
   label_body(body_words(b), at + finger_length * back, back,
-             figures_.is_rod(b) ? Pixel(at + seen * finger_length * back) : at);
+             figures_.is_table(b) ? at : Pixel(at + seen * finger_length * back));
 }
 
 Drawing IsometricPainter::draw() {

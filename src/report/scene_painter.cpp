@@ -50,7 +50,7 @@ std::string ScenePainter::outline() {
     corners.push_back(place(corner));
   places_.block(bounds(corners), 0.6);
   places_.bar_edges(hull(corners));
-  if (shape.kind == ObjectShape::Kind::cylinder && view_.toward[shape.axis] != 0)
+  if (is_round_in(view_, shape))
     return circle_element("object", center(),
                           sight_.meters * std::abs(view_.right.dot(shape.size)) / 2);
   return polygon_element(shape.kind == ObjectShape::Kind::unknown ? "object guessed" : "object",

@@ -13,7 +13,8 @@ struct Slab {
   double half;           ///< m
 };
 
-/// Those of a box are its three axes; those of a cylinder the axis and the radius through `d`.
+/// Those of a box are its three axes; those of a cylinder the axis and the radius through `d`, of a
+/// ball the latter alone.
 std::vector<Slab> slabs_toward(const ObjectShape& shape, const Vector3<double>& d) {
   std::vector<Slab> slabs;
   const auto add = [&](const Vector3<double>& along, double half) {
@@ -24,10 +25,11 @@ std::vector<Slab> slabs_toward(const ObjectShape& shape, const Vector3<double>& 
     for (Index i = 0; i < 3; ++i) add(Vector3<double>::Unit(i), shape.size[i] / 2);
     return slabs;
   }
+  const bool is_ball = shape.kind == ObjectShape::Kind::ball;
   const Vector3<double> axis = Vector3<double>::Unit(shape.axis);
-  const Vector3<double> radial = d - axis.dot(d) * axis;
+  const Vector3<double> radial = is_ball ? d : Vector3<double>(d - axis.dot(d) * axis);
   const Index across = (shape.axis + 1) % 3;
-  add(axis, shape.size[shape.axis] / 2);
+  if (!is_ball) add(axis, shape.size[shape.axis] / 2);
   add(radial.norm() > 0 ? Vector3<double>(radial.normalized()) : Vector3<double>::Unit(across),
       shape.size[across] / 2);
   return slabs;

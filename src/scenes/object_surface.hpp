@@ -1,4 +1,4 @@
-// The surface of a box or a cylinder: how far a point is from it, and what faces it there.
+// The surface of the object: how far a point is from it, and what faces it there.
 #pragma once
 
 #include "lcpush/desktop/scene_io.hpp"
@@ -13,7 +13,7 @@ struct SurfacePoint {
   std::vector<Vector3<double>> outward; ///< unit normals of the faces that meet there
 };
 
-/// Needs a box or a cylinder. `reach` (m): faces within it of the nearest point count as met.
+/// Needs a shape that is known. `reach` (m): faces within it of the nearest point count as met.
 SurfacePoint nearest_on_surface(const SceneFile& file, const Vector3<double>& position,
                                 double reach);
 

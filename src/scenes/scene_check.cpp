@@ -27,7 +27,9 @@ constexpr double typed_slack = 1e-3;
 constexpr double least_along = 0.1;
 
 std::string shape_name(const SceneFile& file) {
-  return file.shape.kind == ObjectShape::Kind::box ? "the box" : "the cylinder";
+  return file.shape.kind == ObjectShape::Kind::box    ? "the box"
+         : file.shape.kind == ObjectShape::Kind::ball ? "the ball"
+                                                      : "the cylinder";
 }
 
 std::string typed(const Vector3<double>& v) {
@@ -259,9 +261,9 @@ private:
 
 const char* doubt_code(Doubt doubt) {
   constexpr const char* codes[] = {
-      "outside_object",   "far_from_object", "normal_outward", "moves_away", "density",
-      "jaws_independent", "center_of_mass",  "normal_along",   "friction",   "gravity",
-      "acceleration",     "inertia",         "jaws_same_side"};
+      "outside_object",   "far_from_object", "normal_outward", "moves_away",   "density",
+      "jaws_independent", "center_of_mass",  "normal_along",   "friction",     "gravity",
+      "acceleration",     "inertia",         "jaws_same_side", "unknown_shape"};
   return codes[static_cast<int>(doubt)];
 }
 

@@ -38,6 +38,14 @@ Matrix3<S> cylinder_inertia(const TableReader& table, const S& mass, ObjectShape
 }
 
 template <class S>
+Matrix3<S> ball_inertia(const TableReader& table, const S& mass, ObjectShape& shape) {
+  const S radius = table.number<S>("sphere_radius", Sign::positive);
+  shape = {ObjectShape::Kind::ball, Vector3<double>::Constant(2 * as_double(radius)), 2};
+  const S moment = S(2) * mass * radius * radius / S(5);
+  return Vector3<S>(moment, moment, moment).asDiagonal();
+}
+
+template <class S>
 Matrix3<S> typed_inertia(const TableReader& table, const S& mass, ObjectShape& shape) {
   std::vector<S> entries = table.numbers<S>("inertia", {3, 6}, Sign::any);
   entries.resize(6, S(0));
@@ -82,11 +90,12 @@ void check_inertia(const TableReader& table, const std::string& key,
                           "of the other two; check its units and order (xx, yy, zz, xy, xz, yz)");
 }
 
-/// The key that says how the mass is spread: exactly one of three.
+/// The key that says how the mass is spread: exactly one of them.
 std::string shape_key(const TableReader& table) {
-  const std::string choices = "box, cylinder_radius with cylinder_length, or inertia";
+  const std::string choices =
+      "box, cylinder_radius with cylinder_length, sphere_radius, or inertia";
   std::string found;
-  for (const char* key : {"box", "cylinder_radius", "inertia"}) {
+  for (const char* key : {"box", "cylinder_radius", "sphere_radius", "inertia"}) {
     if (!table.has(key)) continue;
     if (!found.empty()) table.fail(key, found + " is given already; keep one of " + choices);
     found = key;
@@ -123,6 +132,8 @@ template <class S> Object<S> read_object(const TableReader& table, ObjectShape& 
   const std::string key = shape_key(table);
   if (key == "box") {
     object.inertia = box_inertia(table, object.mass, shape);
+  } else if (key == "sphere_radius") {
+    object.inertia = ball_inertia(table, object.mass, shape);
   } else if (key == "inertia") {
     object.inertia = typed_inertia(table, object.mass, shape);
   } else {

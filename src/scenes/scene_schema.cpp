@@ -51,6 +51,7 @@ const std::vector<Section>& sections() {
         {"cylinder_radius", "0.02", "m"},
         {"cylinder_length", "0.1", "m"},
         {"axis", "\"z\""},
+        {"sphere_radius", "0.02", "m"},
         {"inertia", "[1e-4, 2e-4, 2e-4]", "kg m^2"},
         {"center_of_mass", "[0, 0, 0]", "m"},
         {"force", "[0, -2, 0]", "N", true},

@@ -41,7 +41,9 @@ private:
   void check_density() {
     if (file_.shape.kind == ObjectShape::Kind::unknown) return;
     const Vector3<double>& size = file_.shape.size;
-    const double round = file_.shape.kind == ObjectShape::Kind::cylinder ? std::atan(1) : 1;
+    const double round = file_.shape.kind == ObjectShape::Kind::cylinder ? std::atan(1)
+                         : file_.shape.kind == ObjectShape::Kind::ball   ? std::atan(1) * 2 / 3
+                                                                         : 1;
     const double volume = round * size.prod(), density = file_.object.mass / volume;
     if (density >= lightest && density <= heaviest) return;
     doubt(Doubt::density, file_.lines.object,

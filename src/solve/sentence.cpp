@@ -123,6 +123,7 @@ std::string object_name(const SceneFile& file) {
   switch (file.shape.kind) {
   case ObjectShape::Kind::box: return "the box";
   case ObjectShape::Kind::cylinder: return "the cylinder";
+  case ObjectShape::Kind::ball: return "the ball";
   case ObjectShape::Kind::unknown: break;
   }
   return "the object";

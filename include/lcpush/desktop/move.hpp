@@ -100,6 +100,7 @@ enum class MoveEnd {
   stopped, ///< by MoveOptions::stop
   leaps,   ///< a step that goes too far to be one: a squeeze that gives way, or --step is too long
   failed,  ///< a step without an answer: `status` says why
+  free,    ///< nothing touches it any more, nor will
 };
 const char* move_end_text(MoveEnd end);
 
@@ -120,6 +121,8 @@ struct MotionReport {
   double tolerance = 0;             ///< m
   std::optional<double> error;      ///< m, estimated, of controlled steps
   double penetration = 0;           ///< m, the deepest
+  double pressed_gap = 0;           ///< m, the largest across which a point presses at a step's end
+  std::vector<BodyForce> first;     ///< once what starts at once has started: in the second step
   double residual = 0;              ///< the laws' largest, by check
 };
 

@@ -23,6 +23,7 @@ enum class Doubt {
   acceleration,     ///< a push that no machine makes
   inertia,          ///< of a body far larger than where its contacts lie
   jaws_same_side,   ///< parallel jaws that press the same way
+  unknown_shape,    ///< a motion goes over the surface of an object that has none
 };
 
 /// As JSON spells it.

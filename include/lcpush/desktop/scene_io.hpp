@@ -21,11 +21,12 @@ template <> desktop::Rational circle_sine<desktop::Rational>(Index j, Index g);
 
 namespace lcpush::desktop {
 
-/// What the object looks like; for drawings only, nothing is computed from it.
+/// What the object looks like: pictures draw it, motions touch its surface.
 struct ObjectShape {
   enum class Kind {
     box,
     cylinder,
+    ball,
     unknown, ///< the file gives the inertia alone: drawn as the box with these principal moments
   };
   Kind kind = Kind::unknown;

@@ -115,6 +115,27 @@ private:
     }
     for (Index a = 0; a < layout_.actuators; ++a)
       memory_.q[layout_.closing_index(a)] = -memory_.sums[a].target;
+    if (scene_->clearances.size > 0) drop_rounding();
+  }
+  /// A step in time begins with velocities: where a body rolls, large ones cancel. What rounding
+  /// leaves of them is no slip, or the points that stick would contradict each other; all of the
+  /// body's, or those that are left would.
+  void drop_rounding() {
+    using Eigen::numext::maxi;
+    S fastest(1);
+    for (const S& row : memory_.push) fastest = maxi(fastest, S(Eigen::numext::abs(row)));
+    const S rounding = ModelSettings<S>::no_slip() * fastest;
+    const auto for_friction_of = [&](const Body<S>& body, const auto& visit) {
+      for (const Index i : points_of(body)) {
+        const ConeGroup<S>& cone = memory_.cones[i];
+        for (Index k = cone.normals; k < cone.forces(); ++k) visit(memory_.q[cone.variable + k]);
+      }
+    };
+    for (const Body<S>& body : scene_->bodies) {
+      S largest(0);
+      for_friction_of(body, [&](S& q) { largest = maxi(largest, S(Eigen::numext::abs(q))); });
+      if (largest <= rounding) for_friction_of(body, [](S& q) { q = S(0); });
+    }
   }
   /// What force k of a point feels at rest and of the push.
   void set_q(Index point, Index k, const S& sigma) {

@@ -86,6 +86,7 @@ template <class S, class Visit> struct LawRows {
   const Answer<S>& answer;
   Visit& visit;
   TermSizes<S> sizes{scene, scales, answer};
+  S motion_scale = fastest_of(scene, scales); // m/s^2, whose rounding no motion is told from
   // Of the present body: its forces' sum, the object's twist beside it, and the size of its terms.
   S pressing{0};
   Vector6<S> relative = Vector6<S>::Zero(), moving = Vector6<S>::Zero();
@@ -103,12 +104,12 @@ template <class S, class Visit> struct LawRows {
   /// positive where both are. `size` is that of the acceleration's terms.
   Violation<S> complementarity(Law law, Index of, Index part, S force, S motion, S size) const {
     const S force_unit = row_unit_of(pressing, scales.force);
-    const S motion_unit = row_unit_of(size, scales.acceleration);
+    const S motion_unit = row_unit_of(size, motion_scale);
     force /= force_unit;
     motion /= motion_unit;
     const bool is_force = !(motion < force) && motion == motion;
     if (is_force) return {law, of, part, force, force_unit, scales.force};
-    return {law, of, part, motion, motion_unit, scales.acceleration};
+    return {law, of, part, motion, motion_unit, motion_scale};
   }
 
   /// The body whose points come next.
@@ -189,7 +190,7 @@ template <class S, class Visit> struct LawRows {
   /// [T.2], [T.6] and the pusher's motion at point i.
   void motion(const Body<S>& body, Index i) {
     const ContactAnswer<S>& contact = answer.contacts[i];
-    const S unit = scales.acceleration;
+    const S unit = motion_scale;
     const S gap = clearance_of(scene, i);
     const S opening = acceleration.dot(body.normal) + gap;
     const S size = speed.dot(body.normal.cwiseAbs()) + gap;

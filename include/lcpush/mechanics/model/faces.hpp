@@ -23,9 +23,9 @@ template <class S> struct Face {
   S radius{0};                      ///< 0: no circle
 };
 
-/// The round side of the object; at the start of the motion.
+/// The round side of the object; at the start of the motion. A ball's has no axis: 0.
 template <class S> struct RoundSide {
-  Vector3<S> center = Vector3<S>::Zero(), axis = Vector3<S>::UnitZ(); ///< m; unit
+  Vector3<S> center = Vector3<S>::Zero(), axis = Vector3<S>::UnitZ(); ///< m; unit, or 0
   S radius{0};                                                        ///< m
 };
 

@@ -47,13 +47,17 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   for (Index a = 0; a < layout.actuators; ++a)
     answer.closing[a] = z[layout.closing_index(a)] * scales.acceleration / layout.reach[a];
 
-  S fastest(0);
+  const auto size_of_twist = [&](const Vector6<S>& twist) {
+    return S(twist.template head<3>().norm() + scales.length * twist.template tail<3>().norm());
+  };
+  S fastest(0), own = size_of_twist(answer.acceleration);
   Index entry = 0;
   for (Index i = 0; i < layout.points; ++i) {
     const Index b = layout.body[i], g = layout.cones[i].generators;
     const Body<S>& body = scene.bodies[b];
     const Vector6<S> twist = body_twist(scene, answer, b, sigma);
     const Vector6<S> relative = answer.acceleration - twist;
+    own = Eigen::numext::maxi(own, size_of_twist(twist));
     ContactAnswer<S>& contact = answer.contacts[i];
     contact.friction_force.setZero();
     contact.torsion = contact.slip = S(0);
@@ -82,11 +86,12 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
     if (contact.acceleration.norm() > fastest) fastest = contact.acceleration.norm();
   }
   // Motion counts against the fastest point: a slow push moves everything slowly. Below what
-  // rounding leaves of the loads, or of the object's own acceleration, there is no motion at all.
+  // rounding leaves of the loads, or of the twists whose difference it is, there is none at all.
   const S tolerance = ModelSettings<S>::counts();
-  const Vector6<S>& a = answer.acceleration;
-  const S own = a.template head<3>().norm() + scales.length * a.template tail<3>().norm();
-  const S rounding = ModelSettings<S>::motion_noise() * (scales.acceleration + own) / tolerance;
+  // In a step in time what a tie lets pass is none either: there slips begin from none.
+  const bool is_step = scene.clearances.size > 0;
+  const S noise = is_step ? Tolerances<S>().tie : ModelSettings<S>::motion_noise();
+  const S rounding = noise * (scales.acceleration + own) / tolerance;
   const S unit = fastest > rounding ? fastest : rounding;
   const ContactMargins<S> margins{S(tolerance * scales.force), S(tolerance * unit)};
   for (Index i = 0; i < layout.points; ++i) {

@@ -12,8 +12,13 @@ namespace lcpush {
 template <class S> class RoundDistance {
 public:
   RoundDistance(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer)
-      : scene_(scene), scales_(scales), answer_(answer),
-        fastest_(ModelSettings<S>::slip_noise() * scales.acceleration) {
+      : scene_(scene), scales_(scales), answer_(answer), fastest_(scales.acceleration) {
+    // Rounding is that of the twists whose difference a slip is.
+    for (const Body<S>& b : scene.bodies)
+      fastest_ = Eigen::numext::maxi(fastest_,
+                                     S(b.acceleration.template head<3>().norm() +
+                                       scales.length * b.acceleration.template tail<3>().norm()));
+    fastest_ *= ModelSettings<S>::slip_noise();
     for (Index i = 0; i < scene.points.size; ++i)
       fastest_ = Eigen::numext::maxi(fastest_, S(slip(i).norm()));
   }

@@ -41,6 +41,10 @@ template <class S> struct ModelSettings {
   /// Of a unit motion: a force across it does no work on it.
   static S across_drive() { return rounding(16); }
 
+  /// In units of F / m or of the fastest body: what rounding leaves of a slip where two velocities
+  /// cancel. 5 were seen in one step; half of what the referee lets pass.
+  static S no_slip() { return rounding(32); }
+
   // The answer.
   static S counts() { return S(1000) * Tolerances<S>().tie; } ///< of F, or of the fastest motion
   static S motion_noise() { return rounding(64); } ///< of F / m and of the object's acceleration

@@ -45,6 +45,17 @@ template <class S> Vector3<S> size_at(const Vector3<S>& p, const Vector6<S>& twi
   return twist.template head<3>() + cross_size<S>(twist.template tail<3>(), p);
 }
 
+/// F / m; in a step in time, which begins with velocities, those of bodies beside the object too.
+template <class S> S fastest_of(const Scene<S>& scene, const Scales<S>& scales) {
+  S fastest = scales.acceleration;
+  if (scene.clearances.size == 0) return fastest;
+  for (const Body<S>& body : scene.bodies)
+    fastest = Eigen::numext::maxi(fastest,
+                                  S(body.acceleration.template head<3>().norm() +
+                                    scales.length * body.acceleration.template tail<3>().norm()));
+  return fastest;
+}
+
 template <class S> struct TermSizes {
   Vector6<S> wrench;       ///< [T.1] axis by axis: N, N m
   Vector6<S> acceleration; ///< what forces of that size make of the object: m/s^2, rad/s^2

@@ -109,9 +109,11 @@ private:
     return Eigen::numext::maxi(S(1e-9), S(4 * Eigen::NumTraits<S>::epsilon()));
   }
   S penetration_tolerance() const { return length_ * rounding(); }
-  /// What rounding leaves of a closed gap is none: over h^2 it would be a force.
-  S settled(const S& gap) const {
-    return Eigen::numext::abs(gap) <= penetration_tolerance() ? S(0) : gap;
+  /// What rounding leaves of a closed gap is none: over h^2 it would be a force. Under a point that
+  /// presses, one step's.
+  S settled(const S& gap, bool pressed = false) const {
+    const S one = length_ * Eigen::numext::maxi(S(1e-12), S(4 * Eigen::NumTraits<S>::epsilon()));
+    return Eigen::numext::abs(gap) <= (pressed ? one : penetration_tolerance()) ? S(0) : gap;
   }
   /// A residue of the pads is a speed, and in thousands of steps a way.
   static PressureOptions<S> pressure_options() {
@@ -184,6 +186,7 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::start() {
   }
   for (Index a = 0; a < scene_->actuators.size; ++a) m_.closings[a] = m_.speeds[a] = S(0);
   for (Index i = 0; i < m_.active.size; ++i) m_.active[i] = 0;
+  for (StepContact<S>& contact : m_.contacts) contact = {};
   length_ = S(0);
   for (const Vector3<S>& p : scene_->points) length_ = Eigen::numext::maxi(length_, S(p.norm()));
   if (!(length_ > S(0))) length_ = S(1);

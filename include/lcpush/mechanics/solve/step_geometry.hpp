@@ -137,11 +137,18 @@ template <class S, class Pivots> void TimeStepper<S, Pivots>::carry_basis(bool t
   for (Index i = layout.size - layout.actuators; to_present && i < layout.size; ++i) m_.kept[i] = 1;
 }
 
-/// The gaps as they are now, none below 0: squeezes stay what they were (theory, [T.13]).
+/// The gaps as they are now, none below 0: squeezes stay what they were (theory, [T.13]). That of a
+/// single point that pressed is where its face has turned away from it, however little that is:
+/// dropped until it is no rounding any more, it would open in one step what presses in all.
 template <class S, class Pivots> void TimeStepper<S, Pivots>::straight_gaps() {
   for (Index k = 0; k < present_.points.size; ++k) {
-    const bool holds = scene_->bodies[m_.body_of[body_at(k)]].bilateral;
-    m_.gaps[k] = holds || m_.true_gaps[k] > S(0) ? settled(m_.true_gaps[k]) : S(0);
+    const Index b = m_.body_of[body_at(k)];
+    const Body<S>& body = scene_->bodies[b];
+    const bool holds = body.bilateral;
+    const bool turns = touching(b).riding != Riding::on_side && body.point_count == 1;
+    const bool pressed = turns && m_.contacts[m_.from[k]].normal_force > S(0);
+    const S gap = settled(m_.true_gaps[k], pressed);
+    m_.gaps[k] = holds || gap > S(0) ? gap : S(0);
   }
 }
 

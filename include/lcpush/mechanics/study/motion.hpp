@@ -26,9 +26,11 @@ template <class S> struct Motion {
 
 namespace detail {
 
-/// Does the axis pass through the fingertips? A patch counts with its radius.
+/// Does the axis pass through the fingertips? A patch counts with its radius; about a single one,
+/// which grips nothing, it pivots on its normal only.
 template <class S> bool axis_through_grip(const Scene<S>& scene, const Answer<S>& answer, S size) {
   Vector3<S> grip = Vector3<S>::Zero();
+  Vector3<S> normal;
   Index fingers = 0;
   S radius(0);
   for (const Body<S>& body : scene.bodies) {
@@ -39,9 +41,13 @@ template <class S> bool axis_through_grip(const Scene<S>& scene, const Answer<S>
     for (Index k = 0; k < body.point_count; ++k)
       radius = Eigen::numext::maxi(radius, S((first[k] - center).norm()));
     grip += center;
+    normal = body.normal;
     ++fingers;
   }
   if (fingers == 0) return false;
+  const Vector3<S> alpha = answer.acceleration.template tail<3>();
+  const S along = alpha.dot(normal);
+  if (fingers == 1 && along * along < alpha.squaredNorm() / S(2)) return false;
   grip /= S(fingers);
   const S reach = radius * answer.acceleration.template tail<3>().norm() + size / S(100);
   return acceleration_at<S>(grip, answer.acceleration).norm() <= reach;
