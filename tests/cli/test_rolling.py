@@ -5,7 +5,7 @@ import re
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from tool import command, main
+from tool import SCENES, command, main
 
 run = command("move")
 G = 9.81
@@ -93,6 +93,21 @@ class Ends(unittest.TestCase):
         self.assertLess(answer["time"], 1)
         self.assertLess(answer["steps"], 2000)
         self.assertIn("gone on freely", run("-", "--time", 10, text=text).stdout)
+
+    def test_a_push_that_fades_ends_there_and_a_finer_tolerance_changes_little(self):
+        dropped = (SCENES / "dropped.toml").read_text()
+        events = motion(dropped)["events"]
+        self.assertLess(len(events), 5)  # at no force at all, rounding says when
+        for event in events:
+            self.assertAlmostEqual(event["time"], 0.08274, delta=2e-4)
+        text = "gravity = [0, -9.81, 0]\n[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n" + "".join(
+            f'[[finger]]\nname = "{name}"\nshape = "disc"\ncenter = [0, 0, {0.005 * z}]\nradius = 0.005\n'
+            f"normal = [0, 0, {-z}]\nfriction = 0.5\ngrip_force = 20\n" for name, z in (("left", 1), ("right", -1)))
+        text += ('[[pusher]]\nname = "rod"\nshape = "point"\ncenter = [-0.05, 0.01, 0.003]\nnormal = [1, 0, 0]\n'
+                 "friction = 0.3\nvelocity = [0.01, 0, 0]\n")
+        turns = [motion("facets = 8\n" + text, "--time", 0.1, *words)["frames"][-1]["rotation"][3]
+                 for words in ((), ("--tolerance", 1e-5))]
+        self.assertAlmostEqual(*turns, delta=1e-5)
 
     def test_chatter_ends_with_the_time_that_it_has(self):
         words = ("--tolerance", "1e-9", "--seconds", "0.5")

@@ -36,7 +36,7 @@ LEFT = {
     "include/lcpush/mechanics/study": 13,
     "src/certify": 25,
     "src/cone": 32,
-    "src/move": 14,
+    "src/move": 13,
     "src/plan": 52,
     "src/raw": 23,
     "src/solve": 39,

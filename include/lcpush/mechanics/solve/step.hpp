@@ -112,7 +112,7 @@ private:
   /// What rounding leaves of a closed gap is none: over h^2 it would be a force. Under a point that
   /// presses, one step's.
   S settled(const S& gap, bool pressed = false) const {
-    const S one = length_ * Eigen::numext::maxi(S(1e-12), S(4 * Eigen::NumTraits<S>::epsilon()));
+    const S one = S(4) * length_ * ModelSettings<S>::equal_distance();
     return Eigen::numext::abs(gap) <= (pressed ? one : penetration_tolerance()) ? S(0) : gap;
   }
   /// A residue of the pads is a speed, and in thousands of steps a way.
