@@ -30,7 +30,7 @@ RawOptions raw_options(const Values& values, Solver solver, Listener& listener) 
 /// Pivots store the largest piece whole: what that takes is said, or refused, before it is taken.
 void announce_effort(const Values& values, const RawProblem& problem, Listener& listener) {
   const Index n = largest_piece(problem);
-  if (n < large) return;
+  if (n < large_piece) return;
   const double bytes = pivot_bytes(problem),
                entries = static_cast<double>(n) * static_cast<double>(n);
   const std::string takes =
@@ -44,28 +44,14 @@ void announce_effort(const Values& values, const RawProblem& problem, Listener& 
                     " multiplications" + other);
 }
 
-/// Of a large problem sweeps are tried first where nobody says by what: over-relaxed, which settles
-/// symmetric problems, and plain. Nothing: they do not settle.
-std::optional<RawAnswer> try_sweeps(const Values& values, const RawProblem& problem,
-                                    RawOptions options) {
-  if (values.has("solver") || largest_piece(problem) < large) return std::nullopt;
-  options.solver = Solver::gauss_seidel;
-  for (const double relaxation : {over_relaxation, 1.0}) {
-    options.sweeps.relaxation = relaxation;
-    RawAnswer answer = solve_raw(problem, options);
-    if (answer.status == Status::solved) return answer;
-    if (answer.bad_diagonal >= 0) break;
-  }
-  return std::nullopt;
-}
-
 Result run_lcp(const Values& values, Listener& listener) {
   const Solver solver = values.solver();
   const std::string format = values.format_with_history(solver);
   const RawOptions options = raw_options(values, solver, listener);
   const auto problem = std::make_shared<RawProblem>(values.raw_problem());
   announce_infinite(*problem, listener);
-  std::optional<RawAnswer> swept = try_sweeps(values, *problem, options);
+  std::optional<RawAnswer> swept;
+  if (!values.has("solver")) swept = sweep_large(*problem, options);
   const Solver used = swept ? Solver::gauss_seidel : solver;
   if (used != Solver::gauss_seidel) announce_effort(values, *problem, listener);
   const auto answer =

@@ -13,7 +13,7 @@ public:
   ChangeJudge(const SceneFile& file, const std::vector<TrajectoryFrame>& given, double allowed)
       : file_(file), given_(given), allowed_(allowed), laws_(file, given) {}
 
-  MissedChange judge(double enough) {
+  MissedChange judge(double enough, double fastest) {
     MissedChange worst;
     if (laws_.run().start() != Status::running) return worst;
     std::size_t from = 0;
@@ -30,7 +30,8 @@ public:
       const bool shows = changed >= enough && frames >= Settings::least_change_frames;
       if (!shows && !is_last && frames < Settings::change_frames) continue;
       const std::optional<double> missed = missed_change(from, to);
-      if (!missed) return worst; // the steps there have been judged
+      // Without an answer, or with one that leaps: the steps there have been judged.
+      if (!missed || *missed > fastest) return worst;
       // An event may be missed by once; what is wrong with the dynamics lasts.
       const MissedChange now{*missed, given_[from].time, given_[to].time};
       const MissedChange& less = last && last->speed < now.speed ? *last : now;
@@ -135,8 +136,8 @@ double fastest_point(const SceneFile& file, const Pose<double>& object,
 }
 
 MissedChange judge_changes(const SceneFile& file, const std::vector<TrajectoryFrame>& given,
-                           double allowed) {
-  return ChangeJudge(file, given, allowed).judge(Settings::changes * allowed);
+                           double allowed, double fastest) {
+  return ChangeJudge(file, given, allowed).judge(Settings::changes * allowed, fastest);
 }
 
 } // namespace lcpush::desktop

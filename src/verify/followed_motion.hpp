@@ -32,8 +32,8 @@ Vector6<double> velocity_at(const std::vector<TrajectoryFrame>& given, std::size
 double fastest_point(const SceneFile& file, const Pose<double>& object,
                      const Vector6<double>& twist);
 
-/// `allowed`: m/s. Cost: a step a frame; where they miss, up to 31.
+/// `allowed`, `fastest`: m/s. Cost: a step a frame; where they miss, up to 31.
 MissedChange judge_changes(const SceneFile& file, const std::vector<TrajectoryFrame>& given,
-                           double allowed);
+                           double allowed, double fastest);
 
 } // namespace lcpush::desktop

@@ -77,7 +77,7 @@ public:
     if (report_.status == Status::running) report_.status = Status::solved;
     for (std::size_t k = 1; k < given_.size() && report_.status == Status::solved; ++k) step(k);
     if (report_.status == Status::solved)
-      report_.missed = judge_changes(file_, given_, tolerance * report_.fastest);
+      report_.missed = judge_changes(file_, given_, tolerance * report_.fastest, report_.fastest);
     const double span = given_.back().time - given_.front().time;
     report_.creep = speed_between(file_, given_.front().pose, given_.back().pose, span);
     if (report_.steps > 0) report_.mean /= static_cast<double>(report_.steps);

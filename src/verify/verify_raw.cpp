@@ -71,9 +71,13 @@ double size_of(const std::vector<double>& z) {
 /// lcpush's own answer beside `nearest`.
 void compare(const RawProblem& problem, const std::vector<double>& nearest,
              RawVerifyReport& report) {
-  RawOptions options; // what pivots have no room for, sweeps may settle
-  if (pivot_bytes(problem) > limits::memory) options.solver = Solver::gauss_seidel;
-  const RawAnswer own = solve_raw(problem, options);
+  RawAnswer own;
+  if (largest_piece(problem) < large_piece)
+    own = solve_raw(problem, RawOptions());
+  else if (auto swept = sweep_large(problem, RawOptions())) // too large for pivots beside it
+    own = std::move(*swept);
+  else
+    own.status = Status::sweep_limit;
   report.own.status = own.status;
   if (own.status != Status::solved) return;
   report.own.force = distance(nearest, own.z);

@@ -2,6 +2,7 @@
 // matrices, solved, checked.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -104,6 +105,12 @@ std::string raw_json(const RawProblem& problem, const RawAnswer& answer, const s
 
 /// Rows of the largest piece that no entry of M connects to the rest: what pivots will store.
 Index largest_piece(const RawProblem& problem);
+/// Pieces from here on take pivots seconds.
+constexpr Index large_piece = 2000;
+constexpr double over_relaxation = 1.9; ///< 420 iterations of an obstacle problem of 10,000 rows
+/// Of a problem with so large a piece, Gauss-Seidel's answer: over-relaxed, which settles symmetric
+/// problems sooner, and plain. Nothing: it has no such piece, or they do not settle.
+std::optional<RawAnswer> sweep_large(const RawProblem& problem, RawOptions options);
 /// About what that takes; a row between two ends is two unknowns there.
 double pivot_bytes(const RawProblem& problem);
 

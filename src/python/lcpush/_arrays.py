@@ -30,8 +30,9 @@ def _listed(thing: Any, name: str) -> Any:
     """Matrices and vectors of SciPy, NumPy, pandas, .. as NumPy's arrays; "[2 1; 1 2]" as rows;
     others as they are."""
     if isinstance(thing, str):
-        found = [row.replace(",", " ").split() for row in thing.strip("[] ;\n").split(";")]
-        return found if name == "M" else [x for row in found for x in row]
+        if name != "M":
+            return thing.strip("[] ;\n").replace(",", " ").replace(";", " ").split()
+        return [row.replace(",", " ").split() for row in thing.strip("[] ;\n").split(";")]
     if hasattr(thing, "toarray"):
         thing = thing.toarray()
     if numpy is None or not hasattr(thing, "__array__"):
