@@ -101,7 +101,7 @@ Rational::Rational(BigInteger numerator, BigInteger denominator)
   denominator_ = denominator_ / divisor;
 }
 
-Rational Rational::in_lowest_terms(BigInteger numerator, BigInteger denominator) {
+Rational Rational::unreduced(BigInteger numerator, BigInteger denominator) {
   Rational result;
   result.numerator_ = std::move(numerator);
   result.denominator_ = std::move(denominator);
@@ -126,7 +126,8 @@ std::optional<Rational> Rational::parse(std::string_view text) {
 }
 
 std::string Rational::text() const {
-  return is_whole() ? numerator_.text() : numerator_.text() + '/' + denominator_.text();
+  const Rational lowest(numerator_, denominator_);
+  return lowest.numerator_.text() + (lowest.is_whole() ? "" : '/' + lowest.denominator_.text());
 }
 
 double Rational::value() const {
@@ -168,18 +169,18 @@ Rational Rational::sum(const Rational& a, const Rational& b, bool subtract) {
   };
   if (b.sign() == 0) return a;
   if (a.sign() == 0) return subtract ? -b : b;
-  if (a.is_whole() && b.is_whole()) return in_lowest_terms(add(a.numerator_, b.numerator_), 1);
+  if (a.is_whole() && b.is_whole()) return unreduced(add(a.numerator_, b.numerator_), 1);
   if (a.denominator_ == b.denominator_) return {add(a.numerator_, b.numerator_), a.denominator_};
   const BigInteger common = gcd(a.denominator_, b.denominator_);
   if (common.is_one())
-    return in_lowest_terms(add(a.numerator_ * b.denominator_, b.numerator_ * a.denominator_),
-                           a.denominator_ * b.denominator_);
+    return unreduced(add(a.numerator_ * b.denominator_, b.numerator_ * a.denominator_),
+                     a.denominator_ * b.denominator_);
   const BigInteger rest = a.denominator_ / common;
   BigInteger numerator = add(a.numerator_ * (b.denominator_ / common), b.numerator_ * rest);
   if (numerator.is_zero()) return {};
   const BigInteger divisor = gcd(numerator, common);
-  if (divisor.is_one()) return in_lowest_terms(std::move(numerator), rest * b.denominator_);
-  return in_lowest_terms(numerator / divisor, rest * (b.denominator_ / divisor));
+  if (divisor.is_one()) return unreduced(std::move(numerator), rest * b.denominator_);
+  return unreduced(numerator / divisor, rest * (b.denominator_ / divisor));
 }
 
 /// (a / b) (c / d), each in lowest terms, b and d > 0.
@@ -190,7 +191,7 @@ Rational Rational::product(const BigInteger& a, const BigInteger& b, const BigIn
     return divisor.is_one() ? x : x / divisor;
   };
   const BigInteger g = gcd(a, d), h = gcd(c, b);
-  return in_lowest_terms(without(a, g) * without(c, h), without(b, h) * without(d, g));
+  return unreduced(without(a, g) * without(c, h), without(b, h) * without(d, g));
 }
 
 Rational operator/(const Rational& a, const Rational& b) {

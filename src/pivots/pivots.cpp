@@ -1,5 +1,6 @@
 // Runs Lemke's method with a recording watcher.
 #include "lcpush/desktop/pivots.hpp"
+#include "lcpush/desktop/exact_pivots.hpp"
 
 #include <cmath>
 

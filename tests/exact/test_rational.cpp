@@ -1,5 +1,6 @@
 // Exact fractions and the whole numbers under them. tests/exact/rational_fuzz.py has many more
 // numbers; here are those whose answer a person can see, and the corners.
+#include "lcpush/desktop/exact_pivots.hpp"
 #include "lcpush/desktop/rational.hpp"
 #include "lcpush/lcp/pivots/lemke.hpp"
 #include "support/dense_lcp.hpp"

@@ -1,4 +1,5 @@
 // Scenes read exactly: decimals as typed, and what is not exact by name.
+#include "lcpush/desktop/exact_pivots.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/scene_io.hpp"
 #include "lcpush/lcp/pivots/lemke.hpp"

@@ -1,6 +1,7 @@
 // The compact dictionary and its only operation, the exchange.
 #include <doctest/doctest.h>
 
+#include "lcpush/desktop/exact_pivots.hpp"
 #include "lcpush/desktop/rational.hpp"
 #include "lcpush/lcp/pivots/dictionary.hpp"
 #include "support/dense_lcp.hpp"

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "lcpush/desktop/exact_pivots.hpp"
 #include "lcpush/desktop/rational.hpp"
 #include "support/textbook.hpp"
 
