@@ -157,7 +157,7 @@ std::optional<Certificate> certify_answer(const std::string& text, const SceneFi
     bases.push_back(basic);
   }
   bases.resize(std::min(bases.size(), certify_settings.pivoted_bases));
-  if (!exact) exact = answer_by_pivots(problem, bases, certify_settings.pivots);
+  if (!exact) exact = answer_by_pivots(problem, bases);
   if (!exact) return std::nullopt;
   take_answer(problem, guess, *exact, certificate);
   return certificate;
@@ -220,6 +220,9 @@ std::string uncertified_law(const SceneFile& file) {
   if (file.pressure == Pressure::even)
     return "proves the literal equations, which pressure = \"even\" replaces: use \"pad\" or "
            "\"rigid\"";
+  if (const Index n = size_of(file.view()).unknowns(); n > limits::unknowns_proved)
+    return "proves up to " + std::to_string(limits::unknowns_proved) +
+           " unknowns, and the scene has " + std::to_string(n) + ": use fewer facets or points";
   return {};
 }
 
@@ -236,7 +239,7 @@ std::optional<Certificate> certify_raw(const ExactMatrix& M, const ExactMatrix& 
     guess.x_unit.assign(answer.z.size(), largest_of(answer.z));
     guess.w_unit.assign(answer.z.size(), largest_of(answer.w));
     if (!exact) exact = answer_near(problem, guess);
-    if (!exact) exact = answer_by_pivots(problem, {answer.basic}, certify_settings.pivots);
+    if (!exact) exact = answer_by_pivots(problem, {answer.basic});
     if (!exact) return std::nullopt;
     take_answer(problem, guess, *exact, certificate);
     return certificate;

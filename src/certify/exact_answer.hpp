@@ -29,11 +29,10 @@ using Basis = std::vector<unsigned char>;
 /// The answer of this complementary basis; nullopt if it is singular or a value is negative.
 std::optional<ExactAnswer> answer_of_basis(const MixedProblem& problem, const Basis& basic);
 
-/// The answer to which Lemke's exact pivots lead from one of these bases, as many as rounding has
-/// hidden. Pivots are counted, not timed, so that a problem has one answer wherever it is asked.
-/// nullopt if all paths end on rays or are longer than `most_pivots`.
+/// The answer to which Lemke's pivots in fractions lead from one of these bases, as rounding has
+/// hidden it. Pivots are counted, not timed, so that a problem has one answer wherever it is asked.
+/// nullopt if all paths end on rays or are too long.
 std::optional<ExactAnswer> answer_by_pivots(const MixedProblem& problem,
-                                            const std::vector<Basis>& bases,
-                                            std::size_t most_pivots);
+                                            const std::vector<Basis>& bases);
 
 } // namespace lcpush::desktop

@@ -29,10 +29,10 @@ std::optional<Column> orthogonal_part(const std::vector<const Column*>& columns,
   }
   Column part = b;
   if (columns.empty()) return part;
-  const auto weights = ExactSystem(gram).solve(right);
+  const auto weights = exact_solutions(gram, {right});
   if (!weights) return std::nullopt;
   for (std::size_t j = 0; j < columns.size(); ++j)
-    for (std::size_t i = 0; i < b.size(); ++i) part[i] -= (*weights)[j] * (*columns[j])[i];
+    for (std::size_t i = 0; i < b.size(); ++i) part[i] -= weights->front()[j] * (*columns[j])[i];
   return part;
 }
 
@@ -63,7 +63,7 @@ std::optional<Column> separation(const std::vector<Column>& columns, const Colum
       if (columns[active[j]][i].sign() != 0)
         rows[i].push_back({static_cast<Index>(j), columns[active[j]][i]});
   std::vector<const Column*> independent;
-  for (const std::size_t j : largest_minor(rows, active.size()).columns)
+  for (const std::size_t j : independent_columns(rows, active.size()))
     independent.push_back(&columns[active[j]]);
   const auto y = orthogonal_part(independent, b);
   if (!y || dot(*y, b).sign() <= 0) return std::nullopt;

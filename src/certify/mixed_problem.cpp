@@ -122,10 +122,8 @@ MixedProblem raw_mixed_problem(const ExactMatrix& M, const ExactMatrix& q,
   return problem;
 }
 
-// All over one denominator first, so that of long numbers no more than one divisor a row is sought.
-Column times(const MixedProblem& problem, Column x, const Column& constant, const Column& cover,
-             const Rational& z0) {
-  x.push_back(z0);
+// All over one denominator, so that no divisors of long numbers are sought.
+Column times(const MixedProblem& problem, Column x, const Column& constant) {
   BigInteger below = 1;
   for (const Rational& number : x) below = common_multiple(below, number.denominator());
   for (Rational& number : x)
@@ -137,8 +135,8 @@ Column times(const MixedProblem& problem, Column x, const Column& constant, cons
       const Rational& by = x[static_cast<std::size_t>(entry.column)];
       if (by.sign() != 0) sum += entry.value * by;
     }
-    if (z0.sign() != 0) sum += cover[i] * x.back();
-    result.push_back(sum.sign() == 0 ? sum : Rational(sum.numerator(), sum.denominator() * below));
+    result.push_back(
+        sum.sign() == 0 ? sum : Rational::unreduced(sum.numerator(), sum.denominator() * below));
   }
   return result;
 }

@@ -38,9 +38,8 @@ MixedProblem scene_problem(const SceneOf<Rational>& scene);
 MixedProblem raw_mixed_problem(const ExactMatrix& M, const ExactMatrix& q,
                                const std::vector<unsigned char>& free);
 
-/// L x + cover z0 + constant.
-Column times(const MixedProblem& problem, Column x, const Column& constant = {},
-             const Column& cover = {}, const Rational& z0 = 0);
+/// L x + constant.
+Column times(const MixedProblem& problem, Column x, const Column& constant = {});
 
 /// The submatrix of these rows and columns, in their order.
 std::vector<ExactRow> cut(const MixedProblem& problem, const std::vector<std::size_t>& rows,

@@ -45,13 +45,6 @@ template <class Wide> BigInteger BigInteger::of_two_limbs(Wide magnitude, bool i
   return result;
 }
 
-BigInteger BigInteger::of_magnitude(const Limb* magnitude, std::size_t count) {
-  BigInteger result;
-  std::copy_n(magnitude, count, result.room(count));
-  result.finish(count, false);
-  return result;
-}
-
 BigInteger& BigInteger::operator=(const BigInteger& other) {
   if (this == &other) return *this;
   const std::size_t size = other.count();

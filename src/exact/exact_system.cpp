@@ -1,5 +1,7 @@
 #include "exact/exact_system.hpp"
 
+#include "exact/limbs.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -7,28 +9,105 @@
 namespace lcpush::desktop {
 namespace {
 
-using modular::prime;
+// Whole numbers modulo the prime 2^61 - 1, whose remainders need no division.
+using limbs::Limb;
+constexpr int prime_bits = 61;
+constexpr Limb prime = (Limb{1} << prime_bits) - 1;
 
-/// The number whose digits to the base of the prime are those of unknown i, the last one first.
-BigInteger of_digits(const std::vector<std::vector<modular::Limb>>& digits, std::size_t i) {
-  std::vector<modular::Limb> number(digits.size(), 0); // 61 bits a digit
-  for (std::size_t k = digits.size(); k-- > 0;) {
-    modular::Limb carry = digits[k][i];
-    for (modular::Limb& limb : number) {
-      const limbs::Wide sum = limbs::Wide{limb} * prime + carry;
-      limb = static_cast<modular::Limb>(sum);
-      carry = static_cast<modular::Limb>(sum >> limbs::limb_bits);
+Limb remainder(Limb a) {
+  a = (a & prime) + (a >> prime_bits);
+  return a >= prime ? a - prime : a;
+}
+Limb times(Limb a, Limb b) {
+  const limbs::Wide product = limbs::Wide{a} * b;
+  return remainder(static_cast<Limb>(product & prime) + static_cast<Limb>(product >> prime_bits));
+}
+Limb minus(Limb a, Limb b) { return a >= b ? a - b : a + prime - b; }
+
+/// Fermat's little theorem.
+Limb inverse_of(Limb a) {
+  Limb result = 1;
+  for (Limb exponent = prime - 2; exponent > 0; exponent >>= 1U, a = times(a, a))
+    if ((exponent & 1U) != 0) result = times(result, a);
+  return result;
+}
+
+/// A row times `unit`, in whole numbers.
+struct WholeRow {
+  std::vector<std::pair<std::size_t, BigInteger>> entries;
+  BigInteger unit = 1;
+};
+
+std::vector<WholeRow> whole(const std::vector<ExactRow>& rows) {
+  std::vector<WholeRow> result;
+  for (const ExactRow& row : rows) {
+    WholeRow& scaled = result.emplace_back();
+    for (const ExactEntry& entry : row)
+      scaled.unit = common_multiple(scaled.unit, entry.value.denominator());
+    for (const ExactEntry& entry : row)
+      scaled.entries.emplace_back(entry.column, entry.value.numerator() *
+                                                    (scaled.unit / entry.value.denominator()));
+  }
+  return result;
+}
+
+/// Rows eliminated one by one modulo the prime: each gives up the pivots before it, and its first
+/// column that is left is its own. Those of a row that is left with none depend on others.
+class Factors {
+public:
+  struct Entry {
+    std::size_t at;
+    Limb value;
+  };
+  struct Step {
+    std::size_t row, column;
+    Limb inverse;             ///< of the pivot
+    std::vector<Entry> taken; ///< earlier steps, and how often their rows were taken from this one
+    std::vector<Entry> rest;  ///< columns beside the pivot, and their entries
+  };
+  std::vector<Step> steps;
+
+  Factors(const std::vector<WholeRow>& rows, std::size_t columns) {
+    std::vector<Limb> work(columns, 0);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (const auto& [column, value] : rows[i].entries)
+        work[column] = remainder(work[column] + value.modulo(prime));
+      Step step{i, columns, 0, {}, {}};
+      for (std::size_t k = 0; k < steps.size(); ++k) {
+        if (work[steps[k].column] == 0) continue;
+        const Limb by = times(std::exchange(work[steps[k].column], 0), steps[k].inverse);
+        for (const Entry& e : steps[k].rest) work[e.at] = minus(work[e.at], times(by, e.value));
+        step.taken.push_back({k, by});
+      }
+      for (std::size_t j = 0; j < columns; ++j) {
+        const Limb value = std::exchange(work[j], 0);
+        if (value == 0) continue;
+        if (step.column < columns) {
+          step.rest.push_back({j, value});
+        } else {
+          step.column = j;
+          step.inverse = inverse_of(value);
+        }
+      }
+      if (step.column < columns) steps.push_back(std::move(step));
     }
   }
-  return BigInteger::of_magnitude(number.data(), number.size());
-}
 
-/// The representative of x modulo `modulus` next to zero. Pre: 0 <= x < modulus.
-BigInteger nearest_zero(BigInteger x, const BigInteger& modulus) {
-  return x + x > modulus ? std::move(x) - modulus : x;
-}
+  /// By columns, from right-hand sides by steps; what is no pivot is zero.
+  std::vector<Limb> solve(std::vector<Limb> right, std::size_t columns) const {
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      for (const Entry& e : steps[k].taken) right[k] = minus(right[k], times(e.value, right[e.at]));
+    std::vector<Limb> x(columns, 0);
+    for (std::size_t k = steps.size(); k-- > 0;) {
+      Limb sum = right[k];
+      for (const Entry& e : steps[k].rest) sum = minus(sum, times(e.value, x[e.at]));
+      x[steps[k].column] = times(sum, steps[k].inverse);
+    }
+    return x;
+  }
+};
 
-/// The fraction t with numerator and denominator of at most `bits` that x is modulo `modulus`, by
+/// The fraction with numerator and denominator of at most `bits` that x is modulo `modulus`, by
 /// Euclid's algorithm stopped half way; a denominator of 0 if there is none.
 std::pair<BigInteger, BigInteger> fraction_of(const BigInteger& x, const BigInteger& modulus,
                                               std::size_t bits) {
@@ -48,14 +127,14 @@ std::pair<BigInteger, BigInteger> fraction_of(const BigInteger& x, const BigInte
   return {std::move(b), std::move(t)};
 }
 
-/// The fractions over one denominator whose digits these are; false if they are too long for them.
-bool fractions_of(const std::vector<std::vector<modular::Limb>>& digits,
+/// The fractions over one denominator that these numbers are modulo `power`; false if they are too
+/// long for it.
+bool fractions_of(const std::vector<BigInteger>& numbers, const BigInteger& power,
                   std::vector<BigInteger>& numerators, BigInteger& denominator) {
-  BigInteger power = 1;
-  for (std::size_t k = 0; k < digits.size(); ++k) power = power * BigInteger(prime);
   const std::size_t half = power.bit_length() / 2 - 1;
-  for (std::size_t i = 0; i < digits.front().size(); ++i) {
-    BigInteger t = nearest_zero(of_digits(digits, i) * denominator % power, power);
+  for (const BigInteger& number : numbers) {
+    BigInteger t = number * denominator % power;
+    if (t + t > power) t -= power; // the one next to zero
     if (t.bit_length() > half) {
       auto [numerator, by] = fraction_of(t.sign() < 0 ? t + power : t, power, half);
       if (by.is_zero()) return false;
@@ -68,141 +147,94 @@ bool fractions_of(const std::vector<std::vector<modular::Limb>>& digits,
   return true;
 }
 
+BigInteger product(const WholeRow& row, const std::vector<BigInteger>& x) {
+  BigInteger sum = 0;
+  for (const auto& [column, value] : row.entries)
+    if (!x[column].is_zero()) sum += value * x[column];
+  return sum;
+}
+
+/// x takes the place of its pivots' columns: rows x = right in the rows of the steps, what is no
+/// pivot as it is.
+bool solve(const std::vector<WholeRow>& rows, const Factors& factors,
+           const std::vector<Rational>& right, std::vector<Rational>& x) {
+  const auto& steps = factors.steps;
+  // What x leaves of the right-hand sides, over one denominator, with how many bits.
+  for (const Factors::Step& step : steps) x[step.column] = 0;
+  std::vector<Rational> left;
+  BigInteger unit = 1;
+  for (const Factors::Step& step : steps) {
+    Rational sum = right[step.row] * Rational(rows[step.row].unit, 1);
+    for (const auto& [column, value] : rows[step.row].entries)
+      if (x[column].sign() != 0) sum -= Rational(value, 1) * x[column];
+    unit = common_multiple(unit, sum.denominator());
+    left.push_back(std::move(sum));
+  }
+  std::vector<BigInteger> c;
+  std::size_t bits = 0, longest = 0; // Hadamard's bound: sqrt(n) of at most 256 entries a row
+  std::vector<WholeRow> minor;
+  std::vector<bool> is_pivot(x.size(), false);
+  for (const Factors::Step& step : steps) is_pivot[step.column] = true;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    c.push_back(left[k].numerator() * (unit / left[k].denominator()));
+    longest = std::max(longest, c.back().bit_length());
+    std::size_t entry = 0;
+    WholeRow& row = minor.emplace_back();
+    for (const auto& [column, value] : rows[steps[k].row].entries)
+      if (is_pivot[column]) {
+        row.entries.emplace_back(column, value);
+        entry = std::max(entry, value.bit_length());
+      }
+    bits += entry + 4;
+  }
+  // Digit by digit; now and then: are they those of fractions?
+  const std::size_t most = 2 * ((2 * bits + longest) / (prime_bits - 1) + 4);
+  std::size_t next_try = 4;
+  std::vector<BigInteger> rest = c, number(x.size(), 0);
+  BigInteger power = 1;
+  for (std::size_t count = 1; count <= most; ++count) {
+    std::vector<Limb> remainders;
+    for (const BigInteger& value : rest) remainders.push_back(value.modulo(prime));
+    const std::vector<Limb> digits = factors.solve(std::move(remainders), x.size());
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      for (const auto& [column, value] : minor[k].entries)
+        if (digits[column] != 0) rest[k] -= value * BigInteger(digits[column]);
+      rest[k] = rest[k] / BigInteger(prime);
+      number[steps[k].column] += power * BigInteger(digits[steps[k].column]);
+    }
+    power = power * BigInteger(prime);
+    if (count < next_try && count < most / 2) continue;
+    next_try = count + count / 2;
+    std::vector<BigInteger> numerators;
+    BigInteger denominator = 1;
+    bool solves = fractions_of(number, power, numerators, denominator);
+    for (std::size_t k = 0; solves && k < steps.size(); ++k)
+      solves = product(minor[k], numerators) == c[k] * denominator;
+    if (!solves) continue;
+    for (const Factors::Step& step : steps)
+      if (BigInteger& numerator = numerators[step.column]; !numerator.is_zero())
+        x[step.column] = Rational::unreduced(std::move(numerator), denominator * unit);
+    return true;
+  }
+  return false;
+}
+
 } // namespace
 
 BigInteger common_multiple(const BigInteger& a, const BigInteger& b) {
   return b.is_one() || a == b ? a : a / gcd(a, b) * b;
 }
 
-ExactSystem::ExactSystem(const std::vector<ExactRow>& rows) : n_(rows.size()) {
-  scale(rows);
-  factor();
-}
-
-/// Whole numbers. A row that shares its denominators is multiplied by them; of a row that has many
-/// (Newton's law has one a direction), the columns are.
-void ExactSystem::scale(const std::vector<ExactRow>& rows) {
-  std::vector<BigInteger> by_row, by_column(n_, BigInteger(1));
-  for (const ExactRow& row : rows) {
-    std::size_t longest = 0;
-    BigInteger multiple = 1;
-    for (const ExactEntry& entry : row) {
-      longest = std::max(longest, entry.value.denominator().bit_length());
-      multiple = common_multiple(multiple, entry.value.denominator());
-    }
-    const bool shares = multiple.bit_length() <= 2 * longest + 64;
-    by_row.push_back(shares ? std::move(multiple) : BigInteger(1));
-    if (shares) continue;
-    for (const ExactEntry& entry : row) {
-      BigInteger& by = by_column[static_cast<std::size_t>(entry.column)];
-      by = common_multiple(by, entry.value.denominator());
-    }
-  }
-  for (const BigInteger& by : by_column) column_unit_.emplace_back(by, 1);
-  for (std::size_t i = 0; i < n_; ++i) {
-    WholeRow& scaled = rows_.emplace_back();
-    for (const ExactEntry& entry : rows[i]) {
-      const BigInteger by = by_row[i] * by_column[static_cast<std::size_t>(entry.column)];
-      scaled.emplace_back(entry.column, entry.value.numerator() * (by / entry.value.denominator()));
-    }
-  }
-  row_unit_ = std::move(by_row);
-  for (const WholeRow& row : rows_) {
-    std::size_t longest = 0;
-    for (const auto& [column, value] : row) longest = std::max(longest, value.bit_length());
-    most_bits_ += longest + 4; // sqrt(n) of at most 256 entries a row
-  }
-}
-
-void ExactSystem::factor() {
-  std::vector<ModularFactors::Row> table;
-  std::vector<Limb> sums(n_, 0); // a row may name a column twice
-  for (const WholeRow& row : rows_) {
-    ModularFactors::Row& small = table.emplace_back();
-    for (const auto& [column, value] : row) {
-      Limb& sum = sums[static_cast<std::size_t>(column)];
-      sum = modular::remainder(sum + value.modulo(prime));
-    }
-    for (const auto& [column, value] : row)
-      if (Limb& sum = sums[static_cast<std::size_t>(column)]; sum != 0)
-        small.push_back({column, std::exchange(sum, 0)});
-  }
-  factors_.emplace(std::move(table));
-  is_singular_ = factors_->is_singular();
-}
-
-bool ExactSystem::solves(const std::vector<BigInteger>& numerators, const BigInteger& denominator,
-                         const std::vector<BigInteger>& b) const {
-  for (std::size_t i = 0; i < n_; ++i) {
-    BigInteger sum = 0;
-    for (const auto& [column, value] : rows_[i])
-      sum += value * numerators[static_cast<std::size_t>(column)];
-    if (sum != b[i] * denominator) return false;
-  }
-  return true;
-}
-
-std::optional<std::vector<Rational>> ExactSystem::solve(const std::vector<Rational>& b) const {
-  if (is_singular_) return std::nullopt;
-  // One denominator for the right-hand side: A y = c with x = column_unit y / denominator.
-  BigInteger denominator = 1;
-  for (std::size_t i = 0; i < n_; ++i) {
-    const Rational scaled = b[i] * Rational(row_unit_[i], 1);
-    denominator = common_multiple(denominator, scaled.denominator());
-  }
-  std::vector<BigInteger> c;
-  std::size_t longest = 0;
-  for (std::size_t i = 0; i < n_; ++i) {
-    const Rational scaled = b[i] * Rational(row_unit_[i], 1);
-    c.push_back(scaled.numerator() * (denominator / scaled.denominator()));
-    longest = std::max(longest, c.back().bit_length());
-  }
-  LiftedRest rest(rows_, c);
-  std::vector<std::vector<Limb>> digits;
-  const std::size_t most_digits = (2 * most_bits_ + longest) / 60 + 4;
-  std::size_t next_try = 4;
-  while (digits.size() < 2 * most_digits) {
-    digits.push_back(rest.remainders());
-    factors_->solve(digits.back());
-    rest.take(digits.back());
-    if (digits.size() < next_try && digits.size() < most_digits) continue;
-    next_try = digits.size() + digits.size() / 2;
-    std::vector<BigInteger> numerators;
-    BigInteger common = 1;
-    if (!fractions_of(digits, numerators, common) || !solves(numerators, common, c)) continue;
-    std::vector<Rational> result;
-    for (std::size_t i = 0; i < n_; ++i)
-      result.push_back(Rational(numerators[i], common * denominator) * column_unit_[i]);
-    return result;
-  }
-  return std::nullopt;
-}
-
-ExactMinor largest_minor(const std::vector<ExactRow>& rows, std::size_t columns) {
-  const std::size_t m = rows.size(), n = columns;
-  std::vector<modular::Limb> table(m * n, 0);
-  for (std::size_t i = 0; i < m; ++i)
-    for (const ExactEntry& entry : rows[i])
-      table[i * n + static_cast<std::size_t>(entry.column)] =
-          modular::times(entry.value.numerator().modulo(prime),
-                         modular::inverse_of(entry.value.denominator().modulo(prime)));
-  ExactMinor minor;
-  for (std::size_t i = 0; i < m; ++i) {
-    std::size_t pivot = 0;
-    while (pivot < n && table[i * n + pivot] == 0) ++pivot;
-    if (pivot == n) continue;
-    minor.rows.push_back(i);
-    minor.columns.push_back(pivot);
-    const modular::Limb by = modular::inverse_of(table[i * n + pivot]);
-    for (std::size_t k = i + 1; k < m; ++k) {
-      if (table[k * n + pivot] == 0) continue;
-      const modular::Limb factor = modular::times(table[k * n + pivot], by);
-      for (std::size_t j = pivot; j < n; ++j)
-        table[k * n + j] =
-            modular::minus(table[k * n + j], modular::times(factor, table[i * n + j]));
-    }
-  }
-  return minor;
+std::optional<std::vector<std::vector<Rational>>>
+exact_solutions(const std::vector<ExactRow>& rows,
+                const std::vector<std::vector<Rational>>& right) {
+  const std::vector<WholeRow> scaled = whole(rows);
+  const Factors factors(scaled, rows.size());
+  if (factors.steps.size() < rows.size()) return std::nullopt;
+  std::vector<std::vector<Rational>> x(right.size(), std::vector<Rational>(rows.size()));
+  for (std::size_t k = 0; k < right.size(); ++k)
+    if (!solve(scaled, factors, right[k], x[k])) return std::nullopt;
+  return x;
 }
 
 std::optional<std::vector<Rational>> solution_near(const std::vector<ExactRow>& rows,
@@ -213,27 +245,17 @@ std::optional<std::vector<Rational>> solution_near(const std::vector<ExactRow>& 
   const double grid = largest > 0 ? std::exp2(std::floor(std::log2(largest)) - bits) : 1;
   std::vector<Rational> x;
   for (const double value : guess) x.emplace_back(std::round(value / grid) * grid);
-  const ExactMinor minor = largest_minor(rows, guess.size());
-  std::vector<Index> place(guess.size(), -1);
-  for (std::size_t j = 0; j < minor.columns.size(); ++j)
-    place[minor.columns[j]] = static_cast<Index>(j);
-  std::vector<ExactRow> matrix;
-  std::vector<Rational> b;
-  for (const std::size_t i : minor.rows) {
-    ExactRow& row = matrix.emplace_back();
-    b.push_back(right[i]);
-    for (const ExactEntry& entry : rows[i]) {
-      const auto j = static_cast<std::size_t>(entry.column);
-      if (place[j] >= 0)
-        row.push_back({place[j], entry.value});
-      else
-        b.back() -= entry.value * x[j];
-    }
-  }
-  const auto solution = ExactSystem(matrix).solve(b);
-  if (!solution) return std::nullopt;
-  for (std::size_t j = 0; j < minor.columns.size(); ++j) x[minor.columns[j]] = (*solution)[j];
+  const std::vector<WholeRow> scaled = whole(rows);
+  if (!solve(scaled, Factors(scaled, guess.size()), right, x)) return std::nullopt;
   return x;
+}
+
+std::vector<std::size_t> independent_columns(const std::vector<ExactRow>& rows,
+                                             std::size_t columns) {
+  std::vector<std::size_t> result;
+  for (const Factors::Step& step : Factors(whole(rows), columns).steps)
+    result.push_back(step.column);
+  return result;
 }
 
 } // namespace lcpush::desktop

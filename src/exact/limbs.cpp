@@ -45,46 +45,6 @@ void multiply(Limb* out, const Limb* a, std::size_t na, const Limb* b, std::size
   }
 }
 
-Limb add_multiple(Limb* out, std::size_t n, const Limb* a, std::size_t na, Limb b) {
-  Limb carry = 0;
-  for (std::size_t i = 0; i < na; ++i) {
-    const Wide sum = Wide{a[i]} * b + out[i] + carry;
-    out[i] = static_cast<Limb>(sum);
-    carry = static_cast<Limb>(sum >> limb_bits);
-  }
-  for (std::size_t i = na; i < n && carry != 0; ++i) {
-    out[i] += carry;
-    carry = out[i] < carry ? 1 : 0;
-  }
-  return carry;
-}
-
-Limb subtract_multiple(Limb* out, std::size_t n, const Limb* a, std::size_t na, Limb b) {
-  Limb borrow = 0;
-  for (std::size_t i = 0; i < na; ++i) {
-    const Wide product = Wide{a[i]} * b + borrow;
-    const auto low = static_cast<Limb>(product);
-    borrow = static_cast<Limb>(product >> limb_bits) + (out[i] < low ? 1 : 0);
-    out[i] -= low;
-  }
-  for (std::size_t i = na; i < n && borrow != 0; ++i) {
-    const Limb before = out[i];
-    out[i] -= borrow;
-    borrow = before < borrow ? 1 : 0;
-  }
-  return borrow;
-}
-
-void divide_exactly(Limb* a, std::size_t na, Limb d, Limb inverse) {
-  Limb carry = 0;
-  for (std::size_t i = 0; i < na; ++i) {
-    const Limb rest = a[i] - carry;
-    const Limb borrow = a[i] < carry ? 1 : 0;
-    a[i] = rest * inverse;
-    carry = static_cast<Limb>((Wide{a[i]} * d) >> limb_bits) + borrow;
-  }
-}
-
 Limb shift_left(Limb* out, const Limb* a, std::size_t na, int bits) {
   if (bits == 0) {
     if (out != a) std::copy_n(a, na, out);
@@ -120,6 +80,20 @@ Limb divide_by_limb(Limb* out, const Limb* a, std::size_t na, Limb d) {
 
 namespace {
 
+/// out -= a b over na + 1 limbs; returns what is borrowed at the top.
+Limb subtract_multiple(Limb* out, const Limb* a, std::size_t na, Limb b) {
+  Limb borrow = 0;
+  for (std::size_t i = 0; i < na; ++i) {
+    const Wide product = Wide{a[i]} * b + borrow;
+    const auto low = static_cast<Limb>(product);
+    borrow = static_cast<Limb>(product >> limb_bits) + (out[i] < low ? 1 : 0);
+    out[i] -= low;
+  }
+  const Limb before = out[na];
+  out[na] -= borrow;
+  return before < borrow ? 1 : 0;
+}
+
 /// One digit of the quotient, at most one too large, from the leading limbs: u is the rest's three,
 /// v the divisor's two with the highest bit set. [Knuth, The Art of Computer Programming, 4.3.1 D3]
 Limb estimated_digit(const Limb u[3], const Limb v[2]) {
@@ -151,8 +125,7 @@ void divide(Limb* quotient, Limb* remainder, const Limb* a, std::size_t na, cons
   shift_left(v, b, nb, shift);
   for (std::size_t j = na - nb + 1; j-- > 0;) {
     Limb digit = estimated_digit(u + j + nb - 2, v + nb - 2);
-    if (subtract_multiple(u + j, nb + 1, v, nb, digit) !=
-        0) { // rare: two in 2^64 for random numbers
+    if (subtract_multiple(u + j, v, nb, digit) != 0) { // rare: two in 2^64 for random numbers
       --digit;
       u[j + nb] += add(u + j, u + j, nb, v, nb);
     }

@@ -46,15 +46,6 @@ void subtract(Limb* out, const Limb* a, std::size_t na, const Limb* b, std::size
 /// out = a b, na + nb limbs, apart from both. Cost: na nb.
 void multiply(Limb* out, const Limb* a, std::size_t na, const Limb* b, std::size_t nb);
 
-/// out += a b, or -= a b, over n limbs, for one limb b; returns what leaves at the top. Numbers in
-/// two's complement stay so. Pre: n >= na.
-Limb add_multiple(Limb* out, std::size_t n, const Limb* a, std::size_t na, Limb b);
-Limb subtract_multiple(Limb* out, std::size_t n, const Limb* a, std::size_t na, Limb b);
-
-/// a / d in place, by its lowest limbs first, also in two's complement. Pre: d divides a, and
-/// d `inverse` = 1 modulo 2^64.
-void divide_exactly(Limb* a, std::size_t na, Limb d, Limb inverse);
-
 /// out = a << bits with 0 <= bits < 64; returns what leaves at the top. `out` may be a.
 Limb shift_left(Limb* out, const Limb* a, std::size_t na, int bits);
 

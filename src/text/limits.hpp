@@ -40,6 +40,7 @@ constexpr Index unknowns_stationary = 400; // one quadratic program's conditions
 constexpr Index unknowns_traced = 1000;    // every pivot keeps its ratios; the page draws every row
 constexpr Index unknowns_exact = 300;      // fractions grow with every pivot
 constexpr Index unknowns_certified = 3000; // the basis in doubles comes from the dense dictionary
+constexpr Index unknowns_proved = 60'000;  // fractions of every facet; 2 s
 constexpr Index rows_certified = 1000;     // of a raw problem: a dense matrix of fractions
 
 // Points and choices up to which sets are enumerated: the work doubles with each.

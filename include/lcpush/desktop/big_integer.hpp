@@ -67,11 +67,6 @@ public:
   /// The nearest double, ties to even; infinite beyond its range.
   double value() const;
 
-  /// |a| in limbs, least significant first.
-  const Limb* magnitude() const { return limbs(); }
-  std::size_t limb_count() const { return count(); }
-  static BigInteger of_magnitude(const Limb* magnitude, std::size_t count);
-
   int sign() const { return size_ < 0 ? -1 : size_ > 0 ? 1 : 0; }
   bool is_zero() const { return size_ == 0; }
   bool is_one() const { return size_ == 1 && low() == 1; }
