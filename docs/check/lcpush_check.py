@@ -136,7 +136,8 @@ def check(c, texts):
         inside = {k for slip, (_, a, b) in cones.items() for k in (slip, *a, *b)} | (set() if rest else free)
         rays += [abs(gain[j]) if j in free else gain[j] for j in range(n) if j not in inside]
         return require(max(rays) <= 0, "a force takes more")
-    require([i + 1 for i in range(n) if i not in free and x[i]] == c["basis"] and len(x) == n and (push == 1 or not rest), "another basis")
+    require([i + 1 for i in range(n) if i not in free and x[i]] == c["basis"] and len(x) == n, "another basis")
+    require(push == 1 if rest else push > 0, "another push")
     w = [sum((v * x[j] for j, v in row.items() if x[j]), F(0)) for row in L]
     if c["proof"] == "squeeze":
         require(push == 1 and all(v >= 0 for v in x) and not any(x[i] for i in (*cones, *free)), "not forces")
@@ -148,4 +149,5 @@ if __name__ == "__main__":
     certificate, *files = [pathlib.Path(path).read_bytes() for path in sys.argv[1:]]
     try: check(json.loads(certificate), files)
     except Exception as error: sys.exit(f"Refused: {error}.")
-    print("Accepted: " + SAYS[json.loads(certificate)["proof"]])
+    c = json.loads(certificate)
+    print("Accepted: " + SAYS[c["proof"]] + f" Push: {c['push']} times the scene's." * (c["law"] == "literal"))

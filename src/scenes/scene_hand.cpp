@@ -8,7 +8,8 @@
 namespace lcpush::desktop {
 namespace {
 
-// Rounding of two normals that are typed as opposites, or turned by a root.
+// Rounding of two normals that are typed as opposites, or turned by a root: in every coordinate, as
+// docs/check/lcpush_check.py has it.
 constexpr double opposed_slack = 1e-9;
 
 /// The fingers that have a grip force, as indices.
@@ -30,7 +31,7 @@ bool is_jaw(const HandTables& tables, const std::vector<std::size_t>& gripping,
   if (gripping.size() != 2) return false;
   const Vector3<double> between = as_doubles<S>(scene.bodies[gripping[0]].normal) +
                                   as_doubles<S>(scene.bodies[gripping[1]].normal);
-  return between.norm() <= opposed_slack &&
+  return between.cwiseAbs().maxCoeff() < opposed_slack &&
          grip_force<S>(tables.fingers[gripping[0]]) == grip_force<S>(tables.fingers[gripping[1]]);
 }
 

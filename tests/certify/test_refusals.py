@@ -88,7 +88,7 @@ def forgeries():
     yield "not complementary", raw("answer", [[1]], [-1], [2]), "row 1 fails"
     yield "a free row left over", raw("answer", [[1]], [-1], [2], free=[1], basis=[]), "row 1 fails"
     yield "basis", raw("answer", M, q, right, basis=[1]), "another basis"
-    yield "push of a raw problem", raw("answer", M, q, right, push="2"), "another basis"
+    yield "push of a raw problem", raw("answer", M, q, right, push="2"), "another push"
     yield "statement", raw("answer", M, q, right, statement=GENUINE["SAYS"]["squeeze"]), "another statement"
     yield "law", raw("answer", M, q, right, law="literal"), "another law"
     certificate, (of_M, of_q) = raw("answer", M, q, right)
@@ -113,6 +113,12 @@ def forgeries():
     yield "no motion", changed(falls, [dropped], x=["0"] * len(falls["x"])), "no contradiction"
     yield "length", changed(falls, [dropped], x=falls["x"] + ["0"]), "another length"
     yield "law of a scene", (falls, ["pressure = \"even\"\n" + dropped]), "another law"
+    slide = (SCENES / "straight_slide.toml").read_text()
+    away = slide.replace("acceleration = [0.1,", "acceleration = [-0.1,")
+    yield "a wall that moves away", changed(certified("solve", away), [slide], push="-1"), "another push"
+    # Opposed to 8e-10 in each coordinate, 1.1e-9 in all: a jaw to both.
+    nearly = slide.replace("normal = [0, 0, 1]", "normal = [8e-10, 8e-10, 1]")
+    yield "nearly opposed", (certified("solve", nearly), [nearly]), None
     jam = (SCENES / "jam.toml").read_text()
     squeeze = certified("solve", jam)
     problem = GENUINE["scene_problem"](jam, squeeze["facets"])
@@ -148,6 +154,15 @@ def main():
             line = SOURCE.count("\n", 0, at) + 1
             faults.append(f"nothing passes a checker without the gate of line {line}: "
                           f"{SOURCE[at:SOURCE.index(chr(10), at)]}")
+    # What would take minutes is refused by name, with what to do.
+    wide = (SCENES / "straight_slide.toml").read_text()
+    wide = "facets = 256\n" + re.sub(r'shape = "points"\npoints = .*?(0\.005|-0\.005)\]\]', lambda m: (
+        f'shape = "rectangle"\ncenter = [0, 0, {m.group(1)}]\nsize = [0.02, 0.02]\npoints = [20, 20]'), wide)
+    (FOLDER / "wide.toml").write_text(wide)
+    told = subprocess.run([TOOL, "solve", FOLDER / "wide.toml", "--certify", FOLDER / "c.json"], capture_output=True,
+                          text=True, timeout=20)
+    if told.returncode != 2 or "use fewer facets or points" not in " ".join(told.stderr.split()):
+        faults.append(f"a wide pad of 256 facets: {told}")
     wrong = sum(why is not None for _, _, why in made)
     print(f"{wrong} forgeries refused, {len(made) - wrong} genuine ones accepted; {len(gates)} gates taken out")
     print("\n".join(faults))
