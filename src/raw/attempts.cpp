@@ -2,9 +2,10 @@
 // or from a basis. The referee judges every point that one of them ends at.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "lcpush/lcp/pivots/reduce.hpp"
 #include "raw/raw_parts.hpp"
+#include "raw/settings.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -15,8 +16,6 @@ struct LastPoint {
   std::vector<unsigned char> basic;
   double artificial = 0; ///< as the dictionary is scaled
 };
-
-constexpr double hardly_any = 1e-9;
 
 /// Tells another watcher, and keeps the points at which covering vectors failed.
 class PointKeeper : public Watcher {
@@ -118,7 +117,6 @@ bool Attempts::take(std::vector<double> z, const std::vector<unsigned char>& bas
   for (std::size_t i = 0; i < z.size(); ++i) // what is below zero by rounding is zero
     if (problem_.free[i] == 0 && z[i] < 0) z[i] = 0;
   std::vector<double> w;
-  last_basis_ = basic;
   const double residual = referee_.judge(z, w).residual;
   if (!(residual <= options_.lemke.tolerances.residual)) return false;
   answer_.status = Status::solved;
@@ -141,103 +139,88 @@ void Attempts::fail(Status status, Reason reason, std::vector<double> ray) {
 }
 
 void Attempts::keep_near(std::vector<double> point, double artificial) {
-  if (std::abs(artificial) <= hardly_any) near_points_.push_back(std::move(point));
+  if (std::abs(artificial) <= raw_settings.gone) near_points_.push_back(std::move(point));
 }
 
-bool Attempts::standard(const DensePiece& piece, const LemkeOptions<double>& options) {
+bool Attempts::attempt(const DensePiece& piece, const LemkeOptions<double>& options,
+                       SingularBlock free_block) {
   const Index n = piece.size();
-  OwnedLemke<double> lemke(n);
-  PointKeeper keeper(*options_.watcher);
-  if (lemke.init(piece.problem(), options) == Status::running) (void)lemke.solve(keeper);
-  answer_.pivots += lemke.pivots();
-  answer_.covers += lemke.covers_tried();
-  if (lemke.status() == Status::solved) {
-    std::vector<unsigned char> basic;
-    for (Index i = 0; i < n; ++i) basic.push_back(lemke.is_basic(i) ? 1 : 0);
-    if (take(piece.original(lemke.z()), basic)) return true;
-    keep_near(piece.original(lemke.z()), 0);
-    fail(Status::numerical_breakdown, Reason::residual, {});
-    return options_.searches && from(piece, basic, Guess::near);
+  std::optional<Owned<Reduction<double>>> reduction; // without free unknowns there is none
+  if (piece.pairs < n) {
+    reduction.emplace(reduction_scalars(n), reduction_integers(n));
+    if (reduction->init(n, piece.M.data(), piece.q.data(), piece.free.data(), free_block) !=
+        Status::solved) {
+      answer_.inconsistent_row =
+          piece.order[static_cast<std::size_t>(reduction->inconsistent_row())];
+      return false;
+    }
   }
-  std::vector<double> ray;
-  if (lemke.status() == Status::ray) ray = piece.original(lemke.ray());
-  fail(lemke.status(), lemke.reason(), std::move(ray));
-  if (!options_.searches) return false;
-  for (const LastPoint& point : keeper.points) {
-    if (take(piece.original(point.z.data()), point.basic)) return true;
-    keep_near(piece.original(point.z.data()), point.artificial);
-  }
-  return false;
-}
-
-bool Attempts::mixed(const DensePiece& piece, const LemkeOptions<double>& options, bool exchanges) {
-  const Index n = piece.size();
-  Owned<Reduction<double>> reduction(reduction_scalars(n), reduction_integers(n));
-  if (reduction.init(n, piece.M.data(), piece.q.data(), piece.free.data(),
-                     exchanges ? SingularBlock::exchange : SingularBlock::bound) !=
-      Status::solved) {
-    answer_.inconsistent_row = piece.order[static_cast<std::size_t>(reduction.inconsistent_row())];
-    return false;
-  }
-  const auto free_basis = [&](const auto& reduced_basic) {
+  const Problem<double> problem = reduction ? reduction->problem() : piece.problem();
+  const auto basis_of = [&](const auto& is_basic) {
     std::vector<unsigned char> basic(piece.free);
-    for (const int j : reduction.fixed_unknowns()) basic[static_cast<std::size_t>(j)] = 0;
-    for (Index k = 0; k < reduction.problem().free_begin; ++k) {
-      const ReducedUnknown pair = reduction.unknown_of(k);
-      basic[static_cast<std::size_t>(pair.index)] = reduced_basic(k) != pair.swapped ? 1 : 0;
+    if (reduction)
+      for (const int j : reduction->fixed_unknowns()) basic[static_cast<std::size_t>(j)] = 0;
+    for (Index k = 0; k < problem.free_begin; ++k) {
+      const ReducedUnknown pair = reduction ? reduction->unknown_of(k) : ReducedUnknown{k, false};
+      basic[static_cast<std::size_t>(pair.index)] = is_basic(k) != pair.swapped ? 1 : 0;
     }
     return basic;
   };
-  const auto recovered = [&](const double* reduced) {
+  const auto original = [&](const double* reduced, bool is_direction) {
+    if (!reduction) return piece.original(reduced);
     std::vector<double> z(static_cast<std::size_t>(n));
-    reduction.recover(reduced, z.data());
+    if (is_direction)
+      reduction->recover_direction(reduced, z.data());
+    else
+      reduction->recover(reduced, z.data());
     return piece.original(z.data());
   };
   const auto settle = [&] {
     answer_.redundant_rows.clear();
-    for (const int row : reduction.redundant_rows())
-      answer_.redundant_rows.push_back(piece.order[static_cast<std::size_t>(row)]);
+    if (reduction)
+      for (const int row : reduction->redundant_rows())
+        answer_.redundant_rows.push_back(piece.order[static_cast<std::size_t>(row)]);
     return true;
   };
-  OwnedLemke<double> lemke(reduction.problem().size);
+  OwnedLemke<double> lemke(problem.size);
   PointKeeper keeper(*options_.watcher);
-  if (lemke.init(reduction.problem(), options) == Status::running) (void)lemke.solve(keeper);
+  if (lemke.init(problem, options) == Status::running) (void)lemke.solve(keeper);
   answer_.pivots += lemke.pivots();
   answer_.covers += lemke.covers_tried();
   if (lemke.status() == Status::solved) {
-    auto basic = free_basis([&](Index k) { return lemke.is_basic(k); });
+    auto basic = basis_of([&](Index k) { return lemke.is_basic(k); });
     // What passes stays, should the refined basis not.
-    const bool passes = take(recovered(lemke.z()), in_problem_order(piece, basic));
-    const std::vector<double> z =
-        refined(piece, reduction, options, *options_.watcher, basic, answer_.pivots);
-    const bool better =
-        !z.empty() && take(piece.original(z.data()), in_problem_order(piece, basic));
-    if (passes || better) return settle();
+    const bool passes = take(original(lemke.z(), false), in_problem_order(piece, basic));
+    if (passes && !reduction) return true;
+    if (reduction) {
+      const std::vector<double> z =
+          refined(piece, *reduction, options, *options_.watcher, basic, answer_.pivots);
+      if (!z.empty()) (void)take(piece.original(z.data()), in_problem_order(piece, basic));
+    } else if (options_.searches) {
+      (void)from(piece, basic, Guess::near);
+    }
+    if (solved()) return settle();
+    keep_near(original(lemke.z(), false), 0);
     fail(Status::numerical_breakdown, Reason::residual, {});
     return false;
   }
   std::vector<double> ray;
-  if (lemke.status() == Status::ray) {
-    ray.resize(static_cast<std::size_t>(n));
-    reduction.recover_direction(lemke.ray(), ray.data());
-    ray = piece.original(ray.data());
-  }
+  if (lemke.status() == Status::ray) ray = original(lemke.ray(), true);
   fail(lemke.status(), lemke.reason(), std::move(ray));
   if (!options_.searches) return false;
   for (const LastPoint& point : keeper.points) {
     const auto basic =
-        free_basis([&](Index k) { return point.basic[static_cast<std::size_t>(k)] != 0; });
-    if (take(recovered(point.z.data()), in_problem_order(piece, basic))) return settle();
-    keep_near(recovered(point.z.data()), point.artificial);
+        basis_of([&](Index k) { return point.basic[static_cast<std::size_t>(k)] != 0; });
+    if (take(original(point.z.data(), false), in_problem_order(piece, basic))) return settle();
+    keep_near(original(point.z.data(), false), point.artificial);
   }
   return false;
 }
 
 bool Attempts::cold(const DensePiece& piece, const LemkeOptions<double>& options) {
-  if (piece.pairs == piece.size()) return standard(piece, options);
   // Bounding keeps the class that Lemke is proved for; exchanging reaches what it leaves out.
-  if (mixed(piece, options, false) || hopeless()) return solved();
-  return mixed(piece, options, true);
+  if (attempt(piece, options, SingularBlock::bound) || hopeless()) return solved();
+  return piece.pairs < piece.size() && attempt(piece, options, SingularBlock::exchange);
 }
 
 bool Attempts::from(const DensePiece& piece, const std::vector<unsigned char>& active,

@@ -1,7 +1,6 @@
 // Pieces of a raw problem that no entry of M connects, and a piece as pivots store it.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "raw/raw_parts.hpp"
@@ -29,13 +28,13 @@ private:
   std::vector<std::size_t> parent_;
 };
 
+} // namespace
+
 double largest_of(const std::vector<double>& list) {
   double largest = 0;
   for (const double x : list) largest = std::max(largest, std::abs(x));
   return largest;
 }
-
-} // namespace
 
 std::vector<std::vector<Index>> pieces_of(const SparseRows& M) {
   Groups groups(M.rows());
@@ -101,7 +100,7 @@ DensePiece::DensePiece(const RawProblem& from, Scaled scaled) {
   pairs = static_cast<Index>(std::count(free.begin(), free.end(), 0));
   const auto count = static_cast<std::size_t>(n);
   Scales scales{std::vector<double>(count, 1.0), std::vector<double>(count, 1.0)};
-  if (scaled == Scaled::yes) scales = balanced_scales(from.M, 30);
+  if (scaled == Scaled::yes) scales = balanced_scales(from.M);
   std::vector<std::size_t> place(count);
   for (std::size_t k = 0; k < count; ++k) place[static_cast<std::size_t>(order[k])] = k;
   M.assign(count * count, 0.0);
@@ -133,17 +132,6 @@ std::vector<double> DensePiece::original(const double* z) const {
   for (std::size_t k = 0; k < order.size(); ++k)
     all[static_cast<std::size_t>(order[k])] = z[k] * column_scale[k] * q_scale;
   return all;
-}
-
-bool DensePiece::drop_noise() {
-  const double noise = 64 * std::numeric_limits<double>::epsilon() * largest_of(q);
-  bool drops = false;
-  for (double& entry : q)
-    if (entry != 0 && std::abs(entry) <= noise) {
-      entry = 0;
-      drops = true;
-    }
-  return drops;
 }
 
 } // namespace lcpush::desktop

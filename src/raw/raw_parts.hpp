@@ -3,13 +3,41 @@
 
 #include "lcpush/desktop/owned.hpp"
 #include "lcpush/desktop/raw_problem.hpp"
-#include "raw/referee.hpp"
+#include "lcpush/lcp/pivots/reduce.hpp"
 
 namespace lcpush::desktop {
+
+/// Powers of two.
+struct Scales {
+  std::vector<double> row, column;
+};
+/// R and C for which the largest entries of all rows and columns of R M C are near 1.
+Scales balanced_scales(const SparseRows& M);
+
+/// [T.11] on sparse rows. The unit of an unknown is its column's scale, so that units do not
+/// matter.
+class Referee {
+public:
+  /// `problem` outlives it.
+  explicit Referee(const RawProblem& problem);
+
+  /// w becomes M z + q. Cost: four passes over the entries of M.
+  WorstRow<double> judge(const std::vector<double>& z, std::vector<double>& w);
+
+private:
+  const RawProblem& problem_;
+  std::vector<double> unit_, size_, caught_, scale_, share_;
+
+  void measure_unknowns(const std::vector<double>& z);
+  void measure_rows(const std::vector<double>& z, std::vector<double>& w);
+};
 
 /// Without boxes: rows that no entry of M connects to others, each list ascending, short lists
 /// first. Row i and column i belong together.
 std::vector<std::vector<Index>> pieces_of(const SparseRows& M);
+
+/// The largest size of a number in it; 0 if it is empty.
+double largest_of(const std::vector<double>& list);
 
 /// These rows and columns alone; the list ascends.
 RawProblem cut_out(const RawProblem& problem, const std::vector<Index>& rows);
@@ -30,8 +58,6 @@ struct DensePiece {
   Problem<double> problem() const;
   /// The unknowns of the raw problem, from those of this one.
   std::vector<double> original(const double* z) const;
-  /// Takes entries of q within a few roundings of its largest as zero. False if there is none.
-  bool drop_noise();
 };
 
 /// Attempts at one raw problem without boxes, by Lemke's pivots; what passes the referee stays.
@@ -54,33 +80,26 @@ public:
   bool take(std::vector<double> z, const std::vector<unsigned char>& basic);
   /// Points, in the problem's units, at which hardly anything of the covering vector was left.
   const std::vector<std::vector<double>>& near_points() const { return near_points_; }
-  /// Of the last point that was taken or refused, in the problem's order.
-  const std::vector<unsigned char>& last_basis() const { return last_basis_; }
 
 private:
   const RawProblem& problem_;
   const RawOptions& options_;
   Referee referee_;
   RawAnswer answer_;
-  std::vector<unsigned char> last_basis_;
   std::vector<std::vector<double>> near_points_;
   bool tried_ = false;
 
-  bool standard(const DensePiece& piece, const LemkeOptions<double>& lemke);
-  bool mixed(const DensePiece& piece, const LemkeOptions<double>& lemke, bool exchanges);
+  /// Free unknowns are pivoted out first; what becomes of those that cannot be, `free_block` says.
+  bool attempt(const DensePiece& piece, const LemkeOptions<double>& lemke,
+               SingularBlock free_block);
   void keep_near(std::vector<double> point, double artificial);
   void fail(Status status, Reason reason, std::vector<double> ray);
 };
 
-/// Looks further after a failure: other scales, rounding noise, other starts, all bases.
-/// `level` counts how often the undecided pairs of a problem have become one of their own.
+/// Looks further after a failure. `level` counts how often the undecided pairs of a problem have
+/// become one of their own.
 void search_further(const RawProblem& problem, const RawOptions& options, int level,
                     Attempts& attempts);
-
-/// From a point that is nearly an answer: pairs with a clearly positive z or w stay decided, the
-/// others are solved alone, at their own size. True if that is an answer.
-bool settle_undecided(const RawProblem& problem, const std::vector<double>& point,
-                      const RawOptions& options, int level, Attempts& attempts);
 
 /// Lemke's pivots from zero, piece by piece. Precondition: options.watcher is set, no boxes.
 /// `near`, unless it is empty, is a point to start from.

@@ -5,13 +5,10 @@
 
 #include "raw/box_form.hpp"
 #include "raw/raw_parts.hpp"
+#include "raw/settings.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-/// The residual at which sweeps leave the rest to pivots, and the part of the largest unknown
-/// below which one counts as zero then.
-constexpr double near_enough = 1e-6;
 
 std::vector<double> at_rows(const std::vector<double>& all, const std::vector<Index>& rows) {
   std::vector<double> part;
@@ -20,10 +17,9 @@ std::vector<double> at_rows(const std::vector<double>& all, const std::vector<In
 }
 
 std::vector<unsigned char> positive(const std::vector<double>& z) {
-  double largest = 0;
-  for (const double x : z) largest = std::max(largest, std::abs(x));
+  const double least = raw_settings.near_enough * largest_of(z);
   std::vector<unsigned char> active;
-  for (const double x : z) active.push_back(x > near_enough * largest ? 1 : 0);
+  for (const double x : z) active.push_back(x > least ? 1 : 0);
   return active;
 }
 
@@ -44,7 +40,6 @@ RawAnswer solve_piece(const RawProblem& problem, const RawOptions& options,
 void merge(const std::vector<Index>& rows, const RawAnswer& part, RawAnswer& whole) {
   whole.pivots += part.pivots;
   whole.covers = std::max(whole.covers, part.covers);
-  whole.search.starts += part.search.starts;
   for (const Index row : part.redundant_rows)
     whole.redundant_rows.push_back(rows[static_cast<std::size_t>(row)]);
   if (part.inconsistent_row >= 0)
@@ -66,11 +61,18 @@ void merge(const std::vector<Index>& rows, const RawAnswer& part, RawAnswer& who
   }
 }
 
+/// Every answer called solved has passed the referee on the problem as given.
+void judge(const RawProblem& problem, const RawOptions& options, RawAnswer& answer) {
+  answer.residual = raw_residual(problem, answer.z, answer.w).residual;
+  if (answer.residual <= options.lemke.tolerances.residual) return;
+  answer.status = Status::numerical_breakdown;
+  answer.reason = Reason::residual;
+}
+
 /// Largest entry 1.
 void normalise(std::vector<double>& ray) {
-  double largest = 0;
-  for (const double x : ray) largest = std::max(largest, std::abs(x));
-  for (double& x : ray) x /= largest > 0 ? largest : 1;
+  if (const double largest = largest_of(ray); largest > 0)
+    for (double& x : ray) x /= largest;
 }
 
 RawAnswer solve_by_sweeps(const RawProblem& problem, const RawOptions& options) {
@@ -85,37 +87,20 @@ RawAnswer solve_by_sweeps(const RawProblem& problem, const RawOptions& options) 
   return answer;
 }
 
-/// A problem without boxes.
-RawAnswer solve_complementary(const RawProblem& problem, const RawOptions& options,
-                              const std::vector<double>& near) {
-  if (!options.searches) return solve_piece(problem, options, near, 0);
-  return solve_by_pivots(problem, options, near);
-}
-
-RawAnswer solve_in_box(const RawProblem& problem, const RawOptions& options,
-                       const std::vector<double>& near) {
-  const BoxForm form(problem);
-  RawAnswer answer =
-      solve_complementary(form.problem(), options, near.empty() ? near : form.inside(near));
-  form.take_back(answer);
-  if (answer.status != Status::solved) return answer;
-  answer.residual = raw_residual(problem, answer.z, answer.w).residual;
-  if (!(answer.residual <= options.lemke.tolerances.residual)) {
-    answer.status = Status::numerical_breakdown;
-    answer.reason = Reason::residual;
-  }
-  return answer;
-}
-
 RawAnswer solve_with_pivots(const RawProblem& problem, const RawOptions& options,
                             const std::vector<double>& near) {
-  return problem.bounds.given() ? solve_in_box(problem, options, near)
-                                : solve_complementary(problem, options, near);
+  if (!problem.bounds.given()) return solve_by_pivots(problem, options, near);
+  const BoxForm form(problem);
+  RawAnswer answer =
+      solve_by_pivots(form.problem(), options, near.empty() ? near : form.inside(near));
+  form.take_back(answer);
+  if (answer.status == Status::solved) judge(problem, options, answer);
+  return answer;
 }
 
 RawAnswer solve_hybrid(const RawProblem& problem, const RawOptions& options) {
   RawAnswer near;
-  if (first_bad_diagonal(problem) < 0) sweep_rows(problem, options, near_enough, near);
+  if (first_bad_diagonal(problem) < 0) sweep_rows(problem, options, raw_settings.near_enough, near);
   // Sweeps that have come nowhere near are no start.
   RawAnswer answer = solve_with_pivots(problem, options, near.z);
   answer.sweeps = near.sweeps;
@@ -127,6 +112,7 @@ RawAnswer solve_hybrid(const RawProblem& problem, const RawOptions& options) {
 
 RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options,
                           const std::vector<double>& near, int level) {
+  if (!options.searches) return solve_piece(problem, options, near, level);
   const auto n = static_cast<std::size_t>(problem.size());
   RawAnswer answer;
   answer.status = Status::solved;
@@ -149,11 +135,7 @@ RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options,
     answer.basic.clear();
     return answer;
   }
-  answer.residual = raw_residual(problem, answer.z, answer.w).residual;
-  if (!(answer.residual <= options.lemke.tolerances.residual)) {
-    answer.status = Status::numerical_breakdown;
-    answer.reason = Reason::residual;
-  }
+  judge(problem, options, answer);
   return answer;
 }
 

@@ -3,6 +3,7 @@
 
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/raw_problem.hpp"
+#include "raw/settings.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
 
@@ -19,8 +20,6 @@ std::string reason_of(const RawAnswer& answer) {
   if (answer.status == Status::ray)
     reason = "Lemke ended on a secondary ray under " + counted(answer.covers, "covering vector");
   if (answer.status == Status::pivot_limit) reason = "the limit of pivots was reached";
-  if (answer.search.starts > 0)
-    reason += ", and from " + std::to_string(answer.search.starts) + " other bases";
   if (answer.search.whole)
     reason += "; none of its complementary cones holds q: there is no solution";
   return reason;
@@ -32,7 +31,7 @@ std::vector<std::string> places_of(const RawProblem& problem, const RawAnswer& a
   for (Index i = 0; i < problem.size(); ++i) {
     const BoxEnds ends = ends_of(problem, i, answer.z);
     const double z = answer.z[static_cast<std::size_t>(i)];
-    const double near = 1e-9 * std::abs(z);
+    const double near = raw_settings.at_end * std::abs(z);
     const bool is_low = z - ends.lo <= near, is_high = ends.hi - z <= near;
     places.emplace_back(is_low && is_high ? "fixed" : is_low ? "lo" : is_high ? "hi" : "between");
   }
@@ -117,7 +116,7 @@ std::string raw_json(const RawProblem& problem, const RawAnswer& answer,
   json.member("z", when(solved, answer.z)).member("w", when(solved, answer.w));
   json.member("basis", when(solved && !problem.bounds.given(), basis_of(answer)));
   if (problem.bounds.given()) json.member("at", when(solved, places_of(problem, answer)));
-  json.member("pieces", answer.search.pieces).member("starts", answer.search.starts);
+  json.member("pieces", answer.search.pieces);
   if (!solved) json.member("reason", reason_of(answer)).member("ray", unless_empty(answer.ray));
   json.list("redundant_rows", answer.redundant_rows, [&](Index row) { json.value(row + 1); });
   return json.end_object().text();

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "raw/referee.hpp"
+#include "raw/raw_parts.hpp"
+#include "raw/settings.hpp"
 
 namespace lcpush::desktop {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 /// 1 / sqrt(x), or 1 where there is nothing to scale.
 double balancing(double x) { return x > 0 && std::isfinite(x) ? 1 / std::sqrt(x) : 1.0; }
 
-bool is_balanced(double by) { return std::abs(by - 1) < 0.05; }
+bool is_balanced(double by) { return std::abs(by - 1) < raw_settings.balanced; }
 
 /// The next power of two, so that scaling rounds nothing.
 void round_to_powers(std::vector<double>& scales) {
@@ -32,10 +33,10 @@ double scaled(double distance, double size) {
 
 /// Rows and columns of |M| are divided by the roots of their largest entries until these are near
 /// 1: then no unit of a row or of an unknown is left in M.
-Scales balanced_scales(const SparseRows& M, int passes) {
+Scales balanced_scales(const SparseRows& M) {
   const auto n = static_cast<std::size_t>(M.rows()), m = static_cast<std::size_t>(M.cols);
   Scales scales{std::vector<double>(n, 1.0), std::vector<double>(m, 1.0)};
-  for (int pass = 0; pass < passes; ++pass) {
+  for (int pass = 0; pass < raw_settings.balancing_passes; ++pass) {
     std::vector<double> row_largest(n, 0.0), column_largest(m, 0.0);
     for (std::size_t i = 0; i < n; ++i)
       for (const SparseEntry& entry : M.row(static_cast<Index>(i))) {
@@ -73,7 +74,7 @@ BoxEnds ends_of(const RawProblem& problem, Index i, const std::vector<double>& z
 }
 
 Referee::Referee(const RawProblem& problem)
-    : problem_(problem), unit_(balanced_scales(problem.M, 20).column) {}
+    : problem_(problem), unit_(balanced_scales(problem.M).column) {}
 
 /// How large z_j may be for rounding in it to be excused: its own size and what it may have caught
 /// of the unknowns that share a row with it. What of these a row brings, it brings through its

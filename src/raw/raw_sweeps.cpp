@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "raw/raw_parts.hpp"
+#include "raw/settings.hpp"
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr Index patience = 1000; // sweeps without a better residual
 
 /// What a sweep reads of each row besides its entries; fixed ends are looked up once.
 struct SweptRow {
@@ -77,7 +76,7 @@ void sweep_rows(const RawProblem& problem, const RawOptions& options, double tol
         best_sweep = answer.sweeps;
       }
       const bool is_stuck =
-          !std::isfinite(answer.residual) || answer.sweeps - best_sweep > patience;
+          !std::isfinite(answer.residual) || answer.sweeps - best_sweep > raw_settings.patience;
       answer.status = answer.residual <= tolerance ? Status::solved
                       : is_stuck                   ? Status::stagnated
                       : is_last                    ? Status::sweep_limit

@@ -42,7 +42,7 @@ def violation(M, q, z, free=()):
 
 class Undecided(ToolTest):
     def test_pairs_below_the_rounding_of_others_are_settled(self):
-        # Without src/raw/undecided.cpp both end in a ray.
+        # Without undecided pairs (src/raw/search_further.cpp) both end in a ray.
         for name, free in (("undecided_pairs", range(16, 26)), ("undecided_pairs_longer", range(21, 31))):
             problem = [SOURCE / f"fixtures/raw/{name}.{k}.mtx" for k in "Mq"]
             answer = solve(problem, "lemke", "--free", ",".join(map(str, free)))
