@@ -161,16 +161,8 @@ std::vector<Command> all_questions() {
           question("problem", "SCENE", {}, json, describe_problem),
           lcp_command(),
           question("verify_lcp", "",
-                   {matrix_option,
-                    vector_option,
-                    {"z", "VECTOR", ""},
-                    free_option,
-                    lo_option,
-                    hi_option,
-                    findex_option,
-                    tolerance,
-                    verbose_option},
-                   words, verify_raw_problem)};
+                   with_raw_options({}, {{"z", "VECTOR", ""}, tolerance, verbose_option}), words,
+                   verify_raw_problem)};
 }
 
 } // namespace

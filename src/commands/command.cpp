@@ -17,6 +17,18 @@ const Option* Command::find(const std::string& option) const {
   return nullptr;
 }
 
+std::vector<Option> with_raw_options(std::vector<Option> before, const std::vector<Option>& after) {
+  before.insert(before.end(),
+                {{"M", "MATRIX", "rows by semicolons, numbers by blanks"},
+                 {"q", "VECTOR", "n numbers"},
+                 {"free", "I,J,..", "1-based rows that are equalities, or a file of them"},
+                 {"lo", "ENDS", "lower ends of z: a file, numbers, or one for all"},
+                 {"hi", "ENDS", "upper ends; friction where --findex names a row"},
+                 {"findex", "ROWS", "-1, or from 0 the row j with ends -hi z_j and hi z_j"}});
+  before.insert(before.end(), after.begin(), after.end());
+  return before;
+}
+
 std::vector<Option> with_common_options(std::vector<Option> own) {
   add_unless_there(
       own, format_option("for people (default) or for programs; --json for short", "text|json"));

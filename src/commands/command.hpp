@@ -85,15 +85,9 @@ inline const Option solver_option{"solver", "NAME",
                                   "lemke (default), gauss-seidel (sweeps) or hybrid (both)"};
 inline const Option pressure_option{"pressure", "LAW",
                                     "pad, even or rigid instead of the scene's own"};
-inline const Option matrix_option{"M", "MATRIX", "rows by semicolons, numbers by blanks"};
-inline const Option vector_option{"q", "VECTOR", "n numbers"};
-inline const Option free_option{"free", "I,J,..",
-                                "1-based rows that are equalities, or a file of them"};
-inline const Option lo_option{"lo", "ENDS", "lower ends of z: a file, numbers, or one for all"};
-inline const Option hi_option{"hi", "ENDS", "upper ends; friction where --findex names a row"};
-inline const Option findex_option{"findex", "ROWS",
-                                  "-1, or from 0 the row j with ends -hi z_j and hi z_j"};
 
+/// Those that state a raw problem, between some and some more.
+std::vector<Option> with_raw_options(std::vector<Option> before, const std::vector<Option>& after);
 /// Also --format, unless it is there, and --output.
 std::vector<Option> with_common_options(std::vector<Option> own);
 /// Also --strict and --seconds, of a command that answers about a scene.

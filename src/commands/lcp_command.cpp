@@ -91,20 +91,16 @@ Command lcp_command() {
           "does not, and goes on with Lemke's pivots.\n\n"
           "Example:\n  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\"\n"
           "  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\" --lo 0 --hi \"1 inf\"\n",
-          with_common_options({
-              matrix_option,
-              vector_option,
-              free_option,
-              lo_option,
-              hi_option,
-              findex_option,
-              solver_option,
-              seconds_option,
-              {"sweeps", "N", "most sweeps (default 5000; 200 before hybrid's pivots)"},
-              {"relaxation", "W", "of the sweeps, between 0 and 2 (default 1)"},
-              {"history", "", "the residual after each check instead; also --format csv"},
-              certify_option,
-          }),
+          with_common_options(with_raw_options(
+              {},
+              {
+                  solver_option,
+                  seconds_option,
+                  {"sweeps", "N", "most sweeps (default 5000; 200 before hybrid's pivots)"},
+                  {"relaxation", "W", "of the sweeps, between 0 and 2 (default 1)"},
+                  {"history", "", "the residual after each check instead; also --format csv"},
+                  certify_option,
+              })),
           run_lcp,
           {"text", "json"},
           2};

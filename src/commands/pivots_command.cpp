@@ -107,7 +107,7 @@ Command pivots_command() {
       "  lcpush pivots fixtures/scenes/straight_slide_point.toml --format html -o pivots.html\n",
       with_common_options({
           {"M", "MATRIX", "rows by semicolons, numbers (0.2 or 1/3) by blanks"},
-          vector_option,
+          {"q", "VECTOR", "n numbers"},
           {"exact", "", "in fractions, decimals taken as typed; proves the final basis"},
           {"cover", "D1,D2,..", "the covering vector, numbers > 0 (default 1 in every row)"},
           {"first-row", "", "the first tied row leaves, which may cycle (found, exit 1)"},

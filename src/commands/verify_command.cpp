@@ -72,20 +72,15 @@ Command verify_command() {
       "Example:\n"
       "  lcpush solve fixtures/scenes/tipping.toml --json -o answer.json\n"
       "  lcpush verify fixtures/scenes/tipping.toml answer.json\n",
-      with_scene_options({
-          {"tolerance", "T", "what a row may be off by, scaled (default 1e-6)"},
-          {"trajectory", "FILE",
-           "a motion, JSON or CSV; then T is a part of the fastest speed and of "
-           "the largest force (0.01)"},
-          {"lcp", "", "a raw problem: M.mtx q.mtx ANSWER.json"},
-          matrix_option,
-          vector_option,
-          free_option,
-          lo_option,
-          hi_option,
-          findex_option,
-          verbose_option,
-      }),
+      with_scene_options(with_raw_options(
+          {
+              {"tolerance", "T", "what a row may be off by, scaled (default 1e-6)"},
+              {"trajectory", "FILE",
+               "a motion, JSON or CSV; then T is a part of the fastest speed and of "
+               "the largest force (0.01)"},
+              {"lcp", "", "a raw problem: M.mtx q.mtx ANSWER.json"},
+          },
+          {verbose_option})),
       run_verify,
       {"text", "json"},
       3};
