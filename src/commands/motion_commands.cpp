@@ -14,7 +14,7 @@
 namespace lcpush::commands {
 namespace {
 
-constexpr double most_turn = 12.6; // rad, twice round
+constexpr double most_turn = 6.2832; // rad, once round
 
 MoveOptions move_options(const Values& values, const SceneFile& file, Listener& listener) {
   constexpr double largest_length = 1e6; // m
@@ -111,7 +111,7 @@ Result run_plan(const Values& values, Listener& listener) {
     values.refuse("to", values.usage("to") + " says where the object is to go, in m, m and rad");
   if (std::abs((*to)[2]) > most_turn)
     values.refuse("to", values.label("to") + ": a turn of " + brief((*to)[2]) +
-                            " rad is more than twice round; it is in rad, not in degrees");
+                            " rad is more than once round; it is in rad, not in degrees");
   const Document scene = values.scene_document();
   const SceneFile file = values.scene(Needs::scene, Strokes::all);
   PlanOptions options;

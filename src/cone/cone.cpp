@@ -1,8 +1,8 @@
 // Edges, sides and verdict of a motion cone in the scene's units.
 #include "lcpush/desktop/cone.hpp"
 
-#include "cone/least_grip.hpp"
-#include "cone/planar_scene.hpp"
+#include "cone/motion_cone.hpp"
+#include "cone/pusher_cone.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 // A cut through a motion cone: where along one number of its motion a pusher sticks.
+#include "cone/settings.hpp"
 #include "lcpush/desktop/cone.hpp"
 #include "lcpush/desktop/push.hpp"
 
@@ -8,10 +9,6 @@
 
 namespace lcpush::desktop {
 namespace {
-
-constexpr int samples = 48;         // of a range that has no segments
-constexpr double sampled_to = 1e-9; // of the range: where their bisection ends
-constexpr double inside = 1e-9;     // of a piece: an end seen from within
 
 /// What `break` finds at one value.
 struct Look {
@@ -84,7 +81,7 @@ private:
 
   void add(const SweepSegment& segment) {
     slice_.is_exact = slice_.is_exact && segment.kind != SegmentKind::bisected;
-    const double by = inside * (segment.to - segment.from);
+    const double by = cone_settings.inside * (segment.to - segment.from);
     ConeSlice::Range range;
     const Look middle = look((segment.from + segment.to) / 2);
     range.status = middle.status;
@@ -122,11 +119,12 @@ private:
     slice_.is_exact = false;
     const double from = slice_.variation.from, width = slice_.variation.to - from;
     Look last = look(from);
+    const int samples = cone_settings.samples;
     for (int k = 1; k <= samples && goes_on(); ++k) {
       const Look next = look(k == samples ? slice_.variation.to : from + width * k / samples);
       Look low = last, high = next;
       while (!low.is_like(high) && goes_on() &&
-             std::abs(high.value - low.value) > sampled_to * std::abs(width)) {
+             std::abs(high.value - low.value) > cone_settings.sampled_to * std::abs(width)) {
         const Look middle = look((low.value + high.value) / 2);
         (middle.is_like(low) ? low : high) = middle;
       }

@@ -23,7 +23,7 @@ public:
   ConePainter(const SceneFile& file, const ConeReport& report) : file_(file), report_(report) {}
 
   std::string in_space() const {
-    const Pixel middle(panel / 2, height / 2 + 16);
+    const Pixel middle = center();
     const auto place = [&](const Vector3<double>& v) -> Pixel {
       return middle + cone_radius * seen(v.normalized());
     };
@@ -59,12 +59,9 @@ public:
     std::vector<Pixel> all = outline;
     for (const Vector3<double>& p : file_.positions) all.push_back({p.x(), -p.y()});
     const Frame extent = bounds(all);
-    const double scale = std::min((panel - 170) / std::max(extent.width(), 1e-9),
-                                  (height - 210) / std::max(extent.height(), 1e-9));
+    const double scale = fitting_scale(extent, panel - 170, height - 210);
     const Pixel middle((extent.left + extent.right) / 2, (extent.top + extent.bottom) / 2);
-    const auto place = [&](const Pixel& p) -> Pixel {
-      return Pixel(panel / 2, height / 2 + 16) + scale * (p - middle);
-    };
+    const auto place = [&](const Pixel& p) -> Pixel { return center() + scale * (p - middle); };
     std::vector<Pixel> corners;
     for (const Pixel& p : outline) corners.push_back(place(p));
     elements += polygon_element("object", corners);
@@ -83,6 +80,9 @@ public:
 private:
   const SceneFile& file_;
   const ConeReport& report_;
+
+  /// Of a panel, below its title.
+  static Pixel center() { return {panel / 2, height / 2 + 16}; }
 
   Vector3<double> planar(const Vector6<double>& twist) const {
     return planar_twist(twist, report_.length);

@@ -1,4 +1,5 @@
 #include "cone/limit_surface.hpp"
+#include "cone/settings.hpp"
 
 #include "lcpush/desktop/assembled_scene.hpp"
 #include "lcpush/mechanics/solve/pad_law.hpp"
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace lcpush::desktop {
@@ -30,7 +32,8 @@ double room_inside(const Triangle& t, const Vector3<double>& ray) {
   const Vector3<double> parts =
       side * Vector3<double>(cross<double>(t[1], t[2]).dot(ray), cross<double>(t[2], t[0]).dot(ray),
                              cross<double>(t[0], t[1]).dot(ray));
-  return parts.minCoeff() / std::max(parts.cwiseAbs().maxCoeff(), 1e-300);
+  return parts.minCoeff() /
+         std::max(parts.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
 }
 
 } // namespace
@@ -44,7 +47,8 @@ Vector3<double> beside(const Vector3<double>& v) {
   const Vector3<double> along = v.normalized();
   const Vector3<double> a =
       cross<double>(along, Vector3<double>::Unit(least_aligned_axis(along))).normalized();
-  return v + v.norm() * 1e-9 * (a + 0.6 * cross<double>(along, a));
+  return v +
+         v.norm() * cone_settings.same_twist * (a + cone_settings.aside * cross<double>(along, a));
 }
 
 Vector6<double> spatial_twist(const Vector3<double>& twist, double length) {
@@ -138,7 +142,7 @@ bool LimitSurface::is_solid() const {
   Matrix3<double> sum = Matrix3<double>::Zero();
   for (const Vector3<double>& w : wrenches_) sum += w * w.transpose();
   const Vector3<double> x = sum.col(0), y = sum.col(1), z = sum.col(2);
-  return x.dot(cross(y, z)) > 1e-12 * std::pow(sum.trace() / 3, 3);
+  return x.dot(cross(y, z)) > cone_settings.flat * std::pow(sum.trace() / 3, 3);
 }
 
 double LimitSurface::share_of(const Vector3<double>& load) const {
@@ -152,14 +156,14 @@ double LimitSurface::share_of(const Vector3<double>& load) const {
 // that rounding cannot take to another facet, meets a facet that the ray meets too.
 Crossing LimitSurface::crossing(const Vector3<double>& load,
                                 const Vector3<double>& direction) const {
-  constexpr int most_steps = 500;
+  constexpr int most_steps = cone_settings.most_steps;
   const auto reach = [&](const Vector3<double>& n) -> Vector3<double> {
     return resistance(n) - load;
   };
   const Vector3<double> ray = beside(direction.normalized());
   Triangle t{reach(ray), {}, {}};
   Vector3<double> n = cross<double>(t[0], ray);
-  if (n.norm() <= 1e-9 * t[0].norm())
+  if (n.norm() <= cone_settings.same_twist * t[0].norm())
     n = cross<double>(ray, Vector3<double>::Unit(least_aligned_axis(ray)));
   t[1] = reach(n);
   n = cross<double>(t[0], t[1]);
@@ -183,7 +187,7 @@ Crossing LimitSurface::crossing(const Vector3<double>& load,
     if (n.dot(ray) < 0) n = -n;
     const Vector3<double> s = reach(n);
     const double height = n.dot(t[0]);
-    const double slack = is_round_ ? 1e-9 : 1e-12;
+    const double slack = is_round_ ? cone_settings.smooth_slack : cone_settings.facet_slack;
     if (n.dot(s) - height <= slack * (n.dot(s) + load.norm())) break;
     Triangle next = t;
     double room = -2;
@@ -213,7 +217,7 @@ Vector3<double> LimitSurface::polished(const Vector3<double>& load,
   plane << a, cross<double>(ray, a);
   const auto excess = [&](const Vector3<double>& v) { return power(v) - load.dot(v); };
   double value = excess(twist);
-  for (int k = 0; k < 50; ++k) {
+  for (int k = 0; k < cone_settings.newton_steps; ++k) {
     Matrix3<double> curvature = Matrix3<double>::Zero();
     for (const PointFriction& point : points_) {
       Matrix3<double> squares = Matrix3<double>::Zero();
@@ -231,10 +235,11 @@ Vector3<double> LimitSurface::polished(const Vector3<double>& load,
     const Eigen::Vector2d slope = plane.transpose() * (resistance(twist) - load);
     const Eigen::Matrix2d H = plane.transpose() * curvature * plane;
     const Eigen::Vector2d step = solved(H, -slope);
-    if (!step.allFinite() || !(step.norm() > 1e-15 * twist.norm())) break;
+    if (!step.allFinite() || !(step.norm() > cone_settings.newton_step * twist.norm())) break;
     double part = 1;
     Vector3<double> next = twist + plane * step;
-    while (part > 1e-3 && excess(next) > value) next = twist + plane * ((part /= 2) * step);
+    while (part > cone_settings.newton_part && excess(next) > value)
+      next = twist + plane * ((part /= 2) * step);
     if (excess(next) > value) break;
     twist = next;
     value = excess(twist);

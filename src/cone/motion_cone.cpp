@@ -1,4 +1,5 @@
 #include "cone/motion_cone.hpp"
+#include "cone/settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +9,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr double same_twist = 1e-9, drawn_finely = 1e-2; // rad
-constexpr int most_halvings = 64;
-
 double angle_between(const Vector3<double>& a, const Vector3<double>& b) {
   return std::atan2(cross<double>(a, b).norm(), a.dot(b));
 }
@@ -19,7 +17,7 @@ double angle_between(const Vector3<double>& a, const Vector3<double>& b) {
 double angle_to_arc(const Vector3<double>& v, const Vector3<double>& a, const Vector3<double>& b) {
   const Vector3<double> n = cross<double>(a, b);
   const double ends = std::min(angle_between(v, a), angle_between(v, b));
-  if (!(n.norm() > 1e-14)) return ends;
+  if (!(n.norm() > cone_settings.parallel)) return ends;
   const Vector3<double> foot = v - n * (n.dot(v) / n.squaredNorm());
   const bool is_between = cross<double>(a, foot).dot(n) > 0 && cross<double>(foot, b).dot(n) > 0;
   return is_between ? std::min(ends, angle_between(v, foot)) : ends;
@@ -47,18 +45,18 @@ MotionCone::MotionCone(const LimitSurface& grip, PusherCone pusher, const Vector
 void MotionCone::trace(const Vector3<double>& from, const Crossing& begin,
                        const Vector3<double>& to, const Crossing& end, int depth,
                        ConeArc& arc) const {
-  const double finest = grip_.is_round() ? drawn_finely : same_twist;
-  if (depth > most_halvings || angle_between(begin.twist, end.twist) < finest) return;
+  const double finest = grip_.is_round() ? cone_settings.drawn_finely : cone_settings.same_twist;
+  if (depth > cone_settings.most_halvings || angle_between(begin.twist, end.twist) < finest) return;
   Eigen::Matrix2d tangents;
   tangents << begin.twist.dot(from), begin.twist.dot(to), end.twist.dot(from), end.twist.dot(to);
   const Eigen::Vector2d limits(begin.force, end.force);
   const Eigen::Vector2d meeting = solved(tangents, limits);
   if (!meeting.allFinite()) return; // parallel: both are the curve's own line
   const double share = meeting[1] / meeting.sum();
-  if (!(share > 1e-12 && share < 1 - 1e-12)) return;
+  if (!(share > cone_settings.share && share < 1 - cone_settings.share)) return;
   const Vector3<double> between = (1 - share) * from + share * to;
   const Crossing middle = grip_.crossing(load_, between);
-  if (middle.force >= meeting.sum() * (1 - 1e-10)) return;
+  if (middle.force >= meeting.sum() * (1 - cone_settings.same_line)) return;
   trace(from, begin, between, middle, depth + 1, arc);
   arc.twists.push_back(middle.twist.normalized());
   trace(between, middle, to, end, depth + 1, arc);
@@ -75,8 +73,77 @@ MotionCone::Nearest MotionCone::nearest(const Vector3<double>& twist) const {
 }
 
 bool MotionCone::contains(const Vector3<double>& twist) const {
-  if (nearest(twist).angle < same_twist) return true;
+  if (nearest(twist).angle < cone_settings.same_twist) return true;
   return pusher_.room(grip_.resistance(beside(twist)) - load_) >= 0;
+}
+
+namespace {
+
+/// By bisection, between the grip that just holds the load and one beside which it counts little.
+std::optional<double> least_at_place(const LimitSurface& grip, const PusherCone& pusher,
+                                     const Vector3<double>& load, const Vector3<double>& twist) {
+  const auto sticks = [&](double factor) {
+    std::vector<Crossing> edges;
+    for (const ExtremeWrench& edge : pusher.edges)
+      edges.push_back(grip.crossing(load / factor, edge.wrench));
+    return judge_at_place(pusher, edges, twist).sticks;
+  };
+  const double holding = grip.share_of(load);
+  if (holding == 0) return sticks(1) ? std::optional<double>(0) : std::nullopt;
+  double slips = holding, factor = holding * (1 + cone_settings.beside_holding);
+  while (!sticks(factor)) {
+    slips = factor;
+    if (factor > cone_settings.grip_most * holding) return std::nullopt;
+    factor *= cone_settings.grip_step;
+  }
+  while (factor - slips > cone_settings.grip_found * factor) {
+    const double middle = (slips + factor) / 2;
+    if (!(middle > slips && middle < factor)) break;
+    (sticks(middle) ? factor : slips) = middle;
+  }
+  return factor;
+}
+
+} // namespace
+
+PlaceVerdict judge_at_place(const PusherCone& pusher, const std::vector<Crossing>& edges,
+                            const Vector3<double>& twist) {
+  // The powers of its two extreme forces are the velocity of the place: forces n + mu t, n - mu t.
+  const auto velocity = [&](const Vector3<double>& v) {
+    const double a = v.dot(pusher.edges[0].wrench), b = v.dot(pusher.edges[1].wrench);
+    const double mu = (pusher.edges[0].force - pusher.edges[1].force).norm() / 2;
+    return Eigen::Vector2d((a + b) / 2, pusher.edges[0].side * (a - b) / (2 * mu));
+  };
+  const auto angle = [&](const Vector3<double>& v) {
+    const Eigen::Vector2d c = velocity(v);
+    return std::atan2(c[1], c[0]); // 0: straight along the normal
+  };
+  const std::size_t first = pusher.edges[0].side < 0 ? 0 : 1, last = 1 - first;
+  const double at = angle(twist);
+  const double above = at - angle(edges[first].twist), below = angle(edges[last].twist) - at;
+  const bool is_first = std::abs(above) <= std::abs(below);
+  return {above >= 0 && below >= 0, std::abs(is_first ? above : below), is_first ? first : last};
+}
+
+std::optional<double> least_of_faces(const PusherCone& pusher, const Vector3<double>& resistance,
+                                     const Vector3<double>& load) {
+  double least = 0, most = std::numeric_limits<double>::infinity();
+  for (const ConeFace& face : pusher.faces) {
+    const double by_grip = face.inward.dot(resistance), by_load = face.inward.dot(load);
+    if (by_grip > 0)
+      least = std::max(least, by_load / by_grip);
+    else if (by_grip < 0)
+      most = std::min(most, by_load / by_grip);
+    else if (by_load > 0)
+      return std::nullopt;
+  }
+  return least <= most && most > 0 ? std::optional<double>(least) : std::nullopt;
+}
+
+std::optional<double> least_grip(const LimitSurface& grip, const PusherCone& pusher,
+                                 const Vector3<double>& load, const Vector3<double>& twist) {
+  if (pusher.faces.empty()) return least_at_place(grip, pusher, load, twist);
+  return least_of_faces(pusher, grip.resistance(beside(twist)), load);
 }
 
 } // namespace lcpush::desktop

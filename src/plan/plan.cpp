@@ -27,7 +27,8 @@ public:
           const PlanOptions& options)
       : text_(text), file_name_(file_name), options_(options),
         file_(along_faces(parse_scene(text, file_name, Strokes::all))), pushing_(file_),
-        roadmap_(pushing_, PlanarPose(), goal) {
+        roadmap_(pushing_, PlanarPose(), goal,
+                 {options.position_error / 2, 0, options.angle_error / 2}) {
     report_.goal = goal;
   }
 

@@ -1,7 +1,7 @@
 #include "plan/pushing.hpp"
 
-#include "cone/least_grip.hpp"
-#include "cone/planar_scene.hpp"
+#include "cone/motion_cone.hpp"
+#include "cone/pusher_cone.hpp"
 #include "draw/view.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/naming.hpp"

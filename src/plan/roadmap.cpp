@@ -22,8 +22,9 @@ struct Roadmap::Label {
   std::size_t from = 0, pusher_before = 0;
 };
 
-Roadmap::Roadmap(const Pushing& pushing, const PlanarPose& start, const PlanarPose& goal)
-    : pushing_(pushing), places_{start, goal}, edges_(2) {
+Roadmap::Roadmap(const Pushing& pushing, const PlanarPose& start, const PlanarPose& goal,
+                 const PlanarPose& near_enough)
+    : pushing_(pushing), near_enough_(near_enough), places_{start, goal}, edges_(2) {
   const double by = wider * pushing.length();
   low_ = {std::min(start.x, goal.x) - by, std::min(start.y, goal.y) - by,
           std::min(start.angle, goal.angle) - wider_angle};
@@ -98,23 +99,53 @@ void Roadmap::add_pushed() {
 }
 
 void Roadmap::add_slip(const Slide& slide, double speed) {
-  const std::vector<std::size_t> starts = reached();
-  const std::size_t from = starts[chosen(starts.size())];
-  if (!pushing_.touches_whole(places_[from])) return; // no motion begins with points beside a face
+  const bool refines = nearest_slip_ && random_() % 2 == 0;
   Slip slip;
-  slip.pusher = chosen(pushing_.pushers());
-  const Vector3<double> n =
-      turned(pushing_.normal(slip.pusher), places_[from].angle + drawn(-1, 1) * widest_slip);
-  slip.velocity = speed * n.head<2>();
-  slip.turn = drawn(-1, 1) * speed / pushing_.length();
-  slip.time = drawn(0.1, 0.5) * pushing_.length() / speed;
+  std::size_t from = 0;
+  if (refines) { // the one that came nearest to the goal, changed by as much as it missed it
+    const double by = std::min(1.0, nearest_way_ / pushing_.length());
+    from = nearest_from_;
+    slip = *nearest_slip_;
+    slip.velocity = turned(slip.velocity, by * drawn(-1, 1));
+    slip.turn += by * drawn(-1, 1) * speed / pushing_.length();
+    slip.time *= 1 + by * drawn(-1, 1) / 2;
+  } else {
+    const std::vector<std::size_t> starts = reached();
+    from = starts[chosen(starts.size())];
+    slip.pusher = chosen(pushing_.pushers());
+    const Vector3<double> n =
+        turned(pushing_.normal(slip.pusher), places_[from].angle + drawn(-1, 1) * widest_slip);
+    slip.velocity = speed * n.head<2>();
+    slip.turn = drawn(-1, 1) * speed / pushing_.length();
+    slip.time = drawn(0.1, 0.5) * pushing_.length() / speed;
+  }
+  if (!pushing_.touches_whole(places_[from])) return; // no motion begins with points beside a face
   const std::optional<PlanarPose> end = slide(places_[from], slip);
   if (!end || !pushing_.holds(*end)) return;
+  const Edge edge{0, 1U << slip.pusher, pushing_.way(Arc(places_[from], *end)), slip};
+  const Arc missed(*end, places_[1]);
+  if (const double way = pushing_.way(missed); way < nearest_way_) {
+    nearest_way_ = way;
+    nearest_from_ = from;
+    nearest_slip_ = slip;
+  }
+  if (is_goal(*end)) {
+    edges_[from].push_back(edge);
+    edges_[from].back().to = 1;
+    return;
+  }
+  if (refines) return;
   const std::size_t added = places_.size();
   places_.push_back(*end);
   edges_.emplace_back();
-  edges_[from].push_back({added, 1U << slip.pusher, pushing_.way(Arc(places_[from], *end)), slip});
+  edges_[from].push_back(edge);
+  edges_[from].back().to = added;
   join_to_all(added);
+}
+
+bool Roadmap::is_goal(const PlanarPose& place) const {
+  return (place_of(place) - place_of(places_[1])).norm() <= near_enough_.x &&
+         std::abs(place.angle - places_[1].angle) <= near_enough_.angle;
 }
 
 // Dijkstra over places and the pusher that was used last.

@@ -4,6 +4,7 @@
 #include "plan/pushing.hpp"
 
 #include <functional>
+#include <limits>
 #include <random>
 
 namespace lcpush::desktop {
@@ -31,14 +32,17 @@ struct Legs {
 
 class Roadmap {
 public:
-  Roadmap(const Pushing& pushing, const PlanarPose& start, const PlanarPose& goal);
+  /// `near_enough`: a slipping push that ends within x and angle of the goal has reached it.
+  Roadmap(const Pushing& pushing, const PlanarPose& start, const PlanarPose& goal,
+          const PlanarPose& near_enough);
 
   /// Adds one place, drawn at random, and joins it to all others.
   void add_place();
   /// Adds the place where a sticking push drawn at random leads from one that is reached, or comes
   /// from to one that leads to the goal; none if that does not stick.
   void add_pushed();
-  /// Adds the place where a push drawn at random ends, which may slip.
+  /// Adds the place where a push drawn at random ends, which may slip; or tries one beside that
+  /// which came nearest to the goal.
   void add_slip(const Slide& slide, double speed);
   /// The cheapest way from the start to the goal; none: no way yet.
   std::optional<Legs> cheapest() const;
@@ -55,14 +59,19 @@ private:
     std::optional<Slip> slip;
   };
   const Pushing& pushing_;
+  PlanarPose near_enough_;
   std::vector<PlanarPose> places_; ///< the start, the goal, others
   std::vector<std::vector<Edge>> edges_;
   std::mt19937 random_{2018};
   PlanarPose low_, high_;
+  std::optional<Slip> nearest_slip_; ///< to the goal: from where, and by how much it missed it
+  std::size_t nearest_from_ = 0;
+  double nearest_way_ = std::numeric_limits<double>::infinity();
 
   double drawn(double low, double high);
   std::optional<PlanarPose> drawn_place();
   std::size_t chosen(std::size_t count);
+  bool is_goal(const PlanarPose& place) const;
   bool join(std::size_t from, std::size_t to);
   void join_to_all(std::size_t added);
   /// The cheapest pushers along these places, if all legs stick.

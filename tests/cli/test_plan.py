@@ -159,9 +159,10 @@ class Plan(unittest.TestCase):
         self.assertIn("--to is in m and rad", words)
         answer = json.loads(run("plan", SQUARE, "--to", "-0.3 0 0", "--json").stdout)
         self.assertEqual((answer["holds_goal"], answer["tried"]), (False, 0))
-        degrees = run("plan", SQUARE, "--to", "0 0 30")
-        self.assertEqual(degrees.returncode, 2)
-        self.assertIn("not in degrees", " ".join(degrees.stderr.split()))
+        for turn in ("30", "10", "-7"):
+            degrees = run("plan", SQUARE, "--to", f"-0.01 0 {turn}")
+            self.assertEqual(degrees.returncode, 2)
+            self.assertIn("not in degrees", " ".join(degrees.stderr.split()))
 
     def test_what_cannot_be_reached_says_how_near_it_came(self):
         text = without(square(), "south", "north")
@@ -173,6 +174,14 @@ class Plan(unittest.TestCase):
         answer = json.loads(run("plan", "-", "--to", "0.02 0 0", "--seconds", "1", "--json",
                                  text=text).stdout)
         self.assertEqual((answer["found"], answer["pushes"], answer["scene"]), (False, [], None))
+
+    def test_goals_that_take_a_slipping_push_are_reached(self):
+        scene = "planar = true\n" + (SOURCE / "fixtures/scenes/pivot.toml").read_text()
+        for time in ("0.6", "0.8", "1"):
+            to = self.replayed(scene, "--time", time)  # the scene's own push leads there
+            plan = json.loads(run("plan", "-", "--to", goal(*to), "--json", text=scene).stdout)
+            self.assertTrue(plan["found"], (time, plan["nearest"], to))
+            self.assertIn("slip", [push["kind"] for push in plan["pushes"]])
 
     def test_a_turn_in_place_has_no_direction(self):
         for to in ("0 0 0.1", "0 0 -0.2"):

@@ -3,7 +3,7 @@
 
 #include "cone/limit_surface.hpp"
 #include "cone/motion_cone.hpp"
-#include "cone/planar_scene.hpp"
+#include "cone/pusher_cone.hpp"
 
 #include <random>
 
