@@ -197,10 +197,7 @@ private:
         has_round_friction(assembly_.scene()) ? settings.straight_round : settings.straight;
     bool is_of_push = false; // what is left without a push may be the smallest push's own doing
     for (int k = 0; k < BreakingSettings<S>::most_pushes; ++k, size /= settings.step) {
-      const int at = k < 2 ? k : 2;
-      for (int i = 0; k > 2 && i < 2; ++i) push_[i] = push_[i + 1];
-      Status status = at > 0 && rounds_.goes_on() ? go_on(size, at, run) : Status::running;
-      if (status != Status::solved) status = push_slowly(size, options_, push_[at], run);
+      const Status status = push_next(size, k, run);
       if (status != Status::solved) return k < 3 ? status : Status::solved;
       if (k < 2) continue;
       const Breaking<S> line = extrapolate(push_, unit_, assembly_.layout().scales);
@@ -211,6 +208,19 @@ private:
       if (breaking.line_error <= straight && !is_of_push) break;
     }
     return Status::solved;
+  }
+
+  /// The k-th push, kept as one of the last three.
+  Status push_next(S size, int k, PressureRun& run) {
+    if (k > 2) {
+      push_[0] = push_[1];
+      push_[1] = push_[2];
+    }
+    const int at = Eigen::numext::mini(k, 2);
+    SmallPush<S>& push = push_[at];
+    if (at > 0 && rounds_.goes_on() && go_on(size, push_[at - 1].compliance, push, run))
+      return Status::solved;
+    return push_slowly(size, options_, push, run);
   }
 
   /// Solves a push whose fastest point moves at `size` of F / m.
@@ -248,15 +258,15 @@ private:
   }
 
   /// A tenth of the push moves everything a tenth as fast, but for what inertia takes: where pads
-  /// are to be as stiff beside the motion as before, they go on from the last answer. Post: solved,
-  /// or the push has to be solved from nothing.
-  Status go_on(S size, int at, PressureRun& run) {
+  /// are to be as stiff beside the motion as before, they go on from the last answer. False: the
+  /// push has to be solved from nothing.
+  bool go_on(S size, S compliance, SmallPush<S>& push, PressureRun& run) {
     if (assembly_.scene().pressure != Pressure::pad || has_round_friction(assembly_.scene()))
-      return Status::running;
+      return false;
     PressureOptions<S> options = options_;
     options.goes_on = true;
-    options.first_compliance = push_[at - 1].compliance / BreakingSettings<S>().step;
-    return push_slowly(size, options, push_[at], run);
+    options.first_compliance = compliance / BreakingSettings<S>().step;
+    return push_slowly(size, options, push, run) == Status::solved;
   }
 };
 
