@@ -1,6 +1,7 @@
 #include "lcpush/desktop/scene_check.hpp"
 
 #include "lcpush/mechanics/model/answer.hpp"
+#include "lcpush/mechanics/model/laws.hpp"
 #include "scenes/object_surface.hpp"
 #include "scenes/unit_doubts.hpp"
 #include "text/format.hpp"
@@ -52,6 +53,7 @@ public:
       if (is_moved || (check_place(b) && check_normal(b))) check_motion(b);
     }
     check_jaws();
+    if (file_.planar) check_plane();
     if (doubts_.empty()) check_sides();
     std::stable_sort(doubts_.begin(), doubts_.end(),
                      [](const SceneDoubt& a, const SceneDoubt& b) { return a.line < b.line; });
@@ -237,6 +239,34 @@ private:
       }
   }
 
+  /// What a plane's guides would bear in silence, though a contact should.
+  void check_plane() {
+    const Scene<double> scene = file_.view();
+    const Vector6<double> w = laws::load(scene, {1.0, 1.0, 1.0});
+    const double across = w[2], moment = w.segment<2>(3).norm();
+    const bool by_gravity = std::abs(file_.gravity[2]) > 0;
+    const int line = by_gravity ? file_.lines.gravity : file_.lines.object;
+    if (std::abs(across) > typed_slack * w.head<3>().norm()) {
+      const auto below =
+          std::find_if(file_.bodies.begin(), file_.bodies.end(), [&](const Body<double>& body) {
+            return body.role == Role::finger && body.normal[2] * across < 0 &&
+                   std::abs(body.normal[2]) > 1 - typed_slack &&
+                   !is_driven(scene, &body - file_.bodies.data());
+          });
+      doubt(Doubt::left_out, line,
+            printed("planar leaves out %.3g N along z; ", std::abs(across)) +
+                (below == file_.bodies.end()
+                     ? "remove planar if the contacts are to bear it"
+                     : "give the finger " + quoted(file_.body_name(below - file_.bodies.begin())) +
+                           printed(" grip_force = %.3g for what it bears", std::abs(across))));
+    } else if (moment > typed_slack * w.tail<3>().norm()) {
+      doubt(Doubt::left_out, line,
+            printed("planar leaves out a moment of %.3g N m across the plane; remove planar if the "
+                    "contacts are to bear it",
+                    moment));
+    }
+  }
+
   void check_sides() {
     if (file_.hand != Hand::parallel && file_.hand != Hand::locked) return;
     std::vector<std::size_t> jaws; // other fingers are stops
@@ -261,9 +291,9 @@ private:
 
 const char* doubt_code(Doubt doubt) {
   constexpr const char* codes[] = {
-      "outside_object",   "far_from_object", "normal_outward", "moves_away",   "density",
-      "jaws_independent", "center_of_mass",  "normal_along",   "friction",     "gravity",
-      "acceleration",     "inertia",         "jaws_same_side", "unknown_shape"};
+      "outside_object",   "far_from_object", "normal_outward", "moves_away",    "density",
+      "jaws_independent", "center_of_mass",  "normal_along",   "friction",      "gravity",
+      "acceleration",     "inertia",         "jaws_same_side", "unknown_shape", "left_out"};
   return codes[static_cast<int>(doubt)];
 }
 

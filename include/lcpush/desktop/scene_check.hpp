@@ -24,6 +24,7 @@ enum class Doubt {
   inertia,          ///< of a body far larger than where its contacts lie
   jaws_same_side,   ///< parallel jaws that press the same way
   unknown_shape,    ///< a motion goes over the surface of an object that has none
+  left_out,         ///< a load that planar = true drops: across the plane, or a moment out of it
 };
 
 /// As JSON spells it.
