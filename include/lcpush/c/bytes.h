@@ -9,7 +9,7 @@
 #define LCPUSH_STATE_BYTES_(real) (352 * LCPUSH_WORD_ + 136 * sizeof(real) + 2 * LCPUSH_GAP_(real))
 #define LCPUSH_BODY_BYTES_(real) (17 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
 #define LCPUSH_DRIVE_BYTES_(real) (6 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
-#define LCPUSH_POINT_BYTES_(real) (15 * sizeof(real) + 5 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
+#define LCPUSH_POINT_BYTES_(real) (18 * sizeof(real) + 5 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
 #define LCPUSH_CONTACT_BYTES_(real) (11 * sizeof(real) + 2 * LCPUSH_WORD_ + LCPUSH_GAP_(real))
 
 #define LCPUSH_COMMON_BYTES_(real, bodies, points, forces, actuators, drives)                      \

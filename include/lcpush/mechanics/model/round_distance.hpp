@@ -33,9 +33,13 @@ public:
   S limit(Index i) const {
     return body(i).friction * Eigen::numext::abs(answer_.contacts[i].normal_force);
   }
-  /// Slower than this beside the fastest point, rounding tells a slip from none; and a point that
-  /// sticks is within its pyramid, and so within its cone.
-  bool sticks(const S& speed) const { return !(speed > ModelSettings<S>::sticking() * fastest_); }
+  const S& fastest() const { return fastest_; } ///< slip, m/s^2
+  /// Slower than this beside the fastest point, or beside F / m, rounding does not tell a slip from
+  /// none; and a point that sticks is within its pyramid, and so within its cone.
+  bool sticks(const S& speed) const {
+    return !(speed > ModelSettings<S>::sticking() * fastest_) ||
+           !(speed > ModelSettings<S>::no_slip() * scales_.acceleration);
+  }
 
   /// |f - projection of (f - v) onto the cone|, f over F, v over the fastest slip.
   S of(Index i) const {

@@ -44,6 +44,7 @@ template <class S> struct Body {
   S friction{0};                                ///< Coulomb's mu, >= 0; 0: a frictionless contact
   S torsion_radius{0};                          ///< m; > 0 makes a single point a soft contact
   bool bilateral = false;                       ///< holds its normal motion, pulling if it must
+  bool in_plane = false;                        ///< friction along the tangent alone: lie_in_plane
   Index first_point = 0;                        ///< index of its first point in Scene::points
   Index point_count = 0;                        ///< >= 1
   Vector6<S> acceleration = Vector6<S>::Zero(); ///< prescribed part of its twist, [m/s^2; rad/s^2]
@@ -74,6 +75,7 @@ template <class S> struct LinearizedCone {
   Vector3<S> along{S(1), S(0), S(0)};          ///< unit: generator 0; a hard point has no torque
   Vector3<S> body_motion = Vector3<S>::Zero(); ///< m/s^2: how the body itself moved there
   S inertia{0}; ///< kg, >= 0: what resists a slip across it, mu lambda over the slip [T.16]
+  Vector3<S> slip = Vector3<S>::Zero(); ///< m/s^2: the slip that it is linearized about
 };
 
 template <class S> struct Scene {

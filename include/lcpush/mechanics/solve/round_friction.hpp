@@ -30,6 +30,8 @@ public:
   void begin() {
     if (!is_round()) return;
     for (LinearizedCone<S>& cone : cones_) cone = {};
+    has_turned_ = stalls_ = false;
+    fastest_ = S(0);
     reassemble();
   }
 
@@ -52,11 +54,20 @@ public:
   }
 
   /// Turns every pyramid to the answer that is_settled looked at, and with it what later rounds
-  /// start from: the basis and the unknowns.
+  /// start from: the basis and the unknowns. Where slips die away, or a step leads nowhere, points
+  /// are about to stick: the corner then goes to their force, which it holds.
   void turn(const PressureMemory<S>& memory) {
+    if (!is_round()) return;
     const RoundDistance<S> cones = distance();
+    const S step = has_turned_ ? step_length(cones) : S(1);
+    const bool is_short = step < RoundSettings::least_step<S>();
+    const bool halts =
+        cones.fastest() < RoundSettings::halts<S>() * fastest_ || (is_short && stalls_);
+    stalls_ = is_short && !halts;
+    fastest_ = cones.fastest();
+    has_turned_ = true;
     for (Index i = 0; i < assembly_.layout().points; ++i)
-      if (assembly_.layout().cones[i].generators > 0) turn_point(cones, i, memory);
+      if (assembly_.layout().cones[i].generators > 0) turn_point(cones, i, step, halts, memory);
     reassemble();
   }
 
@@ -67,15 +78,43 @@ private:
   Span<LinearizedCone<S>> cones_;
   Answer<S>* answer_;
   Index worst_ = 0;
+  S fastest_{0}; // slip, when the pyramids last turned
+  bool has_turned_ = false, stalls_ = false;
 
   RoundDistance<S> distance() const {
     return {assembly_.scene(), assembly_.layout().scales, *answer_};
   }
 
-  void turn_point(const RoundDistance<S>& cones, Index i, const PressureMemory<S>& memory) {
+  /// How far to go from the slips of the last linearization to the answer's, up to 1: to where
+  /// friction takes the least power beyond what the answer's own forces give. Newton's method
+  /// overshoots where the friction's curvature mu lambda / |v| is much more than the object's mass.
+  S step_length(const RoundDistance<S>& cones) const {
+    const auto rises = [&](const S& step) {
+      S slope(0);
+      for (Index i = 0; i < assembly_.layout().points; ++i) {
+        if (assembly_.layout().cones[i].generators == 0) continue;
+        const Vector3<S> change = cones.slip(i) - cones_[i].slip;
+        const Vector3<S> v = cones_[i].slip + step * change;
+        const S speed = v.norm(), along = speed > S(0) ? S(v.dot(change) / speed) : change.norm();
+        slope += cones.friction(i).dot(change) + cones.limit(i) * along;
+      }
+      return slope > S(0);
+    };
+    if (!rises(S(1))) return S(1);
+    S low(0), high(1);
+    for (int k = 0; k < RoundSettings::halvings; ++k) {
+      const S middle = (low + high) / S(2);
+      (rises(middle) ? high : low) = middle;
+    }
+    return high;
+  }
+
+  void turn_point(const RoundDistance<S>& cones, Index i, const S& step, bool halts,
+                  const PressureMemory<S>& memory) {
     const Body<S>& body = cones.body(i);
     LinearizedCone<S>& cone = cones_[i];
-    const Vector3<S> v = cones.slip(i), f = cones.friction(i);
+    const Vector3<S> v = cone.slip + step * (cones.slip(i) - cone.slip), f = cones.friction(i);
+    cone.slip = v;
     const S room = cones.limit(i), speed = v.norm(), force = f.norm();
     const Vector3<S> in_pyramid =
         f - laws::resisting_force(body, assembly_.scene().points[i], cone, answer_->acceleration);
@@ -84,9 +123,9 @@ private:
     const S least = slides ? RoundSettings::slides<S>() : RoundSettings::sticks<S>();
     if (!(force > least * room)) return;
     // Along an edge a polygon gives way before the circle does: first fill it out there.
-    const bool on_edge = in_pyramid.norm() < RoundSettings::corner<S>() * room;
+    const bool on_edge = halts || in_pyramid.norm() < RoundSettings::corner<S>() * room;
     cone.along = slides && !on_edge ? Vector3<S>(v / -speed) : Vector3<S>(f / force);
-    if (!slides) return;
+    if (!slides || on_edge) return;
     cone.inertia = room / speed;
     const Vector6<S> twist =
         body_twist(assembly_.scene(), *answer_, assembly_.layout().body[i], assembly_.sigma());

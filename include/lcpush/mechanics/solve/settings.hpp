@@ -21,8 +21,9 @@ template <class S> struct PressureOptions {
   Index max_rounds = 60;             ///< a median of 7 is enough (docs/theory/numerics.md)
   Index stiff_starts = 2;       ///< from the literal basis, if the rounds from nothing are lost
   S stiff_start{S(1) / S(100)}; ///< the first compliance of each, beside the one before
-  Index max_turns = 32;         ///< of round friction's pyramids; Newton's method takes 4
-  Index max_pivots = 0;         ///< of all rounds together; 0: the solver's limits alone
+  Index max_turns = 64; ///< of round friction's pyramids; Newton's method takes 4, loads within
+                        ///< 1e-4 of the limit of friction up to 60
+  Index max_pivots = 0; ///< of all rounds together; 0: the solver's limits alone
   S runaway{1000}; ///< a squeeze that rounds only tighten: a normal force beyond this, in what the
                    ///< scene's forces and prescribed motions ask for
   S tolerance = Tolerances<S>().settled; ///< scaled violation of the literal [T.2] allowed
@@ -37,6 +38,11 @@ template <class S> struct PressureOptions {
 struct RoundSettings {
   template <class S> static constexpr S slides() { return S(0.5); } ///< less is on its way to stick
   template <class S> static constexpr S sticks() { return S(0.9); } ///< less is far from slipping
+  /// The fastest slip beside that of the iteration before, below which points are about to stick.
+  /// Of 2,600 loads near the limit of friction 0.25 leaves the fewest open of 0, 0.1, 0.25, 0.5.
+  template <class S> static constexpr S halts() { return S(0.25); }
+  template <class S> static constexpr S least_step() { return S(0.01); } ///< less is a stall
+  static constexpr int halvings = 10; ///< of a step: to a thousandth
   /// Below this the force is on an edge of its pyramid, which gives way before the circle does.
   template <class S> static constexpr S corner() { return S(0.9999); }
 };
