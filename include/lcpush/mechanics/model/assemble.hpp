@@ -182,8 +182,9 @@ private:
       const S tau = scene.actuators[a].force / memory_.reach[a];
       force = maxi(force, Eigen::numext::abs(tau));
     }
-    force = maxi(force, S(scene.object.mass * push / ModelSettings<S>::push_over_forces()));
-    if (!(force > S(0))) force = scene.object.mass * (push > S(0) ? push : S(1));
+    const S inertia = scene.object.mass * push;
+    force = force > S(0) ? maxi(force, S(inertia / ModelSettings<S>::push_over_forces())) : inertia;
+    if (!(force > S(0))) force = scene.object.mass;
     layout_.scales.force = force;
     layout_.scales.acceleration = force / scene.object.mass;
   }

@@ -82,9 +82,9 @@ namespace detail {
 /// The rows of the laws, shown to `visit` one by one.
 template <class S, class Visit> struct LawRows {
   const Scene<S>& scene;
-  const Scales<S>& scales;
   const Answer<S>& answer;
   Visit& visit;
+  Scales<S> scales;
   TermSizes<S> sizes{scene, scales, answer};
   S motion_scale = fastest_of(scene, scales); // m/s^2, whose rounding no motion is told from
   // Of the present body: its forces' sum, the object's twist beside it, and the size of its terms.
@@ -241,7 +241,8 @@ template <class S, class Visit> struct LawRows {
 template <class S, class Visit>
 void check_rows(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer, S sigma,
                 Visit visit) {
-  detail::LawRows<S, Visit> rows{scene, scales, answer, visit};
+  detail::LawRows<S, Visit> rows{scene, answer, visit,
+                                 detail::scales_of_reactions(scene, scales, answer)};
   rows.newton();
   const S* beta = answer.friction.data;
   for (Index b = 0; b < scene.bodies.size; ++b) {

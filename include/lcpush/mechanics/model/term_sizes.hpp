@@ -93,6 +93,20 @@ template <class S> struct TermSizes {
   }
 };
 
+/// F, or what rounding makes of a reaction so large that F is lost in it: near a wedge reactions
+/// grow without bound.
+template <class S>
+Scales<S> scales_of_reactions(const Scene<S>& scene, Scales<S> scales, const Answer<S>& answer) {
+  S largest(0);
+  for (Index i = 0; i < scene.points.size; ++i)
+    largest = Eigen::numext::maxi(largest, Eigen::numext::abs(answer.contacts[i].normal_force));
+  const S rounding = Tolerances<S>().noise * largest;
+  if (!(rounding > scales.force)) return scales;
+  scales.force = rounding;
+  scales.acceleration = rounding / scene.object.mass;
+  return scales;
+}
+
 /// What a row is measured in: its own terms and what rounding leaves of the scene's size, never
 /// more than that size. `given`, where it is not 0, is a load of the row that must not be lost:
 /// then rounding may take a hundred thousandth of it (in float as much as a residual).

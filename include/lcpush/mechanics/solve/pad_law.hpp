@@ -32,7 +32,8 @@ template <class S> Index affine_rank(const Scene<S>& scene, const Body<S>& body)
 
 /// [T.7] Pad: round r adds eps_r c_i (lambda_i - lambda_i^(r-1)) to [T.2].
 /// With the points' weights w_i, sets c_i: 1 / (m w_i) on a force-controlled patch of several
-/// points and on a locked finger; a thousandth of that on another position-controlled body whose
+/// points (or one, in a plane, which leaves open how fingers across it share a force) and on a
+/// locked finger; a thousandth of that on another position-controlled body whose
 /// normals are linearly dependent; 0 otherwise. And lambda^(0): w_i of each patch's own force or
 /// preload, 0 where there is none.
 template <class S> void pad_preload(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
@@ -51,7 +52,7 @@ template <class S> void pad_preload(const Assembly<S>& assembly, const PressureM
     }
     const bool dependent = k > detail::affine_rank(scene, body) + 1;
     const bool locked = body.preload > S(0);
-    const bool soft = locked || (driven && k > 1);
+    const bool soft = locked || (driven && (k > 1 || scene.planar));
     const S softness = soft ? S(1) : !driven && dependent ? S(1) / S(1000) : S(0);
     for (Index i = body.first_point; i < body.first_point + k; ++i) {
       const S weight = weight_of(scene, body, i);
@@ -76,18 +77,14 @@ void set_compliance(Assembly<S>& assembly, const PressureMemory<S>& memory, S ep
 
 namespace detail {
 
-/// By how much the round's answer violates the literal [T.2]. `largest` receives the largest normal
-/// force.
-template <class S>
-S pad_violation(const Assembly<S>& assembly, const PressureMemory<S>& memory, S& largest) {
+/// By how much the round's answer violates the literal [T.2].
+template <class S> S pad_violation(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
   S violation(0);
-  largest = S(0);
   for (Index i = 0; i < assembly.layout().points; ++i) {
     const ConeGroup<S>& cone = assembly.cones()[i];
     const S lambda = cone.normal_force(memory.z.data);
     const S change = cone.compliance * (lambda - memory.preload[i]);
     violation = Eigen::numext::maxi(violation, Eigen::numext::abs(change));
-    largest = Eigen::numext::maxi(largest, Eigen::numext::abs(lambda));
   }
   return violation;
 }
@@ -97,6 +94,15 @@ template <class S>
 void take_pressure(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
   for (Index i = 0; i < assembly.layout().points; ++i)
     memory.preload[i] = assembly.cones()[i].normal_force(memory.z.data);
+}
+
+/// The largest normal force of the last answer.
+template <class S> S largest_normal(const Assembly<S>& assembly, const PressureMemory<S>& memory) {
+  S largest(0);
+  for (Index i = 0; i < assembly.layout().points; ++i)
+    largest = Eigen::numext::maxi(
+        largest, Eigen::numext::abs(assembly.cones()[i].normal_force(memory.z.data)));
+  return largest;
 }
 
 /// What the scene's forces and prescribed motions ask for.

@@ -126,8 +126,7 @@ private:
     if (status != Status::solved && warm_ && !restarted_)
       return schedule_.fall_slower() ? next_round() : restart();
     if (status != Status::solved) return end_pads(status);
-    S largest(0);
-    const S violation = detail::pad_violation(assembly_, memory_, largest);
+    const S violation = detail::pad_violation(assembly_, memory_);
     detail::take_pressure(assembly_, memory_);
     const bool is_pressed = violation <= options_.tolerance;
     bool is_settled = friction_.is_settled(memory_.z.data);
@@ -135,8 +134,10 @@ private:
     const bool refines = violation > options_.finest && fine_ < options_.fine_rounds;
     if (is_pressed && is_settled && !refines) return Status::solved;
     if (is_pressed && is_settled) ++fine_;
+    if (is_settled) friction_.turn(memory_); // corners hold what the next pressure changes
     if (!is_settled && !turn()) return unsettled();
-    if (largest > options_.runaway * detail::largest_load(assembly_))
+    if (detail::largest_normal(assembly_, memory_) >
+        options_.runaway * detail::largest_load(assembly_))
       return end_pads(Status::numerical_breakdown);
     if (is_pressed)
       schedule_.keep();
@@ -166,6 +167,9 @@ private:
     ++run_.cold_restarts;
     ++stiff_starts_;
     options_.first_compliance *= options_.stiff_start;
+    // The literal answer shows what forces there have to be.
+    const S needed = detail::largest_normal(assembly_, memory_) / detail::largest_load(assembly_);
+    options_.runaway *= Eigen::numext::maxi(S(1), needed);
     rounds_.vary();
     return begin_pads(Phase::stiff_pads);
   }
