@@ -38,7 +38,7 @@ public:
   /// none; and a point that sticks is within its pyramid, and so within its cone.
   bool sticks(const S& speed) const {
     return !(speed > ModelSettings<S>::sticking() * fastest_) ||
-           !(speed > ModelSettings<S>::no_slip() * scales_.acceleration);
+           !(speed > ModelSettings<S>::slowest_slip() * scales_.acceleration);
   }
 
   /// |f - projection of (f - v) onto the cone|, f over F, v over the fastest slip.

@@ -53,7 +53,7 @@ template <class S> struct ModelSettings {
   static S sticking() { return decimal(7, 3); } ///< of the fastest slip
   /// Of F / m: what pivots leave of the slip of a point that sticks. A tenth of it leaves a quarter
   /// more of 2,600 loads near the limit of friction unsettled.
-  static S no_slip() { return Tolerances<S>().residual / S(8); }
+  static S slowest_slip() { return Tolerances<S>().residual / S(8); }
 
   // The referee.
   static S part_of_load() { return decimal(5, 5); } ///< of a given load, what rounding may take
