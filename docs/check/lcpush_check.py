@@ -85,15 +85,11 @@ def scene_problem(text, g):  # w = L x + q0 + push q1: L, q0, q1, the free rows,
     rows, cones, q1 = [], {}, []  # of the pairs: a force's wrench and its powers, or None for a slip
     for body in fingers + pushers:
         n, t, o, mu, r = *(body[k] for k in "nto"), F(body["friction"]), body.get("torsion_radius", 0)
-        positions, sides = patch(body, t, o), g
-        flat = scene.get("planar", False) and abs(n[2]) <= F(1, 10**9)  # friction forth and back along the plane
-        if flat: t, r = [(1 if t[0]*n[1] > t[1]*n[0] else -1) * x for x in (n[1], -n[0], F(0))], 0
-        if flat: sides = 2
-        for position in positions:
+        for position in patch(body, t, o):
             p, normals = add(position, com, -1), range(len(rows), len(rows) + 1 + (body.get("follow") == "bilateral"))
             forces = [[s * x for x in n + cross(p, n)] for s in (1, -1)[:len(normals)]]
             for c, s in [(1, 0)] + ([(c30, half), (c30, -half), (half, c30), (half, -c30)] if r else []):
-                for d in ([c * (x * u + y * v) for u, v in zip(t, o)] for x, y in (circle(F(j, sides)) for j in range(sides))):
+                for d in ([c * (x * u + y * v) for u, v in zip(t, o)] for x, y in (circle(F(j, g)) for j in range(g))):
                     forces.append(d + add(cross(p, d), n, s * r))
             forces += [ZERO + [s * r * x for x in n] for s in (1, -1) if r]
             for f in forces if mu else forces[:len(normals)]:

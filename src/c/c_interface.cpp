@@ -126,7 +126,6 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   scene.facets = is_round ? -given.facets : given.facets;
   scene.pressure = static_cast<Pressure>(pressure);
   scene.planar = given.planar != 0;
-  for (Index b = 0; scene.planar && b < bodies.size; ++b) lie_in_plane(bodies[b]);
   scene.bodies = {bodies.data, bodies.size};
   scene.points = {points.data, points.size};
   scene.actuators = {actuators.data, actuators.size};

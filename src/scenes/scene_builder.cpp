@@ -146,7 +146,6 @@ private:
                    "torsion_radius goes with a single point only; this patch has " +
                        std::to_string(body.point_count));
     }
-    if (scene_.planar) lie_in_plane(body);
     if (table.has("follow"))
       body.bilateral = table.choice("follow", {"unilateral", "bilateral"}) == 1;
     if (body.bilateral && table.has("normal_force"))

@@ -116,9 +116,7 @@ private:
     if (!(answer.slip > margins_.motion)) {
       double sum = 0;
       for (Index j = 0; j < cone.generators; ++j) sum += beta[j];
-      if (!(body.torsion_radius > 0))
-        sum = body.in_plane ? std::abs(answer.friction_force.dot(body.tangent))
-                            : least_sum(body, answer.friction_force, scene_.facets);
+      if (!(body.torsion_radius > 0)) sum = least_sum(body, answer.friction_force, scene_.facets);
       const double room = body.friction * std::abs(answer.normal_force) - sum;
       return room > margins_.force ? Regime::stick : Regime::tied;
     }
@@ -141,8 +139,9 @@ private:
   std::vector<Vector6<double>> held_directions(Index i) const {
     const Body<double>& body = body_of(i);
     const Vector3<double> p = scene_.points[i] / layout_.scales.length;
-    std::vector<Vector6<double>> held = {wrench_column<double>(p, body.tangent)};
-    if (!body.in_plane) held.push_back(wrench_column<double>(p, cross(body.normal, body.tangent)));
+    std::vector<Vector6<double>> held = {
+        wrench_column<double>(p, body.tangent),
+        wrench_column<double>(p, cross(body.normal, body.tangent))};
     if (body.torsion_radius > 0) {
       held.emplace_back(Vector6<double>::Zero());
       held.back().tail<3>() = body.normal * (body.torsion_radius / layout_.scales.length);

@@ -227,7 +227,7 @@ TEST_CASE("malformed inline matrices name the option and the row") {
   CHECK(refused("1,,2") == "--M: row 1: a number is missing in \"1,,2\"");
   CHECK(refused("1 2; 3") == "--M: row 2: expected 2 numbers, as in row 1, got 1");
   CHECK(refused("1 2; 3 nan") == "--M: row 2: \"nan\": numbers must be finite");
-  CHECK(refused("[1 2]").find("--M: row 1: \"[1\" is not a number") == 0);
+  CHECK(refused("[1 x]").find("--M: row 1: \"x\" is not a number") == 0);
   CHECK(refusal([] { parse_inline_vector("1 2; 3 4", "--q"); }) ==
         "--q: expected a vector like \"-5 -6\", got a matrix of 2 x 2");
 }

@@ -117,17 +117,6 @@ template <class S> Vector3<S> default_tangent(const Vector3<S>& normal) {
   return tangent_along<S>(normal, Vector3<S>::Unit(least_aligned_axis(normal)));
 }
 
-/// What a planar scene leaves of a body whose normal lies in its plane: friction along the plane's
-/// one tangent, forth and back, and no torque about the normal. Others keep what they have.
-template <class S> void lie_in_plane(Body<S>& body) {
-  const Vector3<S>& n = body.normal;
-  if (Eigen::numext::abs(n[2]) > ModelSettings<S>::equal_components()) return;
-  const S sign(body.tangent[0] * n[1] > body.tangent[1] * n[0] ? 1 : -1);
-  body.tangent = {sign * n[1], -sign * n[0], S(0)};
-  body.torsion_radius = S(0);
-  body.in_plane = true;
-}
-
 /// A unit of friction: a force in the contact plane, at a soft point a torque about the normal too.
 template <class S> struct Generator {
   Vector3<S> force; ///< 1
@@ -162,7 +151,6 @@ template <class S> Generator<S> generator_along(const Body<S>& body, const Vecto
 /// A motion at a point of a body in its friction space: m/s^2, and rad/s^2 about the normal.
 template <class S>
 Vector3<S> in_friction_space(const Body<S>& body, const Vector3<S>& acceleration, const S& spin) {
-  if (body.in_plane) return {acceleration.dot(body.tangent), S(0), S(0)};
   return {acceleration.dot(body.tangent), acceleration.dot(cross(body.normal, body.tangent)),
           S(body.torsion_radius * spin)};
 }
@@ -175,13 +163,10 @@ Vector3<S> slip_of(const Body<S>& body, const Vector3<S>& p, const Vector6<S>& r
                            S(relative.template tail<3>().dot(body.normal)));
 }
 
-/// Sides of this body's friction pyramid in a scene of g facets; in the plane, an interval.
-template <class S> Index facets_of(const Body<S>& body, Index g) { return body.in_plane ? 2 : g; }
-
 /// Friction generator k of a body with g facets: d_j = cos(2 pi j / g) t + sin(2 pi j / g) o,
 /// o = n x t, and at a soft point the others of generator_direction.
 template <class S> Generator<S> generator(const Body<S>& body, Index k, Index g) {
-  return generator_along(body, generator_direction<S>(k, facets_of(body, g)));
+  return generator_along(body, generator_direction<S>(k, g));
 }
 
 /// The directions across a linearized cone: two unit vectors at a soft point, at a hard one the
@@ -199,7 +184,7 @@ template <class S> Across<S> across(const LinearizedCone<S>& cone, bool is_soft)
 /// Friction generator k of a point of this body: turned to the linearized cone of round friction.
 template <class S>
 Generator<S> generator(const Scene<S>& scene, const Body<S>& body, Index point, Index k) {
-  const Vector3<S> u = generator_direction<S>(k, facets_of(body, scene.facets));
+  const Vector3<S> u = generator_direction<S>(k, scene.facets);
   if (!has_round_friction(scene)) return generator_along(body, u);
   const LinearizedCone<S>& cone = scene.round_cones[point];
   const Across<S> side = across(cone, body.torsion_radius > S(0));
@@ -209,7 +194,7 @@ Generator<S> generator(const Scene<S>& scene, const Body<S>& body, Index point, 
 /// Friction generators of one point of this body: none without friction.
 template <class S> Index generator_count(const Scene<S>& scene, const Body<S>& body) {
   if (!(body.friction > S(0))) return 0;
-  return body.torsion_radius > S(0) ? soft_generators(scene.facets) : facets_of(body, scene.facets);
+  return body.torsion_radius > S(0) ? soft_generators(scene.facets) : scene.facets;
 }
 
 #ifdef LCPUSH_EXTERN_TEMPLATES

@@ -44,7 +44,6 @@ template <class S> struct Body {
   S friction{0};                                ///< Coulomb's mu, >= 0; 0: a frictionless contact
   S torsion_radius{0};                          ///< m; > 0 makes a single point a soft contact
   bool bilateral = false;                       ///< holds its normal motion, pulling if it must
-  bool in_plane = false;                        ///< friction along the tangent alone: lie_in_plane
   Index first_point = 0;                        ///< index of its first point in Scene::points
   Index point_count = 0;                        ///< >= 1
   Vector6<S> acceleration = Vector6<S>::Zero(); ///< prescribed part of its twist, [m/s^2; rad/s^2]
