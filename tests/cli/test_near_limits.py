@@ -1,0 +1,138 @@
+"""lcpush solve: answers near a limit of friction or of wedging, and what a plane leaves open."""
+import json
+import math
+import unittest
+
+from tool import command, main
+
+run = command("solve")
+
+FLOOR = """gravity = [0, 0, -9.81]
+facets = "round"
+[object]
+mass = 1
+box = [0.2, 0.2, 0.2]
+force = [{}, {}, 0]
+[[finger]]
+name = "floor"
+shape = "rectangle"
+points = [2, 2]
+center = [0, 0, -0.1]
+size = [0.2, 0.2]
+normal = [0, 0, 1]
+friction = 0.5
+"""
+
+PEG = """planar = true
+[object]
+mass = 0.1
+box = [0.02, 0.06, 0.02]
+[[finger]]
+name = "lip"
+shape = "point"
+center = [0.01, -0.025, 0]
+normal = [-1, 0, 0]
+friction = 0.3
+[[finger]]
+name = "bore"
+shape = "point"
+center = [-0.01, -0.03, 0]
+normal = [1, 0, 0]
+friction = 0.3
+[[pusher]]
+name = "press"
+shape = "point"
+center = [0.00833, 0.03, 0]
+normal = [0, -1, 0]
+friction = 0
+acceleration = [0, -0.1, 0]
+"""
+
+SQUEEZED = """[object]
+mass = 1
+box = [0.1, 0.05, 0.05]
+[[pusher]]
+name = "below"
+shape = "ring"
+center = [0.01, -0.025, 0]
+radius = 0.007
+points = 4
+normal = [0, 1, 0]
+friction = 0
+acceleration = [0, 2, 0]
+[[pusher]]
+name = "above"
+shape = "disc"
+center = [0.025, 0.025, 0]
+radius = 0.007
+normal = [0, -1, 0]
+friction = 0
+acceleration = [0, 0, 0]
+"""
+
+JAW = """planar = true
+[object]
+mass = 0.2
+box = [0.1, 0.03, 0.01]
+[[finger]]
+name = "left"
+shape = "point"
+center = [0, 0, 0.005]
+normal = [0, 0, -1]
+friction = 0.5
+grip_force = 20
+[[finger]]
+name = "right"
+shape = "point"
+center = [0, 0, -0.005]
+normal = [0, 0, 1]
+friction = 0.1
+grip_force = 20
+[[pusher]]
+name = "wall"
+shape = "line"
+ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]
+normal = [1, 0, 0]
+friction = 0.3
+acceleration = [0.1, 0, 0]
+"""
+
+
+def solved(scene):
+    return json.loads(run("-", "--json", text=scene).stdout)
+
+
+class NearLimits(unittest.TestCase):
+    def test_round_friction_settles_within_a_hundredth_of_its_limit_in_every_direction(self):
+        limit = 0.5 * 9.81
+        for part in (0.99, 0.999, 0.9999, 1.0001, 1.001, 1.01):
+            for degrees in (3, 22.5, 71, 130, 204.3, 311):
+                with self.subTest(part=part, degrees=degrees):
+                    x, y = (part * limit * f(math.radians(degrees)) for f in (math.cos, math.sin))
+                    answer = solved(FLOOR.format(x, y))
+                    self.assertEqual(answer["status"], "solved")
+                    a = math.hypot(*answer["object"]["acceleration"][:2])
+                    self.assertAlmostEqual(a, max(0, part - 1) * limit, delta=1e-6)
+
+    def test_a_peg_just_inside_the_wedging_limit_needs_its_large_force(self):
+        for weight in ("", "gravity = [0, -1e-7, 0]\n", "gravity = [0, -9.81, 0]\n"):
+            with self.subTest(weight=weight):
+                answer = solved(weight + PEG)
+                self.assertEqual(answer["status"], "solved")
+                if "9.81" not in weight:
+                    self.assertAlmostEqual(answer["contacts"][-1]["normal_force"], 25, delta=0.01)
+
+    def test_pads_bear_what_the_rigid_laws_ask_for_near_a_jam(self):
+        self.assertEqual(solved(SQUEEZED)["status"], "solved")
+
+    def test_fingers_across_a_plane_share_a_parallel_jaws_force(self):
+        answer = solved(JAW)
+        self.assertEqual([round(c["normal_force"], 6) for c in answer["contacts"][:2]], [20, 20])
+
+    def test_a_load_across_the_plane_is_not_dropped_in_silence(self):
+        result = run("-", text="gravity = [0, 0, -9.81]\n" + JAW)
+        self.assertIn("planar leaves out 1.96 N along z", " ".join(result.stderr.split()))
+
+
+if __name__ == "__main__":
+    main()
