@@ -1,5 +1,5 @@
-// The planar wrenches that a pusher can exert without slipping, and a scene as one of the plane: is it
-// one, and what pulls at the object there?
+// The planar wrenches that a pusher can exert without slipping, and a scene as one of the plane: is
+// it one, and what pulls at the object there?
 #pragma once
 
 #include "cone/limit_surface.hpp"
