@@ -7,7 +7,7 @@
 
 namespace lcpush {
 template class NonnegativeLeastSquares<double>;
-template class ConeMembership<double>;
+template struct ConeMembership<double>;
 template class Dictionary<double>;
 template class RatioTest<double>;
 template class DenseBasis<double>;

@@ -61,7 +61,7 @@ template <class S> struct ConeMembership {
 };
 
 #ifdef LCPUSH_EXTERN_TEMPLATES
-extern template class ConeMembership<double>;
+extern template struct ConeMembership<double>;
 #endif
 
 } // namespace lcpush
