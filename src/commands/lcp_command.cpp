@@ -12,8 +12,6 @@ namespace lcpush::commands {
 namespace {
 
 constexpr Index sweeps_before_pivots = 200; // where they come near at all, they do so soon
-constexpr Index large = 2000;               // unknowns in one piece: pivots take seconds
-constexpr double over_relaxation = 1.9;
 
 RawOptions raw_options(const Values& values, Solver solver, Listener& listener) {
   RawOptions options;
