@@ -142,7 +142,7 @@ RawAnswer solve_by_pivots(const RawProblem& problem, const RawOptions& options,
 std::optional<RawAnswer> sweep_large(const RawProblem& problem, RawOptions options) {
   if (largest_piece(problem) < large_piece) return std::nullopt;
   options.solver = Solver::gauss_seidel;
-  for (const double relaxation : {over_relaxation, 1.0}) {
+  for (const double relaxation : {raw_settings.over_relaxation, 1.0}) {
     options.sweeps.relaxation = relaxation;
     RawAnswer answer = solve_raw(problem, options);
     if (answer.status == Status::solved) return answer;

@@ -106,7 +106,6 @@ std::string raw_json(const RawProblem& problem, const RawAnswer& answer, const s
 Index largest_piece(const RawProblem& problem);
 /// Pieces from here on take pivots seconds.
 constexpr Index large_piece = 2000;
-constexpr double over_relaxation = 1.9; ///< 420 iterations of an obstacle problem of 10,000 rows
 /// Of a problem with so large a piece, Gauss-Seidel's answer: over-relaxed, which settles symmetric
 /// problems sooner, and plain. Nothing: it has no such piece, or they do not settle.
 std::optional<RawAnswer> sweep_large(const RawProblem& problem, RawOptions options);
