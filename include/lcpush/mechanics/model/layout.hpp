@@ -8,10 +8,21 @@ namespace lcpush {
 
 /// The problem is solved in these units; SI value = scaled value times unit.
 template <class S> struct Scales {
-  S force;        ///< N: F, the largest of grip forces, loads and a thousandth of m * push
-  S length;       ///< m: the largest distance of a contact point from the centre of mass
+  S force;  ///< N: F, the largest of grip forces, loads and m * push / 1000; if none, m * push
+  S length; ///< m: the largest distance of a contact point from the centre of mass
   S acceleration; ///< m/s^2: F / m
 };
+
+/// How fast a body with this twist, or acceleration, moves at most within L of the centre of mass.
+template <class S> S size_of_twist(const Vector6<S>& twist, const S& length) {
+  return twist.template head<3>().norm() + length * twist.template tail<3>().norm();
+}
+/// Of the bodies' prescribed twists the largest, or `least`.
+template <class S> S fastest_body(const Scene<S>& scene, const S& length, S least) {
+  for (const Body<S>& body : scene.bodies)
+    least = Eigen::numext::maxi(least, size_of_twist(body.acceleration, length));
+  return least;
+}
 
 template <class S> struct Layout {
   Scales<S> scales;

@@ -47,17 +47,14 @@ void read_answer(const Assembly<S>& assembly, const S* z, Answer<S>& answer, S s
   for (Index a = 0; a < layout.actuators; ++a)
     answer.closing[a] = z[layout.closing_index(a)] * scales.acceleration / layout.reach[a];
 
-  const auto size_of_twist = [&](const Vector6<S>& twist) {
-    return S(twist.template head<3>().norm() + scales.length * twist.template tail<3>().norm());
-  };
-  S fastest(0), own = size_of_twist(answer.acceleration);
+  S fastest(0), own = size_of_twist(answer.acceleration, scales.length);
   Index entry = 0;
   for (Index i = 0; i < layout.points; ++i) {
     const Index b = layout.body[i], g = layout.cones[i].generators;
     const Body<S>& body = scene.bodies[b];
     const Vector6<S> twist = body_twist(scene, answer, b, sigma);
     const Vector6<S> relative = answer.acceleration - twist;
-    own = Eigen::numext::maxi(own, size_of_twist(twist));
+    own = Eigen::numext::maxi(own, size_of_twist(twist, scales.length));
     ContactAnswer<S>& contact = answer.contacts[i];
     contact.friction_force.setZero();
     contact.torsion = contact.slip = S(0);

@@ -12,15 +12,14 @@ namespace lcpush {
 template <class S> class RoundDistance {
 public:
   RoundDistance(const Scene<S>& scene, const Scales<S>& scales, const Answer<S>& answer)
-      : scene_(scene), scales_(scales), answer_(answer), fastest_(scales.acceleration) {
-    // Rounding is that of the twists whose difference a slip is.
-    for (const Body<S>& b : scene.bodies)
-      fastest_ = Eigen::numext::maxi(fastest_,
-                                     S(b.acceleration.template head<3>().norm() +
-                                       scales.length * b.acceleration.template tail<3>().norm()));
-    fastest_ *= ModelSettings<S>::slip_noise();
+      : scene_(scene), scales_(scales), answer_(answer),
+        // Rounding is that of the twists whose difference a slip is.
+        fastest_(ModelSettings<S>::slip_noise() *
+                 fastest_body(scene, scales.length, scales.acceleration)) {
     for (Index i = 0; i < scene.points.size; ++i)
       fastest_ = Eigen::numext::maxi(fastest_, S(slip(i).norm()));
+    slowest_ = Eigen::numext::maxi(S(ModelSettings<S>::sticking() * fastest_),
+                                   S(ModelSettings<S>::slowest_slip() * scales.acceleration));
   }
 
   const Body<S>& body(Index i) const { return scene_.bodies[answer_.contacts[i].body]; }
@@ -36,10 +35,7 @@ public:
   const S& fastest() const { return fastest_; } ///< slip, m/s^2
   /// Slower than this beside the fastest point, or beside F / m, rounding does not tell a slip from
   /// none; and a point that sticks is within its pyramid, and so within its cone.
-  bool sticks(const S& speed) const {
-    return !(speed > ModelSettings<S>::sticking() * fastest_) ||
-           !(speed > ModelSettings<S>::slowest_slip() * scales_.acceleration);
-  }
+  bool sticks(const S& speed) const { return !(speed > slowest_); }
 
   /// |f - projection of (f - v) onto the cone|, f over F, v over the fastest slip.
   S of(Index i) const {
@@ -67,7 +63,7 @@ private:
   const Scene<S>& scene_;
   const Scales<S>& scales_;
   const Answer<S>& answer_;
-  S fastest_;
+  S fastest_, slowest_; // slips, m/s^2
 };
 
 } // namespace lcpush

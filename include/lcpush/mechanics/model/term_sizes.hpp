@@ -47,13 +47,8 @@ template <class S> Vector3<S> size_at(const Vector3<S>& p, const Vector6<S>& twi
 
 /// F / m; in a step in time, which begins with velocities, those of bodies beside the object too.
 template <class S> S fastest_of(const Scene<S>& scene, const Scales<S>& scales) {
-  S fastest = scales.acceleration;
-  if (scene.clearances.size == 0) return fastest;
-  for (const Body<S>& body : scene.bodies)
-    fastest = Eigen::numext::maxi(fastest,
-                                  S(body.acceleration.template head<3>().norm() +
-                                    scales.length * body.acceleration.template tail<3>().norm()));
-  return fastest;
+  const bool is_step = scene.clearances.size > 0;
+  return is_step ? fastest_body(scene, scales.length, scales.acceleration) : scales.acceleration;
 }
 
 template <class S> struct TermSizes {
@@ -97,13 +92,12 @@ template <class S> struct TermSizes {
 /// grow without bound.
 template <class S>
 Scales<S> scales_of_reactions(const Scene<S>& scene, Scales<S> scales, const Answer<S>& answer) {
-  S largest(0);
-  for (Index i = 0; i < scene.points.size; ++i)
-    largest = Eigen::numext::maxi(largest, Eigen::numext::abs(answer.contacts[i].normal_force));
-  const S rounding = Tolerances<S>().noise * largest;
-  if (!(rounding > scales.force)) return scales;
-  scales.force = rounding;
-  scales.acceleration = rounding / scene.object.mass;
+  for (Index i = 0; i < scene.points.size; ++i) {
+    const S rounding = Tolerances<S>().noise * Eigen::numext::abs(answer.contacts[i].normal_force);
+    if (rounding > scales.force) scales.force = rounding;
+  }
+  scales.acceleration =
+      Eigen::numext::maxi(scales.acceleration, S(scales.force / scene.object.mass));
   return scales;
 }
 

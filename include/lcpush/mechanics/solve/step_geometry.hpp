@@ -17,15 +17,12 @@ Vector6<S> along_face(const Vector3<S>& normal, Vector6<S> twist, const S& round
 
 /// How far a gap may be and close within the step, generously.
 template <class S, class Pivots> S TimeStepper<S, Pivots>::reach(const S& h) const {
-  const auto speed = [&](const Vector6<S>& twist) {
-    return S(twist.template head<3>().norm() + length_ * twist.template tail<3>().norm());
-  };
   S fastest(0), force = scene_->object.wrench.template head<3>().norm();
   for (const Vector6<S>& twist : m_.velocities)
-    fastest = Eigen::numext::maxi(fastest, speed(twist));
+    fastest = Eigen::numext::maxi(fastest, size_of_twist(twist, length_));
   for (const Actuator<S>& actuator : scene_->actuators) force += actuator.force;
   const S falls = scene_->gravity.norm() + force / scene_->object.mass;
-  return S(4) * h * (fastest + speed(velocity_) + h * falls) + length_ / S(1000);
+  return S(4) * h * (fastest + size_of_twist(velocity_, length_) + h * falls) + length_ / S(1000);
 }
 
 template <class S, class Pivots>
