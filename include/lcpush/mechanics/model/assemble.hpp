@@ -125,17 +125,20 @@ private:
     S fastest(1);
     for (const S& row : memory_.push) fastest = maxi(fastest, S(Eigen::numext::abs(row)));
     const S rounding = ModelSettings<S>::no_slip() * fastest;
-    const auto for_friction_of = [&](const Body<S>& body, const auto& visit) {
+    const auto largest_of = [&](const Body<S>& body, bool drops) {
+      S largest(0);
       for (const Index i : points_of(body)) {
         const ConeGroup<S>& cone = memory_.cones[i];
-        for (Index k = cone.normals; k < cone.forces(); ++k) visit(memory_.q[cone.variable + k]);
+        for (Index k = cone.normals; k < cone.forces(); ++k) {
+          S& row = memory_.q[cone.variable + k];
+          largest = maxi(largest, S(Eigen::numext::abs(row)));
+          if (drops) row = S(0);
+        }
       }
+      return largest;
     };
-    for (const Body<S>& body : scene_->bodies) {
-      S largest(0);
-      for_friction_of(body, [&](S& q) { largest = maxi(largest, S(Eigen::numext::abs(q))); });
-      if (largest <= rounding) for_friction_of(body, [](S& q) { q = S(0); });
-    }
+    for (const Body<S>& body : scene_->bodies)
+      if (largest_of(body, false) <= rounding) largest_of(body, true);
   }
   /// What force k of a point feels at rest and of the push.
   void set_q(Index point, Index k, const S& sigma) {
@@ -182,11 +185,12 @@ private:
       const S tau = scene.actuators[a].force / memory_.reach[a];
       force = maxi(force, Eigen::numext::abs(tau));
     }
-    const S inertia = scene.object.mass * push;
+    const S mass = scene.object.mass;
+    const S inertia = mass * push;
     force = force > S(0) ? maxi(force, S(inertia / ModelSettings<S>::push_over_forces())) : inertia;
-    if (!(force > S(0))) force = scene.object.mass;
+    if (!(force > S(0))) force = mass;
     layout_.scales.force = force;
-    layout_.scales.acceleration = force / scene.object.mass;
+    layout_.scales.acceleration = force / mass;
   }
 
   /// [T.1], and [T.16] of every point.

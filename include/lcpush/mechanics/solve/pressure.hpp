@@ -134,11 +134,9 @@ private:
     const bool refines = violation > options_.finest && fine_ < options_.fine_rounds;
     if (is_pressed && is_settled && !refines) return Status::solved;
     if (is_pressed && is_settled) ++fine_;
-    if (is_settled) friction_.turn(memory_); // corners hold what the next pressure changes
-    if (!is_settled && !turn()) return unsettled();
-    if (detail::largest_normal(assembly_, memory_) >
-        options_.runaway * detail::largest_load(assembly_))
-      return end_pads(Status::numerical_breakdown);
+    if (!is_settled && !may_turn()) return unsettled();
+    friction_.turn(memory_); // settled ones too: corners hold what the next pressure changes
+    if (forces_over_load() > options_.runaway) return end_pads(Status::numerical_breakdown);
     if (is_pressed)
       schedule_.keep();
     else
@@ -159,7 +157,8 @@ private:
     if (status != Status::solved) return status;
     if (is_pad()) return begin_stiff();
     if (friction_.is_settled(memory_.z.data) && friction_.passes()) return status;
-    if (!turn()) return unsettled();
+    if (!may_turn()) return unsettled();
+    friction_.turn(memory_);
     restarted_ = false;
     return begin_solver(true);
   }
@@ -168,17 +167,19 @@ private:
     ++stiff_starts_;
     options_.first_compliance *= options_.stiff_start;
     // The literal answer shows what forces there have to be.
-    const S needed = detail::largest_normal(assembly_, memory_) / detail::largest_load(assembly_);
-    options_.runaway *= Eigen::numext::maxi(S(1), needed);
+    options_.runaway *= Eigen::numext::maxi(S(1), forces_over_load());
     rounds_.vary();
     return begin_pads(Phase::stiff_pads);
   }
 
-  /// Turns the pyramids; false: often enough.
-  bool turn() {
+  /// How large the forces of the last answer are beside what the scene asks for.
+  S forces_over_load() const {
+    return detail::largest_normal(assembly_, memory_) / detail::largest_load(assembly_);
+  }
+  /// Counts the turns of pyramids that are not settled; false: that was the last.
+  bool may_turn() {
     if (run_.turns == options_.max_turns) return false;
     ++run_.turns;
-    friction_.turn(memory_);
     return true;
   }
   Status unsettled() {

@@ -30,7 +30,7 @@ public:
   void begin() {
     if (!is_round()) return;
     for (LinearizedCone<S>& cone : cones_) cone = {};
-    has_turned_ = stalls_ = false;
+    stalls_ = false;
     fastest_ = S(0);
     reassemble();
   }
@@ -59,13 +59,12 @@ public:
   void turn(const PressureMemory<S>& memory) {
     if (!is_round()) return;
     const RoundDistance<S> cones = distance();
-    const S step = has_turned_ ? step_length(cones) : S(1);
+    const S step = fastest_ > S(0) ? step_length(cones) : S(1);
     const bool is_short = step < RoundSettings::least_step<S>();
     const bool halts =
         cones.fastest() < RoundSettings::halts<S>() * fastest_ || (is_short && stalls_);
     stalls_ = is_short && !halts;
     fastest_ = cones.fastest();
-    has_turned_ = true;
     for (Index i = 0; i < assembly_.layout().points; ++i)
       if (assembly_.layout().cones[i].generators > 0) turn_point(cones, i, step, halts, memory);
     reassemble();
@@ -78,8 +77,8 @@ private:
   Span<LinearizedCone<S>> cones_;
   Answer<S>* answer_;
   Index worst_ = 0;
-  S fastest_{0}; // slip, when the pyramids last turned
-  bool has_turned_ = false, stalls_ = false;
+  S fastest_{0}; // slip, when the pyramids last turned; 0: they have not
+  bool stalls_ = false;
 
   RoundDistance<S> distance() const {
     return {assembly_.scene(), assembly_.layout().scales, *answer_};
@@ -95,16 +94,15 @@ private:
         if (assembly_.layout().cones[i].generators == 0) continue;
         const Vector3<S> change = cones.slip(i) - cones_[i].slip;
         const Vector3<S> v = cones_[i].slip + step * change;
-        const S speed = v.norm(), along = speed > S(0) ? S(v.dot(change) / speed) : change.norm();
-        slope += cones.friction(i).dot(change) + cones.limit(i) * along;
+        slope += cones.friction(i).dot(change);
+        if (const S speed = v.norm(); speed > S(0)) slope += cones.limit(i) * v.dot(change) / speed;
       }
       return slope > S(0);
     };
-    if (!rises(S(1))) return S(1);
-    S low(0), high(1);
-    for (int k = 0; k < RoundSettings::halvings; ++k) {
-      const S middle = (low + high) / S(2);
-      (rises(middle) ? high : low) = middle;
+    S low(0), high(1), step(1); // the whole step first
+    while (high - low > RoundSettings::step_error<S>()) {
+      (rises(step) ? high : low) = step;
+      step = (low + high) / S(2);
     }
     return high;
   }

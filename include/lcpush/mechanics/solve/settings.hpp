@@ -42,7 +42,7 @@ struct RoundSettings {
   /// Of 2,600 loads near the limit of friction 0.25 leaves the fewest open of 0, 0.1, 0.25, 0.5.
   template <class S> static constexpr S halts() { return S(0.25); }
   template <class S> static constexpr S least_step() { return S(0.01); } ///< less is a stall
-  static constexpr int halvings = 10; ///< of a step: to a thousandth
+  template <class S> static constexpr S step_error() { return S(1) / S(1024); }
   /// Below this the force is on an edge of its pyramid, which gives way before the circle does.
   template <class S> static constexpr S corner() { return S(0.9999); }
 };
