@@ -116,8 +116,8 @@ class Interrupts(unittest.TestCase):
         exact = lcpush.Scene(pivot)  # its pivots in fractions take many seconds
         tables["pusher"][0]["friction"] = 0.3
         for finger in tables["finger"]:
-            finger["points"] = 250
-        huge = lcpush.Scene({**tables, "facets": 32})  # nothing of these asks whether to go on
+            finger["points"] = 400
+        huge = lcpush.Scene({**tables, "facets": 64})  # nothing of these asks whether to go on
         works = (huge.certify, lambda: huge.move(time=1), lambda: scene.sweep(*LONG, steps=200_000),
                  lambda: wide.sweep(*LONG, steps=1000),
                  lambda: lcpush.read("docs/guide/held_box.toml").move(time=90, step=1e-4),
