@@ -40,6 +40,7 @@ RawAnswer solve_piece(const RawProblem& problem, const RawOptions& options,
 void merge(const std::vector<Index>& rows, const RawAnswer& part, RawAnswer& whole) {
   whole.pivots += part.pivots;
   whole.covers = std::max(whole.covers, part.covers);
+  whole.search.starts += part.search.starts;
   for (const Index row : part.redundant_rows)
     whole.redundant_rows.push_back(rows[static_cast<std::size_t>(row)]);
   if (part.inconsistent_row >= 0)

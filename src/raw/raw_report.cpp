@@ -20,6 +20,8 @@ std::string reason_of(const RawAnswer& answer) {
   if (answer.status == Status::ray)
     reason = "Lemke ended on a secondary ray under " + counted(answer.covers, "covering vector");
   if (answer.status == Status::pivot_limit) reason = "the limit of pivots was reached";
+  if (answer.search.starts > 0)
+    reason += ", and from " + std::to_string(answer.search.starts) + " other bases";
   if (answer.search.whole)
     reason += "; none of its complementary cones holds q: there is no solution";
   return reason;
@@ -116,7 +118,7 @@ std::string raw_json(const RawProblem& problem, const RawAnswer& answer,
   json.member("z", when(solved, answer.z)).member("w", when(solved, answer.w));
   json.member("basis", when(solved && !problem.bounds.given(), basis_of(answer)));
   if (problem.bounds.given()) json.member("at", when(solved, places_of(problem, answer)));
-  json.member("pieces", answer.search.pieces);
+  json.member("pieces", answer.search.pieces).member("starts", answer.search.starts);
   if (!solved) json.member("reason", reason_of(answer)).member("ray", unless_empty(answer.ray));
   json.list("redundant_rows", answer.redundant_rows, [&](Index row) { json.value(row + 1); });
   return json.end_object().text();

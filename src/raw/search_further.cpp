@@ -1,6 +1,7 @@
 // After a failure: pairs that a nearly right point leaves undecided (both z and w are of the size
 // of its rounding) as a problem of their own, with numbers of its own size; the same problem in
-// other scales; and, of a small one, all its complementary cones. The referee judges every point.
+// other scales and from other bases; and, of a small one, all its complementary cones. The referee
+// judges every point.
 #include <algorithm>
 #include <cmath>
 
@@ -93,6 +94,22 @@ bool try_covers(const DensePiece& piece, const RawOptions& options, Attempts& at
   return attempts.cold(piece, generic) || attempts.hopeless();
 }
 
+/// Bases of pseudo-random unknowns, some with few of them, some with many: among them of games,
+/// which end every covering vector on a ray.
+bool try_starts(const DensePiece& scaled, Attempts& attempts) {
+  const Index n = scaled.size();
+  for (Index start = 0; start < raw_settings.starts(n); ++start) {
+    const auto seed = static_cast<std::uint32_t>(1000 + start);
+    const double share = raw_settings.shares[start % 3];
+    std::vector<unsigned char> active;
+    for (Index i = 0; i < n; ++i)
+      active.push_back(generic_number<double>(seed, i) < 1 + share ? 1 : 0);
+    ++attempts.answer().search.starts;
+    if (attempts.from(scaled, active, Guess::near)) return true;
+  }
+  return false;
+}
+
 /// q in one of the 2^n cones of complementary columns: w_i or -M_i for each pair. An answer lies in
 /// one of them, also where its basis is singular.
 bool try_all_cones(const DensePiece& scaled, Attempts& attempts) {
@@ -150,6 +167,7 @@ void search_further(const RawProblem& problem, const RawOptions& options, int le
   const DensePiece scaled(problem, DensePiece::Scaled::yes);
   if (try_covers(scaled, options, attempts)) return;
   if (settle_near_points(problem, options, level, attempts)) return;
+  if (try_starts(scaled, attempts)) return;
   // All complementary cones of a small problem.
   (void)try_all_cones(scaled, attempts);
 }

@@ -27,6 +27,9 @@ struct RawSettings {
   std::size_t near_points = 2;
   /// The generic covering vectors of the second search: not those of the first.
   Index first_other_cover = 6, other_covers = 3;
+  /// Pseudo-random bases to start from: each is factored afresh. Bimatrix games of 12 take 2.
+  Index starts(Index n) const { return n <= 100 ? 48 : n <= 400 ? 24 : n <= 1000 ? 8 : 2; }
+  double shares[3] = {0.5, 0.25, 0.75}; ///< of the unknowns in them, one after the other
   /// All complementary cones are tried up to here: the work doubles with each pair.
   Index pairs_enumerated = 10, rows_enumerated = 24;
   /// What least squares leave of a column that is not needed, of the largest.

@@ -102,7 +102,7 @@ TEST_CASE("a point that is right but for its smallest rows is settled level by l
   }
 }
 
-TEST_CASE("what Lemke ends on at once is found among the complementary cones") {
+TEST_CASE("what Lemke ends on at once is solved from other bases, and that is said") {
   // Two players without their payoffs as unknowns: M >= 0 with empty diagonal blocks.
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(6, 6);
   M.topRightCorner(3, 3) << 1, 3, 2, 2, 1, 3, 3, 2, 1;
@@ -110,6 +110,7 @@ TEST_CASE("what Lemke ends on at once is found among the complementary cones") {
   const DenseRaw game = dense_raw(M, -Eigen::VectorXd::Ones(6));
   const RawAnswer answer = solve_raw(game.raw(), {});
   REQUIRE(answer.status == Status::solved);
+  CHECK(answer.search.starts > 0);
   CHECK(violation(game, answer.z, bound) <= 1e-12);
   RawOptions once;
   once.searches = false;

@@ -58,6 +58,7 @@ struct SweepResidual {
 /// What a failure does not mean: that nobody looked further.
 struct RawSearch {
   Index pieces = 0;   ///< that no entry of M connects: each was solved alone
+  Index starts = 0;   ///< other complementary bases that pivots started from, after all covers
   bool whole = false; ///< all complementary bases of the piece that failed were tried
 };
 
@@ -84,7 +85,7 @@ struct RawOptions {
   SweepOptions<double> sweeps{}; ///< max_sweeps, check_every and relaxation count
   Watcher* watcher = nullptr;    ///< told of all pivots and checks of sweeps
   /// Solve what M does not connect apart, and look further after a failure: undecided pairs, other
-  /// scales, all cones. False: one run on all of it, as a trace shows it.
+  /// scales, other starts, all cones. False: one run on all of it, as a trace shows it.
   bool searches = true;
 };
 
