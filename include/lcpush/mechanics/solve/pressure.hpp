@@ -135,7 +135,7 @@ private:
     if (is_pressed && is_settled && !refines) return Status::solved;
     if (is_pressed && is_settled) ++fine_;
     if (!is_settled && !may_turn()) return unsettled();
-    friction_.turn(memory_); // settled ones too: corners hold what the next pressure changes
+    turn(); // settled ones too: corners hold what the next pressure changes
     if (forces_over_load() > options_.runaway) return end_pads(Status::numerical_breakdown);
     if (is_pressed)
       schedule_.keep();
@@ -158,7 +158,7 @@ private:
     if (is_pad()) return begin_stiff();
     if (friction_.is_settled(memory_.z.data) && friction_.passes()) return status;
     if (!may_turn()) return unsettled();
-    friction_.turn(memory_);
+    turn();
     restarted_ = false;
     return begin_solver(true);
   }
@@ -176,6 +176,7 @@ private:
   S forces_over_load() const {
     return detail::largest_normal(assembly_, memory_) / detail::largest_load(assembly_);
   }
+  void turn() { friction_.turn(memory_, run_.turns <= RoundSettings::damped_turns); }
   /// Counts the turns of pyramids that are not settled; false: that was the last.
   bool may_turn() {
     if (run_.turns == options_.max_turns) return false;

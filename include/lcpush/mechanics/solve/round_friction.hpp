@@ -56,10 +56,11 @@ public:
   /// Turns every pyramid to the answer that is_settled looked at, and with it what later rounds
   /// start from: the basis and the unknowns. Where slips die away, or a step leads nowhere, points
   /// are about to stick: the corner then goes to their force, which it holds.
-  void turn(const PressureMemory<S>& memory) {
+  /// Not damped: Newton's method as it is, whose other paths settle where those come back.
+  void turn(const PressureMemory<S>& memory, bool damps) {
     if (!is_round()) return;
     const RoundDistance<S> cones = distance();
-    const S step = fastest_ > S(0) ? step_length(cones) : S(1);
+    const S step = damps && fastest_ > S(0) ? step_length(cones) : S(1);
     const bool is_short = step < RoundSettings::least_step<S>();
     const bool halts =
         cones.fastest() < RoundSettings::halts<S>() * fastest_ || (is_short && stalls_);
@@ -91,7 +92,6 @@ private:
     const auto rises = [&](const S& step) {
       S slope(0);
       for (Index i = 0; i < assembly_.layout().points; ++i) {
-        if (assembly_.layout().cones[i].generators == 0) continue;
         const Vector3<S> change = cones.slip(i) - cones_[i].slip;
         const Vector3<S> v = cones_[i].slip + step * change;
         slope += cones.friction(i).dot(change);

@@ -38,6 +38,9 @@ template <class S> struct PressureOptions {
 struct RoundSettings {
   template <class S> static constexpr S slides() { return S(0.5); } ///< less is on its way to stick
   template <class S> static constexpr S sticks() { return S(0.9); } ///< less is far from slipping
+  /// Of so many turns each is as long as friction's power falls, the others are whole: then none of
+  /// 164 slow pushes is left unsettled, and no more loads near the limit.
+  static constexpr Index damped_turns = 48;
   /// The fastest slip beside that of the iteration before, below which points are about to stick.
   /// Of 2,600 loads near the limit of friction 0.25 leaves the fewest open of 0, 0.1, 0.25, 0.5.
   template <class S> static constexpr S halts() { return S(0.25); }
