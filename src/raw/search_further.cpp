@@ -99,7 +99,7 @@ bool try_covers(const DensePiece& piece, const RawOptions& options, Attempts& at
 bool try_starts(const DensePiece& scaled, Attempts& attempts) {
   const Index n = scaled.size();
   for (Index start = 0; start < raw_settings.starts(n); ++start) {
-    const auto seed = static_cast<std::uint32_t>(1000 + start);
+    const auto seed = static_cast<std::uint32_t>(raw_settings.first_seed + start);
     const double share = raw_settings.shares[start % 3];
     std::vector<unsigned char> active;
     for (Index i = 0; i < n; ++i)
