@@ -42,12 +42,11 @@ std::string frames_json(const SceneFile& file, const MotionReport& report,
     const MotionFrame& frame = report.frames[k];
     std::vector<std::string> cells;
     for (std::size_t b = 0; b < file.bodies.size(); ++b) {
-      const bool starts = k == 0 && !report.first.empty();
-      const BodyForce& body = starts ? report.first[b] : frame.bodies[b];
-      const Vector3<double>& f = body.force;
-      const double square = f.squaredNorm() - body.normal_force * body.normal_force;
-      cells.push_back(brief(body.normal_force));
-      cells.push_back(brief(std::sqrt(std::max(square, 0.0))));
+      const std::vector<BodyForce>& forces = forces_beside(report, k);
+      const BodyForce body = forces.empty() ? BodyForce{} : forces[b];
+      const double square = body.force.squaredNorm() - body.normal_force * body.normal_force;
+      cells.push_back(forces.empty() ? "-" : brief(body.normal_force));
+      cells.push_back(forces.empty() ? "-" : brief(std::sqrt(std::max(square, 0.0))));
       cells.push_back(k == 0 ? "-" : listed(touch_words(file, frame, b, verbs, true), "and"));
     }
     const double share = last > 0 ? frame.time / last : 0;

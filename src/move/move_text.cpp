@@ -65,10 +65,10 @@ std::string frames_table(const SceneFile& file, const MotionReport& report, bool
             in_digits(1000 * frame.pose.position[axis], digits, 1000 * least / 10));
       for (const Index axis : turns)
         rows.back().push_back(in_digits(degrees_of * turn[axis], digits, degrees_of * least / 10));
-      const bool starts = k == 0 && !report.first.empty();
-      const std::vector<BodyForce>& bodies = starts ? report.first : frame.bodies;
-      rows.back().push_back(in_digits(push_force(file, bodies).norm(), digits,
-                                      MoveSettings::exact * std::max(1.0, hardest(bodies))));
+      const std::vector<BodyForce>& forces = forces_beside(report, k);
+      const double noise = MoveSettings::exact * std::max(1.0, hardest(forces));
+      rows.back().push_back(
+          forces.empty() ? "-" : in_digits(push_force(file, forces).norm(), digits, noise));
     }
     return rows;
   };

@@ -35,6 +35,11 @@ Vector3<double> rotation_vector(const Matrix3<double>& rotation);
 Vector3<double> push_force(const SceneFile& file, const std::vector<BodyForce>& bodies);
 /// N, the most that a body presses with.
 double hardest(const std::vector<BodyForce>& bodies);
+/// What acts beside frame k: at the begin that of the second step, which has started what starts at
+/// once. Empty if there was no step.
+inline const std::vector<BodyForce>& forces_beside(const MotionReport& report, std::size_t k) {
+  return k == 0 ? report.first : report.frames[k].bodies;
+}
 /// What is odd about the scene, and what the motion shows of it beside: a shape that it would take.
 std::vector<SceneDoubt> motion_doubts(const SceneFile& file, const MotionReport& report);
 
