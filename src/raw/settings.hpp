@@ -29,7 +29,7 @@ struct RawSettings {
   Index first_other_cover = 6, other_covers = 3;
   /// Pseudo-random bases to start from: each is factored afresh. Bimatrix games of 12 take 2.
   Index starts(Index n) const { return n <= 100 ? 48 : n <= 400 ? 24 : n <= 1000 ? 8 : 2; }
-  Index first_seed = 1000; ///< of their pseudo-random numbers
+  Index first_seed = 1000;              ///< of their pseudo-random numbers
   double shares[3] = {0.5, 0.25, 0.75}; ///< of the unknowns in them, one after the other
   /// All complementary cones are tried up to here: the work doubles with each pair.
   Index pairs_enumerated = 10, rows_enumerated = 24;
