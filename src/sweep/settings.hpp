@@ -33,7 +33,6 @@ struct SweepSettings {
   static constexpr Index probes = 64;  ///< where nothing was found, look in so many places
   static constexpr Index strokes = 32; ///< samples of what bisection has left over
   static constexpr Index usual_steps = 51, usual_map_steps = 11;
-  static constexpr std::size_t most_kept = 64'000'000; ///< bytes of bases: a flag an unknown, round
   // What is another answer, relative.
   static constexpr double jump = 1e-6;           ///< between exact segments
   static constexpr double sampled_jump = 1e-3;   ///< over the width of bisection

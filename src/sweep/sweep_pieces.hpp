@@ -9,10 +9,6 @@
 
 namespace lcpush::desktop {
 
-/// Where bisection ends: this part of the range.
-/// The same of what is found from small pushes, whose own size blurs it.
-/// No sweep has more pieces; what is left is one unsolved piece, or strokes between samples.
-
 /// The straight line through two answers: at `t` if they are at t0 and t1.
 DetailedAnswer on_line(const DetailedAnswer& first, double t0, const DetailedAnswer& second,
                        double t1, double t);

@@ -1,7 +1,6 @@
 #include "sweep/sweep_samples.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "sweep/settings.hpp"
@@ -45,11 +44,11 @@ void refine(SweepSolver& solver, const Sample& from, const Sample& to,
   const double width = is_blurred ? SweepSettings::breaking_blur : SweepSettings::bisection_width;
   Sample low = from, high = to;
   while (high.t - low.t > width) {
-    Sample middle = sample_at(solver, (low.t + high.t) / 2, {&low, &high}, {asked});
+    Sample middle = sample_at(solver, (low.t + high.t) / 2, &low, {asked});
     (same_modes(middle[asked], low[asked]) ? low : high) = std::move(middle);
   }
   const auto complete = [&](Sample& sample, const Sample& neighbour) {
-    const Sample rest = sample_at(solver, sample.t, {&neighbour}, {other});
+    const Sample rest = sample_at(solver, sample.t, &neighbour, {other});
     sample[other] = rest[other];
     sample.bases[other] = rest.bases[other];
   };
@@ -67,95 +66,42 @@ void refine(SweepSolver& solver, const Sample& from, const Sample& to,
   if (!same_modes(high, to)) refine(solver, high, to, points);
 }
 
-/// The points of one way through the range, and the bases in which its steps have ended.
-class SampledPath {
-public:
-  std::vector<SweepPoint> points;
-
-  /// `began`: the bases of the step before.
-  void add(const Sample& sample, const OfBoth<RoundBases>& began, const Variation& variation) {
-    bool is_sure = true;
-    for (const Question question : questions) {
-      const bool from_nothing = began[question].empty() && sample.bases[question].empty();
-      is_sure = is_sure && (from_nothing || sample[question].is_known());
-    }
-    if (!is_sure) {
-      bases_.reset();
-    } else if (!bases_ || !same_bases(*bases_, sample.bases)) {
-      kept_ += size_of(sample.bases);
-      bases_ = kept_ <= SweepSettings::most_kept
-                   ? std::make_shared<OfBoth<RoundBases>>(sample.bases)
-                   : nullptr;
-    }
-    steps_.push_back({points.size(), bases_});
-    points.push_back(point_of(sample, variation));
-  }
-  /// Whoever comes from the next step with the bases in which this one has ended finds its answer
-  /// again. Null: these are not those, or the modes change in between.
-  const SweepPoint* found_again(Index step, const OfBoth<RoundBases>& bases) const {
-    const Step& here = at(step);
-    const bool is_plain = here.bases && at(step + 1).point == here.point + 1;
-    return is_plain && same_bases(*here.bases, bases) ? &points[here.point] : nullptr;
-  }
-
-  /// Where the step's answer is that of the way back, too, that goes on from the bases here: mostly
-  /// they hold at the next step as well, whose answer is found again then. A push without a single
-  /// answer may hold in many bases.
-  void join(Index step, const SweepPoint& back, OfBoth<RoundBases>& bases) const {
-    const Step& here = at(step);
-    const SweepPoint& point = points[here.point];
-    if (!here.bases || back.modes != point.modes) return;
-    for (const Question question : questions)
-      if (same_answer(point.at[question], back.at[question], question))
-        bases[question] = (*here.bases)[question];
-  }
-
-private:
+/// The points of one way through the range, and of its steps the bases in which they have ended.
+struct SampledPath {
   struct Step {
     std::size_t point;
-    std::shared_ptr<const OfBoth<RoundBases>> bases; // null: another start may end elsewhere
+    OfBoth<RoundBases> bases;
   };
-  std::vector<Step> steps_;
-  std::shared_ptr<const OfBoth<RoundBases>> bases_; // neighbours share them
-  std::size_t kept_ = 0;
+  std::vector<SweepPoint> points;
+  std::vector<Step> steps;
 
-  const Step& at(Index step) const { return steps_[static_cast<std::size_t>(step)]; }
-  static std::size_t size_of(const OfBoth<RoundBases>& bases) {
-    std::size_t size = 0;
+  /// Where the step's answer is that of the way back, too, that goes on from the bases here: a push
+  /// without a single answer may hold in many.
+  void join(std::size_t step, const SweepPoint& back, OfBoth<RoundBases>& bases) const {
+    const SweepPoint& point = points[steps[step].point];
+    if (back.modes != point.modes) return;
     for (const Question question : questions)
-      for (const Basis& basis : bases[question]) size += basis.size();
-    return size;
-  }
-  static bool same_bases(const OfBoth<RoundBases>& a, const OfBoth<RoundBases>& b) {
-    return a.push == b.push && a.breaking == b.breaking;
+      if (same_answer(point.at[question], back.at[question], question))
+        bases[question] = steps[step].bases[question];
   }
 };
 
-/// Each from its neighbour's answer, and more of them where modes change. On the way back what the
-/// way `there` would find again is taken from it, and where both are at the same answer they go on
-/// as one.
+/// Each step from its neighbour's answer, and more of them where modes change. Where the way back
+/// is at the answer of the way `there`, both go on as one.
 SampledPath sampled(SweepSolver& solver, Index steps, const Progress& progress,
                     const SampledPath* there = nullptr) {
+  const Variation& variation = solver.variations().front();
   SampledPath way;
   Sample last;
-  bool is_solved = false; // or only the bases of `last` are known
   for (Index k = 0; k < steps; ++k) try {
       const double t = static_cast<double>(k) / static_cast<double>(std::max<Index>(steps - 1, 1));
-      const SweepPoint* const again =
-          there != nullptr && k > 0 ? there->found_again(steps - 1 - k, last.bases) : nullptr;
-      if (again != nullptr) {
-        way.points.push_back(*again);
-        way.points.back().change = {};
-        last.t = t;
-      } else {
-        if (k > 0 && !is_solved) last = sample_at(solver, last.t, {&last});
-        Sample sample = sample_at(solver, t, {k > 0 ? &last : nullptr});
-        if (k > 0 && !same_modes(last, sample)) refine(solver, last, sample, way.points);
-        way.add(sample, last.bases, solver.variations().front());
-        if (there != nullptr) there->join(steps - 1 - k, way.points.back(), sample.bases);
-        last = std::move(sample);
-      }
-      is_solved = again == nullptr;
+      Sample sample = sample_at(solver, t, k > 0 ? &last : nullptr);
+      if (k > 0 && !same_modes(last, sample)) refine(solver, last, sample, way.points);
+      way.steps.push_back({way.points.size(), sample.bases});
+      way.points.push_back(point_of(sample, variation));
+      if (there != nullptr)
+        there->join(static_cast<std::size_t>(steps - 1 - k), way.points.back(), sample.bases);
+      last = std::move(sample);
       progress(t);
     } catch (const Stopped&) {
       break;
@@ -197,25 +143,22 @@ SweepPoint refined_point(const Sample& sample, const Variation& variation) {
 namespace {
 
 /// At the solver's present value.
-Sample sample_here(SweepSolver& solver, double t, SampleStart start,
+Sample sample_here(SweepSolver& solver, double t, const Sample* neighbour,
                    const std::vector<Question>& asked) {
   Sample sample;
   sample.t = t;
-  if (!solver.is_warm()) start = {};
-  if (start.neighbour != nullptr) sample.bases = start.neighbour->bases;
-  const bool both = start.neighbour != nullptr && start.other != nullptr;
+  if (solver.is_warm() && neighbour != nullptr) sample.bases = neighbour->bases;
   for (const Question question : asked)
-    sample[question] = solver.solve(question, sample.bases[question],
-                                    both ? &start.other->bases[question] : nullptr);
+    sample[question] = solver.solve(question, sample.bases[question]);
   return sample;
 }
 
 } // namespace
 
-Sample sample_at(SweepSolver& solver, double t, const SampleStart& start,
+Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour,
                  const std::vector<Question>& asked) {
   solver.go_to(value_at(solver.variations().front(), t));
-  return sample_here(solver, t, start, asked);
+  return sample_here(solver, t, neighbour, asked);
 }
 
 void sample_line(const VariedScene& scene, SweepSolver& solver,
@@ -252,7 +195,7 @@ void sample_map(SweepSolver& solver, const ParameterSweepOptions& options, Sweep
   const auto at = [&](Index k, Index row, const Sample* neighbour,
                       const std::vector<Question>& asked) {
     solver.go_to({value_at(first, share(k)), value_at(second, share(row))});
-    return sample_here(solver, share(k), {neighbour}, asked);
+    return sample_here(solver, share(k), neighbour, asked);
   };
   Sample row_begin, last;
   for (Index row = 0; row < steps; ++row) {

@@ -24,13 +24,9 @@ struct Sample : OfBoth<DetailedAnswer> {
   double t = 0; ///< 0 to 1 over the range
   OfBoth<RoundBases> bases;
 };
-/// What a sample starts from: nothing, a neighbour's bases, or those of the neighbours on both
-/// sides.
-struct SampleStart {
-  const Sample *neighbour = nullptr, *other = nullptr;
-};
-/// The answers to these questions at t of the only parameter.
-Sample sample_at(SweepSolver& solver, double t, const SampleStart& start,
+/// The answers to these questions at t of the only parameter, from a neighbour's bases or, without
+/// one, from nothing.
+Sample sample_at(SweepSolver& solver, double t, const Sample* neighbour,
                  const std::vector<Question>& asked = {Question::push, Question::breaking});
 SweepPoint point_of(const Sample& sample, const Variation& variation);
 /// The same, as one that lies between two of the steps.

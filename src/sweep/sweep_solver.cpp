@@ -173,7 +173,7 @@ bool SweepSolver::stand_on(Question question, const Basis& basis) {
   return lemke_->step() == Status::solved && lemke_->pivots() == 0;
 }
 
-DetailedAnswer SweepSolver::on_basis(Question question, const Basis& basis, bool thorough) {
+DetailedAnswer SweepSolver::on_basis(Question question, const Basis& basis) {
   if (!has(question)) return {};
   make_structured();
   const Problem<double> problem = point_->problem(question);
@@ -181,14 +181,14 @@ DetailedAnswer SweepSolver::on_basis(Question question, const Basis& basis, bool
   if (static_cast<Index>(basis.size()) != problem.size) return {};
   if (held_->look(problem, basis.data()) == Status::solved)
     limit = {held_->z(), held_->z_push(), held_->valid_to()};
-  else if (thorough && stand_on(question, basis)) // the dictionary may be better conditioned
+  else if (stand_on(question, basis)) // the dictionary may be better conditioned
     limit = {lemke_->z(), lemke_->z_push(), lemke_->valid_to()};
   else
     return {};
   return question == Question::push ? read_push(*point_, limit.z) : read_breaking(*point_, limit);
 }
 
-DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const RoundBases* others) {
+DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases) {
   if (!has(question)) return {};
   if (bases.empty() && point_->has_no_answer()) {
     ++cold_;
@@ -201,15 +201,6 @@ DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases, const Ro
     DetailedAnswer answer = solve_pad(question, bases);
     if (is_from_nothing(question)) bases.clear();
     return answer;
-  }
-  if (others != nullptr && !others->empty() && !bases.empty()) {
-    for (const RoundBases* candidate : {static_cast<const RoundBases*>(&bases), others}) {
-      const DetailedAnswer answer = on_basis(question, candidate->front(), false);
-      if (!answer.is_known()) continue;
-      ++warm_;
-      if (candidate == others) bases = *others;
-      return answer;
-    }
   }
   if (!bases.empty()) {
     DetailedAnswer answer = on_basis(question, bases.front());

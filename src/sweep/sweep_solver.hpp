@@ -103,8 +103,7 @@ public:
            (push_size(point_->scene) > 0 && !(leaves_out_ && is_from_nothing(question)));
   }
   /// The answer by the scene's pressure law, from `bases` if there are any, which receive its own.
-  /// `others` are tried next, before any pivot: those of a neighbour on the other side.
-  DetailedAnswer solve(Question question, RoundBases& bases, const RoundBases* others = nullptr);
+  DetailedAnswer solve(Question question, RoundBases& bases);
   /// The instant of breaking by finite pushes is found from nothing, as by `break`: a neighbour's
   /// bases save no work, and the way there makes no difference.
   bool is_from_nothing(Question question) const {
@@ -121,9 +120,8 @@ public:
   /// Lemke stands at exactly this basis: it is the answer here.
   bool stand_on(Question question, const Basis& basis);
   Lemke<double>& lemke() { return *lemke_; }
-  /// The answer of one basis, checked; `thorough`: by the whole dictionary if the basis' factors
-  /// will not do.
-  DetailedAnswer on_basis(Question question, const Basis& basis, bool thorough = true);
+  /// The answer of one basis, checked; by the whole dictionary if the basis' factors will not do.
+  DetailedAnswer on_basis(Question question, const Basis& basis);
 
 private:
   std::vector<Variation> variations_;

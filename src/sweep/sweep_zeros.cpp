@@ -67,8 +67,8 @@ Crossing crossing_between(SweepSolver& solver, Index k, double threshold, const 
   };
   const double whole = std::abs(second.at.push.twist[k] - first.at.push.twist[k]);
   const std::vector<Question> asked = {Question::push};
-  Sample low = sample_at(solver, share_of(first.value), {}, asked);
-  Sample high = sample_at(solver, share_of(second.value), {}, asked);
+  Sample low = sample_at(solver, share_of(first.value), nullptr, asked);
+  Sample high = sample_at(solver, share_of(second.value), nullptr, asked);
   Sample shoulder_low = low, shoulder_high = high; // the last ones that are not yet on the slope
   const auto value = [k](const Sample& sample) { return sample.push.twist[k]; };
   if (sign_of(value(low), 0) * sign_of(value(high), 0) != -1) // afresh, another branch is found
@@ -77,7 +77,7 @@ Crossing crossing_between(SweepSolver& solver, Index k, double threshold, const 
     return std::abs(value(sample) - end.at.push.twist[k]) <= SweepSettings::shoulder * whole;
   };
   while (high.t - low.t > SweepSettings::zero_width) {
-    Sample middle = sample_at(solver, (low.t + high.t) / 2, {&low, &high}, asked);
+    Sample middle = sample_at(solver, (low.t + high.t) / 2, &low, asked);
     if (!middle.push.is_solved()) break;
     const bool below = sign_of(value(middle), 0) * sign_of(value(low), 0) > 0;
     if (below && near(middle, first)) shoulder_low = middle;
@@ -92,10 +92,10 @@ Crossing crossing_between(SweepSolver& solver, Index k, double threshold, const 
   const double t = crossing.zero.jumps ? high.t : low.t - value(low) / rise * (high.t - low.t);
   crossing.zero.from = crossing.zero.to = value_at(variation, t);
   const auto show = [&](const Sample& at) { // with both answers
-    crossing.points.push_back(refined_point(sample_at(solver, at.t, {&at}), variation));
+    crossing.points.push_back(refined_point(sample_at(solver, at.t, &at), variation));
   };
   if (shoulder_low.t > share_of(first.value)) show(shoulder_low);
-  if (!crossing.zero.jumps) show(sample_at(solver, t, {&low}, asked));
+  if (!crossing.zero.jumps) show(sample_at(solver, t, &low, asked));
   if (shoulder_high.t < share_of(second.value)) show(shoulder_high);
   return crossing;
 }
