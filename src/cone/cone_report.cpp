@@ -16,8 +16,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr double degrees_a_radian = 180 / 3.14159265358979323846;
-
 /// "the box slips over wall along +y", "the box turns about wall.1".
 std::string beyond_words(const SceneFile& file, const ConeReport& report) {
   const ConeReport::Verdict& verdict = *report.verdict;
@@ -124,7 +122,7 @@ std::string cone_text(const SceneFile& file, const ConeReport& report, Telling t
                                         : ", exact for pyramids of " + std::to_string(file.facets) +
                                               " facets")});
     facts.push_back(
-        {"Angles", "between twists (vx, vy, turn times " + brief(1000 * report.length) + " mm)"});
+        {"Angles", "between twists (vx, vy, turn times " + millimetres(report.length) + ")"});
   }
   return text + facts_text(facts);
 }

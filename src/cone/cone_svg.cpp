@@ -145,8 +145,8 @@ std::string cone_svg(const SceneFile& file, const ConeReport& report) {
                   file.title.empty() ? "Motion cone" : file.title,
                   cone_sentence(file, report) +
                       " Left: the twists that stick, as directions of (vx, vy, turn times " +
-                      brief(1000 * report.length) +
-                      " mm), edges numbered. Right: between which velocities each end of " +
+                      millimetres(report.length) +
+                      "), edges numbered. Right: between which velocities each end of " +
                       file.body_name(report.pusher) + " sticks.",
                   2 * panel,
                   height,

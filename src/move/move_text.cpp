@@ -13,9 +13,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr std::size_t brief_rows = 11, brief_events = 12;
-constexpr double degrees_of = 180 / 3.14159265358979323846;
-
 /// "left 8 slip; wall 2 stick, 2 beside": bodies that touch first.
 std::string contacts_words(const SceneFile& file, const MotionFrame& frame) {
   constexpr const char* words[] = {"sticks", "slips", "open", "beside", "behind", "end", "away"};
@@ -45,8 +42,9 @@ std::string frames_table(const SceneFile& file, const MotionReport& report, bool
     path = std::max(path, frame.pose.position.norm());
     turned = std::max(turned, object_size(file) / 2 * rotation_vector(frame.pose.rotation).norm());
   }
-  const double least =
-      std::max(1e-3 * std::max(path, turned), MoveSettings::unmoved * object_size(file));
+  const double least = std::max(MoveSettings::worth_a_word * std::max(path, turned),
+                                MoveSettings::unmoved * object_size(file));
+  const double unseen = MoveSettings::unseen * least;
   std::vector<Index> shifts = moving_axes(report, false, least);
   const std::vector<Index> turns = moving_axes(report, true, 2 * least / object_size(file));
   if (shifts.empty() && turns.empty()) shifts = {0, 1, 2};
@@ -55,16 +53,17 @@ std::string frames_table(const SceneFile& file, const MotionReport& report, bool
     for (const Index axis : shifts) rows[0].push_back(std::string(1, "xyz"[axis]) + " mm");
     for (const Index axis : turns) rows[0].push_back(std::string("turn ") + "xyz"[axis] + " deg");
     rows[0].insert(rows[0].end(), {"push N"});
-    for (const std::size_t k :
-         spread_out(report.frames.size(), verbose ? report.frames.size() : brief_rows)) {
+    for (const std::size_t k : spread_out(
+             report.frames.size(), verbose ? report.frames.size() : MoveSettings::brief_rows)) {
       const MotionFrame& frame = report.frames[k];
       rows.push_back({in_digits(frame.time, digits)});
       const Vector3<double> turn = rotation_vector(frame.pose.rotation);
       for (const Index axis : shifts)
-        rows.back().push_back(
-            in_digits(1000 * frame.pose.position[axis], digits, 1000 * least / 10));
+        rows.back().push_back(in_digits(millimetres_a_metre * frame.pose.position[axis], digits,
+                                        millimetres_a_metre * unseen));
       for (const Index axis : turns)
-        rows.back().push_back(in_digits(degrees_of * turn[axis], digits, degrees_of * least / 10));
+        rows.back().push_back(
+            in_digits(degrees_a_radian * turn[axis], digits, degrees_a_radian * unseen));
       const std::vector<BodyForce>& forces = forces_beside(report, k);
       const double noise = MoveSettings::exact * std::max(1.0, hardest(forces));
       rows.back().push_back(
@@ -81,7 +80,8 @@ std::string events_text(const SceneFile& file, const MotionReport& report, bool 
     lines.push_back(in_digits(event.time, 4) + " s: " + event.words +
                     (verbose ? printed(" (within %.1g s)", event.within) : ""));
   std::string text;
-  const std::size_t shown = verbose ? lines.size() : std::min(lines.size(), brief_events);
+  const std::size_t shown =
+      verbose ? lines.size() : std::min(lines.size(), MoveSettings::brief_events);
   for (std::size_t k = 0; k < shown; ++k) text += (k > 0 ? "\n" : "") + lines[k];
   if (shown < lines.size()) text += "\n" + std::to_string(lines.size() - shown) + " more, with -v";
   return text;

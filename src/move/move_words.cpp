@@ -15,9 +15,6 @@ namespace {
 
 using Settings = MoveSettings;
 
-constexpr double degrees_a_radian = 180 / 3.14159265358979323846;
-
-std::string millimetres(double metres) { return brief(1000 * metres) + " mm"; }
 std::string degrees(double radians) {
   const std::string text = brief(degrees_a_radian * radians);
   return text + (text == "1" ? " degree" : " degrees");

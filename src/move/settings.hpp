@@ -41,9 +41,11 @@ struct MoveSettings {
   // changes gradually has steps alike, a blow goes up and down at the same rate.
   static constexpr double least_jump = 0.1, worth_a_jump = 1e-3, times_neighbours = 8;
   // Words.
+  static constexpr std::size_t brief_rows = 11, brief_events = 12; ///< of a text without -v
   static constexpr double over_surface = 1e-2; ///< of the object's size, or rad: so far a body goes
                                                ///< over the object until its shape is asked for
   static constexpr double worth_a_word = 1e-3; ///< of the rest: less is left out
+  static constexpr double unseen = 0.1;        ///< of the least that has a column: 0 in four digits
   static constexpr double unmoved = 1e-9; ///< of the object's size: rounding goes farther in no run
   static constexpr double seen_gap = 1e-5;  ///< m: what turning faces leave in short steps is less
   static constexpr double half_turn = 1e-6; ///< sine of an angle that is 0 or half a turn

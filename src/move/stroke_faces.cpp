@@ -221,7 +221,7 @@ private:
                      "what touches: leave out points that do not; or, if corners of the object "
                      "meet a plane of this body, give those and say points_on = \"object\"");
     refuse(b, lines(b).place,
-           point + brief(1000 * std::abs(h)) + " mm " + (h < 0 ? "inside" : "off") +
+           point + millimetres(std::abs(h)) + " " + (h < 0 ? "inside" : "off") +
                " the object, not on the face that its normal points into. A motion needs the "
                "place where they touch: move it there; or, if it is a point of the object that "
                "meets a plane of this body, say points_on = \"object\"");

@@ -18,8 +18,8 @@ void write_object(JsonWriter& json, const SceneFile& file) {
   json.member("size", file.shape.size).member("axis", file.shape.axis).end_object();
   // In SI units: the scales of Layout, all 1.
   const Scene<double> scene = file.view();
-  const Scales<double> si{file.object.mass, 1.0, 1.0};
-  const Matrix6<double> mobility = laws::newton(scene, si) / file.object.mass;
+  const Scales<double> units{file.object.mass, 1.0, 1.0};
+  const Matrix6<double> mobility = laws::newton(scene, units) / file.object.mass;
   json.list("mobility", Index{6}, [&](Index i) { json.value(Vector6<double>(mobility.row(i))); });
   json.member("load", laws::load(scene, {1.0, 1.0, 1.0})).member("facets", file.facets);
 }

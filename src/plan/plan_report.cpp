@@ -12,20 +12,18 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr double degrees = 180 / 3.14159265358979323846;
-
 std::string place_words(const PlanarPose& pose) {
-  return "(" + brief(1000 * pose.x) + ", " + brief(1000 * pose.y) + ") mm and " +
-         brief(degrees * pose.angle) + " degrees";
+  return "(" + brief(millimetres_a_metre * pose.x) + ", " + brief(millimetres_a_metre * pose.y) +
+         ") mm and " + brief(degrees_a_radian * pose.angle) + " degrees";
 }
 
 /// "east slides it 30 mm along (-1, 0) and turns it by 5 degrees".
 std::string push_words(const SceneFile& file, const PlannedPush& push) {
   const double way = std::hypot(push.to.x - push.from.x, push.to.y - push.from.y);
-  const double turn = degrees * (push.to.angle - push.from.angle);
+  const double turn = degrees_a_radian * (push.to.angle - push.from.angle);
   const std::string turning = " turns it by " + brief(turn) + " degrees";
   if (!(way > 1e-9)) return file.body_name(push.pusher) + turning;
-  return file.body_name(push.pusher) + " takes it " + brief(1000 * way) + " mm along (" +
+  return file.body_name(push.pusher) + " takes it " + millimetres(way) + " along (" +
          brief((push.to.x - push.from.x) / way) + ", " + brief((push.to.y - push.from.y) / way) +
          ") and" + turning;
 }
@@ -71,21 +69,23 @@ std::string plan_text(const SceneFile& file, const PlanReport& report, bool verb
   for (const PlannedPush& push : report.pushes)
     rows.push_back(
         {file.body_name(push.pusher), in_digits(push.begin, digits), in_digits(push.end, digits),
-         in_digits(1000 * push.to.x, digits, 1e-9), in_digits(1000 * push.to.y, digits, 1e-9),
-         in_digits(degrees * push.to.angle, digits, 1e-9), in_digits(push.friction, digits),
-         in_digits(1000 * push.reach, digits), in_digits(push.grip * grip.force, digits)});
+         in_digits(millimetres_a_metre * push.to.x, digits, 1e-9),
+         in_digits(millimetres_a_metre * push.to.y, digits, 1e-9),
+         in_digits(degrees_a_radian * push.to.angle, digits, 1e-9),
+         in_digits(push.friction, digits), in_digits(millimetres_a_metre * push.reach, digits),
+         in_digits(push.grip * grip.force, digits)});
   text += "\n" + table_text(rows) + "\n";
   std::vector<Fact> facts{
       {"Columns", "where each push ends; and what it takes to stick all the way: friction of the "
                   "pusher, how far from its middle it has to press, grip " +
                       grip.of},
       {"Replay", "by `move" + (report.replay_step ? " --step " + number(*report.replay_step) : "") +
-                     "`, ends " + in_digits(1000 * report.position_error, 3, 1e-9) + " mm and " +
-                     in_digits(degrees * report.angle_error, 3, 1e-9) + " degrees from there"}};
+                     "`, ends " + in_digits(millimetres_a_metre * report.position_error, 3, 1e-9) +
+                     " mm and " + in_digits(degrees_a_radian * report.angle_error, 3, 1e-9) +
+                     " degrees from there"}};
   if (verbose)
-    facts.push_back({"Cost", brief(1000 * report.cost) +
-                                 " mm: way, turns at the object's size, and " +
-                                 brief(1000 * change_of_pusher) + " mm a change of pusher"});
+    facts.push_back({"Cost", millimetres(report.cost) + ": way, turns at the object's size, and " +
+                                 millimetres(change_of_pusher) + " a change of pusher"});
   return text + facts_text(facts);
 }
 

@@ -50,7 +50,7 @@ void refuse_apart(const SceneFile& file, Index b, double length) {
     if (std::abs(off) > typed_place * length)
       throw InputError(file.lines.file, file.lines.bodies[static_cast<std::size_t>(b)].place,
                        "pusher " + quoted(file.body_name(b)) + ": " + point_name(file, i) +
-                           " stands " + brief(1000 * std::abs(off)) + " mm " +
+                           " stands " + millimetres(std::abs(off)) + " " +
                            (off > 0 ? "off" : "inside") +
                            " the object; a plan has each pusher push where the scene has it "
                            "touch: move it there");

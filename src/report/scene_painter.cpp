@@ -144,7 +144,7 @@ std::string ScenePainter::away_mark(const Pixel& center, const std::string& name
   const auto line = clipped_line({0, 0, width, size_.y() - 26}, middle, along); // above the scales
   if (!line) return "";
   const Pixel tip = line->second - 5 * along, tail = tip - 26 * along;
-  const std::string distance = brief(1000 * report_.motion.axis_point.norm()) + " mm";
+  const std::string distance = millimetres(report_.motion.axis_point.norm());
   words_.push_back("Off the picture: " + name + pitch + ", " + distance +
                    " from the centre of mass.");
   places_.block_line(tail, tip, 3);
@@ -157,7 +157,7 @@ std::string ScenePainter::turning_axis() {
   const Motion<double>& motion = report_.motion;
   if (!scales_.shows_forces || !turns(motion)) return "";
   const bool is_screw = has_pitch(motion, report_.scales.length);
-  const std::string pitch = "pitch " + brief(1000 * motion.pitch) + " mm/rad";
+  const std::string pitch = "pitch " + millimetres(motion.pitch) + "/rad";
   const Vector3<double> point = drawn_.center() + motion.axis_point;
   const Pixel at = place(point);
   if (is_along_sight(view_, motion.axis)) {

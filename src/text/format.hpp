@@ -13,8 +13,9 @@ namespace lcpush::desktop {
 
 /// `x` as printf writes it.
 inline std::string printed(const char* format, double x) {
-  char text[60];
-  std::snprintf(text, sizeof text, format, x);
+  const int length = std::snprintf(nullptr, 0, format, x);
+  std::string text(static_cast<std::size_t>(length), '\0');
+  std::snprintf(text.data(), text.size() + 1, format, x);
   return text;
 }
 
@@ -34,6 +35,13 @@ std::string in_digits(double x, int digits, double zero = 0);
 
 /// In three digits.
 inline std::string brief(double x, double zero = 0) { return in_digits(x, 3, zero); }
+
+constexpr double millimetres_a_metre = 1000;
+constexpr double degrees_a_radian = 180 / 3.14159265358979323846;
+/// "30 mm".
+inline std::string millimetres(double metres) {
+  return brief(millimetres_a_metre * metres) + " mm";
+}
 
 /// A residual, without the digits that only say how rounding went.
 inline std::string residual_text(double residual) {

@@ -6,21 +6,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lcpush::desktop {
 
+void add_pair(double z, double w, const BoxEnds& ends, ForeignMetrics& metrics, double& squares) {
+  const auto burmeister = [](double a, double b) {
+    return std::isinf(a) ? -b : std::hypot(a, b) - a - b;
+  };
+  const double above_lo = z - ends.lo, below_hi = ends.hi - z;
+  const double natural = std::min(std::max(-below_hi, w), above_lo);
+  metrics.natural_map = std::max(metrics.natural_map, std::abs(natural));
+  const double phi = burmeister(above_lo, burmeister(below_hi, -w));
+  squares += phi * phi;
+  const double room = w > 0 || std::isinf(below_hi) ? above_lo : -below_hi;
+  if (std::isfinite(room)) metrics.products += room * w;
+}
+
 ForeignMetrics measure_point(const DenseProblem& problem, const Eigen::VectorXd& z) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const Eigen::VectorXd w = problem.w(z);
   ForeignMetrics metrics;
   double squares = 0;
-  for (Index i = 0; i < z.size(); ++i) {
-    const bool is_free = problem.is_free(i);
-    const double natural = is_free ? w[i] : std::min(z[i], w[i]);
-    const double burmeister = is_free ? w[i] : std::hypot(z[i], w[i]) - z[i] - w[i];
-    metrics.natural_map = std::max(metrics.natural_map, std::abs(natural));
-    squares += burmeister * burmeister;
-    if (!is_free) metrics.products += z[i] * w[i];
-  }
+  for (Index i = 0; i < z.size(); ++i)
+    add_pair(z[i], w[i], {problem.is_free(i) ? -infinity : 0, infinity}, metrics, squares);
   metrics.fischer_burmeister = std::sqrt(squares);
   return metrics;
 }

@@ -8,6 +8,9 @@
 
 namespace lcpush::desktop {
 
+/// What a pair adds to the metrics: z_i between its ends, w_i. The squares of Fischer and
+/// Burmeister add up in `squares`.
+void add_pair(double z, double w, const BoxEnds& ends, ForeignMetrics& metrics, double& squares);
 ForeignMetrics measure_point(const DenseProblem& problem, const Eigen::VectorXd& z);
 
 /// The nearest point of the basis that z names: z_i basic where z_i > w_i, or free. Nothing above

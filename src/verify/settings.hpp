@@ -28,7 +28,6 @@ struct VerifySettings {
   static constexpr double digits = 1e-9;     ///< of the object's size: how far digits of places go
   static constexpr double same_speed = 1e-9; ///< of a difference: rounding, no other worst step
   static constexpr double at_rest = 1e-3;    ///< of the motion judged: slower, the laws hold it
-  static constexpr double half_spin = 1e-9;  ///< sine of a turn that is none
   static constexpr double start = 1e-3;      ///< of the object's size, and of a turn: a simulator's
                                              ///< first step goes less far
   static constexpr double first_frame = 1.5; ///< intervals from 0: a first frame after a step
@@ -56,6 +55,10 @@ struct VerifySettings {
       1e-3;                               ///< of a drive that hardly closes: its place is open
   static constexpr double closed = 1e-12; ///< of the object's size
   static constexpr int closings = 20;     ///< tries: another point may touch first
+  // Words.
+  static constexpr double in_metres = 1e-2, in_millimetres = 1e-5; ///< m/s: from there on
+  static constexpr double untold = 1e-9; ///< scaled or SI: less only says how rounding went
+  static constexpr double solves = 1e-8; ///< scaled: what is left of a basis that is a solution's
 };
 
 /// The part of the largest number by which an answer may differ from another and be the same.

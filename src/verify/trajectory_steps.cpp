@@ -1,6 +1,7 @@
 #include "verify/trajectory_steps.hpp"
 
 #include "lcpush/mechanics/model/answer.hpp"
+#include "move/move_words.hpp"
 #include "verify/settings.hpp"
 
 #include <algorithm>
@@ -21,14 +22,9 @@ double stroke_at(const Stroke& stroke, double time) {
 } // namespace
 
 Vector6<double> mean_twist(const Pose<double>& from, const Pose<double>& to, double h) {
-  const Matrix3<double> turned = to.rotation * from.rotation.transpose();
-  const Vector3<double> twice(turned(2, 1) - turned(1, 2), turned(0, 2) - turned(2, 0),
-                              turned(1, 0) - turned(0, 1));
-  const double sine = twice.norm() / 2;
-  const double angle = std::atan2(sine, (turned.trace() - 1) / 2);
   Vector6<double> twist;
   twist << (to.position - from.position) / h,
-      twice / 2 * (sine > Settings::half_spin ? angle / sine : 1.0) / h;
+      rotation_vector(to.rotation * from.rotation.transpose()) / h;
   return twist;
 }
 

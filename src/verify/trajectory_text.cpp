@@ -5,6 +5,7 @@
 #include "solve/sentence.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
+#include "verify/settings.hpp"
 
 #include <algorithm>
 
@@ -13,9 +14,9 @@ namespace {
 
 /// "155 um/s": speeds of every size, in three digits.
 std::string speed_text(double speed) {
-  if (speed >= 1e-2) return brief(speed) + " m/s";
-  if (speed >= 1e-5) return brief(1e3 * speed) + " mm/s";
-  return brief(1e6 * speed) + " um/s";
+  if (speed >= VerifySettings::in_metres) return brief(speed) + " m/s";
+  if (speed >= VerifySettings::in_millimetres) return millimetres(speed) + "/s";
+  return brief(millimetres_a_metre * millimetres_a_metre * speed) + " um/s";
 }
 
 /// Whose force it is; nothing of all together.
@@ -37,7 +38,7 @@ std::string fault_phrase(const SceneFile& file, const WorstForce& worst) {
   switch (worst.law) {
   case ForceLaw::gap:
     return who + " presses with " + found +
-           (worst.gap ? " across a gap of " + brief(1000 * *worst.gap) + " mm"
+           (worst.gap ? " across a gap of " + millimetres(*worst.gap)
                       : " where it touches nothing");
   case ForceLaw::normal:
     return who + " pulls with " + brief(-worst.found) + " N, and can only press";

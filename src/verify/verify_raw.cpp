@@ -26,23 +26,13 @@ bool is_feasible(const RawProblem& problem, const std::vector<double>& z,
   return true;
 }
 
-double burmeister(double a, double b) { return std::isinf(a) ? -b : std::hypot(a, b) - a - b; }
-
 /// In a box as well: phi(z - lo, phi(hi - z, -w)), and z'w is what each end adds.
 ForeignMetrics measure(const RawProblem& problem, const std::vector<double>& z,
                        const std::vector<double>& w) {
   ForeignMetrics metrics;
   double squares = 0;
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    const BoxEnds ends = ends_of(problem, static_cast<Index>(i), z);
-    const double above_lo = z[i] - ends.lo, below_hi = ends.hi - z[i];
-    const double natural = std::min(std::max(-below_hi, w[i]), above_lo);
-    metrics.natural_map = std::max(metrics.natural_map, std::abs(natural));
-    const double phi = burmeister(above_lo, burmeister(below_hi, -w[i]));
-    squares += phi * phi;
-    const double room = w[i] > 0 || std::isinf(below_hi) ? above_lo : -below_hi;
-    if (std::isfinite(room)) metrics.products += room * w[i];
-  }
+  for (std::size_t i = 0; i < z.size(); ++i)
+    add_pair(z[i], w[i], ends_of(problem, static_cast<Index>(i), z), metrics, squares);
   metrics.fischer_burmeister = std::sqrt(squares);
   return metrics;
 }

@@ -3,18 +3,19 @@
 #include "lcpush/desktop/verify.hpp"
 #include "solve/push_words.hpp"
 #include "text/format.hpp"
+#include "verify/settings.hpp"
 
 namespace lcpush::desktop {
 namespace {
 
+bool is_rounding(double x) { return std::abs(x) < VerifySettings::untold; }
+
 /// Two digits; without those that only say how rounding went.
-std::string short_number(double x) {
-  return std::abs(x) < 1e-9 ? "below 1e-9" : printed("%.2g", x);
-}
+std::string short_number(double x) { return is_rounding(x) ? "below 1e-9" : printed("%.2g", x); }
 
 /// "by 11 N", "by less than 1e-9 N".
 std::string by(double x, const std::string& unit) {
-  return "by " + (std::abs(x) < 1e-9 ? "less than 1e-9" : short_number(x)) +
+  return "by " + (is_rounding(x) ? "less than 1e-9" : short_number(x)) +
          (unit.empty() ? "" : " " + unit);
 }
 
@@ -53,7 +54,7 @@ Fact metrics_fact(const ForeignMetrics& metrics) {
 }
 
 Fact basis_fact(const RefinedAnswer& refined) {
-  if (!(refined.residual <= 1e-8))
+  if (!(refined.residual <= VerifySettings::solves))
     return {"Its basis", "is no solution's: solved exactly it is off " + by(refined.residual, "")};
   return {"Its basis", "solved exactly, moves a force " + by(refined.force, "N") +
                            " and the motion " + by(refined.acceleration, "m/s^2")};
@@ -122,7 +123,7 @@ std::string brief_verdict(const VerifyReport& report) {
 std::string law_table(const VerifyReport& report) {
   std::vector<std::vector<std::string>> rows = {{"law", "scaled", "SI", "", ""}};
   for (const BrokenRow& row : report.rows) {
-    const bool exact = row.scaled < 1e-9;
+    const bool exact = is_rounding(row.scaled);
     rows.push_back({law_text(row), short_number(row.scaled), exact ? "" : short_number(row.si),
                     exact ? "" : row.unit, row.scaled <= report.tolerance ? "holds" : "broken"});
   }

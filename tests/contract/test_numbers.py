@@ -35,12 +35,12 @@ LEFT = {
     "include/lcpush/mechanics/solve": 32,
     "include/lcpush/mechanics/study": 13,
     "src/certify": 25,
-    "src/cone": 2,
-    "src/move": 13,
-    "src/plan": 52,
+    "src/cone": 1,
+    "src/move": 4,
+    "src/plan": 42,
     "src/solve": 39,
     "src/sweep": 3,
-    "src/verify": 11,
+    "src/verify": 2,
 }
 
 NUMBER = re.compile(r"(?<![\w.])(0[xX][0-9a-fA-F']+(?:\.[0-9a-fA-F]*)?(?:[pP][-+]?\d+)?"

@@ -38,3 +38,8 @@ TEST_CASE("blanks at the ends of a word do not count") {
   CHECK(trimmed(" \t").empty());
   CHECK(trimmed("").empty());
 }
+
+TEST_CASE("a sentence with a number is printed whole, however long it is") {
+  const std::string words = " N m across the plane; remove planar if the contacts are to bear it";
+  CHECK(printed(("%.3g" + words).c_str(), 0.25) == "0.25" + words);
+}
