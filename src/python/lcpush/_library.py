@@ -9,11 +9,10 @@ import json
 import math
 import os
 import pathlib
-import queue
 import sys
 import sysconfig
 import threading
-from typing import Any, Callable, Dict, List, Optional, Set, Tuple
+from typing import Any, Callable, Dict, Optional, Set, Tuple
 
 from ._arrays import as_json
 from ._errors import InputError
@@ -23,9 +22,6 @@ Progress = Callable[[float], Any]
 
 _BETWEEN = 0.02  # s, from a look at the work to the next
 _PATIENCE, _LAST_PATIENCE = 0.1, 10.0  # s, for work to end that is told to
-
-
-_CHUNK = 10_000  # numbers that are written at once, until a signal is looked at
 
 
 class _Slate(ctypes.Structure):
@@ -92,7 +88,7 @@ class _Work:
         self._is_busy.acquire()
         self.code, self.line, self.text, self.file, self.message = -1, 0, "", "", ""
 
-    def run(self, server: "Optional[queue.SimpleQueue[_Work]]" = None) -> None:
+    def run(self) -> None:
         """In this thread, to its end."""
         _running.add(self)
         try:
@@ -111,12 +107,10 @@ class _Work:
                 _library.lcpush_desktop_free(answer)
         except MemoryError:  # for the text
             self.message = "no memory for the answer: bad_alloc"
-        except Exception as error:  # its server goes on
+        except Exception as error:
             self.message = str(error)
         finally:
             _running.discard(self)
-            if server is not None:
-                _idle.append(server)
             self._is_busy.release()
 
     def end(self, patience: float) -> None:
@@ -137,7 +131,7 @@ class _Work:
             if _is_ending:
                 self.run()
             else:
-                _server().put(self)
+                _thread.start_new_thread(self.run, ())
             told = -1.0
             while not self._has_ended(_BETWEEN):
                 done = self._slate.done
@@ -151,26 +145,6 @@ class _Work:
 
 _running: Set[_Work] = set()
 _is_ending = False
-_idle: "List[queue.SimpleQueue[_Work]]" = []  # of threads that wait: to begin one takes longer
-
-
-def _serve(works: "queue.SimpleQueue[_Work]") -> None:
-    while True:
-        works.get().run(works)
-
-
-def _server() -> "queue.SimpleQueue[_Work]":
-    try:
-        return _idle.pop()
-    except IndexError:
-        works: "queue.SimpleQueue[_Work]" = queue.SimpleQueue()
-        _thread.start_new_thread(_serve, (works,))
-        return works
-
-
-def _forget_threads() -> None:
-    _running.clear()
-    _idle.clear()
 
 
 def _is_main() -> bool:
@@ -187,7 +161,7 @@ def _end_all() -> None:
 
 
 if hasattr(os, "register_at_fork"):  # the threads stay behind in the parent
-    os.register_at_fork(after_in_child=_forget_threads)
+    os.register_at_fork(after_in_child=_running.clear)
 
 
 class Asker:
@@ -202,22 +176,13 @@ class Asker:
         return ask(question, {**self._subject, **own, **changes})[1]
 
 
-def _json_of(value: Any) -> str:
-    if isinstance(value, dict):
-        return "{" + ", ".join(f"{json.dumps(key)}: {_json_of(value[key])}" for key in value) + "}"
-    if isinstance(value, list) and len(value) > _CHUNK:
-        parts = (value[k:k + _CHUNK] for k in range(0, len(value), _CHUNK))
-        return "[" + ", ".join(_json_of(part)[1:-1] for part in parts) + "]"
-    return json.dumps(value, allow_nan=False, default=as_json)
-
-
 def _as_words(request: Dict[str, Any]) -> bytes:
     given = {key: value for key, value in request.items() if value is not None}
     for key, value in given.items():
         if isinstance(value, float) and not math.isfinite(value):
             raise InputError(f"{key} must be finite, not {value}")
     try:
-        return _json_of(given).encode()
+        return json.dumps(given, allow_nan=False, default=as_json).encode()
     except InputError:
         raise
     except ValueError:
