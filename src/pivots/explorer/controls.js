@@ -1,4 +1,4 @@
-// Buttons, slider, keys, swipes and the address: all ways to choose a step.
+// Buttons, slider, keys and the address: all ways to choose a step.
 (() => {
   const { by_id } = drawing.elements;
   const pauses = { slow: 2400, medium: 1200, fast: 350 };
@@ -57,21 +57,6 @@
       event.preventDefault();
       action();
     });
-
-    // A swipe on the words; the tableau keeps its own for scrolling.
-    let begin = null;
-    const stage = by_id('words');
-    stage.addEventListener('touchstart', (event) => {
-      begin = event.touches.length === 1
-        ? [event.touches[0].clientX, event.touches[0].clientY] : null;
-    }, { passive: true });
-    stage.addEventListener('touchend', (event) => {
-      if (!begin) return;
-      const [touch] = event.changedTouches;
-      const [dx, dy] = [touch.clientX - begin[0], touch.clientY - begin[1]];
-      begin = null;
-      if (Math.abs(dx) > 45 && Math.abs(dx) > 2 * Math.abs(dy)) choose(app.frame - Math.sign(dx));
-    }, { passive: true });
 
     window.addEventListener('hashchange', () => app.read_address());
 

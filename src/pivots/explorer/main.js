@@ -117,14 +117,10 @@
     /// A value by level for people, as they want to see it.
     text(levels) { return number_text.value(this.problem, levels, this.as_fractions); }
 
-    /// #step=7 links to a step; a branch adds where, who leaves and the rule.
+    /// #step=7 links to a step of the recorded path.
     write_address() {
-      const branches = [];
-      for (let path = this.path; path.branch; path = path.branch.from) {
-        const { frame, row, rule } = path.branch;
-        branches.unshift(`&branch=${frame}:${row}:${rule}`);
-      }
-      this.address = `#step=${this.frame}${branches.join('')}`;
+      if (this.path.branch) return;
+      this.address = `#step=${this.frame}`;
       try {
         history.replaceState(null, '', this.address);
       } catch {
@@ -133,17 +129,9 @@
     }
 
     read_address() {
-      const hash = location.hash;
-      if (hash === this.address) return false;
-      const step = /[#&]step=(\d+)/.exec(hash);
-      if (!step) return false;
+      const step = /[#&]step=(\d+)/.exec(location.hash);
+      if (!step || location.hash === this.address) return false;
       this.path = this.recorded;
-      const branches = /&branch=(\d+):(\d+):(lexicographic|first_row)/g;
-      for (const [, frame, row, rule] of hash.matchAll(branches)) {
-        // A link that was typed or cut may lead nowhere; then it leads to the recorded path.
-        if (!this.path.can_branch(Number(frame), Number(row))) break;
-        this.path = this.path.branch_at(Number(frame), Number(row), rule);
-      }
       this.controls.stop();
       this.go(Number(step[1]));
       return true;

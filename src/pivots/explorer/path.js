@@ -148,13 +148,6 @@
       return frame_number === this.last && this.outcome.ray ? this.outcome.ray.entering : null;
     }
 
-    /// Is that a row that ties there, and not the one that leaves anyway?
-    can_branch(frame_number, row) {
-      const pivot = this.frames[frame_number] ? this.step(frame_number) : null;
-      const variable = pivot ? this.dictionary(frame_number).rows[row] : undefined;
-      return variable !== undefined && pivot.ties.includes(variable) && variable !== pivot.leaving;
-    }
-
     /// A new path: this one up to the frame, then `row` leaves and the rule decides.
     branch_at(frame_number, row, rule, limit = 500) {
       const frame = this.frames[frame_number];

@@ -17,25 +17,6 @@
     return result;
   }
 
-  /// Linear, or logarithmic with a place for 0 where most of a long path would lie flat.
-  function vertical(least, most, values, top, height) {
-    const positive = values.filter((value) => value > 1e-6 * most).sort((a, b) => a - b);
-    const median = positive[Math.floor(positive.length / 2)];
-    if (least < 0 || positive.length < 6 || most < 30 * median) {
-      const y = (value) => top + height - height * (value - least) / (most - least || 1);
-      return { y, marks: marks(least, most), logarithmic: false };
-    }
-    const floor = Math.floor(Math.log10(positive[0]));
-    const decades = Math.log10(most) - floor;
-    const room = height - 16;
-    const y = (value) => (value <= 1e-6 * most ? top + height
-      : top + room * (1 - (Math.log10(value) - floor) / decades));
-    const every = Math.ceil(decades / 4);
-    const powers = [];
-    for (let k = floor; k <= Math.log10(most); k += every) powers.push(10 ** k);
-    return { y, marks: [0, ...powers], logarithmic: true };
-  }
-
   function line(path, values, x, y) {
     let run = -1;
     return path.frames.map((frame, k) => {
@@ -53,17 +34,15 @@
     const all = shadow ? values.concat(shadow) : values;
     const [least, most] = [Math.min(0, ...all), Math.max(...all, 0)];
     const last = Math.max(path.last, shadow ? recorded.last : 0, 1);
-    const scale = vertical(least, most, all, top, height);
-    const { y } = scale;
+    const y = (value) => top + height - height * (value - least) / (most - least || 1);
     const x = (k) => left + (width - left - right) * k / last;
     const here = values[frame];
     const side = x(frame) > width - 80 ? 'end' : 'start';
     return [
-      scale.marks.map((value) => [
+      marks(least, most).map((value) => [
         svg('line', { class: 'grid', x1: left, x2: width - right, y1: y(value), y2: y(value) }),
         svg('text', { x: left - 6, y: y(value) + 4, 'text-anchor': 'end' }, decimal(value, 3))]),
-      svg('text', { class: 'axis', x: left, y: top - 9 },
-        scale.logarithmic ? `${label}, logarithmic` : label),
+      svg('text', { class: 'axis', x: left, y: top - 9 }, label),
       shadow && svg('path', { class: 'shadow', d: line(recorded, shadow, x, y) }),
       svg('path', { class: 'line', d: line(path, values, x, y) }),
       path.last <= 60 && values.map((value, k) => svg('circle', { class: 'dot', cx: x(k),

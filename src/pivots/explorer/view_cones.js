@@ -70,7 +70,6 @@
     const [x1, y1] = pixel(space.q);
     const [x2, y2] = pixel(points.reduce((a, b) =>
       (length(subtract(b, space.q)) > length(subtract(a, space.q)) ? b : a)));
-    const now = dot('now', here, 6);
     const z0 = path.z0(frame);
     const is_home = problem.number(z0[0]) === 0;
     const side = pixel(here)[0] > size - 90 ? 'end' : 'start';
@@ -82,21 +81,10 @@
       [[0, 1], [2, 1], [0, 3], [2, 3]].map(([a, b]) => sector(a, b)),
       [0, 1, 2, 3].map(edge), svg('line', { class: 'way', x1, y1, x2, y2 }),
       points.map((p) => dot('dot', p, 2.5)), dot('q', space.q, 4.5),
-      svg('text', { class: 'label', x: x1 - 9, y: y1 + 16, 'text-anchor': 'end' }, 'q'), now,
+      svg('text', { class: 'label', x: x1 - 9, y: y1 + 16, 'text-anchor': 'end' }, 'q'),
+      dot('now', here, 6),
       !is_home && svg('text', { class: 'label', x: pixel(here)[0] + (side === 'end' ? -11 : 11),
         y: pixel(here)[1] - 9, 'text-anchor': side }, 'q + z0 d')));
-    move(now, app, run, here, pixel);
-  }
-
-  let before = null; // {run, at}
-  /// The point walks from where it stood, unless the reader wants nothing to move.
-  function move(dot, app, run, here, pixel) {
-    const from = before && before.run === run ? before.at : here;
-    before = { run, at: here };
-    if (window.matchMedia('(prefers-reduced-motion: reduce)').matches) return;
-    const [dx, dy] = subtract(pixel(from), pixel(here));
-    dot.animate([{ transform: `translate(${dx}px, ${dy}px)` }, { transform: 'none' }],
-      { duration: 500, easing: 'ease-out' });
   }
 
   explorer.view_cones = { update };
