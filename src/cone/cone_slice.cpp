@@ -80,7 +80,6 @@ private:
   }
 
   void add(const SweepSegment& segment) {
-    slice_.is_exact = slice_.is_exact && segment.kind != SegmentKind::bisected;
     const double by = cone_settings.inside * (segment.to - segment.from);
     ConeSlice::Range range;
     const Look middle = look((segment.from + segment.to) / 2);
