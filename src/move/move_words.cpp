@@ -156,19 +156,6 @@ std::string parted_words(const SceneFile& file, const MotionReport& report) {
 
 } // namespace
 
-Vector3<double> rotation_vector(const Matrix3<double>& R) {
-  const Vector3<double> twice(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
-  const double sine = twice.norm() / 2, cosine = (R.trace() - 1) / 2;
-  const double angle = std::atan2(sine, cosine);
-  if (sine > Settings::half_turn) return twice * (angle / (2 * sine));
-  if (cosine > 0) return twice / 2;
-  // Half a turn: R + 1 is twice the axis' square.
-  const Matrix3<double> square = (R + Matrix3<double>::Identity()) / 2;
-  Index k = 0;
-  square.diagonal().maxCoeff(&k);
-  return angle * square.col(k) / std::sqrt(square(k, k));
-}
-
 Vector3<double> push_force(const SceneFile& file, const std::vector<BodyForce>& bodies) {
   Vector3<double> force = Vector3<double>::Zero();
   for (std::size_t b = 0; b < bodies.size(); ++b)

@@ -3,6 +3,7 @@
 
 #include "lcpush/desktop/move.hpp"
 #include "lcpush/desktop/scene_check.hpp"
+#include "move/rotation.hpp"
 
 namespace lcpush::desktop {
 
@@ -29,8 +30,6 @@ inline bool is_touching(Touch touch) { return touch == Touch::sticks || touch ==
 std::vector<std::string> touch_words(const SceneFile& file, const MotionFrame& frame, std::size_t b,
                                      const char* const (&words)[7], bool counts_all);
 
-/// rad, a rotation's axis times its angle, up to half a turn.
-Vector3<double> rotation_vector(const Matrix3<double>& rotation);
 /// N, of all pushers on the object.
 Vector3<double> push_force(const SceneFile& file, const std::vector<BodyForce>& bodies);
 /// N, the most that a body presses with.

@@ -1,7 +1,7 @@
 #include "verify/trajectory_steps.hpp"
 
 #include "lcpush/mechanics/model/answer.hpp"
-#include "move/move_words.hpp"
+#include "move/rotation.hpp"
 #include "verify/settings.hpp"
 
 #include <algorithm>
