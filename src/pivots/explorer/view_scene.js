@@ -192,7 +192,10 @@
         this.mark(modes[i], this.place(scene.points[i].drawn_at)));
       const motions = [this.object_motion(),
         scene.bodies.map((body, b) => this.body_motion(body, b))];
-      const boxes = explorer.place_all(places, this.labels);
+      // The longest while there is room.
+      this.labels.sort((a, b) => b.words.length - a.words.length);
+      const boxes = this.labels.map(({ words, at, away = [0, 0], target }) =>
+        places.place(words, at, away, target));
       return picture({ viewBox: `0 0 ${width} ${height}`, class: 'drawing view', width },
         `${view.title}${this.level.times ? ', times S' : ''}`,
         'The object, its contacts, forces and motions; the list below says the same in words.',
