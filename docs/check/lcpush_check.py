@@ -53,7 +53,7 @@ def patch(body, t, o):  # its points
 
 def scene_problem(text, g):  # w = L x + q0 + push q1: L, q0, q1, the free rows, the cones
     scene = tomllib.loads(text, parse_float=F)
-    require(scene.get("pressure") != "even" and scene.get("facets", 8) == g, "another law")
+    require(scene.get("pressure") != "even", "another law")
     obj, fingers, pushers = scene["object"], scene.get("finger", []), [b for b in scene.get("pusher", []) if not b.get("from")]
     m, com, box, r = F(obj["mass"]), obj.get("center_of_mass", ZERO), obj.get("box"), obj.get("cylinder_radius")
     I = (list(obj.get("inertia", [])) or (box and [m * (dot(box, box) - e*e) / 12 for e in box]) or
@@ -85,11 +85,15 @@ def scene_problem(text, g):  # w = L x + q0 + push q1: L, q0, q1, the free rows,
     rows, cones, q1 = [], {}, []  # of the pairs: a force's wrench and its powers, or None for a slip
     for body in fingers + pushers:
         n, t, o, mu, r = *(body[k] for k in "nto"), F(body["friction"]), body.get("torsion_radius", 0)
-        for position in patch(body, t, o):
+        positions, sides = patch(body, t, o), g
+        if scene.get("planar") and abs(n[2]) <= F(1, 10**9):  # friction forth and back along the plane
+            t, r, sides = [n[1], -n[0], F(0)], 0, 2
+        elif mu: require(scene.get("facets", 8) == g, "another law")
+        for position in positions:
             p, normals = add(position, com, -1), range(len(rows), len(rows) + 1 + (body.get("follow") == "bilateral"))
             forces = [[s * x for x in n + cross(p, n)] for s in (1, -1)[:len(normals)]]
             for c, s in [(1, 0)] + ([(c30, half), (c30, -half), (half, c30), (half, -c30)] if r else []):
-                for d in ([c * (x * u + y * v) for u, v in zip(t, o)] for x, y in (circle(F(j, g)) for j in range(g))):
+                for d in ([c * (x * u + y * v) for u, v in zip(t, o)] for x, y in (circle(F(j, sides)) for j in range(sides))):
                     forces.append(d + add(cross(p, d), n, s * r))
             forces += [ZERO + [s * r * x for x in n] for s in (1, -1) if r]
             for f in forces if mu else forces[:len(normals)]:

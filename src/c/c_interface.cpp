@@ -49,16 +49,14 @@ template <class E> auto number_of(const E& e) {
   return number;
 }
 
-template <class S, class CBody> void read_body(const CBody& given, Body<S>& body) {
+template <class S, class CBody> void read_body(const CBody& given, bool is_planar, Body<S>& body) {
   body.role = number_of(given.role) == LCPUSH_PUSHER ? Role::pusher : Role::finger;
   // A zero normal stays zero, and find_mistake says so.
   read(given.normal, body.normal);
-  const S length = body.normal.norm();
-  if (length > S(0)) body.normal /= length;
-  Vector3<S> tangent;
-  read(given.tangent, tangent);
-  const bool is_chosen = tangent.squaredNorm() > S(0);
-  body.tangent = is_chosen ? tangent_along(body.normal, tangent) : default_tangent(body.normal);
+  body.normal.normalize();
+  read(given.tangent, body.tangent);
+  if (body.tangent.isZero(S(0))) body.tangent[least_aligned_axis(body.normal)] = S(1);
+  body.tangent = tangent_along(body.normal, body.tangent);
   body.friction = given.friction;
   body.torsion_radius = given.torsion_radius;
   body.bilateral = given.bilateral != 0;
@@ -66,6 +64,7 @@ template <class S, class CBody> void read_body(const CBody& given, Body<S>& body
   body.point_count = given.point_count;
   read(given.acceleration, body.acceleration);
   body.preload = given.preload;
+  lie_in_plane(body, is_planar);
 }
 
 /// As shares of their body's sum, which find_mistake judges. Pre: the bodies lie within the points.
@@ -104,7 +103,7 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
   const Span<Vector3<S>> points = push.points(given.point_count);
   const Span<Actuator<S>> actuators = push.actuators(given.actuator_count);
   const Span<Drive<S>> drives = push.drives(given.drive_count);
-  for (Index b = 0; b < bodies.size; ++b) read_body(given.bodies[b], bodies[b]);
+  for (Index b = 0; b < bodies.size; ++b) read_body(given.bodies[b], given.planar != 0, bodies[b]);
   for (Index i = 0; i < points.size; ++i) {
     const auto& point = given.points[i];
     points[i] << point.x, point.y, point.z;
@@ -119,7 +118,8 @@ template <class S, class CScene> Status describe(CPush<S>& push, const CScene& g
 
   Scene<S>& scene = push.begin_scene();
   scene.object.mass = given.object.mass;
-  for (Index i = 0; i < 9; ++i) scene.object.inertia(i / 3, i % 3) = given.object.inertia[i];
+  for (Index i = 0; i < 3; ++i)
+    for (Index j = 0; j < 3; ++j) scene.object.inertia(i, j) = given.object.inertia[3 * i + j];
   read(given.object.wrench, scene.object.wrench);
   scene.object.center_of_mass.setZero();
   read(given.gravity, scene.gravity);

@@ -245,10 +245,9 @@ private:
     return {most.points, most.points * most.facets, most.actuators, most.drives, most.pulls};
   }
 
+  /// What holds() and spreading have not looked at.
   bool fits(const AssemblySize& size) const {
-    const AssemblySize all = assembly_size(most_);
-    return size.points <= all.points && size.generators <= all.generators &&
-           size.actuators <= all.actuators && size.drives <= all.drives && size.pulls <= all.pulls;
+    return size.generators <= assembly_size(most_).generators && size.pulls <= most_.pulls;
   }
 
   static bool is_within(Index count, Index most) { return count >= 0 && count <= most; }

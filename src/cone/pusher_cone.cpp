@@ -66,20 +66,6 @@ void refuse_single_place(const SceneFile& file, const LimitSurface& grip) {
                      "give them a shape or a torsion_radius");
 }
 
-namespace {
-
-/// How much of a point's friction can act along the plane: a pyramid's corners may lie beside it.
-double planar_friction(const SceneFile& file, const Body<double>& body,
-                       const Vector3<double>& along) {
-  if (!(body.friction > 0) || file.is_round) return body.friction;
-  double most = 0;
-  for (Index k = 0; k < file.facets; ++k)
-    most = std::max(most, generator(body, k, file.facets).force.dot(along));
-  return body.friction * most;
-}
-
-} // namespace
-
 double PusherCone::room(const Vector3<double>& wrench) const {
   double least = std::numeric_limits<double>::infinity();
   for (const ConeFace& face : faces)
@@ -91,7 +77,7 @@ PusherCone pusher_cone(const SceneFile& file, Index pusher, double length) {
   const Body<double>& body = file.body(pusher);
   PusherCone cone;
   cone.along = cross<double>(Vector3<double>::UnitZ(), body.normal);
-  const double mu = planar_friction(file, body, cone.along);
+  const double mu = body.friction;
   std::vector<ExtremeWrench> all;
   std::vector<Pixel> flat; // (friction, torque) of a unit normal force
   for (const Index i : points_of(body))

@@ -24,7 +24,7 @@ ContactFigure contact_figure(const SceneFile& file, const View& view, const Body
   const bool is_pressed = answer.normal_force > no_force;
   if (is_pressed && body.friction > 0) {
     std::vector<Pixel> rim{tip};
-    const Index corners = drawn_facets(file);
+    const Index corners = drawn_facets(file, body);
     for (Index j = 0; j < corners; ++j)
       rim.push_back(
           from(normal + body.friction * answer.normal_force * generator(body, j, corners).force));

@@ -20,7 +20,9 @@ ContactFigure contact_figure(const SceneFile& file, const View& view, const Body
                              double no_force);
 
 /// The corners of a drawn friction cone; of round friction enough for the eye.
-inline Index drawn_facets(const SceneFile& file) { return file.is_round ? 64 : file.facets; }
+inline Index drawn_facets(const SceneFile& file, const Body<double>& body) {
+  return facets_of(body, file.is_round ? 64 : file.facets);
+}
 
 /// Square, triangle or ring.
 std::string mode_mark(Mode mode, const Pixel& at);

@@ -39,7 +39,7 @@ HostMatrix rounded(const ExactMatrix& matrix) {
 std::string problem_note(const SceneFile& file) {
   return (file.pressure == Pressure::pad ? "The first round of the pad law, in SI units, "
                                          : "SI units, ") +
-         std::to_string(file.facets) + " facets.";
+         friction_law_text(file) + ".";
 }
 
 /// What the problem's variables mean.

@@ -67,7 +67,7 @@ std::string cell_elements(const SceneFile& file, const Cell& cell, const PushRep
   const Pixel center(cell_width / 2, 88);
   const double scale = radius / cell.bound;
   std::vector<Pixel> rim;
-  const Index corners = drawn_facets(file);
+  const Index corners = drawn_facets(file, body);
   for (Index j = 0; j < corners; ++j)
     rim.push_back(center + radius * in_plane(body, generator(body, j, corners).force));
   const Vector3<double> other = cross(body.normal, body.tangent);
@@ -75,7 +75,8 @@ std::string cell_elements(const SceneFile& file, const Cell& cell, const PushRep
   std::string text = text_element("strong", {cell_width / 2, 16}, name, "middle") +
                      mode_mark(answer.mode, {cell_width / 2 - 36, 28}) +
                      text_element("", {cell_width / 2 - 26, 32}, mode_verb(answer.mode)) +
-                     circle_element("coulomb", center, radius) + polygon_element("cone", rim) +
+                     (body.in_plane ? "" : circle_element("coulomb", center, radius)) +
+                     polygon_element("cone", rim) +
                      line_element("tick", center - Pixel(radius, 0), center + Pixel(radius, 0)) +
                      line_element("tick", center - Pixel(0, radius), center + Pixel(0, radius));
   for (const auto& [at, along] : {std::pair(Pixel(radius + 5, 4), direction_text(body.tangent)),

@@ -69,10 +69,12 @@ std::string sweep_title(const Sweep& sweep) {
 Section friction_section(const PageContent& content) {
   const std::vector<std::string> others = without_friction(content.file, content.push);
   const std::string circle = "Coulomb's circle of radius friction times normal force. ";
-  const std::string cone = content.file.is_round
-                               ? circle
-                               : "Dashed: " + circle + "Polygon: what " +
-                                     std::to_string(content.file.facets) + " facets keep of it. ";
+  std::string cone = content.file.is_round
+                         ? circle
+                         : "Dashed: " + circle + "Polygon: what " +
+                               std::to_string(content.file.facets) + " facets keep of it. ";
+  if (!content.file.has_cones()) cone.clear();
+  if (content.file.planar) cone += "A line across: friction along the plane alone. ";
   std::string text = paragraph(
       cone + "Arrow: the friction force on the object; thin, dotted: the direction of slip.",
       "aside");

@@ -21,9 +21,10 @@ namespace {
 // Rounding of a normal that no decimal number can give exactly.
 constexpr double direction_slack = 1e-9;
 
-/// The first body that moves into a planar object where its normal force does not move the object
-/// in the plane: pressing on would be a jam of one contact. -1 if there is none.
-template <class S> Index squeezes_out_of_plane(const SceneOf<S>& scene) {
+/// The first body of a planar scene that moves where nothing in the plane gives way: across the
+/// plane along its face, or into the object where its normal force does not move that in the plane.
+/// Pressing on would be a jam of one contact. -1 if there is none.
+template <class S> Index moves_out_of_plane(const SceneOf<S>& scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body<S>& body = scene.bodies[b];
     for (const Index i : points_of(body)) {
@@ -34,7 +35,10 @@ template <class S> Index squeezes_out_of_plane(const SceneOf<S>& scene) {
       const bool moves_it =
           in_plane > direction_slack || turning > direction_slack * as_doubles(p).norm();
       const S closing = column.dot(body.acceleration);
-      if (!moves_it && (body.bilateral ? closing != S(0) : closing > S(0)))
+      const Vector3<double> motion = as_doubles<S>(acceleration_at(p, body.acceleration));
+      const bool slips_across = body.in_plane && body.friction > S(0) &&
+                                std::abs(motion[2]) > direction_slack * motion.norm();
+      if (slips_across || (!moves_it && (body.bilateral ? closing != S(0) : closing > S(0))))
         return static_cast<Index>(b);
     }
   }
@@ -68,7 +72,8 @@ public:
     for (std::size_t i = 0; i < count("face"); ++i)
       scene_.faces.push_back(
           read_face(reader("face", i), as_doubles<S>(scene_.object.center_of_mass)));
-    if (scene_.planar) refuse_squeezes_out_of_plane();
+    if (scene_.planar) refuse_motions_out_of_plane();
+    scene_.is_round = scene_.is_round && scene_.has_cones();
     return std::move(scene_);
   }
 
@@ -146,6 +151,7 @@ private:
                    "torsion_radius goes with a single point only; this patch has " +
                        std::to_string(body.point_count));
     }
+    lie_in_plane(body, scene_.planar);
     if (table.has("follow"))
       body.bilateral = table.choice("follow", {"unilateral", "bilateral"}) == 1;
     if (body.bilateral && table.has("normal_force"))
@@ -256,14 +262,18 @@ private:
     }
   }
 
-  void refuse_squeezes_out_of_plane() const {
-    const Index squeezed = squeezes_out_of_plane(scene_);
-    if (squeezed < 0) return;
-    const std::string& name = scene_.body_name(squeezed);
+  void refuse_motions_out_of_plane() const {
+    const Index moving = moves_out_of_plane(scene_);
+    if (moving < 0) return;
+    const std::string& name = scene_.body_name(moving);
+    const Body<S>& body = scene_.body(moving);
+    const std::string how =
+        body.in_plane
+            ? "moves across the plane, where planar = true has no friction"
+            : (body.bilateral ? std::string("moves ") : std::string("moves into ")) +
+                  "the object out of the plane, where planar = true lets nothing give way";
     throw InputError(document_.file, name_lines_.at(name),
-                     quoted(name) + ": moves " + (scene_.body(squeezed).bilateral ? "" : "into ") +
-                         "the object out of the plane, where planar = true lets nothing give "
-                         "way; move it in the x-y plane or remove planar");
+                     quoted(name) + ": " + how + "; move it in the x-y plane or remove planar");
   }
 
   const TomlDocument& document_;

@@ -43,14 +43,11 @@ double object_size(const SceneFile& file) {
 std::vector<std::string> irrational_directions(const SceneOf<Rational>& scene) {
   const std::string are_irrational = " are irrational: fractions within 1e-12 of them are used";
   std::vector<std::string> sentences;
-  bool rubs = false;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    if (!(scene.bodies[b].friction > Rational(0))) continue;
-    rubs = true;
-    if (scene.bodies[b].torsion_radius > Rational(0))
+    if (scene.bodies[b].friction > Rational(0) && scene.bodies[b].torsion_radius > Rational(0))
       sentences.push_back("the soft generators of " + quoted(scene.body_names[b]) + are_irrational);
   }
-  if (rubs && scene.facets != 4)
+  if (scene.has_cones() && scene.facets != 4)
     sentences.insert(sentences.begin(), "the friction directions of " +
                                             std::to_string(scene.facets) + " facets" +
                                             are_irrational);

@@ -1,9 +1,11 @@
 #include "lcpush/desktop/final_basis.hpp"
 #include "lcpush/mechanics/model/read_answer.hpp"
 #include "solve/contact_system.hpp"
+#include "solve/rest_by_friction.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace lcpush::desktop {
 namespace {
@@ -25,18 +27,6 @@ struct Contact {
 
   bool has_lambda() const { return pressed && regime != Regime::tied; }
 };
-
-/// The least sum of generator forces that makes this friction force: below mu lambda, it sticks.
-double least_sum(const Body<double>& body, const Vector3<double>& friction, Index g) {
-  double largest = 0;
-  const double side = circle_cosine<double>(1, 2 * g);
-  for (Index j = 0; j < g; ++j) {
-    const Vector3<double> facet =
-        generator(body, j, g).force + generator(body, (j + 1) % g, g).force;
-    largest = std::max(largest, friction.dot(facet) / (2 * side * side));
-  }
-  return largest;
-}
 
 class Study {
 public:
@@ -114,9 +104,11 @@ private:
     const ConeGroup<double>& cone = layout_.cones[i];
     const Body<double>& body = body_of(i);
     if (!(answer.slip > margins_.motion)) {
-      double sum = 0;
-      for (Index j = 0; j < cone.generators; ++j) sum += beta[j];
-      if (!(body.torsion_radius > 0)) sum = least_sum(body, answer.friction_force, scene_.facets);
+      std::vector<double> least(beta, beta + cone.generators); // of all that make this friction
+      const Vector3<double> f = friction_of(body, answer);
+      const double sum = body.torsion_radius > 0
+                             ? std::accumulate(least.begin(), least.end(), 0.0)
+                             : onto_neighbours(f[0], f[1], cone.generators, least.data());
       const double room = body.friction * std::abs(answer.normal_force) - sum;
       return room > margins_.force ? Regime::stick : Regime::tied;
     }
@@ -139,9 +131,8 @@ private:
   std::vector<Vector6<double>> held_directions(Index i) const {
     const Body<double>& body = body_of(i);
     const Vector3<double> p = scene_.points[i] / layout_.scales.length;
-    std::vector<Vector6<double>> held = {
-        wrench_column<double>(p, body.tangent),
-        wrench_column<double>(p, cross(body.normal, body.tangent))};
+    std::vector<Vector6<double>> held = {wrench_column<double>(p, body.tangent)};
+    if (!body.in_plane) held.push_back(wrench_column<double>(p, cross(body.normal, body.tangent)));
     if (body.torsion_radius > 0) {
       held.emplace_back(Vector6<double>::Zero());
       held.back().tail<3>() = body.normal * (body.torsion_radius / layout_.scales.length);

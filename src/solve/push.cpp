@@ -72,7 +72,8 @@ StructuredLemke<double>& Push::structured_pivots() {
 void Push::linearize_cones(const std::vector<Vector3<double>>& forces) {
   for (Index i = 0; i < scene_.round_cones.size; ++i) {
     work_.round_cones[i] = {};
-    if (const Vector3<double>& f = forces[static_cast<std::size_t>(i)]; f.norm() > 0)
+    const Vector3<double>& f = forces[static_cast<std::size_t>(i)];
+    if (f.norm() > 0 && has_round_friction(scene_, scene_.bodies[layout().body[i]]))
       work_.round_cones[i].along = f.normalized();
   }
   assembly_.assemble(scene_);

@@ -225,8 +225,7 @@ std::string run_words(const SceneFile& file, const RunReport& report) {
   std::string text = names[static_cast<int>(report.solver)] + joined(steps, " and ");
   if (run.rounds > 0) text += " in " + counted(run.rounds, "round");
   if (run.cold_restarts > 0) text += ", " + std::to_string(run.cold_restarts) + " restarted cold";
-  return text + "; pressure law " + pressure_text(file.pressure) + "; " +
-         (file.is_round ? "round friction" : std::to_string(file.facets) + " facets");
+  return text + "; pressure law " + pressure_text(file.pressure) + "; " + friction_law_text(file);
 }
 
 } // namespace lcpush::desktop

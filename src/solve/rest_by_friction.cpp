@@ -8,6 +8,7 @@ namespace lcpush::desktop {
 double onto_neighbours(double along, double across, Index g, double* beta) {
   for (Index k = 0; k < g; ++k) beta[k] = 0;
   if (!(std::hypot(along, across) > 0)) return 0;
+  if (g == 2) return beta[along < 0 ? 1 : 0] = std::abs(along); // an interval has no across
   constexpr double turn = 6.283185307179586;
   const double angle = std::atan2(across, along) / turn;
   const auto j =

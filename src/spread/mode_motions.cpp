@@ -81,7 +81,7 @@ private:
       return;
     }
     against(0);
-    against(g / 4); // g >= 4: not parallel to the first
+    if (g > 2) against(g / 4); // not parallel to the first
   }
 
   void slide(Index i, Index g, const std::vector<Index>& active) {

@@ -187,7 +187,7 @@ std::vector<ContactMode> LiteralProblem::every_mode(Index i) const {
     if (pulls && cone.normals == 1) continue;
     modes.push_back({Kind::stick, pulls, {}});
     for (Index j = 0; j < g; ++j) modes.push_back({Kind::slide, pulls, {j}});
-    for (Index j = 0; j < g; ++j) {
+    for (Index j = 0; g > 2 && j < g; ++j) { // an interval's two ends have nothing between them
       const Index next = (j + 1) % g;
       modes.push_back({Kind::slide, pulls, {std::min(j, next), std::max(j, next)}});
     }

@@ -48,7 +48,7 @@ std::vector<Quantity> list_quantities(const LiteralProblem& problem, SpreadRepor
       torsion.f[layout.friction_index(i, j)] = d.torque / length;
     }
     quantities.push_back(along);
-    quantities.push_back(across);
+    if (!body.in_plane) quantities.push_back(across);
     if (body.torsion_radius > 0) quantities.push_back(torsion);
   }
   return quantities;

@@ -321,8 +321,9 @@ double AnswerCompleter::slides_against(Index point, Index j) const {
 void AnswerCompleter::find_slips() {
   for (Index i = 0; i < layout_.points; ++i) {
     answer_.contacts[i].slip = 0;
-    double most = file_.is_round ? slip(i).norm() : 0;
-    for (Index j = 0; !file_.is_round && j < layout_.cones[i].generators; ++j)
+    const bool is_round = has_round_friction(scene_, body_of(i));
+    double most = is_round ? slip(i).norm() : 0;
+    for (Index j = 0; !is_round && j < layout_.cones[i].generators; ++j)
       most = std::max(most, -slides_against(i, j));
     answer_.contacts[i].slip = most;
   }

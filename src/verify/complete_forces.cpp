@@ -71,7 +71,9 @@ Eigen::VectorXd AnswerCompleter::targets() const {
     if (friction_known(i) && size > 0) {
       beta.resize(static_cast<std::size_t>(layout_.cones[i].generators));
       Eigen::VectorXd known = size * column({i, 0, friction / size});
-      known[cones + i] = file_.is_round ? -size : -split_friction(i, beta.data()) / scales.force;
+      known[cones + i] = has_round_friction(scene_, body_of(i))
+                             ? -size
+                             : -split_friction(i, beta.data()) / scales.force;
       b -= known;
     } else if (!friction_known(i) && contact_of(i).friction_force) {
       b.segment<3>(cones + layout_.points + 3 * i) = contact.friction_force / scales.force;
@@ -90,16 +92,17 @@ std::vector<AnswerCompleter::PointForce> AnswerCompleter::possible_forces() cons
       for (Index k = 0; k < cone.normals; ++k)
         forces.push_back({i, k == 0 ? 1.0 : -1.0, Vector3<double>::Zero()});
     if (friction_known(i)) continue;
-    const Index g = generator_count(scene_, body_of(i));
+    const Body<double>& body = body_of(i);
+    const Index g = generator_count(scene_, body);
     const Vector3<double> v = slip(i);
-    if (!file_.is_round) {
+    if (!has_round_friction(scene_, body)) {
       for (Index j = 0; j < g; ++j)
         if (slides_against(i, j) <= least())
-          forces.push_back({i, 0, generator_direction<double>(j, scene_.facets)});
+          forces.push_back({i, 0, generator_direction<double>(j, facets_of(body, scene_.facets))});
     } else if (v.norm() > least()) {
       forces.push_back({i, 0, -v.normalized()});
     } else {
-      for (Index k = 0; k < (body_of(i).torsion_radius > 0 ? 6 : 4); ++k)
+      for (Index k = 0; k < (body.torsion_radius > 0 ? 6 : 4); ++k)
         forces.push_back({i, 0, (k % 2 == 0 ? 1.0 : -1.0) * Vector3<double>::Unit(k / 2)});
     }
   }
@@ -109,7 +112,9 @@ std::vector<AnswerCompleter::PointForce> AnswerCompleter::possible_forces() cons
 /// The direction of a sticking point's round friction that takes most off what the fit leaves.
 std::optional<AnswerCompleter::PointForce>
 AnswerCompleter::steepest(Index point, const Eigen::VectorXd& off) const {
-  if (friction_known(point) || answer_.contacts[point].slip > least()) return std::nullopt;
+  if (friction_known(point) || !has_round_friction(scene_, body_of(point)) ||
+      answer_.contacts[point].slip > least())
+    return std::nullopt;
   Vector3<double> down = Vector3<double>::Zero();
   for (Index k = 0; k < (body_of(point).torsion_radius > 0 ? 3 : 2); ++k) {
     Eigen::VectorXd along = column({point, 0, Vector3<double>::Unit(k)});

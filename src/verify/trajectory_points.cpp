@@ -10,7 +10,7 @@ namespace {
 /// What a pyramid, or a soft point's polyhedron, has of its cone in the direction where it has
 /// least; 1 of a round cone.
 double least_share(const SceneFile& file, const Body<double>& body) {
-  if (file.is_round) return 1;
+  if (file.is_round || body.in_plane) return 1;
   const double corner = std::cos(std::acos(-1.0) / static_cast<double>(file.facets));
   if (!(body.torsion_radius > 0)) return corner;
   // Least between the generators of no torque and those of 30 degrees.

@@ -113,6 +113,7 @@ def forgeries():
     yield "no motion", changed(falls, [dropped], x=["0"] * len(falls["x"])), "no contradiction"
     yield "length", changed(falls, [dropped], x=falls["x"] + ["0"]), "another length"
     yield "law of a scene", (falls, ["pressure = \"even\"\n" + dropped]), "another law"
+    yield "facets of a scene", (falls, ["facets = 6\n" + dropped]), "another law"
     slide = (SCENES / "straight_slide.toml").read_text()
     away = slide.replace("acceleration = [0.1,", "acceleration = [-0.1,")
     yield "a wall that moves away", changed(certified("solve", away), [slide], push="-1"), "another push"

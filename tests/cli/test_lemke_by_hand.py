@@ -41,7 +41,7 @@ def read_mtx(name):
 
 start = trace("fixtures/scenes/coin.toml", "--exact")["runs"][0]["start"]
 M, q = read_mtx("coin.M.mtx"), read_mtx("coin.q.mtx")
-assert start["rows"] == [f"w{i}" for i in range(1, 8)]
+assert start["rows"] == [f"w{i}" for i in range(1, 6)]
 assert [[Fraction(x) for x in row] for row in start["entries"]] == [row + [1] for row in M]
 assert [[Fraction(x)] for x in start["values"]] == q
 assert "A coin pushed over a table" in run("--format", "html")
@@ -99,8 +99,8 @@ for name, (first, second) in CONES.items():
         assert any(x * ray[1] == y * ray[0] and x * ray[0] + y * ray[1] > 0 for x, y in sides), name
 # The coin: 14 px a newton to the arrow's tip, the head ends 10 px beyond the shaft.
 coin_z = [None, *map(Fraction, trace("fixtures/scenes/coin.toml", "--exact")["final"]["z"])]
-for arrow, newtons in (("normal", coin_z[1]), ("weight", coin_z[1]), ("friction", coin_z[4]),
-                       ("push", coin_z[7])):
+for arrow, newtons in (("normal", coin_z[1]), ("weight", coin_z[1]), ("friction", coin_z[3]),
+                       ("push", coin_z[5])):
     shaft = re.fullmatch(r"M288 209.5([HV])([0-9.]+)", svg_path("coin.svg", arrow))
     length = abs(Fraction(shaft[2]) - (288 if shaft[1] == "H" else Fraction("209.5")))
     assert length + 10 == 14 * newtons, (arrow, length)

@@ -23,7 +23,7 @@ PI = re.compile(r"3\.14159|6\.28318")
 EXACT = {
     ("include/lcpush/lcp/pivots/structured/local_form.hpp", "flipped = 8"): "a bit beside those of roles",
     ("include/lcpush/lcp/pivots/structured/local_form.hpp", "16"): "a bit beside those of roles",
-    ("include/lcpush/mechanics/model/contact.hpp", "64"): "a table of 64 steps round the circle",
+    ("include/lcpush/mechanics/model/contact.hpp", "16"): "a table of 16 steps round the circle",
     ("include/lcpush/mechanics/model/contact.hpp", "26"): "terms of a series, to rounding",
     ("include/lcpush/mechanics/model/contact.hpp", "12"): "30 degrees are a twelfth of a circle",
     ("include/lcpush/mechanics/model/pose.hpp", "40"): "terms of a series, to rounding",

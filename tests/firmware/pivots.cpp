@@ -56,6 +56,7 @@ template <class S> struct Copy {
       body.first_point = from.first_point;
       body.point_count = from.point_count;
       body.acceleration = vector(from.acceleration);
+      lie_in_plane(body, scene.planar);
     }
     for (Index i = 0; i < given.point_count; ++i)
       points[i] = {given.points[i].x, given.points[i].y, given.points[i].z};

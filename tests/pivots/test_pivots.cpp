@@ -88,10 +88,10 @@ TEST_CASE("the coin's pivots as mechanics") {
           "As friction of table.1 along -x grows, table.1 reaches its friction cone and starts "
           "to slide towards +x.",
           "As table.1 slides faster, the artificial variable z0 is gone: every law holds."});
-  CHECK(coin.trace.variables[7].meaning == "normal of table.1 (N)");
-  CHECK(coin.trace.variables[10].meaning == "friction of table.1 along -x (N)");
-  CHECK(coin.trace.variables[12].meaning == "slip of table.1 (m/s^2)");
-  CHECK(coin.trace.z[6].fraction == "6");
+  CHECK(coin.trace.variables[5].meaning == "normal of table.1 (N)");
+  CHECK(coin.trace.variables[7].meaning == "friction of table.1 along -x (N)");
+  CHECK(coin.trace.variables[8].meaning == "slip of table.1 (m/s^2)");
+  CHECK(coin.trace.z[4].fraction == "6");
 }
 
 TEST_CASE("all fixture scenes end as they should in fractions, their bases proved") {

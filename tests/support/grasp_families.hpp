@@ -104,6 +104,10 @@ template <class S> OwnedScene<S> grasp_of(Family family, std::uint64_t seed) {
           static_cast<S>(random.uniform(0, 0.1));
     }
   }
+  for (Body<S>& body : scene.bodies) {
+    lie_in_plane(body, scene.base.planar);
+    if (body.in_plane) body.acceleration.template segment<3>(2).setZero(); // as scene files do
+  }
   return scene;
 }
 

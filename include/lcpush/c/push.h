@@ -42,7 +42,7 @@ typedef struct LCPUSH_NAME(scene) {
   LCPUSH_REAL gravity[3]; /* m/s^2 */
   int facets;             /* sides of a friction pyramid: even, 4..256; or LCPUSH_ROUND */
   lcpush_pressure pressure;
-  int planar; /* not 0: motion in the x-y plane only */
+  int planar; /* not 0: motion, and friction at normals that lie in it, in the x-y plane only */
   const LCPUSH_NAME(body) * bodies;
   int body_count;
   const LCPUSH_NAME(point) * points; /* body by body */

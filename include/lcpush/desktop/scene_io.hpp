@@ -5,6 +5,7 @@
 #include "lcpush/mechanics/model/contact.hpp"
 #include "lcpush/mechanics/model/scene.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -94,7 +95,8 @@ template <class S> struct SceneOf {
   ObjectShape shape;
   Vector3<S> gravity = Vector3<S>::Zero(); ///< m/s^2
   Index facets = 8;
-  bool is_round = false; ///< facets = "round": pyramids of 8 facets are turned until it is [T.16]
+  /// facets = "round", and there are cones: pyramids of 8 facets are turned until they are [T.16].
+  bool is_round = false;
   Pressure pressure = Pressure::pad;
   bool planar = false;
   Hand hand = Hand::fixed;
@@ -133,6 +135,11 @@ template <class S> struct SceneOf {
             span_of(drives), span_of(weights)};
   }
 
+  /// Has friction a cone anywhere? Of a body in the plane it has an interval.
+  bool has_cones() const {
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [](const Body<S>& body) { return body.friction > S(0) && !body.in_plane; });
+  }
   const std::string& body_name(Index b) const { return body_names[static_cast<std::size_t>(b)]; }
   const Body<S>& body(Index b) const { return bodies[static_cast<std::size_t>(b)]; }
   /// The body of a point of `points`. Cost: O(bodies).

@@ -39,6 +39,31 @@ TEST_CASE_TEMPLATE("opposite generators are exact negatives, for every even g", 
       CHECK(generator(body, j, g).force == -generator(body, (j + g / 2) % g, g).force);
 }
 
+TEST_CASE_TEMPLATE("in a plane friction acts along it, forth and back; other bodies keep theirs", S,
+                   float, double) {
+  const S allowed = S(8) * Eigen::NumTraits<S>::epsilon();
+  for (int degrees = 0; degrees < 360; degrees += 15) {
+    Body<S> body =
+        body_with<S>({circle_cosine<S>(degrees, 360), circle_sine<S>(degrees, 360), S(0)});
+    body.torsion_radius = S(0.01);
+    lie_in_plane(body);
+    CHECK(body.in_plane);
+    CHECK(facets_of(body, 8) == 2);
+    CHECK(body.torsion_radius == S(0));
+    const Vector3<S> forth = generator(body, 0, 8).force;
+    CHECK(forth[2] == S(0));
+    CHECK(forth == -generator(body, 1, 8).force);
+    CHECK(std::abs(forth.norm() - S(1)) <= allowed);
+    CHECK(std::abs(forth.dot(body.normal)) <= allowed);
+  }
+  for (const Vector3<S>& n : {Vector3<S>(S(0), S(0), S(-1)), Vector3<S>(S(1), S(0), S(0.01))}) {
+    Body<S> body = body_with<S>(n);
+    lie_in_plane(body);
+    CHECK_FALSE(body.in_plane);
+    CHECK(facets_of(body, 8) == 8);
+  }
+}
+
 TEST_CASE_TEMPLATE("mirrored directions have the same bits", S, float, double) {
   for (Index g = 4; g <= 64; g += 2)
     for (Index j = 0; j < g; ++j) {

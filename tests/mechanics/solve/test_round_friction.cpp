@@ -112,8 +112,9 @@ TEST_CASE("[T.16] round friction does not see how a body's tangent points") {
     scene.base.facets = 8;
     test::SolvedPush<double> first(scene, true);
     for (Body<double>& body : scene.bodies)
-      body.tangent =
-          std::cos(0.3) * body.tangent + std::sin(0.3) * cross(body.normal, body.tangent);
+      if (!body.in_plane)
+        body.tangent =
+            std::cos(0.3) * body.tangent + std::sin(0.3) * cross(body.normal, body.tangent);
     test::SolvedPush<double> second(scene, true);
     test::SolvedPush<double> pyramids(scene);
     if (first.solve() != Status::solved || second.solve() != Status::solved) continue;

@@ -155,7 +155,7 @@ template <class S, class Visit> struct LawRows {
     const S lambda =
         body.bilateral ? Eigen::numext::abs(contact.normal_force) : contact.normal_force;
     S room = body.friction * lambda;
-    if (has_round_friction(scene)) return round_friction(body, i, room, spin);
+    if (has_round_friction(scene, body)) return round_friction(body, i, room, spin);
     Vector3<S> left = contact.friction_force;
     S torsion = contact.torsion;
     const Index g = generator_count(scene, body);

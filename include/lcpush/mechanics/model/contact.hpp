@@ -64,11 +64,11 @@ template <class S> constexpr S quarter_cosine(Index j, Index g) {
   const S x = circle_angle<S>(g - 4 * j, 4 * g);
   return sine_series(x, x, 2);
 }
-/// The same numbers for multiples of a 64th of the circle, computed by the compiler: in the working
+/// The same numbers for multiples of a 16th of the circle, computed by the compiler: in the working
 /// precision, so that the bits are those of the series. Used for powers of two g alone: there
 /// reducing j / g rounds nothing.
 template <class S> struct CosineTable {
-  static constexpr Index steps = 64;
+  static constexpr Index steps = 16;
   S quarter[steps / 4 + 1];
   constexpr CosineTable() : quarter{} {
     for (Index k = 0; k <= steps / 4; ++k) quarter[k] = quarter_cosine<S>(k, steps);
@@ -117,6 +117,16 @@ template <class S> Vector3<S> default_tangent(const Vector3<S>& normal) {
   return tangent_along<S>(normal, Vector3<S>::Unit(least_aligned_axis(normal)));
 }
 
+/// In a planar scene a body whose normal lies in the plane has friction along n x z alone, forth
+/// and back: an interval in place of the cone. A torque about the normal would leave the plane.
+template <class S> void lie_in_plane(Body<S>& body, bool is_planar = true) {
+  const Vector3<S>& n = body.normal;
+  body.in_plane = is_planar && Eigen::numext::abs(n[2]) <= ModelSettings<S>::equal_components();
+  if (!body.in_plane) return;
+  body.tangent = {n[1], S(0) - n[0], S(0)}; // from 0: no zero with a sign
+  body.torsion_radius = S(0);
+}
+
 /// A unit of friction: a force in the contact plane, at a soft point a torque about the normal too.
 template <class S> struct Generator {
   Vector3<S> force; ///< 1
@@ -163,10 +173,13 @@ Vector3<S> slip_of(const Body<S>& body, const Vector3<S>& p, const Vector6<S>& r
                            S(relative.template tail<3>().dot(body.normal)));
 }
 
+/// Generators of a hard point of this body in a scene of g facets.
+template <class S> Index facets_of(const Body<S>& body, Index g) { return body.in_plane ? 2 : g; }
+
 /// Friction generator k of a body with g facets: d_j = cos(2 pi j / g) t + sin(2 pi j / g) o,
 /// o = n x t, and at a soft point the others of generator_direction.
 template <class S> Generator<S> generator(const Body<S>& body, Index k, Index g) {
-  return generator_along(body, generator_direction<S>(k, g));
+  return generator_along(body, generator_direction<S>(k, facets_of(body, g)));
 }
 
 /// The directions across a linearized cone: two unit vectors at a soft point, at a hard one the
@@ -184,7 +197,7 @@ template <class S> Across<S> across(const LinearizedCone<S>& cone, bool is_soft)
 /// Friction generator k of a point of this body: turned to the linearized cone of round friction.
 template <class S>
 Generator<S> generator(const Scene<S>& scene, const Body<S>& body, Index point, Index k) {
-  const Vector3<S> u = generator_direction<S>(k, scene.facets);
+  const Vector3<S> u = generator_direction<S>(k, facets_of(body, scene.facets));
   if (!has_round_friction(scene)) return generator_along(body, u);
   const LinearizedCone<S>& cone = scene.round_cones[point];
   const Across<S> side = across(cone, body.torsion_radius > S(0));
@@ -194,7 +207,8 @@ Generator<S> generator(const Scene<S>& scene, const Body<S>& body, Index point, 
 /// Friction generators of one point of this body: none without friction.
 template <class S> Index generator_count(const Scene<S>& scene, const Body<S>& body) {
   if (!(body.friction > S(0))) return 0;
-  return body.torsion_radius > S(0) ? soft_generators(scene.facets) : scene.facets;
+  const Index g = facets_of(body, scene.facets);
+  return body.torsion_radius > S(0) ? soft_generators(g) : g;
 }
 
 #ifdef LCPUSH_EXTERN_TEMPLATES

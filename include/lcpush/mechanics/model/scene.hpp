@@ -43,6 +43,7 @@ template <class S> struct Body {
   Vector3<S> tangent = Vector3<S>::Zero();      ///< unit, orthogonal to it: the first generator
   S friction{0};                                ///< Coulomb's mu, >= 0; 0: a frictionless contact
   S torsion_radius{0};                          ///< m; > 0 makes a single point a soft contact
+  bool in_plane = false;                        ///< friction is +-tangent alone: lie_in_plane()
   bool bilateral = false;                       ///< holds its normal motion, pulling if it must
   Index first_point = 0;                        ///< index of its first point in Scene::points
   Index point_count = 0;                        ///< >= 1
@@ -82,7 +83,7 @@ template <class S> struct Scene {
   Vector3<S> gravity; ///< m/s^2
   Index facets;       ///< g, sides of a friction pyramid: even, 4..256
   Pressure pressure;
-  bool planar; ///< motion in the x-y plane only
+  bool planar; ///< motion in the x-y plane only; its bodies have been through lie_in_plane()
   Span<const Body<S>> bodies;
   Span<const Vector3<S>> points; ///< m, from the centre of mass, body by body
   Span<const Actuator<S>> actuators;
@@ -100,6 +101,10 @@ template <class S> struct Scene {
 
 template <class S> bool has_round_friction(const Scene<S>& scene) {
   return scene.round_cones.size > 0;
+}
+/// Of this body: two generators are all of a cone in the plane, and its points' stay unturned.
+template <class S> bool has_round_friction(const Scene<S>& scene, const Body<S>& body) {
+  return has_round_friction(scene) && !body.in_plane;
 }
 
 template <class S> bool presses_evenly(const Scene<S>& scene) {

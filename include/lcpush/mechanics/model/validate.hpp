@@ -69,7 +69,7 @@ template <class S> bool is_positive_definite(const Matrix3<S>& I) {
          minors.determinant > slack * slack * slack;
 }
 
-template <class S> Mistake mistake_of(const Body<S>& body, Index points) {
+template <class S> Mistake mistake_of(const Body<S>& body) {
   const S slack = ModelSettings<S>::unit_length();
   const auto near = [&](const S& x, const S& y) { return Eigen::numext::abs(S(x - y)) <= slack; };
   const bool finite = all_finite(body.normal) && all_finite(body.tangent) &&
@@ -81,9 +81,6 @@ template <class S> Mistake mistake_of(const Body<S>& body, Index points) {
     return Mistake::direction;
   if (body.friction < S(0) || body.torsion_radius < S(0) || body.preload < S(0))
     return Mistake::friction;
-  if (body.point_count < 1 || body.first_point < 0 || body.first_point > points ||
-      body.point_count > points - body.first_point)
-    return Mistake::index;
   if (body.torsion_radius > S(0) && body.point_count > 1) return Mistake::unsupported;
   return Mistake::none;
 }
@@ -147,9 +144,11 @@ template <class S> Mistake find_mistake(const Scene<S>& scene) {
     if (!all_finite(p)) return Mistake::not_finite;
   Index covered = 0;
   for (const Body<S>& body : scene.bodies) {
-    const Mistake mistake = detail::mistake_of(body, scene.points.size);
+    const Mistake mistake = detail::mistake_of(body);
     if (mistake != Mistake::none) return mistake;
-    if (body.first_point != covered) return Mistake::index;
+    if (body.first_point != covered || body.point_count < 1 ||
+        body.point_count > scene.points.size - covered)
+      return Mistake::index;
     covered += body.point_count;
   }
   if (covered != scene.points.size || covered == 0) return Mistake::index;

@@ -67,7 +67,8 @@ public:
     stalls_ = is_short && !halts;
     fastest_ = cones.fastest();
     for (Index i = 0; i < assembly_.layout().points; ++i)
-      if (assembly_.layout().cones[i].generators > 0) turn_point(cones, i, step, halts, memory);
+      if (assembly_.layout().cones[i].generators > 2) // two are all of it, in a plane
+        turn_point(cones, i, step, halts, memory);
     reassemble();
   }
 
