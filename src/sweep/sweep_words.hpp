@@ -25,7 +25,7 @@ Question asked(const Sweep& sweep);
 double force_of(const SweepValue& value, Question question);
 
 /// As a brief text shows it: zero if it is no ten-thousandth of the largest, or less than a
-/// thousandth below zero, which is how far off breaking is between bisected ends.
+/// thousandth below zero, which is how far off breaking is that small pushes are extrapolated to.
 double told_force(double force, double largest);
 
 /// How the force changes, where the grasp does not hold and where there is no answer: a line each.

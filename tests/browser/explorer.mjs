@@ -23,6 +23,44 @@ mkdirSync(out, { recursive: true });
 const written = (name, words, format) =>
   run_tool(tool, ['pivots', ...words, '--format', format], join(out, `${name}.${format}`));
 
+/// Runs in the page: what is compared with the trace, numbers as the trace writes them.
+function offer_state() {
+  const { app } = window.lcpush;
+  const { number_text, words, lemke, view_scene_text } = explorer; // the page's
+  const { problem } = app;
+  const name = (variable) => problem.names[variable];
+  const value = (levels) => number_text.full_value(problem, levels);
+  const values = (ratios) => ratios.map((x) => (x === null ? null : value(x)));
+  const state = () => {
+    const { path, frame } = app;
+    const dictionary = path.dictionary(frame);
+    const { pivot, run } = path.frames[frame];
+    const step = path.step(frame);
+    const [row, column] = step ? [dictionary.rows.indexOf(step.leaving),
+      dictionary.columns.indexOf(step.entering)] : [-1, -1];
+    const scene = view_scene_text.now(app);
+    return {
+      step: frame, last: path.last, pivot, run, status: path.outcome.status,
+      branch: path.branch !== null, row, column,
+      entering: step ? name(step.entering) : null, leaving: step ? name(step.leaving) : null,
+      ties: step ? step.ties.map(name) : [], tie_break: step ? step.tie_break : 'none',
+      ratios: step && step.ratios ? values(step.ratios) : [],
+      basis: dictionary.rows.map(name), nonbasic: dictionary.columns.map(name),
+      z0: value(path.z0(frame)),
+      entries: () => dictionary.rows.map((_, r) => dictionary.columns.map((__, c) =>
+        number_text.full_scalar(problem, dictionary.entry(r, c)))),
+      values: () => dictionary.rows.map((_, r) => value(dictionary.value(r))),
+      own_ratios: () => (step ? values(lemke.ratio_test(dictionary, column, 'lexicographic',
+        step.entering === problem.artificial).ratios) : []),
+      picture: scene && { ...scene.shown.finite, modes: scene.shown.modes,
+        large: scene.shown.large, z: scene.z, w: scene.w },
+    };
+  };
+  Object.assign(window.lcpush, { state, path: () => app.path,
+    goto: (step) => { app.controls.stop(); app.go(step); },
+    sentence_of: (path, frame) => words.meant_sentence(path, frame, path.step(frame)) });
+}
+
 const state_of = (page) => page.evaluate(() => {
   const state = window.lcpush.state();
   return { ...state, entries: state.entries(), values: state.values(),
@@ -246,6 +284,7 @@ async function check_problem(browser, problem) {
     ['phone_dark', phone, 'dark']]) {
     const { page, faults, close } = await open(browser, html, { ...device, colorScheme,
       reducedMotion: colorScheme === 'dark' ? 'reduce' : 'no-preference' });
+    await page.evaluate(offer_state);
     if (device === wide) {
       await check_steps(page, trace, problem);
       await check_controls(page);

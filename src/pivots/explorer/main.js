@@ -1,4 +1,4 @@
-// Puts the page together and offers window.lcpush to tests.
+// Puts the page together, and is window.lcpush.app to tests.
 (() => {
   const { by_id } = drawing.elements;
   const { number_text, words } = explorer;
@@ -149,49 +149,11 @@
       explorer.view_scene_text.update(this);
       this.controls.update();
     }
-
-    /// Everything a test compares with the trace, numbers as the trace writes them.
-    state() {
-      const { problem, path, frame } = this;
-      const dictionary = path.dictionary(frame);
-      const { pivot, run } = path.frames[frame];
-      const step = path.step(frame);
-      const values = (ratios) => ratios.map((x) => (x === null ? null : value(x)));
-      const name = (variable) => problem.names[variable];
-      const value = (levels) => number_text.full_value(problem, levels);
-      const scene = explorer.view_scene_text.now(this);
-      return {
-        step: frame, last: path.last, pivot, run, status: path.outcome.status,
-        branch: path.branch !== null,
-        entering: step ? name(step.entering) : null, leaving: step ? name(step.leaving) : null,
-        row: step ? dictionary.rows.indexOf(step.leaving) : -1,
-        column: step ? dictionary.columns.indexOf(step.entering) : -1,
-        ties: step ? step.ties.map(name) : [], tie_break: step ? step.tie_break : 'none',
-        ratios: step && step.ratios ? values(step.ratios) : [],
-        basis: dictionary.rows.map(name), nonbasic: dictionary.columns.map(name),
-        z0: value(path.z0(frame)),
-        entries: () => dictionary.rows.map((_, r) => dictionary.columns.map((__, c) =>
-          number_text.full_scalar(problem, dictionary.entry(r, c)))),
-        values: () => dictionary.rows.map((_, r) => value(dictionary.value(r))),
-        own_ratios: () => (step ? values(explorer.lemke.ratio_test(dictionary,
-          dictionary.columns.indexOf(step.entering), 'lexicographic',
-          step.entering === problem.artificial).ratios) : []),
-        picture: scene && {
-          forces: scene.shown.finite.forces, modes: scene.shown.modes,
-          acceleration: scene.shown.finite.acceleration, bodies: scene.shown.finite.bodies,
-          large: scene.shown.large, z: scene.z, w: scene.w,
-        },
-      };
-    }
   }
 
   try {
     const app = new Application(JSON.parse(by_id('trace').textContent));
-    window.lcpush = {
-      goto: (step) => { app.controls.stop(); app.go(step); }, state: () => app.state(),
-      branch: (row, rule) => app.branch(row, rule), path: () => app.path,
-      sentence_of: (path, frame) => words.meant_sentence(path, frame, path.step(frame)),
-    };
+    window.lcpush = { app };
     app.start();
   } catch (problem) {
     const box = by_id('failure');
