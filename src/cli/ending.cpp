@@ -16,14 +16,11 @@ namespace lcpush::cli {
 namespace {
 
 // A sanitized program takes several times as long for the same.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr double slowness = 6;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr double slowness = 6;
-#else
-constexpr double slowness = 1;
+#ifndef __has_feature
+#define __has_feature(feature) 0
 #endif
+#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
+constexpr double slowness = 6;
 #else
 constexpr double slowness = 1;
 #endif
