@@ -25,6 +25,23 @@ bool moves_steadily(const SceneFile& file) {
   return true;
 }
 
+/// Without what is undone after two steps at most: each try of a step has two, and a gap of
+/// rounding opens and closes within them.
+std::vector<MotionEvent> lasting(const std::vector<MotionEvent>& events) {
+  std::vector<MotionEvent> kept;
+  for (const MotionEvent& event : events) {
+    const auto last = std::find_if(kept.rbegin(), kept.rend(), [&](const MotionEvent& other) {
+      return other.point == event.point;
+    });
+    if (last == kept.rend() || last->from != event.to ||
+        event.time - last->time > 2 * std::max(last->within, event.within))
+      kept.push_back(event);
+    else
+      kept.erase(last.base() - 1);
+  }
+  return kept;
+}
+
 class Mover {
 public:
   Mover(const SceneFile& file, const MoveOptions& options)
@@ -50,6 +67,7 @@ public:
       if (last_.time > report_.frames.back().time) report_.frames.push_back(last_);
     }
     if (goes_on) report_.end = MoveEnd::time;
+    report_.events = lasting(report_.events);
     report_.phases = phases_.take();
     report_.jumps = jumps_.take();
     return std::move(report_);

@@ -146,6 +146,10 @@ class Move(unittest.TestCase):
         self.assertGreater(len(printed["frames"]), 40)
         self.assertIn("touches it nowhere", " ".join(run(SLIDE, "--time", 2).stdout.split()))
 
+    def test_what_a_step_undoes_is_no_event(self):
+        printed, _ = answer(SCENES / "dropped.toml")
+        self.assertEqual([(e["contact"], e["to"]) for e in printed["events"]], [("rod.1", "separate")])
+
     def test_ended_early_it_has_what_there_is(self):
         result = run(SCENES / "three_finger_hand.toml", "--seconds", "0.02", "--json")
         motion = json.loads(result.stdout)
