@@ -109,23 +109,24 @@ Result run_sweep(const Values& values, Listener& listener) {
           stop};
 }
 
-std::vector<Sweep> swept(const Values& values, Listener& listener, const VariedScene& scene,
-                         const SceneFile& file) {
-  std::vector<Variation> variations;
-  if (values.has("vary"))
-    variations = values.variations(scene);
-  else if (values.has("steps"))
+std::vector<Variation> report_variations(const Values& values, const VariedScene& scene) {
+  if (values.has("vary")) return values.variations(scene);
+  if (values.has("steps"))
     values.refuse("steps", values.label("steps") + " goes with " + values.usage("vary"));
-  ParameterSweepOptions options = sweep_options(values, listener, limits::report_steps);
+  return {};
+}
+
+/// One after the other, until they are stopped; what has no value by then is left out.
+std::vector<Sweep> swept(const std::vector<Variation>& variations, const VariedScene& scene,
+                         Listener& listener, ParameterSweepOptions options) {
   options.progress = [&listener](double done) { listener.progress(done, "of the sweep"); };
-  options.stop = [&listener](double) { // a page without its plots would be none
-    listener.end_if_cancelled();
-    return Stop::none;
-  };
-  if (!variations.empty()) options.pusher = values.pusher(file);
   std::vector<Sweep> sweeps;
-  for (const Variation& variation : variations)
-    sweeps.push_back(sweep_parameter(scene, {variation}, options));
+  for (const Variation& variation : variations) {
+    Sweep sweep = sweep_parameter(scene, {variation}, options);
+    const Stop stop = sweep.stop;
+    if (!sweep.segments.empty() || !sweep.points.empty()) sweeps.push_back(std::move(sweep));
+    if (stop != Stop::none) break;
+  }
   return sweeps;
 }
 
@@ -155,13 +156,15 @@ Result run_report(const Values& values, Listener& listener) {
   const VariedScene scene = values.varied_scene(values.has("vary") ? Needs::matrix : Needs::scene);
   const SceneFile file = scene.as_given();
   const Index pusher = breaking_pusher(values, file);
-  // Before anything is solved: what is typed wrong should not take long to say.
-  std::vector<Sweep> sweeps = swept(values, listener, scene, file);
+  const std::vector<Variation> variations = report_variations(values, scene);
+  ParameterSweepOptions options = sweep_options(values, listener, limits::report_steps);
+  if (!variations.empty()) options.pusher = values.pusher(file);
   AskedPush asked(file, Solver::lemke, listener);
   const HoldReport hold = asked.push.holds_without_push(asked.options);
   BreakReport breaking;
   GripReport grip;
-  if (pusher >= 0) {
+  const bool breaks = pusher >= 0 && listener.stop(1) == Stop::none;
+  if (breaks) {
     breaking = asked.push.find_breaking(pusher, asked.options);
     grip = find_smallest_grip(asked.file, hold, breaking, asked.options);
   }
@@ -169,11 +172,17 @@ Result run_report(const Values& values, Listener& listener) {
   const PageContent content{asked.file,
                             hold,
                             report,
-                            pusher >= 0 ? &breaking : nullptr,
-                            pusher >= 0 ? &grip : nullptr,
-                            std::move(sweeps)};
-  return {is_solved(content),
-          format == "svg" ? one_picture(values, content) : report_html(content)};
+                            breaks ? &breaking : nullptr,
+                            breaks ? &grip : nullptr,
+                            swept(variations, scene, listener, options)};
+  const bool is_whole = content.sweeps.size() == variations.size() && breaks == (pusher >= 0);
+  const Stop stop = is_whole && (content.sweeps.empty() || content.sweeps.back().stop == Stop::none)
+                        ? Stop::none
+                        : listener.stop(1);
+  return {is_whole && is_solved(content),
+          format == "svg" ? one_picture(values, content) : report_html(content),
+          {},
+          stop};
 }
 
 } // namespace
@@ -235,10 +244,14 @@ Command report_command() {
            {"steps", "N", "points of the sweeps, evenly spread, ends included"},
            pressure_option,
            {"pusher", "NAME", "whose breaking force is meant, among several"},
+           {"seconds", "S",
+            "stop after so much processor time, with what is found; so does Ctrl-C"},
            format_option("html (default), or svg for one picture"),
            {"picture", "NAME", "which one, with --format svg (front)"}}),
       run_report,
-      {"html", "svg"}};
+      {"html", "svg"},
+      1,
+      true};
 }
 
 } // namespace lcpush::commands

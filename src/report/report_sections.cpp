@@ -130,7 +130,10 @@ Section sweeps_section(const PageContent& content) {
                                         title + ", a plot; the same stands below in words and "
                                                 "numbers")) +
             "</figure>\n";
-    if (!sweep.complete)
+    if (sweep.stop != Stop::none)
+      text += failure_box(
+          paragraph("It was stopped before its range was done: this is what there was."));
+    else if (!sweep.complete)
       text += failure_box(paragraph("Some values have no answer; the numbers below say which."));
     text += list_html(sweep_changes(sweep));
     text +=

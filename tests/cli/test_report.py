@@ -271,6 +271,15 @@ class Report(ToolTest):
         self.assertEqual(sorted(e.text for e in classed(kept, "label")),
                          sorted(e.text for e in classed(now, "label")))
 
+    def test_stopped_early_the_page_has_what_there_is(self):
+        words_ = ["--vary", "*.friction=0.3:0.9", "--vary", "object.mass=0.1:0.3", "--steps", 9999]
+        result = run("report", SCENES / "soft_fingers.toml", *words_, "--seconds", 0.5)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("stopped after 0.5 s of processor time; what there was", " ".join(result.stderr.split()))
+        page = ElementTree.fromstring(result.stdout)
+        self.assertIn("Push with", words(element(page, "answer")))
+        self.assertIn("It was stopped before its range was done", words(element(page, "sweeps")))
+
     def test_help_has_an_example(self):
         text = run("report", "--help").stdout
         self.assertRegex(text, r"lcpush report fixtures/scenes/\w+\.toml -o \w+\.html")
