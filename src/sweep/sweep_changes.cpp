@@ -15,14 +15,14 @@ struct EventWords {
   const char *one, *many;
 };
 constexpr EventWords event_words[] = {
-    {"slides with friction in another direction", "slide with friction in another direction"},
+    {"slips with friction in another direction", "slip with friction in another direction"},
     {"takes load", "take load"},
     {"is relieved of its load", "are relieved of their load"},
-    {"separates", "separate"},
+    {"opens", "open"},
     {"touches and sticks", "touch and stick"},
     {"sticks", "stick"},
-    {"touches and slides", "touch and slide"},
-    {"starts to slide", "start to slide"},
+    {"touches and slips", "touch and slip"},
+    {"begins to slip", "begin to slip"},
 };
 
 ContactEvent event_of(const ContactChange& change) {

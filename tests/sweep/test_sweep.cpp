@@ -66,7 +66,7 @@ TEST_CASE("rolling over the grip force: sharp at F*, and bistable where both mot
   const double rolls_to = (0.5 * g / (1 - 0.5 * 0.3) - inertia) / 0.6;
   CHECK(std::abs(breakpoint_near(sharp, rolls_to) - rolls_to) <= 1e-9);
   CHECK(change_text(sharp, sharp.segments.front()) ==
-        "as prescribed: sheet starts to slide along -x");
+        "as prescribed: sheet begins to slip along -x");
 
   // At a sheet of 0.8 rolling goes on to F*, sliding begins earlier: the way back shows it.
   const Sweep two = swept(rigid(scene_text("rolling_two_answers.toml")), "*.grip_force", 7, 10);

@@ -52,7 +52,7 @@ TEST_CASE("a brief text tells a few changes and counts the others") {
   }
   sweep.variations[0].to = 21;
   const std::string text = sweep_text(sweep, Telling::brief);
-  CHECK(says(text, "at *.grip_force = 18 N: as prescribed: left.1 starts to slide\n"));
+  CHECK(says(text, "at *.grip_force = 18 N: as prescribed: left.1 begins to slip\n"));
   CHECK_FALSE(says(text, "at *.grip_force = 19 N"));
   CHECK(says(text, "(2 more changes: -v.)\n"));
   CHECK(says(sweep_text(sweep), "at *.grip_force = 19: as prescribed: left.1 sticks\n"));
