@@ -199,8 +199,8 @@ its acceleration in the x-y plane, wall.tangent_turn its friction generators abo
 (degrees). A path that does not exist lists those that do. Several scenes, or several values
 with --each, give a curve each; what counts something (facets, points) varies there alone.
 
-Forces and accelerations give exact segments (under pressure "rigid" or "even"; "pad" by
-bisection) with their breakpoints in words; everything else is sampled, more closely where
+Forces and accelerations give exact segments under pressure "rigid" or "even" and friction
+pyramids, with their breakpoints in words; everything else is sampled, more closely where
 modes change.
 
 Examples:

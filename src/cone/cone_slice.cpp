@@ -30,10 +30,6 @@ public:
         stop_(stop), slice_{variation, pusher, true, Stop::none, {}, {}} {}
 
   ConeSlice cut() {
-    if (scene_.as_given().pressure == Pressure::pad) {
-      sample(); // segments would tell of the blur between two pieces, and end in it
-      return std::move(slice_);
-    }
     ParameterSweepOptions options;
     options.pusher = pusher_;
     options.both_ways = false;

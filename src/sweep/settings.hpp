@@ -20,29 +20,23 @@ struct SweepSettings {
   static constexpr double inside_segment = 1e-3;    ///< of a segment: where its ends are checked
   static constexpr double gap_width = 1e-6;         ///< of the end of a range without an answer
   static constexpr double beyond[] = {1e-9, 1e-7, 1e-5}; ///< where the next start is tried
-  static constexpr double aside = 1e-7;        ///< where a push vanishes, the limit from one side
-  static constexpr double aside_after = 0.75;  ///< from below there on, from above before
-  static constexpr double near_middle = 0.487; ///< of a segment: where its modes are read
+  static constexpr double near_middle = 0.487;           ///< of a segment: where its modes are read
   static double rounding_of_steps() { return 64 * std::numeric_limits<double>::epsilon(); }
   static constexpr double looked_at[] = {0, 0.3, 1}; ///< does anything move there?
-  static constexpr double first_stride = 1.0 / 256;
-  static constexpr double value_rounding = 1e-12; ///< of the range: a value of less is 0
+  static constexpr double value_rounding = 1e-12;    ///< of the range: a value of less is 0
   // How far: no sweep has more.
   static constexpr Index most_pieces = 1000;
   static constexpr Index steps_a_piece = 4;
-  static constexpr Index probes = 64;  ///< where nothing was found, look in so many places
-  static constexpr Index strokes = 32; ///< samples of what bisection has left over
+  static constexpr Index probes = 64; ///< where nothing was found, look in so many places
   static constexpr Index usual_steps = 51, usual_map_steps = 11;
   // What is another answer, relative.
   static constexpr double jump = 1e-6;           ///< between exact segments
   static constexpr double sampled_jump = 1e-3;   ///< over the width of bisection
   static constexpr double steepest_change = 100; ///< over the range: what is steeper is a jump
-  static constexpr double one_line = 1e-6;       ///< a third answer on the line of two
-  static constexpr double one_exact_line = 1e-10;
-  static constexpr double breaking_lines = 10; ///< the same at breaking: times as far
+  static constexpr double one_line = 1e-10;      ///< a segment goes on in the line of the last
+  static constexpr double breaking_lines = 10;   ///< the same at breaking: times as far
   static constexpr double equal_answers =
-      1e-5;                                  ///< of both ways: answers of one branch agree so well
-  static constexpr double sharpened = 1e-12; ///< SI: sizes of kinks are no smaller
+      1e-5; ///< of both ways: answers of one branch agree so well
   // What is no motion, force or event.
   static constexpr double rounding = 1e-11;    ///< of F and F / m
   static constexpr double residuals = 2;       ///< times the residual: what it leaves open

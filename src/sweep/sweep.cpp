@@ -100,9 +100,8 @@ std::vector<SweepSegment> segments_of(const Variation& variation, const Tracks& 
   return list;
 }
 
-Tracks find_tracks(SweepSolver& solver, bool exact, const ParameterSweepOptions& options,
-                   double begin, double share) {
-  const auto find = exact ? exact_pieces : bisected_pieces;
+Tracks find_tracks(SweepSolver& solver, const ParameterSweepOptions& options, double begin,
+                   double share) {
   Tracks tracks;
   for (const Question question : questions) {
     if (solver.stop() != Stop::none) break;
@@ -113,11 +112,10 @@ Tracks find_tracks(SweepSolver& solver, bool exact, const ParameterSweepOptions&
     }
     if (!has) continue;
     const bool second = question == Question::breaking;
-    const double tolerance = (exact ? SweepSettings::one_exact_line : SweepSettings::one_line) *
-                             (second ? SweepSettings::breaking_lines : 1);
+    const double tolerance = SweepSettings::one_line * (second ? SweepSettings::breaking_lines : 1);
     const Progress progress =
         part_of(options.progress, second ? begin + share / 2 : begin, share / 2);
-    tracks[question] = joined(find(solver, question, progress), question, tolerance);
+    tracks[question] = joined(exact_pieces(solver, question, progress), question, tolerance);
   }
   return tracks;
 }
@@ -152,18 +150,17 @@ bool is_complete(const SweepValue& value) {
          (value.breaking.is_known() || value.breaking.status == Status::bad_input);
 }
 
-void find_segments(const VariedScene& scene, SweepSolver& solver, bool exact,
+void find_segments(const VariedScene& scene, SweepSolver& solver,
                    const ParameterSweepOptions& options, Sweep& sweep) {
   const Variation &variation = sweep.variations.front(), back_again = reversed(variation);
-  const bool both_ways = options.both_ways && exact; // bisection solves from nothing
-  const double share = both_ways ? 0.5 : 1;
-  const Tracks there = find_tracks(solver, exact, options, 0, share);
+  const double share = options.both_ways ? 0.5 : 1;
+  const Tracks there = find_tracks(solver, options, 0, share);
   sweep.asks_breaking = !there.breaking.empty();
   const bool has_any = !there.push.empty() || !there.breaking.empty();
   if (has_any) sweep.segments = segments_of(variation, there);
-  if (both_ways && solver.stop() == Stop::none) {
+  if (options.both_ways && solver.stop() == Stop::none) {
     SweepSolver backwards(scene, {back_again}, solver.pusher(), options);
-    const Tracks back = find_tracks(backwards, exact, options, share, share);
+    const Tracks back = find_tracks(backwards, options, share, share);
     const double shortest = SweepSettings::shortest_told * SweepSettings::merge_distance;
     sweep.stop = backwards.stop();
     if (sweep.stop == Stop::none)
@@ -202,9 +199,10 @@ void sweep_line(const VariedScene& scene, SweepSolver& solver, const ParameterSw
                 Sweep& sweep) {
   const Variation& variation = sweep.variations.front();
   for (const double value : {variation.from, variation.to}) solver.go_to(value);
-  const bool linear = variation.parameter.linear && !sweep.scene.is_round;
-  if (linear) find_segments(scene, solver, sweep.scene.pressure != Pressure::pad, options, sweep);
-  if (!linear || options.steps > 0) sample_line(scene, solver, options, sweep);
+  const bool is_one_problem = !sweep.scene.is_round && sweep.scene.pressure != Pressure::pad;
+  const bool has_segments = variation.parameter.linear && is_one_problem;
+  if (has_segments) find_segments(scene, solver, options, sweep);
+  if (!has_segments || options.steps > 0) sample_line(scene, solver, options, sweep);
   find_zeros(solver, sweep);
 }
 

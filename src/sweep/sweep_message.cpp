@@ -101,9 +101,7 @@ std::string slope_text(const Sweep& sweep, Question question, const ForceCurve& 
     for (const AnswerChange& change : segment.change[question])
       jumps = jumps || (change.jumps && change.from == change.to);
     const double width = segment.to - segment.from;
-    const bool is_line =
-        segment.kind == SegmentKind::exact || segment.kind == SegmentKind::bisected;
-    if (!is_line || !segment.at_from.breaking.has_force() ||
+    if (segment.kind != SegmentKind::exact || !segment.at_from.breaking.has_force() ||
         std::abs(width) < SweepSettings::short_piece * range)
       continue;
     const double slope = (segment.at_to.breaking.normal - segment.at_from.breaking.normal) / width;

@@ -35,10 +35,6 @@ inline Progress part_of(const Progress& whole, double begin, double share) {
 /// `rigid` and `even`, a linear parameter: by parametric pivoting.
 std::vector<Piece> exact_pieces(SweepSolver& solver, Question question, const Progress& progress);
 
-/// Everything else: by bisection, down to bisection_width.
-std::vector<Piece> bisected_pieces(SweepSolver& solver, Question question,
-                                   const Progress& progress);
-
 /// Do two answers differ by more than `tolerance` (relative) and what rounding leaves? Of the
 /// instant of breaking the normal force alone is compared: the first motion need not be continuous.
 bool differ(const SweepAnswer& a, const SweepAnswer& b, Question question, double tolerance);

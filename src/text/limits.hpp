@@ -51,6 +51,5 @@ constexpr Index covers = 1000000;
 constexpr Index sweep_steps = 1000000, map_steps = 1000, report_steps = 10000;
 constexpr std::size_t curves = 16; // more cannot be told apart
 constexpr Index motion_solves = 1'000'000, motion_frames = 10'001;
-constexpr Index bisection_solves = 300;
 
 } // namespace lcpush::desktop::limits

@@ -39,7 +39,7 @@ LEFT = {
     "src/move": 4,
     "src/plan": 42,
     "src/solve": 39,
-    "src/sweep": 3,
+    "src/sweep": 1,
     "src/verify": 2,
 }
 

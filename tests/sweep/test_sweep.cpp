@@ -30,19 +30,19 @@ TEST_CASE("straight slide over the grip force: slope 2 mu and breakpoints to 1e-
   CHECK(sweep.complete);
 }
 
-TEST_CASE("tipping over the tip's force: (m g + F) / 3, one segment under every law") {
-  for (const char* law : {"rigid", "pad"}) {
-    CAPTURE(law);
-    const Sweep sweep =
-        swept("pressure = \"" + std::string(law) + "\"\n" + scene_text("tipping.toml"),
-              "tip.grip_force", 1, 30);
-    REQUIRE(sweep.segments.size() == 1);
-    const bool exact = std::string(law) == "rigid";
-    CHECK((sweep.segments[0].kind == SegmentKind::exact) == exact);
-    const double tolerance = exact ? 1e-9 : 1e-6;
-    CHECK(std::abs(sweep.segments[0].at_from.breaking.normal - (4.905 + 1) / 3) <= tolerance);
-    CHECK(std::abs(sweep.segments[0].at_to.breaking.normal - (4.905 + 30) / 3) <= 10 * tolerance);
-  }
+TEST_CASE("tipping over the tip's force: (m g + F) / 3, one segment or as many samples") {
+  const auto tipping = [](const std::string& law) {
+    return swept("pressure = \"" + law + "\"\n" + scene_text("tipping.toml"), "tip.grip_force", 1,
+                 30);
+  };
+  const Sweep exact = tipping("rigid"), sampled = tipping("pad");
+  REQUIRE(exact.segments.size() == 1);
+  CHECK(exact.segments[0].kind == SegmentKind::exact);
+  CHECK(std::abs(exact.segments[0].at_from.breaking.normal - (4.905 + 1) / 3) <= 1e-9);
+  CHECK(std::abs(exact.segments[0].at_to.breaking.normal - (4.905 + 30) / 3) <= 1e-8);
+  CHECK(sampled.segments.empty());
+  for (const SweepPoint& point : sampled.points)
+    CHECK(std::abs(point.at.breaking.normal - (4.905 + point.value) / 3) <= 1e-5);
 }
 
 TEST_CASE("a grasp that drops its load below some grip force says so, segment by segment") {

@@ -100,15 +100,10 @@ struct SweepChange : OfBoth<std::vector<AnswerChange>> {
 /// How a segment was found.
 enum class SegmentKind {
   exact,    ///< one basis holds from end to end, found by parametric pivoting
-  bisected, ///< solved afresh at several values that lie on a line; its ends by bisection
-  sampled,  ///< a straight stroke between two answers: what lies between is not known
   unsolved, ///< no answer was found between its ends
 };
 constexpr const char* segment_kind_text(SegmentKind kind) {
-  return kind == SegmentKind::exact      ? "exact"
-         : kind == SegmentKind::bisected ? "bisected"
-         : kind == SegmentKind::sampled  ? "sampled"
-                                         : "unsolved";
+  return kind == SegmentKind::exact ? "exact" : "unsolved";
 }
 
 struct SweepSegment {
@@ -180,10 +175,10 @@ struct ParameterSweepOptions {
   StopCheck stop; ///< asked after each round and pivot; ends the sweep with what there is
 };
 
-/// Sweeps one parameter, or two for a map. Where `rigid` or `even` pressure meets a parameter that
-/// is linear (Parameter::linear), the segments are exact; `pad`'s are bisected; everything else is
-/// sampled. Every answer has passed the referee (mechanics/model/check.hpp). Throws InputError if a
-/// value of the range is no scene, or the scene has no pusher to speak of.
+/// Sweeps one parameter, or two for a map. Where `rigid` or `even` pressure and pyramids meet a
+/// parameter that is linear (Parameter::linear), there are exact segments; all else is sampled.
+/// Every answer has passed the referee (mechanics/model/check.hpp). Throws InputError if a value of
+/// the range is no scene, or the scene has no pusher to speak of.
 Sweep sweep_parameter(const VariedScene& scene, const std::vector<Variation>& variations,
                       const ParameterSweepOptions& options);
 
