@@ -65,8 +65,9 @@ Result list_tables(const Values& values, Listener&) {
 }
 
 /// The problem that solve solves under `rigid` and `even` pressure, in its scaled unknowns.
-Result describe_problem(const Values& values, Listener&) {
-  const SceneFile file = values.scene(Needs::scene);
+Result describe_problem(const Values& values, Listener& listener) {
+  SceneFile file = values.scene(Needs::scene);
+  values.take_pyramids(file, listener);
   values.refuse_unknowns(file, limits::unknowns_exported, "matrix fits into 1 GB as text");
   Push push(file);
   const Problem<double> problem = push.assembly().problem();
@@ -91,8 +92,9 @@ Result describe_problem(const Values& values, Listener&) {
   return {true, json.end_object().text()};
 }
 
-Result export_files(const Values& values, Listener&) {
-  const SceneFile file = values.scene(Needs::scene);
+Result export_files(const Values& values, Listener& listener) {
+  SceneFile file = values.scene(Needs::scene);
+  values.take_pyramids(file, listener);
   values.refuse_unknowns(file, limits::unknowns_exported, "files fit into 1 GB");
   const Export result = export_scene(file);
   JsonWriter json;
@@ -107,7 +109,9 @@ Result export_files(const Values& values, Listener&) {
 
 /// Of solve, or of break.
 Result certify(const Values& values, Listener& listener) {
-  AskedPush asked(values.scene(Needs::scene), values.solver(), listener);
+  SceneFile file = values.scene(Needs::scene);
+  values.take_pyramids(file, listener);
+  AskedPush asked(std::move(file), values.solver(), listener);
   if (const std::string refusal = uncertified_law(asked.file); !refusal.empty())
     values.refuse("scene", "a certificate " + refusal);
   const std::string scene = values.scene_document().text;

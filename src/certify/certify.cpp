@@ -215,8 +215,6 @@ std::optional<Certificate> certify_break(const std::string& text, const SceneFil
 }
 
 std::string uncertified_law(const SceneFile& file) {
-  if (file.is_round)
-    return "proves pyramids, whose directions are fractions: give the scene a number of facets";
   if (file.pressure == Pressure::even)
     return "proves the literal equations, which pressure = \"even\" replaces: use \"pad\" or "
            "\"rigid\"";

@@ -12,7 +12,8 @@ namespace {
 int run_export(const Arguments& arguments) {
   const std::optional<std::string> directory = arguments.text("output");
   if (!directory) throw UsageError("say where to: -o DIRECTORY");
-  const SceneFile file = arguments.scene(commands::Needs::matrix);
+  SceneFile file = arguments.scene(commands::Needs::matrix);
+  file.is_round = false;
   arguments.refuse_unknowns(file, limits::unknowns_exported, "files fit into 1 GB");
   const Export result = export_scene(file);
   const std::filesystem::path into(*directory);
@@ -23,8 +24,10 @@ int run_export(const Arguments& arguments) {
   }
   std::error_code nothing_there;
   for (const std::string& name : result.absent) std::filesystem::remove(into / name, nothing_there);
-  std::printf("Wrote %sM.mtx, q.mtx and names.txt: %td unknowns, the literal laws, %s.\n",
-              prefix.c_str(), result.unknowns, result.units.c_str());
+  std::printf(
+      "Wrote %sM.mtx, q.mtx and names.txt: %td unknowns, the literal laws with pyramids of\n"
+      "%td facets, %s.\n",
+      prefix.c_str(), result.unknowns, file.facets, result.units.c_str());
   std::printf("The paper's program: H, f, A, b, Aeq, beq, lb, ub and answer.mtx; names.json says "
               "what they hold.\n");
   if (result.fclib_refusal.empty())

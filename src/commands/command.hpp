@@ -86,6 +86,9 @@ inline const Option solver_option{"solver", "NAME",
 inline const Option pressure_option{"pressure", "LAW",
                                     "pad, even or rigid instead of the scene's own"};
 
+inline const Option facets_option{
+    "facets", "G", "sides of the friction pyramids, or round, instead of the scene's own"};
+
 /// Those that state a raw problem, between some and some more.
 std::vector<Option> with_raw_options(std::vector<Option> before, const std::vector<Option>& after);
 /// Also --format, unless it is there, and --output.

@@ -13,10 +13,21 @@ namespace {
 const Option history_option{"history", "",
                             "instead of the answer, each law's residual sweep by sweep (also csv)"};
 
+/// Under --pressure and --facets. Certificates prove pyramids, whose directions are fractions: the
+/// answer is theirs as well.
+SceneFile scene_to_solve(const Values& values, Listener& listener) {
+  const bool as_it_is = !values.has("pressure") && !values.has("facets");
+  SceneFile file =
+      as_it_is ? values.scene(Needs::scene) : values.varied_scene(Needs::scene).as_given();
+  if (values.has("certify")) values.take_pyramids(file, listener);
+  return file;
+}
+
 Result run_solve(const Values& values, Listener& listener) {
   const Solver solver = values.solver();
   const std::string format = values.format_with_history(solver);
-  const auto asked = std::make_shared<AskedPush>(values.scene(Needs::scene), solver, listener);
+  const auto asked =
+      std::make_shared<AskedPush>(scene_to_solve(values, listener), solver, listener);
   asked->options.record_history = values.has("history");
   const HoldReport hold = asked->push.holds_without_push(asked->options);
   const auto report = std::make_shared<PushReport>(asked->push.solve(asked->options));
@@ -32,7 +43,8 @@ Result run_solve(const Values& values, Listener& listener) {
 Result run_break(const Values& values, Listener& listener) {
   const Solver solver = values.solver();
   const std::string format = values.format_with_history(solver);
-  const auto asked = std::make_shared<AskedPush>(values.scene(Needs::scene), solver, listener);
+  const auto asked =
+      std::make_shared<AskedPush>(scene_to_solve(values, listener), solver, listener);
   const Index pusher = values.pusher(asked->file);
   values.refuse_still(asked->file);
   PushOptions& options = asked->options;
@@ -53,9 +65,10 @@ Result run_break(const Values& values, Listener& listener) {
           }};
 }
 
-Result run_matrices(const Values& values, Listener&) {
+Result run_matrices(const Values& values, Listener& listener) {
   const std::string format = values.format();
-  const SceneFile file = values.scene(Needs::matrix);
+  SceneFile file = values.scene(Needs::matrix);
+  values.take_pyramids(file, listener);
   const PaperMatrices matrices = paper_matrices(file);
   return {true, format == "json" ? matrices_json(matrices, check_scene(file))
                                  : matrices_text(file, matrices)};
@@ -70,7 +83,8 @@ Command solve_command() {
           "Reads a scene, assembles its complementarity problem and solves it by Lemke's pivots.\n"
           "Accelerations are the object's, in the gripper's frame and SI units.\n\n"
           "Example:\n  lcpush solve fixtures/scenes/straight_slide.toml\n",
-          with_scene_options({verbose_option, solver_option, history_option, certify_option}),
+          with_scene_options({verbose_option, solver_option, pressure_option, facets_option,
+                              history_option, certify_option}),
           run_solve};
 }
 
@@ -85,6 +99,8 @@ Command break_command() {
       with_scene_options({{"pusher", "NAME", "whose normal force is meant, among several"},
                           verbose_option,
                           solver_option,
+                          pressure_option,
+                          facets_option,
                           history_option,
                           certify_option}),
       run_break};

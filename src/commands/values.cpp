@@ -91,11 +91,22 @@ SceneFile Values::scene(Needs needs, Strokes strokes) const {
   return file;
 }
 
+void Values::take_pyramids(SceneFile& file, Listener& listener) const {
+  if (file.is_round)
+    listener.announce("Pyramids of " + std::to_string(file.facets) +
+                      " facets stand for round friction here.");
+  file.is_round = false;
+}
+
 VariedScene Values::varied_scene(Needs needs, std::size_t k) const {
   const Document document = scene_document(k);
   VariedScene scene = VariedScene::parse(document.text, document.name);
   if (const auto law = text("pressure"))
     scene.set_pressure(one_of("pressure", *law, pressure_names()));
+  if (text("facets") == "round")
+    scene.set_facets(std::nullopt);
+  else if (const auto facets = whole("facets", {4, 256, true}))
+    scene.set_facets(facets);
   const SceneFile file = scene.as_given();
   refuse_size(file, needs);
   inspect(file);

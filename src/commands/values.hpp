@@ -115,7 +115,9 @@ public:
   Solver solver() const;
   std::string scene_name(std::size_t k = 0) const { return scene_document(k).name; }
   SceneFile scene(Needs needs, Strokes strokes = Strokes::first) const;
-  /// With the law of --pressure, if it is given.
+  /// For a question that knows pyramids alone; the listener hears what stands for a round cone.
+  void take_pyramids(SceneFile& file, Listener& listener) const;
+  /// With the laws of --pressure and --facets, if they are given.
   VariedScene varied_scene(Needs needs, std::size_t k = 0) const;
   /// The body of --pusher, or the only pusher.
   Index pusher(const SceneFile& file) const;

@@ -24,13 +24,19 @@ Result run_verify(const Values& values, Listener& listener) {
 
 } // namespace
 
-Result verify_push(const Values& values, Listener&) {
+Result verify_push(const Values& values, Listener& listener) {
   const std::string format = values.format();
   const VerifyOptions options = verify_options(values);
   const Document answer = values.answer();
-  const SceneFile file = values.scene(Needs::matrix);
-  const VerifyReport report =
-      verify_answer(file, parse_foreign_answer(answer.text, answer.name, file), options);
+  SceneFile file = values.scene(Needs::matrix);
+  const ForeignAnswer given = parse_foreign_answer(answer.text, answer.name, file);
+  if (file.is_round && file.lines.facets == 0 && given.facets) {
+    file.is_round = false;
+    file.facets = *given.facets;
+    listener.announce("Judged by pyramids of " + std::to_string(file.facets) +
+                      " facets, as the answer says.");
+  }
+  const VerifyReport report = verify_answer(file, given, options);
   return {is_valid(report.verdict), format == "json" ? verify_json(report, check_scene(file))
                                                      : verify_text(file, report, values.telling())};
 }

@@ -175,7 +175,7 @@ std::string export_names(const Push& push, const OwnedFullForm& full) {
   JsonWriter json;
   json.begin_object().member("title", push.file().title);
   json.member("complementary", full.complementary()).member("lcp_unknowns", layout.size);
-  json.member("no_bound", no_bound);
+  json.member("facets", push.file().facets).member("no_bound", no_bound);
   json.list("contacts", layout.points, [&](Index i) { json.value(point_name(push.file(), i)); });
   json.list("actuators", layout.actuators, [&](Index a) { json.value(push.actuator_name(a)); });
   const std::vector<Quantity> unknowns = names.unknowns(), rows = names.rows(),

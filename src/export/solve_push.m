@@ -152,6 +152,7 @@ function write_answer(target, p, names, x)
   file = fopen(target, 'w');
   fprintf(file, '{\n  "status": "%s",\n  "solver": "linear programs, solve_push.m",\n', status);
   fprintf(file, '  "objective": %.17g,\n  "violation": %.17g,\n', objective(p, x), violation(p, x));
+  fprintf(file, '  "friction": {"law": "pyramids", "facets": %d},\n', names.facets);
   fprintf(file, '  "object": {"acceleration": %s},\n', list(y(1:6)));
   fprintf(file, '  "closing": %s,\n  "contacts": [', list(y(7:6 + actuators)));
   for k = 1:numel(contacts)

@@ -113,8 +113,9 @@ def write_answer(x, method):
                          "torsion": torsion, "acceleration": [ax, ay, az]})
     data = {"status": "solved" if is_answer(x) else "stagnated",
             "solver": f"{method}, SciPy {scipy.__version__}", "objective": objective(x),
-            "violation": violation(x), "object": {"acceleration": y[:6]},
-            "closing": y[6:6 + actuators], "contacts": contacts}
+            "violation": violation(x),
+            "friction": {"law": "pyramids", "facets": names["facets"]},
+            "object": {"acceleration": y[:6]}, "closing": y[6:6 + actuators], "contacts": contacts}
     (FOLDER / "answer.json").write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
 
 

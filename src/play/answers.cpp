@@ -157,6 +157,7 @@ std::string pivots_answer(std::string_view text, double seconds) {
     file.title += (file.title.empty() ? "After " : ", after ") + brief(seconds) + " s";
   }
   file.facets = 4;
+  file.is_round = false;
   return traced(rounded_subject(std::move(file), scene_name));
 }
 

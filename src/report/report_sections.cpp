@@ -69,7 +69,7 @@ std::string sweep_title(const Sweep& sweep) {
 Section friction_section(const PageContent& content) {
   const std::vector<std::string> others = without_friction(content.file, content.push);
   const std::string circle = "Coulomb's circle of radius friction times normal force. ";
-  std::string cone = content.file.is_round
+  std::string cone = content.push.friction == FrictionLaw::round
                          ? circle
                          : "Dashed: " + circle + "Polygon: what " +
                                std::to_string(content.file.facets) + " facets keep of it. ";

@@ -59,6 +59,7 @@ public:
                     reader("").line_of({"gravity"}),
                     reader("object").line(),
                     reader("object").line_of({"center_of_mass"}),
+                    reader("").has("facets") ? reader("").line_of({"facets"}) : 0,
                     {}};
     for (std::size_t i = 0; i < count("finger"); ++i) read_body(Role::finger, reader("finger", i));
     read_pushers();
@@ -107,8 +108,8 @@ private:
     const TableReader root = reader("");
     if (root.has("title")) scene_.title = root.text("title");
     if (root.has("gravity")) scene_.gravity = root.vector3<S>("gravity");
-    scene_.is_round = root.is_text("facets");
-    if (scene_.is_round && root.text("facets") != "round")
+    scene_.is_round = !root.has("facets") || root.is_text("facets");
+    if (root.is_text("facets") && root.text("facets") != "round")
       root.fail("facets", "facets must be a whole number from 4 to 256, or \"round\", got " +
                               quoted(root.text("facets")));
     if (root.has("facets") && !scene_.is_round) scene_.facets = root.whole("facets", 4, 256);

@@ -261,9 +261,8 @@ private:
                            printed(" grip_force = %.3g for what it bears", std::abs(across))));
     } else if (moment > typed_slack * w.tail<3>().norm()) {
       doubt(Doubt::left_out, line,
-            printed("planar leaves out a moment of %.3g N m across the plane; remove planar if the "
-                    "contacts are to bear it",
-                    moment));
+            "planar leaves out a moment of " + brief(moment) +
+                " N m across the plane; remove planar if the contacts are to bear it");
     }
   }
 

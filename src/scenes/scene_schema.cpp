@@ -41,7 +41,7 @@ const std::vector<Section>& sections() {
        false,
        {{"title", "\"Straight slide\""},
         {"gravity", "[0, -9.81, 0]", "m/s^2", true},
-        {"facets", "8"},
+        {"facets", "\"round\""},
         {"pressure", "\"pad\""},
         {"planar", "false"}}},
       {"object",

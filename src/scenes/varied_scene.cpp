@@ -49,6 +49,10 @@ void add_table(const std::string& section, const TomlTable& table, const std::st
     place.key = entry.key;
     Named named{
         {"", Kind::number, {place}, 0, whole ? "" : key.unit, key.is_linear, whole}, owner, ""};
+    if (entry.key == "facets" && !entry.value.number()) { // "round" can be made a number
+      named.rest = entry.key;
+      list.push_back(named);
+    }
     add_numbers(entry.value, named, list);
   }
 }
@@ -115,8 +119,7 @@ void add_defaults(TomlDocument& document) {
   };
   add(document.root, "gravity");
   if (document.root.find("facets") == nullptr)
-    document.root.entries.push_back(
-        {"facets", {document.root.line, std::int64_t{SceneFile{}.facets}, "8"}});
+    document.root.entries.push_back({"facets", {document.root.line, std::string("round")}});
   for (TomlSection& section : document.sections)
     for (TomlTable& table : section.tables) {
       if (section.name == "object")
@@ -199,13 +202,22 @@ VariedScene VariedScene::parse(std::string_view text, const std::string& file_na
   return VariedScene(parse_toml(text, file_name));
 }
 
-void VariedScene::set_pressure(const std::string& law) {
+void VariedScene::set(const std::string& key, const TomlValue& given) {
   TomlDocument document = *document_;
-  if (TomlValue* const value = document.root.find("pressure"); value != nullptr)
-    value->data = law;
+  if (TomlValue* const value = document.root.find(key); value != nullptr)
+    *value = given;
   else
-    document.root.entries.push_back({"pressure", {document.root.line, law, ""}});
+    document.root.entries.push_back({key, given});
   *this = VariedScene(std::move(document));
+}
+
+void VariedScene::set_pressure(const std::string& law) { set("pressure", {1, law}); }
+
+void VariedScene::set_facets(std::optional<Index> facets) {
+  if (facets)
+    set("facets", {1, std::int64_t{*facets}, std::to_string(*facets)});
+  else
+    set("facets", {1, std::string("round")});
 }
 
 std::vector<std::string> VariedScene::paths() const {

@@ -192,7 +192,7 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
     report.undetermined = file_.body_name(file_.body_of(scene_.bodies[open].first_point));
   bool same_a = true, same_f = true;
   const Outcome<double> first = outcome();
-  if (!file_.is_round) report.final_basis = study_final_basis(assembly_, work_.answer);
+  if (!has_round_friction(scene_)) report.final_basis = study_final_basis(assembly_, work_.answer);
   const bool affordable = layout().size <= limits::unknowns_searched;
   for (Index k = 1; affordable && k <= options.other_covers; ++k) {
     PressureRun ignored;
@@ -219,11 +219,29 @@ void Push::search_others(const PushOptions& options, PushReport& report) {
 
 /// The scene as the file has it, and nothing known about it.
 void Push::begin(const PushOptions& options, RunReport& report) {
-  assembly_.assemble(scene_);
+  assembled_.assemble(file_.is_round);
+  report.friction = file_.is_round ? FrictionLaw::round : FrictionLaw::pyramids;
   report.solver = options.solver;
   report.scales = layout().scales;
   history_.clear();
   swept_before_ = 0;
+}
+
+/// Not settled is no verdict: pyramids have an answer where round friction finds none.
+Status Push::with_friction(RunReport& report, const std::function<Status()>& run_once) {
+  const Status status = run_once();
+  if (status != Status::not_settled || !file_.is_round) return status;
+  const PressureRun spent = report.run;
+  report.run = {};
+  assembled_.assemble(false);
+  const Status instead = run_once();
+  if (instead == Status::solved || instead == Status::does_not_hold) {
+    report.friction = FrictionLaw::pyramids_instead;
+    return instead;
+  }
+  report.run = spent;
+  assembled_.assemble(true);
+  return status;
 }
 
 /// Why an answer that the solver found fails the laws' check.
@@ -248,7 +266,7 @@ PushReport Push::solve(const PushOptions& options) & {
   PushReport report;
   begin(options, report);
   if (options.study_existence) report.existence = find_existence(file_, assembly_);
-  report.status = run(options, 1.0, report.run);
+  report.status = with_friction(report, [&] { return run(options, 1.0, report.run); });
   report.history = history_;
   if (report.status != Status::solved) {
     report.reason = explain(report.status, report.run);

@@ -126,7 +126,8 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   BreakReport report;
   begin(options, report);
   report.pusher = pusher;
-  report.status = break_grasp(options, pusher, report.breaking, report.run);
+  report.status = with_friction(
+      report, [&] { return break_grasp(options, pusher, report.breaking, report.run); });
   report.history = history_;
   report.status = holding_verdict(file_, report, options);
   if (report.status == Status::does_not_hold)

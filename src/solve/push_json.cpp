@@ -18,6 +18,16 @@ std::optional<bool> settled(Uniqueness unique) {
   return when(unique == Uniqueness::yes || unique == Uniqueness::no, unique == Uniqueness::yes);
 }
 
+/// `off`: N, how far the answer is from round friction; of a break not known.
+void write_friction(JsonWriter& json, const SceneFile& file, const RunReport& report,
+                    std::optional<double> off) {
+  const bool round = report.friction == FrictionLaw::round || !file.has_cones();
+  json.key("friction").begin_object().member("law", round ? "round" : "pyramids");
+  json.member("facets", when(!round, file.facets));
+  json.member("settled", report.friction != FrictionLaw::pyramids_instead);
+  json.member("may_be_off", off).end_object();
+}
+
 void write_contacts(JsonWriter& json, const SceneFile& file, const PushReport& report) {
   json.objects("contacts", report.answer.contacts.size, [&](Index i) {
     const ContactAnswer<double>& contact = report.answer.contacts[i];
@@ -142,8 +152,9 @@ std::string solve_json(const SceneFile& file, const HoldReport& hold, const Push
   json.member("wrench_open", report.final_basis.wrench_open).end_object().end_object();
   write_residual(json, report.residuals);
   const Scene<double> scene = file.view();
-  json.member("off_round_cone",
-              RoundDistance<double>(scene, report.scales, report.answer).worst().distance);
+  const double off = RoundDistance<double>(scene, report.scales, report.answer).worst().distance;
+  json.member("off_round_cone", off);
+  write_friction(json, file, report, off * report.scales.force);
   json.key("object").begin_object();
   json.member("acceleration", report.answer.acceleration).end_object();
   write_contacts(json, file, report);
@@ -169,6 +180,7 @@ std::string break_json(const SceneFile& file, const HoldReport& hold, const Grip
     if (report.status == Status::does_not_hold) json.member("rest_acceleration", b.rest);
     return json.end_object().text();
   }
+  write_friction(json, file, report, std::nullopt);
   json.member("breaks", b.breaks).member("break_force", when(b.breaks, b.break_force));
   json.member("force", b.force.head<3>()).member("moment", b.force.tail<3>());
   json.member("inertia_force", b.inertia.head<3>()).member("twist", b.twist);

@@ -59,6 +59,13 @@ std::string mirror_sentence(const SceneFile& file, const PushReport& report) {
   return "";
 }
 
+/// Where round friction did not settle: a paragraph, or nothing.
+std::string friction_text(const SceneFile& file, const RunReport& report) {
+  if (report.friction != FrictionLaw::pyramids_instead) return "";
+  return "\nRound friction did not settle here: this is the answer of pyramids of " +
+         std::to_string(file.facets) + " facets.\n";
+}
+
 /// What else the laws allow, and where to look: a paragraph, or nothing.
 std::string others_text(const SceneFile& file, const PushReport& report) {
   const bool motion = report.unique_motion == Uniqueness::no;
@@ -116,7 +123,7 @@ std::string solve_text(const SceneFile& file, const HoldReport& hold, const Push
   text += "\n" + table_text(contact_rows(file, report, telling));
   text += list_text("Soft contacts:", torsion_sentences(file, report));
   text += list_text("Bodies whose actuators move them:", closing_sentences(file, report));
-  text += others_text(file, report);
+  text += friction_text(file, report) + others_text(file, report);
   return is_full ? text + residual_line(report.residuals) + run_line(file, report) : text;
 }
 
@@ -134,6 +141,7 @@ std::string break_text(const SceneFile& file, const HoldReport& hold, const Grip
   text += "\n" + facts_text({hand_fact(file), grip_fact(file, hold, grip, report)});
   if (!is_solved) return is_full ? text + ray_text(report) + "\n" + run_line(file, report) : text;
   text += facts_text(is_full ? break_facts(file, report) : brief_break_facts(file, report));
+  text += friction_text(file, report);
   if (report.other_force)
     text += "\nThe " + std::string(report.breaking.breaks ? "breaking" : "normal") +
             " force is not unique: " +

@@ -142,12 +142,16 @@ Fact friction_fact(const SceneFile& file, const PushReport& report) {
   const RoundDistance<double>::Worst worst =
       RoundDistance<double>(scene, report.scales, report.answer).worst();
   const double off = worst.distance * report.scales.force;
-  if (file.is_round) return {"Friction", "round, to " + printed("%.1g", off) + " N"};
+  const std::string facets = std::to_string(file.facets) + " facets";
+  if (report.friction == FrictionLaw::round)
+    return {"Friction", "round, to " + printed("%.1g", off) + " N"};
+  if (report.friction == FrictionLaw::pyramids_instead)
+    return {"Friction", "round friction did not settle: " + facets + " instead, off by up to " +
+                            number(off) + " N"};
   if (off < report.noise.force)
     return {"Friction", "as a round cone's: every slip is along a generator"};
-  return {"Friction", std::to_string(file.facets) + " facets cost up to " + number(off) +
-                          " N, the friction of " + point_name(file, worst.point) +
-                          "; facets = \"round\" costs none"};
+  return {"Friction", facets + " cost up to " + number(off) + " N, the friction of " +
+                          point_name(file, worst.point) + "; facets = \"round\" costs none"};
 }
 
 } // namespace
@@ -225,7 +229,9 @@ std::string run_words(const SceneFile& file, const RunReport& report) {
   std::string text = names[static_cast<int>(report.solver)] + joined(steps, " and ");
   if (run.rounds > 0) text += " in " + counted(run.rounds, "round");
   if (run.cold_restarts > 0) text += ", " + std::to_string(run.cold_restarts) + " restarted cold";
-  return text + "; pressure law " + pressure_text(file.pressure) + "; " + friction_law_text(file);
+  return text + "; pressure law " + pressure_text(file.pressure) + "; " +
+         (report.friction == FrictionLaw::pyramids_instead ? std::to_string(file.facets) + " facets"
+                                                           : friction_law_text(file));
 }
 
 } // namespace lcpush::desktop

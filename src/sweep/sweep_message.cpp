@@ -166,7 +166,8 @@ std::string stretch_text(const Variation& variation, const Gap& gap) {
   const bool rises = variation.to > variation.from;
   const bool from_begin = gap.from == variation.from;
   if (from_begin && gap.to_end) return "In the whole range";
-  if (gap.from == gap.to) return "At " + with_unit(variation, gap.from);
+  if (value_text(variation, gap.from) == value_text(variation, gap.to))
+    return "At " + with_unit(variation, gap.from);
   if (rises ? from_begin : gap.to_end)
     return "Up to " + with_unit(variation, rises ? gap.to : gap.from);
   if (rises ? gap.to_end : from_begin)
@@ -183,6 +184,8 @@ std::string gap_text(const Sweep& sweep, const Gap& gap, const std::string& what
   if (gap.status == Status::solved)
     return where + " the push does not break the grasp: " + object_name(sweep.scene) +
            " does not move.\n";
+  if (gap.status == Status::not_settled)
+    return where + " round friction does not settle" + what + ".\n";
   return where + " there is no answer" + what + " (" + status_text(gap.status) + ").\n";
 }
 

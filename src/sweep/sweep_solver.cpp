@@ -198,7 +198,9 @@ DetailedAnswer SweepSolver::solve(Question question, RoundBases& bases) {
   }
   if (takes_rounds(point_->file)) {
     if (is_from_nothing(question)) bases.clear();
+    const bool is_cold = bases.empty();
     DetailedAnswer answer = solve_pad(question, bases);
+    if (answer.status == Status::not_settled && !is_cold) answer = solve_pad(question, bases);
     if (is_from_nothing(question)) bases.clear();
     return answer;
   }

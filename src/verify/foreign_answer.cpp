@@ -105,6 +105,17 @@ void read_bodies(const JsonFields& fields, const JsonArray& array, const SceneFi
   }
 }
 
+/// {"law": "pyramids", "facets": g}; none: another law, or not said.
+std::optional<Index> read_facets(const JsonFields& fields, const JsonValue& friction) {
+  if (friction.as<JsonObject>() == nullptr)
+    fields.refuse(friction, std::string("\"friction\" must be an object, got ") + friction.type());
+  const std::optional<double> facets = fields.number(friction, "facets");
+  if (!facets) return std::nullopt;
+  for (Index g = 4; g <= 256; g += 2)
+    if (*facets == static_cast<double>(g)) return g;
+  fields.refuse(friction, "facets must be an even number from 4 to 256");
+}
+
 bool says_something(const ForeignAnswer& answer) {
   const auto says_body = [](const ForeignBody& b) {
     return b.force || b.moment || b.normal_force || !b.closing.empty();
@@ -130,6 +141,8 @@ ForeignAnswer parse_foreign_answer(std::string_view text, const std::string& fil
   answer.status = fields.text(root, "status");
   answer.break_force = fields.number(root, "break_force");
   answer.pusher = fields.text(root, "pusher");
+  if (const JsonValue* const friction = root.find("friction"))
+    answer.facets = read_facets(fields, *friction);
   if (const JsonValue* const object = root.find("object")) {
     if (object->as<JsonObject>() == nullptr)
       fields.refuse(*object, std::string("\"object\" must be an object, got ") + object->type());

@@ -71,9 +71,25 @@ class Round(unittest.TestCase):
     def test_what_speaks_of_pyramids_says_so(self):
         path = scene("pivot")
         self.assertIn("pyramids of 8 facets", " ".join(run("spread", path).stdout.split()))
-        refused = run("solve", path, "--certify", pathlib.Path(FOLDER.name) / "c.json")
-        self.assertEqual(refused.returncode, 2)
-        self.assertIn("number of facets", " ".join(refused.stderr.split()))
+        proved = run("solve", path, "--json", "--certify", pathlib.Path(FOLDER.name) / "c.json")
+        self.assertIn("Pyramids of 8 facets stand for round friction here.", proved.stderr)
+        self.assertEqual(json.loads(proved.stdout)["friction"]["law"], "pyramids")
+        self.assertEqual(json.loads((pathlib.Path(FOLDER.name) / "c.json").read_text())["facets"], 8)
+
+    def test_friction_is_round_unless_the_scene_or_an_option_says_facets(self):
+        silent = pathlib.Path(FOLDER.name) / "silent.toml"
+        silent.write_text(scene("pivot").read_text().replace('facets = "round"\n', ""))
+        of = lambda path, *words: json.loads(run("solve", path, "--json", *words).stdout)
+        self.assertEqual(of(silent)["object"], of(scene("pivot"))["object"])
+        self.assertEqual(of(silent)["friction"]["law"], "round")
+        self.assertEqual(of(silent, "--facets", "8")["object"], of(scene("pivot", "8"))["object"])
+        self.assertEqual(of(scene("pivot", "8"), "--facets", "round")["object"], of(silent)["object"])
+        # Somebody else's pyramids are judged as what they say they are, where the scene says nothing.
+        other = of(silent, "--facets", "8")
+        self.assertEqual(verdict(silent, other).returncode, 0)
+        self.assertEqual(verdict(scene("pivot"), other).returncode, 1)
+        del other["friction"]
+        self.assertEqual(verdict(silent, other).returncode, 1)
 
     def test_every_command_takes_it(self):
         path = scene("pivot")

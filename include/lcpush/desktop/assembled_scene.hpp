@@ -40,6 +40,11 @@ struct AssembledScene {
         bytes(static_cast<std::size_t>(sweep_bytes<double>(size_of(scene)))),
         work(make_sweep_workspace<double>(span_of(bytes), size_of(scene))),
         assembly(work.assembly) {
+    assemble(is_round);
+  }
+  /// With round cones, or with the pyramids that `facets` says.
+  void assemble(bool is_round) {
+    even.scene.round_cones = {};
     if (is_round) even.scene.round_cones = {work.round_cones.data, scene.points.size};
     assembly.assemble(scene);
   }

@@ -30,6 +30,7 @@ struct ForeignAnswer {
   std::vector<ForeignContact> contacts;        ///< none, or the scene's
   std::vector<ForeignBody> bodies;             ///< none, or one a body of the scene's
   std::vector<double> closing;                 ///< none, or one an actuator
+  std::optional<Index> facets;                 ///< of the pyramids that its friction obeys
   std::optional<double> break_force;           ///< N: then nothing else is given
   std::string pusher;                          ///< whose; empty: the only one
   /// Why this cannot be an answer to the scene: other bodies, other points. Empty if it can.

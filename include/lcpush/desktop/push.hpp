@@ -1,6 +1,7 @@
 // A push from scene to report on the desktop: owns the memory, asks the core, collects the answer.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "lcpush/desktop/assembled_scene.hpp"
@@ -101,6 +102,7 @@ private:
   AnyRounds rounds_by(Pivots& pivots, const PushOptions& options, Watcher& watcher);
   /// Until the rounds leave `part` of what they usually do.
   Status run(const PushOptions& options, double sigma, PressureRun& run, double part = 1);
+  Status with_friction(RunReport& report, const std::function<Status()>& run_once);
   Status rest(const PushOptions& options);
   Status break_grasp(const PushOptions& options, Index pusher, Breaking<double>& breaking,
                      PressureRun& run);

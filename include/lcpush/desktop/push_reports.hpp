@@ -42,11 +42,19 @@ struct ExistenceFound {
 };
 
 /// What the answers to every question of a push have in common.
+/// Which friction an answer obeys.
+enum class FrictionLaw {
+  pyramids, ///< of the scene's facets
+  round,
+  pyramids_instead, ///< for round friction that did not settle
+};
+
 struct RunReport {
   Status status = Status::bad_input;
   std::string reason; ///< a sentence, empty when solved
   Solver solver = Solver::lemke;
   PressureRun run;
+  FrictionLaw friction = FrictionLaw::pyramids;
   Scales<double> scales{};
   Noise noise, brief_noise; ///< in reports of six digits, and of three; of an answer
   Motion<double> motion;    ///< of a break, per unit push

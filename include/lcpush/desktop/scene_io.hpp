@@ -84,6 +84,7 @@ struct SceneLines {
   };
   std::string file; ///< as messages name it
   int gravity = 0, object = 0, center_of_mass = 0;
+  int facets = 0; ///< 0: the file does not say
   std::vector<OfBody> bodies;
 };
 
@@ -95,7 +96,8 @@ template <class S> struct SceneOf {
   ObjectShape shape;
   Vector3<S> gravity = Vector3<S>::Zero(); ///< m/s^2
   Index facets = 8;
-  /// facets = "round", and there are cones: pyramids of 8 facets are turned until they are [T.16].
+  /// Coulomb's round cone, [T.16], as a scene says with `facets = "round"` or with no `facets`, and
+  /// there are cones: pyramids of `facets` sides are turned until friction is round.
   bool is_round = false;
   Pressure pressure = Pressure::pad;
   bool planar = false;

@@ -11,6 +11,7 @@
 namespace lcpush::desktop {
 
 struct TomlDocument;
+struct TomlValue;
 
 /// A number of the file, or of several bodies at once, or a motion of a body. Made by
 /// VariedScene::find.
@@ -46,6 +47,8 @@ public:
 
   /// Another pressure law ("pad", "even" or "rigid") than the file's. Throws InputError.
   void set_pressure(const std::string& law);
+  /// Other friction than the file's: pyramids of so many facets, or none: round.
+  void set_facets(std::optional<Index> facets);
 
   /// The parameter called `path`: `left.friction`, `*.grip_force` (of every body that has one),
   /// `object.mass`, `gravity[1]`, `wall.ends[0][1]`, `facets`, `wall.shift[1]` (m), `wall.turn`
@@ -70,6 +73,7 @@ private:
   Hand hand_; // as typed: no change of a number turns one hand into another
 
   explicit VariedScene(TomlDocument document);
+  void set(const std::string& key, const TomlValue& given);
 };
 
 } // namespace lcpush::desktop

@@ -55,8 +55,9 @@
     const gravity = toml.get(edits.top(toml), 'gravity') || [0, 0, 0];
     return [
       ...vector_of('gravity', edits.top, 'gravity', 'm/s\u00b2', 20, 0.01, plane_of(gravity)),
-      choice('facets', [4, 8, 16, 32], (now) => now.get(edits.top(now), 'facets') || 8,
-        (state, value) => edits.set(state.text, edits.top, 'facets', Number(value))),
+      choice('facets', ['round', 4, 8, 16, 32],
+        (now) => now.get(edits.top(now), 'facets') || 'round',
+        (state, value) => edits.set(state.text, edits.top, 'facets', Number(value) || value)),
       choice('pressure', ['pad', 'even', 'rigid'],
         (now) => now.get(edits.top(now), 'pressure') || 'pad',
         (state, value) => edits.set(state.text, edits.top, 'pressure', value)),
