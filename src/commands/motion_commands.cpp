@@ -189,6 +189,7 @@ Command cone_command() {
                 "any scene: where along this, such as wall.acceleration[1]=-1:1, it sticks"},
                {"pusher", "NAME", "which one, among several; the others are left out"},
                pressure_option,
+               facets_option,
                verbose_option,
                format_option("text (default), json or svg; --json for short")}),
           run_cone,

@@ -17,6 +17,23 @@ ParameterSweepOptions sweep_options(const Values& values, Listener& listener, In
   return options;
 }
 
+/// Exact segments are those of pyramids: they are taken where a scene does not say how friction is.
+void take_pyramids(std::vector<VariedScene>& scenes, const std::vector<SweepCurve>& curves,
+                   Listener& listener) {
+  bool is_said = false;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const SceneFile file = scenes[k].as_given();
+    const std::vector<Variation>& variations = curves[k].sweep.variations;
+    if (!file.is_round || file.lines.facets > 0 || file.pressure == Pressure::pad ||
+        variations.size() > 1 || !variations.front().parameter.linear)
+      continue;
+    scenes[k].set_facets(file.facets);
+    if (!std::exchange(is_said, true))
+      listener.announce("Pyramids of " + std::to_string(file.facets) +
+                        " facets stand for round friction: so the sweep is exact.");
+  }
+}
+
 /// All that is known before the first solve, so that bad input costs no time.
 std::vector<SweepCurve> read_curves(const Values& values, Listener& listener,
                                     std::vector<VariedScene>& scenes) {
@@ -39,6 +56,7 @@ std::vector<SweepCurve> read_curves(const Values& values, Listener& listener,
   }
   for (std::size_t k = 0; k < curves.size(); ++k)
     curves[k].sweep.variations = values.variations(scenes[k]);
+  if (values.variation_count() > 0) take_pyramids(scenes, curves, listener);
   refuse_overwritten(curves);
   return curves;
 }

@@ -51,6 +51,7 @@ void add_table(const std::string& section, const TomlTable& table, const std::st
         {"", Kind::number, {place}, 0, whole ? "" : key.unit, key.is_linear, whole}, owner, ""};
     if (entry.key == "facets" && !entry.value.number()) { // "round" can be made a number
       named.rest = entry.key;
+      named.parameter.value = static_cast<double>(SceneFile{}.facets);
       list.push_back(named);
     }
     add_numbers(entry.value, named, list);
@@ -110,7 +111,8 @@ std::vector<Named> all_parameters(const TomlDocument& document) {
   return list;
 }
 
-/// Vectors that are zero where a file leaves them out can vary as well, and the number of facets.
+/// Vectors that are zero where a file leaves them out can vary as well, and the number of facets,
+/// which then stands on no line.
 void add_defaults(TomlDocument& document) {
   const auto add = [](TomlTable& table, const char* key) {
     const TomlValue zero{table.line, std::int64_t{0}, "0"};
@@ -119,7 +121,7 @@ void add_defaults(TomlDocument& document) {
   };
   add(document.root, "gravity");
   if (document.root.find("facets") == nullptr)
-    document.root.entries.push_back({"facets", {document.root.line, std::string("round")}});
+    document.root.entries.push_back({"facets", {0, std::string("round")}});
   for (TomlSection& section : document.sections)
     for (TomlTable& table : section.tables) {
       if (section.name == "object")

@@ -120,6 +120,9 @@ void write_sweep(JsonWriter& json, const Sweep& sweep) {
     json.member("second_from", second.from).member("second_to", second.to);
   }
   json.member("pusher", sweep.pusher).member("complete", sweep.complete);
+  json.key("friction").begin_object();
+  json.member("law", sweep.scene.is_round ? "round" : "pyramids");
+  json.member("facets", when(!sweep.scene.is_round, sweep.scene.facets)).end_object();
   json.member("stopped", unless_empty(std::string(stop_text(sweep.stop))));
   std::vector<std::string> contacts;
   for (std::size_t i = 0; i < sweep.scene.points.size(); ++i)

@@ -43,7 +43,7 @@ COMMANDS = [
     ("solve good.toml --solver lemky", '(did you mean "lemke"?)'),
     ("solve good.toml --json --json", "--format is given twice"),
     ("solve good.toml --strict=yes", "--strict takes no value"),
-    ("solve good.toml --pressure pad", "lcpush report, sweep, cone and pivots would take it"),
+    ("move good.toml --pressure pad", "would take it"),
     ("solve good.toml --pusher wall", "would take it"),
     ("solve good.toml -o", "-o needs a value: -o FILE"),
     ("solve good.toml -o ''", "the file to write to has an empty name"),
