@@ -93,8 +93,7 @@ Index points_a_segment() {
 } // namespace
 
 TEST_CASE("segments agree with fresh solves at 100 points in each and beside every breakpoint") {
-  const VariedScene scene =
-      VariedScene::parse(rigid(scene_text("straight_slide.toml")), "test.toml");
+  const VariedScene scene = with_facets(rigid(scene_text("straight_slide.toml")));
   check_segments(scene, swept(scene, "*.grip_force", 2, 30), 100, 1e-9);
   check_segments(scene, swept(scene, "*.grip_force", 30, 2), 20, 1e-9); // downwards
   check_segments(scene, swept(scene, "gravity[1]", -20, 5), 100, 1e-9);
@@ -122,7 +121,7 @@ TEST_CASE(
   for (const Case& one : cases) {
     CAPTURE(one.scene);
     CAPTURE(one.path);
-    VariedScene scene = VariedScene::parse(scene_text(one.scene), one.scene);
+    VariedScene scene = with_facets(scene_text(one.scene));
     scene.set_pressure("rigid");
     const Sweep sweep = swept(scene, one.path, one.from, one.to);
     for (const BistableRange& range : sweep.bistable) CHECK_FALSE(range.motion);
@@ -138,7 +137,7 @@ TEST_CASE("random grasps whose motion is unique: every linear parameter, against
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     CAPTURE(seed);
     Random random(seed);
-    const VariedScene scene = VariedScene::parse(determined_scene(random), "test.toml");
+    const VariedScene scene = with_facets(determined_scene(random));
     const auto check_one = [&](const char* path, double from, double to) {
       const Sweep sweep = swept(scene, path, from, to);
       CHECK(sweep.bistable.empty());
