@@ -24,11 +24,14 @@ struct SweepSettings {
   static double rounding_of_steps() { return 64 * std::numeric_limits<double>::epsilon(); }
   static constexpr double looked_at[] = {0, 0.3, 1}; ///< does anything move there?
   static constexpr double value_rounding = 1e-12;    ///< of the range: a value of less is 0
+  static constexpr Index pivots_a_look = 64;         ///< .. at the clock
   // How far: no sweep has more.
   static constexpr Index most_pieces = 1000;
   static constexpr Index steps_a_piece = 4;
   static constexpr Index probes = 64; ///< where nothing was found, look in so many places
   static constexpr Index usual_steps = 51, usual_map_steps = 11;
+  /// Of F: smaller pushes than three would take ten times as long, and show in no picture.
+  static constexpr double straight = 1e-5;
   // What is another answer, relative.
   static constexpr double jump = 1e-6;           ///< between exact segments
   static constexpr double sampled_jump = 1e-3;   ///< over the width of bisection

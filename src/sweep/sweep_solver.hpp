@@ -5,6 +5,7 @@
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/desktop/sweep.hpp"
 #include "lcpush/lcp/pivots/held_basis.hpp"
+#include "sweep/settings.hpp"
 
 #include <functional>
 #include <memory>
@@ -57,12 +58,12 @@ struct Stopped {
   Stop why;
 };
 
-/// Asks at every pivot whether the sweep is to end; once it is, nothing is solved any more.
+/// Asks every few pivots whether the sweep is to end; once it is, nothing is solved any more.
 class StopWatcher : public Watcher {
 public:
   explicit StopWatcher(const StopCheck& check) : check_(check) {}
-  void stepped(const Lemke<double>&) override { look(); }
-  void progressed(Index, Index) override { look(); }
+  void stepped(const Lemke<double>&) override { count(); }
+  void progressed(Index, Index) override { count(); }
   void look() {
     if (stop_ == Stop::none) stop_ = stop_now(check_);
     if (stop_ != Stop::none) throw Stopped{stop_};
@@ -72,6 +73,11 @@ public:
 private:
   const StopCheck& check_;
   Stop stop_ = Stop::none;
+  Index pivots_ = 0;
+
+  void count() { // a clock takes as long as a pivot of few points
+    if (++pivots_ % SweepSettings::pivots_a_look == 0) look();
+  }
 };
 
 /// An unknown: is z_i basic?

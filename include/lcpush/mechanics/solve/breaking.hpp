@@ -133,18 +133,30 @@ template <class S> struct SmallPush {
   Residuals<S> residuals;
 };
 
-/// The line through two pushes, judged by a third, smaller one.
-template <class S>
-Breaking<S> extrapolate(const SmallPush<S>* push, S unit, const Scales<S>& scales) {
+/// The line through two pushes, the second the smaller one.
+template <class S> Breaking<S> line_through(const SmallPush<S>& a, const SmallPush<S>& b, S unit) {
   Breaking<S> line;
-  const S span = (push[0].sigma - push[1].sigma) * unit, back = push[1].sigma * unit;
-  line.inertia = (push[0].wrench - push[1].wrench) / span;
-  line.inertia_normal = (push[0].normal - push[1].normal) / span;
-  line.force = push[1].wrench - back * line.inertia;
-  line.break_force = push[1].normal - back * line.inertia_normal;
-  line.twist = push[1].acceleration / back;
-  const S predicted = line.break_force + push[2].sigma * unit * line.inertia_normal;
-  line.line_error = Eigen::numext::abs(predicted - push[2].normal) / scales.force;
+  const S span = (a.sigma - b.sigma) * unit, back = b.sigma * unit;
+  line.inertia = (a.wrench - b.wrench) / span;
+  line.inertia_normal = (a.normal - b.normal) / span;
+  line.force = b.wrench - back * line.inertia;
+  line.break_force = b.normal - back * line.inertia_normal;
+  line.twist = b.acceleration / back;
+  return line;
+}
+
+/// The line through two of three pushes, judged by the other: through the larger two, or, where the
+/// force `curves` (round friction's is a smooth function of the push), through the smaller two.
+template <class S>
+Breaking<S> extrapolate(const SmallPush<S>* push, bool curves, S unit, const Scales<S>& scales) {
+  Breaking<S> line = line_through(push[0], push[1], unit);
+  S off = line.break_force + push[2].sigma * unit * line.inertia_normal - push[2].normal;
+  if (curves) {
+    off = line.break_force;
+    line = line_through(push[1], push[2], unit);
+    off -= line.break_force;
+  }
+  line.line_error = Eigen::numext::abs(off) / scales.force;
   // What is left of the acceleration when the push is taken back to 0: nothing if it holds.
   line.rest = push[2].acceleration - (push[1].acceleration - push[2].acceleration) *
                                          (push[2].sigma / (push[1].sigma - push[2].sigma));
@@ -193,18 +205,21 @@ private:
   /// smaller pushes.
   Status find_from(S size, Breaking<S>& breaking, PressureRun& run) {
     const BreakingSettings<S> settings;
-    const S straight =
-        has_round_friction(assembly_.scene()) ? settings.straight_round : settings.straight;
+    const bool is_round = has_round_friction(assembly_.scene());
     bool is_of_push = false; // what is left without a push may be the smallest push's own doing
     for (int k = 0; k < BreakingSettings<S>::most_pushes; ++k, size /= settings.step) {
       const Status status = push_next(size, k, run);
       if (status != Status::solved) return k < 3 ? status : Status::solved;
       if (k < 2) continue;
-      const Breaking<S> line = extrapolate(push_, unit_, assembly_.layout().scales);
+      const Breaking<S> line = extrapolate(push_, is_round, unit_, assembly_.layout().scales);
       if (k == 2 || is_of_push || line.line_error < breaking.line_error) breaking = line;
       breaking.small_push = line.small_push;
       const S rest = motion_size(breaking.rest, assembly_.layout().scales);
       is_of_push = rest > at_rest<S>() && rest <= settings.own_motion * size;
+      const S part = Eigen::numext::abs(breaking.break_force) / assembly_.layout().scales.force;
+      const S usual = is_round ? settings.straight_round : settings.straight;
+      const S straight = (options_.straight > S(0) ? options_.straight : usual) *
+                         Eigen::numext::maxi(settings.small_force, part);
       if (breaking.line_error <= straight && !is_of_push) break;
     }
     return Status::solved;
@@ -220,7 +235,14 @@ private:
     SmallPush<S>& push = push_[at];
     if (at > 0 && rounds_.goes_on() && go_on(size, push_[at - 1].compliance, push, run))
       return Status::solved;
-    return push_slowly(size, options_, push, run);
+    // Pads that yield more than a slow push moves would turn every slip away from what was
+    // predicted; round friction's pyramids turn with the slips, but for the slowest.
+    const BreakingSettings<S> settings;
+    PressureOptions<S> options = options_;
+    const bool is_slow = k > 2 || !has_round_friction(assembly_.scene());
+    if (rounds_.goes_on() && is_slow && size < settings.first_push)
+      options.first_compliance *= size / settings.first_push;
+    return push_slowly(size, options, push, run);
   }
 
   /// Solves a push whose fastest point moves at `size` of F / m.
@@ -231,10 +253,6 @@ private:
     push.sigma = size * scales.acceleration / unit_;
     options.tolerance =
         Eigen::numext::maxi(S(size * Tolerances<S>().residual), settings.finest_pads);
-    // Pads that yield more than a slow push moves would turn every slip away from what was
-    // predicted.
-    if (rounds_.goes_on() && !options.goes_on && size < settings.first_push)
-      options.first_compliance *= size / settings.first_push;
     assembly_.push_by(push.sigma);
     rounds_.require(options.tolerance);
     PressureSolve<S, Rounds> solve(assembly_, rounds_, work_.pressure, options,
@@ -266,6 +284,7 @@ private:
     PressureOptions<S> options = options_;
     options.goes_on = true;
     options.first_compliance = compliance / BreakingSettings<S>().step;
+    options.max_pivots = assembly_.layout().size; // from nothing takes no more
     return push_slowly(size, options, push, run) == Status::solved;
   }
 };

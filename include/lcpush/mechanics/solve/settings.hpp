@@ -30,6 +30,7 @@ template <class S> struct PressureOptions {
   Index fine_rounds = 0; ///< so many more at most, while the violation is above `finest`
   S finest{0};
   bool exact_limit = true; ///< a breaking force by an infinitesimal push, where rounds carry one
+  S straight{0};           ///< how near three pushes lie to a line, over F; 0: BreakingSettings'
   bool goes_on = false;    ///< `pad`: from the memory's last answer, as if this were its next round
 };
 
@@ -58,9 +59,11 @@ template <class S> struct BreakingSettings {
   S first_swept_push{S(1) / S(100)};    ///< sweeps see less far down
   S fastest_push{S(1) / S(9)};          ///< the line is of smaller ones: beyond, inertia tells
   S step{10};                           ///< each push is a tenth of the one before
-  /// A third push this near the line is on it, over F: rounding leaves 1e-13 (numerics.md).
+  /// A third push this near the line is on it, over the force of breaking, or over F times
+  /// small_force where that is less: rounding leaves 1e-13 of F (numerics.md).
   S straight{S(1) / S(1000000)};
-  S straight_round{S(1) / S(1000000000)}; ///< round friction is a line only in the small
+  S small_force{S(1) / S(1000)};
+  S straight_round{S(1) / S(100000000)}; ///< round friction is a line only in the small
   S own_motion{16}; ///< what is left at rest, in smallest pushes, may be those pushes' own doing
   /// What rounding lets pads settle to: of a slow push's motion they may spoil little.
   S finest_pads = Eigen::numext::maxi(S(512 * std::numeric_limits<double>::epsilon()),
