@@ -43,16 +43,17 @@ std::string hand_words(const SceneFile& file) {
   return file.bodies.front().role == Role::finger ? "fingers that stand still" : "none";
 }
 
-/// "9.81 m/s^2 and 0 rad/s^2"; in three digits without what is a thousandth of the other.
+/// "9.81 m/s^2 and 2 rad/s^2", without what is zero; in three digits without what is a thousandth
+/// of the other.
 std::string acceleration_text(const Vector6<double>& a, double length, Telling telling) {
   const double linear = a.head<3>().norm(), angular = a.tail<3>().norm();
-  if (telling == Telling::full) {
-    const double zero = word_settings.rounding * (linear + length * angular);
-    return number(linear, zero) + " m/s^2 and " + number(angular, zero / length) + " rad/s^2";
-  }
+  const bool full = telling == Telling::full;
+  const double least = full ? word_settings.rounding : word_settings.digit;
   std::vector<std::string> parts;
-  if (linear > word_settings.digit * length * angular) parts.push_back(brief(linear) + " m/s^2");
-  if (length * angular > word_settings.digit * linear) parts.push_back(brief(angular) + " rad/s^2");
+  if (linear > least * length * angular)
+    parts.push_back((full ? number(linear) : brief(linear)) + " m/s^2");
+  if (length * angular > least * linear)
+    parts.push_back((full ? number(angular) : brief(angular)) + " rad/s^2");
   return listed(parts, "and");
 }
 

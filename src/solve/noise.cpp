@@ -4,6 +4,7 @@
 
 #include "lcpush/lcp/tolerances.hpp"
 #include "lcpush/mechanics/model/answer.hpp"
+#include "lcpush/mechanics/model/laws.hpp"
 #include "solve/word_settings.hpp"
 
 namespace lcpush::desktop {
@@ -55,13 +56,17 @@ void find_noise(const SceneFile& file, const Answer<double>& answer, RunReport& 
       std::max(report.noise.acceleration, word_settings.table * fastest);
 }
 
-void let_rest(const SceneFile& file, const Noise& noise, Answer<double>& answer) {
+void let_rest(const SceneFile& file, const Scales<double>& scales, const Noise& noise,
+              Answer<double>& answer) {
   const Scene<double> scene = file.view();
+  if (size_of_twist(answer.acceleration, scales.length) <= noise.acceleration)
+    answer.acceleration.setZero();
   for (Index i = 0; i < answer.contacts.size; ++i) {
     ContactAnswer<double>& contact = answer.contacts[i];
     const double spin = scene.bodies[contact.body].torsion_radius * std::abs(contact.spin);
     if (contact.acceleration.norm() + spin + clearance_of(scene, i) <= noise.acceleration)
       contact.mode = Mode::stick;
+    if (contact.acceleration.norm() <= noise.acceleration) contact.acceleration.setZero();
   }
 }
 
@@ -72,6 +77,12 @@ Index lost_actuator(const SceneFile& file, const Scales<double>& scales) {
     if (force > 0 && force <= rounding_of_force() * scales.force) return a;
   }
   return -1;
+}
+
+double lost_load(const SceneFile& file, const Scales<double>& scales, double residual) {
+  const Vector6<double> w = laws::load(file.view(), {1.0, 1.0, 1.0});
+  const double load = std::max(w.head<3>().norm(), w.tail<3>().norm() / scales.length);
+  return load <= word_settings.load_digits * residual * scales.force ? load : 0;
 }
 
 bool is_too_slow(double push, const Scales<double>& scales, double beside) {

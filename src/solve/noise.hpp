@@ -14,12 +14,17 @@ Noise noise_below(const SceneFile& file, const Scales<double>& scales, double pa
 /// contacts.
 void find_noise(const SceneFile& file, const Answer<double>& answer, RunReport& report);
 
-/// A contact whose point stands still but for noise sticks: without a force it neither slips nor
-/// opens.
-void let_rest(const SceneFile& file, const Noise& noise, Answer<double>& answer);
+/// What moves no faster than noise stands still. A contact whose point does sticks: without a force
+/// it neither slips nor opens.
+void let_rest(const SceneFile& file, const Scales<double>& scales, const Noise& noise,
+              Answer<double>& answer);
 
 /// The actuator whose force is no more than what rounding leaves of F, or -1.
 Index lost_actuator(const SceneFile& file, const Scales<double>& scales);
+
+/// N: weight and applied forces where what an answer's residual leaves of F could be as large, so
+/// that no motion is theirs; else 0.
+double lost_load(const SceneFile& file, const Scales<double>& scales, double residual);
 
 /// Is a push (m/s^2) too slow to stand out from what rounding does? `beside`: of Residuals.
 bool is_too_slow(double push, const Scales<double>& scales, double beside);

@@ -3,6 +3,7 @@
 #include "solve/push_rounds.hpp"
 #include "solve/rest_verdict.hpp"
 #include "solve/word_settings.hpp"
+#include "text/format.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::desktop {
@@ -156,6 +157,16 @@ std::string Push::explain(Status status, const PressureRun& run) const {
   return reason_text(run.reason);
 }
 
+/// A ray where a theorem promises an answer is none: rounding has hidden the answer.
+void Push::find_reason(RunReport& report) const {
+  report.reason = explain(report.status, report.run);
+  if (report.status != Status::ray) return;
+  if (find_existence(file_, assembly_).verdict != Existence::proved) return;
+  report.status = Status::numerical_breakdown;
+  report.reason = "an answer exists, whatever the loads (theory 5.3), but was lost to rounding: "
+                  "contacts so near to each other, or so alike, take forces far beyond the push";
+}
+
 /// Names the ray and reads the jam. Trying what would free one costs a solve each: not where solves
 /// are long.
 void Push::read_ray(const PushOptions& options, RunReport& report) const {
@@ -269,7 +280,7 @@ PushReport Push::solve(const PushOptions& options) & {
   report.status = with_friction(report, [&] { return run(options, 1.0, report.run); });
   report.history = history_;
   if (report.status != Status::solved) {
-    report.reason = explain(report.status, report.run);
+    find_reason(report);
     if (report.status == Status::ray) read_ray(options, report);
     return report;
   }
@@ -285,7 +296,7 @@ PushReport Push::solve(const PushOptions& options) & {
   const double push = push_size(scene_);
   name_file_bodies();
   find_noise(file_, report.answer, report);
-  let_rest(file_, report.noise, report.answer);
+  let_rest(file_, report.scales, report.noise, report.answer);
   report.motion = describe_motion(file_.view(), report.answer, report.scales.length,
                                   report.noise.acceleration / word_settings.rounding, push);
   const double noise = rest_tolerance(options.solver) * report.scales.acceleration;
@@ -298,6 +309,13 @@ PushReport Push::solve(const PushOptions& options) & {
     report.unique_motion = report.unique_wrench = Uniqueness::not_tested; // of no answer
     report.final_basis = {};
     report.other.reset();
+  }
+  const double load = lost_load(file_, report.scales, report.residuals.max());
+  if (!(push > 0) && load > 0) {
+    report.status = Status::numerical_breakdown;
+    report.reason = reason_text(Reason::small_load) +
+                    (": weight and applied forces are " + brief(load)) +
+                    " N, the largest force is " + shown(report.scales.force) + " N";
   }
   if (is_too_slow(push, report.scales, report.residuals.beside)) {
     report.status = Status::numerical_breakdown;

@@ -135,7 +135,7 @@ BreakReport Push::find_breaking(Index pusher, const PushOptions& options) {
   else if (report.status == Status::bad_input && report.run.reason == Reason::none)
     report.reason = "no pusher moves: give one an acceleration";
   else if (report.status != Status::solved)
-    report.reason = explain(report.status, report.run);
+    find_reason(report);
   if (report.status == Status::ray) read_ray(options, report);
   if (report.status != Status::solved) return report;
   name_file_bodies();
@@ -156,10 +156,12 @@ void Push::compare_others(const PushOptions& options, BreakReport& report) {
   if (layout().size > limits::unknowns_searched) return;
   Breaking<double> second;
   PressureRun ignored;
-  for (Index k = 1; k <= options.other_covers; ++k)
-    if (is_over(
-            break_grasp(by_other_cover(options, k, layout().size), report.pusher, second, ignored)))
+  for (Index k = 1; k <= options.other_covers; ++k) {
+    const PushOptions other = by_other_cover(options, k, layout().size);
+    if (is_over(break_grasp(other, report.pusher, second, ignored)) &&
+        !falls_before_push(file_, second, report.scales, other))
       add_other(second, report);
+  }
 }
 
 } // namespace lcpush::desktop

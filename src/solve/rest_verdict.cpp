@@ -98,26 +98,59 @@ Rest decide_rest(const SceneFile& file, const RestMotion& motion) {
   return load == 0 || load >= 16 * motion.noise ? Rest::holds : Rest::not_known;
 }
 
+namespace {
+
+bool is_extrapolated(const SceneFile& file, const PushOptions& options) {
+  return takes_rounds(file) || options.solver == Solver::gauss_seidel;
+}
+
+/// What is left without a push, as the solver's laws let it be told.
+RestMotion left_at_rest(const SceneFile& file, const Breaking<double>& breaking,
+                        const Scales<double>& scales, const PushOptions& options) {
+  if (is_extrapolated(file, options))
+    return {breaking.rest, scales, at_rest<double>(), breaking.small_push / scales.acceleration};
+  const double noise = rest_noise(file, scales, options.solver);
+  return {breaking.rest, scales,
+          std::min(at_rest<double>(), std::max(noise, 64 * breaking.residuals.beside)), 0};
+}
+
+} // namespace
+
+bool falls_before_push(const SceneFile& file, const Breaking<double>& breaking,
+                       const Scales<double>& scales, const PushOptions& options) {
+  return decide_rest(file, left_at_rest(file, breaking, scales, options)) == Rest::falls;
+}
+
 Status holding_verdict(const SceneFile& file, BreakReport& report, const PushOptions& options) {
   Breaking<double>& breaking = report.breaking;
-  const bool extrapolated = takes_rounds(file) || options.solver == Solver::gauss_seidel;
-  const bool pulled = extrapolated && report.status == Status::numerical_breakdown &&
-                      pulls(breaking, report.scales);
+  const bool extrapolated = is_extrapolated(file, options);
+  const bool presses_only = extrapolated && !file.body(report.pusher).bilateral;
+  const double least = -SolveSettings().no_pull * report.scales.force;
+  const bool pulled = presses_only && breaking.break_force < least &&
+                      (report.status == Status::solved || pulls(breaking, report.scales));
+  const bool is_below = presses_only && breaking.break_force < least * Tolerances<double>().settled;
+  if (presses_only && !pulled) breaking.break_force = std::max(0.0, breaking.break_force);
   if (report.status != Status::solved && report.status != Status::does_not_hold && !pulled)
     return report.status;
+  const RestMotion left = left_at_rest(file, breaking, report.scales, options);
   const double noise = rest_noise(file, report.scales, options.solver);
-  const double seen =
-      extrapolated ? at_rest<double>()
-                   : std::min(at_rest<double>(), std::max(noise, 64 * breaking.residuals.beside));
-  const double small_push = extrapolated ? breaking.small_push / report.scales.acceleration : 0;
-  bool falls = decide_rest(file, {breaking.rest, report.scales, seen, small_push}) == Rest::falls;
+  bool falls = decide_rest(file, left) == Rest::falls;
   if (falls && (report.status == Status::does_not_hold || !extrapolated))
     return Status::does_not_hold;
-  if (!falls && !pulled) return Status::solved;
+  const double moves = motion_size(breaking.rest, report.scales);
+  const bool is_excused = !falls && moves > left.noise; // as what the pushes leave
+  if (!falls && !pulled && !is_excused) return Status::solved;
   // How does it fall, if the pushes did not see it?
   Vector6<double> motion;
   const bool is_known = Push(file).solve_at_rest(options, motion) == Status::solved;
-  if (is_known && motion_size(motion, report.scales) > noise) {
+  const bool moves_alone = is_known && motion_size(motion, report.scales) > noise;
+  if (is_excused && !pulled) {
+    const Vector6<double> off = motion - breaking.rest;
+    const bool is_same =
+        moves_alone && motion_size(off, report.scales) < SolveSettings().same_fall * moves;
+    if (is_same || !is_below) return is_same ? Status::does_not_hold : Status::solved;
+  }
+  if (moves_alone) {
     breaking.rest = motion;
     falls = true;
   }

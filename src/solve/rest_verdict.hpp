@@ -33,10 +33,14 @@ double rest_tolerance(Solver solver);
 /// The largest acceleration that the loads could give the object, m/s^2, turning at `length`.
 double load_acceleration(const SceneFile& file, double length);
 
+/// decide_rest on any breaking force, by what its pushes leave.
+bool falls_before_push(const SceneFile& file, const Breaking<double>& breaking,
+                       const Scales<double>& scales, const PushOptions& options);
+
 /// decide_rest on a breaking force that the core has found: report.status (solved or
 /// does_not_hold, with report.breaking and report.scales), or the other of the two;
 /// numerical_breakdown: the breaking force is below zero, yet no fall is seen. `scene` as solved.
-/// Changes report.breaking.rest alone, to a fall that the core did not see.
+/// Changes report.breaking.rest to a fall that the core did not see, and a force below zero to 0.
 Status holding_verdict(const SceneFile& file, BreakReport& report, const PushOptions& options);
 
 } // namespace lcpush::desktop

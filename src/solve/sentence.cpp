@@ -60,10 +60,18 @@ std::string body_phrase(const std::string& name, const ModeCount& count) {
   return name + " " + joined(parts, " and ");
 }
 
-/// What the object does, after its name; nothing of the grip where the hand moves.
+/// Is this a finger that presses, and no table or stop?
+bool is_gripping(const SceneFile& file, std::size_t b) {
+  return file.bodies[b].role == Role::finger &&
+         (file.bodies[b].preload > 0 || is_driven(file.view(), static_cast<Index>(b)));
+}
+
+/// What the object does, after its name; nothing of the grip where the hand moves, or is none.
 std::string motion_phrase(const SceneFile& file, const RunReport& report) {
   const Motion<double>& motion = report.motion;
-  const std::string in_grip = report.hand_moves ? "" : " in the grip";
+  bool has_grip = false;
+  for (std::size_t b = 0; b < file.bodies.size(); ++b) has_grip = has_grip || is_gripping(file, b);
+  const std::string in_grip = has_grip && !report.hand_moves ? " in the grip" : "";
   const std::string turn = turn_phrase(motion.axis);
   switch (motion.kind) {
   case MotionKind::rest: return "does not move" + in_grip;
@@ -77,14 +85,18 @@ std::string motion_phrase(const SceneFile& file, const RunReport& report) {
   return (is_near ? "turns " : "slides and turns ") + turn;
 }
 
-/// "every finger point slips", "left slips, right sticks, wall opens at 1 of its 2 points".
+/// "every finger point slips", "left slips, right sticks, wall opens at 1 of its 2 points". Tables
+/// and stops have names.
 std::string contacts_phrase(const SceneFile& file, const Answer<double>& answer) {
   ModeCount fingers;
-  for (const Body<double>& body : file.bodies)
-    if (body.role == Role::finger)
-      for (std::size_t mode = 0; mode < 3; ++mode)
-        fingers.of[mode] += count_modes(answer, body).of[mode];
-  const bool as_one = fingers.all_are(Mode::slide) || fingers.all_are(Mode::stick);
+  bool all_grip = true;
+  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
+    if (file.bodies[b].role != Role::finger) continue;
+    all_grip = all_grip && is_gripping(file, b);
+    for (std::size_t mode = 0; mode < 3; ++mode)
+      fingers.of[mode] += count_modes(answer, file.bodies[b]).of[mode];
+  }
+  const bool as_one = all_grip && (fingers.all_are(Mode::slide) || fingers.all_are(Mode::stick));
   std::vector<std::string> phrases;
   if (fingers.all() > 0 && as_one)
     phrases.push_back(fingers[Mode::slide] > 0 ? "every finger point slips"

@@ -31,6 +31,11 @@ struct SolveSettings {
   /// Statics holds the load with this much of the grip to spare: then what finite pushes leave of a
   /// motion, at most two of the smallest (most often 1e-5 of F/m), is theirs.
   double room = 1e-3, left_by_pushes = 2e-5;
+  /// What pushes leave is a fall after all where the grasp alone moves so, but for this part of it.
+  double same_fall = 0.1;
+  /// Of F: a pull of less is what the line through pushes leaves of no force (straight, of
+  /// breaking).
+  double no_pull = 1e-6;
   /// A load below this part of the grip is measured beside the grip.
   double least_load = 1.0 / 16;
   /// A pad's last compliance looks like a slow fall, by at most so many times the noise; then the

@@ -29,6 +29,8 @@ struct WordSettings {
   double slowest_push = 10;
   /// Of the referee's residual beside the scene's force: a push stands out by five digits.
   double push_digits = 1e5;
+  /// Of the referee's residual: so much larger a load stands out by one digit.
+  double load_digits = 10;
 
   double places = 1e3;        ///< of unit vectors in sentences: three places after the point
   double least_remedy = 1e-3; ///< N/kg: what a jam's remedy presses with where nothing else does

@@ -28,6 +28,39 @@ def pinch(points=([0, 0],), left=20, right=20):
             finger("right", [[*p, -0.005] for p in points], -1, right))
 
 
+LOCKED_TWISTED = """[object]
+mass = 0.3
+inertia = [0.0008, 0.0008, 0.0009]
+moment = [-0.007, -0.002, 0.02]
+[gripper]
+jaws = "locked"
+[[finger]]
+name = "line"
+shape = "line"
+ends = [[0.08, -0.0003, 0.007], [0.08, 0.0003, -0.007]]
+points = 7
+normal = [-1, -0.3, -0.06]
+friction = 0.28
+grip_force = 12.805678494638258
+[[finger]]
+name = "pair"
+shape = "rectangle"
+center = [-0.08, 0, 0]
+size = [0.004, 0.006]
+points = [2, 1]
+normal = [9, -4, -0.5]
+friction = 0.9
+grip_force = 12.805678494638258
+[[pusher]]
+name = "pin"
+shape = "point"
+normal = [0, 0, 1]
+friction = 0.5
+acceleration = [0.3, 0.006, 0.7]
+center = [0.04, 0.03, -0.03]
+"""
+
+
 class Holding(ToolTest):
     def run_tool(self, text, *words):
         file = self.path / "scene.toml"
@@ -124,6 +157,27 @@ class Holding(ToolTest):
                         continue
                     self.assertEqual(answer["status"], "does_not_hold", told)
                     self.assertAlmostEqual(answer["rest_acceleration"][1], (4 * friction - 1.962) / 0.2, 7)
+
+    def test_a_grip_far_above_the_load_hides_no_fall(self):
+        def point(name, axis, side, more):
+            center, normal = ([s * side if k == axis else 0 for k in range(3)] for s in (0.02, -1))
+            return (f'[[finger]]\nname = "{name}"\nshape = "point"\ncenter = {center}\n'
+                    f"normal = {normal}\n{more}\n")
+
+        for grip in (5e4, 1e5, 2e5, 1e6):
+            with self.subTest(grip=grip):
+                text = ("gravity = [0, -9.81, 0]\n[object]\nmass = 0.2\nbox = [0.04, 0.04, 0.04]\n"
+                        '[gripper]\njaws = "independent"\n' +
+                        "".join(point(f"grip{s}", 2, s, f"friction = 0\ngrip_force = {grip}") +
+                                point(f"stop{s}", 0, s, "friction = 0.5") for s in (-1, 1)) +
+                        '[[pusher]]\nname = "rod"\nshape = "point"\ncenter = [0, 0.02, 0]\n'
+                        "normal = [0, -1, 0]\nfriction = 0\nacceleration = [0, -0.1, 0]\n")
+                self.assertEqual(self.answer(text)["status"], "does_not_hold")
+
+    def test_a_fall_is_no_other_force_that_breaks(self):
+        answer = self.answer(LOCKED_TWISTED)
+        self.assertAlmostEqual(answer["break_force"], 0.226, 3)
+        self.assertEqual(answer["others"], [])
 
     def test_a_jam_has_every_key_too(self):
         stop = ('[[finger]]\nname = "stop"\nshape = "point"\ncenter = [0.05, 0, 0]\n'

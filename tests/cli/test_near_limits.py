@@ -97,6 +97,33 @@ friction = 0.3
 acceleration = [0.1, 0, 0]
 """
 
+NEAR_POINTS = """[object]
+mass = 1
+box = [0.1, 0.05, 0.05]
+[[pusher]]
+name = "rod"
+shape = "points"
+points = [[-0.05, 0, 0], [-0.05, {}, 0]]
+normal = [1, 0, 0]
+friction = 0
+acceleration = [1, 0, 0]
+angular_acceleration = [0, 0, 1]
+follow = "bilateral"
+"""
+
+LIGHT_CUBE = """[object]
+mass = {}
+box = [0.04, 0.04, 0.04]
+""" + "".join(f"""[[finger]]
+name = "{name}"
+shape = "rectangle"
+center = [0, {-0.02 * n}, 0]
+size = [0.02, 0.02]
+normal = [0, {n}, 0]
+friction = 1
+grip_force = 20
+""" for name, n in (("left", -1), ("right", 1)))
+
 
 def solved(scene):
     return json.loads(run("-", "--json", text=scene).stdout)
@@ -132,6 +159,22 @@ class NearLimits(unittest.TestCase):
     def test_a_load_across_the_plane_is_not_dropped_in_silence(self):
         result = run("-", text="gravity = [0, 0, -9.81]\n" + JAW)
         self.assertIn("planar leaves out 1.96 N along z", " ".join(result.stderr.split()))
+
+    def test_what_rounding_hides_is_not_known_and_neither_a_jam_nor_a_motion(self):
+        for apart in ("1e-5", "1e-6", "1e-8"):
+            with self.subTest(apart=apart):
+                answer = solved(NEAR_POINTS.format(apart))
+                self.assertEqual(answer["status"], "solved" if apart == "1e-5" else "numerical_breakdown")
+        for mass in ("1e-6", "1e-9", "1e-10", "1e-12", "1e-15"):
+            for weight in ("gravity = [0, 0, -9.81]\n", ""):
+                with self.subTest(mass=mass, weight=weight):
+                    answer = solved(weight + LIGHT_CUBE.format(mass))
+                    if answer["status"] == "solved":
+                        self.assertEqual({c["mode"] for c in answer["contacts"]}, {"stick"})
+                        self.assertLess(max(map(abs, answer["object"]["acceleration"])), 1e-3)
+                    else:
+                        self.assertIn("cannot be told from rounding", answer["reason"])
+                        self.assertLess(float(mass), 1e-8)
 
 
 if __name__ == "__main__":

@@ -110,6 +110,7 @@ private:
   Outcome<double> outcome() const;
   std::vector<NamedValue> closings(double unit) const;
   std::string explain(Status status, const PressureRun& run) const;
+  void find_reason(RunReport& report) const;
   std::string untold(const PushReport& report) const;
   void read_ray(const PushOptions& options, RunReport& report) const;
   void compare_others(const PushOptions& options, BreakReport& report);
