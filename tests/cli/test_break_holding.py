@@ -28,7 +28,8 @@ def pinch(points=([0, 0],), left=20, right=20):
             finger("right", [[*p, -0.005] for p in points], -1, right))
 
 
-LOCKED_TWISTED = """[object]
+LOCKED_TWISTED = """facets = 8
+[object]
 mass = 0.3
 inertia = [0.0008, 0.0008, 0.0009]
 moment = [-0.007, -0.002, 0.02]

@@ -147,7 +147,8 @@ class Move(unittest.TestCase):
         self.assertIn("touches it nowhere", " ".join(run(SLIDE, "--time", 2).stdout.split()))
 
     def test_what_a_step_undoes_is_no_event(self):
-        printed, _ = answer(SCENES / "dropped.toml")
+        text = "facets = 8\n" + (SCENES / "dropped.toml").read_text()
+        printed = json.loads(run("-", "--json", text=text).stdout)
         self.assertEqual([(e["contact"], e["to"]) for e in printed["events"]], [("rod.1", "separate")])
 
     def test_ended_early_it_has_what_there_is(self):
