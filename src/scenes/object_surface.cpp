@@ -1,16 +1,10 @@
 #include "scenes/object_surface.hpp"
 
-#include "text/format.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 namespace lcpush::desktop {
 namespace {
-
-// A contact lies no deeper than this part of the object's thinnest edge: beyond, another face would
-// be as near.
-constexpr double depth_slack = 0.15;
 
 /// A convex object as slabs: along each direction `along` it ends at `half`.
 struct Slab {
@@ -62,22 +56,6 @@ SurfacePoint nearest_on_surface(const SceneFile& file, const Vector3<double>& po
     if (std::abs(slab.along.dot(surface.at - file.object.center_of_mass) - slab.half) <= reach)
       surface.outward.push_back(slab.along);
   return surface;
-}
-
-bool lies_on_surface(const SceneFile& file, double distance) {
-  return distance <= surface_slack * file.shape.size.maxCoeff() &&
-         distance >= -depth_slack * file.shape.size.minCoeff();
-}
-
-std::string shape_name(const SceneFile& file) {
-  return file.shape.kind == ObjectShape::Kind::box    ? "the box"
-         : file.shape.kind == ObjectShape::Kind::ball ? "the ball"
-                                                      : "the cylinder";
-}
-
-std::string typed_vector(const Vector3<double>& v) {
-  const auto digits = [](double x) { return printed("%.4g", std::abs(x) < 1e-15 ? 0 : x); };
-  return "[" + digits(v[0]) + ", " + digits(v[1]) + ", " + digits(v[2]) + "]";
 }
 
 } // namespace lcpush::desktop

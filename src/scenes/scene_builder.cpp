@@ -3,7 +3,6 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/mechanics/model/contact.hpp"
 #include "scenes/exact_frame.hpp"
-#include "scenes/overhang.hpp"
 #include "scenes/scene_schema.hpp"
 #include "scenes/scene_tables.hpp"
 #include "text/limits.hpp"
@@ -291,22 +290,11 @@ private:
 template <class S>
 SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand,
                        Strokes strokes) {
-  const auto built = [&](const TomlDocument& from, Strokes which) {
-    return SceneBuilder<S>(from, unsaid_hand, which).build();
-  };
-  SceneOf<S> all = built(document, Strokes::all);
-  std::optional<CutScene> cut;
-  if constexpr (std::is_same_v<S, double>)
-    cut = cut_overhang(document, all);
-  else
-    cut = cut_overhang(document, SceneBuilder<double>(document, unsaid_hand, Strokes::all).build());
+  SceneOf<S> all = SceneBuilder<S>(document, unsaid_hand, Strokes::all).build();
   const bool has_later = std::any_of(all.strokes.begin(), all.strokes.end(),
                                      [](const Stroke& stroke) { return stroke.from > 0; });
-  if (strokes == Strokes::first && has_later) all = built(document, strokes);
-  if (!cut) return all;
-  all = built(cut->document, strokes);
-  for (const std::string& name : all.body_names) all.overhang.push_back(cut->overhang[name]);
-  return all;
+  if (strokes == Strokes::all || !has_later) return all;
+  return SceneBuilder<S>(document, unsaid_hand, strokes).build();
 }
 template SceneOf<double> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand,
                                      Strokes strokes);

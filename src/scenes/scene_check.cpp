@@ -13,12 +13,30 @@
 namespace lcpush::desktop {
 namespace {
 
+// A contact belongs to the surface if it is off by less than this part of the object's size: models
+// round edges off and leave grooves out.
+constexpr double surface_slack = 0.05;
+// .. and no deeper than this part of its thinnest edge: beyond, another face would be as near.
+constexpr double depth_slack = 0.15;
 // Beyond so many sizes, a place is a slip of the unit or of a digit.
 constexpr double far_sizes = 3;
+// The cosine between a normal and the face that it should point into. Less, and it lies along it.
+constexpr double least_into = 0.05;
 // Directions typed with three digits.
 constexpr double typed_slack = 1e-3;
 // Independent fingers drift if this part of a push goes along their normals.
 constexpr double least_along = 0.1;
+
+std::string shape_name(const SceneFile& file) {
+  return file.shape.kind == ObjectShape::Kind::box    ? "the box"
+         : file.shape.kind == ObjectShape::Kind::ball ? "the ball"
+                                                      : "the cylinder";
+}
+
+std::string typed(const Vector3<double>& v) {
+  const auto digits = [](double x) { return printed("%.4g", std::abs(x) < 1e-15 ? 0 : x); };
+  return "[" + digits(v[0]) + ", " + digits(v[1]) + ", " + digits(v[2]) + "]";
+}
 
 class SceneChecker {
 public:
@@ -32,7 +50,6 @@ public:
     const bool is_moved = has_surface_ && doubts_.empty() && check_middle();
     for (std::size_t b = 0; b < file_.bodies.size(); ++b) {
       if (file_.strokes[b].from > 0) continue; // it comes to an object that has moved
-      check_overhang(b);
       if (is_moved || (check_place(b) && check_normal(b))) check_motion(b);
     }
     check_jaws();
@@ -52,6 +69,11 @@ private:
     return file_.positions[static_cast<std::size_t>(point)];
   }
 
+  bool is_on_surface(const SurfacePoint& surface) const {
+    return surface.distance <= surface_slack * size_ &&
+           surface.distance >= -depth_slack * file_.shape.size.minCoeff();
+  }
+
   bool points_into(const Body<double>& body, const SurfacePoint& surface) const {
     return std::any_of(
         surface.outward.begin(), surface.outward.end(),
@@ -66,7 +88,7 @@ private:
       const Indices points = points_of(body);
       return std::all_of(points.begin(), points.end(), [&](Index i) {
         const SurfacePoint surface = nearest_on_surface(moved, position(i), surface_slack * size_);
-        return lies_on_surface(file_, surface.distance) && points_into(body, surface);
+        return is_on_surface(surface) && points_into(body, surface);
       });
     });
   }
@@ -81,23 +103,13 @@ private:
                                          .cwiseProduct(file_.shape.size);
       if (!fits_around(middle)) continue;
       doubt(Doubt::center_of_mass, file_.lines.center_of_mass,
-            "object: the contacts lie on " + shape_name(file_) + " around " + typed_vector(middle) +
+            "object: the contacts lie on " + shape_name(file_) + " around " + typed(middle) +
                 ", but its middle, the centre of mass, is at " +
-                typed_vector(file_.object.center_of_mass) +
+                typed(file_.object.center_of_mass) +
                 "; change center_of_mass, or give inertia instead of the shape if the two differ");
       return true;
     }
     return false;
-  }
-
-  void check_overhang(std::size_t b) {
-    if (file_.overhang.empty() || !(file_.overhang[b] > 0)) return;
-    const Index count = file_.bodies[b].point_count;
-    doubt(Doubt::overhang, file_.lines.bodies[b].place,
-          body_label(file_, b) + "it reaches " + length_text(file_.overhang[b]) + " beyond " +
-              shape_name(file_) + "; what lies beside does not press, " +
-              (count == 1 ? "its one point is" : printed("its %.0f points are", double(count))) +
-              " where the two touch");
   }
 
   /// Is every point of the body where the object is? Names the worst one.
@@ -113,7 +125,7 @@ private:
     const double distance = off(worst);
     const std::string which = body_label(file_, b) +
                               (body.point_count > 1 ? "its point " : "its place ") +
-                              typed_vector(position(worst)) + " ";
+                              typed(position(worst)) + " ";
     if (distance > far_sizes * std::max(size_, file_.shape.size.norm())) {
       doubt(Doubt::far_from_object, file_.lines.bodies[b].place,
             which + "is " + length_text(distance) + " away from an object of " +
@@ -122,11 +134,11 @@ private:
     }
     if (!has_surface_) return true;
     const SurfacePoint surface = nearest_on_surface(file_, position(worst), 0);
-    if (lies_on_surface(file_, surface.distance)) return true;
+    if (is_on_surface(surface)) return true;
     doubt(Doubt::outside_object, file_.lines.bodies[b].place,
           which + "lies " + length_text(std::abs(distance)) +
               (distance > 0 ? " outside of " : " inside of ") + shape_name(file_) +
-              "; its nearest surface point is " + typed_vector(surface.at));
+              "; its nearest surface point is " + typed(surface.at));
     return false;
   }
 
@@ -159,7 +171,7 @@ private:
     if (wrong == 0) return true;
     if (wrong < body.point_count) {
       doubt(Doubt::normal_along, file_.lines.bodies[b].normal,
-            body_label(file_, b) + "its normal " + typed_vector(body.normal) + " points into " +
+            body_label(file_, b) + "its normal " + typed(body.normal) + " points into " +
                 shape_name(file_) +
                 " at some of its points and not at others; one contact touches "
                 "one face, and its normal points into that");
@@ -167,11 +179,10 @@ private:
     }
     const Vector3<double> outward = touched_face(body);
     doubt(Doubt::normal_outward, file_.lines.bodies[b].normal,
-          body_label(file_, b) + "its normal " + typed_vector(body.normal) +
+          body_label(file_, b) + "its normal " + typed(body.normal) +
               (body.normal.dot(outward) > least_into ? " points out of "
                                                      : " lies along the surface of ") +
-              shape_name(file_) + "; normals point into the object, here " +
-              typed_vector(-outward));
+              shape_name(file_) + "; normals point into the object, here " + typed(-outward));
     return false;
   }
 
@@ -189,7 +200,7 @@ private:
     if (closing >= -typed_slack) return;
     doubt(Doubt::moves_away, file_.lines.bodies[b].motion,
           body_label(file_, b) + "moves away from the object, against its normal " +
-              typed_vector(body.normal) + "; turn its " +
+              typed(body.normal) + "; turn its " +
               (file_.strokes[b].is_velocity ? "velocity" : "acceleration") +
               " round if it is to push");
   }
@@ -279,10 +290,9 @@ private:
 
 const char* doubt_code(Doubt doubt) {
   constexpr const char* codes[] = {
-      "outside_object", "far_from_object",  "normal_outward", "moves_away",
-      "density",        "jaws_independent", "center_of_mass", "normal_along",
-      "friction",       "gravity",          "acceleration",   "inertia",
-      "jaws_same_side", "unknown_shape",    "left_out",       "overhang"};
+      "outside_object",   "far_from_object", "normal_outward", "moves_away",    "density",
+      "jaws_independent", "center_of_mass",  "normal_along",   "friction",      "gravity",
+      "acceleration",     "inertia",         "jaws_same_side", "unknown_shape", "left_out"};
   return codes[static_cast<int>(doubt)];
 }
 

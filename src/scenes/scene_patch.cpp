@@ -11,7 +11,7 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr Index default_ring_points = 8;
+constexpr Index default_line_points = 4, default_disc_points = 12, default_ring_points = 8;
 // Points nearer than this, relative to the patch, are a slip, and make its equations singular.
 constexpr double coincidence = 1e-9;
 constexpr double shortest_direction = 1e-24;

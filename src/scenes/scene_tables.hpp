@@ -11,9 +11,6 @@
 
 namespace lcpush::desktop {
 
-/// Of a patch that says no number: of a line, or each side of a rectangle; of a disc.
-constexpr Index default_line_points = 4, default_disc_points = 12;
-
 /// A contact patch in the scene's frame.
 template <class S> struct Patch {
   Vector3<S> normal;  ///< unit, into the object

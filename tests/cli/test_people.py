@@ -27,7 +27,7 @@ def run(*words, text=None, data=None):
 
 
 def odd_scene():
-    return run("new", "box").stdout.replace("center = [0, 0, 0.005]", "center = [0, 0, 0.1]")
+    return run("new", "box").stdout.replace("center = [0, 0, 0.005]", "center = [0, 0.18, 0.005]")
 
 
 class People(unittest.TestCase):

@@ -104,12 +104,12 @@ TEST_CASE("a slip of the hand is named, with its line and what to do") {
     REQUIRE(doubts.size() == 1);
     return doubts.front();
   };
-  SUBCASE("a finger off the box") {
-    const SceneDoubt doubt = only(changed("center = [0, 0, 0.005]", "center = [0, 0, 0.18]"));
+  SUBCASE("a finger beside the box") {
+    const SceneDoubt doubt = only(changed("center = [0, 0, 0.005]", "center = [0, 0.18, 0.005]"));
     CHECK(doubt.doubt == Doubt::outside_object);
     CHECK(doubt.file == "s.toml");
     CHECK(doubt.line == 16);
-    CHECK(doubt.text.find("175 mm outside of the box") != std::string::npos);
+    CHECK(doubt.text.find("169 mm outside of the box") != std::string::npos);
   }
   SUBCASE("a finger in the middle of the box") {
     CHECK(only(changed("center = [0, 0, 0.005]", "center = [0, 0, 0]"))

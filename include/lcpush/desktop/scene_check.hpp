@@ -25,7 +25,6 @@ enum class Doubt {
   jaws_same_side,   ///< parallel jaws that press the same way
   unknown_shape,    ///< a motion goes over the surface of an object that has none
   left_out,         ///< a load that planar = true drops: across the plane, or a moment out of it
-  overhang,         ///< a patch reaches beyond the object, and is cut to what touches
 };
 
 /// As JSON spells it.

@@ -115,7 +115,6 @@ template <class S> struct SceneOf {
   std::vector<std::string>
       actuator_names; ///< of the body or the [[actuator]]; "jaws" of a parallel hand
   SceneLines lines;
-  std::vector<double> overhang; ///< of the bodies, m: how far a patch was cut; empty: none was
   /// Of an exact scene: a sentence for each thing that is irrational, which therefore is not exact.
   std::vector<std::string> inexact;
 
