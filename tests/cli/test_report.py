@@ -246,12 +246,15 @@ class Report(ToolTest):
         self.assertEqual((result.returncode, target.exists()), (2, False))
 
     def test_pictures_in_the_docs_are_what_their_commands_draw(self):
-        for path, scene, name in (
-                ("docs/teach/pivot_front.svg", "pivot", "front"),
-                ("docs/guide/straight_slide_isometric.svg", "straight_slide", "isometric")):
+        scenes = [path.stem for path in sorted(SCENES.glob("*.toml"))]
+        self.assertEqual(scenes, [path.stem for path in sorted((SOURCE / "docs/scenes").iterdir())])
+        for path, scene, name in [("docs/teach/pivot_front.svg", "pivot", "front"),
+                                  *((f"docs/scenes/{scene}.svg", scene, "isometric") for scene in scenes)]:
             with self.subTest(path=path):
+                more = ["--pusher", "upper"] if scene == "two_pushers" else []
                 self.same_drawing(ElementTree.parse(SOURCE / path).getroot(),
-                                  self.picture(SCENES / f"{scene}.toml", name))
+                                  self.picture(SCENES / f"{scene}.toml", name, *more,
+                                               code=int(scene in ("dropped", "jam"))))
 
     def same_drawing(self, kept, now):
         # Labels may stand elsewhere where rounding decides between two places.
