@@ -20,13 +20,22 @@ bool is_option(const std::string& word) {
          (word[1] == '-' || word == "-o" || word == "-h" || (word[1] >= 'A' && word[1] <= 'z'));
 }
 
-/// The names of those that take an option of this name.
-std::vector<std::string> commands_with(const std::string& option) {
-  std::vector<std::string> names;
-  for (const Command& command : all_commands())
-    for (const Option& known : command.options)
-      if (known.label() == option) names.push_back(command.name);
-  return names;
+/// "--vary X 5 25", "--vary X=5 25" or "--vary X=5,25": refused with what is meant.
+void refuse_apart(const std::vector<std::string>& words) {
+  std::vector<std::string> parts;
+  for (std::string word : words) {
+    if (parts.size() >= 3) break;
+    std::replace_if(
+        word.begin(), word.end(), [](char c) { return c == '=' || c == ':' || c == ','; }, ' ');
+    for (const std::string_view part : split_words(word))
+      if (parts.empty() || !read_finite_number(part).error)
+        parts.emplace_back(part);
+      else
+        return;
+  }
+  if (parts.size() == 3)
+    throw UsageError("--vary takes one word: write --vary " +
+                     desktop::quoted(parts[0] + "=" + parts[1] + ":" + parts[2]));
 }
 
 /// A number of --OPTION TEXT.
@@ -38,6 +47,14 @@ double number_of(std::string_view word, const std::string& option, const std::st
 }
 
 } // namespace
+
+std::vector<std::string> commands_with(const std::string& option) {
+  std::vector<std::string> names;
+  for (const Command& command : all_commands())
+    for (const Option& known : command.options)
+      if (known.label() == option) names.push_back(command.name);
+  return names;
+}
 
 void Arguments::read_option(const std::vector<std::string>& words, std::size_t& at) {
   std::string name = words[at] == "-o" ? "--output" : words[at] == "-v" ? "--verbose" : words[at];
@@ -64,6 +81,11 @@ void Arguments::read_option(const std::vector<std::string>& words, std::size_t& 
       if (at + 1 >= words.size())
         throw UsageError(words[at] + " needs a value: " + words[at] + " " + option.value);
       inline_value = words[++at];
+    }
+    if (name == "--vary" && inline_value->find(':') == std::string::npos) {
+      std::vector<std::string> rest(words.begin() + static_cast<std::ptrdiff_t>(at), words.end());
+      rest.front() = *inline_value; // also of --vary=X
+      refuse_apart(rest);
     }
     if (name == "--output" && inline_value->empty())
       throw UsageError("the file to write to has an empty name");
@@ -176,7 +198,7 @@ std::vector<Variation> Arguments::variations(const VariedScene& scene) const {
     const std::vector<std::string_view> sides = split_at(text, '=');
     const std::vector<std::string_view> ends = split_at(sides.back(), ':');
     if (sides.size() != 2 || ends.size() != 2)
-      throw UsageError("--vary needs PATH=FROM:TO, such as left.grip_force=5:40, not " +
+      throw UsageError("--vary needs PATH=FROM:TO, such as edge.friction=0.2:0.8, not " +
                        desktop::quoted(text) +
                        (ends.size() > 2 ? "; --steps says how many values" : ""));
     const Parameter parameter = scene.find(std::string(trimmed(sides.front())));

@@ -20,6 +20,9 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// The names of the commands that take an option of this name, such as "--steps".
+std::vector<std::string> commands_with(const std::string& option);
+
 class Arguments : public commands::Values {
 public:
   /// Throws UsageError. `-o` and `--output`, `--json` and `--format json` are the same.

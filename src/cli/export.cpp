@@ -50,7 +50,7 @@ ShellCommand export_command() {
   return {
       {"export",
        "SCENE.toml -o DIRECTORY",
-       "the assembled problem for other solvers, with scripts that run them",
+       "the problem for other solvers, with scripts that run them",
        R"(Writes M.mtx and q.mtx (w = M z + q in the scaled units that their comment names, without
 a pressure law), names.txt, a line an unknown, and free.txt, which of them are free; the
 paper's quadratic program (H, f, A, b, Aeq, beq, lb, ub) with names.json; the local problem

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <limits>
 #include <new>
+#include <utility>
 
 #include "cli/ending.hpp"
 #include "cli/shell.hpp"
@@ -20,19 +21,29 @@ using desktop::Stop;
 
 constexpr int bad_input_or_usage = 2;
 
+/// What the commands from this one on are for.
+constexpr std::pair<const char*, const char*> groups[] = {{"new", "start"},
+                                                          {"solve", "ask"},
+                                                          {"report", "look"},
+                                                          {"verify", "check"},
+                                                          {"pivots", "teach"}};
+
+/// It fits a terminal of 80 columns and 24 lines.
 std::string overview(const std::vector<ShellCommand>& commands) {
   std::string text = "lcpush " + std::string(version_text) +
-                     ": what happens when a grasped object is pushed against its environment\n\n"
-                     "Usage: lcpush COMMAND FILE.. [OPTIONS]\n\nCommands:\n";
+                     ": how hard to push a gripped object, and how it then slips\n\n"
+                     "Usage: lcpush COMMAND FILE.. [OPTIONS]\n\n";
   for (const ShellCommand& command : commands) {
-    std::string name = "  " + command.name;
-    name.resize(13, ' ');
-    text += name + command.summary + "\n";
+    std::string line;
+    for (const auto& [first, group] : groups)
+      if (command.name == first) line = group;
+    line.resize(7, ' ');
+    line += command.name;
+    line.resize(19, ' ');
+    text += line + command.summary + "\n";
   }
-  text += "\nExample:\n  lcpush solve fixtures/scenes/straight_slide.toml\n\n"
-          "`lcpush COMMAND --help` explains a command; `lcpush --version` says which "
-          "version this is. No command takes more than about 1 GB of memory: what would is "
-          "refused before it is begun.\n";
+  text += "\nExample: lcpush solve fixtures/scenes/straight_slide.toml\n"
+          "`lcpush COMMAND --help` explains a command.\n";
   return wrapped(text, columns_of(Stream::output));
 }
 
@@ -52,6 +63,15 @@ int refuse_command(const std::vector<ShellCommand>& commands,
                   "lcpush solve SCENE.toml " + first);
   if (first.find_first_of("./") != std::string::npos)
     return refuse(label + " is no command", "lcpush solve " + first);
+  if (const std::vector<std::string> owners = commands_with("--" + first); !owners.empty()) {
+    const auto owner = std::find_if(commands.begin(), commands.end(), [&](const auto& command) {
+      return command.name == owners.front();
+    });
+    return refuse(label + " is no command but an option, of " + listed(owners, "and"),
+                  "lcpush " + owner->name +
+                      (owner->synopsis.find("SCENE") == 0 ? " SCENE.toml " : " ") +
+                      owner->find(first)->usage());
+  }
   std::vector<std::string> names;
   for (const ShellCommand& command : commands) names.push_back(command.name);
   return refuse("lcpush: unknown command " + desktop::quoted(first) + suggestion(first, names),
@@ -158,11 +178,11 @@ int run(const std::vector<ShellCommand>& commands, const std::vector<std::string
 
 std::vector<ShellCommand> all_commands() {
   using namespace commands;
-  return {{solve_command()},   {break_command()},    {lcp_command()},    {report_command()},
-          {sweep_command()},   {move_command()},     {cone_command()},   {plan_command()},
-          play_command(),      {pivots_command()},   {verify_command()}, {spread_command()},
-          export_command(),    {matrices_command()}, example_command(),  new_command(),
-          completion_command()};
+  return {new_command(),     example_command(),  completion_command(), {solve_command()},
+          {break_command()}, {move_command()},   {sweep_command()},    {spread_command()},
+          {cone_command()},  {plan_command()},   {lcp_command()},      {report_command()},
+          play_command(),    {verify_command()}, export_command(),     {matrices_command()},
+          {pivots_command()}};
 }
 
 } // namespace lcpush::cli

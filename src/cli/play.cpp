@@ -21,6 +21,7 @@ int write_gallery(const Arguments& arguments) {
   const std::filesystem::path into(*directory);
   make_directory(*directory);
   for (const PlayFile& file : play_gallery()) write_file((into / file.name).string(), file.text);
+  tell("Wrote " + (into / "index.html").string() + " and what it shows; open it in a browser.");
   return 0;
 }
 
@@ -49,7 +50,7 @@ ShellCommand play_command() {
   return {
       {"play",
        "[SCENE.toml] [OPTIONS]",
-       "a page to try things: drag the grasp, and it is solved at once",
+       "a page to try things: drag the grasp, it is solved at once",
        "Writes one page for a browser with the solver inside: drag the pusher and the fingers,\n"
        "change friction, grip, mass and gravity, play the push, watch its pivots. It needs no\n"
        "network and nothing installed, so it can be mailed; its links carry a scene. Without\n"

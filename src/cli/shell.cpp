@@ -45,7 +45,11 @@ void write_output(const Arguments& arguments, const std::string& text) {
   lift_time_limit();
   if (const std::optional<std::string> path = arguments.text("output")) {
     refuse_foreign_format(*path);
-    return write_file(*path, text);
+    write_file(*path, text);
+    const bool is_page = text.compare(0, 9, "<!DOCTYPE") == 0;
+    if (is_page || text.compare(0, 4, "<svg") == 0)
+      tell("Wrote " + *path + (is_page ? "; open it in a browser." : "."));
+    return;
   }
   errno = 0;
   std::cout << text << std::flush;

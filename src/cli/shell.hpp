@@ -25,7 +25,8 @@ std::size_t columns_of(Stream stream);
 /// A line for people on standard error, wrapped.
 void tell(const std::string& sentence);
 
-/// Writes to the file of -o (whole or not at all), or to standard output. Throws InputError.
+/// Writes to the file of -o (whole or not at all), or to standard output. Says so of what is to be
+/// looked at. Throws InputError.
 void write_output(const Arguments& arguments, const std::string& text);
 
 /// The same to the file at `path`.

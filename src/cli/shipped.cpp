@@ -16,6 +16,8 @@ int write_shipped(const Arguments& arguments, const std::vector<ShippedScene>& s
   const std::string* const text = scene_called(scenes, name);
   if (text == nullptr) throw UsageError(refusal);
   write_output(arguments, *text);
+  if (const auto path = arguments.text("output"))
+    tell("Wrote " + *path + "; next: lcpush solve " + *path);
   return 0;
 }
 

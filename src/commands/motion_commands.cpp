@@ -173,7 +173,7 @@ Command move_command() {
 Command cone_command() {
   return {"cone",
           "SCENE.toml [OPTIONS]",
-          "the motion cone: all pushes with which the pusher sticks to the object",
+          "the motion cone: pushes with which the pusher sticks",
           "In the plane, for fingers that press across it: the motions in which the pusher takes\n"
           "the object along without slipping, in the limit of a slow push. Each edge is a wrench\n"
           "that the pusher can just exert, with the motion that it makes; other pushers are left\n"
@@ -181,8 +181,8 @@ Command cone_command() {
           "from which grip force on. In space, or where fingers press in the plane, --vary cuts\n"
           "the cone along one number of the pusher's motion.\n\n"
           "Examples:\n"
-          "  lcpush cone docs/guide/square.toml\n"
-          "  lcpush cone docs/guide/square.toml --twist \"0.002 0.01 1\"\n",
+          "  lcpush cone docs/guide/square.toml --pusher east\n"
+          "  lcpush cone docs/guide/square.toml --pusher east --twist \"-0.01 0.002 0.1\"\n",
           with_scene_options(
               {{"twist", "V", "the motion that is judged, \"vx vy wz\" at the centre of mass"},
                {"vary", "PATH=FROM:TO",
@@ -202,7 +202,7 @@ Command plan_command() {
   return {
       "plan",
       "SCENE.toml --to \"X Y ANGLE\" [OPTIONS]",
-      "pushes against the scene's pushers that take the object to another place",
+      "pushes that take the object to another place in the grip",
       "Takes the scene's pushers for fixed features of the environment, against which the hand\n"
       "can push the object, each where the scene has it touch. Looks for places on the way\n"
       "that are joined by pushes in which the pusher sticks (see `lcpush cone`), the shortest\n"
@@ -210,7 +210,8 @@ Command plan_command() {
       "printed is where that ends.\n\n"
       "Examples:\n"
       "  lcpush plan docs/guide/square.toml --to \"-0.04 0.02 0.1\"\n"
-      "  lcpush plan docs/guide/square.toml --to \"-0.04 0.02 0.1\" --format html -o p.html\n",
+      "  lcpush plan docs/guide/square.toml --to \"-0.04 0.02 0.1\" --format html \\\n"
+      "    -o p.html\n",
       with_scene_options(
           {{"to", "\"X Y ANGLE\"",
             "where the centre of mass is to go from where it is (m), and the turn (rad)"},

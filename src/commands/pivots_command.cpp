@@ -89,8 +89,9 @@ Result run_pivots(const Values& values, Listener& listener) {
   const Push* const push = subject.push.get();
   return {traced.status == Status::solved, format == "json"    ? pivots_json(traced, push)
                                            : format == "latex" ? pivots_latex(traced)
-                                           : format == "html"  ? pivots_html(traced, push)
-                                                               : pivots_text(traced)};
+                                           : format == "html"
+                                               ? pivots_html(traced, push)
+                                               : pivots_text(traced, values.telling())};
 }
 
 } // namespace
@@ -99,14 +100,15 @@ Command pivots_command() {
   return {
       "pivots",
       "SCENE.toml | M.mtx q.mtx | --M \"2 1; 1 2\" --q \"-5 -6\" [OPTIONS]",
-      "watch Lemke's method pivot by pivot: text, JSON, LaTeX or a page to explore",
+      "Lemke's method pivot by pivot, as text, LaTeX or a page",
       "Pivots as the textbooks do: cover d = 1, nothing scaled, ties broken lexicographically. Of "
       "a\n"
       "scene it takes the first round of its pressure law, in SI units, with four facets. A row\n"
       "of a tableau says: basic variable = value + sum of entries times nonbasic variables.\n"
       "--format html without a problem shows the example of docs/teach/lemke_by_hand.md.\n\n"
       "Examples:\n  lcpush pivots --M \"2 1; 1 2\" --q \"-5 -6\" --exact\n"
-      "  lcpush pivots fixtures/scenes/straight_slide_point.toml --format html -o pivots.html\n",
+      "  lcpush pivots fixtures/scenes/straight_slide_point.toml --format html \\\n"
+      "    -o pivots.html\n",
       with_common_options({
           {"M", "MATRIX", "rows by semicolons, numbers (0.2 or 1/3) by blanks"},
           {"q", "VECTOR", "n numbers"},
@@ -120,6 +122,7 @@ Command pivots_command() {
           {"as-solved", "", "replay what solve or lcp does: scaled, generic covers, all rounds"},
           {"facets", "G", "sides of a scene's friction pyramids (default 4)"},
           {"pressure", "LAW", "pad, even or rigid instead of the scene's"},
+          {"verbose", "", "also the tableaus of more than 12 unknowns; -v for short", false, true},
           seconds_option,
           format_option("text (default), json, latex or html; --json for short", "NAME"),
       }),

@@ -109,7 +109,7 @@ Command break_command() {
 Command matrices_command() {
   return {"matrices",
           "SCENE.toml [OPTIONS]",
-          "the paper's matrices: inertia, grasp matrix, hand Jacobian, generators",
+          "the paper's matrices: grasp matrix, hand Jacobian, ..",
           "Prints the object's inertia M and load w, the grasp matrix G and its polyhedral form\n"
           "G-bar, the hand Jacobian J with the pushers' blocks, what moves as prescribed (the\n"
           "right-hand side v of the contact accelerations r = G' a - J s - v), the friction\n"

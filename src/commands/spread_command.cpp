@@ -43,7 +43,7 @@ Result run_spread(const Values& values, Listener& listener) {
 Command spread_command() {
   return {"spread",
           "SCENE.toml [OPTIONS]",
-          "the answer as a set: bounds of the push, the motion and the contact forces",
+          "the answer as a set: bounds of push, motion and forces",
           "Rigid contact often leaves forces open, and now and then the motion. This takes the\n"
           "literal laws (pressure = \"rigid\", whatever the file says), goes through all contact\n"
           "modes that may have an answer, and bounds every quantity over each by linear programs:\n"

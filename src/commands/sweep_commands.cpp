@@ -209,12 +209,12 @@ Command sweep_command() {
   return {
       "sweep",
       "SCENE.toml.. --vary PATH=FROM:TO [OPTIONS]",
-      "how the push changes with grip force, friction, place, motion, ..",
+      "how the push changes with grip, friction, place, motion, ..",
       R"(Varies one number of the scene, or two for a map. PATH is a name and a key of the file,
-vectors counted from [0]: left.grip_force, wall.ends[0][1], object.mass, gravity[1]; *.KEY
-of all bodies that have it; wall.shift[1] moves a body along an axis (m), wall.turn turns
-its acceleration in the x-y plane, wall.tangent_turn its friction generators about the normal
-(degrees). A path that does not exist lists those that do. Several scenes, or several values
+vectors counted from [0]: wall.friction, wall.ends[0][1], object.mass, gravity[1]; *.KEY of
+all bodies that have it, as *.grip_force of both fingers of a jaw; wall.shift[1] moves a body
+along an axis (m), wall.turn turns its acceleration in the x-y plane, wall.tangent_turn its
+friction generators about the normal (degrees). A path that does not exist lists those that do. Several scenes, or several values
 with --each, give a curve each; what counts something (facets, points) varies there alone.
 
 Forces and accelerations give exact segments under pressure "rigid" or "even" and friction
@@ -222,10 +222,12 @@ pyramids, with their breakpoints in words; everything else is sampled, more clos
 modes change.
 
 Examples:
-  lcpush sweep fixtures/scenes/straight_slide.toml --vary "*.grip_force=2:30" --pressure rigid
-)"
-      "  lcpush sweep fixtures/scenes/pivot.toml --vary edge.shift[0]=0:0.03 --steps 31 "
-      "--each facets=4,8,16 \\\n    --show force,twist[5] --format svg -o pivot.svg\n",
+  lcpush sweep fixtures/scenes/straight_slide.toml --pressure rigid \
+    --vary "*.grip_force=2:30"
+  lcpush sweep fixtures/scenes/pivot.toml --vary "edge.shift[0]=0:0.03" \
+    --steps 31 --each facets=4,8,16 --show "force,twist[5]" --format svg \
+    -o pivot.svg
+)",
       with_scene_options(
           {{"vary", "PATH=FROM:TO", "what varies, and how far; twice for a map", true},
            {"each", "PATH=V,V,..", "one curve for each of these values of another number"},
@@ -247,7 +249,7 @@ Command report_command() {
   return {
       "report",
       "SCENE.toml [OPTIONS]",
-      "one page to look at: the grasp in pictures, the answer in words, plots",
+      "one page: the grasp in pictures, the answer in words, plots",
       "Writes a page for a browser that needs nothing else: the grasp in three views with forces,\n"
       "friction pyramids, contact modes and the axis that the object turns about; the answers of\n"
       "`solve` and `break` in words; contacts, residuals, and a plot for each --vary (as in\n"

@@ -73,8 +73,9 @@ Command verify_command() {
       "that solves nothing, and the answer is compared with lcpush's own. With --lcp (or --M\n"
       "and --q) it is the z of a raw problem, in a box if one is given, as for `lcpush lcp`.\n"
       "With --trajectory it is a motion, frames as of `lcpush move --json` or --format csv: each\n"
-      "step is compared with the laws' own, begun where the motion is, and forces, if there are\n"
-      "some, are judged by each law. Here exit status 0 means valid, 1 not.\n\n"
+      "step is computed again by the laws, from the motion's own state at its start, and the\n"
+      "ends are compared; forces, if there are some, are judged by each law. Here exit status 0\n"
+      "means valid, 1 not.\n\n"
       "Example:\n"
       "  lcpush solve fixtures/scenes/tipping.toml --json -o answer.json\n"
       "  lcpush verify fixtures/scenes/tipping.toml answer.json\n",

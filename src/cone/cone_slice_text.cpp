@@ -3,6 +3,7 @@
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/cone.hpp"
 #include "lcpush/desktop/naming.hpp"
+#include "scenes/parameter_words.hpp"
 #include "scenes/warnings_json.hpp"
 #include "solve/push_words.hpp"
 #include "text/format.hpp"
@@ -88,7 +89,7 @@ std::string slice_svg(const SceneFile& file, const ConeSlice& slice) {
   Plot plot;
   plot.title = file.title.empty() ? "A cut through the motion cone" : file.title;
   plot.description = slice_sentence(file, slice);
-  plot.x_label = parameter.path + (parameter.unit.empty() ? "" : " [" + parameter.unit + "]");
+  plot.x_label = parameter_label(parameter);
   plot.x_from = slice.variation.from;
   plot.x_to = slice.variation.to;
   PlotLine sticks, slips;
@@ -111,7 +112,7 @@ std::string slice_svg(const SceneFile& file, const ConeSlice& slice) {
       (range.sticks ? sticks : slips).pieces.push_back(std::move(piece));
   }
   PlotPanel panel;
-  panel.y_label = "push that breaks the grasp [N]";
+  panel.y_label = "push that breaks the grasp, N";
   for (PlotLine* line : {&sticks, &slips})
     if (!line->pieces.empty()) panel.lines.push_back(std::move(*line));
   plot.panels.push_back(std::move(panel));

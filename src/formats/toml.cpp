@@ -127,8 +127,8 @@ private:
     if (!is_new && !(is_array && section.is_array)) {
       const bool mixed = is_array != section.is_array;
       fail("[" + name + "] is already defined on line " +
-           std::to_string(section.tables.front().line) +
-           (mixed ? "; write [[" + name + "]] in both places" : "; merge the two"));
+           std::to_string(section.tables.front().line) + "; write [[" + name + "]] in both places" +
+           (mixed ? "" : " if there may be several, else merge the two"));
     }
     section.tables.push_back({line, {}});
     table_ = &section.tables.back();

@@ -6,7 +6,7 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr std::size_t widest = 100; // characters of a line that a terminal shows
+constexpr Index most_rows = 12; // of a tableau that is read, and fits a terminal of 80 columns
 
 std::string number_text(const TraceNumber& x) {
   return x.fraction.empty() ? number(x.value) : x.fraction;
@@ -174,22 +174,22 @@ std::string tableau_text(const PivotTrace& trace, const Tableau& tableau,
   return table_text(cells_of(as_text, trace, tableau, pivot));
 }
 
-std::string pivots_text(const PivotTrace& trace) {
-  std::string text = header(trace) + legend(trace);
+std::string pivots_text(const PivotTrace& trace, Telling telling) {
+  const bool has_tableaus = telling == Telling::full || trace.size <= most_rows;
+  std::string text = header(trace);
+  if (!has_tableaus) text += "The tableaus are left out; -v shows them, --format html a page.\n";
+  text += legend(trace);
   std::size_t run = 0;
-  const auto fits = [](const std::string& table) { return table.find('\n') <= widest; };
   for (std::size_t k = 0; k < trace.pivots.size(); ++k) {
     for (; run < trace.runs.size() && trace.runs[run].first_pivot == k; ++run)
       if (trace.runs.size() > 1) text += "\nStart " + trace.runs[run].title + ".\n";
     text += pivot_line(trace, k);
-    if (!trace.pivots[k].before) continue;
-    const std::string table = tableau_text(trace, *trace.pivots[k].before, &trace.pivots[k]);
-    if (fits(table)) text += table;
+    if (has_tableaus && trace.pivots[k].before)
+      text += tableau_text(trace, *trace.pivots[k].before, &trace.pivots[k]);
   }
   text += ending(trace);
-  if (!trace.last) return text;
-  const std::string table = tableau_text(trace, *trace.last, nullptr);
-  return fits(table) ? text + "\n" + table : text;
+  return has_tableaus && trace.last ? text + "\n" + tableau_text(trace, *trace.last, nullptr)
+                                    : text;
 }
 
 namespace {

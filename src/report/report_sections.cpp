@@ -6,6 +6,7 @@
 #include "report/page_elements.hpp"
 #include "report/pictures.hpp"
 #include "report/report_sections.hpp"
+#include "scenes/parameter_words.hpp"
 #include "solve/sentence.hpp"
 #include "text/format.hpp"
 #include "text/wording.hpp"
@@ -61,8 +62,9 @@ std::string failure_html(const SceneFile& file, const RunReport& report) {
 }
 
 std::string sweep_title(const Sweep& sweep) {
-  std::string title = "Push by " + sweep.pusher + " over " + sweep.variations[0].parameter.path;
-  if (sweep.is_map()) title += " and " + sweep.variations[1].parameter.path;
+  std::string title =
+      "Push by " + sweep.pusher + " over " + parameter_words(sweep.variations[0].parameter);
+  if (sweep.is_map()) title += " and " + parameter_words(sweep.variations[1].parameter);
   return title;
 }
 

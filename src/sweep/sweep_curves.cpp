@@ -2,6 +2,7 @@
 #include "lcpush/desktop/sweep.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
+#include "scenes/parameter_words.hpp"
 #include "text/format.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
@@ -49,8 +50,8 @@ SweepCurve curve_at(const Variation& each, const std::string& scene, const std::
 
 std::string sweep_title(const std::vector<SweepCurve>& curves) {
   const Sweep& sweep = curves.front().sweep;
-  std::string over = sweep.variations[0].parameter.path;
-  if (sweep.is_map()) over += " and " + sweep.variations[1].parameter.path;
+  std::string over = parameter_words(sweep.variations[0].parameter);
+  if (sweep.is_map()) over += " and " + parameter_words(sweep.variations[1].parameter);
   const bool same = std::all_of(curves.begin(), curves.end(), [&](const SweepCurve& curve) {
     return curve.scene == curves.front().scene;
   });

@@ -3,6 +3,7 @@
 
 #include "draw/plot_svg.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "scenes/parameter_words.hpp"
 #include "sweep/sweep_quantity.hpp"
 #include "text/format.hpp"
 
@@ -13,12 +14,11 @@ MapPlot map_plot(const Sweep& sweep, const SweepQuantity& quantity, const std::s
   const Variation &x = sweep.variations[0], &y = sweep.variations[1];
   MapPlot plot;
   plot.title = title;
-  plot.x_label = axis_label(x.parameter);
-  plot.y_label = axis_label(y.parameter);
-  plot.value_label =
-      (quantity.kind == SweepQuantity::Kind::break_force ? "breaking force by " + sweep.pusher
-                                                         : quantity.name()) +
-      (quantity.unit().empty() ? "" : " in " + quantity.unit());
+  plot.x_label = parameter_label(x.parameter);
+  plot.y_label = parameter_label(y.parameter);
+  plot.value_label = quantity.kind == SweepQuantity::Kind::break_force
+                         ? "breaking force by " + sweep.pusher + ", N"
+                         : axis_label(quantity);
   plot.x_from = x.from;
   plot.x_to = x.to;
   plot.y_from = y.from;
@@ -46,8 +46,8 @@ MapPlot map_plot(const Sweep& sweep, const SweepQuantity& quantity, const std::s
     plot.border_above.push_back(differs(i + plot.columns));
   }
   plot.border_label = "lines: beyond, other contacts slip, stick or open";
-  plot.description = plot.value_label + " over " + x.parameter.path + " and " + y.parameter.path +
-                     ", a cell a value.";
+  plot.description = plot.value_label + " over " + parameter_words(x.parameter) + " and " +
+                     parameter_words(y.parameter) + ", a cell a value.";
   return plot;
 }
 

@@ -12,10 +12,6 @@ using Kind = SweepQuantity::Kind;
 
 } // namespace
 
-std::string axis_label(const Parameter& parameter) {
-  return parameter.path + (parameter.unit.empty() ? "" : " in " + parameter.unit);
-}
-
 const SweepAnswer& answer_of(const SweepQuantity& quantity, const SweepValue& at) {
   const bool breaks = quantity.kind == Kind::break_force || quantity.kind == Kind::break_twist;
   return breaks ? at.breaking : at.push;
@@ -37,9 +33,20 @@ double value_of(const SweepQuantity& quantity, const SweepValue& at) {
 }
 
 std::string words_of(const SweepQuantity& quantity) {
-  return quantity.kind == Kind::break_force ? "breaking force (normal)"
-         : quantity.kind == Kind::force     ? "push as prescribed (size)"
-                                            : quantity.name();
+  const Index k = quantity.component;
+  const std::string axis = std::string(k < 3 ? " along " : " about ") + "xyz"[k % 3];
+  switch (quantity.kind) {
+  case Kind::break_force: return "breaking force (normal)";
+  case Kind::force: return "push as prescribed (size)";
+  case Kind::force_component: return "push" + axis;
+  case Kind::twist: return "acceleration" + axis;
+  case Kind::break_twist: return "motion at breaking" + axis;
+  }
+  return {};
+}
+
+std::string axis_label(const SweepQuantity& quantity) {
+  return words_of(quantity) + (quantity.unit().empty() ? "" : ", " + quantity.unit());
 }
 
 std::string SweepQuantity::name() const {

@@ -9,10 +9,10 @@ namespace lcpush::desktop {
 const SweepAnswer& answer_of(const SweepQuantity& quantity, const SweepValue& at);
 double value_of(const SweepQuantity& quantity, const SweepValue& at);
 bool is_force(const SweepQuantity& quantity);
-/// For the legend.
+/// "push along x": for the legend.
 std::string words_of(const SweepQuantity& quantity);
-/// "*.grip_force in N".
-std::string axis_label(const Parameter& parameter);
+/// "push along x, N".
+std::string axis_label(const SweepQuantity& quantity);
 
 /// Of a sweep over two parameters; one quantity, or the breaking force.
 std::string sweep_map_svg(const Sweep& sweep, const std::string& title,

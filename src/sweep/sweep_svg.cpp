@@ -4,6 +4,7 @@
 
 #include "draw/plot_svg.hpp"
 #include "lcpush/desktop/input_error.hpp"
+#include "scenes/parameter_words.hpp"
 #include "sweep/sweep_quantity.hpp"
 #include "sweep/sweep_words.hpp"
 #include "text/format.hpp"
@@ -66,8 +67,8 @@ bool from_segments(const SweepQuantity& quantity, const Sweep& sweep) {
 std::string described(const std::vector<SweepCurve>& curves, const Plot& plot) {
   const Variation& variation = curves.front().sweep.variations[0];
   std::string text = "The force or motion by " + curves.front().sweep.pusher + " over " +
-                     variation.parameter.path + " from " + number(variation.from) + " to " +
-                     number(variation.to) + ".";
+                     parameter_words(variation.parameter) + " from " + number(variation.from) +
+                     " to " + number(variation.to) + ".";
   for (const PlotMark& mark : plot.marks) text += " At " + mark.place + ": " + mark.text + ".";
   for (const SweepCurve& curve : curves)
     for (const BistableRange& range : curve.sweep.bistable)
@@ -96,7 +97,7 @@ std::vector<PlotMark> marks_of(const Sweep& sweep, const std::vector<SweepQuanti
       if (quantity.kind == Kind::twist && quantity.component == zero.component &&
           zero.from == zero.to && !zero.jumps)
         marks.push_back(
-            {zero.from, with_unit(variation, zero.from), quantity.name() + " is zero", false});
+            {zero.from, with_unit(variation, zero.from), words_of(quantity) + " is zero", false});
   std::stable_sort(marks.begin(), marks.end(),
                    [](const PlotMark& a, const PlotMark& b) { return a.x < b.x; });
   return marks;
@@ -141,7 +142,7 @@ public:
     const Sweep& sweep = curves_.front().sweep;
     Plot plot;
     plot.title = title;
-    plot.x_label = axis_label(sweep.variations[0].parameter);
+    plot.x_label = parameter_label(sweep.variations[0].parameter);
     plot.x_from = sweep.variations[0].from;
     plot.x_to = sweep.variations[0].to;
     // A panel a unit, in the order in which they are asked for.
@@ -156,8 +157,11 @@ public:
         if (quantity.unit() == unit) mine.push_back(quantity);
       // Of several the legend has the names.
       const bool lone = mine.size() == 1;
-      const std::string what = lone ? mine[0].name() : is_force(mine[0]) ? "force" : "";
-      panel.y_label = what + (what.empty() || unit.empty() ? "" : " in ") + unit;
+      panel.y_label = lone                ? axis_label(mine[0])
+                      : is_force(mine[0]) ? "force, N"
+                      : mine[0].kind == Kind::twist
+                          ? "acceleration, " + unit
+                          : "motion at breaking" + (unit.empty() ? "" : ", " + unit);
       for (const SweepCurve& curve : curves_)
         for (const SweepQuantity& quantity : mine) add(panel, quantity, curve, lone);
       panel.nested = coincide(panel, plot.x_from, plot.x_to);

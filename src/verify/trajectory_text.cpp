@@ -144,13 +144,13 @@ void write_forces(JsonWriter& json, const SceneFile& file, const TrajectoryRepor
 std::string trajectory_text(const SceneFile& file, const TrajectoryReport& report) {
   std::vector<Fact> facts{
       {"Compared", counted(report.steps, "step") +
-                       ", each begun where the motion is and made in so many equal parts as "
-                       "come nearest"},
+                       ", each computed again from the motion's own state at its start, in as "
+                       "many substeps as agree best"},
       {"Difference", speed_text(report.worst) + " at most" +
                          (report.worst > 0 ? " (at " + brief(report.worst_time) + " s)" : "") +
                          ", " + speed_text(report.mean) + " on average"},
-      {"Beside", speed_text(report.fastest) + ", the fastest that moves; allowed are " +
-                     brief(report.tolerance) + " of it"}};
+      {"Allowed", brief(report.tolerance) + " of " + speed_text(report.fastest) +
+                      ", the largest speed of a pusher or contact point"}};
   if (report.verdict == TrajectoryVerdict::differs)
     facts.push_back({"Changes", "over several steps the laws lead to another mean velocity by " +
                                     speed_text(report.missed.speed) + " at most"});

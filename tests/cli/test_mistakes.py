@@ -56,7 +56,7 @@ COMMANDS = [
     ("sweep good.toml --vary *.frction=0.1:1", '(did you mean "*.friction"?)'),
     ("sweep good.toml --vary wall.normal=0:1", '(did you mean "wall.normal[0]"?)'),
     ("sweep good.toml --vary left.grip_force", "--vary needs PATH=FROM:TO"),
-    ("sweep good.toml --vary left.grip_force=5,40", "--vary needs PATH=FROM:TO"),
+    ("sweep good.toml --vary left.grip_force=5,40", 'write --vary "left.grip_force=5:40"'),
     ("sweep good.toml --vary *.grip_force=5:40:10", "--steps says how many values"),
     ("sweep good.toml --vary *.grip_force=5N:40N", '"5N" is not a number'),
     ("sweep good.toml --vary *.grip_force=5:5", "from and to are the same"),

@@ -229,8 +229,8 @@ class Sweep(ToolTest):
         words = (self.slide, "--vary", "*.friction=0.3:0.9", "--steps", "5", "--format", "svg")
         tree = ElementTree.fromstring(run(*words, "--show", "twist[0],force[1]").stdout)
         texts = [e.text for e in tree.iter(SVG + "text")]
-        self.assertIn("twist[0] in m/s^2", texts)
-        self.assertIn("force[1] in N", texts)
+        self.assertIn("acceleration along x, m/s^2", texts)
+        self.assertIn("push along y, N", texts)
         self.assertEqual(len([e for e in tree.iter(SVG + "rect") if e.get("class") == "frame"]), 2)
 
     def test_a_map_tells_where_another_motion_is_an_answer(self):

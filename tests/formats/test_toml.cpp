@@ -81,7 +81,8 @@ TEST_CASE("what TOML allows beyond the subset is refused, and the message says s
 
 TEST_CASE("duplicates are refused and name the first line") {
   CHECK(says(refusal("a = 1\na = 2"), "t.toml:2: duplicate key \"a\", first given on line 1"));
-  CHECK(says(refusal("[a]\n[a]"), "t.toml:2: [a] is already defined on line 1"));
+  CHECK(says(refusal("[a]\n[a]"),
+             "t.toml:2: [a] is already defined on line 1; write [[a]] in both places if"));
   CHECK(refused_at(2, "[a]\n[[a]]"));
   CHECK(refused_at(2, "[[a]]\n[a]"));
   CHECK(refused_at(2, "a = 1\n[a]"));

@@ -11,6 +11,7 @@
 #include "lcpush/desktop/push.hpp"
 #include "lcpush/desktop/rational.hpp"
 #include "lcpush/desktop/raw_problem.hpp"
+#include "lcpush/desktop/telling.hpp"
 #include "lcpush/lcp/pivots/lemke.hpp"
 
 namespace lcpush::desktop {
@@ -181,8 +182,8 @@ PivotTrace trace_pivots(const ExactProblem& problem, const PivotOptions& options
 PivotTrace trace_solve(Push& push, const PivotOptions& options, const Story& story);
 PivotTrace trace_solve(const RawProblem& problem, const PivotOptions& options, const Story& story);
 
-/// A line and a sentence a pivot; tableaus where they are narrow.
-std::string pivots_text(const PivotTrace& trace);
+/// A line and a sentence a pivot; with its tableau if it is small, or all is to be told.
+std::string pivots_text(const PivotTrace& trace, Telling telling);
 /// One object; docs/teach/command.md describes it. `push`, if there is one, adds what is
 /// drawn. Large traces come without a tableau a pivot; `tableaus` false leaves all of those out.
 std::string pivots_json(const PivotTrace& trace, const Push* push, bool tableaus = true);
