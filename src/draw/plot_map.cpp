@@ -49,7 +49,8 @@ std::string map_svg(const MapPlot& plot) {
   const std::vector<std::string> notes = map_notes(plot, low, high);
   double note_at = title_height(plot.title) + 14;
   const double bar_room = high > low ? colour_bar_room : 0;
-  const double top = note_at - 4 + bar_room + line_height * static_cast<double>(notes.size());
+  const double label_top = note_at - 4 + bar_room + line_height * static_cast<double>(notes.size());
+  const double top = label_top + y_label_height(plot.y_label, lone_panel);
   const Axis x = axis(plot.x_from, plot.x_to, plot.columns, left, width - right);
   const Axis y = axis(plot.y_from, plot.y_to, rows, top + lone_panel, top);
   std::string body;
@@ -72,7 +73,7 @@ std::string map_svg(const MapPlot& plot) {
     if (!plot.border_above.empty() && plot.border_above[i])
       borders += line_element("border", px, py, px + w, py);
   }
-  body += axes(x, y, false, true) + borders + y_axis_label(plot.y_label, y);
+  body += axes(x, y, false, true) + borders + y_axis_label(plot.y_label, y, label_top);
   const double bottom = top + lone_panel + axis_room;
   body += x_axis_label(plot.x_label, bottom - 12);
   for (const std::string& note : notes) {

@@ -160,7 +160,13 @@ std::string colour_bar(const Axis& x, double y) {
 std::string x_axis_label(const std::string& label, double y) {
   return text_element((left + width - right) / 2, y, label, " text-anchor=\"middle\"");
 }
-std::string y_axis_label(const std::string& label, const Axis& y) {
+double y_label_height(const std::string& label, double tall) {
+  constexpr double letter = 11.5; // as wide as the larger ones on a phone are on average
+  return letter * static_cast<double>(label.size()) > tall ? line_height + 4 : 0;
+}
+std::string y_axis_label(const std::string& label, const Axis& y, double top) {
+  if (y_label_height(label, y.begin - y.end) > 0)
+    return text_element(12, top + line_height / 2 + 5, label);
   return "<text transform=\"translate(20 " + coordinate((y.begin + y.end) / 2) +
          ") rotate(-90)\" text-anchor=\"middle\">" + escaped(label) + "</text>\n";
 }

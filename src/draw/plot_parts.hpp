@@ -39,7 +39,9 @@ constexpr double colour_bar_height = 16, colour_bar_room = 46; // with its numbe
 /// How full the colour of a share of the way from the least value to the largest is.
 double opacity_of(double share);
 std::string x_axis_label(const std::string& label, double y);
-std::string y_axis_label(const std::string& label, const Axis& y);
+/// Beside the axis, or in a line above at `top` where it is longer than the axis.
+std::string y_axis_label(const std::string& label, const Axis& y, double top);
+double y_label_height(const std::string& label, double tall); ///< of that line
 
 /// The whole picture of this height; `body` begins below the title.
 std::string picture(const std::string& title, const std::string& description, double height,

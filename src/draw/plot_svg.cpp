@@ -135,6 +135,7 @@ std::pair<double, double> value_range(const PlotPanel& panel) {
 
 std::pair<double, double> first_axes(const Plot& plot) {
   const double top = title_height(plot.title) + legend_height(plot.panels.front()) +
+                     y_label_height(plot.panels.front().y_label, height_of_panels(plot)) +
                      (plot.marks.empty() ? 0 : number_room);
   return {top / width, (top + height_of_panels(plot)) / width};
 }
@@ -151,12 +152,14 @@ std::string plot_svg(const Plot& plot) {
       body += legend(panel, top);
       top += legend_height(panel);
     }
+    const double label_top = top;
+    top += y_label_height(panel.y_label, tall);
     if (p == 0 && !plot.marks.empty()) {
       body += mark_numbers(plot, x, top + number_room - 6);
       top += number_room;
     }
     const Axis y = y_axis(panel, top + tall, top);
-    body += axes(x, y, true, last) + y_axis_label(panel.y_label, y);
+    body += axes(x, y, true, last) + y_axis_label(panel.y_label, y, label_top);
     body += mark_strokes(plot, x, y);
     body += curves(panel, x, y);
     top += tall + (last ? axis_room : panel_gap);

@@ -80,6 +80,8 @@ class HelpTest(ToolTest):
                   "force[0],twist[5],break_force", "--format", "svg").stdout
         for label in ("force, N", "acceleration about z, rad/s^2"):
             self.assertIn(f">{label}</text>", svg)
+        # Beside its axis it would run into the next panel's in a phone's large letters.
+        self.assertNotRegex(svg, r"rotate[^<>]*>acceleration about z")
 
     def test_pivots_of_many_unknowns_are_sentences(self):
         brief = run("pivots", SCENES / "straight_slide_point.toml").stdout

@@ -72,7 +72,7 @@ class Scene:
 
     @property
     def parameters(self) -> "list[str]":
-        """What sweep() can vary, such as "left.grip_force"; "*." stands for all bodies."""
+        """What sweep() can vary, such as "wall.friction"; "*." stands for all bodies."""
         return list(self._facts["parameters"])
 
     @property
