@@ -37,6 +37,8 @@ class HelpTest(ToolTest):
         self.assertLessEqual(max(map(len, lines)), 80)
         groups = re.findall(r"^([a-z]+) +[a-z]+  ", OVERVIEW, flags=re.M)
         self.assertEqual(groups, ["start", "ask", "look", "check", "teach"])
+        page = (SOURCE / "docs/guide/commands.md").read_text()
+        self.assertEqual(re.findall(r"^\| .*?\| `lcpush (\w+)", page, flags=re.M), COMMANDS)  # so does the page
 
     def test_examples_run_as_they_stand(self):
         for name in ("fixtures", "docs"):
