@@ -156,6 +156,7 @@ std::vector<Command> all_questions() {
           move_command(),
           report_command(),
           cone_command(),
+          hold_command(),
           plan_command(),
           question("certify", "SCENE", {{"break", "", ""}, {"pusher", "NAME", ""}, solver_option},
                    json, certify),

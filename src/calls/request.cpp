@@ -61,6 +61,20 @@ std::optional<std::vector<double>> Request::numbers(const std::string& option, s
   return fields_.numbers(root_, key_of(option).c_str(), static_cast<Index>(count));
 }
 
+std::vector<std::string> Request::texts(const std::string& option) const {
+  std::vector<std::string> list;
+  const JsonValue* const given = find(option);
+  if (given == nullptr) return list;
+  const JsonArray* const array = given->as<JsonArray>();
+  if (array == nullptr) refuse(option, label(option) + " must be an array of strings");
+  for (const JsonValue& entry : *array) {
+    if (entry.as<std::string>() == nullptr)
+      refuse(option, label(option) + " must hold strings, got " + entry.type());
+    list.push_back(*entry.as<std::string>());
+  }
+  return list;
+}
+
 std::string Request::label(const std::string& option) const {
   return desktop::quoted(key_of(option));
 }

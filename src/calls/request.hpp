@@ -20,6 +20,7 @@ public:
 
   bool has(const std::string& option) const override;
   std::optional<std::string> text(const std::string& option) const override;
+  std::vector<std::string> texts(const std::string& option) const override;
   std::optional<Written> written(const std::string& option) const override;
   std::optional<std::vector<double>> numbers(const std::string& option, std::size_t count,
                                              const std::string& what) const override;

@@ -117,7 +117,7 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
   }
 }
 
-std::vector<std::string> Arguments::all(const std::string& option) const {
+std::vector<std::string> Arguments::texts(const std::string& option) const {
   const auto found = values_.find(option);
   return found == values_.end() ? std::vector<std::string>() : found->second;
 }
@@ -194,7 +194,7 @@ void Arguments::inspect(const SceneFile& file) const {
 
 std::vector<Variation> Arguments::variations(const VariedScene& scene) const {
   std::vector<Variation> list;
-  for (const std::string& text : all("vary")) {
+  for (const std::string& text : texts("vary")) {
     const std::vector<std::string_view> sides = split_at(text, '=');
     const std::vector<std::string_view> ends = split_at(sides.back(), ':');
     if (sides.size() != 2 || ends.size() != 2)

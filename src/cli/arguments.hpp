@@ -34,6 +34,7 @@ public:
 
   bool has(const std::string& option) const override { return values_.count(option) > 0; }
   std::optional<std::string> text(const std::string& option) const override;
+  std::vector<std::string> texts(const std::string& option) const override;
   std::optional<Written> written(const std::string& option) const override;
   std::optional<std::vector<double>> numbers(const std::string& option, std::size_t count,
                                              const std::string& what) const override;
@@ -49,7 +50,7 @@ public:
   /// The files of a command about scenes; of pivots, which also takes matrices, its scene.
   std::size_t scene_count() const override;
   Document scene_document(std::size_t k = 0) const override;
-  std::size_t variation_count() const override { return all("vary").size(); }
+  std::size_t variation_count() const override { return texts("vary").size(); }
   std::vector<Variation> variations(const VariedScene& scene) const override;
   std::optional<std::vector<Variation>> each(const VariedScene& scene) const override;
 
@@ -70,8 +71,6 @@ private:
   mutable std::vector<SceneDoubt> doubts_;
 
   void read_option(const std::vector<std::string>& words, std::size_t& at);
-  /// All of an option that repeats, in the order given.
-  std::vector<std::string> all(const std::string& option) const;
   bool is_typed() const { return has("M") || has("q"); }
   std::vector<std::string> matrix_files() const;
 };

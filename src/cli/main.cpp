@@ -42,8 +42,7 @@ std::string overview(const std::vector<ShellCommand>& commands) {
     line.resize(19, ' ');
     text += line + command.summary + "\n";
   }
-  text += "\nExample: lcpush solve fixtures/scenes/straight_slide.toml\n"
-          "`lcpush COMMAND --help` explains a command.\n";
+  text += "\nExample: lcpush solve fixtures/scenes/straight_slide.toml; --help explains it\n";
   return wrapped(text, columns_of(Stream::output));
 }
 
@@ -178,11 +177,11 @@ int run(const std::vector<ShellCommand>& commands, const std::vector<std::string
 
 std::vector<ShellCommand> all_commands() {
   using namespace commands;
-  return {new_command(),     example_command(),  completion_command(), {solve_command()},
-          {break_command()}, {move_command()},   {sweep_command()},    {spread_command()},
-          {cone_command()},  {plan_command()},   {lcp_command()},      {report_command()},
-          play_command(),    {verify_command()}, export_command(),     {matrices_command()},
-          {pivots_command()}};
+  return {new_command(),        example_command(), completion_command(), {solve_command()},
+          {break_command()},    {hold_command()},  {move_command()},     {sweep_command()},
+          {spread_command()},   {cone_command()},  {plan_command()},     {lcp_command()},
+          {report_command()},   play_command(),    {verify_command()},   export_command(),
+          {matrices_command()}, {pivots_command()}};
 }
 
 } // namespace lcpush::cli

@@ -59,6 +59,7 @@ Command lcp_command();
 Command report_command();
 Command sweep_command();
 Command move_command();
+Command hold_command();
 Command cone_command();
 Command plan_command();
 Command pivots_command();

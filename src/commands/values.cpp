@@ -122,7 +122,9 @@ Index Values::pusher(const SceneFile& file) const {
     names.push_back(file.body_names[b]);
     if (!wanted || *wanted == file.body_names[b]) pusher = static_cast<Index>(b);
   }
-  if (names.empty()) refuse("scene", "the scene has no [[pusher]]: nothing can break the grasp");
+  if (names.empty())
+    refuse("scene", "the scene has no [[pusher]]: nothing can break the grasp; how well it holds "
+                    "says `lcpush hold`");
   if (!wanted && names.size() > 1)
     refuse("pusher", "the scene has several pushers: say which with " + label("pusher") + " " +
                          listed(names, "or"));

@@ -52,6 +52,8 @@ public:
   // Each reader has these. All that refuse throw.
   virtual bool has(const std::string& option) const = 0; ///< of a flag: is it set?
   virtual std::optional<std::string> text(const std::string& option) const = 0;
+  /// All of an option that may be repeated, in the order given.
+  virtual std::vector<std::string> texts(const std::string& option) const = 0;
   /// A number and how it is written; nan if it is none.
   struct Written {
     double value;

@@ -21,8 +21,8 @@ bool is_above(double floor, const Eigen::VectorXd& v, Index free) {
 
 } // namespace
 
-Simplex::Simplex(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, Index free)
-    : A_(A), b_(b), free_(free), helper_(A.cols()), multipliers_(A.cols() + 1),
+Simplex::Simplex(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, Index free, double price)
+    : A_(A), b_(b), price_(price), free_(free), helper_(A.cols()), multipliers_(A.cols() + 1),
       value_(A.cols() + 1 + A.rows()), table_(Tableau::Zero(A.rows() + 1, value_ + 1)),
       basic_(static_cast<std::size_t>(A.rows()), -1),
       is_basic_(static_cast<std::size_t>(A.cols()) + 1, false),
@@ -97,7 +97,7 @@ void Simplex::price(const Eigen::VectorXd& c) {
 Index Simplex::entering(bool first) const {
   const Index m = rows();
   Index best = -1;
-  double lowest = -Settings::price;
+  double lowest = -price_;
   for (Index j = free_; j < helper_; ++j) {
     if (is_basic_[static_cast<std::size_t>(j)] || !(table_(m, j) < lowest)) continue;
     best = j;
@@ -152,7 +152,31 @@ Simplex::Ending Simplex::descend() {
   return Ending::failed;
 }
 
-/// Of the rows as given: c - A' y are the reduced costs.
+void Simplex::add(const Eigen::MatrixXd& columns) {
+  const Index m = rows(), n = A_.cols(), k = columns.cols();
+  A_.conservativeResize(Eigen::NoChange, n + k);
+  A_.rightCols(k) = columns;
+  Tableau wider = Tableau::Zero(m + 1, table_.cols() + k);
+  wider.leftCols(n) = table_.leftCols(n);
+  wider.block(0, n, m, k) = product(table_.block(0, multipliers_, m, m), columns);
+  wider.rightCols(table_.cols() - n) = table_.rightCols(table_.cols() - n);
+  table_.swap(wider);
+  for (Index& j : basic_)
+    if (j == helper_) j += k;
+  helper_ += k;
+  multipliers_ += k;
+  value_ += k;
+  is_basic_.insert(is_basic_.end() - 1, static_cast<std::size_t>(k), false);
+  point_.conservativeResize(n + k);
+  point_.tail(k).setZero();
+  for (Index i = 0; i < m; ++i) { // a row that followed from others need not any more
+    if (basic_[static_cast<std::size_t>(i)] >= 0) continue;
+    Index best = 0;
+    table_.row(i).segment(n, k).cwiseAbs().maxCoeff(&best);
+    if (k > 0 && std::abs(table_(i, n + best)) > Settings::pivot) pivot(i, n + best);
+  }
+}
+
 Eigen::VectorXd Simplex::multipliers() const {
   return -table_.row(rows()).segment(multipliers_, rows()).transpose();
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "dense/settings.hpp"
 #include "lcpush/types.hpp"
 
 namespace lcpush::desktop {
@@ -12,7 +13,9 @@ namespace lcpush::desktop {
 /// The set A v = b with v_j >= 0 for all j >= free. The caller's units: numbers near 1.
 class Simplex {
 public:
-  Simplex(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, Index free);
+  /// `price`: a smaller reduced cost gains nothing.
+  Simplex(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, Index free,
+          double price = SimplexSettings::price);
 
   enum class Ending {
     found,     ///< a point; of `minimise` one with the smallest c v
@@ -23,9 +26,14 @@ public:
   [[nodiscard]] Ending find_point();
   /// Pre: find_point, or an earlier call of this, has not failed or found none.
   [[nodiscard]] Ending minimise(const Eigen::VectorXd& c);
+  /// More variables >= 0, at the end: zero until a program takes them up.
+  void add(const Eigen::MatrixXd& columns);
 
   const Eigen::VectorXd& point() const { return point_; } ///< v of the present corner
   const Eigen::VectorXd& ray() const { return ray_; }     ///< of `unbounded`: from there, largest 1
+
+  /// y of the last program's costs, c over their largest: c - A' y are the reduced costs.
+  Eigen::VectorXd multipliers() const;
 
   Index programs() const { return programs_; }
   double work() const { return work_; } ///< multiplications, about
@@ -35,6 +43,7 @@ private:
 
   Eigen::MatrixXd A_;
   Eigen::VectorXd b_;
+  double price_;
   Index free_, helper_;      // helper: the column that lifts every row to a value >= 0
   Index multipliers_;        // first of the columns that were the identity: now the basis's inverse
   Index value_;              // column of the basic variables' values
@@ -54,7 +63,6 @@ private:
   Index leaving(Index column, bool first) const;
   Ending descend();
   void read_point();
-  Eigen::VectorXd multipliers() const;
   bool is_point() const;
   bool is_proved(const Eigen::VectorXd& c) const;
   bool is_ray(const Eigen::VectorXd& c);

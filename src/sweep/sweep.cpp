@@ -214,7 +214,9 @@ Index only_pusher(const SceneFile& file) {
       throw InputError("the scene has several pushers: say which one the force is of");
     pusher = static_cast<Index>(b);
   }
-  if (pusher < 0) throw InputError("the scene has no [[pusher]]: no push changes");
+  if (pusher < 0)
+    throw InputError(
+        "the scene has no [[pusher]]: no push changes; how well it holds says `lcpush hold`");
   return pusher;
 }
 

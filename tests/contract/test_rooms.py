@@ -59,6 +59,8 @@ ROOMS = {
     "src/export": ("How do other solvers get the problem?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/pivots": ("What happens at every pivot?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/cone": ("With which pushes does a pusher stick?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
+    "src/hold": ("How well does the grasp hold before any push?",
+                 f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/move": ("Where does the object end up in the grip?",
                  f"{CORE} {TOOLBOX} desktop dense scenes solve picture"),
     "src/plan": ("Which pushes take the object to another place in the grip?",

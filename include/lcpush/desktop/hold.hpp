@@ -1,0 +1,84 @@
+// How well the grasp holds the object before any push: the least grip, what it bears beyond its
+// load, and what gives way first (docs/theory/theory.md, [T.19]).
+#pragma once
+
+#include "lcpush/desktop/push_reports.hpp"
+#include "lcpush/desktop/smallest_grip.hpp"
+#include "lcpush/desktop/telling.hpp"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lcpush::desktop {
+
+/// What is added to the load.
+enum class Disturbance {
+  force,        ///< at a point, N
+  moment,       ///< N m
+  acceleration, ///< of the hand, m/s^2: the load -m a at the centre of mass
+};
+
+struct HoldDirection {
+  Disturbance kind;
+  Vector3<double> direction; ///< unit
+};
+
+struct HoldQuestion {
+  std::optional<Vector3<double>> at; ///< m, scene's frame, where forces act; none: centre of mass
+  std::vector<HoldDirection> directions; ///< beside the axes
+};
+
+/// How a grasp gives way: by the dual of a limit, a motion that the load drives.
+struct GiveWay {
+  std::vector<Index> slips, opens, yields; ///< bodies, in order; yields: pushed back, as the grip's
+                                           ///< force is all it has
+  std::vector<Index> leaves;               ///< of those that open, all of whose points do
+  bool turns = false;                      ///< in the contacts that slip, or about what stays
+  Vector3<double> along = Vector3<double>::Zero(); ///< unit: the turn's axis, or where it slides
+};
+
+constexpr double unknown_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+/// The largest t >= 0 for which the load and t times a direction are held.
+struct HoldLimit {
+  HoldDirection what{};
+  double limit = unknown_number;   ///< of the scene's law
+  double statics = unknown_number; ///< of any pressure; no_limit: contacts bear whatever it takes
+  double lower = unknown_number, upper = unknown_number; ///< of statics, the bracket; of a weakest
+                                                         ///< direction also against all others
+  GiveWay gives{};
+};
+
+struct HoldStudy {
+  std::optional<bool> held; ///< by the scene's law
+  std::string reason;       ///< of what is not known, a sentence
+  GripReport grip;          ///< whose force, and its search if the law is another than statics
+  double factor = unknown_number; ///< least, on all grip forces; no_limit: no grip holds
+  double most = no_limit;         ///< no larger one holds; nan: not known
+  double statics_factor = unknown_number, statics_most = no_limit; ///< the same of statics
+  GiveWay falls;                                ///< if it does, or at its least grip
+  bool is_statics = true;                       ///< the scene's law holds whatever statics can
+  Vector3<double> at = Vector3<double>::Zero(); ///< m, scene's frame
+  std::vector<HoldLimit> limits;      ///< along +x, -x, +y, .. of each kind, then as asked
+  std::array<HoldLimit, 3> weakest{}; ///< by kind
+  double added_mass = unknown_number; ///< kg, at the same point
+  double tilt = unknown_number;       ///< rad, of gravity in any direction; pi: it may turn over
+
+  /// Grip over least grip.
+  double margin() const { return factor > 0 && factor < no_limit ? 1 / factor : unknown_number; }
+};
+
+HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
+                    const PushOptions& options = {});
+
+std::string hold_text(const SceneFile& file, const HoldStudy& study,
+                      Telling telling = Telling::brief);
+std::string hold_json(const SceneFile& file, const HoldStudy& study);
+/// The first line of the text.
+std::string hold_answer(const SceneFile& file, const HoldStudy& study);
+
+} // namespace lcpush::desktop

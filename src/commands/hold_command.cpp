@@ -1,0 +1,81 @@
+// hold: how well the grasp holds before any push.
+#include "commands/listener.hpp"
+#include "commands/values.hpp"
+#include "formats/read_number.hpp"
+#include "lcpush/desktop/hold.hpp"
+#include "text/limits.hpp"
+#include "text/wording.hpp"
+
+#include <string_view>
+
+namespace lcpush::commands {
+namespace {
+
+/// "force 1 0 0".
+HoldDirection read_direction(const Values& values, const std::string& text) {
+  const std::vector<std::string> kinds = {"force", "moment", "acceleration"};
+  std::vector<std::string> words;
+  for (const std::string_view word : split_at(text, ' '))
+    if (!word.empty()) words.emplace_back(word);
+  if (words.size() != 4)
+    values.refuse("direction", values.label("direction") +
+                                   " takes what and where to, such as \"force 1 0 0\", not " +
+                                   quoted(text));
+  const std::string& kind = values.one_of("direction", words[0], kinds);
+  HoldDirection direction{kind == "force"    ? Disturbance::force
+                          : kind == "moment" ? Disturbance::moment
+                                             : Disturbance::acceleration,
+                          Vector3<double>::Zero()};
+  for (Index k = 0; k < 3; ++k) {
+    const NumberText number = read_finite_number(words[static_cast<std::size_t>(k) + 1]);
+    if (number.error) values.refuse("direction", values.label("direction") + ": " + *number.error);
+    direction.direction[k] = number.value;
+  }
+  const double length = direction.direction.norm();
+  if (!(length > 0))
+    values.refuse("direction", values.label("direction") + " " + quoted(text) +
+                                   " is no direction: all three numbers are 0");
+  direction.direction /= length;
+  return direction;
+}
+
+Result run_hold(const Values& values, Listener& listener) {
+  const std::string format = values.format();
+  const SceneFile file = values.varied_scene(Needs::scene).as_given();
+  values.refuse_unknowns(file, limits::unknowns_holding, "holding is studied");
+  HoldQuestion question;
+  if (const auto at = values.numbers("at", 3, "x y z (m, in the scene's frame)"))
+    question.at = Vector3<double>((*at)[0], (*at)[1], (*at)[2]);
+  for (const std::string& text : values.texts("direction"))
+    question.directions.push_back(read_direction(values, text));
+  PushOptions options;
+  options.watcher = options.searching = &listener;
+  const HoldStudy study = find_hold(file, question, options);
+  return {study.held.value_or(false),
+          format == "json" ? hold_json(file, study) : hold_text(file, study, values.telling())};
+}
+
+} // namespace
+
+Command hold_command() {
+  return {
+      "hold",
+      "SCENE.toml [OPTIONS]",
+      "how hard to grip, and what makes it slip",
+      "The least grip that holds the object's load, and what the grasp bears beyond it: the\n"
+      "largest force, moment and acceleration of the hand along each axis and in the direction\n"
+      "in which it is weakest, what gives way first there, a mass that may be added, how far\n"
+      "gravity may turn. Pushers are left out. Friction and pressure are those of the scene.\n\n"
+      "Examples:\n"
+      "  lcpush hold fixtures/scenes/straight_slide.toml\n"
+      "  lcpush hold docs/guide/off_centre.toml --direction \"moment 0 1 0\"\n",
+      with_scene_options(
+          {{"at", "\"X Y Z\"", "where forces act (m, the scene's frame); else the centre of mass"},
+           {"direction", "\"WHAT X Y Z\"",
+            "also this one: force, moment or acceleration, and where to; may be repeated", true},
+           pressure_option,
+           facets_option}),
+      run_hold};
+}
+
+} // namespace lcpush::commands

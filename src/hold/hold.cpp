@@ -1,0 +1,223 @@
+#include "lcpush/desktop/hold.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hold/give_way.hpp"
+#include "hold/grip_statics.hpp"
+#include "hold/holding_law.hpp"
+#include "hold/load_set.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+using Ending = StaticsProgram::Ending;
+
+/// A unit of a disturbance as a wrench at the centre of mass. `at`: from there.
+Vector6<double> unit_wrench(const SceneFile& file, Disturbance kind, const Vector3<double>& along,
+                            const Vector3<double>& at) {
+  Vector6<double> wrench = Vector6<double>::Zero();
+  switch (kind) {
+  case Disturbance::force: return wrench_column<double>(at, along);
+  case Disturbance::moment: wrench.tail<3>() = along; return wrench;
+  case Disturbance::acceleration: wrench.head<3>() = -file.object.mass * along; return wrench;
+  }
+  return wrench;
+}
+
+/// The questions of one hand at rest.
+class HoldQuestions {
+public:
+  HoldQuestions(const SceneFile& hand, const PushOptions& options, HoldStudy& study)
+      : hand_(hand), options_(options), study_(study), statics_(hand) {}
+
+  /// Which grips hold?
+  void find_grip() {
+    const Eigen::VectorXd& grip = statics_.grip_column();
+    StaticsProgram program(statics_, grip, 0, statics_.demand(0));
+    const Ending ending = program.find_point();
+    if (ending == Ending::none) {
+      study_.statics_factor = no_limit;
+      study_.falls = read_motion(hand_, statics_, program.motion(), {});
+    }
+    if (ending != Ending::found) return;
+    const auto least = program.minimise(Eigen::VectorXd::Ones(1));
+    if (least.ending != Ending::found) return;
+    study_.statics_factor = std::max(0.0, least.value);
+    study_.falls = read_motion(hand_, statics_, least.motion, program.contacts());
+    if (const auto most = program.minimise(-Eigen::VectorXd::Ones(1)); most.ending == Ending::found)
+      study_.statics_most = -most.value;
+    rays_ = program.rays();
+  }
+
+  /// The largest t of w + t d.
+  HoldLimit limit(const HoldDirection& what) {
+    const Vector6<double> d = unit_wrench(hand_, what.kind, what.direction, at());
+    HoldLimit found;
+    if (const HoldLimit* const force = same_force(what); force != nullptr)
+      found = over_mass(*force);
+    found.what = what;
+    if (!std::isnan(found.limit)) return found;
+    Eigen::MatrixXd column = statics_.wrench_column(d);
+    const double unit = column.cwiseAbs().maxCoeff();
+    if (!(unit > 0)) { // a plane has no such load
+      return found;
+    }
+    column /= unit;
+    StaticsProgram program(statics_, column, 1, statics_.demand(1), rays_);
+    if (program.find_point() != Ending::found) return found;
+    const auto most = program.minimise(-Eigen::VectorXd::Ones(1));
+    if (most.ending == Ending::failed) return found;
+    const double si = statics_.scales().force / unit;
+    found.statics = most.ending == Ending::unlimited ? no_limit : std::max(0.0, -most.value * si);
+    found.lower = found.statics;
+    found.upper = most.ending == Ending::unlimited ? no_limit : std::max(0.0, -most.bound * si);
+    if (most.ending == Ending::found)
+      found.gives = read_motion(hand_, statics_, most.motion, program.contacts());
+    found.limit = law_ ? law_->limit(d, found.statics) : found.statics;
+    return found;
+  }
+
+  /// The direction of a kind in which the least is held.
+  HoldLimit weakest(Disturbance kind) {
+    // Forces at the centre of mass are accelerations backwards.
+    const bool is_force = kind == Disturbance::acceleration && at().isZero(0);
+    const HoldLimit& force = study_.weakest[0];
+    HoldLimit found{{kind, Vector3<double>::Zero() - force.what.direction}};
+    double lower = force.lower / hand_.object.mass;
+    if (!is_force) {
+      const auto near =
+          nearest(kind, at(), [](const Vector3<double>&, double height) { return height; });
+      if (!near) return HoldLimit{{kind, Vector3<double>::Zero()}};
+      found.what.direction = near->direction;
+      lower = near->lower * statics_.scales().force * unit_of(kind);
+    }
+    found = limit(found.what);
+    found.upper = found.statics;
+    found.lower = std::min(lower, found.statics);
+    // Of statics; where the law holds less it may be weakest elsewhere.
+    for (const HoldLimit& other : study_.limits)
+      if (other.what.kind == kind && other.limit < (1 - hold_settings.same) * found.limit)
+        found = other;
+    return found;
+  }
+
+  /// By how much gravity may turn, in any direction.
+  double tilt() {
+    const double weight = hand_.object.mass * hand_.gravity.norm() / statics_.scales().force;
+    if (!(weight > 0)) return unknown_number;
+    const Vector3<double> down = hand_.gravity.normalized();
+    const auto near = nearest(
+        Disturbance::force, Vector3<double>::Zero(),
+        [&](const Vector3<double>& normal, double height) {
+          const double cosine = std::clamp(normal.dot(down), -1.0, 1.0);
+          const double reach = (height + weight * cosine) / weight;
+          return reach >= 1 ? pi() : std::acos(cosine) - std::acos(std::max(reach, -1.0));
+        },
+        hold_settings.beside * weight);
+    return near ? std::max(0.0, near->upper) : unknown_number;
+  }
+
+  /// By the scene's law: which grips hold, and does the scene's own?
+  void find_law() {
+    study_.is_statics = !statics_.has_pads();
+    study_.factor = study_.statics_factor;
+    study_.most = study_.statics_most;
+    const double slack = hold_settings.carries;
+    const bool may_hold = study_.factor <= 1 + slack && study_.most >= 1 - slack;
+    if (!std::isnan(study_.factor)) study_.held = may_hold;
+    if (study_.is_statics || !(study_.factor < no_limit)) return;
+    law_.emplace(hand_, options_);
+    study_.held = law_->holds_now();
+    if (study_.grip.force == 0) return;
+    study_.grip.alone = law_->least_grip(study_.statics_factor);
+    study_.factor = study_.grip.alone.is_known() ? study_.grip.alone.factor : unknown_number;
+    study_.most = law_->most_grip();
+  }
+
+private:
+  const SceneFile& hand_;
+  const PushOptions& options_;
+  HoldStudy& study_;
+  GripStatics statics_;
+  std::optional<HoldingLaw> law_; ///< where it is another than statics
+  std::vector<ForceRay> rays_;    ///< with which the load is held
+
+  static double pi() { return std::acos(-1.0); }
+  Vector3<double> at() const { return study_.at - hand_.object.center_of_mass; }
+  /// An acceleration is a force at the centre of mass, backwards: the one that is known.
+  const HoldLimit* same_force(const HoldDirection& what) const {
+    if (what.kind != Disturbance::acceleration || !at().isZero(0)) return nullptr;
+    for (const HoldLimit& known : study_.limits)
+      if (known.what.kind == Disturbance::force && known.what.direction == -what.direction)
+        return &known;
+    const HoldLimit& weakest = study_.weakest[0];
+    return weakest.what.direction == -what.direction ? &weakest : nullptr;
+  }
+  HoldLimit over_mass(HoldLimit limit) const {
+    for (double* const part : {&limit.limit, &limit.statics, &limit.lower, &limit.upper})
+      *part /= hand_.object.mass;
+    return limit;
+  }
+  /// SI value of a disturbance over the scene's force.
+  double unit_of(Disturbance kind) const {
+    return kind == Disturbance::force    ? 1
+           : kind == Disturbance::moment ? statics_.scales().length
+                                         : 1 / hand_.object.mass;
+  }
+
+  /// Of a kind's set of held loads, in the scene's force. The nearest plane is no farther than the
+  /// set reaches along an axis; what is farther does not matter.
+  std::optional<NearestBoundary> nearest(Disturbance kind, const Vector3<double>& at,
+                                         const Nearness& nearness, double least_size = 0) {
+    Eigen::MatrixXd columns(statics_.rows(), 3);
+    for (Index k = 0; k < 3; ++k)
+      columns.col(k) = statics_.wrench_column(
+          unit_of(kind) * unit_wrench(hand_, kind, Vector3<double>(Vector3<double>::Unit(k)), at));
+    const std::optional<double> reach = LoadSet(statics_, columns, rays_).least_along_axes();
+    if (!reach) return std::nullopt;
+    const double size = std::max({hold_settings.beside * *reach, least_size, hold_settings.flat});
+    return LoadSet(statics_, columns, rays_, size).nearest(nearness);
+  }
+};
+
+} // namespace
+
+HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
+                    const PushOptions& options) {
+  HoldStudy study;
+  const SceneFile hand = hand_at_rest(file);
+  study.at = question.at.value_or(file.object.center_of_mass);
+  study.grip = named_grip(file);
+  std::vector<HoldDirection> directions;
+  for (const Disturbance kind :
+       {Disturbance::force, Disturbance::moment, Disturbance::acceleration})
+    for (Index axis = 0; axis < 3; ++axis)
+      for (const double sign : {1.0, -1.0})
+        directions.push_back(
+            {kind, Vector3<double>::Zero() + sign * Vector3<double>(Vector3<double>::Unit(axis))});
+  directions.insert(directions.end(), question.directions.begin(), question.directions.end());
+  if (hand.bodies.empty()) {
+    study.held = laws::load(file.view(), Scales<double>{1, 1, 1}).isZero(0);
+    study.reason = "nothing grips it";
+    return study;
+  }
+  HoldQuestions questions(hand, options, study);
+  questions.find_grip();
+  questions.find_law();
+  const bool holds = study.held.value_or(false);
+  for (const HoldDirection& direction : directions) {
+    HoldLimit limit;
+    limit.what = direction;
+    study.limits.push_back(holds ? questions.limit(direction) : limit);
+  }
+  for (std::size_t k = 0; k < 3; ++k) study.weakest[k].what.kind = static_cast<Disturbance>(k);
+  if (!holds) return study;
+  for (HoldLimit& weakest : study.weakest) weakest = questions.weakest(weakest.what.kind);
+  study.tilt = questions.tilt();
+  if (const double g = hand.gravity.norm(); g > 0)
+    study.added_mass = questions.limit({Disturbance::force, hand.gravity / g}).limit / g;
+  return study;
+}
+
+} // namespace lcpush::desktop

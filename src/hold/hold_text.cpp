@@ -1,0 +1,185 @@
+#include "hold/give_way.hpp"
+#include "hold/settings.hpp"
+#include "lcpush/desktop/naming.hpp"
+#include "solve/push_words.hpp"
+#include "solve/sentence.hpp"
+#include "text/format.hpp"
+
+#include <cmath>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr const char* units[] = {"N", "N m", "m/s^2"};
+constexpr const char* kinds[] = {"force", "moment", "acceleration"};
+
+std::string grip_text(const HoldStudy& study, double factor) {
+  const std::string force =
+      brief(factor * study.grip.force, hold_settings.closed * study.grip.force);
+  if (study.grip.of_actuator) return "a force of " + force + " " + study.grip.of;
+  return force + " N " + study.grip.of;
+}
+
+/// Where more than so much grip does not hold.
+bool has_most(const HoldStudy& study) { return std::isfinite(study.most); }
+
+std::string falls_words(const SceneFile& file, const HoldStudy& study) {
+  const std::string object = object_name(file);
+  if (study.grip.force == 0) return "Not held: the load " + give_way_words(file, study.falls) + ".";
+  if (study.factor == no_limit)
+    return "No grip force holds " + object + ": whatever the grip, the load " +
+           give_way_words(file, study.falls) + ".";
+  if (std::isnan(study.factor))
+    return "Not held, and the grip that would hold " + object + " is not known" +
+           (study.statics_factor > 1
+                ? ": it takes more than " + grip_text(study, study.statics_factor)
+                : "") +
+           ".";
+  if (study.most == 0) return "Not held: its grip pushes " + object + " away, however weak it is.";
+  if (study.factor <= 1)
+    return "Not held: the grip is too hard; from " + grip_text(study, study.factor) + " to " +
+           grip_text(study, study.most) + " would hold " + object + ".";
+  return "Not held: it takes " + brief(study.factor) + " times the grip, " +
+         grip_text(study, study.factor) + "; with less the load " +
+         give_way_words(file, study.falls) + ".";
+}
+
+std::string against(const HoldLimit& limit) {
+  const std::string way = direction_text(limit.what.direction);
+  switch (limit.what.kind) {
+  case Disturbance::force: return "a force along " + way;
+  case Disturbance::moment: return "a twist about " + way;
+  case Disturbance::acceleration: return "an acceleration along " + way;
+  }
+  return way;
+}
+
+/// The force or moment that is least, a moment over the length at which it acts.
+const HoldLimit* least_of(const SceneFile& file, const HoldStudy& study) {
+  const double size = object_size(file) / 2;
+  const HoldLimit* least = nullptr;
+  double smallest = no_limit;
+  for (const Disturbance kind : {Disturbance::force, Disturbance::moment}) {
+    const auto look = [&](const HoldLimit& limit) {
+      const double force = limit.limit / (kind == Disturbance::moment ? size : 1);
+      if (!(force > 0) || !(force < smallest)) return;
+      smallest = force;
+      least = &limit;
+    };
+    look(study.weakest[static_cast<std::size_t>(kind)]);
+    if (study.weakest[static_cast<std::size_t>(kind)].limit > 0) continue;
+    for (const HoldLimit& limit : study.limits) // a direction that nothing resists says little
+      if (limit.what.kind == kind) look(limit);
+  }
+  return least;
+}
+
+std::string cell(double value, bool is_held) {
+  return std::isnan(value) ? "-" : std::isinf(value) ? is_held ? "any" : "-" : brief(value);
+}
+
+TableRows limit_rows(const HoldStudy& study) {
+  TableRows rows{{"beyond the load", "+x", "-x", "+y", "-y", "+z", "-z", "weakest"}};
+  for (std::size_t kind = 0; kind < 3; ++kind) {
+    std::vector<std::string> row = {std::string(kinds[kind]) + " " + units[kind]};
+    for (std::size_t k = 0; k < 6; ++k) row.push_back(cell(study.limits[6 * kind + k].limit, true));
+    row.push_back(cell(study.weakest[kind].limit, true));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// "along (0, 0.6, 0.8): slides it along -z over left and right".
+std::string weakest_text(const SceneFile& file, const HoldStudy& study) {
+  std::string text;
+  for (const HoldLimit& limit : study.weakest) {
+    if (!(limit.limit < no_limit) || limit.what.kind == Disturbance::acceleration) continue;
+    if (!text.empty()) text += "\n";
+    text += against(limit) + ", which " + give_way_words(file, limit.gives);
+  }
+  return text;
+}
+
+/// Where statics would allow more than the scene's law.
+std::string statics_text(const HoldStudy& study) {
+  std::string text;
+  const auto compare = [&](const HoldLimit& limit) {
+    if (!(std::abs(limit.statics - limit.limit) > hold_settings.told * limit.limit)) return;
+    text += (text.empty() ? "" : ", ") + against(limit) + " " +
+            (std::isinf(limit.statics)
+                 ? "any"
+                 : brief(limit.statics) + " " + units[static_cast<int>(limit.what.kind)]);
+  };
+  for (std::size_t k = 0; k < 2; ++k) compare(study.weakest[k]);
+  if (std::abs(study.factor - study.statics_factor) > hold_settings.told * study.factor &&
+      study.grip.force > 0)
+    text =
+        "least grip " + grip_text(study, study.statics_factor) + (text.empty() ? "" : "; ") + text;
+  return text;
+}
+
+std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
+  std::vector<Fact> facts{hand_fact(file)};
+  if (study.grip.force > 0 && std::isfinite(study.factor))
+    facts.push_back(
+        {"Least grip", grip_text(study, study.factor) + " (of " + brief(study.grip.force) + ")" +
+                           (has_most(study) ? ", and at most " + grip_text(study, study.most) +
+                                                  ": more drives it out"
+                                            : "")});
+  if (study.grip.alone.gap > study.factor)
+    facts.push_back({"", "not with every grip above that: with " +
+                             grip_text(study, study.grip.alone.gap) + " it is not held"});
+  if (!study.held.value_or(false)) return facts;
+  if (const std::string text = weakest_text(file, study); !text.empty())
+    facts.push_back({"Weakest against", text});
+  for (std::size_t k = 18; k < study.limits.size(); ++k) {
+    const HoldLimit& limit = study.limits[k];
+    facts.push_back(
+        {k == 18 ? "Asked" : "",
+         against(limit) + ": " + cell(limit.limit, true) + " " +
+             units[static_cast<int>(limit.what.kind)] +
+             (std::isfinite(limit.limit) ? ", which " + give_way_words(file, limit.gives) : "")});
+  }
+  if (!std::isnan(study.added_mass))
+    facts.push_back({"Added mass", cell(study.added_mass, true) + " kg at its centre"});
+  if (!std::isnan(study.tilt))
+    facts.push_back({"Tilt", brief(study.tilt * degrees_a_radian) + " degrees of gravity, any way" +
+                                 (study.is_statics ? "" : ", by statics")});
+  if (!study.is_statics) {
+    const std::string text = statics_text(study);
+    facts.push_back({"By statics", text.empty() ? "the same to one per cent"
+                                                : text + "; pressure would have to shift"});
+  }
+  return facts;
+}
+
+} // namespace
+
+std::string hold_answer(const SceneFile& file, const HoldStudy& study) {
+  const std::string object = object_name(file);
+  if (!study.held)
+    return "It is not known whether the grasp holds " + object +
+           (study.reason.empty() ? "" : ": " + study.reason) + ".";
+  if (!*study.held)
+    return study.reason.empty() ? falls_words(file, study) : "Not held: " + study.reason + ".";
+  std::string text = "Held";
+  if (!std::isnan(study.margin()))
+    text += " with " + brief(study.margin()) + " times the grip it needs";
+  else if (study.factor == 0 && study.grip.force > 0)
+    text += " without any grip force";
+  else if (study.grip.force == 0)
+    text += " where it rests";
+  const HoldLimit* const least = study.limits.empty() ? nullptr : least_of(file, study);
+  if (least == nullptr) return text + ".";
+  return text + "; weakest against " + against(*least) + ": " + brief(least->limit) + " " +
+         units[static_cast<int>(least->what.kind)] + " " + give_way_words(file, least->gives) + ".";
+}
+
+std::string hold_text(const SceneFile& file, const HoldStudy& study, Telling) {
+  std::string text = title_line(file) + hold_answer(file, study) + "\n\n";
+  if (study.held.value_or(false) && !study.limits.empty())
+    text += table_text(limit_rows(study)) + "\n";
+  return text + facts_text(hold_facts(file, study));
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,66 @@
+// What the scene's own law of pads holds: its statics says where the limit is, the law is asked
+// just inside, and searched where it disagrees.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hold/pad_limits.hpp"
+#include "lcpush/desktop/smallest_grip.hpp"
+
+namespace lcpush::desktop {
+
+/// Counts the pivots of all that is asked: a count and no clock, so that the same input gives the
+/// same bits.
+class PivotCounter : public Watcher {
+public:
+  explicit PivotCounter(Watcher* told) : told_(told) {}
+  Index pivots() const { return pivots_; }
+
+  void stepped(const Lemke<double>& lemke) override {
+    ++pivots_;
+    if (told_ != nullptr) told_->stepped(lemke);
+  }
+  void progressed(Index unknowns, Index covers) override {
+    ++pivots_;
+    if (told_ != nullptr) told_->progressed(unknowns, covers);
+  }
+
+private:
+  Watcher* told_;
+  Index pivots_ = 0;
+};
+
+class HoldingLaw {
+public:
+  HoldingLaw(const SceneFile& hand, const PushOptions& options);
+  HoldingLaw(const HoldingLaw&) = delete; // its options point at its counter
+  HoldingLaw& operator=(const HoldingLaw&) = delete;
+
+  /// Does it hold at this factor on the grip with this wrench, [N; N m], beside the load? None: the
+  /// law has no answer that is found, which is no verdict.
+  std::optional<bool> holds(double factor, const Vector6<double>& more);
+  /// The load as it is; forces of pads that carry it prove it where the law has no answer.
+  std::optional<bool> holds_now() const { return holds_now_; }
+  /// `bound`: of statics, from below.
+  SmallestGrip least_grip(double bound);
+  /// nan: no more than the least grip is known.
+  double most_grip() const { return pads_.grip(false); }
+  /// The largest factor on a wrench; `bound`: of statics, from above.
+  double limit(const Vector6<double>& wrench, double bound);
+
+private:
+  const SceneFile& hand_;
+  PushOptions options_;
+  PivotCounter counter_;
+  std::vector<bool> touching_;
+  std::optional<bool> holds_now_;
+  PadLimits pads_;
+  double pads_least_;
+  bool is_first_ = true;
+
+  bool may_ask() const;
+  double bisected(const Vector6<double>& wrench, double high);
+};
+
+} // namespace lcpush::desktop

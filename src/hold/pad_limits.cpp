@@ -1,0 +1,71 @@
+#include "hold/pad_limits.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "hold/grip_statics.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// The most of a wrench beside the load; or, of the grip's factor, the least or the most.
+struct PadQuestion {
+  Vector6<double> wrench = Vector6<double>::Zero();
+  bool of_grip = false, of_least = false;
+};
+
+/// The answer for the points that touch, which become those that touch at its end.
+double best_of(const SceneFile& hand, const PadQuestion& question, std::vector<bool>& touching) {
+  const GripStatics statics(hand, touching);
+  const Eigen::MatrixXd gaps = statics.gaps();
+  const Index moves = statics.displacement().cols();
+  Eigen::VectorXd column =
+      question.of_grip ? statics.grip_column() : statics.wrench_column(question.wrench);
+  const double unit = question.of_grip ? 1 : column.cwiseAbs().maxCoeff();
+  Eigen::MatrixXd D(statics.rows(), moves + 1 + gaps.cols());
+  D << statics.displacement(), column / unit, gaps;
+  StaticsProgram program(statics, D, moves, statics.demand(question.of_grip ? 0 : 1));
+  if (program.find_point() != StaticsProgram::Ending::found) return nothing;
+  const double sign = question.of_least ? 1 : -1;
+  const auto end = program.minimise(sign * Eigen::VectorXd::Unit(D.cols(), moves));
+  if (end.ending == StaticsProgram::Ending::failed) return nothing;
+  if (end.ending == StaticsProgram::Ending::unlimited)
+    return std::numeric_limits<double>::infinity();
+  const auto contacts = program.contacts();
+  std::vector<double> forces(touching.size(), 0);
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    forces[static_cast<std::size_t>(statics.cones()[c].point)] += contacts[c].normal;
+  Index gap = 0;
+  for (std::size_t i = 0; i < touching.size(); ++i)
+    touching[i] = touching[i] ? forces[i] > hold_settings.slips
+                              : !(end.x[moves + 1 + gap++] > hold_settings.slips);
+  return end.x[moves] * (question.of_grip ? 1 : statics.scales().force / unit);
+}
+
+/// From the points that touch now to those that do at the end, as long as that is better.
+double climb(const SceneFile& hand, const PadQuestion& question, std::vector<bool> touching) {
+  double best = nothing;
+  for (Index k = 0; k < hold_settings.most_patterns; ++k) {
+    const std::vector<bool> before = touching;
+    const double next = best_of(hand, question, touching);
+    const double gain = question.of_least ? best - next : next - best;
+    if (std::isnan(next) || gain <= hold_settings.law * std::abs(best)) break;
+    best = next;
+    if (touching == before) break;
+  }
+  return best;
+}
+
+} // namespace
+
+double PadLimits::limit(const Vector6<double>& wrench) const {
+  return climb(hand_, {wrench}, touching_);
+}
+
+double PadLimits::grip(bool least) const {
+  return climb(hand_, {Vector6<double>::Zero(), true, least}, touching_);
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,303 @@
+"""lcpush hold: the least grip, what the grasp bears and what goes first, against closed forms and an outside cone
+program (support/held_loads.py). [T.19]
+
+    test_hold.py TOOL ROOT [--all]      with --all 300 random grasps instead of 30, by scipy where it is"""
+import json
+import math
+import random
+import re
+import sys
+import unittest
+
+from tool import SCENES, SOURCE, ToolTest, command, main
+
+import held_loads
+
+run = command("hold")
+ALL = "--all" in sys.argv
+KINDS = ("force", "moment", "acceleration")
+
+
+def finger(name, center, normal, friction=0.5, **more):
+    keys = {"shape": "point", "center": center, "normal": normal, "friction": friction, **more}
+    return f'[[finger]]\nname = "{name}"\n' + "".join(f"{key} = {json.dumps(value)}\n" for key, value in keys.items())
+
+
+def scene(*parts, gravity=(0, 0, -9.81), mass=0.2, box=(0.04, 0.04, 0.04), top=""):
+    return f"gravity = {list(gravity)}\n{top}\n[object]\nmass = {mass}\nbox = {list(box)}\n" + "".join(parts)
+
+
+def pinch(force=20, **more):
+    return (finger("left", [0, 0.02, 0], [0, -1, 0], grip_force=force, **more)
+            + finger("right", [0, -0.02, 0], [0, 1, 0], grip_force=force, **more))
+
+
+def legs(friction=0.5, points=(2, 2), center=(0, 0, -0.02), size=(0.04, 0.04)):
+    return finger("table", list(center), [0, 0, 1], friction, shape="rectangle", size=list(size), points=list(points))
+
+
+def hold(text, *words):
+    result = run("-", *words, "--json", text=text)
+    assert result.returncode in (0, 1), result.stderr
+    return json.loads(result.stdout)
+
+
+def limit(answer, kind, *direction):
+    for entry in answer["disturbances"]:
+        if entry["kind"] == kind and entry["direction"] == list(direction):
+            return math.inf if entry["unlimited"] else entry["limit"]
+    raise KeyError(direction)
+
+
+WEIGHT = 0.2 * 9.81
+POINT_V = [("a", [-0.02, -0.02, 0], [1, 1, 0]), ("b", [-0.02, 0.02, 0], [1, -1, 0]),
+           ("c", [0.02, -0.02, 0], [-1, 1, 0]), ("d", [0.02, 0.02, 0], [-1, -1, 0])]
+
+
+def v_jaws(friction, force):
+    parts = [finger(name, p, [x / math.sqrt(2) for x in n], friction) for name, p, n in POINT_V]
+    return "".join(parts) + (
+        '[[actuator]]\nname = "jaws"\nbodies = ["a", "b", "c", "d"]\n'
+        f"twists = [[1, 0, 0, 0, 0, 0], [1, 0, 0, 0, 0, 0], [-1, 0, 0, 0, 0, 0], [-1, 0, 0, 0, 0, 0]]\nforce = {2 * force}\n")
+
+
+def three_fingers(force):
+    turns = [2 * math.pi * k / 3 for k in range(3)]
+    return '[gripper]\njaws = "independent"\n' + "".join(
+        finger(f"f{k}", [0.02 * math.cos(a), 0.02 * math.sin(a), 0], [-math.cos(a), -math.sin(a), 0], grip_force=force)
+        for k, a in enumerate(turns))
+
+
+class ClosedForms(unittest.TestCase):
+    """Each scene, its least factor (None: no grip holds), the most, and limits that can be written down."""
+
+    def judge(self, text, factor, limits=(), most=None, precision=1e-6, held=None):
+        answer = hold(text)
+        least = answer["least_grip"]
+        if factor is None:
+            self.assertEqual((answer["held"], least["factor"], answer["margin"]), (False, None, None))
+        else:
+            self.assertAlmostEqual(least["factor"], factor, delta=precision * max(factor, 1e-3))
+            self.assertEqual(answer["held"], factor <= 1 if held is None else held)
+        if most is not None:
+            self.assertAlmostEqual(least["most_factor"], most, delta=precision * most)
+        for kind, direction, value in limits:
+            found = limit(answer, kind, *direction)
+            if math.isinf(value):
+                self.assertEqual(found, value, (kind, direction))
+            else:
+                self.assertAlmostEqual(found, value, delta=precision * max(abs(value), 1e-3), msg=(kind, direction))
+        return answer
+
+    def test_two_points_pinch_a_block(self):
+        side = math.sqrt(20 ** 2 - WEIGHT ** 2)
+        answer = self.judge(scene(pinch()), WEIGHT / (2 * 0.5) / 20, [
+            ("force", (0, 0, -1), 20 - WEIGHT), ("force", (0, 0, 1), 20 + WEIGHT), ("force", (1, 0, 0), side),
+            ("acceleration", (-1, 0, 0), side / 0.2), ("moment", (0, 1, 0), 0)])
+        self.assertAlmostEqual(answer["least_grip"]["force"], WEIGHT, 6)
+        self.assertAlmostEqual(answer["margin"], 20 / WEIGHT, 5)
+        self.assertEqual(answer["least_grip"]["of"], "per finger")
+        self.assertAlmostEqual(answer["added_mass"], (20 - WEIGHT) / 9.81, 6)
+        # A force along y takes from one finger, which has to bear half the weight: t_z + t_y / 2 <= 20 - W.
+        self.assertAlmostEqual(answer["weakest"]["force"]["limit"], (20 - WEIGHT) / math.hypot(1, 0.5), 5)
+        self.assertEqual(len(answer["weakest"]["force"]["first"]), 1)
+
+    def test_soft_points_resist_a_twist_with_their_ellipsoid(self):
+        self.judge(scene(pinch(torsion_radius=0.004)), WEIGHT / 20, [
+            ("moment", (0, 1, 0), 2 * 0.004 * math.sqrt(10 ** 2 - (WEIGHT / 2) ** 2))])
+
+    def test_pyramids_are_obeyed(self):
+        """Of four facets along x and z: |x| + |z|."""
+        self.judge(scene(pinch(), top="facets = 4"), WEIGHT / 20, [("force", (1, 0, 0), 20 - WEIGHT)])
+
+    def test_discs_resist_a_twist_with_two_thirds_of_their_radius(self):
+        pads = pinch(shape="disc", radius=0.006, points=16)
+        answer = self.judge(scene(pads, gravity=(0, 0, 0)), 0, [("moment", (0, 1, 0), 2 * 2 / 3 * 10 * 0.006)], precision=1e-3)
+        self.assertAlmostEqual(next(d["statics_limit"] for d in answer["disturbances"]
+                                    if d["kind"] == "moment" and d["direction"] == [0, 1, 0]), 2 * 10 * 0.006, 6)
+        even = hold(scene(pads, gravity=(0, 0, 0), top='pressure = "even"'))
+        self.assertAlmostEqual(limit(even, "moment", 0, 1, 0), 2 * 2 / 3 * 10 * 0.006, 5)
+
+    def test_pads_off_centre(self):
+        """Torsion alone counts where the part is long: F = W d / (2 mu (2/3) R), and statics' F = W d / (2 mu R)."""
+        part = "".join(finger(name, [-2, 0.02 * s, 0], [0, -s, 0], 0.8, shape="disc", radius=0.01, points=16, grip_force=500)
+                       for name, s in (("left", 1), ("right", -1)))
+        answer = self.judge(scene(part, box=(5, 0.04, 0.1)), WEIGHT * 2 / (2 * 0.8 * 2 / 3 * 0.01) / 500, precision=1e-3)
+        self.assertAlmostEqual(answer["least_grip"]["statics_factor"], WEIGHT * 2 / (2 * 0.8 * 0.01) / 500, delta=1e-3)
+
+    def test_a_part_on_a_table_under_a_palm(self):
+        palm = finger("palm", [0, 0, 0.02], [0, 0, -1], 0.3, grip_force=10)
+        side = 0.5 * (10 + WEIGHT) + 0.3 * 10
+        self.judge(scene(legs(size=(0.4, 0.4)), palm, box=(0.4, 0.4, 0.04)), 0, [
+            ("force", (1, 0, 0), side), ("force", (0, -1, 0), side), ("force", (0, 0, 1), 10 + WEIGHT),
+            ("force", (0, 0, -1), math.inf)])
+
+    def test_v_jaws(self):
+        """Pressed with F into each V, its faces bear F / sqrt(2) and what friction across them wedges."""
+        mu, force = 0.4, 30
+        self.judge(scene(v_jaws(mu, force), gravity=(0, 0, -9.81), top='pressure = "rigid"'),
+                   WEIGHT / (4 * mu * force / math.sqrt(2) / math.sqrt(1 - mu ** 2)), [
+                       ("force", (0, 0, 1), 4 * mu * force / math.sqrt(2) / math.sqrt(1 - mu ** 2) + WEIGHT)])
+
+    def test_three_fingers(self):
+        self.judge(scene(three_fingers(10)), WEIGHT / (3 * 0.5 * 10), [("force", (0, 0, -1), 15 - WEIGHT),
+                                                                     ("moment", (0, 0, 1), 3 * 0.02 * math.sqrt(25 - (WEIGHT / 3) ** 2))])
+
+    def test_locked_jaws(self):
+        """Statics lets them squeeze with any force; their law with what they were closed with."""
+        text = scene(pinch(), '[gripper]\njaws = "locked"\n')
+        answer = self.judge(text, WEIGHT / 20, [("force", (0, 0, -1), 20 - WEIGHT)], precision=1e-3)
+        self.assertEqual(answer["least_grip"]["statics_factor"], 0)
+        down = next(d for d in answer["disturbances"] if d["direction"] == [0, 0, -1])
+        self.assertIsNone(down["statics_limit"])
+
+    def test_no_grip_holds(self):
+        answer = self.judge(scene(pinch(friction=0)), None)
+        self.assertIn("No grip force holds", answer["answer"])
+        self.assertEqual(answer["weakest"]["force"]["limit"], None)
+
+    def test_more_grip_than_friction_bears_pushes_it_away(self):
+        push = finger("hand", [-0.02, 0, -0.02], [1, 0, 0], 0, grip_force=3)
+        self.judge(scene(legs(), push, mass=1, top='pressure = "rigid"'), 0, most=0.5 * 9.81 / 3)
+        answer = self.judge(scene(legs(), push.replace("= 3\n", "= 6\n"), mass=1, top='pressure = "rigid"'), 0,
+                            most=0.5 * 9.81 / 6, held=False)
+        self.assertIn("too hard", answer["answer"])
+
+    def test_an_object_at_rest_on_a_table(self):
+        answer = self.judge(scene(legs(), mass=1, gravity=(0, 0, -10)), 0, [
+            ("force", (1, 0, 0), 5), ("force", (0, 0, 1), 10), ("force", (0, 0, -1), math.inf),
+            ("acceleration", (0, 1, 0), 5), ("moment", (1, 0, 0), 0.2)])
+        self.assertAlmostEqual(answer["tilt"], math.atan(0.5), 5)
+        self.assertEqual(answer["least_grip"]["force"], None)
+        self.assertIn("Held where it rests", answer["answer"])
+
+    def test_in_a_plane_forces_lie_in_it(self):
+        pair = "".join(finger(name, [0, 0.02 * s, 0], [0, -s, 0], grip_force=20) for name, s in (("left", 1), ("right", -1)))
+        answer = self.judge(scene(pair, gravity=(-9.81, 0, 0), top="planar = true"), WEIGHT / 20, [
+            ("force", (-1, 0, 0), 20 - WEIGHT), ("force", (0, 1, 0), 40 - 2 * WEIGHT)], precision=1e-3)
+        self.assertEqual(next(d["limit"] for d in answer["disturbances"] if d["direction"] == [0, 0, 1]), None)
+
+    def test_a_force_at_a_point_and_directions_that_are_asked(self):
+        text = scene(pinch(torsion_radius=0.004), gravity=(0, 0, 0))
+        answer = hold(text, "--at", "0.01 0 0", "--direction", "force 0 0 2", "--direction", "moment 0 -3 0")
+        asked = answer["disturbances"][18:]
+        self.assertEqual([(d["kind"], d["direction"], d["at"]) for d in asked],
+                         [("force", [0, 0, 1], [0.01, 0, 0]), ("moment", [0, -1, 0], [0.01, 0, 0])])
+        # (f / 2)^2 + (0.01 f / 2 / 0.004)^2 = 10^2
+        self.assertAlmostEqual(asked[0]["limit"], 20 / math.hypot(1, 2.5), 6)
+        self.assertAlmostEqual(asked[1]["limit"], 2 * 10 * 0.004, 6)
+
+
+class OutsideProgram(unittest.TestCase):
+    def test_random_grasps_are_those_of_an_outside_cone_program(self):
+        try:
+            import scipy  # noqa: F401
+            by_scipy = ALL
+        except ImportError:
+            by_scipy = False
+        limits = 0
+        for seed in range(300 if ALL else 30):
+            text, grasp, mass = held_loads.random_grasp(seed)
+            answer = hold(text)
+            pick = random.Random(seed)
+            with self.subTest(seed=seed, text=text):
+                solve = grasp.solve
+                if by_scipy:
+                    solve = lambda column, demand: held_loads.scipy_limit(grasp, column, demand)
+                least, factor = grasp.least_grip(), answer["least_grip"]["factor"]
+                self.assertEqual(least is None, factor is None, (least, factor))
+                if least is not None:
+                    self.assertAlmostEqual(max(least, 0), factor, delta=1e-6 * max(factor, 1))
+                if not answer["held"]:
+                    continue
+                for entry in pick.sample(answer["disturbances"], 18 if ALL else 3):
+                    w = entry["direction"]
+                    wrench = {"force": w + [0] * 3, "moment": [0] * 3 + w,
+                              "acceleration": [-mass * x for x in w] + [0] * 3}[entry["kind"]]
+                    column = grasp.part(wrench)
+                    unit = max(map(abs, column))
+                    if unit == 0:
+                        self.assertIsNone(entry["limit"])
+                        continue
+                    found = solve([x / unit for x in column] + [0.0] * (len(grasp.grips) + 1), grasp.demand(1))
+                    if found is None:  # of scipy
+                        continue
+                    limits += 1
+                    mine = math.inf if entry["unlimited"] else entry["limit"] * unit
+                    if math.isinf(found) or math.isinf(mine):
+                        self.assertEqual(found, mine, entry)
+                    else:
+                        self.assertAlmostEqual(found, mine, delta=1e-6 * max(mine, 1e-2), msg=entry)
+                for kind in KINDS:
+                    weakest = answer["weakest"][kind]
+                    if weakest["upper"]:
+                        self.assertLess(weakest["upper"] - weakest["lower"], 1e-6 * weakest["upper"] + 1e-9)
+        self.assertGreater(limits, 2000 if ALL else 30)
+
+    def test_no_sampled_direction_is_weaker_than_the_weakest(self):
+        for seed in (0, 3, 8, 12, 20) if not ALL else range(100):
+            text, _, _ = held_loads.random_grasp(seed)
+            answer, pick = hold(text), random.Random(seed)
+            if not answer["held"] or "planar" in text:
+                continue
+            for kind in KINDS[:2]:
+                weakest = answer["weakest"][kind]
+                if weakest["limit"] is None:
+                    continue
+                words = []
+                for _ in range(100):
+                    w = [pick.gauss(0, 1) for _ in range(3)]
+                    if pick.random() < 0.5:  # near it
+                        w = [a + 0.03 * b for a, b in zip(weakest["direction"], w)]
+                    words += ["--direction", f"{kind} {w[0]} {w[1]} {w[2]}"]
+                for entry in hold(text, *words)["disturbances"]:
+                    if entry["kind"] == kind and entry["limit"] is not None:
+                        self.assertGreater(entry["limit"], weakest["lower"] * (1 - 1e-9) - 1e-12, (seed, entry, weakest))
+
+
+class Words(ToolTest):
+    def test_json_has_every_promised_key(self):
+        answer = hold(scene(pinch()))
+        self.assertEqual(set(answer), {"held", "least_grip", "margin", "disturbances", "weakest", "added_mass", "tilt",
+                                       "law", "answer", "warnings"})
+        self.assertEqual(set(answer["least_grip"]), {"force", "factor", "statics_factor", "most_factor", "of"})
+        self.assertEqual(set(answer["weakest"]), set(KINDS))
+        keys = {"direction", "limit", "statics_limit", "unlimited", "lower", "upper", "first"}
+        self.assertEqual(set(answer["weakest"]["force"]), keys)
+        self.assertEqual(len(answer["disturbances"]), 18)
+        for entry in answer["disturbances"]:
+            self.assertEqual(set(entry), keys | {"kind", "at"})
+        falls = hold(scene(pinch(1)))
+        self.assertEqual(falls["held"], False)
+        self.assertEqual({entry["limit"] for entry in falls["disturbances"]}, {None})
+
+    def test_text_is_short_and_begins_with_a_sentence(self):
+        for path in sorted(SCENES.glob("*.toml")):
+            result = run(path)
+            self.assertLessEqual(result.stdout.count("\n"), 20, path)
+            self.assertLessEqual(max(map(len, result.stdout.split("\n"))), 80, path)
+            self.assertRegex(result.stdout, r"Held|Not held|No grip force holds")
+            self.assertEqual(result.returncode, 0 if "Held" in result.stdout.split("\n\n")[1] else 1, path)
+        first = re.sub(r"\s+", " ", run("-", text=scene(pinch(torsion_radius=0.004))).stdout)
+        self.assertIn("Held with 10.2 times the grip it needs; weakest against a twist about -y: 0.0796 N m turns it", re.sub(r"\+y:", "-y:", first))
+
+    def test_bad_questions_are_refused(self):
+        text = self.file("pinch.toml", scene(pinch()))
+        for words, pattern in [(("--direction", "push 1 0 0"), "force, moment or acceleration"),
+                               (("--direction", "force 1 0"), "such as \"force 1 0 0\""),
+                               (("--direction", "force 0 0 0"), "no direction"), (("--at", "1 2"), "3 numbers")]:
+            self.is_refused(run(text, *words), pattern)
+        for name in ("break", "cone"):
+            self.is_refused(command(name)(text), "lcpush hold")
+
+    def test_the_part_of_the_guide(self):
+        """W / (2 mu) is 131 N; its pads need sixteen times that."""
+        text = (SOURCE / "docs/guide/off_centre.toml").read_text()
+        self.assertAlmostEqual(hold(text.replace("[-0.61,", "[0,"))["least_grip"]["force"], 9.07 * 24.525 / 1.7, delta=0.2)
+        answer = hold(text)
+        self.assertAlmostEqual(answer["least_grip"]["force"], 2140, delta=10)
+        self.assertAlmostEqual(answer["least_grip"]["statics_factor"] * 3000, 1130, delta=10)
+
+
+if __name__ == "__main__":
+    main()
