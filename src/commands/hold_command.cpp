@@ -48,11 +48,13 @@ Result run_hold(const Values& values, Listener& listener) {
     question.at = Vector3<double>((*at)[0], (*at)[1], (*at)[2]);
   for (const std::string& text : values.texts("direction"))
     question.directions.push_back(read_direction(values, text));
+  question.with_sections = format == "svg";
   PushOptions options;
   options.watcher = options.searching = &listener;
   const HoldStudy study = find_hold(file, question, options);
-  return {study.held.value_or(false),
-          format == "json" ? hold_json(file, study) : hold_text(file, study, values.telling())};
+  return {study.held.value_or(false), format == "json"  ? hold_json(file, study)
+                                      : format == "svg" ? hold_svg(file, study)
+                                                        : hold_text(file, study)};
 }
 
 } // namespace
@@ -74,8 +76,10 @@ Command hold_command() {
            {"direction", "\"WHAT X Y Z\"",
             "also this one: force, moment or acceleration, and where to; may be repeated", true},
            pressure_option,
-           facets_option}),
-      run_hold};
+           facets_option,
+           format_option("text (default), json or svg; --json for short")}),
+      run_hold,
+      {"text", "json", "svg"}};
 }
 
 } // namespace lcpush::commands

@@ -51,7 +51,7 @@ public:
   }
 
   /// The largest t of w + t d.
-  HoldLimit limit(const HoldDirection& what) {
+  HoldLimit limit(const HoldDirection& what, bool asks_law = true) {
     const Vector6<double> d = unit_wrench(hand_, what.kind, what.direction, at());
     HoldLimit found;
     if (const HoldLimit* const force = same_force(what); force != nullptr)
@@ -74,7 +74,20 @@ public:
     found.upper = most.ending == Ending::unlimited ? no_limit : std::max(0.0, -most.bound * si);
     if (most.ending == Ending::found)
       found.gives = read_motion(hand_, statics_, most.motion, program.contacts());
-    found.limit = law_ ? law_->limit(d, found.statics) : found.statics;
+    found.limit = law_ ? law_->limit(d, found.statics, asks_law) : found.statics;
+    return found;
+  }
+
+  /// What its pads can hold, without asking their law.
+  HoldSection section(Disturbance kind, Index along) {
+    HoldSection found{kind, along, (along + 1) % 3, {}};
+    const Index steps = law_ ? hold_settings.pad_steps : hold_settings.section_steps;
+    for (Index k = 0; k < steps; ++k) {
+      Vector3<double> direction = Vector3<double>::Zero();
+      direction[along] = circle_cosine<double>(k, steps);
+      direction[found.across] = circle_sine<double>(k, steps);
+      found.reach.push_back(limit({kind, direction}, false).limit);
+    }
     return found;
   }
 
@@ -215,6 +228,9 @@ HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
   if (!holds) return study;
   for (HoldLimit& weakest : study.weakest) weakest = questions.weakest(weakest.what.kind);
   study.tilt = questions.tilt();
+  for (const Disturbance kind : {Disturbance::force, Disturbance::moment})
+    for (Index along = 0; question.with_sections && along < 3; ++along)
+      study.sections.push_back(questions.section(kind, along));
   if (const double g = hand.gravity.norm(); g > 0)
     study.added_mass = questions.limit({Disturbance::force, hand.gravity / g}).limit / g;
   return study;

@@ -175,7 +175,7 @@ std::string hold_answer(const SceneFile& file, const HoldStudy& study) {
          units[static_cast<int>(least->what.kind)] + " " + give_way_words(file, least->gives) + ".";
 }
 
-std::string hold_text(const SceneFile& file, const HoldStudy& study, Telling) {
+std::string hold_text(const SceneFile& file, const HoldStudy& study) {
   std::string text = title_line(file) + hold_answer(file, study) + "\n\n";
   if (study.held.value_or(false) && !study.limits.empty())
     text += table_text(limit_rows(study)) + "\n";

@@ -62,12 +62,12 @@ SmallestGrip HoldingLaw::least_grip(double bound) {
   return grip;
 }
 
-double HoldingLaw::limit(const Vector6<double>& wrench, double bound) {
+double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks) {
   const double pads = pads_.limit(wrench);
   if (std::isinf(pads)) return bound;
   const double limit = std::isnan(pads) ? bound : std::min(pads, bound);
   if (!(limit > 0)) return limit;
-  if (!may_ask()) return pads;
+  if (!asks || !may_ask()) return pads;
   if (std::isfinite(limit) &&
       holds(1, (1 - hold_settings.same) * limit * wrench).value_or(!std::isnan(pads)))
     return limit;

@@ -46,8 +46,9 @@ public:
   SmallestGrip least_grip(double bound);
   /// nan: no more than the least grip is known.
   double most_grip() const { return pads_.grip(false); }
-  /// The largest factor on a wrench; `bound`: of statics, from above.
-  double limit(const Vector6<double>& wrench, double bound);
+  /// The largest factor on a wrench; `bound`: of statics, from above; `asks`: or what pads can
+  /// hold.
+  double limit(const Vector6<double>& wrench, double bound, bool asks = true);
 
 private:
   const SceneFile& hand_;

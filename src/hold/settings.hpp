@@ -28,6 +28,7 @@ struct HoldSettings {
   /// The scene's own law: a limit's last bracket, relative; nearer than `same` to statics it is
   /// statics'; loads that are asked in all.
   double law = 1e-4, same = 5e-4, told = 1e-2;
+  Index section_steps = 72, pad_steps = 24; ///< directions in a plane of a picture; of pads
   double least_unit = 1e-3; ///< of the grip: from there on the law's least grip is searched
   Index most_patterns = 40; ///< of touching points, one after the other
   /// Pivots of one load, and of all: then what pads can hold is no longer asked of their law.

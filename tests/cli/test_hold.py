@@ -8,6 +8,7 @@ import random
 import re
 import sys
 import unittest
+import xml.etree.ElementTree as ElementTree
 
 from tool import SCENES, SOURCE, ToolTest, command, main
 
@@ -281,6 +282,20 @@ class Words(ToolTest):
         first = re.sub(r"\s+", " ", run("-", text=scene(pinch(torsion_radius=0.004))).stdout)
         self.assertIn("Held with 10.2 times the grip it needs; weakest against a twist about -y: 0.0796 N m turns it", re.sub(r"\+y:", "-y:", first))
 
+    def test_the_picture_has_six_planes(self):
+        """Of a pinch without a load: a disc across the pads, a rectangle along them."""
+        text = scene(pinch(torsion_radius=0.004), gravity=(0, 0, 0))
+        picture = ElementTree.fromstring(run("-", "--format", "svg", text=text).stdout)
+        planes = [[tuple(map(float, p.split(","))) for p in e.get("points").split()] for e in picture.iter()
+                  if e.get("class") == "cone"]
+        self.assertEqual(len(planes), 6)
+        middle = [sum(x) / 72 for x in zip(*planes[2])]  # z and x
+        self.assertLess(max(math.dist(p, middle) for p in planes[2]) - min(math.dist(p, middle) for p in planes[2]), 0.1)
+        self.assertEqual([e.text for e in picture.iter() if (e.text or "").startswith("least")][2], "least 20 N")
+        falls = run("-", "--format", "svg", text=scene(pinch(1)))
+        self.assertEqual(falls.returncode, 1)
+        self.assertIn("Not held", falls.stdout)
+
     def test_bad_questions_are_refused(self):
         text = self.file("pinch.toml", scene(pinch()))
         for words, pattern in [(("--direction", "push 1 0 0"), "force, moment or acceleration"),
@@ -294,6 +309,8 @@ class Words(ToolTest):
         """W / (2 mu) is 131 N; its pads need sixteen times that."""
         text = (SOURCE / "docs/guide/off_centre.toml").read_text()
         self.assertAlmostEqual(hold(text.replace("[-0.61,", "[0,"))["least_grip"]["force"], 9.07 * 24.525 / 1.7, delta=0.2)
+        drawn = run("docs/guide/off_centre.toml", "--format", "svg", cwd=SOURCE).stdout
+        self.assertEqual(drawn, (SOURCE / "docs/guide/off_centre.svg").read_text())
         answer = hold(text)
         self.assertAlmostEqual(answer["least_grip"]["force"], 2140, delta=10)
         self.assertAlmostEqual(answer["least_grip"]["statics_factor"] * 3000, 1130, delta=10)

@@ -73,6 +73,15 @@ class SameJson(unittest.TestCase):
         self.assertEqual(scene.picture("top"),
                          printed("report", TIPPING, "--format", "svg", "--picture", "top"))
 
+    def test_of_holding(self):
+        path = "docs/guide/off_centre.toml"
+        hold = lcpush.read(path).hold(at=(0.1, 0, 0), directions=["moment 0 1 0"])
+        words = ("hold", path, "--at", "0.1 0 0", "--direction", "moment 0 1 0")
+        self.assertEqual(hold.json, printed(*words, "--json"))
+        self.assertEqual(hold._repr_html_(), printed(*words, "--format", "svg"))
+        self.assertTrue(hold and repr(hold).startswith("Held with 1.4 times the grip it needs"))
+        self.assertEqual(hold.weakest.moment.first, ["left", "right"])
+
     def test_of_cones_and_plans(self):
         path = "docs/guide/square.toml"
         scene = lcpush.read(path)

@@ -4,7 +4,6 @@
 
 #include "lcpush/desktop/push_reports.hpp"
 #include "lcpush/desktop/smallest_grip.hpp"
-#include "lcpush/desktop/telling.hpp"
 
 #include <array>
 #include <limits>
@@ -29,6 +28,7 @@ struct HoldDirection {
 struct HoldQuestion {
   std::optional<Vector3<double>> at; ///< m, scene's frame, where forces act; none: centre of mass
   std::vector<HoldDirection> directions; ///< beside the axes
+  bool with_sections = false;            ///< for a picture
 };
 
 /// How a grasp gives way: by the dual of a limit, a motion that the load drives.
@@ -42,6 +42,14 @@ struct GiveWay {
 
 constexpr double unknown_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+/// A plane through the set of held loads: how far it reaches in equal steps of the angle from
+/// `along` towards `across`, in N or N m.
+struct HoldSection {
+  Disturbance kind;
+  Index along, across; ///< axes
+  std::vector<double> reach;
+};
 
 /// The largest t >= 0 for which the load and t times a direction are held.
 struct HoldLimit {
@@ -65,6 +73,7 @@ struct HoldStudy {
   Vector3<double> at = Vector3<double>::Zero(); ///< m, scene's frame
   std::vector<HoldLimit> limits;      ///< along +x, -x, +y, .. of each kind, then as asked
   std::array<HoldLimit, 3> weakest{}; ///< by kind
+  std::vector<HoldSection> sections;  ///< if they are asked for
   double added_mass = unknown_number; ///< kg, at the same point
   double tilt = unknown_number;       ///< rad, of gravity in any direction; pi: it may turn over
 
@@ -75,8 +84,9 @@ struct HoldStudy {
 HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
                     const PushOptions& options = {});
 
-std::string hold_text(const SceneFile& file, const HoldStudy& study,
-                      Telling telling = Telling::brief);
+std::string hold_text(const SceneFile& file, const HoldStudy& study);
+/// The sections as a picture.
+std::string hold_svg(const SceneFile& file, const HoldStudy& study);
 std::string hold_json(const SceneFile& file, const HoldStudy& study);
 /// The first line of the text.
 std::string hold_answer(const SceneFile& file, const HoldStudy& study);

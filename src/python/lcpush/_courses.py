@@ -120,6 +120,21 @@ class Cone(Answer):
         return bool(self._data["sticks"])
 
 
+class Hold(Answer):
+    """How well the grasp holds, of `Scene.hold()`: `held`, `least_grip`, `margin`, `disturbances`, `weakest`,
+    `added_mass` kg, `tilt` rad. True where it is held."""
+
+    _picture = "hold"
+
+    def __bool__(self) -> bool:
+        return bool(self._data["held"])
+
+    @property
+    def sentence(self) -> str:
+        """The first sentence of text()."""
+        return str(self._data["answer"])
+
+
 class Plan(Answer):
     """Pushes that take the object to another place, of `Scene.plan()`: `found`, `pushes`, `cost`,
     `replay`, and as `scene` the text of the scene with its strokes. True where it was found."""

@@ -10,7 +10,7 @@ from . import _toml
 from ._answers import (Answer, Breaking, Certificate, MotionVerdict, Pivots, Record, Solution, Spread,
                        Verdict)
 from ._arrays import as_json, plain
-from ._courses import Cone, Motion, Plan, Sweep, values_of, variation
+from ._courses import Cone, Hold, Motion, Plan, Sweep, values_of, variation
 from ._errors import InputError, NotSolved
 from ._library import NOT_SOLVED, Asker, Progress, ask
 
@@ -192,6 +192,16 @@ class Scene:
         return self._answer(Motion, "move",
                             {"time": time, "step": step, "tolerance": tolerance,
                              "stop_after": stop_after, "frames": frames}, False, progress)
+
+    def hold(self, *, at: Optional[Sequence[float]] = None, directions: Sequence[str] = ()) -> Hold:
+        """How hard to grip, and what makes it slip: the grasp without a push.
+
+        Args:
+            at: shape (3,), m, the scene's frame, where forces act; the centre of mass
+            directions: more than the axes, such as "force 1 0 0" or "moment 0 1 0"
+        """
+        place = None if at is None else plain(at, "at")
+        return self._answer(Hold, "hold", {"at": place, "direction": list(directions) or None}, False, None)
 
     def cone(self, twist: Optional[Sequence[float]] = None, *,
              pusher: Optional[str] = None) -> Cone:
