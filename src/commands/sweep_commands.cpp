@@ -187,12 +187,15 @@ Result run_report(const Values& values, Listener& listener) {
     grip = find_smallest_grip(asked.file, hold, breaking, asked.options);
   }
   const PushReport report = asked.push.solve(asked.options); // last: its answer lives in the Push
-  const PageContent content{asked.file,
-                            hold,
-                            report,
-                            breaks ? &breaking : nullptr,
-                            breaks ? &grip : nullptr,
-                            swept(variations, scene, listener, options)};
+  PageContent content{asked.file,
+                      hold,
+                      report,
+                      breaks ? &breaking : nullptr,
+                      breaks ? &grip : nullptr,
+                      swept(variations, scene, listener, options)};
+  std::optional<HoldStudy> held;
+  if (format == "html" && file.body(0).role == Role::finger && listener.stop(1) == Stop::none)
+    content.held = &held.emplace(find_hold(file, {}, asked.options));
   const bool is_whole = content.sweeps.size() == variations.size() && breaks == (pusher >= 0);
   const Stop stop = is_whole && (content.sweeps.empty() || content.sweeps.back().stop == Stop::none)
                         ? Stop::none

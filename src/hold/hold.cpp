@@ -69,9 +69,11 @@ public:
     const auto most = program.minimise(-Eigen::VectorXd::Ones(1));
     if (most.ending == Ending::failed) return found;
     const double si = statics_.scales().force / unit;
-    found.statics = most.ending == Ending::unlimited ? no_limit : std::max(0.0, -most.value * si);
+    const auto told = [&](double t) { return t > hold_settings.closed ? t * si : 0; };
+    found.statics = most.ending == Ending::unlimited ? no_limit : told(-most.value);
     found.lower = found.statics;
-    found.upper = most.ending == Ending::unlimited ? no_limit : std::max(0.0, -most.bound * si);
+    found.upper =
+        most.ending == Ending::unlimited ? no_limit : std::max(found.statics, told(-most.bound));
     if (most.ending == Ending::found)
       found.gives = read_motion(hand_, statics_, most.motion, program.contacts());
     found.limit = law_ ? law_->limit(d, found.statics, asks_law) : found.statics;

@@ -32,7 +32,7 @@ struct HoldSettings {
   double least_unit = 1e-3; ///< of the grip: from there on the law's least grip is searched
   Index most_patterns = 40; ///< of touching points, one after the other
   /// Pivots of one load, and of all: then what pads can hold is no longer asked of their law.
-  Index most_pivots = 1000, all_pivots = 20000;
+  Index most_pivots = 1000, all_pivots = 30000;
 };
 
 constexpr HoldSettings hold_settings;

@@ -160,6 +160,7 @@ std::string report_html(const PageContent& content) {
     sections.push_back(contacts_section(content));
   }
   if (content.breaking != nullptr) sections.push_back(breaking_section(content));
+  if (content.held != nullptr) sections.push_back(holding_section(content));
   if (!content.sweeps.empty()) sections.push_back(sweeps_section(content));
   if (solved) sections.push_back(residual_section(content));
   const std::string title =

@@ -123,6 +123,18 @@ Section breaking_section(const PageContent& content) {
           paragraph("The limit of an ever weaker push in the scene's direction.", "aside") + text};
 }
 
+Section holding_section(const PageContent& content) {
+  SceneFile untitled = content.file;
+  untitled.title.clear();
+  const std::string text = hold_text(untitled, *content.held);
+  const std::size_t sentence = text.find("\n\n");
+  return {"holding", "How well the grasp holds",
+          paragraph("Without a push, pushers absent.", "aside") +
+              paragraph(text.substr(0, sentence)) +
+              scrolling("What the grasp bears",
+                        "<pre>" + with_breaks(text.substr(sentence + 2)) + "</pre>\n")};
+}
+
 Section sweeps_section(const PageContent& content) {
   std::string text;
   for (const Sweep& sweep : content.sweeps) {

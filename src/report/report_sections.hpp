@@ -21,6 +21,7 @@ std::string sweep_title(const Sweep& sweep);
 Section friction_section(const PageContent& content);
 Section contacts_section(const PageContent& content);
 Section breaking_section(const PageContent& content);
+Section holding_section(const PageContent& content);
 Section sweeps_section(const PageContent& content);
 Section residual_section(const PageContent& content);
 

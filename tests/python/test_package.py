@@ -80,7 +80,7 @@ class SameJson(unittest.TestCase):
         self.assertEqual(hold.json, printed(*words, "--json"))
         self.assertEqual(hold._repr_html_(), printed(*words, "--format", "svg"))
         self.assertTrue(hold and repr(hold).startswith("Held with 1.4 times the grip it needs"))
-        self.assertEqual(hold.weakest.moment.first, ["left", "right"])
+        self.assertEqual(hold.weakest.moment["first"], ["left", "right"])
 
     def test_of_cones_and_plans(self):
         path = "docs/guide/square.toml"

@@ -2,7 +2,7 @@
 // and plots of sweeps. HTML and SVG without scripts and without anything from elsewhere.
 #pragma once
 
-#include "lcpush/desktop/smallest_grip.hpp"
+#include "lcpush/desktop/hold.hpp"
 #include "lcpush/desktop/sweep.hpp"
 
 #include <string>
@@ -18,6 +18,7 @@ struct PageContent {
   const BreakReport* breaking = nullptr; ///< of Push::find_breaking; null: not asked
   const GripReport* grip = nullptr;      ///< of find_smallest_grip; null only without `breaking`
   std::vector<Sweep> sweeps;             ///< any number, in the page's order
+  const HoldStudy* held = nullptr;       ///< of find_hold; null: not asked
 };
 
 struct Picture {
