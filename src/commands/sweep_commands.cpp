@@ -1,6 +1,7 @@
 // sweep and report: a scene solved many times, or shown.
 #include "commands/asked_push.hpp"
 #include "commands/values.hpp"
+#include "lcpush/desktop/hold.hpp"
 #include "lcpush/desktop/report_page.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
@@ -89,6 +90,35 @@ ParameterSweepOptions options_of_curves(const Values& values, Listener& listener
   return options;
 }
 
+bool has_pusher(const Values& values) {
+  return values.varied_scene(Needs::scene).as_given().bodies.back().role == Role::pusher;
+}
+
+/// Of the grasp without a push.
+Result run_hold_sweep(const Values& values, Listener& listener, const std::string& curve) {
+  const std::string format = values.format();
+  const VariedScene scene = values.varied_scene(Needs::scene);
+  const std::vector<Variation> variations = values.variations(scene);
+  for (const char* const other : {"each", "show", "pusher"})
+    if (values.has(other))
+      values.refuse(other, values.label(other) + " is about pushes: leave it out with " +
+                               values.label("curve") + " " + curve);
+  if (variations.size() != 1 || values.scene_count() != 1)
+    values.refuse("vary", values.label("curve") + " " + curve + " is one scene's along one number");
+  constexpr Index usual_steps = 51;
+  HoldSweep sweep = sweep_hold(scene, variations[0],
+                               values.whole("steps", {2, limits::map_steps}).value_or(usual_steps),
+                               [&listener](double part) { return listener.stop(part); });
+  sweep.of_margin = curve != "hold.least_grip";
+  return {sweep.stop == Stop::none,
+          format == "json"  ? hold_sweep_json(sweep)
+          : format == "csv" ? hold_sweep_csv(sweep)
+          : format == "svg" ? hold_sweep_svg(sweep)
+                            : hold_sweep_text(sweep),
+          {},
+          sweep.stop};
+}
+
 Result run_sweep(const Values& values, Listener& listener) {
   const std::string format = values.format();
   const std::size_t count = values.variation_count();
@@ -96,6 +126,13 @@ Result run_sweep(const Values& values, Listener& listener) {
   if (count > 2)
     values.refuse("vary", values.label("vary") + " is given once, or twice for a map, not " +
                               std::to_string(count) + " times");
+  if (const auto curve = values.text("curve"))
+    return run_hold_sweep(values, listener,
+                          values.one_of("curve", *curve, {"hold.margin", "hold.least_grip"}));
+  if (!has_pusher(values)) {
+    listener.announce("Nothing pushes in this scene: the sweep is of hold.margin, as of --curve.");
+    return run_hold_sweep(values, listener, "hold.margin");
+  }
   const std::vector<SweepQuantity> shown = shown_quantities(values, format);
   std::vector<VariedScene> scenes;
   std::vector<SweepCurve> curves = read_curves(values, listener, scenes);
@@ -238,6 +275,7 @@ Examples:
            pressure_option,
            facets_option,
            {"pusher", "NAME", "which one pushes, among several; the others are left out"},
+           {"curve", "NAME", "of the grasp without a push: hold.margin or hold.least_grip"},
            {"show", "NAME,NAME,..",
             "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
            verbose_option,

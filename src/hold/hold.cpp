@@ -217,24 +217,25 @@ HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
     study.reason = "nothing grips it";
     return study;
   }
-  HoldQuestions questions(hand, options, study);
-  questions.find_grip();
-  questions.find_law();
+  HoldQuestions asked(hand, options, study);
+  asked.find_grip();
+  asked.find_law();
+  if (question.grip_alone) return study;
   const bool holds = study.held.value_or(false);
   for (const HoldDirection& direction : directions) {
     HoldLimit limit;
     limit.what = direction;
-    study.limits.push_back(holds ? questions.limit(direction) : limit);
+    study.limits.push_back(holds ? asked.limit(direction) : limit);
   }
   for (std::size_t k = 0; k < 3; ++k) study.weakest[k].what.kind = static_cast<Disturbance>(k);
   if (!holds) return study;
-  for (HoldLimit& weakest : study.weakest) weakest = questions.weakest(weakest.what.kind);
-  study.tilt = questions.tilt();
+  for (HoldLimit& weakest : study.weakest) weakest = asked.weakest(weakest.what.kind);
+  study.tilt = asked.tilt();
   for (const Disturbance kind : {Disturbance::force, Disturbance::moment})
     for (Index along = 0; question.with_sections && along < 3; ++along)
-      study.sections.push_back(questions.section(kind, along));
+      study.sections.push_back(asked.section(kind, along));
   if (const double g = hand.gravity.norm(); g > 0)
-    study.added_mass = questions.limit({Disturbance::force, hand.gravity / g}).limit / g;
+    study.added_mass = asked.limit({Disturbance::force, hand.gravity / g}).limit / g;
   return study;
 }
 

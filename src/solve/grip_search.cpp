@@ -16,7 +16,7 @@ struct Bracket {
   const SmallestGrip& grip;
   double unit, low, high;
   const CountingWatcher& work;
-  const Question& holds;
+  const GripQuestion& holds;
 
   double factor(double excess) const { return grip.bound + excess * unit; }
   double width() const { return (high - low) * unit / factor(high); }
@@ -51,7 +51,7 @@ struct Bracket {
 
 SmallestGrip search_upwards(const Holding<double>& holding, double known,
                             const Precision& precision, const CountingWatcher& work,
-                            const Question& holds) {
+                            const GripQuestion& holds) {
   SmallestGrip grip;
   grip.bound = holding.factor;
   const double unit = std::max(grip.bound, holding.unit / 1000);

@@ -8,7 +8,7 @@
 
 namespace lcpush::desktop {
 
-using Question = std::function<bool(double factor)>; // does the scene hold at this factor?
+using GripQuestion = std::function<bool(double factor)>; // does the scene hold at this factor?
 
 /// Counts the pivots of everything that is asked, so that a search costs seconds and no more. A
 /// count and no clock: the same input gives the same bits.
@@ -48,6 +48,6 @@ struct Precision {
 /// From statics' bound to the law's own factor; `known` is a factor that holds, or 0.
 SmallestGrip search_upwards(const Holding<double>& holding, double known,
                             const Precision& precision, const CountingWatcher& work,
-                            const Question& holds);
+                            const GripQuestion& holds);
 
 } // namespace lcpush::desktop

@@ -27,7 +27,7 @@ double load_over_preload(const SceneFile& file) {
 }
 
 SmallestGrip smallest(const SceneFile& file, Index most_unknowns, const CountingWatcher& work,
-                      double known, const Precision& precision, const Question& holds) {
+                      double known, const Precision& precision, const GripQuestion& holds) {
   SmallestGrip grip;
   grip.source = GripSource::not_searched;
   if (size_of(EvenScene(file.view()).scene).unknowns() > most_unknowns) return grip;

@@ -296,6 +296,24 @@ class Words(ToolTest):
         self.assertEqual(falls.returncode, 1)
         self.assertIn("Not held", falls.stdout)
 
+    def test_sweeps_of_the_least_grip(self):
+        """W / (2 mu), and its margin; a report has it too."""
+        text = self.file("pinch.toml", scene(pinch()))
+        answer = json.loads(command("sweep")(text, "--vary", "*.friction=0.04:0.24", "--steps", 6, "--curve",
+                                             "hold.margin", "--json").stdout)
+        for k, point in enumerate(answer["points"]):
+            mu = 0.04 * (k + 1)
+            self.assertAlmostEqual(point["least_grip"], WEIGHT / (2 * mu), 5)
+            self.assertAlmostEqual(point["margin"], 20 * 2 * mu / WEIGHT, 5)
+            self.assertEqual(point["held"], 40 * mu >= WEIGHT)
+        bare = command("sweep")(text, "--vary", "*.friction=0.04:0.24", "--steps", 6)
+        self.assertIn("Nothing pushes", bare.stderr)
+        self.assertRegex(bare.stdout, r"the object\s+falls, then is held\s+from\s+between\s+0.04\s+and\s+0.08 on")
+        lines = command("sweep")(text, "--vary", "*.friction=0.04:0.24", "--steps", 6, "--format", "csv").stdout.split("\n")
+        self.assertEqual(lines[0], "*.friction,held,least_grip,factor,margin")
+        ElementTree.fromstring(command("sweep")(text, "--vary", "*.friction=0.04:0.24", "--format", "svg").stdout)
+        self.assertIn("Held with 10.2 times the grip it needs", " ".join(command("report")(text).stdout.split()))
+
     def test_bad_questions_are_refused(self):
         text = self.file("pinch.toml", scene(pinch()))
         for words, pattern in [(("--direction", "push 1 0 0"), "force, moment or acceleration"),

@@ -4,6 +4,7 @@
 
 #include "lcpush/desktop/push_reports.hpp"
 #include "lcpush/desktop/smallest_grip.hpp"
+#include "lcpush/desktop/sweep.hpp"
 
 #include <array>
 #include <limits>
@@ -29,6 +30,7 @@ struct HoldQuestion {
   std::optional<Vector3<double>> at; ///< m, scene's frame, where forces act; none: centre of mass
   std::vector<HoldDirection> directions; ///< beside the axes
   bool with_sections = false;            ///< for a picture
+  bool grip_alone = false;               ///< nothing beyond the load
 };
 
 /// How a grasp gives way: by the dual of a limit, a motion that the load drives.
@@ -83,6 +85,21 @@ struct HoldStudy {
 
 HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
                     const PushOptions& options = {});
+
+/// The least grip along a number of a scene.
+struct HoldSweep {
+  Variation variation;
+  std::vector<double> values;     ///< evenly spread
+  std::vector<HoldStudy> studies; ///< there, of the grip alone
+  Stop stop = Stop::none;         ///< what ended it early: then there are fewer
+  bool of_margin = true;          ///< what the picture shows; else the least grip force
+};
+HoldSweep sweep_hold(const VariedScene& scene, const Variation& variation, Index steps,
+                     const StopCheck& stop = {});
+std::string hold_sweep_text(const HoldSweep& sweep);
+std::string hold_sweep_csv(const HoldSweep& sweep);
+std::string hold_sweep_json(const HoldSweep& sweep);
+std::string hold_sweep_svg(const HoldSweep& sweep);
 
 std::string hold_text(const SceneFile& file, const HoldStudy& study);
 /// The sections as a picture.
