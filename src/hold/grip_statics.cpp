@@ -168,6 +168,7 @@ bool StaticsProgram::restart() {
   A.leftCols(D_.cols()) = D_;
   A.col(D_.cols()) = Eigen::VectorXd::Unit(b_.size(), statics_.sum_row()); // slack
   A.rightCols(static_cast<Index>(rays_.size())) = columns(0);
+  work_ = work();
   simplex_.emplace(A, b_, free_, hold_settings.price);
   return simplex_->find_point() == Simplex::Ending::found;
 }
@@ -203,6 +204,7 @@ StaticsProgram::Ending StaticsProgram::approach() {
   StaticsProgram program(statics_, with_rest, free_, b_, rays_);
   if (!program.restart()) return Ending::failed;
   const Optimum least = program.minimise(Eigen::VectorXd::Unit(D_.cols() + 1, D_.cols()));
+  work_ += program.work();
   if (least.ending == Ending::failed) return Ending::failed;
   motion_ = least.motion;
   if (least.bound > hold_settings.carries) return Ending::none;

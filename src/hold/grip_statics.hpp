@@ -110,6 +110,7 @@ public:
 
   const std::vector<ForceRay>& rays() const { return rays_; }
   std::vector<Contact> contacts() const; ///< of the last program, one a cone
+  double work() const { return work_ + (simplex_ ? simplex_->work() : 0); } ///< multiplications
   /// Of an empty set: a motion that nothing resists.
   const Eigen::VectorXd& motion() const { return motion_; }
 
@@ -120,6 +121,7 @@ private:
   Eigen::VectorXd b_, motion_;
   std::vector<ForceRay> rays_;
   std::optional<Simplex> simplex_;
+  double work_ = 0; ///< before the present tableau
 
   Index first_ray() const { return D_.cols() + 1; }
   Eigen::VectorXd column(const ForceRay& ray) const;

@@ -95,7 +95,8 @@ std::string weakest_text(const SceneFile& file, const HoldStudy& study) {
   for (const HoldLimit& limit : study.weakest) {
     if (!(limit.limit < no_limit) || limit.what.kind == Disturbance::acceleration) continue;
     if (!text.empty()) text += "\n";
-    text += against(limit) + ", which " + give_way_words(file, limit.gives);
+    text += limit.limit > 0 ? against(limit) + ", which " + give_way_words(file, limit.gives)
+                            : against(limit) + ", which nothing resists";
   }
   return text;
 }
@@ -104,7 +105,9 @@ std::string weakest_text(const SceneFile& file, const HoldStudy& study) {
 std::string statics_text(const HoldStudy& study) {
   std::string text;
   const auto compare = [&](const HoldLimit& limit) {
-    if (!(std::abs(limit.statics - limit.limit) > hold_settings.told * limit.limit)) return;
+    if (std::abs(limit.statics - limit.limit) <= hold_settings.told * limit.limit ||
+        limit.statics == limit.limit)
+      return;
     text += (text.empty() ? "" : ", ") + against(limit) + " " +
             (std::isinf(limit.statics)
                  ? "any"

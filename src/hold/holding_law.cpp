@@ -2,23 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hold/settings.hpp"
-#include "solve/grip_search.hpp"
 #include "solve/rest_verdict.hpp"
 
 namespace lcpush::desktop {
 
 HoldingLaw::HoldingLaw(const SceneFile& hand, const PushOptions& options)
-    : hand_(hand), options_(options), counter_(options.watcher),
-      touching_(hand.points.size(), true), holds_now_(holds(1, Vector6<double>::Zero())),
-      pads_(hand, touching_), pads_least_(pads_.grip(true)) {
-  options_.watcher = &counter_;
-  options_.max_pivots = hold_settings.most_pivots;
+    : hand_(hand), work_(options), touching_(hand.points.size(), true),
+      holds_now_(holds(1, Vector6<double>::Zero())), pads_(hand, touching_),
+      pads_least_(pads_.grip(true)) {
   if (!holds_now_ && pads_least_ <= 1) holds_now_ = true;
 }
 
-bool HoldingLaw::may_ask() const { return counter_.pivots() < hold_settings.all_pivots; }
+PushOptions HoldingLaw::options() const {
+  PushOptions options = work_.options();
+  if (!is_first_) options.max_pivots = hold_settings.most_pivots;
+  return options;
+}
 
 std::optional<bool> HoldingLaw::holds(double factor, const Vector6<double>& more) {
   SceneFile there = hand_;
@@ -27,13 +29,12 @@ std::optional<bool> HoldingLaw::holds(double factor, const Vector6<double>& more
   there.object.wrench += more;
   Push push(there);
   Vector6<double> motion;
-  if (push.solve_at_rest(options_, motion) != Status::solved) return std::nullopt;
+  if (push.solve_at_rest(options(), motion) != Status::solved) return std::nullopt;
   const Scales<double>& scales = push.layout().scales;
   const Rest rest =
-      decide_rest(there, {motion, scales, rest_noise(there, scales, options_.solver)});
+      decide_rest(there, {motion, scales, rest_noise(there, scales, work_.options().solver)});
   if (rest == Rest::not_known) return std::nullopt;
-  if (is_first_ && rest == Rest::holds) {
-    is_first_ = false;
+  if (std::exchange(is_first_, false) && rest == Rest::holds) {
     std::size_t i = 0;
     for (const ContactAnswer<double>& contact : push.last_answer().contacts)
       touching_[i++] = contact.normal_force > 0;
@@ -54,20 +55,19 @@ SmallestGrip HoldingLaw::least_grip(double bound) {
   Holding<double> holding;
   holding.factor = std::isnan(pads_least_) ? bound : std::max(bound, pads_least_);
   holding.unit = std::max(holding.factor, hold_settings.least_unit);
-  const CountingWatcher work(options_);
   grip = search_upwards(holding, holds_now_.value_or(false) ? 1 : 0,
-                        {hold_settings.law, hold_settings.most_force}, work,
+                        {hold_settings.law, hold_settings.most_force}, work_,
                         [&](double factor) { return holds(factor, none).value_or(false); });
   grip.bound = bound;
   return grip;
 }
 
 double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks) {
-  const double pads = pads_.limit(wrench);
+  const double pads = pads_.limit(wrench, !asks);
   if (std::isinf(pads)) return bound;
   const double limit = std::isnan(pads) ? bound : std::min(pads, bound);
   if (!(limit > 0)) return limit;
-  if (!asks || !may_ask()) return pads;
+  if (!asks || (work_.is_used_up() && !std::isnan(pads))) return pads;
   if (std::isfinite(limit) &&
       holds(1, (1 - hold_settings.same) * limit * wrench).value_or(!std::isnan(pads)))
     return limit;
@@ -79,7 +79,7 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
 double HoldingLaw::bisected(const Vector6<double>& wrench, double high) {
   double low = 0;
   const double least = hold_settings.law * high;
-  while (high - low > least && may_ask()) {
+  while (high - low > least && !work_.is_used_up()) {
     const double middle = (low + high) / 2;
     (holds(1, middle * wrench).value_or(false) ? low : high) = middle;
   }

@@ -6,35 +6,14 @@
 #include <vector>
 
 #include "hold/pad_limits.hpp"
-#include "lcpush/desktop/smallest_grip.hpp"
+#include "solve/grip_search.hpp"
 
 namespace lcpush::desktop {
-
-/// Counts the pivots of all that is asked: a count and no clock, so that the same input gives the
-/// same bits.
-class PivotCounter : public Watcher {
-public:
-  explicit PivotCounter(Watcher* told) : told_(told) {}
-  Index pivots() const { return pivots_; }
-
-  void stepped(const Lemke<double>& lemke) override {
-    ++pivots_;
-    if (told_ != nullptr) told_->stepped(lemke);
-  }
-  void progressed(Index unknowns, Index covers) override {
-    ++pivots_;
-    if (told_ != nullptr) told_->progressed(unknowns, covers);
-  }
-
-private:
-  Watcher* told_;
-  Index pivots_ = 0;
-};
 
 class HoldingLaw {
 public:
   HoldingLaw(const SceneFile& hand, const PushOptions& options);
-  HoldingLaw(const HoldingLaw&) = delete; // its options point at its counter
+  HoldingLaw(const HoldingLaw&) = delete; // its options point at its watcher
   HoldingLaw& operator=(const HoldingLaw&) = delete;
 
   /// Does it hold at this factor on the grip with this wrench, [N; N m], beside the load? None: the
@@ -52,15 +31,15 @@ public:
 
 private:
   const SceneFile& hand_;
-  PushOptions options_;
-  PivotCounter counter_;
+  CountingWatcher work_;
   std::vector<bool> touching_;
   std::optional<bool> holds_now_;
   PadLimits pads_;
   double pads_least_;
   bool is_first_ = true;
 
-  bool may_ask() const;
+  PushOptions options() const;
+
   double bisected(const Vector6<double>& wrench, double high);
 };
 

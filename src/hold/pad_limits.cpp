@@ -17,7 +17,8 @@ struct PadQuestion {
 };
 
 /// The answer for the points that touch, which become those that touch at its end.
-double best_of(const SceneFile& hand, const PadQuestion& question, std::vector<bool>& touching) {
+double best_of(const SceneFile& hand, const PadQuestion& question, std::vector<bool>& touching,
+               double& work) {
   const GripStatics statics(hand, touching);
   const Eigen::MatrixXd gaps = statics.gaps();
   const Index moves = statics.displacement().cols();
@@ -27,9 +28,13 @@ double best_of(const SceneFile& hand, const PadQuestion& question, std::vector<b
   Eigen::MatrixXd D(statics.rows(), moves + 1 + gaps.cols());
   D << statics.displacement(), column / unit, gaps;
   StaticsProgram program(statics, D, moves, statics.demand(question.of_grip ? 0 : 1));
-  if (program.find_point() != StaticsProgram::Ending::found) return nothing;
+  const bool is_found = program.find_point() == StaticsProgram::Ending::found;
+  work += program.work();
+  if (!is_found) return nothing;
   const double sign = question.of_least ? 1 : -1;
+  const double before = program.work();
   const auto end = program.minimise(sign * Eigen::VectorXd::Unit(D.cols(), moves));
+  work += program.work() - before;
   if (end.ending == StaticsProgram::Ending::failed) return nothing;
   if (end.ending == StaticsProgram::Ending::unlimited)
     return std::numeric_limits<double>::infinity();
@@ -45,11 +50,13 @@ double best_of(const SceneFile& hand, const PadQuestion& question, std::vector<b
 }
 
 /// From the points that touch now to those that do at the end, as long as that is better.
-double climb(const SceneFile& hand, const PadQuestion& question, std::vector<bool> touching) {
+double climb(const SceneFile& hand, const PadQuestion& question, std::vector<bool> touching,
+             double& work) {
   double best = nothing;
   for (Index k = 0; k < hold_settings.most_patterns; ++k) {
     const std::vector<bool> before = touching;
-    const double next = best_of(hand, question, touching);
+    if (work > hold_settings.pad_work) return nothing;
+    const double next = best_of(hand, question, touching, work);
     const double gain = question.of_least ? best - next : next - best;
     if (std::isnan(next) || gain <= hold_settings.law * std::abs(best)) break;
     best = next;
@@ -60,12 +67,13 @@ double climb(const SceneFile& hand, const PadQuestion& question, std::vector<boo
 
 } // namespace
 
-double PadLimits::limit(const Vector6<double>& wrench) const {
-  return climb(hand_, {wrench}, touching_);
+double PadLimits::limit(const Vector6<double>& wrench, bool for_picture) const {
+  double uncounted = 0;
+  return climb(hand_, {wrench}, touching_, for_picture ? uncounted : work_);
 }
 
 double PadLimits::grip(bool least) const {
-  return climb(hand_, {Vector6<double>::Zero(), true, least}, touching_);
+  return climb(hand_, {Vector6<double>::Zero(), true, least}, touching_, work_);
 }
 
 } // namespace lcpush::desktop

@@ -31,8 +31,8 @@ struct HoldSettings {
   Index section_steps = 72, pad_steps = 24; ///< directions in a plane of a picture; of pads
   double least_unit = 1e-3; ///< of the grip: from there on the law's least grip is searched
   Index most_patterns = 40; ///< of touching points, one after the other
-  /// Pivots of one load, and of all: then what pads can hold is no longer asked of their law.
-  Index most_pivots = 1000, all_pivots = 30000;
+  Index most_pivots = 1000; ///< of one load; a law that takes more has no answer that is found
+  double pad_work = 1e9;    ///< multiplications of pads' programs: then their limits are not known
 };
 
 constexpr HoldSettings hold_settings;
