@@ -18,11 +18,14 @@ HoldingLaw::HoldingLaw(const SceneFile& hand, const PushOptions& options)
 
 PushOptions HoldingLaw::options() const {
   PushOptions options = work_.options();
-  if (!is_first_) options.max_pivots = hold_settings.most_pivots;
+  if (!is_first_)
+    options.max_pivots =
+        std::getenv("MP") ? std::atoi(std::getenv("MP")) : hold_settings.most_pivots;
   return options;
 }
 
 std::optional<bool> HoldingLaw::holds(double factor, const Vector6<double>& more) {
+  if (work_.is_used_up()) return std::nullopt;
   SceneFile there = hand_;
   for (Actuator<double>& actuator : there.actuators) actuator.force *= factor;
   for (Body<double>& body : there.bodies) body.preload *= factor;
@@ -66,25 +69,30 @@ double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks)
   const double pads = pads_.limit(wrench, !asks);
   if (std::isinf(pads)) return bound;
   const double limit = std::isnan(pads) ? bound : std::min(pads, bound);
-  if (!(limit > 0)) return limit;
-  if (!asks || (work_.is_used_up() && !std::isnan(pads))) return pads;
-  if (std::isfinite(limit) &&
-      holds(1, (1 - hold_settings.same) * limit * wrench).value_or(!std::isnan(pads)))
+  if (!asks || !(limit > 0)) return limit;
+  if (std::isfinite(limit) && holds(1, (1 - hold_settings.same) * limit * wrench).value_or(false))
     return limit;
-  return bisected(wrench, std::isfinite(limit) ? limit : hold_settings.most_force / wrench.norm());
+  return searched(wrench, std::isfinite(limit) ? limit : hold_settings.most_force / wrench.norm());
 }
 
-/// Loads in between are taken to be held where more is: the law promises no convex set. A search
-/// that ends early, but not to a per cent, has found nothing.
-double HoldingLaw::bisected(const Vector6<double>& wrench, double high) {
-  double low = 0;
-  const double least = hold_settings.law * high;
-  while (high - low > least && !work_.is_used_up()) {
-    const double middle = (low + high) / 2;
-    (holds(1, middle * wrench).value_or(false) ? low : high) = middle;
+/// The largest load that is found to hold, a little below most often. Loads in between are taken to
+/// be held where more is: the law promises no convex set. A search that ends early, but not to a
+/// per cent, has found nothing.
+double HoldingLaw::searched(const Vector6<double>& wrench, double high) {
+  const auto is_held = [&](double load) {
+    return load <= 0 || holds(1, load * wrench).value_or(false);
+  };
+  double step = hold_settings.first_step * high, low = high - step;
+  while (!is_held(low) && !work_.is_used_up()) {
+    high = low;
+    step *= 2;
+    low = std::max(0.0, high - step);
   }
-  return high - low <= hold_settings.told * high ? (low + high) / 2
-                                                 : std::numeric_limits<double>::quiet_NaN();
+  while (high - low > hold_settings.law * high && !work_.is_used_up()) {
+    const double middle = (low + high) / 2;
+    (is_held(middle) ? low : high) = middle;
+  }
+  return high - low <= hold_settings.told * high ? low : std::numeric_limits<double>::quiet_NaN();
 }
 
 } // namespace lcpush::desktop

@@ -40,7 +40,7 @@ private:
 
   PushOptions options() const;
 
-  double bisected(const Vector6<double>& wrench, double high);
+  double searched(const Vector6<double>& wrench, double high);
 };
 
 } // namespace lcpush::desktop

@@ -25,13 +25,14 @@ struct HoldSettings {
   double rounding = 1e-13; ///< of its size: a point is on a plane
   double beside = 4;   ///< of the least reach along an axis: what is held beyond does not matter
   double slips = 1e-6; ///< of the fastest point of a motion: it moves
-  /// The scene's own law: a limit's last bracket, relative; nearer than `same` to statics it is
-  /// statics'; loads that are asked in all.
-  double law = 1e-4, same = 5e-4, told = 1e-2;
+  /// The scene's own law: its limit is pads' where it holds with so much less; else it is searched
+  /// from so far below, to a bracket of this, relative. Told beside statics' where they differ by
+  /// more.
+  double same = 5e-4, first_step = 5e-3, law = 1e-3, told = 1e-2;
   Index section_steps = 72, pad_steps = 24; ///< directions in a plane of a picture; of pads
   double least_unit = 1e-3; ///< of the grip: from there on the law's least grip is searched
   Index most_patterns = 40; ///< of touching points, one after the other
-  Index most_pivots = 1000; ///< of one load; a law that takes more has no answer that is found
+  Index most_pivots = 4000; ///< of one load; a law that takes more has no answer that is found
   double pad_work = 1e9;    ///< multiplications of pads' programs: then their limits are not known
 };
 
