@@ -145,8 +145,7 @@ public:
     law_.emplace(hand_, options_);
     study_.held = law_->holds_now();
     if (study_.grip.force == 0) return;
-    study_.grip.alone = law_->least_grip(study_.statics_factor);
-    study_.factor = study_.grip.alone.is_known() ? study_.grip.alone.factor : unknown_number;
+    study_.factor = law_->least_grip(study_.statics_factor);
     study_.most = law_->most_grip();
   }
 

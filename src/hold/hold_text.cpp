@@ -129,9 +129,6 @@ std::vector<Fact> hold_facts(const SceneFile& file, const HoldStudy& study) {
                            (has_most(study) ? ", and at most " + grip_text(study, study.most) +
                                                   ": more drives it out"
                                             : "")});
-  if (study.grip.alone.gap > study.factor)
-    facts.push_back({"", "not with every grip above that: with " +
-                             grip_text(study, study.grip.alone.gap) + " it is not held"});
   if (!study.held.value_or(false)) return facts;
   if (const std::string text = weakest_text(file, study); !text.empty())
     facts.push_back({"Weakest against", text});

@@ -45,24 +45,25 @@ std::optional<bool> HoldingLaw::holds(double factor, const Vector6<double>& more
   return rest == Rest::holds;
 }
 
-SmallestGrip HoldingLaw::least_grip(double bound) {
-  SmallestGrip grip;
-  grip.bound = bound;
-  const auto none = Vector6<double>::Zero();
-  if (pads_least_ >= 0 && holds(pads_least_ * (1 + hold_settings.same), none).value_or(true)) {
-    grip.factor = pads_least_;
-    grip.source = pads_least_ - bound <= hold_settings.same * bound ? GripSource::statics
-                                                                    : GripSource::search;
-    return grip;
+double HoldingLaw::least_grip(double bound) {
+  const auto is_held = [&](double factor) {
+    return holds(factor, Vector6<double>::Zero()).value_or(false);
+  };
+  double low = std::isnan(pads_least_) ? bound : std::max(bound, pads_least_);
+  if (low <= hold_settings.closed) return 0;
+  if (is_held(low * (1 + hold_settings.same))) return low;
+  double step = hold_settings.first_step * std::max(low, hold_settings.least_unit);
+  double high = low + step;
+  while (!is_held(high) && high < hold_settings.most_force && !work_.is_used_up()) {
+    low = high;
+    step *= 2;
+    high = low + step;
   }
-  Holding<double> holding;
-  holding.factor = std::isnan(pads_least_) ? bound : std::max(bound, pads_least_);
-  holding.unit = std::max(holding.factor, hold_settings.least_unit);
-  grip = search_upwards(holding, holds_now_.value_or(false) ? 1 : 0,
-                        {hold_settings.law, hold_settings.most_force}, work_,
-                        [&](double factor) { return holds(factor, none).value_or(false); });
-  grip.bound = bound;
-  return grip;
+  while (high - low > hold_settings.law * high && !work_.is_used_up()) {
+    const double middle = (low + high) / 2;
+    (is_held(middle) ? high : low) = middle;
+  }
+  return high - low <= hold_settings.told * high ? high : std::numeric_limits<double>::quiet_NaN();
 }
 
 double HoldingLaw::limit(const Vector6<double>& wrench, double bound, bool asks) {

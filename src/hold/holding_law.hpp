@@ -21,8 +21,8 @@ public:
   std::optional<bool> holds(double factor, const Vector6<double>& more);
   /// The load as it is; forces of pads that carry it prove it where the law has no answer.
   std::optional<bool> holds_now() const { return holds_now_; }
-  /// `bound`: of statics, from below.
-  SmallestGrip least_grip(double bound);
+  /// The least factor on the grip; `bound`: of statics, from below; nan: not known.
+  double least_grip(double bound);
   /// nan: no more than the least grip is known.
   double most_grip() const { return pads_.grip(false); }
   /// The largest factor on a wrench; `bound`: of statics, from above; `asks`: or what pads can

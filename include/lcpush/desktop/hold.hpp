@@ -64,9 +64,9 @@ struct HoldLimit {
 };
 
 struct HoldStudy {
-  std::optional<bool> held; ///< by the scene's law
-  std::string reason;       ///< of what is not known, a sentence
-  GripReport grip;          ///< whose force, and its search if the law is another than statics
+  std::optional<bool> held;       ///< by the scene's law
+  std::string reason;             ///< of what is not known, a sentence
+  GripReport grip;                ///< whose force factors are of
   double factor = unknown_number; ///< least, on all grip forces; no_limit: no grip holds
   double most = no_limit;         ///< no larger one holds; nan: not known
   double statics_factor = unknown_number, statics_most = no_limit; ///< the same of statics
