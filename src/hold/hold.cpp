@@ -203,6 +203,7 @@ HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
   const SceneFile hand = hand_at_rest(file);
   study.at = question.at.value_or(file.object.center_of_mass);
   study.grip = named_grip(file);
+  for (std::size_t k = 0; k < 3; ++k) study.weakest[k].what.kind = static_cast<Disturbance>(k);
   std::vector<HoldDirection> directions;
   for (const Disturbance kind :
        {Disturbance::force, Disturbance::moment, Disturbance::acceleration})
@@ -213,7 +214,7 @@ HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
   directions.insert(directions.end(), question.directions.begin(), question.directions.end());
   if (hand.bodies.empty()) {
     study.held = laws::load(file.view(), Scales<double>{1, 1, 1}).isZero(0);
-    study.reason = "nothing grips it";
+    study.reason = "no finger holds it, and pushers are left out";
     return study;
   }
   HoldQuestions asked(hand, options, study);
@@ -226,7 +227,6 @@ HoldStudy find_hold(const SceneFile& file, const HoldQuestion& question,
     limit.what = direction;
     study.limits.push_back(holds ? asked.limit(direction) : limit);
   }
-  for (std::size_t k = 0; k < 3; ++k) study.weakest[k].what.kind = static_cast<Disturbance>(k);
   if (!holds) return study;
   for (HoldLimit& weakest : study.weakest) weakest = asked.weakest(weakest.what.kind);
   study.tilt = asked.tilt();

@@ -144,6 +144,17 @@ class ClosedForms(unittest.TestCase):
         self.judge(scene(three_fingers(10)), WEIGHT / (3 * 0.5 * 10), [("force", (0, 0, -1), 15 - WEIGHT),
                                                                      ("moment", (0, 0, 1), 3 * 0.02 * math.sqrt(25 - (WEIGHT / 3) ** 2))])
 
+    def test_a_finger_against_a_wall(self):
+        """Away from the wall it yields when the wall's half of the weight slips; into it never."""
+        pair = finger("finger", [0.02, 0, 0], [-1, 0, 0], grip_force=20) + finger("wall", [-0.02, 0, 0], [1, 0, 0])
+        self.judge(scene(pair), WEIGHT / 20, [("force", (0, 0, -1), 20 - WEIGHT), ("force", (1, 0, 0), 20 - WEIGHT),
+                                              ("force", (-1, 0, 0), math.inf)])
+
+    def test_what_no_finger_touches_falls(self):
+        table = legs().replace("[[finger]]", "[[pusher]]") + "acceleration = [0, 0, 0]\n"
+        answer = hold(scene(table))
+        self.assertEqual((answer["held"], answer["disturbances"], set(answer["weakest"])), (False, [], set(KINDS)))
+
     def test_locked_jaws(self):
         """Statics lets them squeeze with any force; their law with what they were closed with."""
         text = scene(pinch(), '[gripper]\njaws = "locked"\n')
