@@ -72,8 +72,7 @@ constexpr const char* reason_text(Reason reason) {
   case Reason::unsettled: return "the pads' pressures do not settle";
   case Reason::turning: return "round friction does not settle: slips turn from round to round";
   case Reason::leap: return "a time step leads too far to be one: take a shorter one";
-  case Reason::pull:
-    return "the breaking force comes out below zero: the grasp is too near a fall to tell";
+  case Reason::pull: return "the grasp is too near a fall to tell the force that breaks it";
   }
   return "";
 }

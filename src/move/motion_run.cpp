@@ -73,7 +73,17 @@ Status MotionRun::advance(double h) {
                              : speeds_up  ? Vector6<double>((begin + end) / 2)
                                           : end;
   }
-  return stepper_.advance(h);
+  if (!file_.is_round) return stepper_.advance(h);
+  const Saved before = save();
+  const Status status = stepper_.advance(h);
+  const bool is_lost = status == Status::not_settled || status == Status::numerical_breakdown;
+  if (!is_lost || stepper_.run().reason == Reason::leap) return status;
+  restore(before);
+  scene_.round_cones = {};
+  const Status instead = stepper_.advance(h);
+  scene_.round_cones = {cones_.data(), static_cast<Index>(cones_.size())};
+  if (instead == Status::solved) ++by_pyramids_;
+  return instead;
 }
 
 bool MotionRun::extrapolate(const Stepper::Moment& whole, const std::vector<Pose<double>>& bodies,

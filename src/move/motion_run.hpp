@@ -23,8 +23,10 @@ public:
   /// To be called where strokes may begin: their bodies touch what they meet there.
   void begin_strokes() { faces_.begin_strokes(stepper_.time(), stepper_.pose().rotation); }
 
-  /// One step of h seconds that ends within the same strokes as it begins.
+  /// One step of h seconds that ends within the same strokes as it begins. Where round friction
+  /// does not settle, pyramids have the answer.
   [[nodiscard]] Status advance(double h);
+  Index by_pyramids() const { return by_pyramids_; }
 
   /// All that a step changes.
   struct Saved {
@@ -91,6 +93,7 @@ private:
   std::vector<unsigned char> bytes_;
   std::size_t kept_;            ///< of the bytes, those that a step leaves to the next
   MotionMemory<double> memory_; ///< over the bytes
+  Index by_pyramids_ = 0;       ///< solves of round friction that did not settle
   Vector3<double> began_ = Vector3<double>::Zero(); ///< m, the centre when the last step began
   Stepper stepper_;
 };

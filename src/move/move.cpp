@@ -70,6 +70,7 @@ public:
     report_.events = lasting(report_.events);
     report_.phases = phases_.take();
     report_.jumps = jumps_.take();
+    report_.by_pyramids = run_.by_pyramids();
     return std::move(report_);
   }
 

@@ -83,7 +83,8 @@ std::string move_json(const SceneFile& file, const MotionReport& report) {
       .member("tolerance", when(report.error.has_value(), report.tolerance))
       .member("error", report.error)
       .member("penetration", report.penetration)
-      .member("pressed_gap", report.pressed_gap);
+      .member("pressed_gap", report.pressed_gap)
+      .member("by_pyramids", report.by_pyramids);
   json.key("residual").begin_object().member("max", report.residual).end_object();
   json.objects("phases", report.phases, [&](const MotionPhase& phase) {
     constexpr const char* kinds[] = {"rest", "slide", "pivot", "roll", "turn"};

@@ -268,6 +268,9 @@ std::string step_words(const MotionReport& report) {
               : ", deepest point inside its face " + millimetres(report.penetration);
   if (report.pressed_gap > Settings::seen_gap)
     text += ", the largest gap across which one presses " + millimetres(report.pressed_gap);
+  if (report.by_pyramids > 0)
+    text += "; round friction did not settle in " + counted(report.by_pyramids, "solve") +
+            ", where pyramids of 8 facets answer";
   return text;
 }
 

@@ -56,7 +56,7 @@ SmallestGrip search_upwards(const Holding<double>& holding, double known,
   grip.bound = holding.factor;
   const double unit = std::max(grip.bound, holding.unit / 1000);
   if (!(unit > 0) || holds(grip.bound + nudge * unit) || (grip.bound > 0 && holds(grip.bound))) {
-    grip.factor = grip.bound;
+    grip.factor = grip.certain = grip.bound;
     grip.source = GripSource::statics;
     return grip;
   }
@@ -69,15 +69,13 @@ SmallestGrip search_upwards(const Holding<double>& holding, double known,
   if (found.high < 0) return grip;
   found.narrow(precision.width);
   if (found.width() > roughest) return grip;
-  grip.factor = found.factor(found.high);
+  grip.factor = grip.certain = found.factor(found.high);
   grip.source = GripSource::search;
   for (int more = 0; more < most_drops; ++more) {
-    const double above = found.factor(found.low);
     if (!found.drop()) break;
     found.narrow(precision.width);
     if (found.width() > roughest) break;
     grip.factor = found.factor(found.high);
-    grip.gap = std::max(grip.gap, above);
   }
   return grip;
 }

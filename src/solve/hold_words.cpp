@@ -81,13 +81,12 @@ std::string amount(const GripReport& report, double factor) {
 
 /// From which force on it would hold, or down to which: "from 1.962 N per finger (of 1 N)".
 std::string limit(const GripReport& report, const SmallestGrip& grip, bool holds) {
-  if (grip.factor <= word_settings.rounding) return "without any grip force";
+  if (grip.certain <= word_settings.rounding) return "without any grip force";
   const char* word = holds ? "down to " : "with ";
   // A beginning only where it holds with more, and not where less is what it takes.
   if (!holds && grip.factor > 1 && grip.more == MoreGrip::holds) word = "from ";
   if (!holds && grip.more == MoreGrip::drops) word = "only at about ";
-  if (holds && grip.gap > grip.factor) word = "with as little as ";
-  return word + amount(report, grip.factor);
+  return word + amount(report, grip.certain);
 }
 
 /// The end of the line that says whether it holds, and where the pressure law, and not statics,
@@ -105,17 +104,20 @@ std::string ending(const GripReport& report, const SmallestGrip& grip, bool hold
   case GripSource::search: break;
   }
   text += (holds ? " holds " : " would hold ") + limit(report, grip, holds) + ".";
-  if (grip.gap > grip.factor)
-    text += "\nNot with every grip above that: with " + amount(report, grip.gap) + " it does not.";
-  if (grip.source == GripSource::search && grip.bound > 0)
+  if (grip.factor < (1 - word_settings.digit) * grip.certain)
+    text += "\nBelow that some grips hold it and some do not: it holds with " +
+            amount(report, grip.factor) + ".";
+  const bool is_of_law = grip.bound < (1 - word_settings.digit) * grip.factor;
+  if (grip.source == GripSource::search && grip.bound > 0 && is_of_law)
     text += "\nThat is this pressure law's limit; statics alone would allow " +
             amount(report, grip.bound) + ".";
   return text;
 }
 
+/// To three digits.
 bool same_answer(const SmallestGrip& a, const SmallestGrip& b) {
-  return a.source == b.source &&
-         std::abs(a.factor - b.factor) <= word_settings.table * std::abs(a.factor);
+  if (!a.is_known() || !b.is_known()) return a.source == b.source;
+  return std::abs(a.certain - b.certain) <= word_settings.digit * std::abs(a.certain);
 }
 
 } // namespace

@@ -241,7 +241,8 @@ void Push::begin(const PushOptions& options, RunReport& report) {
 /// Not settled is no verdict: pyramids have an answer where round friction finds none.
 Status Push::with_friction(RunReport& report, const std::function<Status()>& run_once) {
   const Status status = run_once();
-  if (status != Status::not_settled || !file_.is_round) return status;
+  const bool is_lost = status == Status::not_settled || status == Status::numerical_breakdown;
+  if (!is_lost || !file_.is_round) return status;
   const PressureRun spent = report.run;
   report.run = {};
   assembled_.assemble(false);

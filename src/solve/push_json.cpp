@@ -111,8 +111,8 @@ std::optional<std::string> source_name(GripSource source) {
 
 /// KEY (N), KEY_factor and KEY_from.
 void write_grip(JsonWriter& json, const std::string& key, const SmallestGrip& grip, double force) {
-  json.member(key, when(grip.is_known(), grip.factor * force));
-  json.member(key + "_factor", when(grip.is_known(), grip.factor));
+  json.member(key, when(grip.is_known(), grip.certain * force));
+  json.member(key + "_factor", when(grip.is_known(), grip.certain));
   json.member(key + "_from", source_name(grip.source));
 }
 

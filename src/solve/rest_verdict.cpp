@@ -11,16 +11,23 @@
 namespace lcpush::desktop {
 namespace {
 
-/// Statics has no round cones: theirs are 0.1 % short of a circle.
-Scene<double> in_facets(const SceneFile& file) {
-  Scene<double> scene = file.view();
-  if (file.is_round) scene.facets = SolveSettings().nearly_round;
-  return scene;
+/// Statics has no round cones: pyramids around them prove a fall, and no smaller grip than theirs
+/// holds.
+SceneFile around_cones(SceneFile file) {
+  if (!file.is_round) return file;
+  const SolveSettings settings;
+  file.facets = settings.nearly_round;
+  for (Body<double>& body : file.bodies)
+    body.friction /= body.torsion_radius > 0 ? settings.soft_within : settings.hard_within();
+  return file;
 }
 
 /// ask(assembly, memory) of a file's scene.
 template <class Ask> Status ask_statics(const SceneFile& file, const Ask& ask) {
-  const AssembledScene assembled(in_facets(file));
+  const SceneFile around = around_cones(file);
+  Scene<double> scene = around.view();
+  scene.round_cones = {};
+  const AssembledScene assembled(scene);
   const AssemblySize size = size_of(assembled.scene);
   SolverMemory<double> memory(holding_scalars(size), holding_integers(size));
   return ask(assembled.assembly,
@@ -43,9 +50,8 @@ bool carries_load(const SceneFile& file) {
 
 bool statics_proves_fall(const SceneFile& file) {
   if (carries_load(file)) return false;
-  const SolveSettings settings;
   const std::optional<double> least = least_factor(file);
-  return least && *least > 1 + (file.is_round ? settings.short_of_round : settings.short_of_load);
+  return least && *least > 1 + SolveSettings().short_of_load;
 }
 
 /// What is left when pushes far stronger than the load are taken back to none need not be a fall,
@@ -87,13 +93,7 @@ double rest_noise(const SceneFile& file, const Scales<double>& scales, Solver so
 }
 
 Rest decide_rest(const SceneFile& file, const RestMotion& motion) {
-  const double moves = motion_size(motion.acceleration, motion.scales);
-  if (moves > motion.noise) {
-    const double left = std::max(SolveSettings().left_by_pushes, 2 * motion.small_push);
-    const bool may_be_of_push = motion.small_push > 0 && moves <= left;
-    if (!may_be_of_push || !statics_has_room(file)) return Rest::falls;
-  }
-  if (motion.small_push > 0 && statics_proves_fall(file)) return Rest::falls;
+  if (motion_size(motion.acceleration, motion.scales) > motion.noise) return Rest::falls;
   const double load = load_acceleration(file, motion.scales.length) / motion.scales.acceleration;
   return load == 0 || load >= 16 * motion.noise ? Rest::holds : Rest::not_known;
 }
@@ -104,21 +104,48 @@ bool is_extrapolated(const SceneFile& file, const PushOptions& options) {
   return takes_rounds(file) || options.solver == Solver::gauss_seidel;
 }
 
-/// What is left without a push, as the solver's laws let it be told.
-RestMotion left_at_rest(const SceneFile& file, const Breaking<double>& breaking,
-                        const Scales<double>& scales, const PushOptions& options) {
-  if (is_extrapolated(file, options))
-    return {breaking.rest, scales, at_rest<double>(), breaking.small_push / scales.acceleration};
+/// motion_size of what an exact limit leaves of rest.
+double limit_noise(const SceneFile& file, const Breaking<double>& breaking,
+                   const Scales<double>& scales, const PushOptions& options) {
   const double noise = rest_noise(file, scales, options.solver);
-  return {breaking.rest, scales,
-          std::min(at_rest<double>(), std::max(noise, 64 * breaking.residuals.beside)), 0};
+  return std::min(at_rest<double>(), std::max(noise, 64 * breaking.residuals.beside));
+}
+
+/// How the scene's own law moves the object while nothing pushes.
+struct AtRest {
+  Vector6<double> motion = Vector6<double>::Zero();
+  bool is_known = false, moves = false;
+};
+
+AtRest solve_at_rest(const SceneFile& file, const Scales<double>& scales,
+                     const PushOptions& options) {
+  AtRest rest;
+  rest.is_known = Push(file).solve_at_rest(options, rest.motion) == Status::solved;
+  const double noise = rest_noise(file, scales, options.solver);
+  rest.moves = rest.is_known && motion_size(rest.motion, scales) > noise;
+  return rest;
+}
+
+/// Finite pushes may all be stronger than what lets the object fall or holds it: what they leave of
+/// a motion, `left`, is asked only where the law has no answer at rest, or falls otherwise than
+/// they do though statics holds the load with room to spare.
+bool falls_at_rest(const SceneFile& file, const AtRest& rest, const Vector6<double>& left,
+                   const Scales<double>& scales) {
+  const double moved = motion_size(left, scales);
+  if (statics_proves_fall(file)) return true;
+  if (!rest.is_known) return moved > at_rest<double>();
+  if (!rest.moves || moved <= at_rest<double>()) return rest.moves;
+  const Vector6<double> off = rest.motion - left;
+  return !statics_has_room(file) || motion_size(off, scales) < SolveSettings().same_fall * moved;
 }
 
 } // namespace
 
 bool falls_before_push(const SceneFile& file, const Breaking<double>& breaking,
                        const Scales<double>& scales, const PushOptions& options) {
-  return decide_rest(file, left_at_rest(file, breaking, scales, options)) == Rest::falls;
+  const double moved = motion_size(breaking.rest, scales);
+  if (!is_extrapolated(file, options)) return moved > limit_noise(file, breaking, scales, options);
+  return moved > at_rest<double>() || statics_proves_fall(file);
 }
 
 Status holding_verdict(const SceneFile& file, BreakReport& report, const PushOptions& options) {
@@ -128,33 +155,25 @@ Status holding_verdict(const SceneFile& file, BreakReport& report, const PushOpt
   const double least = -SolveSettings().no_pull * report.scales.force;
   const bool pulled = presses_only && breaking.break_force < least &&
                       (report.status == Status::solved || pulls(breaking, report.scales));
-  const bool is_below = presses_only && breaking.break_force < least * Tolerances<double>().settled;
   if (presses_only && !pulled) breaking.break_force = std::max(0.0, breaking.break_force);
   if (report.status != Status::solved && report.status != Status::does_not_hold && !pulled)
     return report.status;
-  const RestMotion left = left_at_rest(file, breaking, report.scales, options);
-  const double noise = rest_noise(file, report.scales, options.solver);
-  bool falls = decide_rest(file, left) == Rest::falls;
-  if (falls && (report.status == Status::does_not_hold || !extrapolated))
+  const double moved = motion_size(breaking.rest, report.scales);
+  if (!extrapolated) {
+    const double noise = limit_noise(file, breaking, report.scales, options);
+    return moved > noise ? Status::does_not_hold : Status::solved;
+  }
+  const bool is_doubtful = pulled || moved > at_rest<double>();
+  if (!is_doubtful && !statics_proves_fall(file)) return Status::solved;
+  const AtRest rest = solve_at_rest(file, report.scales, options);
+  if (falls_at_rest(file, rest, breaking.rest, report.scales)) {
+    if (rest.moves) breaking.rest = rest.motion;
     return Status::does_not_hold;
-  const double moves = motion_size(breaking.rest, report.scales);
-  const bool is_excused = !falls && moves > left.noise; // as what the pushes leave
-  if (!falls && !pulled && !is_excused) return Status::solved;
-  // How does it fall, if the pushes did not see it?
-  Vector6<double> motion;
-  const bool is_known = Push(file).solve_at_rest(options, motion) == Status::solved;
-  const bool moves_alone = is_known && motion_size(motion, report.scales) > noise;
-  if (is_excused && !pulled) {
-    const Vector6<double> off = motion - breaking.rest;
-    const bool is_same =
-        moves_alone && motion_size(off, report.scales) < SolveSettings().same_fall * moves;
-    if (is_same || !is_below) return is_same ? Status::does_not_hold : Status::solved;
   }
-  if (moves_alone) {
-    breaking.rest = motion;
-    falls = true;
-  }
-  if (falls) return Status::does_not_hold;
+  // So near its limit that no finite push is on the line of the smallest?
+  const bool is_open =
+      rest.is_known && breaking.line_error > SolveSettings().no_pull && !statics_has_room(file);
+  if (!pulled && !is_open) return Status::solved;
   report.run.reason = Reason::pull;
   return Status::numerical_breakdown;
 }

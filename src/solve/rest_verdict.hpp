@@ -16,12 +16,9 @@ struct RestMotion {
   Vector6<double> acceleration; ///< m/s^2, rad/s^2
   Scales<double> scales;        ///< of the assembly that was solved
   double noise;                 ///< of its motion_size: what the solver may leave of rest
-  double small_push = 0; ///< > 0: taken back from finite pushes, of which this, of F / m, is the
-                         ///< smallest; all may be stronger than a fall
 };
 
-/// Statics [T.12] proves a fall; where it allows rest, the scene's own law decides, by the motion
-/// that it leaves. A law that was asked at rest itself has statics in it already.
+/// Of a law that was asked at rest: it has statics in it already.
 Rest decide_rest(const SceneFile& file, const RestMotion& motion);
 
 /// motion_size of what a solver leaves of an object at rest: beside what the load would do, or,
@@ -33,11 +30,12 @@ double rest_tolerance(Solver solver);
 /// The largest acceleration that the loads could give the object, m/s^2, turning at `length`.
 double load_acceleration(const SceneFile& file, double length);
 
-/// decide_rest on any breaking force, by what its pushes leave.
+/// Of any breaking force: an exact limit says so itself; of finite pushes statics [T.12] proves a
+/// fall, and where it allows rest, the scene's own law decides, asked at rest.
 bool falls_before_push(const SceneFile& file, const Breaking<double>& breaking,
                        const Scales<double>& scales, const PushOptions& options);
 
-/// decide_rest on a breaking force that the core has found: report.status (solved or
+/// The same of a breaking force that the core has found: report.status (solved or
 /// does_not_hold, with report.breaking and report.scales), or the other of the two;
 /// numerical_breakdown: the breaking force is below zero, yet no fall is seen. `scene` as solved.
 /// Changes report.breaking.rest to a fall that the core did not see, and a force below zero to 0.

@@ -1,6 +1,8 @@
 // The numbers of solving on the desktop, and why they are what they are.
 #pragma once
 
+#include <cmath>
+
 #include "lcpush/types.hpp"
 
 namespace lcpush::desktop {
@@ -24,14 +26,17 @@ struct SolveSettings {
   /// The residual of a sweep's answer is divided by this where the laws refuse it.
   double stricter = 100;
   // Does it hold? (rest_verdict.cpp)
-  /// Facets that stand for a circle in statics, 0.1 % short of it; so a load that needs this much
-  /// more grip falls, beside what rounding leaves of the least factor.
-  Index nearly_round = 64;
-  double short_of_round = 2e-3, short_of_load = 1e-6;
-  /// Statics holds the load with this much of the grip to spare: then what finite pushes leave of a
-  /// motion, at most two of the smallest (most often 1e-5 of F/m), is theirs.
-  double room = 1e-3, left_by_pushes = 2e-5;
-  /// What pushes leave is a fall after all where the grasp alone moves so, but for this part of it.
+  /// Facets of statics' pyramids around round cones, and how far a pyramid of friction 1 reaches
+  /// within: cos(pi / facets) at a hard point, cos(pi / 12) at a soft one (generators are 30
+  /// degrees apart between force and twist). A least grip is 8e-5 too small by it.
+  Index nearly_round = 256;
+  double hard_within() const { return std::cos(std::acos(-1.0) / double(nearly_round)); }
+  double soft_within = 0.9659;
+  /// A load that needs this much more grip falls: what rounding leaves of the least factor.
+  double short_of_load = 1e-6;
+  /// Statics holds the load with this much of the grip to spare.
+  double room = 1e-3;
+  /// Then what pushes leave is a fall only where the law moves so at rest, but for this part of it.
   double same_fall = 0.1;
   /// Of F: a pull of less is what the line through pushes leaves of no force (straight, of
   /// breaking).

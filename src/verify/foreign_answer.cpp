@@ -111,7 +111,7 @@ std::optional<Index> read_facets(const JsonFields& fields, const JsonValue& fric
     fields.refuse(friction, std::string("\"friction\" must be an object, got ") + friction.type());
   const std::optional<double> facets = fields.number(friction, "facets");
   if (!facets) return std::nullopt;
-  for (Index g = 4; g <= 256; g += 2)
+  for (Index g = VerifySettings::fewest_facets; g <= VerifySettings::most_facets; g += 2)
     if (*facets == static_cast<double>(g)) return g;
   fields.refuse(friction, "facets must be an even number from 4 to 256");
 }

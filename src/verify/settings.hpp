@@ -3,9 +3,12 @@
 
 #include <algorithm>
 
+#include "lcpush/types.hpp"
+
 namespace lcpush::desktop {
 
 struct VerifySettings {
+  static constexpr Index fewest_facets = 4, most_facets = 256; ///< of a pyramid, as in a scene
   // Answers. Parts of the largest number involved.
   static constexpr double dependent = 1e-10;       ///< least squares leave such a direction open
   static constexpr double basis_dependent = 1e-11; ///< the same in the basis that z names, whose

@@ -4,7 +4,7 @@ import re
 
 from tool import SCENES, ToolTest, json_of, main, run
 from random_scenes import random_scene
-SLIDE_TEXT = (SCENES / "straight_slide.toml").read_text()
+SLIDE_TEXT = "facets = 8\n" + (SCENES / "straight_slide.toml").read_text()
 KEYS = ("smallest_grip", "smallest_grip_factor", "smallest_grip_from", "holds_at_rest",
         "smallest_grip_at_rest", "smallest_grip_at_rest_factor", "smallest_grip_at_rest_from")
 
@@ -17,7 +17,7 @@ def finger(name, points, side, force):
 
 def scene(fingers, extra="", pressure="pad", gravity=(0, -9.81, 0)):
     """A box of 0.2 kg; the pusher is a point that only just touches it at the side."""
-    return (f'gravity = {list(gravity)}\npressure = "{pressure}"\n'
+    return (f'facets = 8\ngravity = {list(gravity)}\npressure = "{pressure}"\n'
             "[object]\nmass = 0.2\nbox = [0.1, 0.03, 0.01]\n" + fingers + extra +
             '[[pusher]]\nname = "rod"\nshape = "point"\ncenter = [-0.05, 0, 0]\n'
             "normal = [1, 0, 0]\nfriction = 0\nacceleration = [0.1, 0, 0]\n")
@@ -149,7 +149,7 @@ class Holding(ToolTest):
             for solver in ("lemke", "hybrid", "gauss-seidel"):
                 for friction in (0.4904717, 0.49049, 0.490499, 0.490501, 0.49051):
                     text = re.sub("(?m)^friction = .*$", f"friction = {friction}", dropped)
-                    answer = self.answer(f'pressure = "{pressure}"\n' + text, "--solver", solver)
+                    answer = self.answer(f'facets = 8\npressure = "{pressure}"\n' + text, "--solver", solver)
                     told = (pressure, solver, friction, answer["status"])
                     self.assertEqual(answer["status"] == "solved", friction > 0.4905, told)
                     self.assertIs(answer["smallest_grip_at_rest_factor"] <= 1, friction > 0.4905, told)

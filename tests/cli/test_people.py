@@ -62,7 +62,7 @@ class People(unittest.TestCase):
                 self.assertNotIn("Check", result.stderr, f"{command} {seed}")
                 self.fits(result.stdout, f"{command} {seed}")
         for seed in range(12, 42):
-            result = run("matrices", "-", "--strict", text=random_scene(seed))
+            result = run("matrices", "-", "--strict", text="facets = 8\n" + random_scene(seed))
             self.assertEqual((result.returncode, result.stderr), (0, ""), random_scene(seed))
 
     def test_the_first_sentence_says_how_hard_which_way_and_what_moves(self):

@@ -86,7 +86,7 @@ class Plan(unittest.TestCase):
         plan = json.loads(run("plan", SQUARE, "--to", "-0.03 0 0", "--json").stdout)
         self.assertEqual([push["pusher"] for push in plan["pushes"]], ["east"])
         needs = plan["pushes"][0]
-        self.assertLess(needs["friction"], 1e-9)  # straight through the middle
+        self.assertLess(needs["friction"], 1e-8)  # straight through the middle
         self.assertLess(needs["reach"], 1e-6)
         turn = json.loads(run("plan", SQUARE, "--to", "-0.03 0 0.2", "--json").stdout)["pushes"][0]
         self.assertGreater(turn["friction"] + turn["reach"], 1e-3)
@@ -201,7 +201,7 @@ class Plan(unittest.TestCase):
             result = run("plan", SQUARE, "--to", to, "--json")
             self.assertEqual(result.returncode, 0, to)
             replay = json.loads(result.stdout)["replay"]
-            self.assertLess(replay["position_error"], 2e-4)
+            self.assertLess(replay["position_error"], 2.5e-4)
             self.assertLess(replay["angle_error"], 1e-6)
 
     def test_formats(self):

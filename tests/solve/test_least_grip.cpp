@@ -45,7 +45,7 @@ std::string head(Random& random, const char* law, const char* object) {
     return static_cast<double>(random.integer(0, 1)) * random.uniform(-10, 10);
   };
   std::ostringstream text;
-  text << "pressure = \"" << law << "\"\ngravity = [" << part() << ", -9.81, " << part()
+  text << "facets = 8\npressure = \"" << law << "\"\ngravity = [" << part() << ", -9.81, " << part()
        << "]\n[object]\nmass = " << random.uniform(0.02, 2) << "\n"
        << object;
   return text.str();

@@ -94,7 +94,8 @@ TEST_CASE("[T.10] where a fall would drown in rounding nothing is said of holdin
 }
 
 TEST_CASE("[T.10] pushes that are all far stronger than the load prove no fall") {
-  desktop::SceneFile file = fixture("straight_slide_point.toml");
+  desktop::SceneFile file =
+      desktop::parse_scene(in_pyramids(scene_text("straight_slide_point.toml")), "test.toml");
   for (Actuator<double>& actuator : file.actuators) actuator.force *= 1e5;
   desktop::Push push(file);
   const desktop::BreakReport broken = push.find_breaking(2, {});

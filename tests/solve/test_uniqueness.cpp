@@ -11,7 +11,8 @@ namespace {
 
 desktop::PushReport report_of(const std::string& name, const std::string& law = "pad") {
   const desktop::SceneFile file = desktop::parse_scene(
-      with(scene_text(name), "\ntitle", "\npressure = \"" + law + "\"\ntitle"), "test.toml");
+      in_pyramids(with(scene_text(name), "\ntitle", "\npressure = \"" + law + "\"\ntitle")),
+      "test.toml");
   desktop::Push push(file);
   desktop::PushReport report = push.solve({});
   REQUIRE(report.status == Status::solved);
@@ -70,7 +71,7 @@ TEST_CASE("[T.9] a thousand points are studied as few are") {
       const std::string body = "shape = \"disc\"\nradius = 0.01\npoints = " + std::string(points) +
                                "\ngrip_force = 20\nfriction = " + (slips ? "0.01" : "0.5");
       const Pushed push(
-          "pressure = \"pad\"\ngravity = [0, -9.81, 0]\n"
+          "facets = 8\npressure = \"pad\"\ngravity = [0, -9.81, 0]\n"
           "[object]\nmass = 0.2\nbox = [0.1, 0.1, 0.05]\n"
           "[[finger]]\nname = \"left\"\ncenter = [-0.05, 0, 0]\nnormal = [1, 0, 0]\n" +
           body + "\n[[finger]]\nname = \"right\"\ncenter = [0.05, 0, 0]\nnormal = [-1, 0, 0]\n" +

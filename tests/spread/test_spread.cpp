@@ -137,7 +137,8 @@ TEST_CASE(
     "[T.15] four-point patches leave the push of a straight slide open, from 2 mu F + m a down") {
   // With the force of a finger on one of its points the weight's moment decides how much of the
   // friction goes against the push; with even pressure all of it does.
-  std::string text = with(scene_text("straight_slide.toml"), "grip_force = 20", "grip_force = 10");
+  std::string text =
+      in_pyramids(with(scene_text("straight_slide.toml"), "grip_force = 20", "grip_force = 10"));
   text = with(text, "[-0.05, -0.015, 0], [-0.05, 0.015, 0]", "[-0.05, -0.01, 0], [-0.05, 0.01, 0]");
   const SpreadReport report = spread_of(text);
   REQUIRE(report.status == Status::solved);

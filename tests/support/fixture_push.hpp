@@ -18,6 +18,11 @@ inline std::string scene_text(const std::string& name, const std::string& folder
   return text.str();
 }
 
+/// What the text is about, where it says nothing: pyramids.
+inline std::string in_pyramids(const std::string& text) {
+  return text.find("facets") == std::string::npos ? "facets = 8\n" + text : text;
+}
+
 inline std::string with(std::string text, const std::string& old, const std::string& replacement) {
   std::size_t at = text.find(old);
   REQUIRE(at != std::string::npos);

@@ -116,6 +116,7 @@ struct MotionReport {
   std::vector<ForceJump> jumps;
   std::vector<MotionPhase> phases;
   Index steps = 0, solves = 0;
+  Index by_pyramids = 0; ///< solves in which round friction did not settle and pyramids answered
   double shortest = 0, longest = 0; ///< s, steps
   double tried = 0;                 ///< s, of the step that was solved last, if in vain
   double tolerance = 0;             ///< m

@@ -25,9 +25,10 @@ enum class MoreGrip {
 
 struct SmallestGrip {
   GripSource source = GripSource::not_known;
-  double factor = -1; ///< on all grip forces of the scene; < 0: none, or not known
-  double bound = -1;  ///< of statics: below it no pressure law holds; < 0: not known
-  double gap = -1;    ///< a larger factor that does not hold, though this one does; < 0: none seen
+  double factor = -1;  ///< on all grip forces of the scene; < 0: none, or not known
+  double bound = -1;   ///< of statics: below it no pressure law holds; < 0: not known
+  double certain = -1; ///< every larger factor that was tried holds; more than `factor` where what
+                       ///< does not hold lies between what does
   MoreGrip more = MoreGrip::not_known;
 
   bool is_known() const { return factor >= 0; }
