@@ -30,8 +30,6 @@ struct SweepSettings {
   static constexpr Index steps_a_piece = 4;
   static constexpr Index probes = 64; ///< where nothing was found, look in so many places
   static constexpr Index usual_steps = 51, usual_map_steps = 11;
-  /// Of F: smaller pushes than three would take ten times as long, and show in no picture.
-  static constexpr double straight = 1e-6;
   // What is another answer, relative.
   static constexpr double jump = 1e-6;           ///< between exact segments
   static constexpr double sampled_jump = 1e-3;   ///< over the width of bisection

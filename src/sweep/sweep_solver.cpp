@@ -267,10 +267,7 @@ DetailedAnswer SweepSolver::solve_rounds(Question question, const AnyRounds& rou
     if (answer.is_solved()) answer = read_push(p, p.work.pressure.z.data);
   } else {
     Breaking<double> breaking;
-    PressureOptions<double> options;
-    options.straight = settings.straight;
-    const Status status =
-        find_breaking(p.assembly, rounds, p.work, p.pusher, options, breaking, run);
+    const Status status = find_breaking(p.assembly, rounds, p.work, p.pusher, {}, breaking, run);
     answer = judge_breaking(p, status, breaking);
     p.assembly.push_by(1.0);
   }

@@ -217,9 +217,7 @@ private:
       const S rest = motion_size(breaking.rest, assembly_.layout().scales);
       is_of_push = rest > at_rest<S>() && rest <= settings.own_motion * size;
       const S part = Eigen::numext::abs(breaking.break_force) / assembly_.layout().scales.force;
-      const S usual = is_round ? settings.straight_round : settings.straight;
-      const S straight = (options_.straight > S(0) ? options_.straight : usual) *
-                         Eigen::numext::maxi(settings.small_force, part);
+      const S straight = settings.straight * Eigen::numext::maxi(settings.small_force, part);
       if (breaking.line_error <= straight && !is_of_push) break;
     }
     return Status::solved;

@@ -30,7 +30,6 @@ template <class S> struct PressureOptions {
   Index fine_rounds = 0; ///< so many more at most, while the violation is above `finest`
   S finest{0};
   bool exact_limit = true; ///< a breaking force by an infinitesimal push, where rounds carry one
-  S straight{0};           ///< how near three pushes lie to a line, over F; 0: BreakingSettings'
   bool goes_on = false;    ///< `pad`: from the memory's last answer, as if this were its next round
 };
 
@@ -63,7 +62,6 @@ template <class S> struct BreakingSettings {
   /// small_force where that is less: rounding leaves 1e-13 of F (numerics.md).
   S straight{S(1) / S(1000000)};
   S small_force{S(1) / S(1000)};
-  S straight_round{S(1) / S(100000000)}; ///< round friction is a line only in the small
   S own_motion{16}; ///< what is left at rest, in smallest pushes, may be those pushes' own doing
   /// What rounding lets pads settle to: of a slow push's motion they may spoil little.
   S finest_pads = Eigen::numext::maxi(S(512 * std::numeric_limits<double>::epsilon()),
