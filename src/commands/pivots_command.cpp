@@ -16,10 +16,9 @@ PivotSubject read_subject(const Values& values) {
   }
   const Document scene = values.scene_document();
   SceneFile file = parse_scene(scene.text, scene.name);
+  file.is_round = false; // pivots are those of a pyramid
   if (!as_solved) {
-    file.is_round = false;
     file.facets = values.whole("facets", {4, 256, true}).value_or(4);
-    file.is_round = false;
     if (const auto law = values.text("pressure")) {
       values.one_of("pressure", *law, pressure_names());
       for (const Pressure pressure : pressures)

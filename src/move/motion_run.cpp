@@ -73,7 +73,7 @@ Status MotionRun::advance(double h) {
                              : speeds_up  ? Vector6<double>((begin + end) / 2)
                                           : end;
   }
-  if (!file_.is_round) return stepper_.advance(h);
+  if (!takes_pyramids_) return stepper_.advance(h);
   const Saved before = save();
   const Status status = stepper_.advance(h);
   const bool is_lost = status == Status::not_settled || status == Status::numerical_breakdown;

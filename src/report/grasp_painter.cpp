@@ -15,9 +15,6 @@ constexpr double negligible = 1e-3;
 
 constexpr double tallest_object = 160; ///< pixels: two views stand beside the isometric one
 
-/// "slip" of "slips".
-std::string plural_of(const std::string& verb) { return verb.substr(0, verb.size() - 1); }
-
 /// Of a point: its prescribed motion and what its actuators add; without an answer the former.
 Vector3<double> point_acceleration(const Scene<double>& scene, const Body<double>& body,
                                    Index point, const PushReport& report) {
@@ -90,19 +87,6 @@ Vector3<double> GraspPainter::acceleration_of(const Body<double>& body) const {
   Vector3<double> sum = Vector3<double>::Zero();
   for (const Index i : points_of(body)) sum += point_acceleration(scene_, body, i, report_);
   return sum / static_cast<double>(body.point_count);
-}
-
-std::string GraspPainter::modes_of(const Body<double>& body) const {
-  Index counts[3] = {0, 0, 0};
-  for (const Index i : points_of(body)) ++counts[static_cast<int>(report_.answer.contacts[i].mode)];
-  std::vector<std::string> modes;
-  for (const Mode mode : {Mode::stick, Mode::slide, Mode::separate}) {
-    const Index count = counts[static_cast<int>(mode)];
-    if (count == body.point_count) return mode_verb(mode);
-    if (count == 1) modes.push_back(std::string("1 ") + mode_verb(mode));
-    if (count > 1) modes.push_back(std::to_string(count) + " " + plural_of(mode_verb(mode)));
-  }
-  return listed(modes, "and");
 }
 
 void GraspPainter::label_body(const std::vector<std::string>& lines, const Pixel& at,

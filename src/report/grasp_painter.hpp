@@ -58,8 +58,6 @@ protected:
   Vector3<double> friction_of(const Body<double>& body) const;
   /// Of the middle of its points.
   Vector3<double> acceleration_of(const Body<double>& body) const;
-  /// "slips"; "3 slip and 1 sticks".
-  std::string modes_of(const Body<double>& body) const;
   /// The lines beside a body, and in the description.
   void label_body(const std::vector<std::string>& lines, const Pixel& at, const Pixel& away,
                   const Pixel& target);

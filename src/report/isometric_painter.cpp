@@ -124,7 +124,7 @@ std::vector<std::string> IsometricPainter::body_words(Index b) const {
     words.push_back("pulls " + brief(-normal) + " N");
   else
     words.emplace_back("no force");
-  words.push_back(modes_of(body));
+  words.push_back(modes_text(report_.answer, body));
   return words;
 }
 

@@ -200,7 +200,7 @@ std::vector<std::string> ScenePainter::body_words(Index b) const {
   if (std::abs(normal) > scales_.no_force) words.push_back("normal " + brief(normal) + " N");
   if (friction > scales_.no_force) words.push_back("friction " + brief(friction) + " N");
   if (words.size() == 1) words.emplace_back("no force");
-  words.push_back(modes_of(body));
+  words.push_back(modes_text(report_.answer, body));
   return words;
 }
 

@@ -8,35 +8,75 @@
 
 namespace lcpush::desktop {
 
+namespace {
+
+/// What the points of a body do, from the first on.
+struct ContactLine {
+  std::string name;
+  std::string does;
+  double normal = 0; ///< N, the sum
+  Vector3<double> friction = Vector3<double>::Zero();
+  double slip = 0, opening = 0; ///< m/s^2, the fastest
+};
+
+double opening_of(const Body<double>& body, const ContactAnswer<double>& point) {
+  return point.acceleration.dot(body.normal);
+}
+
+void add(const Body<double>& body, const ContactAnswer<double>& point, ContactLine& contact) {
+  const double opening = opening_of(body, point);
+  contact.normal += point.normal_force;
+  contact.friction += point.friction_force;
+  contact.slip = std::max(contact.slip, (point.acceleration - opening * body.normal).norm());
+  contact.opening = std::max(contact.opening, opening);
+}
+
+std::vector<ContactLine> each_point(const SceneFile& file, const PushReport& report) {
+  std::vector<ContactLine> list;
+  for (Index i = 0; i < report.answer.contacts.size; ++i) {
+    const ContactAnswer<double>& point = report.answer.contacts[i];
+    ContactLine contact{point_name(file, i), mode_text(point.mode)};
+    add(file.body(point.body), point, contact);
+    contact.opening = opening_of(file.body(point.body), point);
+    list.push_back(contact);
+  }
+  return list;
+}
+
+std::vector<ContactLine> each_body(const SceneFile& file, const PushReport& report) {
+  std::vector<ContactLine> list;
+  for (Index b = 0; b < static_cast<Index>(file.bodies.size()); ++b) {
+    ContactLine contact{file.body_name(b), modes_text(report.answer, file.body(b))};
+    for (const Index i : points_of(file.body(b)))
+      add(file.body(b), report.answer.contacts[i], contact);
+    list.push_back(contact);
+  }
+  return list;
+}
+
+} // namespace
+
 TableRows contact_rows(const SceneFile& file, const PushReport& report, Telling telling) {
-  const Scene<double> scene = file.view();
   const bool is_full = telling == Telling::full;
   const Noise& noise = is_full ? report.noise : report.brief_noise;
   const auto digits = [&](double x, double zero) {
     return is_full ? number(x, zero) : brief(x, zero);
   };
-  const auto opening_of = [&](const ContactAnswer<double>& contact) {
-    return contact.acceleration.dot(scene.bodies[contact.body].normal);
-  };
-  const bool opens =
-      is_full || std::any_of(report.answer.contacts.begin(), report.answer.contacts.end(),
-                             [&](const auto& c) { return opening_of(c) > noise.acceleration; });
+  const std::vector<ContactLine> contacts =
+      is_full ? each_point(file, report) : each_body(file, report);
   TableRows rows{
       {"contact", is_full ? "mode" : "does", "normal N", "friction N", "along", "slip m/s^2"}};
-  if (opens) rows.front().emplace_back("opening m/s^2");
-  for (Index i = 0; i < report.answer.contacts.size; ++i) {
-    const ContactAnswer<double>& contact = report.answer.contacts[i];
-    const Vector3<double>& n = scene.bodies[contact.body].normal;
-    const double friction = contact.friction_force.norm(), opening = opening_of(contact);
+  if (is_full) rows.front().emplace_back("opening m/s^2");
+  for (const ContactLine& contact : contacts) {
+    const double friction = contact.friction.norm();
     std::string along = "-";
     if (friction > noise.force)
-      along = is_full ? vector_text(contact.friction_force / friction, word_settings.component)
-                      : direction_text(contact.friction_force / friction);
-    rows.push_back({point_name(file, i),
-                    is_full ? mode_text(contact.mode) : mode_verb(contact.mode),
-                    digits(contact.normal_force, noise.force), digits(friction, noise.force), along,
-                    digits((contact.acceleration - opening * n).norm(), noise.acceleration)});
-    if (opens) rows.back().push_back(digits(opening, noise.acceleration));
+      along = is_full ? vector_text(contact.friction / friction, word_settings.component)
+                      : direction_text(contact.friction / friction);
+    rows.push_back({contact.name, contact.does, digits(contact.normal, noise.force),
+                    digits(friction, noise.force), along,
+                    digits(contact.slip, noise.acceleration)});
+    if (is_full) rows.back().push_back(digits(contact.opening, noise.acceleration));
   }
   return rows;
 }

@@ -40,7 +40,7 @@ std::string does_not_hold_text(const SceneFile& file, const BreakReport& report)
 std::string hold_sentence(const SceneFile& file, const HoldReport& hold);
 bool has_pusher(const SceneFile& file);
 
-/// A head and a row for each contact; in brief, how a contact opens only where one does.
+/// A head and a row for each contact; in brief for each body, its forces summed.
 TableRows contact_rows(const SceneFile& file, const PushReport& report,
                        Telling telling = Telling::full);
 /// Soft points twist: their torque, and how fast they spin.

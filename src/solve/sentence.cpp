@@ -32,6 +32,9 @@ std::string direction_phrase(const SceneFile& file, const Vector3<double>& direc
                   : axis_phrase(file, axis, direction[axis] > 0);
 }
 
+/// "slip" of "slips".
+std::string plural_of(const std::string& verb) { return verb.substr(0, verb.size() - 1); }
+
 struct ModeCount {
   std::array<Index, 3> of{}; ///< by Mode
   Index all() const { return of[0] + of[1] + of[2]; }
@@ -143,6 +146,18 @@ std::string object_name(const SceneFile& file) {
 
 const char* mode_verb(Mode mode) {
   return mode == Mode::stick ? "sticks" : mode == Mode::slide ? "slips" : "opens";
+}
+
+std::string modes_text(const Answer<double>& answer, const Body<double>& body) {
+  const ModeCount count = count_modes(answer, body);
+  std::vector<std::string> modes;
+  for (const Mode mode : {Mode::stick, Mode::slide, Mode::separate}) {
+    if (count.all_are(mode)) return mode_verb(mode);
+    if (count[mode] == 1) modes.push_back(std::string("1 ") + mode_verb(mode));
+    if (count[mode] > 1)
+      modes.push_back(std::to_string(count[mode]) + " " + plural_of(mode_verb(mode)));
+  }
+  return listed(modes, "and");
 }
 
 std::string force_phrase(const SceneFile& file, const Vector3<double>& force) {

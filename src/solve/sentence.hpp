@@ -16,6 +16,8 @@ std::string turn_phrase(const Vector3<double>& axis);
 
 /// "sticks", "slips", "opens".
 const char* mode_verb(Mode mode);
+/// What a body's points do: "slips", or "1 sticks and 3 slip".
+std::string modes_text(const Answer<double>& answer, const Body<double>& body);
 
 /// "20.1 N (20 N along x, 1.96 N up)": three digits; "up" and "down" where gravity has an axis.
 std::string force_phrase(const SceneFile& file, const Vector3<double>& force);

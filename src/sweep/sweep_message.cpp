@@ -189,17 +189,30 @@ std::string gap_text(const Sweep& sweep, const Gap& gap, const std::string& what
   return where + " there is no answer" + what + " (" + status_text(gap.status) + ").\n";
 }
 
+/// Is it between two steps and narrow, and not known?
+bool is_sliver(const Sweep& sweep, const Gap& gap) {
+  if (gap.status == Status::does_not_hold || gap.status == Status::solved) return false;
+  const Variation& variation = sweep.variations[0];
+  const double low = std::min(gap.from, gap.to), high = std::max(gap.from, gap.to);
+  const double range = std::abs(variation.to - variation.from);
+  return high - low < SweepSettings::sliver * range &&
+         std::none_of(sweep.points.begin(), sweep.points.end(), [&](const SweepPoint& point) {
+           return !point.refined && low <= point.value && point.value <= high;
+         });
+}
+
 /// What both questions leave open is said once.
 std::string gaps_text(const Sweep& sweep) {
   const std::vector<Gap> pushed = gaps_of(sweep, Question::push);
   const std::vector<Gap> broken = gaps_of(sweep, Question::breaking);
   std::string text;
   for (const Gap& gap : broken) {
+    if (is_sliver(sweep, gap)) continue;
     const bool both = std::find(pushed.begin(), pushed.end(), gap) != pushed.end();
     text += gap_text(sweep, gap, both ? "" : " for the breaking force");
   }
   for (const Gap& gap : pushed)
-    if (std::find(broken.begin(), broken.end(), gap) == broken.end())
+    if (!is_sliver(sweep, gap) && std::find(broken.begin(), broken.end(), gap) == broken.end())
       text += gap_text(sweep, gap, " for the push as prescribed");
   return text;
 }

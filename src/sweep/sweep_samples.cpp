@@ -168,7 +168,7 @@ void sample_line(const VariedScene& scene, SweepSolver& solver,
   const bool back = options.both_ways && options.warm && sweep.segments.empty();
   SampledPath there = sampled(solver, steps, part_of(options.progress, 0, back ? 0.5 : 1));
   for (const SweepPoint& point : there.points) {
-    sweep.complete = sweep.complete && point.at.push.is_known();
+    sweep.complete = sweep.complete && (point.refined || point.at.push.is_known());
     sweep.asks_breaking = sweep.asks_breaking || point.at.breaking.status != Status::bad_input;
   }
   if (back && solver.stop() == Stop::none) {

@@ -110,7 +110,7 @@ TEST_CASE("a slide of 30 mm under gravity drops nothing, and a patch that runs o
     CHECK(slide.phases[0].kind == MotionKind::slide);
     CHECK(slide.phases[0].path == doctest::Approx(0.03));
   }
-  const SceneFile file = scene_of(gripped_bar(20, wall));
+  const SceneFile file = scene_of("facets = 8\n" + gripped_bar(20, wall));
   // The object's rear edge passes the points at 15 mm, 20 mm and 25 mm of the hand.
   const MotionReport lost = moved_to(file, 10);
   CHECK(lost.end == MoveEnd::lost);
