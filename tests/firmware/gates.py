@@ -263,8 +263,9 @@ def scenes(programs, args):
             if not rest or rest[0] == "even" or run["status"] != "solved":
                 continue
             verb = "break" if rest[1] == "break" else "solve"
-            done = subprocess.run([args.tool, verb, str(path), "--json"], capture_output=True,
-                                  text=True)
+            words = [] if "\nfacets" in path.read_text() else ["--facets", "8"]
+            done = subprocess.run([args.tool, verb, str(path), "--json", *words],
+                                  capture_output=True, text=True)
             answer = json.loads(done.stdout)
             if verb == "break":
                 force = answer["break_force"]
