@@ -131,9 +131,7 @@ private:
     const bool is_pressed = violation <= options_.tolerance;
     bool is_settled = friction_.is_settled(memory_.z.data);
     if (is_pressed) is_settled = is_settled && friction_.passes();
-    const bool refines = violation > options_.finest && fine_ < options_.fine_rounds;
-    if (is_pressed && is_settled && !refines) return Status::solved;
-    if (is_pressed && is_settled) ++fine_;
+    if (is_pressed && is_settled && !refines(violation)) return Status::solved;
     if (!is_settled && !may_turn()) return unsettled();
     turn(); // settled ones too: corners hold what the next pressure changes
     if (forces_over_load() > options_.runaway) return end_pads(Status::numerical_breakdown);
@@ -142,6 +140,11 @@ private:
     else
       schedule_.fall();
     return next_round();
+  }
+  /// Is a settled answer to be settled more finely? Counts how often.
+  bool refines(const S& violation) {
+    const bool is_fine = violation <= options_.finest && friction_.distance() <= options_.finest;
+    return !is_fine && fine_++ < options_.fine_rounds;
   }
   /// The pads have failed.
   Status end_pads(Status status, Reason reason = Reason::none) {
@@ -156,8 +159,9 @@ private:
     run_.jammed = status == Status::ray;
     if (status != Status::solved) return status;
     if (is_pad()) return begin_stiff();
-    if (friction_.is_settled(memory_.z.data) && friction_.passes()) return status;
-    if (!may_turn()) return unsettled();
+    const bool is_settled = friction_.is_settled(memory_.z.data) && friction_.passes();
+    if (is_settled && !refines(S(0))) return status;
+    if (!is_settled && !may_turn()) return unsettled();
     turn();
     restarted_ = false;
     return begin_solver(true);

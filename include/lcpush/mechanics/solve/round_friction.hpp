@@ -41,7 +41,8 @@ public:
     read_answer(assembly_, z, *answer_, assembly_.sigma());
     const typename RoundDistance<S>::Worst worst = distance().worst();
     worst_ = worst.point;
-    return worst.distance <= Tolerances<S>().residual;
+    distance_ = worst.distance;
+    return distance_ <= Tolerances<S>().residual;
   }
 
   /// Does the answer that is_settled looked at obey all laws? Their rows are judged by their own
@@ -73,12 +74,15 @@ public:
   }
 
   Index worst_point() const { return worst_; }
+  /// Of the answer that is_settled looked at: of its worst point from the laws, over F.
+  const S& distance() const { return distance_; }
 
 private:
   Assembly<S>& assembly_;
   Span<LinearizedCone<S>> cones_;
   Answer<S>* answer_;
   Index worst_ = 0;
+  S distance_{0};
   S fastest_{0}; // slip, when the pyramids last turned; 0: they have not
   bool stalls_ = false;
 
