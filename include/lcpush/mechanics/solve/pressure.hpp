@@ -143,7 +143,8 @@ private:
   }
   /// Is a settled answer to be settled more finely? Counts how often.
   bool refines(const S& violation) {
-    const bool is_fine = violation <= options_.finest && friction_.distance() <= options_.finest;
+    const bool is_fine =
+        violation <= options_.finest && friction_.worst_distance() <= options_.finest;
     return !is_fine && fine_++ < options_.fine_rounds;
   }
   /// The pads have failed.

@@ -75,7 +75,7 @@ public:
 
   Index worst_point() const { return worst_; }
   /// Of the answer that is_settled looked at: of its worst point from the laws, over F.
-  const S& distance() const { return distance_; }
+  const S& worst_distance() const { return distance_; }
 
 private:
   Assembly<S>& assembly_;
