@@ -121,3 +121,26 @@ TEST_CASE("where every point of the set is cheapest, rounding does not get in be
     CHECK(std::abs((nu * A * *point)[0] - nu * b[0]) <= 1e-13);
   }
 }
+
+TEST_CASE("columns that are added later count as those that were there") {
+  std::mt19937 draw(7);
+  int improved = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Eigen::MatrixXd A = random_matrix(draw, 4, 14);
+    const Eigen::VectorXd b = A.leftCols(7) * Eigen::VectorXd::Ones(7);
+    Eigen::VectorXd c = random_matrix(draw, 14, 1).cwiseAbs();
+    Simplex whole(A, b, 0), grown(A.leftCols(7), b, 0);
+    REQUIRE(whole.find_point() == Ending::found);
+    REQUIRE(grown.find_point() == Ending::found);
+    if (c.head(7).isZero(0) || grown.minimise(c.head(7)) != Ending::found) continue;
+    const double before = c.head(7).dot(grown.point());
+    grown.add(A.rightCols(7));
+    REQUIRE(whole.minimise(c) == Ending::found);
+    REQUIRE(grown.minimise(c) == Ending::found);
+    const double after = c.dot(grown.point());
+    CHECK(after == doctest::Approx(c.dot(whole.point())).epsilon(1e-9));
+    CHECK(((c - A.transpose() * grown.multipliers() * c.maxCoeff()).minCoeff() >= -1e-7));
+    improved += after < before - 1e-9;
+  }
+  CHECK(improved > 50);
+}
