@@ -1,12 +1,15 @@
 """Accepts or refuses a certificate of lcpush in whole numbers, by the laws in certificates.md:
     python3 lcpush_check.py CERTIFICATE.json SCENE.toml        or  CERTIFICATE.json M.mtx q.mtx"""
-import hashlib, json, math, pathlib, sys, tomllib
+import hashlib, json, math, pathlib, re, sys, tomllib
 from fractions import Fraction as F
 CUT, UNIT, PI, ZERO = 10**15, 10**40, 31415926535897932384626433832795028841971, [F(0)] * 3
 SAYS = {"answer": "These numbers solve every law of the problem without any error.",
         "squeeze": "These forces balance inside the friction cones, load no actuator, and the push tightens them.",
         "cannot_hold": "No forces inside the friction cones balance the load: this motion gains more than they take.",
         "no_answer": "These weights add the rows up to a contradiction: no z >= 0 makes every w >= 0."}
+UNITS = {name: F(10)**power for power, names in {
+    3: "kN", 0: "kg,m,N,N m,s,rad,m/s,rad/s,m/s^2,rad/s^2,kg m^2", -2: "cm", -3: "g,mm,mN,N mm,ms,mm/s,mm/s^2", -6: "um",
+    }.items() for name in names.split(",")} | {name: F(PI, 180 * UNIT) for name in ("deg", "deg/s", "deg/s^2")}
 def require(truth, why):
     if not truth: raise ValueError(why)
 def dot(a, b): return sum((x * y for x, y in zip(a, b) if x and y), F(0))
@@ -51,8 +54,20 @@ def patch(body, t, o):  # its points
                    for x, y in (circle(F(2*j + rings - 1 - i, 2*count)) for j in range(count))]
     return points
 
+def si(value):  # "120 g" is 3/25
+    if isinstance(value, dict): return {k: v if k in ("name", "title", "bodies") else si(v) for k, v in value.items()}
+    if isinstance(value, list): return [si(v) for v in value]
+    parts = isinstance(value, str) and re.fullmatch(r"\s*\+?(-?\d[\d.]*(?:[eE][+-]?\d+)?)\s*(\D.*?)\s*", value)
+    return F(parts[1]) * UNITS[parts[2]] if parts and parts[2] in UNITS else value
+
+def put_on_face(body, obj, com):  # on = "+z", center = [x, y] in that face
+    axis, sign = "xyz".index(body["on"][1]), F(body["on"][0] + "1")
+    offset = list(body.get("center", (0, 0)))
+    offset.insert(axis, sign * (obj["box"][axis] if "box" in obj else obj["cylinder_length"]) / 2)
+    body.update(center=add(com, offset), normal=[-sign * (i == axis) for i in range(3)])
+
 def scene_problem(text, g):  # w = L x + q0 + push q1: L, q0, q1, the free rows, the cones
-    scene = tomllib.loads(text, parse_float=F)
+    scene = si(tomllib.loads(text, parse_float=F))
     require(scene.get("pressure") != "even", "another law")
     obj, fingers, pushers = scene["object"], scene.get("finger", []), [b for b in scene.get("pusher", []) if not b.get("from")]
     m, com, box, r = F(obj["mass"]), obj.get("center_of_mass", ZERO), obj.get("box"), obj.get("cylinder_radius")
@@ -64,6 +79,9 @@ def scene_problem(text, g):  # w = L x + q0 + push q1: L, q0, q1, the free rows,
     tau, drives, named = [], [], {}  # every actuator's (force, inertia); (body, actuator, twist)
     def drive(body, force): tau.append((F(force), F(0))), drives.append((body, len(tau) - 1, body["n"] + ZERO))
     for body in fingers + pushers:
+        if "on" in body: put_on_face(body, obj, com)
+        for key in ("angular_velocity", "angular_acceleration"):  # in a plane, about z
+            if isinstance(body.get(key), F): body[key] = [F(0), F(0), body[key]]
         n, v, axis, named[body["name"]] = unit(body["normal"]), body["normal"], 0, body
         for i in (1, 2): axis = i if abs(n[i]) < abs(n[axis]) - F(1, 10**9) else axis
         along = body.get("tangent", [i == axis for i in range(3)])

@@ -1,11 +1,13 @@
 #include "formats/toml.hpp"
 
+#include "formats/read_number.hpp"
 #include "formats/text_cursor.hpp"
 #include "text/limits.hpp"
 #include "text/utf8.hpp"
 #include "text/wording.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -177,9 +179,24 @@ private:
       if (depth > 0) fail("true and false are not supported in a list; use numbers or strings");
       return {line, word == "true"};
     }
+    refuse_bare_unit(at_ - word.size());
     TomlValue number{line, 0.0};
     if (const auto error = read_toml_number(word, number)) fail(*error);
     return number;
+  }
+
+  /// 120g or 120 g: a number, then letters up to the end of the value.
+  void refuse_bare_unit(std::size_t start) const {
+    const std::size_t end = std::min(text_.find_first_of("\r\n,]#=", start), text_.size());
+    const std::string_view typed = trimmed(text_.substr(start, end - start));
+    const auto [length, is_whole] = decimal_prefix(typed);
+    const std::string unit(trimmed(typed.substr(length)));
+    const bool is_letter = !unit.empty() && std::isalpha(static_cast<unsigned char>(unit[0])) != 0;
+    const bool is_octal =
+        typed.substr(0, 1) == "0" && length == 1 && typed.find_first_of("xob") == 1;
+    if (!is_whole || !is_letter || is_octal || (end < text_.size() && text_[end] == '=')) return;
+    fail("a number with a unit is a text; write \"" + std::string(typed.substr(0, length)) + " " +
+         unit + "\"");
   }
 
   TomlArray parse_array(int depth) {

@@ -6,7 +6,8 @@ namespace lcpush::desktop {
 namespace {
 
 /// " along y", " about z", " no. 2": which number of a list; counted from 1 where it is no axis.
-std::string index_words(const std::string& key, const std::string& indices) {
+std::string index_words(const Parameter& parameter, const std::string& key,
+                        const std::string& indices) {
   std::string text;
   for (std::size_t at = 0; at < indices.size(); at = indices.find(']', at) + 1) {
     const std::size_t end = indices.find(']', at);
@@ -14,7 +15,9 @@ std::string index_words(const std::string& key, const std::string& indices) {
     const bool is_last = end + 1 == indices.size();
     const bool is_plain = key == "size" || key == "weights" || key == "twists" || k > 2;
     const bool turns = key.find("angular") == 0 || key == "moment" || key == "inertia";
-    if (is_last && !is_plain)
+    if (is_last && parameter.kind == Parameter::Kind::number && parameter.axis > 0)
+      text += std::string(" along ") + "xyz"[parameter.axis - 1];
+    else if (is_last && !is_plain)
       text += std::string(turns ? " about " : " along ") + "xyz"[k];
     else
       text += " no. " + std::to_string(k + 1);
@@ -36,7 +39,7 @@ std::string parameter_words(const Parameter& parameter) {
     words += " of the object";
   else if (!owner.empty() && owner != "*")
     words += " of " + owner;
-  return words + index_words(key, path.substr(bracket));
+  return words + index_words(parameter, key, path.substr(bracket));
 }
 
 std::string parameter_label(const Parameter& parameter) {

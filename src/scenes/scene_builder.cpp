@@ -3,6 +3,7 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/mechanics/model/contact.hpp"
 #include "scenes/exact_frame.hpp"
+#include "scenes/on_face.hpp"
 #include "scenes/scene_schema.hpp"
 #include "scenes/scene_tables.hpp"
 #include "text/limits.hpp"
@@ -52,7 +53,6 @@ public:
 
   /// Call once.
   SceneOf<S> build() {
-    check_sections(document_);
     read_settings();
     scene_.object = read_object<S>(reader("object"), scene_.shape);
     scene_.lines = {document_.file,
@@ -85,14 +85,11 @@ private:
     return found != nullptr ? found->tables.size() : 0;
   }
 
-  /// Labels a table `finger "left"`, or `finger 2` while it has no usable name.
   TableReader reader(const std::string& section, std::size_t index = 0) const {
     const TomlSection* const found = document_.find(section);
     const TomlTable& table = found != nullptr ? found->tables[index] : document_.root;
-    std::string label = section;
-    if (found != nullptr && found->is_array)
-      label += " " + (table.name() ? quoted(*table.name()) : std::to_string(index + 1));
-    return TableReader(document_.file, table, label, schema_of(section));
+    return TableReader(document_.file, table, found != nullptr ? table_label(*found, index) : "",
+                       schema_of(section));
   }
 
   std::string claim_name(const TableReader& table) {
@@ -173,6 +170,14 @@ private:
     scene_.weights.insert(scene_.weights.end(), patch.weights.begin(), patch.weights.end());
     if constexpr (!std::is_same_v<S, double>)
       scene_.inexact.insert(scene_.inexact.end(), patch.inexact.begin(), patch.inexact.end());
+    for (const char* key : {"angular_velocity", "angular_acceleration"}) note_degrees(table, key);
+  }
+
+  void note_degrees(const TableReader& table, const std::string& key) {
+    if constexpr (!std::is_same_v<S, double>)
+      if (table.is_irrational(key))
+        scene_.inexact.push_back("the " + key + " of " + table.label() +
+                                 " is irrational: a fraction within 1e-12 of it is used");
   }
 
   Vector6<S> prescribed_twist(const TableReader& table) const {
@@ -232,6 +237,7 @@ private:
       table.fail("inertia", "inertia goes with force; remove it");
     const S amount = table.number<S>(is_prescribed ? "acceleration" : "force",
                                      is_prescribed ? Sign::any : Sign::not_negative);
+    note_degrees(table, "acceleration");
     const S inertia = table.has("inertia") ? table.number<S>("inertia", Sign::not_negative) : S(0);
     if (!is_prescribed && amount == S(0) && inertia == S(0))
       table.fail("force", "an actuator without force and inertia holds nothing; give it one of "
@@ -290,6 +296,8 @@ private:
 template <class S>
 SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand,
                        Strokes strokes) {
+  if (has_contacts_on_faces(document))
+    return build_scene<S>(with_typed_places(document), unsaid_hand, strokes);
   SceneOf<S> all = SceneBuilder<S>(document, unsaid_hand, Strokes::all).build();
   const bool has_later = std::any_of(all.strokes.begin(), all.strokes.end(),
                                      [](const Stroke& stroke) { return stroke.from > 0; });

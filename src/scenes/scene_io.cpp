@@ -1,7 +1,7 @@
 #include "lcpush/desktop/scene_io.hpp"
 
-#include "formats/toml.hpp"
 #include "scenes/scene_builder.hpp"
+#include "scenes/scene_units.hpp"
 #include "text/limits.hpp"
 #include "text/text_file.hpp"
 #include "text/wording.hpp"
@@ -27,7 +27,7 @@ std::string scene_label(const std::string& path) { return file_label(path); }
 
 template <class S>
 SceneOf<S> parse_scene(std::string_view text, const std::string& file_name, Strokes strokes) {
-  return build_scene<S>(parse_toml(text, file_name), {}, strokes);
+  return build_scene<S>(parse_scene_tables(text, file_name), {}, strokes);
 }
 template SceneOf<double> parse_scene(std::string_view text, const std::string& file_name,
                                      Strokes strokes);

@@ -28,6 +28,7 @@ Schema body_keys(const Schema& own) {
       {"points", "[[0, 0, 0], [0.01, 0, 0]]", "m"},
       {"weights", "[1, 2]  # shares of the patch's force"},
       {"normal", "[0, 0, -1]"},
+      {"on", "\"+z\""},
       {"tangent", "[1, 0, 0]"},
       {"points_on", "\"object\""},
   };
@@ -74,9 +75,9 @@ const std::vector<Section>& sections() {
        {{"name", "\"tendon\""},
         {"bodies", "[\"left\", \"right\"]"},
         {"twists", "[[1, 0, 0, 0, 0, 0]]  # linear at the scene's origin, angular"},
-        {"force", "20", "N", true},
-        {"acceleration", "0.1", "m/s^2", true},
-        {"inertia", "0.05", "kg"}}},
+        {"force", "20", "N", true, "N m"},
+        {"acceleration", "0.1", "m/s^2", true, "rad/s^2"},
+        {"inertia", "0.05", "kg", false, "kg m^2"}}},
       {"face", true, {{"corners", "[[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0]]", "m"}}},
   };
   return list;
@@ -100,6 +101,7 @@ constexpr Synonym synonyms[] = {
     {"position", "center"},
     {"location", "center"},
     {"at", "center"},
+    {"face", "on"},
     {"speed", "velocity"},
     {"start", "from"},
     {"begin", "from"},

@@ -11,9 +11,10 @@ namespace lcpush::desktop {
 /// A key that a table may have.
 struct Key {
   const char* name;
-  const char* example;    ///< a value that it may have
-  const char* unit = "";  ///< of its numbers
-  bool is_linear = false; ///< they enter the right-hand side alone, and linearly
+  const char* example;           ///< a value that it may have
+  const char* unit = "";         ///< of its numbers
+  bool is_linear = false;        ///< they enter the right-hand side alone, and linearly
+  const char* turning = nullptr; ///< their unit, of an actuator that turns its bodies
 };
 using Schema = std::vector<Key>;
 

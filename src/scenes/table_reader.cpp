@@ -27,6 +27,12 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
 
 } // namespace
 
+std::string table_label(const TomlSection& section, std::size_t index) {
+  if (!section.is_array) return section.name;
+  const std::string* const name = section.tables[index].name();
+  return section.name + " " + (name != nullptr ? quoted(*name) : std::to_string(index + 1));
+}
+
 TableReader::TableReader(const std::string& file, const TomlTable& table, std::string label,
                          const Schema& schema)
     : file_(file), table_(table), label_(std::move(label)), schema_(schema) {
@@ -67,6 +73,17 @@ const TomlValue& TableReader::require(const std::string& key) const {
 bool TableReader::is_text(const std::string& key) const {
   const TomlValue* const value = table_.find(key);
   return value != nullptr && std::holds_alternative<std::string>(value->data);
+}
+
+bool TableReader::is_irrational(const std::string& key) const {
+  const TomlValue* const value = table_.find(key);
+  if (value == nullptr) return false;
+  const auto is_fraction = [](const TomlValue& one) {
+    return one.digits.find('/') != std::string::npos;
+  };
+  const auto* const list = std::get_if<TomlArray>(&value->data);
+  return list != nullptr ? std::any_of(list->begin(), list->end(), is_fraction)
+                         : is_fraction(*value);
 }
 
 bool TableReader::boolean(const std::string& key) const {
@@ -112,7 +129,7 @@ double TableReader::checked_number(const std::string& what, const TomlValue& val
   return number;
 }
 
-std::string TableReader::entry_of(const std::string& what, std::size_t index) {
+std::string entry_of(const std::string& what, std::size_t index) {
   return "entry " + std::to_string(index + 1) + " of " + what;
 }
 

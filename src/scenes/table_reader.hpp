@@ -17,6 +17,11 @@ constexpr double typing_slack = 1e-3;
 /// Numbers beyond 1e12, and positive ones below 1e-24, are refused as slips of the unit.
 enum class Sign { any, not_negative, positive };
 
+/// `finger "left"`, or `finger 2` while it has no usable name: how messages call a table.
+std::string table_label(const TomlSection& section, std::size_t index);
+/// "entry 2 of points", from 1.
+std::string entry_of(const std::string& what, std::size_t index);
+
 /// Every reading function throws InputError, with file, line and the table's label, if the key is
 /// missing or its value is of another type, length or range. Optional keys: ask has() first.
 /// Numbers come as S = double, or as S = Rational exactly as typed; both pass the same checks.
@@ -35,6 +40,8 @@ public:
 
   /// Is it there, and a text?
   bool is_text(const std::string& key) const;
+  /// Is it there, with a number that no decimals say, such as one of degrees?
+  bool is_irrational(const std::string& key) const;
   bool boolean(const std::string& key) const;
   /// Neither empty nor with control characters, so that every report can print it.
   std::string text(const std::string& key) const;
@@ -92,8 +99,6 @@ private:
       result.push_back(as_number<S>(entry_of(what, result.size()), element, sign));
     return result;
   }
-  /// "entry 2 of points", from 1.
-  static std::string entry_of(const std::string& what, std::size_t index);
 
   const std::string& file_;
   const TomlTable& table_;

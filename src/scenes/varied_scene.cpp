@@ -1,8 +1,10 @@
 #include "lcpush/desktop/varied_scene.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
+#include "scenes/on_face.hpp"
 #include "scenes/scene_builder.hpp"
 #include "scenes/scene_schema.hpp"
+#include "scenes/scene_units.hpp"
 #include "scenes/table_changes.hpp"
 #include "text/wording.hpp"
 #include "text/wrap.hpp"
@@ -54,7 +56,10 @@ void add_table(const std::string& section, const TomlTable& table, const std::st
       named.parameter.value = static_cast<double>(SceneFile{}.facets);
       list.push_back(named);
     }
+    const std::size_t first = list.size();
     add_numbers(entry.value, named, list);
+    for (std::size_t i = first; i < list.size() && entry.key == "center"; ++i)
+      list[i].parameter.axis = axis_in_face(table, i - first).value_or(-1) + 1;
   }
 }
 
@@ -126,6 +131,9 @@ void add_defaults(TomlDocument& document) {
     for (TomlTable& table : section.tables) {
       if (section.name == "object")
         for (const char* key : {"center_of_mass", "force", "moment"}) add(table, key);
+      if (is_body(section.name) && table.find("on") != nullptr && table.find("center") == nullptr)
+        table.entries.push_back(
+            {"center", {table.line, TomlArray(2, TomlValue{table.line, std::int64_t{0}, "0"})}});
       if (section.name != "pusher") continue;
       const bool has_speed =
           table.find("velocity") != nullptr || table.find("angular_velocity") != nullptr;
@@ -151,28 +159,36 @@ std::string choices(const TomlDocument& document) {
   return text;
 }
 
+TomlTable& table_at(TomlDocument& document, const Place& place) {
+  if (place.section == root) return document.root;
+  return document.sections[static_cast<std::size_t>(place.section)]
+      .tables[static_cast<std::size_t>(place.table)];
+}
+
+/// First the numbers, then what moves: a contact on a face is moved from where that then is.
 TomlDocument changed(TomlDocument document, const std::vector<Parameter>& parameters,
                      const std::vector<double>& values) {
+  bool moves = false;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const Parameter& parameter = parameters[k];
+    moves = moves || parameter.kind != Kind::number;
+    if (parameter.kind != Kind::number) continue;
     for (const Place& place : parameter.places) {
-      TomlTable& table = place.section == root
-                             ? document.root
-                             : document.sections[static_cast<std::size_t>(place.section)]
-                                   .tables[static_cast<std::size_t>(place.table)];
-      switch (parameter.kind) {
-      case Kind::turn: turn_motion(table, values[k]); break;
-      case Kind::tangent_turn: turn_tangent(table, values[k]); break;
-      case Kind::shift:
-        shift_points(table, static_cast<std::size_t>(parameter.axis), values[k]);
-        break;
-      case Kind::number:
-        TomlValue* value = table.find(place.key);
-        for (const std::size_t i : place.indices) value = &std::get<TomlArray>(value->data)[i];
-        (parameter.whole ? set_count : set_number)(*value, values[k]);
-      }
+      TomlValue* value = table_at(document, place).find(place.key);
+      for (const std::size_t i : place.indices) value = &std::get<TomlArray>(value->data)[i];
+      (parameter.whole ? set_count : set_number)(*value, values[k]);
     }
   }
+  if (!moves) return document;
+  if (has_contacts_on_faces(document)) document = with_typed_places(std::move(document));
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    for (const Place& place : parameters[k].places) {
+      TomlTable& table = table_at(document, place);
+      if (parameters[k].kind == Kind::turn) turn_motion(table, values[k]);
+      if (parameters[k].kind == Kind::tangent_turn) turn_tangent(table, values[k]);
+      if (parameters[k].kind == Kind::shift)
+        shift_points(table, static_cast<std::size_t>(parameters[k].axis), values[k]);
+    }
   return document;
 }
 
@@ -201,7 +217,7 @@ VariedScene VariedScene::read(const std::string& path) {
 }
 
 VariedScene VariedScene::parse(std::string_view text, const std::string& file_name) {
-  return VariedScene(parse_toml(text, file_name));
+  return VariedScene(parse_scene_tables(text, file_name));
 }
 
 void VariedScene::set(const std::string& key, const TomlValue& given) {

@@ -47,6 +47,19 @@ test('a change leaves everything else as it is', () => {
     edits.with_hand(sample, 'parallel'));
 });
 
+test('units are read, and a contact on a face moves in that', () => {
+  const text = sample.replace('0.2 ', '"120 g"').replace('0.03,', '"3 cm", ')
+    .replace('center = [0, 0, 0.005]', 'on = "-y"\ncenter = ["1 mm", 0]\nangular_velocity = "180 deg/s"');
+  const toml = new Toml(text);
+  assert.equal(toml.get(toml.first('object'), 'mass'), 0.12);
+  assert.deepEqual(toml.get(toml.first('object'), 'box'), [0.1, 0.03, 0.01]);
+  assert.deepEqual(toml.get(toml.body('left'), 'angular_velocity'), [0, 0, Math.PI]);
+  const state = { text, scene: { bodies: [{ name: 'left', normal: [0, 1, 0] }] } };
+  assert.match(edits.dragged(state, ['left'], [0.001, 0.5, 0.003]), /center = \[0\.002, 0\.003\]/);
+  assert.match(edits.dragged({ ...state, text: text.replace(/center.*\n/, '') }, ['left'],
+    [0.001, 0.5, 0.003]), /center = \[0\.001, 0\.003\]/);
+});
+
 test('every number of a shipped scene can be written back without a change of the others', () => {
   let count = 0;
   for (const [name, text] of fixtures) {

@@ -77,6 +77,8 @@ TEST_CASE("what TOML allows beyond the subset is refused, and the message says s
   CHECK(says(refusal("k = 1e400"), "too large or too small"));
   CHECK(says(refusal("k = 1e-400"), "too large or too small"));
   CHECK(says(refusal("k = friction"), "double quotes"));
+  CHECK(says(refusal("k = 120g"), "a number with a unit is a text; write \"120 g\""));
+  CHECK(says(refusal("k = [1, -5 N m, 2]"), "write \"-5 N m\""));
 }
 
 TEST_CASE("duplicates are refused and name the first line") {

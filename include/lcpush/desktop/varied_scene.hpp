@@ -31,7 +31,7 @@ struct Parameter {
   std::string path; ///< as typed
   Kind kind = Kind::number;
   std::vector<Place> places; ///< of a shift or turn: its table alone
-  Index axis = 0;            ///< of a shift
+  Index axis = 0;            ///< of a shift; of an offset in a face 1 + what it lies along
   std::string unit;          ///< "N", "m/s^2", "" (a pure number), ..
   bool linear = false;       ///< enters the right-hand side alone, and linearly
   bool whole = false;        ///< counts something: whole numbers alone

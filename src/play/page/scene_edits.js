@@ -25,8 +25,16 @@
     return result;
   }
 
-  /// The body's points by `by` further.
-  const moved_body = (text, name, by) => changed_places(text, name, (at) => add(at, by));
+  /// The body's points by `by` further; on a face of the object, along that.
+  function moved_body(text, name, by) {
+    const toml = new Toml(text);
+    const section = toml.body(name);
+    const across = 'xyz'.indexOf((section && toml.get(section, 'on') || '+?')[1]);
+    if (across < 0) return changed_places(text, name, (at) => add(at, by));
+    const along = by.filter((_, k) => k !== across);
+    return toml.with_value(section, 'center',
+      (toml.get(section, 'center') || [0, 0]).map((x, i) => finer(x + along[i])));
+  }
 
   /// The fingers that a hand drags together: jaws go with each other.
   function dragged_together(state, name, alone) {

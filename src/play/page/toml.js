@@ -29,6 +29,21 @@
     }
   }
 
+  /// Powers of ten of the units that scenes know.
+  const powers = { kg: 0, g: -3, m: 0, cm: -2, mm: -3, um: -6, N: 0, mN: -3, kN: 3, 'N m': 0,
+    'N mm': -3, s: 0, ms: -3, 'rad/s': 0, 'm/s': 0, 'mm/s': -3, 'rad/s^2': 0, 'm/s^2': 0,
+    'mm/s^2': -3, 'kg m^2': 0 };
+
+  /// "120 g" is 0.12; every other text stays one.
+  function in_si(value) {
+    if (Array.isArray(value)) return value.map(in_si);
+    const [, number, unit] = typeof value === 'string'
+      && /^\s*\+?(-?\d[\d.]*(?:e[+-]?\d+)?)\s*(\D.*?)\s*$/i.exec(value) || [];
+    if (/^deg(\/s(\^2)?)?$/.test(unit)) return number * Math.PI / 180;
+    if (!Object.hasOwn(powers, unit ?? '')) return value;
+    return powers[unit] < 0 ? number / 10 ** -powers[unit] : number * 10 ** powers[unit];
+  }
+
   class Toml {
     constructor(text) {
       this.text = text;
@@ -58,7 +73,11 @@
 
     get(section, key) {
       const place = section?.keys[key];
-      return place && value_of(this.text.slice(place.from, place.to));
+      const value = place && value_of(this.text.slice(place.from, place.to));
+      if (['name', 'title', 'bodies'].includes(key)) return value;
+      const number = in_si(value);
+      return key.startsWith('angular_') && number !== value && !Array.isArray(number)
+        ? [0, 0, number] : number; // in a plane, about z
     }
     first(name) { return this.sections.find((section) => section.name === name); }
     /// The section of the finger or pusher called `name`.

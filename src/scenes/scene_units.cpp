@@ -1,0 +1,202 @@
+#include "scenes/scene_units.hpp"
+
+#include "formats/read_number.hpp"
+#include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/rational.hpp"
+#include "scenes/scene_schema.hpp"
+#include "scenes/table_reader.hpp"
+#include "text/whole_number.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace lcpush::desktop {
+namespace {
+
+/// 10^power of `si`, the unit of bare numbers; of degrees, pi / 180 of it.
+struct Unit {
+  const char *name, *si;
+  int power = 0;
+};
+constexpr Unit units[] = {
+    {"kg", "kg"},
+    {"g", "kg", -3},
+    {"m", "m"},
+    {"cm", "m", -2},
+    {"mm", "m", -3},
+    {"um", "m", -6},
+    {"N", "N"},
+    {"mN", "N", -3},
+    {"kN", "N", 3},
+    {"N m", "N m"},
+    {"N mm", "N m", -3},
+    {"s", "s"},
+    {"ms", "s", -3},
+    {"rad", "rad"},
+    {"deg", "rad"},
+    {"m/s", "m/s"},
+    {"mm/s", "m/s", -3},
+    {"rad/s", "rad/s"},
+    {"deg/s", "rad/s"},
+    {"m/s^2", "m/s^2"},
+    {"mm/s^2", "m/s^2", -3},
+    {"rad/s^2", "rad/s^2"},
+    {"deg/s^2", "rad/s^2"},
+    {"kg m^2", "kg m^2"},
+};
+
+struct Meaning {
+  const char *name, *meaning;
+};
+constexpr Meaning dimensions[] = {
+    {"kg", "a mass"},
+    {"m", "a length"},
+    {"N", "a force"},
+    {"N m", "a moment"},
+    {"s", "a time"},
+    {"rad", "an angle"},
+    {"m/s", "a speed"},
+    {"rad/s", "an angular velocity"},
+    {"m/s^2", "an acceleration"},
+    {"rad/s^2", "an angular acceleration"},
+    {"kg m^2", "a moment of inertia"},
+};
+/// What is refused, since a slip between them and SI is a classic, and what it is in SI.
+constexpr Meaning imperial[] = {
+    {"lb", "1 lb is 0.45359237 kg"},       {"lbs", "1 lb is 0.45359237 kg"},
+    {"oz", "1 oz is 28.349523125 g"},      {"in", "1 in is 25.4 mm"},
+    {"inch", "1 inch is 25.4 mm"},         {"ft", "1 ft is 304.8 mm"},
+    {"lbf", "1 lbf is 4.4482216152605 N"},
+};
+
+template <class List> const auto* called(const List& list, std::string_view name) {
+  const auto found = std::find_if(std::begin(list), std::end(list),
+                                  [name](const auto& one) { return name == one.name; });
+  return found == std::end(list) ? nullptr : &*found;
+}
+
+/// 10^power of the number with these digits.
+std::string scaled(const std::string& digits, int power) {
+  const std::size_t e = std::min(digits.find_first_of("eE"), digits.size());
+  std::string_view exponent = std::string_view(digits).substr(std::min(e + 1, digits.size()));
+  if (exponent.substr(0, 1) == "+") exponent.remove_prefix(1);
+  power += whole_number<int>(exponent).value_or(0); // beyond int only zeros are left
+  return digits.substr(0, e) + "e" + std::to_string(power);
+}
+
+Rational radians(const Rational& degrees) {
+  return degrees * *Rational::parse("3.1415926535897932384626433832795028841971") / Rational(180);
+}
+
+/// Turns the texts of one table's numbers into numbers.
+class UnitReader {
+public:
+  UnitReader(const std::string& file, const std::string& label) : file_(file), label_(label) {}
+
+  /// `si`: the units of bare numbers that may be meant.
+  void convert(const std::string& what, const std::vector<std::string>& si,
+               TomlValue& value) const {
+    if (auto* const list = std::get_if<TomlArray>(&value.data))
+      for (std::size_t i = 0; i < list->size(); ++i) convert(entry_of(what, i), si, (*list)[i]);
+    if (const auto* const text = std::get_if<std::string>(&value.data))
+      value =
+          converted(what + " = " + quoted(*text) + ": ", si, std::string(trimmed(*text)), value);
+  }
+
+private:
+  TomlValue converted(const std::string& said, const std::vector<std::string>& si,
+                      const std::string& text, const TomlValue& as_text) const {
+    const std::string_view plain = std::string_view(text).substr(text[0] == '+' ? 1 : 0);
+    const auto [length, is_whole] = decimal_prefix(plain);
+    if (!is_whole) return as_text; // the reader of its table wants a number
+    const std::string number(plain.substr(0, length));
+    const std::string name(trimmed(plain.substr(length)));
+    const Unit* const unit = called(units, name);
+    const bool is_meant = unit != nullptr && std::find(si.begin(), si.end(), unit->si) != si.end();
+    if (!is_meant) fail(as_text.line, said + objection(number, name, si));
+    TomlValue value{as_text.line, 0.0};
+    const std::string in_si = unit->power == 0 ? number : scaled(number, unit->power);
+    if (const auto error = read_toml_number(in_si, value)) fail(as_text.line, said + *error);
+    if (name.substr(0, 3) == "deg") {
+      const std::optional<Rational> degrees = Rational::parse(number);
+      if (!degrees) fail(as_text.line, said + "too long to be read exactly");
+      value = {as_text.line, radians(*degrees).value(), radians(*degrees).text()};
+    }
+    return value;
+  }
+
+  /// Why "20 mm" is no mass.
+  static std::string objection(const std::string& number, const std::string& name,
+                               const std::vector<std::string>& si) {
+    if (name.empty())
+      return "the unit is missing; write " + number + " without quotes, or " +
+             quoted(number + " " + si[0]);
+    if (const Unit* const unit = called(units, name))
+      return called(dimensions, unit->si)->meaning + meant(si);
+    if (const Meaning* const foreign = called(imperial, name))
+      return quoted(name) + " is not read, " + foreign->meaning + meant(si);
+    return "the unit " + quoted(name) + " is unknown" + meant(si);
+  }
+
+  static std::string meant(const std::vector<std::string>& si) {
+    std::vector<std::string> names;
+    for (const Unit& unit : units)
+      if (std::find(si.begin(), si.end(), unit.si) != si.end()) names.push_back(unit.name);
+    return "; " + listed(names, "or") + " is meant";
+  }
+
+  [[noreturn]] void fail(int line, const std::string& message) const {
+    throw InputError(file_, line, label_.empty() ? message : label_ + ": " + message);
+  }
+
+  const std::string& file_;
+  const std::string& label_;
+};
+
+/// What bare numbers of this key are measured in: of an actuator's, N of one that shifts its
+/// bodies, N m of one that turns them, either where its twists do both.
+std::vector<std::string> si_units(const Key& key, const TomlTable& table) {
+  const TomlValue* const twists = table.find("twists");
+  const auto* const rows = twists != nullptr ? std::get_if<TomlArray>(&twists->data) : nullptr;
+  if (rows == nullptr || key.turning == nullptr) return {key.unit};
+  bool shifts = false, turns = false;
+  for (const TomlValue& row : *rows)
+    if (const auto* const list = std::get_if<TomlArray>(&row.data))
+      for (std::size_t i = 0; i < list->size(); ++i)
+        if ((*list)[i].number().value_or(0) != 0) (i < 3 ? shifts : turns) = true;
+  if (shifts && turns) return {key.unit, key.turning};
+  return {turns ? key.turning : key.unit};
+}
+
+void read_units(const std::string& section, const std::string& label, bool planar,
+                const std::string& file, TomlTable& table) {
+  for (TomlEntry& entry : table.entries) {
+    const Key* const key = key_called(section, entry.key);
+    if (key == nullptr || *key->unit == '\0') continue;
+    const bool is_text = std::holds_alternative<std::string>(entry.value.data);
+    UnitReader(file, label).convert(entry.key, si_units(*key, table), entry.value);
+    // In a plane "30 deg/s" can only be about z.
+    if (!planar || !is_text || entry.key.find("angular_") != 0 || !entry.value.number()) continue;
+    const TomlValue zero{entry.value.line, std::int64_t{0}, "0"};
+    entry.value = {entry.value.line, TomlArray{zero, zero, entry.value}};
+  }
+}
+
+} // namespace
+
+TomlDocument parse_scene_tables(std::string_view text, const std::string& file_name) {
+  TomlDocument document = parse_toml(text, file_name);
+  check_sections(document);
+  const TomlValue* const planar = document.root.find("planar");
+  const bool* const is_planar = planar != nullptr ? std::get_if<bool>(&planar->data) : nullptr;
+  read_units("", "", false, document.file, document.root);
+  for (TomlSection& section : document.sections)
+    for (std::size_t i = 0; i < section.tables.size(); ++i)
+      read_units(section.name, table_label(section, i), is_planar != nullptr && *is_planar,
+                 document.file, section.tables[i]);
+  return document;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,248 @@
+"""Scenes with units and with contacts on faces mean the scenes in SI numbers and places, exactly."""
+import subprocess
+import sys
+
+from tool import SOURCE, ToolTest, json_of, main, run
+
+# (SI, the same with units); "" stands for its absence.
+UNITS = [
+    ("mass = 0.12", 'mass = "120 g"'), ("mass = 0.12", 'mass = "0.12 kg"'), ("mass = 0.12", 'mass = " +1.2e+2g "'),
+    ("mass = 0.12", 'mass = "120e0 g"'), ("gravity = [0, -9.81, 0]", 'gravity = [0, "-9810 mm/s^2", "0 m/s^2"]'),
+    ("box = [0.08, 0.04, 0.02]", 'box = ["80 mm", 0.04, "2 cm"]'),
+    ("box = [0.08, 0.04, 0.02]", 'box = ["80000 um", "40 mm", "0.02 m"]'),
+    ("grip_force = 20 ", 'grip_force = "20 N" '), ("grip_force = 20 ", 'grip_force = "0.02 kN" '),
+    ("grip_force = 20 ", 'grip_force = "20000 mN" '), ("radius = 0.005", 'radius = "5 mm"'),
+    ("center = [0.001, 0, 0.01]", 'center = ["1 mm", 0, "1 cm"]'),
+    ("moment = [0, 0, 0.01]", 'moment = [0, 0, "10 N mm"]'),
+    ("moment = [0, 0, 0.01]", 'moment = [0, 0, "0.01 N m"]'),
+    ("ends = [[-0.04, -0.015, 0], [-0.04, 0.015, 0]]", 'ends = [["-40 mm", -0.015, 0], ["-4 cm", "15 mm", 0]]'),
+    ("velocity = [0.01, 0, 0]", 'velocity = ["10 mm/s", 0, "0 m/s"]'), ("until = 0.25", 'until = "250 ms"'),
+    ("until = 0.25", 'until = "0.25 s"'), ("angular_velocity = [0, 0, 0.5]", 'angular_velocity = [0, 0, "0.5 rad/s"]'),
+]
+SCENE = """gravity = [0, -9.81, 0]
+[object]
+mass = 0.12
+box = [0.08, 0.04, 0.02]
+moment = [0, 0, 0.01]
+[[finger]]
+name = "2 mm"
+shape = "disc"
+center = [0.001, 0, 0.01]
+radius = 0.005
+normal = [0, 0, -1]
+friction = 0.5
+grip_force = 20 # N
+[[finger]]
+name = "right"
+shape = "point"
+center = [0.001, 0, -0.01]
+normal = [0, 0, 1]
+friction = 0.5
+grip_force = 20 # N
+[[pusher]]
+name = "wall"
+shape = "line"
+ends = [[-0.04, -0.015, 0], [-0.04, 0.015, 0]]
+normal = [1, 0, 0]
+friction = 0.3
+velocity = [0.01, 0, 0]
+angular_velocity = [0, 0, 0.5]
+until = 0.25
+"""
+ACTUATOR = """[[actuator]]
+name = "jaw"
+bodies = ["right"]
+twists = [[0, 0, 1, 0, 0, %d]]
+force = %s
+"""
+
+# What is typed instead of what, its line, what the message says.
+REFUSED = [
+    ('mass = "20 mm"', "mass = 0.12", 3, 'object: mass = "20 mm": a length; kg or g is meant'),
+    ('box = ["8 cm", "40 g", 1]', "box = [0.08, 0.04, 0.02]", 4,
+     'entry 2 of box = "40 g": a mass; m, cm, mm or um is meant'),
+    ('mass = "2 lb"', "mass = 0.12", 3, '"lb" is not read, 1 lb is 0.45359237 kg; kg or g is meant'),
+    ('mass = "2 oz"', "mass = 0.12", 3, "1 oz is 28.349523125 g; kg or g"),
+    ('radius = "2 in"', "radius = 0.005", 10, 'finger "2 mm": radius = "2 in": "in" is not read, 1 in is 25.4 mm'),
+    ('grip_force = "2 lbf"', "grip_force = 20", 13, "1 lbf is 4.4482216152605 N; N, mN or kN is meant"),
+    ('mass = "2 KG"', "mass = 0.12", 3, 'the unit "KG" is unknown; kg or g is meant'),
+    ('mass = "0.12"', "mass = 0.12", 3, 'the unit is missing; write 0.12 without quotes, or "0.12 kg"'),
+    ('mass = "heavy"', "mass = 0.12", 3, 'mass must be a number, got the text "heavy"'),
+    ('mass = "1e400 g"', "mass = 0.12", 3, "too large or too small"),
+    ('moment = [0, 0, "1 N*m"]', "moment = [0, 0, 0.01]", 5, '"N*m" is unknown; N m or N mm is meant'),
+    ('moment = [0, 0, "1 N"]', "moment = [0, 0, 0.01]", 5, "a force; N m or N mm is meant"),
+    ('friction = "0.5 N"', "friction = 0.5", 12, "friction must be a number"),
+    ('velocity = ["10 mm/s^2", 0, 0]', "velocity = [0.01, 0, 0]", 27, "an acceleration; m/s or mm/s is meant"),
+    ('angular_velocity = "30 deg/s"', "angular_velocity = [0, 0, 0.5]", 28, "must be a list of 3 numbers"),
+    ("mass = 120g", "mass = 0.12", 3, 'a number with a unit is a text; write "120 g"'),
+    ("mass = 120 g # so", "mass = 0.12", 3, 'write "120 g"'),
+    ("box = [80 mm, 40 mm, 20 mm]", "box = [0.08, 0.04, 0.02]", 4, 'write "80 mm"'),
+    ("box = [0.08, 0.04, 1e-3m]", "box = [0.08, 0.04, 0.02]", 4, 'write "1e-3 m"'),
+    ("moment = [0, 0, 10 N mm]", "moment = [0, 0, 0.01]", 5, 'write "10 N mm"'),
+]
+
+
+def matrices(text):
+    return run("matrices", "-", "--json", text=text).stdout
+
+
+class SceneTest(ToolTest):
+    def certified(self, text):
+        scene, proof = self.file("scene.toml", text), self.path / "proof.json"
+        self.assertEqual(run("solve", scene, "--certify", proof).returncode, 0)
+        checked = subprocess.run([sys.executable, SOURCE / "docs/check/lcpush_check.py", proof, scene],
+                                 capture_output=True, text=True)
+        self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
+
+
+class Units(SceneTest):
+    def test_the_same_numbers(self):
+        self.assertIn('"M"', matrices(SCENE))
+        for si, typed in UNITS:
+            with self.subTest(typed):
+                self.assertIn(si, SCENE)
+                self.assertEqual(matrices(SCENE.replace(si, typed)), matrices(SCENE))
+
+    def test_the_guides_example_is_its_file(self):
+        example = (SOURCE / "docs/guide/held_block.toml").read_text()
+        self.assertIn(f"```toml\n{example}```", (SOURCE / "docs/guide/scenes.md").read_text())
+
+    def test_the_same_fractions(self):
+        """And the checker that shares no code reads them so."""
+        text = SCENE
+        for si, typed in UNITS:
+            text = text.replace(si, typed)
+        exact = [run("pivots", "-", "--exact", "--json", text=t).stdout for t in (SCENE, text)]
+        self.assertEqual(exact[0], exact[1])
+        self.assertNotIn("irrational: a", exact[0])
+        self.certified(text)
+
+    def test_degrees(self):
+        turns = SCENE.replace("0, 0.5]", '0, "-30 deg/s"]')
+        typed = turns.replace('"-30 deg/s"', "-0.523598775598298873077")
+        self.assertEqual(matrices(turns), matrices(typed))
+        self.assertIn("the angular_velocity of pusher \\\"wall\\\" is irrational",
+                      run("pivots", "-", "--exact", "--json", text=turns).stdout)
+        self.certified(turns)
+        plane = [matrices("planar = true\n" + SCENE.replace("[0, 0, 0.5]", value))
+                 for value in ('"0.5 rad/s"', "[0, 0, 0.5]")]
+        self.assertEqual(plane[0], plane[1])
+
+    def test_actuators(self):
+        for turn, force, said in [(0, '"20 N"', None), (0, '"2 N m"', "a moment; N, mN or kN"), (1, '"2 N m"', None),
+                                  (1, '"2 N"', None)]:
+            text = SCENE.replace("grip_force = 20 # N\n", "") + ACTUATOR % (turn, force)
+            result = run("matrices", "-", text=text)
+            self.assertEqual(result.returncode, 2 if said else 0, result.stderr)
+            self.assertIn(said or "", result.stderr)
+
+    def test_what_is_refused(self):
+        for new, old, line, said in REFUSED:
+            with self.subTest(new):
+                self.assertIn(old, SCENE)
+                result = run("matrices", "-", text=SCENE.replace(old, new, 1))
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                self.assertTrue(result.stderr.startswith(f"standard input:{line}: "), result.stderr)
+                self.assertIn(said, result.stderr.replace("\n", " "))
+
+    def test_sweeps_speak_si(self):
+        swept = [json_of("sweep", "-", "--vary", "object.mass=0.1:0.2", "--steps", 3, text=t)
+                 for t in (SCENE, SCENE.replace("mass = 0.12", 'mass = "120 g"'))]
+        self.assertEqual(swept[0], swept[1])
+
+
+def on_faces(object_, bodies):
+    return f"[object]\nmass = 0.2\n{object_}\n" + "".join(
+        f"[[{role}]]\nname = \"{i}\"\nfriction = 0.5\n{shape}\n{place}\n"
+        for i, (role, shape, place) in enumerate(bodies))
+
+
+# (on with center, normal with center) of a box of 0.1, 0.04, 0.3 around [0.01, 0.02, 0.03]
+BOX = 'box = ["100 mm", 0.04, 0.3]\ncenter_of_mass = [0.01, "2 cm", 0.03]'
+FACES = [
+    ('on = "+x"', "normal = [-1, 0, 0]\ncenter = [0.06, 0.02, 0.03]"),
+    ('on = "-x"\ncenter = [0, 0]', "normal = [1, 0, 0]\ncenter = [-0.04, 0.02, 0.03]"),
+    ('on = "+y"\ncenter = ["1 mm", 0.002]', "normal = [0, -1, 0]\ncenter = [0.011, 0.04, 0.032]"),
+    ('on = "-y"\ncenter = [0.001, 0.002]', "normal = [0, 1, 0]\ncenter = [0.011, 0, 0.032]"),
+    ('on = "+z"\ncenter = [0.001, -0.002]', "normal = [0, 0, -1]\ncenter = [0.011, 0.018, 0.18]"),
+    ('center = [0.001, -0.002]\non = "-z"', "normal = [0, 0, 1]\ncenter = [0.011, 0.018, -0.12]"),
+]
+SHAPES = ['shape = "disc"\nradius = "2 mm"', 'shape = "rectangle"\nsize = [0.004, "2 mm"]', 'shape = "point"',
+          'shape = "ring"\nradius = 0.001\npoints = 4']
+CYLINDERS = [
+    ("x", 'on = "+x"\ncenter = [0.001, 0.002]', "normal = [-1, 0, 0]\ncenter = [0.05, 0.001, 0.002]"),
+    ("y", 'on = "-y"\ncenter = [0.001, 0.002]', "normal = [0, 1, 0]\ncenter = [0.001, -0.05, 0.002]"),
+    ("z", 'on = "-z"', "normal = [0, 0, 1]\ncenter = [0, 0, -0.05]"),
+]
+CYLINDER = 'cylinder_radius = 0.02\ncylinder_length = "10 cm"\naxis = "%s"'
+ON_REFUSED = [
+    (BOX, 'on = "+z"\nnormal = [0, 0, -1]', 10, "gives the normal, into that face; remove normal or on"),
+    (BOX, 'on = "+z"\ncenter = [0, 0, 0.01]', 10, "an offset in the face, [along x, along y]; give these two, or"),
+    (BOX, 'on = "top"', 9, 'on must be "+x", "-x", "+y", "-y", "+z" or "-z", got "top"'),
+    (BOX, 'face = "+z"', 9, 'unknown key "face" (did you mean "on"?)'),
+    (BOX, 'on = "+z"\ncenter = 3', 10, "center must be a list of 2 numbers"),
+    ("sphere_radius = 0.1\n", 'on = "+z"', 9, "on needs an [object] with a box or a cylinder"),
+    (CYLINDER % "x", 'on = "+z"', 10, 'flat faces are "+x" and "-x"; on its side, give center and normal'),
+]
+
+
+class Faces(SceneTest):
+    def equal(self, object_, short, typed, role, shape):
+        texts = [on_faces(object_, [("finger", 'shape = "point"\ngrip_force = 3', typed),
+                                    (role, shape, place)]) for place in (short, typed)]
+        with self.subTest(texts[0]):
+            answers = [matrices(text) for text in texts]
+            self.assertIn('"M"', answers[1])
+            self.assertEqual(*answers)
+            self.assertEqual(*(run("pivots", "-", "--exact", "--json", text=text).stdout for text in texts))
+
+    def test_six_faces_and_the_ends_of_cylinders(self):
+        for short, typed in FACES:
+            self.equal(BOX, short, typed, "finger", SHAPES[0])
+        for shape in SHAPES:
+            self.equal(BOX, *FACES[2], "pusher", shape + "\nacceleration = [0.1, 0, 0]")
+        for axis, short, typed in CYLINDERS:
+            self.equal(CYLINDER % axis, short, typed, "finger", SHAPES[0])
+
+    def test_the_checker_knows_faces(self):
+        places = [places[0] for places in FACES]
+        text = on_faces(BOX, [("finger", SHAPES[0] + "\ngrip_force = 3", places[i]) for i in (4, 5)] +
+                        [("pusher", SHAPES[2] + "\nvelocity = [0.1, 0, 0]", places[1])])
+        self.certified(text)
+
+    def test_what_is_refused(self):
+        for object_, place, line, said in ON_REFUSED:
+            with self.subTest(place):
+                result = run("matrices", "-", text=on_faces(object_, [("finger", SHAPES[2], place)]))
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                self.assertTrue(result.stderr.startswith(f"standard input:{line}: "), result.stderr)
+                self.assertIn(said, result.stderr.replace("\n", " "))
+        for shape in ("line", "points"):
+            text = on_faces(BOX, [("finger", f'shape = "{shape}"', 'on = "+z"')])
+            self.assertIn(f'a "{shape}" has none; give normal instead of on',
+                          run("matrices", "-", text=text).stderr.replace("\n", " "))
+
+    def test_sweeps_move_the_face(self):
+        """A box that grows takes its contacts along; offsets are numbers of the scene; shifts are the scene's."""
+        motion, pads = SHAPES[2] + "\nacceleration = [0.1, 0, 0]", [
+            ("finger", SHAPES[0] + "\ngrip_force = 3", FACES[i][0]) for i in (2, 3)]
+
+        def pushed(box, place, vary, which):
+            text = "gravity = [0, 0, -9.81]\n" + on_faces(box, pads + [("pusher", motion, place)])
+            return json_of("sweep", "-", "--vary", vary, "--steps", 2, text=text)["points"][which]["force"]
+
+        for path, value, x, y, z in [
+                ("object.box[0]", 0.2, -0.09, 0.02, 0.03), ("2.center[1]", 0.01, -0.04, 0.02, 0.04),
+                ("2.center[0]", 0.01, -0.04, 0.03, 0.03), ("2.shift[0]", 0.01, -0.03, 0.02, 0.03),
+                ("2.shift[2]", 0.01, -0.04, 0.02, 0.04), ("2.tangent_turn", 90, -0.04, 0.02, 0.03)]:
+            box = BOX.replace('"100 mm"', "0.2") if "box" in path else BOX
+            short = pushed(BOX, 'on = "-x"', f"{path}=0.1:{value}" if "box" in path else f"{path}=0:{value}", 1)
+            typed = pushed(box, f"normal = [1, 0, 0]\ncenter = [{x}, {y}, {z}]", "2.friction=0.5:0.6", 0)
+            for one, other in zip(short, typed):
+                self.assertAlmostEqual(one, other, 5, path)
+        plot = run("sweep", "-", "--vary", "2.center[1]=0:0.01", "--steps", 2, "--format", "svg",
+                   text=on_faces(BOX, pads + [("pusher", motion, 'on = "-x"')])).stdout
+        self.assertIn("center of 2 along z, m", plot)
+
+
+main()
