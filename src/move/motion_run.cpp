@@ -73,17 +73,22 @@ Status MotionRun::advance(double h) {
                              : speeds_up  ? Vector6<double>((begin + end) / 2)
                                           : end;
   }
-  if (!takes_pyramids_) return stepper_.advance(h);
+  if (!has_round_friction(scene_)) return stepper_.advance(h);
   const Saved before = save();
   const Status status = stepper_.advance(h);
-  const bool is_lost = status == Status::not_settled || status == Status::numerical_breakdown;
-  if (!is_lost || stepper_.run().reason == Reason::leap) return status;
+  const bool is_settled = status == Status::solved || status == Status::does_not_hold ||
+                          status == Status::ray || stepper_.run().reason == Reason::leap;
+  return is_settled ? status : advance_by_pyramids(h, before);
+}
+
+Status MotionRun::advance_by_pyramids(double h, const Saved& before) {
   restore(before);
+  const Span<const LinearizedCone<double>> round = scene_.round_cones;
   scene_.round_cones = {};
-  const Status instead = stepper_.advance(h);
-  scene_.round_cones = {cones_.data(), static_cast<Index>(cones_.size())};
-  if (instead == Status::solved) ++by_pyramids_;
-  return instead;
+  const Status status = stepper_.advance(h);
+  if (status == Status::solved) ++by_pyramids_;
+  if (by_pyramids_ < MoveSettings::most_unsettled) scene_.round_cones = round;
+  return status;
 }
 
 bool MotionRun::extrapolate(const Stepper::Moment& whole, const std::vector<Pose<double>>& bodies,

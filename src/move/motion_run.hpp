@@ -5,7 +5,6 @@
 #include "lcpush/mechanics/solve/step.hpp"
 #include "move/stroke_faces.hpp"
 
-#include <utility>
 #include <vector>
 
 namespace lcpush::desktop {
@@ -24,11 +23,9 @@ public:
   /// To be called where strokes may begin: their bodies touch what they meet there.
   void begin_strokes() { faces_.begin_strokes(stepper_.time(), stepper_.pose().rotation); }
 
-  /// One step of h seconds that ends within the same strokes as it begins.
+  /// One step of h seconds that ends within the same strokes as it begins. Where round friction
+  /// does not settle, pyramids have the answer; after some such steps, they have all others too.
   [[nodiscard]] Status advance(double h);
-  /// From now on pyramids have the answer of steps in which round friction does not settle. False:
-  /// they do already, or friction is theirs.
-  bool take_pyramids() { return file_.is_round && !std::exchange(takes_pyramids_, true); }
   Index by_pyramids() const { return by_pyramids_; }
 
   /// All that a step changes.
@@ -81,6 +78,7 @@ public:
   Index inside(double slack) const;
 
 private:
+  [[nodiscard]] Status advance_by_pyramids(double h, const Saved& before);
   Scene<double> scene_of(const SceneFile& file) const;
   bool rolls() const;
   PlacedPoint<double> placed(Index body, Index point, double slack) const {
@@ -96,8 +94,7 @@ private:
   std::vector<unsigned char> bytes_;
   std::size_t kept_;            ///< of the bytes, those that a step leaves to the next
   MotionMemory<double> memory_; ///< over the bytes
-  bool takes_pyramids_ = false;
-  Index by_pyramids_ = 0; ///< solves of round friction that did not settle
+  Index by_pyramids_ = 0;       ///< solves of round friction that did not settle
   Vector3<double> began_ = Vector3<double>::Zero(); ///< m, the centre when the last step began
   Stepper stepper_;
 };

@@ -143,10 +143,8 @@ private:
     const MotionRun::Saved before = run_.save();
     const Status status = solve(h);
     if (status != Status::solved) {
-      const bool is_lost = run_.stepper().run().lost;
-      if (is_lost || (halvings == 0 && !run_.take_pyramids())) return fail(status);
+      if (run_.stepper().run().lost || halvings == 0) return fail(status);
       run_.restore(before);
-      if (halvings == 0) return fixed_step(h, 0);
       return fixed_step(h / 2, halvings - 1) && fixed_step(h / 2, halvings - 1);
     }
     if (passes_distance()) return go_last(before, h);
@@ -175,8 +173,7 @@ private:
       next_ = h / 2;
       const bool leaps = run_.stepper().run().reason == Reason::leap;
       const double least = leaps ? Settings::shortest_step : Settings::event_step / 4;
-      if (h > least * time_ || (!is_lost && run_.take_pyramids())) return true;
-      return fail(status, is_lost);
+      return h > least * time_ || fail(status, is_lost);
     }
     double error = distance(whole.pose, run_.stepper().pose());
     const double share = std::max(h / time_, starts ? Settings::share_of_start : 0);

@@ -36,6 +36,9 @@ template <class S> struct PressureOptions {
 /// Of round friction: which points' pyramids turn, by how much of mu lambda their friction takes
 /// up.
 struct RoundSettings {
+  /// Cold attempts of a motion's step, and pivots an unknown in each: what takes more settles under
+  /// no cover (a driver's ring of eight points that stick: 65,000 pivots in vain).
+  static constexpr int step_attempts = 2, step_pivots = 20;
   template <class S> static constexpr S slides() { return S(0.5); } ///< less is on its way to stick
   template <class S> static constexpr S sticks() { return S(0.9); } ///< less is far from slipping
   /// Of so many turns each is as long as friction's power falls, the others are whole: then none of

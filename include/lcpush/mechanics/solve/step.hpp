@@ -211,7 +211,8 @@ template <class S, class Pivots> Status TimeStepper<S, Pivots>::solve_push(const
   // one covering vector or schedule and not under another.
   Status status = knows_last_ ? solve_rounds(0, true) : Status::running;
   if (status != Status::solved) status = solve_rounds(0, false);
-  for (int attempt = knows_last_ ? 0 : 1; status != Status::solved && attempt < 4; ++attempt) {
+  const int most = has_round_friction(*scene_) ? RoundSettings::step_attempts : 4;
+  for (int attempt = knows_last_ ? 0 : 1; status != Status::solved && attempt < most; ++attempt) {
     knows_last_ = false;
     ++run_.cold_restarts;
     status = solve_rounds(attempt, false);
@@ -242,6 +243,7 @@ Status TimeStepper<S, Pivots>::solve_rounds(int attempt, bool finely) {
     if (attempt < 3) pivots.max_pivots = 200 + 3 * unknowns; // what takes more has gone astray
     if (finely) take_finely(pivots);
     PressureOptions<S> pads = pressure_options();
+    if (has_round_friction(*scene_)) pads.max_pivots = RoundSettings::step_pivots * unknowns;
     for (int k = 0; k < attempt; ++k) pads.factor = Eigen::numext::sqrt(pads.factor);
     const Status status =
         solve_pressure(assembly_, StepRounds<S, Pivots>(lemke_, last, pivots), m_.work.pressure,
