@@ -87,7 +87,9 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
     report.holds = !(report.acceleration.norm() > 0);
     return report;
   }
-  const EvenScene even(alone.view());
+  EvenScene even(alone.view());
+  if (has_round_friction(scene_))
+    even.scene.round_cones = {work_.round_cones.data, even.scene.points.size};
   assembly_.assemble(even.scene);
   report.status = rest(options);
   if (report.status == Status::solved) {

@@ -35,14 +35,14 @@ public:
     reassemble();
   }
 
-  /// Do the forces of z oppose their slips? Notes worst_point().
-  bool is_settled(const S* z) {
+  /// Do the forces of z oppose their slips? Notes worst_point(), and whether they do to `finest`.
+  bool is_settled(const S* z, const S& finest) {
     if (!is_round()) return true;
     read_answer(assembly_, z, *answer_, assembly_.sigma());
     const typename RoundDistance<S>::Worst worst = distance().worst();
     worst_ = worst.point;
-    distance_ = worst.distance;
-    return distance_ <= Tolerances<S>().residual;
+    is_fine_ = worst.distance <= finest;
+    return worst.distance <= Tolerances<S>().residual;
   }
 
   /// Does the answer that is_settled looked at obey all laws? Their rows are judged by their own
@@ -74,17 +74,15 @@ public:
   }
 
   Index worst_point() const { return worst_; }
-  /// Of the answer that is_settled looked at: of its worst point from the laws, over F.
-  const S& worst_distance() const { return distance_; }
+  bool is_fine() const { return is_fine_; }
 
 private:
   Assembly<S>& assembly_;
   Span<LinearizedCone<S>> cones_;
   Answer<S>* answer_;
   Index worst_ = 0;
-  S distance_{0};
   S fastest_{0}; // slip, when the pyramids last turned; 0: they have not
-  bool stalls_ = false;
+  bool stalls_ = false, is_fine_ = true;
 
   RoundDistance<S> distance() const {
     return {assembly_.scene(), assembly_.layout().scales, *answer_};
