@@ -17,7 +17,7 @@ struct MoveSettings {
   static constexpr double event_step = 1.0 / 4096; ///< how closely events are located
   static constexpr double shortest_step = 0x1p-16; ///< what chatters must not take for ever either
   /// Steps in which round friction has not settled: then it will not in others either.
-  static constexpr Index most_unsettled = 3;
+  static constexpr Index most_unsettled = 64;
   /// Of the tolerance, for a step in which velocities change at once: its error is a part of its
   /// length however short it is, and below 2e-6 s of 0.1 the jump's forces of 2 kN leave noise.
   static constexpr double share_of_start = 1.0 / 64;
