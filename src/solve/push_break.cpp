@@ -92,6 +92,12 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
     even.scene.round_cones = {work_.round_cones.data, even.scene.points.size};
   assembly_.assemble(even.scene);
   report.status = rest(options);
+  const bool by_pyramids = report.status != Status::solved && has_round_friction(even.scene);
+  if (by_pyramids) { // within the cones: what holds, holds
+    even.scene.round_cones = {};
+    assembly_.assemble(even.scene);
+    report.status = rest(options);
+  }
   if (report.status == Status::solved) {
     const double noise = rest_noise(alone, layout().scales, options.solver);
     const auto decide = [&] {
@@ -108,7 +114,8 @@ HoldReport Push::holds_without_push(const PushOptions& options) {
         run(options, 0.0, ignored, settings.finer_pads) == Status::solved)
       rest = decide();
     report.holds = rest != Rest::falls;
-    if (rest == Rest::not_known) report.status = Status::numerical_breakdown;
+    if (rest == Rest::not_known || (by_pyramids && !report.holds))
+      report.status = Status::numerical_breakdown;
   }
   assembly_.assemble(scene_);
   return report;

@@ -81,6 +81,7 @@ DetailedAnswer judge_breaking(const ScenePoint& p, Status status,
   BreakReport report;
   report.status = status;
   report.breaking = breaking;
+  report.pusher = static_cast<Index>(&p.pusher - p.file.bodies.data());
   report.scales = p.assembly.layout().scales;
   DetailedAnswer answer;
   answer.status = holding_verdict(p.file, report, {});

@@ -129,7 +129,7 @@ private:
     const S violation = detail::pad_violation(assembly_, memory_);
     detail::take_pressure(assembly_, memory_);
     const bool is_pressed = violation <= options_.tolerance;
-    bool is_settled = friction_.is_settled(memory_.z.data, options_.finest);
+    bool is_settled = friction_.is_settled(memory_.z.data);
     if (is_pressed) is_settled = is_settled && friction_.passes();
     if (is_pressed && is_settled && !refines(violation)) return Status::solved;
     if (!is_settled && !may_turn()) return unsettled();
@@ -141,9 +141,9 @@ private:
       schedule_.fall();
     return next_round();
   }
-  /// Is a settled answer to be settled more finely? Counts how often.
+  /// Is a settled answer to be settled more finely? Round friction always. Counts how often.
   bool refines(const S& violation) {
-    const bool is_fine = violation <= options_.finest && friction_.is_fine();
+    const bool is_fine = violation <= options_.finest && !friction_.is_round();
     return !is_fine && fine_++ < options_.fine_rounds;
   }
   /// The pads have failed.
@@ -159,8 +159,7 @@ private:
     run_.jammed = status == Status::ray;
     if (status != Status::solved) return status;
     if (is_pad()) return begin_stiff();
-    const bool is_settled =
-        friction_.is_settled(memory_.z.data, options_.finest) && friction_.passes();
+    const bool is_settled = friction_.is_settled(memory_.z.data) && friction_.passes();
     if (is_settled && !refines(S(0))) return status;
     if (!is_settled && !may_turn()) return unsettled();
     turn();

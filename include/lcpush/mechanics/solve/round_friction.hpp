@@ -35,13 +35,12 @@ public:
     reassemble();
   }
 
-  /// Do the forces of z oppose their slips? Notes worst_point(), and whether they do to `finest`.
-  bool is_settled(const S* z, const S& finest) {
+  /// Do the forces of z oppose their slips? Notes worst_point().
+  bool is_settled(const S* z) {
     if (!is_round()) return true;
     read_answer(assembly_, z, *answer_, assembly_.sigma());
     const typename RoundDistance<S>::Worst worst = distance().worst();
     worst_ = worst.point;
-    is_fine_ = worst.distance <= finest;
     return worst.distance <= Tolerances<S>().residual;
   }
 
@@ -74,7 +73,6 @@ public:
   }
 
   Index worst_point() const { return worst_; }
-  bool is_fine() const { return is_fine_; }
 
 private:
   Assembly<S>& assembly_;
@@ -82,7 +80,7 @@ private:
   Answer<S>* answer_;
   Index worst_ = 0;
   S fastest_{0}; // slip, when the pyramids last turned; 0: they have not
-  bool stalls_ = false, is_fine_ = true;
+  bool stalls_ = false;
 
   RoundDistance<S> distance() const {
     return {assembly_.scene(), assembly_.layout().scales, *answer_};
