@@ -159,9 +159,8 @@ private:
     run_.jammed = status == Status::ray;
     if (status != Status::solved) return status;
     if (is_pad()) return begin_stiff();
-    const bool is_settled = friction_.is_settled(memory_.z.data) && friction_.passes();
-    if (is_settled && !refines(S(0))) return status;
-    if (!is_settled && !may_turn()) return unsettled();
+    if (friction_.is_settled(memory_.z.data) && friction_.passes()) return status;
+    if (!may_turn()) return unsettled();
     turn();
     restarted_ = false;
     return begin_solver(true);
