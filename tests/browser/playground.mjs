@@ -47,7 +47,7 @@ print(json.dumps([random_scene(seed) for seed in range(${count})]))`], { encodin
         }
       }, [question, readFileSync(fixture(name), 'utf8')]);
       // Sine and cosine of another C library: a motion of round friction differs in its last digits.
-      const told = (text) => (command !== 'move' ? text : text.replace(/-?\d+(\.\d+)?(e[-+]\d+)?/g,
+      const told = (text) => (command !== 'move' ? text : text.replace(/\s+/g, '').replace(/-?\d+(\.\d+)?(e[-+]\d+)?/g,
         (x) => (Math.abs(x) < 1e-8 ? '0' : Number(x).toPrecision(6))));
       assert.equal(told(answer), told(native(command, fixture(name))), `${command} ${name}`);
     }
