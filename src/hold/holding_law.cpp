@@ -18,9 +18,7 @@ HoldingLaw::HoldingLaw(const SceneFile& hand, const PushOptions& options)
 
 PushOptions HoldingLaw::options() const {
   PushOptions options = work_.options();
-  if (!is_first_)
-    options.max_pivots =
-        std::getenv("MP") ? std::atoi(std::getenv("MP")) : hold_settings.most_pivots;
+  if (!is_first_) options.max_pivots = hold_settings.most_pivots;
   return options;
 }
 

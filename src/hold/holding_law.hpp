@@ -32,11 +32,11 @@ public:
 private:
   const SceneFile& hand_;
   CountingWatcher work_;
+  bool is_first_ = true; // before what asks
   std::vector<bool> touching_;
   std::optional<bool> holds_now_;
   PadLimits pads_;
   double pads_least_;
-  bool is_first_ = true;
 
   PushOptions options() const;
 
