@@ -40,6 +40,8 @@ public:
       study_.statics_factor = no_limit;
       study_.falls = read_motion(hand_, statics_, program.motion(), {});
     }
+    if (ending == Ending::failed)
+      study_.reason = "neither forces that carry the load were found nor a proof that none do";
     if (ending != Ending::found) return;
     const auto least = program.minimise(Eigen::VectorXd::Ones(1));
     if (least.ending != Ending::found) return;
@@ -60,9 +62,7 @@ public:
     if (!std::isnan(found.limit)) return found;
     Eigen::MatrixXd column = statics_.wrench_column(d);
     const double unit = column.cwiseAbs().maxCoeff();
-    if (!(unit > 0)) { // a plane has no such load
-      return found;
-    }
+    if (!(unit > 0)) return found; // a plane has no such load
     column /= unit;
     StaticsProgram program(statics_, column, 1, statics_.demand(1), rays_);
     if (program.find_point() != Ending::found) return found;
@@ -144,6 +144,7 @@ public:
     if (study_.is_statics || !(study_.factor < no_limit)) return;
     law_.emplace(hand_, options_);
     study_.held = law_->holds_now();
+    if (!study_.held) study_.reason = "the law of pads has no answer at rest that was found";
     if (study_.grip.force == 0) return;
     study_.factor = law_->least_grip(study_.statics_factor);
     study_.most = law_->most_grip();
