@@ -6,6 +6,8 @@
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 
 namespace lcpush::commands {
@@ -13,7 +15,7 @@ namespace {
 
 /// "force 1 0 0".
 HoldDirection read_direction(const Values& values, const std::string& text) {
-  const std::vector<std::string> kinds = {"force", "moment", "acceleration"};
+  const std::vector<std::string> kinds(std::begin(disturbance_texts), std::end(disturbance_texts));
   std::vector<std::string> words;
   for (const std::string_view word : split_at(text, ' '))
     if (!word.empty()) words.emplace_back(word);
@@ -22,10 +24,9 @@ HoldDirection read_direction(const Values& values, const std::string& text) {
                                    " takes what and where to, such as \"force 1 0 0\", not " +
                                    quoted(text));
   const std::string& kind = values.one_of("direction", words[0], kinds);
-  HoldDirection direction{kind == "force"    ? Disturbance::force
-                          : kind == "moment" ? Disturbance::moment
-                                             : Disturbance::acceleration,
-                          Vector3<double>::Zero()};
+  HoldDirection direction{
+      static_cast<Disturbance>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin()),
+      Vector3<double>::Zero()};
   for (Index k = 0; k < 3; ++k) {
     const NumberText number = read_finite_number(words[static_cast<std::size_t>(k) + 1]);
     if (number.error) values.refuse("direction", values.label("direction") + ": " + *number.error);

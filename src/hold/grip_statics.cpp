@@ -8,7 +8,6 @@
 #include "lcpush/mechanics/solve/pad_law.hpp"
 
 namespace lcpush::desktop {
-namespace {} // namespace
 
 GripStatics::GripStatics(const SceneFile& file, const std::vector<bool>& touching)
     : file_(file), assembled_(file.view()), touching_(touching), moving_(file.planar ? 3 : 6),

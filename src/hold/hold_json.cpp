@@ -9,8 +9,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr const char* kind_keys[] = {"force", "moment", "acceleration"};
-
 std::vector<std::string> first_names(const SceneFile& file, const GiveWay& gives) {
   std::set<Index> first;
   for (const auto* bodies : {&gives.slips, &gives.opens, &gives.yields})
@@ -46,12 +44,13 @@ std::string hold_json(const SceneFile& file, const HoldStudy& study) {
       .end_object();
   json.member("margin", study.margin());
   json.objects("disturbances", study.limits, [&](const HoldLimit& limit) {
-    json.member("kind", kind_keys[static_cast<int>(limit.what.kind)]).member("at", study.at);
+    json.member("kind", disturbance_texts[static_cast<int>(limit.what.kind)])
+        .member("at", study.at);
     write_limit(json, file, limit);
   });
   json.key("weakest").begin_object();
   for (const HoldLimit& limit : study.weakest) {
-    json.key(kind_keys[static_cast<int>(limit.what.kind)]).begin_object();
+    json.key(disturbance_texts[static_cast<int>(limit.what.kind)]).begin_object();
     write_limit(json, file, limit);
     json.end_object();
   }

@@ -1,6 +1,7 @@
 // The forces and moments that are held beside the load, plane by plane.
 #include "draw/markup.hpp"
 #include "lcpush/desktop/hold.hpp"
+#include "lcpush/mechanics/model/contact.hpp"
 #include "solve/sentence.hpp"
 #include "text/format.hpp"
 
@@ -64,10 +65,10 @@ private:
 
   static Pixel center() { return {panel / 2, top + clip * radius + line}; }
   Pixel place(std::size_t k) const {
-    constexpr double turn = 6.283185307179586;
-    const double angle = turn * static_cast<double>(k) / static_cast<double>(section_.reach.size());
+    const auto at = static_cast<Index>(k), steps = static_cast<Index>(section_.reach.size());
     const double reach = std::isnan(section_.reach[k]) ? 0 : section_.reach[k] / scale_;
-    return center() + radius * std::min(reach, clip) * Pixel(std::cos(angle), -std::sin(angle));
+    return center() + radius * std::min(reach, clip) *
+                          Pixel(circle_cosine<double>(at, steps), -circle_sine<double>(at, steps));
   }
 };
 

@@ -11,7 +11,6 @@ namespace lcpush::desktop {
 namespace {
 
 constexpr const char* units[] = {"N", "N m", "m/s^2"};
-constexpr const char* kinds[] = {"force", "moment", "acceleration"};
 
 std::string grip_text(const HoldStudy& study, double factor) {
   const std::string force =
@@ -81,7 +80,7 @@ std::string cell(double value, bool is_held) {
 TableRows limit_rows(const HoldStudy& study) {
   TableRows rows{{"beyond the load", "+x", "-x", "+y", "-y", "+z", "-z", "weakest"}};
   for (std::size_t kind = 0; kind < 3; ++kind) {
-    std::vector<std::string> row = {std::string(kinds[kind]) + " " + units[kind]};
+    std::vector<std::string> row = {std::string(disturbance_texts[kind]) + " " + units[kind]};
     for (std::size_t k = 0; k < 6; ++k) row.push_back(cell(study.limits[6 * kind + k].limit, true));
     row.push_back(cell(study.weakest[kind].limit, true));
     rows.push_back(row);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hold/settings.hpp"
+#include "lcpush/desktop/smallest_grip.hpp"
 #include "solve/rest_verdict.hpp"
 
 namespace lcpush::desktop {
@@ -24,9 +25,7 @@ PushOptions HoldingLaw::options() const {
 
 std::optional<bool> HoldingLaw::holds(double factor, const Vector6<double>& more) {
   if (work_.is_used_up()) return std::nullopt;
-  SceneFile there = hand_;
-  for (Actuator<double>& actuator : there.actuators) actuator.force *= factor;
-  for (Body<double>& body : there.bodies) body.preload *= factor;
+  SceneFile there = with_grip(hand_, factor);
   there.object.wrench += more;
   Push push(there);
   Vector6<double> motion;

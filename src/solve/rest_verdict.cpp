@@ -17,8 +17,11 @@ SceneFile around_cones(SceneFile file) {
   if (!file.is_round) return file;
   const SolveSettings settings;
   file.facets = settings.nearly_round;
-  for (Body<double>& body : file.bodies)
-    body.friction /= body.torsion_radius > 0 ? settings.soft_within : settings.hard_within();
+  for (Body<double>& body :
+       file.bodies) { // a pyramid of friction 1 reaches cos(pi / facets) within
+    const bool is_soft = body.torsion_radius > 0;
+    body.friction /= circle_cosine<double>(1, 2 * (is_soft ? settings.nearly_soft : file.facets));
+  }
   return file;
 }
 
@@ -132,7 +135,6 @@ AtRest solve_at_rest(const SceneFile& file, const Scales<double>& scales,
 bool falls_at_rest(const SceneFile& file, const AtRest& rest, const Vector6<double>& left,
                    const Scales<double>& scales) {
   const double moved = motion_size(left, scales);
-  if (statics_proves_fall(file)) return true;
   if (!rest.is_known) return moved > at_rest<double>();
   if (!rest.moves || moved <= at_rest<double>()) return rest.moves;
   const Vector6<double> off = rest.motion - left;
@@ -163,10 +165,10 @@ Status holding_verdict(const SceneFile& file, BreakReport& report, const PushOpt
     const double noise = limit_noise(file, breaking, report.scales, options);
     return moved > noise ? Status::does_not_hold : Status::solved;
   }
-  const bool is_doubtful = pulled || moved > at_rest<double>();
-  if (!is_doubtful && !statics_proves_fall(file)) return Status::solved;
+  const bool is_proved = statics_proves_fall(file);
+  if (!pulled && moved <= at_rest<double>() && !is_proved) return Status::solved;
   const AtRest rest = solve_at_rest(file, report.scales, options);
-  if (falls_at_rest(file, rest, breaking.rest, report.scales)) {
+  if (is_proved || falls_at_rest(file, rest, breaking.rest, report.scales)) {
     if (rest.moves) breaking.rest = rest.motion;
     return Status::does_not_hold;
   }

@@ -1,8 +1,6 @@
 // The numbers of solving on the desktop, and why they are what they are.
 #pragma once
 
-#include <cmath>
-
 #include "lcpush/types.hpp"
 
 namespace lcpush::desktop {
@@ -26,12 +24,9 @@ struct SolveSettings {
   /// The residual of a sweep's answer is divided by this where the laws refuse it.
   double stricter = 100;
   // Does it hold? (rest_verdict.cpp)
-  /// Facets of statics' pyramids around round cones, and how far a pyramid of friction 1 reaches
-  /// within: cos(pi / facets) at a hard point, cos(pi / 12) at a soft one (generators are 30
-  /// degrees apart between force and twist). A least grip is 8e-5 too small by it.
-  Index nearly_round = 256;
-  double hard_within() const { return std::cos(std::acos(-1.0) / double(nearly_round)); }
-  double soft_within = 0.9659;
+  /// Facets of statics' pyramids around round cones; a soft point's generators are 30 degrees apart
+  /// between force and twist, as of 12. A hard point's least grip is 8e-5 too small by it.
+  Index nearly_round = 256, nearly_soft = 12;
   /// A load that needs this much more grip falls: what rounding leaves of the least factor.
   double short_of_load = 1e-6;
   /// Statics holds the load with this much of the grip to spare.

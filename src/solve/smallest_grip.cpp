@@ -12,13 +12,6 @@ bool grips(const SceneFile& file, std::size_t actuator) {
   return grips(file.view(), static_cast<Index>(actuator));
 }
 
-SceneFile scaled(SceneFile file, double factor) {
-  for (std::size_t a = 0; a < file.actuators.size(); ++a)
-    if (grips(file, a)) file.actuators[a].force *= factor;
-  for (Body<double>& body : file.bodies) body.preload *= factor;
-  return file;
-}
-
 /// What a locked finger would press with, in the preload's unit, if it had to equal the load.
 double load_over_preload(const SceneFile& file) {
   const AssembledScene assembled(file.view());
@@ -62,6 +55,13 @@ const Drive<double>* first_grip(const SceneFile& file) {
 }
 
 } // namespace
+
+SceneFile with_grip(SceneFile file, double factor) {
+  for (std::size_t a = 0; a < file.actuators.size(); ++a)
+    if (grips(file, a)) file.actuators[a].force *= factor;
+  for (Body<double>& body : file.bodies) body.preload *= factor;
+  return file;
+}
 
 double locked_force(const SceneFile& file) {
   double force = 0;
@@ -139,7 +139,7 @@ GripReport find_smallest_grip(const SceneFile& file, const HoldReport& hold,
   CountingWatcher work(options);
   report.alone = smallest(alone, limits::unknowns_holding, work, holds_now ? 1 : 0, {1e-9, 1e6},
                           [&](double factor) {
-                            const SceneFile there = scaled(alone, factor);
+                            const SceneFile there = with_grip(alone, factor);
                             Push push(there);
                             const HoldReport at = push.holds_without_push(work.options());
                             return at.status == Status::solved && at.holds;
@@ -149,7 +149,7 @@ GripReport find_smallest_grip(const SceneFile& file, const HoldReport& hold,
   report.at_rest =
       smallest(file, limits::unknowns_grip, pushed, broken.status == Status::solved ? 1 : 0,
                {1e-6, 1e4}, [&](double factor) {
-                 const SceneFile there = scaled(file, factor);
+                 const SceneFile there = with_grip(file, factor);
                  Push push(there);
                  const BreakReport at = push.find_breaking(broken.pusher, pushed.options());
                  return at.status == Status::solved;

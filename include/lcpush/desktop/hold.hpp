@@ -21,6 +21,8 @@ enum class Disturbance {
   acceleration, ///< of the hand, m/s^2: the load -m a at the centre of mass
 };
 
+constexpr const char* disturbance_texts[] = {"force", "moment", "acceleration"};
+
 struct HoldDirection {
   Disturbance kind;
   Vector3<double> direction; ///< unit

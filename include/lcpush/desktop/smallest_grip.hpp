@@ -53,6 +53,9 @@ GripReport find_smallest_grip(const SceneFile& file, const HoldReport& hold,
 /// N: what locked jaws pressed with before they were locked; 0: there are none.
 double locked_force(const SceneFile& file);
 
+/// The scene with `factor` times its grip forces.
+SceneFile with_grip(SceneFile file, double factor);
+
 /// The hand before any push: its fingers alone and at rest, with the actuators that drive one.
 SceneFile hand_at_rest(const SceneFile& file);
 
