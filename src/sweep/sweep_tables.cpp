@@ -106,10 +106,11 @@ std::vector<std::size_t> evenly(std::size_t n, std::size_t most) {
 }
 
 std::string value_text(const Variation& variation, double value) {
+  // What is stopped after its first value has no range.
   const double range = std::abs(variation.to - variation.from);
   const double size = std::max(std::abs(variation.from), std::abs(variation.to));
-  const int digits =
-      3 + std::clamp(static_cast<int>(std::log10(size / range)), 0, SweepSettings::digits_more);
+  const double more = range > 0 ? std::log10(size / range) : SweepSettings::digits_more;
+  const int digits = 3 + static_cast<int>(std::clamp<double>(more, 0, SweepSettings::digits_more));
   // The ends are as somebody has typed them.
   const bool is_end = value == variation.from || value == variation.to;
   return is_end ? number(value) : in_digits(value, digits, SweepSettings::merge_distance * range);

@@ -66,7 +66,7 @@ class Grasp:
         slack = [0.0] * (m - 1) + [1.0]
         program = Simplex([column, slack] + [self.column(i, u) for i, u in rays], demand)
         for costs in ("rest", "x"):
-            for _ in range(30):
+            for _ in range(60):
                 y = program.maximise(costs == "x")
                 added, lacks = False, 0.0
                 for i, (normal, axes) in enumerate(self.parts):

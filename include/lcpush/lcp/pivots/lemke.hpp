@@ -236,6 +236,8 @@ template <class S, class B> template <class Watcher> Status Lemke<S, B>::start(W
   const Index column = basis_.enter(artificial(n_));
   RatioTest<S, Int> test = ratio_test();
   const Blocking worst = test.most_violated_row(column);
+  // A first basis so near singular that rounding hides every row that z0 could repair.
+  if (worst.row < 0) return end_unfactored();
   for (Index k = 0; k < rhs_count_; ++k) {
     const S value = basis_.dictionary.values(worst.row, k);
     if (value > tie_tolerance_) return accept();
