@@ -38,7 +38,7 @@ void answer_with(lcpush_desktop_answer& answer, const char* question, const char
     if (asked.ends_with_what_there_is)
       if (const auto seconds = request.number("seconds", commands::longest_time, ", in seconds"))
         listener.end_after(*seconds);
-    const commands::Result result = asked.run(request, listener);
+    const commands::Result result = commands::run(asked, request, listener);
     answer.text = result.text;
     answer.code = listener.was_cancelled() ? LCPUSH_DESKTOP_CANCELLED
                   : result.is_good         ? LCPUSH_DESKTOP_SOLVED

@@ -137,6 +137,7 @@ Result certify(const Values& values, Listener& listener) {
 Command question(const std::string& name, const std::string& about, std::vector<Option> options,
                  std::vector<std::string> formats,
                  Result (*run)(const Values& values, Listener& listener)) {
+  if (about == "SCENE" && name != "certify") options.push_back(set_option);
   return {name, about, "", "", std::move(options), run, std::move(formats)};
 }
 

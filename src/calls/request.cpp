@@ -100,7 +100,7 @@ std::string Request::needed(const std::string& option, const std::string& what) 
   return *found;
 }
 
-Document Request::scene_document(std::size_t) const {
+Document Request::given_scene(std::size_t) const {
   return {needed("scene", "the text of a scene file"), text("file").value_or("scene")};
 }
 

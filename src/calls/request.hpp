@@ -37,7 +37,7 @@ public:
   }
 
   std::size_t scene_count() const override { return find("scene") == nullptr ? 0 : 1; }
-  Document scene_document(std::size_t k = 0) const override;
+  Document given_scene(std::size_t k = 0) const override;
   std::size_t variation_count() const override;
   std::vector<Variation> variations(const VariedScene& scene) const override;
   std::optional<std::vector<Variation>> each(const VariedScene& scene) const override;

@@ -172,7 +172,7 @@ std::size_t Arguments::scene_count() const {
   return 1; // the example
 }
 
-Document Arguments::scene_document(std::size_t k) const {
+Document Arguments::given_scene(std::size_t k) const {
   if (files_.empty() && command().find("cover"))
     return {*scene_called(example_scenes(), "coin"), "the example"};
   if (files_.empty())

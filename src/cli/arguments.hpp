@@ -49,7 +49,7 @@ public:
 
   /// The files of a command about scenes; of pivots, which also takes matrices, its scene.
   std::size_t scene_count() const override;
-  Document scene_document(std::size_t k = 0) const override;
+  Document given_scene(std::size_t k = 0) const override;
   std::size_t variation_count() const override { return texts("vary").size(); }
   std::vector<Variation> variations(const VariedScene& scene) const override;
   std::optional<std::vector<Variation>> each(const VariedScene& scene) const override;

@@ -59,7 +59,8 @@ of FCLIB; and solve_push.py and solve_push.m, which solve the program and write 
 Example:
   lcpush export fixtures/scenes/straight_slide.toml -o slide
 )",
-       {{"output", "DIRECTORY", "made if missing, with its parents; -o for short"}}},
+       {commands::set_option,
+        {"output", "DIRECTORY", "made if missing, with its parents; -o for short"}}},
       run_export};
 }
 

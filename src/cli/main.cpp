@@ -93,11 +93,13 @@ std::string help_text(const Command& command) {
                  columns_of(Stream::output));
 }
 
-/// Of a scene.
-void refuse_certificate_of_stdin(const Arguments& arguments) {
+/// Of a scene that no file has.
+void refuse_certificate_without_file(const Arguments& arguments) {
   const std::vector<std::string>& files = arguments.files();
   if (arguments.has("certify") && std::find(files.begin(), files.end(), "-") != files.end())
     throw UsageError("--certify ties its proof to a file: name one instead of -");
+  if (arguments.has("certify") && arguments.has("set"))
+    throw UsageError("--certify ties its proof to a file: change that instead of --set");
 }
 
 /// How long the command may take, in seconds. What ends with what there is gets more for that.
@@ -114,7 +116,7 @@ double limit_time(const Command& command, const Arguments& arguments) {
 }
 
 int answer(const Command& command, const Arguments& arguments) {
-  refuse_certificate_of_stdin(arguments);
+  refuse_certificate_without_file(arguments);
   const std::string format = arguments.text("format").value_or(command.formats[0]);
   if (format == "html" && command.formats[0] == "html")
     refuse_page_on_terminal(arguments, command.name);
@@ -122,7 +124,7 @@ int answer(const Command& command, const Arguments& arguments) {
   commands::Result result;
   {
     ShellListener listener(seconds);
-    result = command.run(arguments, listener);
+    result = commands::run(command, arguments, listener);
     const std::string rest = "; what there was by then is written";
     if (result.stop == Stop::signal) listener.announce(command.name + ": interrupted" + rest + ".");
     if (result.stop == Stop::time)

@@ -16,8 +16,8 @@ namespace {
 int write_gallery(const Arguments& arguments) {
   const std::optional<std::string> directory = arguments.text("output");
   if (!directory) throw UsageError("say where to: --gallery -o DIRECTORY");
-  if (!arguments.files().empty())
-    throw UsageError("--gallery shows the shipped scenes; leave the scene out");
+  if (!arguments.files().empty() || arguments.has("set"))
+    throw UsageError("--gallery shows the shipped scenes; leave the scene and --set out");
   const std::filesystem::path into(*directory);
   make_directory(*directory);
   for (const PlayFile& file : play_gallery()) write_file((into / file.name).string(), file.text);
@@ -29,7 +29,7 @@ int run_play(const Arguments& arguments) {
   if (arguments.has("gallery")) return write_gallery(arguments);
   refuse_page_on_terminal(arguments, "play");
   std::string text;
-  if (arguments.files().empty()) {
+  if (arguments.files().empty() && !arguments.has("set")) {
     text = *scene_called(example_scenes(), "straight_slide");
   } else {
     const Document scene = arguments.scene_document();
@@ -58,6 +58,7 @@ ShellCommand play_command() {
        "Example:\n  lcpush play fixtures/scenes/pivot.toml -o play.html\n"
        "  lcpush play --gallery -o scenes\n",
        {{"gallery", "", "every shipped scene, as a folder of pages: -o DIRECTORY"},
+        commands::set_option,
         commands::output_option}},
       run_play};
 }

@@ -1,5 +1,8 @@
 #include "commands/command.hpp"
 
+#include "commands/values.hpp"
+#include "formats/json_writer.hpp"
+
 namespace lcpush::commands {
 namespace {
 
@@ -15,6 +18,16 @@ const Option* Command::find(const std::string& option) const {
   for (const Option& known : options)
     if (known.name == option) return &known;
   return nullptr;
+}
+
+Result run(const Command& command, const Values& values, Listener& listener) {
+  Result result = command.run(values, listener);
+  const std::vector<std::string> set = values.texts("set");
+  if (set.empty() || result.text[0] != '{') return result;
+  JsonWriter json;
+  json.begin_object().member("set", set);
+  result.text.replace(0, 1, json.text() + ",");
+  return result;
 }
 
 std::vector<Option> with_raw_options(std::vector<Option> before, const std::vector<Option>& after) {
@@ -37,6 +50,7 @@ std::vector<Option> with_common_options(std::vector<Option> own) {
 }
 
 std::vector<Option> with_scene_options(std::vector<Option> own) {
+  own.push_back(set_option);
   own.push_back({"strict", "", "what looks odd about the scene is an error", false, true});
   add_unless_there(own, seconds_option);
   return with_common_options(std::move(own));

@@ -67,6 +67,9 @@ Command verify_command();
 Command spread_command();
 Command matrices_command();
 
+/// The command's answer; JSON begins with what --set has set.
+Result run(const Command& command, const Values& values, Listener& listener);
+
 // The three questions of verify.
 Result verify_push(const Values& values, Listener& listener);
 Result verify_motion(const Values& values, Listener& listener);
@@ -77,6 +80,8 @@ inline const Option output_option{
     "output", "FILE", "write there instead of to standard output; -o for short", false, true};
 inline const Option verbose_option{
     "verbose", "", "also all digits, the theory, how it was found; -v for short", false, true};
+inline const Option set_option{
+    "set", "PATH=VALUE", "instead of the file's, such as wall.friction=0.4; may be repeated", true};
 inline const Option certify_option{
     "certify", "FILE", "also write an exact proof of the answer for docs/check/lcpush_check.py",
     false, true};
@@ -94,7 +99,7 @@ inline const Option facets_option{
 std::vector<Option> with_raw_options(std::vector<Option> before, const std::vector<Option>& after);
 /// Also --format, unless it is there, and --output.
 std::vector<Option> with_common_options(std::vector<Option> own);
-/// Also --strict and --seconds, of a command that answers about a scene.
+/// Also --set, --strict and --seconds, of a command that answers about a scene.
 std::vector<Option> with_scene_options(std::vector<Option> own);
 /// --format of a command that has more than text and json.
 Option format_option(const char* help, const char* placeholder = "FORMAT");

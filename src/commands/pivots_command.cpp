@@ -56,7 +56,7 @@ void refuse_combinations(const Values& values) {
     if (values.has("choose") && values.has(option))
       values.refuse(option, values.label("choose") + " asks you for every row; " +
                                 values.label(option) + " does not go with it");
-  for (const char* option : {"facets", "pressure"})
+  for (const char* option : {"facets", "pressure", "set"})
     if (values.scene_count() != 1 && values.has(option))
       values.refuse(option, values.label(option) + " is about scenes");
 }
@@ -122,6 +122,7 @@ Command pivots_command() {
           {"facets", "G", "sides of a scene's friction pyramids (default 4)"},
           {"pressure", "LAW", "pad, even or rigid instead of the scene's"},
           {"verbose", "", "also the tableaus of more than 12 unknowns; -v for short", false, true},
+          set_option,
           seconds_option,
           format_option("text (default), json, latex or html; --json for short", "NAME"),
       }),

@@ -7,6 +7,7 @@
 
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
+#include "scenes/set_values.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 
@@ -81,6 +82,12 @@ void Values::refuse_size(const SceneFile& file, Needs needs) const {
 void Values::refuse_still(const SceneFile& file) const {
   if (!(push_size(file.view()) > 0))
     refuse("scene", "no body of the scene moves: give a pusher an acceleration");
+}
+
+Document Values::scene_document(std::size_t k) const {
+  Document scene = given_scene(k);
+  scene.text = with_values(std::move(scene.text), scene.name, label("set"), texts("set"));
+  return scene;
 }
 
 SceneFile Values::scene(Needs needs, Strokes strokes) const {

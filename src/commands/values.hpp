@@ -77,7 +77,7 @@ public:
 
   // Scenes.
   virtual std::size_t scene_count() const = 0;
-  virtual Document scene_document(std::size_t k = 0) const = 0;
+  virtual Document given_scene(std::size_t k = 0) const = 0;
   virtual std::size_t variation_count() const = 0;
   virtual std::vector<Variation> variations(const VariedScene& scene) const = 0;
   /// A variation a value, from = to; nothing if no curves are asked for.
@@ -115,7 +115,9 @@ public:
   std::optional<double> number(const std::string& option, double end,
                                const std::string& hint) const;
   Solver solver() const;
-  std::string scene_name(std::size_t k = 0) const { return scene_document(k).name; }
+  std::string scene_name(std::size_t k = 0) const { return given_scene(k).name; }
+  /// With the values of --set.
+  Document scene_document(std::size_t k = 0) const;
   SceneFile scene(Needs needs, Strokes strokes = Strokes::first) const;
   /// For a question that knows pyramids alone; the listener hears what stands for a round cone.
   void take_pyramids(SceneFile& file, Listener& listener) const;

@@ -15,6 +15,8 @@ VerifyOptions verify_options(const Values& values) {
 
 Result run_verify(const Values& values, Listener& listener) {
   if (values.has("trajectory")) return verify_motion(values, listener);
+  if ((values.has("lcp") || values.has("M")) && values.has("set"))
+    values.refuse("set", values.label("set") + " is about scenes");
   if (values.has("lcp") || values.has("M")) return verify_raw_problem(values, listener);
   for (const char* option : {"q", "free", "lo", "hi", "findex"})
     if (values.has(option))

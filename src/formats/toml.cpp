@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <cstdio>
 #include <map>
 #include <optional>
 #include <utility>
@@ -132,12 +133,13 @@ private:
            std::to_string(section.tables.front().line) + "; write [[" + name + "]] in both places" +
            (mixed ? "" : " if there may be several, else merge the two"));
     }
-    section.tables.push_back({line, {}});
+    section.tables.push_back({line, {}, at_});
     table_ = &section.tables.back();
     key_lines_.clear();
   }
 
   void parse_entry() {
+    const std::size_t begin = at_;
     std::string key = parse_key();
     const auto [first, is_new] = key_lines_.emplace(key, line_);
     if (!is_new)
@@ -147,7 +149,8 @@ private:
     if (!take("=")) fail("expected = after " + quoted(key) + ", found " + found());
     skip_spaces();
     TomlValue value = parse_value(0);
-    table_->entries.push_back({std::move(key), std::move(value)});
+    table_->entries.push_back({std::move(key), std::move(value), begin, at_});
+    table_->end = at_;
   }
 
   std::string parse_key() {
@@ -279,6 +282,28 @@ const TomlSection* TomlDocument::find(std::string_view name) const {
   const auto is_name = [name](const TomlSection& section) { return section.name == name; };
   const auto section = std::find_if(sections.begin(), sections.end(), is_name);
   return section == sections.end() ? nullptr : &*section;
+}
+
+std::string toml_text(const TomlValue& value) {
+  if (const auto* const truth = std::get_if<bool>(&value.data)) return *truth ? "true" : "false";
+  std::string text;
+  if (const auto* const word = std::get_if<std::string>(&value.data)) {
+    constexpr unsigned first_printable = 0x20, deleted = 0x7F;
+    for (const char c : *word) {
+      const auto byte = static_cast<unsigned char>(c);
+      char code[8];
+      std::snprintf(code, sizeof code, "\\u%04X", static_cast<unsigned>(byte));
+      text += byte < first_printable || byte == deleted ? code
+              : c == '"' || c == '\\'                   ? std::string("\\") + c
+                                                        : std::string(1, c);
+    }
+    return "\"" + text + "\"";
+  }
+  const auto* const list = std::get_if<TomlArray>(&value.data);
+  const bool is_decimal = !value.digits.empty() && value.digits.find('/') == std::string::npos;
+  if (list == nullptr) return is_decimal ? value.digits : shown(*value.number());
+  for (const TomlValue& entry : *list) text += (text.empty() ? "" : ", ") + toml_text(entry);
+  return "[" + text + "]";
 }
 
 TomlDocument parse_toml(std::string_view text, const std::string& file_name) {

@@ -7,6 +7,7 @@
 // reals that overflow or vanish. What is read is valid TOML and means what TOML says.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -32,12 +33,14 @@ struct TomlValue {
 
 struct TomlEntry {
   std::string key;
-  TomlValue value; ///< a key and its value start on the same line
+  TomlValue value;                ///< a key and its value start on the same line
+  std::size_t begin = 0, end = 0; ///< in the text: from the key to behind the value
 };
 
 struct TomlTable {
   int line; ///< of its header; 1 for the keys above the first header
   std::vector<TomlEntry> entries;
+  std::size_t end = 0; ///< in the text: behind its last value, or its header
 
   /// The value of `key`, or nullptr.
   const TomlValue* find(std::string_view key) const;
@@ -71,5 +74,8 @@ TomlDocument parse_toml(std::string_view text, const std::string& file_name);
 /// Reads the whole of `word`, a decimal number: [+-]digits[.digits][e[+-]digits], no leading
 /// zeros, single underscores between digits. Returns what is wrong with it, if anything.
 std::optional<std::string> read_toml_number(std::string_view word, TomlValue& value);
+
+/// As a file has it, on one line.
+std::string toml_text(const TomlValue& value);
 
 } // namespace lcpush::desktop

@@ -65,7 +65,9 @@ S jaw_force(const HandTables& tables, const std::vector<std::size_t>& gripping,
   const S force = grip_force<S>(first), other = grip_force<S>(second);
   if (force != other)
     second.fail("grip_force", jaws + " jaws share one grip_force; got " + shown(as_double(other)) +
-                                  ", but " + shown(as_double(force)) + " on the other finger");
+                                  ", but " + shown(as_double(force)) +
+                                  " on the other finger; --vary and --set change both as "
+                                  "\"*.grip_force\"");
   return force;
 }
 

@@ -29,6 +29,8 @@ Schema body_keys(const Schema& own) {
       {"weights", "[1, 2]  # shares of the patch's force"},
       {"normal", "[0, 0, -1]"},
       {"on", "\"+z\""},
+      {"along", "\"y\""},
+      {"length", "0.03", "m"},
       {"tangent", "[1, 0, 0]"},
       {"points_on", "\"object\""},
   };

@@ -21,6 +21,11 @@ using Schema = std::vector<Key>;
 /// The keys of [section], or of each [[section]]; "" stands for those above the first header.
 const Schema& schema_of(const std::string& section);
 
+/// Does [[section]] touch the object?
+inline bool is_body(const std::string& section) {
+  return section == "finger" || section == "pusher";
+}
+
 /// The key of this section (as for schema_of) called `name`; nullptr if there is none.
 const Key* key_called(const std::string& section, const std::string& name);
 

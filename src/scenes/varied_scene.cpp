@@ -20,8 +20,6 @@ using Kind = Parameter::Kind;
 
 constexpr int root = -1;
 
-bool is_body(const std::string& section) { return section == "finger" || section == "pusher"; }
-
 struct Named {
   Parameter parameter;
   std::string owner, rest; ///< "left" and "points[0][1]"; both as in the path

@@ -85,6 +85,12 @@ class Scene:
         tables: Dict[str, Any] = json.loads(self._ask("tables", {}))
         return tables
 
+    def with_values(self, values: Mapping[str, Any]) -> "Scene":
+        """The scene with other values, as `--set` of the tool has them: {"wall.friction": 0.4,
+        "object.mass": "120 g"}."""
+        given = [f"{path}={_toml.as_toml(value, path)}" for path, value in values.items()]
+        return Scene(json.loads(self._ask("tables", {"set": given})), self._name)
+
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the scene file."""
         with open(path, "w", encoding="utf-8", newline="") as file:

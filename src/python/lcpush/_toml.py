@@ -13,7 +13,7 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _LISTS = ("finger", "pusher", "actuator")  # of tables, which may be none
 
 
-def _value(value: Any, where: str) -> str:
+def as_toml(value: Any, where: str) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, int):
@@ -21,9 +21,9 @@ def _value(value: Any, where: str) -> str:
     if isinstance(value, str):  # JSON's escapes are TOML's, but for what is none of JSON's
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if hasattr(value, "tolist"):
-        return _value(value.tolist(), where)
+        return as_toml(value.tolist(), where)
     if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(_value(entry, f"{where}[{k}]") for k, entry in enumerate(value)) + "]"
+        return "[" + ", ".join(as_toml(entry, f"{where}[{k}]") for k, entry in enumerate(value)) + "]"
     try:
         if isinstance(value, (bytes, bytearray)):
             raise TypeError
@@ -40,7 +40,7 @@ def _pairs(table: Mapping[str, Any], where: str) -> List[str]:
     for key in table:
         if not _BARE.fullmatch(str(key)):
             raise InputError(f"{where}{key!r} is no key of a scene")
-    return [f"{key} = {_value(value, where + str(key))}" for key, value in table.items()
+    return [f"{key} = {as_toml(value, where + str(key))}" for key, value in table.items()
             if value is not None]
 
 
