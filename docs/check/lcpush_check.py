@@ -60,10 +60,16 @@ def si(value):  # "120 g" is 3/25
     parts = isinstance(value, str) and re.fullmatch(r"\s*\+?(-?\d[\d.]*(?:[eE][+-]?\d+)?)\s*(\D.*?)\s*", value)
     return F(parts[1]) * UNITS[parts[2]] if parts and parts[2] in UNITS else value
 
-def put_on_face(body, obj, com):  # on = "+z", center = [x, y] in that face
+def put_on_face(body, obj, com):  # on = "+z", center = [x, y] in that face, along = "y"
     axis, sign = "xyz".index(body["on"][1]), F(body["on"][0] + "1")
     offset = list(body.get("center", (0, 0)))
     offset.insert(axis, sign * (obj["box"][axis] if "box" in obj else obj["cylinder_length"]) / 2)
+    if body["shape"] == "line":  # clipped to the face
+        j, ends = "xyz".index(body["along"]), [list(offset), list(offset)]
+        half, reach = (obj["box"][j] / 2 if "box" in obj else obj["cylinder_radius"]), body.get("length", 0) / F(2)
+        ends[0][j], ends[1][j] = (max(offset[j] - reach, -half), min(offset[j] + reach, half)) if reach else (-half, half)
+        body["ends"] = [add(com, end) for end in ends]
+    elif "along" in body: body["tangent"] = [i == "xyz".index(body["along"]) for i in range(3)]
     body.update(center=add(com, offset), normal=[-sign * (i == axis) for i in range(3)])
 
 def scene_problem(text, g):  # w = L x + q0 + push q1: L, q0, q1, the free rows, the cones

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lcpush::desktop {
@@ -42,6 +43,53 @@ Rational extent(const TableReader& object, const TableReader& contact, Index axi
   return object.number<Rational>("cylinder_length", Sign::positive);
 }
 
+/// Of the key along: an axis in the face across `axis`.
+Index axis_along(const TableReader& contact, Index axis) {
+  const auto along = static_cast<Index>(contact.choice("along", {"x", "y", "z"}));
+  if (along == axis)
+    contact.fail("along", "along must lie in the face, " + quoted(axis_name(axis_beside(axis, 0))) +
+                              " or " + quoted(axis_name(axis_beside(axis, 1))) + ", got " +
+                              quoted(axis_name(axis)) + ", which is across it");
+  return along;
+}
+
+/// The sides of a rectangle follow its tangent.
+TomlValue typed_along(const TableReader& contact, Index axis, const std::string& shape) {
+  if (shape != "rectangle")
+    contact.fail("along", "along goes with the shapes \"line\" and \"rectangle\"; remove it");
+  if (contact.has("tangent"))
+    contact.fail("along", "along is the tangent of a rectangle; remove one of the two");
+  Vector3<Rational> tangent = Vector3<Rational>::Zero();
+  tangent[axis_along(contact, axis)] = Rational(1);
+  return typed(contact.line_of({"along"}), tangent);
+}
+
+/// Where an edge begins and ends along its axis, from the middle of the face: clipped to that.
+std::pair<Rational, Rational> edge_on_face(const TableReader& object, const TableReader& contact,
+                                           Index axis, Index along,
+                                           const Vector3<Rational>& offset) {
+  Rational half = Rational(0);
+  if (object.has("box")) {
+    half = object.vector3<Rational>("box", Sign::positive)[along] / Rational(2);
+  } else {
+    // The chord of a round end is irrational, but for a diameter.
+    const Rational radius = object.number<Rational>("cylinder_radius", Sign::positive);
+    if (offset[3 - axis - along] != Rational(0))
+      contact.fail("center", "an edge on a cylinder's end goes through its middle; leave the other "
+                             "offset 0, or give ends and normal instead of on");
+    half = radius;
+  }
+  if (!contact.has("length")) return {-half, half};
+  const Rational reach = contact.number<Rational>("length", Sign::positive) / Rational(2);
+  const Rational from = std::max(offset[along] - reach, -half),
+                 to = std::min(offset[along] + reach, half);
+  if (!(from < to))
+    contact.fail("center", "this edge lies beside the face, which goes from " +
+                               shown((-half).value()) + " to " + shown(half.value()) + " m along " +
+                               axis_name(along));
+  return {from, to};
+}
+
 void put_on_face(const TableReader& object, const TableReader& contact, TomlTable& table) {
   const std::size_t face = contact.choice("on", face_names);
   const auto axis = static_cast<Index>(face / 2);
@@ -50,9 +98,9 @@ void put_on_face(const TableReader& object, const TableReader& contact, TomlTabl
     contact.fail("normal", "on = " + quoted(face_names[face]) +
                                " gives the normal, into that face; remove normal or on");
   const std::string shape = contact.is_text("shape") ? contact.text("shape") : "";
-  if (shape == "line" || shape == "points")
-    contact.fail("on", "on places the center of a shape, and a " + quoted(shape) +
-                           " has none; give normal instead of on");
+  if (shape == "points")
+    contact.fail("on", "on places the center of a shape, and a \"points\" has none; give normal "
+                       "instead of on");
   const TomlValue* const center = table.find("center");
   const auto* const list = center != nullptr ? std::get_if<TomlArray>(&center->data) : nullptr;
   if (list != nullptr && list->size() == 3)
@@ -64,15 +112,37 @@ void put_on_face(const TableReader& object, const TableReader& contact, TomlTabl
   if (object.has("center_of_mass")) at = object.vector3<Rational>("center_of_mass");
   at[axis] += side * extent(object, contact, axis) / Rational(2);
   normal[axis] = -side;
+  Vector3<Rational> offset = Vector3<Rational>::Zero();
   if (center != nullptr) {
-    const std::vector<Rational> offset = contact.numbers<Rational>("center", {2}, Sign::any);
-    for (std::size_t i = 0; i < 2; ++i) at[axis_beside(axis, i)] += offset[i];
+    const std::vector<Rational> two = contact.numbers<Rational>("center", {2}, Sign::any);
+    for (std::size_t i = 0; i < 2; ++i) offset[axis_beside(axis, i)] = two[i];
   }
-  const auto is_replaced = [](const TomlEntry& e) { return e.key == "on" || e.key == "center"; };
+  std::vector<TomlEntry> places;
+  if (shape == "line") {
+    if (contact.has("ends"))
+      contact.fail("ends",
+                   "on a face along says the direction, and its ends are those of the face; "
+                   "remove ends, or on and along");
+    const Index along = axis_along(contact, axis);
+    const auto [from, to] = edge_on_face(object, contact, axis, along, offset);
+    offset[along] = Rational(0);
+    Vector3<Rational> ends[2] = {at + offset, at + offset};
+    ends[0][along] += from;
+    ends[1][along] += to;
+    places.push_back({"ends", {place, TomlArray{typed(place, ends[0]), typed(place, ends[1])}}});
+  } else {
+    if (contact.has("length"))
+      contact.fail("length", "length goes with the shape \"line\" on a face; remove it");
+    if (contact.has("along")) places.push_back({"tangent", typed_along(contact, axis, shape)});
+    places.push_back({"center", typed(place, at + offset)});
+  }
+  places.push_back({"normal", typed(line, normal)});
+  const auto is_replaced = [](const TomlEntry& e) {
+    return e.key == "on" || e.key == "center" || e.key == "along" || e.key == "length";
+  };
   table.entries.erase(std::remove_if(table.entries.begin(), table.entries.end(), is_replaced),
                       table.entries.end());
-  table.entries.push_back({"center", typed(place, at)});
-  table.entries.push_back({"normal", typed(line, normal)});
+  table.entries.insert(table.entries.end(), places.begin(), places.end());
 }
 
 } // namespace
@@ -88,7 +158,7 @@ std::optional<int> axis_in_face(const TomlTable& table, std::size_t i) {
 
 bool has_contacts_on_faces(const TomlDocument& document) {
   return std::any_of(document.sections.begin(), document.sections.end(), [](const auto& section) {
-    return (section.name == "finger" || section.name == "pusher") &&
+    return is_body(section.name) &&
            std::any_of(section.tables.begin(), section.tables.end(),
                        [](const TomlTable& table) { return table.find("on") != nullptr; });
   });
@@ -98,7 +168,7 @@ TomlDocument with_typed_places(TomlDocument document) {
   const TableReader object(document.file, document.find("object")->tables[0], "object",
                            schema_of("object"));
   for (TomlSection& section : document.sections) {
-    if (section.name != "finger" && section.name != "pusher") continue;
+    if (!is_body(section.name)) continue;
     for (std::size_t i = 0; i < section.tables.size(); ++i) {
       TomlTable& table = section.tables[i];
       if (table.find("on") == nullptr) continue;

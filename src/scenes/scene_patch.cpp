@@ -157,6 +157,9 @@ void check_points(const TableReader& table, const std::string& key, const Patch<
 } // namespace
 
 template <class S> Patch<S> read_patch(const TableReader& table) {
+  for (const char* key : {"along", "length"})
+    if (table.has(key))
+      table.fail(key, std::string(key) + " goes with a face of the object; add on = \"-x\", say");
   const Shape<S>& shape = read_shape<S>(table);
   const ContactFrame<S> frame = read_frame<S>(table);
   Patch<S> patch{frame.normal, frame.tangent, {}, {}, {}};

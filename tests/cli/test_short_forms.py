@@ -174,6 +174,31 @@ CYLINDERS = [
     ("y", 'on = "-y"\ncenter = [0.001, 0.002]', "normal = [0, 1, 0]\ncenter = [0.001, -0.05, 0.002]"),
     ("z", 'on = "-z"', "normal = [0, 0, 1]\ncenter = [0, 0, -0.05]"),
 ]
+# Edges along faces: the same as lines between ends, of faces of 0.1, 0.04, 0.3 and of a cylinder's end.
+EDGES = [
+    (BOX, 'on = "-x"\nalong = "y"', "[[-0.04, 0, 0.03], [-0.04, 0.04, 0.03]]", "[1, 0, 0]"),
+    (BOX, 'on = "-x"\nalong = "z"\ncenter = ["5 mm", 0.1]\nlength = "60 mm"',
+     "[[-0.04, 0.025, 0.1], [-0.04, 0.025, 0.16]]", "[1, 0, 0]"),
+    (BOX, 'on = "+y"\nalong = "x"\nlength = 0.06\ncenter = [0.03, -0.02]\npoints = 3',
+     "[[0.01, 0.04, 0.01], [0.06, 0.04, 0.01]]\npoints = 3", "[0, -1, 0]"),  # clipped at x = 0.06
+    (BOX, 'on = "-z"\nalong = "y"\ncenter = [0.02, 0.5]', "[[0.03, 0, -0.12], [0.03, 0.04, -0.12]]", "[0, 0, 1]"),
+    ('cylinder_radius = 0.02\ncylinder_length = "10 cm"\naxis = "x"', 'on = "+x"\nalong = "z"',
+     "[[0.05, 0, -0.02], [0.05, 0, 0.02]]", "[-1, 0, 0]"),
+    ('cylinder_radius = 0.02\ncylinder_length = "10 cm"', 'on = "-z"\nalong = "x"\ncenter = [0.01, 0]\nlength = 0.03',
+     "[[-0.005, 0, -0.05], [0.02, 0, -0.05]]", "[0, 0, 1]"),
+]
+HOLD = 'normal = [0, 0, -1]\ncenter = [0, 0, 0.05]'
+LINE, RECTANGLE = 'shape = "line"', 'shape = "rectangle"\nsize = [0.004, "2 mm"]'
+EDGE_REFUSED = [
+    (BOX, LINE, 'on = "-x"', "missing key \"along\""), (BOX, LINE, 'on = "-x"\nalong = "x"', '"y" or "z", got "x"'),
+    (BOX, LINE, 'on = "-x"\nalong = "y"\nends = [[0, 0, 0], [1, 0, 0]]', "its ends are those of the face; remove"),
+    (BOX, LINE, 'on = "-x"\nalong = "y"\ncenter = [0.1, 0]\nlength = 0.01', "beside the face, which goes from -0.02 to"),
+    (BOX, LINE, 'normal = [1, 0, 0]\nends = [[0, 0, 0], [0, 1, 0]]\nalong = "y"', "along goes with a face"),
+    (BOX, SHAPES[0], 'on = "-x"\nalong = "y"', 'along goes with the shapes "line" and "rectangle"'),
+    (BOX, RECTANGLE, 'on = "-x"\nalong = "y"\ntangent = [0, 0, 1]', "remove one of the two"),
+    (BOX, RECTANGLE, 'on = "-x"\nlength = 0.1', 'length goes with the shape "line"'),
+    ("cylinder_radius = 0.02\ncylinder_length = 0.1", LINE, 'on = "+z"\nalong = "x"\ncenter = [0, 0.01]', "through its middle"),
+]
 CYLINDER = 'cylinder_radius = 0.02\ncylinder_length = "10 cm"\naxis = "%s"'
 ON_REFUSED = [
     (BOX, 'on = "+z"\nnormal = [0, 0, -1]', 10, "gives the normal, into that face; remove normal or on"),
@@ -187,8 +212,8 @@ ON_REFUSED = [
 
 
 class Faces(SceneTest):
-    def equal(self, object_, short, typed, role, shape):
-        texts = [on_faces(object_, [("finger", 'shape = "point"\ngrip_force = 3', typed),
+    def equal(self, object_, short, typed, role, shape, hold=None):
+        texts = [on_faces(object_, [("finger", 'shape = "point"\ngrip_force = 3', hold or typed),
                                     (role, shape, place)]) for place in (short, typed)]
         with self.subTest(texts[0]):
             answers = [matrices(text) for text in texts]
@@ -217,10 +242,22 @@ class Faces(SceneTest):
                 self.assertEqual((result.returncode, result.stdout), (2, ""))
                 self.assertTrue(result.stderr.startswith(f"standard input:{line}: "), result.stderr)
                 self.assertIn(said, result.stderr.replace("\n", " "))
-        for shape in ("line", "points"):
-            text = on_faces(BOX, [("finger", f'shape = "{shape}"', 'on = "+z"')])
-            self.assertIn(f'a "{shape}" has none; give normal instead of on',
-                          run("matrices", "-", text=text).stderr.replace("\n", " "))
+        for object_, shape, place, said in [(BOX, 'shape = "points"', 'on = "+z"', "has none; give normal instead")] + EDGE_REFUSED:
+            with self.subTest(place):
+                result = run("matrices", "-", text=on_faces(object_, [("finger", shape, place)]))
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                self.assertIn(said, " ".join(result.stderr.split()))
+
+    def test_edges_along_faces(self):
+        motion = "\nacceleration = [0.1, 0.1, 0.2]"
+        for object_, short, ends, normal in EDGES:
+            self.equal(object_, short, f"normal = {normal}\nends = {ends}", "pusher", LINE + motion, HOLD)
+        for axis, tangent in (("y", "[0, 1, 0]"), ("z", "[0, 0, 1]")):
+            self.equal(BOX, f'on = "-x"\nalong = "{axis}"', f"{FACES[1][1]}\ntangent = {tangent}", "pusher", RECTANGLE + motion, HOLD)
+        self.certified(on_faces(BOX, [("finger", SHAPES[0] + "\ngrip_force = 3", FACES[i][0]) for i in (4, 5)] + [
+            ("pusher", LINE + "\nvelocity = [0.1, 0, 0]", EDGES[1][1]),
+            ("pusher", LINE + "\nvelocity = [0, 0.1, 0]", 'on = "-y"\nalong = "x"'),
+            ("pusher", RECTANGLE + "\nvelocity = [-0.1, 0, 0]", 'on = "+x"\nalong = "z"')]))
 
     def test_sweeps_move_the_face(self):
         """A box that grows takes its contacts along; offsets are numbers of the scene; shifts are the scene's."""
