@@ -98,10 +98,22 @@ void Arguments::read_option(const std::vector<std::string>& words, std::size_t& 
                                    : "; lcpush " + listed(others, "and") + " would take it"));
 }
 
+namespace {
+
+/// The word as a shell takes it.
+std::string in_a_shell(const std::string& word) {
+  const bool is_plain = word.find_first_of(" \t*?[]$&|;<>()'\"\\`~#") == std::string::npos;
+  return is_plain ? word : "'" + word + "'";
+}
+
+} // namespace
+
 Arguments::Arguments(const Command& command, const std::vector<std::string>& words)
-    : Values(command) {
+    : Values(command), command_line_("lcpush " + command.name) {
   bool only_files = false;
   for (std::size_t at = 0; at < words.size(); ++at) {
+    const std::size_t first = at;
+    const bool had_output = has("output");
     if (!only_files && words[at] == "--") {
       only_files = true;
     } else if (!only_files && is_option(words[at])) {
@@ -114,6 +126,9 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
       if (words[at] == "-" && std::count(files_.begin(), files_.end(), "-") > 1)
         throw UsageError("standard input can be read only once; name a file for the other");
     }
+    // Where an answer goes is no part of what was asked.
+    if (had_output == has("output"))
+      for (std::size_t k = first; k <= at; ++k) command_line_ += " " + in_a_shell(words[k]);
   }
 }
 

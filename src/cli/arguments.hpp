@@ -46,6 +46,7 @@ public:
   using Values::format;
   std::string format(const std::vector<std::string>& known) const override;
   Telling telling() const override { return has("verbose") ? Telling::full : Telling::brief; }
+  std::string command_line() const override { return command_line_; }
 
   /// The files of a command about scenes; of pivots, which also takes matrices, its scene.
   std::size_t scene_count() const override;
@@ -65,6 +66,7 @@ protected:
   void inspect(const SceneFile& file) const override;
 
 private:
+  std::string command_line_;
   std::vector<std::string> files_;
   std::map<std::string, std::vector<std::string>> values_;
   mutable std::vector<std::string> scenes_; ///< texts: standard input is read only once

@@ -233,6 +233,8 @@ Result run_report(const Values& values, Listener& listener) {
   std::optional<HoldStudy> held;
   if (format == "html" && file.body(0).role == Role::finger && listener.stop(1) == Stop::none)
     content.held = &held.emplace(find_hold(file, {}, asked.options));
+  content.scene_text = values.scene_document().text;
+  content.command = values.command_line();
   const bool is_whole = content.sweeps.size() == variations.size() && breaks == (pusher >= 0);
   const Stop stop = is_whole && (content.sweeps.empty() || content.sweeps.back().stop == Stop::none)
                         ? Stop::none

@@ -74,6 +74,8 @@ public:
   /// One of `known`, which begins with a shell's usual one.
   virtual std::string format(const std::vector<std::string>& known) const = 0;
   virtual Telling telling() const = 0;
+  /// As somebody typed it; empty where nobody did.
+  virtual std::string command_line() const { return {}; }
 
   // Scenes.
   virtual std::size_t scene_count() const = 0;

@@ -38,7 +38,6 @@ nav a { display: inline-block; padding: 4px 0; }
 figure { margin: 0 0 12px; min-width: 0; }
 figcaption { color: var(--soft); font-size: 15px; padding-top: 4px; }
 .views { display: grid; grid-template-columns: minmax(0, 8fr) minmax(0, 5fr); gap: 4px 24px; }
-.views figure:first-child { grid-row: span 2; }
 .panels { display: grid; grid-template-columns: repeat(6, minmax(0, 170px)); gap: 10px; }
 .drawing, .plot { width: 100%; height: auto; display: block; border: 1px solid var(--line); }
 .single .drawing { max-width: 560px; }
@@ -64,12 +63,12 @@ pre { font: 13px/1.45 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospa
 details { margin: 8px 0 14px; }
 summary { cursor: pointer; padding: 8px 0; }
 footer { color: var(--soft); font-size: 15px; padding-top: 26px; padding-bottom: 36px; }
-@media (max-width: 820px) {
+@media screen and (max-width: 820px) {
   .views { grid-template-columns: minmax(0, 1fr); }
   .views .drawing { max-width: 560px; }
   .panels { grid-template-columns: repeat(auto-fill, minmax(126px, 1fr)); }
 }
-@media (max-width: 600px) {
+@media screen and (max-width: 600px) {
   header, main, footer { padding-left: 16px; padding-right: 16px; }
   h1 { font-size: 23px; }
   .lead { font-size: 18px; }
@@ -78,9 +77,16 @@ footer { color: var(--soft); font-size: 15px; padding-top: 26px; padding-bottom:
   th, td { padding: 5px 8px; }
 }
 @media print {
-  nav { display: none; }
-  body { font-size: 12px; }
-  h2 { break-after: avoid; }
+  nav, summary { display: none; }
+  body { font-size: 11px; line-height: 1.35; background: none; }
+  h1 { font-size: 20px; }
+  h2 { break-after: avoid; font-size: 14px; margin: 10px 0 4px; }
+  .lead { font-size: 14px; }
+  pre, table, .key, figcaption, footer, .aside, .facts dt { font-size: 10px; }
+  th, td { padding: 2px 8px; }
+  .facts div { padding: 3px 0; }
+  .single .drawing { max-width: 340px; }
+  .views figure:first-child { margin: 0; }
   figure, table, .failure { break-inside: avoid; }
   .scroll { overflow: visible; }
   .scroll .plot { min-width: 0; }

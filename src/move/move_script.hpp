@@ -68,6 +68,7 @@ constexpr const char* player_script = R"js(
   });
   document.getElementById("controls").hidden = false;
   show(0);
+  if (moments.length > 1 && !matchMedia("(prefers-reduced-motion: reduce)").matches) play();
 })();
 )js";
 

@@ -24,12 +24,24 @@ inline std::string with_breaks(const std::string& text) {
   return joined(lines, "<br/>");
 }
 
+/// What stands there on demand.
+inline std::string fold(const std::string& summary, const std::string& inside) {
+  return "<details>\n<summary>" + escaped(summary) + "</summary>\n" + inside + "</details>\n";
+}
+
+/// What theory says of the answer stands in a fold below.
 inline std::string facts_html(const std::vector<Fact>& facts) {
-  std::string text = "<dl class=\"facts\">\n";
-  for (const Fact& fact : facts)
-    text +=
-        "<div><dt>" + escaped(fact.label) + "</dt><dd>" + with_breaks(fact.text) + "</dd></div>\n";
-  return text + "</dl>\n";
+  const auto list_of = [&facts](bool of_theory) {
+    std::string text;
+    for (const Fact& fact : facts)
+      if (fact.is_theory == of_theory)
+        text += "<div><dt>" + escaped(fact.label) + "</dt><dd>" + with_breaks(fact.text) +
+                "</dd></div>\n";
+    return text.empty() ? text : "<dl class=\"facts\">\n" + text + "</dl>\n";
+  };
+  const std::string theory = list_of(true);
+  return list_of(false) +
+         (theory.empty() ? theory : fold("Theory: is it the only answer?", theory));
 }
 
 /// A list, or nothing.

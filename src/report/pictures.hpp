@@ -31,14 +31,16 @@ Drawing isometric_picture(const DrawnScene& drawn, const PushReport& report);
 /// of a jam who squeezes.
 std::vector<Drawing> scene_pictures(const DrawnScene& drawn, const PushReport& report);
 
-/// The friction of each contact point that has some, within its polygon of radius mu lambda, body
-/// by body; of large patches the first points. Precondition, here and below: the push is solved.
+/// The friction of each body that has some, within its cone's section of radius mu lambda: of all
+/// its points together, and point by point where it has several; of large patches the first points.
+/// Precondition, here and below: the push is solved.
 struct FrictionGroup {
   std::string body;
-  std::vector<Drawing> panels;
+  Drawing whole;
+  std::vector<Drawing> points;
 };
 std::vector<FrictionGroup> friction_panels(const SceneFile& file, const PushReport& report);
-/// All of them in one drawing, six in a row.
+/// All points in one drawing, six in a row.
 Drawing friction_picture(const SceneFile& file, const PushReport& report);
 
 /// The points that friction_picture leaves out, with the reason: "wall.1 (no normal force)",

@@ -34,7 +34,7 @@ std::string legend(const SceneFile& file, const PushReport& push) {
                                path_element("ring", "M11 4l8 8m0 -8l-8 8") + "</g>"),
               "crossed ring: normal force into the picture; plain: out of it"},
              {sample(wide, polygon_element("cone", {{29, 8}, {3, 1}, {3, 15}})),
-              "friction pyramid, where the contact's force can come from"}};
+              "friction cone, where the contact's force can come from"}};
   else
     items = {{sample(wide, circle_element("mark", {15, 8}, 3)), "contact point"}};
   if (!solved && !push.jam.bodies.empty())
@@ -86,9 +86,12 @@ std::string lead(const PageContent& content) {
 }
 
 std::string views(const PageContent& content) {
-  std::string text = "<div class=\"views\">\n";
-  for (const Drawing& drawing : grasp_pictures(content)) text += figure(drawing, drawing.title);
-  text += "</div>\n";
+  const std::vector<Drawing> drawings = grasp_pictures(content);
+  std::string text = "<div class=\"views\">\n<div>\n" + figure(drawings[0], drawings[0].title) +
+                     "<details open=\"open\">\n<summary>What the drawings mean</summary>\n" +
+                     legend(content.file, content.push) + "</details>\n</div>\n<div>\n";
+  for (std::size_t k = 1; k < drawings.size(); ++k) text += figure(drawings[k], drawings[k].title);
+  text += "</div>\n</div>\n";
   if (content.file.shape.kind == ObjectShape::Kind::unknown)
     text += paragraph("The scene gives the object's inertia alone; the dashed outline is the box "
                       "with these principal moments.",
@@ -100,9 +103,7 @@ std::string views(const PageContent& content) {
 Section answer_section(const PageContent& content) {
   const bool is_solved = content.push.status == Status::solved;
   return {"answer", is_solved ? "The answer" : "No answer was found",
-          lead(content) + views(content) +
-              "<details open=\"open\">\n<summary>What the drawings mean</summary>\n" +
-              legend(content.file, content.push) + "</details>\n"};
+          lead(content) + views(content)};
 }
 
 Section facts_section(const PageContent& content) {
@@ -110,7 +111,6 @@ Section facts_section(const PageContent& content) {
   std::vector<Fact> facts{content.breaking != nullptr ? grip_fact(content.file, content.hold,
                                                                   *content.grip, *content.breaking)
                                                       : hold_fact(content.file, content.hold)};
-  facts.insert(facts.begin(), hand_fact(content.file));
   for (Fact& fact : push_facts(content.file, push)) facts.push_back(std::move(fact));
   std::string text;
   if (push.status == Status::solved)
@@ -163,6 +163,7 @@ std::string report_html(const PageContent& content) {
   if (content.held != nullptr) sections.push_back(holding_section(content));
   if (!content.sweeps.empty()) sections.push_back(sweeps_section(content));
   if (solved) sections.push_back(residual_section(content));
+  sections.push_back(inputs_section(content));
   const std::string title =
       escaped(content.file.title.empty() ? "A push without a title" : content.file.title);
   std::string page = page_head(title) + section_html(answer_section(content)) +

@@ -57,8 +57,7 @@ std::string failure_html(const SceneFile& file, const RunReport& report) {
     rows.push_back({escaped(entry.name), number(entry.value)});
   return failure_box(failure + paragraphs_html(jam_findings(file, report.jam)) +
                      list_html(jam_remedies(report.jam))) +
-         "<details>\n<summary>The ray in numbers</summary>\n" +
-         table_html("The ray, largest entry 1", rows) + "</details>\n";
+         fold("The ray in numbers", table_html("The ray, largest entry 1", rows));
 }
 
 std::string sweep_title(const Sweep& sweep) {
@@ -80,25 +79,40 @@ Section friction_section(const PageContent& content) {
   std::string text = paragraph(
       cone + "Arrow: the friction force on the object; thin, dotted: the direction of slip.",
       "aside");
+  std::string wholes, points;
   for (const FrictionGroup& group : friction_panels(content.file, content.push)) {
-    text += "<h3>" + escaped(group.body) + "</h3>\n<div class=\"panels\">\n";
-    for (const Drawing& panel : group.panels) text += svg_element(panel);
-    text += "</div>\n";
+    wholes += svg_element(group.whole);
+    if (group.points.empty()) continue;
+    points += "<h3>" + escaped(group.body) + "</h3>\n<div class=\"panels\">\n";
+    for (const Drawing& panel : group.points) points += svg_element(panel);
+    points += "</div>\n";
   }
+  text += "<div class=\"panels\">\n" + wholes + "</div>\n";
+  if (!points.empty())
+    text += paragraph("A body of several points: their sum. A pad that turns has little of it "
+                      "though each of its points is at its limit.",
+                      "aside") +
+            fold("Point by point", points);
   if (!others.empty()) text += paragraph("Not drawn: " + listed(others, "and") + ".", "aside");
-  return {"friction", "Friction, point by point", text};
+  return {"friction", "Friction", text};
 }
 
 Section contacts_section(const PageContent& content) {
-  std::vector<std::vector<std::string>> rows = contact_rows(content.file, content.push);
-  for (auto& row : rows)
-    for (std::string& cell : row) cell = escaped(cell);
-  rows[0][1] = "does"; // the mode, as the pictures say it
-  for (std::size_t r = 1; r < rows.size(); ++r) {
+  const auto rows_of = [&content](Telling telling) {
+    std::vector<std::vector<std::string>> rows = contact_rows(content.file, content.push, telling);
+    for (auto& row : rows)
+      for (std::string& cell : row) cell = escaped(cell);
+    return rows;
+  };
+  std::vector<std::vector<std::string>> points = rows_of(Telling::full);
+  points[0][1] = "does"; // the mode, as the pictures say it
+  for (std::size_t r = 1; r < points.size(); ++r) {
     const Mode mode = content.push.answer.contacts[static_cast<Index>(r) - 1].mode;
-    rows[r][1] = sample("0 0 14 12", mode_mark(mode, {7, 6})) + mode_verb(mode);
+    points[r][1] = sample("0 0 14 12", mode_mark(mode, {7, 6})) + mode_verb(mode);
   }
-  std::string text = table_html("What each contact does, in SI units and scene axes", rows);
+  std::string text = table_html("What each body does: its forces summed, its fastest slip",
+                                rows_of(Telling::brief)) +
+                     fold("Point by point", table_html("SI units and scene axes", points));
   const auto add = [&text](const char* title, const std::vector<std::string>& sentences) {
     if (!sentences.empty()) text += std::string("<h3>") + title + "</h3>\n" + list_html(sentences);
   };
@@ -150,12 +164,47 @@ Section sweeps_section(const PageContent& content) {
     else if (!sweep.complete)
       text += failure_box(paragraph("Some values have no answer; the numbers below say which."));
     text += list_html(sweep_changes(sweep));
-    text +=
-        "<details>\n<summary>The same in numbers</summary>\n" +
-        scrolling(title + ", in numbers", "<pre>" + with_breaks(sweep_text(sweep)) + "</pre>\n") +
-        "</details>\n";
+    text += fold(
+        "The same in numbers",
+        scrolling(title + ", in numbers", "<pre>" + with_breaks(sweep_text(sweep)) + "</pre>\n"));
   }
   return {"sweeps", "What changes it", text};
+}
+
+Section inputs_section(const PageContent& content) {
+  const SceneFile& file = content.file;
+  const Vector3<double>& size = file.shape.size;
+  constexpr const char* kinds[] = {", a box of ", ", a cylinder within ", ", a ball within "};
+  std::string object = number(file.object.mass) + " kg";
+  if (file.shape.kind == ObjectShape::Kind::unknown)
+    object += ", given by its inertia";
+  else
+    object += kinds[static_cast<int>(file.shape.kind)] + number(size[0]) + " x " + number(size[1]) +
+              " x " + number(size[2]) + " m";
+  const double g = file.gravity.norm();
+  std::vector<Fact> facts;
+  if (!content.command.empty()) facts.push_back({"Asked", content.command});
+  facts.push_back({"Object", object});
+  facts.push_back(
+      {"Gravity", g > 0 ? number(g) + " m/s^2 along " + direction_text(file.gravity / g) : "none"});
+  facts.push_back(hand_fact(file));
+  facts.push_back({"Laws", std::string("pressure ") + pressure_text(file.pressure) + "; " +
+                               friction_law_text(file) +
+                               (file.planar ? "; in the x-y plane" : "")});
+  std::vector<std::vector<std::string>> rows{{"contact", "is a", "points", "friction", "normal"}};
+  for (std::size_t b = 0; b < file.bodies.size(); ++b) {
+    const Body<double>& body = file.bodies[b];
+    rows.push_back({escaped(file.body_names[b]), body.role == Role::finger ? "finger" : "pusher",
+                    std::to_string(body.point_count), number(body.friction),
+                    direction_text(body.normal)});
+  }
+  std::string text =
+      facts_html(facts) + table_html("Contacts; the normal is into the object", rows);
+  if (!content.scene_text.empty())
+    text +=
+        fold("The scene file",
+             scrolling("The scene file", "<pre>" + with_breaks(content.scene_text) + "</pre>\n"));
+  return {"inputs", "What was asked", text};
 }
 
 Section residual_section(const PageContent& content) {

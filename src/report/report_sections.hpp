@@ -24,5 +24,7 @@ Section breaking_section(const PageContent& content);
 Section holding_section(const PageContent& content);
 Section sweeps_section(const PageContent& content);
 Section residual_section(const PageContent& content);
+/// What was asked: the object, the hand and the pusher, the laws, the scene's file.
+Section inputs_section(const PageContent& content);
 
 } // namespace lcpush::desktop

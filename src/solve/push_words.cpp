@@ -169,7 +169,7 @@ std::string facts_text(const std::vector<Fact>& facts) {
 }
 
 std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report) {
-  const Fact theory{"Theory", theory_words(file, report)};
+  const Fact theory{"Theory", theory_words(file, report), true};
   if (report.status != Status::solved) return {theory};
   std::vector<Fact> facts;
   for (std::size_t b = 0; b < file.bodies.size(); ++b)
@@ -178,7 +178,9 @@ std::vector<Fact> push_facts(const SceneFile& file, const PushReport& report) {
           {"Push by " + file.body_names[b],
            wrench_words(body_wrench(file.view(), report.answer, file.bodies[b]), report.noise)});
   facts.push_back({"Motion", motion_words(file, report)});
-  facts.push_back({"Answer", unique_text(file, report)});
+  facts.push_back(
+      {"Answer", unique_text(file, report),
+       report.unique_motion != Uniqueness::no && report.unique_wrench != Uniqueness::no});
   facts.push_back(friction_fact(file, report));
   facts.push_back(theory);
   return facts;
@@ -198,7 +200,9 @@ std::vector<Fact> break_facts(const SceneFile& file, const BreakReport& report) 
       {"Motion", motion_words(file, report) + (b.breaks ? "\nper m/s^2 of the push" : "")}};
   add_closings(report, facts);
   if (report.unique_force != Uniqueness::not_tested)
-    facts.push_back({"Answer", break_unique_words(report)});
+    facts.push_back(
+        {"Answer", break_unique_words(report),
+         report.unique_force != Uniqueness::no && report.unique_motion != Uniqueness::no});
   if (b.valid_to > 0)
     facts.push_back({"Valid up to", "a push of " + number(b.valid_to) + " m/s^2"});
   add_caution(b, word_settings.component, facts);

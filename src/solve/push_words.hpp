@@ -14,6 +14,7 @@ class JsonWriter;
 /// "Motion", and what is said about it: lines with '\n' between them, none at the end.
 struct Fact {
   std::string label, text;
+  bool is_theory = false; ///< of theorems and of other answers that were looked for in vain
 };
 
 /// In two columns, the label's 18 wide.

@@ -139,6 +139,13 @@ async function check_play(page, where) {
   await page.locator('#play').click();
 }
 
+/// It plays by itself, but not for somebody who wants no motion.
+async function check_begin(browser, file) {
+  const { page, close } = await open(browser, file, { ...wide, reducedMotion: 'no-preference' });
+  await page.waitForFunction(() => Number(document.getElementById('time').value) >= 2);
+  await close();
+}
+
 /// What a screen reader is told, and that everything is reached by the keyboard.
 async function check_names(page, where) {
   const devtools = await page.context().newCDPSession(page);
@@ -172,10 +179,12 @@ async function check_problem(browser, problem) {
   const { name } = problem;
   const html = written(problem, 'html');
   const { frames } = JSON.parse(readFileSync(written(problem, 'json'), 'utf8'));
+  if (name === 'pivot') await check_begin(browser, html);
   for (const [size, device] of [['wide', wide], ['phone', phone]]) {
     for (const colorScheme of ['light', 'dark']) {
       const label = `${name}_${size}_${colorScheme}`;
-      const { page, faults, close } = await open(browser, html, { ...device, colorScheme });
+      const { page, faults, close } = await open(browser, html,
+        { ...device, colorScheme, reducedMotion: 'reduce' });
       const { count } = await shown(page);
       if (label.endsWith('wide_light')) {
         await check_moments(page, frames, label);

@@ -109,13 +109,25 @@ class Report(ToolTest):
             scene = SCENES / f"{name}.toml"
             expected = answer("solve", scene)["contacts"]
             zero = 1e-8 * max(contact["normal_force"] for contact in expected)
-            rows = element(self.page(scene), "contacts").find(".//tbody").findall("tr")
+            rows = element(self.page(scene), "contacts").findall(".//tbody")[-1].findall("tr")
             self.assertEqual(len(rows), len(expected))
             for row, contact in zip(rows, expected):
                 cells = [words(cell) for cell in row]
                 self.assertEqual(cells[:2], [contact["name"], does[contact["mode"]]])
                 self.near(cells[2], contact["normal_force"], zero)
                 self.near(cells[3], math.hypot(*contact["friction_force"]), zero)
+
+    def test_what_was_asked_stands_in_it_and_theory_in_a_fold(self):
+        scene = SCENES / "straight_slide.toml"
+        page = self.page(scene, "--pressure", "rigid")
+        asked = words(element(page, "inputs"))
+        for part in (f"lcpush report {scene} --pressure rigid", "0.2 kg, a box of 0.1 x 0.03 x 0.01 m",
+                     "9.81 m/s^2 along -y", "pressure rigid; round friction", "grip_force = 20"):
+            self.assertIn(part, asked)
+        folds = " ".join(words(fold) for fold in page.iter("details"))
+        for part in ("covering vector", "(H1)"):
+            self.assertEqual(words(page).count(part), folds.count(part))
+            self.assertIn(part, folds)
 
     def test_words_have_the_numbers_of_solve_and_break(self):
         scene = SCENES / "pivot.toml"

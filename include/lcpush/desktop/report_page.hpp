@@ -19,6 +19,8 @@ struct PageContent {
   const GripReport* grip = nullptr;      ///< of find_smallest_grip; null only without `breaking`
   std::vector<Sweep> sweeps;             ///< any number, in the page's order
   const HoldStudy* held = nullptr;       ///< of find_hold; null: not asked
+  std::string scene_text = "";           ///< as the file has it; may be empty
+  std::string command = "";              ///< what was asked, as somebody typed it; may be empty
 };
 
 struct Picture {
