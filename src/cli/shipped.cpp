@@ -1,24 +1,32 @@
 // lcpush example and lcpush new: scenes that the tool carries with it, shipped ones and commented
 // ones to start from.
-#include <algorithm>
 #include <filesystem>
+#include <iostream>
+
+#include <unistd.h>
 
 #include "cli/shell.hpp"
+#include "lcpush/desktop/input_error.hpp"
+#include "scenes/new_scene.hpp"
 #include "scenes/shipped_scenes.hpp"
 #include "text/wording.hpp"
 
 namespace lcpush::cli {
 namespace {
 
+int write_new(const Arguments& arguments, const std::string& text) {
+  write_output(arguments, text);
+  if (const auto path = arguments.text("output"))
+    tell("Wrote " + *path + "; next: lcpush solve " + *path);
+  return 0;
+}
+
 /// Writes the scene called `name`. Throws a UsageError with `refusal` if there is none.
 int write_shipped(const Arguments& arguments, const std::vector<ShippedScene>& scenes,
                   const std::string& name, const std::string& refusal) {
   const std::string* const text = scene_called(scenes, name);
   if (text == nullptr) throw UsageError(refusal);
-  write_output(arguments, *text);
-  if (const auto path = arguments.text("output"))
-    tell("Wrote " + *path + "; next: lcpush solve " + *path);
-  return 0;
+  return write_new(arguments, *text);
 }
 
 /// What the scene calls itself.
@@ -53,18 +61,67 @@ int run_example(const Arguments& arguments) {
                            suggestion(name, names) + "; `lcpush example` lists them");
 }
 
+struct Question {
+  const char *option, *words;
+  std::string NewScene::*value;
+};
+constexpr Question questions[] = {
+    {"size", "How large, edge by edge along x, y and z, or diameter x length?", &NewScene::size},
+    {"mass", "How heavy?", &NewScene::mass},
+    {"pads", "How large is a pad of the fingers, one number if it is round?", &NewScene::pads},
+    {"push", "What does the push: slide, pivot, roll (a cylinder) or none?", &NewScene::push},
+    {"grip", "", &NewScene::grip},
+    {"friction", "", &NewScene::friction},
+};
+
+/// On a terminal: a line each, empty for what is usual; a bad one is asked for again.
+NewScene asked_scene() {
+  NewScene scene;
+  const auto ask = [&scene](const std::string& words, std::string NewScene::*value) {
+    const std::string usual = usual_scene(scene.object, scene.push).*value;
+    for (bool is_good = false; !is_good;) {
+      std::cerr << words << " [" << usual << "] " << std::flush;
+      std::string& line = scene.*value;
+      if (!std::getline(std::cin, line)) throw UsageError("the answers end before the questions");
+      line = trimmed(line);
+      if (line.empty()) line = usual;
+      try {
+        is_good = !new_scene(scene).empty();
+      } catch (const InputError& error) {
+        tell(error.what());
+      }
+    }
+  };
+  ask("Box or cylinder?", &NewScene::object);
+  for (const Question& question : questions)
+    if (*question.words != '\0') ask(question.words, question.value);
+  return scene;
+}
+
 int run_new(const Arguments& arguments) {
-  if (arguments.files().empty()) throw UsageError("say what is gripped: box or cylinder");
-  const std::string object = arguments.files()[0];
-  const std::vector<std::string> objects = {"box", "cylinder"};
-  if (std::find(objects.begin(), objects.end(), object) == objects.end())
-    throw UsageError("the object is " + listed(objects, "or") + ", not " + desktop::quoted(object) +
-                     suggestion(object, objects));
-  const std::string push = arguments.one_of("push", arguments.text("push").value_or("slide"),
-                                            {"slide", "pivot", "roll"});
-  return write_shipped(arguments, scene_templates(), object + "_" + push,
-                       "a " + object + " does not " + push + "; try: lcpush new cylinder --push " +
-                           push);
+  NewScene scene;
+  bool is_own = false;
+  for (const Question& question : questions) {
+    if (!arguments.has(question.option)) continue;
+    scene.*question.value = *arguments.text(question.option);
+    if ((scene.*question.value).empty())
+      throw UsageError(std::string("--") + question.option +
+                       " is empty; leave it out for what is usual");
+    is_own |= std::string(question.option) != "push";
+  }
+  if (!arguments.files().empty()) scene.object = arguments.files()[0];
+  const bool asks = arguments.files().empty() && !is_own && !arguments.has("push") &&
+                    isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
+  if (arguments.files().empty() && !asks) throw UsageError("say what is gripped: box or cylinder");
+  try {
+    if (asks) scene = asked_scene();
+    const std::string text = new_scene(scene); // what is refused is refused of starters as well
+    const std::vector<ShippedScene> starters = scene_templates();
+    const std::string* const starter = scene_called(starters, scene.object + "_" + scene.push);
+    return write_new(arguments, is_own || asks || starter == nullptr ? text : *starter);
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  }
 }
 
 } // namespace
@@ -79,15 +136,24 @@ ShellCommand example_command() {
 }
 
 ShellCommand new_command() {
-  return {{"new",
-           "box|cylinder [--push slide|pivot|roll] [-o FILE]",
-           "a commented scene to start from",
-           "Writes a scene that solves at once: a hand, an object and a push, each key explained.\n"
-           "Change the numbers to yours.\n\n"
-           "Example:\n  lcpush new box --push pivot -o mine.toml\n  lcpush solve mine.toml\n",
-           {{"push", "MOTION", "slide (default), pivot or roll (a cylinder)"},
-            commands::output_option}},
-          run_new};
+  return {
+      {"new",
+       "box|cylinder [OPTIONS]",
+       "a commented scene to start from",
+       "Writes a scene that solves at once: a hand, an object and a push. Of your own object with\n"
+       "the options; without them each key is explained: change the numbers to yours. On a\n"
+       "terminal `lcpush new` alone asks.\n\n"
+       "Examples:\n  lcpush new box --push pivot -o mine.toml\n  lcpush solve mine.toml\n"
+       "  lcpush new box --size \"80 mm x 40 mm x 20 mm\" --mass \"120 g\" \\\n"
+       "    --pads \"20 mm x 10 mm\" -o block.toml\n",
+       {{"push", "MOTION", "slide (default), pivot, roll (a cylinder) or none"},
+        {"size", "SIZE", "\"80 mm x 40 mm x 20 mm\"; of a cylinder diameter x length"},
+        {"mass", "MASS", "\"120 g\""},
+        {"pads", "SIZE", "of the fingertips: \"20 mm x 10 mm\", or round \"8 mm\""},
+        {"grip", "FORCE", "\"20 N\", of each finger (four times what holds the weight)"},
+        {"friction", "NUMBER", "of the fingertips (0.5)"},
+        commands::output_option}},
+      run_new};
 }
 
 } // namespace lcpush::cli
