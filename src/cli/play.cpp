@@ -28,6 +28,13 @@ int write_gallery(const Arguments& arguments) {
 int run_play(const Arguments& arguments) {
   if (arguments.has("gallery")) return write_gallery(arguments);
   refuse_page_on_terminal(arguments, "play");
+  if (arguments.has("lcp")) {
+    if (!arguments.files().empty() || arguments.has("set"))
+      throw UsageError(
+          "--lcp is the page of an M and a q that are typed there; leave the scene out");
+    write_output(arguments, lcp_html());
+    return 0;
+  }
   std::string text;
   if (arguments.files().empty() && !arguments.has("set")) {
     text = *scene_called(example_scenes(), "straight_slide");
@@ -56,8 +63,10 @@ ShellCommand play_command() {
        "network and nothing installed, so it can be mailed; its links carry a scene. Without\n"
        "SCENE it begins with the straight slide of the examples.\n\n"
        "Example:\n  lcpush play fixtures/scenes/pivot.toml -o play.html\n"
+       "  lcpush play --lcp -o lcp.html\n"
        "  lcpush play --gallery -o scenes\n",
-       {{"gallery", "", "every shipped scene, as a folder of pages: -o DIRECTORY"},
+       {{"lcp", "", "instead, Lemke's method on an M and a q that are typed there"},
+        {"gallery", "", "every shipped scene, as a folder of pages: -o DIRECTORY"},
         commands::set_option,
         commands::output_option}},
       run_play};

@@ -48,6 +48,7 @@ foreach(entry IN ITEMS
         explorer_template=${SOURCES}/pivots/explorer/explorer.html
         explorer_style=${SOURCES}/pivots/explorer/explorer.css
         play_template=${SOURCES}/play/page/page.html
+        lcp_template=${SOURCES}/play/page/lcp.html
         gallery_template=${SOURCES}/play/page/gallery.html
         play_style=${SOURCES}/play/page/page.css)
   string(REGEX MATCH "^([a-z_]+)=(.*)$" found "${entry}")

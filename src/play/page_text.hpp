@@ -8,6 +8,8 @@ namespace lcpush::desktop {
 /// The page, with the explorer's places /*LOOKS*/ and /*DRAWING*/, and /*STYLE*/, /*SCRIPT*/,
 /// /*SOLVER*/ and /*SCENE*/.
 std::string play_template();
+/// The same places, without /*SCENE*/.
+std::string lcp_template();
 std::string play_style();
 std::string play_script();
 /// With the places /*STYLE*/ and /*SCENES*/.

@@ -15,6 +15,16 @@ void fill(std::string& page, const std::string& placeholder, const std::string& 
   page.replace(page.find(placeholder), placeholder.size(), text);
 }
 
+/// Either page, with all but what it begins with.
+std::string with_solver(std::string page) {
+  fill(page, "/*LOOKS*/", palette(":root") + drawing_style());
+  fill(page, "/*STYLE*/", play_style());
+  fill(page, "/*DRAWING*/", drawing_script());
+  fill(page, "/*SCRIPT*/", play_script());
+  fill(page, "/*SOLVER*/", solver_text());
+  return page;
+}
+
 /// The entry of a scene, and its picture as a file.
 std::string entry(const ShippedScene& scene, std::vector<PlayFile>& files) {
   const SceneFile file = parse_scene(scene.text, scene.name);
@@ -33,21 +43,19 @@ std::string entry(const ShippedScene& scene, std::vector<PlayFile>& files) {
 } // namespace
 
 std::string play_html(const std::string& text) {
-  std::string page = play_template();
-  // The scene last: what it says must not be taken for a placeholder.
-  fill(page, "/*LOOKS*/", palette(":root") + drawing_style());
-  fill(page, "/*STYLE*/", play_style());
-  fill(page, "/*DRAWING*/", drawing_script());
+  std::string page = with_solver(play_template());
   fill(page, "<!--KEY-->", state_key());
-  fill(page, "/*SCRIPT*/", play_script());
-  fill(page, "/*SOLVER*/", solver_text());
+  // The scene last: what it says must not be taken for a placeholder.
   fill(page, "/*SCENE*/", escaped(text));
   return page;
 }
 
+std::string lcp_html() { return with_solver(lcp_template()); }
+
 std::vector<PlayFile> play_gallery() {
   const std::vector<ShippedScene> scenes = example_scenes();
-  std::vector<PlayFile> files{{"play.html", play_html(*scene_called(scenes, "straight_slide"))}};
+  std::vector<PlayFile> files{{"play.html", play_html(*scene_called(scenes, "straight_slide"))},
+                              {"lcp.html", lcp_html()}};
   std::string entries;
   for (const ShippedScene& scene : scenes) entries += entry(scene, files);
   std::string page = gallery_template();

@@ -9,7 +9,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { check_all, phone, wide } from './chromium.mjs';
+import { check_all, open, phone, wide } from './chromium.mjs';
 import { root } from './engine.mjs';
 import { contrast_faults, covered_words, layout_faults } from './page_faults.mjs';
 import { agrees, chosen, fixture, middle_of, native, native_answers,
@@ -238,21 +238,50 @@ async function playing(browser) {
     readFileSync(fixture('lever'), 'utf8'));
   await page.locator('#time').fill('200');
   await page.waitForFunction(() => /0\.\d+ s/.test(document.getElementById('clock').textContent));
-  await page.click('#raw summary');
+  await end();
+}
+
+/// A page of its own: textbook problems, other languages' brackets, links.
+async function typed(browser) {
+  const file = join(out, 'lcp.html');
+  execFileSync(tool, ['play', '--lcp', '-o', file]);
+  const { page, faults, close } = await open(browser, file, { ...phone, colorScheme: 'dark' });
+  const frame = page.frameLocator('#frame');
+  await frame.locator('#cones svg').waitFor(); // the first example's
+  assert.equal(await page.locator('#examples option').count(), 12);
   await page.selectOption('#examples', 'infeasible_psd');
-  await page.click('#raw-pivots');
-  await frame.locator('#cones svg').waitFor();
-  assert.match(await frame.locator('#summary').textContent(), /ray/);
-  await close();
+  await frame.locator('#summary', { hasText: 'ray' }).waitFor();
   // As other languages write it; a number beyond decimals leaves its cone in the picture.
-  await page.fill('#M', '[[1e400, 0],\n [0, 1],]');
-  await page.fill('#q', '[-1; 2];');
-  await page.click('#raw-pivots');
-  await frame.locator('#cones svg').waitFor();
-  await close();
+  for (const [M, q] of [['[[1e400, 0],\n [0, 1],]', '[-1; 2];'], ['[2 1; 1 2]', '-5\t-6']]) {
+    await page.fill('#M', M);
+    await page.fill('#q', q);
+    await page.click('#raw-pivots');
+    await page.waitForFunction(() => !document.getElementById('raw-said').textContent);
+    await frame.locator('#cones svg').waitFor();
+  }
   await page.fill('#q', '1 2 3');
   await page.click('#raw-pivots');
   await page.waitForFunction(() => /square/.test(document.getElementById('raw-said').textContent));
+  await page.goto(`file://${file}#problem=1 0;0 1|-3 -4`);
+  await page.reload();
+  await frame.locator('#cones svg').waitFor();
+  assert.equal(await page.inputValue('#q'), '-3 -4');
+  assert.deepEqual(faults, [], 'complaints and requests');
+  await close();
+}
+
+/// What the tool says that is odd, and one grip for both jaws.
+async function telling(browser) {
+  const { page, end } = await played(browser, fixture('pivot'));
+  assert.equal(await page.locator('#checks li').count(), 0);
+  await page.getByLabel('jaw: grip, N, as a number').fill('7');
+  await page.keyboard.press('Tab');
+  const { text, answer } = await state(page);
+  assert.equal(text.match(/grip_force = 7\b/g).length, 2);
+  assert.equal(JSON.parse(answer).hand, 'parallel');
+  await page.evaluate((scene) => window.lcpush.app.replace(scene), text.replace(/mass = [0-9.]+/,
+    'mass = 120'));
+  assert.match(await page.locator('#checks li').first().textContent(), /^Check line \d+: /);
   await end();
 }
 
@@ -292,7 +321,7 @@ async function looks(browser) {
   }
 }
 
-const tests = { random_scenes, dragging, touching, keyboard, errors, links, playing, looks };
+const tests = { random_scenes, dragging, touching, keyboard, errors, links, playing, typed, telling, looks };
 await check_all(Object.keys(tests).map((name) => ({ name })), chosen, out,
   async (browser, { name }) => {
     await tests[name](browser);

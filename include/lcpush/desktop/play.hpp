@@ -10,11 +10,14 @@ namespace lcpush::desktop {
 /// which need not be one: the page says what is wrong, and can be edited.
 std::string play_html(const std::string& text);
 
+/// The same for a typed M and q: their pivots, and textbook problems.
+std::string lcp_html();
+
 struct PlayFile {
   std::string name, text;
 };
 
-/// index.html, play.html and a picture of each shipped scene.
+/// index.html, play.html, lcp.html and a picture of each shipped scene.
 std::vector<PlayFile> play_gallery();
 
 } // namespace lcpush::desktop

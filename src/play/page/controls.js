@@ -39,11 +39,11 @@
       if (length_in(plane, v) > 0) last = angle_in(plane, v);
       return last;
     };
-    const axes = plane.map((k) => 'xyz'[k]).join('-');
+    const axes = plane.map((k) => `+${'xyz'[k]}`).join(' to ');
     return [
       number(name, unit, 0, most, step, (toml) => tidy(length_in(plane, read(toml))),
         (state, value) => write(state, in_plane(plane, now(state), value, direction(now(state))))),
-      number(`in ${axes}`, '\u00b0', -180, 180, 1, (toml) => direction(read(toml)),
+      number(`from ${axes}`, '\u00b0', -180, 180, 1, (toml) => direction(read(toml)),
         (state, value) =>
           write(state, in_plane(plane, now(state), length_in(plane, now(state)), value))),
     ];
@@ -87,14 +87,22 @@
     return controls;
   }
 
-  function of_body(toml, section) {
+  /// A jaw presses with one force: unequal grips would be another hand's.
+  function of_jaw(names, force) {
+    return [number('grip', 'N', 0.1, round_up(3 * force), 0.1,
+      (toml) => toml.get(toml.body(names[0]), 'grip_force'),
+      (state, value) => names.reduce((text, name) =>
+        edits.set(text, edits.named(name), 'grip_force', value), state.text))];
+  }
+
+  function of_body(toml, section, is_jaw) {
     const named = edits.named(toml.get(section, 'name'));
     if (section.name === 'actuator')
       return [number_of('force', 'N', named, 'force', 0,
         round_up(3 * toml.get(section, 'force') || 1), 0.1)];
     const controls = [];
     const force = toml.get(section, 'grip_force');
-    if (force !== undefined)
+    if (force !== undefined && !is_jaw)
       controls.push(number_of('grip', 'N', named, 'grip_force', 0.1, round_up(3 * force), 0.1));
     controls.push(number_of('friction', '', named, 'friction', 0, 1.5, 0.01));
     if (section.name !== 'pusher') return controls;
@@ -136,13 +144,18 @@
       const toml = new Toml(state.text);
       const bodies = toml.sections.filter(({ name }) =>
         ['finger', 'actuator', 'pusher'].includes(name));
-      const key = bodies.map((section) => `${section.name} ${toml.get(section, 'name')} ${
+      const is_jaw = state.answer.hand === 'parallel';
+      const fingers = bodies.filter(({ name }) => name === 'finger');
+      const key = is_jaw + bodies.map((section) => `${section.name} ${toml.get(section, 'name')} ${
         toml.get(section, 'grip_force') === undefined}`).join();
       if (edits.object(toml) && key !== this.key) {
         this.key = key;
         this.shown = [];
         by_id('controls').replaceChildren(
-          ...bodies.map((section) => this.group(toml.get(section, 'name'), of_body(toml, section))),
+          ...(is_jaw ? [this.group('jaw', of_jaw(fingers.map((one) => toml.get(one, 'name')),
+            toml.get(fingers[0], 'grip_force')))] : []),
+          ...bodies.map((section) =>
+            this.group(toml.get(section, 'name'), of_body(toml, section, is_jaw))),
           this.group('object', of_object(state, toml)), this.group('scene', of_scene(toml)));
       }
       for (const show of this.shown) show(toml);

@@ -1,5 +1,5 @@
-// Addresses that carry a scene (#scene=.., or plainly #text=..) or a typed problem (#lcp=..), and
-// files to keep.
+// Addresses that carry a scene (#scene=.., or plainly #text=..) or a typed problem (#lcp=.., or
+// plainly #problem=M|q, its spaces as %20), and files to keep.
 (() => {
   const { by_id } = drawing.elements;
 
@@ -19,10 +19,11 @@
 
   /// {scene} or {lcp}: what the address carries; {broken} if it cannot be read, {} if nothing.
   async function carried() {
-    const [, kind, word] = /^#(text|scene|lcp)=(.*)$/.exec(location.hash) || [];
+    const [, kind, word] = /^#(text|scene|lcp|problem)=(.*)$/.exec(location.hash) || [];
     const broken = 'The link is cut short or damaged: the page cannot show what it carried.';
     try {
       if (!kind) return {};
+      if (kind === 'problem') return { lcp: decodeURIComponent(word).replace('|', '\n') };
       const text = kind === 'text' ? decodeURIComponent(word) : await unpacked(word);
       return text ? { [kind === 'lcp' ? 'lcp' : 'scene']: text } : { broken };
     } catch {

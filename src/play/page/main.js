@@ -1,10 +1,8 @@
 // Puts the page together and offers window.lcpush to tests.
 (() => {
-  const { by_id, parsed } = drawing.elements;
+  const { h, by_id, parsed } = drawing.elements;
 
-  /// The solver leaves the places open of what this page has already.
-  const with_drawing = (page) => page.replace('/*LOOKS*/', () => by_id('looks').textContent)
-    .replace('/*DRAWING*/', () => by_id('drawing').textContent);
+  const margin = 20; // pixels about a motion
 
   function warn(message) {
     by_id('failure').hidden = false;
@@ -25,7 +23,6 @@
         this.region);
       this.motion = new play.Motion(this);
       this.hands = new play.Hands(this);
-      play.raw.create(this);
       this.listen();
       this.wanted = text;
       this.solve(true);
@@ -58,7 +55,8 @@
         by_id(id).closest('details').addEventListener('toggle', () => this.fill_open());
       click('pivots', async () => {
         play.links.say('tracing the pivots ..');
-        play.links.say(await this.explore(`pivots ${this.motion.seconds()}`, this.wanted));
+        play.links.say(await play.explore(this.background, `pivots ${this.motion.seconds()}`,
+          this.wanted));
       });
       click('close', () => by_id('explorer').close());
       // The next one opens on an empty frame, never on these pivots.
@@ -70,9 +68,8 @@
       click('save-picture', () =>
         play.links.save('grasp.svg', 'image/svg+xml', play.links.picture()));
       window.addEventListener('hashchange', async () => {
-        const { scene, lcp, broken } = await play.links.carried();
+        const { scene, broken } = await play.links.carried();
         if (scene && scene !== this.wanted) this.replace(scene);
-        if (lcp) play.raw.show(lcp);
         if (broken) warn(broken);
       });
     }
@@ -142,6 +139,8 @@
         document.title = `${scene.title || 'Playground'} \u2013 lcpush`;
       }
       by_id('sentence').textContent = this.state.sentence;
+      by_id('checks').replaceChildren(...answer.warnings.map((warning) =>
+        h('li', {}, `Check line ${warning.line}: ${warning.text}.`)));
       this.fill_open();
       play.facts.update(this.state, this.breaking?.text === text && this.breaking.answer);
       this.controls.update(this.state);
@@ -205,8 +204,9 @@
 
     /// The object will go so far [m], and may turn: all of that is to be seen.
     make_room(way) {
+      if (way * this.meters < margin) return; // the picture keeps its scale
       const { width, height } = by_id('picture').querySelector('svg').viewBox.baseVal;
-      const most = (Math.min(width, height) / 2 - 20) / (way + this.state.scene.reach);
+      const most = (Math.min(width, height) / 2 - margin) / (way + this.state.scene.reach);
       this.meters = Math.min(this.meters, most);
     }
 
@@ -238,29 +238,20 @@
       for (const id of ['play', 'time', 'reset', 'pivots', 'save-answer', 'save-picture'])
         by_id(id).disabled = !is_shown;
     }
-
-    /// Opens the explorer; a sentence if it cannot.
-    async explore(question, text) {
-      try {
-        const page = await this.background.ask(question.split(' ')[0], question, text);
-        if (page === null) return '';
-        by_id('frame').srcdoc = with_drawing(page);
-        by_id('explorer').showModal();
-        return '';
-      } catch (refusal) {
-        return refusal.message;
-      }
-    }
   }
 
   (async () => {
     try {
       const module = await WebAssembly.compile(play.unpack(by_id('solver').textContent));
       const { scene, lcp, broken } = await play.links.carried();
+      if (!by_id('scene')) {
+        if (broken) warn(broken);
+        await play.raw.start(module, lcp);
+        return;
+      }
       const given = document.createElement('textarea');
       given.innerHTML = by_id('scene').textContent; // undoes what made it safe in the page
       const app = new Application(module, given.value, scene);
-      if (lcp) play.raw.show(lcp);
       if (broken) warn(broken);
       window.lcpush = { app, play };
     } catch (problem) {

@@ -29,29 +29,39 @@
   const problem = () => `${plain(by_id('M').value).replace(/[,;]?\s*[\n;]\s*/g, '; ')}\n${
     plain(by_id('q').value).replace(/\s*[;,\n]\s*/g, ' ')}`;
 
-  function create(app) {
-    by_id('examples').append(...Object.entries(examples).map(([name, [, , words]]) =>
-      h('option', { value: name }, words)));
-    by_id('examples').addEventListener('change', () => {
-      [by_id('M').value, by_id('q').value] = examples[by_id('examples').value];
-    });
-    by_id('raw-pivots').addEventListener('click', async () => {
-      by_id('raw-said').textContent = 'tracing the pivots ..';
-      by_id('raw-said').textContent = await app.explore('lcp', problem());
-    });
-    by_id('raw-link').addEventListener('click', async () => {
-      by_id('raw-said').textContent = await play.links.copy('lcp', problem());
-    });
-  }
+  const say = (words) => { by_id('raw-said').textContent = words; };
 
-  /// From a link.
+  /// "M\nq"
   function show(text) {
     const [M, q] = text.split('\n');
-    by_id('M').value = M;
+    by_id('M').value = M.replace(/; /g, ';\n');
     by_id('q').value = q || '';
-    by_id('raw').open = true;
-    by_id('raw').scrollIntoView();
   }
 
-  play.raw = { create, show, examples };
+  /// The page of a typed problem, which begins with `linked` or with the first example.
+  function start(module, linked) {
+    const background = new play.Background(module);
+    const explore = async () => {
+      say('tracing the pivots ..');
+      say(await play.explore(background, 'lcp', problem()));
+    };
+    const take = (text) => {
+      show(text);
+      return explore();
+    };
+    by_id('examples').append(...Object.entries(examples).map(([name, [, , words]]) =>
+      h('option', { value: name }, words)));
+    const example = () => take(examples[by_id('examples').value].slice(0, 2).join('\n'));
+    by_id('examples').addEventListener('change', example);
+    by_id('raw-pivots').addEventListener('click', explore);
+    by_id('raw-link').addEventListener('click', async () =>
+      say(await play.links.copy('lcp', problem())));
+    window.addEventListener('hashchange', async () => {
+      const { lcp } = await play.links.carried();
+      if (lcp && lcp !== problem()) take(lcp);
+    });
+    return linked ? take(linked) : example();
+  }
+
+  play.raw = { start, examples };
 })();
