@@ -29,16 +29,21 @@ def tag():
 
 
 def library(build):
-    """The shared library's path: $LCPUSH_LIBRARY if it is set, else built in the folder `build`."""
+    """The shared library's path: $LCPUSH_LIBRARY if it is set; from the tool's own build where there is one,
+    which leaves little to do; else built in the folder `build`."""
     if "LCPUSH_LIBRARY" in os.environ:
         return pathlib.Path(os.environ["LCPUSH_LIBRARY"]).resolve()
     run = lambda *words: subprocess.run(["cmake", *map(str, words)], check=True)
-    ninja = ["-G", "Ninja"] if shutil.which("ninja") and "CMAKE_GENERATOR" not in os.environ else []
-    run(*ninja, "-S", SOURCES, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DLCPUSH_BUILD_TESTS=OFF",
-        "-DLCPUSH_BUILD_TOOL=OFF", "-DLCPUSH_BUILD_SHARED=ON", "-DLCPUSH_INSTALL=OFF")
+    of_tool = SOURCES / "build/release"
+    if (of_tool / "CMakeCache.txt").exists():
+        build = of_tool
+    else:
+        ninja = ["-G", "Ninja"] if shutil.which("ninja") and "CMAKE_GENERATOR" not in os.environ else []
+        run(*ninja, "-S", SOURCES, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DLCPUSH_BUILD_TESTS=OFF",
+            "-DLCPUSH_BUILD_TOOL=OFF", "-DLCPUSH_BUILD_SHARED=ON", "-DLCPUSH_INSTALL=OFF")
     run("--build", build, "--config", "Release", "--target", "lcpush_desktop_shared", "--parallel",
         os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", "2"))
-    found = [path for path in sorted(pathlib.Path(build).rglob("*lcpush_desktop.*"))
+    found = [path for path in sorted(pathlib.Path(build, "src").rglob("*lcpush_desktop.*"))
              if path.suffix in (".so", ".dylib", ".dll")]
     return found[0].resolve()
 

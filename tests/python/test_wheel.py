@@ -80,6 +80,23 @@ class Wheel(unittest.TestCase):
             for part in ("METADATA", "WHEEL"):
                 self.assertEqual((folder / name / part).read_bytes(), wheel.read(f"{name}/{part}"))
 
+    def test_the_tools_own_build_is_used_where_there_is_one(self):
+        del os.environ["LCPUSH_LIBRARY"]
+        backend = self.backend()
+        backend.SOURCES = pathlib.Path(self.folder.name)
+        asked = []
+        backend.subprocess = type("", (), {"run": lambda words, check: asked.append(words)})
+        for of_tool in (False, True):
+            build = backend.SOURCES / "build/release" if of_tool else backend.SOURCES / "own"
+            (build / "src").mkdir(parents=True)
+            (build / "src/liblcpush_desktop.so").touch()
+            if of_tool:
+                (build / "CMakeCache.txt").touch()
+            found = backend.library(backend.SOURCES / "own")
+            self.assertEqual(found, (build / "src/liblcpush_desktop.so").resolve())
+            self.assertIn(str(build), asked[-1])
+        self.assertEqual([words[1] == "--build" for words in asked], [False, True, True])
+
     def test_is_what_pip_installs(self):
         if importlib.util.find_spec("pip") is None:
             self.skipTest("pip is not installed")
