@@ -1,5 +1,5 @@
 // What a microcontroller is given: random grasps of at most twelve points in float, through the C
-// interface. docs/embed/embedding.md quotes the figures.
+// interface. docs/embed/tables.md quotes the figures.
 #include "support/c_grasp.hpp"
 
 using namespace lcpush;

@@ -2,13 +2,15 @@
 
 A block begins with ```console; a line "$ lcpush ..." is run from the project's root, and what stands
 between it and the next such line or the block's end must be its output, standard error included. A
-line of only "..." stands for any lines.
+line of only "..." stands for any lines. In docs/guide and docs/embed, a command in a ```sh or ```text
+block that ends in "-o docs/X.svg" draws that picture.
 """
 import pathlib
 import re
 import shlex
 import subprocess
 import sys
+from xml.etree import ElementTree
 
 tool, source = sys.argv[1], pathlib.Path(sys.argv[2])
 
@@ -27,13 +29,27 @@ def matches(expected, printed):
     return re.fullmatch(pattern, printed.rstrip("\n"), flags=re.S) is not None
 
 
-def run(command):
+def run(command, errors=subprocess.STDOUT):
     words = shlex.split(command)
     assert words[0] == "lcpush", command
     result = subprocess.run([tool, *words[1:]], cwd=source, text=True, stdout=subprocess.PIPE,
-                            stderr=subprocess.STDOUT)
+                            stderr=errors)
     # A slow machine sees progress: a line a second.
     return re.sub(r"^lcpush: \d+ s, .*\n|^lcpush: \d+ % of .*\n", "", result.stdout, flags=re.M)
+
+
+def drawn(svg):
+    """Words and numbers of a picture, but for its labels: rounding decides where they stand."""
+    shown = [e for e in ElementTree.fromstring(svg).iter()
+             if not e.tag.endswith("style") and not {"label", "leader", "leader-end"} & set(e.get("class", "").split())]
+    text = "\n".join(f"{e.tag} {sorted(e.attrib.items())} {e.text}" for e in shown)
+    number = r"-?\d+(?:\.\d+)?"
+    return re.sub(number, "#", text), [float(x) for x in re.findall(number, text)]
+
+
+def same_drawing(kept, now):
+    (words, numbers), (words_now, numbers_now) = drawn(kept), drawn(now)
+    return words == words_now and all(abs(a - b) < 0.1 for a, b in zip(numbers, numbers_now))
 
 
 assert list(transcripts("```console\n$ a b\nc\n$ d\n```")) == [("a b", "c"), ("d", "")]
@@ -47,4 +63,15 @@ for page in [*sorted((source / "docs").rglob("*.md")), *sorted((source / "fixtur
         count += 1
 if count == 0:
     sys.exit("no transcript found")
-print(f"{count} transcripts: ok")
+
+assert same_drawing('<a x="1.01"/>', '<a x="1.0"/>') and not same_drawing('<a x="1"/>', '<a x="2"/>')
+pictures = 0
+for page in [*(source / "docs/guide").glob("*.md"), *(source / "docs/embed").glob("*.md")]:
+    for block in re.findall(r"```(?:sh|text)\n(.*?)```", page.read_text(), flags=re.S):
+        for command, name in re.findall(r"^(lcpush .*?) -o (docs/\S+\.svg)$", block.replace("\\\n", " "), flags=re.M):
+            if not same_drawing((source / name).read_text(), run(command, subprocess.DEVNULL)):
+                sys.exit(f"{page.relative_to(source)}: `{command}` draws another picture than {name}")
+            pictures += 1
+if pictures < 4:
+    sys.exit(f"{pictures} pictures found")
+print(f"{count} transcripts, {pictures} pictures: ok")

@@ -1,5 +1,5 @@
 /* A hundred pushes of random grasps, made of whole numbers over powers of two, so that every machine
- * is given the same bits; what it answers goes into hashes. docs/embed/embedding.md has their table. */
+ * is given the same bits; what it answers goes into hashes. docs/embed/tables.md has their table. */
 #include "device.h"
 
 #define PUSHES 100

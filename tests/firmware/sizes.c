@@ -1,4 +1,4 @@
-/* One grasp at several sizes, for the table in docs/embed/embedding.md: two fingers of k points each and
+/* One grasp at several sizes, for the table in docs/embed/tables.md: two fingers of k points each and
  * a straight edge that pushes off the middle. */
 #include "device.h"
 

@@ -1,4 +1,4 @@
-"""The tables of docs/embed/embedding.md, line by line."""
+"""The tables of docs/embed/tables.md, line by line."""
 from programs import MACHINE, instructions
 
 
