@@ -148,7 +148,20 @@ commands::ExactMatrices Request::exact_matrices() const {
   if (q.rows != M.rows)
     refuse("q", "\"q\" must have a number a row of M, " + std::to_string(M.rows) + ", not " +
                     std::to_string(q.rows));
-  return {std::move(M), std::move(q), "M"};
+  std::vector<unsigned char> free = free_rows(M.rows);
+  return {std::move(M), std::move(q), "M", std::move(free)};
+}
+
+/// "free": rows counted from 1.
+std::vector<unsigned char> Request::free_rows(Index n) const {
+  std::vector<unsigned char> free(static_cast<std::size_t>(n), 0);
+  for (const double row : fields_.numbers(root_, "free", -1).value_or(std::vector<double>())) {
+    if (!(row >= 1 && row <= static_cast<double>(n)) || row != std::floor(row))
+      refuse("free",
+             "\"free\" must hold rows from 1 to " + std::to_string(n) + ", not " + shown(row));
+    free[static_cast<std::size_t>(row) - 1] = 1;
+  }
+  return free;
 }
 
 std::vector<double> Request::needed_numbers(const std::string& option, Index count) const {
@@ -205,13 +218,7 @@ RawProblem Request::raw_problem() const {
   problem.M = matrix();
   const Index n = problem.size();
   problem.q = needed_numbers("q", n);
-  problem.free.assign(static_cast<std::size_t>(n), 0);
-  for (const double row : fields_.numbers(root_, "free", -1).value_or(std::vector<double>())) {
-    if (!(row >= 1 && row <= static_cast<double>(n)) || row != std::floor(row))
-      refuse("free",
-             "\"free\" must hold rows from 1 to " + std::to_string(n) + ", not " + shown(row));
-    problem.free[static_cast<std::size_t>(row) - 1] = 1;
-  }
+  problem.free = free_rows(n);
   problem.bounds = bounds(n);
   return problem;
 }

@@ -62,6 +62,7 @@ private:
   }
   std::vector<double> needed_numbers(const std::string& option, Index count) const;
   SparseRows matrix() const;
+  std::vector<unsigned char> free_rows(Index n) const;
 };
 
 } // namespace lcpush::calls

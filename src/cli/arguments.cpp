@@ -90,6 +90,12 @@ void Arguments::read_option(const std::vector<std::string>& words, std::size_t& 
     if (name == "--output" && inline_value->empty())
       throw UsageError("the file to write to has an empty name");
     values_[option.name].push_back(*inline_value);
+    if (name == "--game") { // two matrices
+      if (at + 1 >= words.size() || is_option(words[at + 1]))
+        throw UsageError("--game takes what each player gets, two matrices of one size: --game " +
+                         std::string(option.value));
+      values_[option.name].push_back(words[++at]);
+    }
     return;
   }
   const std::vector<std::string> others = commands_with(name);

@@ -109,9 +109,9 @@ double limit_time(const Command& command, const Arguments& arguments) {
   const double seconds =
       arguments.number("seconds", commands::longest_time, ", in seconds")
           .value_or(arguments.has("enumerate") ? longest_enumeration : usual_seconds);
-  if (command.ends_with_what_there_is) listen_for_signals();
-  cli::limit_time(command.name,
-                  command.ends_with_what_there_is ? seconds + usual_seconds : seconds);
+  const bool ends_with_what_there_is = command.ends_with_what_there_is || arguments.has("all");
+  if (ends_with_what_there_is) listen_for_signals();
+  cli::limit_time(command.name, ends_with_what_there_is ? seconds + usual_seconds : seconds);
   return seconds;
 }
 

@@ -93,12 +93,17 @@ commands::ExactMatrices Arguments::exact_matrices() const {
   commands::ExactMatrices raw;
   if (is_typed())
     raw = {parse_inline_matrix<Rational>(*text("M"), "--M"),
-           parse_inline_vector<Rational>(*text("q"), "--q"), "--M"};
+           parse_inline_vector<Rational>(*text("q"), "--q"),
+           "--M",
+           {}};
   else
-    raw = {read_matrix_market<Rational>(files[0]), read_matrix_market<Rational>(files[1]),
-           files[0]};
+    raw = {read_matrix_market<Rational>(files[0]),
+           read_matrix_market<Rational>(files[1]),
+           files[0],
+           {}};
   check_sizes({raw.name, is_typed() ? "--q" : files[1]}, raw.M.rows, raw.M.cols, raw.q.rows,
               raw.q.cols);
+  raw.free = read_free(*this, raw.M.rows);
   return raw;
 }
 

@@ -70,6 +70,9 @@ Command matrices_command();
 /// The command's answer; JSON begins with what --set has set.
 Result run(const Command& command, const Values& values, Listener& listener);
 
+/// lcp --all: every solution.
+Result find_all(const Values& values, Listener& listener);
+
 // The three questions of verify.
 Result verify_push(const Values& values, Listener& listener);
 Result verify_motion(const Values& values, Listener& listener);

@@ -43,6 +43,10 @@ void announce_effort(const Values& values, const RawProblem& problem, Listener& 
 }
 
 Result run_lcp(const Values& values, Listener& listener) {
+  if (values.has("all")) return find_all(values, listener);
+  for (const char* option : {"game", "exact", "most", "verbose"})
+    if (values.has(option))
+      values.refuse(option, values.label(option) + " goes with " + values.label("all"));
   const Solver solver = values.solver();
   const std::string format = values.format_with_history(solver);
   const RawOptions options = raw_options(values, solver, listener);
@@ -78,30 +82,41 @@ Result run_lcp(const Values& values, Listener& listener) {
 } // namespace
 
 Command lcp_command() {
-  return {"lcp",
-          "M.mtx q.mtx | --M \"2 1; 1 2\" --q \"-5 -6\" [OPTIONS]",
-          "solve a raw linear complementarity problem",
-          "Finds z with w = M z + q, z >= 0, w >= 0, z'w = 0. M and q are Matrix Market files\n"
-          "(- is standard input), or typed in place. Rows named by --free are equalities\n"
-          "w_i = 0 with a free z_i. Or in a box: lo <= z <= hi, w >= 0 where z is at lo, <= 0\n"
-          "at hi, 0 in between. ENDS and ROWS are n x 1 files or numbers, inf among them.\n"
-          "Gauss-Seidel takes row by row, stores no zeros and needs a positive diagonal; hybrid\n"
-          "does not, and goes on with Lemke's pivots.\n\n"
-          "Example:\n  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\"\n"
-          "  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\" --lo 0 --hi \"1 inf\"\n",
-          with_common_options(with_raw_options(
-              {},
-              {
-                  solver_option,
-                  seconds_option,
-                  {"sweeps", "N", "most sweeps (default 5000; 200 before hybrid's pivots)"},
-                  {"relaxation", "W", "of the sweeps, between 0 and 2 (default 1)"},
-                  {"history", "", "the residual after each check instead; also --format csv"},
-                  certify_option,
-              })),
-          run_lcp,
-          {"text", "json"},
-          2};
+  return {
+      "lcp",
+      "M.mtx q.mtx | --M \"2 1; 1 2\" --q \"-5 -6\" | --all --game A B [OPTIONS]",
+      "solve a raw linear complementarity problem",
+      "Finds z with w = M z + q, z >= 0, w >= 0, z'w = 0. M and q are Matrix Market files\n"
+      "(- is standard input), or typed in place. Rows named by --free are equalities\n"
+      "w_i = 0 with a free z_i. Or in a box: lo <= z <= hi, w >= 0 where z is at lo, <= 0\n"
+      "at hi, 0 in between. ENDS and ROWS are n x 1 files or numbers, inf among them.\n"
+      "Gauss-Seidel takes row by row, stores no zeros and needs a positive diagonal; hybrid\n"
+      "does not, and goes on with Lemke's pivots.\n\n"
+      "--all finds every solution, of up to 64 unknowns, in fractions: isolated ones, segments,\n"
+      "polygons .. with their vertices and directions, and says when that is all. --game takes\n"
+      "what the two players get for each pair of actions: all Nash equilibria.\n\n"
+      "Example:\n  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\"\n"
+      "  lcpush lcp --M \"2 1; 1 2\" --q \"-5 -6\" --lo 0 --hi \"1 inf\"\n"
+      "  lcpush lcp --all --M \"1 2; 2 1\" --q \"-2 -2\" --exact\n"
+      "  lcpush lcp --all --game \"2 0; 0 1\" \"1 0; 0 2\"\n",
+      with_common_options(with_raw_options(
+          {},
+          {
+              solver_option,
+              seconds_option,
+              {"sweeps", "N", "most sweeps (default 5000; 200 before hybrid's pivots)"},
+              {"relaxation", "W", "of the sweeps, between 0 and 2 (default 1)"},
+              {"history", "", "the residual after each check instead; also --format csv"},
+              certify_option,
+              {"all", "", "every solution, of numbers as typed"},
+              {"game", "A B", "with --all: of the game with these payoffs", true},
+              {"exact", "", "with --all: the answer in fractions"},
+              {"most", "N", "with --all: end at so many (10000)"},
+              {"verbose", "", "with --all: every row, and w; -v for short", false, true},
+          })),
+      run_lcp,
+      {"text", "json"},
+      2};
 }
 
 } // namespace lcpush::commands

@@ -39,7 +39,8 @@ struct NumberList {
 /// M, n x n, and q, n x 1, every number as typed.
 struct ExactMatrices {
   ExactMatrix M, q;
-  std::string name; ///< of M
+  std::string name;                ///< of M
+  std::vector<unsigned char> free; ///< n; not 0: an equality
 };
 
 class Values {

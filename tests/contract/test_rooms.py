@@ -49,6 +49,7 @@ ROOMS = {
     "src/dense": ("How are small dense systems solved?", "lcp"),
     "src/solve": ("What happens in this push?", f"{CORE} {TOOLBOX} desktop dense scenes"),
     "src/raw": ("What solves this M and q?", f"{CORE} {TOOLBOX} desktop"),
+    "src/enumerate": ("Which solutions has this M and q, all of them?", f"{CORE} {TOOLBOX} desktop"),
     "src/sweep": ("How does the push change with a number of the scene?",
                   f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/spread": ("Which other answers are there?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),

@@ -273,6 +273,14 @@ class LcpAnswer(Answer):
         return array(self._data["w"])
 
 
+class LcpSolutions(Answer):
+    """Of `lcpush.lcp_all()` and `lcpush.equilibria()`: `solutions` (`z`, `w`) or `equilibria` (`row`,
+    `column`, `payoffs`), the isolated ones; `components` (`vertices`, `rays`, `cells`); `complete`:
+    there are no others. Numbers are floats, or texts that `fractions.Fraction` takes."""
+
+    _picture = None
+
+
 class LcpVerdict(Verdict):
     """Of `lcpush.check()`: also `row`, `z` and `w` of the worst row (from 1)."""
 

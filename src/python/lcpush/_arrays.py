@@ -30,7 +30,7 @@ def _listed(thing: Any, name: str) -> Any:
     """Matrices and vectors of SciPy, NumPy, pandas, .. as NumPy's arrays; "[2 1; 1 2]" as rows;
     others as they are."""
     if isinstance(thing, str):
-        if name != "M":
+        if name not in ("M", "A", "B"):
             return thing.strip("[] ;\n").replace(",", " ").replace(";", " ").split()
         return [row.replace(",", " ").split() for row in thing.strip("[] ;\n").split(";")]
     if hasattr(thing, "toarray"):

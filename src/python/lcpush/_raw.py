@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 from typing import Any, Dict, Iterable, Optional
 
-from ._answers import LcpAnswer, LcpVerdict, Pivots
+from ._answers import LcpAnswer, LcpSolutions, LcpVerdict, Pivots
 from ._arrays import ends, entries, findex as followed, plain, rows, table_of
 from ._errors import NotSolved
 from ._library import NOT_SOLVED, Asker, Progress, ask
@@ -50,6 +50,52 @@ def lcp(M: Any, q: Any, *, free: Optional[Iterable[int]] = None, lo: Any = None,
     return answer
 
 
+def _text(M: Any, name: str) -> str:
+    return "; ".join(" ".join(map(str, row)) for row in table_of(M, name))
+
+
+def _vector(q: Any) -> str:
+    numbers = table_of(q, "q") if getattr(q, "ndim", 1) > 1 else [q]
+    return " ".join(str(x) for row in table_of(numbers, "q") for x in row)
+
+
+def _all(problem: Dict[str, Any], exact: bool, most: Optional[int],
+         progress: Optional[Progress]) -> LcpSolutions:
+    options = {"all": True, "exact": exact or None, "most": most}
+    text = ask("lcp", {**problem, **options}, progress)[1]
+    return LcpSolutions(text, "lcp", Asker("lcp", problem, options))
+
+
+def lcp_all(M: Any, q: Any, *, free: Optional[Iterable[int]] = None, exact: bool = False,
+            most: Optional[int] = None, progress: Optional[Progress] = None) -> LcpSolutions:
+    """Every z with w = M z + q, z >= 0, w >= 0, z'w = 0, found in fractions.
+
+    Args:
+        M: shape (n, n), n <= 64: a list of rows, or an array; its numbers may be fractions.Fraction,
+            or texts such as "1/3"
+        q: shape (n,), the same
+        free: rows, from 0, that are equalities w_i = 0 with a free z_i
+        exact: answer in fractions
+        most: end at so many sets of solutions (10000)
+
+    >>> lcp_all([[1, 2], [2, 1]], [-2, -2])
+    3 solutions, and that is all.
+    """
+    problem = {"M": _text(M, "M"), "q": _vector(q), "free": rows(free, len(table_of(M, "M")))}
+    return _all(problem, exact, most, progress)
+
+
+def equilibria(A: Any, B: Any, *, exact: bool = False, most: Optional[int] = None,
+               progress: Optional[Progress] = None) -> LcpSolutions:
+    """All Nash equilibria of the game in which the row player gets A, the column player B, both of
+    shape (m, n); the rest as of lcp_all.
+
+    >>> equilibria([[2, 0], [0, 1]], [[1, 0], [0, 2]], exact=True).equilibria[2].row
+    ['2/3', '1/3']
+    """
+    return _all({"game": [_text(A, "A"), _text(B, "B")]}, exact, most, progress)
+
+
 def check(M: Any, q: Any, z: Any, *, free: Optional[Iterable[int]] = None, lo: Any = None,
               hi: Any = None, findex: Any = None, tolerance: Optional[float] = None) -> LcpVerdict:
     """Is z, shape (n,), a solution of lcp(M, q)? Judged by code that solves nothing.
@@ -79,9 +125,7 @@ def pivots(M: Any, q: Any, *, exact: bool = False,
     >>> pivots([[2, 1], [1, Fraction(1, 2)]], ["-5", "-6"], exact=True).status
     'solved'
     """
-    numbers = table_of(q, "q") if getattr(q, "ndim", 1) > 1 else [q]
-    problem = {"M": "; ".join(" ".join(map(str, row)) for row in table_of(M, "M")),
-               "q": " ".join(str(x) for row in table_of(numbers, "q") for x in row)}
+    problem = {"M": _text(M, "M"), "q": _vector(q)}
     options = {"exact": exact or None}
     text = ask("pivots", {**problem, **options}, progress)[1]
     return Pivots(text, "pivots", Asker("pivots", problem, options))

@@ -1,0 +1,70 @@
+// The vertices and rays of a face by the double description method [Motzkin et al. 1953; Fukuda and
+// Prodon 1996]: a cone with one more coordinate, t, its inequalities taken one after the other.
+#include "enumerate/polyhedron_face.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+/// No other generator is on every inequality that both are on.
+bool are_neighbours(const std::vector<FaceGenerator>& all, const FaceGenerator& a,
+                    const FaceGenerator& b) {
+  const Variables common = a.zero & b.zero;
+  for (const FaceGenerator& other : all)
+    if (&other != &a && &other != &b && (common & ~other.zero).none()) return false;
+  return true;
+}
+
+/// The part of the cone on which variable v >= 0; false: stopped.
+bool cut(std::vector<FaceGenerator>& all, std::size_t v, const StopCheck& stop) {
+  std::vector<FaceGenerator> kept;
+  for (const FaceGenerator& above : all) {
+    if (above.values[v].sign() <= 0) continue;
+    if (stop_now(stop) != Stop::none) return false;
+    for (const FaceGenerator& below : all) {
+      if (below.values[v].sign() >= 0 || !are_neighbours(all, above, below)) continue;
+      const Rational by = -below.values[v] / above.values[v];
+      FaceGenerator edge{below.values, above.zero & below.zero};
+      for (std::size_t k = 0; k < edge.values.size(); ++k) edge.values[k] += by * above.values[k];
+      kept.push_back(std::move(edge));
+    }
+  }
+  for (FaceGenerator& one : all)
+    if (one.values[v].sign() >= 0) kept.push_back(std::move(one));
+  for (FaceGenerator& one : kept) one.zero.set(v, one.values[v].sign() == 0);
+  all = std::move(kept);
+  return true;
+}
+
+} // namespace
+
+std::optional<std::vector<FaceGenerator>> PolyhedronFace::generators(const StopCheck& stop) const {
+  const auto n = static_cast<std::size_t>(size()), t = 2 * n;
+  std::vector<FaceGenerator> all;
+  Variables coordinates;
+  const auto add = [&](std::size_t variable, const auto& column) {
+    all.push_back({ExactVector(t + 1), {}});
+    all.back().values[variable] = 1;
+    for (Index i = 0; i < size(); ++i)
+      all.back().values[static_cast<std::size_t>(basic(i))] = column(i);
+    coordinates.set(variable);
+  };
+  add(t, values_.col(0));
+  for (Index c = 0; c < size(); ++c)
+    if (!is_fixed(nonbasic(c))) add(static_cast<std::size_t>(nonbasic(c)), table_.col(c));
+  for (FaceGenerator& one : all)
+    for (std::size_t v = 0; v <= t; ++v)
+      if (coordinates[v] && one.values[v].sign() == 0) one.zero.set(v);
+  for (Index i = 0; i < size(); ++i)
+    if (!is_free(basic(i)) && !is_fixed(basic(i)) &&
+        !cut(all, static_cast<std::size_t>(basic(i)), stop))
+      return std::nullopt;
+  for (FaceGenerator& one : all) {
+    const ExactVector z(one.values.begin() + size(), one.values.begin() + 2 * size());
+    divide_by(one.values, one.is_ray() ? largest_size(z) : Rational(one.values[t]));
+    for (std::size_t v = 0; v < t; ++v)
+      one.zero.set(v, one.values[v].sign() == 0 && !is_free(static_cast<Index>(v)));
+  }
+  return all;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,251 @@
+#include "enumerate/polyhedron_face.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lcpush::desktop {
+namespace {
+
+Index found(const std::vector<int>& variables, Index variable) {
+  for (std::size_t k = 0; k < variables.size(); ++k)
+    if (variables[k] == variable) return static_cast<Index>(k);
+  return -1;
+}
+
+} // namespace
+
+Rational largest_size(const ExactVector& numbers) {
+  Rational most;
+  for (const Rational& x : numbers)
+    if (abs(x) > most) most = abs(x);
+  return most;
+}
+
+void divide_by(ExactVector& numbers, const Rational& divisor) {
+  for (Rational& x : numbers) x /= divisor;
+}
+
+PolyhedronFace::PolyhedronFace(const ExactMatrix& M, const ExactMatrix& q,
+                               const std::vector<unsigned char>& free)
+    : table_(M.rows, M.rows), values_(M.rows, 1) {
+  const Index n = M.rows;
+  for (Index i = 0; i < n; ++i) {
+    for (Index j = 0; j < n; ++j) table_(i, j) = M(i, j);
+    values_(i) = q(i, 0);
+    basic_.push_back(static_cast<int>(slack(i)));
+    nonbasic_.push_back(static_cast<int>(unknown(i, n)));
+    if (free[static_cast<std::size_t>(i)] == 0) continue;
+    is_free_.set(static_cast<std::size_t>(unknown(i, n)));
+    is_fixed_.set(static_cast<std::size_t>(slack(i)));
+  }
+}
+
+Index PolyhedronFace::row_of(Index variable) const { return found(basic_, variable); }
+Index PolyhedronFace::column_of(Index variable) const { return found(nonbasic_, variable); }
+
+void PolyhedronFace::exchange(Index row, Index column) {
+  const Index n = size();
+  Dictionary<Rational> dictionary;
+  new (&dictionary.table) MatrixMap<Rational>(table_.data(), n, n);
+  new (&dictionary.values) MatrixMap<Rational>(values_.data(), n, 1);
+  dictionary.basic = {basic_.data(), n};
+  dictionary.nonbasic = {nonbasic_.data(), n};
+  dictionary.exchange(row, column, VectorMap<Rational>(nullptr, 0)); // fractions need no scratch
+}
+
+/// A column that moves the row's variable in the direction of `sign`: by Bland's rule, which never
+/// cycles, or the one that moves it farthest, as rounded numbers tell.
+Index PolyhedronFace::entering(Index row, int sign, bool by_bland) const {
+  Index best = -1;
+  double farthest = 0;
+  for (Index c = 0; c < size(); ++c) {
+    if (table_(row, c).sign() * sign <= 0) continue;
+    double step = by_bland ? 0 : std::numeric_limits<double>::infinity();
+    for (Index i = 0; i < size() && !by_bland; ++i)
+      if (i != row && table_(i, c).sign() < 0 && values_(i).sign() >= 0 && !is_free(basic(i)))
+        step = std::min(step, -values_(i).value() / table_(i, c).value());
+    const double far = step * std::abs(table_(row, c).value());
+    if (best < 0 || (by_bland ? nonbasic(c) < nonbasic(best) : far > farthest)) {
+      best = c;
+      farthest = far;
+    }
+  }
+  return best;
+}
+
+/// The row whose variable is the first that becomes zero as the column's grows, by Bland's rule but
+/// that `ending` wins; -1: none. Rows that are negative still do not count, but for `ending`.
+Index PolyhedronFace::blocking(Index column, Index ending) const {
+  Index best = -1;
+  Rational least;
+  for (Index i = 0; i < size(); ++i) {
+    const Rational& slope = table_(i, column);
+    const int sign = values_(i).sign();
+    const bool falls = i == ending && sign < 0 ? slope.sign() > 0 : sign >= 0 && slope.sign() < 0;
+    if (!falls || is_free(basic(i))) continue;
+    const Rational step = abs(values_(i) / slope);
+    const int order = best < 0 ? -1 : Rational::compare(step, least);
+    if (order < 0 || (order == 0 && best != ending && (i == ending || basic(i) < basic(best)))) {
+      best = i;
+      least = step;
+    }
+  }
+  return best;
+}
+
+/// Free unknowns become basic for good. One that moves nothing but others of them is the direction
+/// of a line; it is left at zero.
+void PolyhedronFace::take_in_free() {
+  const Index n = size();
+  for (Index z = n; z < 2 * n; ++z) {
+    if (!is_free(z)) continue;
+    const Index c = column_of(z);
+    Index row = -1;
+    for (Index i = 0; i < n; ++i)
+      if (!is_free(basic(i)) && table_(i, c).sign() != 0 &&
+          (row < 0 || (is_fixed(basic(i)) && !is_fixed(basic(row)))))
+        row = i;
+    if (row >= 0) {
+      const Index leaving = basic(row);
+      exchange(row, c);
+      if (is_fixed(leaving)) pin(leaving);
+      continue;
+    }
+    ExactVector line(static_cast<std::size_t>(n));
+    line[static_cast<std::size_t>(z - n)] = 1;
+    for (Index i = 0; i < n; ++i)
+      if (is_free(basic(i))) line[static_cast<std::size_t>(basic(i) - n)] = table_(i, c);
+    divide_by(line, largest_size(line));
+    lines_.push_back(std::move(line));
+    pin(z);
+  }
+}
+
+/// By the simplex method; false: it cannot be zero.
+bool PolyhedronFace::drive_to_zero(Index variable) {
+  bool is_stuck = false; // the last step had no length
+  for (;;) {
+    const Index row = row_of(variable);
+    const int sign = row < 0 ? 0 : values_(row).sign();
+    if (sign == 0) return true;
+    const Index column = entering(row, -sign, is_stuck);
+    if (column < 0) return false;
+    const Index leaving = blocking(column, row);
+    is_stuck = values_(leaving).sign() == 0;
+    exchange(leaving, column);
+  }
+}
+
+bool PolyhedronFace::find_vertex() {
+  take_in_free();
+  for (Index w = 0; w < size(); ++w) {
+    if (!is_fixed(w)) continue;
+    if (!drive_to_zero(w)) return false;
+    pin(w);
+  }
+  for (Index w = 0; w < size(); ++w)
+    if (const Index row = row_of(w); row >= 0 && values_(row).sign() < 0 && !drive_to_zero(w))
+      return false;
+  note_positive();
+  return true;
+}
+
+/// A variable that is zero on the whole face leaves the dictionary's rows, unless its row is empty;
+/// its column is not needed any more.
+void PolyhedronFace::pin(Index variable) {
+  if (const Index row = row_of(variable); row >= 0)
+    for (Index c = 0; c < size(); ++c)
+      if (table_(row, c).sign() != 0) {
+        exchange(row, c);
+        break;
+      }
+  is_fixed_.set(static_cast<std::size_t>(variable));
+  if (const Index column = column_of(variable); column >= 0) table_.col(column).setZero();
+}
+
+bool PolyhedronFace::fix(Index variable) {
+  if (!drive_to_zero(variable)) return false;
+  pin(variable);
+  seen_positive_.reset();
+  note_positive();
+  return true;
+}
+
+void PolyhedronFace::note_positive() {
+  for (Index i = 0; i < size(); ++i)
+    if (values_(i).sign() > 0) seen_positive_.set(static_cast<std::size_t>(basic(i)));
+}
+
+/// The column's variable grows without end.
+void PolyhedronFace::note_ray(Index column) {
+  seen_positive_.set(static_cast<std::size_t>(nonbasic(column)));
+  for (Index i = 0; i < size(); ++i)
+    if (table_(i, column).sign() > 0) seen_positive_.set(static_cast<std::size_t>(basic(i)));
+}
+
+bool PolyhedronFace::can_be_positive(Index variable) {
+  while (!was_positive(variable)) {
+    if (is_fixed(variable)) return false;
+    const Index row = row_of(variable);
+    const Index column = row < 0 ? column_of(variable) : entering(row, 1, true);
+    if (column < 0) {
+      pin(variable);
+      return false;
+    }
+    const Index leaving = blocking(column, -1);
+    if (leaving < 0) {
+      note_ray(column);
+    } else {
+      exchange(leaving, column);
+      note_positive();
+    }
+  }
+  return true;
+}
+
+/// The smallest step, as rounded numbers tell, by which all columns together take it to zero;
+/// infinite: they cannot.
+double PolyhedronFace::distance(Index variable) const {
+  const Index row = row_of(variable);
+  if (row < 0 || values_(row).sign() == 0) return 0;
+  double slope = 0;
+  for (Index c = 0; c < size(); ++c)
+    if (table_(row, c).sign() < 0) slope -= table_(row, c).value();
+  return values_(row).value() / slope;
+}
+
+bool PolyhedronFace::is_always_positive(Index variable) const {
+  const Index row = row_of(variable);
+  return row >= 0 && values_(row).sign() > 0 && entering(row, -1, true) < 0;
+}
+
+Index PolyhedronFace::open_pair() {
+  const Index n = size();
+  Index best = -1;
+  double farthest = -1;
+  for (Index i = 0; i < n; ++i) {
+    const Index w = slack(i), z = unknown(i, n);
+    if (!was_positive(w) || !was_positive(z) || is_free(z)) continue;
+    if (is_always_positive(w) || is_always_positive(z)) return i;
+    if (const double far = std::min(distance(w), distance(z)); best < 0 || far > farthest) {
+      best = i;
+      farthest = far;
+    }
+  }
+  for (Index i = 0; i < n && best < 0; ++i)
+    if (!is_fixed(slack(i)) && !is_fixed(unknown(i, n)) && can_be_positive(slack(i)) &&
+        can_be_positive(unknown(i, n)))
+      best = i;
+  return best;
+}
+
+Index PolyhedronFace::dimension() {
+  Index count = 0;
+  for (Index v = 0; v < 2 * size(); ++v)
+    if (!is_free(v) && !is_fixed(v)) static_cast<void>(can_be_positive(v));
+  for (Index c = 0; c < size(); ++c) count += is_fixed(nonbasic(c)) ? 0 : 1;
+  return count;
+}
+
+} // namespace lcpush::desktop
