@@ -43,7 +43,7 @@ private:
   void visit(PolyhedronFace& face, const Variables& needed) {
     const Index n = face.size();
     for (Index z = n; z < 2 * n; ++z)
-      if (needed[static_cast<std::size_t>(z)] && !face.can_be_positive(z)) return;
+      if (has(needed, z) && !face.can_be_positive(z)) return;
     const Index pair = face.open_pair();
     if (is_over()) return;
     if (pair < 0) return take(face);
@@ -53,7 +53,7 @@ private:
       if (face.is_always_positive(zero)) continue;
       PolyhedronFace part = face;
       Variables still_needed = needed;
-      if (zero == w) still_needed.set(static_cast<std::size_t>(z));
+      if (zero == w) add(still_needed, z);
       if (part.fix(zero)) visit(part, still_needed);
     }
   }

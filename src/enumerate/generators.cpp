@@ -38,31 +38,30 @@ bool cut(std::vector<FaceGenerator>& all, std::size_t v, const StopCheck& stop) 
 } // namespace
 
 std::optional<std::vector<FaceGenerator>> PolyhedronFace::generators(const StopCheck& stop) const {
-  const auto n = static_cast<std::size_t>(size()), t = 2 * n;
+  const auto t = static_cast<std::size_t>(2 * size());
   std::vector<FaceGenerator> all;
   Variables coordinates;
-  const auto add = [&](std::size_t variable, const auto& column) {
+  const auto begin_with = [&](Index variable, const auto& column) {
     all.push_back({ExactVector(t + 1), {}});
-    all.back().values[variable] = 1;
-    for (Index i = 0; i < size(); ++i)
-      all.back().values[static_cast<std::size_t>(basic(i))] = column(i);
-    coordinates.set(variable);
+    const auto value = [&](Index v) -> Rational& {
+      return all.back().values[static_cast<std::size_t>(v)];
+    };
+    value(variable) = 1;
+    for (Index i = 0; i < size(); ++i) value(basic_[i]) = column(i);
+    all.back().zero.flip(static_cast<std::size_t>(variable)); // of all coordinates it alone is not
+    add(coordinates, variable);
   };
-  add(t, values_.col(0));
+  begin_with(2 * size(), values_.col(0));
   for (Index c = 0; c < size(); ++c)
-    if (!is_fixed(nonbasic(c))) add(static_cast<std::size_t>(nonbasic(c)), table_.col(c));
-  for (FaceGenerator& one : all)
-    for (std::size_t v = 0; v <= t; ++v)
-      if (coordinates[v] && one.values[v].sign() == 0) one.zero.set(v);
+    if (!has(fixed_, nonbasic_[c])) begin_with(nonbasic_[c], table_.col(c));
+  for (FaceGenerator& one : all) one.zero ^= coordinates;
   for (Index i = 0; i < size(); ++i)
-    if (!is_free(basic(i)) && !is_fixed(basic(i)) &&
-        !cut(all, static_cast<std::size_t>(basic(i)), stop))
+    if (!has(free_ | fixed_, basic_[i]) && !cut(all, static_cast<std::size_t>(basic_[i]), stop))
       return std::nullopt;
   for (FaceGenerator& one : all) {
-    const ExactVector z(one.values.begin() + size(), one.values.begin() + 2 * size());
+    const ExactVector z(one.values.begin() + size(), one.values.end() - 1);
     divide_by(one.values, one.is_ray() ? largest_size(z) : Rational(one.values[t]));
-    for (std::size_t v = 0; v < t; ++v)
-      one.zero.set(v, one.values[v].sign() == 0 && !is_free(static_cast<Index>(v)));
+    one.zero |= fixed_;
   }
   return all;
 }

@@ -5,16 +5,6 @@
 #include <limits>
 
 namespace lcpush::desktop {
-namespace {
-
-Index found(const std::vector<int>& variables, Index variable) {
-  for (std::size_t k = 0; k < variables.size(); ++k)
-    if (variables[k] == variable) return static_cast<Index>(k);
-  return -1;
-}
-
-} // namespace
-
 Rational largest_size(const ExactVector& numbers) {
   Rational most;
   for (const Rational& x : numbers)
@@ -28,21 +18,30 @@ void divide_by(ExactVector& numbers, const Rational& divisor) {
 
 PolyhedronFace::PolyhedronFace(const ExactMatrix& M, const ExactMatrix& q,
                                const std::vector<unsigned char>& free)
-    : table_(M.rows, M.rows), values_(M.rows, 1) {
+    : table_(M.rows, M.rows), values_(M.rows, 1), basic_(M.rows), nonbasic_(M.rows) {
   const Index n = M.rows;
   for (Index i = 0; i < n; ++i) {
     for (Index j = 0; j < n; ++j) table_(i, j) = M(i, j);
     values_(i) = q(i, 0);
-    basic_.push_back(static_cast<int>(slack(i)));
-    nonbasic_.push_back(static_cast<int>(unknown(i, n)));
+    basic_[i] = static_cast<int>(slack(i));
+    nonbasic_[i] = static_cast<int>(unknown(i, n));
     if (free[static_cast<std::size_t>(i)] == 0) continue;
-    is_free_.set(static_cast<std::size_t>(unknown(i, n)));
-    is_fixed_.set(static_cast<std::size_t>(slack(i)));
+    add(free_, unknown(i, n));
+    add(fixed_, slack(i));
   }
 }
 
-Index PolyhedronFace::row_of(Index variable) const { return found(basic_, variable); }
-Index PolyhedronFace::column_of(Index variable) const { return found(nonbasic_, variable); }
+Index PolyhedronFace::row_of(Index variable) const {
+  Index row = size() - 1;
+  while (row >= 0 && basic_[row] != variable) --row;
+  return row;
+}
+
+Index PolyhedronFace::column_of(Index variable) const {
+  Index column = size() - 1;
+  while (column >= 0 && nonbasic_[column] != variable) --column;
+  return column;
+}
 
 void PolyhedronFace::exchange(Index row, Index column) {
   const Index n = size();
@@ -63,10 +62,10 @@ Index PolyhedronFace::entering(Index row, int sign, bool by_bland) const {
     if (table_(row, c).sign() * sign <= 0) continue;
     double step = by_bland ? 0 : std::numeric_limits<double>::infinity();
     for (Index i = 0; i < size() && !by_bland; ++i)
-      if (i != row && table_(i, c).sign() < 0 && values_(i).sign() >= 0 && !is_free(basic(i)))
+      if (i != row && table_(i, c).sign() < 0 && values_(i).sign() >= 0 && !has(free_, basic_[i]))
         step = std::min(step, -values_(i).value() / table_(i, c).value());
     const double far = step * std::abs(table_(row, c).value());
-    if (best < 0 || (by_bland ? nonbasic(c) < nonbasic(best) : far > farthest)) {
+    if (best < 0 || (by_bland ? nonbasic_[c] < nonbasic_[best] : far > farthest)) {
       best = c;
       farthest = far;
     }
@@ -83,10 +82,10 @@ Index PolyhedronFace::blocking(Index column, Index ending) const {
     const Rational& slope = table_(i, column);
     const int sign = values_(i).sign();
     const bool falls = i == ending && sign < 0 ? slope.sign() > 0 : sign >= 0 && slope.sign() < 0;
-    if (!falls || is_free(basic(i))) continue;
+    if (!falls || has(free_, basic_[i])) continue;
     const Rational step = abs(values_(i) / slope);
     const int order = best < 0 ? -1 : Rational::compare(step, least);
-    if (order < 0 || (order == 0 && best != ending && (i == ending || basic(i) < basic(best)))) {
+    if (order < 0 || (order == 0 && best != ending && (i == ending || basic_[i] < basic_[best]))) {
       best = i;
       least = step;
     }
@@ -99,23 +98,23 @@ Index PolyhedronFace::blocking(Index column, Index ending) const {
 void PolyhedronFace::take_in_free() {
   const Index n = size();
   for (Index z = n; z < 2 * n; ++z) {
-    if (!is_free(z)) continue;
+    if (!has(free_, z)) continue;
     const Index c = column_of(z);
     Index row = -1;
     for (Index i = 0; i < n; ++i)
-      if (!is_free(basic(i)) && table_(i, c).sign() != 0 &&
-          (row < 0 || (is_fixed(basic(i)) && !is_fixed(basic(row)))))
+      if (!has(free_, basic_[i]) && table_(i, c).sign() != 0 &&
+          (row < 0 || (has(fixed_, basic_[i]) && !has(fixed_, basic_[row]))))
         row = i;
     if (row >= 0) {
-      const Index leaving = basic(row);
+      const Index leaving = basic_[row];
       exchange(row, c);
-      if (is_fixed(leaving)) pin(leaving);
+      if (has(fixed_, leaving)) pin(leaving);
       continue;
     }
     ExactVector line(static_cast<std::size_t>(n));
     line[static_cast<std::size_t>(z - n)] = 1;
     for (Index i = 0; i < n; ++i)
-      if (is_free(basic(i))) line[static_cast<std::size_t>(basic(i) - n)] = table_(i, c);
+      if (has(free_, basic_[i])) line[static_cast<std::size_t>(basic_[i] - n)] = table_(i, c);
     divide_by(line, largest_size(line));
     lines_.push_back(std::move(line));
     pin(z);
@@ -140,7 +139,7 @@ bool PolyhedronFace::drive_to_zero(Index variable) {
 bool PolyhedronFace::find_vertex() {
   take_in_free();
   for (Index w = 0; w < size(); ++w) {
-    if (!is_fixed(w)) continue;
+    if (!has(fixed_, w)) continue;
     if (!drive_to_zero(w)) return false;
     pin(w);
   }
@@ -160,33 +159,26 @@ void PolyhedronFace::pin(Index variable) {
         exchange(row, c);
         break;
       }
-  is_fixed_.set(static_cast<std::size_t>(variable));
+  add(fixed_, variable);
   if (const Index column = column_of(variable); column >= 0) table_.col(column).setZero();
 }
 
 bool PolyhedronFace::fix(Index variable) {
   if (!drive_to_zero(variable)) return false;
   pin(variable);
-  seen_positive_.reset();
+  positive_.reset();
   note_positive();
   return true;
 }
 
 void PolyhedronFace::note_positive() {
   for (Index i = 0; i < size(); ++i)
-    if (values_(i).sign() > 0) seen_positive_.set(static_cast<std::size_t>(basic(i)));
-}
-
-/// The column's variable grows without end.
-void PolyhedronFace::note_ray(Index column) {
-  seen_positive_.set(static_cast<std::size_t>(nonbasic(column)));
-  for (Index i = 0; i < size(); ++i)
-    if (table_(i, column).sign() > 0) seen_positive_.set(static_cast<std::size_t>(basic(i)));
+    if (values_(i).sign() > 0) add(positive_, basic_[i]);
 }
 
 bool PolyhedronFace::can_be_positive(Index variable) {
-  while (!was_positive(variable)) {
-    if (is_fixed(variable)) return false;
+  while (!has(positive_, variable)) {
+    if (has(fixed_, variable)) return false;
     const Index row = row_of(variable);
     const Index column = row < 0 ? column_of(variable) : entering(row, 1, true);
     if (column < 0) {
@@ -195,7 +187,7 @@ bool PolyhedronFace::can_be_positive(Index variable) {
     }
     const Index leaving = blocking(column, -1);
     if (leaving < 0) {
-      note_ray(column);
+      add(positive_, variable); // it grows without end
     } else {
       exchange(leaving, column);
       note_positive();
@@ -226,7 +218,7 @@ Index PolyhedronFace::open_pair() {
   double farthest = -1;
   for (Index i = 0; i < n; ++i) {
     const Index w = slack(i), z = unknown(i, n);
-    if (!was_positive(w) || !was_positive(z) || is_free(z)) continue;
+    if (!has(positive_, w) || !has(positive_, z) || has(free_, z)) continue;
     if (is_always_positive(w) || is_always_positive(z)) return i;
     if (const double far = std::min(distance(w), distance(z)); best < 0 || far > farthest) {
       best = i;
@@ -234,7 +226,7 @@ Index PolyhedronFace::open_pair() {
     }
   }
   for (Index i = 0; i < n && best < 0; ++i)
-    if (!is_fixed(slack(i)) && !is_fixed(unknown(i, n)) && can_be_positive(slack(i)) &&
+    if (!has(fixed_, slack(i)) && !has(fixed_, unknown(i, n)) && can_be_positive(slack(i)) &&
         can_be_positive(unknown(i, n)))
       best = i;
   return best;
@@ -243,8 +235,8 @@ Index PolyhedronFace::open_pair() {
 Index PolyhedronFace::dimension() {
   Index count = 0;
   for (Index v = 0; v < 2 * size(); ++v)
-    if (!is_free(v) && !is_fixed(v)) static_cast<void>(can_be_positive(v));
-  for (Index c = 0; c < size(); ++c) count += is_fixed(nonbasic(c)) ? 0 : 1;
+    if (!has(free_, v) && !has(fixed_, v)) static_cast<void>(can_be_positive(v));
+  for (Index c = 0; c < size(); ++c) count += has(fixed_, nonbasic_[c]) ? 0 : 1;
   return count;
 }
 

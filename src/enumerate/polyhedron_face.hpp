@@ -12,6 +12,8 @@ namespace lcpush::desktop {
 
 /// A set of variables: w_i is i, z_i is n + i, and of a cone t is 2n.
 using Variables = std::bitset<2 * largest_enumerated + 1>;
+inline bool has(const Variables& set, Index v) { return set[static_cast<std::size_t>(v)]; }
+inline void add(Variables& set, Index v) { set.set(static_cast<std::size_t>(v)); }
 
 /// In size.
 Rational largest_size(const ExactVector& numbers);
@@ -51,20 +53,12 @@ public:
   const std::vector<ExactVector>& lines() const { return lines_; }
 
 private:
-  using Matrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
-  Matrix table_, values_; // of the dictionary
-  std::vector<int> basic_, nonbasic_;
-  Variables is_free_, is_fixed_;
-  Variables seen_positive_; // at a point of this face; so there is one where all of them are
+  Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic> table_, values_; // of the dictionary
+  Eigen::VectorXi basic_, nonbasic_;
+  Variables free_, fixed_;
+  Variables positive_; // at a point of this face; so there is one where all of them are
   std::vector<ExactVector> lines_;
 
-  bool is_fixed(Index variable) const { return is_fixed_[static_cast<std::size_t>(variable)]; }
-  bool is_free(Index variable) const { return is_free_[static_cast<std::size_t>(variable)]; }
-  bool was_positive(Index variable) const {
-    return seen_positive_[static_cast<std::size_t>(variable)];
-  }
-  Index basic(Index row) const { return basic_[static_cast<std::size_t>(row)]; }
-  Index nonbasic(Index column) const { return nonbasic_[static_cast<std::size_t>(column)]; }
   Index row_of(Index variable) const;
   Index column_of(Index variable) const;
   void exchange(Index row, Index column);
@@ -73,7 +67,6 @@ private:
   void take_in_free();
   bool drive_to_zero(Index variable);
   void note_positive();
-  void note_ray(Index column);
   void pin(Index variable);
   double distance(Index variable) const;
 };

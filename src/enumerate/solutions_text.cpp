@@ -11,8 +11,8 @@ namespace lcpush::desktop {
 namespace {
 
 constexpr std::size_t longest_fraction = 16; // characters of a cell
-constexpr std::size_t most_rows = 13;        // so that all of it is 20 lines
-constexpr std::ptrdiff_t most_lines = 14;    // of rows that are broken
+constexpr std::size_t most_lines = 11;       // of the table, so that all of it is 20
+constexpr std::size_t most_names = 5, most_lists = 2;
 
 /// By dimension and directions; in the order in which they are told.
 const std::vector<std::string> kinds = {"solution", "segment",  "half-line",    "line",
@@ -51,89 +51,86 @@ std::string sentence(const AllSolutions& found, const std::string& noun) {
          (found.stop == Stop::none ? "at --most " + std::to_string(found.most) : "early") + ".\n";
 }
 
-class Table {
-public:
-  Table(const AllSolutions& found, const AllWording& wording, bool is_full)
-      : found_(found), wording_(wording), has_w_(is_full || wording.rows > 0) {
-    const auto names = [this](const std::string& name, std::size_t count) {
-      for (std::size_t i = 1; i <= count; ++i) rows_[0].push_back(name + std::to_string(i));
-    };
-    if (found.sets.empty()) return;
-    const std::size_t n = found.points.front().z.size(), m = static_cast<std::size_t>(wording.rows);
-    rows_ = {{""}};
-    names(m > 0 ? "row " : "z", m > 0 ? m : n);
-    if (m > 0) names("column ", n - m);
-    if (m > 0)
-      rows_[0].insert(rows_[0].end(), {"row gets", "column gets"});
-    else if (has_w_)
-      names("w", n);
+/// The table's first row.
+std::vector<std::string> headings(const AllSolutions& found, Index rows, bool has_w) {
+  std::vector<std::string> row = {""};
+  const auto add = [&row](const std::string& name, Index count) {
+    for (Index i = 1; i <= count; ++i) row.push_back(name + std::to_string(i));
+  };
+  const auto n = static_cast<Index>(found.points.front().z.size());
+  if (rows > 0) {
+    add("row ", rows);
+    add("column ", n - rows);
+    row.insert(row.end(), {"row gets", "column gets"});
+  } else {
+    add("z", n);
+    if (has_w) add("w", n);
   }
+  return row;
+}
 
-  void add(const std::string& name, const SolutionSet& set) {
-    const auto at = [](Index k) { return static_cast<std::size_t>(k); };
-    for (const Index k : set.vertices)
-      add(name + (set.dimension > 0 ? ", vertex" : ""), found_.points[at(k)].z,
-          has_w_ ? found_.points[at(k)].w : ExactVector());
-    for (const Index k : set.rays) add(name + ", direction", found_.rays[at(k)], {});
-  }
-
-  /// All rows, or as many as fit.
-  std::string text(bool is_full) const {
-    if (rows_.empty()) return "";
-    std::size_t shown = is_full ? rows_.size() : std::min(rows_.size(), most_rows);
-    const auto some = [&] {
-      return table_text({rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(shown)});
-    };
-    std::string table = some();
-    while (!is_full && shown > 2 && std::count(table.begin(), table.end(), '\n') > most_lines) {
-      --shown;
-      table = some();
+std::vector<std::string> table_row(const std::string& name, const ExactVector& z,
+                                   const ExactVector& w, bool is_exact) {
+  std::vector<std::string> row = {name};
+  for (const ExactVector* const numbers : {&z, &w})
+    for (const Rational& x : *numbers) {
+      const std::string text = is_exact ? x.text() : number(x.value());
+      row.push_back(text.size() > longest_fraction ? "~" + number(x.value()) : text);
     }
-    const auto left = static_cast<Index>(rows_.size() - shown);
-    return "\n" + table +
+  return row;
+}
+
+/// All rows, or as many as fit.
+std::string table_of(const TableRows& rows, bool is_full) {
+  std::size_t shown = is_full ? rows.size() : std::min(rows.size(), most_lines);
+  for (;; --shown) {
+    const auto end = rows.begin() + static_cast<std::ptrdiff_t>(shown);
+    const std::string table = table_text({rows.begin(), end});
+    const auto lines = static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n'));
+    if (!is_full && shown > 2 && lines > most_lines) continue;
+    const auto left = static_cast<Index>(rows.size() - shown);
+    return table +
            (left > 0 ? "  .. and " + counted(left, "more row") + ", with -v or --json\n" : "");
   }
-
-private:
-  const AllSolutions& found_;
-  const AllWording& wording_;
-  bool has_w_;
-  TableRows rows_;
-
-  void add(const std::string& name, const ExactVector& z, const ExactVector& w) {
-    std::vector<std::string> row = {name};
-    for (const ExactVector* const numbers : {&z, &w})
-      for (const Rational& x : *numbers) row.push_back(cell(x));
-    row.resize(rows_[0].size());
-    rows_.push_back(std::move(row));
-  }
-
-  std::string cell(const Rational& x) const {
-    const std::string fraction = wording_.is_exact ? x.text() : number(x.value());
-    return fraction.size() > longest_fraction ? "~" + number(x.value()) : fraction;
-  }
-};
+}
 
 } // namespace
 
 std::string all_solutions_text(const AllSolutions& found, const AllWording& wording,
                                Telling telling) {
-  const bool is_full = telling == Telling::full;
+  const bool is_full = telling == Telling::full, has_w = is_full || wording.rows > 0;
   const std::string noun = wording.rows > 0 ? "equilibrium" : kinds[0];
-  Table table(found, wording, is_full);
+  TableRows rows;
   std::map<std::string, int> counts;
   std::map<Index, std::vector<std::string>> together;
   for (const SolutionSet& set : found.sets) {
     const std::string kind = set.dimension == 0 ? noun : kind_of(set),
                       name = kind + " " + std::to_string(++counts[kind]);
-    table.add(name, set);
+    if (rows.empty()) rows.push_back(headings(found, wording.rows, has_w));
+    for (const Index k : set.vertices) {
+      const auto& [z, w] = found.points[static_cast<std::size_t>(k)];
+      rows.push_back(table_row(name + (set.dimension > 0 ? ", vertex" : ""), z,
+                               has_w ? w : ExactVector(), wording.is_exact));
+    }
+    for (const Index k : set.rays)
+      rows.push_back(table_row(name + ", direction", found.rays[static_cast<std::size_t>(k)], {},
+                               wording.is_exact));
     if (set.dimension > 0) together[set.component].push_back(name);
   }
+  for (auto& row : rows) row.resize(rows.front().size());
   std::string below;
-  for (const auto& [component, names] : together)
-    if (names.size() > 1) below += "Connected: " + listed(names, "and") + ".\n";
-  std::string text =
-      sentence(found, noun) + table.text(is_full) + (below.empty() ? "" : "\n" + below);
+  std::size_t lists = 0;
+  for (auto& [component, names] : together) {
+    if (names.size() < 2 || (!is_full && ++lists > most_lists)) continue;
+    if (const std::size_t count = names.size(); !is_full && count > most_names) {
+      names.resize(most_names);
+      names.push_back(std::to_string(count - most_names) + " more");
+    }
+    below += "Connected: " + listed(names, "and") + ".\n";
+  }
+  std::string text = sentence(found, noun);
+  if (!rows.empty()) text += "\n" + table_of(rows, is_full);
+  if (!below.empty()) text += "\n" + below;
   if (found.complete())
     text += "\nProved in fractions: each choice of z_i = 0 or w_i = 0 was followed to its end, " +
             counted(found.cases, "case") + ".\n";
