@@ -91,10 +91,6 @@ class Cone(unittest.TestCase):
         root = ElementTree.fromstring(run(SQUARE, "--pusher", "east", "--format", "svg").stdout)
         self.assertIn("The push of east sticks", root.find("{*}desc").text)
 
-    def test_the_guides_picture_is_what_its_command_draws(self):
-        drawn = run(SQUARE, "--pusher", "east", "--format", "svg").stdout
-        self.assertEqual(drawn, (SOURCE / "docs/guide/cone.svg").read_text())
-
     def test_a_load_that_the_grip_does_not_hold_has_no_cone(self):
         text = "gravity = [0, -9.81, 0]\n" + square(("grip_force = 50", "grip_force = 2"))
         result = run("-", "--pusher", "east", text=text)

@@ -338,8 +338,6 @@ class Words(ToolTest):
         """W / (2 mu) is 131 N; its pads need sixteen times that."""
         text = (SOURCE / "docs/guide/off_centre.toml").read_text()
         self.assertAlmostEqual(hold(text.replace("[-0.61,", "[0,"))["least_grip"]["force"], 9.07 * 24.525 / 1.7, delta=0.2)
-        drawn = run("docs/guide/off_centre.toml", "--format", "svg", cwd=SOURCE).stdout
-        self.assertEqual(drawn, (SOURCE / "docs/guide/off_centre.svg").read_text())
         answer = hold(text)
         self.assertAlmostEqual(answer["least_grip"]["force"], 2140, delta=10)
         self.assertAlmostEqual(answer["least_grip"]["statics_factor"] * 3000, 1130, delta=10)
