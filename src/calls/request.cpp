@@ -65,6 +65,7 @@ std::vector<std::string> Request::texts(const std::string& option) const {
   std::vector<std::string> list;
   const JsonValue* const given = find(option);
   if (given == nullptr) return list;
+  if (const auto* const one = given->as<std::string>()) return {*one};
   const JsonArray* const array = given->as<JsonArray>();
   if (array == nullptr) refuse(option, label(option) + " must be an array of strings");
   for (const JsonValue& entry : *array) {

@@ -204,7 +204,14 @@ Document Arguments::given_scene(std::size_t k) const {
 }
 
 void Arguments::inspect(const SceneFile& file) const {
-  const std::vector<SceneDoubt> doubts = check_scene(file);
+  std::vector<SceneDoubt> doubts = check_scene(file);
+  const commands::Option* const tolerance = command().find("tolerance");
+  const bool asks_box = tolerance != nullptr && tolerance->repeats && text("format") != "svg";
+  if (has("strict") || asks_box) // a range is nothing odd, and a box is asked
+    doubts.erase(
+        std::remove_if(doubts.begin(), doubts.end(),
+                       [](const SceneDoubt& doubt) { return doubt.doubt == Doubt::middle; }),
+        doubts.end());
   std::vector<std::string> sentences;
   for (const SceneDoubt& doubt : doubts) sentences.push_back(doubt_text(doubt));
   if (has("strict") && !doubts.empty()) throw InputError(joined(sentences, "\n"));

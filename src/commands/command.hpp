@@ -95,6 +95,10 @@ inline const Option solver_option{"solver", "NAME",
 inline const Option pressure_option{"pressure", "LAW",
                                     "pad, even or rigid instead of the scene's own"};
 
+inline const Option tolerance_option{
+    "tolerance", "PATH=R%",
+    "for every value so near, or in PATH=FROM:TO; PATH alone: by how much it may be off", true};
+
 inline const Option facets_option{
     "facets", "G", "sides of the friction pyramids, or round, instead of the scene's own"};
 

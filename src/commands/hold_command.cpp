@@ -2,6 +2,7 @@
 #include "commands/listener.hpp"
 #include "commands/values.hpp"
 #include "formats/read_number.hpp"
+#include "lcpush/desktop/boxes.hpp"
 #include "lcpush/desktop/hold.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
@@ -42,7 +43,8 @@ HoldDirection read_direction(const Values& values, const std::string& text) {
 
 Result run_hold(const Values& values, Listener& listener) {
   const std::string format = values.format();
-  const SceneFile file = values.varied_scene(Needs::scene).as_given();
+  const VariedScene scene = values.scene_with_ranges(Needs::scene);
+  SceneFile file = scene.as_given();
   values.refuse_unknowns(file, limits::unknowns_holding, "holding is studied");
   HoldQuestion question;
   if (const auto at = values.numbers("at", 3, "x y z (m, in the scene's frame)"))
@@ -52,6 +54,15 @@ Result run_hold(const Values& values, Listener& listener) {
   question.with_sections = format == "svg";
   PushOptions options;
   options.watcher = options.searching = &listener;
+  if (!scene.ranges().empty() && format != "svg") {
+    file.lines.ranges = 0; // they are answered
+    const BoxAnswer box = judge_hold(scene);
+    return {box.verdict == BoxVerdict::always,
+            format == "json"   ? hold_json(file, find_hold(file, question, options), &box)
+            : format == "toml" ? values.corner_scene(box)
+                               : box_text(file, box, "The grasp", "holds")};
+  }
+  if (format == "toml") (void)values.corner_scene({});
   const HoldStudy study = find_hold(file, question, options);
   return {study.held.value_or(false), format == "json"  ? hold_json(file, study)
                                       : format == "svg" ? hold_svg(file, study)
@@ -68,8 +79,11 @@ Command hold_command() {
       "The least grip that holds the object's load, and what the grasp bears beyond it: the\n"
       "largest force, moment and acceleration of the hand along each axis and in the direction\n"
       "in which it is weakest, what gives way first there, a mass that may be added, how far\n"
-      "gravity may turn. Pushers are left out. Friction and pressure are those of the scene.\n\n"
+      "gravity may turn. Pushers are left out. Friction and pressure are those of the scene.\n"
+      "With --tolerance, or where its numbers are ranges, it says whether the load is held for\n"
+      "every value.\n\n"
       "Examples:\n"
+      "  lcpush hold fixtures/scenes/straight_slide.toml --tolerance \"*.friction=10%\"\n"
       "  lcpush hold fixtures/scenes/straight_slide.toml\n"
       "  lcpush hold docs/guide/off_centre.toml --direction \"moment 0 1 0\"\n",
       with_scene_options(
@@ -78,9 +92,11 @@ Command hold_command() {
             "also this one: force, moment or acceleration, and where to; may be repeated", true},
            pressure_option,
            facets_option,
-           format_option("text (default), json or svg; --json for short")}),
+           tolerance_option,
+           format_option("text (default), json, svg or toml (a scene: the corner of a box at which "
+                         "it falls); --json for short")}),
       run_hold,
-      {"text", "json", "svg"}};
+      {"text", "json", "svg", "toml"}};
 }
 
 } // namespace lcpush::commands

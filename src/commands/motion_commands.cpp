@@ -1,6 +1,7 @@
 // move, cone and plan: where pushes take the object: in time, while they stick, and by a plan.
 #include "commands/listener.hpp"
 #include "commands/values.hpp"
+#include "lcpush/desktop/boxes.hpp"
 #include "lcpush/desktop/cone.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/move.hpp"
@@ -94,9 +95,20 @@ Result run_slice(const Values& values, const std::string& format, const VariedSc
 Result run_cone(const Values& values, Listener& listener) {
   const std::string format = values.format();
   const std::optional<Vector6<double>> twist = asked_twist(values);
-  const VariedScene scene = values.with_only_pusher(values.varied_scene(Needs::scene), listener);
+  const VariedScene scene =
+      values.with_only_pusher(values.scene_with_ranges(Needs::scene), listener);
   if (values.has("vary")) return run_slice(values, format, scene, listener);
-  const SceneFile file = scene.as_given();
+  SceneFile file = scene.as_given();
+  if (!scene.ranges().empty() && format != "svg") {
+    file.lines.ranges = 0; // they are answered
+    const Index pusher = values.pusher(file);
+    const BoxAnswer box = judge_push(scene, twist);
+    return {box.verdict == BoxVerdict::always,
+            format == "json"   ? cone_json(file, find_cone(file, pusher, twist), &box)
+            : format == "toml" ? values.corner_scene(box)
+                               : box_text(file, box, "This push", "sticks")};
+  }
+  if (format == "toml") (void)values.corner_scene({});
   const ConeReport report = find_cone(file, values.pusher(file), twist);
   return {report.status == Status::solved, format == "json" ? cone_json(file, report)
                                            : format == "svg"
@@ -180,8 +192,11 @@ Command cone_command() {
           "out. The scene's own push, or that of --twist, is judged: by how much it sticks, and\n"
           "from which grip force on. In space, or where fingers press in the plane, --vary cuts\n"
           "the cone along one number of the pusher's motion.\n\n"
+          "With --tolerance, or where numbers of the scene are ranges, one motion is judged for\n"
+          "every value: by the corners of that box, in fractions.\n\n"
           "Examples:\n"
           "  lcpush cone docs/guide/square.toml --pusher east\n"
+          "  lcpush cone docs/guide/square.toml --pusher east --tolerance \"*.friction=10%\"\n"
           "  lcpush cone docs/guide/square.toml --pusher east --twist \"-0.01 0.002 0.1\"\n",
           with_scene_options(
               {{"twist", "V", "the motion that is judged, \"vx vy wz\" at the centre of mass"},
@@ -190,10 +205,12 @@ Command cone_command() {
                {"pusher", "NAME", "which one, among several; the others are left out"},
                pressure_option,
                facets_option,
+               tolerance_option,
                verbose_option,
-               format_option("text (default), json or svg; --json for short")}),
+               format_option("text (default), json, svg or toml (a scene: the corner of a box at "
+                             "which it slips); --json for short")}),
           run_cone,
-          {"text", "json", "svg"},
+          {"text", "json", "svg", "toml"},
           1,
           true};
 }

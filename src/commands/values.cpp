@@ -120,6 +120,19 @@ VariedScene Values::varied_scene(Needs needs, std::size_t k) const {
   return scene;
 }
 
+VariedScene Values::scene_with_ranges(Needs needs) const {
+  return with_tolerances(varied_scene(needs), texts("tolerance"));
+}
+
+std::string Values::corner_scene(const BoxAnswer& answer) const {
+  if (answer.box.empty())
+    refuse("format", label("format") + " toml shows a corner of a box: give " + usage("tolerance"));
+  if (answer.corner_scene.empty())
+    throw InputError(scene_name() + ": no corner of the box is known to fail, so there is none to "
+                                    "show");
+  return answer.corner_scene;
+}
+
 Index Values::pusher(const SceneFile& file) const {
   std::vector<std::string> names;
   Index pusher = -1;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands/command.hpp"
+#include "lcpush/desktop/boxes.hpp"
 #include "lcpush/desktop/raw_problem.hpp"
 #include "lcpush/desktop/solver.hpp"
 #include "lcpush/desktop/sweep.hpp"
@@ -126,6 +127,10 @@ public:
   void take_pyramids(SceneFile& file, Listener& listener) const;
   /// With the laws of --pressure and --facets, if they are given.
   VariedScene varied_scene(Needs needs, std::size_t k = 0) const;
+  /// The same with the ranges of --tolerance; whether any number has one, see VariedScene::ranges.
+  VariedScene scene_with_ranges(Needs needs) const;
+  /// The corner at which an answer fails, as a scene file; refuses where there is none.
+  std::string corner_scene(const BoxAnswer& answer) const;
   /// The body of --pusher, or the only pusher.
   Index pusher(const SceneFile& file) const;
   /// The scene in which that one alone pushes; the listener hears which others are left out.

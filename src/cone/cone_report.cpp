@@ -127,7 +127,7 @@ std::string cone_text(const SceneFile& file, const ConeReport& report, Telling t
   return text + facts_text(facts);
 }
 
-std::string cone_json(const SceneFile& file, const ConeReport& report) {
+std::string cone_json(const SceneFile& file, const ConeReport& report, const BoxAnswer* box) {
   const bool is_solved = report.status == Status::solved;
   const double force = named_grip(file).force;
   const auto& verdict = report.verdict;
@@ -157,12 +157,14 @@ std::string cone_json(const SceneFile& file, const ConeReport& report) {
       .member("sticks",
               when(verdict && !(verdict->leaves && verdict->sticks), verdict && verdict->sticks))
       .member("leaves", when(verdict.has_value(), verdict && verdict->leaves))
-      .member("margin", when(verdict.has_value(), verdict ? verdict->margin : 0))
+      .member(box != nullptr ? "angle_margin" : "margin",
+              when(verdict.has_value(), verdict ? verdict->margin : 0))
       .member(report.is_single_place ? "nearest_edge" : "nearest_side",
               when(verdict.has_value(), verdict ? verdict->nearest : 0));
   const bool has_grip = verdict && verdict->grip;
   json.member("smallest_grip", when(has_grip, has_grip ? *verdict->grip * force : 0))
       .member("smallest_grip_factor", when(has_grip, has_grip ? *verdict->grip : 0));
+  if (box != nullptr) write_box(json, *box);
   write_warnings(json, check_scene(file));
   return json.end_object().text();
 }

@@ -1,5 +1,6 @@
 #include "formats/toml.hpp"
 
+#include "formats/json_writer.hpp"
 #include "formats/read_number.hpp"
 #include "formats/text_cursor.hpp"
 #include "text/limits.hpp"
@@ -276,6 +277,42 @@ const TomlValue* TomlTable::find(std::string_view key) const {
   const auto is_key = [key](const TomlEntry& entry) { return entry.key == key; };
   const auto entry = std::find_if(entries.begin(), entries.end(), is_key);
   return entry == entries.end() ? nullptr : &entry->value;
+}
+
+namespace {
+
+std::string text_of(const TomlValue& value) {
+  if (const auto* const truth = std::get_if<bool>(&value.data)) return *truth ? "true" : "false";
+  if (const auto* const text = std::get_if<std::string>(&value.data)) {
+    const std::string json = JsonWriter().value(*text).text(); // the same escapes, and a new line
+    return json.substr(0, json.size() - 1);
+  }
+  const auto* const list = std::get_if<TomlArray>(&value.data);
+  if (list == nullptr)
+    return value.digits.empty() || value.digits.find('/') != std::string::npos
+               ? shown(*value.number())
+               : value.digits;
+  std::vector<std::string> parts;
+  for (const TomlValue& part : *list) parts.push_back(text_of(part));
+  return "[" + joined(parts, ", ") + "]";
+}
+
+std::string text_of(const TomlTable& table) {
+  std::string text;
+  for (const TomlEntry& entry : table.entries)
+    text += entry.key + " = " + text_of(entry.value) + "\n";
+  return text;
+}
+
+} // namespace
+
+std::string toml_text(const TomlDocument& document) {
+  std::string text = text_of(document.root);
+  for (const TomlSection& section : document.sections)
+    for (const TomlTable& table : section.tables)
+      text += (section.is_array ? "\n[[" + section.name + "]]\n" : "\n[" + section.name + "]\n") +
+              text_of(table);
+  return text;
 }
 
 const TomlSection* TomlDocument::find(std::string_view name) const {

@@ -26,6 +26,8 @@ struct TomlValue {
   std::variant<bool, std::int64_t, double, std::string, TomlArray> data;
   /// A number as typed, without plus sign and underscores; empty for everything else.
   std::string digits = {};
+  /// Of the middle of a range: its two ends, numbers; empty for everything else.
+  std::vector<TomlValue> range = {};
 
   /// Nothing if it is no number.
   std::optional<double> number() const;
@@ -70,6 +72,9 @@ struct TomlDocument {
 /// Reads `text`; `file_name` only names it in messages. Keys are unique within a table, names
 /// among root keys and sections. Throws InputError with file and line on anything else.
 TomlDocument parse_toml(std::string_view text, const std::string& file_name);
+
+/// The same document as a file, without its comments.
+std::string toml_text(const TomlDocument& document);
 
 /// Reads the whole of `word`, a decimal number: [+-]digits[.digits][e[+-]digits], no leading
 /// zeros, single underscores between digits. Returns what is wrong with it, if anything.

@@ -31,7 +31,7 @@ void write_limit(JsonWriter& json, const SceneFile& file, const HoldLimit& limit
 
 } // namespace
 
-std::string hold_json(const SceneFile& file, const HoldStudy& study) {
+std::string hold_json(const SceneFile& file, const HoldStudy& study, const BoxAnswer* box) {
   JsonWriter json;
   json.begin_object().member("held", study.held);
   json.key("least_grip")
@@ -42,7 +42,7 @@ std::string hold_json(const SceneFile& file, const HoldStudy& study) {
       .member("most_factor", study.most)
       .member("of", unless_empty(study.grip.of))
       .end_object();
-  json.member("margin", study.margin());
+  json.member(box != nullptr ? "grip_margin" : "margin", study.margin());
   json.objects("disturbances", study.limits, [&](const HoldLimit& limit) {
     json.member("kind", disturbance_texts[static_cast<int>(limit.what.kind)])
         .member("at", study.at);
@@ -57,6 +57,7 @@ std::string hold_json(const SceneFile& file, const HoldStudy& study) {
   json.end_object().member("added_mass", study.added_mass).member("tilt", study.tilt);
   json.member("law", study.is_statics ? "statics" : "pad")
       .member("answer", hold_answer(file, study));
+  if (box != nullptr) write_box(json, *box);
   write_warnings(json, check_scene(file));
   return json.end_object().text();
 }

@@ -4,6 +4,7 @@
 #include "lcpush/mechanics/model/contact.hpp"
 #include "scenes/exact_frame.hpp"
 #include "scenes/on_face.hpp"
+#include "scenes/scene_ranges.hpp"
 #include "scenes/scene_schema.hpp"
 #include "scenes/scene_tables.hpp"
 #include "text/limits.hpp"
@@ -60,7 +61,9 @@ public:
                     reader("object").line(),
                     reader("object").line_of({"center_of_mass"}),
                     reader("").has("facets") ? reader("").line_of({"facets"}) : 0,
-                    {}};
+                    {},
+                    0,
+                    ""};
     for (std::size_t i = 0; i < count("finger"); ++i) read_body(Role::finger, reader("finger", i));
     read_pushers();
     if (scene_.bodies.empty())
@@ -133,7 +136,9 @@ private:
                          " bodies in the scene; use fewer");
     scene_.strokes.push_back(read_stroke(table));
     scene_.body_names.push_back(claim_name(table));
-    const Patch<S> patch = read_patch<S>(table);
+    Patch<S> patch = read_patch<S>(table);
+    if (table.has("shift"))
+      for (Vector3<S>& position : patch.positions) position += table.vector3<S>("shift");
     Body<S> body{};
     body.role = role;
     body.normal = patch.normal;
@@ -291,18 +296,29 @@ private:
   std::map<std::string, int> name_lines_; ///< of bodies and [[actuator]]s
 };
 
+void note_ranges(const TomlDocument& document, SceneLines& lines) {
+  RangeNote note = range_note(document);
+  lines.ranges = note.line;
+  lines.middle = std::move(note.text);
+}
+
 } // namespace
 
 template <class S>
 SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand,
                        Strokes strokes) {
-  if (has_contacts_on_faces(document))
-    return build_scene<S>(with_typed_places(document), unsaid_hand, strokes);
-  SceneOf<S> all = SceneBuilder<S>(document, unsaid_hand, Strokes::all).build();
-  const bool has_later = std::any_of(all.strokes.begin(), all.strokes.end(),
+  if (has_contacts_on_faces(document)) {
+    SceneOf<S> scene = build_scene<S>(with_typed_places(document), unsaid_hand, strokes);
+    note_ranges(document, scene.lines);
+    return scene;
+  }
+  SceneOf<S> scene = SceneBuilder<S>(document, unsaid_hand, Strokes::all).build();
+  const bool has_later = std::any_of(scene.strokes.begin(), scene.strokes.end(),
                                      [](const Stroke& stroke) { return stroke.from > 0; });
-  if (strokes == Strokes::all || !has_later) return all;
-  return SceneBuilder<S>(document, unsaid_hand, strokes).build();
+  if (strokes == Strokes::first && has_later)
+    scene = SceneBuilder<S>(document, unsaid_hand, strokes).build();
+  note_ranges(document, scene.lines);
+  return scene;
 }
 template SceneOf<double> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_hand,
                                      Strokes strokes);

@@ -55,6 +55,10 @@ public:
     check_jaws();
     if (file_.planar) check_plane();
     if (doubts_.empty()) check_sides();
+    if (file_.lines.ranges > 0)
+      doubt(Doubt::middle, file_.lines.ranges,
+            "the middle of the ranges is taken, " + file_.lines.middle +
+                "; for every value answer `lcpush cone`, `hold` and `plan`");
     std::stable_sort(doubts_.begin(), doubts_.end(),
                      [](const SceneDoubt& a, const SceneDoubt& b) { return a.line < b.line; });
     return std::move(doubts_);
@@ -290,9 +294,10 @@ private:
 
 const char* doubt_code(Doubt doubt) {
   constexpr const char* codes[] = {
-      "outside_object",   "far_from_object", "normal_outward", "moves_away",    "density",
-      "jaws_independent", "center_of_mass",  "normal_along",   "friction",      "gravity",
-      "acceleration",     "inertia",         "jaws_same_side", "unknown_shape", "left_out"};
+      "outside_object", "far_from_object",  "normal_outward", "moves_away",
+      "density",        "jaws_independent", "center_of_mass", "normal_along",
+      "friction",       "gravity",          "acceleration",   "inertia",
+      "jaws_same_side", "unknown_shape",    "left_out",       "middle"};
   return codes[static_cast<int>(doubt)];
 }
 

@@ -33,6 +33,7 @@ Schema body_keys(const Schema& own) {
       {"length", "0.03", "m"},
       {"tangent", "[1, 0, 0]"},
       {"points_on", "\"object\""},
+      {"shift", "[0, 0.001, 0]", "m"},
   };
   keys.insert(keys.end(), own.begin(), own.end());
   return keys;

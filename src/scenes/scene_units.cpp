@@ -3,6 +3,7 @@
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/rational.hpp"
+#include "scenes/scene_ranges.hpp"
 #include "scenes/scene_schema.hpp"
 #include "scenes/table_reader.hpp"
 #include "text/whole_number.hpp"
@@ -196,6 +197,7 @@ TomlDocument parse_scene_tables(std::string_view text, const std::string& file_n
     for (std::size_t i = 0; i < section.tables.size(); ++i)
       read_units(section.name, table_label(section, i), is_planar != nullptr && *is_planar,
                  document.file, section.tables[i]);
+  read_ranges(document);
   return document;
 }
 

@@ -10,19 +10,13 @@
 namespace lcpush::desktop {
 namespace {
 
-/// `points` may be a count, a pair of counts, or a list of points.
-bool is_position(const TomlEntry& entry) {
-  return entry.key == "center" || entry.key == "ends" ||
-         (entry.key == "points" && !is_count(entry));
-}
-
-/// Adds `by` to coordinate `axis` of a point, or of every point of a list.
-void shift(TomlValue& value, std::size_t axis, double by) {
-  auto& list = std::get<TomlArray>(value.data);
-  if (std::holds_alternative<TomlArray>(list.front().data))
-    for (TomlValue& point : list) shift(point, axis, by);
-  else
-    set_number(list[axis], *list[axis].number() + by);
+/// A fraction that no decimals say stays one.
+std::string decimals(const Rational& number) {
+  constexpr int most = 400;
+  Rational whole = number;
+  for (int k = 0; k < most; ++k, whole = whole * Rational(10))
+    if (whole.is_whole()) return whole.text() + "e-" + std::to_string(k);
+  return number.text();
 }
 
 /// Cosine and sine; of multiples of 90 degrees exactly.
@@ -51,6 +45,12 @@ void set_vector(TomlValue& value, const Vector3<double>& vector) {
 void set_number(TomlValue& value, double number) {
   value.data = number;
   value.digits = shown(number);
+  value.range.clear();
+}
+
+void set_number(TomlValue& value, const Rational& number) {
+  set_number(value, number.value());
+  if (Rational::parse(value.digits) != number) value.digits = decimals(number);
 }
 
 void set_count(TomlValue& value, double number) {
@@ -65,11 +65,6 @@ bool is_count(const TomlEntry& entry) {
   if (entry.key != "points") return false;
   const auto* const list = std::get_if<TomlArray>(&entry.value.data);
   return list == nullptr || list->empty() || !std::holds_alternative<TomlArray>(list->front().data);
-}
-
-void shift_points(TomlTable& table, std::size_t axis, double by) {
-  for (TomlEntry& entry : table.entries)
-    if (is_position(entry)) shift(entry.value, axis, by);
 }
 
 void turn_motion(TomlTable& table, double degrees) {

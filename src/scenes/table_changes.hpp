@@ -2,18 +2,17 @@
 #pragma once
 
 #include "formats/toml.hpp"
+#include "lcpush/desktop/rational.hpp"
 
 namespace lcpush::desktop {
 
 void set_number(TomlValue& value, double number);
+void set_number(TomlValue& value, const Rational& number);
 /// As set_number; a whole number is kept as one.
 void set_count(TomlValue& value, double number);
 
 /// Whole numbers that count something: `facets`, and `points` unless it lists them.
 bool is_count(const TomlEntry& entry);
-
-/// A body's points move by so many m along an axis.
-void shift_points(TomlTable& table, std::size_t axis, double by);
 
 /// The velocity, or the acceleration, turns in the x-y plane.
 void turn_motion(TomlTable& table, double degrees);

@@ -117,6 +117,7 @@ std::size_t TableReader::choice(const std::string& key,
 
 double TableReader::checked_number(const std::string& what, const TomlValue& value,
                                    Sign sign) const {
+  for (const TomlValue& end : value.range) (void)checked_number(what, end, sign);
   if (!value.number()) fail_at(value.line, what + " must be a number, got " + described(value));
   const double number = *value.number();
   const auto require_that = [&](bool holds, const std::string& rule) {

@@ -25,12 +25,19 @@ struct Named {
   std::string owner, rest; ///< "left" and "points[0][1]"; both as in the path
 };
 
+std::string path_of(const Named& named) {
+  return named.owner.empty() ? named.rest : named.owner + "." + named.rest;
+}
+
 void add_numbers(const TomlValue& value, Named& named, std::vector<Named>& list) {
   Place& place = named.parameter.places.front();
   if (const auto number = value.number()) {
     named.rest = place.key;
     for (const std::size_t i : place.indices) named.rest += "[" + std::to_string(i) + "]";
     named.parameter.value = *number;
+    named.parameter.typed = value.digits;
+    named.parameter.ends.clear();
+    for (const TomlValue& end : value.range) named.parameter.ends.push_back(end.digits);
     list.push_back(named);
   } else if (const auto* array = std::get_if<TomlArray>(&value.data)) {
     for (std::size_t i = 0; i < array->size(); ++i) {
@@ -48,7 +55,9 @@ void add_table(const std::string& section, const TomlTable& table, const std::st
     const bool whole = is_count(entry);
     place.key = entry.key;
     Named named{
-        {"", Kind::number, {place}, 0, whole ? "" : key.unit, key.is_linear, whole}, owner, ""};
+        {"", Kind::number, {place}, 0, whole ? "" : key.unit, key.is_linear, whole, 0, "", {}},
+        owner,
+        ""};
     if (entry.key == "facets" && !entry.value.number()) { // "round" can be made a number
       named.rest = entry.key;
       named.parameter.value = static_cast<double>(SceneFile{}.facets);
@@ -63,14 +72,12 @@ void add_table(const std::string& section, const TomlTable& table, const std::st
 
 void add_motions(const TomlTable& table, const std::string& owner, const Place& place,
                  std::vector<Named>& list) {
-  const auto add = [&](Kind kind, const std::string& rest, const char* unit, Index axis) {
-    list.push_back({{"", kind, {place}, axis, unit}, owner, rest});
+  const auto add = [&](Kind kind, const std::string& rest) {
+    list.push_back({{"", kind, {place}, 0, "degrees"}, owner, rest});
   };
-  for (Index axis = 0; axis < 3; ++axis)
-    add(Kind::shift, "shift[" + std::to_string(axis) + "]", "m", axis);
-  add(Kind::tangent_turn, "tangent_turn", "degrees", 0);
+  add(Kind::tangent_turn, "tangent_turn");
   if (table.find("acceleration") != nullptr || table.find("velocity") != nullptr)
-    add(Kind::turn, "turn", "degrees", 0);
+    add(Kind::turn, "turn");
 }
 
 /// Each number that one path names, without those of `*`.
@@ -109,8 +116,7 @@ std::vector<Named> all_parameters(const TomlDocument& document) {
     list.push_back(list[i]);
     list.back().owner = "*";
   }
-  for (Named& named : list)
-    named.parameter.path = named.owner.empty() ? named.rest : named.owner + "." + named.rest;
+  for (Named& named : list) named.parameter.path = path_of(named);
   return list;
 }
 
@@ -132,11 +138,13 @@ void add_defaults(TomlDocument& document) {
       if (is_body(section.name) && table.find("on") != nullptr && table.find("center") == nullptr)
         table.entries.push_back(
             {"center", {table.line, TomlArray(2, TomlValue{table.line, std::int64_t{0}, "0"})}});
-      if (section.name != "pusher") continue;
-      const bool has_speed =
-          table.find("velocity") != nullptr || table.find("angular_velocity") != nullptr;
-      add(table, has_speed ? "velocity" : "acceleration");
-      add(table, has_speed ? "angular_velocity" : "angular_acceleration");
+      if (section.name == "pusher") {
+        const bool has_speed =
+            table.find("velocity") != nullptr || table.find("angular_velocity") != nullptr;
+        add(table, has_speed ? "velocity" : "acceleration");
+        add(table, has_speed ? "angular_velocity" : "angular_acceleration");
+      }
+      if (is_body(section.name)) add(table, "shift");
     }
 }
 
@@ -163,6 +171,24 @@ TomlTable& table_at(TomlDocument& document, const Place& place) {
       .tables[static_cast<std::size_t>(place.table)];
 }
 
+TomlValue& value_at(TomlDocument& document, const Place& place) {
+  TomlValue* value = table_at(document, place).find(place.key);
+  for (const std::size_t i : place.indices) value = &std::get<TomlArray>(value->data)[i];
+  return *value;
+}
+
+TomlDocument exactly_changed(TomlDocument document, const std::vector<Parameter>& parameters,
+                             const std::vector<Rational>& values) {
+  for (std::size_t k = 0; k < parameters.size(); ++k)
+    for (const Place& place : parameters[k].places)
+      set_number(value_at(document, place), values[k]);
+  return document;
+}
+
+bool operator==(const Place& a, const Place& b) {
+  return a.section == b.section && a.table == b.table && a.key == b.key && a.indices == b.indices;
+}
+
 /// First the numbers, then what moves: a contact on a face is moved from where that then is.
 TomlDocument changed(TomlDocument document, const std::vector<Parameter>& parameters,
                      const std::vector<double>& values) {
@@ -171,11 +197,11 @@ TomlDocument changed(TomlDocument document, const std::vector<Parameter>& parame
     const Parameter& parameter = parameters[k];
     moves = moves || parameter.kind != Kind::number;
     if (parameter.kind != Kind::number) continue;
-    for (const Place& place : parameter.places) {
-      TomlValue* value = table_at(document, place).find(place.key);
-      for (const std::size_t i : place.indices) value = &std::get<TomlArray>(value->data)[i];
-      (parameter.whole ? set_count : set_number)(*value, values[k]);
-    }
+    for (const Place& place : parameter.places)
+      if (parameter.whole)
+        set_count(value_at(document, place), values[k]);
+      else
+        set_number(value_at(document, place), values[k]);
   }
   if (!moves) return document;
   if (has_contacts_on_faces(document)) document = with_typed_places(std::move(document));
@@ -184,8 +210,6 @@ TomlDocument changed(TomlDocument document, const std::vector<Parameter>& parame
       TomlTable& table = table_at(document, place);
       if (parameters[k].kind == Kind::turn) turn_motion(table, values[k]);
       if (parameters[k].kind == Kind::tangent_turn) turn_tangent(table, values[k]);
-      if (parameters[k].kind == Kind::shift)
-        shift_points(table, static_cast<std::size_t>(parameters[k].axis), values[k]);
     }
   return document;
 }
@@ -254,6 +278,56 @@ Parameter VariedScene::find(const std::string& path) const {
 SceneFile VariedScene::at(const std::vector<Parameter>& parameters,
                           const std::vector<double>& values) const {
   return built(changed(*document_, parameters, values), hand_, parameters, values);
+}
+
+SceneOf<Rational> VariedScene::exactly_at(const std::vector<Parameter>& parameters,
+                                          const std::vector<Rational>& values) const {
+  return build_scene<Rational>(exactly_changed(*document_, parameters, values), hand_);
+}
+
+std::string VariedScene::text_at(const std::vector<Parameter>& parameters,
+                                 const std::vector<Rational>& values) const {
+  return toml_text(exactly_changed(*document_, parameters, values));
+}
+
+std::vector<Parameter> VariedScene::ranges() const {
+  std::vector<Parameter> list;
+  for (const Named& named : single_parameters(*document_))
+    if (!named.parameter.ends.empty()) {
+      list.push_back(named.parameter);
+      list.back().path = path_of(named);
+    }
+  return list;
+}
+
+std::vector<Parameter> VariedScene::singles(const std::string& path) const {
+  const std::vector<Place> wanted = find(path).places;
+  std::vector<Parameter> list;
+  for (const Named& named : single_parameters(*document_)) {
+    const Place& place = named.parameter.places.front();
+    if (std::none_of(wanted.begin(), wanted.end(), [&](const Place& one) { return one == place; }))
+      continue;
+    list.push_back(named.parameter);
+    list.back().path = path_of(named);
+  }
+  return list;
+}
+
+VariedScene VariedScene::with_range(const Parameter& parameter, const Rational& low,
+                                    const Rational& high) const {
+  TomlDocument document = *document_;
+  for (const Place& place : parameter.places) {
+    TomlValue& value = value_at(document, place);
+    TomlValue ends[] = {value, value};
+    set_number(ends[0], low);
+    set_number(ends[1], high);
+    set_number(value, (low + high) / Rational(2));
+    value.range = {ends[0], ends[1]};
+  }
+  VariedScene scene = *this;
+  scene.document_ = std::make_shared<const TomlDocument>(std::move(document));
+  (void)scene.as_given();
+  return scene;
 }
 
 VariedScene VariedScene::with_only_pusher(const std::string& name) const {

@@ -62,6 +62,8 @@ ROOMS = {
     "src/cone": ("With which pushes does a pusher stick?", f"{CORE} {TOOLBOX} desktop dense scenes solve"),
     "src/hold": ("How well does the grasp hold before any push?",
                  f"{CORE} {TOOLBOX} desktop dense scenes solve"),
+    "src/boxes": ("What holds for every value in a box?",
+                  f"{CORE} {TOOLBOX} desktop dense scenes solve cone hold"),
     "src/move": ("Where does the object end up in the grip?",
                  f"{CORE} {TOOLBOX} desktop dense scenes solve picture"),
     "src/plan": ("Which pushes take the object to another place in the grip?",

@@ -2,6 +2,7 @@
 // the limit of a slow push (docs/theory/theory.md, [T.17] and [T.18]).
 #pragma once
 
+#include "lcpush/desktop/boxes.hpp"
 #include "lcpush/desktop/scene_check.hpp"
 #include "lcpush/desktop/scene_io.hpp"
 #include "lcpush/desktop/sweep.hpp"
@@ -105,7 +106,9 @@ std::string slice_svg(const SceneFile& file, const ConeSlice& slice);
 
 std::string cone_text(const SceneFile& file, const ConeReport& report,
                       Telling telling = Telling::brief);
-std::string cone_json(const SceneFile& file, const ConeReport& report);
+/// `box`: with what holds for every value; then the angle's margin is `angle_margin`.
+std::string cone_json(const SceneFile& file, const ConeReport& report,
+                      const BoxAnswer* box = nullptr);
 /// The cone in space, and as velocities of the pusher where it presses.
 std::string cone_svg(const SceneFile& file, const ConeReport& report);
 

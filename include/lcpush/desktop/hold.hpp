@@ -2,6 +2,7 @@
 // load, and what gives way first (docs/theory/theory.md, [T.19]).
 #pragma once
 
+#include "lcpush/desktop/boxes.hpp"
 #include "lcpush/desktop/push_reports.hpp"
 #include "lcpush/desktop/smallest_grip.hpp"
 #include "lcpush/desktop/sweep.hpp"
@@ -106,7 +107,9 @@ std::string hold_sweep_svg(const HoldSweep& sweep);
 std::string hold_text(const SceneFile& file, const HoldStudy& study);
 /// The sections as a picture.
 std::string hold_svg(const SceneFile& file, const HoldStudy& study);
-std::string hold_json(const SceneFile& file, const HoldStudy& study);
+/// `box`: with what holds for every value; then the grip's margin is `grip_margin`.
+std::string hold_json(const SceneFile& file, const HoldStudy& study,
+                      const BoxAnswer* box = nullptr);
 /// The first line of the text.
 std::string hold_answer(const SceneFile& file, const HoldStudy& study);
 

@@ -25,6 +25,7 @@ enum class Doubt {
   jaws_same_side,   ///< parallel jaws that press the same way
   unknown_shape,    ///< a motion goes over the surface of an object that has none
   left_out,         ///< a load that planar = true drops: across the plane, or a moment out of it
+  middle,           ///< nothing odd: numbers have ranges, and the scene is the middle of them
 };
 
 /// As JSON spells it.

@@ -86,6 +86,8 @@ struct SceneLines {
   int gravity = 0, object = 0, center_of_mass = 0;
   int facets = 0; ///< 0: the file does not say
   std::vector<OfBody> bodies;
+  int ranges = 0;     ///< of the first number that has a range; 0: none
+  std::string middle; ///< of the ranges, in words
 };
 
 /// The arrays behind a Scene, and the names that the core does not need.

@@ -18,7 +18,6 @@ struct TomlValue;
 struct Parameter {
   enum class Kind {
     number,       ///< takes the parameter's value
-    shift,        ///< a body's points move by the value along an axis
     turn,         ///< a pusher's acceleration turns by the value in the x-y plane
     tangent_turn, ///< a body's friction generators turn by the value about its normal
   };
@@ -30,12 +29,14 @@ struct Parameter {
   };
   std::string path; ///< as typed
   Kind kind = Kind::number;
-  std::vector<Place> places; ///< of a shift or turn: its table alone
-  Index axis = 0;            ///< of a shift; of an offset in a face 1 + what it lies along
-  std::string unit;          ///< "N", "m/s^2", "" (a pure number), ..
-  bool linear = false;       ///< enters the right-hand side alone, and linearly
-  bool whole = false;        ///< counts something: whole numbers alone
-  double value = 0;          ///< in the file; of a shift or turn 0
+  std::vector<Place> places;          ///< of a turn: its table alone
+  Index axis = 0;                     ///< of an offset in a face 1 + what it lies along
+  std::string unit;                   ///< "N", "m/s^2", "" (a pure number), ..
+  bool linear = false;                ///< enters the right-hand side alone, and linearly
+  bool whole = false;                 ///< counts something: whole numbers alone
+  double value = 0;                   ///< in the file; of a turn 0
+  std::string typed = {};             ///< the same as digits; empty for a turn
+  std::vector<std::string> ends = {}; ///< of a range, of which it is the middle, as typed
 };
 
 /// Cheap to copy: copies share the document, which never changes.
@@ -63,6 +64,18 @@ public:
   /// no scene.
   SceneFile at(const std::vector<Parameter>& parameters, const std::vector<double>& values) const;
   SceneFile as_given() const { return at({}, {}); }
+  /// Pre: numbers alone.
+  SceneOf<Rational> exactly_at(const std::vector<Parameter>& parameters,
+                               const std::vector<Rational>& values) const;
+  /// As a file's text. Pre: numbers alone.
+  std::string text_at(const std::vector<Parameter>& parameters,
+                      const std::vector<Rational>& values) const;
+  /// Every number that has a range, one by one; and those that a path names.
+  std::vector<Parameter> ranges() const;
+  std::vector<Parameter> singles(const std::string& path) const;
+  /// The same scene with this number in a range. Throws InputError if that is no scene.
+  VariedScene with_range(const Parameter& parameter, const Rational& low,
+                         const Rational& high) const;
   /// The same scene with one number changed for good. Throws InputError if that is no scene.
   VariedScene with(const Parameter& parameter, double value) const;
   /// The same scene without its other pushers. Before find(), whose parameters are places in it.

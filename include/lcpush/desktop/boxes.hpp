@@ -1,0 +1,71 @@
+// What holds for every value in a box: numbers of a scene that are only known to lie in ranges
+// (docs/theory/theory.md, [T.20]).
+#pragma once
+
+#include "lcpush/desktop/scene_io.hpp"
+#include "lcpush/desktop/varied_scene.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lcpush::desktop {
+
+class JsonWriter;
+
+enum class BoxVerdict {
+  always,   ///< for every value in the box
+  may_slip, ///< not at the corner that is given
+  never,    ///< for no value in the box
+  not_known,
+};
+
+/// As JSON spells it.
+constexpr const char* box_verdict_text(BoxVerdict verdict) {
+  constexpr const char* texts[] = {"always", "may_slip", "never", "not_known"};
+  return texts[static_cast<int>(verdict)];
+}
+
+struct BoxRange {
+  std::string path;
+  double low, high;
+};
+
+struct BoxAnswer {
+  BoxVerdict verdict = BoxVerdict::not_known;
+  /// A clause: what happens at the corner, or why it is not known.
+  std::string reason;
+  /// The largest relative tolerance of all numbers of the box but places, which keep their ranges,
+  /// for which the verdict is `always`; 0: none; no value: not known, or there is no largest one.
+  std::optional<double> margin;
+  bool is_indifferent = false; ///< there is no largest one: it does not depend on these numbers
+  std::vector<BoxRange> box;
+  std::vector<std::pair<std::string, double>> corner; ///< of may_slip
+  std::string corner_scene;                           ///< the same as a scene file
+};
+
+/// The scene with what is only known to a tolerance in a range: "*.friction=10%" of what stands in
+/// the file, "edge.friction=0.3:0.5", or "*.friction", whose margin alone is asked. Throws
+/// InputError.
+VariedScene with_tolerances(VariedScene scene, const std::vector<std::string>& tolerances);
+
+/// Does the only pusher stick in this motion (none: the scene's own; see find_cone) for every value
+/// of the scene's ranges? Throws InputError as find_cone does. Cost: 2^numbers.
+BoxAnswer judge_push(const VariedScene& scene,
+                     const std::optional<Vector6<double>>& twist = std::nullopt);
+/// Does the grasp hold before any push, for every value of the scene's ranges?
+BoxAnswer judge_hold(const VariedScene& scene);
+
+/// The scenes at the corners of its ranges, and the share that their ends are off the middle; with
+/// `margin`, of ranges so wide instead. Empty: more than 64 corners.
+std::vector<SceneFile> corner_scenes(const VariedScene& scene,
+                                     const std::optional<double>& margin = std::nullopt);
+
+/// verdict, margin, corner, box: members of an object.
+void write_box(JsonWriter& json, const BoxAnswer& answer);
+/// `subject`: "This push", "The grasp"; `verb`: "sticks", "holds".
+std::string box_text(const SceneFile& middle, const BoxAnswer& answer, const std::string& subject,
+                     const std::string& verb);
+
+} // namespace lcpush::desktop

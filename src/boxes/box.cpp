@@ -1,0 +1,177 @@
+#include "boxes/box.hpp"
+
+#include "boxes/settings.hpp"
+#include "formats/read_number.hpp"
+#include "lcpush/desktop/input_error.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace lcpush::desktop {
+namespace {
+
+constexpr std::array places = {"shift", "center", "ends", "points", "at", "center_of_mass"};
+
+std::string key_of(const Parameter& parameter) { return parameter.places.front().key; }
+
+[[noreturn]] void refuse(const std::string& text, const std::string& what) {
+  throw InputError("tolerance " + quoted(text) + ": " + what);
+}
+
+Rational read(const std::string& text, std::string_view word) {
+  const std::optional<Rational> number = Rational::parse(trimmed(word));
+  if (!number) refuse(text, quoted(std::string(trimmed(word))) + " is no number");
+  return *number;
+}
+
+/// "PATH", "PATH=R%" or "PATH=FROM:TO".
+VariedScene with_tolerance(const VariedScene& scene, const std::string& text) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::string path(trimmed(std::string_view(text).substr(0, equals)));
+  const std::string_view size =
+      trimmed(std::string_view(text).substr(std::min(equals + 1, text.size())));
+  std::vector<Parameter> numbers = scene.singles(path);
+  for (const Parameter& number : numbers)
+    if (number.kind != Parameter::Kind::number || number.whole)
+      refuse(text, quoted(path) + (number.whole ? " counts something" : " is a turn") +
+                       ", which has no tolerance");
+  const std::vector<std::string_view> ends = split_at(size, ':');
+  const bool is_share = !size.empty() && size.back() == '%';
+  if (equals < text.size() && !is_share && ends.size() != 2)
+    refuse(text, "write PATH=10% or PATH=FROM:TO, such as edge.friction=0.3:0.5");
+  VariedScene changed = scene;
+  for (const Parameter& number : numbers) {
+    const std::optional<Rational> typed = Rational::parse(number.typed);
+    if (!typed) refuse(text, quoted(number.path) + " is too long to be read exactly");
+    Rational low = *typed, high = *typed;
+    if (is_share) {
+      const Rational off =
+          abs(*typed) * read(text, size.substr(0, size.size() - 1)) / Rational(100);
+      low = *typed - off;
+      high = *typed + off;
+    } else if (equals < text.size()) {
+      low = read(text, ends[0]);
+      high = read(text, ends[1]);
+    } else if (!number.ends.empty()) {
+      continue; // it has a range
+    }
+    if (high < low)
+      refuse(text, is_share ? "a tolerance is not negative"
+                            : "the range goes backwards; the smaller number comes first");
+    changed = changed.with_range(number, low, high);
+  }
+  return changed;
+}
+
+} // namespace
+
+VariedScene with_tolerances(VariedScene scene, const std::vector<std::string>& tolerances) {
+  for (const std::string& text : tolerances) scene = with_tolerance(scene, text);
+  return scene;
+}
+
+Rational BoxSide::low_at(const Rational& margin) const {
+  return is_relative ? middle - abs(middle) * margin : low;
+}
+Rational BoxSide::high_at(const Rational& margin) const {
+  return is_relative ? middle + abs(middle) * margin : high;
+}
+
+Box::Box(const VariedScene& scene) : scene_(scene), parameters_(scene.ranges()) {
+  const SceneFile file = scene.as_given();
+  const auto shares_jaws = [&](const Parameter& parameter) {
+    return key_of(parameter) == "grip_force" &&
+           (file.hand == Hand::parallel || file.hand == Hand::locked);
+  };
+  for (const Parameter& parameter : parameters_) {
+    const auto low = Rational::parse(parameter.ends[0]), high = Rational::parse(parameter.ends[1]);
+    if (!low || !high) refuse(parameter.path, "too long to be read exactly");
+    const std::string key = key_of(parameter);
+    const auto jaws = std::find_if(sides_.begin(), sides_.end(), [&](const BoxSide& side) {
+      return shares_jaws(side.parameters[0]);
+    });
+    if (shares_jaws(parameter) && jaws != sides_.end()) {
+      if (jaws->low != *low || jaws->high != *high)
+        refuse(parameter.path, "both jaws share one grip_force; give them the same range");
+      jaws->parameters.push_back(parameter);
+      continue;
+    }
+    const Rational middle = (*low + *high) / Rational(2);
+    const bool is_place = std::find(places.begin(), places.end(), key) != places.end();
+    const std::string owner = parameter.path.substr(0, parameter.path.rfind('.'));
+    const auto body = std::find(file.body_names.begin(), file.body_names.end(), owner);
+    sides_.push_back({{parameter},
+                      *low,
+                      middle,
+                      *high,
+                      key,
+                      !is_place && middle.sign() != 0,
+                      body != file.body_names.end() &&
+                          file.body(body - file.body_names.begin()).role == Role::finger});
+  }
+  if (sides_.size() > box_settings.most_sides)
+    refuse(parameters_.back().path, "a box of " + std::to_string(sides_.size()) +
+                                        " numbers has too many corners; at most " +
+                                        std::to_string(box_settings.most_sides) + " may vary");
+}
+
+std::vector<Rational> Box::values(const std::vector<Rational>& of_sides) const {
+  std::vector<Rational> values;
+  for (const Parameter& parameter : parameters_)
+    for (std::size_t k = 0; k < sides_.size(); ++k)
+      for (const Parameter& one : sides_[k].parameters)
+        if (one.path == parameter.path) values.push_back(of_sides[k]);
+  return values;
+}
+
+std::vector<Rational> Box::corner(Corner corner, const std::optional<Rational>& margin) const {
+  std::vector<Rational> values;
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    const BoxSide& side = sides_[k];
+    const bool is_high = (corner >> k & 1U) != 0;
+    values.push_back(margin    ? (is_high ? side.high_at(*margin) : side.low_at(*margin))
+                     : is_high ? side.high
+                               : side.low);
+  }
+  return values;
+}
+
+std::vector<Rational> Box::middle() const {
+  std::vector<Rational> values;
+  for (const BoxSide& side : sides_) values.push_back(side.middle);
+  return values;
+}
+
+SceneFile Box::scene_at(const std::vector<Rational>& of_sides) const {
+  std::vector<double> rounded;
+  for (const Rational& value : values(of_sides)) rounded.push_back(value.value());
+  return scene_.at(parameters_, rounded);
+}
+
+BoxAnswer Box::answer() const {
+  BoxAnswer answer;
+  for (const Parameter& parameter : parameters_)
+    answer.box.push_back({parameter.path, Rational::parse(parameter.ends[0])->value(),
+                          Rational::parse(parameter.ends[1])->value()});
+  return answer;
+}
+
+void Box::put_corner(const std::vector<Rational>& of_sides, BoxAnswer& answer) const {
+  const std::vector<Rational> exact = values(of_sides);
+  for (std::size_t k = 0; k < parameters_.size(); ++k)
+    answer.corner.emplace_back(parameters_[k].path, exact[k].value());
+  answer.corner_scene = scene_.text_at(parameters_, exact);
+}
+
+std::vector<SceneFile> corner_scenes(const VariedScene& scene,
+                                     const std::optional<double>& margin) {
+  const Box box(scene);
+  std::vector<SceneFile> scenes;
+  const std::optional<Rational> wide = margin ? std::optional(Rational(*margin)) : std::nullopt;
+  for (Box::Corner c = 0; box.corners() <= box_settings.plan_corners && c < box.corners(); ++c)
+    scenes.push_back(box.scene_at(box.corner(c, wide)));
+  return scenes;
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,69 @@
+// The answer for a box in words, and as JSON.
+#include "formats/json_writer.hpp"
+#include "lcpush/desktop/boxes.hpp"
+#include "lcpush/desktop/naming.hpp"
+#include "solve/push_words.hpp"
+#include "text/format.hpp"
+#include "text/wording.hpp"
+
+namespace lcpush::desktop {
+namespace {
+
+std::string answer_sentence(const BoxAnswer& answer, const std::string& subject,
+                            const std::string& verb) {
+  switch (answer.verdict) {
+  case BoxVerdict::always: return subject + " " + verb + " for every value in the box";
+  case BoxVerdict::never:
+    return subject + " " + verb + " for no value in the box: " + answer.reason;
+  case BoxVerdict::may_slip: return subject + " may fail: at a corner of the box " + answer.reason;
+  case BoxVerdict::not_known: break;
+  }
+  return "It is not known whether " + std::string(1, static_cast<char>(subject[0] | 0x20)) +
+         subject.substr(1) + " " + verb + " for every value in the box: " + answer.reason;
+}
+
+std::string margin_words(const BoxAnswer& answer) {
+  const bool is_place_alone = answer.is_indifferent;
+  if (is_place_alone) return "; it does not depend on how far the others are off";
+  if (!answer.margin) return "";
+  const std::string percent = in_digits(100 * *answer.margin, 4) + " % off";
+  if (answer.verdict == BoxVerdict::always)
+    return "; it would still if all of these numbers were " + percent;
+  return *answer.margin > 0 ? "; it would not, were all of these numbers at most " + percent : "";
+}
+
+} // namespace
+
+void write_box(JsonWriter& json, const BoxAnswer& answer) {
+  json.member("verdict", box_verdict_text(answer.verdict))
+      .member("margin", answer.margin)
+      .member("reason", unless_empty(answer.reason));
+  if (answer.corner.empty()) {
+    json.member("corner", nullptr);
+  } else {
+    json.key("corner").begin_object();
+    for (const auto& [path, value] : answer.corner) json.member(path, value);
+    json.end_object();
+  }
+  json.member("corner_scene", unless_empty(answer.corner_scene)).key("box").begin_object();
+  for (const BoxRange& range : answer.box)
+    json.member(range.path, std::vector<double>{range.low, range.high});
+  json.end_object();
+}
+
+std::string box_text(const SceneFile& middle, const BoxAnswer& answer, const std::string& subject,
+                     const std::string& verb) {
+  std::string text =
+      title_line(middle) + answer_sentence(answer, subject, verb) + margin_words(answer) + ".\n\n";
+  TableRows rows{{"number", "from", "to"}};
+  const bool has_corner = !answer.corner.empty();
+  if (has_corner) rows[0].push_back("at the corner");
+  for (std::size_t k = 0; k < answer.box.size(); ++k) {
+    const BoxRange& range = answer.box[k];
+    rows.push_back({range.path, brief(range.low), brief(range.high)});
+    if (has_corner) rows.back().push_back(brief(answer.corner[k].second));
+  }
+  return text + table_text(rows) + "\n" + facts_text({{"Friction", friction_law_text(middle)}});
+}
+
+} // namespace lcpush::desktop

@@ -1,0 +1,164 @@
+// [T.20] Is the load held for every value in a box? The loads and grips that friction can hold
+// together are a convex set, which grows with friction: corners of least friction decide.
+#include "boxes/box.hpp"
+#include "boxes/settings.hpp"
+#include "hold/grip_statics.hpp"
+#include "lcpush/desktop/hold.hpp"
+#include "solve/sentence.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace lcpush::desktop {
+namespace {
+
+/// Keys in which the load and the grip are affine, and those that a grasp without a push knows not.
+constexpr std::array load_keys = {"mass", "gravity",    "force",         "moment",
+                                  "at",   "grip_force", "center_of_mass"};
+constexpr std::array keys_of_pushes = {
+    "velocity",        "acceleration",  "angular_velocity", "angular_acceleration",
+    "about",           "normal_force",  "inertia",          "box",
+    "cylinder_radius", "sphere_radius", "cylinder_length",
+};
+
+class HoldJudge {
+public:
+  explicit HoldJudge(const VariedScene& scene) : box_(scene), file_(scene.as_given()) {}
+
+  BoxAnswer judge() {
+    answer_ = box_.answer();
+    find_obstacle();
+    if (!obstacle_.empty() && box_.sides().empty()) return answer_;
+    decide();
+    if (obstacle_.empty()) find_margin();
+    return answer_;
+  }
+
+private:
+  void find_obstacle() {
+    for (const BoxSide& side : box_.sides()) {
+      const std::string& path = side.parameters[0].path;
+      const bool is_pusher = !side.is_finger && path.find('.') != std::string::npos &&
+                             path.find("object.") != 0 && side.key != "force";
+      const bool is_idle = is_pusher || side.is_one_of(keys_of_pushes);
+      counts_.push_back(!is_idle);
+      if (!is_idle && side.key != "friction" && !side.is_one_of(load_keys))
+        obstacle_ = "what is held is not known to be convex in " + path;
+    }
+    if (file_.hand == Hand::locked)
+      obstacle_ = "locked jaws press with what the load makes of their grip, which is not convex";
+  }
+
+  /// Which corners decide: of all numbers but frictions both ends, of those the lower.
+  bool is_wanted(Box::Corner c, bool is_least = true) const {
+    for (std::size_t k = 0; k < counts_.size(); ++k) {
+      const bool is_high = (c >> k & 1U) != 0;
+      if (!counts_[k] && is_high) return false;
+      if (counts_[k] && box_.sides()[k].key == "friction" && is_high == is_least) return false;
+    }
+    return true;
+  }
+
+  bool varies_in_friction_alone() const {
+    for (std::size_t k = 0; k < counts_.size(); ++k)
+      if (counts_[k] && box_.sides()[k].key != "friction" &&
+          box_.sides()[k].low < box_.sides()[k].high)
+        return false;
+    return true;
+  }
+
+  /// Does a number of the box move them, as that of a box with fingers `on` its faces?
+  bool moves_fingers(const SceneFile& there) const {
+    return hand_at_rest(file_).positions != hand_at_rest(there).positions;
+  }
+
+  static HoldStudy study(const SceneFile& file) {
+    HoldQuestion question;
+    question.grip_alone = true;
+    return find_hold(file, question);
+  }
+
+  /// Forces that hold it, of pads those of which each point takes part: the convex set.
+  static bool has_forces(const SceneFile& file) {
+    const SceneFile hand = hand_at_rest(file);
+    if (hand.bodies.empty()) return false;
+    const bool has_pads = GripStatics(hand).has_pads();
+    const GripStatics statics(hand, has_pads ? std::vector<bool>(hand.points.size(), true)
+                                             : std::vector<bool>());
+    const Index moves = has_pads ? statics.displacement().cols() : 0;
+    Eigen::MatrixXd D(statics.rows(), moves + 1);
+    D.leftCols(moves) = statics.displacement().leftCols(moves);
+    D.col(moves).setZero();
+    StaticsProgram program(statics, D, moves, statics.demand(1));
+    return program.find_point() == StaticsProgram::Ending::found;
+  }
+
+  void decide() {
+    bool is_proved = true;
+    for (Box::Corner c = 0; c < box_.corners(); ++c) {
+      if (!is_wanted(c)) continue;
+      const std::vector<Rational> at = box_.corner(c);
+      const SceneFile there = box_.scene_at(at);
+      if (obstacle_.empty() && moves_fingers(there))
+        obstacle_ = "the fingers' places are not the same in the whole box";
+      const HoldStudy found = study(there);
+      if (found.held && !*found.held) {
+        answer_.verdict = BoxVerdict::may_slip;
+        answer_.reason = "the grasp does not hold " + object_name(file_);
+        box_.put_corner(at, answer_);
+        decide_never();
+        return;
+      }
+      is_proved = is_proved && found.held && has_forces(there);
+    }
+    answer_.reason = obstacle_;
+    if (!obstacle_.empty()) return;
+    if (is_proved)
+      answer_.verdict = BoxVerdict::always;
+    else
+      answer_.reason = "at a corner the law of pads has no rest in which every point presses, and "
+                       "only those are known to be convex";
+  }
+
+  void decide_never() {
+    if (!obstacle_.empty() || !varies_in_friction_alone()) return;
+    for (Box::Corner c = 0; c < box_.corners(); ++c)
+      if (is_wanted(c, false) && study(box_.scene_at(box_.corner(c))).held.value_or(true)) return;
+    answer_.verdict = BoxVerdict::never;
+    answer_.corner.clear();
+    answer_.corner_scene.clear();
+  }
+
+  bool holds(double margin) const {
+    for (Box::Corner c = 0; c < box_.corners(); ++c)
+      if (is_wanted(c) && !has_forces(box_.scene_at(box_.corner(c, Rational(margin)))))
+        return false;
+    return true;
+  }
+
+  void find_margin() {
+    bool is_scaled = false;
+    for (std::size_t k = 0; k < counts_.size(); ++k)
+      is_scaled = is_scaled || (counts_[k] && box_.sides()[k].is_relative);
+    answer_.is_indifferent = !is_scaled && answer_.verdict == BoxVerdict::always;
+    if (!is_scaled) return;
+    double low = 0, high = 1;
+    for (int k = 0; k < box_settings.holding_halvings; ++k) {
+      const double middle = (low + high) / 2;
+      (holds(middle) ? low : high) = middle;
+    }
+    answer_.margin = low;
+  }
+
+  const Box box_;
+  const SceneFile file_;
+  std::vector<bool> counts_; ///< of the sides: does holding depend on it?
+  std::string obstacle_;
+  BoxAnswer answer_;
+};
+
+} // namespace
+
+BoxAnswer judge_hold(const VariedScene& scene) { return HoldJudge(scene).judge(); }
+
+} // namespace lcpush::desktop

@@ -1,0 +1,313 @@
+#include "boxes/push_model.hpp"
+
+#include "boxes/settings.hpp"
+#include "lcpush/mechanics/model/answer.hpp"
+#include "lcpush/mechanics/model/contact.hpp"
+#include "text/wording.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace lcpush::desktop {
+namespace {
+
+/// Keys in which all that matters is affine, and keys that do not matter unless they change what
+/// does (the box of contacts `on` its faces).
+constexpr std::array affine_keys = {"friction", "grip_force", "mass",   "gravity", "force",
+                                    "moment",   "shift",      "center", "ends",    "points"};
+constexpr std::array idle_keys = {"inertia",       "box",
+                                  "sphere_radius", "cylinder_radius",
+                                  "velocity",      "cylinder_length",
+                                  "acceleration",  "angular_velocity",
+                                  "about",         "angular_acceleration"};
+
+void append(std::vector<Rational>& list, const Vector3<Rational>& v) {
+  list.insert(list.end(), {v[0], v[1], v[2]});
+}
+
+/// What a finger presses with.
+Rational normal_force(const SceneOf<Rational>& file, Index b) {
+  const Scene<Rational> scene = file.view();
+  Rational force = file.body(b).preload;
+  for (const Drive<Rational>& drive : file.drives)
+    if (drive.body == b) {
+      const Rational speed = closing_speed(scene, file.body(b), drive);
+      if (speed.sign() > 0)
+        force += file.actuators[static_cast<std::size_t>(drive.actuator)].force /
+                 (speed * Rational(drive_count(scene, drive.actuator)));
+    }
+  return force;
+}
+
+/// The resistance of a point to a motion (u_x, u_y, omega), for a limit of 1: (f_x, f_y) and the
+/// torque of friction about z.
+using PointResistance = std::array<Interval, 3>;
+
+PointResistance round_resistance(const PointResistance& u, const Rational& radius) {
+  const Interval turn = Interval(radius) * u[2];
+  const Interval speed = root(u[0] * u[0] + u[1] * u[1] + turn * turn);
+  if (speed.low.sign() <= 0) { // a point that may stand still resists with whatever it can
+    const Interval any(-1, 1);
+    return {any, any, Interval(radius) * any};
+  }
+  return {u[0] / speed, u[1] / speed, Interval(radius) * turn / speed};
+}
+
+/// Of the pyramid's generators those with the most power, as far as that can be told.
+PointResistance pyramid_resistance(const PointResistance& u, const SceneOf<Rational>& file,
+                                   const Body<Rational>& body) {
+  const bool is_exact = file.facets == 4 && body.tangent.squaredNorm() == Rational(1) &&
+                        !(body.torsion_radius > Rational(0));
+  const Rational off = is_exact ? Rational(0) : Rational(box_settings.rounded);
+  std::vector<PointResistance> all;
+  std::vector<Interval> powers;
+  const Index count =
+      body.torsion_radius > Rational(0) ? soft_generators(file.facets) : file.facets;
+  for (Index k = 0; k < count; ++k) {
+    const Generator<Rational> d = generator(body, k, file.facets);
+    all.push_back({about(d.force[0], off), about(d.force[1], off),
+                   about(d.torque * body.normal[2], off * body.torsion_radius)});
+    powers.push_back(all.back()[0] * u[0] + all.back()[1] * u[1] + all.back()[2] * u[2]);
+  }
+  const auto most = std::max_element(powers.begin(), powers.end(),
+                                     [](const auto& a, const auto& b) { return a.low < b.low; });
+  PointResistance best = all[static_cast<std::size_t>(most - powers.begin())];
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (std::size_t i = 0; powers[k].high >= most->low && i < 3; ++i)
+      best[i] = hull(best[i], all[k][i]);
+  return best;
+}
+
+template <class T> T from(const Rational& x) { return T(x); }
+template <> double from<double>(const Rational& x) { return x.value(); }
+template <class T> T from(const Interval& x) { return x; }
+template <> double from<double>(const Interval& x) { return (x.low.value() + x.high.value()) / 2; }
+template <class T> T from(double x) { return x; }
+
+} // namespace
+
+PushModel::PushModel(const Box& box, const std::optional<Vector6<double>>& twist) : box_(box) {
+  const SceneOf<Rational> scene = box.exact_scene_at(box.middle());
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    fingers_ += scene.bodies[b].role == Role::finger ? 1 : 0;
+    if (scene.bodies[b].role == Role::pusher) pusher_ = static_cast<Index>(b);
+  }
+  const Body<Rational>& pusher = scene.body(pusher_);
+  points_ = static_cast<std::size_t>(pusher.point_count);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Index axis = i < 2 ? static_cast<Index>(i) : 5;
+    twist_[i] = twist ? *Rational::parse(shown((*twist)[axis])) : pusher.acceleration[axis];
+  }
+  if (twist_[0].sign() == 0 && twist_[1].sign() == 0 && twist_[2].sign() == 0)
+    obstacle_ = "the pusher does not move; give --twist";
+  const Rational cut =
+      pusher.normal.squaredNorm() == Rational(1) ? Rational(0) : Rational(box_settings.cut_normal);
+  normal_ = {about(pusher.normal[0], cut), about(pusher.normal[1], cut)};
+  find_slopes(scene, twist.has_value());
+  if (obstacle_.empty()) find_resistance(scene);
+  if (obstacle_.empty()) order_points();
+}
+
+PushModel::Numbers PushModel::numbers(const SceneOf<Rational>& scene) const {
+  Numbers list;
+  for (std::size_t b = 0; b < fingers_; ++b) list.push_back(scene.bodies[b].friction);
+  for (std::size_t b = 0; b < fingers_; ++b)
+    list.push_back(normal_force(scene, static_cast<Index>(b)));
+  const Vector6<Rational>& w = scene.object.wrench;
+  list.insert(list.end(), {scene.object.mass, scene.gravity[0], scene.gravity[1], w[0], w[1], w[5],
+                           scene.body(pusher_).friction});
+  for (const Index i : points_of(scene.body(pusher_)))
+    for (Index axis = 0; axis < 2; ++axis)
+      list.push_back(scene.points[static_cast<std::size_t>(i)][axis]);
+  return list;
+}
+
+/// What has to stay.
+PushModel::Numbers PushModel::fixed(const SceneOf<Rational>& scene, bool has_twist) const {
+  Numbers list;
+  for (const Body<Rational>& body : scene.bodies) {
+    append(list, body.normal);
+    if (body.role == Role::pusher) continue;
+    append(list, body.tangent);
+    list.push_back(body.torsion_radius);
+    for (const Index i : points_of(body)) {
+      append(list, scene.points[static_cast<std::size_t>(i)]);
+      list.push_back(scene.weights[static_cast<std::size_t>(i)]);
+    }
+  }
+  const Vector6<Rational>& own = scene.body(pusher_).acceleration;
+  if (!has_twist) list.insert(list.end(), own.data(), own.data() + own.size());
+  return list;
+}
+
+void PushModel::find_slopes(const SceneOf<Rational>& scene, bool has_twist) {
+  middle_ = numbers(scene);
+  const Numbers stays = fixed(scene, has_twist);
+  for (std::size_t k = 0; k < box_.sides().size(); ++k) {
+    const BoxSide& side = box_.sides()[k];
+    std::vector<Rational> beside = box_.middle();
+    const Rational step = side.low < side.high ? side.high - side.middle
+                          : side.is_relative   ? side.middle / Rational(2)
+                                               : Rational(0);
+    beside[k] += step;
+    const SceneOf<Rational> there = box_.exact_scene_at(beside);
+    Numbers slope = numbers(there);
+    for (std::size_t i = 0; i < slope.size(); ++i)
+      slope[i] = step.sign() == 0 ? Rational(0) : (slope[i] - middle_[i]) / step;
+    const bool matters =
+        std::any_of(slope.begin(), slope.end(), [](const Rational& x) { return x.sign() != 0; });
+    if (fixed(there, has_twist) != stays || (matters && !side.is_one_of(affine_keys)) ||
+        (!side.is_one_of(affine_keys) && !side.is_one_of(idle_keys)))
+      obstacle_ = "whether it sticks is no multi-affine function of " + side.parameters[0].path;
+    counts_.push_back(matters);
+    for (std::size_t i = at(gravity_x); i < at(friction); ++i)
+      has_load_ = has_load_ || slope[i].sign() != 0;
+    slopes_.push_back(std::move(slope));
+  }
+  for (std::size_t i = at(gravity_x); i < at(friction); ++i)
+    has_load_ = has_load_ || middle_[i].sign() != 0;
+  for (const Rational& x : middle_) rounded_middle_.push_back(x.value());
+  for (const Numbers& slope : slopes_) {
+    rounded_slopes_.emplace_back();
+    for (const Rational& x : slope) rounded_slopes_.back().push_back(x.value());
+  }
+}
+
+void PushModel::find_resistance(const SceneOf<Rational>& scene) {
+  for (std::size_t b = 0; b < fingers_; ++b) {
+    const Body<Rational>& body = scene.bodies[b];
+    const Vector3<Rational>& n = body.normal;
+    const std::string label = "the points of finger " + quoted(scene.body_names[b]) + " ";
+    if (n[0].sign() != 0 || n[1].sign() != 0)
+      obstacle_ = quoted(scene.body_names[b]) + " does not press exactly along z";
+    const bool is_rounded =
+        std::any_of(scene.inexact.begin(), scene.inexact.end(), [&](const std::string& sentence) {
+          return sentence.find(label) != std::string::npos;
+        });
+    std::array<Interval, 3> sum;
+    for (const Index i : points_of(body)) {
+      const Vector3<Rational>& p = scene.points[static_cast<std::size_t>(i)];
+      const Rational off =
+          is_rounded ? Rational(box_settings.rounded) * (abs(p[0]) + abs(p[1]) + abs(p[2]))
+                     : Rational(0);
+      const Interval x = about(p[0], off), y = about(p[1], off), turn = twist_[2];
+      const PointResistance u = {Interval(twist_[0]) - turn * y, Interval(twist_[1]) + turn * x,
+                                 turn};
+      const PointResistance r = scene.is_round ? round_resistance(u, body.torsion_radius)
+                                               : pyramid_resistance(u, scene, body);
+      const Interval weight = scene.weights[static_cast<std::size_t>(i)];
+      sum[0] = shortened(sum[0] + weight * r[0]);
+      sum[1] = shortened(sum[1] + weight * r[1]);
+      sum[2] = shortened(sum[2] + weight * (x * r[1] - y * r[0] + r[2]));
+    }
+    resists_.push_back(sum);
+  }
+}
+
+void PushModel::order_points() {
+  const auto places = [&](std::size_t i) { return along(middle_, i).low.value(); };
+  std::size_t first = 0, last = 0;
+  for (std::size_t i = 1; i < points_; ++i) {
+    if (places(i) < places(first)) first = i;
+    if (places(i) > places(last)) last = i;
+  }
+  first_ = static_cast<Index>(first);
+  last_ = static_cast<Index>(last);
+  if (!(along(middle_, first).high < along(middle_, last).low))
+    obstacle_ = "the pusher presses at one place, where the object turns as it may";
+  // Its points lie in a plane across its normal, in the middle and wherever a side takes them.
+  for (std::size_t i = 1; i < points_; ++i)
+    for (std::size_t k = 0; k <= slopes_.size(); ++k) {
+      const Interval off = k < slopes_.size() ? standoff(slopes_[k], i) - standoff(slopes_[k], 0)
+                                              : standoff(middle_, i) - standoff(middle_, 0);
+      if (off.low.sign() > 0 || off.high.sign() < 0)
+        obstacle_ = "the pusher's points do not stay in a plane across its normal";
+    }
+}
+
+/// Along z x n.
+Interval PushModel::along(const Numbers& numbers, std::size_t point) const {
+  const std::size_t i = at(first_point) + 2 * point;
+  return Interval(numbers[i + 1]) * normal_[0] - Interval(numbers[i]) * normal_[1];
+}
+Interval PushModel::standoff(const Numbers& numbers, std::size_t point) const {
+  const std::size_t i = at(first_point) + 2 * point;
+  return Interval(numbers[i]) * normal_[0] + Interval(numbers[i + 1]) * normal_[1];
+}
+
+PushModel::Numbers PushModel::numbers_at(const std::vector<Rational>& of_sides) const {
+  Numbers numbers = middle_;
+  for (std::size_t k = 0; k < slopes_.size(); ++k) {
+    const Rational step = of_sides[k] - box_.sides()[k].middle;
+    if (!counts_[k] || step.sign() == 0) continue;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (slopes_[k][i].sign() != 0) numbers[i] += slopes_[k][i] * step;
+  }
+  return numbers;
+}
+
+/// w = sum_b mu_b F_b R_b - m g - f at the centre of mass; with the plane of the pusher's points at
+/// h along n, M = h f_t - moment is the sum of their s times their normal forces.
+template <class T, class Number>
+PushConditions<T> PushModel::conditions_of(const std::vector<Number>& numbers, const T& h,
+                                           const T& s_first, const T& s_last) const {
+  const auto number = [&](std::size_t i) { return from<T>(numbers[i]); };
+  const T m = number(at(mass));
+  T w[3] = {T(0) - m * number(at(gravity_x)) - number(at(force_x)),
+            T(0) - m * number(at(gravity_y)) - number(at(force_y)), T(0) - number(at(moment))};
+  for (std::size_t b = 0; b < fingers_; ++b) {
+    const T limit = number(b) * number(fingers_ + b);
+    for (std::size_t i = 0; i < 3; ++i) w[i] = w[i] + limit * from<T>(resists_[b][i]);
+  }
+  const T nx = from<T>(normal_[0]), ny = from<T>(normal_[1]);
+  const T pressed = w[0] * nx + w[1] * ny, dragged = w[1] * nx - w[0] * ny;
+  const T at_place = h * dragged - w[2], mu = number(at(friction));
+  return {{mu * pressed - dragged, mu * pressed + dragged, at_place - s_first * pressed,
+           s_last * pressed - at_place}};
+}
+
+PushConditions<Interval> PushModel::exact_conditions(const std::vector<Rational>& of_sides) const {
+  const Numbers numbers = numbers_at(of_sides);
+  return conditions_of<Interval>(numbers, standoff(numbers, 0),
+                                 along(numbers, static_cast<std::size_t>(first_)),
+                                 along(numbers, static_cast<std::size_t>(last_)));
+}
+
+PushConditions<double> PushModel::conditions(const std::vector<double>& of_sides) const {
+  std::vector<double> numbers = rounded_middle_;
+  for (std::size_t k = 0; k < rounded_slopes_.size(); ++k) {
+    const double step = of_sides[k] - box_.sides()[k].middle.value();
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] += rounded_slopes_[k][i] * step;
+  }
+  const double nx = from<double>(normal_[0]), ny = from<double>(normal_[1]);
+  const double* const p = numbers.data() + at(first_point);
+  const auto s = [&](Index i) { return p[2 * i + 1] * nx - p[2 * i] * ny; };
+  return conditions_of<double>(numbers, p[0] * nx + p[1] * ny, s(first_), s(last_));
+}
+
+bool PushModel::keeps_order(const std::vector<Rational>& of_sides) const {
+  const Numbers numbers = numbers_at(of_sides);
+  const Rational* const p = numbers.data() + at(first_point);
+  const auto is_beyond = [&](std::size_t i, Index j) {
+    const Interval x = Rational(p[2 * i] - p[2 * j]), y = Rational(p[2 * i + 1] - p[2 * j + 1]);
+    return !((y * normal_[0] - x * normal_[1]).low.sign() < 0);
+  };
+  for (std::size_t i = 0; i < points_; ++i)
+    if (!is_beyond(i, first_) || !is_beyond(static_cast<std::size_t>(last_), static_cast<Index>(i)))
+      return false;
+  return true;
+}
+
+std::vector<bool> PushModel::pressing(const std::vector<Rational>& of_sides) const {
+  const Numbers numbers = numbers_at(of_sides);
+  std::vector<bool> presses;
+  for (std::size_t i = 0; i < points_; ++i) {
+    const Interval speed = Interval(twist_[0]) * normal_[0] + Interval(twist_[1]) * normal_[1] -
+                           Interval(twist_[2]) * along(numbers, i);
+    presses.push_back(speed.low.sign() > 0);
+  }
+  return presses;
+}
+
+} // namespace lcpush::desktop

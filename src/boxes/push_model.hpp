@@ -1,0 +1,75 @@
+// [T.20] A sticking planar push over a box: four conditions, each linear in every number by itself.
+#pragma once
+
+#include "boxes/box.hpp"
+#include "boxes/interval.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lcpush::desktop {
+
+/// The pusher sticks where none of them is negative: mu f_n - f_t, mu f_n + f_t, and how far inside
+/// its outer points its force acts, times f_n: M - s_first f_n, s_last f_n - M.
+template <class T> struct PushConditions { std::array<T, 4> values; };
+
+class PushModel {
+public:
+  /// For one twist of the object; none: the pusher's own.
+  PushModel(const Box& box, const std::optional<Vector6<double>>& twist);
+
+  /// Why it is no such push, a clause; empty: it is one.
+  const std::string& obstacle() const { return obstacle_; }
+  /// Of the sides, those on which it depends.
+  const std::vector<bool>& counts() const { return counts_; }
+  Index pusher() const { return pusher_; }
+  /// The outer points of the pusher, along z x n.
+  Index first() const { return first_; }
+  Index last() const { return last_; }
+  /// Is there a load beside what the fingers resist, somewhere in the box?
+  bool has_load() const { return has_load_; }
+
+  PushConditions<Interval> exact_conditions(const std::vector<Rational>& of_sides) const;
+  PushConditions<double> conditions(const std::vector<double>& of_sides) const;
+  /// Do the outer points stay the outer ones there?
+  bool keeps_order(const std::vector<Rational>& of_sides) const;
+  /// The points that the motion presses into the object there.
+  std::vector<bool> pressing(const std::vector<Rational>& of_sides) const;
+
+private:
+  using Numbers = std::vector<Rational>;
+  /// What the numbers of a box may change: each is affine in them, and they are in `Numbers` in
+  /// this order, friction and force first, finger by finger.
+  enum Place { mass, gravity_x, gravity_y, force_x, force_y, moment, friction, first_point };
+
+  const Box& box_;
+  std::string obstacle_;
+  std::vector<bool> counts_;
+  Index pusher_ = -1, first_ = 0, last_ = 0;
+  std::size_t fingers_ = 0, points_ = 0;
+  bool has_load_ = false;
+  Numbers middle_;
+  std::vector<Numbers> slopes_;                  ///< a side
+  std::vector<std::array<Interval, 3>> resists_; ///< a finger of normal force and friction 1
+  std::array<Interval, 2> normal_;
+  std::array<Rational, 3> twist_;
+  std::vector<double> rounded_middle_;
+  std::vector<std::vector<double>> rounded_slopes_;
+
+  std::size_t at(Place place) const { return 2 * fingers_ + static_cast<std::size_t>(place); }
+  void find_slopes(const SceneOf<Rational>& scene, bool has_twist);
+  void find_resistance(const SceneOf<Rational>& scene);
+  void order_points();
+  Numbers numbers(const SceneOf<Rational>& scene) const;
+  Numbers fixed(const SceneOf<Rational>& scene, bool has_twist) const;
+  Numbers numbers_at(const std::vector<Rational>& of_sides) const;
+  Interval along(const Numbers& numbers, std::size_t point) const;
+  Interval standoff(const Numbers& numbers, std::size_t point) const;
+  template <class T, class Number>
+  PushConditions<T> conditions_of(const std::vector<Number>& numbers, const T& h, const T& s_first,
+                                  const T& s_last) const;
+};
+
+} // namespace lcpush::desktop
