@@ -109,7 +109,7 @@ def scene_problem(text, g):  # w = L x + q0 + push q1: L, q0, q1, the free rows,
     rows, cones, q1 = [], {}, []  # of the pairs: a force's wrench and its powers, or None for a slip
     for body in fingers + pushers:
         n, t, o, mu, r = *(body[k] for k in "nto"), F(body["friction"]), body.get("torsion_radius", 0)
-        positions, sides = patch(body, t, o), g
+        positions, sides = [add(p, body.get("shift", ZERO)) for p in patch(body, t, o)], g
         if scene.get("planar") and abs(n[2]) <= F(1, 10**9):  # friction forth and back along the plane
             t, r, sides = [n[1], -n[0], F(0)], 0, 2
         elif mu: require(scene.get("facets", 8) == g, "another law")

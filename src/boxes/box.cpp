@@ -164,13 +164,26 @@ void Box::put_corner(const std::vector<Rational>& of_sides, BoxAnswer& answer) c
   answer.corner_scene = scene_.text_at(parameters_, exact);
 }
 
+BoxAnswer unknown_box(const VariedScene& scene) { return Box(scene).answer(); }
+
 std::vector<SceneFile> corner_scenes(const VariedScene& scene,
                                      const std::optional<double>& margin) {
   const Box box(scene);
   std::vector<SceneFile> scenes;
   const std::optional<Rational> wide = margin ? std::optional(Rational(*margin)) : std::nullopt;
-  for (Box::Corner c = 0; box.corners() <= box_settings.plan_corners && c < box.corners(); ++c)
+  for (Box::Corner c = 0; c < box.corners(); ++c) {
+    bool is_wanted = true;
+    for (std::size_t k = 0; k < box.sides().size(); ++k) {
+      const BoxSide& side = box.sides()[k];
+      is_wanted = is_wanted && ((c >> k & 1U) == 0 || side.key != "friction" || side.is_finger);
+    }
+    if (!is_wanted) continue;
     scenes.push_back(box.scene_at(box.corner(c, wide)));
+    if (scenes.size() > box_settings.plan_corners)
+      refuse(box.parameters()[0].path,
+             "a plan's box has at most " + std::to_string(box_settings.plan_corners) +
+                 " corners beside the frictions of pushers; give fewer numbers a tolerance");
+  }
   return scenes;
 }
 

@@ -1,4 +1,5 @@
 // The answer for a box in words, and as JSON.
+#include "boxes/settings.hpp"
 #include "formats/json_writer.hpp"
 #include "lcpush/desktop/boxes.hpp"
 #include "lcpush/desktop/naming.hpp"
@@ -23,10 +24,11 @@ std::string answer_sentence(const BoxAnswer& answer, const std::string& subject,
 }
 
 std::string margin_words(const BoxAnswer& answer) {
-  const bool is_place_alone = answer.is_indifferent;
-  if (is_place_alone) return "; it does not depend on how far the others are off";
+  if (answer.is_indifferent) return "; how far they are off does not matter";
   if (!answer.margin) return "";
   const std::string percent = in_digits(100 * *answer.margin, 4) + " % off";
+  if (answer.verdict == BoxVerdict::always && *answer.margin > box_settings.no_margin)
+    return "; it would still however far these numbers were off";
   if (answer.verdict == BoxVerdict::always)
     return "; it would still if all of these numbers were " + percent;
   return *answer.margin > 0 ? "; it would not, were all of these numbers at most " + percent : "";

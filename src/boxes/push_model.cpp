@@ -80,7 +80,6 @@ PointResistance pyramid_resistance(const PointResistance& u, const SceneOf<Ratio
 }
 
 template <class T> T from(const Rational& x) { return T(x); }
-template <> double from<double>(const Rational& x) { return x.value(); }
 template <class T> T from(const Interval& x) { return x; }
 template <> double from<double>(const Interval& x) { return (x.low.value() + x.high.value()) / 2; }
 template <class T> T from(double x) { return x; }

@@ -215,6 +215,8 @@ std::optional<Certificate> certify_break(const std::string& text, const SceneFil
 }
 
 std::string uncertified_law(const SceneFile& file) {
+  if (file.lines.ranges > 0)
+    return "proves one scene, and in this one numbers are ranges: give them one value each";
   if (file.pressure == Pressure::even)
     return "proves the literal equations, which pressure = \"even\" replaces: use \"pad\" or "
            "\"rigid\"";

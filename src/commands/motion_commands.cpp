@@ -125,8 +125,12 @@ Result run_plan(const Values& values, Listener& listener) {
     values.refuse("to", values.label("to") + ": a turn of " + brief((*to)[2]) +
                             " rad is more than once round; it is in rad, not in degrees");
   const Document scene = values.scene_document();
-  const SceneFile file = values.scene(Needs::scene, Strokes::all);
+  SceneFile file = values.scene(Needs::scene, Strokes::all);
   PlanOptions options;
+  if (const VariedScene box = values.scene_with_ranges(Needs::scene); !box.ranges().empty()) {
+    options.box = box;
+    file.lines.ranges = 0; // they are answered
+  }
   options.progress = [&listener](double done) {
     listener.progress(done, "of the places that are tried");
   };
@@ -224,14 +228,18 @@ Command plan_command() {
       "can push the object, each where the scene has it touch. Looks for places on the way\n"
       "that are joined by pushes in which the pusher sticks (see `lcpush cone`), the shortest\n"
       "way with few changes of pusher. The plan is replayed by `lcpush move`, and what is\n"
-      "printed is where that ends.\n\n"
+      "printed is where that ends. With --tolerance, or where numbers of the scene are ranges,\n"
+      "every push sticks for every value.\n\n"
       "Examples:\n"
       "  lcpush plan docs/guide/square.toml --to \"-0.04 0.02 0.1\"\n"
+      "  lcpush plan docs/guide/square.toml --to \"-0.04 0.02 0.1\" --tolerance "
+      "\"*.friction=10%\"\n"
       "  lcpush plan docs/guide/square.toml --to \"-0.04 0.02 0.1\" --format html \\\n"
       "    -o p.html\n",
       with_scene_options(
           {{"to", "\"X Y ANGLE\"",
             "where the centre of mass is to go from where it is (m), and the turn (rad)"},
+           tolerance_option,
            verbose_option,
            {"seconds", "S", "search for so much processor time at most (8)"},
            format_option(

@@ -1,6 +1,5 @@
 #include "formats/toml.hpp"
 
-#include "formats/json_writer.hpp"
 #include "formats/read_number.hpp"
 #include "formats/text_cursor.hpp"
 #include "text/limits.hpp"
@@ -279,42 +278,6 @@ const TomlValue* TomlTable::find(std::string_view key) const {
   return entry == entries.end() ? nullptr : &entry->value;
 }
 
-namespace {
-
-std::string text_of(const TomlValue& value) {
-  if (const auto* const truth = std::get_if<bool>(&value.data)) return *truth ? "true" : "false";
-  if (const auto* const text = std::get_if<std::string>(&value.data)) {
-    const std::string json = JsonWriter().value(*text).text(); // the same escapes, and a new line
-    return json.substr(0, json.size() - 1);
-  }
-  const auto* const list = std::get_if<TomlArray>(&value.data);
-  if (list == nullptr)
-    return value.digits.empty() || value.digits.find('/') != std::string::npos
-               ? shown(*value.number())
-               : value.digits;
-  std::vector<std::string> parts;
-  for (const TomlValue& part : *list) parts.push_back(text_of(part));
-  return "[" + joined(parts, ", ") + "]";
-}
-
-std::string text_of(const TomlTable& table) {
-  std::string text;
-  for (const TomlEntry& entry : table.entries)
-    text += entry.key + " = " + text_of(entry.value) + "\n";
-  return text;
-}
-
-} // namespace
-
-std::string toml_text(const TomlDocument& document) {
-  std::string text = text_of(document.root);
-  for (const TomlSection& section : document.sections)
-    for (const TomlTable& table : section.tables)
-      text += (section.is_array ? "\n[[" + section.name + "]]\n" : "\n[" + section.name + "]\n") +
-              text_of(table);
-  return text;
-}
-
 const TomlSection* TomlDocument::find(std::string_view name) const {
   const auto is_name = [name](const TomlSection& section) { return section.name == name; };
   const auto section = std::find_if(sections.begin(), sections.end(), is_name);
@@ -341,6 +304,21 @@ std::string toml_text(const TomlValue& value) {
   if (list == nullptr) return is_decimal ? value.digits : shown(*value.number());
   for (const TomlValue& entry : *list) text += (text.empty() ? "" : ", ") + toml_text(entry);
   return "[" + text + "]";
+}
+
+std::string toml_text(const TomlDocument& document) {
+  std::string text;
+  const auto add = [&text](const TomlTable& table) {
+    for (const TomlEntry& entry : table.entries)
+      text += entry.key + " = " + toml_text(entry.value) + "\n";
+  };
+  add(document.root);
+  for (const TomlSection& section : document.sections)
+    for (const TomlTable& table : section.tables) {
+      text += section.is_array ? "\n[[" + section.name + "]]\n" : "\n[" + section.name + "]\n";
+      add(table);
+    }
+  return text;
 }
 
 TomlDocument parse_toml(std::string_view text, const std::string& file_name) {

@@ -73,14 +73,13 @@ struct TomlDocument {
 /// among root keys and sections. Throws InputError with file and line on anything else.
 TomlDocument parse_toml(std::string_view text, const std::string& file_name);
 
-/// The same document as a file, without its comments.
-std::string toml_text(const TomlDocument& document);
-
 /// Reads the whole of `word`, a decimal number: [+-]digits[.digits][e[+-]digits], no leading
 /// zeros, single underscores between digits. Returns what is wrong with it, if anything.
 std::optional<std::string> read_toml_number(std::string_view word, TomlValue& value);
 
 /// As a file has it, on one line.
 std::string toml_text(const TomlValue& value);
+/// The whole file, without its comments.
+std::string toml_text(const TomlDocument& document);
 
 } // namespace lcpush::desktop

@@ -1,6 +1,7 @@
 // The search for a plan, and its replay.
 #include "lcpush/desktop/plan.hpp"
 
+#include "lcpush/desktop/input_error.hpp"
 #include "plan/plan_parts.hpp"
 #include "text/format.hpp"
 
@@ -11,6 +12,7 @@
 namespace lcpush::desktop {
 namespace {
 
+constexpr int margin_halvings = 16; // of a plan's margin: to a thousandth of a per cent
 constexpr double pi = 3.14159265358979323846;
 constexpr int smoothing_tries = 150;
 // Sticking pushes first: each is a matter of microseconds, where a slipping one takes a motion.
@@ -26,7 +28,8 @@ public:
   Planner(std::string_view text, const std::string& file_name, const PlanarPose& goal,
           const PlanOptions& options)
       : text_(text), file_name_(file_name), options_(options),
-        file_(along_faces(parse_scene(text, file_name, Strokes::all))), pushing_(file_),
+        file_(along_faces(parse_scene(text, file_name, Strokes::all))),
+        pushing_(file_, corners(std::nullopt)),
         roadmap_(pushing_, PlanarPose(), goal,
                  {options.position_error / 2, 0, options.angle_error / 2}) {
     report_.goal = goal;
@@ -37,7 +40,7 @@ public:
     report_.holds_goal = pushing_.holds(report_.goal);
     if (!report_.holds_start || !report_.holds_goal) return std::move(report_);
     report_.found = is_there();
-    if (report_.found) return std::move(report_);
+    if (report_.found) return finished();
     for (const double way_a_step : ways_a_step) {
       const std::optional<Legs> way = found_way();
       if (!way) {
@@ -49,7 +52,7 @@ public:
       if (!report_.found && goes_on()) replay(way_a_step / options_.speed);
       if (report_.found || !goes_on()) break;
     }
-    return std::move(report_);
+    return finished();
   }
 
 private:
@@ -60,6 +63,44 @@ private:
   const Pushing pushing_;
   Roadmap roadmap_;
   PlanReport report_;
+
+  /// [T.20] What the pushes have to stick with.
+  std::vector<SceneFile> corners(const std::optional<double>& margin) const {
+    std::vector<SceneFile> scenes;
+    if (!options_.box) return scenes;
+    for (SceneFile& corner : corner_scenes(*options_.box, margin)) {
+      scenes.push_back(along_faces(std::move(corner)));
+      if (scenes.back().positions != file_.positions)
+        throw InputError(file_name_ + ": a plan's box has no places in it, and its pushers are all "
+                                      "there from the start");
+    }
+    return scenes;
+  }
+
+  PlanReport finished() {
+    if (!options_.box) return std::move(report_);
+    report_.box = unknown_box(*options_.box);
+    report_.box->reason = "no plan was found whose every push sticks for every value";
+    if (!report_.found) return std::move(report_);
+    report_.box->verdict = BoxVerdict::always;
+    report_.box->reason.clear();
+    report_.box->margin = 0;
+    double wider = 1;
+    for (int k = 0; k < margin_halvings; ++k) {
+      const double middle = (*report_.box->margin + wider) / 2;
+      (sticks(middle) ? *report_.box->margin : wider) = middle;
+    }
+    return std::move(report_);
+  }
+
+  bool sticks(double margin) const {
+    const Pushing pushing(file_, corners(margin));
+    return std::all_of(report_.pushes.begin(), report_.pushes.end(), [&](const PlannedPush& push) {
+      unsigned bit = 1;
+      for (std::size_t k = 0; pushing.body(k) != push.pusher; ++k) bit *= 2;
+      return (pushing.sticking(Arc(push.from, push.to)) & bit) != 0;
+    });
+  }
 
   bool is_there() const {
     return place_of(report_.goal).norm() <= options_.position_error &&
@@ -74,7 +115,7 @@ private:
         roadmap_.add_place();
       else
         roadmap_.add_pushed();
-      if (k > tries_without_slips && k % slips_every == 0)
+      if (!options_.box && k > tries_without_slips && k % slips_every == 0)
         roadmap_.add_slip(
             [&](const PlanarPose& from, const Slip& slip) {
               return slid(file_, pushing_.body(slip.pusher), from, slip);

@@ -59,7 +59,7 @@ void refuse_apart(const SceneFile& file, Index b, double length) {
 
 } // namespace
 
-Pushing::Pushing(const SceneFile& file)
+Pushing::Pushing(const SceneFile& file, const std::vector<SceneFile>& corners)
     : file_(file), length_(planar_reach(file)), grip_(file), face_(face_under_fingers(file)),
       load_(planar_load(file, length_)) {
   if (!file.planar)
@@ -90,6 +90,11 @@ Pushing::Pushing(const SceneFile& file)
                      "a plan pushes against the scene's pushers, and there is none: add a "
                      "[[pusher]] for each feature of the environment");
   refuse_single_place(file, LimitSurface(grip_, length_));
+  for (const SceneFile& corner : corners) {
+    corners_.push_back({GripPoints(corner), planar_load(corner, length_), {}});
+    for (const Pusher& pusher : pushers_)
+      corners_.back().cones.push_back(pusher_cone(corner, pusher.body, length_));
+  }
 }
 
 std::vector<bool> Pushing::touching(const PlanarPose& pose) const {
@@ -112,18 +117,34 @@ bool Pushing::touches_whole(const PlanarPose& pose) const {
 }
 
 bool Pushing::holds(const PlanarPose& pose) const {
-  const LimitSurface grip(grip_, length_, {pose.x, pose.y, 0}, pose.angle, touching(pose));
-  return grip.touches_everywhere() && grip.is_solid() &&
-         grip.share_of(turned(load_, -pose.angle)) < 1;
+  const std::vector<bool> touches = touching(pose);
+  const auto is_held = [&](const GripPoints& points, const Vector3<double>& load) {
+    const LimitSurface grip(points, length_, {pose.x, pose.y, 0}, pose.angle, touches);
+    return grip.touches_everywhere() && grip.is_solid() &&
+           grip.share_of(turned(load, -pose.angle)) < 1;
+  };
+  return is_held(grip_, load_) &&
+         std::all_of(corners_.begin(), corners_.end(),
+                     [&](const Corner& corner) { return is_held(corner.grip, corner.load); });
 }
 
-std::optional<Vector3<double>> Pushing::wrench(const PlanarPose& pose, const Planar& velocity,
-                                               double turn) const {
-  const LimitSurface grip(grip_, length_, {pose.x, pose.y, 0}, pose.angle, touching(pose));
+std::optional<Vector3<double>> Pushing::wrench(const GripPoints& points,
+                                               const Vector3<double>& load, const PlanarPose& pose,
+                                               const Planar& velocity, double turn) const {
+  const LimitSurface grip(points, length_, {pose.x, pose.y, 0}, pose.angle, touching(pose));
   if (!grip.touches_everywhere()) return std::nullopt;
   const Planar v = turned(velocity, -pose.angle);
   const Vector3<double> twist(v.x(), v.y(), turn * length_);
-  return Vector3<double>(grip.resistance(beside(twist)) - turned(load_, -pose.angle));
+  return Vector3<double>(grip.resistance(beside(twist)) - turned(load, -pose.angle));
+}
+
+/// [T.20] Between the corners it then does as well.
+bool Pushing::sticks_at_corners(std::size_t pusher, const PlanarPose& pose, const Planar& velocity,
+                                double turn) const {
+  return std::all_of(corners_.begin(), corners_.end(), [&](const Corner& corner) {
+    const auto w = wrench(corner.grip, corner.load, pose, velocity, turn);
+    return w && corner.cones[pusher].room(*w) >= room_kept;
+  });
 }
 
 bool Pushing::presses(const Pusher& pusher, const PlanarPose& pose, const Planar& velocity,
@@ -150,7 +171,8 @@ unsigned Pushing::sticking(const Arc& arc) const {
     for (std::size_t k = 0; k < pushers_.size(); ++k) {
       if ((left >> k & 1U) == 0) continue;
       if (!w || pushers_[k].cone.room(*w) < room_kept ||
-          !presses(pushers_[k], pose, velocity, arc.turn()))
+          !presses(pushers_[k], pose, velocity, arc.turn()) ||
+          !sticks_at_corners(k, pose, velocity, arc.turn()))
         left &= ~(1U << k);
     }
   };

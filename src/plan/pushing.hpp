@@ -15,8 +15,9 @@ struct PushNeeds {
 
 class Pushing {
 public:
-  /// `file` has its pushers where they touch the object. Throws InputError as find_cone does.
-  explicit Pushing(const SceneFile& file);
+  /// `file` has its pushers where they touch the object; `corners`: the same scene with other
+  /// numbers, with which a push has to stick as well. Throws InputError as find_cone does.
+  explicit Pushing(const SceneFile& file, const std::vector<SceneFile>& corners = {});
 
   std::size_t pushers() const { return pushers_.size(); }
   Index body(std::size_t pusher) const { return pushers_[pusher].body; }
@@ -55,12 +56,26 @@ private:
   GripPoints grip_;
   std::vector<Planar> face_; ///< corners of the object's face under the fingers, convex
   std::vector<Pusher> pushers_;
+  /// What else may press, pull and push.
+  struct Corner {
+    GripPoints grip;
+    Vector3<double> load;
+    std::vector<PusherCone> cones; ///< of the pushers
+  };
   Vector3<double> load_;
+  std::vector<Corner> corners_;
 
   std::vector<bool> touching(const PlanarPose& pose) const;
   /// The pusher's wrench in the object's axes, if the object is to move so.
   std::optional<Vector3<double>> wrench(const PlanarPose& pose, const Planar& velocity,
+                                        double turn) const {
+    return wrench(grip_, load_, pose, velocity, turn);
+  }
+  std::optional<Vector3<double>> wrench(const GripPoints& points, const Vector3<double>& load,
+                                        const PlanarPose& pose, const Planar& velocity,
                                         double turn) const;
+  bool sticks_at_corners(std::size_t pusher, const PlanarPose& pose, const Planar& velocity,
+                         double turn) const;
   bool presses(const Pusher& pusher, const PlanarPose& pose, const Planar& velocity,
                double turn) const;
 };

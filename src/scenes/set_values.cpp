@@ -141,10 +141,11 @@ private:
     }
   }
 
-  bool is_motion() const { return key_ == "shift" || key_ == "turn" || key_ == "tangent_turn"; }
+  bool is_motion() const { return key_ == "turn" || key_ == "tangent_turn"; }
 
   bool is_called(const std::string& section, const TomlTable& table) const {
-    if (owner_ == "*") return is_body(section) && (table.find(key_) != nullptr || is_motion());
+    if (owner_ == "*")
+      return is_body(section) && (table.find(key_) != nullptr || is_motion() || key_ == "shift");
     return owner_ == (table.name() != nullptr ? *table.name() : section);
   }
 
@@ -180,7 +181,7 @@ private:
   TomlValue zeros(const TomlTable& table) const {
     static const std::vector<std::string> vectors = {
         "gravity",      "center_of_mass",       "force", "moment", "velocity", "angular_velocity",
-        "acceleration", "angular_acceleration", "about"};
+        "acceleration", "angular_acceleration", "about", "shift"};
     const bool is_offset = key_ == "center" && table.find("on") != nullptr;
     if (!is_offset && std::find(vectors.begin(), vectors.end(), key_) == vectors.end())
       fail("the scene gives no " + key_ + "; set all of it, " + key_ + "=[..]");
@@ -201,13 +202,11 @@ private:
     return *at;
   }
 
-  /// A body shifted (m) or turned (degrees), as a sweep does it.
+  /// A body turned (degrees), as a sweep does it.
   void move(const TomlTable& original) {
     const std::optional<double> by = value_.number();
-    const std::size_t count = key_ == "shift" ? 1 : 0;
-    if (!by || indices_.size() != count || (count > 0 && indices_[0] > 2))
-      fail(count > 0 ? "a shift is a number, in m, along one axis: " + owner_ + ".shift[0]=0.01"
-                     : "a turn is a number, in degrees: " + owner_ + "." + key_ + "=30");
+    if (!by || !indices_.empty())
+      fail("a turn is a number, in degrees: " + owner_ + "." + key_ + "=30");
     if (key_ == "turn" && original.find("velocity") == nullptr &&
         original.find("acceleration") == nullptr)
       fail("it has neither a velocity nor an acceleration that could turn");
@@ -217,7 +216,6 @@ private:
       for (TomlTable& table : section.tables) {
         if (table.line != original.line) continue;
         const TomlTable before = table;
-        if (key_ == "shift") shift_points(table, indices_[0], *by);
         if (key_ == "turn") turn_motion(table, *by);
         if (key_ == "tangent_turn") turn_tangent(table, *by);
         for (const TomlEntry& entry : table.entries) {

@@ -28,7 +28,7 @@ REFUSED = [
     ("object.mass[0]=1", "mass is no such list"), ("object.mass", "PATH=VALUE is meant"), ("object.mass= ", "PATH=VALUE"),
     ("pin.friction=0,4", "a decimal number has a point"), ("pin.friction=-1", "held_block.toml:28: pusher \"pin\": friction must be >= 0"),
     ("pin.center[y]=1", "vectors are counted so"), ("left.ends[0][0]=1", "set all of it, ends=[..]"),
-    ("pin.shift[3]=1", "pin.shift[0]=0.01"), ("left.turn=1", "neither a velocity nor an acceleration"),
+    ("pin.shift[3]=1", "ends at [2]"), ("left.turn=1", "neither a velocity nor an acceleration"),
     ("object.mass=3 lb", "1 lb is 0.45359237 kg"), ("object.box=[1, 2", "this [ is never closed"), ("=1", "no key"),
     ("left.grip_force=10", 'write --set "*.grip_force=..", or add --set gripper.jaws=independent'),
 ]

@@ -57,8 +57,12 @@ BoxAnswer judge_push(const VariedScene& scene,
 /// Does the grasp hold before any push, for every value of the scene's ranges?
 BoxAnswer judge_hold(const VariedScene& scene);
 
-/// The scenes at the corners of its ranges, and the share that their ends are off the middle; with
-/// `margin`, of ranges so wide instead. Empty: more than 64 corners.
+/// The answer before anything is known.
+BoxAnswer unknown_box(const VariedScene& scene);
+
+/// The scenes at the corners of its ranges, pushers with their least friction: a push that presses
+/// sticks with more as well. With `margin`: of ranges so wide instead. Throws InputError for more
+/// corners than a plan can look at.
 std::vector<SceneFile> corner_scenes(const VariedScene& scene,
                                      const std::optional<double>& margin = std::nullopt);
 

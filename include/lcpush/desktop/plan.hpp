@@ -2,9 +2,11 @@
 // place in the grip (docs/theory/theory.md, [T.18]).
 #pragma once
 
+#include "lcpush/desktop/boxes.hpp"
 #include "lcpush/desktop/move.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +25,8 @@ struct PlanOptions {
   double position_error = 1e-3, angle_error = 3.14159265358979323846 / 180; ///< of the replay
   std::function<void(double done)> progress;                                ///< 0 to 1
   StopCheck stop;                                                           ///< ends the search
+  /// The scene with ranges: every push is to stick for every value. Else it is the middle's plan.
+  std::optional<VariedScene> box = std::nullopt;
 };
 
 enum class PushKind {
@@ -59,6 +63,7 @@ struct PlanReport {
   MotionReport replay;    ///< of it, by `move`
   std::optional<double> replay_step; ///< s: in equal steps so long; none: in those of `move`
   double position_error = 0, angle_error = 0; ///< m and rad, of the replay's end
+  std::optional<BoxAnswer> box;               ///< if one is asked for: do all pushes stick?
 };
 
 /// m: what another pusher is worth of way.

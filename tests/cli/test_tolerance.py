@@ -1,0 +1,235 @@
+"""Ranges in scenes, and what holds for every value of them: cone, hold and plan with --tolerance."""
+import itertools
+import json
+import math
+import os
+import random
+
+from tool import SCENES, SOURCE, ToolTest, json_of, main, run
+
+SQUARE, SLIDE = SOURCE / "docs/guide/square.toml", SCENES / "straight_slide.toml"
+DEEP = os.environ.get("LCPUSH_DEEP")
+BOXES, SAMPLES = (200, 10000) if DEEP else (20, 300)
+SLIDE_TEXT = SLIDE.read_text().replace("gravity = [0,", "planar = true\ngravity = [0,")
+ALL = ("--tolerance", "*.friction", "--tolerance", "*.grip_force", "--tolerance", "object.mass")
+
+
+class Push:
+    """A planar push by its own mechanics: numbers by path, places fixed."""
+
+    def __init__(self, rng):
+        u = rng.uniform
+        self.facets = rng.choice([None, None, None, 8])
+        self.fingers = {name: [[round(u(-0.01, 0.01), 4) for _ in range(2)] for _ in range(rng.choice([2, 3, 5]))]
+                        for name in ("left", "right")}
+        self.n = rng.choice([(1, 0), (0, -1), (0.6, 0.8), (-0.8, 0.6)])
+        width, h, middle = u(0.005, 0.04), -0.05, round(u(-0.01, 0.01), 4)
+        self.places = [(h * self.n[0] - s * self.n[1], h * self.n[1] + s * self.n[0])
+                       for s in (round(middle - width / 2, 4), round(middle + width / 2, 4))]
+        self.middle = {"object.mass": round(u(0.1, 0.5), 3), "gravity[1]": rng.choice([0, -9.81, -3]),
+                       "object.force[0]": round(u(-2, 2), 2), "wall.friction": round(u(0.2, 0.9), 2)}
+        grip = round(u(10, 30), 1)
+        for name in self.fingers:
+            self.middle.update({f"{name}.friction": round(u(0.2, 0.8), 2), f"{name}.grip_force": grip})
+        self.twist = [round(self.n[0] + u(-0.4, 0.4), 3), round(self.n[1] + u(-0.4, 0.4), 3), round(u(-15, 15), 2)]
+
+    def text(self):
+        m, text = self.middle, "planar = true\n" + (f"facets = {self.facets}\n" if self.facets else "")
+        text += (f"gravity = [0, {m['gravity[1]']}, 0]\n[object]\nmass = {m['object.mass']}\nbox = [0.1, 0.1, 0.01]\n"
+                 f"force = [{m['object.force[0]']}, 0, 0]\n")
+        for name, z in (("left", 0.005), ("right", -0.005)):
+            points = [[*p, z] for p in self.fingers[name]]
+            text += (f'[[finger]]\nname = "{name}"\nshape = "points"\npoints = {points}\nnormal = [0, 0, {-1 if z > 0 else 1}]\n'
+                     f"friction = {m[name + '.friction']}\ngrip_force = {m[name + '.grip_force']}\n")
+        ends = [[repr(round(x, 12)), repr(round(y, 12)), "0"] for x, y in self.places]
+        return text + (f'[[pusher]]\nname = "wall"\nshape = "line"\nends = {ends}\npoints = 2\nnormal = [{self.n[0]}, {self.n[1]}, 0]\n'
+                       f"friction = {m['wall.friction']}\nvelocity = [{self.n[0]}, {self.n[1]}, 0]\n").replace("'", "")
+
+    def slip_force(self, x, y):
+        vx, vy = self.twist[0] - self.twist[2] * y, self.twist[1] + self.twist[2] * x
+        if not self.facets:
+            return vx / math.hypot(vx, vy), vy / math.hypot(vx, vy)
+        angles = [2 * math.pi * k / self.facets for k in range(self.facets)]
+        return max(((math.cos(a), math.sin(a)) for a in angles), key=lambda d: d[0] * vx + d[1] * vy)
+
+    def sticks(self, at):
+        """Is what the pusher has to exert a sum of its points' extreme forces? By every three of them. None: on the verge."""
+        w = [-at["object.force[0]"], -at["object.mass"] * at["gravity[1]"], 0]
+        for name, points in self.fingers.items():
+            limit = at[f"{name}.friction"] * at[f"{name}.grip_force"] / len(points)
+            for x, y in points:
+                fx, fy = self.slip_force(x, y)
+                w = [w[0] + limit * fx, w[1] + limit * fy, w[2] + limit * (x * fy - y * fx)]
+        rays = []
+        for (x, y), side in itertools.product(self.places, (1, -1)):
+            fx = self.n[0] - side * at["wall.friction"] * self.n[1]
+            fy = self.n[1] + side * at["wall.friction"] * self.n[0]
+            rays.append((fx, fy, (x * fy - y * fx)))
+        det = lambda a, b, c: (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+                               + a[2] * (b[0] * c[1] - b[1] * c[0]))
+        best = -math.inf
+        for a, b, c in itertools.combinations(rays, 3):
+            if abs(det(a, b, c)) > 1e-12:
+                best = max(best, min(det(w, b, c), det(a, w, c), det(a, b, w), key=lambda t: t / det(a, b, c)) / det(a, b, c))
+        return None if abs(best) < 1e-9 else best > 0
+
+
+def slide(mu_wall, mu, force, mass):
+    return SLIDE_TEXT.replace("friction = 0.5", f"friction = {mu}").replace("= 0.3\n", f"= {mu_wall}\n").replace(
+        "grip_force = 20", f"grip_force = {force}").replace("mass = 0.2 ", f"mass = {mass} ").replace("-0.015", "-0.15").replace("0.015, 0]]", "0.15, 0]]")
+
+
+class Tolerance(ToolTest):
+    def test_own_mechanics_finds_no_counterexample(self):
+        seen = {}
+        for k in range(BOXES):
+            rng = random.Random(k)
+            push = Push(rng)
+            scene = self.file("push.toml", push.text())
+            words, box = [], {}
+            for path, value in push.middle.items():
+                off = 0 if path == "gravity[1]" else round(rng.choice([0, 0.02, 0.1, 0.3]) * abs(value), 6)
+                off = off if "right.grip" not in path else box["left.grip_force"][1] - value
+                box[path] = (value - off, value + off)
+                words += ["--tolerance", f"{path}={value - off!r}:{value + off!r}"]
+            answer = run("cone", scene, "--twist", " ".join(map(str, push.twist)), "--json", *words)
+            self.assertIn(answer.returncode, (0, 1), answer.stderr + push.text())
+            answer = json.loads(answer.stdout)
+            verdict = answer["verdict"]
+            seen[verdict] = seen.get(verdict, 0) + 1
+            for _ in range(SAMPLES if verdict in ("always", "never") else 0):
+                at = {p: rng.choice([low, high, rng.uniform(low, high)]) for p, (low, high) in box.items()}
+                at["right.grip_force"] = at["left.grip_force"]
+                self.assertNotEqual(push.sticks(at), verdict == "never", (k, verdict, at))
+            if verdict == "may_slip" and "does not hold" not in answer["reason"]:
+                self.assertIs(push.sticks(answer["corner"]), False, k)
+                corner = self.file("corner.toml", answer["corner_scene"])
+                self.assertIs(json_of("cone", corner, "--twist", " ".join(map(str, push.twist)))["sticks"], False, k)
+            if verdict == "always" and answer["margin"]:  # and a little beyond the margin some corner slips
+                far = [1 - 1.001 * answer["margin"], 1 + 1.001 * answer["margin"]]
+                at = [{p: v * s for (p, v), s in zip(push.middle.items(), c)} for c in itertools.product(far, repeat=len(box))]
+                same = [a for a in at if a["left.grip_force"] == a["right.grip_force"]]
+                held = answer["margin"] < 0.999 and answer["holding_grip_factor"] == 0
+                self.assertTrue(not held or any(push.sticks(a) is False for a in same), k)
+        self.assertGreaterEqual(len(seen), 3, seen)
+        self.assertEqual(seen.get("not_known", 0), 0, seen)
+
+    def test_straight_slides_have_the_closed_form(self):
+        rng = random.Random(7)
+        for _ in range(20):
+            mu_wall, mu = round(rng.uniform(0.3, 0.9), 3), round(rng.uniform(0.3, 0.9), 3)
+            force, mass = round(rng.uniform(15, 40), 2), round(rng.uniform(0.1, 0.3), 3)
+            answer = json_of("cone", self.file("slide.toml", slide(mu_wall, mu, force, mass)), *ALL)
+            self.assertEqual(answer["verdict"], "always")
+            target, low, high = 2 * mu_wall * mu * force / (mass * 9.81), 0, 1
+            for _ in range(60):
+                e = (low + high) / 2
+                low, high = (e, high) if (1 + e) < target * (1 - e) ** 3 else (low, e)
+            self.assertAlmostEqual(answer["margin"], low, delta=1e-6)
+
+    def test_a_narrow_wall_at_its_own_place(self):
+        text = SLIDE_TEXT.replace("-0.015", "-0.0069").replace("0.015, 0]]", "-0.0029, 0]]")
+        self.assertAlmostEqual(json_of("cone", self.file("w.toml", text), *ALL)["margin"], 0.111, delta=5e-4)
+
+    def test_ranges_are_read_and_the_middle_is_solved(self):
+        ranges = SLIDE_TEXT.replace("friction = 0.3", "friction = [0.2, 0.4]").replace(
+            "mass = 0.2 ", 'mass = ["0.18 kg", "220 g"] ').replace("points = 2", "points = 2\nshift = [0, [-1e-3, 1e-3], 0]")
+        scene, middle = self.file("ranges.toml", ranges), self.file("middle.toml", SLIDE_TEXT)
+        solved = run("solve", scene)
+        self.assertEqual(solved.stdout, run("solve", middle).stdout)
+        self.assertIn("the middle of the ranges is taken, object mass = 0.2 (0.18 to 0.22)", " ".join(solved.stderr.split()))
+        self.assertEqual(run("solve", scene, "--strict").returncode, 0)
+        self.assertEqual([w["code"] for w in json_of("break", scene)["warnings"]], ["middle"])
+        self.assertIn("numbers are ranges", run("solve", scene, "--certify", self.path / "c.json").stderr)
+        answer = json_of("cone", scene)
+        self.assertEqual(answer["box"], {"object.mass": [0.18, 0.22], "wall.friction": [0.2, 0.4], "wall.shift[1]": [-1e-3, 1e-3]})
+        self.assertEqual((answer["verdict"], answer["warnings"]), ("always", []))
+        wide = json_of("cone", scene, "--tolerance", "wall.friction=0.05:0.4")
+        self.assertEqual((wide["verdict"], wide["corner"]["wall.friction"]), ("may_slip", 0.05))
+        self.assertEqual(wide["corner_scene"], run("cone", scene, "--tolerance", "wall.friction=0.05:0.4", "--format", "toml").stdout)
+        moved = json_of("solve", self.file("m.toml", SLIDE_TEXT.replace("points = 2", "points = 2\nshift = [0, 0.001, 0]")))
+        typed = json_of("solve", self.file("t.toml", SLIDE_TEXT.replace("-0.015", "-0.014").replace("0.015, 0]]", "0.016, 0]]")))
+        self.assertEqual(moved["bodies"], typed["bodies"])
+
+    def test_what_is_refused(self):
+        for old, new, said in (
+                ("friction = 0.3", "friction = [0.5, 0.3]", 'pusher "wall": friction = [0.5, 0.3] is a range that goes backwards'),
+                ("friction = 0.3", "friction = [-0.1, 0.3]", "friction must be >= 0, got -0.1"),
+                ("mass = 0.2 ", "mass = [0, 0.2] ", "mass must be > 0, got 0"),
+                ("mass = 0.2 ", 'mass = ["1 mm", "2 mm"] ', "a length"),
+                ("friction = 0.3", "friction = [0.1, 0.2, 0.3]", "friction must be a number, got a list")):
+            self.assertIn(said, " ".join(run("solve", self.file("bad.toml", SLIDE_TEXT.replace(old, new))).stderr.split()))
+        scene = self.file("slide.toml", SLIDE_TEXT)
+        for given, said in (("wall.fricton=10%", 'did you mean "wall.friction"'), ("wall.friction=-3%", "not negative"),
+                            ("wall.friction=0.5:0.3", "backwards"), ("wall.friction=200%", "friction must be >= 0, got -0.3"),
+                            ("facets=10%", "counts something"), ("wall.turn=10%", "is a turn"), ("wall.friction=x%", "is no number"),
+                            ("wall.friction=0.3", "write PATH=10%"), ("left.grip_force=10%", "share one grip_force")):
+            refused = run("cone", scene, "--tolerance", given)
+            self.assertEqual(refused.returncode, 2, given)
+            self.assertIn(said, " ".join(refused.stderr.split()))
+        self.assertIn("no corner of the box", run("cone", scene, "--tolerance", "*.friction=1%", "--format", "toml").stderr)
+        self.assertIn("would take it", run("solve", scene, "--tolerance", "*.friction=1%").stderr)
+
+    def test_the_verge_no_load_and_what_does_not_matter(self):
+        verge = self.file("verge.toml", slide(0.25, 0.5, 20, 0.5).replace("-9.81", "-10"))  # mu_p 2 mu F = m g
+        on_it = json_of("cone", verge, "--tolerance", "*.friction")
+        self.assertEqual((on_it["verdict"], on_it["margin"]), ("always", 0))
+        for given, verdict in (("0.25:0.3", "always"), ("0.2499999999999999999999:0.3", "may_slip"), ("0.1:0.2499999999999999999999", "never")):
+            self.assertEqual(json_of("cone", verge, "--tolerance", f"wall.friction={given}")["verdict"], verdict)
+        free = self.file("free.toml", SLIDE_TEXT.replace("-9.81", "0"))
+        for given in ("object.box[0]=10%", "wall.acceleration[0]=10%"):
+            answer = json_of("cone", free, "--tolerance", given, "--twist", "1 0 0")
+            self.assertEqual((answer["verdict"], answer["margin"]), ("always", None), given)
+        self.assertGreater(json_of("cone", free, "--tolerance", "object.mass=50%")["margin"], 0.99)
+        for given in ("left.points[0][0]=0:0.01", "left.normal[2]=-1.1:-0.9", "object.center_of_mass[0]=0:0.001"):
+            self.assertEqual(json_of("cone", verge, "--tolerance", given)["verdict"], "not_known", given)
+        point = SCENES / "straight_slide_point.toml"
+        text = point.read_text().replace("gravity = [", "planar = true\ngravity = [")
+        self.assertIn("one place", json_of("cone", self.file("p.toml", text), "--tolerance", "*.friction=1%")["reason"])
+        back = json_of("cone", free, "--tolerance", "*.friction=1%", "--twist", "-1 0 0")
+        self.assertIn(back["verdict"], ("never", "not_known"))
+
+    def test_more_friction_of_a_finger_can_make_it_slip(self):
+        text = SLIDE_TEXT.replace("[0.005, 0, 0.005], [0, 0.005, 0.005], [-0.005, 0, 0.005], [0, -0.005, 0.005]",
+                                  "[0.005, 0.02, 0.005], [0, 0.02, 0.005]").replace("-9.81", "0")
+        answer = json_of("cone", self.file("off.toml", text), "--tolerance", "left.friction=0.5:2")
+        self.assertEqual((answer["verdict"], answer["corner"]), ("may_slip", {"left.friction": 2}))
+
+    def test_hold(self):
+        held = json_of("hold", SLIDE, "--tolerance", "*.friction", "--tolerance", "object.mass", "--tolerance", "*.grip_force")
+        least = held["least_grip"]["statics_factor"]  # (1 - e)^2 / (1 + e) of friction, grip and mass
+        e = held["margin"]
+        self.assertEqual(held["verdict"], "always")
+        self.assertAlmostEqual((1 + e) / (1 - e) ** 2 * least, 1, delta=1e-6)
+        heavy = json_of("hold", SLIDE, "--tolerance", "object.mass=1:5")
+        self.assertEqual((heavy["verdict"], heavy["corner"]), ("may_slip", {"object.mass": 5}))
+        corner = json_of("hold", self.file("corner.toml", heavy["corner_scene"]))
+        self.assertIs(corner["held"], False)
+        slippery = json_of("hold", self.file("s.toml", SLIDE_TEXT.replace("mass = 0.2 ", "mass = 20 ")), "--tolerance", "*.friction=5%")
+        self.assertEqual((slippery["verdict"], slippery["margin"]), ("never", 0))
+        locked = self.file("l.toml", SLIDE_TEXT.replace("[object]", '[gripper]\njaws = "locked"\n[object]'))
+        self.assertEqual(json_of("hold", locked, "--tolerance", "*.friction=1%")["verdict"], "not_known")
+
+    def test_plans(self):
+        words = ("plan", SQUARE, "--to", "-0.04 0.02 0.1", "--tolerance", "*.friction=10%", "--tolerance", "object.mass=20%")
+        plan = json_of(*words)
+        self.assertEqual((plan["found"], plan["verdict"]), (True, "always"))
+        self.assertGreater(plan["margin"], 0.1)
+        for push in plan["pushes"]:
+            self.assertEqual(push["kind"], "stick")
+            x, y, turn = push["twist"][0], push["twist"][1], push["twist"][5]
+            scene = self.file("push.toml", SQUARE.read_text())
+            begin = json_of("cone", scene, "--pusher", push["pusher"], "--twist", f"{x} {y} {turn}", "--tolerance", "*.friction=10%")
+            self.assertEqual(begin["verdict"], "always")
+        rng = random.Random(3)
+        for _ in range(200 if DEEP else 3):  # replays at values of the box end where the plan does
+            text = plan["scene"].replace("friction = 0.9\n", f"friction = {rng.uniform(0.81, 0.99)}\n")
+            motion = json_of("move", self.file("replay.toml", text))
+            self.assertEqual(motion["end"], "time")
+            place = motion["frames"][-1]["position"]
+            self.assertAlmostEqual(place[0], -0.04, delta=1e-3)
+            self.assertAlmostEqual(place[1], 0.02, delta=1e-3)
+
+
+if __name__ == "__main__":
+    main()
