@@ -187,4 +187,15 @@ std::vector<SceneFile> corner_scenes(const VariedScene& scene,
   return scenes;
 }
 
+double widest_margin(const std::function<bool(double margin)>& holds, bool is_quick) {
+  const int halvings = is_quick ? box_settings.quick_halvings : box_settings.halvings;
+  double low = 0, high = 1 - box_settings.inside; // at 1 nothing is left
+  if (holds(high)) return high;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = (low + high) / 2;
+    (holds(middle) ? low : high) = middle;
+  }
+  return low * (1 - box_settings.inside);
+}
+
 } // namespace lcpush::desktop

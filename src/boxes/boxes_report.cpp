@@ -23,6 +23,8 @@ std::string answer_sentence(const BoxAnswer& answer, const std::string& subject,
          subject.substr(1) + " " + verb + " for every value in the box: " + answer.reason;
 }
 
+} // namespace
+
 std::string margin_words(const BoxAnswer& answer) {
   if (answer.is_indifferent) return "; how far they are off does not matter";
   if (!answer.margin) return "";
@@ -33,8 +35,6 @@ std::string margin_words(const BoxAnswer& answer) {
     return "; it would still if all of these numbers were " + percent;
   return *answer.margin > 0 ? "; it would not, were all of these numbers at most " + percent : "";
 }
-
-} // namespace
 
 void write_box(JsonWriter& json, const BoxAnswer& answer) {
   json.member("verdict", box_verdict_text(answer.verdict))

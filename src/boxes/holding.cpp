@@ -142,12 +142,7 @@ private:
       is_scaled = is_scaled || (counts_[k] && box_.sides()[k].is_relative);
     answer_.is_indifferent = !is_scaled && answer_.verdict == BoxVerdict::always;
     if (!is_scaled) return;
-    double low = 0, high = 1;
-    for (int k = 0; k < box_settings.holding_halvings; ++k) {
-      const double middle = (low + high) / 2;
-      (holds(middle) ? low : high) = middle;
-    }
-    answer_.margin = low;
+    answer_.margin = widest_margin([this](double e) { return holds(e); }, true);
   }
 
   const Box box_;

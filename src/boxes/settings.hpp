@@ -18,11 +18,10 @@ struct BoxSettings {
   /// Corners of a plan's box, each a grip of its own at every look: 64 make a search 20 times as
   /// long. Not measured.
   std::size_t plan_corners = 64;
-  int halvings = 60;           ///< of a margin
-  double inside = 1e-9;        ///< of a margin: so much below it is proved in fractions
+  int halvings = 60, quick_halvings = 30; ///< of a margin; quick: where each is a program
+  double inside = 1e-9;                   ///< of a margin: so much below it is proved in fractions
   double no_margin = 1 - 1e-6; ///< of a margin: frictions and forces that vanish make no difference
   double holding = 1e-6; ///< a load that takes so much less than the grip is held, whatever rounds
-  int holding_halvings = 32;
 };
 
 constexpr BoxSettings box_settings;

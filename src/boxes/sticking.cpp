@@ -180,30 +180,16 @@ private:
       is_scaled = is_scaled || (model_.counts()[k] && box_.sides()[k].is_relative);
     answer_.is_indifferent = !is_scaled && answer_.verdict == BoxVerdict::always;
     if (!is_scaled) return;
-    double low = 0, high = 1;
-    const bool is_all = sticks(1);
-    for (int k = 0; !is_all && k < box_settings.halvings; ++k) {
-      const double middle = (low + high) / 2;
-      (sticks(middle) ? low : high) = middle;
-    }
-    if (is_all) low = 1;
-    low *= 1 - box_settings.inside;
+    double margin = widest_margin([this](double e) { return sticks(e); });
     Box::Corner worst = 0;
-    const auto holds = [&](double margin) {
-      return !model_.has_load() ||
-             holding_share(Rational(margin), worst) < 1 - box_settings.holding;
+    const auto holds = [&](double e) {
+      return !model_.has_load() || holding_share(Rational(e), worst) < 1 - box_settings.holding;
     };
-    if (!holds(low)) {
-      double held = 0;
-      for (int k = 0; k < box_settings.holding_halvings; ++k) {
-        const double middle = (held + low) / 2;
-        (holds(middle) ? held : low) = middle;
-      }
-      low = held;
-    }
-    const Seen seen = look(Rational(low));
-    if (seen.sticks && seen.presses && seen.is_ordered && holds(low))
-      answer_.margin = low;
+    if (!holds(margin))
+      margin = widest_margin([&](double part) { return holds(part * margin); }, true) * margin;
+    const Seen seen = look(Rational(margin));
+    if (seen.sticks && seen.presses && seen.is_ordered && holds(margin))
+      answer_.margin = margin;
     else if (seen.slips || answer_.verdict == BoxVerdict::never)
       answer_.margin = 0;
   }

@@ -12,7 +12,6 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr int margin_halvings = 16; // of a plan's margin: to a thousandth of a per cent
 constexpr double pi = 3.14159265358979323846;
 constexpr int smoothing_tries = 150;
 // Sticking pushes first: each is a matter of microseconds, where a slipping one takes a motion.
@@ -84,12 +83,7 @@ private:
     if (!report_.found) return std::move(report_);
     report_.box->verdict = BoxVerdict::always;
     report_.box->reason.clear();
-    report_.box->margin = 0;
-    double wider = 1;
-    for (int k = 0; k < margin_halvings; ++k) {
-      const double middle = (*report_.box->margin + wider) / 2;
-      (sticks(middle) ? *report_.box->margin : wider) = middle;
-    }
+    report_.box->margin = widest_margin([this](double e) { return sticks(e); }, true);
     return std::move(report_);
   }
 

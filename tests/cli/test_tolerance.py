@@ -89,9 +89,8 @@ class Tolerance(ToolTest):
             words, box = [], {}
             for path, value in push.middle.items():
                 off = 0 if path == "gravity[1]" else round(rng.choice([0, 0.02, 0.1, 0.3]) * abs(value), 6)
-                off = off if "right.grip" not in path else box["left.grip_force"][1] - value
-                box[path] = (value - off, value + off)
-                words += ["--tolerance", f"{path}={value - off!r}:{value + off!r}"]
+                box[path] = box["left.grip_force"] if path == "right.grip_force" else (value - off, value + off)
+                words += ["--tolerance", "{}={!r}:{!r}".format(path, *box[path])]
             answer = run("cone", scene, "--twist", " ".join(map(str, push.twist)), "--json", *words)
             self.assertIn(answer.returncode, (0, 1), answer.stderr + push.text())
             answer = json.loads(answer.stdout)

@@ -5,6 +5,7 @@
 #include "lcpush/desktop/scene_io.hpp"
 #include "lcpush/desktop/varied_scene.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -66,8 +67,13 @@ BoxAnswer unknown_box(const VariedScene& scene);
 std::vector<SceneFile> corner_scenes(const VariedScene& scene,
                                      const std::optional<double>& margin = std::nullopt);
 
+/// The largest margin that holds, as those below it do, a little below; 0: none does.
+double widest_margin(const std::function<bool(double margin)>& holds, bool is_quick = false);
+
 /// verdict, margin, corner, box: members of an object.
 void write_box(JsonWriter& json, const BoxAnswer& answer);
+/// "; it would still if all of these numbers were 25.7 % off", or nothing.
+std::string margin_words(const BoxAnswer& answer);
 /// `subject`: "This push", "The grasp"; `verb`: "sticks", "holds".
 std::string box_text(const SceneFile& middle, const BoxAnswer& answer, const std::string& subject,
                      const std::string& verb);
