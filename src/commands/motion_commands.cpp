@@ -232,8 +232,8 @@ Command plan_command() {
       "every push sticks for every value.\n\n"
       "Examples:\n"
       "  lcpush plan docs/guide/square.toml --to \"-0.04 0.02 0.1\"\n"
-      "  lcpush plan docs/guide/square.toml --to \"-0.04 0.02 0.1\" --tolerance "
-      "\"*.friction=10%\"\n"
+      "  lcpush plan docs/guide/square.toml --to \"-0.04 0.02 0.1\" \\\n"
+      "    --tolerance \"*.friction=10%\"\n"
       "  lcpush plan docs/guide/square.toml --to \"-0.04 0.02 0.1\" --format html \\\n"
       "    -o p.html\n",
       with_scene_options(
