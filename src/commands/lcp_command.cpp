@@ -103,7 +103,8 @@ Command lcp_command() {
           {},
           {
               solver_option,
-              seconds_option,
+              {"seconds", "S", "stop after so much processor time (8); --all writes what it has",
+               false, true},
               {"sweeps", "N", "most sweeps (default 5000; 200 before hybrid's pivots)"},
               {"relaxation", "W", "of the sweeps, between 0 and 2 (default 1)"},
               {"history", "", "the residual after each check instead; also --format csv"},
@@ -111,7 +112,7 @@ Command lcp_command() {
               {"all", "", "every solution, of numbers as typed"},
               {"game", "A B", "with --all: of the game with these payoffs", true},
               {"exact", "", "with --all: the answer in fractions"},
-              {"most", "N", "with --all: end at so many (10000)"},
+              {"most", "N", "with --all: end at so many vertices (10000)"},
               {"verbose", "", "with --all: every row, and w; -v for short", false, true},
           })),
       run_lcp,

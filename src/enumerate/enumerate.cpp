@@ -30,10 +30,13 @@ private:
   std::vector<Variables> zeros_;                       // of each set
   std::vector<ExactVector> lines_;
 
-  bool is_over() {
+  /// `more` vertices and rays are being found.
+  bool is_over(std::size_t more = 0) {
     if (result_.complete()) {
       result_.stop = stop_now(options_.stop);
-      if (static_cast<Index>(zeros_.size()) >= options_.most) result_.most = options_.most;
+      const auto most = static_cast<std::size_t>(options_.most);
+      if (std::max(zeros_.size(), points_.size() + rays_.size() + more) >= most)
+        result_.most = options_.most;
     }
     return !result_.complete();
   }
@@ -62,8 +65,8 @@ private:
     SolutionSet set;
     Variables zero = Variables().set();
     set.dimension = face.dimension() + static_cast<Index>(lines_.size());
-    const auto generators = face.generators(options_.stop);
-    if (!generators) return; // is_over() will say why
+    const auto generators = face.generators([this](std::size_t count) { return is_over(count); });
+    if (!generators) return;
     const auto half = static_cast<std::ptrdiff_t>(face.size());
     for (const FaceGenerator& one : *generators) {
       zero &= one.zero;

@@ -5,23 +5,26 @@
 namespace lcpush::desktop {
 namespace {
 
-/// No other generator is on every inequality that both are on.
+/// On an edge both are on all inequalities but for a plane's; no other generator is on all of
+/// those.
 bool are_neighbours(const std::vector<FaceGenerator>& all, const FaceGenerator& a,
-                    const FaceGenerator& b) {
+                    const FaceGenerator& b, std::size_t coordinates) {
   const Variables common = a.zero & b.zero;
+  if (common.count() + 2 < coordinates) return false;
   for (const FaceGenerator& other : all)
     if (&other != &a && &other != &b && (common & ~other.zero).none()) return false;
   return true;
 }
 
-/// The part of the cone on which variable v >= 0; false: stopped.
-bool cut(std::vector<FaceGenerator>& all, std::size_t v, const StopCheck& stop) {
+/// The part of the cone on which variable v >= 0; false: it is to end.
+bool cut(std::vector<FaceGenerator>& all, std::size_t v, std::size_t coordinates,
+         const EndCheck& is_over) {
   std::vector<FaceGenerator> kept;
   for (const FaceGenerator& above : all) {
     if (above.values[v].sign() <= 0) continue;
-    if (stop_now(stop) != Stop::none) return false;
+    if (is_over(kept.size())) return false;
     for (const FaceGenerator& below : all) {
-      if (below.values[v].sign() >= 0 || !are_neighbours(all, above, below)) continue;
+      if (below.values[v].sign() >= 0 || !are_neighbours(all, above, below, coordinates)) continue;
       const Rational by = -below.values[v] / above.values[v];
       FaceGenerator edge{below.values, above.zero & below.zero};
       for (std::size_t k = 0; k < edge.values.size(); ++k) edge.values[k] += by * above.values[k];
@@ -37,7 +40,8 @@ bool cut(std::vector<FaceGenerator>& all, std::size_t v, const StopCheck& stop) 
 
 } // namespace
 
-std::optional<std::vector<FaceGenerator>> PolyhedronFace::generators(const StopCheck& stop) const {
+std::optional<std::vector<FaceGenerator>>
+PolyhedronFace::generators(const EndCheck& is_over) const {
   const auto t = static_cast<std::size_t>(2 * size());
   std::vector<FaceGenerator> all;
   Variables coordinates;
@@ -56,7 +60,8 @@ std::optional<std::vector<FaceGenerator>> PolyhedronFace::generators(const StopC
     if (!has(fixed_, nonbasic_[c])) begin_with(nonbasic_[c], table_.col(c));
   for (FaceGenerator& one : all) one.zero ^= coordinates;
   for (Index i = 0; i < size(); ++i)
-    if (!has(free_ | fixed_, basic_[i]) && !cut(all, static_cast<std::size_t>(basic_[i]), stop))
+    if (!has(free_ | fixed_, basic_[i]) &&
+        !cut(all, static_cast<std::size_t>(basic_[i]), coordinates.count(), is_over))
       return std::nullopt;
   for (FaceGenerator& one : all) {
     const ExactVector z(one.values.begin() + size(), one.values.end() - 1);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bitset>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct FaceGenerator {
   bool is_ray() const { return values.back().sign() == 0; }
 };
 
+/// Is the work to end, with so many generators?
+using EndCheck = std::function<bool(std::size_t count)>;
+
 /// The dictionary of one of its vertices, and the variables that are zero on all of it: "fixed".
 class PolyhedronFace {
 public:
@@ -47,8 +51,8 @@ public:
   Index open_pair();
   /// Fixes whatever is zero on the whole face, and counts what is left.
   Index dimension();
-  /// Of the face; nothing if it was stopped.
-  std::optional<std::vector<FaceGenerator>> generators(const StopCheck& stop) const;
+  /// Of the face; nothing if it was to end.
+  std::optional<std::vector<FaceGenerator>> generators(const EndCheck& is_over) const;
   /// Directions of z along which nothing else changes.
   const std::vector<ExactVector>& lines() const { return lines_; }
 

@@ -195,6 +195,10 @@ class AllSolutions(ToolTest):
         self.assertRegex(result.stdout, "^At least 500 solutions; there may be more: the search ended at --most 500")
         self.assertEqual((result.returncode, len(result.stdout.splitlines()) <= 20), (1, True))
         self.assertRegex(lcp("--all", "--M", "0", "--q", "-1").stdout, "^There is no solution.\n\nProved in fractions")
+        pick = random.Random(0)
+        S = [[pick.randint(-1, 1) for _ in range(5)] for _ in range(20)]  # one face of 131 vertices
+        answer = ask("--M", rows([[dot(a, b) for b in S] for a in S]), "--q", text([-sum(a) for a in S]), "--most", 5)
+        self.assertEqual((answer["cases"], answer["complete"], answer["most"]), (1, False, 5))
         dense = rows([[(i * j * j + 7 * i + 3 * j) % 23 - 11 for j in range(60)] for i in range(60)])
         stopped = json_of("lcp", "--all", "--M", dense, "--q", text([-1] * 60), "--seconds", 0.2)
         self.assertEqual((stopped["complete"], stopped["stopped"]), (False, "time"))

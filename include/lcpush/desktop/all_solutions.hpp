@@ -31,14 +31,14 @@ struct AllSolutions {
   std::vector<ExactVector> rays; ///< directions of z, largest entry 1; a line is two of them
   std::vector<SolutionSet> sets; ///< in the order of components
   Index cases = 0;               ///< choices of w_i = 0 or z_i = 0 that were followed
-  Index most = 0;                ///< the search ended at so many sets
+  Index most = 0;                ///< the search ended at so many sets, or vertices
   Stop stop = Stop::none;
 
   bool complete() const { return most == 0 && stop == Stop::none; }
 };
 
 struct AllOptions {
-  Index most = 10000; ///< sets: 20 pairs can have a million
+  Index most = 10000; ///< sets, or vertices and rays: 20 pairs can have a million
   StopCheck stop;
 };
 

@@ -76,7 +76,7 @@ def lcp_all(M: Any, q: Any, *, free: Optional[Iterable[int]] = None, exact: bool
         q: shape (n,), the same
         free: rows, from 0, that are equalities w_i = 0 with a free z_i
         exact: answer in fractions
-        most: end at so many sets of solutions (10000)
+        most: end at so many vertices (10000)
 
     >>> lcp_all([[1, 2], [2, 1]], [-2, -2])
     3 solutions, and that is all.
