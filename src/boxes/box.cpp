@@ -11,7 +11,20 @@
 namespace lcpush::desktop {
 namespace {
 
-constexpr std::array places = {"shift", "center", "ends", "points", "at", "center_of_mass"};
+/// Places and sizes, of which no share can be off.
+constexpr std::array places = {"shift",
+                               "center",
+                               "ends",
+                               "points",
+                               "at",
+                               "center_of_mass",
+                               "box",
+                               "sphere_radius",
+                               "radius",
+                               "size",
+                               "length",
+                               "cylinder_radius",
+                               "cylinder_length"};
 
 std::string key_of(const Parameter& parameter) { return parameter.places.front().key; }
 

@@ -11,29 +11,29 @@ namespace lcpush::desktop {
 namespace {
 
 std::string answer_sentence(const BoxAnswer& answer, const std::string& subject,
-                            const std::string& verb) {
+                            const std::string& does, const std::string& fails) {
   switch (answer.verdict) {
-  case BoxVerdict::always: return subject + " " + verb + " for every value in the box";
+  case BoxVerdict::always: return subject + " " + does + " for every value in the ranges";
   case BoxVerdict::never:
-    return subject + " " + verb + " for no value in the box: " + answer.reason;
-  case BoxVerdict::may_slip: return subject + " may fail: at a corner of the box " + answer.reason;
+    return subject + " " + does + " for no value in the ranges: " + answer.reason;
+  case BoxVerdict::may_slip:
+    return subject + " " + fails + ": at the corner below " + answer.reason;
   case BoxVerdict::not_known: break;
   }
-  return "It is not known whether " + std::string(1, static_cast<char>(subject[0] | 0x20)) +
-         subject.substr(1) + " " + verb + " for every value in the box: " + answer.reason;
+  return "Not known for every value in the ranges: " + answer.reason;
 }
 
 } // namespace
 
 std::string margin_words(const BoxAnswer& answer) {
   if (answer.is_indifferent) return "; how far they are off does not matter";
-  if (!answer.margin) return "";
+  if (!answer.margin || !(*answer.margin > 0)) return "";
   const std::string percent = in_digits(100 * *answer.margin, 4) + " % off";
-  if (answer.verdict == BoxVerdict::always && *answer.margin > box_settings.no_margin)
-    return "; it would still however far these numbers were off";
-  if (answer.verdict == BoxVerdict::always)
-    return "; it would still if all of these numbers were " + percent;
-  return *answer.margin > 0 ? "; it would not, were all of these numbers at most " + percent : "";
+  if (answer.verdict != BoxVerdict::always)
+    return "; with all of these numbers at most " + percent + " it would not";
+  return *answer.margin > box_settings.no_margin
+             ? "; it would still however far they were off"
+             : "; it would still if all of these numbers were " + percent;
 }
 
 void write_box(JsonWriter& json, const BoxAnswer& answer) {
@@ -54,9 +54,9 @@ void write_box(JsonWriter& json, const BoxAnswer& answer) {
 }
 
 std::string box_text(const SceneFile& middle, const BoxAnswer& answer, const std::string& subject,
-                     const std::string& verb) {
-  std::string text =
-      title_line(middle) + answer_sentence(answer, subject, verb) + margin_words(answer) + ".\n\n";
+                     const std::string& does, const std::string& fails) {
+  std::string text = title_line(middle) + answer_sentence(answer, subject, does, fails) +
+                     margin_words(answer) + ".\n\n";
   TableRows rows{{"number", "from", "to"}};
   const bool has_corner = !answer.corner.empty();
   if (has_corner) rows[0].push_back("at the corner");

@@ -15,11 +15,10 @@ namespace {
 /// Keys in which the load and the grip are affine, and those that a grasp without a push knows not.
 constexpr std::array load_keys = {"mass", "gravity",    "force",         "moment",
                                   "at",   "grip_force", "center_of_mass"};
-constexpr std::array keys_of_pushes = {
-    "velocity",        "acceleration",  "angular_velocity", "angular_acceleration",
-    "about",           "normal_force",  "inertia",          "box",
-    "cylinder_radius", "sphere_radius", "cylinder_length",
-};
+constexpr std::array keys_of_pushes = {"velocity", "acceleration", "angular_velocity",    "about",
+                                       "inertia",  "normal_force", "angular_acceleration"};
+/// With which fingers `on` faces may move.
+constexpr std::array sizes = {"box", "cylinder_radius", "sphere_radius", "cylinder_length"};
 
 class HoldJudge {
 public:
@@ -42,7 +41,8 @@ private:
                              path.find("object.") != 0 && side.key != "force";
       const bool is_idle = is_pusher || side.is_one_of(keys_of_pushes);
       counts_.push_back(!is_idle);
-      if (!is_idle && side.key != "friction" && !side.is_one_of(load_keys))
+      if (!is_idle && side.key != "friction" && !side.is_one_of(load_keys) &&
+          !side.is_one_of(sizes))
         obstacle_ = "what is held is not known to be convex in " + path;
     }
     if (file_.hand == Hand::locked)

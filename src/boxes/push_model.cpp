@@ -13,7 +13,7 @@ namespace lcpush::desktop {
 namespace {
 
 /// Keys in which all that matters is affine, and keys that do not matter unless they change what
-/// does (the box of contacts `on` its faces).
+/// does: places of contacts `on` faces grow or shrink with the object, all the way or not at all.
 constexpr std::array affine_keys = {"friction", "grip_force", "mass",   "gravity", "force",
                                     "moment",   "shift",      "center", "ends",    "points"};
 constexpr std::array idle_keys = {"inertia",       "box",
@@ -122,6 +122,10 @@ PushModel::Numbers PushModel::numbers(const SceneOf<Rational>& scene) const {
   return list;
 }
 
+void PushModel::refuse(const BoxSide& side) {
+  obstacle_ = "whether it sticks is no multi-affine function of " + side.parameters[0].path;
+}
+
 /// What has to stay.
 PushModel::Numbers PushModel::fixed(const SceneOf<Rational>& scene, bool has_twist) const {
   Numbers list;
@@ -143,23 +147,32 @@ PushModel::Numbers PushModel::fixed(const SceneOf<Rational>& scene, bool has_twi
 void PushModel::find_slopes(const SceneOf<Rational>& scene, bool has_twist) {
   middle_ = numbers(scene);
   const Numbers stays = fixed(scene, has_twist);
-  for (std::size_t k = 0; k < box_.sides().size(); ++k) {
-    const BoxSide& side = box_.sides()[k];
+  const auto change = [&](std::size_t k, const Rational& step) {
     std::vector<Rational> beside = box_.middle();
-    const Rational step = side.low < side.high ? side.high - side.middle
-                          : side.is_relative   ? side.middle / Rational(2)
-                                               : Rational(0);
     beside[k] += step;
     const SceneOf<Rational> there = box_.exact_scene_at(beside);
-    Numbers slope = numbers(there);
-    for (std::size_t i = 0; i < slope.size(); ++i)
-      slope[i] = step.sign() == 0 ? Rational(0) : (slope[i] - middle_[i]) / step;
-    const bool matters =
-        std::any_of(slope.begin(), slope.end(), [](const Rational& x) { return x.sign() != 0; });
-    if (fixed(there, has_twist) != stays || (matters && !side.is_one_of(affine_keys)) ||
-        (!side.is_one_of(affine_keys) && !side.is_one_of(idle_keys)))
-      obstacle_ = "whether it sticks is no multi-affine function of " + side.parameters[0].path;
-    counts_.push_back(matters);
+    if (fixed(there, has_twist) != stays) refuse(box_.sides()[k]);
+    Numbers numbers = this->numbers(there);
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] -= middle_[i];
+    return numbers;
+  };
+  const auto is_zero = [](const Numbers& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [](const Rational& x) { return x.sign() == 0; });
+  };
+  for (std::size_t k = 0; k < box_.sides().size(); ++k) {
+    const BoxSide& side = box_.sides()[k];
+    Numbers slope(middle_.size(), Rational(0));
+    // An offset in a face moves what may be clipped to it.
+    if (side.is_one_of(affine_keys) && side.parameters[0].axis == 0) {
+      const Rational step = side.low < side.high ? side.high - side.middle : side.middle;
+      if (step.sign() != 0) slope = change(k, step);
+      for (Rational& x : slope) x = x.sign() == 0 ? x : x / step;
+    } else if (!side.is_one_of(idle_keys) || !is_zero(change(k, side.low - side.middle)) ||
+               !is_zero(change(k, side.high - side.middle))) {
+      refuse(side);
+    }
+    counts_.push_back(!is_zero(slope));
     for (std::size_t i = at(gravity_x); i < at(friction); ++i)
       has_load_ = has_load_ || slope[i].sign() != 0;
     slopes_.push_back(std::move(slope));

@@ -85,7 +85,7 @@ private:
 
   void decide(const Seen& seen) {
     if (!seen.is_ordered) {
-      answer_.reason = "the pusher's outer points change places within the box";
+      answer_.reason = "the pusher's outer points change places within the ranges";
     } else if (std::find(seen.fails.begin(), seen.fails.end(), true) != seen.fails.end()) {
       answer_.verdict = BoxVerdict::never;
       answer_.reason = slip_words(seen.condition);

@@ -60,7 +60,7 @@ Result run_hold(const Values& values, Listener& listener) {
     return {box.verdict == BoxVerdict::always,
             format == "json"   ? hold_json(file, find_hold(file, question, options), &box)
             : format == "toml" ? values.corner_scene(box)
-                               : box_text(file, box, "The grasp", "holds")};
+                               : box_text(file, box, "The grasp", "holds", "may give way")};
   }
   if (format == "toml") (void)values.corner_scene({});
   const HoldStudy study = find_hold(file, question, options);

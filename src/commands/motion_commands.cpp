@@ -106,7 +106,7 @@ Result run_cone(const Values& values, Listener& listener) {
     return {box.verdict == BoxVerdict::always,
             format == "json"   ? cone_json(file, find_cone(file, pusher, twist), &box)
             : format == "toml" ? values.corner_scene(box)
-                               : box_text(file, box, "This push", "sticks")};
+                               : box_text(file, box, "This push", "sticks", "may slip")};
   }
   if (format == "toml") (void)values.corner_scene({});
   const ConeReport report = find_cone(file, values.pusher(file), twist);

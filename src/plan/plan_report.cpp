@@ -62,7 +62,7 @@ std::string plan_sentence(const SceneFile& file, const PlanReport& report) {
 std::string plan_text(const SceneFile& file, const PlanReport& report, bool verbose) {
   std::string text = title_line(file) + plan_sentence(file, report) + "\n";
   if (report.box && report.found)
-    text += "Every push sticks for every value in the box" + margin_words(*report.box) + ".\n";
+    text += "Every push sticks for every value in the ranges" + margin_words(*report.box) + ".\n";
   if (report.pushes.empty()) return text;
   const GripReport grip = named_grip(file);
   const int digits = verbose ? 9 : 4;

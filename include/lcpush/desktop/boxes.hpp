@@ -74,8 +74,8 @@ double widest_margin(const std::function<bool(double margin)>& holds, bool is_qu
 void write_box(JsonWriter& json, const BoxAnswer& answer);
 /// "; it would still if all of these numbers were 25.7 % off", or nothing.
 std::string margin_words(const BoxAnswer& answer);
-/// `subject`: "This push", "The grasp"; `verb`: "sticks", "holds".
+/// "This push", "sticks", "may slip".
 std::string box_text(const SceneFile& middle, const BoxAnswer& answer, const std::string& subject,
-                     const std::string& verb);
+                     const std::string& does, const std::string& fails);
 
 } // namespace lcpush::desktop

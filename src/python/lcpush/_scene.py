@@ -199,29 +199,37 @@ class Scene:
                             {"time": time, "step": step, "tolerance": tolerance,
                              "stop_after": stop_after, "frames": frames}, False, progress)
 
-    def hold(self, *, at: Optional[Sequence[float]] = None, directions: Sequence[str] = ()) -> Hold:
+    def hold(self, *, at: Optional[Sequence[float]] = None, directions: Sequence[str] = (),
+             tolerance: Union[str, Sequence[str]] = ()) -> Hold:
         """How hard to grip, and what makes it slip: the grasp without a push.
 
         Args:
             at: shape (3,), m, the scene's frame, where forces act; the centre of mass
             directions: more than the axes, such as "force 1 0 0" or "moment 0 1 0"
+            tolerance: as of `cone`
         """
         place = None if at is None else plain(at, "at")
-        return self._answer(Hold, "hold", {"at": place, "direction": list(directions) or None}, False, None)
+        return self._answer(Hold, "hold", {"at": place, "direction": list(directions) or None,
+                                           "tolerance": tolerance or None}, False, None)
 
     def cone(self, twist: Optional[Sequence[float]] = None, *,
-             pusher: Optional[str] = None) -> Cone:
+             pusher: Optional[str] = None,
+             tolerance: Union[str, Sequence[str]] = ()) -> Cone:
         """The motion cone: all pushes with which the pusher sticks to the object, in the plane.
 
         Args:
             twist: shape (3,), the motion that is judged, v_x, v_y m/s and the turn rad/s, of the
                 object at its centre of mass; the scene's own
             pusher: whose, among several
+            tolerance: "*.friction=10%", "wall.friction=0.3:0.5" or "object.mass": does it stick for
+                every value? `verdict`, `margin`, `corner`, `box`
         """
         judged = None if twist is None else plain(twist, "twist")
-        return self._answer(Cone, "cone", {"twist": judged, "pusher": pusher}, False, None)
+        return self._answer(Cone, "cone", {"twist": judged, "pusher": pusher,
+                                     "tolerance": tolerance or None}, False, None)
 
     def plan(self, to: Sequence[float], *, seconds: Optional[float] = None,
+             tolerance: Union[str, Sequence[str]] = (),
              progress: Optional[Progress] = None) -> Plan:
         """Pushes against the scene's pushers that take the object to another place.
 
@@ -229,9 +237,10 @@ class Scene:
             to: shape (3,), where the centre of mass is to go from where it is, x, y m, and the turn
                 rad
             seconds: stop the search after that time
+            tolerance: as of `cone`: pushes that stick for every value
         """
-        return self._answer(Plan, "plan", {"to": plain(to, "to"), "seconds": seconds}, False,
-                            progress)
+        return self._answer(Plan, "plan", {"to": plain(to, "to"), "seconds": seconds,
+                                           "tolerance": tolerance or None}, False, progress)
 
     def report(self, *, vary: Optional[Tuple[str, float, float]] = None,
                steps: Optional[int] = None, pusher: Optional[str] = None,
