@@ -5,6 +5,16 @@
 #include <limits>
 
 namespace lcpush::desktop {
+namespace {
+
+/// -1: nowhere.
+Index place_of(Index variable, const Eigen::VectorXi& among) {
+  Index k = among.size() - 1;
+  while (k >= 0 && among[k] != variable) --k;
+  return k;
+}
+
+} // namespace
 Rational largest_size(const ExactVector& numbers) {
   Rational most;
   for (const Rational& x : numbers)
@@ -29,18 +39,6 @@ PolyhedronFace::PolyhedronFace(const ExactMatrix& M, const ExactMatrix& q,
     add(free_, unknown(i, n));
     add(fixed_, slack(i));
   }
-}
-
-Index PolyhedronFace::row_of(Index variable) const {
-  Index row = size() - 1;
-  while (row >= 0 && basic_[row] != variable) --row;
-  return row;
-}
-
-Index PolyhedronFace::column_of(Index variable) const {
-  Index column = size() - 1;
-  while (column >= 0 && nonbasic_[column] != variable) --column;
-  return column;
 }
 
 void PolyhedronFace::exchange(Index row, Index column) {
@@ -99,7 +97,7 @@ void PolyhedronFace::take_in_free() {
   const Index n = size();
   for (Index z = n; z < 2 * n; ++z) {
     if (!has(free_, z)) continue;
-    const Index c = column_of(z);
+    const Index c = place_of(z, nonbasic_);
     Index row = -1;
     for (Index i = 0; i < n; ++i)
       if (!has(free_, basic_[i]) && table_(i, c).sign() != 0 &&
@@ -125,7 +123,7 @@ void PolyhedronFace::take_in_free() {
 bool PolyhedronFace::drive_to_zero(Index variable) {
   bool is_stuck = false; // the last step had no length
   for (;;) {
-    const Index row = row_of(variable);
+    const Index row = place_of(variable, basic_);
     const int sign = row < 0 ? 0 : values_(row).sign();
     if (sign == 0) return true;
     const Index column = entering(row, -sign, is_stuck);
@@ -139,13 +137,11 @@ bool PolyhedronFace::drive_to_zero(Index variable) {
 bool PolyhedronFace::find_vertex() {
   take_in_free();
   for (Index w = 0; w < size(); ++w) {
-    if (!has(fixed_, w)) continue;
-    if (!drive_to_zero(w)) return false;
-    pin(w);
+    const Index row = place_of(w, basic_);
+    const bool is_below = row >= 0 && values_(row).sign() < 0;
+    if ((is_below || has(fixed_, w)) && !drive_to_zero(w)) return false;
+    if (has(fixed_, w)) pin(w);
   }
-  for (Index w = 0; w < size(); ++w)
-    if (const Index row = row_of(w); row >= 0 && values_(row).sign() < 0 && !drive_to_zero(w))
-      return false;
   note_positive();
   return true;
 }
@@ -153,14 +149,14 @@ bool PolyhedronFace::find_vertex() {
 /// A variable that is zero on the whole face leaves the dictionary's rows, unless its row is empty;
 /// its column is not needed any more.
 void PolyhedronFace::pin(Index variable) {
-  if (const Index row = row_of(variable); row >= 0)
+  if (const Index row = place_of(variable, basic_); row >= 0)
     for (Index c = 0; c < size(); ++c)
       if (table_(row, c).sign() != 0) {
         exchange(row, c);
         break;
       }
   add(fixed_, variable);
-  if (const Index column = column_of(variable); column >= 0) table_.col(column).setZero();
+  if (const Index column = place_of(variable, nonbasic_); column >= 0) table_.col(column).setZero();
 }
 
 bool PolyhedronFace::fix(Index variable) {
@@ -179,8 +175,8 @@ void PolyhedronFace::note_positive() {
 bool PolyhedronFace::can_be_positive(Index variable) {
   while (!has(positive_, variable)) {
     if (has(fixed_, variable)) return false;
-    const Index row = row_of(variable);
-    const Index column = row < 0 ? column_of(variable) : entering(row, 1, true);
+    const Index row = place_of(variable, basic_);
+    const Index column = row < 0 ? place_of(variable, nonbasic_) : entering(row, 1, true);
     if (column < 0) {
       pin(variable);
       return false;
@@ -199,7 +195,7 @@ bool PolyhedronFace::can_be_positive(Index variable) {
 /// The smallest step, as rounded numbers tell, by which all columns together take it to zero;
 /// infinite: they cannot.
 double PolyhedronFace::distance(Index variable) const {
-  const Index row = row_of(variable);
+  const Index row = place_of(variable, basic_);
   if (row < 0 || values_(row).sign() == 0) return 0;
   double slope = 0;
   for (Index c = 0; c < size(); ++c)
@@ -208,7 +204,7 @@ double PolyhedronFace::distance(Index variable) const {
 }
 
 bool PolyhedronFace::is_always_positive(Index variable) const {
-  const Index row = row_of(variable);
+  const Index row = place_of(variable, basic_);
   return row >= 0 && values_(row).sign() > 0 && entering(row, -1, true) < 0;
 }
 

@@ -63,8 +63,6 @@ private:
   Variables positive_; // at a point of this face; so there is one where all of them are
   std::vector<ExactVector> lines_;
 
-  Index row_of(Index variable) const;
-  Index column_of(Index variable) const;
   void exchange(Index row, Index column);
   Index entering(Index row, int sign, bool by_bland) const;
   Index blocking(Index column, Index ending) const;
