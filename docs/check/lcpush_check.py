@@ -72,10 +72,28 @@ def put_on_face(body, obj, com):  # on = "+z", center = [x, y] in that face, alo
     elif "along" in body: body["tangent"] = [i == "xyz".index(body["along"]) for i in range(3)]
     body.update(center=add(com, offset), normal=[-sign * (i == axis) for i in range(3)])
 
+def turned(rotation):  # v -> v turned back by [axis.., angle]
+    axis, near = [F(x) for x in rotation[:3]], lambda x: F(x).limit_denominator(10**9)
+    half, size, w = math.tan(float(rotation[3]) / 2), math.sqrt(float(dot(axis, axis))), F(1)
+    if abs(half) <= 1: axis = [near(half / size) * x for x in axis]
+    else: w = near(size / half)
+    return lambda v: add(v, add(cross(axis, cross(axis, v)), cross(axis, v), -w), 2 / (w*w + dot(axis, axis)))
+
+def in_object_frame(scene, obj):
+    if "tilt" in obj: obj["rotation"] = [F(a == obj["tilt"][-1]) for a in "xyz"] + [si(obj["tilt"].split(" about ")[0])]
+    back = turned(obj["rotation"])
+    for table, keys in [(scene, ("gravity",)), (obj, ("force", "moment"))] + [
+            (b, ("center", "ends", "points", "normal", "tangent", "shift", "about", "velocity", "angular_velocity", "acceleration",
+                 "angular_acceleration")) for b in scene.get("finger", []) + scene.get("pusher", []) if b.get("frame") == "scene"]:
+        for key in keys:
+            if isinstance(table.get(key), list) and not (key == "points" and not isinstance(table[key][0], list)):
+                table[key] = [back(v) for v in table[key]] if isinstance(table[key][0], list) else back(table[key])
+
 def scene_problem(text, g):  # w = L x + q0 + push q1: L, q0, q1, the free rows, the cones
     scene = si(tomllib.loads(text, parse_float=F))
     require(scene.get("pressure") != "even", "another law")
     obj, fingers, pushers = scene["object"], scene.get("finger", []), [b for b in scene.get("pusher", []) if not b.get("from")]
+    if "tilt" in obj or "rotation" in obj: in_object_frame(scene, obj)
     m, com, box, r = F(obj["mass"]), obj.get("center_of_mass", ZERO), obj.get("box"), obj.get("cylinder_radius")
     I = (list(obj.get("inertia", [])) or (box and [m * (dot(box, box) - e*e) / 12 for e in box]) or
          (not r and 3 * [2 * m * obj["sphere_radius"]**2 / 5]) or

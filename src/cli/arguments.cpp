@@ -229,7 +229,9 @@ std::vector<Variation> Arguments::variations(const VariedScene& scene) const {
       throw UsageError("--vary needs PATH=FROM:TO, such as edge.friction=0.2:0.8, not " +
                        desktop::quoted(text) +
                        (ends.size() > 2 ? "; --steps says how many values" : ""));
-    const Parameter parameter = scene.find(std::string(trimmed(sides.front())));
+    Parameter parameter = scene.find(std::string(trimmed(sides.front())));
+    if (const std::vector<std::string> labels = texts("label"); list.size() < labels.size())
+      parameter.label = labels[list.size()];
     const double from = number_of(ends.front(), "vary", text),
                  to = number_of(ends.back(), "vary", text);
     if (from == to)

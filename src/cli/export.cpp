@@ -9,10 +9,22 @@
 namespace lcpush::cli {
 namespace {
 
+/// main.c of the C interface.
+int write_program(const Arguments& arguments, const SceneFile& file, const std::string& directory) {
+  arguments.refuse_unknowns(file, limits::unknowns_device, "push fits the C interface");
+  make_directory(directory);
+  const std::string path = (std::filesystem::path(directory) / "main.c").string();
+  write_file(path, c_program(file));
+  tell("Wrote " + path + "; docs/embed/embedding.md says what it is compiled with.");
+  return 0;
+}
+
 int run_export(const Arguments& arguments) {
   const std::optional<std::string> directory = arguments.text("output");
   if (!directory) throw UsageError("say where to: -o DIRECTORY");
-  SceneFile file = arguments.scene(commands::Needs::matrix);
+  const bool is_program = arguments.format() == "c";
+  SceneFile file = arguments.scene(is_program ? commands::Needs::scene : commands::Needs::matrix);
+  if (is_program) return write_program(arguments, file, *directory);
   file.is_round = false;
   arguments.refuse_unknowns(file, limits::unknowns_exported, "files fit into 1 GB");
   const Export result = export_scene(file);
@@ -49,18 +61,23 @@ int run_export(const Arguments& arguments) {
 ShellCommand export_command() {
   return {
       {"export",
-       "SCENE.toml -o DIRECTORY",
+       "SCENE.toml [--format c] -o DIRECTORY",
        "the problem for other solvers, with scripts that run them",
        R"(Writes M.mtx and q.mtx (w = M z + q in the scaled units that their comment names, without
 a pressure law), names.txt, a line an unknown, and free.txt, which of them are free; the
 paper's quadratic program (H, f, A, b, Aeq, beq, lb, ub) with names.json; the local problem
 of FCLIB; and solve_push.py and solve_push.m, which solve the program and write answer.json.
+With --format c instead main.c: the scene, its memory and a control loop for a device.
 
-Example:
+Examples:
   lcpush export fixtures/scenes/straight_slide.toml -o slide
+  lcpush export fixtures/scenes/straight_slide.toml --format c -o device
 )",
-       {commands::set_option,
-        {"output", "DIRECTORY", "made if missing, with its parents; -o for short"}}},
+       {commands::format_option("files (default) or c", "files|c"),
+        commands::set_option,
+        {"output", "DIRECTORY", "made if missing, with its parents; -o for short"}},
+       nullptr,
+       {"files", "c"}},
       run_export};
 }
 

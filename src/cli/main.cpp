@@ -6,6 +6,8 @@
 #include <new>
 #include <utility>
 
+#include <unistd.h>
+
 #include "cli/ending.hpp"
 #include "cli/shell.hpp"
 #include "cli/shell_listener.hpp"
@@ -115,6 +117,17 @@ double limit_time(const Command& command, const Arguments& arguments) {
   return seconds;
 }
 
+/// " --set 'wall.friction=0.4'", fit for a shell.
+std::string set_words(const Arguments& arguments) {
+  std::string words;
+  for (std::string one : arguments.texts("set")) {
+    for (std::size_t at = 0; (at = one.find('\'', at)) != std::string::npos; at += 4)
+      one.replace(at, 1, "'\\''");
+    words += " --set '" + one + "'";
+  }
+  return words;
+}
+
 int answer(const Command& command, const Arguments& arguments) {
   refuse_certificate_without_file(arguments);
   const std::string format = arguments.text("format").value_or(command.formats[0]);
@@ -134,6 +147,9 @@ int answer(const Command& command, const Arguments& arguments) {
   }
   const std::size_t width = arguments.has("output") ? usual_width : columns_of(Stream::output);
   write_output(arguments, format == "text" ? wrapped(result.text, width) : result.text);
+  if (format == "text" && (command.name == "solve" || command.name == "break") &&
+      isatty(STDOUT_FILENO) != 0 && !arguments.has("output") && arguments.files()[0] != "-")
+    tell("next: lcpush report " + arguments.files()[0] + set_words(arguments) + " -o page.html");
   for (const SceneDoubt& doubt : arguments.doubts()) tell("Check: " + doubt_text(doubt) + ".");
   const bool is_proved = write_certificate(arguments, result);
   return result.is_good && is_proved ? 0 : 1;

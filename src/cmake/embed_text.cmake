@@ -59,7 +59,8 @@ endforeach()
 foreach(entry IN ITEMS
         solver_text=${SOURCES}/play/wasm/solver.txt
         python_script=${SOURCES}/export/solve_push.py
-        octave_script=${SOURCES}/export/solve_push.m)
+        octave_script=${SOURCES}/export/solve_push.m
+        control_loop=${SOURCES}/export/control_loop.c)
   string(REGEX MATCH "^([a-z_]+)=(.*)$" found "${entry}")
   file(READ "${CMAKE_MATCH_2}" text)
   embed(${CMAKE_MATCH_1} "${text}")

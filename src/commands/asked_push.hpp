@@ -16,6 +16,8 @@ struct AskedPush {
       : file(std::move(scene)), push(file) {
     options.solver = solver;
     options.watcher = options.searching = &listener;
+    if (!file.start.isZero(0))
+      listener.announce("The object is taken at rest; with its velocity begins `lcpush move`.");
   }
   AskedPush(const AskedPush&) = delete; // its parts point at each other
   AskedPush& operator=(const AskedPush&) = delete;

@@ -280,6 +280,8 @@ Examples:
            {"curve", "NAME", "of the grasp without a push: hold.margin or hold.least_grip"},
            {"show", "NAME,NAME,..",
             "what the picture shows: break_force, force, force[0], twist[5], break_twist[5], .."},
+           {"label", "WORDS", "what the picture's axis says of --vary; again for a map's second",
+            true, true},
            verbose_option,
            format_option("text (default), csv, json or svg; --json for short")}),
       run_sweep,

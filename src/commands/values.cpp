@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/varied_scene.hpp"
 #include "lcpush/mechanics/solve/workspace.hpp"
-#include "scenes/set_values.hpp"
 #include "text/limits.hpp"
 #include "text/wording.hpp"
 

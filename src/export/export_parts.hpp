@@ -98,5 +98,7 @@ std::string export_names(const Push& push, const OwnedFullForm& full);
 /// so they start from several feasible points and call nothing solved but an objective of zero.
 std::string python_script();
 std::string octave_script();
+/// What main.c does with its tables; embedded as well.
+std::string control_loop();
 
 } // namespace lcpush::desktop

@@ -46,13 +46,15 @@ class Mover {
 public:
   Mover(const SceneFile& file, const MoveOptions& options)
       : file_(file), options_(options), run_(file), size_(object_size(file)),
-        time_(options.time.value_or(motion_time(file))), is_steady_(moves_steadily(file)) {
+        time_(options.time.value_or(motion_time(file))),
+        is_steady_(moves_steadily(file) && file.start.isZero(0)) {
     report_.tolerance = options.tolerance.value_or(Settings::tolerance * size_);
     if (!options.step) report_.error = 0;
   }
 
   MotionReport move() {
     report_.status = run_.start();
+    if (!file_.start.isZero(0)) run_.begin_at(0, run_.stepper().pose(), file_.start);
     report_.frames.push_back(run_.frame(0));
     if (report_.status != Status::running) {
       report_.reason = Reason::none;

@@ -70,6 +70,24 @@ bool sample_round(bool is_disc, const Vector3<Rational>& center,
   return points.size == 1 || (!is_disc && (points.size == 2 || points.size == 4));
 }
 
+// A convergent of its continued fraction or what lies between two.
+Rational simplest_near(const Rational& x, const BigInteger& most) {
+  BigInteger p0 = 0, q0 = 1, p1 = 1, q1 = 0, n = x.numerator(), d = x.denominator();
+  while (!d.is_zero()) {
+    const BigInteger whole = n / d, q2 = q0 + whole * q1;
+    if (q2 > most) break;
+    BigInteger p2 = p0 + whole * p1;
+    p0 = std::exchange(p1, std::move(p2));
+    q0 = std::exchange(q1, q2);
+    BigInteger rest = n - whole * d;
+    n = std::exchange(d, std::move(rest));
+  }
+  if (d.is_zero()) return {p1, q1};
+  const BigInteger k = (most - q0) / q1;
+  const Rational between{p0 + k * p1, q0 + k * q1}, convergent{p1, q1};
+  return abs(convergent - x) <= abs(between - x) ? convergent : between;
+}
+
 } // namespace lcpush::desktop
 
 namespace lcpush {
@@ -96,26 +114,6 @@ desktop::BigInteger scaled_half_tangent(Index j, Index g) {
   return sums[1] * unit / sums[0];
 }
 
-/// The fraction nearest to `x` among those with denominators up to `most`: a convergent of its
-/// continued fraction or what lies between two.
-Rational simplest_near(const Rational& x, const desktop::BigInteger& most) {
-  using desktop::BigInteger;
-  BigInteger p0 = 0, q0 = 1, p1 = 1, q1 = 0, n = x.numerator(), d = x.denominator();
-  while (!d.is_zero()) {
-    const BigInteger whole = n / d, q2 = q0 + whole * q1;
-    if (q2 > most) break;
-    BigInteger p2 = p0 + whole * p1;
-    p0 = std::exchange(p1, std::move(p2));
-    q0 = std::exchange(q1, q2);
-    BigInteger rest = n - whole * d;
-    n = std::exchange(d, std::move(rest));
-  }
-  if (d.is_zero()) return {p1, q1};
-  const BigInteger k = (most - q0) / q1;
-  const Rational between{p0 + k * p1, q0 + k * q1}, convergent{p1, q1};
-  return abs(convergent - x) <= abs(between - x) ? convergent : between;
-}
-
 } // namespace
 
 template <> Rational circle_sine<Rational>(Index j, Index g) {
@@ -138,7 +136,7 @@ template <> Rational circle_cosine<Rational>(Index j, Index g) {
   const bool is_small = 8 * j <= g;
   const Rational x{is_small ? scaled_half_tangent(j, g) : scaled_half_tangent(g - 4 * j, 4 * g),
                    *desktop::BigInteger::parse("1" + std::string(circle_decimals, '0'))};
-  const Rational t = simplest_near(x, 1'000'000'000), square = t * t;
+  const Rational t = desktop::simplest_near(x), square = t * t;
   return is_small ? (1 - square) / (1 + square) : 2 * t / (1 + square);
 }
 

@@ -2,6 +2,7 @@
 // be.
 #pragma once
 
+#include "lcpush/desktop/big_integer.hpp"
 #include "lcpush/desktop/rational.hpp"
 #include "lcpush/types.hpp"
 
@@ -37,5 +38,8 @@ bool sample_round(bool is_disc, const Vector3<double>& center, const ContactFram
 bool sample_round(bool is_disc, const Vector3<Rational>& center,
                   const ContactFrame<Rational>& frame, const Rational& radius,
                   Span<Vector3<Rational>> points);
+
+/// The fraction nearest to `x` among those with denominators up to `most`.
+Rational simplest_near(const Rational& x, const BigInteger& most = 1'000'000'000);
 
 } // namespace lcpush::desktop

@@ -23,12 +23,6 @@ Index axis_beside(Index axis, std::size_t i) {
   return k < axis ? k : k + 1;
 }
 
-TomlValue typed(int line, const Vector3<Rational>& vector) {
-  TomlArray list;
-  for (Index i = 0; i < 3; ++i) list.push_back({line, vector[i].value(), vector[i].text()});
-  return {line, list};
-}
-
 /// How far the two faces across `axis` are apart.
 Rational extent(const TableReader& object, const TableReader& contact, Index axis) {
   if (object.has("box")) return object.vector3<Rational>("box", Sign::positive)[axis];
@@ -61,7 +55,7 @@ TomlValue typed_along(const TableReader& contact, Index axis, const std::string&
     contact.fail("along", "along is the tangent of a rectangle; remove one of the two");
   Vector3<Rational> tangent = Vector3<Rational>::Zero();
   tangent[axis_along(contact, axis)] = Rational(1);
-  return typed(contact.line_of({"along"}), tangent);
+  return typed_vector(contact.line_of({"along"}), tangent);
 }
 
 /// Where an edge begins and ends along its axis, from the middle of the face: clipped to that.
@@ -97,6 +91,9 @@ void put_on_face(const TableReader& object, const TableReader& contact, TomlTabl
   if (contact.has("normal"))
     contact.fail("normal", "on = " + quoted(face_names[face]) +
                                " gives the normal, into that face; remove normal or on");
+  if (contact.has("frame") && contact.choice("frame", {"object", "scene"}) == 1)
+    contact.fail("frame",
+                 "on is a face of the object, wherever that is turned; remove frame, or on");
   const std::string shape = contact.is_text("shape") ? contact.text("shape") : "";
   if (shape == "points")
     contact.fail("on", "on places the center of a shape, and a \"points\" has none; give normal "
@@ -129,14 +126,15 @@ void put_on_face(const TableReader& object, const TableReader& contact, TomlTabl
     Vector3<Rational> ends[2] = {at + offset, at + offset};
     ends[0][along] += from;
     ends[1][along] += to;
-    places.push_back({"ends", {place, TomlArray{typed(place, ends[0]), typed(place, ends[1])}}});
+    places.push_back(
+        {"ends", {place, TomlArray{typed_vector(place, ends[0]), typed_vector(place, ends[1])}}});
   } else {
     if (contact.has("length"))
       contact.fail("length", "length goes with the shape \"line\" on a face; remove it");
     if (contact.has("along")) places.push_back({"tangent", typed_along(contact, axis, shape)});
-    places.push_back({"center", typed(place, at + offset)});
+    places.push_back({"center", typed_vector(place, at + offset)});
   }
-  places.push_back({"normal", typed(line, normal)});
+  places.push_back({"normal", typed_vector(line, normal)});
   const auto is_replaced = [](const TomlEntry& e) {
     return e.key == "on" || e.key == "center" || e.key == "along" || e.key == "length";
   };

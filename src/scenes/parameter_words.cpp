@@ -43,6 +43,7 @@ std::string parameter_words(const Parameter& parameter) {
 }
 
 std::string parameter_label(const Parameter& parameter) {
+  if (!parameter.label.empty()) return parameter.label;
   return parameter_words(parameter) + (parameter.unit.empty() ? "" : ", " + parameter.unit);
 }
 

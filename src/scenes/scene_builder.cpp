@@ -3,6 +3,7 @@
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/mechanics/model/contact.hpp"
 #include "scenes/exact_frame.hpp"
+#include "scenes/object_pose.hpp"
 #include "scenes/on_face.hpp"
 #include "scenes/scene_ranges.hpp"
 #include "scenes/scene_schema.hpp"
@@ -56,6 +57,7 @@ public:
   SceneOf<S> build() {
     read_settings();
     scene_.object = read_object<S>(reader("object"), scene_.shape);
+    read_start();
     scene_.lines = {document_.file,
                     reader("").line_of({"gravity"}),
                     reader("object").line(),
@@ -120,6 +122,19 @@ private:
     if (root.has("planar")) scene_.planar = root.boolean("planar");
   }
 
+  /// How the object moves when a motion begins.
+  void read_start() {
+    const TableReader object = reader("object");
+    Vector3<double> linear = Vector3<double>::Zero(), angular = linear;
+    if (object.has("velocity")) linear = object.vector3<double>("velocity");
+    if (object.has("angular_velocity")) angular = object.vector3<double>("angular_velocity");
+    scene_.start << linear, angular;
+    const bool leaves_plane = linear[2] != 0 || angular[0] != 0 || angular[1] != 0;
+    if (scene_.planar && leaves_plane)
+      object.fail(linear[2] != 0 ? "velocity" : "angular_velocity",
+                  "this takes the object out of the x-y plane; remove it, or planar");
+  }
+
   /// Of the strokes that are meant.
   void read_pushers() {
     for (std::size_t i = 0; i < count("pusher"); ++i) {
@@ -134,6 +149,7 @@ private:
     if (scene_.bodies.size() == limits::scene_bodies)
       table.fail("", "more than " + std::to_string(limits::scene_bodies) +
                          " bodies in the scene; use fewer");
+    if (table.has("frame")) (void)table.choice("frame", {"object", "scene"}); // see in_object_frame
     scene_.strokes.push_back(read_stroke(table));
     scene_.body_names.push_back(claim_name(table));
     Patch<S> patch = read_patch<S>(table);
@@ -309,6 +325,15 @@ SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_
                        Strokes strokes) {
   if (has_contacts_on_faces(document)) {
     SceneOf<S> scene = build_scene<S>(with_typed_places(document), unsaid_hand, strokes);
+    note_ranges(document, scene.lines);
+    return scene;
+  }
+  if (has_turned_object(document)) {
+    SceneOf<S> scene = build_scene<S>(in_object_frame(document), unsaid_hand, strokes);
+    if constexpr (!std::is_same_v<S, double>)
+      scene.inexact.push_back(
+          "the rotation of the object is irrational: a fraction within 1e-12 of "
+          "it is used");
     note_ranges(document, scene.lines);
     return scene;
   }

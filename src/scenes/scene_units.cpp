@@ -3,6 +3,7 @@
 #include "formats/read_number.hpp"
 #include "lcpush/desktop/input_error.hpp"
 #include "lcpush/desktop/rational.hpp"
+#include "scenes/object_pose.hpp"
 #include "scenes/scene_ranges.hpp"
 #include "scenes/scene_schema.hpp"
 #include "scenes/table_reader.hpp"
@@ -171,6 +172,22 @@ std::vector<std::string> si_units(const Key& key, const TomlTable& table) {
   return {turns ? key.turning : key.unit};
 }
 
+/// tilt stands for a rotation.
+void read_tilt(const std::string& file, TomlTable& object) {
+  for (TomlEntry& entry : object.entries) {
+    if (entry.key != "tilt") continue;
+    if (const TomlValue* const rotation = object.find("rotation"))
+      throw InputError(file, rotation->line, "object: tilt is a rotation; keep one of the two");
+    const std::optional<TomlValue> rotation = rotation_of_tilt(entry.value);
+    if (!rotation)
+      throw InputError(file, entry.value.line,
+                       "object: tilt is an angle about an axis, such as \"20 deg about z\"; about "
+                       "another one, write rotation = [x, y, z, \"20 deg\"]");
+    entry.key = "rotation";
+    entry.value = *rotation;
+  }
+}
+
 void read_units(const std::string& section, const std::string& label, bool planar,
                 const std::string& file, TomlTable& table) {
   for (TomlEntry& entry : table.entries) {
@@ -194,9 +211,11 @@ TomlDocument parse_scene_tables(std::string_view text, const std::string& file_n
   const bool* const is_planar = planar != nullptr ? std::get_if<bool>(&planar->data) : nullptr;
   read_units("", "", false, document.file, document.root);
   for (TomlSection& section : document.sections)
-    for (std::size_t i = 0; i < section.tables.size(); ++i)
+    for (std::size_t i = 0; i < section.tables.size(); ++i) {
+      if (section.name == "object") read_tilt(document.file, section.tables[i]);
       read_units(section.name, table_label(section, i), is_planar != nullptr && *is_planar,
                  document.file, section.tables[i]);
+    }
   read_ranges(document);
   return document;
 }

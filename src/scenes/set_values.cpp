@@ -1,4 +1,4 @@
-#include "scenes/set_values.hpp"
+#include "lcpush/desktop/varied_scene.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
 #include "scenes/on_face.hpp"

@@ -33,6 +33,12 @@ std::string table_label(const TomlSection& section, std::size_t index) {
   return section.name + " " + (name != nullptr ? quoted(*name) : std::to_string(index + 1));
 }
 
+TomlValue typed_vector(int line, const Vector3<Rational>& vector) {
+  TomlArray list;
+  for (Index i = 0; i < 3; ++i) list.push_back({line, vector[i].value(), vector[i].text()});
+  return {line, list};
+}
+
 TableReader::TableReader(const std::string& file, const TomlTable& table, std::string label,
                          const Schema& schema)
     : file_(file), table_(table), label_(std::move(label)), schema_(schema) {

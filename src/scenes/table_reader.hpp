@@ -22,6 +22,9 @@ std::string table_label(const TomlSection& section, std::size_t index);
 /// "entry 2 of points", from 1.
 std::string entry_of(const std::string& what, std::size_t index);
 
+/// As if it were typed.
+TomlValue typed_vector(int line, const Vector3<Rational>& vector);
+
 /// Every reading function throws InputError, with file, line and the table's label, if the key is
 /// missing or its value is of another type, length or range. Optional keys: ask has() first.
 /// Numbers come as S = double, or as S = Rational exactly as typed; both pass the same checks.

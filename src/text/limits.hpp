@@ -22,6 +22,7 @@ constexpr Index patch_points = 10000; // each sees every other one of its patch:
 constexpr double memory = 1e9;             // bytes
 constexpr Index unknowns_held = 1'500'000; // 510 bytes each
 constexpr Index unknowns_matrix = 10'000;  // 8 bytes an entry
+constexpr Index unknowns_device = 16'383;  // as lcpush.h says
 constexpr Index unknowns_exported = 4'000; // 63 bytes an entry, most of them of text
 constexpr double bytes_a_sample = 2400, bytes_a_sampled_point = 40; // of a sweep, text included
 

@@ -1,7 +1,9 @@
-"""The first two sections of docs/embed/embedding.md, pasted as a new user would: the bundle, its example.
+"""The first two sections of docs/embed/embedding.md, pasted as a new user would: the bundle, its example; and programs
+of `lcpush export --format c` in it, whose last tick is what `lcpush solve` says.
 
-Usage: test_embedding.py REPO_ROOT
+Usage: test_embedding.py REPO_ROOT TOOL
 """
+import json
 import pathlib
 import re
 import subprocess
@@ -20,6 +22,12 @@ expected = re.findall(r"```text\n(.*?)```", page, flags=re.S)[0]  # the next is 
 assert for_arm in readme, "docs/embed/bundle.md compiles for Arm by another command"
 assert program == (root / "docs/embed/main.c").read_text(), "docs/embed/main.c is another program"
 
+HELD = "docs/guide/held_block.toml"
+SCENES = [("fixtures/scenes/straight_slide.toml", []), (HELD, []), ("fixtures/scenes/pivot.toml", []),
+          (HELD, ["pressure=even", "gripper.jaws=independent", "facets=8"]), (HELD, ["gripper.jaws=locked", "facets=4"]),
+          (HELD, ["planar=true", "pin.follow=bilateral", "facets=8"]),
+          (HELD, ["pin.torsion_radius=2 mm", "object.tilt=20 deg about x", "object.force=[1, 2, 3]"])]
+
 with tempfile.TemporaryDirectory() as folder:
     work = pathlib.Path(folder)
     for part in ("CMakeLists.txt", "LICENSE", "docs", "fixtures", "include", "src"):
@@ -30,4 +38,21 @@ with tempfile.TemporaryDirectory() as folder:
     assert result.stderr == "", result.stderr
     if result.stdout != expected:
         sys.exit(f"docs/embed/embedding.md: the example prints now\n{result.stdout}")
+    bundle = work / "build/lcpush"
+    for name, changes in SCENES:
+        scene, options = root / name, [word for change in changes for word in ("--set", change)]
+        made = [sys.argv[2], "export", scene, "--format", "c", "-o", work / "made", *options]
+        subprocess.run(made, check=True, capture_output=True)
+        subprocess.run(["gcc", "-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror", "-Iinclude",
+                        work / "made/main.c", "lcpush.o", "-o", "made"], cwd=bundle, check=True)
+        lines = subprocess.run([bundle / "made"], capture_output=True, text=True, check=True).stdout.splitlines()
+        answer = json.loads(subprocess.run([sys.argv[2], "solve", scene, "--json", *options], capture_output=True).stdout)
+        last = lines[-len(answer["bodies"]) - 1:]
+        assert last[0].startswith("tick 10: solved"), last[0]
+        numbers = [[float(x) for x in re.findall(r" (-?[\d.]+(?:e[+-]\d+)?)(?= |$|\b)", line.split(";" if k == 0 else ":")[1])]
+                   for k, line in enumerate(last)]
+        wanted = [answer["object"]["acceleration"]] + [body["force"] + body["moment"] for body in answer["bodies"]]
+        for k, (given, want) in enumerate(zip(numbers, wanted)):  # a float's last bit of 20 N turns it by 0.01 rad/s^2
+            slack = 3 * [4e-4] + 3 * [0.02] if k == 0 else 6 * [4e-3 if "facets" in str(changes) else 0.1]
+            assert len(given) == 6 and all(abs(a - b) <= s for a, b, s in zip(given, want, slack)), (name, changes, given, want)
 print("the bundle and the example of docs/embed/embedding.md: ok")

@@ -42,9 +42,9 @@ class Set(ToolTest):
         for given, old, new in SET:
             with self.subTest(given):
                 self.assertIn(old, text)
-                answer = run("solve", HELD, "--set", given)
+                answer = run("solve", "-", "--set", given, text=text)
                 lines = answer.stdout.split("\n")
-                self.assertEqual(lines[0], f"{HELD}, with {given}")
+                self.assertEqual(lines[0], f"standard input, with {given}")
                 typed = run("solve", "-", text=text.replace(old, new))
                 self.assertIn("\n".join(lines[2:14]), typed.stdout.replace("\n\n\n", "\n"), answer.stderr)
                 self.assertEqual(json_of("solve", HELD, "--set", given)["set"], [given])

@@ -1,4 +1,5 @@
 """Scenes with units and with contacts on faces mean the scenes in SI numbers and places, exactly."""
+import math
 import subprocess
 import sys
 
@@ -280,6 +281,99 @@ class Faces(SceneTest):
         plot = run("sweep", "-", "--vary", "2.center[1]=0:0.01", "--steps", 2, "--format", "svg",
                    text=on_faces(BOX, pads + [("pusher", motion, 'on = "-x"')])).stdout
         self.assertIn("center of 2 along z, m", plot)
+
+
+# A pose, gravity turned back into the object's axes.
+TILTS = [
+    ('tilt = "90 deg about z"', "[-9.81, -2, 3]"), ('tilt = "-90 deg about x"', "[2, -3, -9.81]"),
+    ("rotation = [0, 0, 2, 3.141592653589793]", "[-2, 9.81, 3]"), ('rotation = [1, 1, 1, "120 deg"]', "[-9.81, 3, 2]"),
+    ('rotation = [1, -1, 1, "0 deg"]', "[2, -9.81, 3]"),
+]
+TILT_REFUSED = [
+    ('tilt = "20 deg"', 'such as "20 deg about z"'), ('tilt = "20 about z"', "the unit is missing"), ("tilt = 20", "such as"),
+    ('tilt = "20 mm about z"', "a length; rad or deg is meant"), ('tilt = "20 deg about w"', 'write rotation = [x, y, z, "20 deg"]'),
+    ('tilt = "1 deg about z"\nrotation = [0, 0, 1, 1]', "keep one of the two"), ("rotation = [0, 0, 0, 1]", "this axis is zero"),
+    ("rotation = [0, 0, 1]", "a list of 4 numbers"), ("velocity = [1, 2]", "a list of 3 numbers"),
+]
+SLOPE = """gravity = [0, "-9.81 m/s^2", 0]
+planar = true
+[object]
+mass = "100 g"
+box = ["80 mm", "40 mm", "20 mm"]
+%s
+[[finger]]
+name = "table"
+shape = "line"
+on = "-y"
+along = "x"
+friction = %g
+"""
+
+
+def turned(v, axis, angle):
+    """Rodrigues."""
+    a = [x / math.dist(axis, [0, 0, 0]) for x in axis]
+    across = [a[1]*v[2] - a[2]*v[1], a[2]*v[0] - a[0]*v[2], a[0]*v[1] - a[1]*v[0]]
+    along = sum(x * y for x, y in zip(a, v))
+    return [x * math.cos(angle) + c * math.sin(angle) + n * along * (1 - math.cos(angle)) for x, c, n in zip(v, across, a)]
+
+
+class Poses(SceneTest):
+    text = SCENE.replace("[0, -9.81, 0]", "[2, -9.81, 3]")
+
+    def test_quarter_turns(self):
+        for pose, gravity in TILTS:
+            with self.subTest(pose):
+                typed = matrices(self.text.replace("[2, -9.81, 3]", gravity).replace("moment = [0, 0, 0.01]\n", ""))
+                tilted = matrices(self.text.replace("moment = [0, 0, 0.01]", pose))
+                self.assertIn('"w"', typed)
+                self.assertEqual(typed, tilted)
+
+    def test_contacts_of_the_scene(self):
+        """A wall that stays in the scene while the object turns is one that turns the other way."""
+        for axis, degrees in (([0, 0, 1], 20), ([1, -2, 0.5], -35), ([0, 1, 0], 170)):
+            def there(v): return str(turned(v, axis, math.radians(degrees)))
+            pose = f'rotation = {axis}'.replace("]", f', "{degrees} deg"]')
+            wall = self.text.replace("until = 0.25", 'frame = "scene"').replace("[[-0.04, -0.015, 0], [-0.04, 0.015, 0]]",
+                f"[{there([-0.04, -0.015, 0])}, {there([-0.04, 0.015, 0])}]").replace(
+                "[1, 0, 0]", there([1, 0, 0])).replace("[0.01, 0, 0]", there([0.01, 0, 0])).replace("[0, 0, 0.5]", there([0, 0, 0.5]))
+            wall = wall.replace("[2, -9.81, 3]", there([2, -9.81, 3])).replace(
+                "moment = [0, 0, 0.01]", f"moment = {there([0, 0, 0.01])}\n{pose}")
+            answers = [json_of("solve", "-", text=text) for text in (wall, self.text)]
+            for one, other in zip(*(sum((b["force"] + b["moment"] for b in a["bodies"]), a["object"]["acceleration"]) for a in answers)):
+                self.assertAlmostEqual(one, other, 6)
+
+    def test_fractions(self):
+        for pose in ('tilt = "20 deg about y"', 'rotation = [1, -2, 0.5, "200 deg"]'):
+            text = self.text.replace("moment = [0, 0, 0.01]", pose).replace("until = 0.25", "torsion_radius = 0.001").replace(
+                'shape = "line"\nends = [[-0.04, -0.015, 0], [-0.04, 0.015, 0]]', 'shape = "point"\ncenter = [-0.04, 0, 0]')
+            self.certified(text.replace("torsion_radius = 0.001", 'frame = "scene"'))
+            self.assertIn("the rotation of the object is irrational", run("pivots", "-", "--exact", "--json", text=text).stdout)
+
+    def test_slopes_and_sliding(self):
+        for degrees, friction in ((20, 0.5), (30, 0.5), (-40, 0.3)):
+            answer = json_of("solve", "-", text=SLOPE % (f'tilt = "{degrees} deg about z"', friction))
+            angle = math.radians(abs(degrees))
+            falls = max(0, 9.81 * (math.sin(angle) - friction * math.cos(angle)))
+            self.assertAlmostEqual(answer["object"]["acceleration"][0], math.copysign(falls, -degrees), 9)
+        for speed, friction in ((0.2, 0.3), (-0.1, 0.5)):
+            text = SLOPE % (f'velocity = ["{1000 * speed} mm/s", 0, 0]', friction)
+            frames = json_of("move", "-", "--time", 0.5, "--tolerance", 1e-6, text=text)["frames"]
+            self.assertAlmostEqual(frames[0]["twist"][0], speed)
+            self.assertAlmostEqual(frames[-1]["position"][0], speed * abs(speed) / (2 * friction * 9.81), 5)
+            self.assertIn("The object is taken at rest", run("solve", "-", text=text).stderr)
+
+    def test_what_is_refused(self):
+        for pose, said in TILT_REFUSED:
+            result = run("matrices", "-", text=self.text.replace("moment = [0, 0, 0.01]", pose))
+            self.assertEqual((result.returncode, result.stdout), (2, ""), pose)
+            self.assertIn(said, " ".join(result.stderr.split()))
+        for old, new, said in [('normal = [0, 0, -1]\n', 'on = "+z"\nframe = "scene"\n', "on is a face of the object"),
+                               ("until = 0.25", 'frame = "world"', 'frame must be "object" or "scene"')]:
+            result = run("matrices", "-", text=self.text.replace("center = [0.001, 0, 0.01]\n", "").replace(old, new)
+                         if "on =" in new else self.text.replace(old, new))
+            self.assertIn(said, " ".join(result.stderr.split()))
+        self.assertIn("out of the x-y plane", run("matrices", "-", text=SLOPE % ("velocity = [0, 0, 1]", 1)).stderr)
 
 
 main()

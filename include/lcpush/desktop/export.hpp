@@ -36,4 +36,8 @@ struct Export {
 /// unknowns of the full form.
 Export export_scene(const SceneFile& file);
 
+/// The scene for a device: main.c of the C interface, with the memory that it takes and a control
+/// loop. Its last tick is the scene's push, in float.
+std::string c_program(const SceneFile& file);
+
 } // namespace lcpush::desktop

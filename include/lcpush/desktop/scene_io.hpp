@@ -112,8 +112,9 @@ template <class S> struct SceneOf {
   std::vector<Drive<S>> drives;
   std::vector<PrescribedDrive<S>> prescribed; ///< for reading only: nothing is solved with them
   std::vector<Stroke> strokes;                ///< of the bodies
-  std::vector<ObjectFace> faces;              ///< as the file's [[face]]s say; none: the shape's
-  std::vector<std::string> body_names;        ///< unique
+  Vector6<double> start = Vector6<double>::Zero(); ///< the object's twist as a motion begins
+  std::vector<ObjectFace> faces;       ///< as the file's [[face]]s say; none: the shape's
+  std::vector<std::string> body_names; ///< unique
   std::vector<std::string>
       actuator_names; ///< of the body or the [[actuator]]; "jaws" of a parallel hand
   SceneLines lines;

@@ -37,7 +37,14 @@ struct Parameter {
   double value = 0;                   ///< in the file; of a turn 0
   std::string typed = {};             ///< the same as digits; empty for a turn
   std::vector<std::string> ends = {}; ///< of a range, of which it is the middle, as typed
+  std::string label = {};             ///< of an axis of a plot; empty: words for the path
 };
+
+/// The scene's text with these values in it, "wall.friction=0.4", one after the other; its title
+/// says so. Other lines stay where they are, if there is a blank line below a table that gets a new
+/// key. Throws InputError, which begins with `label` and the words that were given.
+std::string with_values(std::string text, const std::string& file, const std::string& label,
+                        const std::vector<std::string>& given);
 
 /// Cheap to copy: copies share the document, which never changes.
 class VariedScene {
