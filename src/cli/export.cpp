@@ -69,7 +69,7 @@ paper's quadratic program (H, f, A, b, Aeq, beq, lb, ub) with names.json; the lo
 of FCLIB; and solve_push.py and solve_push.m, which solve the program and write answer.json.
 With --format c instead main.c: the scene, its memory and a control loop for a device.
 
-Examples:
+Example:
   lcpush export fixtures/scenes/straight_slide.toml -o slide
   lcpush export fixtures/scenes/straight_slide.toml --format c -o device
 )",

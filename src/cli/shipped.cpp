@@ -143,7 +143,7 @@ ShellCommand new_command() {
        "Writes a scene that solves at once: a hand, an object and a push. Of your own object with\n"
        "the options; without them each key is explained: change the numbers to yours. On a\n"
        "terminal `lcpush new` alone asks.\n\n"
-       "Examples:\n  lcpush new box --push pivot -o mine.toml\n  lcpush solve mine.toml\n"
+       "Example:\n  lcpush new box --push pivot -o mine.toml\n  lcpush solve mine.toml\n"
        "  lcpush new box --size \"80 mm x 40 mm x 20 mm\" --mass \"120 g\" \\\n"
        "    --pads \"20 mm x 10 mm\" -o block.toml\n",
        {{"push", "MOTION", "slide (default), pivot, roll (a cylinder) or none"},
