@@ -7,6 +7,10 @@
 
 namespace lcpush::desktop {
 
+// A contact belongs to the surface if it is off by less than this part of the object's size: models
+// round edges off and leave grooves out.
+constexpr double surface_slack = 0.05;
+
 struct SurfacePoint {
   double distance;                      ///< m, positive outside
   Vector3<double> at;                   ///< the nearest point of the surface, scene's frame

@@ -1,9 +1,11 @@
 #include "scenes/scene_builder.hpp"
 
 #include "lcpush/desktop/input_error.hpp"
+#include "lcpush/desktop/scene_check.hpp"
 #include "lcpush/mechanics/model/contact.hpp"
 #include "scenes/exact_frame.hpp"
 #include "scenes/object_pose.hpp"
+#include "scenes/object_surface.hpp"
 #include "scenes/on_face.hpp"
 #include "scenes/scene_ranges.hpp"
 #include "scenes/scene_schema.hpp"
@@ -13,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <type_traits>
@@ -50,14 +53,19 @@ template <class S> Index moves_out_of_plane(const SceneOf<S>& scene) {
 
 template <class S> class SceneBuilder {
 public:
-  SceneBuilder(const TomlDocument& document, std::optional<Hand> unsaid_hand, Strokes strokes)
-      : document_(document), unsaid_hand_(unsaid_hand), strokes_(strokes) {}
+  /// `cuts`: does what lies beside the object's box not belong to its contacts?
+  SceneBuilder(const TomlDocument& document, std::optional<Hand> unsaid_hand, Strokes strokes,
+               bool cuts = false)
+      : document_(document), unsaid_hand_(unsaid_hand), strokes_(strokes), cuts_(cuts) {}
 
   /// Call once.
   SceneOf<S> build() {
     read_settings();
     scene_.object = read_object<S>(reader("object"), scene_.shape);
     read_start();
+    if (reader("object").has("box"))
+      box_.emplace(ObjectBox<S>{scene_.object.center_of_mass,
+                                reader("object").template vector3<S>("box") / S(2)});
     scene_.lines = {document_.file,
                     reader("").line_of({"gravity"}),
                     reader("object").line(),
@@ -82,6 +90,9 @@ public:
     scene_.is_round = scene_.is_round && scene_.has_cones();
     return std::move(scene_);
   }
+
+  /// Does a line or rectangle reach well beyond the box' face that it lies on?
+  bool reaches_beyond() const { return reaches_beyond_; }
 
 private:
   /// How many tables there are of [[section]].
@@ -152,9 +163,16 @@ private:
     if (table.has("frame")) (void)table.choice("frame", {"object", "scene"}); // see in_object_frame
     scene_.strokes.push_back(read_stroke(table));
     scene_.body_names.push_back(claim_name(table));
-    Patch<S> patch = read_patch<S>(table);
-    if (table.has("shift"))
-      for (Vector3<S>& position : patch.positions) position += table.vector3<S>("shift");
+    Vector3<S> shift = Vector3<S>::Zero();
+    if (table.has("shift")) shift = table.vector3<S>("shift");
+    std::optional<ObjectBox<S>> box = box_;
+    if (box) box->middle -= shift; // as the patch has it before the shift
+    const double least = surface_slack * scene_.shape.size.maxCoeff();
+    Patch<S> patch = read_patch<S>(table, box ? &*box : nullptr,
+                                   cuts_ ? least : std::numeric_limits<double>::infinity());
+    for (Vector3<S>& position : patch.positions) position += shift;
+    reaches_beyond_ = reaches_beyond_ || patch.overhang > least;
+    if (cuts_) scene_.overhang.push_back(patch.overhang > least ? patch.overhang : 0);
     Body<S> body{};
     body.role = role;
     body.normal = patch.normal;
@@ -307,6 +325,9 @@ private:
   const TomlDocument& document_;
   const std::optional<Hand> unsaid_hand_;
   const Strokes strokes_;
+  const bool cuts_;
+  bool reaches_beyond_ = false;
+  std::optional<ObjectBox<S>> box_;  ///< of an object that is one
   std::vector<TableReader> pushers_; ///< of the scene's pushers
   SceneOf<S> scene_;
   std::map<std::string, int> name_lines_; ///< of bodies and [[actuator]]s
@@ -316,6 +337,15 @@ void note_ranges(const TomlDocument& document, SceneLines& lines) {
   RangeNote note = range_note(document);
   lines.ranges = note.line;
   lines.middle = std::move(note.text);
+}
+
+/// Is it not the object's middle or its size that is a slip? A cut would hide that.
+bool is_well_placed(const TomlDocument& document, std::optional<Hand> unsaid_hand) {
+  const SceneFile file = SceneBuilder<double>(document, unsaid_hand, Strokes::all).build();
+  const std::vector<SceneDoubt> doubts = check_scene(file);
+  return std::none_of(doubts.begin(), doubts.end(), [](const SceneDoubt& found) {
+    return found.doubt == Doubt::center_of_mass || found.doubt == Doubt::density;
+  });
 }
 
 } // namespace
@@ -337,11 +367,14 @@ SceneOf<S> build_scene(const TomlDocument& document, std::optional<Hand> unsaid_
     note_ranges(document, scene.lines);
     return scene;
   }
-  SceneOf<S> scene = SceneBuilder<S>(document, unsaid_hand, Strokes::all).build();
-  const bool has_later = std::any_of(scene.strokes.begin(), scene.strokes.end(),
-                                     [](const Stroke& stroke) { return stroke.from > 0; });
-  if (strokes == Strokes::first && has_later)
-    scene = SceneBuilder<S>(document, unsaid_hand, strokes).build();
+  SceneBuilder<S> builder(document, unsaid_hand, Strokes::all);
+  SceneOf<S> scene = builder.build();
+  if (strokes == Strokes::first) {
+    const bool has_later = std::any_of(scene.strokes.begin(), scene.strokes.end(),
+                                       [](const Stroke& stroke) { return stroke.from > 0; });
+    const bool cuts = builder.reaches_beyond() && is_well_placed(document, unsaid_hand);
+    if (has_later || cuts) scene = SceneBuilder<S>(document, unsaid_hand, strokes, cuts).build();
+  }
   note_ranges(document, scene.lines);
   return scene;
 }

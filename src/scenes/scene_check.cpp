@@ -13,10 +13,8 @@
 namespace lcpush::desktop {
 namespace {
 
-// A contact belongs to the surface if it is off by less than this part of the object's size: models
-// round edges off and leave grooves out.
-constexpr double surface_slack = 0.05;
-// .. and no deeper than this part of its thinnest edge: beyond, another face would be as near.
+// A contact lies no deeper than this part of the object's thinnest edge: beyond, another face would
+// be as near.
 constexpr double depth_slack = 0.15;
 // Beyond so many sizes, a place is a slip of the unit or of a digit.
 constexpr double far_sizes = 3;
@@ -52,6 +50,11 @@ public:
       if (file_.strokes[b].from > 0) continue; // it comes to an object that has moved
       if (is_moved || (check_place(b) && check_normal(b))) check_motion(b);
     }
+    for (std::size_t b = 0; b < file_.overhang.size(); ++b)
+      if (file_.overhang[b] > 0)
+        doubt(Doubt::overhang, file_.lines.bodies[b].place,
+              body_label(file_, b) + "it reaches " + length_text(file_.overhang[b]) +
+                  " beyond the box; what lies beside it does not press");
     check_jaws();
     if (file_.planar) check_plane();
     if (doubts_.empty()) check_sides();
@@ -294,10 +297,10 @@ private:
 
 const char* doubt_code(Doubt doubt) {
   constexpr const char* codes[] = {
-      "outside_object", "far_from_object",  "normal_outward", "moves_away",
-      "density",        "jaws_independent", "center_of_mass", "normal_along",
-      "friction",       "gravity",          "acceleration",   "inertia",
-      "jaws_same_side", "unknown_shape",    "left_out",       "middle"};
+      "outside_object",   "far_from_object", "normal_outward", "moves_away",    "density",
+      "jaws_independent", "center_of_mass",  "normal_along",   "friction",      "gravity",
+      "acceleration",     "inertia",         "jaws_same_side", "unknown_shape", "overhang",
+      "left_out",         "middle"};
   return codes[static_cast<int>(doubt)];
 }
 

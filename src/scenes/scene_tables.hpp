@@ -18,11 +18,17 @@ template <class S> struct Patch {
   std::vector<Vector3<S>> positions;
   std::vector<S> weights;           ///< of the positions, of sum 1
   std::vector<std::string> inexact; ///< as SceneOf has it
+  double overhang = 0; ///< m: so far a line or a rectangle reaches beyond the box' face
 };
 
+/// An object's box, whose edges lie along the axes.
+template <class S> struct ObjectBox { Vector3<S> middle, half; };
+
 /// Reads and samples the patch: one point or more, no two coincident, all in one contact plane.
-/// S is double or Rational.
-template <class S> Patch<S> read_patch(const TableReader& table);
+/// S is double or Rational. Where a line or a rectangle reaches more than
+/// `cut_beyond` (m) beyond the face of `box` that it lies on, only what lies over it is sampled.
+template <class S>
+Patch<S> read_patch(const TableReader& table, const ObjectBox<S>* box, double cut_beyond);
 
 /// Mass, inertia about the centre of mass, and the centre of mass; what it looks like to `shape`.
 /// S is double or Rational.

@@ -36,7 +36,7 @@ ROOMS = {
     "include/lcpush/desktop": ("What can be asked on a desktop? One header a question.", CORE),
     "src/c": ("How is the C interface made of the core?", CORE),
     "src/commands": ("What can be asked, with which options, and how is it answered?",
-                     f"{CORE} text formats desktop pivots"),
+                     f"{CORE} text formats desktop pivots scenes"),
     "src/calls": ("How does another language ask, and how is it told?",
                   "lcp text formats desktop scenes commands"),
     "src/lcp": ("Which solvers are compiled once?", CORE),

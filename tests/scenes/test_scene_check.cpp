@@ -6,6 +6,7 @@
 #include <iterator>
 #include <random>
 #include <sstream>
+#include <tuple>
 
 #include "lcpush/desktop/scene_check.hpp"
 #include "scenes/shipped_scenes.hpp"
@@ -94,6 +95,40 @@ TEST_CASE("nothing is odd about 1,000 random grasps of boxes, wherever they are"
     CAPTURE(seed);
     CHECK(codes(sensible_scene(seed)) == Codes{});
   }
+}
+
+TEST_CASE("what of an edge or a rectangle lies beside the box does not press") {
+  const auto read = [](const std::string& from, const std::string& to) {
+    return parsed(with(slide(), from, to));
+  };
+  const std::string ends = "ends = [[-0.05, -0.015, 0], [-0.05, 0.015, 0]]";
+  const SceneFile whole = read(ends, ends);
+  for (const auto& [low, high, beyond] :
+       {std::tuple("-0.1", "0.1", "85 mm"), std::tuple("-0.015", "0.3", "285 mm")}) {
+    const std::string longer =
+        std::string("ends = [[-0.05, ") + low + ", 0], [-0.05, " + high + ", 0]]";
+    const SceneFile cut = read(ends, longer);
+    for (std::size_t i = 0; i < whole.points.size(); ++i)
+      CHECK(cut.points[i].isApprox(whole.points[i], 1e-12));
+    const std::vector<SceneDoubt> doubts = check_scene(cut);
+    REQUIRE(doubts.size() == 1);
+    CHECK(doubts[0].doubt == Doubt::overhang);
+    CHECK(doubts[0].text.find(beyond) != std::string::npos);
+    // A motion goes on: what lies beside now may press later.
+    const SceneFile moved = parse_scene(with(slide(), ends, longer), "s.toml", Strokes::all);
+    CHECK(moved.points.back().y() != doctest::Approx(0.015));
+    const SceneOf<Rational> exact = parse_scene<Rational>(with(slide(), ends, longer), "s.toml");
+    CHECK(exact.points.back()[1] == Rational(15) / Rational(1000));
+  }
+  // Within what models round off nothing is cut; nor where the whole object stands elsewhere.
+  CHECK(read(ends, "ends = [[-0.05, -0.016, 0], [-0.05, 0.016, 0]]").points.back().y() ==
+        doctest::Approx(0.016));
+  const SceneFile pads = parsed(
+      with(with(slide(), "shape = \"disc\" ", "shape = \"rectangle\"\ntangent = [1, 0, 0]\n"),
+           "radius = 0.005 ", "size = [0.02, 0.08]\n"));
+  for (const Index i : points_of(pads.body(0)))
+    CHECK(std::abs(pads.points[static_cast<std::size_t>(i)].y()) < 0.0151);
+  CHECK(pads.overhang[0] == doctest::Approx(0.025));
 }
 
 TEST_CASE("a slip of the hand is named, with its line and what to do") {

@@ -24,6 +24,7 @@ enum class Doubt {
   inertia,          ///< of a body far larger than where its contacts lie
   jaws_same_side,   ///< parallel jaws that press the same way
   unknown_shape,    ///< a motion goes over the surface of an object that has none
+  overhang,         ///< a line or rectangle reaches beyond the box, and is cut to what touches
   left_out,         ///< a load that planar = true drops: across the plane, or a moment out of it
   middle,           ///< nothing odd: numbers have ranges, and the scene is the middle of them
 };

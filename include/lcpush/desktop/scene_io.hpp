@@ -118,6 +118,7 @@ template <class S> struct SceneOf {
   std::vector<std::string>
       actuator_names; ///< of the body or the [[actuator]]; "jaws" of a parallel hand
   SceneLines lines;
+  std::vector<double> overhang; ///< m, of the bodies: so far each was cut off; empty: none was
   /// Of an exact scene: a sentence for each thing that is irrational, which therefore is not exact.
   std::vector<std::string> inexact;
 
