@@ -98,8 +98,11 @@ PushModel::PushModel(const Box& box, const std::optional<Vector6<double>>& twist
     const Index axis = i < 2 ? static_cast<Index>(i) : 5;
     twist_[i] = twist ? *Rational::parse(shown((*twist)[axis])) : pusher.acceleration[axis];
   }
-  if (twist_[0].sign() == 0 && twist_[1].sign() == 0 && twist_[2].sign() == 0)
-    obstacle_ = "the pusher does not move; give --twist";
+  const Rational largest = std::max({abs(twist_[0]), abs(twist_[1]), abs(twist_[2])});
+  if (largest.sign() == 0) obstacle_ = "the pusher does not move; give --twist";
+  int power = 0; // directions count alone
+  (void)std::frexp(largest.value(), &power);
+  for (Rational& x : twist_) x *= Rational(std::ldexp(1.0, -power));
   const Rational cut =
       pusher.normal.squaredNorm() == Rational(1) ? Rational(0) : Rational(box_settings.cut_normal);
   normal_ = {about(pusher.normal[0], cut), about(pusher.normal[1], cut)};
