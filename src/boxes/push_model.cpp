@@ -79,10 +79,8 @@ PointResistance pyramid_resistance(const PointResistance& u, const SceneOf<Ratio
   return best;
 }
 
-template <class T> T from(const Rational& x) { return T(x); }
 template <class T> T from(const Interval& x) { return x; }
 template <> double from<double>(const Interval& x) { return (x.low.value() + x.high.value()) / 2; }
-template <class T> T from(double x) { return x; }
 
 } // namespace
 
@@ -93,7 +91,7 @@ PushModel::PushModel(const Box& box, const std::optional<Vector6<double>>& twist
     if (scene.bodies[b].role == Role::pusher) pusher_ = static_cast<Index>(b);
   }
   const Body<Rational>& pusher = scene.body(pusher_);
-  points_ = static_cast<std::size_t>(pusher.point_count);
+  points_ = pusher.point_count;
   for (std::size_t i = 0; i < 3; ++i) {
     const Index axis = i < 2 ? static_cast<Index>(i) : 5;
     twist_[i] = twist ? *Rational::parse(shown((*twist)[axis])) : pusher.acceleration[axis];
@@ -108,7 +106,7 @@ PushModel::PushModel(const Box& box, const std::optional<Vector6<double>>& twist
   normal_ = {about(pusher.normal[0], cut), about(pusher.normal[1], cut)};
   find_slopes(scene, twist.has_value());
   if (obstacle_.empty()) find_resistance(scene);
-  if (obstacle_.empty()) order_points();
+  if (obstacle_.empty()) find_places();
 }
 
 PushModel::Numbers PushModel::numbers(const SceneOf<Rational>& scene) const {
@@ -220,35 +218,53 @@ void PushModel::find_resistance(const SceneOf<Rational>& scene) {
   }
 }
 
-void PushModel::order_points() {
-  const auto places = [&](std::size_t i) { return along(middle_, i).low.value(); };
-  std::size_t first = 0, last = 0;
-  for (std::size_t i = 1; i < points_; ++i) {
-    if (places(i) < places(first)) first = i;
-    if (places(i) > places(last)) last = i;
+PushModel::Standing PushModel::standing(const Numbers& numbers, Index point, Index beside) const {
+  const auto number = [&](Index i, std::size_t axis) {
+    return numbers[at(first_point) + 2 * static_cast<std::size_t>(i) + axis];
+  };
+  Rational x = number(point, 0), y = number(point, 1);
+  if (beside >= 0) {
+    x -= number(beside, 0);
+    y -= number(beside, 1);
   }
-  first_ = static_cast<Index>(first);
-  last_ = static_cast<Index>(last);
-  if (!(along(middle_, first).high < along(middle_, last).low))
-    obstacle_ = "the pusher presses at one place, where the object turns as it may";
-  // Its points lie in a plane across its normal, in the middle and wherever a side takes them.
-  for (std::size_t i = 1; i < points_; ++i)
-    for (std::size_t k = 0; k <= slopes_.size(); ++k) {
-      const Interval off = k < slopes_.size() ? standoff(slopes_[k], i) - standoff(slopes_[k], 0)
-                                              : standoff(middle_, i) - standoff(middle_, 0);
-      if (off.low.sign() > 0 || off.high.sign() < 0)
-        obstacle_ = "the pusher's points do not stay in a plane across its normal";
-    }
+  return {Interval(y) * normal_[0] - Interval(x) * normal_[1],
+          Interval(x) * normal_[0] + Interval(y) * normal_[1]};
 }
 
-/// Along z x n.
-Interval PushModel::along(const Numbers& numbers, std::size_t point) const {
-  const std::size_t i = at(first_point) + 2 * point;
-  return Interval(numbers[i + 1]) * normal_[0] - Interval(numbers[i]) * normal_[1];
+Rational PushModel::least(const std::function<Interval(const Numbers& numbers)>& linear) const {
+  Rational least = linear(middle_).low;
+  for (std::size_t k = 0; k < slopes_.size(); ++k) {
+    const Interval slope = linear(slopes_[k]);
+    least -=
+        std::max(abs(slope.low), abs(slope.high)) * (box_.sides()[k].high - box_.sides()[k].middle);
+  }
+  return least;
 }
-Interval PushModel::standoff(const Numbers& numbers, std::size_t point) const {
-  const std::size_t i = at(first_point) + 2 * point;
-  return Interval(numbers[i]) * normal_[0] + Interval(numbers[i + 1]) * normal_[1];
+
+/// Its outer points, whether they stay so, how far the points are off a plane, and which press.
+void PushModel::find_places() {
+  for (Index i = 1; i < points_; ++i) {
+    if (standing(middle_, i, first_).along.high.sign() < 0) first_ = i;
+    if (standing(middle_, i, last_).along.low.sign() > 0) last_ = i;
+  }
+  if (!(standing(middle_, last_, first_).along.low.sign() > 0))
+    obstacle_ = "the pusher presses at one place, where the object turns as it may";
+  const Interval closing = Interval(twist_[0]) * normal_[0] + Interval(twist_[1]) * normal_[1];
+  for (Index i = 0; i < points_; ++i) {
+    const auto along = [&](Index a, Index b) {
+      return least([&](const Numbers& numbers) { return standing(numbers, a, b).along; });
+    };
+    const auto off = [&](Index a, Index b) {
+      return abs(least([&](const Numbers& numbers) { return standing(numbers, a, b).off; }));
+    };
+    if (obstacle_.empty() && (along(i, first_).sign() < 0 || along(last_, i).sign() < 0))
+      obstacle_ = "the pusher's outer points change places within the ranges";
+    for (const Index outer : {first_, last_})
+      spread_ = std::max({spread_, off(i, outer), off(outer, i)});
+    presses_ = presses_ || (closing.low + least([&](const Numbers& numbers) {
+                              return Interval(-twist_[2]) * standing(numbers, i).along;
+                            })).sign() > 0;
+  }
 }
 
 PushModel::Numbers PushModel::numbers_at(const std::vector<Rational>& of_sides) const {
@@ -262,12 +278,11 @@ PushModel::Numbers PushModel::numbers_at(const std::vector<Rational>& of_sides) 
   return numbers;
 }
 
-/// w = sum_b mu_b F_b R_b - m g - f at the centre of mass; with the plane of the pusher's points at
-/// h along n, M = h f_t - moment is the sum of their s times their normal forces.
+/// w = sum_b mu_b F_b R_b - m g - f at the centre of mass; M = h f_t - moment is the sum of the
+/// points' s times their normal forces, with h where an outer point stands along n.
 template <class T, class Number>
-PushConditions<T> PushModel::conditions_of(const std::vector<Number>& numbers, const T& h,
-                                           const T& s_first, const T& s_last) const {
-  const auto number = [&](std::size_t i) { return from<T>(numbers[i]); };
+PushConditions<T> PushModel::conditions_of(const std::vector<Number>& numbers) const {
+  const auto number = [&](std::size_t i) { return T(numbers[i]); };
   const T m = number(at(mass));
   T w[3] = {T(0) - m * number(at(gravity_x)) - number(at(force_x)),
             T(0) - m * number(at(gravity_y)) - number(at(force_y)), T(0) - number(at(moment))};
@@ -275,18 +290,19 @@ PushConditions<T> PushModel::conditions_of(const std::vector<Number>& numbers, c
     const T limit = number(b) * number(fingers_ + b);
     for (std::size_t i = 0; i < 3; ++i) w[i] = w[i] + limit * from<T>(resists_[b][i]);
   }
-  const T nx = from<T>(normal_[0]), ny = from<T>(normal_[1]);
+  const T nx = from<T>(normal_[0]), ny = from<T>(normal_[1]), mu = number(at(friction));
   const T pressed = w[0] * nx + w[1] * ny, dragged = w[1] * nx - w[0] * ny;
-  const T at_place = h * dragged - w[2], mu = number(at(friction));
-  return {{mu * pressed - dragged, mu * pressed + dragged, at_place - s_first * pressed,
-           s_last * pressed - at_place}};
+  const auto beyond = [&](Index i) { // M - s f_n
+    const std::size_t x = at(first_point) + 2 * static_cast<std::size_t>(i);
+    const T h = number(x) * nx + number(x + 1) * ny, s = number(x + 1) * nx - number(x) * ny;
+    return h * dragged - w[2] - s * pressed;
+  };
+  return {{mu * pressed - dragged, mu * pressed + dragged, beyond(first_), T(0) - beyond(last_)},
+          from<T>(Interval(spread_)) * mu * pressed};
 }
 
 PushConditions<Interval> PushModel::exact_conditions(const std::vector<Rational>& of_sides) const {
-  const Numbers numbers = numbers_at(of_sides);
-  return conditions_of<Interval>(numbers, standoff(numbers, 0),
-                                 along(numbers, static_cast<std::size_t>(first_)),
-                                 along(numbers, static_cast<std::size_t>(last_)));
+  return conditions_of<Interval>(numbers_at(of_sides));
 }
 
 PushConditions<double> PushModel::conditions(const std::vector<double>& of_sides) const {
@@ -295,34 +311,7 @@ PushConditions<double> PushModel::conditions(const std::vector<double>& of_sides
     const double step = of_sides[k] - box_.sides()[k].middle.value();
     for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] += rounded_slopes_[k][i] * step;
   }
-  const double nx = from<double>(normal_[0]), ny = from<double>(normal_[1]);
-  const double* const p = numbers.data() + at(first_point);
-  const auto s = [&](Index i) { return p[2 * i + 1] * nx - p[2 * i] * ny; };
-  return conditions_of<double>(numbers, p[0] * nx + p[1] * ny, s(first_), s(last_));
-}
-
-bool PushModel::keeps_order(const std::vector<Rational>& of_sides) const {
-  const Numbers numbers = numbers_at(of_sides);
-  const Rational* const p = numbers.data() + at(first_point);
-  const auto is_beyond = [&](std::size_t i, Index j) {
-    const Interval x = Rational(p[2 * i] - p[2 * j]), y = Rational(p[2 * i + 1] - p[2 * j + 1]);
-    return !((y * normal_[0] - x * normal_[1]).low.sign() < 0);
-  };
-  for (std::size_t i = 0; i < points_; ++i)
-    if (!is_beyond(i, first_) || !is_beyond(static_cast<std::size_t>(last_), static_cast<Index>(i)))
-      return false;
-  return true;
-}
-
-std::vector<bool> PushModel::pressing(const std::vector<Rational>& of_sides) const {
-  const Numbers numbers = numbers_at(of_sides);
-  std::vector<bool> presses;
-  for (std::size_t i = 0; i < points_; ++i) {
-    const Interval speed = Interval(twist_[0]) * normal_[0] + Interval(twist_[1]) * normal_[1] -
-                           Interval(twist_[2]) * along(numbers, i);
-    presses.push_back(speed.low.sign() > 0);
-  }
-  return presses;
+  return conditions_of<double>(numbers);
 }
 
 } // namespace lcpush::desktop

@@ -5,6 +5,7 @@
 #include "boxes/interval.hpp"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,8 +13,13 @@
 namespace lcpush::desktop {
 
 /// The pusher sticks where none of them is negative: mu f_n - f_t, mu f_n + f_t, and how far inside
-/// its outer points its force acts, times f_n: M - s_first f_n, s_last f_n - M.
-template <class T> struct PushConditions { std::array<T, 4> values; };
+/// its outer points its force acts, times f_n: M - s_first f_n, s_last f_n - M. It slips where one
+/// is less than - slack, of the last two: its points may not lie quite in a plane across its
+/// normal.
+template <class T> struct PushConditions {
+  std::array<T, 4> values;
+  T slack;
+};
 
 class PushModel {
 public:
@@ -33,10 +39,8 @@ public:
 
   PushConditions<Interval> exact_conditions(const std::vector<Rational>& of_sides) const;
   PushConditions<double> conditions(const std::vector<double>& of_sides) const;
-  /// Do the outer points stay the outer ones there?
-  bool keeps_order(const std::vector<Rational>& of_sides) const;
-  /// The points that the motion presses into the object there.
-  std::vector<bool> pressing(const std::vector<Rational>& of_sides) const;
+  /// Does the motion press some point of the pusher into the object, in the whole box?
+  bool presses() const { return presses_; }
 
 private:
   using Numbers = std::vector<Rational>;
@@ -47,9 +51,10 @@ private:
   const Box& box_;
   std::string obstacle_;
   std::vector<bool> counts_;
-  Index pusher_ = -1, first_ = 0, last_ = 0;
-  std::size_t fingers_ = 0, points_ = 0;
-  bool has_load_ = false;
+  Index pusher_ = -1, first_ = 0, last_ = 0, points_ = 0;
+  std::size_t fingers_ = 0;
+  bool has_load_ = false, presses_ = false;
+  Rational spread_ = 0; ///< of the pusher's points along its normal
   Numbers middle_;
   std::vector<Numbers> slopes_;                  ///< a side
   std::vector<std::array<Interval, 3>> resists_; ///< a finger of normal force and friction 1
@@ -62,15 +67,19 @@ private:
   void refuse(const BoxSide& side);
   void find_slopes(const SceneOf<Rational>& scene, bool has_twist);
   void find_resistance(const SceneOf<Rational>& scene);
-  void order_points();
+  void find_places();
   Numbers numbers(const SceneOf<Rational>& scene) const;
   Numbers fixed(const SceneOf<Rational>& scene, bool has_twist) const;
   Numbers numbers_at(const std::vector<Rational>& of_sides) const;
-  Interval along(const Numbers& numbers, std::size_t point) const;
-  Interval standoff(const Numbers& numbers, std::size_t point) const;
+  /// Where a point of the pusher stands along z x n, and along n; and two beside each other.
+  struct Standing {
+    Interval along, off;
+  };
+  Standing standing(const Numbers& numbers, Index point, Index beside = -1) const;
+  /// The least in the box of what is linear in places.
+  Rational least(const std::function<Interval(const Numbers& numbers)>& linear) const;
   template <class T, class Number>
-  PushConditions<T> conditions_of(const std::vector<Number>& numbers, const T& h, const T& s_first,
-                                  const T& s_last) const;
+  PushConditions<T> conditions_of(const std::vector<Number>& numbers) const;
 };
 
 } // namespace lcpush::desktop

@@ -32,8 +32,6 @@ private:
   /// What the corners say.
   struct Seen {
     bool sticks = true;                 ///< surely, at each
-    bool is_ordered = true;             ///< the outer points are the outer ones
-    bool presses = false;               ///< one point does everywhere
     std::array<bool, 4> fails{};        ///< the same condition at each: it never sticks
     std::optional<Box::Corner> slips{}; ///< surely, and most
     std::size_t condition = 0;          ///< that fails most there
@@ -49,27 +47,21 @@ private:
   Seen look(const std::optional<Rational>& margin) const {
     Seen seen;
     seen.fails.fill(true);
-    std::vector<bool> presses(static_cast<std::size_t>(file_.body(model_.pusher()).point_count),
-                              true);
     double worst = 0;
     for (Box::Corner c = 0; c < box_.corners(); ++c) {
       if (!is_wanted(c)) continue;
-      const std::vector<Rational> at = box_.corner(c, margin);
-      const PushConditions<Interval> there = model_.exact_conditions(at);
-      seen.is_ordered = seen.is_ordered && model_.keeps_order(at);
-      const std::vector<bool> pressing = model_.pressing(at);
-      for (std::size_t i = 0; i < presses.size(); ++i) presses[i] = presses[i] && pressing[i];
+      const PushConditions<Interval> there = model_.exact_conditions(box_.corner(c, margin));
       for (std::size_t i = 0; i < there.values.size(); ++i) {
-        const Interval& value = there.values[i];
-        seen.sticks = seen.sticks && value.low.sign() >= 0;
-        seen.fails[i] = seen.fails[i] && value.high.sign() < 0;
-        if (value.high.sign() >= 0 || !(value.high.value() / unit(i) < worst)) continue;
-        worst = value.high.value() / unit(i);
+        seen.sticks = seen.sticks && there.values[i].low.sign() >= 0;
+        const Rational most =
+            i < 2 ? there.values[i].high : there.values[i].high + there.slack.high;
+        seen.fails[i] = seen.fails[i] && most.sign() < 0;
+        if (most.sign() >= 0 || !(most.value() / unit(i) < worst)) continue;
+        worst = most.value() / unit(i);
         seen.slips = c;
         seen.condition = i;
       }
     }
-    seen.presses = std::find(presses.begin(), presses.end(), true) != presses.end();
     return seen;
   }
 
@@ -84,9 +76,7 @@ private:
   }
 
   void decide(const Seen& seen) {
-    if (!seen.is_ordered) {
-      answer_.reason = "the pusher's outer points change places within the ranges";
-    } else if (std::find(seen.fails.begin(), seen.fails.end(), true) != seen.fails.end()) {
+    if (std::find(seen.fails.begin(), seen.fails.end(), true) != seen.fails.end()) {
       answer_.verdict = BoxVerdict::never;
       answer_.reason = slip_words(seen.condition);
     } else if (seen.slips) {
@@ -95,7 +85,7 @@ private:
       box_.put_corner(box_.corner(*seen.slips), answer_);
     } else if (!seen.sticks) {
       answer_.reason = "it is on the verge of slipping at a corner, within what fractions can tell";
-    } else if (!seen.presses) {
+    } else if (!model_.presses()) {
       answer_.reason = "the pusher moves away, so that it may leave as well as stick";
     } else {
       answer_.verdict = BoxVerdict::always;
@@ -188,7 +178,7 @@ private:
     if (!holds(margin))
       margin = widest_margin([&](double part) { return holds(part * margin); }, true) * margin;
     const Seen seen = look(Rational(margin));
-    if (seen.sticks && seen.presses && seen.is_ordered && holds(margin))
+    if (seen.sticks && model_.presses() && holds(margin))
       answer_.margin = margin;
     else if (seen.slips || answer_.verdict == BoxVerdict::never)
       answer_.margin = 0;

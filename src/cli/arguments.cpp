@@ -206,7 +206,8 @@ Document Arguments::given_scene(std::size_t k) const {
 void Arguments::inspect(const SceneFile& file) const {
   std::vector<SceneDoubt> doubts = check_scene(file);
   const commands::Option* const tolerance = command().find("tolerance");
-  const bool asks_box = tolerance != nullptr && tolerance->repeats && text("format") != "svg";
+  const bool asks_box =
+      tolerance != nullptr && tolerance->repeats && text("format") != "svg" && !has("vary");
   if (has("strict") || asks_box) // a range is nothing odd, and a box is asked
     doubts.erase(
         std::remove_if(doubts.begin(), doubts.end(),

@@ -22,7 +22,8 @@ class Push:
         self.facets = rng.choice([None, None, None, 8])
         self.fingers = {name: [[round(u(-0.01, 0.01), 4) for _ in range(2)] for _ in range(rng.choice([2, 3, 5]))]
                         for name in ("left", "right")}
-        self.n = rng.choice([(1, 0), (0, -1), (0.6, 0.8), (-0.8, 0.6)])
+        angle = u(0, 6)
+        self.n = rng.choice([(1, 0), (0, -1), (0.6, 0.8), (-0.8, 0.6), (math.cos(angle), math.sin(angle))])
         width, h, middle = u(0.005, 0.04), -0.05, round(u(-0.01, 0.01), 4)
         self.places = [(h * self.n[0] - s * self.n[1], h * self.n[1] + s * self.n[0])
                        for s in (round(middle - width / 2, 4), round(middle + width / 2, 4))]
@@ -41,7 +42,7 @@ class Push:
             points = [[*p, z] for p in self.fingers[name]]
             text += (f'[[finger]]\nname = "{name}"\nshape = "points"\npoints = {points}\nnormal = [0, 0, {-1 if z > 0 else 1}]\n'
                      f"friction = {m[name + '.friction']}\ngrip_force = {m[name + '.grip_force']}\n")
-        ends = [[repr(round(x, 12)), repr(round(y, 12)), "0"] for x, y in self.places]
+        ends = [[x, y, 0] for x, y in self.places]
         return text + (f'[[pusher]]\nname = "wall"\nshape = "line"\nends = {ends}\npoints = 2\nnormal = [{self.n[0]}, {self.n[1]}, 0]\n'
                        f"friction = {m['wall.friction']}\nvelocity = [{self.n[0]}, {self.n[1]}, 0]\n").replace("'", "")
 
