@@ -44,7 +44,7 @@ class Push:
                      f"friction = {m[name + '.friction']}\ngrip_force = {m[name + '.grip_force']}\n")
         ends = [[x, y, 0] for x, y in self.places]
         return text + (f'[[pusher]]\nname = "wall"\nshape = "line"\nends = {ends}\npoints = 2\nnormal = [{self.n[0]}, {self.n[1]}, 0]\n'
-                       f"friction = {m['wall.friction']}\nvelocity = [{self.n[0]}, {self.n[1]}, 0]\n").replace("'", "")
+                       f"friction = {m['wall.friction']}\nvelocity = [{self.n[0]}, {self.n[1]}, 0]\n")
 
     def slip_force(self, x, y):
         vx, vy = self.twist[0] - self.twist[2] * y, self.twist[1] + self.twist[2] * x
