@@ -87,6 +87,8 @@ void Arguments::read_option(const std::vector<std::string>& words, std::size_t& 
       rest.front() = *inline_value; // also of --vary=X
       refuse_apart(rest);
     }
+    if (name == "--set" && inline_value->find('=') == std::string::npos)
+      throw UsageError("--set takes one word: write --set \"" + *inline_value + "=0.4\"");
     if (name == "--output" && inline_value->empty())
       throw UsageError("the file to write to has an empty name");
     values_[option.name].push_back(*inline_value);

@@ -75,6 +75,16 @@ class SameJson(unittest.TestCase):
         self.assertEqual(scene.picture("top"),
                          printed("report", TIPPING, "--format", "svg", "--picture", "top"))
 
+    def test_of_other_values(self):
+        path, changes = "docs/guide/held_block.toml", {"object.mass": "150 g", "pin.friction": 0.4, "gravity": [0, -9, 1]}
+        other = lcpush.read(path).with_values(changes)
+        self.assertEqual(other.title, f"{path}, with object.mass=\"150 g\", pin.friction=0.4, gravity=[0, -9, 1]")
+        set_ = [word for key, value in changes.items() for word in ("--set", f"{key}={value}")]
+        self.assertEqual(other.solve().contacts[0].normal_force,
+                         json.loads(printed("solve", path, *set_, "--json"))["contacts"][0]["normal_force"])
+        with self.assertRaisesRegex(lcpush.InputError, "did you mean"):
+            other.with_values({"pin.fricton": 1})
+
     def test_of_holding(self):
         path = "docs/guide/off_centre.toml"
         hold = lcpush.read(path).hold(at=(0.1, 0, 0), directions=["moment 0 1 0"])

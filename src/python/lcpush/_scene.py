@@ -89,7 +89,9 @@ class Scene:
         """The scene with other values, as `--set` of the tool has them: {"wall.friction": 0.4,
         "object.mass": "120 g"}."""
         given = [f"{path}={_toml.as_toml(value, path)}" for path, value in values.items()]
-        return Scene(json.loads(self._ask("tables", {"set": given})), self._name)
+        tables = json.loads(self._ask("tables", {"set": given}))
+        del tables["set"]
+        return Scene(tables, self._name)
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the scene file."""
