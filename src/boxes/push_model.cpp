@@ -127,6 +127,25 @@ void PushModel::refuse(const BoxSide& side) {
   obstacle_ = "whether it sticks is no multi-affine function of " + side.parameters[0].path;
 }
 
+/// What reaches beyond the object's box is cut to it, from some overhang on: no affine function of
+/// a place. The overhang is convex, so none at the corners is none in between.
+void PushModel::refuse_cuts() {
+  constexpr std::array place_keys = {"shift", "center", "ends", "points"};
+  const auto& sides = box_.sides();
+  if (std::none_of(sides.begin(), sides.end(),
+                   [&](const BoxSide& side) { return side.is_one_of(place_keys); }))
+    return;
+  for (Box::Corner c = 0; c < box_.corners(); ++c) {
+    bool is_wanted = true;
+    for (std::size_t k = 0; k < sides.size(); ++k)
+      is_wanted = is_wanted && (sides[k].is_one_of(place_keys) || (c >> k & 1U) == 0);
+    if (!is_wanted) continue;
+    for (const double overhang : box_.scene_at(box_.corner(c)).overhang)
+      if (overhang > 0)
+        obstacle_ = "the pusher reaches beyond the object, where it is cut to what touches";
+  }
+}
+
 /// What has to stay.
 PushModel::Numbers PushModel::fixed(const SceneOf<Rational>& scene, bool has_twist) const {
   Numbers list;
@@ -180,6 +199,7 @@ void PushModel::find_slopes(const SceneOf<Rational>& scene, bool has_twist) {
   }
   for (std::size_t i = at(gravity_x); i < at(friction); ++i)
     has_load_ = has_load_ || middle_[i].sign() != 0;
+  refuse_cuts();
   for (const Rational& x : middle_) rounded_middle_.push_back(x.value());
   for (const Numbers& slope : slopes_) {
     rounded_slopes_.emplace_back();

@@ -65,6 +65,7 @@ private:
 
   std::size_t at(Place place) const { return 2 * fingers_ + static_cast<std::size_t>(place); }
   void refuse(const BoxSide& side);
+  void refuse_cuts();
   void find_slopes(const SceneOf<Rational>& scene, bool has_twist);
   void find_resistance(const SceneOf<Rational>& scene);
   void find_places();

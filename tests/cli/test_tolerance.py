@@ -77,7 +77,8 @@ class Push:
 
 def slide(mu_wall, mu, force, mass):
     return SLIDE_TEXT.replace("friction = 0.5", f"friction = {mu}").replace("= 0.3\n", f"= {mu_wall}\n").replace(
-        "grip_force = 20", f"grip_force = {force}").replace("mass = 0.2 ", f"mass = {mass} ").replace("-0.015", "-0.15").replace("0.015, 0]]", "0.15, 0]]")
+        "grip_force = 20", f"grip_force = {force}").replace("mass = 0.2 ", f"mass = {mass} ").replace(
+            "-0.015", "-0.15").replace("0.015, 0]]", "0.15, 0]]").replace("[0.1, 0.03,", "[0.1, 0.3,")
 
 
 class Tolerance(ToolTest):
@@ -186,6 +187,9 @@ class Tolerance(ToolTest):
         point = SCENES / "straight_slide_point.toml"
         text = point.read_text().replace("gravity = [", "planar = true\ngravity = [")
         self.assertIn("one place", json_of("cone", self.file("p.toml", text), "--tolerance", "*.friction=1%")["reason"])
+        wide = self.file("wide.toml", SLIDE_TEXT.replace("-0.015", "-0.025"))  # cut to the bar
+        self.assertEqual(json_of("cone", wide, "--tolerance", "*.friction=1%")["verdict"], "always")
+        self.assertIn("beyond the object", json_of("cone", wide, "--tolerance", "wall.shift[1]=0:0.001")["reason"])
         back = json_of("cone", free, "--tolerance", "*.friction=1%", "--twist", "-1 0 0")
         self.assertIn(back["verdict"], ("never", "not_known"))
 
