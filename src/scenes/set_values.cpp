@@ -52,7 +52,7 @@ public:
   void write(const TomlTable& table, const std::string& key, const TomlValue& value) {
     const std::string entry = key + " = " + toml_text(value);
     for (const TomlEntry& old : table.entries)
-      if (old.key == key || (key == "normal" && old.key == "on")) return replace(old, entry);
+      if (old.key == key) return replace(old, entry);
     const std::size_t top = text_.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0; // a byte order mark
     const bool is_first = table.end == 0;
     const std::size_t at = is_first ? top : std::min(text_.find('\n', table.end), text_.size());
@@ -110,8 +110,8 @@ public:
 
   std::string text() {
     for (const auto& [section, table] : targets()) {
-      if (is_motion()) {
-        move(*table);
+      if (is_turn()) {
+        turn(*table);
         continue;
       }
       const TomlValue* const old = table->find(key_);
@@ -141,11 +141,11 @@ private:
     }
   }
 
-  bool is_motion() const { return key_ == "turn" || key_ == "tangent_turn"; }
+  bool is_turn() const { return key_ == "turn" || key_ == "tangent_turn"; }
 
   bool is_called(const std::string& section, const TomlTable& table) const {
     if (owner_ == "*")
-      return is_body(section) && (table.find(key_) != nullptr || is_motion() || key_ == "shift");
+      return is_body(section) && (table.find(key_) != nullptr || is_turn() || key_ == "shift");
     return owner_ == (table.name() != nullptr ? *table.name() : section);
   }
 
@@ -170,8 +170,7 @@ private:
            (near.empty() ? "; there are " + listed(owners, "and") : near));
     }
     const Schema& schema = schema_of(found.front().first);
-    if (is_motion() ? is_body(found.front().first)
-                    : key_called(found.front().first, key_) != nullptr)
+    if (is_turn() ? is_body(found.front().first) : key_called(found.front().first, key_) != nullptr)
       return found;
     fail("no key " + quoted(key_) +
          (with_key.empty() ? key_hint(schema, key_) : "; write " + listed(with_key, "or")));
@@ -202,29 +201,22 @@ private:
     return *at;
   }
 
-  /// A body turned (degrees), as a sweep does it.
-  void move(const TomlTable& original) {
+  /// A motion or a tangent turned (degrees), as a sweep does it.
+  void turn(const TomlTable& original) {
     const std::optional<double> by = value_.number();
     if (!by || !indices_.empty())
       fail("a turn is a number, in degrees: " + owner_ + "." + key_ + "=30");
-    if (key_ == "turn" && original.find("velocity") == nullptr &&
-        original.find("acceleration") == nullptr)
+    const bool is_motion = key_ == "turn", is_fast = original.find("velocity") != nullptr;
+    if (is_motion && !is_fast && original.find("acceleration") == nullptr)
       fail("it has neither a velocity nor an acceleration that could turn");
-    TomlDocument moved = parse_scene_tables(given_text_, edited_.document.file);
-    if (has_contacts_on_faces(moved)) moved = with_typed_places(std::move(moved));
-    for (TomlSection& section : moved.sections)
+    const char* const key = !is_motion ? "tangent" : is_fast ? "velocity" : "acceleration";
+    TomlDocument turned = parse_scene_tables(given_text_, edited_.document.file);
+    if (has_contacts_on_faces(turned)) turned = with_typed_places(std::move(turned));
+    for (TomlSection& section : turned.sections)
       for (TomlTable& table : section.tables) {
         if (table.line != original.line) continue;
-        const TomlTable before = table;
-        if (key_ == "turn") turn_motion(table, *by);
-        if (key_ == "tangent_turn") turn_tangent(table, *by);
-        for (const TomlEntry& entry : table.entries) {
-          const TomlValue* const old = before.find(entry.key);
-          const bool was_on =
-              original.find("on") != nullptr && (entry.key == "normal" || entry.key == "center");
-          if (was_on || old == nullptr || toml_text(*old) != toml_text(entry.value))
-            edited_.write(original, entry.key, entry.value);
-        }
+        (is_motion ? turn_motion : turn_tangent)(table, *by);
+        if (const TomlValue* const value = table.find(key)) edited_.write(original, key, *value);
       }
   }
 

@@ -57,6 +57,14 @@ class Set(ToolTest):
         alone = run("solve", HELD, "--set", "left.grip_force=10", "--set", "gripper.jaws=independent")
         self.assertEqual(alone.returncode, 0, alone.stderr)
 
+    def test_what_lies_on_a_face_turns(self):
+        text = run("new", "box", "--size", "80 mm x 40 mm x 20 mm").stdout.replace("planar = true", "# -------------")
+        for given, old, new in (("wall.turn=90", '["10 mm/s", 0, 0]', '[0, "10 mm/s", 0]'),
+                                ("wall.tangent_turn=90", 'along = "y"', 'along = "y"\ntangent = [0, 0, 1]')):
+            set_, typed = json_of("matrices", "-", "--set", given, text=text), json_of("matrices", "-", text=text.replace(old, new))
+            self.assertEqual(set_["G_bar"], typed["G_bar"])
+            for one, other in zip(sum(set_["v"]["values"], []), sum(typed["v"]["values"], [])): self.assertAlmostEqual(one, other)
+
     def test_what_is_refused(self):
         for given, said in REFUSED:
             with self.subTest(given):
