@@ -181,7 +181,12 @@ BoxAnswer unknown_box(const VariedScene& scene) { return Box(scene).answer(); }
 
 std::vector<SceneFile> corner_scenes(const VariedScene& scene,
                                      const std::optional<double>& margin) {
+  constexpr std::array keys = {"friction", "grip_force", "mass", "gravity", "force", "moment"};
   const Box box(scene);
+  for (const BoxSide& side : box.sides())
+    if (!side.is_one_of(keys))
+      refuse(side.parameters[0].path,
+             "a plan is made for every value of friction, grip, mass and load alone");
   std::vector<SceneFile> scenes;
   const std::optional<Rational> wide = margin ? std::optional(Rational(*margin)) : std::nullopt;
   for (Box::Corner c = 0; c < box.corners(); ++c) {

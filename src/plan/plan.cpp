@@ -68,10 +68,10 @@ private:
     std::vector<SceneFile> scenes;
     if (!options_.box) return scenes;
     for (SceneFile& corner : corner_scenes(*options_.box, margin)) {
-      scenes.push_back(along_faces(std::move(corner)));
-      if (scenes.back().positions != file_.positions)
-        throw InputError(file_name_ + ": a plan's box has no places in it, and its pushers are all "
-                                      "there from the start");
+      if (corner.points.size() != file_.points.size())
+        throw InputError(file_name_ + ": pushers of a plan for every value are there all the time");
+      corner.points = file_.points; // along the faces
+      scenes.push_back(std::move(corner));
     }
     return scenes;
   }

@@ -225,6 +225,7 @@ class Tolerance(ToolTest):
             scene = self.file("push.toml", SQUARE.read_text())
             begin = json_of("cone", scene, "--pusher", push["pusher"], "--twist", f"{x} {y} {turn}", "--tolerance", "*.friction=10%")
             self.assertEqual(begin["verdict"], "always")
+        self.assertIn("friction, grip, mass and load alone", " ".join(run(*words, "--tolerance", "east.shift[1]=0:1e-3").stderr.split()))
         rng = random.Random(3)
         for _ in range(200 if DEEP else 3):  # replays at values of the box end where the plan does
             text = plan["scene"].replace("friction = 0.9\n", f"friction = {rng.uniform(0.81, 0.99)}\n")
